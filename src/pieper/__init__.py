@@ -1,0 +1,25 @@
+"""pieper: give it a DH table and it gives back everything that can be known about how that arm moves."""
+
+from pieper.arm import Arm, catalog, load
+from pieper.description.dh import DH
+from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
+from pieper.inverse.solutions import SolutionBatch, Solutions, Status
+from pieper.motion.path import line
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "DH",
+    "Arm",
+    "InputError",
+    "NoSolutionError",
+    "PieperError",
+    "PieperWarning",
+    "PlanError",
+    "SolutionBatch",
+    "Solutions",
+    "Status",
+    "catalog",
+    "line",
+    "load",
+]

@@ -1,0 +1,1 @@
+"""Where arms come from: DH tables, robot files, the catalogue, URDF."""

@@ -1,0 +1,1 @@
+"""From a pose to every joint vector that reaches it."""

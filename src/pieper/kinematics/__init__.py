@@ -1,0 +1,1 @@
+"""Poses, the chain of axes, forward kinematics and the geometry of axes."""

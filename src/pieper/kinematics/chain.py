@@ -1,0 +1,127 @@
+"""The chain of axes: constant links with a pure joint motion about or along z between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from pieper.description.dh import Description
+from pieper.kinematics.pose import FLIP, inverse, rotation_x, rotation_z, translation
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """T(q) = L0 Z(q1) L1 Z(q2) ... Z(qn) Ln, with Z a rotation about or a translation along the local z.
+
+    Base, tool, DH convention and the maker's zero and sense are all folded into the links, so that every arm looks
+    the same to what comes after.
+
+    Args:
+        links: (n + 1, 4, 4), m.
+        prismatic: (n,) bool.
+        frames_after: (n, 4, 4), what leads from the frame just after joint i to the DH frame i of the description.
+    """
+
+    links: np.ndarray
+    prismatic: np.ndarray
+    frames_after: np.ndarray = field(repr=False)
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return len(self.prismatic)
+
+    @cached_property
+    def _joint_frames(self) -> np.ndarray:
+        frames = np.empty((self.n, 4, 4))
+        T = self.links[0]
+        for i in range(self.n):
+            frames[i] = T
+            T = T @ self.links[i + 1]
+        return frames
+
+    @cached_property
+    def axes(self) -> np.ndarray:
+        """Unit joint axes (n, 3) in the world frame, all joints at zero."""
+        return self._joint_frames[:, :3, 2].copy()
+
+    @cached_property
+    def points(self) -> np.ndarray:
+        """A point (n, 3) on each joint axis in the world frame, all joints at zero, m."""
+        return self._joint_frames[:, :3, 3].copy()
+
+    @cached_property
+    def home(self) -> np.ndarray:
+        """The tool's pose (4, 4) with all joints at zero."""
+        return self._joint_frames[-1] @ self.links[-1]
+
+    @cached_property
+    def length(self) -> float:
+        """Characteristic length, m: the common normals and offsets between the joint axes, added up; 1 if all vanish.
+
+        Base and tool do not count: moving either must not change what is called near.
+        """
+        total = sum(float(np.linalg.norm(self.links[i][:3, 3])) for i in range(1, self.n))
+        return total if total > 0 else 1.0
+
+    @staticmethod
+    def from_description(description: Description) -> Chain:
+        """Fold a description into a chain."""
+        n = description.n
+        prismatic = np.array([t == "P" for t in description.joint_types])
+        links = np.empty((n + 1, 4, 4))
+        frames_after = np.empty((n, 4, 4))
+        pending = description.base.copy()
+        for i, row in enumerate(description.rows):
+            constant = description.offset[i]
+            if prismatic[i]:
+                before, after = rotation_z(row.theta), translation(z=row.d + constant)
+            else:
+                before, after = rotation_z(row.theta + constant), translation(z=row.d)
+            x_part = rotation_x(row.alpha)
+            x_part[0, 3] = row.a
+            if description.convention == "standard":
+                after = after @ x_part
+            else:
+                pending = pending @ x_part
+            # a reversed sense is the same motion about the axis turned over: Z(-q) = F Z(q) F
+            if description.sign[i] < 0:
+                before, after = before @ FLIP, FLIP @ after
+            links[i] = pending @ before
+            frames_after[i] = after
+            pending = after
+        links[n] = pending @ description.tool
+        return Chain.of(links, prismatic, frames_after)
+
+    @staticmethod
+    def of(links: np.ndarray, prismatic: np.ndarray, frames_after: np.ndarray | None = None) -> Chain:
+        """Make a chain of links (n + 1, 4, 4) and joint kinds (n,), frozen."""
+        links = np.ascontiguousarray(links, float)
+        prismatic = np.ascontiguousarray(prismatic, bool)
+        if frames_after is None:
+            frames_after = np.tile(np.eye(4), (len(prismatic), 1, 1))
+        for array in (links, prismatic, frames_after):
+            array.setflags(write=False)
+        return Chain(links, prismatic, frames_after)
+
+    def reversed(self) -> Chain:
+        """Return the chain seen from the tool, joints last to first: its T is the inverse of this one's."""
+        links = np.stack([FLIP @ inverse(link) @ FLIP for link in self.links[::-1]])
+        links[0] = inverse(self.links[-1]) @ FLIP
+        links[-1] = FLIP @ inverse(self.links[0])
+        return Chain.of(links, self.prismatic[::-1].copy())
+
+    def locked(self, joint: int, value: float) -> Chain:
+        """Return the chain with one joint (0-based) held at a value, rad or m, and n - 1 joints left."""
+        motion = translation(z=value) if self.prismatic[joint] else rotation_z(value)
+        merged = self.links[joint] @ motion @ self.links[joint + 1]
+        links = np.concatenate([self.links[:joint], merged[None], self.links[joint + 2 :]])
+        return Chain.of(links, np.delete(self.prismatic, joint))
+
+    def section(self, first: int, last: int) -> Chain:
+        """Return joints first..last (0-based, inclusive) with their links, link 0 and the last one the identity."""
+        links = self.links[first : last + 2].copy()
+        links[0] = links[-1] = np.eye(4)
+        return Chain.of(links, self.prismatic[first : last + 1].copy())

@@ -1,0 +1,158 @@
+"""Poses as 4x4 matrices: making, checking, inverting and measuring them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.errors import InputError
+from pieper.tolerances import ROTATION_ACCEPTED, ROTATION_EXACT
+
+FLIP = np.diag([1.0, -1.0, -1.0, 1.0])
+
+
+def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarray:
+    """Return poses as float64 with an exact rotation part, or say what is wrong with them.
+
+    Rotation parts that depart from a rotation by up to `ROTATION_ACCEPTED` (a pose rounded to float32, for one) are
+    replaced by the nearest rotation (polar decomposition).
+
+    Args:
+        T: (4, 4), or (..., 4, 4) when batch.
+        what: The name to use in messages.
+        batch: Whether leading axes are allowed.
+
+    Returns:
+        A new float64 array of the same shape.
+
+    Raises:
+        InputError: Wrong shape, a number that is not finite, a last row other than 0 0 0 1, not a rotation.
+    """
+    try:
+        pose = np.array(T, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{what} must be a 4x4 matrix of numbers, got {type(T).__name__}.", given=T) from None
+    if pose.shape[-2:] != (4, 4) or (not batch and pose.ndim != 2):
+        hint = " It looks like a rotation alone: put it into a 4x4 with a position." if pose.shape == (3, 3) else ""
+        wanted = "(..., 4, 4)" if batch else "(4, 4)"
+        raise InputError(f"{what} must have shape {wanted}, got {pose.shape}.{hint}", given=pose.shape)
+    if pose.size == 0:
+        return pose
+    bad = ~np.isfinite(pose)
+    if bad.any():
+        index = tuple(int(i) for i in np.argwhere(bad)[0])
+        raise InputError(f"{what} must be finite, got {pose[index]} at index {index}.", index=index)
+    last = np.abs(pose[..., 3, :] - [0.0, 0.0, 0.0, 1.0]).max()
+    if last > ROTATION_EXACT:
+        raise InputError(
+            f"the last row of {what} must be 0 0 0 1, it is off by {last:.3g}. Is the matrix transposed?", deviation=last
+        )
+    R = pose[..., :3, :3]
+    deviation = np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(axis=(-1, -2))
+    worst = float(np.max(deviation))
+    if worst > ROTATION_ACCEPTED:
+        index = tuple(int(i) for i in np.argwhere(deviation == deviation.max())[0]) if deviation.ndim else ()
+        where = f" (at index {index})" if index else ""
+        raise InputError(
+            f"the rotation part of {what}{where} is not a rotation: R^T R departs from I by {worst:.3g}, allowed is "
+            f"{ROTATION_ACCEPTED:g}. Scaled, sheared or noisy matrices must be made a rotation first.",
+            deviation=worst,
+            index=index,
+        )
+    handed = np.linalg.det(R)
+    if np.min(handed) < 0:
+        raise InputError(f"the rotation part of {what} is left-handed (determinant -1): a mirror, not a rotation.")
+    if worst > ROTATION_EXACT:
+        u, _, vt = np.linalg.svd(R)
+        pose[..., :3, :3] = u @ vt
+    return pose
+
+
+def inverse(T: np.ndarray) -> np.ndarray:
+    """Return the inverse poses, (..., 4, 4)."""
+    out = np.zeros_like(T, dtype=float)
+    Rt = np.swapaxes(T[..., :3, :3], -1, -2)
+    out[..., :3, :3] = Rt
+    out[..., :3, 3] = -(Rt @ T[..., :3, 3:])[..., 0]
+    out[..., 3, 3] = 1.0
+    return out
+
+
+def transform(R: np.ndarray | None = None, p: np.ndarray | None = None) -> np.ndarray:
+    """Return the pose (..., 4, 4) with rotation R (identity if None) and position p (zero if None)."""
+    shape = np.shape(p)[:-1] if R is None else np.shape(R)[:-2]
+    T = np.zeros((*shape, 4, 4))
+    T[..., :3, :3] = np.eye(3) if R is None else R
+    if p is not None:
+        T[..., :3, 3] = p
+    T[..., 3, 3] = 1.0
+    return T
+
+
+def rotation_z(angle: np.ndarray | float) -> np.ndarray:
+    """Return poses (..., 4, 4) of a rotation about z by angle (...), rad."""
+    angle = np.asarray(angle, float)
+    T = np.zeros((*angle.shape, 4, 4))
+    T[..., 0, 0] = T[..., 1, 1] = np.cos(angle)
+    T[..., 1, 0] = np.sin(angle)
+    T[..., 0, 1] = -T[..., 1, 0]
+    T[..., 2, 2] = T[..., 3, 3] = 1.0
+    return T
+
+
+def rotation_x(angle: np.ndarray | float) -> np.ndarray:
+    """Return poses (..., 4, 4) of a rotation about x by angle (...), rad."""
+    T = rotation_z(angle)
+    return T[..., [2, 0, 1, 3], :][..., :, [2, 0, 1, 3]]
+
+
+def translation(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> np.ndarray:
+    """Return the pose (4, 4) of a translation, m."""
+    T = np.eye(4)
+    T[:3, 3] = x, y, z
+    return T
+
+
+def rotation_about(axis: np.ndarray, angle: np.ndarray | float) -> np.ndarray:
+    """Return rotations (..., 3, 3) about unit axes (..., 3) by angles (...), rad (Rodrigues)."""
+    axis = np.asarray(axis, float)
+    angle = np.asarray(angle, float)[..., None, None]
+    K = skew(axis)
+    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * (K @ K)
+
+
+def skew(v: np.ndarray) -> np.ndarray:
+    """Return the matrices (..., 3, 3) with skew(v) @ w = v x w."""
+    v = np.asarray(v, float)
+    K = np.zeros((*v.shape[:-1], 3, 3))
+    K[..., 2, 1], K[..., 0, 2], K[..., 1, 0] = v[..., 0], v[..., 1], v[..., 2]
+    return K - np.swapaxes(K, -1, -2)
+
+
+def rotation_vector(R: np.ndarray) -> np.ndarray:
+    """Return the rotation vectors (..., 3), rad, of rotations (..., 3, 3), exact near 0 and near a half turn."""
+    R = np.asarray(R, float)
+    w = np.stack([R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], -1) / 2
+    sine = np.linalg.norm(w, axis=-1)
+    cosine = (np.trace(R, axis1=-2, axis2=-1) - 1) / 2
+    angle = np.arctan2(sine, cosine)
+    small = sine < 1e-7
+    scale = np.where(small, 1.0, angle / np.where(small, 1.0, sine))
+    vector = w * scale[..., None]
+    half_turn = small & (cosine < 0)
+    if np.any(half_turn):
+        # near a half turn the sine carries no axis; R + I = 2 a a^T does
+        S = R + np.eye(3)
+        column = np.argmax(np.diagonal(S, axis1=-2, axis2=-1), axis=-1)
+        a = np.take_along_axis(S, column[..., None, None], axis=-1)[..., 0]
+        a = a / np.linalg.norm(a, axis=-1, keepdims=True)
+        flip = np.where(np.sum(a * w, -1) < 0, -1.0, 1.0)
+        vector = np.where(half_turn[..., None], a * (angle * flip)[..., None], vector)
+    return vector
+
+
+def pose_error(T: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    """Return the distances (..., 2) between poses: metres, and radians of the rotation between them."""
+    dp = np.linalg.norm(T[..., :3, 3] - wanted[..., :3, 3], axis=-1)
+    # the skew part alone is accurate for small angles; rotation_vector covers the large ones
+    dR = np.swapaxes(wanted[..., :3, :3], -1, -2) @ T[..., :3, :3]
+    return np.stack([dp, np.linalg.norm(rotation_vector(dR), axis=-1)], -1)

@@ -1,0 +1,1 @@
+"""From pose to pose and from posture to posture."""
