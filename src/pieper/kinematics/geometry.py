@@ -1,0 +1,232 @@
+"""Which axes are parallel, meet or coincide, each with its margin; and chains made anew from axes alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.pose import inverse
+
+
+@dataclass(frozen=True)
+class Pair:
+    """How two neighbouring joint axes lie; it does not change when the arm moves.
+
+    Args:
+        first: Index (0-based) of the first of the two joints.
+        angle: Angle between the axes as lines, 0 to pi/2, rad.
+        distance: Length of their common normal, m.
+        relation: "parallel", "coincident", "intersecting" or "skew", within the tolerance.
+    """
+
+    first: int
+    angle: float
+    distance: float
+    relation: str
+
+
+@dataclass(frozen=True)
+class Group:
+    """Three or more neighbouring revolute axes that meet in a point, or are parallel.
+
+    Args:
+        kind: "spherical" or "parallel".
+        joints: 0-based, in order.
+        margin: How far they miss at worst: metres for a spherical group, radians for a parallel one.
+        point: Where a spherical group meets, all joints at zero, world frame, m.
+    """
+
+    kind: str
+    joints: tuple[int, ...]
+    margin: float
+    point: tuple[float, float, float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Geometry:
+    """The arrangement of a chain's axes, independent of table, base, tool and sense.
+
+    Args:
+        chain: The chain looked at.
+        tolerance: Angles (rad) and distances (per characteristic length) taken for zero.
+    """
+
+    chain: Chain
+    tolerance: float
+
+    @cached_property
+    def pairs(self) -> tuple[Pair, ...]:
+        """The n - 1 pairs of neighbouring axes."""
+        return tuple(self._pair(i) for i in range(self.chain.n - 1))
+
+    def _pair(self, i: int) -> Pair:
+        u, v = self.chain.axes[i], self.chain.axes[i + 1]
+        w = self.chain.points[i + 1] - self.chain.points[i]
+        cross = np.cross(u, v)
+        sine = float(np.linalg.norm(cross))
+        angle = float(np.arctan2(sine, abs(u @ v)))
+        parallel = angle <= self.tolerance
+        if parallel:
+            distance = float(np.linalg.norm(w - (w @ u) * u))
+        else:
+            distance = float(abs(w @ cross) / sine)
+        near = distance <= self.tolerance * self.chain.length
+        # a prismatic axis is a direction alone: it has no place, so it neither meets nor coincides
+        if self.chain.prismatic[i] or self.chain.prismatic[i + 1]:
+            relation = "parallel" if parallel else "skew"
+        elif parallel:
+            relation = "coincident" if near else "parallel"
+        else:
+            relation = "intersecting" if near else "skew"
+        return Pair(i, angle, distance, relation)
+
+    def common_point(self, joints: tuple[int, ...]) -> tuple[np.ndarray, float]:
+        """Return the point (3,) closest to the axes of joints at zero, and the largest distance to them, m."""
+        U, P = self.chain.axes[list(joints)], self.chain.points[list(joints)]
+        N = np.eye(3) - U[:, :, None] * U[:, None, :]
+        point = np.linalg.lstsq(N.sum(0), (N @ P[:, :, None])[..., 0].sum(0), rcond=None)[0]
+        off = np.linalg.norm((N @ (point - P)[:, :, None])[..., 0], axis=1)
+        return point, float(off.max())
+
+    @cached_property
+    def spherical(self) -> tuple[Group, ...]:
+        """Every three neighbouring revolute axes that meet in one point and do not lie along two lines only."""
+        found = []
+        for i in range(self.chain.n - 2):
+            joints = (i, i + 1, i + 2)
+            if self.chain.prismatic[list(joints)].any():
+                continue
+            if self.pairs[i].angle <= self.tolerance or self.pairs[i + 1].angle <= self.tolerance:
+                continue
+            point, margin = self.common_point(joints)
+            if margin <= self.tolerance * self.chain.length:
+                found.append(Group("spherical", joints, margin, tuple(point)))
+        return tuple(found)
+
+    @cached_property
+    def parallel(self) -> tuple[Group, ...]:
+        """Maximal runs of two or more neighbouring revolute axes that are parallel and not all coincident."""
+        found, i, n = [], 0, self.chain.n
+        while i < n - 1:
+            j = i
+            while (
+                j < n - 1
+                and self.pairs[j].angle <= self.tolerance
+                and not self.chain.prismatic[j]
+                and not self.chain.prismatic[j + 1]
+            ):
+                j += 1
+            if j > i:
+                margin = max(self.pairs[k].angle for k in range(i, j))
+                found.append(Group("parallel", tuple(range(i, j + 1)), margin))
+            i = max(j, i + 1)
+        return tuple(found)
+
+    @cached_property
+    def coincident(self) -> tuple[Pair, ...]:
+        """Neighbouring revolute joints about one and the same line: only their sum moves anything."""
+        return tuple(pair for pair in self.pairs if pair.relation == "coincident")
+
+    def sentences(self, names: tuple[str, ...]) -> list[str]:
+        """Say the arrangement in words, one sentence a fact, with margins."""
+        said = []
+        for pair in self.pairs:
+            a, b = names[pair.first], names[pair.first + 1]
+            if pair.relation == "coincident":
+                said.append(f"{a} and {b} turn about one line (they miss by {pair.distance * 1e3:.3g} mm, {pair.angle:.2g} rad).")
+            elif pair.relation == "parallel":
+                apart = "" if self.chain.prismatic[pair.first : pair.first + 2].any() else f", {pair.distance * 1e3:.6g} mm apart"
+                said.append(f"{a} and {b} are parallel (within {pair.angle:.2g} rad){apart}.")
+            elif pair.relation == "intersecting":
+                said.append(f"{a} and {b} meet (within {pair.distance * 1e3:.2g} mm) at {np.degrees(pair.angle):.6g} deg.")
+            elif self.chain.prismatic[pair.first] or self.chain.prismatic[pair.first + 1]:
+                said.append(f"{a} and {b} are {np.degrees(pair.angle):.6g} deg from parallel; one of them slides.")
+            else:
+                said.append(f"{a} and {b} pass {pair.distance * 1e3:.6g} mm apart at {np.degrees(pair.angle):.6g} deg.")
+        for group in self.spherical:
+            said.append(f"{_and([names[j] for j in group.joints])} meet in one point (within {group.margin * 1e3:.2g} mm).")
+        return said
+
+
+def look(chain: Chain, tolerance: float) -> Geometry:
+    """Return the geometry of a chain's axes within a tolerance (rad, and per characteristic length)."""
+    return Geometry(chain, tolerance)
+
+
+def from_axes(axes: np.ndarray, points: np.ndarray, prismatic: np.ndarray, home: np.ndarray) -> Chain:
+    """Make a chain of axes and points (n, 3) at zero and the tool's pose (4, 4) at zero."""
+    frames = np.stack([_frame_on(axis, point) for axis, point in zip(axes, points, strict=True)])
+    links = [frames[0], *(inverse(a) @ b for a, b in zip(frames[:-1], frames[1:], strict=True)), inverse(frames[-1]) @ home]
+    return Chain.of(np.stack(links), np.array(prismatic, bool))
+
+
+def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:
+    """Return the chain with nearly parallel axes made parallel and nearly meeting ones made to meet.
+
+    Args:
+        chain: The chain as described.
+        tolerance: What counts as nearly: rad, and per characteristic length.
+
+    Returns:
+        The nominal chain (the same object when nothing was near), what was moved in words, the largest move in metres.
+    """
+    geometry = look(chain, tolerance)
+    axes, points = chain.axes.copy(), chain.points.copy()
+    said: list[str] = []
+    for group in geometry.parallel:
+        members = list(group.joints)
+        if group.margin <= 0.0:
+            continue
+        senses = np.sign(axes[members] @ axes[members[0]])
+        mean = (senses[:, None] * axes[members]).sum(0)
+        axes[members] = senses[:, None] * (mean / np.linalg.norm(mean))
+        if group.margin > 1e-12:
+            said.append(f"joints {_and([str(j + 1) for j in members])} made parallel (they were {group.margin:.2g} rad off)")
+    nominal = look(from_axes(axes, points, chain.prismatic, chain.home), tolerance)
+    moved = 0.0
+    in_group: set[int] = set()
+    for group in nominal.spherical:
+        if in_group & set(group.joints):
+            continue
+        in_group |= set(group.joints)
+        target = np.array(group.point)
+        for j in group.joints:
+            points[j] = target
+        moved = max(moved, group.margin)
+        if group.margin > 1e-12 * chain.length:
+            said.append(
+                f"joints {_and([str(j + 1) for j in group.joints])} made to meet in one point "
+                f"(they missed it by {group.margin * 1e3:.3g} mm)"
+            )
+    for pair in nominal.pairs:
+        i, j = pair.first, pair.first + 1
+        if pair.relation == "intersecting" and not {i, j} <= in_group and pair.distance > 0:
+            free = j if j not in in_group else i
+            if free not in in_group:
+                other = i + j - free
+                cross = np.cross(axes[i], axes[j])
+                cross /= np.linalg.norm(cross)
+                points[free] = points[free] - ((points[free] - points[other]) @ cross) * cross
+            moved = max(moved, pair.distance)
+            if pair.distance > 1e-12 * chain.length:
+                said.append(f"joints {i + 1} and {j + 1} made to meet (they missed by {pair.distance * 1e3:.3g} mm)")
+    if not said:
+        return chain, [], 0.0
+    return from_axes(axes, points, chain.prismatic, chain.home), said, moved
+
+
+def _frame_on(axis: np.ndarray, point: np.ndarray) -> np.ndarray:
+    z = axis / np.linalg.norm(axis)
+    seed = np.eye(3)[np.argmin(np.abs(z))]
+    x = seed - (seed @ z) * z
+    x /= np.linalg.norm(x)
+    T = np.eye(4)
+    T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = x, np.cross(z, x), z, point
+    return T
+
+
+def _and(words: list[str]) -> str:
+    return words[0] if len(words) == 1 else ", ".join(words[:-1]) + " and " + words[-1]
