@@ -1,0 +1,310 @@
+"""Self-motion: the continuous families of joint vectors that hold one pose, traced and described."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pieper.inverse.refine import newton, pose_difference, scaled_jacobian
+from pieper.inverse.solutions import TURN, joint_distance, unwound
+from pieper.kinematics.chain import Chain
+from pieper.tolerances import LIMIT_SLACK
+
+#: A curve point must hold the pose this well (per length; rad). A pose 1e-12 away from a singular one moves farther.
+ON_CURVE = 2e-13
+#: Longest step along a curve, rad or characteristic lengths, and the most steps a trace may take.
+STEP, MOST_STEPS = 0.12, 1500
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """A one-parameter curve of joint vectors that all reach the same pose.
+
+    Attributes:
+        samples: (k, n) points along the curve in order, angles continuous (not wrapped), rad or m.
+        closed: Whether the last point leads back to the first, up to whole turns.
+        dimension: Degrees of freedom of the whole self-motion; above 1 the curve is one line through it.
+        limits: (n, 2) joint limits.
+        names: Joint names.
+    """
+
+    chain: Chain
+    T: np.ndarray
+    samples: np.ndarray
+    closed: bool
+    dimension: int
+    limits: np.ndarray
+    names: tuple[str, ...]
+
+    @cached_property
+    def s(self) -> np.ndarray:
+        """(k,) parameter of each sample: arc length along the curve, scaled to 0 ... 1."""
+        length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(self._unitless, axis=0), axis=1))])
+        return length / max(length[-1], 1e-300)
+
+    @property
+    def _unitless(self) -> np.ndarray:
+        return self.samples / np.where(self.chain.prismatic, self.chain.length, 1.0)
+
+    @cached_property
+    def free(self) -> tuple[int, ...]:
+        """Joints (0-based) that move along the curve; the others stand still."""
+        return tuple(int(j) for j in np.flatnonzero(np.ptp(self._unitless, axis=0) > 1e-6))
+
+    @cached_property
+    def direction(self) -> np.ndarray:
+        """(n,) unit tangent at the representative: the self-motion a controller would see there."""
+        return tangent(self.chain, self.representative)[0]
+
+    def at(self, s: float) -> np.ndarray:
+        """Return the joint vector (n,) at the curve parameter s in [0, 1], exactly on the pose."""
+        guess = np.array([np.interp(s, self.s, column) for column in self.samples.T])
+        return newton(self.chain, guess, self.T, steps=6, cutoff=1e-7)
+
+    def at_joint(self, joint: int, value: float) -> np.ndarray:
+        """Return the points (m, n) of the curve where a joint (0-based) has a value, whole turns apart from it counted.
+
+        Args:
+            joint: 0-based index of a joint that moves along the curve.
+            value: rad or m.
+        """
+        column = self.samples[:, joint] - value
+        if not self.chain.prismatic[joint]:
+            column = (column + np.pi) % TURN - np.pi
+        found = []
+        for i in np.flatnonzero((column[:-1] * column[1:] <= 0) & (np.abs(column[1:] - column[:-1]) < np.pi)):
+            part = column[i] / (column[i] - column[i + 1]) if column[i] != column[i + 1] else 0.0
+            point = self.samples[i] + part * (self.samples[i + 1] - self.samples[i])
+            locked = self.chain.locked(joint, value)
+            rest = newton(locked, np.delete(point, joint), self.T, steps=8)
+            turned = value + TURN * np.round((point[joint] - value) / TURN) if not self.chain.prismatic[joint] else value
+            point = np.insert(rest, joint, turned)
+            if np.linalg.norm(pose_difference(self.chain, point, self.T)) < 1e-9 and not any(
+                np.allclose(point, other, atol=1e-7) for other in found
+            ):
+                found.append(point)
+        return np.array(found).reshape(-1, self.chain.n)
+
+    @cached_property
+    def _sample_inside(self) -> np.ndarray:
+        moved = unwound(self.samples, self.samples, self.limits, self.chain.prismatic)
+        slack = LIMIT_SLACK
+        return ((moved >= self.limits[:, 0] - slack) & (moved <= self.limits[:, 1] + slack)).all(1)
+
+    @cached_property
+    def inside(self) -> tuple[tuple[float, float], ...]:
+        """Intervals of s where the curve lies inside the joint limits, to the spacing of the samples."""
+        ok = self._sample_inside
+        edges = np.flatnonzero(np.diff(np.concatenate([[False], ok, [False]]).astype(int)))
+        return tuple((float(self.s[a]), float(self.s[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True))
+
+    @cached_property
+    def representative(self) -> np.ndarray:
+        """(n,) one point: inside the limits if any is, and of those the one with the smallest joint values."""
+        wrapped = np.where(self.chain.prismatic, self.samples, self.samples - TURN * np.round(self.samples / TURN))
+        wrapped = unwound(wrapped, wrapped, self.limits, self.chain.prismatic)
+        cost = joint_distance(wrapped, np.zeros(self.chain.n), self.chain.prismatic, self.chain.length)
+        if self._sample_inside.any():
+            cost = np.where(self._sample_inside, cost, np.inf)
+        # rounding makes equal costs unequal: a coarse key first, then the first sample
+        best = int(np.argmin(np.round(cost, 6)))
+        return newton(self.chain, wrapped[best], self.T, steps=6, cutoff=1e-7)
+
+    def nearest(self, q_now: np.ndarray) -> np.ndarray | None:
+        """Return the point (n,) of the curve inside the limits closest to q_now, or None."""
+        if not self._sample_inside.any():
+            return None
+        wound = unwound(self.samples, np.broadcast_to(q_now, self.samples.shape), self.limits, self.chain.prismatic)
+        distance = joint_distance(wound, q_now, self.chain.prismatic, self.chain.length)
+        start = wound[int(np.argmin(np.where(self._sample_inside, distance, np.inf)))]
+        unit = np.where(self.chain.prismatic, self.chain.length, 1.0)
+        point = start
+        for _ in range(20):
+            # slide along the tangent towards q_now, then back onto the pose
+            direction = tangent(self.chain, point)[0]
+            along = float(((q_now - point) / unit) @ direction)
+            moved = newton(self.chain, point + np.clip(along, -STEP, STEP) * direction * unit, self.T, steps=5, cutoff=1e-7)
+            if not _within(moved, self.limits):
+                break
+            if joint_distance(moved, q_now, self.chain.prismatic, self.chain.length) >= joint_distance(
+                point, q_now, self.chain.prismatic, self.chain.length
+            ):
+                break
+            point = moved
+            if abs(along) < 1e-12:
+                break
+        return point
+
+    def distance(self, q: np.ndarray) -> float:
+        """Return how far a joint vector (n,) is from the curve, rad or characteristic lengths, whole turns ignored."""
+        difference = np.where(self.chain.prismatic, q - self.samples, (q - self.samples + np.pi) % TURN - np.pi)
+        difference = difference / np.where(self.chain.prismatic, self.chain.length, 1.0)
+        segment = np.diff(self._unitless, axis=0)
+        inner = np.sum(difference[:-1] * segment, 1) / np.maximum(np.sum(segment * segment, 1), 1e-300)
+        foot = difference[:-1] - np.clip(inner, 0, 1)[:, None] * segment
+        return float(np.sqrt(min(np.min(np.sum(foot**2, 1)), np.min(np.sum(difference**2, 1)))))
+
+    def contains(self, q: np.ndarray, tolerance: float = 1e-6) -> bool:
+        """Whether q (n,) lies on the curve within a tolerance (rad)."""
+        if self.distance(q) > 0.05:
+            return False
+        near = min(range(len(self.samples)), key=lambda i: _gap(q, self.samples[i], self.chain))
+        start = self.samples[near]
+        point, unit = start, np.where(self.chain.prismatic, self.chain.length, 1.0)
+        for _ in range(12):
+            gap = np.where(self.chain.prismatic, q - point, (q - point + np.pi) % TURN - np.pi) / unit
+            direction = tangent(self.chain, point)[0]
+            along = float(gap @ direction)
+            point = newton(self.chain, point + along * direction * unit, self.T, steps=4, cutoff=1e-7)
+            if abs(along) < 1e-13:
+                break
+        return _gap(q, point, self.chain) <= tolerance
+
+    def __str__(self) -> str:
+        moving = [self.names[j] for j in self.free]
+        relation = self.relation
+        where = "all the way round" if self.closed else "between two ends"
+        text = f"{', '.join(moving)} move together {where}" + (f" with {relation}" if relation else "")
+        return text + (f"; {self.dimension} degrees of freedom in all" if self.dimension > 1 else "")
+
+    @cached_property
+    def relation(self) -> str:
+        """A linear relation in words, such as 'joint_4 + joint_6 = 30 deg', where two revolute joints obey one."""
+        if len(self.free) != 2 or self.chain.prismatic[list(self.free)].any():
+            return ""
+        i, j = self.free
+        for sign, symbol in ((1, "+"), (-1, "-")):
+            total = self.samples[:, i] + sign * self.samples[:, j]
+            if np.ptp(total) < 1e-9:
+                value = np.degrees((total[0] + np.pi) % TURN - np.pi)
+                return f"{self.names[i]} {symbol} {self.names[j]} = {value:.6g} deg"
+        return ""
+
+
+def tangent(chain: Chain, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the self-motion direction (n,) (unit, no units) at q and all singular values of the scaled Jacobian."""
+    _, s, Vt = np.linalg.svd(scaled_jacobian(chain, q))
+    return Vt[-1], s
+
+
+def nullity(chain: Chain, q: np.ndarray, tolerance: float = 1e-7) -> int:
+    """Return the number of independent self-motion directions at q."""
+    _, s = tangent(chain, q)
+    return chain.n - int(np.count_nonzero(s > tolerance * max(s[0], 1e-300)))
+
+
+def corrected(chain: Chain, q: np.ndarray, T: np.ndarray, direction: np.ndarray) -> np.ndarray | None:
+    """Pull q onto the pose within the plane normal to `direction`; None if it does not get there."""
+    unit = np.where(chain.prismatic, chain.length, 1.0)
+    for _ in range(12):
+        e = pose_difference(chain, q, T)
+        if np.linalg.norm(e) < ON_CURVE:
+            return q
+        A = np.vstack([scaled_jacobian(chain, q), direction])
+        step = np.linalg.lstsq(A, np.append(e, 0.0), rcond=1e-9)[0]
+        if np.linalg.norm(step) > 1.0:
+            return None
+        q = q + step * unit
+    return q if np.linalg.norm(pose_difference(chain, q, T)) < ON_CURVE else None
+
+
+def moves(chain: Chain, q: np.ndarray, T: np.ndarray, direction: np.ndarray, probe: float = 0.05) -> bool:
+    """Whether the pose can be held while moving from q along `direction` by `probe` (rad or characteristic lengths)."""
+    unit = np.where(chain.prismatic, chain.length, 1.0)
+    for side in (probe, -probe):
+        moved = corrected(chain, q + side * direction * unit, T, direction)
+        if moved is not None and np.linalg.norm((moved - q) / unit) > 0.5 * probe:
+            return True
+    return False
+
+
+def trace(
+    chain: Chain,
+    q: np.ndarray,
+    T: np.ndarray,
+    limits: np.ndarray,
+    names: tuple[str, ...],
+    direction: np.ndarray | None = None,
+    *,
+    stop: Callable[[np.ndarray], bool] | None = None,
+) -> Family:
+    """Trace the self-motion curve through q both ways until it closes or ends.
+
+    Args:
+        chain: The arm.
+        q: (n,) a joint vector on the pose.
+        T: (4, 4) the pose.
+        limits: (n, 2).
+        names: Joint names.
+        direction: (n,) the direction to set out in; the null vector of the Jacobian if None.
+        stop: Called with each new point; tracing that way ends where it returns True.
+
+    Returns:
+        The Family; bounded by `MOST_STEPS` steps in all.
+    """
+    set_out = tangent(chain, q)[0] if direction is None else direction
+    forward, closed = _walk(chain, q, T, set_out, stop)
+    points = forward
+    if not closed:
+        backward, _ = _walk(chain, q, T, -set_out, stop)
+        points = backward[:0:-1] + forward
+    samples = np.array(points)
+    middle = samples[len(samples) // 2]
+    return Family(chain, T, samples, closed, max(1, nullity(chain, middle)), limits, names)
+
+
+def _walk(chain, q, T, direction, stop) -> tuple[list[np.ndarray], bool]:
+    unit = np.where(chain.prismatic, chain.length, 1.0)
+    points, step = [q], STEP / 2
+    gone = 0.0
+    while len(points) < MOST_STEPS:
+        here = points[-1]
+        ahead = corrected(chain, here + step * direction * unit, T, direction)
+        if ahead is not None:
+            move = (ahead - here) / unit
+            turn = float(move @ direction) / max(np.linalg.norm(move), 1e-300)
+        if ahead is None or turn < 0.95:
+            step /= 2
+            if step < 1e-5:
+                return points, False
+            continue
+        gone += float(np.linalg.norm(move))
+        new = _tangent_near(chain, ahead, direction)
+        points.append(ahead)
+        if stop is not None and stop(ahead):
+            return points, False
+        if gone > 3 * step and _gap(ahead, q, chain) < 0.75 * step and _closes(chain, q, ahead, points[0], new):
+            end = q + np.where(chain.prismatic, 0.0, TURN * np.round((ahead - q) / TURN))
+            points[-1] = end
+            return points, True
+        direction = new
+        step = min(STEP, step * 1.3)
+    return points, False
+
+
+def _closes(chain, q, ahead, start, direction) -> bool:
+    gap = np.where(chain.prismatic, ahead - q, (ahead - q + np.pi) % TURN - np.pi) / np.where(chain.prismatic, chain.length, 1.0)
+    size = np.linalg.norm(gap)
+    return size < 1e-9 or abs(float(gap @ direction)) > 0.9 * size
+
+
+def _tangent_near(chain: Chain, q: np.ndarray, direction: np.ndarray) -> np.ndarray:
+    """Return the null direction at q closest to the direction of travel: at a crossing of two curves go straight on."""
+    _, s, Vt = np.linalg.svd(scaled_jacobian(chain, q))
+    s = np.concatenate([s, np.zeros(chain.n - len(s))])
+    null = Vt[s <= max(1e-7 * s[0], s[-1] * 1.0000001)]
+    projected = null.T @ (null @ direction)
+    size = np.linalg.norm(projected)
+    return projected / size if size > 1e-6 else direction
+
+
+def _gap(a: np.ndarray, b: np.ndarray, chain: Chain) -> float:
+    gap = np.where(chain.prismatic, a - b, (a - b + np.pi) % TURN - np.pi)
+    return float(np.linalg.norm(gap / np.where(chain.prismatic, chain.length, 1.0)))
+
+
+def _within(q: np.ndarray, limits: np.ndarray) -> bool:
+    return bool(np.all(q >= limits[:, 0] - LIMIT_SLACK) and np.all(q <= limits[:, 1] + LIMIT_SLACK))
