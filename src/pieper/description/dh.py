@@ -92,6 +92,7 @@ class Description:
         offset: (n,), rad or m.
         base: (4, 4) pose of the DH table's first frame.
         tool: (4, 4) pose of the tool in the table's last frame.
+        departures: Where the numbers depart from their source, one sentence each with its reason.
     """
 
     name: str
@@ -108,6 +109,7 @@ class Description:
     manufacturer: str = ""
     source: str = ""
     notes: str = ""
+    departures: tuple[str, ...] = ()
     postures: dict[str, np.ndarray] = field(default_factory=dict)
     checks: tuple[Check, ...] = ()
 
@@ -133,6 +135,7 @@ def describe(
     manufacturer: str = "",
     source: str = "",
     notes: str = "",
+    departures: Sequence[str] = (),
     postures: dict[str, Sequence[float]] | None = None,
     checks: Sequence[Check] = (),
 ) -> Description:
@@ -153,6 +156,7 @@ def describe(
         manufacturer: Maker.
         source: Where the numbers come from.
         notes: Anything a user should know.
+        departures: Where the numbers depart from their source and why.
         postures: Named joint vectors.
         checks: Known poses.
 
@@ -215,6 +219,7 @@ def describe(
         manufacturer=manufacturer,
         source=source,
         notes=notes,
+        departures=tuple(departures),
         postures=named,
         checks=tuple(checks),
     )

@@ -1,0 +1,260 @@
+"""Descriptions as the text of robot files: new text, or an existing file changed only where its meaning changes."""
+
+from __future__ import annotations
+
+import math
+import os
+import tempfile
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+
+from pieper.description.dh import Actuator, Check, Description
+from pieper.description.orientation import rotation, rpy_of
+from pieper.description.quantity import best_unit, in_unit, same_bits
+from pieper.errors import InputError
+
+#: Which keys of a pose table belong together; any of them changing changes them all.
+POSE_STEMS = ("xyz", "rpy", "zyx", "zyz", "rotation_vector", "quaternion", "matrix")
+
+
+def contents(description: Description) -> dict:
+    """Return a description as the tables of a robot file, in the units people choose where those are exact."""
+    top: dict = {"name": description.name}
+    for key in ("manufacturer", "source", "notes"):
+        if getattr(description, key):
+            top[key] = getattr(description, key)
+    if description.departures:
+        top["departures"] = list(description.departures)
+    top["convention"] = description.convention
+    top["joints"] = [_joint(description, index) for index in range(description.n)]
+    if base := pose_keys(description.base):
+        top["base"] = base
+    tool = pose_keys(description.tool)
+    if description.actuator is not None:
+        tool["actuator"] = _actuator(description.actuator)
+    if tool:
+        top["tool"] = tool
+    if description.postures:
+        top["postures"] = {name: _joint_vector(q, description.joint_types) for name, q in description.postures.items()}
+    if description.checks:
+        top["checks"] = [_check(check, description.joint_types) for check in description.checks]
+    return top
+
+
+def dumps(description: Description) -> str:
+    """Return the text of a robot file; reading it gives every number back to the last bit."""
+    top = contents(description)
+    lines: list[str] = []
+    for key, value in top.items():
+        if not isinstance(value, dict) and not _is_tables(value):
+            lines.append(f"{key} = {_value(value)}")
+    for key, value in top.items():
+        if _is_tables(value):
+            for table in value:
+                lines += ["", f"[[{key}]]", *_table(table)]
+        elif isinstance(value, dict):
+            plain = {k: v for k, v in value.items() if not isinstance(v, dict)}
+            if plain:
+                lines += ["", f"[{key}]", *_table(plain)]
+            for name, table in value.items():
+                if isinstance(table, dict):
+                    lines += ["", f"[{key}.{_key(name)}]", *_table(table)]
+    return "\n".join(lines) + "\n"
+
+
+def write(description: Description, path: str | Path) -> Path:
+    """Write a robot file whole or not at all.
+
+    Where the file exists, it keeps its comments, layout and way of saying every number whose meaning is unchanged.
+
+    Args:
+        description: The arm.
+        path: The .toml file to write.
+
+    Returns:
+        The path.
+
+    Raises:
+        InputError: The folder cannot be written to, or an existing file there is not a robot file.
+    """
+    target = Path(os.path.realpath(path))
+    existing = _existing_text(target)
+    if existing is None:
+        text = dumps(description)
+    else:
+        from pieper.description.rewrite import rewritten
+
+        text = rewritten(existing, description, str(path))
+    replace_file(target, text)
+    return Path(path)
+
+
+def _existing_text(target: Path) -> str | None:
+    """Return the text of the file to be rewritten, None where there is nothing to keep."""
+    from pieper.description.robotfile import read
+
+    try:
+        if not target.exists() or target.stat().st_size == 0:
+            return None
+        if target.is_dir():
+            raise InputError(f"{str(target)!r} is a folder; give a file name ending in .toml.", file=str(target))
+        read(target)
+        return target.read_text("utf-8-sig")
+    except InputError as error:
+        raise InputError(
+            f"{str(target)!r} exists and is not a robot file that could be updated; it is left alone. ({error})",
+            file=str(target),
+        ) from None
+    except OSError as error:
+        raise InputError(f"{str(target)!r} cannot be written: {error.strerror}.", file=str(target)) from None
+
+
+def replace_file(target: Path, text: str) -> None:
+    """Put text into a file in one step: readers see the old file or the new one, never half of it."""
+    temporary = None
+    try:
+        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.", suffix=".part")
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
+            stream.write(text)
+            stream.flush()
+            os.fsync(stream.fileno())
+        os.chmod(temporary, target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~_umask())
+        os.replace(temporary, target)
+    except OSError as error:
+        _discard(temporary)
+        raise InputError(
+            f"{str(target)!r} cannot be written: {error.strerror}. Choose a folder that exists and is writable.",
+            file=str(target),
+        ) from None
+    except BaseException:  # Ctrl-C included: nothing half written stays behind
+        _discard(temporary)
+        raise
+
+
+def _discard(temporary: str | None) -> None:
+    if temporary is not None:
+        with suppress(OSError):
+            os.unlink(temporary)
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def _joint(description: Description, index: int) -> dict:
+    revolute = description.joint_types[index] == "R"
+    own, row = ("angle" if revolute else "length"), description.rows[index]
+    table: dict = {"name": description.joint_names[index], "type": "revolute" if revolute else "prismatic"}
+    for column, kind in (("a", "length"), ("alpha", "angle"), ("d", "length"), ("theta", "angle")):
+        value = getattr(row, column)
+        if column != ("theta" if revolute else "d") or not same_bits(value, 0.0):
+            table |= quantity_key(column, [value], kind, single=True)
+    if description.sign[index] != 1:
+        table["sign"] = -1
+    if not same_bits(float(description.offset[index]), 0.0):
+        table |= quantity_key("offset", [float(description.offset[index])], own, single=True)
+    limits = [float(v) for v in description.limits[index]]
+    if limits != [-math.inf, math.inf]:
+        table |= quantity_key("limits", limits, own)
+    return table
+
+
+def quantity_key(stem: str, values: list[float], kind: str, *, single: bool = False) -> dict:
+    """Return {key: value} of one quantity (SI values) in the unit people choose, or in SI where only that is exact."""
+    unit = best_unit(values, kind)
+    said = [in_unit(value, unit) for value in values]
+    return {f"{stem}_{unit}": said[0] if single else said}
+
+
+def pose_keys(T: np.ndarray, *, unsaid: str = "identity") -> dict:
+    """Return the keys of a pose: xyz and rpy where those are exact, else the matrix.
+
+    Args:
+        T: (4, 4), m; NaN where nothing is known.
+        unsaid: What a key that is not there means to the reader: "identity" or "unknown".
+    """
+    T = np.asarray(T, float)
+    R, p = T[:3, :3], T[:3, 3]
+    position = {} if unsaid == "identity" and same_matrix(p, np.zeros(3)) else quantity_key("xyz", p.tolist(), "length")
+    if unsaid == "unknown" and np.isnan(R).all():
+        return position
+    if np.isfinite(T).all() and (angles := _short_rpy(R)) is not None:
+        return position if unsaid == "identity" and angles == [0, 0, 0] else position | {"rpy_deg": angles}
+    return {"matrix_m": [[in_unit(float(value), "m") for value in row] for row in T]}
+
+
+def _short_rpy(R: np.ndarray) -> list[float | int] | None:
+    """Return roll, pitch, yaw in degrees of at most six decimals that mean exactly this rotation, or None."""
+    degrees = [round(math.degrees(angle), 6) + 0.0 for angle in rpy_of(R)]
+    if not same_matrix(rotation("rpy", [math.radians(angle) for angle in degrees]), R):
+        return None
+    return [int(angle) if angle == int(angle) else angle for angle in degrees]
+
+
+def same_matrix(A: np.ndarray, B: np.ndarray) -> bool:
+    """Return whether two arrays hold the same doubles; NaN equals NaN, 0.0 equals -0.0."""
+    return bool(np.array_equal(A, B, equal_nan=True))
+
+
+def _actuator(actuator: Actuator) -> dict:
+    kind = "angle" if actuator.unit == "rad" else "length"
+    unit = best_unit([actuator.lower, actuator.upper, actuator.value], kind)
+    lower, upper, value = (in_unit(v, unit) for v in (actuator.lower, actuator.upper, actuator.value))
+    return {"name": actuator.name, f"limits_{unit}": [lower, upper], f"value_{unit}": value}
+
+
+def _joint_vector(q: np.ndarray, kinds: str) -> dict:
+    words, said = [], [0.0] * len(kinds)
+    for letter, kind in (("R", "angle"), ("P", "length")):
+        joints = [i for i, other in enumerate(kinds) if other == letter]
+        if joints:
+            unit = best_unit([float(q[i]) for i in joints], kind)
+            words.append(unit)
+            for i in joints:
+                said[i] = in_unit(float(q[i]), unit)
+    return {f"q_{'_'.join(words)}": said}
+
+
+def _check(check: Check, kinds: str) -> dict:
+    table = {"source": check.source, **_joint_vector(check.q, kinds)}
+    table |= pose_keys(check.T, unsaid="unknown")
+    if check.tolerance != 1e-9:
+        table |= quantity_key("tolerance", [check.tolerance], "length", single=True)
+    return table
+
+
+def _is_tables(value: object) -> bool:
+    return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
+
+
+def _table(table: dict) -> list[str]:
+    return [f"{_key(key)} = {_value(value)}" for key, value in table.items()]
+
+
+def _key(name: str) -> str:
+    bare = name.isascii() and name.replace("_", "a").replace("-", "a").isalnum()
+    return name if bare else _string(name)
+
+
+def _value(value: object) -> str:
+    if isinstance(value, str):
+        return _multiline(value) if "\n" in value else _string(value)
+    if isinstance(value, list):
+        nested = bool(value) and isinstance(value[0], (list, str))
+        items = [_value(item) for item in value]
+        return "[\n" + "".join(f"    {item},\n" for item in items) + "]" if nested else f"[{', '.join(items)}]"
+    return repr(value)
+
+
+def _string(text: str) -> str:
+    out = text.replace("\\", "\\\\").replace('"', '\\"').replace("\t", "\\t")
+    return '"' + "".join(c if c >= " " and c != "\x7f" else f"\\u{ord(c):04x}" for c in out) + '"'
+
+
+def _multiline(text: str) -> str:
+    lines = (_string(line)[1:-1] for line in text.split("\n"))
+    return '"""\n' + "\n".join(lines) + '"""'
