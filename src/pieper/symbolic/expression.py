@@ -1,291 +1,374 @@
-"""Expressions as small immutable trees: how a formula is held, printed back and evaluated.
+"""Small immutable expression trees: what a formula is before it is printed, evaluated or handed to sympy.
 
-A tree is evaluated by an *arithmetic* (NumPy arrays, mpmath numbers or sympy symbols); nothing is ever handed to Python's own evaluator.
+A computer algebra system rewrites what it is given; the pages written here must keep the form a person would choose
+(Horner order along the chain, one atan2, one branch sign). So formulas are plain trees, and one method, `evaluate`,
+serves floats, numpy arrays, 50-digit arithmetic and sympy alike: the arithmetic is passed in.
 """
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass, field
+import functools
 from fractions import Fraction
-from typing import Any, Iterator
-
-import numpy as np
-
-FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sqrt": 1, "sign": 1, "abs": 1, "hypot": 2}
-ANGLE = re.compile(r"theta(\d+)$")
 
 
-@dataclass(frozen=True, eq=False)
-class Node:
-    """One node of an expression.
+class Expr:
+    """A node of a formula. Arithmetic builds new nodes and folds only what no reader would write (x*1, x+0)."""
 
-    Attributes:
-        op: ``num sym neg add mul div pow pm call``.
-        args: the children.
-        value: the number as written, the symbol's or function's name, or +1/-1 for the upper sign of a +- (-+).
-    """
+    __slots__ = ()
+    precedence = 9  # printing: 1 sum, 2 product, 3 quotient, 9 atom
 
-    op: str
-    args: tuple[Node, ...] = ()
-    value: Any = None
-    _text: list = field(default_factory=list, repr=False)
+    def __add__(self, other):
+        return add(self, other)
 
-    def __str__(self) -> str:
-        if not self._text:
-            self._text.append(_print(self))
-        return self._text[0]
+    def __radd__(self, other):
+        return add(other, self)
 
-    def walk(self) -> Iterator[Node]:
-        """Yield every node, children before parents, without recursion."""
-        stack, order = [self], []
-        while stack:
-            node = stack.pop()
-            order.append(node)
-            stack.extend(node.args)
-        return reversed(order)
+    def __sub__(self, other):
+        return add(self, -as_expr(other))
 
-    def symbols(self) -> set[str]:
-        """Return the names of all symbols in the tree."""
-        return {n.value for n in self.walk() if n.op == "sym"}
+    def __rsub__(self, other):
+        return add(other, -self)
 
-    def has_branch(self) -> bool:
-        """Say whether the tree contains a +-."""
-        return any(n.op == "pm" for n in self.walk())
+    def __mul__(self, other):
+        return mul(self, other)
 
-    def size(self) -> int:
-        """Return the number of nodes."""
-        return sum(1 for _ in self.walk())
+    def __rmul__(self, other):
+        return mul(other, self)
 
+    def __truediv__(self, other):
+        return div(self, other)
 
-def num(value) -> Node:
-    """Make a number node; the value keeps the digits as written."""
-    return Node("num", (), str(value))
+    def __rtruediv__(self, other):
+        return div(other, self)
 
+    def __neg__(self):
+        return mul(Num(-1), self)
 
-def sym(name: str) -> Node:
-    """Make a symbol node."""
-    return Node("sym", (), name)
+    def __pow__(self, power: int):
+        return Power(self, power)
 
+    def evaluate(self, values, field):
+        """Evaluate with `values` (symbol -> number) in the arithmetic `field` (see `fields.py`)."""
+        raise NotImplementedError
 
-def call(name: str, *args: Node) -> Node:
-    """Make a function call node."""
-    return Node("call", tuple(args), name)
+    def atoms(self) -> set:
+        """Every symbol that occurs, trigonometric symbols included."""
+        found = set()
+        for child in self.children():
+            found |= child.atoms()
+        return found
 
+    def children(self) -> tuple:
+        return ()
 
-def negated(node: Node) -> Node:
-    """Return minus the node, without piling up signs."""
-    return node.args[0] if node.op == "neg" else Node("neg", (node,))
+    def substitute(self, table: dict) -> Expr:
+        """Replace symbols by expressions."""
+        return self
 
+    def text(self) -> str:
+        from pieper.symbolic.notation import text
 
-def add(*terms: Node) -> Node:
-    """Make a sum, flattening sums inside it."""
-    flat = [t for term in terms for t in (term.args if term.op == "add" else (term,))]
-    return flat[0] if len(flat) == 1 else Node("add", tuple(flat))
+        return text(self)
 
+    def latex(self) -> str:
+        from pieper.symbolic.notation import latex
 
-def mul(*factors: Node) -> Node:
-    """Make a product, flattening products inside it."""
-    flat = [f for factor in factors for f in (factor.args if factor.op == "mul" else (factor,))]
-    return flat[0] if len(flat) == 1 else Node("mul", tuple(flat))
+        return latex(self)
 
+    def mathml(self) -> str:
+        from pieper.symbolic.notation import mathml
 
-def joint_sum(node: Node) -> tuple[tuple[int, int], ...] | None:
-    """Read a node as a signed sum of joint angles: ((sign, joint), ...), or None when it is something else."""
-    parts = []
-    for term in node.args if node.op == "add" else (node,):
-        sign = 1
-        if term.op == "neg":
-            sign, term = -1, term.args[0]
-        found = ANGLE.match(term.value) if term.op == "sym" else None
-        if not found:
-            return None
-        parts.append((sign, int(found.group(1))))
-    return tuple(parts)
+        return mathml(self)
+
+    def sympy(self):
+        """The same formula for sympy: theta1 as a symbol, c23 as cos(theta2 + theta3), exact rationals."""
+        from pieper.symbolic.fields import SympyField
+
+        return self.evaluate(SympyField.symbols, SympyField())
+
+    def __repr__(self) -> str:
+        return self.text()
 
 
-def angle_sum(parts: tuple[tuple[int, int], ...]) -> Node:
-    """Build the node of a signed sum of joint angles."""
-    return add(*[sym(f"theta{j}") if s > 0 else negated(sym(f"theta{j}")) for s, j in parts])
+class Num(Expr):
+    """An exact rational number."""
+
+    __slots__ = ("value",)
+
+    def __init__(self, value):
+        self.value = Fraction(value)
+
+    def evaluate(self, values, field):
+        return field.rational(self.value)
+
+    def __eq__(self, other):
+        return isinstance(other, Num) and other.value == self.value
+
+    def __hash__(self):
+        return hash(("Num", self.value))
 
 
-def _print(node: Node) -> str:
-    op, args = node.op, node.args
-    if op == "num":
-        return node.value
-    if op == "sym":
-        return node.value
-    if op == "neg":
-        return "-" + _wrap(args[0], ("add", "neg", "pm"))
-    if op == "pm":
-        return ("+-" if node.value > 0 else "-+") + _wrap(args[0], ("add", "neg", "pm"))
-    if op == "add":
-        out = str(args[0])
-        for term in args[1:]:
-            if term.op == "neg":
-                out += " - " + _wrap(term.args[0], ("add", "neg", "pm"))
-            elif term.op == "pm":
-                out += (" +- " if term.value > 0 else " -+ ") + _wrap(term.args[0], ("add", "neg", "pm"))
-            else:
-                out += " + " + str(term)
-        return out
-    if op == "mul":
-        return " ".join(_wrap(f, ("add", "neg", "pm", "div") if i else ("add", "neg", "pm")) for i, f in enumerate(args))
-    if op == "div":
-        return _wrap(args[0], ("add", "neg", "pm")) + "/" + _wrap(args[1], ("add", "neg", "pm", "mul", "div"))
-    if op == "pow":
-        return _wrap(args[0], ("add", "neg", "pm", "mul", "div", "pow")) + "^" + _wrap(args[1], ("add", "neg", "pm", "mul", "div", "pow"))
-    if node.value in ("sin", "cos"):
-        parts = joint_sum(args[0])
-        if parts:
-            letter = node.value[0]
-            if all(s > 0 for s, _ in parts):
-                return letter + "".join(str(j) for _, j in parts)
-            if len(parts) > 1 and parts[0][0] > 0:
-                inside = "".join(("+" if s > 0 else "-") + str(j) for s, j in parts)[1:]
-                return f"{letter}({inside})"
-    return f"{node.value}({', '.join(map(str, args))})"
+class PiFraction(Expr):
+    """A rational multiple of pi."""
+
+    __slots__ = ("value",)
+
+    def __init__(self, value):
+        self.value = Fraction(value)
+
+    def evaluate(self, values, field):
+        return field.rational(self.value) * field.pi
 
 
-def _wrap(node: Node, loose: tuple[str, ...]) -> str:
-    return f"({node})" if node.op in loose else str(node)
-
-
-class NumpyArithmetic:
-    """Vectorised floating-point arithmetic; undefined operations give nan or inf, which the judge reports."""
-
-    pi = np.pi
-
-    @staticmethod
-    def number(text: str):
-        return float(Fraction(text)) if "/" in text else float(text)
-
-    sin, cos, tan, atan, sqrt, sign, abs = np.sin, np.cos, np.tan, np.arctan, np.sqrt, np.sign, np.abs
-    atan2, hypot = np.arctan2, np.hypot
-
-    @staticmethod
-    def asin(x):
-        return np.arcsin(_settle(x))
-
-    @staticmethod
-    def acos(x):
-        return np.arccos(_settle(x))
-
-    @staticmethod
-    def power(x, y):
-        return np.power(np.asarray(x, dtype=float), y)
-
-
-def _settle(x):
-    """Bring a value that rounding pushed past +-1 back to it; a real overshoot stays and becomes nan."""
-    x = np.asarray(x, dtype=float)
-    return np.where((np.abs(x) > 1) & (np.abs(x) < 1 + 1e-12), np.sign(x), x)
-
-
-class HighPrecisionArithmetic:
-    """The same operations on mpmath numbers, at the working precision of the caller."""
-
-    def __init__(self):
-        import mpmath
-
-        self.mp = mpmath.mp
-        self.pi = +mpmath.mp.pi
-        for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "sign", "hypot"):
-            setattr(self, name, getattr(mpmath.mp, name))
-        self.abs = abs
-
-    def number(self, text: str):
-        if "/" in text:
-            top, bottom = text.split("/")
-            return self.mp.mpf(top) / self.mp.mpf(bottom)
-        return self.mp.mpf(text)
-
-    def power(self, x, y):
-        return x ** (int(y) if y == int(y) else y)
-
-
-class SymbolicArithmetic:
-    """The same operations on sympy expressions."""
-
-    def __init__(self):
-        import sympy
-
-        self.sp = sympy
-        self.pi = sympy.pi
-        self.sin, self.cos, self.tan = sympy.sin, sympy.cos, sympy.tan
-        self.asin, self.acos, self.atan, self.atan2 = sympy.asin, sympy.acos, sympy.atan, sympy.atan2
-        self.sqrt, self.sign, self.abs = sympy.sqrt, sympy.sign, sympy.Abs
-        self.hypot = lambda x, y: sympy.sqrt(x**2 + y**2)
-
-    def number(self, text: str):
-        return self.sp.Rational(text)
-
-    def power(self, x, y):
-        return x**y
-
-
-NUMPY = NumpyArithmetic()
-
-
-def evaluate(node: Node, env: dict[str, Any], arithmetic=NUMPY, branch: int = 1, cache: dict | None = None):
-    """Evaluate a tree.
+class Sym(Expr):
+    """A named quantity: a length (a2), a target entry (n_x), a joint (theta1, d3, q2), a branch sign (sigma1).
 
     Args:
-        node: the tree.
-        env: value of every symbol, arrays of any common shape (or numbers of the arithmetic).
-        arithmetic: what the operations mean.
-        branch: +1 takes the upper sign of every +-, -1 the lower one.
-        cache: values of subtrees already known, by identity; new subtrees are added. Trees that share subtrees (a formula and
-            its variants) share their work through it.
-
-    Returns:
-        The value, of the shape of the symbols.
+        base: the letter, e.g. "a", "theta", "w".
+        sub: the subscript, e.g. "2", "x".
+        rank: place inside a product (numbers 0, lengths 1, constants 2, trigonometry 3, target entries 4).
     """
-    if cache is not None:
-        hit = cache.get(node)
-        if hit is not None:
-            return hit
-    op, args = node.op, node.args
-    if op == "num":
-        out = arithmetic.number(node.value)
-    elif op == "sym":
-        out = env[node.value]
-    else:
-        v = [evaluate(a, env, arithmetic, branch, cache) for a in args]
-        if op == "neg":
-            out = -v[0]
-        elif op == "add":
-            out = v[0]
-            for x in v[1:]:
-                out = out + x
-        elif op == "mul":
-            out = v[0]
-            for x in v[1:]:
-                out = out * x
-        elif op == "div":
-            out = v[0] / v[1]
-        elif op == "pow":
-            out = arithmetic.power(v[0], v[1])
-        elif op == "pm":
-            out = v[0] if branch * node.value > 0 else -v[0]
+
+    __slots__ = ("base", "sub", "rank", "order")
+    _pool: dict = {}
+
+    def __new__(cls, base: str, sub: str = "", rank: int = 1):
+        key = (cls, base, sub)
+        found = cls._pool.get(key)
+        if found is None:
+            found = cls._pool[key] = object.__new__(cls)
+            found.base, found.sub, found.rank = base, sub, rank
+            found.order = (rank, base if rank != 4 else {"p": "0", "w": "0"}.get(base, base), _natural(sub))
+        return found
+
+    def evaluate(self, values, field):
+        try:
+            return values[self]
+        except KeyError:
+            raise KeyError(f"no value for the symbol {self.text()}") from None
+
+    def atoms(self):
+        return {self}
+
+    def substitute(self, table):
+        return table.get(self, self)
+
+    @property
+    def name(self) -> str:
+        """Plain name used by sympy and in text: a2, theta1, n_x."""
+        return self.base + ("_" if self.sub and not self.sub[0].isdigit() else "") + self.sub
+
+
+class Trig(Expr):
+    """The sine or cosine of a whole-number combination of joint angles; prints as c1, s23, c(2-3).
+
+    Args:
+        kind: "c" or "s".
+        angle: ((joint, factor), ...) with ascending 1-based joints and non-zero integers, the first one positive.
+        group: first joint of the run of parallel axes that these joints belong to.
+        letter: "theta" (angle of the DH table) or "q" (the maker's joint coordinate).
+    """
+
+    __slots__ = ("kind", "angle", "group", "letter", "rank", "order")
+    _pool: dict = {}
+
+    def __new__(cls, kind, angle, group, letter="theta"):
+        key = (kind, angle, group, letter)
+        found = cls._pool.get(key)
+        if found is None:
+            found = cls._pool[key] = object.__new__(cls)
+            found.kind, found.angle, found.group, found.letter, found.rank = kind, angle, group, letter, 3
+            found.order = (3, group, len(angle), angle, kind)
+        return found
+
+    def argument(self) -> tuple:
+        return tuple((factor, angle_symbol(joint, self.letter)) for joint, factor in self.angle)
+
+    def evaluate(self, values, field):
+        if self in values:
+            return values[self]
+        total = field.rational(Fraction(0))
+        for factor, symbol in self.argument():
+            total = total + field.rational(Fraction(factor)) * symbol.evaluate(values, field)
+        return field.cos(total) if self.kind == "c" else field.sin(total)
+
+    def atoms(self):
+        return {self}
+
+    def substitute(self, table):
+        return table.get(self, self)
+
+
+class Add(Expr):
+    """A sum, in the order it is to be read."""
+
+    __slots__ = ("terms",)
+    precedence = 1
+
+    def __init__(self, terms):
+        self.terms = tuple(terms)
+
+    def children(self):
+        return self.terms
+
+    def evaluate(self, values, field):
+        return functools.reduce(lambda x, y: x + y, (t.evaluate(values, field) for t in self.terms))
+
+    def substitute(self, table):
+        return add(*(t.substitute(table) for t in self.terms))
+
+
+class Mul(Expr):
+    """A product, in the order it is to be read."""
+
+    __slots__ = ("factors",)
+    precedence = 2
+
+    def __init__(self, factors):
+        self.factors = tuple(factors)
+
+    def children(self):
+        return self.factors
+
+    def evaluate(self, values, field):
+        return functools.reduce(lambda x, y: x * y, (t.evaluate(values, field) for t in self.factors))
+
+    def substitute(self, table):
+        return mul(*(t.substitute(table) for t in self.factors))
+
+
+class Div(Expr):
+    """A quotient."""
+
+    __slots__ = ("over", "under")
+    precedence = 3
+
+    def __init__(self, over, under):
+        self.over, self.under = over, under
+
+    def children(self):
+        return (self.over, self.under)
+
+    def evaluate(self, values, field):
+        return self.over.evaluate(values, field) / self.under.evaluate(values, field)
+
+    def substitute(self, table):
+        return div(self.over.substitute(table), self.under.substitute(table))
+
+
+class Power(Expr):
+    """A whole-number power."""
+
+    __slots__ = ("base", "power")
+    precedence = 4
+
+    def __init__(self, base, power):
+        self.base, self.power = as_expr(base), int(power)
+
+    def children(self):
+        return (self.base,)
+
+    def evaluate(self, values, field):
+        return self.base.evaluate(values, field) ** self.power
+
+    def substitute(self, table):
+        return Power(self.base.substitute(table), self.power)
+
+
+class Call(Expr):
+    """A function of expressions: sqrt, atan2, acos, sign."""
+
+    __slots__ = ("name", "args")
+    precedence = 9
+
+    def __init__(self, name, *args):
+        self.name, self.args = name, tuple(as_expr(a) for a in args)
+
+    def children(self):
+        return self.args
+
+    def evaluate(self, values, field):
+        return getattr(field, self.name)(*(a.evaluate(values, field) for a in self.args))
+
+    def substitute(self, table):
+        return Call(self.name, *(a.substitute(table) for a in self.args))
+
+
+ZERO, ONE = Num(0), Num(1)
+
+
+def as_expr(value) -> Expr:
+    return value if isinstance(value, Expr) else Num(value)
+
+
+def angle_symbol(joint: int, letter: str = "theta") -> Sym:
+    """The symbol of a joint's angle, theta3 or q3."""
+    return Sym(letter, str(joint), 3)
+
+
+def add(*terms) -> Expr:
+    """Sum of expressions; nested sums are joined, exact zeros dropped."""
+    flat = []
+    for term in map(as_expr, terms):
+        flat.extend(term.terms if isinstance(term, Add) else (term,))
+    number = sum((t.value for t in flat if isinstance(t, Num)), Fraction(0))
+    rest = [t for t in flat if not isinstance(t, Num)]
+    if number:
+        place = next(i for i, t in enumerate(flat) if isinstance(t, Num))
+        rest.insert(min(place, len(rest)), Num(number))
+    if not rest:
+        return ZERO
+    return rest[0] if len(rest) == 1 else Add(rest)
+
+
+def mul(*factors) -> Expr:
+    """Product of expressions; nested products are joined, numbers gathered in front."""
+    flat = []
+    for factor in map(as_expr, factors):
+        flat.extend(factor.factors if isinstance(factor, Mul) else (factor,))
+    number = Fraction(1)
+    rest = []
+    for factor in flat:
+        if isinstance(factor, Num):
+            number *= factor.value
         else:
-            out = getattr(arithmetic, node.value)(*v)
-    if cache is not None:
-        cache[node] = out
-    return out
+            rest.append(factor)
+    if not number:
+        return ZERO
+    if number == -1 and len(rest) == 1 and isinstance(rest[0], Add):
+        return Add([mul(Num(-1), t) for t in rest[0].terms])
+    if number != 1:
+        rest.insert(0, Num(number))
+    if not rest:
+        return ONE
+    return rest[0] if len(rest) == 1 else Mul(rest)
 
 
-def substitute(node: Node, definitions: dict[str, Node]) -> Node:
-    """Replace symbols by the trees that define them, all the way down."""
-    if node.op == "sym":
-        return substitute(definitions[node.value], definitions) if node.value in definitions else node
-    if not node.args:
-        return node
-    args = tuple(substitute(a, definitions) for a in node.args)
-    if all(x is y for x, y in zip(args, node.args)):
-        return node
-    if node.op == "add":
-        return add(*args)
-    if node.op == "mul":
-        return mul(*args)
-    return Node(node.op, args, node.value)
+def div(over, under) -> Expr:
+    over, under = as_expr(over), as_expr(under)
+    if isinstance(under, Num):
+        return mul(Num(1 / under.value), over)
+    return over if over == ZERO else Div(over, under)
+
+
+def sqrt(value) -> Expr:
+    return Call("sqrt", value)
+
+
+def atan2(y, x) -> Expr:
+    return Call("atan2", y, x)
+
+
+def negative(expr: Expr) -> bool:
+    """Whether the expression starts with a minus sign when printed."""
+    if isinstance(expr, (Num, PiFraction)):
+        return expr.value < 0
+    if isinstance(expr, Mul):
+        return negative(expr.factors[0])
+    if isinstance(expr, Add):
+        return negative(expr.terms[0])
+    return isinstance(expr, Div) and negative(expr.over)
+
+
+def _natural(sub: str):
+    return (0, int(sub), "") if sub.isdigit() else (1, 0, sub)
