@@ -15,6 +15,8 @@ from pieper.description.orientation import rotation, rpy_of
 from pieper.description.quantity import best_unit, in_unit, same_bits
 from pieper.errors import InputError
 
+#: Texts longer than this are folded.
+_LONG_TEXT = 110
 #: Which keys of a pose table belong together; any of them changing changes them all.
 POSE_STEMS = ("xyz", "rpy", "zyx", "zyz", "rotation_vector", "quaternion", "matrix")
 
@@ -235,6 +237,17 @@ def _table(table: dict) -> list[str]:
     return [f"{_key(key)} = {_value(value)}" for key, value in table.items()]
 
 
+def _folded(text: str) -> str:
+    """Return a long line as a TOML string broken at single spaces; a backslash joins the lines again."""
+    lines = [""]
+    for word in _string(text)[1:-1].split(" "):
+        # a break may only stand before a word: white space after it would be swallowed
+        if word and lines[-1].strip() and len(lines[-1]) + len(word) > _LONG_TEXT:
+            lines.append("")
+        lines[-1] += word + " "
+    return '"""\\\n' + "\\\n".join(lines)[:-1] + '"""'
+
+
 def _key(name: str) -> str:
     bare = name.isascii() and name.replace("_", "a").replace("-", "a").isalnum()
     return name if bare else _string(name)
@@ -242,7 +255,7 @@ def _key(name: str) -> str:
 
 def _value(value: object) -> str:
     if isinstance(value, str):
-        return _multiline(value) if "\n" in value else _string(value)
+        return _multiline(value) if "\n" in value else _string(value) if len(value) < _LONG_TEXT else _folded(value)
     if isinstance(value, list):
         nested = bool(value) and isinstance(value[0], (list, str))
         items = [_value(item) for item in value]
