@@ -2,16 +2,173 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 
-from pieper.errors import PlanError
+from pieper.errors import InputError
+from pieper.inverse.plan import Plan
+from pieper.inverse.reduced import solve_reduced
+from pieper.inverse.singular import examine
+from pieper.inverse.solutions import (
+    DEGENERATE,
+    UNCERTAIN,
+    SolutionBatch,
+    Solutions,
+    Status,
+    inside_limits,
+)
+from pieper.kinematics.pose import checked_pose
+
+_CAREFUL = DEGENERATE | UNCERTAIN
 
 
-def ik(plan, T, redundancy):
-    """Return Solutions of one pose."""
-    raise PlanError("inverse kinematics is not built yet")
+def ik(plan: Plan, T: object, redundancy: object = None) -> Solutions:
+    """Return every solution of one pose; see `Arm.ik`."""
+    if not plan.direct:
+        return _ik_reduced(plan, T, redundancy)
+    if redundancy is not None:
+        raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
+    try:
+        q, slots, inside, flag = plan.solver.one(T)
+    except (TypeError, ValueError):
+        # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
+        T = checked_pose(T)
+        q, slots, inside, flag = plan.solver.one(T)
+    if flag & _CAREFUL:
+        return _careful(plan, checked_pose(T), q, flag)
+    return Solutions(plan, T, q, slots, inside, flag)
 
 
-def ik_many(plan, Ts, threads, redundancy):
-    """Return a SolutionBatch."""
-    raise PlanError("inverse kinematics is not built yet")
+def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: object = None) -> SolutionBatch:
+    """Return every solution of N poses; see `Arm.ik_many`."""
+    threads = _threads(threads)
+    if not plan.direct:
+        poses = _batch(Ts)
+        values = redundancy_values(plan, redundancy, len(poses))
+        q, valid, inside, flag = solve_reduced(plan, poses, values, threads)
+    else:
+        if redundancy is not None:
+            raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
+        poses = np.ascontiguousarray(Ts, dtype=float) if isinstance(Ts, np.ndarray) else _batch(Ts)
+        if poses.ndim != 3 or poses.shape[1:] != (4, 4):
+            poses = _batch(poses)
+        try:
+            q, valid, inside, flag = plan.solver.many(poses, threads)
+        except ValueError:
+            poses = _batch(poses)
+            q, valid, inside, flag = plan.solver.many(poses, threads)
+    status = np.where(
+        inside.any(1),
+        np.uint8(Status.REDUNDANT if plan.redundancy else Status.SOLVED),
+        np.where(valid.any(1), np.uint8(Status.OUTSIDE_LIMITS), np.uint8(Status.OUT_OF_REACH)),
+    ).astype(np.uint8)
+    for i in np.flatnonzero(flag & _CAREFUL) if not plan.redundancy else ():
+        found = _careful(plan, checked_pose(poses[i]), q[i][valid[i]], int(flag[i])) if plan.direct else None
+        if found is None:
+            continue
+        rows = min(len(found.all_q), q.shape[1])
+        q[i], valid[i], inside[i] = 0.0, False, False
+        q[i, :rows], valid[i, :rows], inside[i, :rows] = found.all_q[:rows], True, found.in_limits[:rows]
+        status[i] = found.status
+    return SolutionBatch(plan, q, valid, inside, status, flag)
+
+
+def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
+    """Return the values (count, k) of the redundant coordinates: a number, one a coordinate, one a pose, or by name."""
+    names = plan.redundancy
+    if redundancy is None:
+        return np.tile(plan.defaults, (count, 1))
+    if not names:
+        raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
+    if isinstance(redundancy, dict):
+        unknown = [name for name in redundancy if name not in names]
+        if unknown:
+            raise InputError(f"{unknown[0]!r} is no redundant coordinate of this plan; they are {', '.join(names)}.", given=redundancy)
+        redundancy = [redundancy.get(name, plan.defaults[i]) for i, name in enumerate(names)]
+    try:
+        values = np.asarray(redundancy, float)
+    except (TypeError, ValueError):
+        values = np.array(np.nan)
+    if not np.isfinite(values).all():
+        raise InputError(f"redundancy must be finite numbers, got {redundancy!r}.", given=redundancy)
+    k = len(names)
+    if values.ndim == 0 and k == 1:
+        values = np.full((count, 1), float(values))
+    elif values.shape == (k,) and not (k == 1 and count == 1):
+        values = np.tile(values, (count, 1))
+    elif values.shape == (count,) and k == 1:
+        values = values[:, None]
+    if values.shape != (count, k):
+        raise InputError(
+            f"redundancy must give {k} value(s) ({', '.join(names)}), or one such row a pose, got shape {values.shape}.",
+            given=redundancy,
+        )
+    for j, joint in enumerate(plan.reduction.locked):
+        lower, upper = plan.full_limits[joint]
+        outside = (values[:, j] < lower - 1e-9) | (values[:, j] > upper + 1e-9)
+        if outside.any():
+            raise InputError(
+                f"redundancy value {values[outside, j][0]:g} of {names[j]} is outside its limits {lower:g} to {upper:g}.",
+                given=redundancy,
+                joint=names[j],
+            )
+    return values
+
+
+def _ik_reduced(plan: Plan, T: object, redundancy: object) -> Solutions:
+    T = checked_pose(T)
+    values = redundancy_values(plan, redundancy, 1)
+    q, valid, inside, flag = solve_reduced(plan, T[None], values, 1)
+    rows, slots, within, bits = q[0][valid[0]], np.flatnonzero(valid[0]), inside[0][valid[0]], int(flag[0])
+    if plan.redundancy:
+        from pieper.inverse.redundant import families_of
+
+        chosen = redundancy is not None
+        families = families_of(plan, T, values[0], rows)
+        if not chosen and not within.any() and families:
+            rows = np.array([family.representative for family in families])
+            rows, within = inside_limits(rows, plan.limits, plan.prismatic)
+            slots = np.arange(len(rows))
+        return Solutions(plan, T, rows, slots, within, bits & ~DEGENERATE, families=families)
+    if bits & _CAREFUL and plan.task == "pose":
+        return _careful(plan, T, rows, bits)
+    return Solutions(plan, T, rows, slots, within, bits)
+
+
+def _careful(plan: Plan, T: np.ndarray, candidates: np.ndarray, flag: int) -> Solutions:
+    """Re-examine a pose that the kernel marked: families, merged roots, and what the kernel could not certify."""
+
+    def near(poses: np.ndarray) -> np.ndarray:
+        rows = plan.solver.all_rows(poses)
+        return rows[:, : plan.n]
+
+    found = examine(plan.chain, T, candidates, near, plan.limits, plan.names)
+    q, inside = inside_limits(found.q, plan.limits, plan.prismatic)
+    flag = int(flag) & ~DEGENERATE
+    return Solutions(
+        plan,
+        T,
+        q,
+        np.arange(len(q)),
+        inside,
+        flag,
+        families=found.families,
+        all_family=found.family,
+        all_multiplicity=found.multiplicity,
+    )
+
+
+def _batch(Ts: object) -> np.ndarray:
+    poses = checked_pose(Ts, "Ts", batch=True)
+    if poses.ndim != 3:
+        raise InputError(f"Ts must have shape (N, 4, 4), got {poses.shape}.", given=poses.shape)
+    return np.ascontiguousarray(poses)
+
+
+def _threads(threads: int | None) -> int:
+    if threads is None:
+        return os.cpu_count() or 1
+    if not isinstance(threads, (int, np.integer)) or threads < 1:
+        raise InputError(f"threads must be a whole number of at least 1, or None for all cores, got {threads!r}.", given=threads)
+    return int(threads)

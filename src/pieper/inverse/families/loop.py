@@ -1,0 +1,51 @@
+"""Frames of a chain moved along their own axes so that a family's loop takes its simplest form."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import jacobian
+from pieper.kinematics.pose import translation
+
+
+def centred(chain: Chain, first: int) -> np.ndarray:
+    """Return links (7, 4, 4) of the same chain with the frames of joints first..first+2 at their common point.
+
+    A revolute joint's frame may slide along its axis without changing the joint's angle. What is left of the translations
+    between the three frames, the amount by which the axes miss each other, is dropped.
+    """
+    joints = range(first, first + 3)
+    normals = np.eye(3) - chain.axes[joints, :, None] * chain.axes[joints, None, :]
+    centre = np.linalg.lstsq(normals.sum(0), (normals @ chain.points[joints, :, None])[..., 0].sum(0), rcond=None)[0]
+    links = np.array(chain.links)
+    for j in joints:
+        # the axis in the chain at zero; its frame moves by s along its own z
+        s = float((centre - chain.points[j]) @ chain.axes[j])
+        links[j] = links[j] @ translation(z=s)
+        links[j + 1] = translation(z=-s) @ links[j + 1]
+    links[first + 1][:3, 3] = 0.0
+    links[first + 2][:3, 3] = 0.0
+    return links
+
+
+def packed(chain: Chain, links: np.ndarray) -> np.ndarray:
+    """Return length, true links and the family's links in one row."""
+    return np.concatenate([[chain.length], np.ravel(chain.links), np.ravel(links)])
+
+
+def rank(J: np.ndarray) -> int:
+    """Return the numerical rank of a matrix."""
+    singular = np.linalg.svd(J, compute_uv=False)
+    return int((singular > 1e-7 * max(float(singular[0]), 1e-300)).sum())
+
+
+def positioning_rank(chain: Chain, first: int) -> int:
+    """Return in how many directions the three joints beside a wrist can move its centre, at a posture of no special kind."""
+    q = np.array([0.37, -1.13, 0.91, 1.57, -0.53, 2.29]) * np.where(chain.prismatic, chain.length, 1.0)
+    J = jacobian(chain, q).copy()
+    J[:3] /= chain.length
+    wrist = [first, first + 1, first + 2]
+    others = [j for j in range(6) if j not in wrist]
+    # a full chain of six has rank 3 + 3: the wrist spans the rotations about its centre, the others must add three more
+    return rank(J[:, wrist + others]) - rank(J[:, wrist])

@@ -1,0 +1,139 @@
+"""Solve arms and tasks that are not six joints themselves, through the six-joint chain they were reduced to."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from pieper.inverse.families import choose
+from pieper.inverse.native import SixJointSolver
+from pieper.inverse.plan import Plan
+from pieper.inverse.refine import newton, pose_difference
+from pieper.inverse.solutions import TURN, inside_limits
+from pieper.kinematics.geometry import look
+from pieper.tolerances import GEOMETRY_EXACT, SAME_SOLUTION
+
+#: A filled joint that comes out below this was meant to be zero: the pose is one the arm can reach (rad; per length).
+FILLED_ZERO = 1e-6
+#: What must remain after polishing (per length; rad).
+CLOSES = 1e-9
+
+_UNLIMITED = np.tile([-np.inf, np.inf], (6, 1))
+
+
+def solve_reduced(
+    plan: Plan, T: np.ndarray, values: np.ndarray, threads: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Solve poses T (N, 4, 4) with redundant coordinates at values (N, k).
+
+    Returns:
+        q (N, M, n), valid (N, M), in_limits (N, M), flag (N,), as the native solver's `many`.
+    """
+    reduction = plan.reduction
+    if reduction.at_ends is not None:
+        q6, valid, _, flag = plan.solver.many(np.ascontiguousarray(reduction.moved_pose(T, values)), threads)
+    else:
+        q6, valid, flag = _per_value(plan, T, values, threads)
+    full = np.zeros((*q6.shape[:2], reduction.full.n))
+    real = 6 - len(reduction.fill)
+    if reduction.fill:
+        unit = np.array([plan.chain.length if p else 1.0 for _, p in reduction.fill])
+        valid = valid & (np.abs(q6[..., real:] / unit) < FILLED_ZERO).all(-1)
+    full[..., reduction.kept] = q6[..., :real]
+    if reduction.locked:
+        full[..., list(reduction.locked)] = values[:, None, :]
+    if reduction.fill or plan.snapped:
+        full, valid = _polished(plan, full, valid, T, values)
+    q = full[..., : plan.n]
+    if reduction.full.n > plan.n:
+        valid = valid & ~_repeats(plan, q, valid)
+    most = plan.max_solutions
+    if q.shape[1] > most:
+        q, valid = _packed(q, valid, most)
+    q = np.where(valid[..., None], q, 0.0)
+    q, inside = inside_limits(q, plan.limits, plan.prismatic)
+    return q, valid, inside & valid, flag
+
+
+def _per_value(plan: Plan, T: np.ndarray, values: np.ndarray, threads: int):
+    distinct, which = np.unique(values, axis=0, return_inverse=True)
+    if len(distinct) == 1:
+        q, valid, _, flag = solver_at(plan, tuple(distinct[0])).many(np.ascontiguousarray(T), threads)
+        return q, valid, flag
+    parts = []
+    most = 0
+    for i, value in enumerate(distinct):
+        rows = np.flatnonzero(which.reshape(-1) == i)
+        q, valid, _, flag = solver_at(plan, tuple(value)).many(np.ascontiguousarray(T[rows]), threads)
+        parts.append((rows, q, valid, flag))
+        most = max(most, q.shape[1])
+    out = np.zeros((len(T), most, 6))
+    ok = np.zeros((len(T), most), bool)
+    bits = np.zeros(len(T), np.uint8)
+    for rows, q, valid, flag in parts:
+        out[rows, : q.shape[1]], ok[rows, : q.shape[1]], bits[rows] = q, valid, flag
+    return out, ok, bits
+
+
+@lru_cache(maxsize=512)
+def solver_at(plan: Plan, values: tuple[float, ...]) -> SixJointSolver:
+    """Return the native solver with the locked joints at values; made once a value."""
+    six = plan.reduction.six(np.array(values))
+    _, spec = choose(six, look(six, GEOMETRY_EXACT))
+    return SixJointSolver(six, spec, _UNLIMITED)
+
+
+def _polished(plan: Plan, full: np.ndarray, valid: np.ndarray, T: np.ndarray, values: np.ndarray):
+    """Newton on the arm as it is, the locked joints held; what does not close is no solution."""
+    rows = np.argwhere(valid)
+    if not len(rows):
+        return full, valid
+    exact = full.copy()
+    keep = np.zeros_like(valid)
+    chain = plan.reduction.full if not plan.snapped else _true_full(plan)
+    locked = list(plan.reduction.locked)
+    for group in _by_value(values[rows[:, 0]]) if locked else [slice(None)]:
+        member = rows[group]
+        held = chain
+        for joint, value in sorted(zip(locked, values[member[0, 0]] if locked else (), strict=True), reverse=True):
+            held = held.locked(joint, float(value))
+        start = full[member[:, 0], member[:, 1]][:, plan.reduction.kept]
+        poses = T[member[:, 0]]
+        done = newton(held, start, poses, steps=20 if plan.snapped else 6)
+        good = np.linalg.norm(pose_difference(held, done, poses), axis=-1) < CLOSES
+        target = exact[member[:, 0], member[:, 1]]
+        target[:, plan.reduction.kept] = done
+        exact[member[:, 0], member[:, 1]] = target
+        keep[member[:, 0], member[:, 1]] = good
+    wrapped = np.where(plan.reduction.full.prismatic, exact, np.pi - (np.pi - exact) % TURN)
+    return wrapped, keep & ~_repeats(plan, wrapped, keep)
+
+
+def _true_full(plan: Plan):
+    from pieper.inverse.reduction import with_task_joints
+
+    return with_task_joints(plan.chain, plan.task)
+
+
+def _by_value(values: np.ndarray) -> list[np.ndarray]:
+    _, which = np.unique(values, axis=0, return_inverse=True)
+    return [np.flatnonzero(which.reshape(-1) == i) for i in range(which.max() + 1)]
+
+
+def _repeats(plan: Plan, q: np.ndarray, valid: np.ndarray) -> np.ndarray:
+    """Return (N, M) bool: rows that repeat an earlier valid row of their pose, angles compared around the circle."""
+    prismatic = plan.reduction.full.prismatic[: q.shape[-1]]
+    again = np.zeros_like(valid)
+    for b in range(1, q.shape[1]):
+        gap = q[:, b : b + 1] - q[:, :b]
+        gap = np.where(prismatic, gap / plan.chain.length, (gap + np.pi) % TURN - np.pi)
+        same = (np.abs(gap) < SAME_SOLUTION * 10).all(-1) & valid[:, :b]
+        again[:, b] = valid[:, b] & same.any(1)
+    return again
+
+
+def _packed(q: np.ndarray, valid: np.ndarray, most: int):
+    """Move valid rows to the front, order kept, and cut to `most`."""
+    order = np.argsort(~valid, axis=1, kind="stable")[:, :most]
+    return np.take_along_axis(q, order[..., None], 1), np.take_along_axis(valid, order, 1)

@@ -1,0 +1,242 @@
+"""Any arm and task as a six-joint problem: task freedoms become joints, spare joints are locked, missing ones filled.
+
+A task that leaves something free (the roll about the tool axis, the whole orientation) is a full pose for the arm with
+that freedom added as a virtual joint at the tool. An arm that can do less than six things gets virtual joints that must
+come out as zero. An arm that can do more has joints locked at chosen values.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pieper.inverse.refine import scaled_jacobian
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.pose import inverse, rotation_about, transform
+
+TASKS = ("pose", "position", "position+axis")
+#: Relative singular value below which a direction does not count as a freedom.
+RANK = 1e-7
+#: Orientation of the virtual wrist of a position task; generic, so that no ordinary pose makes it singular.
+_GENERIC = transform(rotation_about(np.array([0.48, 0.6, 0.64]), 0.83))
+_X = rotation_about(np.array([0.0, 1.0, 0.0]), np.pi / 2)
+_Y = rotation_about(np.array([1.0, 0.0, 0.0]), -np.pi / 2)
+
+
+def with_task_joints(chain: Chain, task: str) -> Chain:
+    """Return the chain with the freedoms a task leaves added as virtual revolute joints at the tool."""
+    if task == "position+axis":
+        return appended(chain, [(np.eye(3), False)])
+    if task == "position":
+        return appended(chain, [(np.eye(3), False), (_X, False), (np.eye(3), False)], last=_GENERIC)
+    return chain
+
+
+def appended(chain: Chain, joints: list[tuple[np.ndarray, bool]], last: np.ndarray | None = None) -> Chain:
+    """Return the chain with virtual joints at the tool; at zero they change nothing but `last`.
+
+    Args:
+        chain: The arm.
+        joints: For each its orientation (3, 3) in the tool frame (it acts along its z) and whether it is prismatic.
+        last: (4, 4) constant pose after the last of them; identity if None.
+    """
+    links = list(chain.links)
+    for R, _ in joints:
+        frame = transform(R)
+        links[-1] = links[-1] @ frame
+        links.append(inverse(frame))
+    if last is not None:
+        links[-1] = links[-1] @ last
+    return Chain.of(np.stack(links), np.concatenate([chain.prismatic, [p for _, p in joints]]))
+
+
+def sample_joints(chain: Chain, count: int, seed: int = 1) -> np.ndarray:
+    """Return random joint vectors (count, n): angles over the whole turn, prismatic over the arm's length."""
+    rng = np.random.default_rng(seed)
+    return np.where(chain.prismatic, chain.length, np.pi) * rng.uniform(-1, 1, (count, chain.n))
+
+
+def generic_rank(chain: Chain) -> int:
+    """Return how many things the arm can do at once: the rank of its Jacobian away from singular postures."""
+    s = np.linalg.svd(scaled_jacobian(chain, sample_joints(chain, 12)), compute_uv=False)
+    return int(np.max(np.sum(s > RANK * s[:, :1], axis=1)))
+
+
+def task_freedoms(chain: Chain, task: str) -> tuple[int, int]:
+    """Return the rank of the chain with the task's joints, and the number of joints."""
+    full = with_task_joints(chain, task)
+    return generic_rank(full), full.n
+
+
+def default_task(chain: Chain) -> str:
+    """Return the task an arm is asked for when nobody says: the fullest that it can do at every reachable place."""
+    if chain.n >= 6 or generic_rank(chain) != chain.n:
+        return "pose"
+    for task in ("position+axis", "position"):
+        full = with_task_joints(chain, task)
+        if full.n == 6 and generic_rank(full) == 6:
+            return task
+    return "pose"
+
+
+@dataclass(frozen=True, eq=False)
+class Reduction:
+    """How an arm and a task become one six-joint chain.
+
+    Args:
+        arm: The arm's chain.
+        task: One of TASKS.
+        full: The arm's joints followed by the task's virtual ones.
+        locked: Joints (0-based, in full) that are held at chosen values.
+        fill: Virtual joints at the tool, as for `appended`, that must come out as zero.
+    """
+
+    arm: Chain
+    task: str
+    full: Chain
+    locked: tuple[int, ...]
+    fill: tuple[tuple[np.ndarray, bool], ...]
+
+    @property
+    def trivial(self) -> bool:
+        """Whether the arm itself is the six-joint chain."""
+        return self.full is self.arm and not self.locked and not self.fill
+
+    @cached_property
+    def kept(self) -> np.ndarray:
+        """Joints of full that are solved for."""
+        return np.setdiff1d(np.arange(self.full.n), self.locked)
+
+    @cached_property
+    def at_ends(self) -> tuple[int, int] | None:
+        """(number locked at the base, number locked at the tool) when all locked joints are there and nothing is filled."""
+        if self.fill:
+            return None
+        first = next((i for i in range(self.full.n) if i not in self.locked), self.full.n)
+        tail = len(self.locked) - first
+        if set(self.locked) == set(range(first)) | set(range(self.full.n - tail, self.full.n)):
+            return first, tail
+        return None
+
+    def with_locked(self, values: np.ndarray) -> Chain:
+        """Return full with the locked joints held at values (k,), nothing filled."""
+        chain = self.full
+        for joint, value in sorted(zip(self.locked, values, strict=True), reverse=True):
+            chain = chain.locked(joint, float(value))
+        return chain
+
+    def six(self, values: np.ndarray) -> Chain:
+        """Return the six-joint chain for locked values (k,). Where the locked joints are at the ends it is the same for all."""
+        if self.at_ends is not None and self.locked:
+            first, tail = self.at_ends
+            links = self.full.links[first : self.full.n - tail + 1].copy()
+            if tail:
+                links[-1] = self.full.links[self.full.n - tail]
+            return Chain.of(links, self.full.prismatic[self.kept].copy())
+        chain = self.with_locked(values)
+        return appended(chain, list(self.fill)) if self.fill else chain
+
+    def moved_pose(self, T: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Return the poses (N, 4, 4) that the six-joint chain must reach, locked values (N, k) at the ends taken off."""
+        if self.at_ends is None or not self.locked:
+            return T
+        first, tail = self.at_ends
+        n = self.full.n
+        before = np.broadcast_to(np.eye(4), T.shape)
+        for j in range(first):
+            before = before @ self.full.links[j] @ _motion(values[:, j], self.full.prismatic[j])
+        after = np.broadcast_to(np.eye(4), T.shape)
+        for k in range(tail):
+            j = n - tail + k
+            after = after @ _motion(values[:, first + k], self.full.prismatic[j]) @ self.full.links[j + 1]
+        return inverse(before) @ T @ inverse(after)
+
+
+def reduce(chain: Chain, task: str, preferred: tuple[int, ...] | None = None) -> list[Reduction]:
+    """Return the ways to make an arm and a task a six-joint chain, best conditioned first.
+
+    Args:
+        chain: The arm.
+        task: One of TASKS.
+        preferred: Joints to lock, if the caller has a wish.
+    """
+    full = with_task_joints(chain, task)
+    rank = generic_rank(full)
+    spare = full.n - rank
+    if spare == 0:
+        return [Reduction(chain, task, full, (), _filling(full, 6 - rank))]
+    ways = []
+    q = sample_joints(full, 12)
+    J = scaled_jacobian(full, q)
+    for locked in _choices(full, chain, J, spare) if preferred is None else [preferred]:
+        kept = np.setdiff1d(np.arange(full.n), locked)
+        s = np.linalg.svd(J[:, :, kept], compute_uv=False)
+        smallest = float(np.median(s[:, rank - 1] / s[:, 0]))
+        if smallest > RANK:
+            ways.append((smallest, locked))
+    ways.sort(key=lambda way: -way[0])
+    out = []
+    for _, locked in ways:
+        way = Reduction(chain, task, full, tuple(locked), ())
+        if rank < 6:
+            held = way.with_locked(np.full(len(locked), 0.37))
+            way = Reduction(chain, task, full, tuple(locked), _filling(held, 6 - rank))
+        out.append(way)
+    return out
+
+
+def _choices(full: Chain, arm: Chain, J: np.ndarray, spare: int) -> list[tuple[int, ...]]:
+    """Return sets of joints worth locking: all of them for a few joints, a greedy good one for many."""
+    if full.n <= 9 and spare <= 3:
+        return list(itertools.combinations(range(full.n), spare))
+    kept: list[int] = []
+    for _ in range(full.n - spare):
+        best, gain = -1, -np.inf
+        for j in range(full.n):
+            if j in kept:
+                continue
+            s = np.linalg.svd(J[:, :, [*kept, j]], compute_uv=False)
+            value = float(np.median(s[:, -1]))
+            if value > gain:
+                best, gain = j, value
+        kept.append(best)
+    return [tuple(j for j in range(full.n) if j not in kept)]
+
+
+def _filling(chain: Chain, count: int) -> tuple[tuple[np.ndarray, bool], ...]:
+    """Choose `count` virtual joints at the tool that make the chain able to do everything, well conditioned."""
+    if count == 0:
+        return ()
+    rng = np.random.default_rng(3)
+    tilted = [rotation_about(v / np.linalg.norm(v), 1.1) for v in rng.standard_normal((3, 3))]
+    pool = [(R, p) for p in (True, False) for R in (np.eye(3), _X, _Y, *tilted)]
+    sliding = int(chain.prismatic.sum())
+    chosen: list[tuple[np.ndarray, bool]] = []
+    for _ in range(count):
+        best, gain = pool[0], -1.0
+        for joint in pool:
+            if joint[1] and sliding + sum(p for _, p in chosen) >= 3:
+                continue
+            tried = appended(chain, [*chosen, joint])
+            s = np.linalg.svd(scaled_jacobian(tried, sample_joints(tried, 15, seed=2)), compute_uv=False)
+            value = float(np.quantile(s[:, -1], 0.3))
+            if value > gain * 1.05:
+                best, gain = joint, value
+        chosen.append(best)
+    return tuple(chosen)
+
+
+def _motion(values: np.ndarray, prismatic: bool) -> np.ndarray:
+    Z = np.zeros((len(values), 4, 4))
+    Z[:, 2, 2] = Z[:, 3, 3] = 1.0
+    if prismatic:
+        Z[:, 0, 0] = Z[:, 1, 1] = 1.0
+        Z[:, 2, 3] = values
+    else:
+        Z[:, 0, 0] = Z[:, 1, 1] = np.cos(values)
+        Z[:, 1, 0] = np.sin(values)
+        Z[:, 0, 1] = -Z[:, 1, 0]
+    return Z
