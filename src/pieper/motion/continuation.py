@@ -1,0 +1,241 @@
+"""Carrying solutions along a path by continuity: predict with the Jacobian, match with the solver, halve when in doubt.
+
+A step from one pose to the next is believed only when the solution found at the far end agrees with what the Jacobians
+of *both* ends predict, is small, and is clearly better than every other solution, and when the determinant of the Jacobian keeps its sign: it changes where a singularity
+is crossed, and only there does one branch become another. Otherwise the step is halved, down to `SMALLEST_STEP`. That is what keeps a fast but continuous swing (near a wrist singularity) apart from a jump to another
+branch, whatever the spacing of the points.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pieper.inverse.solutions import Status
+from pieper.kinematics.pose import pose_error, rotation_vector
+from pieper.motion.path import between
+from pieper.tolerances import VERIFIED
+
+if TYPE_CHECKING:
+    from pieper.arm import Arm
+
+TURN = 2 * np.pi
+
+#: A step (rad, or per length) above which it is halved whatever the prediction says.
+LARGEST_STEP = 0.6
+#: How far a step may depart from either prediction, as a fraction of the step.
+AGREEMENT = 0.25
+#: How much worse the second best solution must be.
+CLEARANCE = 3.0
+#: Departures below this (rad, or per length) are the rounding of solutions close to a singularity.
+ROUNDING = 1e-6
+#: Where nearness decides, as a fraction of the spacing of the points.
+SMALLEST_STEP = 2.0**-18
+#: Where halving ends for those that not even nearness can decide: a swing within a hair of a singularity.
+LAST_STEP = 2.0**-30
+#: Two solutions this close (rad, or per length) at the smallest step have met: 2^-18 under a square root is 2^-9.
+MET = 5e-3
+#: sigma_min / sigma_max of the scaled Jacobian below which a solution counts as singular itself.
+SINGULAR = 1e-7
+#: A singular point is bridged from this far before it, as a fraction of the spacing.
+BRIDGE = 1e-3
+#: Steps allowed between two neighbouring points before a branch is given up as unresolved.
+BUDGET = 600
+
+
+class Continuation:
+    """Everything needed to carry solutions of an arm along a path.
+
+    Args:
+        arm: The arm.
+        path: (N, 4, 4) checked poses, m.
+    """
+
+    def __init__(self, arm: Arm, path: np.ndarray) -> None:
+        self.arm = arm
+        self.path = path
+        self.batch = arm.ik_many(path)
+        self.revolute = ~np.asarray(arm.chain.prismatic)
+        self.length = arm.chain.length
+        #: joint coordinates are compared as q * scale: radians, and lengths per characteristic length
+        self.scale = np.where(self.revolute, 1.0, 1.0 / self.length)
+        self.task = getattr(arm.plan, "task", "pose")
+        #: whether every pose has a continuum of solutions, so that none of them can be matched
+        self.redundant = bool(getattr(arm.plan, "redundancy", False))
+        self._solved: dict[float, tuple[np.ndarray, bool]] = {}
+        self._poses: dict[float, np.ndarray] = {}
+        self._steps = 0
+
+    # ------------------------------------------------------------------ what is known at a place on the path
+
+    def pose(self, x: float) -> np.ndarray:
+        """Return the pose (4, 4) at x points from the start; between the points lies the straight line."""
+        k = int(np.floor(x))
+        if k == x:
+            return self.path[k]
+        if x not in self._poses:
+            self._poses[x] = between(self.path[k], self.path[k + 1], x - k)
+        return self._poses[x]
+
+    def solutions(self, x: float) -> tuple[np.ndarray, bool]:
+        """Return all solutions (m, n) at x, limits not applied, and whether the pose is singular or redundant."""
+        if x not in self._solved:
+            k = int(np.floor(x))
+            batch, row = (self.batch, k) if k == x else (self.arm.ik_many(self.pose(x)[None]), 0)
+            special = batch.status[row] in (Status.SINGULAR, Status.REDUNDANT) or bool(batch.flag[row] & 1)
+            self._solved[x] = batch.q[row][batch.valid[row]], special
+        return self._solved[x]
+
+    def wrapped(self, dq: np.ndarray) -> np.ndarray:
+        """Return joint differences (..., n), scaled, revolute ones by the shorter way round."""
+        return np.where(self.revolute, dq - TURN * np.round(dq / TURN), dq) * self.scale
+
+    def _task_rows(self, T: np.ndarray) -> np.ndarray:
+        """Return the matrix (r, 6) that picks what the task asks for from a twist; lengths per characteristic length."""
+        rows = np.eye(6)
+        rows[:3] /= self.length
+        if self.task == "position":
+            return rows[:3]
+        if self.task == "position+axis":
+            rows[3:, 3:] = T[:3, :3].T
+            return rows[:5]
+        return rows
+
+    def _twist(self, xa: float, xb: float) -> np.ndarray:
+        Ta, Tb = self.pose(xa), self.pose(xb)
+        return np.concatenate([Tb[:3, 3] - Ta[:3, 3], rotation_vector(Tb[:3, :3] @ Ta[:3, :3].T)])
+
+    def _rates(self, q: np.ndarray, T: np.ndarray, twist: np.ndarray) -> np.ndarray:
+        """Return the scaled joint steps (..., n) that the Jacobian at q predicts for a small motion of the tool."""
+        rows = self._task_rows(T)
+        J = rows @ self.arm.jacobian(q) / self.scale
+        return np.linalg.pinv(J, rcond=1e-10) @ (rows @ twist)
+
+    # ------------------------------------------------------------------ steps
+
+    def step(self, q: np.ndarray, xa: float, xb: float, loose: bool = False) -> tuple[np.ndarray, np.ndarray]:
+        """Step joint vectors q (B, n) from xa to xb; return where they go and whether that is beyond doubt (B,).
+
+        When loose, at the smallest step, the nearest solution within `MET` is taken without asking the Jacobian: it has
+        no inverse where branches meet.
+        """
+        self._steps += 1
+        found, _ = self.solutions(xb)
+        if len(found) == 0:
+            return q, np.zeros(len(q), bool)
+        D = self.wrapped(found[None] - q[:, None])
+        size = np.linalg.norm(D, axis=-1)
+        if loose:
+            best = np.argmin(size, axis=1)
+            d = np.take_along_axis(D, best[:, None, None], 1)[:, 0]
+            return q + d / self.scale, size[np.arange(len(q)), best] <= MET
+        twist = self._twist(xa, xb)
+        forward = self._rates(q, self.pose(xa), twist)
+        miss = np.linalg.norm(D - forward[:, None], axis=-1)
+        best = np.argmin(miss, axis=1)
+        rows = np.arange(len(q))
+        d = D[rows, best]
+        step = size[rows, best]
+        backward = self._rates(found[best], self.pose(xb), twist)
+        allowed = AGREEMENT * step + ROUNDING
+        sure = (miss[rows, best] <= allowed) & (np.linalg.norm(d - backward, axis=-1) <= allowed)
+        sure &= np.abs(d).max(-1) <= LARGEST_STEP
+        if len(found) > 1:
+            others = miss.copy()
+            others[rows, best] = np.inf
+            sure &= others.min(1) >= CLEARANCE * miss[rows, best] + ROUNDING
+        counts = np.bincount(best, minlength=len(found))
+        sure &= counts[best] == 1
+        sure &= self.side(q, xa) == self.side(found[best], xb)
+        return q + d / self.scale, sure
+
+    def side(self, q: np.ndarray, x: float) -> np.ndarray:
+        """Return on which side (...) of the singularities joint vectors q (..., n) lie, +1 or -1; 0 when not square."""
+        J = self._task_rows(self.pose(x)) @ self.arm.jacobian(q)
+        return np.sign(np.linalg.det(J)) if J.shape[-1] == J.shape[-2] else np.zeros(J.shape[:-2])
+
+    def is_singular(self, q: np.ndarray, x: float) -> bool:
+        """Return whether the Jacobian at a joint vector q (n,) has lost rank."""
+        sigma = np.linalg.svd(self._task_rows(self.pose(x)) @ self.arm.jacobian(q) / self.scale, compute_uv=False)
+        return bool(sigma[-1] < SINGULAR * sigma[0])
+
+    def predict(self, q: np.ndarray, xa: float, xb: float) -> np.ndarray:
+        """Return where the Jacobian sends a joint vector q (n,) from xa to xb, with the least joint motion."""
+        return q + self._rates(q, self.pose(xa), self._twist(xa, xb)) / self.scale
+
+    def carry(self, q: np.ndarray, xa: float, xb: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Carry joint vectors q (B, n) from xa to xb.
+
+        Returns:
+            (B, n) where they got to; (B,) the place they got to, xb for those that arrived; (B,) the place at which they met a
+            singularity on the way, -1 where they did not; (B,) whether the budget of steps ran out.
+        """
+        self._steps = 0
+        q, place = q.copy(), np.full(len(q), float(xa))
+        met, unresolved = np.full(len(q), -1.0), np.zeros(len(q), bool)
+        self._carry(q, place, met, unresolved, np.arange(len(q)), xa, xb)
+        return q, place, met, unresolved
+
+    def _carry(self, q, place, met, unresolved, group, xa, xb) -> None:
+        stepped, sure = self.step(q[group], xa, xb)
+        q[group[sure]] = stepped[sure]
+        place[group[sure]] = xb
+        doubtful = group[~sure]
+        if len(doubtful) == 0:
+            return
+        if xb - xa <= SMALLEST_STEP:
+            stepped, close = self.step(q[doubtful], xa, xb, loose=True)
+            arrived = doubtful[close]
+            q[arrived], place[arrived], met[arrived] = stepped[close], xb, xa
+            doubtful = doubtful[~close]
+            if len(doubtful) == 0 or xb - xa <= LAST_STEP:
+                return
+        if self._steps > BUDGET:
+            unresolved[doubtful] = True
+            return
+        middle = xa + (xb - xa) / 2
+        if self.solutions(middle)[1]:
+            middle = xa + (xb - xa) * 0.4637
+        self._carry(q, place, met, unresolved, doubtful, xa, middle)
+        onward = doubtful[place[doubtful] == middle]
+        if len(onward):
+            self._carry(q, place, met, unresolved, onward, middle, xb)
+
+    def project(self, q: np.ndarray, x: float) -> tuple[np.ndarray, bool]:
+        """Move a joint vector q (n,) onto the solutions at x by the smallest steps (Newton, minimum norm).
+
+        This is how a member of a continuous family is chosen: the one nearest to where the arm already is.
+
+        Returns:
+            (n,) joint vector, and whether forward kinematics confirms it.
+        """
+        T = self.pose(x)
+        rows = self._task_rows(T)
+        q = q.copy()
+        for _ in range(12):
+            now = self.arm.fk(q)
+            error = np.concatenate([T[:3, 3] - now[:3, 3], rotation_vector(T[:3, :3] @ now[:3, :3].T)])
+            missing = rows @ error
+            if np.linalg.norm(missing) < 1e-14:
+                break
+            J = rows @ self.arm.jacobian(q) / self.scale
+            q = q + np.linalg.lstsq(J, missing, rcond=1e-7)[0] / self.scale
+        return q, bool(self.residual(q, x) <= VERIFIED)
+
+    def residual(self, q: np.ndarray, x: float) -> float:
+        """Return how far forward kinematics of q (n,) misses the pose at x, task rows only, per length and rad."""
+        T, now = self.pose(x), self.arm.fk(q)
+        error = np.concatenate([T[:3, 3] - now[:3, 3], rotation_vector(T[:3, :3] @ now[:3, :3].T)])
+        return float(np.abs(self._task_rows(T) @ error).max())
+
+    def residuals(self, q: np.ndarray) -> np.ndarray:
+        """Return (k, 2) metres and radians by which q (k, n) misses the first k points, what the task leaves free aside."""
+        now = self.arm.fk(q)
+        error = pose_error(now, self.path[: len(q)])
+        if self.task == "position":
+            error[:, 1] = 0.0
+        elif self.task == "position+axis":
+            z, wanted = now[:, :3, 2], self.path[: len(q), :3, 2]
+            error[:, 1] = np.arctan2(np.linalg.norm(np.cross(z, wanted), axis=-1), np.sum(z * wanted, -1))
+        return error

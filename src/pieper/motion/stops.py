@@ -1,0 +1,183 @@
+"""Why a branch ends, and what else is worth saying about a track: events with a place, a joint and a cause."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pieper.tolerances import LIMIT_SLACK
+
+if TYPE_CHECKING:
+    from pieper.motion.branches import Strand
+    from pieper.motion.continuation import Continuation
+
+OUT_OF_REACH = "out of reach"
+LIMIT = "limit"
+SINGULARITY = "singularity"
+BRANCH_ENDS = "branch ends"
+JUMP = "jump"
+
+#: A joint is said to swing when one step of it is at least this (rad) ...
+SWING = np.radians(10.0)
+#: ... and this many times its median step.
+SWING_RATIO = 5.0
+#: Halvings by which the place of a limit is found between two points.
+LIMIT_HALVINGS = 20
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happened on the way.
+
+    Attributes:
+        s: Path parameter, 0 to 1.
+        joint: Name of the joint it concerns, or None.
+        cause: "out of reach", "limit", "singularity", "branch ends" or "jump".
+        stop: Whether the track ends here; otherwise it is a remark.
+        detail: One sentence with a number.
+        excess: Size behind the sentence: rad or m beyond the limit, or of the swing; 0 when there is none.
+    """
+
+    s: float
+    joint: str | None
+    cause: str
+    stop: bool
+    detail: str
+    excess: float = 0.0
+
+    def __str__(self) -> str:
+        kind = "Stop" if self.stop else "Remark"
+        return f"{kind} at s = {self.s:.4f} ({self.cause}{', ' + self.joint if self.joint else ''}): {self.detail}"
+
+
+def amount(way: Continuation, joint: int, value: float) -> str:
+    """Return a joint value with its unit, degrees or millimetres."""
+    return f"{np.degrees(value):.2f} deg" if way.revolute[joint] else f"{value * 1e3:.2f} mm"
+
+
+def _parameter(way: Continuation, x: float) -> float:
+    return x / (len(way.path) - 1) if len(way.path) > 1 else 0.0
+
+
+def limit_stop(way: Continuation, q: np.ndarray, k: int) -> Event:
+    """Return the event of a curve q (points, n) that is outside a limit at point k for the first time."""
+    lower, upper = way.arm.limits[:, 0], way.arm.limits[:, 1]
+    beyond = np.maximum(lower - q[k], q[k] - upper)
+    where = float(k)
+    joint = int(np.argmax(beyond * way.scale))
+    if k > 0:
+        joint, where = _limit_place(way, q, k)
+    side, bound = ("lower", lower[joint]) if q[k][joint] < lower[joint] else ("upper", upper[joint])
+    name = way.arm.joint_names[joint]
+    detail = f"{name} passes its {side} limit of {amount(way, joint, bound)}"
+    detail += f"; at point {k + 1} it would be at {amount(way, joint, q[k][joint])}"
+    other = _other_turn(way, q, joint)
+    if other:
+        detail += f". Starting {other} it would stay inside"
+    return Event(_parameter(way, where), name, LIMIT, True, detail + ".", float(beyond[joint]))
+
+
+def _limit_place(way: Continuation, q: np.ndarray, k: int) -> tuple[int, float]:
+    """Return the joint that passes its limit first between points k - 1 and k, and where, by halving."""
+    lower, upper = way.arm.limits[:, 0] - LIMIT_SLACK, way.arm.limits[:, 1] + LIMIT_SLACK
+    inside, outside, at, beyond = k - 1.0, float(k), q[k - 1], q[k]
+    if not way.solutions(k - 1)[1]:
+        for _ in range(LIMIT_HALVINGS):
+            middle = inside + (outside - inside) / 2
+            carried, place, _, _ = way.carry(at[None], inside, middle)
+            if place[0] != middle:
+                break
+            if np.any((carried[0] < lower) | (carried[0] > upper)):
+                outside, beyond = middle, carried[0]
+            else:
+                inside, at = middle, carried[0]
+    past = np.maximum(lower - beyond, beyond - upper) * way.scale
+    return int(np.argmax(past)), outside
+
+
+def _other_turn(way: Continuation, q: np.ndarray, joint: int) -> str:
+    """Return which other turn of the start would keep a joint inside all along, in words, or nothing."""
+    if not way.revolute[joint]:
+        return ""
+    lower, upper = way.arm.limits[joint] + [-LIMIT_SLACK, LIMIT_SLACK]
+    for turns in (1, -1, 2, -2):
+        moved = q[:, joint] + turns * 2 * np.pi
+        if moved.min() >= lower and moved.max() <= upper and len(q) == len(way.path):
+            return f"{abs(turns)} turn{'s' if abs(turns) > 1 else ''} {'higher' if turns > 0 else 'lower'}"
+    return ""
+
+
+def geometric_stop(way: Continuation, strand: Strand, q: np.ndarray, meets: int | None) -> Event:
+    """Return the event of a strand that cannot be carried on, its joint curve q (k, n)."""
+    x = float(len(q) - 1) if strand.end is None else strand.end
+    after = min(float(len(way.path) - 1), max(np.floor(x) + 1, 1.0))
+    joint = _stiff_joint(way, strand.at)
+    name = way.arm.joint_names[joint]
+    s = _parameter(way, x)
+    just_after = min(x + 2.0**-18, after)
+    if strand.unresolved:
+        return Event(s, name, JUMP, True, "the branch could not be followed for certain, however small the steps.")
+    if len(way.solutions(just_after)[0]) == 0:
+        why = way.arm.ik(way.pose(after)).why if len(way.solutions(after)[0]) == 0 else "the path leaves the reach and comes back."
+        return Event(s, name, OUT_OF_REACH, True, f"no branch goes on: at point {int(after) + 1}, {why}")
+    if meets is not None:
+        return Event(
+            s, name, BRANCH_ENDS, True,
+            f"it runs into branch {meets + 1} and both end there; {name} would have to turn back.",
+        )
+    if way.solutions(float(np.round(x)))[1] and abs(x - np.round(x)) < 1e-2:
+        return Event(s, name, SINGULARITY, True, f"the path crosses a singularity on which {name} would have to jump.")
+    if strand.crossings and x - strand.crossings[-1] < 1e-2:
+        return Event(s, name, BRANCH_ENDS, True, f"it meets another branch and the way on is not decided; {name} is stiff.")
+    size = _gap(way, strand.at, just_after)
+    return Event(s, name, JUMP, True, f"the nearest solution beyond is {size:.3g} (rad, or per metre of arm) away.", size)
+
+
+def _gap(way: Continuation, q: np.ndarray, x: float) -> float:
+    found = way.solutions(x)[0]
+    return float(np.abs(way.wrapped(found - q)).max(-1).min())
+
+
+def _stiff_joint(way: Continuation, q: np.ndarray) -> int:
+    """Return the joint that moves most where the Jacobian at q (n,) is weakest: the one a singularity would spin."""
+    J = way.arm.jacobian(q) / way.scale
+    J[:3] /= way.length
+    return int(np.argmax(np.abs(np.linalg.svd(J)[2][-1])))
+
+
+def remarks(way: Continuation, q: np.ndarray, crossings: list[float]) -> tuple[Event, ...]:
+    """Return the remarks on a joint curve q (k, n): singularities it passes, and fast but continuous swings."""
+    return (*_passed(way, [x for x in crossings if x <= len(q) - 1]), *_swings(way, q))
+
+
+def _passed(way: Continuation, crossings: list[float]) -> list[Event]:
+    out, runs = [], []
+    for x in crossings:
+        if runs and x - runs[-1][1] <= 1.0:
+            runs[-1][1] = x
+        else:
+            runs.append([x, x])
+    for first, last in runs:
+        where = f"at point {first + 1:.6g}" if first == last else f"from point {first + 1:.6g} to point {last + 1:.6g}"
+        text = f"{where} the arm is singular; the track passes it without a jump."
+        out.append(Event(_parameter(way, first), None, SINGULARITY, False, text))
+    return out
+
+
+def _swings(way: Continuation, q: np.ndarray) -> list[Event]:
+    steps = np.abs(np.diff(q, axis=0))
+    if len(steps) < 3:
+        return []
+    out = []
+    typical = np.median(steps, axis=0)
+    for joint in np.flatnonzero(way.revolute):
+        k = int(np.argmax(steps[:, joint]))
+        size = steps[k, joint]
+        if size < SWING or size < SWING_RATIO * typical[joint]:
+            continue
+        name = way.arm.joint_names[joint]
+        text = f"{name} swings {np.degrees(size):.1f} deg between points {k + 1} and {k + 2}, close to a singularity; "
+        out.append(Event(_parameter(way, k), name, SINGULARITY, False, text + "the swing is continuous.", float(size)))
+    return out
