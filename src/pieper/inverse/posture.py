@@ -1,0 +1,128 @@
+"""Words for a posture, read off the arm's geometry at the posture, not off a table or a sign convention.
+
+- front / rear: on which side of the first axis the wrist lies, seen along the arm's own forward direction: the side of
+  the shoulder offset; where there is none, the side the wrist has with all joints at zero.
+- elbow up / down: whether the elbow lies above the line from shoulder to wrist, for somebody who looks along the arm.
+- wrist no flip / flip: whether the sine of the bend between the fourth and the sixth axis, about the fifth, is positive.
+- aspect + / -: the sign of the Jacobian's determinant, for arms whose postures have no name of their own.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.inverse.plan import Plan
+from pieper.inverse.refine import scaled_jacobian
+from pieper.kinematics.geometry import axes_at
+
+#: A bend or an offset smaller than this has no side (per length; sine).
+NO_SIDE = 1e-9
+
+
+def posture_words(plan: Plan, q: np.ndarray) -> list[str]:
+    """Return one label a row of q (m, n), such as "front, elbow up, wrist flip"."""
+    columns = [column for part in (_shoulder_and_elbow, _wrist) for column in part(plan, q)]
+    if not columns:
+        columns = [_aspect(plan, q)]
+    return [", ".join(word for word in row if word) or "on a singularity" for row in zip(*columns, strict=True)]
+
+
+def has_elbow(plan: Plan) -> bool:
+    """Whether the second and third axes are parallel and the first is not: an arm with a shoulder and an elbow."""
+    g = plan.geometry
+    if plan.n < 3 or plan.prismatic[:3].any() or plan.chain is not g.chain:
+        return False
+    return g.pairs[1].relation == "parallel" and g.pairs[0].angle > 1e-6
+
+
+def _wrist_joint(plan: Plan) -> int | None:
+    """Return the joint (0-based) whose axis point stands for the wrist."""
+    for group in plan.geometry.spherical:
+        if group.joints[-1] == plan.n - 1:
+            return group.joints[1]
+    return None
+
+
+def _shoulder_and_elbow(plan: Plan, q: np.ndarray) -> list[list[str]]:
+    if not has_elbow(plan):
+        return []
+    z, o = axes_at(plan.chain, np.vstack([q, np.zeros(plan.n)]))
+    center = _wrist_joint(plan)
+    if center is not None:
+        wrist = _spherical_point(plan, q)
+    elif plan.n >= 5:
+        wrist = o[:, 4]
+    elif plan.n == 4:
+        wrist = o[:, 3]
+    else:
+        wrist = plan.reduction.arm and _tool_points(plan, q)
+    first, second, third = z[:, 0], z[:, 1], z[:, 2]
+    up = first[0] * (1.0 if _upward(plan, first[0]) else -1.0)
+    forward = _perpendicular(np.cross(second, up), up)
+    shoulder = o[:, 1] + _along(wrist - o[:, 1], second)
+    elbow = o[:, 2] + _along(wrist - o[:, 2], third)
+    base = o[:, 0] + np.sum((shoulder - o[:, 0]) * up, -1)[:, None] * up
+    size = plan.chain.length
+    offset = np.sum((shoulder - base) * forward, -1) / size
+    reach = np.sum((wrist - base) * forward, -1) / size
+    reference = offset[-1] if abs(offset[-1]) > NO_SIDE else reach[-1]
+    sense = -1.0 if reference < -NO_SIDE else 1.0
+    side = sense * reach[:-1]
+    facing = np.where(side >= 0, sense, -sense)[:, None] * forward[:-1]
+    line, bone = wrist[:-1] - shoulder[:-1], elbow[:-1] - shoulder[:-1]
+    # turn the line to the wrist by a quarter turn upward, as seen when facing the wrist
+    turn_axis = np.cross(facing, up)
+    normal = np.cross(turn_axis, line)
+    height = np.sum(bone * normal, -1) / size**2
+    return [
+        [("front" if s > 0 else "rear") if abs(s) > NO_SIDE else "" for s in side],
+        [("elbow up" if h > 0 else "elbow down") if abs(h) > NO_SIDE else "elbow straight" for h in height],
+    ]
+
+
+def _wrist(plan: Plan, q: np.ndarray) -> list[list[str]]:
+    if plan.n < 6 or plan.prismatic[-3:].any():
+        return []
+    pairs = plan.geometry.pairs
+    named = _wrist_joint(plan) is not None or (has_elbow(plan) and min(p.angle for p in pairs[-2:]) > 1e-6)
+    if not named:
+        return []
+    z, _ = axes_at(plan.chain, q)
+    bend = np.sum(np.cross(z[:, -3], z[:, -1]) * z[:, -2], -1)
+    return [[("wrist no flip" if b > 0 else "wrist flip") if abs(b) > NO_SIDE else "wrist straight" for b in bend]]
+
+
+def _aspect(plan: Plan, q: np.ndarray) -> list[str]:
+    if plan.n != 6:
+        return [f"solution {i + 1}" for i in range(len(q))]
+    det = np.linalg.det(scaled_jacobian(plan.chain, q))
+    return [("aspect +" if d > 0 else "aspect -") if abs(d) > 1e-12 else "" for d in det]
+
+
+def _spherical_point(plan: Plan, q: np.ndarray) -> np.ndarray:
+    """Return the wrist centre (m + 1, 3) at each row of q and, last, at zero."""
+    joint = _wrist_joint(plan)
+    z, o = axes_at(plan.chain, np.vstack([q, np.zeros(plan.n)]))
+    group = next(g for g in plan.geometry.spherical if g.joints[1] == joint)
+    along = (np.array(group.point) - o[-1, joint]) @ z[-1, joint]
+    return o[:, joint] + along * z[:, joint]
+
+
+def _tool_points(plan: Plan, q: np.ndarray) -> np.ndarray:
+    from pieper.kinematics.forward import fk
+
+    return fk(plan.chain, np.vstack([q, np.zeros(plan.n)]))[..., :3, 3]
+
+
+def _upward(plan: Plan, axis: np.ndarray) -> bool:
+    up = plan.chain.links[0][:3, 2] if abs(axis[2]) < 0.5 else np.array([0.0, 0.0, 1.0])
+    return bool(axis @ up >= 0)
+
+
+def _along(v: np.ndarray, axis: np.ndarray) -> np.ndarray:
+    return np.sum(v * axis, -1)[..., None] * axis
+
+
+def _perpendicular(v: np.ndarray, axis: np.ndarray) -> np.ndarray:
+    v = v - _along(v, np.broadcast_to(axis, v.shape))
+    return v / np.maximum(np.linalg.norm(v, axis=-1, keepdims=True), 1e-300)
