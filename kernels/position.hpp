@@ -1,0 +1,119 @@
+// Three joints, each revolute or sliding, bring a point to a place: Za A Zb B Zc c = g (kind "position3" and the
+// positioning part of every arm with a spherical wrist).
+//
+// With w(a) = A^-1 Za^-1 g and u(c) = B Zc c the middle joint only turns (slides) u into w: what it cannot change, w.z = u.z and
+// |w|^2 = |u|^2 (or w.x = u.x and w.y = u.y), are two equations linear in the joint terms of a and c: a PairSystem.
+#pragma once
+
+#include "subproblems.hpp"
+
+namespace pieper::PIEPER_ISA {
+
+struct PositionRoots {
+  double q[kMostPairs][3];
+  int count = 0;
+  bool degenerate = false;
+};
+
+// An affine function of one joint's terms: at + first * f1 (+ second * f2), f2 absent for a sliding joint.
+struct Swing {
+  Vec3 at, first, second;
+};
+
+inline Vec3 swing_at(const Swing& s, double x, bool slides) {
+  if (slides) return s.at + x * s.first;
+  return s.at + std::cos(x) * s.first + std::sin(x) * s.second;
+}
+
+// B Z c as a function of the joint.
+inline Swing swing_of(const Rigid& B, Vec3 c, bool slides) {
+  if (slides) return {move(B, c), B.z, {0, 0, 0}};
+  return {move(B, {0, 0, c.z}), turn(B, {c.x, c.y, 0}), turn(B, {-c.y, c.x, 0})};
+}
+
+// A^-1 Z^-1 g as a function of the joint.
+inline Swing swing_back(const Rigid& A, Vec3 g, bool slides) {
+  if (slides) return {move_back(A, g), -1.0 * turn_back(A, {0, 0, 1}), {0, 0, 0}};
+  return {move_back(A, {0, 0, g.z}), turn_back(A, {g.x, g.y, 0}), turn_back(A, {g.y, -g.x, 0})};
+}
+
+// |.|^2 of a swing as constant and coefficients of the joint terms.
+inline void squared(const Swing& s, bool slides, double* k) {
+  k[1] = 2 * dot(s.at, s.first);
+  k[0] = dot(s.at, s.at);
+  if (slides) {
+    k[2] = 1;
+  } else {
+    k[0] += dot(s.first, s.first);
+    k[2] = 2 * dot(s.at, s.second);
+  }
+}
+
+inline void solve_position(const Rigid& A, const Rigid& B, Vec3 c, Vec3 g, const bool* slides, PositionRoots& out) {
+  Swing w = swing_back(A, g, slides[0]), u = swing_of(B, c, slides[2]);
+  PairSystem s;
+  s.slides_a = slides[0];
+  s.slides_c = slides[2];
+  if (!slides[1]) {
+    // the origin may slide along the middle axis: half way between the two sides keeps the squares small
+    double shift = 0.5 * (w.at.z + u.at.z);
+    Swing ws = w, us = u;
+    ws.at.z -= shift;
+    us.at.z -= shift;
+    double kw[3], ku[3];
+    squared(ws, slides[0], kw);
+    squared(us, slides[2], ku);
+    s.M[0][0] = ws.first.z, s.M[0][1] = slides[0] ? 0 : ws.second.z, s.M[1][0] = kw[1], s.M[1][1] = kw[2];
+    s.N[0][0] = -us.first.z, s.N[0][1] = slides[2] ? 0 : -us.second.z, s.N[1][0] = -ku[1], s.N[1][1] = -ku[2];
+    s.e[0] = us.at.z - ws.at.z;
+    s.e[1] = ku[0] - kw[0];
+  } else {
+    s.M[0][0] = w.first.x, s.M[0][1] = w.second.x, s.M[1][0] = w.first.y, s.M[1][1] = w.second.y;
+    s.N[0][0] = -u.first.x, s.N[0][1] = -u.second.x, s.N[1][0] = -u.first.y, s.N[1][1] = -u.second.y;
+    s.e[0] = u.at.x - w.at.x;
+    s.e[1] = u.at.y - w.at.y;
+  }
+  PairRoots pairs;
+  solve_pair(s, pairs);
+  out.degenerate = pairs.degenerate;
+  for (int i = 0; i < pairs.count; ++i) {
+    Vec3 from = swing_at(u, pairs.c[i], slides[2]), to = swing_at(w, pairs.a[i], slides[0]);
+    double middle;
+    if (slides[1]) {
+      middle = to.z - from.z;
+    } else {
+      double tiny = 1e-11;
+      if (from.x * from.x + from.y * from.y < tiny * tiny) {  // the point lies on the middle axis: any angle will do
+        middle = 0;
+        out.degenerate = true;
+      } else {
+        middle = std::atan2(to.y * from.x - to.x * from.y, to.x * from.x + to.y * from.y);
+      }
+    }
+    double* q = out.q[out.count++];
+    q[0] = pairs.a[i], q[1] = middle, q[2] = pairs.c[i];
+  }
+}
+
+// params: length, then (n + 1) links as 4x4. iparams: prismatic flag of each joint. The target is T's translation.
+template <class F>
+void solve_position3(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid,
+                     std::uint8_t* flag) {
+  constexpr int kSlots = 4;
+  TrueChain chain{3, params[0], params + 1, iparams, true};
+  const Rigid base = read_rigid(params + 1, chain.length), A = read_rigid(params + 17, chain.length),
+              B = read_rigid(params + 33, chain.length), tool = read_rigid(params + 49, chain.length);
+  const bool slides[3] = {iparams[0] != 0, iparams[1] != 0, iparams[2] != 0};
+  for (long i = 0; i < count; ++i) {
+    Rigid pose = read_rigid(T + 16 * i, chain.length);
+    PositionRoots roots;
+    solve_position(A, B, tool.t, move_back(base, pose.t), slides, roots);
+    double room[kSlots * 3];
+    Found found{3, kSlots, 0, room};
+    found.degenerate = roots.degenerate;
+    for (int k = 0; k < roots.count; ++k) offer(chain, pose, roots.q[k], found);
+    write_out(chain, found, q + i * kSlots * 3, valid + i * kSlots, flag + i);
+  }
+}
+
+}  // namespace pieper::PIEPER_ISA
