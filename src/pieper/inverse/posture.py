@@ -21,6 +21,8 @@ NO_SIDE = 1e-9
 
 def posture_words(plan: Plan, q: np.ndarray) -> list[str]:
     """Return one label a row of q (m, n), such as "front, elbow up, wrist flip"."""
+    if not len(q):
+        return []
     columns = [column for part in (_shoulder_and_elbow, _wrist) for column in part(plan, q)]
     if not columns:
         columns = [_aspect(plan, q)]

@@ -132,16 +132,16 @@ class Solutions:
     @property
     def labels(self) -> list[str]:
         """Posture label of each row of q."""
-        from pieper.inverse.labels import labels
+        from pieper.inverse.posture import posture_words
 
-        return labels(self._plan, self.q)
+        return posture_words(self._plan, self.q)
 
     @property
     def all_labels(self) -> list[str]:
         """Posture label of each row of all_q."""
-        from pieper.inverse.labels import labels
+        from pieper.inverse.posture import posture_words
 
-        return labels(self._plan, self.all_q)
+        return posture_words(self._plan, self.all_q)
 
     @property
     def residual(self) -> np.ndarray:
