@@ -5,12 +5,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lanes.hpp"
+#include "math.hpp"
 
-namespace pieper::PIEPER_ISA {
+namespace pieper::PIEPER_ISA::closed_form {
 
 inline constexpr int kMaxJoints = 6;
-inline constexpr double kPi = 3.14159265358979323846;
 // A candidate is a solution when forward kinematics misses the pose by no more (in lengths of the arm; rad).
 inline constexpr double kVerified = 1e-12;
 // Candidates that miss by more than this before polishing belong to a wrong branch.
@@ -52,10 +51,27 @@ inline Rigid joint(const Rigid& A, double value, bool prismatic) {
   double c = std::cos(value), s = std::sin(value);
   return {c * A.x + s * A.y, c * A.y - s * A.x, A.z, A.t};
 }
-inline double wrapped(double angle) {
+inline double one_turn(double angle) {
   angle = std::remainder(angle, 2 * kPi);
   return angle <= -kPi ? kPi : angle;
 }
+
+// The part of the loop after a group of three joints, with the pose put where it belongs.
+struct LoopRest {
+  Rigid pre, A, B, C;
+  int joints[3];  // which joints a, b, c are
+
+  LoopRest(const Rigid* links, const Rigid& T, int first) {
+    // link k leads from joint k - 1 to joint k; link 0 is where the loop closes, through the pose
+    Rigid closing = links[6] * inverse(T) * links[0];
+    auto link = [&](int k) { return k % 6 == 0 ? closing : links[k % 6]; };
+    pre = link(first + 3);
+    A = link(first + 4);
+    B = link(first + 5);
+    C = link(first + 6);
+    for (int k = 0; k < 3; ++k) joints[k] = (first + 3 + k) % 6;
+  }
+};
 
 // The chain as described, lengths in units of the arm, which every candidate has to satisfy.
 struct TrueChain {
@@ -214,7 +230,7 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
     return;
   }
   for (int i = 0; i < n; ++i)
-    if (!chain.prismatic[i]) q[i] = wrapped(q[i]);
+    if (!chain.prismatic[i]) q[i] = one_turn(q[i]);
   for (int s = 0; s < found.count; ++s) {
     double apart = 0;
     for (int i = 0; i < n; ++i) {
@@ -242,4 +258,4 @@ inline void write_out(const TrueChain& chain, const Found& found, double* q, std
   *flag = (found.degenerate ? 1 : 0) | (found.near_miss && found.count == 0 ? 2 : 0) | (found.count == 0 ? 4 : 0);
 }
 
-}  // namespace pieper::PIEPER_ISA
+}  // namespace pieper::PIEPER_ISA::closed_form

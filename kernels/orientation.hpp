@@ -8,7 +8,7 @@
 
 #include "closing.hpp"
 
-namespace pieper::PIEPER_ISA {
+namespace pieper::PIEPER_ISA::closed_form {
 
 struct Wrist {
   double before[2], twist[2], after[2];
@@ -91,4 +91,4 @@ void solve_orientation3(const double* params, const int*, const double* T, long 
   }
 }
 
-}  // namespace pieper::PIEPER_ISA
+}  // namespace pieper::PIEPER_ISA::closed_form

@@ -11,7 +11,7 @@
 
 #include "lanes.hpp"
 
-namespace pieper::PIEPER_ISA {
+namespace pieper::PIEPER_ISA::closed_form {
 
 // How far from zero an extremum of a polynomial with coefficients of size one may stay and still be offered as a
 // double root. Offers are checked by forward kinematics, so this may be generous.
@@ -144,4 +144,4 @@ inline int form_directions(const double* f, double floor, Direction* out) {
   return count;
 }
 
-}  // namespace pieper::PIEPER_ISA
+}  // namespace pieper::PIEPER_ISA::closed_form

@@ -7,7 +7,7 @@
 
 #include "subproblems.hpp"
 
-namespace pieper::PIEPER_ISA {
+namespace pieper::PIEPER_ISA::closed_form {
 
 struct PositionRoots {
   double q[kMostPairs][3];
@@ -116,4 +116,4 @@ void solve_position3(const double* params, const int* iparams, const double* T, 
   }
 }
 
-}  // namespace pieper::PIEPER_ISA
+}  // namespace pieper::PIEPER_ISA::closed_form

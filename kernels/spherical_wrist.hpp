@@ -11,24 +11,7 @@
 #include "orientation.hpp"
 #include "position.hpp"
 
-namespace pieper::PIEPER_ISA {
-
-// The part of the loop after a group of three joints, with the pose put where it belongs.
-struct LoopRest {
-  Rigid pre, A, B, C;
-  int joints[3];  // which joints a, b, c are
-
-  LoopRest(const Rigid* links, const Rigid& T, int first) {
-    // link k leads from joint k - 1 to joint k; link 0 is where the loop closes, through the pose
-    Rigid closing = links[6] * inverse(T) * links[0];
-    auto link = [&](int k) { return k % 6 == 0 ? closing : links[k % 6]; };
-    pre = link(first + 3);
-    A = link(first + 4);
-    B = link(first + 5);
-    C = link(first + 6);
-    for (int k = 0; k < 3; ++k) joints[k] = (first + 3 + k) % 6;
-  }
-};
+namespace pieper::PIEPER_ISA::closed_form {
 
 template <class F>
 void solve_spherical_wrist(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid,
@@ -68,4 +51,4 @@ void solve_spherical_wrist(const double* params, const int* iparams, const doubl
   }
 }
 
-}  // namespace pieper::PIEPER_ISA
+}  // namespace pieper::PIEPER_ISA::closed_form

@@ -8,7 +8,7 @@
 #include "closing.hpp"
 #include "polynomial.hpp"
 
-namespace pieper::PIEPER_ISA {
+namespace pieper::PIEPER_ISA::closed_form {
 
 struct PairSystem {
   double M[2][2], N[2][2], e[2];
@@ -222,4 +222,4 @@ inline void solve_pair(const PairSystem& s, PairRoots& out) {
   else solve_apart(s, out);
 }
 
-}  // namespace pieper::PIEPER_ISA
+}  // namespace pieper::PIEPER_ISA::closed_form

@@ -49,3 +49,49 @@ def positioning_rank(chain: Chain, first: int) -> int:
     others = [j for j in range(6) if j not in wrist]
     # a full chain of six has rank 3 + 3: the wrist spans the rotations about its centre, the others must add three more
     return rank(J[:, wrist + others]) - rank(J[:, wrist])
+
+
+def full_rank(chain: Chain) -> bool:
+    """Return whether a six-joint chain reaches all six directions at a posture of no special kind."""
+    q = np.array([0.37, -1.13, 0.91, 1.57, -0.53, 2.29]) * np.where(chain.prismatic, chain.length, 1.0)
+    J = jacobian(chain, q).copy()
+    J[:3] /= chain.length
+    return rank(J) == 6
+
+
+def planar(chain: Chain, first: int, normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return links (7, 4, 4) with the frames of three planar joints in one plane, and the sense (3,) of each joint.
+
+    Afterwards z is the plane's normal in all three frames: a turning joint against it has sense -1; a sliding one has x
+    along its slide. What is left of tilt and height between the frames is dropped.
+    """
+    links = np.array(chain.links)
+    frames = np.tile(np.eye(4), (3, 1, 1))
+    sense = np.ones(3, int)
+    height = chain.points[first] @ normal
+    T = np.eye(4)
+    for j in range(first + 3):
+        T = T @ chain.links[j]
+        if j < first:
+            continue
+        k = j - first
+        frame = T[:3, :3]
+        local = frame.T @ normal
+        gauge = np.eye(4)
+        if chain.prismatic[j]:
+            gauge[:3, 0], gauge[:3, 2] = (0, 0, 1), local - local[2] * np.array([0, 0, 1.0])
+            gauge[:3, 2] /= np.linalg.norm(gauge[:3, 2])
+            gauge[:3, 1] = np.cross(gauge[:3, 2], gauge[:3, 0])
+        elif local[2] < 0:
+            gauge[1, 1] = gauge[2, 2] = -1.0
+            sense[k] = -1
+        frames[k] = gauge @ translation(z=float(height - T[:3, 3] @ normal))
+    for k in range(3):
+        links[first + k] = links[first + k] @ frames[k]
+        links[first + k + 1] = np.linalg.inv(frames[k]) @ links[first + k + 1]
+    for k in (first + 1, first + 2):
+        link = links[k]
+        angle = np.arctan2(link[1, 0] - link[0, 1], link[0, 0] + link[1, 1])
+        c, s = np.cos(angle), np.sin(angle)
+        links[k] = [[c, -s, 0, link[0, 3]], [s, c, 0, link[1, 3]], [0, 0, 1, 0], [0, 0, 0, 1]]
+    return links, sense

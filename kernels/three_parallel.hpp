@@ -1,0 +1,129 @@
+// Six joints, three neighbouring ones of a plane (three parallel axes; or turns about a normal and slides across it),
+// wherever they stand in the chain: the UR arms and their relatives.
+//
+// The loop entered after the plane's joints reads P Pre Za A Zb B Zc C = I. P keeps the plane's normal and its height, so the row
+// (0 0 1 0) passes through it: h Za A Zb B Zc = k with h the third row of Pre and k that of C^-1. The middle joint b drops
+// out of the normal's component along it and of the height, two equations linear in the terms of a and c: a PairSystem
+// (four pairs). Then b, then P is a known motion of the plane (two solutions): eight in all.
+//
+// params: length; 7 true links (4x4, m); 7 links of the loop (4x4, m) whose frames of the plane's joints lie in one plane with z along the
+// normal (a sliding one with x along its slide). iparams: 6 prismatic flags; first joint of the plane (0-based); sense of its three joints.
+#pragma once
+
+#include "planar.hpp"
+#include "position.hpp"
+
+namespace pieper::PIEPER_ISA::closed_form {
+
+inline PlanarLink read_planar(const Rigid& link) { return {{link.t.x, link.t.y}, std::atan2(link.x.y, link.x.x)}; }
+
+// The values of joints a, b, c that leave the rest to the plane. `free_b`: the middle one may have any value.
+inline void solve_around_plane(const LoopRest& rest, const bool* slides, PositionRoots& out, bool* free_b) {
+  const Rigid& A = rest.A;
+  const Rigid& B = rest.B;
+  const Vec3 h = {rest.pre.x.z, rest.pre.y.z, rest.pre.z.z}, k = rest.C.z;
+  const double climb = rest.pre.t.z + dot(k, rest.C.t);  // height the three joints have to make up for
+  // w(a) = A^T Za^T h, u(c) = B Zc k as swings of directions: a sliding joint does not turn them
+  Swing ha = slides[0] ? Swing{h, {0, 0, 0}, {0, 0, 0}} : Swing{{0, 0, h.z}, {h.x, h.y, 0}, {h.y, -h.x, 0}};
+  Swing w = {turn_back(A, ha.at), turn_back(A, ha.first), turn_back(A, ha.second)};
+  Swing kc = slides[2] ? Swing{k, {0, 0, 0}, {0, 0, 0}} : Swing{{0, 0, k.z}, {k.x, k.y, 0}, {-k.y, k.x, 0}};
+  Swing u = {turn(B, kc.at), turn(B, kc.first), turn(B, kc.second)};
+  PairSystem s;
+  s.slides_a = slides[0];
+  s.slides_c = slides[2];
+  if (!slides[1]) {
+    s.M[0][0] = w.first.z, s.M[0][1] = w.second.z;
+    s.N[0][0] = -u.first.z, s.N[0][1] = -u.second.z;
+    s.e[0] = u.at.z - w.at.z;
+    s.M[1][0] = slides[0] ? h.z : dot(ha.first, A.t), s.M[1][1] = slides[0] ? 0 : dot(ha.second, A.t);
+    s.N[1][0] = slides[2] ? k.z : dot(u.first, B.t), s.N[1][1] = slides[2] ? 0 : dot(u.second, B.t);
+    s.e[1] = -climb - dot(ha.at, A.t) - dot(u.at, B.t);
+  } else {  // the sliding middle joint leaves both directions alone: w(a) = u(c), one equation for each alone
+    Rigid AB = A * B;
+    Vec3 along_c = {A.x.x * B.z.x + A.y.x * B.z.y + A.z.x * B.z.z, AB.z.y, AB.z.z};
+    Vec3 along_a = {AB.x.z, AB.y.z, AB.z.z};
+    s.M[0][0] = dot(ha.first, along_c), s.M[0][1] = dot(ha.second, along_c);
+    s.N[0][0] = s.N[0][1] = 0;
+    s.e[0] = k.z - dot(ha.at, along_c);
+    s.M[1][0] = s.M[1][1] = 0;
+    s.N[1][0] = dot(kc.first, along_a), s.N[1][1] = dot(kc.second, along_a);
+    s.e[1] = h.z - dot(kc.at, along_a);
+  }
+  PairRoots pairs;
+  solve_pair(s, pairs);
+  out.degenerate = pairs.degenerate;
+  for (int i = 0; i < pairs.count; ++i) {
+    double a = pairs.a[i], c = pairs.c[i];
+    Vec3 from = swing_at(u, c, false), to = swing_at(w, a, false);
+    if (slides[0]) to = w.at;
+    if (slides[2]) from = u.at;
+    double middle;
+    free_b[i] = false;
+    if (slides[1]) {
+      Vec3 ha_now = slides[0] ? h : swing_at(ha, a, false);
+      double rest_of_climb = climb + dot(ha_now, A.t) + dot(from, B.t) + (slides[0] ? a * h.z : 0) + (slides[2] ? c * k.z : 0);
+      if (!(std::fabs(to.z) > 1e-13)) {
+        out.degenerate = true;
+        continue;
+      }
+      middle = -rest_of_climb / to.z;
+    } else if (from.x * from.x + from.y * from.y < 1e-22) {  // the normal lies along the middle axis
+      middle = 0;
+      free_b[i] = true;
+      out.degenerate = true;
+    } else {
+      middle = std::atan2(to.y * from.x - to.x * from.y, to.x * from.x + to.y * from.y);
+    }
+    double* q = out.q[out.count];
+    if (out.count != i) free_b[out.count] = free_b[i];
+    ++out.count;
+    q[0] = a, q[1] = middle, q[2] = c;
+  }
+}
+
+template <class F>
+void solve_three_parallel(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid,
+                          std::uint8_t* flag) {
+  constexpr int kSlots = 8;
+  TrueChain chain{6, params[0], params + 1, iparams, false};
+  Rigid links[7];
+  for (int k = 0; k < 7; ++k) links[k] = read_rigid(params + 113 + 16 * k, chain.length);
+  const int first = iparams[6];
+  const PlanarLink l1 = read_planar(links[first + 1]), l2 = read_planar(links[first + 2]);
+  const bool slides_in[3] = {iparams[first] != 0, iparams[first + 1] != 0, iparams[first + 2] != 0};
+  for (long i = 0; i < count; ++i) {
+    Rigid pose = read_rigid(T + 16 * i, chain.length);
+    LoopRest rest(links, pose, first);
+    bool slides[3];
+    for (int k = 0; k < 3; ++k) slides[k] = iparams[rest.joints[k]] != 0;
+    PositionRoots roots;
+    bool free_b[kMostPairs];
+    solve_around_plane(rest, slides, roots, free_b);
+    double room[kSlots * 6];
+    Found found{6, kSlots, 0, room};
+    found.degenerate = roots.degenerate;
+    for (int k = 0; k < roots.count; ++k) {
+      double* arm = roots.q[k];
+      const int tries = free_b[k] ? 16 : 1, before = found.count;
+      for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
+        arm[1] += trial * (2 * kPi / 16);
+        Rigid around = joint(rest.pre, arm[0], slides[0]) * rest.A;
+        around = joint(around, arm[1], slides[1]) * rest.B;
+        around = inverse(joint(around, arm[2], slides[2]) * rest.C);
+        double plane[2][3], candidate[6];
+        int bends = solve_planar(l1, l2, slides_in, std::atan2(around.x.y - around.y.x, around.x.x + around.y.y),
+                                 {around.t.x, around.t.y}, plane);
+        for (int s = 0; s < bends; ++s) {
+          for (int j = 0; j < 3; ++j) {
+            candidate[rest.joints[j]] = arm[j];
+            candidate[first + j] = plane[s][j] * iparams[7 + j];
+          }
+          offer(chain, pose, candidate, found);
+        }
+      }
+    }
+    write_out(chain, found, q + i * kSlots * 6, valid + i * kSlots, flag + i);
+  }
+}
+
+}  // namespace pieper::PIEPER_ISA::closed_form
