@@ -10,7 +10,9 @@ from pieper.motion.sequence import compare, move, sequence
 
 # Khawlaor and Nakphan (2021), Table 2: reference and simulated tool positions in mm
 REFERENCE = np.array([[0, 790, 597], [96.8, 58.6, 549.0], [0, 790, 597], [0.97, 610.2, 5.51], [0, 790, 597]]) / 1e3
-SIMULATED = np.array([[0.01, 793, 594], [96.4, 58.9, 548.6], [0.01, 793, 594], [0.95, 610.18, 5.53], [0.01, 793, 594]]) / 1e3
+SIMULATED = (
+    np.array([[0.01, 793, 594], [96.4, 58.9, 548.6], [0.01, 793, 594], [0.95, 610.18, 5.53], [0.01, 793, 594]]) / 1e3
+)
 
 
 def test_a_move_begins_and_ends_at_rest_in_the_postures_themselves():
@@ -97,7 +99,7 @@ def test_the_papers_table_has_its_errors_and_zero_has_none_in_percent():
 
 
 def test_tables_of_different_shape_cannot_be_compared():
-    with pytest.raises(InputError, match="shape"):
+    with pytest.raises(InputError, match="reference and simulated"):
         compare(REFERENCE, SIMULATED[:3])
     with pytest.raises(InputError, match="names"):
         compare(REFERENCE, SIMULATED, names=("one",))

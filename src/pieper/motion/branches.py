@@ -149,7 +149,7 @@ def _leave_continuum(way: Continuation, group: list[Strand], k: int) -> list[Str
 
 
 def _reach_special(way: Continuation, alive: list[Strand], k: int) -> None:
-    """Reach a point at which the pose is singular or redundant: isolated branches as ever, the others by the nearest member."""
+    """Reach a point whose pose is singular or redundant: isolated branches as ever, others by the nearest member."""
     before = k - BRIDGE
     for group in _grouped(alive):
         if group[0].x < k - 1:

@@ -1,9 +1,10 @@
 """Carrying solutions along a path by continuity: predict with the Jacobian, match with the solver, halve when in doubt.
 
 A step from one pose to the next is believed only when the solution found at the far end agrees with what the Jacobians
-of *both* ends predict, is small, and is clearly better than every other solution, and when the determinant of the Jacobian keeps its sign: it changes where a singularity
-is crossed, and only there does one branch become another. Otherwise the step is halved, down to `SMALLEST_STEP`. That is what keeps a fast but continuous swing (near a wrist singularity) apart from a jump to another
-branch, whatever the spacing of the points.
+of *both* ends predict, is small, is clearly better than every other solution, and when the determinant of the Jacobian
+keeps its sign: that changes where a singularity is crossed, and only there does one branch become another. Otherwise
+the step is halved, down to `SMALLEST_STEP`. That is what keeps a fast but continuous swing (near a wrist singularity) apart
+from a jump to another branch, whatever the spacing of the points.
 """
 
 from __future__ import annotations
@@ -92,7 +93,7 @@ class Continuation:
         return np.where(self.revolute, dq - TURN * np.round(dq / TURN), dq) * self.scale
 
     def _task_rows(self, T: np.ndarray) -> np.ndarray:
-        """Return the matrix (r, 6) that picks what the task asks for from a twist; lengths per characteristic length."""
+        """Return the matrix (r, 6) that picks what the task asks for from a twist, lengths scaled."""
         rows = np.eye(6)
         rows[:3] /= self.length
         if self.task == "position":
@@ -168,8 +169,8 @@ class Continuation:
         """Carry joint vectors q (B, n) from xa to xb.
 
         Returns:
-            (B, n) where they got to; (B,) the place they got to, xb for those that arrived; (B,) the place at which they met a
-            singularity on the way, -1 where they did not; (B,) whether the budget of steps ran out.
+            (B, n) where they got to; (B,) the place they got to, xb for those that arrived; (B,) where they met
+            a singularity on the way, -1 where they did not; (B,) whether the budget of steps ran out.
         """
         self._steps = 0
         q, place = q.copy(), np.full(len(q), float(xa))
@@ -230,7 +231,7 @@ class Continuation:
         return float(np.abs(self._task_rows(T) @ error).max())
 
     def residuals(self, q: np.ndarray) -> np.ndarray:
-        """Return (k, 2) metres and radians by which q (k, n) misses the first k points, what the task leaves free aside."""
+        """Return (k, 2) metres and radians by which q (k, n) misses the first k points, as far as the task asks."""
         now = self.arm.fk(q)
         error = pose_error(now, self.path[: len(q)])
         if self.task == "position":

@@ -74,8 +74,8 @@ def between(T0: np.ndarray, T1: np.ndarray, s: np.ndarray | float) -> np.ndarray
 def shortest_turn(R0: np.ndarray, R1: np.ndarray) -> np.ndarray:
     """Return the rotation vector (3,), rad, in the axes of R0, that turns R0 into R1 by the shorter way.
 
-    Equal matrices give exactly zero. Within `HALF_TURN_MARGIN` of half a turn the rounding of the matrices would choose the
-    sign of the axis, so its largest component is made positive instead.
+    Equal matrices give exactly zero. Within `HALF_TURN_MARGIN` of half a turn the rounding of the matrices would choose
+    the sign of the axis, so its largest component is made positive instead.
     """
     if np.array_equal(R0, R1):
         return np.zeros(3)

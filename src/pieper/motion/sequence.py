@@ -46,7 +46,8 @@ def move(q0: np.ndarray, q1: np.ndarray, duration: float, *, rate: float = 100.0
     """Return the move from posture q0 to q1, all joints together, at rest at both ends.
 
     Each joint follows the quintic q0 + (q1 - q0) (10 u^3 - 15 u^4 + 6 u^5), u = t / duration: rates and accelerations
-    vanish at both ends. The largest rate is 15/8 of the mean one, the largest acceleration 10/sqrt(3) |q1 - q0| / duration^2.
+    vanish at both ends. The largest rate is 15/8 of the mean one, the largest acceleration is
+    10/sqrt(3) |q1 - q0| / duration^2.
 
     Args:
         q0: (n,) first posture, rad or m.
@@ -63,7 +64,9 @@ def move(q0: np.ndarray, q1: np.ndarray, duration: float, *, rate: float = 100.0
     return sequence([q0, q1], duration, 0.0, rate=rate)
 
 
-def sequence(postures: np.ndarray, durations: np.ndarray | float, holds: np.ndarray | float = 0.0, *, rate: float = 100.0) -> Motion:
+def sequence(
+    postures: np.ndarray, durations: np.ndarray | float, holds: np.ndarray | float = 0.0, *, rate: float = 100.0
+) -> Motion:
     """Return the motion through postures, at rest in each of them.
 
     Every leg is a `move`; after it the arm holds the posture it has reached. There is no hold before the first leg.
@@ -88,7 +91,8 @@ def sequence(postures: np.ndarray, durations: np.ndarray | float, holds: np.ndar
     ends = np.cumsum(durations + holds)
     if ends[-1] * rate > MAX_SAMPLES:
         raise InputError(
-            f"{ends[-1]:g} s at {rate:g} samples a second would be {ends[-1] * rate:.3g} samples; at most {MAX_SAMPLES:,} are made.",
+            f"{ends[-1]:g} s at {rate:g} samples a second would be {ends[-1] * rate:.3g} samples; "
+            f"at most {MAX_SAMPLES:,} are made.",
             samples=ends[-1] * rate,
         )
     arrivals = np.concatenate([[0.0], ends - holds])
@@ -162,7 +166,11 @@ class Comparison:
 
 
 def compare(
-    reference: np.ndarray, simulated: np.ndarray, *, names: tuple[str, ...] | None = None, axes: tuple[str, ...] = ("X", "Y", "Z")
+    reference: np.ndarray,
+    simulated: np.ndarray,
+    *,
+    names: tuple[str, ...] | None = None,
+    axes: tuple[str, ...] = ("X", "Y", "Z"),
 ) -> Comparison:
     """Compare reference and simulated tool positions, axis by axis.
 
@@ -181,7 +189,7 @@ def compare(
     reference, simulated = _matrix(reference, "reference"), _matrix(simulated, "simulated")
     if reference.shape != simulated.shape or reference.shape[1] != len(axes):
         raise InputError(
-            f"reference and simulated must both have shape (k, {len(axes)}), got {reference.shape} and {simulated.shape}.",
+            f"reference and simulated must both be (k, {len(axes)}), got {reference.shape} and {simulated.shape}.",
             reference=reference.shape,
             simulated=simulated.shape,
         )
@@ -200,7 +208,9 @@ def _matrix(values: object, what: str) -> np.ndarray:
     except (TypeError, ValueError):
         raise InputError(f"{what} must be rows of numbers, all of one length.", given=type(values)) from None
     if array.ndim != 2 or array.size == 0:
-        raise InputError(f"{what} must be a table with at least one row and column, got shape {array.shape}.", given=array.shape)
+        raise InputError(
+            f"{what} must be a table with at least one row and column, got shape {array.shape}.", given=array.shape
+        )
     if not np.isfinite(array).all():
         index = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
         raise InputError(f"{what} must be finite, got {array[index]} at index {index}.", index=index)
@@ -220,7 +230,9 @@ def _times(values: object, count: int, what: str, *, zero_allowed: bool) -> np.n
     except (TypeError, ValueError):
         raise InputError(f"{what} must be numbers, got {values!r}.", given=values) from None
     if array.ndim > 1 or (array.ndim == 1 and len(array) != count):
-        raise InputError(f"{what} must be one number or {count}, one a leg, got shape {array.shape}.", given=array.shape)
+        raise InputError(
+            f"{what} must be one number or {count}, one a leg, got shape {array.shape}.", given=array.shape
+        )
     array = np.broadcast_to(array, (count,)).astype(float)
     good = np.isfinite(array) & ((array >= 0) if zero_allowed else (array > 0))
     if not good.all():

@@ -120,19 +120,30 @@ def geometric_stop(way: Continuation, strand: Strand, q: np.ndarray, meets: int 
     if strand.unresolved:
         return Event(s, name, JUMP, True, "the branch could not be followed for certain, however small the steps.")
     if len(way.solutions(just_after)[0]) == 0:
-        why = way.arm.ik(way.pose(after)).why if len(way.solutions(after)[0]) == 0 else "the path leaves the reach and comes back."
+        why = (
+            way.arm.ik(way.pose(after)).why
+            if len(way.solutions(after)[0]) == 0
+            else "the path leaves the reach and comes back."
+        )
         return Event(s, name, OUT_OF_REACH, True, f"no branch goes on: at point {int(after) + 1}, {why}")
     if meets is not None:
         return Event(
-            s, name, BRANCH_ENDS, True,
+            s,
+            name,
+            BRANCH_ENDS,
+            True,
             f"it runs into branch {meets + 1} and both end there; {name} would have to turn back.",
         )
     if way.solutions(float(np.round(x)))[1] and abs(x - np.round(x)) < 1e-2:
         return Event(s, name, SINGULARITY, True, f"the path crosses a singularity on which {name} would have to jump.")
     if strand.crossings and x - strand.crossings[-1] < 1e-2:
-        return Event(s, name, BRANCH_ENDS, True, f"it meets another branch and the way on is not decided; {name} is stiff.")
+        return Event(
+            s, name, BRANCH_ENDS, True, f"it meets another branch and the way on is not decided; {name} is stiff."
+        )
     size = _gap(way, strand.at, just_after)
-    return Event(s, name, JUMP, True, f"the nearest solution beyond is {size:.3g} (rad, or per metre of arm) away.", size)
+    return Event(
+        s, name, JUMP, True, f"the nearest solution beyond is {size:.3g} (rad, or per metre of arm) away.", size
+    )
 
 
 def _gap(way: Continuation, q: np.ndarray, x: float) -> float:

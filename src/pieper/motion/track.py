@@ -1,4 +1,4 @@
-"""Following a path: the joint curve of the branch nearest to the start, every stop with its cause, and all other branches."""
+"""Following a path: the branch nearest to the start, every stop with its cause, and how far other branches go."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Branch:
     Attributes:
         index: Its number; branches keep the order of the plan's branches at the first pose.
         label: Posture label at the first pose.
-        q: (k, n) joint vectors inside the limits, whole turns continuous and as near to the start as limits allow, rad or m.
+        q: (k, n) joint vectors inside the limits, whole turns continuous and as near to the start as allowed, rad or m.
         s: Path parameter it reaches, 0 to 1.
         complete: Whether it reaches the last pose.
         stop: The event that ends it, or None.
@@ -110,8 +110,8 @@ def follow(arm: Arm, path: np.ndarray, *, start: np.ndarray | None = None) -> Tr
     """Follow a path by the branch whose first solution is nearest to the start posture.
 
     Each branch is carried by continuity, not merely by nearness: steps are compared with what the Jacobian predicts and
-    halved between the points when in doubt, so that a track never changes branch unnoticed. Between two given points the
-    tool is taken to move on the straight line of `pieper.line`. Whole turns stay continuous, from the turn nearest
+    halved between the points when in doubt, so that a track never changes branch unnoticed. Between two given points
+    the tool is taken to move on the straight line of `pieper.line`. Whole turns stay continuous, from the turn nearest
     to the start. Where the first pose is singular and has a continuum of solutions, the branches are those that leave it.
 
     Args:
@@ -147,7 +147,17 @@ def follow(arm: Arm, path: np.ndarray, *, start: np.ndarray | None = None) -> Tr
         events = tuple(sorted((*events, *([branch.stop] if branch.stop else [])), key=lambda e: (e.s, e.stop)))
     residual = way.residuals(q)
     return Track(
-        path, s, q, complete, events, branches, chosen, start, residual, way.batch.in_limits.any(1), arm.joint_names,
+        path,
+        s,
+        q,
+        complete,
+        events,
+        branches,
+        chosen,
+        start,
+        residual,
+        way.batch.in_limits.any(1),
+        arm.joint_names,
         ~way.revolute,
     )
 
@@ -223,7 +233,9 @@ def _no_start(way: Continuation, branches: tuple[Branch, ...], start: np.ndarray
     if not branches:
         return Event(0.0, None, "out of reach", True, f"The first pose has no solution: {way.arm.ik(way.path[0]).why}")
     nearest = min(branches, key=lambda b: b.stop.excess if b.stop else np.inf)
-    return Event(0.0, nearest.stop.joint, LIMIT, True, f"The first pose has no solution inside the limits: {nearest.stop.detail}")
+    return Event(
+        0.0, nearest.stop.joint, LIMIT, True, f"The first pose has no solution inside the limits: {nearest.stop.detail}"
+    )
 
 
 __all__ = ["BRIDGE", "Branch", "Event", "Track", "follow"]
