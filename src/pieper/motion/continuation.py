@@ -3,8 +3,8 @@
 A step from one pose to the next is believed only when the solution found at the far end agrees with what the Jacobians
 of *both* ends predict, is small, is clearly better than every other solution, and when the determinant of the Jacobian
 keeps its sign: that changes where a singularity is crossed, and only there does one branch become another. Otherwise
-the step is halved, down to `SMALLEST_STEP`. That is what keeps a fast but continuous swing (near a wrist singularity) apart
-from a jump to another branch, whatever the spacing of the points.
+the step is halved, down to `SMALLEST_STEP`. That is what keeps a fast but continuous swing (near a wrist singularity)
+apart from a jump to another branch, whatever the spacing of the points.
 """
 
 from __future__ import annotations

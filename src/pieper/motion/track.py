@@ -112,7 +112,8 @@ def follow(arm: Arm, path: np.ndarray, *, start: np.ndarray | None = None) -> Tr
     Each branch is carried by continuity, not merely by nearness: steps are compared with what the Jacobian predicts and
     halved between the points when in doubt, so that a track never changes branch unnoticed. Between two given points
     the tool is taken to move on the straight line of `pieper.line`. Whole turns stay continuous, from the turn nearest
-    to the start. Where the first pose is singular and has a continuum of solutions, the branches are those that leave it.
+    to the start. Where the first pose is singular and has a continuum of solutions, the branches are those that
+    leave it.
 
     Args:
         arm: The arm.

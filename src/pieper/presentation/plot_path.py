@@ -1,0 +1,79 @@
+"""The path in space, with what of it was reached."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pieper.motion.path import checked_path
+from pieper.presentation.draw3d import MM, draw_arm, draw_frame, space_axes
+from pieper.presentation.skeleton import extent, skeleton
+from pieper.presentation.style import COLOURS, FAINT, INK, legend, new_figure
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from pieper.arm import Arm
+    from pieper.motion.track import Track
+
+
+def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str = "") -> Figure:
+    """Draw a path in space: its points, the tool's orientation along it, the part that was reached.
+
+    Args:
+        path: (N, 4, 4) poses, m, or a Track.
+        arm: When given together with a track, the arm is drawn along the way, as ghosts.
+        title: Text above the picture.
+
+    Returns:
+        The figure.
+    """
+    track = path if hasattr(path, "branches") else None
+    poses = checked_path(track.path if track else path)
+    points = poses[:, :3, 3]
+    reached = len(track.q) if track else len(poses)
+    ghosts = []
+    if arm is not None and track is not None and reached:
+        steps = np.unique(np.linspace(0, reached - 1, 5).round().astype(int))
+        ghosts = [skeleton(arm, track.q[k]) for k in steps]
+    centre, half = extent(points, *(g.polyline for g in ghosts))
+    figure = new_figure(6.4, 5.6)
+    axes = space_axes(figure, 111, centre, half * (1.0 if ghosts else 1.35), title=title, floor=bool(ghosts))
+    size = 2 * half
+    for k, ghost in enumerate(ghosts):
+        strength = 0.25 + 0.6 * k / max(len(ghosts) - 1, 1)
+        draw_arm(axes, ghost, size, colour="#5d6d7c", alpha=strength, solid=False)
+    axes.plot(
+        *(points[:reached].T * MM),
+        color=COLOURS[0],
+        linewidth=1.6,
+        marker="o",
+        markersize=2.6,
+        label="reached",
+        zorder=8,
+    )
+    if reached < len(poses):
+        axes.plot(
+            *(points[reached:].T * MM),
+            color=COLOURS[1],
+            linestyle="none",
+            marker="x",
+            markersize=4.5,
+            label="not reached",
+            zorder=8,
+        )
+    for k in np.unique(np.linspace(0, len(poses) - 1, 6).round().astype(int)):
+        draw_frame(axes, poses[k], 0.055 * size if ghosts else 0.13 * size, names=k == 0, width=1.4)
+    low = axes.get_zlim()[0]
+    axes.plot(points[:, 0] * MM, points[:, 1] * MM, low, color=FAINT, linewidth=1.0, linestyle=(0, (2, 2)), zorder=1)
+    _ends(axes, points * MM)
+    legend(axes, loc="upper right")
+    return figure
+
+
+def _ends(axes, points: np.ndarray) -> None:
+    for point, name in ((points[0], "first"), (points[-1], "last")):
+        axes.plot(*point[:, None], color=INK, marker="o", markersize=6, markerfacecolor="white", zorder=11)
+        text = f"  {name} ({point[0]:.0f}, {point[1]:.0f}, {point[2]:.0f})"
+        axes.text(*point, text, fontsize=8.5, color=INK, zorder=12, va="bottom")

@@ -1,0 +1,110 @@
+"""The workspace in two slices: where the tool can be, seen from the side and from above."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pieper.presentation.skeleton import skeleton
+from pieper.presentation.style import COLOURS, FAINT, INK, new_figure, plain_axes
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from pieper.arm import Arm
+
+MM = 1e3
+#: Joint vectors drawn for a picture of the reach.
+SAMPLES = 400_000
+#: Cells along the longer side of a slice.
+CELLS = 150
+
+
+def reach_samples(arm: Arm, *, samples: int = SAMPLES, seed: int = 1) -> np.ndarray:
+    """Return tool positions (k, 3), m, of joint vectors drawn evenly inside the limits, at most a turn."""
+    low, high = joint_range(arm)
+    rng = np.random.default_rng(seed)
+    points = []
+    for _ in range(max(1, samples // 50_000)):
+        q = low + (high - low) * rng.random((min(samples, 50_000), arm.n))
+        points.append(arm.fk(q)[:, :3, 3])
+    return np.concatenate(points)
+
+
+def joint_range(arm: Arm) -> tuple[np.ndarray, np.ndarray]:
+    """Return the range (n,), (n,) a joint is drawn from: its limits, at most a turn wide; rad or m."""
+    low, high = arm.limits[:, 0].copy(), arm.limits[:, 1].copy()
+    for i, kind in enumerate(arm.joint_types):
+        if kind == "R":
+            if not (np.isfinite(low[i]) and np.isfinite(high[i])) or high[i] - low[i] > 2 * np.pi:
+                low[i], high[i] = -np.pi, np.pi
+        else:
+            low[i] = low[i] if np.isfinite(low[i]) else 0.0
+            high[i] = high[i] if np.isfinite(high[i]) else low[i] + arm.chain.length
+    return low, high
+
+
+def reach_figure(arm: Arm, *, points: np.ndarray | None = None, q: np.ndarray | None = None) -> Figure:
+    """Draw where the tool can be: turned into one half plane through the first axis, and a slice from above.
+
+    Args:
+        arm: The arm.
+        points: (k, 3) tool positions, m, for example from `reach_samples`; drawn here when left out.
+        q: (n,) a posture whose arm is drawn into the pictures for scale.
+
+    Returns:
+        The figure. Cells are shaded by how many of the evenly drawn postures end in them.
+    """
+    points = reach_samples(arm) if points is None else points
+    axis, foot = arm.chain.axes[0], arm.chain.points[0]
+    upright = abs(axis[2]) > 0.999 and arm.joint_types[0] == "R"
+    line = skeleton(arm, np.zeros(arm.n) if q is None else q).polyline
+    figure = new_figure(8.6, 4.3)
+    if upright:
+        radius = np.hypot(points[:, 0] - foot[0], points[:, 1] - foot[1])
+        side = np.stack([radius, points[:, 2]], 1)
+        # the posture is shown with its radius signed by where its tool points
+        ahead = line[-1, :2] - foot[:2]
+        ahead = ahead / np.linalg.norm(ahead) if np.linalg.norm(ahead) > 1e-9 else np.array([1.0, 0.0])
+        drawn = np.stack([(line[:, :2] - foot[:2]) @ ahead, line[:, 2]], 1)
+        labels = ("distance from the first axis, mm", "z, mm")
+    else:
+        side, drawn, labels = points[:, [0, 2]], line[:, [0, 2]], ("x, mm", "z, mm")
+    _slice(figure.add_subplot(1, 2, 1), side, drawn, labels, "from the side")
+    height = float(np.median(points[:, 2]))
+    thick = 0.04 * float(np.ptp(points[:, 2])) + 1e-9
+    near = np.abs(points[:, 2] - height) <= thick
+    title = f"from above, z = {height * MM:.0f} ± {thick * MM:.0f} mm"
+    _slice(figure.add_subplot(1, 2, 2), points[near][:, :2], None, ("x, mm", "y, mm"), title)
+    return figure
+
+
+def _slice(axes, cloud: np.ndarray, line: np.ndarray | None, labels: tuple[str, str], title: str) -> None:
+    from matplotlib.colors import LinearSegmentedColormap, LogNorm
+
+    plain_axes(axes, x=labels[0], y=labels[1], title=title)
+    cloud = cloud * MM
+    low, high = cloud.min(0), cloud.max(0)
+    cell = max(float((high - low).max()) / CELLS, 1e-6)
+    bins = [np.arange(low[k] - 2 * cell, high[k] + 3 * cell, cell) for k in range(2)]
+    counts, x, y = np.histogram2d(*cloud.T, bins=bins)
+    shades = LinearSegmentedColormap.from_list("reach", ["#d6e9f5", "#56B4E9", "#0072B2"])
+    shown = np.ma.masked_equal(counts.T, 0)
+    if shown.count():
+        axes.pcolormesh(x, y, shown, cmap=shades, norm=LogNorm(1, max(2, counts.max())), rasterized=True, linewidth=0)
+        middle_x, middle_y = (x[1:] + x[:-1]) / 2, (y[1:] + y[:-1]) / 2
+        axes.contour(middle_x, middle_y, _smooth(counts.T > 0), levels=[0.45], colors=INK, linewidths=1.0)
+    if line is not None:
+        axes.plot(*(line * MM).T, color=COLOURS[1], linewidth=2.6, solid_capstyle="round", marker="o", markersize=3.5)
+    axes.axvline(0, color=FAINT, linewidth=0.8, linestyle=(0, (6, 2, 1, 2)))
+    axes.set_aspect("equal")
+
+
+def _smooth(filled: np.ndarray) -> np.ndarray:
+    out = np.pad(filled.astype(float), 1, mode="edge")
+    for _ in range(2):
+        out = (out[:-2] + 2 * out[1:-1] + out[2:]) / 4
+        out = (out[:, :-2] + 2 * out[:, 1:-1] + out[:, 2:]) / 4
+        out = np.pad(out, 1, mode="edge")
+    return out[1:-1, 1:-1]

@@ -1,0 +1,117 @@
+"""How every figure looks: colours that the colour-blind can tell apart, line styles that survive a grey print."""
+
+from __future__ import annotations
+
+import io
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pieper.errors import InputError
+from pieper.presentation.writing import write_whole
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+#: Okabe and Ito (2008), ordered so that neighbours also differ in lightness; yellow is too pale on white.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")
+#: One line style a curve, in the same order.
+LINES = ("-", (0, (5, 2)), (0, (1, 1.4)), (0, (7, 2, 1.5, 2)), (0, (3, 1.5)), (0, (7, 2, 1.5, 2, 1.5, 2)), (0, (9, 3)))
+#: One marker a curve, in the same order.
+MARKERS = ("o", "s", "^", "D", "v", "P", "X")
+#: x, y, z axes of a frame.
+AXES = ("#D55E00", "#009E73", "#0072B2")
+INK = "#1b2733"
+FAINT = "#8a949e"
+GRID = "#dfe3e7"
+
+SUFFIXES = (".png", ".svg", ".pdf")
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """Return an empty figure, width and height in inches, that belongs to no window and no global list."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def plain_axes(axes: Axes, *, x: str, y: str, title: str = "") -> Axes:
+    """Give plane axes the house look and return them; x and y are labels with their units."""
+    axes.set_xlabel(x, color=INK, fontsize=10)
+    axes.set_ylabel(y, color=INK, fontsize=10)
+    if title:
+        axes.set_title(title, color=INK, fontsize=11, loc="left")
+    axes.grid(True, color=GRID, linewidth=0.7)
+    axes.set_axisbelow(True)
+    axes.tick_params(colors=INK, labelsize=9, length=3)
+    for side, spine in axes.spines.items():
+        spine.set_visible(side in ("left", "bottom"))
+        spine.set_color(FAINT)
+    return axes
+
+
+def curve(axes: Axes, x: np.ndarray, y: np.ndarray, number: int, label: str) -> None:
+    """Draw curve `number` with its own colour, line style and a few markers of its own."""
+    y = np.asarray(y)
+    few = max(1, len(y) // 8)
+    axes.plot(
+        x,
+        y,
+        color=COLOURS[number % len(COLOURS)],
+        linestyle=LINES[number % len(LINES)],
+        linewidth=1.6,
+        marker=MARKERS[number % len(MARKERS)],
+        markersize=4,
+        markevery=(number * few // 7, few),
+        label=label,
+    )
+
+
+def legend(axes: Axes, **options: object) -> None:
+    """Add a legend in the house look."""
+    box = axes.legend(fontsize=9, frameon=False, handlelength=3.2, labelcolor=INK, **options)
+    box.set_zorder(20)
+
+
+def png(figure: Figure, *, dpi: int = 150) -> bytes:
+    """Return a figure as PNG."""
+    out = io.BytesIO()
+    figure.savefig(out, format="png", dpi=dpi, facecolor="white")
+    return out.getvalue()
+
+
+def svg(figure: Figure) -> str:
+    """Return a figure as SVG text that needs no font and nothing from elsewhere."""
+    out = io.BytesIO()
+    figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None}, transparent=False)
+    return out.getvalue().decode()
+
+
+def save_figure(figure: Figure, path: str | os.PathLike) -> Path:
+    """Write a figure as .png, .svg or .pdf, whole or not at all.
+
+    Args:
+        figure: What a figure function returned.
+        path: Where to; the suffix decides the format.
+
+    Returns:
+        The path.
+
+    Raises:
+        InputError: An unknown suffix, or a place that cannot be written.
+    """
+    path = Path(path)
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise InputError(
+            f"a figure is written as {', '.join(SUFFIXES)}; {path.name!r} ends in {suffix or 'nothing'}.", given=suffix
+        )
+    out = io.BytesIO()
+    figure.savefig(out, format=suffix[1:], dpi=150, facecolor="white")
+    return write_whole(path, out.getvalue())

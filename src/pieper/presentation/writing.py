@@ -1,0 +1,42 @@
+"""Writing files whole or not at all, so that an interruption leaves nothing half written."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+
+from pieper.errors import InputError
+
+
+def write_whole(path: str | os.PathLike, content: bytes | str) -> Path:
+    """Write a file whole or not at all: into a neighbour first, then renamed over the target.
+
+    Raises:
+        InputError: The folder does not exist or cannot be written; the message names it.
+    """
+    path = Path(path)
+    data = content.encode() if isinstance(content, str) else content
+    name = None
+    try:
+        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent or Path("."))
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+        os.chmod(name, 0o666 & ~_umask())
+        os.replace(name, path)
+        name = None
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise InputError(
+            f"cannot write {path}: {reason}. Choose a folder that exists and is yours.", path=path
+        ) from None
+    finally:
+        if name is not None:
+            Path(name).unlink(missing_ok=True)
+    return path
+
+
+def _umask() -> int:
+    now = os.umask(0)
+    os.umask(now)
+    return now
