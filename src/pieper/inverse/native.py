@@ -7,6 +7,7 @@ import numpy as np
 from pieper import _kernel
 from pieper.inverse.families.spec import KernelSpec
 from pieper.kinematics.chain import Chain
+from pieper.tolerances import LIMIT_SLACK, ROTATION_ACCEPTED, ROTATION_EXACT
 
 
 class SixJointSolver:
@@ -32,6 +33,9 @@ class SixJointSolver:
             np.ascontiguousarray(limits[:, 0]),
             np.ascontiguousarray(limits[:, 1]),
             np.ascontiguousarray(chain.prismatic, bool),
+            LIMIT_SLACK,
+            ROTATION_ACCEPTED,
+            ROTATION_EXACT,
         )
         self.one = native.one
         self.many = native.many

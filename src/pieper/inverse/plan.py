@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,6 +19,9 @@ from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import Geometry, look, snapped
 from pieper.kinematics.pose import pose_error
 from pieper.tolerances import GEOMETRY_EXACT
+
+if TYPE_CHECKING:
+    from pieper.inverse.cuspidal import Cuspidal
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,6 +113,16 @@ class Plan:
             a, b = now[..., :3, 2], T[..., :3, 2]
             error[..., 1] = np.arctan2(np.linalg.norm(np.cross(a, b), axis=-1), np.sum(a * b, -1))
         return error
+
+    @cached_property
+    def cuspidal(self) -> Cuspidal | None:
+        """Whether one can pass between solutions without meeting a singularity, with an example path.
+
+        Searched for on first use, in a second or so; None for arms it does not apply to (spare joints, partial tasks).
+        """
+        from pieper.inverse.cuspidal import search
+
+        return search(self) if self.direct else None
 
     def explain(self) -> str:
         """Tell how this arm is solved and why, as a teacher would."""

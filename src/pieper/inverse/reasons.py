@@ -115,6 +115,8 @@ def explain(plan: Plan) -> str:
         lines += ["", "Made a six-joint problem: " + "; ".join(steps) + "."]
     lines += ["", f"Solved by: {plan.family.replace('_', ' ')}, for {geometry}.", f"  {words}"]
     lines += [f"  At most {plan.max_solutions} solutions a pose" + (" and choice of the spare joints." if plan.redundancy else ".")]
+    if plan.direct and plan.family in ("general", "offset_wrist"):
+        lines += [f"  Posture names: this arm is {plan.cuspidal}." if plan.cuspidal.found else f"  Cuspidal? {plan.cuspidal}."]
     for key, value in plan.spec.info.items():
         lines.append(f"  {key.replace('_', ' ')}: {value}")
     return "\n".join(lines)

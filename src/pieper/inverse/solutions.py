@@ -234,6 +234,27 @@ class SolutionBatch:
         chosen = np.take_along_axis(wound, best[:, None, None], axis=1)[:, 0]
         return np.where(found[:, None], chosen, 0.0), found
 
+    def nearest_in_turn(self, q_start: object) -> tuple[np.ndarray, np.ndarray]:
+        """Return for each pose the solution closest to the one chosen for the pose before it, whole turns resolved.
+
+        This is the papers' rule; it can jump from branch to branch without a word. `Arm.follow` does not.
+
+        Args:
+            q_start: (n,) where to begin, rad or m.
+
+        Returns:
+            (N, n) joint vectors and (N,) bool; a pose without a solution keeps the joint vector before it.
+        """
+        now = checked_joints(q_start, self._plan.n, "q_start")
+        limits, prismatic, length = self._plan.limits, self._plan.prismatic, self._plan.chain.length
+        chosen, found = np.empty((len(self.q), self._plan.n)), self.in_limits.any(1)
+        for i in range(len(self.q)):
+            if found[i]:
+                rows = unwound(self.q[i][self.in_limits[i]], now, limits, prismatic)
+                now = rows[np.argmin(joint_distance(rows, now, prismatic, length))]
+            chosen[i] = now
+        return chosen, found
+
     def __repr__(self) -> str:
         counts = {s.name: int(c) for s in Status if (c := np.count_nonzero(self.status == s))}
         return f"<SolutionBatch of {len(self)} poses: {counts}>"

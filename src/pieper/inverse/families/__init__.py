@@ -7,6 +7,7 @@ A family module has `match(chain, geometry)`, which returns what it recognised o
 from __future__ import annotations
 
 from importlib import import_module
+from importlib.util import find_spec
 
 from pieper.inverse.families.spec import KernelSpec
 from pieper.kinematics.chain import Chain
@@ -22,6 +23,8 @@ def choose(chain: Chain, geometry: Geometry, families: tuple[str, ...] = FAMILIE
         PlanError: No family takes the chain; raised by the last one asked, with the reason.
     """
     for name in families:
+        if not find_spec(f"pieper.inverse.families.{name}"):
+            continue
         family = import_module(f"pieper.inverse.families.{name}")
         match = family.match(chain, geometry)
         if match is not None:
@@ -32,6 +35,6 @@ def choose(chain: Chain, geometry: Geometry, families: tuple[str, ...] = FAMILIE
 def tier(chain: Chain, geometry: Geometry) -> int:
     """Return how early in FAMILIES a chain is taken, without preparing it; fewer is faster."""
     for index, name in enumerate(FAMILIES[:-1]):
-        if import_module(f"pieper.inverse.families.{name}").match(chain, geometry) is not None:
+        if find_spec(f"pieper.inverse.families.{name}") and import_module(f"pieper.inverse.families.{name}").match(chain, geometry) is not None:
             return index
     return len(FAMILIES) - 1
