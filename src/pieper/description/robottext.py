@@ -255,7 +255,9 @@ def _key(name: str) -> str:
 
 def _value(value: object) -> str:
     if isinstance(value, str):
-        return _multiline(value) if "\n" in value else _string(value) if len(value) < _LONG_TEXT else _folded(value)
+        if "\n" in value:
+            return _multiline(value)
+        return _string(value) if len(value) < _LONG_TEXT or value.startswith(" ") else _folded(value)
     if isinstance(value, list):
         nested = bool(value) and isinstance(value[0], (list, str))
         items = [_value(item) for item in value]
