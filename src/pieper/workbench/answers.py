@@ -1,0 +1,148 @@
+"""The quick answers of a session: tables from names and files, what kind of arm a table is, inverse kinematics."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import pieper
+from pieper.workbench.messages import Refused, optional, pose, vector, word
+from pieper.workbench.table import arm_from_table, table_from_arm
+
+FIRST_ARM = "denso-vp6242"
+LONGEST_FILE = 200_000
+TASKS = ("pose", "position", "position+axis")
+#: Points of a family that are sent: enough for a smooth slider.
+FAMILY_POINTS = 181
+
+
+def hello(message: dict[str, Any], start: str | None) -> dict[str, Any]:
+    """Return what a new page needs first: the version, the catalogue, and an arm unless it brings its own."""
+    out: dict[str, Any] = {"version": pieper.__version__, "catalog": pieper.catalog()}
+    if message.get("wants_arm"):
+        out["table"] = table_from_arm(pieper.load(start or FIRST_ARM))
+    return out
+
+
+def load(message: dict[str, Any], start: str | None) -> dict[str, Any]:
+    """Return the table of a catalogue arm."""
+    name = word(message.get("name"), "name")
+    if name not in pieper.catalog():
+        raise Refused(f"{name!r} is not in the catalogue.")
+    return {"table": table_from_arm(pieper.load(name))}
+
+
+def open_file(message: dict[str, Any], start: str | None) -> dict[str, Any]:
+    """Return the table of a robot file whose text the page sends."""
+    text, name = message.get("text"), word(message.get("name", "robot.toml"), "file name")
+    if not isinstance(text, str) or len(text) > LONGEST_FILE:
+        raise Refused(f"A robot file is a text of at most {LONGEST_FILE} characters.")
+    suffix = ".urdf" if name.endswith((".urdf", ".xml")) else ".toml"
+    with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
+        path = Path(folder) / f"robot{suffix}"
+        path.write_text(text, encoding="utf-8")
+        try:
+            return {"table": table_from_arm(pieper.load(path))}
+        except pieper.InputError as error:
+            raise Refused(str(error).replace(str(path), name)) from None
+
+
+def take_arm(message: dict[str, Any]) -> tuple[pieper.Arm, dict[str, Any]]:
+    """Return the arm of the page's table and what kind of arm it is."""
+    arm = arm_from_table(message.get("table"))
+    try:
+        plan = arm.plan
+    except pieper.PlanError as error:
+        return arm, {"plan": {"family": None, "max_solutions": 0, "explain": str(error), "solvable": False}}
+    explain = plan.explain()
+    return arm, {
+        "plan": {
+            "family": plan.family,
+            "title": getattr(plan, "title", None),
+            "max_solutions": _count(plan.max_solutions),
+            "explain": explain,
+            "solvable": True,
+            "task": getattr(plan, "task", "pose"),
+            "redundancy": bool(getattr(plan, "redundancy", False)),
+        }
+    }
+
+
+def _count(value: object) -> int | None:
+    return int(value) if isinstance(value, (int, np.integer)) else None
+
+
+def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
+    """Return every solution of a pose with labels, limits and residuals, its families, and the reason in words."""
+    T = pose(message.get("T"), "target")
+    task = optional(word, message.get("task"), "task", TASKS)
+    redundancy = optional(_redundancy, message.get("redundancy"))
+    began = time.perf_counter()
+    solutions = arm.ik(T, **({"task": task} if task else {}), **({} if redundancy is None else {"redundancy": redundancy}))
+    spent = time.perf_counter() - began
+    return {**solution_rows(arm, solutions, message), "ms": 1e3 * spent}
+
+
+def _redundancy(value: object) -> float:
+    return float(vector([value], 1, "redundancy")[0])
+
+
+def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[str, Any]) -> dict[str, Any]:
+    """Return Solutions as JSON: every row of all_q, those outside the limits marked."""
+    inside = np.asarray(solutions.in_limits, dtype=bool)
+    labels = list(solutions.all_labels)
+    families = np.full(len(solutions.all_q), -1)
+    families[inside] = solutions.in_family
+    residual = np.zeros((len(solutions.all_q), 2))
+    residual[inside] = solutions.residual
+    now = message.get("q")
+    near = None
+    if isinstance(now, list) and len(now) == arm.n and (len(solutions) or solutions.families):
+        near = _nearest(solutions, vector(now, arm.n, "q"))
+    return {
+        "rows": [
+            {
+                "q": q.tolist(),
+                "label": labels[i],
+                "inside": bool(inside[i]),
+                "residual": residual[i].tolist() if inside[i] else None,
+                "family": int(families[i]),
+            }
+            for i, q in enumerate(solutions.all_q)
+        ],
+        "status": solutions.status.name,
+        "why": solutions.why,
+        "rounded": bool(solutions.rounded),
+        "nearest": near,
+        "families": [] if message.get("brief") else [family_points(family) for family in solutions.families],
+    }
+
+
+def _nearest(solutions: pieper.Solutions, now: np.ndarray) -> list[float] | None:
+    try:
+        return np.asarray(solutions.nearest(now)).tolist()
+    except pieper.NoSolutionError:
+        return None
+
+
+def family_points(family: Any) -> dict[str, Any]:
+    """Return a continuous family as joint vectors along it, for a slider."""
+    q = np.asarray(family.sample(FAMILY_POINTS) if callable(getattr(family, "sample", None)) else family.q)
+    return {"q": q.tolist(), "title": str(getattr(family, "why", "") or getattr(family, "description", ""))}
+
+
+def save(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
+    """Return the arm as the text of a robot file."""
+    with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
+        path = Path(folder) / "robot.toml"
+        arm.save(path)
+        return {"text": path.read_text(encoding="utf-8")}
+
+
+TABLES: dict[str, Callable] = {"hello": hello, "load": load, "open": open_file}
+QUICK: dict[str, Callable] = {"ik": ik, "save": save}

@@ -1,0 +1,65 @@
+// The Python library behind the page: it is told of every change of the table, and asked only about the newest one.
+import { state, on, tell } from './store.mjs';
+import { ask, Offline } from './link.mjs';
+import { debounce } from './dom.mjs';
+
+let version = 0, told = -1, waiters = [];
+
+/** The table as the library takes it: without what only the page uses. */
+export function bare(table) {
+  return { ...table, joints: table.joints.map(({ text, ...j }) => j) };
+}
+
+async function tellArm() {
+  const mine = version;
+  if (!state.table.joints.length) {
+    state.plan = { solvable: false, explain: 'The table is empty: add a joint.', max_solutions: 0 };
+    tell('plan');
+    return;
+  }
+  try {
+    const { plan } = await ask('arm', { table: bare(state.table) });
+    if (mine !== version) return;
+    told = mine;
+    state.plan = plan;
+    settle();
+  } catch (error) {
+    if (mine !== version || error instanceof Offline) return;
+    state.plan = { solvable: false, refused: true, explain: error.message, max_solutions: 0 };
+    settle(error);
+  }
+  tell('plan');
+}
+function settle(error) {
+  const list = waiters;
+  waiters = [];
+  for (const { resolve, reject } of list) if (error) reject(error); else resolve();
+}
+const soon = debounce(tellArm, 60);
+
+export function begin() {
+  on('table', (what) => { version += 1; if (what === 'postures') told = -1; if (what === 'cell') soon(); else { soon.cancel(); tellArm(); } });
+  on('online', (yes) => { if (yes) { version += 1; tellArm(); } });
+}
+
+/** Resolves when the library holds the table that the page shows. */
+export function ready() {
+  return told === version ? Promise.resolve() : new Promise((resolve, reject) => waiters.push({ resolve, reject }));
+}
+/** Ask about the arm that the page shows. */
+export async function askArm(op, body, progress) {
+  await ready();
+  return ask(op, body, progress);
+}
+
+/** The first sentence of the plan, for a line at the top. */
+export function sentence(plan) {
+  if (!plan) return '';
+  const text = plan.explain.replace(/\s+/g, ' ').trim(), end = text.search(/[.:;] (?=[A-Z])|[.]$/);
+  return end > 0 ? text.slice(0, end + 1) : text;
+}
+export function countWords(plan) {
+  if (!plan?.solvable) return '';
+  const n = plan.max_solutions;
+  return n === null || n === undefined ? '' : n === 1 ? 'One solution' : `Up to ${n} solutions`;
+}

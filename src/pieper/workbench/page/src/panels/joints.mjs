@@ -1,0 +1,112 @@
+// Joints: a slider and a field each, limits drawn, keyboard steps, named postures; outside the limits is shown, not hidden.
+import { h, replace, setText, say } from '../dom.mjs';
+import { state, on, setJoint, setTable, tell } from '../store.mjs';
+import { units, showUnit, plain } from '../units.mjs';
+import { numberField } from '../numberfield.mjs';
+import { moveTo, stop } from '../animate.mjs';
+import { reach } from '../kinematics.mjs';
+
+export const kindOf = (joint) => (joint.type === 'R' ? 'angle' : 'length');
+
+/** What a slider spans: the limits with some room beyond, so that a posture outside them can be seen and made. */
+function span(joint) {
+  const free = joint.type === 'R' ? Math.PI : reach(state.table);
+  const lo = joint.lower ?? Math.min(-free, (joint.upper ?? free) - 2 * free);
+  const hi = joint.upper ?? Math.max(free, lo + 2 * free);
+  const room = Math.max((hi - lo) * 0.08, 1e-3);
+  return { lo, hi, min: joint.lower === null ? lo : lo - room, max: joint.upper === null ? hi : hi + room };
+}
+
+export function outside(joint, v) {
+  const slack = 1e-9;
+  if (joint.lower !== null && v < joint.lower - slack) return v - joint.lower;
+  if (joint.upper !== null && v > joint.upper + slack) return v - joint.upper;
+  return 0;
+}
+
+function row(i) {
+  const joint = state.table.joints[i], kind = kindOf(joint), { lo, hi, min, max } = span(joint);
+  const name = `q${i + 1}`;
+  const slider = h('input', { type: 'range', min: String(min), max: String(max), step: 'any', 'aria-label': `${name}, ${joint.name}`, 'data-testid': `slider-${i + 1}` });
+  const percent = (v) => `${(100 * (v - min)) / (max - min)}%`;
+  slider.style.setProperty('--lo', percent(lo));
+  slider.style.setProperty('--hi', percent(hi));
+  slider.addEventListener('input', () => { stop(); setJoint(i, Number(slider.value)); });
+  slider.addEventListener('keydown', (e) => {
+    const k = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];
+    const end = { Home: lo, End: hi }[e.key];
+    if (k === undefined && end === undefined) return;
+    e.preventDefault();
+    stop();
+    const by = units.step(kind) * (e.shiftKey ? 0.1 : 1);
+    setJoint(i, end ?? Math.min(Math.max(Math.round((state.q[i] + k * by) / (by / 10)) * (by / 10), min), max));
+  });
+  const number = numberField({ label: `${name} value`, kind, testid: `q-${i + 1}`, input: (v) => { stop(); setJoint(i, v); } });
+  const note = h('span', { class: 'out', role: 'note' });
+  const limits = h('span', { class: 'limits' });
+  const el = h('div', { class: 'joint', 'data-testid': `joint-${i + 1}` },
+    h('span', { class: 'joint-name', title: `${joint.name}, ${joint.type === 'R' ? 'revolute' : 'prismatic'}` }, h('i', { text: 'q' }), h('sub', { text: String(i + 1) })),
+    h('div', { class: 'track' }, slider, h('div', { class: 'under' }, limits, note)), number, h('span', { class: 'unit' }));
+  return {
+    el, number,
+    show() {
+      const v = state.q[i], over = outside(joint, v);
+      if (document.activeElement !== slider || Number(slider.value) !== v) slider.value = v;
+      slider.style.setProperty('--at', percent(Math.min(Math.max(v, min), max)));
+      slider.setAttribute('aria-valuetext', showUnit(v, kind));
+      number.put(Number((v * units.factor(kind)).toFixed(units.digits(kind) + 1)) / units.factor(kind));
+      el.classList.toggle('outside', over !== 0);
+      setText(note, over ? `${showUnit(Math.abs(over), kind)} ${over > 0 ? 'above' : 'below'} the limit` : '');
+    },
+    relabel() {
+      setText(el.lastChild, units.symbol(kind));
+      const end = (v) => (v === null ? 'no limit' : showUnit(v, kind, units.angle === 'deg' && kind === 'angle' ? 0 : undefined));
+      setText(limits, joint.lower === null && joint.upper === null ? 'no limits' : `${end(joint.lower)} … ${end(joint.upper)}`);
+      number.refresh();
+      this.show();
+    },
+  };
+}
+
+export const joints = {
+  id: 'joints', title: 'Joints',
+  build(root) {
+    let rows = [];
+    const list = h('div', { class: 'joints', 'data-testid': 'joints' });
+    const postures = h('div', { class: 'chips', role: 'group', 'aria-label': 'Postures' });
+    root.append(list, postures);
+    const rebuild = () => {
+      rows = state.table.joints.map((_, i) => row(i));
+      replace(list, rows.map((r) => r.el));
+      if (!rows.length) list.append(h('p', { class: 'hint', text: 'This table has no joints yet. Add one in the DH table.' }));
+      rows.forEach((r) => r.relabel());
+      showPostures(postures);
+    };
+    on('table', rebuild);
+    on('q', () => rows.forEach((r) => r.show()));
+    on('units', () => rows.forEach((r) => r.relabel()));
+    rebuild();
+  },
+};
+
+function showPostures(root) {
+  const n = state.table.joints.length;
+  const named = Object.entries(state.table.postures ?? {});
+  const go = (name, q) => h('button', { type: 'button', class: 'chip', text: name, title: q.map((v, i) => showUnit(v, kindOf(state.table.joints[i]))).join(', '), on: { click: () => moveTo(q) } });
+  const chips = named.map(([name, q]) => go(name, q));
+  if (n && !named.some(([, q]) => q.every((v) => v === 0))) chips.unshift(go('zero', new Array(n).fill(0)));
+  replace(root, chips, n ? h('button', { type: 'button', class: 'chip quiet', text: 'Random', title: 'A posture inside the limits', on: { click: () => moveTo(randomPosture()) } }) : null,
+    n ? h('button', { type: 'button', class: 'chip quiet', text: 'Keep this one', title: 'Add the present posture to the arm', on: { click: keep } }) : null);
+}
+export function randomPosture() {
+  return state.table.joints.map((j) => { const { lo, hi } = span(j); return lo + Math.random() * (hi - lo); });
+}
+function keep() {
+  const postures = { ...state.table.postures };
+  let k = 0;
+  while (`P${k}` in postures) k += 1;
+  postures[`P${k}`] = state.q.slice();
+  setTable({ ...state.table, postures }, { what: 'postures' });
+  say(`Kept as P${k}: ${state.q.map((v, i) => plain(v, kindOf(state.table.joints[i]))).join(', ')}`);
+  tell('postures');
+}

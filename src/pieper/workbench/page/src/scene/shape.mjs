@@ -1,0 +1,66 @@
+// What an arm looks like, from its table alone: rods, balls, drums (revolute) and sleeves (prismatic) with their places.
+import { jointAxes, reach } from '../kinematics.mjs';
+import { position, column, addScaled, sub, norm, dot } from '../matrix.mjs';
+
+/** Sizes that belong to the table and not to a posture. */
+export function proportions(table) {
+  const n = table.joints.length, size = reach(table);
+  const thick = Math.min(0.062, 0.075 - 0.002 * n) * size;
+  const radius = table.joints.map((_, i) => thick * (1 - (0.52 * i) / Math.max(n - 1, 1)));
+  return { size, radius, rest: radius[n - 1] ?? thick * 0.5 };
+}
+
+/**
+ * Place the parts of an arm at its frames.
+ *
+ * Joint i's drum sits on its axis. Where two joints share a point, as in a spherical wrist, the later one moves along its own axis
+ * towards what it carries, so that each can be seen.
+ */
+export function shape(table, F, form) {
+  const parts = { rods: [], balls: [], drums: [], sleeves: [], flange: null };
+  const { radius, size } = form, n = table.joints.length, tiny = size * 1e-6;
+  const axes = jointAxes(table, F);
+  const rod = (a, b, r) => { if (norm(sub(b, a)) > tiny) parts.rods.push({ a, b, r }); };
+  if (n) parts.pedestal = { at: position(F[0]), dir: column(F[0], 2), r: radius[0] * 1.7, h: radius[0] * 0.34 };
+  let previous = null;
+  axes.forEach(({ point, dir, x }, i) => {
+    const r = radius[i], joint = table.joints[i], o = position(F[i]), p = position(F[i + 1]);
+    const thin = r * 0.62;
+    if (table.convention === 'standard') {
+      const shoulder = addScaled(o, dir, dot(sub(p, o), dir));
+      const elbow = norm(sub(shoulder, o)) > tiny && norm(sub(p, shoulder)) > tiny;
+      rod(o, shoulder, thin);
+      rod(shoulder, p, thin);
+      if (elbow) parts.balls.push({ at: shoulder, r: thin });
+      parts.balls.push({ at: p, r: thin });
+    } else {
+      rod(o, point, thin);
+      rod(point, p, thin);
+      parts.balls.push({ at: point, r: thin }, { at: p, r: thin });
+    }
+    let at = point;
+    const along = dot(sub(p, point), dir);
+    if (previous && norm(sub(point, previous.at)) < 0.5 * r && Math.abs(along) > tiny) {
+      at = addScaled(point, dir, Math.sign(along) * Math.min(Math.abs(along) * 0.55, previous.r + r * 1.15));
+    } else if (i === 0 && Math.abs(along) > 2.2 * r) at = addScaled(point, dir, Math.sign(along) * r * 1.25);
+    if (joint.type === 'R') parts.drums.push({ at, dir, x, r, h: r * 2.15, joint: i });
+    else parts.sleeves.push({ at, dir, x, r: r * 0.95, h: r * 3.4, joint: i });
+    previous = { at: point, r };
+  });
+  if (n) {
+    const end = F[n + 1], hand = position(F[n]);
+    parts.flange = { at: hand, dir: column(F[n], 2), r: form.rest * 0.85, h: form.rest * 0.5 };
+    rod(hand, position(end), form.rest * 0.34);
+    parts.tip = { at: position(end), r: form.rest * 0.42 };
+  }
+  return parts;
+}
+
+/** Points that a picture of the arm must hold. */
+export function outline(table, F) {
+  const pad = proportions(table).radius[0] ?? 0.05;
+  const base = position(F[0]);
+  const out = [[base[0], base[1], 0], ...F.map(position)];
+  for (const { point } of jointAxes(table, F)) out.push(point);
+  return out.flatMap((p) => [[p[0] - pad, p[1] - pad, p[2] - pad], [p[0] + pad, p[1] + pad, p[2] + pad]]);
+}

@@ -1,0 +1,197 @@
+// The window into space: renderer, camera, standard views, light and ground. Draws only when something changed.
+import * as THREE from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { colours } from '../theme.mjs';
+
+const FOV = 32;
+const directions = { iso: [1, -1.25, 0.62], front: [1, 0, 0], side: [0, -1, 0], top: [0, -0.0001, 1] };
+
+export const scene = new THREE.Scene();
+export const camera = new THREE.PerspectiveCamera(FOV, 1, 0.01, 100);
+camera.up.set(0, 0, 1);
+export let renderer, controls;
+let host, pending = false, drawn = 0;
+const before = [];
+
+/** Ask for a picture; many requests within a frame make one. */
+export function invalidate() {
+  if (pending) return;
+  pending = true;
+  requestAnimationFrame(draw);
+}
+function draw() {
+  pending = false;
+  for (const f of before) f();
+  renderer.render(scene, camera);
+  drawn += 1;
+}
+export const picturesDrawn = () => drawn;
+/** Run f before every picture; for things whose size follows the camera. */
+export const beforeDrawing = (f) => before.push(f);
+
+const hemisphere = new THREE.HemisphereLight('#ffffff', '#8a8f99', 1.6);
+const sun = new THREE.DirectionalLight('#ffffff', 2.1);
+sun.position.set(1.2, -1.6, 3);
+const fill = new THREE.DirectionalLight('#ffffff', 0.7);
+fill.position.set(-2, 1, 1.2);
+scene.add(hemisphere, sun, fill);
+scene.fog = new THREE.Fog('#fff', 1, 10);
+
+export function open(element) {
+  host = element;
+  renderer = new THREE.WebGLRenderer({ antialias: true, stencil: true, powerPreference: 'high-performance' });
+  renderer.domElement.setAttribute('aria-hidden', 'true');
+  host.append(renderer.domElement);
+  controls = new OrbitControls(camera, renderer.domElement);
+  controls.enableDamping = false;
+  controls.addEventListener('change', invalidate);
+  new ResizeObserver(resize).observe(host);
+  resize();
+  host.tabIndex = 0;
+  host.setAttribute('role', 'application');
+  host.setAttribute('aria-label', 'The arm in space. Arrow keys turn the view, plus and minus zoom, F fits, 1 to 4 are the standard views.');
+  host.addEventListener('keydown', onKey);
+}
+
+function resize() {
+  const w = host.clientWidth, h = host.clientHeight;
+  if (!w || !h) return;
+  // A software renderer or a 4k wall cannot afford every device pixel.
+  renderer.setPixelRatio(Math.min(devicePixelRatio, 2, Math.sqrt(4e6 / (w * h)) || 1));
+  renderer.setSize(w, h);
+  camera.aspect = w / h;
+  camera.updateProjectionMatrix();
+  draw();
+}
+
+function onKey(e) {
+  const turn = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
+  const view = { 1: 'iso', 2: 'front', 3: 'side', 4: 'top' }[e.key];
+  if (turn) orbit(turn[0] * 0.1, turn[1] * 0.1);
+  else if (e.key === '+' || e.key === '=') dolly(1 / 1.15);
+  else if (e.key === '-') dolly(1.15);
+  else if (e.key.toLowerCase() === 'f') fit(lastPoints);
+  else if (view) look(view);
+  else return;
+  e.preventDefault();
+}
+function orbit(dAzimuth, dPolar) {
+  const v = camera.position.clone().sub(controls.target), r = v.length();
+  const az = Math.atan2(v.y, v.x) + dAzimuth;
+  const po = Math.min(Math.max(Math.acos(v.z / r) + dPolar, 0.02), Math.PI - 0.02);
+  camera.position.set(Math.sin(po) * Math.cos(az), Math.sin(po) * Math.sin(az), Math.cos(po)).multiplyScalar(r).add(controls.target);
+  controls.update();
+  invalidate();
+}
+function dolly(k) {
+  camera.position.sub(controls.target).multiplyScalar(k).add(controls.target);
+  controls.update();
+  invalidate();
+}
+
+// ---- fitting
+let lastPoints = [[0, 0, 0], [0, 0, 1]];
+/** The closest camera along a direction from which every point is in the picture, with a margin. */
+function framing(points, dir) {
+  const box = new THREE.Box3().setFromPoints(points.map((p) => new THREE.Vector3(...p)));
+  const target = box.getCenter(new THREE.Vector3());
+  const back = new THREE.Vector3(...dir).normalize();
+  const right = new THREE.Vector3().crossVectors(camera.up, back).normalize();
+  const up = new THREE.Vector3().crossVectors(back, right);
+  const ty = Math.tan(THREE.MathUtils.degToRad(FOV / 2)) * 0.8, tx = ty * camera.aspect;
+  let distance = box.getSize(new THREE.Vector3()).length() * 0.4 + 1e-3;
+  // Two passes centre the picture, not only the box: the second one starts from the first one's balance.
+  for (let pass = 0; pass < 3; pass++) {
+    let need = 0, lo = Infinity, hi = -Infinity, left = Infinity, far = -Infinity;
+    for (const p of points) {
+      const v = new THREE.Vector3(...p).sub(target);
+      const x = v.dot(right), y = v.dot(up), z = v.dot(back);
+      need = Math.max(need, z + Math.abs(x) / tx, z + Math.abs(y) / ty);
+      lo = Math.min(lo, y); hi = Math.max(hi, y); left = Math.min(left, x); far = Math.max(far, x);
+    }
+    distance = Math.max(need, distance * 0.2);
+    if (pass < 2) target.addScaledVector(up, (lo + hi) / 2).addScaledVector(right, (left + far) / 2);
+  }
+  return { target, position: target.clone().addScaledVector(back, distance) };
+}
+
+let moving = 0;
+function fly({ target, position }, seconds = 0.35) {
+  const from = { t: controls.target.clone(), p: camera.position.clone() }, began = performance.now(), mine = ++moving;
+  const still = matchMedia('(prefers-reduced-motion: reduce)').matches || seconds === 0;
+  (function go(now) {
+    if (mine !== moving) return;
+    const s = still ? 1 : Math.min((now - began) / (1000 * seconds), 1), k = s * s * (3 - 2 * s);
+    controls.target.lerpVectors(from.t, target, k);
+    camera.position.lerpVectors(from.p, position, k);
+    const d = camera.position.distanceTo(controls.target);
+    camera.near = d / 100; camera.far = d * 30;
+    scene.fog.near = d * 1.3; scene.fog.far = d * 3.4;
+    camera.updateProjectionMatrix();
+    controls.update();
+    invalidate();
+    if (s < 1) requestAnimationFrame(go);
+  })(began);
+}
+let lastView = 'iso';
+/** Bring points into the picture from the present direction. */
+export function fit(points, { instant = false, view = null } = {}) {
+  lastPoints = points;
+  const dir = view ? directions[view] : camera.position.clone().sub(controls.target).toArray();
+  fly(framing(points, dir), instant ? 0 : 0.35);
+}
+/** One of the standard views: iso, front (from +x), side (from -y), top. */
+export function look(name) {
+  lastView = name;
+  fly(framing(lastPoints, directions[name]));
+}
+export const currentView = () => lastView;
+export const remember = (points) => { lastPoints = points; };
+export const cameraState = () => [...camera.position.toArray(), ...controls.target.toArray()].map((v) => Number(v.toPrecision(5)));
+export function setCamera(six) {
+  moving += 1;
+  fly({ position: new THREE.Vector3(...six.slice(0, 3)), target: new THREE.Vector3(...six.slice(3)) }, 0);
+}
+
+// ---- ground
+let grid = null;
+export const ground = { cell: 0.1 };
+/** A grid on z = 0 whose cell is 1, 2 or 5 times a power of ten, about a tenth of the arm. */
+export function layGround(reach) {
+  const raw = reach / 6, ten = 10 ** Math.floor(Math.log10(raw));
+  const cell = [1, 2, 5, 10].map((k) => k * ten).findLast((c) => c <= raw * 1.0001) ?? ten;
+  ground.cell = cell;
+  const half = Math.ceil((reach * 2.2) / cell), at = [], shade = [];
+  const fine = new THREE.Color(colours.gridFine), coarse = new THREE.Color(colours.gridCoarse);
+  for (let i = -half; i <= half; i++) {
+    const c = i % 5 === 0 ? coarse : fine, e = half * cell;
+    at.push(i * cell, -e, 0, i * cell, e, 0, -e, i * cell, 0, e, i * cell, 0);
+    for (let k = 0; k < 4; k++) shade.push(c.r, c.g, c.b);
+  }
+  grid?.geometry.dispose();
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(at, 3));
+  geometry.setAttribute('color', new THREE.Float32BufferAttribute(shade, 3));
+  if (!grid) {
+    grid = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ vertexColors: true }));
+    grid.renderOrder = -2;
+    grid.material.depthWrite = false;
+    scene.add(grid);
+  } else grid.geometry = geometry;
+  grid.userData.reach = reach;
+  invalidate();
+}
+export function applyTheme() {
+  scene.background = new THREE.Color(colours.ground);
+  scene.fog.color.set(colours.ground);
+  hemisphere.groundColor.set(colours.bounce);
+  hemisphere.intensity = colours.dark ? 1.1 : 1.7;
+  if (grid) layGround(grid.userData.reach);
+  invalidate();
+}
+
+/** Where a point of space is on the screen, CSS pixels in the page; for tests that drag like a hand. */
+export function toScreen(p) {
+  const v = new THREE.Vector3(...p).project(camera), r = host.getBoundingClientRect();
+  return [r.x + ((v.x + 1) / 2) * r.width, r.y + ((1 - v.y) / 2) * r.height];
+}

@@ -1,0 +1,105 @@
+// What the page knows: one arm, one posture, one target, and what is derived from them. Listeners hear by topic.
+import { frames as forward, singularValues, reach } from './kinematics.mjs';
+import { identity } from './matrix.mjs';
+
+const listeners = new Map();
+export function on(topics, f) { for (const t of [topics].flat()) (listeners.get(t) ?? listeners.set(t, []).get(t)).push(f); }
+export function tell(topic, detail) { for (const f of listeners.get(topic) ?? []) f(detail); }
+
+export const state = {
+  table: { name: '', convention: 'standard', joints: [], base: identity(), tool: identity(), postures: {} },
+  q: [],
+  frames: [identity(), identity()],
+  plan: null,                 // what kind of arm this is, from the library
+  target: identity(),
+  solutions: null,            // the library's answer for the target
+  notation: 'rpy',
+  shownFrames: null,            // indices into frames
+  path: { from: null, to: null, n: 50, seconds: 5 },
+  track: null,
+  sequence: { postures: [], rate: 50 },
+  motion: null,
+  panel: 'move',
+  theme: 'auto',
+  online: false,
+};
+
+export function setJoints(q, why = 'hand') {
+  state.q = q;
+  state.frames = forward(state.table, q);
+  tell('q', why);
+}
+export function setJoint(i, value, why = 'hand') {
+  const q = state.q.slice();
+  q[i] = value;
+  setJoints(q, why);
+}
+
+const clampInto = (j) => {
+  const lo = j.lower ?? -Infinity, hi = j.upper ?? Infinity;
+  return lo <= 0 && hi >= 0 ? 0 : Number.isFinite(lo) && Number.isFinite(hi) ? (lo + hi) / 2 : Number.isFinite(lo) ? lo : hi;
+};
+
+/**
+ * A posture that shows the arm well: the maker's own where there is one, moved a little where it is singular, since stretched
+ * or folded arms hide their joints from the eye and their solutions from the solver.
+ */
+export function presentable(table) {
+  const named = Object.entries(table.postures ?? {});
+  const pick = ['ready', 'home', 'work', 'elbow'].map((w) => named.find(([k]) => k.toLowerCase().includes(w))).find(Boolean);
+  const start = pick ? pick[1].slice() : table.joints.map(clampInto);
+  const least = (q) => singularValues(table, q)[0] ?? 1;
+  if (!start.length || least(start) > 0.05) return start;
+  let best = start, score = least(start), seed = 7;
+  const chance = () => { seed = (seed * 16807) % 2147483647; return seed / 2147483647 - 0.5; };
+  for (let k = 0; k < 160; k++) {
+    const q = start.map((v, i) => {
+      const j = table.joints[i], by = chance() * (j.type === 'R' ? 1.3 : 0.5 * reach(table));
+      return Math.min(Math.max(v + by, j.lower ?? -Infinity), j.upper ?? Infinity);
+    });
+    const away = Math.hypot(...q.map((v, i) => v - start[i])), F = forward(table, q), low = Math.min(...F.map((T) => T[11]));
+    const s = least(q) - 0.03 * away + Math.min(low, 0) / reach(table);
+    if (s > score) { score = s; best = q; }
+  }
+  return best.map((v, i) => { const step = table.joints[i].type === 'R' ? Math.PI / 180 : 0.005; return Math.round(v / step) * step; });
+}
+
+/**
+ * Take a table as the arm. The posture is kept where the joints are still the same ones.
+ * `step` makes it a step of undo.
+ */
+export function setTable(table, { step = true, q = null, what = 'edit' } = {}) {
+  if (step) remember();
+  const same = table.joints.length === state.q.length;
+  state.table = table;
+  state.q = q ?? (same ? state.q : table.joints.map((j, i) => state.q[i] ?? clampInto(j)));
+  state.frames = forward(table, state.q);
+  state.solutions = null;
+  tell('table', what);
+  tell('q', 'table');
+}
+
+// ---- undo and redo: whole tables, which are small
+const past = [], future = [];
+const DEPTH = 200;
+const snapshot = () => ({ table: structuredClone(state.table), q: state.q.slice() });
+function remember() {
+  past.push(snapshot());
+  if (past.length > DEPTH) past.shift();
+  future.length = 0;
+  tell('history');
+}
+function step(from, to) {
+  if (!from.length) return;
+  to.push(snapshot());
+  const s = from.pop();
+  setTable(s.table, { step: false, q: s.q, what: 'undo' });
+  tell('history');
+}
+export const undo = () => step(past, future);
+export const redo = () => step(future, past);
+export const canUndo = () => past.length > 0;
+export const canRedo = () => future.length > 0;
+export function forgetHistory() { past.length = 0; future.length = 0; tell('history'); }
+
+export function setTarget(T, why = 'typed') { state.target = T; tell('target', why); }
