@@ -23,3 +23,22 @@ class Symbolic:
         from pieper.symbolic.forward import ForwardEquations
 
         return ForwardEquations(self._arm.description, fk=self._arm.fk, lengths=lengths, angles=angles)
+
+    @functools.cache  # noqa: B019
+    def jacobian(self, *, lengths: str = "symbols", angles: str = "theta"):
+        """The geometric Jacobian as equations (`JacobianEquations`)."""
+        from pieper.symbolic.jacobian import JacobianEquations
+
+        return JacobianEquations(self.fk(lengths=lengths, angles=angles), jacobian=self._arm.jacobian)
+
+    @functools.cache  # noqa: B019
+    def singularities(self, *, task: str | None = None):
+        """The factored determinant and the singular configurations (`SingularityEquations`).
+
+        Args:
+            task: "pose", "position" or "position+axis"; the plan's task when left out.
+        """
+        from pieper.symbolic.singularities import SingularityEquations
+
+        task = task or getattr(self._arm.plan, "task", "pose")
+        return SingularityEquations(self.jacobian(), numeric=self._arm.jacobian, frames=self._arm.frames, task=task)

@@ -1,4 +1,4 @@
-"""Forward kinematics as equations: every A_i, every partial product, the whole pose, and the numbers that check them."""
+"""Forward kinematics as equations: every A_i, every partial product, the whole pose, the numbers that check them."""
 
 from __future__ import annotations
 
@@ -242,7 +242,9 @@ def forward_matrices(description, *, lengths: str = "symbols", angles: str = "th
 
 
 def _named(name: str, matrix) -> MatrixEquation:
-    return MatrixEquation(name, tuple(tuple(p.expr() for p in row) for row in matrix[:3]) + ((Num(0),) * 3 + (Num(1),),))
+    return MatrixEquation(
+        name, tuple(tuple(p.expr() for p in row) for row in matrix[:3]) + ((Num(0),) * 3 + (Num(1),),)
+    )
 
 
 def _matrix_name(name: str) -> str:

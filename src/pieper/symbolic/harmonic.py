@@ -133,17 +133,33 @@ class Poly:
             total = total + term
         return total
 
+    def derivative(self, joint: int, letter: str = "theta") -> Poly:
+        """The derivative by the angle of one joint."""
+        total = Poly()
+        for (symbols, functions), value in self.terms.items():
+            for place, t in enumerate(functions):
+                factor = dict(t.angle).get(joint, 0)
+                if factor and t.letter == letter:
+                    turned = Trig("s" if t.kind == "c" else "c", t.angle, t.group, letter)
+                    key = (symbols, (*functions[:place], turned, *functions[place + 1 :]))
+                    total = total + Poly({key: value * factor * (-1 if t.kind == "c" else 1)})
+        return total
+
     # -- writing it out -----------------------------------------------------------------------------------------------
     def expr(self) -> Expr:
         """The polynomial as a person would factor it: nested along the chain, the shorter of two nestings."""
         if not self.terms:
             return ZERO
+        shown = _without_double_angles(self)
+        sizes = {abs(value) for value in shown.terms.values()}
+        # halves and doubles come from the product rules; lengths that were put in as numbers are left alone
+        content = min(sizes) if sizes <= {Fraction(1, 4), HALF, Fraction(1), Fraction(2), Fraction(4)} else Fraction(1)
         rows = [
-            (value, [s for s, power in symbols for _ in range(power)] + list(trig))
-            for (symbols, trig), value in self.terms.items()
+            (value / content, [s for s, power in symbols for _ in range(power)] + list(trig))
+            for (symbols, trig), value in shown.terms.items()
         ]
         forms = [_nest(rows, order) for order in (_first_joint_first, _most_common_first, _last_joint_first)]
-        return min(forms, key=_operations)
+        return mul(Num(content), min(forms, key=_operations))
 
 
 def as_poly(value) -> Poly:
@@ -211,7 +227,10 @@ def _merge_trig(left: tuple, right: tuple) -> list[tuple[tuple, Fraction]]:
                 table[t.group] = t
             continue
         results = [
-            ({**{g: x for g, x in table.items() if g != t.group}, **({t.group: product} if product else {})}, factor * weight)
+            (
+                {**{g: x for g, x in table.items() if g != t.group}, **({t.group: product} if product else {})},
+                factor * weight,
+            )
             for table, factor in results
             for product, weight in _product_to_sum(mine, t)
         ]
@@ -232,6 +251,31 @@ def _product_to_sum(x: Trig, y: Trig) -> list[tuple[Trig | None, Fraction]]:
         for (_, functions), sign in trig(kind, angle, x.group, x.letter).terms.items():
             found.append((functions[0] if functions else None, weight * sign))
     return found
+
+
+def _without_double_angles(poly: Poly) -> Poly:
+    """Write c(2*4) and s(2*4) with c4 and s4, as people do; other sums of angles stay.
+
+    The powers are kept among the symbols, where the product rules do not gather them again; the result is for printing.
+    """
+    if not any(k == 2 and len(t.angle) == 1 for t in poly.atoms() if isinstance(t, Trig) for _, k in t.angle):
+        return poly
+    terms: dict = {}
+    for (symbols, functions), value in poly.terms.items():
+        rows = [(list(symbols), [], value)]
+        for t in functions:
+            (joint, factor), *more = t.angle
+            if factor != 2 or more:
+                rows = [(s, [*f, t], v) for s, f, v in rows]
+                continue
+            c, s_ = (Trig(kind, ((joint, 1),), t.group, t.letter) for kind in "cs")
+            if t.kind == "s":
+                rows = [([*s, (c, 1), (s_, 1)], f, 2 * v) for s, f, v in rows]
+            else:
+                rows = [row for s, f, v in rows for row in (([*s, (c, 2)], f, 2 * v), (s, f, -v))]
+        for s, f, v in rows:
+            _gather(terms, (tuple(sorted(s, key=lambda item: item[0].order)), tuple(f)), v)
+    return Poly(terms)
 
 
 # -- nesting -----------------------------------------------------------------------------------------------------------

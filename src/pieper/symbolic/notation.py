@@ -30,7 +30,7 @@ def subscript(angle: tuple) -> tuple[str, bool]:
     return "".join(parts), len(angle) == 1 and angle[0][1] == 1
 
 
-# -- text ----------------------------------------------------------------------------------------------------------------
+# -- text ------------------------------------------------------------------------------------------------------------
 def text(expr: Expr) -> str:
     """One line of plain text that can be typed back in."""
     if isinstance(expr, Num):
@@ -55,7 +55,7 @@ def text(expr: Expr) -> str:
     raise TypeError(f"cannot print {type(expr).__name__}")
 
 
-# -- LaTeX ---------------------------------------------------------------------------------------------------------------
+# -- LaTeX -----------------------------------------------------------------------------------------------------------
 def latex(expr: Expr) -> str:
     """LaTeX for math mode."""
     if isinstance(expr, Num):
@@ -89,7 +89,7 @@ def latex(expr: Expr) -> str:
 _BIG = (r"\left(", r"\right)")
 
 
-# -- MathML --------------------------------------------------------------------------------------------------------------
+# -- MathML ----------------------------------------------------------------------------------------------------------
 def mathml(expr: Expr) -> str:
     """Presentation MathML without the outer <math> element (see `formula`)."""
     if isinstance(expr, Num):
@@ -133,7 +133,7 @@ def equation(left: str | Expr, right: Expr, style: str) -> str:
     return f"{left}<mo>=</mo>{printer(right)}" if style == "mathml" else f"{left} = {printer(right)}"
 
 
-# -- pieces --------------------------------------------------------------------------------------------------------------
+# -- pieces ----------------------------------------------------------------------------------------------------------
 def _sum(expr: Add, printer, plus: str, minus: str) -> str:
     parts = []
     for place, term in enumerate(expr.terms):
@@ -175,7 +175,7 @@ def _number(value: Fraction) -> str:
 
 def _number_latex(value: Fraction) -> str:
     decimal = decimal_text(value)
-    if decimal is not None and not (value.denominator in (2, 4)):
+    if decimal is not None and value.denominator not in (2, 4):
         return decimal
     sign = "-" if value < 0 else ""
     return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"

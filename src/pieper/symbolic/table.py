@@ -96,9 +96,9 @@ class _Reader:
         self.groups = self._groups()
         prismatic = frozenset(i + 1 for i, kind in enumerate(d.joint_types) if kind == "P")
         links = tuple(self._link(i) for i in range(n))
-        return SymbolTable(
-            links, self._constant("b", d.base), self._constant("t", d.tool), self.meaning, self.relation,
-            prismatic, self.groups, self.letter)  # fmt: skip
+        base, tool = self._constant("b", d.base), self._constant("t", d.tool)
+        meaning = dict(sorted(self.meaning.items(), key=lambda item: (item[0].rank, item[0].order[2], item[0].base)))
+        return SymbolTable(links, base, tool, meaning, self.relation, prismatic, self.groups, self.letter)
 
     def _groups(self) -> tuple:
         groups = [1]
@@ -187,6 +187,7 @@ class _Reader:
 def inverse(matrix: Matrix) -> Matrix:
     """Inverse of a rigid displacement: transposed rotation, turned-back translation."""
     turned = [[matrix[c][r] for c in range(3)] for r in range(3)]
-    shift = [-(turned[r][0] * matrix[0][3] + turned[r][1] * matrix[1][3] + turned[r][2] * matrix[2][3]) for r in range(3)]
+    p = [matrix[r][3] for r in range(3)]
+    shift = [-(row[0] * p[0] + row[1] * p[1] + row[2] * p[2]) for row in turned]
     last = [Poly(), Poly(), Poly(), Poly.number(1)]
     return [[*turned[r], shift[r]] for r in range(3)] + [last]

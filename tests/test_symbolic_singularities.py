@@ -1,0 +1,51 @@
+"""The Jacobian as equations, its determinant in factors, and the singular configurations read off."""
+
+import numpy as np
+import pytest
+
+import pieper
+from pieper.symbolic.determinant import expand
+from pieper.symbolic.harmonic import Poly, trig
+
+ARMS = pieper.catalog()
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_every_entry_of_the_jacobian_agrees_with_the_numeric_one(name):
+    arm = pieper.load(name)
+    for angles in ("theta", "q"):
+        assert arm.symbolic.jacobian(angles=angles).check(30).worst < 1e-11
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_factored_determinant_and_every_singular_configuration_hold(name):
+    found = pieper.load(name).symbolic.singularities(task="pose")
+    assert found.check(30).worst < 1e-7
+
+
+def test_the_three_singularities_of_a_spherical_wrist_arm_are_named():
+    found = pieper.load("denso-vp6242").symbolic.singularities()
+    assert found.determinant.text() == "a2*s5*(d4*c3 + a3*s3)*(a2*c2 + a3*c23 - d4*s23)"
+    kinds = {s.kind: s for s in found.configurations}
+    assert set(kinds) == {"shoulder", "elbow", "wrist"}
+    assert "lies on axis 1" in kinds["shoulder"].words[0]
+    assert np.degrees(kinds["elbow"].where) == pytest.approx([-109.653824, 70.346176])
+    assert "Axes 4 and 6 lie on one line" in kinds["wrist"].words[0]
+
+
+def test_an_offset_wrist_is_said_not_to_factor():
+    found = pieper.load("motoman-ea1400n").symbolic.singularities(task="pose")
+    assert "does not factor" in found.text()
+
+
+def test_a_table_whose_first_axes_coincide_is_said_to_be_singular_always():
+    found = pieper.load("dfrobot-rob0036-as-printed").symbolic.singularities(task="pose")
+    assert "identically zero" in found.text()
+
+
+def test_products_of_one_group_become_sums_of_angles():
+    c2, s2 = trig("c", {2: 1}, 2), trig("s", {2: 1}, 2)
+    c3, s3 = trig("c", {3: 1}, 2), trig("s", {3: 1}, 2)
+    assert c2 * c3 - s2 * s3 == trig("c", {2: 1, 3: 1}, 2)
+    assert c2 * c2 + s2 * s2 == Poly.number(1)
+    assert expand([[c2, -s2], [s2, c2]]) == Poly.number(1)
