@@ -29,6 +29,8 @@ def space_axes(
         if not isinstance(position, tuple)
         else figure.add_subplot(*position, projection="3d")
     )
+    # the order is ours: a drum lies over its link, a name over everything
+    axes.computed_zorder = False
     low, high = (centre - half) * MM, (centre + half) * MM
     if floor and -0.5 * half * MM < low[2] < 0.35 * half * MM:
         low[2], high[2] = 0.0, 2 * half * MM
@@ -130,10 +132,23 @@ def draw_axes_lines(axes, parts: Skeleton, size: float) -> None:
         ends = np.array([centre - direction * reach, centre + direction * reach]) * MM
         axes.plot(*ends.T, color=INK, linewidth=0.9, linestyle=(0, (6, 2, 1, 2)), zorder=8)
         tip = (centre + direction * reach * 1.22) * MM
+        if any(_on_segment(tip, a * MM, b * MM, 0.03 * size * MM) for a, b in _segments(parts)):
+            tip = (centre - direction * reach * 1.22) * MM
         while any(np.linalg.norm(tip - p) < 0.05 * size * MM for p in placed):
             tip = tip + direction * 0.055 * size * MM
         placed.append(tip)
-        axes.text(*tip, f"$q_{{{i + 1}}}$", color=INK, fontsize=9, ha="center", va="center", zorder=12)
+        text(axes, tip, f"$q_{{{i + 1}}}$")
+
+
+def _segments(parts: Skeleton) -> list[tuple[np.ndarray, np.ndarray]]:
+    line = parts.polyline
+    return list(zip(line[:-1], line[1:], strict=True))
+
+
+def _on_segment(point: np.ndarray, a: np.ndarray, b: np.ndarray, near: float) -> bool:
+    along = b - a
+    share = np.clip((point - a) @ along / max(along @ along, 1e-12), 0.0, 1.0)
+    return bool(np.linalg.norm(a + share * along - point) < near)
 
 
 def draw_frame(
@@ -148,7 +163,16 @@ def draw_frame(
         )
         if names:
             at = origin + T[:3, k] * length * 1.28 * MM
-            axes.text(*at, f"${name}$", color=colour, fontsize=9, ha="center", va="center", zorder=12)
+            text(axes, at, f"${name}$", colour)
+
+
+def text(axes, at: np.ndarray, words: str, colour: str = INK, **options) -> None:
+    """Write words at a point (3,), mm, with a white halo so that they stay readable over lines."""
+    from matplotlib.patheffects import withStroke
+
+    options = {"fontsize": 9, "ha": "center", "va": "center"} | options
+    halo = [withStroke(linewidth=2.4, foreground="white")]
+    axes.text(*at, words, color=colour, zorder=30, path_effects=halo, **options)
 
 
 def draw_shadow(axes, parts: Skeleton) -> None:

@@ -35,7 +35,7 @@ def coordinates_figure(path: np.ndarray | Track, *, title: str = "") -> Figure:
     axes = plain_axes(figure.add_subplot(), x="point number", y="tool position, mm", title=title)
     for k, name in enumerate("XYZ"):
         curve(axes, number, poses[:, k, 3] * MM, k, name)
-    axes.set_xlim(1, max(len(poses), 2))
+    _point_axis(axes, len(poses))
     legend(axes, ncols=3, loc="lower right", bbox_to_anchor=(1.0, 1.0))
     return figure
 
@@ -58,7 +58,7 @@ def joints_figure(track: Track, *, title: str = "") -> Figure:
         plain_axes(axes, x="point number", y=label, title=title if row == 0 else "")
         for joint in columns:
             curve(axes, number, track.q[:, joint] * factor, joint, joint_text(track.joint_names[joint]))
-        axes.set_xlim(1, max(len(track.path), 2))
+        _point_axis(axes, len(track.path))
         if not track.complete:
             stop = track.stop
             at = 1 + stop.s * (len(track.path) - 1)
@@ -117,6 +117,11 @@ def joint_text(name: str) -> str:
     if name.startswith("joint_") and name[6:].isdigit():
         return f"$q_{{{name[6:]}}}$"
     return name
+
+
+def _point_axis(axes, n: int) -> None:
+    margin = 0.015 * max(n - 1, 1)
+    axes.set_xlim(1 - margin, max(n, 2) + margin)
 
 
 def _groups(prismatic: np.ndarray) -> list[tuple[np.ndarray, float, str]]:

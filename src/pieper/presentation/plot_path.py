@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.motion.path import checked_path
-from pieper.presentation.draw3d import MM, draw_arm, draw_frame, space_axes
+from pieper.presentation.draw3d import MM, draw_arm, draw_frame, space_axes, text
 from pieper.presentation.skeleton import extent, skeleton
 from pieper.presentation.style import COLOURS, FAINT, INK, legend, new_figure
 
@@ -75,5 +75,5 @@ def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str 
 def _ends(axes, points: np.ndarray) -> None:
     for point, name in ((points[0], "first"), (points[-1], "last")):
         axes.plot(*point[:, None], color=INK, marker="o", markersize=6, markerfacecolor="white", zorder=11)
-        text = f"  {name} ({point[0]:.0f}, {point[1]:.0f}, {point[2]:.0f})"
-        axes.text(*point, text, fontsize=8.5, color=INK, zorder=12, va="bottom")
+        words = f"   {name} ({point[0]:.0f}, {point[1]:.0f}, {point[2]:.0f})"
+        text(axes, point, words, fontsize=8.5, ha="left", va="bottom")

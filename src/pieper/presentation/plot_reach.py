@@ -22,14 +22,24 @@ CELLS = 150
 
 
 def reach_samples(arm: Arm, *, samples: int = SAMPLES, seed: int = 1) -> np.ndarray:
-    """Return tool positions (k, 3), m, of joint vectors drawn evenly inside the limits, at most a turn."""
+    """Return tool positions (k, 3), m, of joint vectors drawn evenly inside the limits, at most a turn.
+
+    When the first joint turns about an upright axis it is held at the middle of its range: its sweep is known.
+    """
     low, high = joint_range(arm)
+    if is_upright(arm):
+        low[0] = high[0] = (low[0] + high[0]) / 2
     rng = np.random.default_rng(seed)
     points = []
     for _ in range(max(1, samples // 50_000)):
         q = low + (high - low) * rng.random((min(samples, 50_000), arm.n))
         points.append(arm.fk(q)[:, :3, 3])
     return np.concatenate(points)
+
+
+def is_upright(arm: Arm) -> bool:
+    """Return whether the first joint turns about an axis along z."""
+    return bool(abs(arm.chain.axes[0][2]) > 0.999999 and arm.joint_types[0] == "R")
 
 
 def joint_range(arm: Arm) -> tuple[np.ndarray, np.ndarray]:
@@ -57,8 +67,7 @@ def reach_figure(arm: Arm, *, points: np.ndarray | None = None, q: np.ndarray | 
         The figure. Cells are shaded by how many of the evenly drawn postures end in them.
     """
     points = reach_samples(arm) if points is None else points
-    axis, foot = arm.chain.axes[0], arm.chain.points[0]
-    upright = abs(axis[2]) > 0.999 and arm.joint_types[0] == "R"
+    upright, foot = is_upright(arm), arm.chain.points[0]
     line = skeleton(arm, np.zeros(arm.n) if q is None else q).polyline
     figure = new_figure(8.6, 4.3)
     if upright:
@@ -76,8 +85,21 @@ def reach_figure(arm: Arm, *, points: np.ndarray | None = None, q: np.ndarray | 
     thick = 0.04 * float(np.ptp(points[:, 2])) + 1e-9
     near = np.abs(points[:, 2] - height) <= thick
     title = f"from above, z = {height * MM:.0f} ± {thick * MM:.0f} mm"
-    _slice(figure.add_subplot(1, 2, 2), points[near][:, :2], None, ("x, mm", "y, mm"), title)
+    above = points[near][:, :2]
+    if upright:
+        above = _swept(arm, above - foot[:2], foot[:2])
+    _slice(figure.add_subplot(1, 2, 2), above, None, ("x, mm", "y, mm"), title)
     return figure
+
+
+def _swept(arm: Arm, cloud: np.ndarray, foot: np.ndarray) -> np.ndarray:
+    """Turn a cloud (k, 2) about the first axis through all the range of that joint."""
+    low, high = joint_range(arm)
+    half = (high[0] - low[0]) / 2
+    few = cloud[:: max(1, len(cloud) // 12_000)]
+    turns = np.linspace(-half, half, 121)
+    c, s = np.cos(turns), np.sin(turns)
+    return np.concatenate([few @ np.array([[a, b], [-b, a]]) for a, b in zip(c, s, strict=True)]) + foot
 
 
 def _slice(axes, cloud: np.ndarray, line: np.ndarray | None, labels: tuple[str, str], title: str) -> None:
