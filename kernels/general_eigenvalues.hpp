@@ -74,7 +74,8 @@ template <int N> int hessenberg_eigenvalues(double (&a)[N][N], double* re, doubl
     int low = high;
     for (; low > 0; --low) {
       double s = __builtin_fabs(a[low - 1][low - 1]) + __builtin_fabs(a[low][low]);
-      if (s == 0) s = norm;
+      // a cluster may keep rounding of the size of the whole matrix alive: after a while that counts as zero too
+      if (s == 0 || (trial > 15 && s < 0.1 * norm)) s = 0.1 * norm;
       if (__builtin_fabs(a[low][low - 1]) <= eps * s) {
         a[low][low - 1] = 0;
         break;
@@ -106,19 +107,18 @@ template <int N> int hessenberg_eigenvalues(double (&a)[N][N], double* re, doubl
       continue;
     }
     if (trial == 60) return found;
-    double trace = x + y, product = x * y - w;
-    if (trial % 10 == 9) {  // an exceptional shift breaks a cycle
+    if (trial % 10 == 9) {  // an exceptional pair of shifts breaks a cycle
       const double s = __builtin_fabs(a[high][high - 1]) + __builtin_fabs(a[high - 1][high - 2]);
-      trace = 1.5 * s;
-      product = s * s;
+      x = y = x + 0.75 * s;
+      w = -0.4375 * s * s;
     }
     ++trial;
     int start = high - 2;
     double p = 0, q = 0, r = 0;
     for (;; --start) {  // two consecutive small subdiagonal elements also allow a start
-      const double z = a[start][start];
-      p = (z * (z - trace) + product) / a[start + 1][start] + a[start][start + 1];
-      q = z + a[start + 1][start + 1] - trace;
+      const double z = a[start][start], dx = x - z, dy = y - z;  // differences first: they are all that is left in a cluster
+      p = (dx * dy - w) / a[start + 1][start] + a[start][start + 1];
+      q = a[start + 1][start + 1] - z - dx - dy;
       r = a[start + 2][start + 1];
       const double s = __builtin_fabs(p) + __builtin_fabs(q) + __builtin_fabs(r);
       p /= s;

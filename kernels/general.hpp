@@ -1,0 +1,170 @@
+// The general solver's entry: every pose solved by the best variant, its certificate checked, and escalation where it fails.
+//
+// A pose is *settled* when the eigenvalues are all there, every real one has a verified solution of its own, no solution moved
+// far from its eigenvalue while being polished, and the solutions, double ones counted twice, are even in number. What is not
+// settled is solved again by other variants (another hidden joint, another direction), then in turned charts, then from
+// perturbed poses, until a settled attempt adds nothing. The work is bounded; what is still open then is flagged.
+#pragma once
+
+#include "general_prepare.hpp"
+
+namespace pieper::PIEPER_ISA {
+
+namespace general {
+
+inline constexpr int kSlots = 16;
+inline constexpr double kDegenerateSigma = 1e-6;
+inline constexpr double kAccurate = 1e-5;  // an eigenvalue farther from its root than this was computed badly
+
+inline bool even(const Found& found) {
+  int n = found.count;
+  for (int i = 0; i < found.count; ++i)
+    if (found.merged[i] || found.sigma[i] < 1e-7) return true;  // multiplicities are beyond counting at a singular pose
+  return n % 2 == 0;
+}
+
+inline bool settled(const Report& report, const Found& found) {
+  return !report.doubtful && report.unresolved == 0 && report.spread < kAccurate && even(found);
+}
+
+// The pose moved a little: a solution of it starts Newton's method for the true pose.
+inline Pose<double> perturbed(const Pose<double>& pose, double size, double length, Random& random) {
+  double w[3];
+  for (double& x : w) x = size * (2 * random.uniform() - 1);
+  Pose<double> out = pose;
+  for (int j = 0; j < 3; ++j) {  // exact rotation by the quaternion (1, w / 2)
+    const double x = pose.r[0][j], y = pose.r[1][j], z = pose.r[2][j];
+    const double a = 0.5 * w[0], b = 0.5 * w[1], c = 0.5 * w[2], s = 2 / (1 + a * a + b * b + c * c);
+    const double u = b * z - c * y, v = c * x - a * z, t = a * y - b * x;
+    out.r[0][j] = x + s * (u + b * t - c * v);
+    out.r[1][j] = y + s * (v + c * u - a * t);
+    out.r[2][j] = z + s * (t + a * v - b * u);
+  }
+  for (double& p : out.p) p += size * length * (2 * random.uniform() - 1);
+  return out;
+}
+
+// Solutions of a neighbouring pose, polished onto this one.
+inline void polish_onto(const Model& model, const Variant& v, const Pose<double>& pose, const Found& from, Found& into) {
+  using G = Lanes<PIEPER_LANES>;
+  constexpr int W = PIEPER_LANES;
+  Frame<double> link[6];
+  role_links(model, v.roles, pose, link);
+  Frame<G> wide[6];
+  for (int k = 0; k < 6; ++k) wide[k] = spread<G>(link[k]);
+  for (int first = 0; first < from.count; first += W) {
+    const int used = from.count - first < W ? from.count - first : W;
+    Joints<G> q;
+    for (int k = 0; k < 6; ++k)
+      for (int i = 0; i < W; ++i) {
+        const double x = from.q[first + (i < used ? i : used - 1)][v.roles.joint[k]];
+        set_lane(q.c[k], i, v.roles.prismatic[k] ? x : __builtin_cos(x));
+        set_lane(q.s[k], i, v.roles.prismatic[k] ? 0.0 : __builtin_sin(x));
+      }
+    const Closure<G> end = polish(wide, v.roles, q, 20, 3e-16);
+    for (int i = 0; i < used; ++i) {
+      if (!(lane(end.residual, i) < kVerified)) continue;
+      double values[6];
+      for (int k = 0; k < 6; ++k)
+        values[v.roles.joint[k]] = v.roles.prismatic[k] ? lane(q.c[k], i) : __builtin_atan2(lane(q.s[k], i), lane(q.c[k], i));
+      insert(into, values, lane(end.sigma, i), lane(end.residual, i), model.prismatic);
+    }
+  }
+}
+
+// Everything there is beyond the best variant. True when the pose is settled in the end.
+inline bool escalate(const Model& model, const Pose<double>& pose, Found& found) {
+  Report report;
+  for (int n = 1; n < model.variants; ++n) {
+    const int before = found.count;
+    solve_variant(model, model.variant[n], pose, 1, &found, &report);
+    if (found.count == before && settled(report, found)) return true;
+  }
+  Random random{7};
+  for (int n = 0; n < 4; ++n) {  // the same elimination in turned charts
+    Variant v = model.variant[n % model.variants];
+    const double a = kTwoPi * random.uniform(), b = kTwoPi * random.uniform();
+    v.chart = {__builtin_cos(a), __builtin_sin(a), __builtin_cos(b), __builtin_sin(b)};
+    fill_constants(model, v);
+    const int before = found.count;
+    solve_variant(model, v, pose, 1, &found, &report);
+    if (found.count == before && settled(report, found)) return true;
+  }
+  int quiet = 0;
+  double size = 1e-7;
+  for (int n = 0; n < 10 && quiet < 4; ++n, size *= 4) {
+    const Variant& v = model.variant[n % (model.variants < 3 ? model.variants : 3)];
+    Found near;
+    near.count = 0;
+    solve_variant(model, v, perturbed(pose, size, model.scale, random), 1, &near, &report);
+    const int before = found.count;
+    polish_onto(model, v, pose, near, found);
+    quiet = found.count == before && settled(report, near) && even(found) ? quiet + 1 : 0;
+  }
+  return quiet >= 4;
+}
+
+// Ascending by joint 1, then 2, ...; joints that agree to 1e-6 count as equal, so that rounding does not change the order.
+inline bool comes_before(const double* a, const double* b) {
+  for (int k = 0; k < 6; ++k)
+    if (__builtin_fabs(a[k] - b[k]) > 1e-6) return a[k] < b[k];
+  return false;
+}
+
+inline void write_pose(const Model& model, const Found& found, bool certain, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+  int order[kMaxFound];
+  for (int i = 0; i < found.count; ++i) order[i] = i;
+  int count = found.count;
+  *flag = 0;
+  if (count > kSlots) {  // members of a continuous family crowd in: isolated solutions first
+    for (int i = 1; i < count; ++i)
+      for (int j = i; j > 0 && found.sigma[order[j]] > found.sigma[order[j - 1]]; --j) {
+        const int t = order[j];
+        order[j] = order[j - 1];
+        order[j - 1] = t;
+      }
+    count = kSlots;
+    *flag |= kDegenerate;
+  }
+  for (int i = 1; i < count; ++i)
+    for (int j = i; j > 0 && comes_before(found.q[order[j]], found.q[order[j - 1]]); --j) {
+      const int t = order[j];
+      order[j] = order[j - 1];
+      order[j - 1] = t;
+    }
+  for (int i = 0; i < kSlots; ++i) {
+    valid[i] = i < count;
+    for (int k = 0; k < 6; ++k)
+      q[6 * i + k] = i < count ? found.q[order[i]][k] * (model.prismatic[k] ? model.scale : 1.0) : 0.0;
+    if (i < count && (found.merged[order[i]] || found.sigma[order[i]] < kDegenerateSigma)) *flag |= kDegenerate;
+  }
+  if (!certain) *flag |= kUncertain;
+  else if (count == 0) *flag |= kOutOfReach;
+}
+
+}  // namespace general
+
+inline void solve_general(const double* params, const int*, const double* T, long count, double* q, std::uint8_t* valid,
+                          std::uint8_t* flag) {
+  using namespace general;
+  constexpr int W = PIEPER_LANES;
+  using G = Lanes<W>;
+  const Model& model = *reinterpret_cast<const Model*>(params);
+  for (long done = 0; done < count; done += W) {
+    const int used = count - done < W ? static_cast<int>(count - done) : W;
+    double padded[16 * W];
+    for (int i = 0; i < W; ++i)  // idle lanes repeat the last pose
+      for (int k = 0; k < 16; ++k) padded[16 * i + k] = T[16 * (done + (i < used ? i : used - 1)) + k];
+    Found found[W];
+    Report report[W];
+    for (Found& f : found) f.count = 0;
+    solve_variant(model, model.variant[0], load_poses<G>(padded), used, found, report);
+    for (int i = 0; i < used; ++i) {
+      bool certain = settled(report[i], found[i]);
+      if (!certain) certain = escalate(model, load_poses<double>(padded + 16 * i), found[i]);
+      write_pose(model, found[i], certain, q + (done + i) * 6 * kSlots, valid + (done + i) * kSlots, flag + done + i);
+    }
+  }
+}
+
+}  // namespace pieper::PIEPER_ISA

@@ -1,0 +1,233 @@
+// Making the model of an arm: which variants of the elimination exist, and how well each does on test poses.
+//
+// Special geometry (parallel or meeting axes) makes some variants vanish identically and others ill-conditioned, while another hidden
+// joint is at ease: so all are tried when the arm is made. Two things are measured on random poses: the determinant in the hidden
+// angle must be a trigonometric polynomial of degree 8 (or 4), so what lies above is noise; and the joint vector that made the pose,
+// and every solution that some other variant found, must be found.
+#pragma once
+
+#include "general_solve.hpp"
+
+namespace pieper::PIEPER_ISA::general {
+
+struct Random {  // Steele, Lea and Flood's splitmix64 (2014)
+  std::uint64_t state;
+  double uniform() {
+    state += 0x9e3779b97f4a7c15ull;
+    std::uint64_t z = state;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+  }
+};
+
+// Forward kinematics in scaled lengths.
+inline Frame<double> forward(const Model& model, const double* q) {
+  Frame<double> at = model.link[0];
+  for (int k = 0; k < 6; ++k) {
+    Frame<double> z{};
+    z.r[0][0] = z.r[1][1] = z.r[2][2] = 1;
+    if (model.prismatic[k]) z.p[2] = q[k];
+    else {
+      z.r[0][0] = z.r[1][1] = __builtin_cos(q[k]);
+      z.r[1][0] = __builtin_sin(q[k]);
+      z.r[0][1] = -z.r[1][0];
+    }
+    at = at * z * model.link[k + 1];
+  }
+  return at;
+}
+
+inline Pose<double> as_pose(const Frame<double>& a, double scale) {
+  Pose<double> out;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) out.r[i][j] = a.r[i][j];
+    out.p[i] = a.p[i] * scale;
+  }
+  return out;
+}
+
+// Can this hand-out of roles be eliminated at all, and with which layout?
+inline bool layout_of(const Roles& roles, int& layout) {
+  const bool* p = roles.prismatic;
+  if (p[1] || p[2] || p[5]) return false;
+  const int n = p[0] + p[3] + p[4];
+  if (n > 2) return false;
+  layout = n < 2 ? kTwelve : p[0] ? kTwoApart : kTwoInPair;
+  return true;
+}
+
+inline void fill_constants(const Model& model, Variant& v) {
+  Pose<double> any{};
+  any.r[0][0] = any.r[1][1] = any.r[2][2] = 1;
+  Frame<double> link[6];
+  role_links(model, v.roles, any, link);
+  left_side(link, v.roles, v.chart, v.swap, v.left);
+  if (v.layout == kTwelve) row_space<double, 12>(v.left, v.layout, v.basis);
+  else row_space<double, 6>(v.left, v.layout, v.basis6);
+}
+
+// What of the determinant lies above its degree, relative to all of it; 1 when it vanishes.
+inline double determinant_noise(const Model& model, const Variant& v, const Pose<double>& pose) {
+  constexpr int K = 24;
+  const int degree = v.layout == kTwelve ? 8 : 4;
+  Frame<double> link[6];
+  role_links(model, v.roles, pose, link);
+  RightSide<double> right;
+  right_side(link, v.roles, right);
+  Equations<double> eq;
+  const bool yp = v.roles.prismatic[v.swap ? 4 : 3], xp = v.roles.prismatic[v.swap ? 3 : 4];
+  if (v.pose_free()) eliminate(v.left, right, v.layout, yp, xp, eq);
+  else {
+    LeftSide<double> left;
+    left_side(link, v.roles, v.chart, v.swap, left);
+    eliminate(left, right, v.layout, yp, xp, eq);
+  }
+  double value[K], c[K], s[K];
+  using G = Lanes<PIEPER_LANES>;
+  Equations<G> wide;
+  for (int r = 0; r < 6; ++r)
+    for (int j = 0; j < 27; ++j) wide.e[r][j] = G(eq.e[r][j]);
+  double scale = 0;
+  for (int r = 0; r < 6; ++r)
+    for (int j = 0; j < 27; ++j) scale += eq.e[r][j] * eq.e[r][j];
+  for (int i = 0; i < K; ++i) {
+    c[i] = __builtin_cos(kTwoPi * i / K);
+    s[i] = __builtin_sin(kTwoPi * i / K);
+  }
+  for (int i = 0; i < K; i += PIEPER_LANES) {
+    const G d = v.layout == kTwelve ? determinant<G, 12>(wide, v.layout, load<G>(c + i), load<G>(s + i))
+                                    : determinant<G, 6>(wide, v.layout, load<G>(c + i), load<G>(s + i));
+    store(value + i, d);
+  }
+  double low = 0, high = 0;
+  for (int k = 0; k <= K / 2; ++k) {
+    double a = 0, b = 0;
+    for (int i = 0; i < K; ++i) {
+      const int at = (i * k) % K;
+      a += value[i] * c[at];
+      b += value[i] * s[at];
+    }
+    const double size = __builtin_sqrt(a * a + b * b);
+    if (k <= degree) low = size > low ? size : low;
+    else high = size > high ? size : high;
+  }
+  return low > 0 ? high / low : 1.0;
+}
+
+inline double median(double* x, int n) {
+  for (int i = 1; i < n; ++i)
+    for (int j = i; j > 0 && x[j] < x[j - 1]; --j) {
+      const double t = x[j];
+      x[j] = x[j - 1];
+      x[j - 1] = t;
+    }
+  return x[n / 2];
+}
+
+struct Trial {
+  int usable, missed, open;
+  double noise;
+};
+
+inline constexpr int kTestPoses = 16;
+inline constexpr int kTried = 24;
+
+// Fills model.variant, best first. `trials` (kTried) is told about every hand-out in the order shift, direction, swap.
+inline void choose_variants(Model& model, Trial* trials) {
+  using G = Lanes<PIEPER_LANES>;
+  constexpr int W = PIEPER_LANES, groups = (kTestPoses + W - 1) / W;
+  Random random{2026};
+  Pose<double> pose[groups * W];
+  double made[groups * W][6];
+  for (int i = 0; i < groups * W; ++i) {
+    for (int k = 0; k < 6; ++k) made[i][k] = model.prismatic[k] ? 2 * random.uniform() - 1 : kTwoPi * random.uniform() - kPi;
+    pose[i] = as_pose(forward(model, made[i]), model.scale);
+  }
+  Variant* all = static_cast<Variant*>(__builtin_malloc(sizeof(Variant) * kTried));
+  Found* all_found = static_cast<Found*>(__builtin_malloc(sizeof(Found) * (groups * W)));
+  Found* own = static_cast<Found*>(__builtin_malloc(sizeof(Found) * (groups * W) * kTried));
+  for (int i = 0; i < groups * W; ++i) {
+    all_found[i].count = 0;
+    insert(all_found[i], made[i], 1, 0, model.prismatic);
+  }
+  for (int t = 0; t < kTried; ++t) {
+    Variant& v = all[t];
+    Trial& trial = trials[t];
+    trial = {0, kTestPoses * 16, 0, 1.0};
+    v.roles.assign(t / 4, (t / 2) % 2, model.prismatic);
+    v.swap = t % 2;
+    v.chart = {__builtin_cos(0.7), __builtin_sin(0.7), __builtin_cos(0.4), __builtin_sin(0.4)};
+    if (!layout_of(v.roles, v.layout)) continue;
+    const bool one_in_pair = v.roles.prismatic[3] != v.roles.prismatic[4];
+    if (v.layout == kTwoApart && !v.roles.prismatic[v.swap ? 4 : 3]) continue;
+    if (!one_in_pair && v.swap) continue;
+    fill_constants(model, v);
+    double noise[8];
+    for (int i = 0; i < 8; ++i) noise[i] = determinant_noise(model, v, pose[i]);
+    v.noise = trial.noise = median(noise, 8);
+    if (!(trial.noise < 1e-6)) continue;
+    trial.usable = 1;
+    trial.missed = 0;
+    for (int g = 0; g < groups; ++g) {
+      Pose<G> wide;
+      for (int i = 0; i < W; ++i) {
+        for (int r = 0; r < 3; ++r) {
+          for (int k = 0; k < 3; ++k) set_lane(wide.r[r][k], i, pose[g * W + i].r[r][k]);
+          set_lane(wide.p[r], i, pose[g * W + i].p[r]);
+        }
+        own[t * groups * W + g * W + i].count = 0;
+      }
+      Report report[W];
+      solve_variant(model, v, wide, W, own + t * groups * W + g * W, report);
+      for (int i = 0; i < W; ++i) {
+        trial.open += report[i].unresolved + 100 * report[i].doubtful;
+        const Found& f = own[t * groups * W + g * W + i];
+        for (int k = 0; k < f.count; ++k) insert(all_found[g * W + i], f.q[k], f.sigma[k], f.residual[k], model.prismatic);
+      }
+    }
+  }
+  double score[kTried];
+  for (int t = 0; t < kTried; ++t) {
+    score[t] = 1e300;
+    if (!trials[t].usable) continue;
+    for (int i = 0; i < groups * W; ++i) {
+      Found f = own[t * groups * W + i];
+      const int before = f.count;
+      for (int k = 0; k < all_found[i].count; ++k) insert(f, all_found[i].q[k], 1, 0, model.prismatic);
+      trials[t].missed += f.count - before;
+    }
+    // losses first, then noise by orders of magnitude, then open ends, then what costs time
+    double noise = trials[t].noise > 1e-15 ? __builtin_log10(trials[t].noise / 1e-15) : 0;
+    score[t] = 1000.0 * trials[t].missed + 3 * noise + 0.5 * trials[t].open + (all[t].pose_free() ? 0 : 2);
+  }
+  model.variants = 0;
+  for (int n = 0; n < kMaxVariants; ++n) {
+    int best = 0;
+    for (int t = 1; t < kTried; ++t)
+      if (score[t] < score[best]) best = t;
+    if (!(score[best] < 1e299)) break;
+    if (trials[best].missed > kTestPoses) break;  // of no use even as a second opinion
+    model.variant[model.variants++] = all[best];
+    score[best] = 1e300;
+  }
+  __builtin_free(all);
+  __builtin_free(all_found);
+  __builtin_free(own);
+}
+
+// links: 7 x 16 row-major, in metres, origins already slid; false when no variant is of use.
+inline bool make_model(const double* links, const std::uint8_t* prismatic, double scale, Model& model, Trial* trials) {
+  __builtin_memset(&model, 0, sizeof(Model));
+  model.scale = scale;
+  for (int k = 0; k < 7; ++k) model.link[k] = frame_of(links + 16 * k, scale);
+  for (int k = 0; k < 6; ++k) {
+    model.prismatic[k] = prismatic[k] != 0;
+    model.prismatic_count += model.prismatic[k];
+  }
+  model.expected = model.prismatic_count < 2 ? 16 : model.prismatic_count == 2 ? 8 : 2;
+  choose_variants(model, trials);
+  return model.variants > 0;
+}
+
+}  // namespace pieper::PIEPER_ISA::general
