@@ -149,6 +149,28 @@ template <int W> PIEPER_INLINE Lanes<W> sqrt(Lanes<W> x) {
 template <class F> PIEPER_INLINE F max(F a, F b) { return select(a > b, a, b); }
 template <class F> PIEPER_INLINE F min(F a, F b) { return select(a < b, a, b); }
 
+// ---- the bits of a number, for signs ------------------------------------------------------------------------------
+template <class F> struct BitsOf { using type = std::int64_t; };
+template <int W> struct BitsOf<Lanes<W>> { using type = typename LaneTypes<W>::Bits; };
+template <class F> using Bits = typename BitsOf<F>::type;
+
+PIEPER_INLINE std::int64_t bits_in(double x) { return __builtin_bit_cast(std::int64_t, x); }
+PIEPER_INLINE double from_bits(std::int64_t b) { return __builtin_bit_cast(double, b); }
+template <int W> PIEPER_INLINE typename LaneTypes<W>::Bits bits_in(Lanes<W> x) { return (typename LaneTypes<W>::Bits)x.v; }
+
+// x with its sign turned where bit 1 (worth 2) of `quadrant` is set.
+PIEPER_INLINE double turned(double x, std::int64_t quadrant) {
+  return from_bits(bits_in(x) ^ ((quadrant & 2) << 62));
+}
+template <int W> PIEPER_INLINE Lanes<W> turned(Lanes<W> x, typename LaneTypes<W>::Bits quadrant) {
+  return (typename LaneTypes<W>::Values)(bits_in(x) ^ ((quadrant & 2) << 62));
+}
+// Where bit 0 of `quadrant` is set.
+template <class F> PIEPER_INLINE Mask<F> is_odd(Bits<F> quadrant) {
+  if constexpr (width_of<F> == 1) return quadrant & 1;
+  else return {-(quadrant & 1)};
+}
+
 // ---- memory -------------------------------------------------------------------------------------------------------
 template <class F> PIEPER_INLINE F load(const double* p) {
   if constexpr (width_of<F> == 1) return *p;

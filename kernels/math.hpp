@@ -43,7 +43,8 @@ template <class F> PIEPER_INLINE void sincos(F x, F& s, F& c) {
   constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52: adding and subtracting it rounds to an integer
   constexpr double piece1 = 1.57079632673412561417e+00, piece2 = 6.07710050630396597660e-11,
                    piece3 = 2.02226624879595063154e-21;  // their sum is pi/2 to 118 bits
-  F n = (x * 0.63661977236758134308 + to_integer) - to_integer;
+  F shifted = x * 0.63661977236758134308 + to_integer;
+  F n = shifted - to_integer;
   F high = x - n * piece1;
   F step = n * piece2;
   F middle = high - step;
@@ -51,18 +52,10 @@ template <class F> PIEPER_INLINE void sincos(F x, F& s, F& c) {
   F r = middle - low;
   F tail = (middle - r) - low;
   F sr = sine_polynomial(r, tail), cr = cosine_polynomial(r, tail);
-  // n modulo 4 without integers: quarter = n/4 - floor is 0, 1/4, 1/2, 3/4 (as -1/2, -1/4, 0, 1/4 around the nearest).
-  F half_turns = n * 0.5;
-  F odd = abs(half_turns - ((half_turns + to_integer) - to_integer));  // 1/2 when n is odd
-  F quarter = n * 0.25;
-  F rest = quarter - ((quarter + to_integer) - to_integer);            // -1/2 or 1/2, -1/4, 0, 1/4
-  auto swap = odd > 0.25;
-  auto negate_sine = (abs(rest) > 0.375) | (rest == -0.25);
-  auto negate_cosine = (abs(rest) > 0.375) | (rest == 0.25);
-  s = select(swap, cr, sr);
-  c = select(swap, sr, cr);
-  s = select(negate_sine, -s, s);
-  c = select(negate_cosine, -c, c);
+  auto quadrant = bits_in(shifted);  // its lowest two bits count quarter turns
+  auto swap = is_odd<F>(quadrant);
+  s = turned(select(swap, cr, sr), quadrant);
+  c = turned(select(swap, sr, cr), quadrant + 1);
   auto huge = !(abs(x) <= kReductionLimit);
   if (__builtin_expect(any(huge), 0)) {
     for (int i = 0; i < width_of<F>; ++i) {
@@ -73,6 +66,26 @@ template <class F> PIEPER_INLINE void sincos(F x, F& s, F& c) {
       }
     }
   }
+}
+
+// The same for |x| of a few turns at most, and good to about 1e-16 absolute rather than relative: what a check needs.
+template <class F> PIEPER_INLINE void sincos_of_turns(F x, F& s, F& c) {
+  constexpr double to_integer = 6755399441055744.0, piece1 = 1.57079632673412561417e+00, rest = 6.07710050650619224932e-11;
+  F shifted = x * 0.63661977236758134308 + to_integer;
+  F n = shifted - to_integer;
+  F r = (x - n * piece1) - n * rest;
+  F t = r * r, t2 = t * t;
+  F sp = (-0.16666666666666632 + t * 0.008333333333322432) +
+         t2 * ((-0.00019841269829821339 + t * 2.7557313696227665e-06) +
+               t2 * (-2.505075875015891e-08 + t * 1.589683084517093e-10));
+  F cp = (0.0416666666666666 + t * -0.001388888888887425) +
+         t2 * ((2.4801587289551407e-05 + t * -2.755731437032182e-07) +
+               t2 * (2.087572551196537e-09 + t * -1.1359755337367016e-11));
+  F sr = r + (r * t) * sp, cr = (1.0 - 0.5 * t) + t2 * cp;
+  auto quadrant = bits_in(shifted);
+  auto swap = is_odd<F>(quadrant);
+  s = turned(select(swap, cr, sr), quadrant);
+  c = turned(select(swap, sr, cr), quadrant + 1);
 }
 
 // The angle of (x, y) in (-pi, pi]; 0 for (0, 0). NaN in, NaN out.

@@ -10,10 +10,26 @@
 namespace pieper::PIEPER_ISA::closed_form {
 
 struct PositionRoots {
-  double q[kMostPairs][3];
+  static constexpr int most = 2 * kMostPairs;
+  double q[most][3];
+  bool free[most];  // the middle joint may have any value
   int count = 0;
   bool degenerate = false;
+
+  void add(double a, double b, double c, bool any_b) {
+    if (count == most) return;
+    for (int k = 0; k < count; ++k)
+      if (std::fabs(q[k][0] - a) + std::fabs(q[k][1] - b) + std::fabs(q[k][2] - c) < 1e-13) return;
+    q[count][0] = a, q[count][1] = b, q[count][2] = c, free[count++] = any_b;
+  }
 };
+
+// The turn about z that takes `from` to `to`; any will do when both lie on the axis.
+inline double turn_between(Vec3 from, Vec3 to, bool& free) {
+  free = from.x * from.x + from.y * from.y < 1e-26 || to.x * to.x + to.y * to.y < 1e-26;
+  if (free) return 0;
+  return std::atan2(to.y * from.x - to.x * from.y, to.x * from.x + to.y * from.y);
+}
 
 // An affine function of one joint's terms: at + first * f1 (+ second * f2), f2 absent for a sliding joint.
 struct Swing {
@@ -24,6 +40,36 @@ inline Vec3 swing_at(const Swing& s, double x, bool slides) {
   if (slides) return s.at + x * s.first;
   return s.at + std::cos(x) * s.first + std::sin(x) * s.second;
 }
+
+// First and second derivative of a swing.
+inline void swing_slopes(const Swing& s, double x, bool slides, Vec3& d, Vec3& dd) {
+  if (slides) {
+    d = s.first, dd = {0, 0, 0};
+    return;
+  }
+  double c = std::cos(x), n = std::sin(x);
+  d = c * s.second - n * s.first;
+  dd = -c * s.first - n * s.second;
+}
+
+// Height and squared distance from the z axis of w(a) - u(c), as a pair of separable equations.
+struct AxisEquations {
+  const Swing &w, &u;
+  bool slides_a, slides_c;
+  void operator()(double a, double c, Separable& flat, Separable& bent) const {
+    Vec3 p = swing_at(w, a, slides_a), r = swing_at(u, c, slides_c), dp, ddp, dr, ddr;
+    swing_slopes(w, a, slides_a, dp, ddp);
+    swing_slopes(u, c, slides_c, dr, ddr);
+    flat = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
+    bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y), -2 * (r.x * dr.x + r.y * dr.y),
+            2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
+            -2 * (r.x * ddr.x + r.y * ddr.y + dr.x * dr.x + dr.y * dr.y)};
+    if (flat.a * flat.a + flat.c * flat.c < bent.a * bent.a + bent.c * bent.c) {
+      Separable swap = flat;
+      flat = bent, bent = swap;
+    }
+  }
+};
 
 // B Z c as a function of the joint.
 inline Swing swing_of(const Rigid& B, Vec3 c, bool slides) {
@@ -76,22 +122,17 @@ inline void solve_position(const Rigid& A, const Rigid& B, Vec3 c, Vec3 g, const
   PairRoots pairs;
   solve_pair(s, pairs);
   out.degenerate = pairs.degenerate;
+  const AxisEquations equations{w, u, slides[0], slides[2]};
   for (int i = 0; i < pairs.count; ++i) {
-    Vec3 from = swing_at(u, pairs.c[i], slides[2]), to = swing_at(w, pairs.a[i], slides[0]);
-    double middle;
-    if (slides[1]) {
-      middle = to.z - from.z;
-    } else {
-      double tiny = 1e-11;
-      if (from.x * from.x + from.y * from.y < tiny * tiny) {  // the point lies on the middle axis: any angle will do
-        middle = 0;
-        out.degenerate = true;
-      } else {
-        middle = std::atan2(to.y * from.x - to.x * from.y, to.x * from.x + to.y * from.y);
-      }
+    double refined[2][2] = {{pairs.a[i], pairs.c[i]}, {}};
+    int branches = slides[1] ? 1 : refine_pair(equations, pairs.a[i], pairs.c[i], refined);
+    for (int k = 0; k < branches; ++k) {
+      Vec3 from = swing_at(u, refined[k][1], slides[2]), to = swing_at(w, refined[k][0], slides[0]);
+      bool free = false;
+      double middle = slides[1] ? to.z - from.z : turn_between(from, to, free);
+      out.degenerate |= free;
+      out.add(refined[k][0], middle, refined[k][1], free);
     }
-    double* q = out.q[out.count++];
-    q[0] = pairs.a[i], q[1] = middle, q[2] = pairs.c[i];
   }
 }
 

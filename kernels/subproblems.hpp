@@ -222,4 +222,54 @@ inline void solve_pair(const PairSystem& s, PairRoots& out) {
   else solve_apart(s, out);
 }
 
+// One equation f(a) + g(c) = 0 of a pair, with its derivatives.
+struct Separable {
+  double value, a, c, aa, cc;
+};
+
+// Where two roots of a pair come close, rounding in the quartic leaves both uncertain by its square root. This evaluates the
+// equations afresh (`at(a, c, flat, bent)`, `bent` being the one whose gradient may vanish), steps to `flat` = 0 and solves `bent` to
+// second order along it: both roots come back at full accuracy. At most two are written.
+template <class Equations> inline int refine_pair(const Equations& at, double a, double c, double (*out)[2]) {
+  double start[2][2] = {{a, c}, {a, c}};
+  int branches = 1;
+  double size_limit = 0.3;
+  for (int branch = 0; branch < branches; ++branch) {
+    double x = start[branch][0], y = start[branch][1];
+    for (int i = 0; i < 7; ++i) {
+      Separable flat, bent;
+      at(x, y, flat, bent);
+      double n2 = flat.a * flat.a + flat.c * flat.c;
+      if (!(n2 > 1e-24)) break;
+      double da = -flat.value * flat.a / n2, dc = -flat.value * flat.c / n2, n = std::sqrt(n2);
+      double ta = -flat.c / n, tc = flat.a / n;  // along flat = 0
+      double value = bent.value + bent.a * da + bent.c * dc + 0.5 * (bent.aa * da * da + bent.cc * dc * dc);
+      double slope = (bent.a + bent.aa * da) * ta + (bent.c + bent.cc * dc) * tc;
+      double lean = (bent.a * flat.a + bent.c * flat.c) / n2;  // bending of flat = 0 itself, weighed by the gradient of bent
+      double bend = bent.aa * ta * ta + bent.cc * tc * tc - lean * (flat.aa * ta * ta + flat.cc * tc * tc);
+      double disc = slope * slope - 2 * bend * value, step;
+      if (disc < 0) {
+        step = std::fabs(bend) > 0 ? -slope / bend : 0;
+      } else {
+        double root = std::sqrt(disc), t = slope >= 0 ? slope + root : slope - root;
+        step = t != 0 ? -2 * value / t : 0;
+        double other = std::fabs(bend) > 0 ? -t / bend : 1;
+        if (branch == 0 && i == 0 && std::fabs(other) < 0.05) {
+          branches = 2;
+          start[1][0] = x + da + other * ta, start[1][1] = y + dc + other * tc;
+        }
+      }
+      da += step * ta;
+      dc += step * tc;
+      if (!(std::fabs(da) < size_limit && std::fabs(dc) < size_limit)) break;
+      x += da;
+      y += dc;
+      if (std::fabs(da) + std::fabs(dc) < 4e-16 * (1 + std::fabs(x) + std::fabs(y))) break;
+    }
+    out[branch][0] = x;
+    out[branch][1] = y;
+  }
+  return branches;
+}
+
 }  // namespace pieper::PIEPER_ISA::closed_form

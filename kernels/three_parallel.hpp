@@ -17,8 +17,39 @@ namespace pieper::PIEPER_ISA::closed_form {
 
 inline PlanarLink read_planar(const Rigid& link) { return {{link.t.x, link.t.y}, std::atan2(link.x.y, link.x.x)}; }
 
-// The values of joints a, b, c that leave the rest to the plane. `free_b`: the middle one may have any value.
-inline void solve_around_plane(const LoopRest& rest, const bool* slides, PositionRoots& out, bool* free_b) {
+// A direction as a function of a joint: a sliding one leaves it alone.
+inline Vec3 direction_at(const Swing& s, double x, bool slides) { return slides ? s.at : swing_at(s, x, false); }
+
+// The normal's component along the middle axis (as the squared part across it, which stays accurate where the normal nearly lies along
+// the axis) and the height, as a pair of separable equations.
+struct PlaneEquations {
+  const Swing &ha, &w, &kc, &u;
+  Vec3 At, Bt;
+  double rise_a, rise_c, climb;
+  bool slides_a, slides_c;
+  void operator()(double a, double c, Separable& flat, Separable& bent) const {
+    Vec3 p = direction_at(w, a, slides_a), r = direction_at(u, c, slides_c), zero = {0, 0, 0};
+    Vec3 dp = zero, ddp = zero, dr = zero, ddr = zero, ph = direction_at(ha, a, slides_a), dph = zero, ddph = zero;
+    if (!slides_a) swing_slopes(w, a, false, dp, ddp), swing_slopes(ha, a, false, dph, ddph);
+    if (!slides_c) swing_slopes(u, c, false, dr, ddr);
+    flat = {climb + dot(ph, At) + dot(r, Bt) + rise_a * a + rise_c * c, dot(dph, At) + rise_a, dot(dr, Bt) + rise_c, dot(ddph, At),
+            dot(ddr, Bt)};
+    if (std::fabs(p.z) < 0.5) {
+      bent = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
+    } else {
+      bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y), -2 * (r.x * dr.x + r.y * dr.y),
+              2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
+              -2 * (r.x * ddr.x + r.y * ddr.y + dr.x * dr.x + dr.y * dr.y)};
+    }
+    if (flat.a * flat.a + flat.c * flat.c < bent.a * bent.a + bent.c * bent.c) {
+      Separable swap = flat;
+      flat = bent, bent = swap;
+    }
+  }
+};
+
+// The values of joints a, b, c that leave the rest to the plane.
+inline void solve_around_plane(const LoopRest& rest, const bool* slides, PositionRoots& out) {
   const Rigid& A = rest.A;
   const Rigid& B = rest.B;
   const Vec3 h = {rest.pre.x.z, rest.pre.y.z, rest.pre.z.z}, k = rest.C.z;
@@ -52,32 +83,26 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, Positio
   PairRoots pairs;
   solve_pair(s, pairs);
   out.degenerate = pairs.degenerate;
+  const PlaneEquations equations{ha, w, kc, u, A.t, B.t, slides[0] ? h.z : 0, slides[2] ? k.z : 0, climb, slides[0], slides[2]};
   for (int i = 0; i < pairs.count; ++i) {
-    double a = pairs.a[i], c = pairs.c[i];
-    Vec3 from = swing_at(u, c, false), to = swing_at(w, a, false);
-    if (slides[0]) to = w.at;
-    if (slides[2]) from = u.at;
-    double middle;
-    free_b[i] = false;
-    if (slides[1]) {
-      Vec3 ha_now = slides[0] ? h : swing_at(ha, a, false);
-      double rest_of_climb = climb + dot(ha_now, A.t) + dot(from, B.t) + (slides[0] ? a * h.z : 0) + (slides[2] ? c * k.z : 0);
-      if (!(std::fabs(to.z) > 1e-13)) {
+    double refined[2][2] = {{pairs.a[i], pairs.c[i]}, {}};
+    int branches = slides[1] ? 1 : refine_pair(equations, pairs.a[i], pairs.c[i], refined);
+    for (int n = 0; n < branches; ++n) {
+      double a = refined[n][0], c = refined[n][1], middle;
+      Vec3 from = direction_at(u, c, slides[2]), to = direction_at(w, a, slides[0]);
+      bool free = false;
+      if (!slides[1]) {
+        middle = turn_between(from, to, free);
+      } else if (std::fabs(to.z) > 1e-13) {
+        middle = -(climb + dot(direction_at(ha, a, slides[0]), A.t) + dot(from, B.t) + (slides[0] ? a * h.z : 0) +
+                   (slides[2] ? c * k.z : 0)) / to.z;
+      } else {  // the slide runs along the plane
         out.degenerate = true;
         continue;
       }
-      middle = -rest_of_climb / to.z;
-    } else if (from.x * from.x + from.y * from.y < 1e-22) {  // the normal lies along the middle axis
-      middle = 0;
-      free_b[i] = true;
-      out.degenerate = true;
-    } else {
-      middle = std::atan2(to.y * from.x - to.x * from.y, to.x * from.x + to.y * from.y);
+      out.degenerate |= free;
+      out.add(a, middle, c, free);
     }
-    double* q = out.q[out.count];
-    if (out.count != i) free_b[out.count] = free_b[i];
-    ++out.count;
-    q[0] = a, q[1] = middle, q[2] = c;
   }
 }
 
@@ -97,14 +122,13 @@ void solve_three_parallel(const double* params, const int* iparams, const double
     bool slides[3];
     for (int k = 0; k < 3; ++k) slides[k] = iparams[rest.joints[k]] != 0;
     PositionRoots roots;
-    bool free_b[kMostPairs];
-    solve_around_plane(rest, slides, roots, free_b);
+    solve_around_plane(rest, slides, roots);
     double room[kSlots * 6];
     Found found{6, kSlots, 0, room};
     found.degenerate = roots.degenerate;
     for (int k = 0; k < roots.count; ++k) {
       double* arm = roots.q[k];
-      const int tries = free_b[k] ? 16 : 1, before = found.count;
+      const int tries = roots.free[k] ? 16 : 1, before = found.count;
       for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
         arm[1] += trial * (2 * kPi / 16);
         Rigid around = joint(rest.pre, arm[0], slides[0]) * rest.A;
