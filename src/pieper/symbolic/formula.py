@@ -19,14 +19,40 @@ MAX_TOKENS = 60_000
 MAX_DEPTH = 60  # brackets inside brackets
 MAX_TREE_DEPTH = 300
 
-_SPELLING = {"\u00b1": "+-", "\u2213": "-+", "\u2212": "-", "\u2013": "-", "\u00b7": "*", "\u00d7": "*", "\u03c0": " pi ", "\u221a": " sqrt ",
-             "\u00b0": " deg ", "\u00b2": "^2", "\u03b8": "theta", "\u03c6": "phi", "\u03b3": "gamma", "\u03b2": "beta", "\u03b1": "alpha", "\u2032": "'"}
+_SPELLING = {
+    "\u00b1": "+-",
+    "\u2213": "-+",
+    "\u2212": "-",
+    "\u2013": "-",
+    "\u00b7": "*",
+    "\u00d7": "*",
+    "\u03c0": " pi ",
+    "\u221a": " sqrt ",
+    "\u00b0": " deg ",
+    "\u00b2": "^2",
+    "\u03b8": "theta",
+    "\u03c6": "phi",
+    "\u03b3": "gamma",
+    "\u03b2": "beta",
+    "\u03b1": "alpha",
+    "\u2032": "'",
+}
 _TOKEN = re.compile(
     r"(?P<space>\s+)|(?P<num>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+(?![A-Za-z\d]))?)"
     r"|(?P<trig>[cCsS](?:_?q_?\d)+(?![A-Za-z\d]))|(?P<name>[A-Za-z]+(?:_?\{[A-Za-z\d]+\}|(?:_?\d+)|_[A-Za-z]+\d*)?'*)"
-    r"|(?P<pm>\+/?-|-/?\+)|(?P<op>\*\*|[-+*/^()\[\]{},=])")
-_FUNCTION_NAMES = {**{f: f for f in FUNCTIONS}, "arctan": "atan", "arctan2": "atan2", "arcsin": "asin", "arccos": "acos", "arctg": "atan",
-                   "sgn": "sign", "cosine": "cos", "sine": "sin"}
+    r"|(?P<pm>\+/?-|-/?\+)|(?P<op>\*\*|[-+*/^()\[\]{},=])"
+)
+_FUNCTION_NAMES = {
+    **{f: f for f in FUNCTIONS},
+    "arctan": "atan",
+    "arctan2": "atan2",
+    "arcsin": "asin",
+    "arccos": "acos",
+    "arctg": "atan",
+    "sgn": "sign",
+    "cosine": "cos",
+    "sine": "sin",
+}
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
 _JOINT_NAME = re.compile(r"(?:theta|th|q|t)(\d+)$")
 _TRIG_NAME = re.compile(r"([cCsS])((?:q?\d)+)$")
@@ -38,7 +64,7 @@ class FormulaError(InputError):
 
 def _fail(text: str, at: int, message: str, **data) -> FormulaError:
     start = max(0, at - 60)
-    shown = text[start: at + 60].replace("\n", " ")
+    shown = text[start : at + 60].replace("\n", " ")
     if start:
         shown = "..." + shown
         start -= 3
@@ -60,7 +86,9 @@ class Parser:
         for fancy, plain in _SPELLING.items():
             text = text.replace(fancy, plain)
         if len(text) > MAX_CHARACTERS:
-            raise FormulaError(f"the formula has {len(text):,} characters; at most {MAX_CHARACTERS:,} are read. Split it with symbols of your own.")
+            raise FormulaError(
+                f"the formula has {len(text):,} characters; at most {MAX_CHARACTERS:,} are read. Split it with symbols of your own."
+            )
         self.text, self.names, self.joints = text, names, joints
         self.lower = {n.lower(): n for n in sorted(names)}
         self.tokens = self._tokenize()
@@ -73,12 +101,20 @@ class Parser:
             found = _TOKEN.match(self.text, position)
             if not found:
                 word = re.match(r"\w+", self.text[position:])
-                what = f"{word.group()!r} is no symbol" if word else f"the character {self.text[position]!r} has no meaning in a formula"
-                raise _fail(self.text, position, what + "; a formula holds symbols, numbers, brackets and known functions only")
+                what = (
+                    f"{word.group()!r} is no symbol"
+                    if word
+                    else f"the character {self.text[position]!r} has no meaning in a formula"
+                )
+                raise _fail(
+                    self.text, position, what + "; a formula holds symbols, numbers, brackets and known functions only"
+                )
             if found.lastgroup != "space":
                 tokens.append((found.lastgroup, found.group(), position))
                 if len(tokens) > MAX_TOKENS:
-                    raise FormulaError(f"the formula has more than {MAX_TOKENS:,} symbols; split it with symbols of your own.")
+                    raise FormulaError(
+                        f"the formula has more than {MAX_TOKENS:,} symbols; split it with symbols of your own."
+                    )
             position = found.end()
         tokens.append(("end", "", len(self.text)))
         return tokens
@@ -107,7 +143,9 @@ class Parser:
         for n in node.walk():
             depth[n] = 1 + max((depth[a] for a in n.args), default=0)
         if depth[node] > MAX_TREE_DEPTH:
-            raise FormulaError(f"the formula is nested {depth[node]:,} levels deep; at most {MAX_TREE_DEPTH} are read. Split it with symbols of your own.")
+            raise FormulaError(
+                f"the formula is nested {depth[node]:,} levels deep; at most {MAX_TREE_DEPTH} are read. Split it with symbols of your own."
+            )
         return node
 
     def parse_equation(self) -> tuple[Node, Node]:
@@ -204,7 +242,9 @@ class Parser:
             return self._name(text, position)
         if kind == "end":
             raise _fail(self.text, position, "the formula stops here, but something must follow")
-        raise _fail(self.text, position, f"{text!r} is not expected here; a symbol, a number or a bracket must stand here")
+        raise _fail(
+            self.text, position, f"{text!r} is not expected here; a symbol, a number or a bracket must stand here"
+        )
 
     def _bracket(self, opened: str, position: int) -> Node:
         self._deeper(position)
@@ -219,7 +259,11 @@ class Parser:
         if text != wanted:
             if kind == "end":
                 raise _fail(self.text, position, f"this bracket {opened!r} is never closed")
-            raise _fail(self.text, at, f"{text!r} is not expected here; {wanted!r} would close the bracket opened at character {position + 1}")
+            raise _fail(
+                self.text,
+                at,
+                f"{text!r} is not expected here; {wanted!r} would close the bracket opened at character {position + 1}",
+            )
 
     def _shorthand(self, letter: str, digits: list[str], position: int, signs: list[int] | None = None) -> Node:
         parts = []
@@ -318,8 +362,16 @@ class Parser:
             args = [self._primary()]
             self.depth -= 1
         if len(args) != FUNCTIONS[name]:
-            wanted = "one value" if FUNCTIONS[name] == 1 else "two values, atan2(sine part, cosine part)" if name == "atan2" else "two values"
-            raise _fail(self.text, position, f"{name} takes {wanted}, but {len(args)} {'is' if len(args) == 1 else 'are'} given")
+            wanted = (
+                "one value"
+                if FUNCTIONS[name] == 1
+                else "two values, atan2(sine part, cosine part)"
+                if name == "atan2"
+                else "two values"
+            )
+            raise _fail(
+                self.text, position, f"{name} takes {wanted}, but {len(args)} {'is' if len(args) == 1 else 'are'} given"
+            )
         node = call(name, *args)
         return Node("pow", (node, power)) if power is not None else node
 

@@ -9,7 +9,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from pieper.symbolic.tree import ANGLE, Node, add, angle_sum, call, joint_sum, mul, negated, num, positions, replaced, sym
+from pieper.symbolic.tree import (
+    ANGLE,
+    Node,
+    add,
+    angle_sum,
+    call,
+    joint_sum,
+    mul,
+    negated,
+    num,
+    positions,
+    replaced,
+    replaced_everywhere,
+    sym,
+)
 
 
 @dataclass(frozen=True)
@@ -50,7 +64,9 @@ KINDS = {
 }
 
 
-def slips(root: Node, lengths: dict[str, float], joints: int, others: tuple[str, ...] = (), *, angle: bool = False) -> Iterator[Slip]:
+def slips(
+    root: Node, lengths: dict[str, float], joints: int, others: tuple[str, ...] = (), *, angle: bool = False
+) -> Iterator[Slip]:
     """Yield the formulas that are one slip away, likelier slips first within each position.
 
     Args:
@@ -67,9 +83,17 @@ def slips(root: Node, lengths: dict[str, float], joints: int, others: tuple[str,
     numbers = _numbers(root, lengths)
     if angle:
         yield from _angle_slips(root, joints)
+    shared = _shared(root)
+    done: set[Node] = set()
     for path, node, parent in positions(root):
-        def slip(kind, says, new, cost=1.0, path=path):
-            return Slip(kind, says, replaced(root, path, new), cost)
+        if node in shared:
+            if node in done:
+                continue
+            done.add(node)
+
+        def slip(kind, says, new, cost=1.0, path=path, node=node):
+            tree = replaced_everywhere(root, node, new) if node in shared else replaced(root, path, new)
+            return Slip(kind, says, tree, cost)
 
         if _is_term(node, parent):
             yield slip("sign", f"the sign of {_short(node)}", negated(node), 0.5)
@@ -78,7 +102,7 @@ def slips(root: Node, lengths: dict[str, float], joints: int, others: tuple[str,
         if node.op == "call":
             yield from _call_slips(node, slip, joints)
         if node.op == "sym":
-            yield from _symbol_slips(node, slip, lengths, others)
+            yield from _symbol_slips(node, slip, lengths, others, joints)
         if node.op == "num":
             for value in numbers:
                 if value != node.value:
@@ -103,6 +127,15 @@ def slips(root: Node, lengths: dict[str, float], joints: int, others: tuple[str,
             yield slip("missing factor", f"a factor 2 lost from {_short(node)}", mul(num(2), node), 1.3)
             yield slip("extra factor", f"a factor 2 too many in {_short(node)}", Node("div", (node, num(2))), 1.8)
     yield from _unit_slips(root)
+
+
+def _shared(root: Node) -> set[Node]:
+    """Return the nodes that occur more than once: a symbol defined once and used twice carries its slip to both places."""
+    seen: set[Node] = set()
+    twice: set[Node] = set()
+    for node in root.walk():
+        (twice if node in seen else seen).add(node)
+    return twice
 
 
 def _is_term(node: Node, parent: Node | None) -> bool:
@@ -170,11 +203,11 @@ def _index_variants(parts, joints: int) -> Iterator[tuple]:
     for k, (s, j) in enumerate(parts):
         for other in range(1, joints + 1):
             if other not in used:
-                yield parts[:k] + ((s, other),) + parts[k + 1:]
+                yield parts[:k] + ((s, other),) + parts[k + 1 :]
         if len(parts) > 1:
-            yield parts[:k] + parts[k + 1:]
+            yield parts[:k] + parts[k + 1 :]
             if k:
-                yield parts[:k] + ((-s, j),) + parts[k + 1:]
+                yield parts[:k] + ((-s, j),) + parts[k + 1 :]
     for other in range(1, joints + 1):
         if other not in used and (other - 1 in used or other + 1 in used):
             yield tuple(sorted(parts + ((1, other),), key=lambda p: p[1]))
@@ -182,14 +215,14 @@ def _index_variants(parts, joints: int) -> Iterator[tuple]:
                 yield tuple(sorted(parts + ((-1, other),), key=lambda p: -p[0]))
 
 
-def _symbol_slips(node: Node, slip, lengths, others) -> Iterator[Slip]:
+def _symbol_slips(node: Node, slip, lengths, others, joints: int) -> Iterator[Slip]:
     name = node.value
     angle = ANGLE.match(name)
     family: list[str] = []
     if name in lengths:
         family = [m for m, v in lengths.items() if m != name and (v or m[0] == name[0])]
     elif angle:
-        family = [f"theta{j}" for j in range(1, 10) if f"theta{j}" != name and j <= 7]
+        family = [f"theta{j}" for j in range(1, joints + 1) if f"theta{j}" != name]
     elif len(name) == 2 and name[0] in "noap" and name[1] in "xyz":
         family = [name[0] + c for c in "xyz" if c != name[1]] + [c + name[1] for c in "noap" if c != name[0]]
     elif len(name) == 2 and name[0] == "P" and name[1] in "xyz":
@@ -205,24 +238,32 @@ def _symbol_slips(node: Node, slip, lengths, others) -> Iterator[Slip]:
 
 def _product_slips(node: Node, slip) -> Iterator[Slip]:
     for k, factor in enumerate(node.args):
-        rest = node.args[:k] + node.args[k + 1:]
+        rest = node.args[:k] + node.args[k + 1 :]
         yield slip("extra factor", f"{_short(factor)} too many in {_short(node)}", mul(*rest), 1.2)
         if k:
             for sign, word in ((1, "+"), (-1, "-")):
                 right = mul(*node.args[k:]) if sign > 0 else negated(mul(*node.args[k:]))
-                yield slip("product", f"a lost {word} between {_short(mul(*node.args[:k]))} and {_short(mul(*node.args[k:]))}",
-                           add(mul(*node.args[:k]), right), 1.6)
+                yield slip(
+                    "product",
+                    f"a lost {word} between {_short(mul(*node.args[:k]))} and {_short(mul(*node.args[k:]))}",
+                    add(mul(*node.args[:k]), right),
+                    1.6,
+                )
 
 
 def _sum_slips(node: Node, slip) -> Iterator[Slip]:
     for k, term in enumerate(node.args):
-        rest = node.args[:k] + node.args[k + 1:]
+        rest = node.args[:k] + node.args[k + 1 :]
         yield slip("extra term", f"{_short(term)} too many", add(*rest), 1.4)
         if k and node.args[k - 1].op != "pm" and term.op != "pm":
             left, right = node.args[k - 1], term.args[0] if term.op == "neg" else term
             merged = negated(mul(left.args[0], right)) if left.op == "neg" else mul(left, right)
-            yield slip("product", f"a sign between {_short(left)} and {_short(right)} where they are multiplied",
-                       add(*node.args[:k - 1], merged, *node.args[k + 1:]), 1.1)
+            yield slip(
+                "product",
+                f"a sign between {_short(left)} and {_short(right)} where they are multiplied",
+                add(*node.args[: k - 1], merged, *node.args[k + 1 :]),
+                1.1,
+            )
 
 
 def _angle_slips(root: Node, joints: int) -> Iterator[Slip]:
@@ -233,11 +274,20 @@ def _angle_slips(root: Node, joints: int) -> Iterator[Slip]:
     yield Slip("half turn", "a quarter of a turn", add(root, quarter), 1.4)
     yield Slip("half turn", "a quarter of a turn", add(root, negated(quarter)), 1.4)
     yield Slip("branch", "the second branch (+-) left out", Node("pm", (root,), 1), 1.0)
-    yield Slip("branch", "the second branch (half a turn on) left out", add(root, Node("div", (half, num(2))),
-               Node("pm", (Node("div", (half, num(2))),), 1)), 1.1)
+    yield Slip(
+        "branch",
+        "the second branch (half a turn on) left out",
+        add(root, Node("div", (half, num(2))), Node("pm", (Node("div", (half, num(2))),), 1)),
+        1.1,
+    )
     if root.op == "add" and any(t.op == "pm" and str(t.args[0]) == "pi" for t in root.args):
         rest = add(*[t for t in root.args if t.op != "pm"])
-        yield Slip("branch", "+-pi for {0, pi}: the principal value is lost", add(rest, quarter, Node("pm", (quarter,), 1)), 0.5)
+        yield Slip(
+            "branch",
+            "+-pi for {0, pi}: the principal value is lost",
+            add(rest, quarter, Node("pm", (quarter,), 1)),
+            0.5,
+        )
     for path, node, _ in positions(root):
         if node.op == "call" and node.value in ("atan", "atan2"):
             if node.value == "atan2":
@@ -251,10 +301,17 @@ def _angle_slips(root: Node, joints: int) -> Iterator[Slip]:
                     for negative in (False, True):
                         k = call("sign", call(name, sym(f"theta{joint}")))
                         k = negated(k) if negative else k
-                        new = call("atan2", mul(k, y) if not negative else negated(mul(k.args[0], y)),
-                                   mul(k, x) if not negative else negated(mul(k.args[0], x)))
-                        yield Slip("branch", f"the sign of the branch: both arguments of atan2 go with {k}", replaced(root, path, new),
-                                   0.7 + 0.05 * (name == "cos"))
+                        new = call(
+                            "atan2",
+                            mul(k, y) if not negative else negated(mul(k.args[0], y)),
+                            mul(k, x) if not negative else negated(mul(k.args[0], x)),
+                        )
+                        yield Slip(
+                            "branch",
+                            f"the sign of the branch: both arguments of atan2 go with {k}",
+                            replaced(root, path, new),
+                            0.7 + 0.05 * (name == "cos"),
+                        )
 
 
 def _unit_slips(root: Node) -> Iterator[Slip]:
@@ -268,5 +325,12 @@ def _unit_slips(root: Node) -> Iterator[Slip]:
     for path, node, _ in positions(root):
         if node.op == "num" and len(node.value) > 1:
             yield Slip("degrees", f"{node.value} in degrees for radians", replaced(root, path, mul(node, degree)), 2.0)
-            yield Slip("millimetres", f"{node.value} in millimetres for metres", replaced(root, path, Node("div", (node, thousand))), 2.0)
-            yield Slip("millimetres", f"{node.value} in metres for millimetres", replaced(root, path, mul(node, thousand)), 2.0)
+            yield Slip(
+                "millimetres",
+                f"{node.value} in millimetres for metres",
+                replaced(root, path, Node("div", (node, thousand))),
+                2.0,
+            )
+            yield Slip(
+                "millimetres", f"{node.value} in metres for millimetres", replaced(root, path, mul(node, thousand)), 2.0
+            )

@@ -6,14 +6,26 @@ A tree is evaluated by an *arithmetic* (NumPy arrays, mpmath numbers or sympy sy
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
-FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sqrt": 1, "sign": 1, "abs": 1, "hypot": 2}
+FUNCTIONS = {
+    "sin": 1,
+    "cos": 1,
+    "tan": 1,
+    "asin": 1,
+    "acos": 1,
+    "atan": 1,
+    "atan2": 2,
+    "sqrt": 1,
+    "sign": 1,
+    "abs": 1,
+    "hypot": 2,
+}
 ANGLE = re.compile(r"theta(\d+)$")
 
 
@@ -133,11 +145,17 @@ def _print(node: Node) -> str:
                 out += " + " + str(term)
         return out
     if op == "mul":
-        return " ".join(_wrap(f, ("add", "neg", "pm", "div") if i else ("add", "neg", "pm")) for i, f in enumerate(args))
+        return " ".join(
+            _wrap(f, ("add", "neg", "pm", "div") if i else ("add", "neg", "pm")) for i, f in enumerate(args)
+        )
     if op == "div":
         return _wrap(args[0], ("add", "neg", "pm")) + "/" + _wrap(args[1], ("add", "neg", "pm", "mul", "div"))
     if op == "pow":
-        return _wrap(args[0], ("add", "neg", "pm", "mul", "div", "pow")) + "^" + _wrap(args[1], ("add", "neg", "pm", "mul", "div", "pow"))
+        return (
+            _wrap(args[0], ("add", "neg", "pm", "mul", "div", "pow"))
+            + "^"
+            + _wrap(args[1], ("add", "neg", "pm", "mul", "div", "pow"))
+        )
     if node.value in ("sin", "cos"):
         parts = joint_sum(args[0])
         if parts:
@@ -230,7 +248,9 @@ class SymbolicArithmetic:
 NUMPY = NumpyArithmetic()
 
 
-def evaluate(node: Node, env: dict[str, Any], arithmetic=NUMPY, branch: int = 1, cache: dict | None = None, learn: bool = True):
+def evaluate(
+    node: Node, env: dict[str, Any], arithmetic=NUMPY, branch: int = 1, cache: dict | None = None, learn: bool = True
+):
     """Evaluate a tree.
 
     Args:
@@ -301,6 +321,16 @@ def replaced(root: Node, path: tuple[int, ...], new: Node) -> Node:
     return rebuilt(root, tuple(args))
 
 
+def replaced_everywhere(root: Node, old: Node, new: Node) -> Node:
+    """Return the tree with every occurrence of one shared node replaced."""
+    if root is old:
+        return new
+    if not root.args:
+        return root
+    args = tuple(replaced_everywhere(a, old, new) for a in root.args)
+    return root if all(x is y for x, y in zip(args, root.args)) else rebuilt(root, args)
+
+
 def positions(root: Node) -> Iterator[tuple[tuple[int, ...], Node, Node | None]]:
     """Yield (path, node, parent) for every node, top down."""
     stack: list[tuple[tuple[int, ...], Node, Node | None]] = [((), root, None)]
@@ -319,8 +349,4 @@ def substitute(node: Node, definitions: dict[str, Node]) -> Node:
     args = tuple(substitute(a, definitions) for a in node.args)
     if all(x is y for x, y in zip(args, node.args)):
         return node
-    if node.op == "add":
-        return add(*args)
-    if node.op == "mul":
-        return mul(*args)
-    return Node(node.op, args, node.value)
+    return rebuilt(node, args)

@@ -87,9 +87,13 @@ class ArmModel:
             ca, sa = _clean(arithmetic, row.alpha, alpha)
             ct, st = _clean(arithmetic, row.theta, theta)
             if self.convention == "standard":
-                out.append([[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st], [o, sa, ca, d], [o, o, o, i]])
+                out.append(
+                    [[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st], [o, sa, ca, d], [o, o, o, i]]
+                )
             else:
-                out.append([[ct, -st, o, a], [st * ca, ct * ca, -sa, -d * sa], [st * sa, ct * sa, ca, d * ca], [o, o, o, i]])
+                out.append(
+                    [[ct, -st, o, a], [st * ca, ct * ca, -sa, -d * sa], [st * sa, ct * sa, ca, d * ca], [o, o, o, i]]
+                )
         return out
 
     def frames(self, env: dict) -> dict[str, np.ndarray]:
@@ -149,8 +153,13 @@ def angle_node(value: float) -> Node:
     """Write an angle (rad) as an exact fraction of pi when it is a multiple of 15 degrees, otherwise as a number."""
     step = value / (np.pi / 12)
     if abs(step - round(step)) < 1e-10:
-        return num(0) if round(step) == 0 else mul(num(round(step)), Node("div", (sym("pi"), num(12)))) if round(step) > 0 else negated(
-            mul(num(-round(step)), Node("div", (sym("pi"), num(12)))))
+        return (
+            num(0)
+            if round(step) == 0
+            else mul(num(round(step)), Node("div", (sym("pi"), num(12))))
+            if round(step) > 0
+            else negated(mul(num(-round(step)), Node("div", (sym("pi"), num(12)))))
+        )
     return num(repr(float(value)))
 
 
@@ -172,7 +181,18 @@ def model_from_description(d, solver=None) -> ArmModel:
             dd = add(var, num(repr(float(shift)))) if shift else var
         rows.append(Row(sym(f"a{at}"), angle_node(row.alpha), dd, theta))
     aliases = {f"{c}{i + 1}": f"theta{i + 1}" for i in range(d.n) if d.joint_types[i] == "P" for c in "db"}
-    return ArmModel(d.name, d.convention, tuple(rows), values, "m", np.asarray(d.base), np.asarray(d.tool), np.asarray(d.limits), solver, aliases)
+    return ArmModel(
+        d.name,
+        d.convention,
+        tuple(rows),
+        values,
+        "m",
+        np.asarray(d.base),
+        np.asarray(d.tool),
+        np.asarray(d.limits),
+        solver,
+        aliases,
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,11 +242,11 @@ def evaluate_samples(model: ArmModel, q: np.ndarray, *, rng=None) -> Samples:
     nominal = np.ones(count, dtype=bool)
     env: dict[str, np.ndarray] = {"pi": np.full(count, np.pi)}
     if rng is not None:
-        nominal[count // 2:] = False
+        nominal[count // 2 :] = False
     for name, value in model.values.items():
         env[name] = np.full(count, float(value))
         if rng is not None:
-            env[name][count // 2:] *= np.round(rng.uniform(0.7, 1.4, count - count // 2), 3)
+            env[name][count // 2 :] *= np.round(rng.uniform(0.7, 1.4, count - count // 2), 3)
     for joint in range(1, model.n + 1):
         env[f"theta{joint}"] = q[:, joint - 1]
     for alias, target in model.aliases.items():

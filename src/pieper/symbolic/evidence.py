@@ -1,0 +1,135 @@
+"""What every judge of a claim works with: the arm, its sampled poses, the file's own symbols, and the words for a counter-example."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from pieper.errors import InputError
+from pieper.symbolic.arm_slips import ARM_KINDS, arm_slips
+from pieper.symbolic.matrices import value_of
+from pieper.symbolic.slip_search import Explanation, Target
+from pieper.symbolic.slips import KINDS
+from pieper.symbolic.tree import NUMPY, Node, evaluate, substitute
+from pieper.symbolic.truth import ArmModel, Samples, evaluate_samples, parse_for, pose_symbols, sample
+
+SOLVER_POSES = 16  # poses at which the other solutions are asked for
+
+
+@dataclass
+class Evidence:
+    """One arm, its samples and the symbols of the claims file.
+
+    Attributes:
+        model: the arm.
+        definitions: symbols of the file, each a formula; they may use one another.
+        seconds: time the slip search may take per claim.
+    """
+
+    model: ArmModel
+    definitions: dict[str, Node] = field(default_factory=dict)
+    seconds: float = 2.0
+    defined_text: dict[str, str] = field(default_factory=dict)
+
+    def define(self, name: str, text: str):
+        """Add a symbol of the file."""
+        if name in self.model.names() or name in self.model.aliases:
+            raise InputError(
+                f"the symbol {name!r} already means something for this arm; choose another name", symbol=name
+            )
+        self.definitions[name] = substitute(self.parse(str(text)), self.definitions)
+        self.defined_text[name] = str(text)
+        self.__dict__.pop("samples", None)
+
+    def parse(self, text: str, where: dict | None = None) -> Node:
+        """Read a formula of a claim; `where` holds definitions of this claim alone, which go into the formula itself."""
+        local: dict[str, Node] = {}
+        for name, body in (where or {}).items():
+            local[name] = substitute(parse_for(self.model, str(body), set(self.definitions) | set(local)), local)
+        node = parse_for(self.model, text, set(self.definitions) | set(local))
+        return substitute(node, local) if local else node
+
+    @cached_property
+    def samples(self) -> Samples:
+        """Joint vectors and everything that follows from them."""
+        out = sample(self.model)
+        self.fill(out.env)
+        return out
+
+    def fill(self, env: dict):
+        """Add the file's symbols to an environment."""
+        with np.errstate(all="ignore"):
+            for name, tree in self.definitions.items():
+                env[name] = np.broadcast_to(np.asarray(evaluate(tree, env, NUMPY), dtype=float), env["pi"].shape)
+
+    def environment(self, frame=None, samples: Samples | None = None) -> dict:
+        """Return the samples' symbols, the pose letters taken from another frame (a product, such as T03) when one is given."""
+        samples = samples or self.samples
+        if frame is None:
+            return samples.env
+        env = {**samples.env, **pose_symbols(value_of(frame, samples.frames))}
+        self.fill(env)
+        return env
+
+    def other_arms(self):
+        """Yield (kind, words, samples) with the same joint vectors and lengths for the arms one slip away."""
+        base = self.samples
+        for kind, words, model in arm_slips(self.model):
+            env = {
+                k: base.env[k]
+                for k in base.env
+                if k.startswith("theta") or k in model.values or k in model.aliases or k == "pi"
+            }
+            frames = model.frames(env)
+            env.update(pose_symbols(frames["T"]))
+            self.fill(env)
+            yield kind, words, Samples(base.q, env, frames, base.nominal)
+
+    def solutions_at(self, k: int) -> np.ndarray:
+        """Return all solutions of the pose of sample k, (m, n), before limits; raises what the solver raises."""
+        T = self.samples.frames["T"][k].copy()
+        T[:3, 3] *= 0.001 if self.model.unit == "mm" else 1.0
+        solved = self.model.solver.ik(T)
+        return np.asarray(solved.all_q)
+
+    def at(self, k: int, samples: Samples | None = None) -> str:
+        """Write the joint vector of sample k."""
+        samples = samples or self.samples
+        parts = []
+        for joint in range(1, self.model.n + 1):
+            value = samples.q[k, joint - 1]
+            parts.append(f"{value:g} {self.model.unit}" if self.model.sliding(joint) else f"{np.degrees(value):g}")
+        return "joints (" + ", ".join(parts) + ") deg"
+
+    def extra_lengths(self, k: int, node: Node) -> str:
+        """Write the lengths of sample k where they are not the arm's own."""
+        if self.samples.nominal[k]:
+            return ""
+        names = [m for m in self.model.values if m in node.symbols()]
+        return " with " + ", ".join(f"{m} = {self.samples.env[m][k]:g}" for m in names)
+
+    def target(self, wanted, *, angle=False, frame=None, rows=None) -> Target:
+        """Make the target of a slip search from the samples."""
+        env = self.environment(frame)
+        out = Target(env, wanted, angle)
+        return out if rows is None else out.restrict(rows)
+
+
+def tried_text(explanation: Explanation, arms_tried: dict[str, int] | None = None) -> str:
+    """Say what a search tried, by kind."""
+    parts = [f"{KINDS.get(kind, kind)} ({count})" for kind, count in explanation.tried.items()]
+    parts += [f"{ARM_KINDS.get(kind, kind)} ({count})" for kind, count in (arms_tried or {}).items()]
+    text = ", ".join(parts)
+    return text + ("" if explanation.complete else "; the search stopped at its time limit")
+
+
+def fresh_samples(model: ArmModel, q: np.ndarray) -> Samples:
+    """Evaluate an arm at given joint vectors, lengths as they are."""
+    return evaluate_samples(model, np.atleast_2d(np.asarray(q, dtype=float)))
+
+
+def number(value: float) -> str:
+    """Write a number with the digits a reader needs."""
+    return f"{value:.6g}"

@@ -1,0 +1,226 @@
+"""Products of matrices as papers write them: ``A1 A2^-1 T06``, ``(A1 A2 A3)^-1 T``, ``R03^T R06``, ``v1 + Q1 v2`` and entries ``T06[1,4]``."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.errors import InputError
+
+_PIECE = re.compile(
+    r"\s*(?:(?P<name>[A-Za-z]\w*)|(?P<inv>\^\s*\(?-1\)?|\^\{-1\})|(?P<tr>\^T|')|(?P<op>[()+*=-])|(?P<entry>\[\s*\d\s*,\s*\d\s*\]\s*$))"
+)
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A named matrix or a bracket, perhaps inverted or transposed."""
+
+    name: str = ""
+    inside: tuple[Factor, ...] = ()
+    inverse: bool = False
+    transpose: bool = False
+
+    def __str__(self) -> str:
+        text = self.name or "(" + " ".join(map(str, self.inside)) + ")"
+        return text + ("^-1" if self.inverse else "") + ("^T" if self.transpose else "")
+
+
+@dataclass(frozen=True)
+class Product:
+    """A sum of products of matrices with an optional entry picked from it (1-based, None for the whole)."""
+
+    terms: tuple[tuple[Factor, ...], ...]
+    entry: tuple[int, int] | None = None
+
+    def __str__(self) -> str:
+        text = " + ".join(" ".join(map(str, t)) for t in self.terms)
+        if self.entry:
+            text = (
+                f"({text})" if len(self.terms[0]) > 1 or len(self.terms) > 1 else text
+            ) + f"[{self.entry[0]},{self.entry[1]}]"
+        return text
+
+
+def parse_product(text: str, joints: int) -> Product:
+    """Read a product of matrices.
+
+    Args:
+        text: names A1.. (link), T06, T (base and tool included), R.. (its rotation), P.. (its position), Q1.. and v1.. (rotation and
+            position of a link), I; side by side or with ``*``, sums with ``+``, ``^-1``, ``^T``, brackets, ``[row,column]`` at the end.
+        joints: number of joints.
+
+    Returns:
+        The product.
+    """
+    pieces, at = [], 0
+    source = text
+    while text[at:].strip():
+        m = _PIECE.match(text, at)
+        if not m:
+            raise InputError(f"this is no product of matrices:\n  {source}\n  {' ' * at}^", text=source, position=at)
+        pieces.append((m.lastgroup, m.group(m.lastgroup), m.start(m.lastgroup)))
+        at = m.end()
+
+    def fail(position: int, message: str):
+        return InputError(f"{message}\n  {source}\n  {' ' * position}^", text=source, position=position)
+
+    entry = None
+    if pieces and pieces[-1][0] == "entry":
+        entry = tuple(int(d) for d in re.findall(r"\d", pieces[-1][1]))
+        if not (1 <= entry[0] <= 4 and 1 <= entry[1] <= 4):
+            raise fail(pieces[-1][2], f"a pose has rows and columns 1 to 4, not {entry}")
+        pieces.pop()
+    position = 0
+
+    def factors() -> tuple[Factor, ...]:
+        nonlocal position
+        out = []
+        while position < len(pieces):
+            kind, word, where = pieces[position]
+            if word == ")" or word == "+":
+                break
+            position += 1
+            if word == "*":
+                continue
+            if kind == "name":
+                if word in ("x", "X"):
+                    continue
+                check_name(word, joints, lambda message, w=where: fail(w, message))
+                out.append(Factor(word))
+            elif word == "(":
+                inner = factors()
+                if position >= len(pieces) or pieces[position][1] != ")":
+                    raise fail(where, "this bracket is never closed")
+                position += 1
+                out.append(Factor("", inner))
+            elif kind in ("inv", "tr") and out:
+                last = out.pop()
+                out.append(
+                    Factor(last.name, last.inside, last.inverse ^ (kind == "inv"), last.transpose ^ (kind == "tr"))
+                )
+            else:
+                raise fail(where, f"{word!r} is not expected here")
+        if not out:
+            raise fail(pieces[position][2] if position < len(pieces) else len(source), "a matrix must stand here")
+        return tuple(out)
+
+    terms = [factors()]
+    while position < len(pieces) and pieces[position][1] == "+":
+        position += 1
+        terms.append(factors())
+    if position < len(pieces):
+        raise fail(pieces[position][2], f"{pieces[position][1]!r} is not expected here")
+    return Product(tuple(terms), entry)
+
+
+def check_name(word: str, joints: int, fail):
+    """Refuse names that are no matrix of this arm."""
+    m = re.fullmatch(r"(?:[AQv](\d)|[TRP](\d)?(\d)?|I)", word)
+    if not m:
+        raise fail(f"{word!r} is no matrix; known are A1..A{joints}, Q1.., v1.., T, T0{joints}, R03, P03 and I")
+    for digit in m.groups():
+        if digit is not None and int(digit) > joints:
+            raise fail(f"{word!r}: the arm has {joints} joints")
+
+
+def value_of(product: Product, frames: dict[str, np.ndarray]) -> np.ndarray:
+    """Evaluate a product at all samples, (K, 4, 4), (K, 3, 3) or (K, 3); with an entry, (K,)."""
+    total = None
+    for term in product.terms:
+        value = _chain(term, frames)
+        total = value if total is None else total + value
+    if product.entry is None:
+        return total
+    row, column = product.entry
+    if total.ndim == 2:
+        return total[:, row - 1]
+    if row > total.shape[1] or column > total.shape[2]:
+        raise InputError(f"{product}: this matrix has {total.shape[1]} rows and {total.shape[2]} columns")
+    return total[:, row - 1, column - 1]
+
+
+def _chain(factors: tuple[Factor, ...], frames) -> np.ndarray:
+    out = None
+    for factor in factors:
+        M = _named(factor.name, frames) if factor.name else _chain(factor.inside, frames)
+        if factor.inverse:
+            M = np.linalg.inv(M)
+        if factor.transpose:
+            M = np.swapaxes(M, -1, -2)
+        if out is None:
+            out = M
+        else:
+            try:
+                out = (out @ M[..., None])[..., 0] if M.ndim == 2 else out @ M
+            except ValueError:
+                raise InputError(
+                    f"{' '.join(map(str, factors))}: a {out.shape[1:]} and a {M.shape[1:]} matrix cannot be multiplied"
+                ) from None
+    return out
+
+
+def _named(name: str, frames) -> np.ndarray:
+    if name == "I":
+        return np.broadcast_to(np.eye(4), frames["T"].shape)
+    if name[0] in "AQv" and len(name) == 2:
+        M = frames["A" + name[1]]
+    elif len(name) == 1:
+        M = frames["T"]
+    else:
+        first, last = (0, int(name[1])) if len(name) == 2 else (int(name[1]), int(name[2]))
+        M = np.broadcast_to(np.eye(4), frames["T"].shape)
+        for k in range(min(first, last), max(first, last)):
+            M = M @ frames[f"A{k + 1}"]
+        if first > last:
+            M = np.linalg.inv(M)
+    if name[0] in "RQ":
+        return M[:, :3, :3]
+    return M[:, :3, 3] if name[0] in "Pv" else M
+
+
+def product_slips(product: Product, joints: int) -> Iterator[tuple[str, str, Product]]:
+    """Yield (kind, words, product) for products one slip away: another order, an inverse, a factor lost or too many."""
+    for k, term in enumerate(product.terms):
+
+        def made(factors, k=k):
+            return Product(product.terms[:k] + (tuple(factors),) + product.terms[k + 1 :], product.entry)
+
+        inverses = [i for i, f in enumerate(term) if f.inverse and f.name]
+        if 2 <= len(inverses) <= 5:
+            for order in itertools.permutations(inverses):
+                if list(order) != inverses:
+                    new = list(term)
+                    for place, taken in zip(inverses, order):
+                        new[place] = term[taken]
+                    yield "order", "the inverses in the wrong order", made(new)
+        for i in range(len(term) - 1):
+            yield (
+                "order",
+                f"{term[i]} and {term[i + 1]} exchanged",
+                made(term[:i] + (term[i + 1], term[i]) + term[i + 2 :]),
+            )
+        for i, f in enumerate(term):
+            yield (
+                "inverse",
+                f"{f} for its inverse",
+                made(term[:i] + (Factor(f.name, f.inside, not f.inverse, f.transpose),) + term[i + 1 :]),
+            )
+            if f.transpose:
+                yield (
+                    "inverse",
+                    f"{f} transposed",
+                    made(term[:i] + (Factor(f.name, f.inside, f.inverse, False),) + term[i + 1 :]),
+                )
+        for i in range(len(term) + 1):
+            for joint in range(1, joints + 1):
+                for inverse in (False, True):
+                    extra = Factor(f"A{joint}", (), inverse)
+                    yield "missing factor", f"{extra} lost", made(term[:i] + (extra,) + term[i:])
+        for i, f in enumerate(term):
+            if len(term) > 1:
+                yield "extra factor", f"{f} too many", made(term[:i] + term[i + 1 :])

@@ -1,0 +1,131 @@
+"""The search for the one slip that explains a wrong formula: try every near formula and every near arm, keep what is right everywhere."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pieper.symbolic.slips import Slip
+from pieper.symbolic.tree import NUMPY, Node, evaluate
+
+ANGLE_TOLERANCE = 1e-7  # rad; acos loses half the digits near its ends
+VALUE_TOLERANCE = 1e-9  # relative to the size of the numbers compared
+
+
+@dataclass
+class Target:
+    """What a formula should give.
+
+    Attributes:
+        env: values of all symbols, (K,) each.
+        wanted: (K,) right values; for an equation (``eq`` tree) it is left out and both sides are compared.
+        angle: compare modulo a whole turn, and accept either sign of +-.
+        rows: which of the K samples count, (K,) bool or None for all.
+    """
+
+    env: dict[str, np.ndarray]
+    wanted: np.ndarray | None = None
+    angle: bool = False
+    rows: np.ndarray | None = None
+
+    def restrict(self, rows) -> Target:
+        """Return the same target on some of the samples only."""
+        return Target(
+            {k: v[rows] for k, v in self.env.items()}, None if self.wanted is None else self.wanted[rows], self.angle
+        )
+
+    def residual(self, node: Node, branch: int = 1, cache: dict | None = None, learn: bool = True) -> np.ndarray:
+        """Return how far the formula is off at every sample, in units of the tolerance; inf where it is undefined."""
+        with np.errstate(all="ignore"):
+            if node.op == "eq":
+                left = evaluate(node.args[0], self.env, NUMPY, branch, cache, learn)
+                right = evaluate(node.args[1], self.env, NUMPY, branch, cache, learn)
+                off = np.abs(left - right) / (VALUE_TOLERANCE * (np.abs(left) + np.abs(right) + 1e-3))
+                wanted = left
+            else:
+                value = evaluate(node, self.env, NUMPY, branch, cache, learn)
+                wanted = self.wanted
+                if self.angle:
+                    off = np.abs((value - wanted + np.pi) % (2 * np.pi) - np.pi) / ANGLE_TOLERANCE
+                else:
+                    scale = np.abs(wanted) + np.median(np.abs(wanted)) + 1e-9
+                    off = np.abs(value - wanted) / (VALUE_TOLERANCE * scale)
+        off = np.broadcast_to(np.asarray(off, dtype=float), np.shape(self.env["pi"]))
+        return np.where(np.isfinite(off), off, np.inf)
+
+    def fits(self, node: Node, cache: dict | None = None, learn: bool = True) -> np.ndarray:
+        """Say at which samples the formula is right, on either branch of its +-."""
+        good = self.residual(node, 1, cache, learn) < 1
+        if node.has_branch() and not good.all():
+            good = good | (self.residual(node, -1, None) < 1)
+        return good
+
+
+@dataclass
+class Explanation:
+    """What a search found.
+
+    Attributes:
+        found: slips whose undoing makes the claim right at every sample, likeliest first.
+        nearest: the slip that makes it right most often when none makes it right always, and how often.
+        tried: how many variants of each kind were tried.
+        complete: False when the time allowed ran out.
+    """
+
+    found: list[Slip] = field(default_factory=list)
+    nearest: tuple[Slip, float] | None = None
+    tried: dict[str, int] = field(default_factory=dict)
+    complete: bool = True
+
+    @property
+    def best(self) -> Slip | None:
+        """Return the likeliest explanation, or None."""
+        return self.found[0] if self.found else None
+
+
+def search(target: Target, root: Node, candidates: Iterable[Slip], *, seconds: float = 2.0) -> Explanation:
+    """Try every candidate and keep those that are right at every sample.
+
+    Args:
+        target: what the formula should give.
+        root: the formula as printed; its subtrees are evaluated once and shared by the candidates.
+        candidates: formulas one slip away.
+        seconds: time allowed.
+
+    Returns:
+        What was found and what was tried.
+    """
+    out = Explanation()
+    count = len(target.env["pi"])
+    probe = target.restrict(np.arange(min(6, count)))
+    cache: dict = {}
+    probe.residual(root, 1, cache)
+    cache.pop(root, None)
+    stop = time.monotonic() + seconds
+    best_share = float(np.mean(target.fits(root)))
+    seen: set[str] = set()
+    for k, slip in enumerate(candidates):
+        out.tried[slip.kind] = out.tried.get(slip.kind, 0) + 1
+        if k % 64 == 0 and time.monotonic() > stop:
+            out.complete = False
+            break
+        good = probe.residual(slip.tree, 1, cache, learn=False) < 1
+        branched = target.angle and slip.tree.has_branch()
+        if not branched and not good.any():
+            continue
+        if branched and not (good | (probe.residual(slip.tree, -1) < 1)).any():
+            continue
+        share = float(np.mean(target.fits(slip.tree)))
+        if share == 1.0:
+            text = str(slip.tree)
+            if text not in seen:
+                seen.add(text)
+                out.found.append(slip)
+        elif share > best_share + 0.2:
+            best_share = share
+            out.nearest = (slip, share)
+    out.found.sort(key=lambda s: (s.cost, s.tree.size()))
+    return out
