@@ -231,16 +231,23 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
   }
   for (int i = 0; i < n; ++i)
     if (!chain.prismatic[i]) q[i] = one_turn(q[i]);
+  const bool singular = is_singular(n, J, chain.position_only);
   for (int s = 0; s < found.count; ++s) {
-    double apart = 0;
+    double apart = 0, middle[kMaxJoints];
     for (int i = 0; i < n; ++i) {
-      double d = std::fabs(found.q[s * n + i] - q[i]);
-      if (!chain.prismatic[i]) d = std::fmin(d, 2 * kPi - d);
-      apart = std::fmax(apart, d);
+      double d = q[i] - found.q[s * n + i];
+      if (!chain.prismatic[i]) d = std::remainder(d, 2 * kPi);
+      middle[i] = q[i] - 0.5 * d;
+      apart = std::fmax(apart, std::fabs(d));
     }
     if (apart < kSame) return;
+    // in a flat valley (a family, or a root too shallow for double precision) two candidates are one answer
+    if (singular && apart < 0.05 && missed(chain, T, middle, error, J) <= 4e-15 + 2 * miss) {
+      found.degenerate = true;
+      return;
+    }
   }
-  if (is_singular(n, J, chain.position_only)) found.degenerate = true;
+  found.degenerate |= singular;
   if (found.count == found.most) return;
   for (int i = 0; i < n; ++i) found.q[found.count * n + i] = q[i];
   ++found.count;
