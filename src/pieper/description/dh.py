@@ -234,7 +234,8 @@ def _row(row: object, index: int) -> DH:
         values = []
     if len(values) != 4:
         raise InputError(
-            f"row {index + 1} of the DH table must be a DH(a, alpha, d, theta) or four numbers in that order, got {row!r}.",
+            f"row {index + 1} of the DH table must be a DH(a, alpha, d, theta) or four numbers in that order, "
+            f"got {row!r}.",
             row=index,
             given=row,
         )
@@ -284,7 +285,8 @@ def _limits(limits: object, names: tuple[str, ...], types: str) -> np.ndarray:
         finite = [abs(v) for v in (lower, upper) if math.isfinite(v)]
         if types[i] == "R" and finite and max(finite) > 8 * math.pi:
             warnings.warn(
-                f"limits of {names[i]} are taken as radians: ({lower:g}, {upper:g}) is more than four turns and looks like degrees.",
+                f"limits of {names[i]} are taken as radians: ({lower:g}, {upper:g}) is more than four turns "
+                "and looks like degrees.",
                 PieperWarning,
                 stacklevel=4,
             )

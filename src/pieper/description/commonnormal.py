@@ -1,0 +1,151 @@
+"""A chain of joint axes written as a standard DH table, by the common normals between neighbouring axes."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.description.dh import DH
+
+#: Axes whose directions differ by less than this (rad) are taken for parallel. A common normal of nearly parallel
+#: axes lies far away and costs eps / angle of precision, taking them for parallel costs the angle: they balance here.
+PARALLEL = 1e-8
+#: A common normal shorter than this (per length of the chain) is taken for an intersection.
+MEETING = 1e-13
+_ANGLE_ROUNDING = 8e-15
+_LENGTH_DECIMALS = 15
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """A standard DH table with what stands before and after it.
+
+    Args:
+        rows: One row a joint.
+        base: (4, 4), first frame of the table.
+        tool: (4, 4), tool in the last frame.
+        largest_turn: The largest angle (rad) between axes that were taken for parallel.
+    """
+
+    rows: tuple[DH, ...]
+    base: np.ndarray
+    tool: np.ndarray
+    largest_turn: float
+
+
+def standard_table(axes: np.ndarray, points: np.ndarray, home: np.ndarray) -> Table:
+    """Return the standard DH table of a chain of axes, its joint variables zero in the given posture.
+
+    Each x axis is turned as little as its common normal allows, so link lengths may come out negative and joints that
+    are drawn stretched read zero. The last row leads to the tool's z axis, so that a tool on the last axis needs no
+    pose of its own.
+
+    Args:
+        axes: (n, 3) unit directions of the joint axes, all joints at zero.
+        points: (n, 3) a point on each axis, m.
+        home: (4, 4) pose of the tool, all joints at zero.
+
+    Returns:
+        The table; its product at zero is `home` to rounding.
+
+    Source: Denavit and Hartenberg (1955); Spong, Hutchinson and Vidyasagar (2006), section 3.2.
+    """
+    axes = np.asarray(axes, float) / np.linalg.norm(axes, axis=1, keepdims=True)
+    size = max(float(np.abs(points).max(initial=0.0)), float(np.abs(home[:3, 3]).max()), 1e-3)
+    lines = [*zip(axes, points, strict=True), (home[:3, 2], home[:3, 3])]
+    base = _first_frame(*lines[0])
+    rows, turn = [], 0.0
+    T = base.copy()
+    for i in range(len(axes)):
+        last = i == len(axes) - 1
+        row, off = _row(T, *lines[i + 1], size, home[:3, 0] if last else None)
+        rows.append(row)
+        turn = max(turn, off)
+        T = T @ _row_pose(row)
+    tool = np.linalg.inv(T) @ home
+    tool[3] = 0, 0, 0, 1
+    return Table(tuple(rows), base, _without_rounding(tool), turn)
+
+
+def _first_frame(z: np.ndarray, point: np.ndarray) -> np.ndarray:
+    """Return the frame on the first axis that is closest to the base frame."""
+    z = _tidy(z)
+    helper = np.eye(3)[0] if abs(z[0]) < 0.9 else np.eye(3)[1]
+    x = helper - (helper @ z) * z
+    x = _tidy(x / np.linalg.norm(x))
+    T = np.eye(4)
+    T[:3, 0], T[:3, 1], T[:3, 2] = x, np.cross(z, x), z
+    T[:3, 3] = point - (point @ z) * z
+    T[:3] = np.round(T[:3], _LENGTH_DECIMALS) + 0.0
+    return T
+
+
+def _row(T: np.ndarray, u: np.ndarray, point: np.ndarray, size: float, prefer: np.ndarray | None) -> tuple[DH, float]:
+    """Return the DH row from frame T to the line (point, u), and the angle by which it was taken for parallel."""
+    x, z, origin = T[:3, 0], T[:3, 2], T[:3, 3]
+    cross = np.cross(z, u)
+    sine, cosine = float(np.linalg.norm(cross)), float(z @ u)
+    w = point - origin
+    if sine > PARALLEL:
+        new_x = cross / sine
+        if _turned(new_x, x, z):
+            new_x = -new_x
+        a = float(w @ new_x)
+        d = float(np.cross(w, u) @ cross) / sine**2
+        alpha = math.atan2(float(cross @ new_x), cosine)
+        off = 0.0
+    else:
+        d = float(w @ z) if prefer is not None else 0.0
+        across = w - float(w @ z) * z
+        a = float(np.linalg.norm(across))
+        if a > MEETING * size:
+            new_x = across / a
+            if _turned(new_x, x, z):
+                new_x, a = -new_x, -a
+        else:
+            new_x, a = (x if prefer is None else prefer - float(prefer @ z) * z), 0.0
+            new_x = new_x / np.linalg.norm(new_x)
+        alpha, off = (0.0 if cosine > 0 else math.pi), sine
+    theta = math.atan2(float(np.cross(x, new_x) @ z), float(x @ new_x))
+    row = DH(a=_round_length(a, size), alpha=_round_angle(alpha), d=_round_length(d, size), theta=_round_angle(theta))
+    return row, off
+
+
+def _turned(new_x: np.ndarray, x: np.ndarray, z: np.ndarray) -> bool:
+    """Return whether turning x over gives the smaller joint angle (a quarter turn stays positive)."""
+    along = float(x @ new_x)
+    return along < -1e-9 or (abs(along) <= 1e-9 and float(np.cross(x, new_x) @ z) < 0)
+
+
+def _row_pose(row: DH) -> np.ndarray:
+    ct, st, ca, sa = math.cos(row.theta), math.sin(row.theta), math.cos(row.alpha), math.sin(row.alpha)
+    return np.array(
+        [
+            [ct, -st * ca, st * sa, row.a * ct],
+            [st, ct * ca, -ct * sa, row.a * st],
+            [0.0, sa, ca, row.d],
+            [0.0, 0.0, 0.0, 1.0],
+        ]
+    )
+
+
+def _round_angle(angle: float) -> float:
+    """Return the double of a multiple of 15 deg where the angle is one to rounding."""
+    near = math.radians(15 * round(math.degrees(angle) / 15))
+    return near + 0.0 if abs(angle - near) <= _ANGLE_ROUNDING else angle
+
+
+def _round_length(length: float, size: float) -> float:
+    return 0.0 if abs(length) < MEETING * size else round(length, _LENGTH_DECIMALS)
+
+
+def _tidy(v: np.ndarray) -> np.ndarray:
+    return np.where(np.abs(v) < 1e-15, 0.0, v)
+
+
+def _without_rounding(T: np.ndarray) -> np.ndarray:
+    """Return a pose with its rounding around 0 and 1 removed: the identity stays the identity."""
+    whole = np.round(T)
+    return np.where(np.abs(T - whole) < 4e-15, whole, T) + 0.0
