@@ -9,6 +9,7 @@
 #include <numpy/arrayobject.h>
 
 #include <cmath>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -201,7 +202,7 @@ class PySolver {
     double* row = static_cast<double*>(PyArray_DATA(as_array(rows)));
     for (int i = 0, k = 0; i < slots; ++i) {
       if (!valid[i]) continue;
-      for (int j = 0; j < n; ++j) *row++ = q[i * n + j];
+      row = std::copy(q + i * n, q + (i + 1) * n, row);
       bytes(which)[k] = static_cast<std::uint8_t>(i);
       bytes(inside)[k++] = in_limits[i];
     }
@@ -259,6 +260,17 @@ nb::object elementary(int what, nb::handle given) {
   return out;
 }
 
+nb::tuple general_model(nb::handle links, nb::handle prismatic, double scale) {
+  const std::vector<double> l = to_vector<double>(links, NPY_DOUBLE);
+  const std::vector<std::uint8_t> p = to_vector<std::uint8_t>(prismatic, NPY_UINT8);
+  if (l.size() != 7 * 16 || p.size() != 6) throw nb::value_error("links must be (7, 4, 4) and prismatic (6,).");
+  const npy_intp size[] = {pieper::isa().general_model_size()}, table[] = {24, 4};
+  nb::object params = new_array(1, size, NPY_DOUBLE), trials = new_array(2, table, NPY_DOUBLE);
+  const int usable = pieper::isa().general_model(l.data(), p.data(), scale, static_cast<double*>(PyArray_DATA(as_array(params))),
+                                                 static_cast<double*>(PyArray_DATA(as_array(trials))));
+  return nb::make_tuple(params, trials, usable);
+}
+
 int import_numpy() {
   import_array1(-1);
   return 0;
@@ -293,6 +305,8 @@ NB_MODULE(_kernel, m) {
       .def("one", &PySolver::one, nb::arg("T"),
            "(4, 4) -> q (m, n) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 
+  m.def("general_model", &general_model, nb::arg("links"), nb::arg("prismatic"), nb::arg("scale"),
+        "Six joints' links (7, 4, 4) -> params of the general solver, its trials (24, 4), usable variants.");
   m.def("sincos", [](nb::handle x) { return elementary(0, x); }, nb::arg("x"), "(N,) -> (N, 2) sine and cosine, for tests.");
   m.def("atan2", [](nb::handle yx) { return elementary(1, yx); }, nb::arg("yx"), "(N, 2) y, x -> (N,), for tests.");
 }

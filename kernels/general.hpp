@@ -6,6 +6,7 @@
 // perturbed poses, until a settled attempt adds nothing. The work is bounded; what is still open then is flagged.
 #pragma once
 
+#include "general_entry.hpp"
 #include "general_prepare.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -144,7 +145,7 @@ inline void write_pose(const Model& model, const Found& found, bool certain, dou
 
 }  // namespace general
 
-inline void solve_general(const double* params, const int*, const double* T, long count, double* q, std::uint8_t* valid,
+void solve_general(const double* params, const int*, const double* T, long count, double* q, std::uint8_t* valid,
                           std::uint8_t* flag) {
   using namespace general;
   constexpr int W = PIEPER_LANES;

@@ -16,6 +16,7 @@
 #include "limits.hpp"
 #include "posecheck.hpp"
 // families
+#include "general_entry.hpp"
 #include "spherical_wrist_parallel.hpp"
 
 #define PIEPER_TEXT2(x) #x
@@ -28,6 +29,7 @@ namespace PIEPER_ISA {
 
 const FamilyEntry families[] = {
     {"spherical_wrist_parallel", &solve_batch<SphericalWristParallel>},
+    {"general", &solve_general},
 };
 
 void elementary(int what, const double* x, long count, double* out) {
@@ -62,6 +64,8 @@ const IsaTable& PIEPER_JOIN(isa_, PIEPER_ISA)() {
                                  &pose_deviation,
                                  &pose_straighten,
                                  &apply_limits,
+                                 &general_model_size,
+                                 &general_model,
                                  &elementary};
   return table;
 }

@@ -38,6 +38,10 @@ struct IsaTable {
   void (*limits)(double* q, const std::uint8_t* valid, long rows, int n, const double* lower, const double* upper,
                  const std::uint8_t* prismatic, std::uint8_t* in_limits);
 
+  // The general solver's model of an arm (general_entry.hpp).
+  long (*general_model_size)();
+  int (*general_model)(const double* links, const std::uint8_t* prismatic, double scale, double* params, double* trials);
+
   // sin and cos (what = 0: out is count x 2) or atan2 of pairs (what = 1: x is count x 2), for the tests.
   void (*elementary)(int what, const double* x, long count, double* out);
 };
