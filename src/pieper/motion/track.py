@@ -164,9 +164,9 @@ def follow(arm: Arm, path: np.ndarray, *, start: np.ndarray | None = None) -> Tr
 
 
 def _labels(arm: Arm, found: list[Strand]) -> list[str]:
-    from pieper.inverse.labels import labels
+    from pieper.inverse.posture import posture_words
 
-    return labels(arm.plan, np.array([strand.q[0] for strand in found])) if found else []
+    return posture_words(arm.plan, np.array([strand.q[0] for strand in found])) if found else []
 
 
 def _turns(way: Continuation, q: np.ndarray, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

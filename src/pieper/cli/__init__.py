@@ -1,0 +1,28 @@
+"""The command line: `pieper robots | show | fk | ik | path | report | check | workbench | tour`."""
+
+from __future__ import annotations
+
+import sys
+
+DONE, NO_SOLUTION, MISUSE, INTERRUPTED = 0, 1, 2, 130
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line and leave with its exit status.
+
+    Args:
+        arguments: What stands after `pieper`; the process's own arguments when left out.
+
+    Returns:
+        Nothing in practice: it raises SystemExit with 0 done, 1 no solution, 2 misuse.
+    """
+    try:
+        from pieper.cli.app import app
+    except ModuleNotFoundError as missing:
+        if missing.name in ("typer", "rich", "click"):
+            print(f"pieper: the command line needs {missing.name}: pip install 'pieper[cli]'", file=sys.stderr)
+            sys.exit(MISUSE)
+        raise
+    from pieper.cli.failing import guarded
+
+    sys.exit(guarded(app, arguments))

@@ -1,0 +1,179 @@
+"""`pieper fk` and `pieper ik`: from joints to a pose, and from a pose to every solution."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.cli import DONE, NO_SOLUTION
+from pieper.cli.given import Units, joints, numbers, pose
+from pieper.cli.given import arm as load
+from pieper.cli.printed import (
+    as_json,
+    console,
+    joint_cells,
+    joint_columns,
+    pose_table,
+    rpy_text,
+    small,
+    table,
+)
+
+
+def fk(name: str, words: list[str], frames: bool, json: bool, length: str, angle: str) -> int:
+    """Print the pose of a joint vector."""
+    units = Units(length, angle)
+    arm = load(name)
+    q = joints(arm, words, units)
+    T = arm.fk(q)
+    beyond = _outside(arm, q, units)
+    every = arm.frames(q) if frames else None
+    if json:
+        data = {
+            "arm": arm.name,
+            "q": q,
+            "T": T,
+            "position_m": T[:3, 3],
+            "rpy_rad": rpy_text(T),
+            "outside_limits": beyond,
+        }
+        as_json(data | ({"frames": every} if frames else {}))
+        return DONE
+    out = console()
+    if frames:
+        for i, F in enumerate(every[:-1]):
+            out.print(pose_table(F, units, "base" if i == 0 else f"after {arm.joint_names[i - 1]}"))
+    out.print(pose_table(T, units, f"{arm.name}: tool"))
+    for sentence in beyond:
+        out.print(sentence, markup=False)
+    return DONE
+
+
+def _outside(arm, q: np.ndarray, units: Units) -> list[str]:
+    out = []
+    for i, (value, (lower, upper)) in enumerate(zip(q, arm.limits, strict=True)):
+        if not lower - 1e-9 <= value <= upper + 1e-9:
+            unit, word = units.of_joints(arm)[i], units.names_of_joints(arm)[i]
+            out.append(
+                f"note: {arm.joint_names[i]} = {value / unit:.4g} {word} is outside its limits "
+                f"{lower / unit:.4g} to {upper / unit:.4g} {word}."
+            )
+    return out
+
+
+def ik(
+    name: str,
+    words: list[str],
+    order: str,
+    near: str,
+    task: str,
+    redundancy: str,
+    everything: bool,
+    figure: str,
+    json: bool,
+    length: str,
+    angle: str,
+) -> int:
+    """Print every solution of a pose."""
+    units = Units(length, angle)
+    arm = load(name)
+    T = pose(words, units, order)
+    spare = _redundancy(arm, redundancy, units)
+    sols = arm.ik(T, task=task or None, redundancy=spare)
+    closest = sols.nearest(joints(arm, [near], units, "--near")) if near and len(sols) else None
+    rows = sols.all_q if everything else sols.q
+    labels = sols.all_labels if everything else sols.labels
+    inside = sols.in_limits if everything else np.ones(len(sols), bool)
+    plan = arm.plan if not task else arm.plan_for(task)
+    residual = plan.residual(rows, sols.T) if len(rows) else np.zeros((0, 2))
+    status = DONE if len(sols) or sols.families else NO_SOLUTION
+    if figure and len(sols):
+        from pieper.presentation.plot_arm import solutions_figure
+        from pieper.presentation.style import save_figure
+
+        save_figure(solutions_figure(arm, sols), figure)
+    if json:
+        as_json(_as_data(arm, sols, rows, labels, inside, residual, closest, plan))
+        return status
+    out = console()
+    title = f"{arm.name}: {len(sols)} of {len(sols.all_q)} solutions inside the limits"
+    made = table(
+        title,
+        "#",
+        *joint_columns(arm, units),
+        "posture",
+        "limits",
+        "residual",
+        "",
+        left=(arm.n + 1, arm.n + 2, arm.n + 4),
+    )
+    families = sols.in_family if not everything else _all_families(sols, rows)
+    for i, row in enumerate(rows):
+        remark = f"family {families[i] + 1}" if families[i] >= 0 else ""
+        made.add_row(
+            str(i + 1),
+            *joint_cells(arm, row, units),
+            labels[i],
+            "inside" if inside[i] else _which_limit(arm, row),
+            f"{small(residual[i, 0] * 1e3, 'mm')}, {small(np.degrees(residual[i, 1]), 'deg')}",
+            remark,
+        )
+    out.print(pose_table(sols.T, units, "pose"))
+    if len(rows):
+        out.print(made)
+    for i, family in enumerate(sols.families):
+        out.print(f"family {i + 1}: {family}", markup=False)
+    if closest is not None:
+        out.print(f"nearest to {near}: {', '.join(joint_cells(arm, closest, units))}", markup=False)
+    out.print(f"{sols.status.name}: {sols.why}", markup=False)
+    hidden = len(sols.all_q) - len(sols.q)
+    if hidden and not everything:
+        out.print(f"{hidden} more outside the limits: add --all to see them.", markup=False)
+    if sols.rounded:
+        out.print("note: the rotation was rounded; the nearest exact rotation was solved.", markup=False)
+    return status
+
+
+def _redundancy(arm, text: str, units: Units) -> object:
+    if not text:
+        return None
+    values = numbers([text], "--redundancy")
+    scaled = [v * units.radians for v in values]
+    return scaled[0] if len(scaled) == 1 else np.array(scaled)
+
+
+def _all_families(sols, rows: np.ndarray) -> np.ndarray:
+    out = np.full(len(rows), -1)
+    out[sols.in_limits] = sols.in_family
+    return out
+
+
+def _which_limit(arm, row: np.ndarray) -> str:
+    over = np.maximum(arm.limits[:, 0] - row, row - arm.limits[:, 1])
+    return f"{arm.joint_names[int(np.argmax(over))]} outside"
+
+
+def _as_data(arm, sols, rows, labels, inside, residual, closest, plan) -> dict:
+    families = _all_families(sols, rows) if len(rows) != len(sols.q) else sols.in_family
+    return {
+        "arm": arm.name,
+        "T": sols.T,
+        "task": plan.task,
+        "status": sols.status.name,
+        "why": sols.why,
+        "joint_names": arm.joint_names,
+        "units": ["rad" if kind == "R" else "m" for kind in arm.joint_types],
+        "solutions": [
+            {
+                "q": q,
+                "label": label,
+                "in_limits": bool(ok),
+                "residual_m": r[0],
+                "residual_rad": r[1],
+                "family": int(family) if family >= 0 else None,
+            }
+            for q, label, ok, r, family in zip(rows, labels, inside, residual, families, strict=True)
+        ],
+        "solutions_before_limits": len(sols.all_q),
+        "families": [str(family) for family in sols.families],
+        "nearest": closest,
+    }
