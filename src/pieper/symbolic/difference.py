@@ -100,6 +100,9 @@ def exact_environment(model: ArmModel, samples: Samples, k: int, definitions: di
     T = model.pose_exact(env, arithmetic)
     for name, i, j in POSE_NAMES:
         env[name] = T[i][j]
+    for name in samples.env:
+        if name.endswith("?"):
+            env[name] = arithmetic.number(repr(float(samples.env[name][k])))
     for name, tree in definitions.items():
         env[name] = evaluate(substitute(tree, definitions), env, arithmetic)
     return env

@@ -12,7 +12,7 @@ from pieper.symbolic.arm_slips import ARM_KINDS, arm_slips
 from pieper.symbolic.matrices import value_of
 from pieper.symbolic.slip_search import Explanation, Target
 from pieper.symbolic.slips import KINDS
-from pieper.symbolic.tree import NUMPY, Node, evaluate, substitute
+from pieper.symbolic.tree import NUMPY, Node, evaluate, substitute, sym
 from pieper.symbolic.truth import ArmModel, Samples, evaluate_samples, parse_for, pose_symbols, sample
 
 SOLVER_POSES = 16  # poses at which the other solutions are asked for
@@ -31,17 +31,19 @@ class Evidence:
     model: ArmModel
     definitions: dict[str, Node] = field(default_factory=dict)
     seconds: float = 2.0
-    defined_text: dict[str, str] = field(default_factory=dict)
+    unknown: list[str] = field(default_factory=list)
 
     def define(self, name: str, text: str):
-        """Add a symbol of the file."""
+        """Add a symbol of the file; "?" marks one that the source uses and never defines."""
         if name in self.model.names() or name in self.model.aliases:
             raise InputError(
                 f"the symbol {name!r} already means something for this arm; choose another name", symbol=name
             )
+        if str(text).strip() == "?":
+            self.unknown.append(name)
+            self.definitions[name] = sym(f"{name}?")
+            return
         self.definitions[name] = substitute(self.parse(str(text)), self.definitions)
-        self.defined_text[name] = str(text)
-        self.__dict__.pop("samples", None)
 
     def parse(self, text: str, where: dict | None = None) -> Node:
         """Read a formula of a claim; `where` holds definitions of this claim alone, which go into the formula itself."""
@@ -60,6 +62,10 @@ class Evidence:
 
     def fill(self, env: dict):
         """Add the file's symbols to an environment."""
+        rng = np.random.default_rng(11)
+        for name in self.unknown:
+            # a symbol nobody defines may have any value, so it gets another one at every sample
+            env[f"{name}?"] = rng.uniform(0.1, 1.0, env["pi"].shape) * self.model.length()
         with np.errstate(all="ignore"):
             for name, tree in self.definitions.items():
                 env[name] = np.broadcast_to(np.asarray(evaluate(tree, env, NUMPY), dtype=float), env["pi"].shape)

@@ -112,10 +112,14 @@ def judge_equal(
             target.restrict(own), node, slips(node, lengths, ev.model.n, tuple(ev.definitions)), seconds=ev.seconds
         )
         found = nominal if nominal.best else found
+    elsewhere = "" if found.best or product is None else _other_entry(ev, node, product)
     arm_tried: dict[str, int] = {}
-    arm_words = "" if found.best else _other_arm(ev, node, wanted, product, frame, arm_tried)
+    arm_words = "" if found.best or elsewhere else _other_arm(ev, node, wanted, product, frame, arm_tried)
     slip, reading = "", ""
-    if found.best:
+    if elsewhere:
+        slip, reading = "index", elsewhere
+        details.append(("the slip", f"the formula is right for another entry, {elsewhere}"))
+    elif found.best:
         best = found.best
         slip, reading = best.kind, str(best.tree)
         details.append(("nearest right reading", reading))
@@ -220,6 +224,20 @@ def _other_arm(ev: Evidence, node: Node, wanted, product, frame, tried: dict[str
         if Target(samples.env, right).fits(node)[rows].all():
             return kind, f"{words}: the formula is right for that arm"
     return None
+
+
+def _other_entry(ev: Evidence, node: Node, product: Product) -> str:
+    """Return the entry of the same matrix for which the formula is right, "" when there is none."""
+    whole = value_of(Product(product.terms), ev.samples.frames)
+    if whole.ndim != 3:
+        return ""
+    target = ev.target(None)
+    for i in range(3):
+        for j in range(whole.shape[2]):
+            target.wanted = whole[:, i, j]
+            if (i + 1, j + 1) != product.entry and target.fits(node).all():
+                return str(Product(product.terms, (i + 1, j + 1)))
+    return ""
 
 
 def _entry_product(ev: Evidence, text: str) -> Product:

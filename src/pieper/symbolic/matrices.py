@@ -12,7 +12,7 @@ import numpy as np
 from pieper.errors import InputError
 
 _PIECE = re.compile(
-    r"\s*(?:(?P<name>[A-Za-z]\w*)|(?P<inv>\^\s*\(?-1\)?|\^\{-1\})|(?P<tr>\^T|')|(?P<op>[()+*=-])|(?P<entry>\[\s*\d\s*,\s*\d\s*\]\s*$))"
+    r"\s*(?:(?P<name>[A-Za-z]\w*)|(?P<inv>\^\s*(?:-1|\(-1\)|\{-1\}))|(?P<tr>\^T|')|(?P<op>[()+*=-])|(?P<entry>\[\s*\d\s*,\s*\d\s*\]\s*$))"
 )
 
 

@@ -79,7 +79,7 @@ def slips(
     Yields:
         Slips with their formulas.
     """
-    pool = _factor_pool(root, lengths, joints)
+    pool = _factor_pool(root, lengths, joints) | {name: sym(name) for name in others[:8]}
     numbers = _numbers(root, lengths)
     if angle:
         yield from _angle_slips(root, joints)
@@ -231,7 +231,7 @@ def _symbol_slips(node: Node, slip, lengths, others, joints: int) -> Iterator[Sl
         i, j = name[1], name[2]
         family = [f"r{i}{c}" for c in "1234" if c != j] + [f"r{c}{j}" for c in "123" if c != i]
     elif name in others:
-        family = [m for m in others if m != name and m[0] == name[0]]
+        family = [m for m in others if m != name and m[0] == name[0]] + [m for m, v in lengths.items() if v]
     for other in family:
         yield slip("index", f"{name} for {other}", sym(other), 0.8 if other[0] == name[0] else 1.0)
 
