@@ -12,7 +12,7 @@ int general_model(const double* links, const std::uint8_t* prismatic, double sca
   general::Trial record[general::kTried];
   general::make_model(links, prismatic, scale, model, record);
   for (int i = 0; i < general::kTried; ++i) {
-    trials[4 * i] = record[i].usable;
+    trials[4 * i] = record[i].rank;
     trials[4 * i + 1] = record[i].missed;
     trials[4 * i + 2] = record[i].open;
     trials[4 * i + 3] = record[i].noise;

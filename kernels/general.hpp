@@ -28,6 +28,13 @@ inline bool settled(const Report& report, const Found& found) {
   return !report.doubtful && report.unresolved == 0 && report.spread < kAccurate && even(found);
 }
 
+// A second opinion that added nothing. Special geometry gives some variants real eigenvalues without a solution, always; there
+// only the agreement counts.
+inline bool agreed(const Variant& v, const Report& report, const Found& found, int before) {
+  if (found.count != before) return false;
+  return settled(report, found) || (v.open > 0 && !report.doubtful && even(found));
+}
+
 // The pose moved a little: a solution of it starts Newton's method for the true pose.
 inline Pose<double> perturbed(const Pose<double>& pose, double size, double length, Random& random) {
   double w[3];
@@ -79,7 +86,7 @@ inline bool escalate(const Model& model, const Pose<double>& pose, Found& found)
   for (int n = 1; n < model.variants; ++n) {
     const int before = found.count;
     solve_variant(model, model.variant[n], pose, 1, &found, &report);
-    if (found.count == before && settled(report, found)) return true;
+    if (agreed(model.variant[n], report, found, before)) return true;
   }
   Random random{7};
   for (int n = 0; n < 4; ++n) {  // the same elimination in turned charts
@@ -89,7 +96,7 @@ inline bool escalate(const Model& model, const Pose<double>& pose, Found& found)
     fill_constants(model, v);
     const int before = found.count;
     solve_variant(model, v, pose, 1, &found, &report);
-    if (found.count == before && settled(report, found)) return true;
+    if (agreed(v, report, found, before)) return true;
   }
   int quiet = 0;
   double size = 1e-7;
@@ -100,7 +107,7 @@ inline bool escalate(const Model& model, const Pose<double>& pose, Found& found)
     solve_variant(model, v, perturbed(pose, size, model.scale, random), 1, &near, &report);
     const int before = found.count;
     polish_onto(model, v, pose, near, found);
-    quiet = found.count == before && settled(report, near) && even(found) ? quiet + 1 : 0;
+    quiet = agreed(v, report, found, before) ? quiet + 1 : 0;
   }
   return quiet >= 4;
 }
@@ -156,6 +163,16 @@ void solve_general(const double* params, const int*, const double* T, long count
     double padded[16 * W];
     for (int i = 0; i < W; ++i)  // idle lanes repeat the last pose
       for (int k = 0; k < 16; ++k) padded[16 * i + k] = T[16 * (done + (i < used ? i : used - 1)) + k];
+    if (model.prismatic_count == 3) {
+      for (int i = 0; i < used; ++i) {
+        Found found;
+        found.count = 0;
+        const bool isolated = solve_slides(model, load_poses<double>(padded + 16 * i), found);
+        write_pose(model, found, true, q + (done + i) * 6 * kSlots, valid + (done + i) * kSlots, flag + done + i);
+        if (!isolated) flag[done + i] = kDegenerate;
+      }
+      continue;
+    }
     Found found[W];
     Report report[W];
     for (Found& f : found) f.count = 0;

@@ -14,7 +14,7 @@ inline constexpr int kGeneralTrials = 24 * 4;
 long general_model_size();
 
 // Makes the model of a six-joint chain. links: 7 x 16 row-major, m; scale: m per unit used inside. `trials` gets, for every
-// hand-out of roles (shift, direction, swap), usable, solutions missed, eigenvalues left open, noise.
+// hand-out of roles (shift, direction, swap), rank (1 the best way, 0 of no use), solutions missed, eigenvalues left open, noise.
 // Returns how many variants are of use; 0 means that the arm is beyond this solver.
 int general_model(const double* links, const std::uint8_t* prismatic, double scale, double* params, double* trials);
 

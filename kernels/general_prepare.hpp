@@ -6,7 +6,7 @@
 // and every solution that some other variant found, must be found.
 #pragma once
 
-#include "general_solve.hpp"
+#include "general_slides.hpp"
 
 namespace pieper::PIEPER_ISA::general {
 
@@ -126,7 +126,7 @@ inline double median(double* x, int n) {
 }
 
 struct Trial {
-  int usable, missed, open;
+  int rank, missed, open;  // rank 1 is the best way, 0 of no use
   double noise;
 };
 
@@ -167,7 +167,7 @@ inline void choose_variants(Model& model, Trial* trials) {
     for (int i = 0; i < 8; ++i) noise[i] = determinant_noise(model, v, pose[i]);
     v.noise = trial.noise = median(noise, 8);
     if (!(trial.noise < 1e-6)) continue;
-    trial.usable = 1;
+    trial.rank = kTried;
     trial.missed = 0;
     for (int g = 0; g < groups; ++g) {
       Pose<G> wide;
@@ -190,7 +190,7 @@ inline void choose_variants(Model& model, Trial* trials) {
   double score[kTried];
   for (int t = 0; t < kTried; ++t) {
     score[t] = 1e300;
-    if (!trials[t].usable) continue;
+    if (trials[t].rank == 0) continue;
     for (int i = 0; i < groups * W; ++i) {
       Found f = own[t * groups * W + i];
       const int before = f.count;
@@ -208,12 +208,31 @@ inline void choose_variants(Model& model, Trial* trials) {
       if (score[t] < score[best]) best = t;
     if (!(score[best] < 1e299)) break;
     if (trials[best].missed > kTestPoses) break;  // of no use even as a second opinion
+    all[best].open = static_cast<double>(trials[best].open) / kTestPoses;
     model.variant[model.variants++] = all[best];
+    trials[best].rank = model.variants;
     score[best] = 1e300;
   }
   __builtin_free(all);
   __builtin_free(all_found);
   __builtin_free(own);
+}
+
+// Whether the closed form for three slides returns the joints that made a pose.
+inline bool slides_work(const Model& model) {
+  Random random{2026};
+  int hits = 0;
+  for (int i = 0; i < kTestPoses; ++i) {
+    double made[6];
+    for (int k = 0; k < 6; ++k) made[k] = model.prismatic[k] ? 2 * random.uniform() - 1 : kTwoPi * random.uniform() - kPi;
+    Found found;
+    found.count = 0;
+    if (!solve_slides(model, as_pose(forward(model, made), model.scale), found)) continue;
+    const int before = found.count;
+    insert(found, made, 1, 0, model.prismatic);
+    hits += before > 0 && found.count == before;
+  }
+  return hits >= kTestPoses - 1;
 }
 
 // links: 7 x 16 row-major, in metres, origins already slid; false when no variant is of use.
@@ -226,7 +245,14 @@ inline bool make_model(const double* links, const std::uint8_t* prismatic, doubl
     model.prismatic_count += model.prismatic[k];
   }
   model.expected = model.prismatic_count < 2 ? 16 : model.prismatic_count == 2 ? 8 : 2;
-  choose_variants(model, trials);
+  if (model.prismatic_count == 3) {
+    for (int t = 0; t < kTried; ++t) trials[t] = {0, 0, 0, 1.0};
+    model.variants = slides_work(model);
+  } else {
+    choose_variants(model, trials);
+    for (int t = 0; t < kTried; ++t)
+      if (trials[t].rank > model.variants) trials[t].rank = 0;
+  }
   return model.variants > 0;
 }
 
