@@ -1,0 +1,299 @@
+"""Sections about an arm itself: its table and drawing, its equations, its singularities, its reach."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pieper.errors import PieperError
+from pieper.presentation.document import Document, Formula, Heading, Lines, Picture
+from pieper.presentation.plot_arm import arm_figure
+from pieper.presentation.plot_reach import reach_figure, reach_samples
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from pieper.arm import Arm
+
+MM = 1e3
+
+
+def fixed(value: float, digits: int = 3) -> str:
+    """Return a number with at most so many digits, no trailing zeros, no negative zero, infinity as a sign."""
+    if not np.isfinite(value):
+        return "∞" if value > 0 else "−∞"
+    text = f"{round(float(value), digits) + 0.0:.{digits}f}"
+    text = text.rstrip("0").rstrip(".") if "." in text else text
+    return text.replace("-", "−")
+
+
+def joint_value(arm: Arm, joint: int, value: float, digits: int = 3) -> str:
+    """Return a joint's value in degrees or millimetres, without the unit."""
+    return fixed(np.degrees(value) if arm.joint_types[joint] == "R" else value * MM, digits)
+
+
+def joint_heads(arm: Arm) -> list[str]:
+    """Return one table heading a joint, with its unit."""
+    return [
+        f"{name}, {'°' if kind == 'R' else 'mm'}" for name, kind in zip(short_names(arm), arm.joint_types, strict=True)
+    ]
+
+
+def short_names(arm: Arm) -> list[str]:
+    """Return names of joints short enough for tables: q₁ for joint_1, makers' own names as they are."""
+    out = []
+    for i, name in enumerate(arm.joint_names):
+        plain = name == f"joint_{i + 1}"
+        out.append("q" + "".join(chr(0x2080 + int(c)) for c in str(i + 1)) if plain else name)
+    return out
+
+
+def first_posture(arm: Arm) -> np.ndarray:
+    """Return a posture (n,) that shows the arm well: a named one that is not zero, else a bent one inside the limits."""
+    for name in ("line-start", "home", "ready", "folded"):
+        if name in arm.description.postures:
+            return np.asarray(arm.description.postures[name], float)
+    others = [q for name, q in arm.description.postures.items() if name != "zero" and np.any(q)]
+    if others:
+        return np.asarray(others[0], float)
+    wanted = np.array([0.35, -0.6, 0.9, 0.4, 0.8, 0.3, -0.5] * 9)[: arm.n]
+    low = np.where(np.isfinite(arm.limits[:, 0]), arm.limits[:, 0], -np.pi)
+    high = np.where(np.isfinite(arm.limits[:, 1]), arm.limits[:, 1], np.pi)
+    slide = np.array([kind == "P" for kind in arm.joint_types])
+    wanted = np.where(slide, (low + np.minimum(high, low + arm.chain.length)) / 2, wanted)
+    return np.clip(wanted, low, high)
+
+
+def add_arm(page: Document, arm: Arm) -> None:
+    """Add the arm: what it is, its DH table, its drawing, its postures."""
+    d = arm.description
+    kinds = {"R": "revolute", "P": "prismatic"}
+    counts = [f"{arm.joint_types.count(k)} {kinds[k]}" for k in "RP" if k in arm.joint_types]
+    maker = f", made by {d.manufacturer}" if d.manufacturer else ""
+    convention = "standard (distal)" if d.convention == "standard" else "modified (proximal, Craig)"
+    page.section("The arm")
+    page.add(
+        f"{arm.name}{maker}, has {arm.n} joints, {' and '.join(counts)}. Its geometry is given by a Denavit–Hartenberg table in the "
+        f"{convention} convention: "
+        + (
+            "frame i follows frame i−1 by a turn θ about z, a shift d along z, a shift a along the new x and a turn α about it."
+            if d.convention == "standard"
+            else "frame i follows frame i−1 by a shift a and a turn α along and about x, then a turn θ and a shift d about and "
+            "along the new z; row i holds a and α of frame i−1."
+        )
+    )
+    heads, rows = ["joint", "a, mm", "α, °", "d, mm", "θ, °", "least", "most"], []
+    plain = np.all(d.sign > 0) and not np.any(d.offset)
+    for i, row in enumerate(d.rows):
+        revolute = arm.joint_types[i] == "R"
+        cells = [fixed(row.a * MM), fixed(np.degrees(row.alpha)), fixed(row.d * MM), fixed(np.degrees(row.theta))]
+        cells[3 if revolute else 2] = _variable(arm, i)
+        unit = "°" if revolute else " mm"
+        limits = [joint_value(arm, i, v, 2) + (unit if np.isfinite(v) else "") for v in d.limits[i]]
+        rows.append([d.joint_names[i], *cells, *limits])
+    note = (
+        "" if plain else " q is the joint coordinate of the maker, whose zero and sense stand in the variable's column."
+    )
+    page.table(heads, rows, f"DH table and joint limits of {arm.name}.{note}")
+    for what, T in (("base", arm.base), ("tool", arm.tool)):
+        if not np.array_equal(T, np.eye(4)):
+            p = ", ".join(fixed(v * MM) for v in T[:3, 3])
+            page.add(
+                f"The {what} stands at ({p}) mm in the table's {'first' if what == 'base' else 'last'} frame{_turned(T)}."
+            )
+    if d.actuator:
+        g = d.actuator
+        page.add(
+            f"The tool has an actuator of its own, {g.name} ({g.lower:g} to {g.upper:g} {g.unit}); it moves no frame."
+        )
+    q = first_posture(arm)
+    values = ", ".join(
+        f"{joint_value(arm, i, v, 1)}{'°' if arm.joint_types[i] == 'R' else ' mm'}" for i, v in enumerate(q)
+    )
+    page.add(
+        Picture(
+            arm_figure(arm, q),
+            f"{arm.name} at ({values}), with its joint axes and frames. Drums are joints, turning about their own axis.",
+            "arm",
+            0.78,
+        )
+    )
+    if d.notes:
+        page.add(d.notes.strip())
+    if d.source:
+        page.add(f"*Source of the table:* {d.source}")
+
+
+def _variable(arm: Arm, i: int) -> str:
+    d = arm.description
+    revolute = arm.joint_types[i] == "R"
+    name = "q" + "".join(chr(0x2080 + int(c)) for c in str(i + 1))
+    text = name if d.sign[i] > 0 else f"−{name}"
+    constant = (d.rows[i].theta if revolute else d.rows[i].d) + d.offset[i]
+    if constant:
+        shown = fixed(abs(np.degrees(constant) if revolute else constant * MM))
+        text += f" {'+' if constant > 0 else '−'} {shown}"
+    return text
+
+
+def _turned(T: np.ndarray) -> str:
+    from pieper.description.orientation import rpy_of
+
+    angles = np.degrees(rpy_of(T[:3, :3]))
+    if np.abs(angles).max() < 1e-12:
+        return ""
+    return f", turned by roll, pitch, yaw ({', '.join(fixed(v, 2) for v in angles)})° about the fixed axes"
+
+
+def add_plan(page: Document, arm: Arm) -> None:
+    """Add how the arm is solved, with the geometry it rests on, or why it is not."""
+    page.section("How it is solved")
+    try:
+        plan = arm.plan
+    except PieperError as error:
+        page.add(str(error))
+        return
+    from pieper.inverse.reasons import FAMILY_WORDS
+
+    geometry, words = FAMILY_WORDS.get(plan.family, ("its own geometry", ""))
+    page.add("What matters for the inverse is which neighbouring axes are parallel or meet:")
+    page.add(Lines(tuple(sentence[:1].upper() + sentence[1:] for sentence in plan.geometry.sentences(plan.names))))
+    spare = f" The arm has joints to spare: {', '.join(plan.redundancy)} is chosen freely." if plan.redundancy else ""
+    page.add(
+        f"That makes it an arm with {geometry}. {words} A pose has at most {plan.max_solutions} solutions"
+        f"{' for a chosen value of the spare joint' if plan.redundancy else ''}.{spare}"
+    )
+
+
+def add_forward(page: Document, arm: Arm) -> None:
+    """Add the matrices and the forward equations, with the numbers that check them."""
+    page.section("Forward kinematics")
+
+    def equations() -> None:
+        from pieper.symbolic.notation import formula
+
+        forward = arm.symbolic.fk()
+        page.add(
+            "Each joint contributes one matrix. c₁ stands for cos θ₁, s₂₃ for sin(θ₂ + θ₃), and so on; the lengths keep their "
+            "symbols" + (": " + "; ".join(forward.meanings()) + " (m)." if forward.meanings() else ".")
+        )
+        if forward.relations():
+            page.add("The table's angles follow from the joint coordinates: " + "; ".join(forward.relations()) + ".")
+        for matrix in forward.A:
+            page.add(_matrix(matrix))
+        halves = [m for m in forward.matrices() if m.name.startswith("T") and m.name not in ("T", f"T0{arm.n}")]
+        if halves:
+            page.add("Their partial products, sums of parallel joints gathered:")
+            for matrix in halves:
+                page.add(_matrix(matrix))
+        page.add("The pose of the tool, entry by entry; n, o, a are the columns of the rotation and p is the position:")
+        texts = forward.pose.equations()
+        for plain, tex, ml in zip(
+            texts, forward.pose.equations("latex"), forward.pose.equations("mathml"), strict=True
+        ):
+            page.add(Formula(formula(ml, block=True), rf"\[ {tex} \]", len(plain)))
+        page.add(str(forward.check()))
+
+    attempt(page, "The equations", equations)
+
+
+def _matrix(matrix) -> Formula:
+    widest = max(len(line) for line in matrix.text().splitlines())
+    return Formula(matrix.mathml(), rf"\[ {matrix.latex()} \]", widest)
+
+
+def add_derivation(page: Document, arm: Arm) -> None:
+    """Add the derivation of the inverse, when the symbolic wing has one for this arm."""
+    page.section("The inverse, derived")
+
+    def derived() -> None:
+        inverse = arm.symbolic.ik()
+        page.add(Formula(inverse.mathml(), inverse.latex(), 90))
+        if hasattr(inverse, "check"):
+            page.add(str(inverse.check()))
+
+    attempt(page, "The derivation", derived)
+
+
+def add_singularities(page: Document, arm: Arm) -> None:
+    """Add the singular configurations in words and equations, with a picture of each kind."""
+    page.section("Singular configurations")
+
+    def found() -> None:
+        equations = arm.symbolic.singularities()
+        page.add(Formula(equations.mathml(), equations.latex(), 90))
+        page.add(str(equations.check()))
+        shown = 0
+        for configuration in equations.configurations:
+            if len(configuration.samples) and shown < 4:
+                shown += 1
+                words = " ".join(configuration.words)
+                page.add(
+                    Picture(
+                        arm_figure(arm, _tame(arm, configuration.samples)),
+                        f"A {configuration.kind} singularity. {words}",
+                        f"singular-{shown}-{configuration.kind}",
+                        0.62,
+                    )
+                )
+
+    attempt(page, "The list of singular configurations", found)
+
+
+def _tame(arm: Arm, samples: np.ndarray) -> np.ndarray:
+    """Return the sample that lies best inside the limits, angles taken modulo a turn."""
+    turn = 2 * np.pi
+    revolute = np.array([kind == "R" for kind in arm.joint_types])
+    q = np.where(revolute, samples - turn * np.round(samples / turn), samples)
+    beyond = np.maximum(arm.limits[:, 0] - q, q - arm.limits[:, 1]).clip(0).max(1)
+    return q[int(np.argmin(beyond))]
+
+
+def add_reach(page: Document, arm: Arm) -> None:
+    """Add where the tool can be, in two slices."""
+    page.section("Reach")
+    points = reach_samples(arm)
+    foot = arm.chain.points[0]
+    far = float(np.linalg.norm(points - foot, axis=1).max())
+    low, high = points[:, 2].min() * MM, points[:, 2].max() * MM
+    page.add(
+        f"Of {len(points):,} postures drawn evenly inside the joint limits, the tool came as far as {fixed(far * MM, 0)} mm from the "
+        f"foot of the first axis, and its height lay between {fixed(low, 0)} and {fixed(high, 0)} mm."
+    )
+    page.add(
+        Picture(
+            reach_figure(arm, points=points, q=first_posture(arm)),
+            "Where the tool can be, whatever its orientation: darker where more postures end. Left, turned into one half plane "
+            "through the first axis, with the arm drawn in; right, a slice from above.",
+            "reach",
+        )
+    )
+
+
+def attempt(page: Document, what: str, work: Callable[[], None]) -> None:
+    """Run a part that rests on the symbolic wing; where that has nothing to say, say so in a sentence and go on."""
+    length = len(page.blocks)
+    try:
+        work()
+    except (PieperError, ImportError, NotImplementedError, AttributeError) as error:
+        del page.blocks[length:]
+        reason = str(error).strip().rstrip(".") or type(error).__name__
+        page.add(f"{what} cannot be given for this arm: {reason}.")
+
+
+__all__ = [
+    "Heading",
+    "add_arm",
+    "add_derivation",
+    "add_forward",
+    "add_plan",
+    "add_reach",
+    "add_singularities",
+    "attempt",
+    "first_posture",
+    "fixed",
+    "joint_heads",
+    "joint_value",
+    "short_names",
+]

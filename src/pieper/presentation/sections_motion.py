@@ -1,0 +1,135 @@
+"""Sections about what an arm does: a pose with all its solutions, a path followed, a move in time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pieper.presentation.document import Document, Picture
+from pieper.presentation.plot_arm import configuration_figure, solutions_figure
+from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
+from pieper.presentation.plot_path import path_figure
+from pieper.presentation.sections_arm import MM, fixed, joint_heads, joint_value
+
+if TYPE_CHECKING:
+    from pieper.arm import Arm
+    from pieper.inverse.solutions import Solutions
+    from pieper.motion.sequence import Motion
+    from pieper.motion.track import Track
+
+
+def scientific(value: float) -> str:
+    """Return a small number as 3 × 10⁻¹⁶ would be read aloud, and zero as 0."""
+    if value == 0:
+        return "0"
+    mantissa, exponent = f"{value:.1e}".split("e")
+    sup = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"{mantissa}·10{sup}"
+
+
+def pose_words(T: np.ndarray) -> str:
+    """Return a pose in words: position in mm and, unless it is the identity, roll, pitch, yaw."""
+    from pieper.description.orientation import rpy_of
+
+    p = ", ".join(fixed(v * MM, 2) for v in T[:3, 3])
+    if np.allclose(T[:3, :3], np.eye(3), atol=1e-12):
+        return f"({p}) mm with the orientation R = I"
+    return f"({p}) mm, roll, pitch, yaw ({', '.join(fixed(v, 3) for v in np.degrees(rpy_of(T[:3, :3])))})°"
+
+
+def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "solutions") -> None:
+    """Add a solved pose: every solution with its label, limits and residual, and their picture."""
+    rows_q, labels, inside = sols.all_q, sols.all_labels, sols.in_limits
+    page.add(f"The pose: {pose_words(sols.T)}. {sols.why}")
+    if not len(rows_q):
+        return
+    residual = arm.plan.residual(rows_q, sols.T)
+    rows = []
+    for i, q in enumerate(rows_q):
+        outside = np.maximum(arm.limits[:, 0] - q, q - arm.limits[:, 1])
+        where = "inside" if inside[i] else f"{arm.joint_names[int(np.argmax(outside))]} outside"
+        values = [joint_value(arm, j, v, 3) for j, v in enumerate(q)]
+        miss = f"{scientific(residual[i, 0] * MM)} mm, {scientific(np.degrees(residual[i, 1]))}°"
+        rows.append([str(i + 1), *values, labels[i], where, miss])
+    n = arm.n
+    page.table(
+        ["", *joint_heads(arm), "posture", "limits", "residual"],
+        rows,
+        "Every solution of the pose, each put back through forward kinematics; the residual is what is then missing.",
+        left=(0, n + 1, n + 2),
+        strong=tuple(int(i) for i in np.flatnonzero(inside)) if not inside.all() else (),
+    )
+    for i, family in enumerate(sols.families):
+        page.add(f"Family {i + 1}: {family}")
+    few = rows_q[:16]
+    page.add(
+        Picture(
+            solutions_figure(arm, few, labels=labels[:16]),
+            f"The {'first ' if len(rows_q) > 16 else ''}{len(few)} solutions, each with the others as ghosts behind it. Postures "
+            "that differ in the wrist alone look alike.",
+            name,
+            1.0,
+        )
+    )
+
+
+def add_track(page: Document, arm: Arm, track: Track, *, prefix: str = "path") -> None:
+    """Add a followed path: what happened, its figures, some of its points, all its branches."""
+    N, first, last = len(track.path), track.path[0], track.path[-1]
+    length = float(np.linalg.norm(np.diff(track.path[:, :3, 3], axis=0), axis=1).sum())
+    page.add(
+        f"The path leads from {pose_words(first)} to {pose_words(last)} in {N} points; it is {fixed(length * MM, 4)} mm long"
+        + (f", {fixed(length / (N - 1) * MM, 5)} mm from point to point." if N > 1 else ".")
+    )
+    page.add(" ".join(track.explain().splitlines()))
+    page.add(
+        Picture(path_figure(track), "The path in space with the tool's frame along it.", f"{prefix}-space", 0.66),
+        Picture(
+            coordinates_figure(track), "The tool's coordinates against the point number.", f"{prefix}-coordinates", 0.78
+        ),
+    )
+    if len(track.q):
+        page.add(
+            Picture(joints_figure(track), "The joints against the point number.", f"{prefix}-joints", 0.8),
+            Picture(configuration_figure(arm, track), "The arm at the first and at the last point.", f"{prefix}-ends"),
+            Picture(path_figure(track, arm=arm), "The arm on its way, five postures of it.", f"{prefix}-swept", 0.66),
+        )
+        few = sorted(set(np.linspace(0, len(track.q) - 1, min(len(track.q), 9)).round().astype(int).tolist()))
+        rows = []
+        for k in few:
+            p = [fixed(v * MM, 2) for v in track.path[k, :3, 3]]
+            q = [joint_value(arm, j, v, 3) for j, v in enumerate(track.q[k])]
+            rows.append([str(k + 1), *p, *q])
+        worst = track.residual.max(0)
+        page.table(
+            ["point", "x, mm", "y, mm", "z, mm", *joint_heads(arm)],
+            rows,
+            f"Some of the points. Over all of them the tool misses the path by at most {scientific(worst[0] * MM)} mm and "
+            f"{scientific(np.degrees(worst[1]))}°.",
+        )
+    if track.branches:
+        rows = []
+        for b in track.branches:
+            end = "reaches the end" if b.complete else f"{b.stop.cause}, {b.stop.joint or ''}".rstrip(", ")
+            mark = " (followed)" if b.index == track.chosen else ""
+            rows.append([str(b.index + 1), b.label + mark, str(b.points), str(b.unlimited_points), fixed(b.s, 4), end])
+        page.table(
+            ["", "posture", "points", "without limits", "ends at s", "why"],
+            rows,
+            "Every branch that starts at the first pose: how many of the points it reaches inside the joint limits, how many it "
+            "would reach without them, and what ends it.",
+            left=(0, 1, 5),
+            strong=() if track.chosen is None else (track.chosen,),
+        )
+
+
+def add_motion(page: Document, arm: Arm, motion: Motion, words: str, *, name: str = "time") -> None:
+    """Add a motion in time with its curves."""
+    peak = np.abs(motion.dq).max(0)
+    fastest = int(np.argmax(np.where([k == "R" for k in arm.joint_types], peak, 0)))
+    page.add(
+        f"{words} Every joint follows a quintic in time, at rest at both ends. The fastest is {arm.joint_names[fastest]} with "
+        f"{fixed(np.degrees(peak[fastest]), 1)}°/s."
+    )
+    page.add(Picture(time_figure(motion, arm=arm), "Joint positions, rates and accelerations over time.", name, 0.86))
