@@ -11,14 +11,15 @@ from typing import Any
 import numpy as np
 
 import pieper
+from pieper.inverse.reach import nearest_reachable
 from pieper.workbench.messages import Refused, optional, pose, vector, word
 from pieper.workbench.table import arm_from_table, table_from_arm
 
 FIRST_ARM = "denso-vp6242"
 LONGEST_FILE = 200_000
 TASKS = ("pose", "position", "position+axis")
-#: Points of a family that are sent: enough for a smooth slider.
-FAMILY_POINTS = 181
+#: Points of a family that are sent; between two of them the page interpolates, which the eye cannot tell from exact.
+FAMILY_POINTS = 121
 
 
 def hello(message: dict[str, Any], start: str | None) -> dict[str, Any]:
@@ -68,7 +69,7 @@ def take_arm(message: dict[str, Any]) -> tuple[pieper.Arm, dict[str, Any]]:
             "explain": explain,
             "solvable": True,
             "task": getattr(plan, "task", "pose"),
-            "redundancy": bool(getattr(plan, "redundancy", False)),
+            "redundancy": list(plan.redundancy),
         }
     }
 
@@ -83,7 +84,7 @@ def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     task = optional(word, message.get("task"), "task", TASKS)
     redundancy = optional(_redundancy, message.get("redundancy"))
     began = time.perf_counter()
-    solutions = arm.ik(T, **({"task": task} if task else {}), **({} if redundancy is None else {"redundancy": redundancy}))
+    solutions = arm.ik(T, task=task, redundancy=redundancy)
     spent = time.perf_counter() - began
     return {**solution_rows(arm, solutions, message), "ms": 1e3 * spent}
 
@@ -131,9 +132,24 @@ def _nearest(solutions: pieper.Solutions, now: np.ndarray) -> list[float] | None
 
 
 def family_points(family: Any) -> dict[str, Any]:
-    """Return a continuous family as joint vectors along it, for a slider."""
-    q = np.asarray(family.sample(FAMILY_POINTS) if callable(getattr(family, "sample", None)) else family.q)
-    return {"q": q.tolist(), "title": str(getattr(family, "why", "") or getattr(family, "description", ""))}
+    """Return a continuous family as joint vectors evenly spread along it, each exactly on the pose, for a slider."""
+    along = np.linspace(0.0, 1.0, FAMILY_POINTS)
+    names = list(family.names)
+    return {
+        "q": [family.at(float(s)).tolist() for s in along],
+        "closed": bool(family.closed),
+        "moves": [names[j] for j in family.free if j < len(names)],
+        "inside": [[float(a), float(b)] for a, b in family.inside],
+        "dimension": int(family.dimension),
+    }
+
+
+def nearest_pose(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
+    """Return the reachable pose nearest to a target that is out of reach, and by how much it misses."""
+    T = pose(message.get("T"), "target")
+    q, metres, radians = nearest_reachable(arm.plan.reduction.full, T)
+    q = q[: arm.n]
+    return {"q": q.tolist(), "T": arm.fk(q).ravel().tolist(), "metres": metres, "radians": radians}
 
 
 def save(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
@@ -145,4 +161,4 @@ def save(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
 
 
 TABLES: dict[str, Callable] = {"hello": hello, "load": load, "open": open_file}
-QUICK: dict[str, Callable] = {"ik": ik, "save": save}
+QUICK: dict[str, Callable] = {"ik": ik, "nearest": nearest_pose, "save": save}

@@ -1,18 +1,35 @@
-"""Work that may take longer than a blink: paths, clouds of reachable points, equations, reports; with progress and a stop."""
+"""Work that may take longer than a blink: paths, clouds, equations, reports; with progress and a stop."""
 
 from __future__ import annotations
 
 import base64
+import tempfile
 import threading
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import pieper
-from pieper.workbench.messages import MAX_CLOUD, MAX_POINTS, pose, vector, whole, word
+from pieper.motion.sequence import sequence
+from pieper.workbench import equation_blocks
+from pieper.workbench.messages import (
+    MAX_CLOUD,
+    MAX_POINTS,
+    MAX_POSTURES,
+    Refused,
+    number,
+    pose,
+    vector,
+    vectors,
+    whole,
+    word,
+)
 
 CHUNK = 5_000
+#: Seconds of a whole sequence, and samples that are sent of one.
+LONGEST_SEQUENCE, MAX_SAMPLES = 3_600, 4_000
 Progress = Callable[[dict[str, Any]], None]
 
 
@@ -37,22 +54,48 @@ def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
         "path": path.reshape(n, 16).tolist(),
         "q": np.asarray(track.q).tolist(),
         "complete": bool(track.complete),
+        "chosen": track.chosen,
+        "explain": track.explain(),
         "events": [
-            {"s": float(e.s), "joint": None if e.joint is None else str(e.joint), "cause": str(e.cause)} for e in track.events
+            {"s": float(e.s), "joint": e.joint, "cause": e.cause, "stop": bool(e.stop), "text": str(e)}
+            for e in track.events
         ],
-        "branches": [branch_row(b) for b in track.branches],
+        "branches": [
+            {
+                "label": b.label,
+                "complete": bool(b.complete),
+                "s": float(b.s),
+                "points": b.points,
+                "cause": "" if b.stop is None else str(b.stop),
+                "q": b.q[0].tolist() if len(b.q) else None,
+            }
+            for b in track.branches
+        ],
+        "residual": [float(v) for v in (track.residual.max(0) if len(track.residual) else (0.0, 0.0))],
     }
 
 
-def branch_row(branch: Any) -> dict[str, Any]:
-    """Return one starting branch and how far it goes."""
-    out: dict[str, Any] = {}
-    for key in ("label", "complete", "reached", "s", "cause"):
-        value = getattr(branch, key, None)
-        out[key] = value if value is None or isinstance(value, (str, bool)) else float(value)
-    q = getattr(branch, "start", None)
-    out["q"] = None if q is None else np.asarray(q, dtype=float).reshape(-1).tolist()
-    return out
+def motion(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
+    """Move from posture to posture in time, at rest in each; joint values and rates at every sample."""
+    postures = vectors(message.get("postures"), arm.n, "posture", MAX_POSTURES)
+    legs = len(postures) - 1
+    if legs < 1:
+        raise Refused("A sequence needs at least two postures.")
+    seconds = vector(message.get("seconds"), legs, "seconds")
+    holds = vector(message.get("holds"), legs, "holds")
+    total = float(seconds.sum() + holds.sum())
+    if np.any(seconds <= 0) or np.any(holds < 0) or total > LONGEST_SEQUENCE:
+        raise Refused(f"Legs take more than 0 s, rests 0 s or more, and all together at most {LONGEST_SEQUENCE} s.")
+    rate = min(number(message.get("rate", 50), "rate", largest=1000), MAX_SAMPLES / total)
+    moved = sequence(postures, seconds, holds, rate=max(rate, 1e-3))
+    _go_on(stop)
+    return {
+        "t": moved.t.tolist(),
+        "q": moved.q.tolist(),
+        "dq": moved.dq.tolist(),
+        "arrivals": moved.arrivals.tolist(),
+        "departures": moved.departures.tolist(),
+    }
 
 
 def cloud(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
@@ -103,12 +146,45 @@ def _values(arm, q: np.ndarray, points: np.ndarray, colour: str, lower: np.ndarr
 
 
 def equations(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
-    """Return the arm's equations as LaTeX, symbols or present numbers."""
-    which = word(message.get("which"), "which", ("forward", "inverse"))
+    """Return the arm's equations as blocks for the page: forward, inverse, or its singular configurations."""
+    which = word(message.get("which"), "which", ("forward", "inverse", "singular"))
+    numbers = word(message.get("numbers", "symbols"), "numbers", ("symbols", "numbers"))
     progress({"note": "Deriving …"})
-    result = arm.symbolic.fk() if which == "forward" else arm.symbolic.ik()
-    _go_on(stop)
-    return {"latex": result.latex()}
+    try:
+        if which == "forward":
+            return {"blocks": equation_blocks.forward_blocks(arm, numbers)}
+        return {
+            "blocks": equation_blocks.inverse_blocks(arm)
+            if which == "inverse"
+            else equation_blocks.singular_blocks(arm)
+        }
+    except (ImportError, AttributeError, NotImplementedError) as missing:
+        raise Refused(f"These equations are not available in this installation ({missing}).") from None
 
 
-KINDS: dict[str, Callable] = {"follow": follow, "cloud": cloud, "equations": equations}
+def report(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
+    """Return the report of the arm at a posture, as one HTML page."""
+    q = vector(message.get("q"), arm.n, "q")
+    progress({"note": "Writing the report …"})
+    try:
+        from pieper.presentation.report import report as write_report
+    except ImportError as missing:
+        raise Refused(f"Reports are not available in this installation ({missing}).") from None
+    with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
+        _go_on(stop)
+        path = Path(folder) / "report.html"
+        write_report(arm, path, q=q)
+        return {"html": path.read_text(encoding="utf-8"), "name": f"{_file_name(arm.name)}-report.html"}
+
+
+def _file_name(name: str) -> str:
+    return "".join(c if c.isalnum() or c in "-_." else "-" for c in name)[:60] or "arm"
+
+
+KINDS: dict[str, Callable] = {
+    "follow": follow,
+    "motion": motion,
+    "cloud": cloud,
+    "equations": equations,
+    "report": report,
+}

@@ -168,15 +168,22 @@ def serve(
 
     if not _is_loopback(host) and not open_to_network:
         raise InputError(
-            f"{host} can be reached from other machines, and the workbench has no password: everyone who can reach it can "
-            "use it and make this machine compute. Say --open-to-network if that is what you want, or leave the host out.",
+            f"{host} can be reached from other machines, and the workbench has no password: everyone who can reach it "
+            "can use it and make this machine compute. Say --open-to-network if that is what you want, or leave the "
+            "host out.",
             host=host,
         )
     if not (PAGE / "index.html").exists():
         raise InputError(f"the page's bundle is missing from {PAGE}; reinstall pieper, or run `npm run build` there.")
     app = create_app(names=None if open_to_network else (*LOOPBACK, host), start=arm)
     config = uvicorn.Config(
-        app, host=host, port=port, log_level="warning", ws_max_size=LARGEST_FRAME, ws="websockets-sansio", server_header=False
+        app,
+        host=host,
+        port=port,
+        log_level="warning",
+        ws_max_size=LARGEST_FRAME,
+        ws="websockets-sansio",
+        server_header=False,
     )
     server = uvicorn.Server(config)
     listener = config.bind_socket()

@@ -134,7 +134,9 @@ class Session:
             """Send a piece on its way from the working thread; waits, so that a slow page slows the work."""
             if stop.is_set():
                 raise long_work.Stopped
-            asyncio.run_coroutine_threadsafe(self._send({"seq": seq, "ok": True, "progress": True, **part}), loop).result(30)
+            asyncio.run_coroutine_threadsafe(
+                self._send({"seq": seq, "ok": True, "progress": True, **part}), loop
+            ).result(30)
 
         try:
             result = await self._in_pool(long_work.KINDS[kind], arm, message, progress, stop)

@@ -32,7 +32,7 @@ def arm_from_table(table: object) -> pieper.Arm:
             raise Refused(f"{at} must be an object.")
         rows.append(pieper.DH(*(number(joint.get(key), f"{at}, {key}") for key in ("a", "alpha", "d", "theta"))))
         types.append(word(joint.get("type"), f"{at}, type", ("R", "P")))
-        limits.append(tuple(None if joint.get(k) is None else number(joint[k], f"{at}, {k}") for k in ("lower", "upper")))
+        limits.append([None if joint.get(k) is None else number(joint[k], f"{at}, {k}") for k in ("lower", "upper")])
         names.append(word(joint.get("name", f"joint_{i + 1}"), f"{at}, name"))
         sign.append(number(joint.get("sign", 1), f"{at}, sign"))
         offset.append(number(joint.get("offset", 0), f"{at}, offset"))
@@ -57,7 +57,7 @@ def _with_notes(arm: pieper.Arm, table: dict[str, Any]) -> pieper.Arm:
     if not isinstance(postures, dict) or len(postures) > 40:
         raise Refused("postures must be an object of at most 40 joint vectors.")
     named = {word(k, "posture name"): vector(v, arm.n, f"posture {k[:LONGEST_NAME]}") for k, v in postures.items()}
-    remarks = {key: text for key in ("manufacturer", "source", "notes") if isinstance(text := table.get(key), str) and len(text) < 4000}
+    remarks = {key: table[key][:4000] for key in ("manufacturer", "source", "notes") if isinstance(table.get(key), str)}
     if not named and not remarks:
         return arm
     return pieper.Arm(replace(arm.description, postures=named, **remarks))

@@ -52,11 +52,12 @@ export async function askArm(op, body, progress) {
   return ask(op, body, progress);
 }
 
-/** The first sentence of the plan, for a line at the top. */
+/** How the arm is solved, for a line at the top: what the plan says after "Solved by:", else its first sentence. */
 export function sentence(plan) {
   if (!plan) return '';
-  const text = plan.explain.replace(/\s+/g, ' ').trim(), end = text.search(/[.:;] (?=[A-Z])|[.]$/);
-  return end > 0 ? text.slice(0, end + 1) : text;
+  const lines = plan.explain.split('\n').map((l) => l.trim()), by = lines.find((l) => l.startsWith('Solved by:'));
+  const text = (by ?? lines.filter(Boolean)[0] ?? '').replace(/\s+/g, ' ');
+  return by || text.length < 200 ? text : `${text.slice(0, 200)} …`;
 }
 export function countWords(plan) {
   if (!plan?.solvable) return '';

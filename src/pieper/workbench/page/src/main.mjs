@@ -1,33 +1,54 @@
 // The page's door: puts the pieces in their places and connects to the session.
-import { $ } from './dom.mjs';
+import { $, say } from './dom.mjs';
 import { state, on, tell, setTable, presentable, forgetHistory } from './store.mjs';
 import { readTheme } from './theme.mjs';
 import * as link from './link.mjs';
 import * as library from './library.mjs';
 import * as view from './scene/view.mjs';
 import * as arm from './scene/arm.mjs';
+import * as gizmo from './scene/gizmo.mjs';
+import * as solving from './solving.mjs';
+import * as sharing from './sharing.mjs';
+import * as dock from './dock.mjs';
 import { bar, rail, overlay, keys } from './chrome.mjs';
 import { joints } from './panels/joints.mjs';
 import { pose } from './panels/pose.mjs';
 import { matrices } from './panels/matrices.mjs';
+import { inverse } from './panels/inverse.mjs';
 import { dhTable } from './panels/dh_table.mjs';
+import { equations } from './panels/equations.mjs';
+import { path } from './panels/path.mjs';
+import { sequence } from './panels/sequence.mjs';
+import { analysis } from './panels/analysis.mjs';
+import { share } from './panels/share.mjs';
+import { expose } from './hook.mjs';
 
 readTheme();
 view.open($('#view'));
 on('theme', view.applyTheme);
 view.applyTheme();
 arm.begin();
+gizmo.begin();
 library.begin();
+solving.begin();
 bar($('#bar'));
 overlay($('#overlay'));
+dock.build($('#dock'));
 keys();
-rail($('#rail'), $('#panels'), $('#pinned'), [
+let showPanel;
+showPanel = rail($('#rail'), $('#panels'), $('#pinned'), [
   { id: 'move', title: 'Move', sections: [joints, pose] },
-  matrices, dhTable,
+  inverse, dhTable, matrices, equations, path, sequence, analysis, share(() => showPanel),
 ]);
+sharing.begin();
+
+/** An arm of the address goes before the one that the server would open with. */
+const fromAddress = sharing.fromAddress().then((s) => s && sharing.restore(s, showPanel))
+  .catch((error) => say(`The link could not be read: ${error.message}`, 'wrong'));
 
 on('online', async (yes) => {
   if (!yes) return;
+  await fromAddress;
   const hello = await link.ask('hello', { wants_arm: !state.table.joints.length });
   state.catalog = hello.catalog;
   tell('catalog');
@@ -38,3 +59,6 @@ on('online', async (yes) => {
   document.documentElement.dataset.ready = 'yes';
 });
 link.start();
+// Labels in the picture are drawn with the page's own letters once these are here.
+document.fonts?.ready.then(() => tell('theme'));
+expose();

@@ -34,10 +34,10 @@ export const matrices = {
     const pickWhose = select('Posture', [['now', 'present posture']], 'now', (v) => { whose = v; update(); });
     const partial = h('span', { class: 'partial' });
     root.append(
-      h('div', { class: 'line' }, choice('Matrices shown', [['links', 'Each Aᵢ'], ['products', 'Products ⁰Tᵢ'], ['partial', 'One product']], mode, (v) => { mode = v; rebuild(); }, 'matrix-mode'), partial),
+      h('div', { class: 'line' }, choice('Matrices shown', [['links', 'Each A'], ['products', 'Products from the base'], ['partial', 'Between two frames']], mode, (v) => { mode = v; rebuild(); }, 'matrix-mode'), partial),
       h('div', { class: 'line' }, h('span', { class: 'field-name', text: 'Numbers of the' }), pickWhose), cards,
       h('h3', { text: 'Intermediate angles' }),
-      h('p', { class: 'hint', text: 'θᵢ with the maker’s sign and zero put in, and the sums of neighbouring joints whose axes are parallel, as a derivation uses them.' }), angles);
+      h('p', { class: 'hint', text: 'Each θ with the maker’s sign and zero put in, and the sums of neighbouring joints whose axes are parallel, as a derivation uses them.' }), angles);
 
     const posture = () => (whose !== 'now' && state.solutions?.rows[Number(whose)]?.q) || state.q;
     const rebuild = () => {
@@ -50,7 +50,7 @@ export const matrices = {
       replace(partial, mode === 'partial' ? [select('From frame', ends, String(from), (v) => { from = Number(v); rebuild(); }), ' → ', select('To frame', ends, String(to), (v) => { to = Number(v); rebuild(); })] : []);
       grids = names.map(([sym, low, high]) => ({ grid: matrixGrid(`${sym} ${high} ${low}`, `matrix-${sym}${high}${high ? '-' : ''}${low}`), note: h('span', { class: 'hint' }), sym, low, high }));
       replace(cards, grids.map(({ grid, note, sym, low, high }) => h('figure', { class: 'card' },
-        h('figcaption', {}, high ? h('sup', { text: high }) : null, h('i', { text: sym }), h('sub', { text: low }), note), grid)));
+        h('figcaption', {}, h('span', { class: 'symbol' }, high ? h('sup', { text: high }) : null, h('i', { text: sym }), h('sub', { text: low })), note), grid)));
       update();
     };
     const update = perFrame(() => {
@@ -69,7 +69,7 @@ export const matrices = {
       });
       const rows = state.table.joints.map((j, i) => [j.type === 'R' ? `θ${i + 1}` : `d${i + 1}`, j.type === 'R' ? show(rowAt(j, q[i]).theta, 'angle') : show(rowAt(j, q[i]).d, 'length'), j.type === 'R' ? 'angle' : 'length'])
         .concat(parallelSums(state.table, q).map(({ name, value }) => [`θ${name}`, show(value, 'angle'), 'angle']));
-      replace(angles, h('tbody', {}, rows.map(([name, value, kind]) => h('tr', {}, h('th', { scope: 'row', text: name }), h('td', { text: value }), h('td', { class: 'unit', text: units.symbol(kind) })))));
+      replace(angles, h('tbody', {}, rows.map(([name, value, kind]) => h('tr', {}, h('th', { scope: 'row' }, h('i', { text: name[0] }), h('sub', { text: name.slice(1) })), h('td', { text: value }), h('td', { class: 'unit', text: units.symbol(kind) })))));
     });
     const list = () => {
       const rows = state.solutions?.rows ?? [];

@@ -34,7 +34,7 @@ export function poseEditor(title, id, get, take) {
     if (shown !== state.notation) fields();
     const T = get();
     if (!T || row.contains(document.activeElement)) return;
-    [...position(T), ...notations[state.notation].to(T)].forEach((v, i) => { parts[i].value = v; parts[i].f.put(v); });
+    [...position(T), ...notations[state.notation].to(T)].forEach((v, i) => { parts[i].value = v; parts[i].f.put(v, rounded(v, parts[i].kind)); });
   };
   on('units', () => { fields(); show(); });
   on('notation', show);
@@ -43,6 +43,9 @@ export function poseEditor(title, id, get, take) {
   row.addEventListener('focusout', () => { editing = false; setTimeout(show); });
   return { el: h('fieldset', { class: 'pose-editor' }, h('legend', { text: title }), row), show };
 }
+
+/** Shown with a thousandth of a unit; the exact value stays behind it until the field is typed in. */
+const rounded = (v, kind) => String(Number((v * units.factor(kind)).toFixed(kind === 'plain' || units[kind] === 'm' || units[kind] === 'rad' ? 6 : 3)) + 0);
 
 /** Sixteen (or twelve, or nine and three) numbers as people paste them; lengths in the page's unit. */
 export function readMatrix(text) {

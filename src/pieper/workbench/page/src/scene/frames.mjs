@@ -18,6 +18,8 @@ const along = (axis) => new THREE.Matrix4().makeRotationFromQuaternion(
   new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...axis)));
 const glyph = mergeGeometries([arrow(axisColours[0], along([1, 0, 0])), arrow(axisColours[1], along([0, 1, 0])), arrow(axisColours[2], along([0, 0, 1]))]);
 
+/** Height of a label as a share of the picture's. */
+const LETTER = 0.021;
 const labels = new Map();
 function label(text) {
   const key = `${text}/${colours.dark}`;
@@ -64,7 +66,7 @@ export class Frames {
       const sprite = this.sprites[i] ?? (this.sprites[i] = new THREE.Sprite());
       if (!sprite.parent) this.group.add(sprite);
       sprite.material = label(name);
-      sprite.scale.set(0.03 * sprite.material.userData.aspect, 0.03, 1);
+      sprite.scale.set(LETTER * sprite.material.userData.aspect, LETTER, 1);
       sprite.renderOrder = 5;
       const d = size * 0.16;
       sprite.position.set(T[3] - d * (T[0] + T[1] + T[2]), T[7] - d * (T[4] + T[5] + T[6]), T[11] - d * (T[8] + T[9] + T[10]));
@@ -73,5 +75,10 @@ export class Frames {
     this.mesh.visible = list.length > 0;
   }
 
-  paint() { if (this.last) this.show(...this.last); }
+  /** After a change of colours or letters. */
+  paint() {
+    for (const material of labels.values()) { material.map.dispose(); material.dispose(); }
+    labels.clear();
+    if (this.last) this.show(...this.last);
+  }
 }

@@ -1,0 +1,28 @@
+// What the page says of itself to a test: what is drawn, how often, and where things are on the screen. It changes nothing.
+import { state } from './store.mjs';
+import { frames } from './kinematics.mjs';
+import { convert } from './convert.mjs';
+import { read } from './expression.mjs';
+import { picturesDrawn, toScreen } from './scene/view.mjs';
+import { ghostCount, traceLength } from './scene/arm.mjs';
+import { counts } from './solving.mjs';
+import * as cloud from './scene/cloud.mjs';
+
+export function expose() {
+  window.workbench = Object.freeze({
+    get q() { return state.q.slice(); },
+    get frames() { return structuredClone(state.frames); },
+    get target() { return state.target.slice(); },
+    get table() { return structuredClone(state.table); },
+    get solutions() { return structuredClone(state.solutions); },
+    get pictures() { return picturesDrawn(); },
+    get ghosts() { return ghostCount(); },
+    get answers() { return counts.answers; },
+    get trace() { return traceLength(); },
+    get cloud() { return cloud.size(); },
+    toScreen,
+    forward: (table, q) => frames(table, q),
+    convert: (table, to) => convert(table, to),
+    read: (text, kind) => read(text, kind),
+  });
+}

@@ -1,0 +1,51 @@
+// Asking for every solution of the target, at the speed of the hand: the newest target only, ghosts with every answer.
+import { state, on, tell, setJoints } from './store.mjs';
+import { newestOnly, Offline } from './link.mjs';
+import { askArm } from './library.mjs';
+import { showGhosts, showPreview } from './scene/arm.mjs';
+import { isDragging } from './scene/gizmo.mjs';
+
+export const options = { follow: true, ghosts: 'all', task: null, redundancy: null };
+export const counts = { answers: 0 };
+
+export const solve = newestOnly(async () => {
+  const T = state.target, table = state.table;
+  try {
+    const brief = isDragging();
+    const answer = await askArm('ik', { T, q: state.q, brief, task: options.task, redundancy: options.redundancy });
+    if (table !== state.table) return;
+    counts.answers += 1;
+    state.solutions = { ...answer, T };
+    if (options.follow && answer.nearest) setJoints(answer.nearest, 'follow');
+    drawGhosts();
+    tell('solutions');
+    if (answer.status === 'OUT_OF_REACH' && !brief) findNearest(T);
+  } catch (error) {
+    if (error instanceof Offline) return;
+    state.solutions = { rows: [], families: [], status: 'REFUSED', why: error.message, nearest: null };
+    drawGhosts();
+    tell('solutions');
+  }
+});
+
+const findNearest = newestOnly(async (T) => {
+  try {
+    const near = await askArm('nearest', { T });
+    if (state.solutions && state.solutions.T === T) { state.solutions.near = near; tell('solutions'); }
+  } catch { /* the reason in words stands already */ }
+});
+
+const close = (a, b) => a.every((v, i) => Math.abs(Math.atan2(Math.sin(v - b[i]), Math.cos(v - b[i]))) < 1e-6 || Math.abs(v - b[i]) < 1e-9);
+export function drawGhosts() {
+  const rows = state.solutions?.rows ?? [];
+  const wanted = state.panel === 'inverse' && options.ghosts !== 'none' ? rows.filter((r) => (options.ghosts === 'all' || r.inside) && !close(r.q, state.q)) : [];
+  showGhosts(wanted.map((r) => r.q));
+}
+
+export function begin() {
+  on('target', () => { if (state.panel === 'inverse') solve(); });
+  on('panel', (id) => { showPreview(null); if (id === 'inverse') { if (!state.solutions) solve(); } drawGhosts(); });
+  on('moving', (yes) => { if (!yes) drawGhosts(); });
+  on('table', () => { options.redundancy = null; tell('solutions'); if (state.panel === 'inverse') solve(); });
+  on('online', (yes) => { if (yes && state.panel === 'inverse' && state.table.joints.length) solve(); });
+}
