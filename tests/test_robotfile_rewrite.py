@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import os
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -34,7 +35,7 @@ def test_writing_back_what_was_read_changes_no_character(file):
 
 @pytest.mark.parametrize("name", catalog.names())
 def test_a_catalogue_file_written_back_changes_no_character(name, tmp_path):
-    text = catalog.path_of(name).read_text()
+    text = Path(catalog.path_of(name)).read_text()
     path = tmp_path / "arm.toml"
     path.write_text(text)
     robotfile.write(catalog.load(name), path)
