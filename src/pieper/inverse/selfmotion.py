@@ -211,14 +211,14 @@ def corrected(chain: Chain, q: np.ndarray, T: np.ndarray, direction: np.ndarray)
     return q if np.linalg.norm(pose_difference(chain, q, T)) < ON_CURVE else None
 
 
-def moves(chain: Chain, q: np.ndarray, T: np.ndarray, direction: np.ndarray, probe: float = 0.05) -> bool:
-    """Whether the pose can be held while moving from q along `direction` by `probe` (rad or characteristic lengths)."""
+def moved(chain: Chain, q: np.ndarray, T: np.ndarray, direction: np.ndarray, probe: float = 0.05) -> np.ndarray | None:
+    """Return a point about `probe` (rad or characteristic lengths) from q along `direction` that holds the pose, or None."""
     unit = np.where(chain.prismatic, chain.length, 1.0)
     for side in (probe, -probe):
-        moved = corrected(chain, q + side * direction * unit, T, direction)
-        if moved is not None and np.linalg.norm((moved - q) / unit) > 0.5 * probe:
-            return True
-    return False
+        point = corrected(chain, q + side * direction * unit, T, direction)
+        if point is not None and np.linalg.norm((point - q) / unit) > 0.5 * probe:
+            return point
+    return None
 
 
 def trace(
@@ -254,6 +254,39 @@ def trace(
     samples = np.array(points)
     middle = samples[len(samples) // 2]
     return Family(chain, T, samples, closed, max(1, nullity(chain, middle)), limits, names)
+
+
+def crossings(family: Family) -> list[np.ndarray]:
+    """Return points of a curve where a second self-motion direction opens: other curves cross there."""
+    chain, samples = family.chain, family.samples
+    second = second_smallest(chain, samples)
+    found = []
+    last = len(samples) - 1
+    for i in range(len(samples)):
+        # at a crossing the value falls to zero like |s - s0|: less than one and a half times what a step changes
+        around = second[[(i + k) % last if family.closed else min(max(i + k, 0), last) for k in (-2, -1, 1, 2)]]
+        change = max(abs(around[0] - around[1]), abs(around[3] - around[2]))
+        if second[i] > min(around) or second[i] > 1.5 * change + 1e-9:
+            continue
+        low, high = family.s[max(i - 1, 0)], family.s[min(i + 1, last)]
+        for _ in range(30):  # golden section
+            a, b = high - 0.618 * (high - low), low + 0.618 * (high - low)
+            if second_smallest(chain, family.at(a)) < second_smallest(chain, family.at(b)):
+                high = b
+            else:
+                low = a
+        point = family.at((low + high) / 2)
+        if second_smallest(chain, point) < 1e-5:
+            found.append(point)
+    return found
+
+
+def second_smallest(chain: Chain, q: np.ndarray) -> np.ndarray:
+    """Return the size (...) of the second self-motion direction's singular value, relative to the largest."""
+    s = np.linalg.svd(scaled_jacobian(chain, q), compute_uv=False)
+    # n joints have n singular values, of which those beyond the sixth are zero
+    k = chain.n - 2
+    return (s[..., k] if k < s.shape[-1] else np.zeros(s.shape[:-1])) / s[..., 0]
 
 
 def _walk(chain, q, T, direction, stop) -> tuple[list[np.ndarray], bool]:

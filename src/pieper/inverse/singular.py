@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.inverse.refine import newton, pose_difference, scaled_jacobian
-from pieper.inverse.selfmotion import Family, moves, nullity, tangent, trace
+from pieper.inverse.selfmotion import Family, crossings, moved, trace
 from pieper.inverse.solutions import TURN
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import rotation_about
@@ -21,8 +21,12 @@ from pieper.tolerances import SINGULAR_EXAMINED
 
 #: Sizes of the side steps (per length; rad) from which a singular pose is approached, and how many each.
 APPROACHES, APPROACH_SIZES = 6, (1e-4, 1e-7)
-#: A double root is known to about the square root of rounding, so two that are closer are one.
-MERGED = 3e-6
+#: Rows of the kernel closer than this are one (rad; per length); a double root is known to about 1e-8.
+SAME = 1e-7
+#: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.
+ON_POLYLINE = 5e-3
+#: Directions tried where curves cross, and the most curves followed at one pose.
+FAN, MOST_FAMILIES = 12, 24
 #: A solution must hold the pose this well (per length; rad). At a double root this fixes q to its square root only.
 HOLDS = 1e-11
 
@@ -63,27 +67,21 @@ def examine(
         names: Joint names.
     """
     regular, singular = _split(chain, candidates)
-    pulled = newton(chain, solve(_around(chain, T)).reshape(-1, chain.n), T, steps=40, cutoff=1e-9)
+    pulled = newton(chain, solve(_around(chain, T)).reshape(-1, chain.n), T, steps=30, cutoff=1e-9)
     good = np.linalg.norm(pose_difference(chain, pulled, T), axis=-1) < HOLDS
     near_regular, near_singular = _split(chain, pulled[good])
-    isolated = _distinct(chain, np.concatenate([regular, near_regular]), 1e-7)
+    isolated = _distinct(chain, np.concatenate([regular, near_regular]), SAME)
     families: list[Family] = []
     doubles: list[np.ndarray] = []
-    # candidates first: they are points of the pose itself; a merged pair nearby collapses onto them
-    for q in np.concatenate([singular, near_singular]):
-        if any(_apart(chain, q, d) < MERGED for d in doubles):
-            continue
-        if any(f.distance(q) < 2e-3 and f.contains(q, 1e-4) for f in families):
-            continue
-        direction = _moving_direction(chain, q, T)
-        if direction is not None:
-            families.append(trace(chain, q, T, limits, names, direction))
-        else:
+    # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
+    for index, q in enumerate(np.concatenate([singular, _distinct(chain, near_singular, 1e-3)])):
+        on_curve = _grow(chain, q, T, limits, names, families)
+        if not on_curve and index < len(singular):
             doubles.append(q)
-    # a point that moves along a curve is no isolated solution, however it was found
-    doubles = [d for d in doubles if not any(f.distance(d) < 2e-3 and f.contains(d, 1e-4) for f in families)]
-    doubles, pairs = _merge(chain, doubles, T)
-    isolated = np.array([q for q in isolated if not any(f.distance(q) < 1e-5 for f in families)]).reshape(-1, chain.n)
+    doubles = list(_distinct(chain, np.array(sorted(doubles, key=lambda q: _miss(chain, q, T))), SAME))
+    doubles = [d for d in doubles if not any(f.distance(d) < 1e-4 for f in families)]
+    isolated = [q for q in isolated if not any(f.distance(q) < 1e-5 for f in families)]
+    pairs = [_merged(chain, q, T) for q in doubles]
     rows = [*isolated, *doubles, *(f.representative for f in families)]
     family = [-1] * (len(isolated) + len(doubles)) + list(range(len(families)))
     multiplicity = [1] * len(isolated) + pairs + [1] * len(families)
@@ -93,21 +91,60 @@ def examine(
     return Examined(wrapped[order], np.array(family, int)[order], np.array(multiplicity, int)[order], tuple(families))
 
 
-def _moving_direction(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray | None:
-    """Return a direction in which the pose can be held, or None. Where several vanish at once, try their mixtures."""
+def _grow(chain, q, T, limits, names, families: list[Family]) -> bool:
+    """Add every curve through q, and every curve that crosses those, to `families`; say whether q lies on one."""
+    found = any(f.distance(q) < 2e-3 for f in families)
+    waiting = [q]
+    while waiting and len(families) < MOST_FAMILIES:
+        point = waiting.pop()
+        for direction in _directions(chain, point):
+            further = moved(chain, point, T, direction)
+            if further is None:
+                continue
+            if any(f.distance(further) < ON_POLYLINE for f in families):
+                found = True
+                continue
+            set_out = (further - point) / _unit(chain)
+            family = trace(chain, point, T, limits, names, set_out / np.linalg.norm(set_out))
+            # joint space without sliding joints has no ends: what does not close only came near a singular pose
+            if not family.closed and not chain.prismatic.any():
+                continue
+            found = True
+            families.append(family)
+            waiting += crossings(family)
+    return found
+
+
+def _directions(chain: Chain, q: np.ndarray) -> list[np.ndarray]:
+    """Return directions in which a pose might be held at q; where two vanish at once, a fan of their mixtures."""
     _, s, Vt = np.linalg.svd(scaled_jacobian(chain, q))
     s = np.concatenate([s, np.zeros(chain.n - len(s))])
     null = Vt[s <= max(SINGULAR_EXAMINED * s[0], 1e-300)]
-    if not len(null):
-        return None
-    trials = list(null[::-1])
-    for i in range(len(null)):
-        for j in range(i):
-            trials += [(null[i] + null[j]) / np.sqrt(2), (null[i] - null[j]) / np.sqrt(2)]
-    for direction in trials:
-        if moves(chain, q, T, direction):
-            return direction
-    return None
+    if len(null) < 2:
+        return list(null)
+    angles = np.arange(FAN) * np.pi / FAN
+    fan = [np.cos(t) * null[0] + np.sin(t) * null[1] for t in angles]
+    # a curve's own tangent at a crossing is found by Newton from the nearest of the fan
+    return [*null, *fan]
+
+
+def _unit(chain: Chain) -> np.ndarray:
+    return np.where(chain.prismatic, chain.length, 1.0)
+
+
+def _miss(chain: Chain, q: np.ndarray, T: np.ndarray) -> float:
+    return float(np.linalg.norm(pose_difference(chain, q, T)))
+
+
+def _merged(chain: Chain, q: np.ndarray, T: np.ndarray) -> int:
+    """Return 2 for a double root, 1 where the Jacobian is merely poor.
+
+    Along the null direction the pose is missed by sigma t + kappa t^2 / 2: the twin of this root lies at 2 sigma / kappa.
+    """
+    U, s, Vt = np.linalg.svd(scaled_jacobian(chain, q))
+    null, left, step = Vt[len(s) - 1], U[:, len(s) - 1], 1e-3
+    bent = sum(pose_difference(chain, q + side * step * null * _unit(chain), T) @ left for side in (1, -1)) / step**2
+    return 2 if 2 * s[-1] < SAME * abs(bent) else 1
 
 
 def _around(chain: Chain, T: np.ndarray) -> np.ndarray:
@@ -143,23 +180,6 @@ def _distinct(chain: Chain, q: np.ndarray, tolerance: float) -> np.ndarray:
         if not any(_apart(chain, row, other) < tolerance for other in kept):
             kept.append(row)
     return np.array(kept).reshape(-1, chain.n)
-
-
-def _merge(chain: Chain, doubles: list[np.ndarray], T: np.ndarray) -> tuple[list[np.ndarray], list[int]]:
-    """Merge what lies within the blur of a double root; what remains and is singular counts twice."""
-    kept: list[np.ndarray] = []
-    size = lambda q: float(np.linalg.norm(pose_difference(chain, q, T)))  # noqa: E731
-    for q in sorted(doubles, key=size):
-        if not any(_apart(chain, q, other) < max(MERGED, _blur(chain, q)) for other in kept):
-            kept.append(q)
-    double = [nullity(chain, q, SINGULAR_EXAMINED) > 0 for q in kept]
-    return kept, [2 if d else 1 for d in double]
-
-
-def _blur(chain: Chain, q: np.ndarray) -> float:
-    """How far apart along the null direction two roots may be read from rounding alone, at sigma of this size."""
-    _, s = tangent(chain, q)
-    return 4e-7 if s[-1] > 1e-9 * s[0] else 2e-5
 
 
 def _apart(chain: Chain, a: np.ndarray, b: np.ndarray) -> float:

@@ -12,7 +12,6 @@ from pieper.inverse.reduced import solve_reduced
 from pieper.inverse.singular import examine
 from pieper.inverse.solutions import (
     DEGENERATE,
-    UNCERTAIN,
     SolutionBatch,
     Solutions,
     Status,
@@ -20,7 +19,7 @@ from pieper.inverse.solutions import (
 )
 from pieper.kinematics.pose import checked_pose
 
-_CAREFUL = DEGENERATE | UNCERTAIN
+_CAREFUL = DEGENERATE
 
 
 def ik(plan: Plan, T: object, redundancy: object = None) -> Solutions:

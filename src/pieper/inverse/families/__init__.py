@@ -7,8 +7,8 @@ A family module has `match(chain, geometry)`, which returns what it recognised o
 from __future__ import annotations
 
 from importlib import import_module
-from importlib.util import find_spec
 
+from pieper import _kernel
 from pieper.inverse.families.spec import KernelSpec
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
@@ -23,7 +23,7 @@ def choose(chain: Chain, geometry: Geometry, families: tuple[str, ...] = FAMILIE
         PlanError: No family takes the chain; raised by the last one asked, with the reason.
     """
     for name in families:
-        if not find_spec(f"pieper.inverse.families.{name}"):
+        if name not in _kernel.kinds:
             continue
         family = import_module(f"pieper.inverse.families.{name}")
         match = family.match(chain, geometry)
@@ -35,6 +35,6 @@ def choose(chain: Chain, geometry: Geometry, families: tuple[str, ...] = FAMILIE
 def tier(chain: Chain, geometry: Geometry) -> int:
     """Return how early in FAMILIES a chain is taken, without preparing it; fewer is faster."""
     for index, name in enumerate(FAMILIES[:-1]):
-        if find_spec(f"pieper.inverse.families.{name}") and import_module(f"pieper.inverse.families.{name}").match(chain, geometry) is not None:
+        if name in _kernel.kinds and import_module(f"pieper.inverse.families.{name}").match(chain, geometry) is not None:
             return index
     return len(FAMILIES) - 1

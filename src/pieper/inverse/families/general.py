@@ -78,13 +78,14 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
 def _ways(trials: np.ndarray) -> tuple[dict, ...]:
     """Turn the kernel's record (24, 4) into words, best first."""
     out = []
-    for index, (usable, missed, left_open, noise) in enumerate(trials):
-        if not usable:
+    for index, (rank, missed, left_open, noise) in enumerate(trials):
+        if not rank:
             continue
         shift, backward = index // 4, (index // 2) % 2
         at = (2 + shift) % 6
         out.append(
             {
+                "rank": int(rank),
                 "hidden_joint": (6 - at) if backward else at + 1,
                 "direction": _DIRECTIONS[backward],
                 "missed": int(missed),
@@ -92,7 +93,7 @@ def _ways(trials: np.ndarray) -> tuple[dict, ...]:
                 "noise": float(noise),
             }
         )
-    return tuple(sorted(out, key=lambda way: (way["missed"], way["noise"])))
+    return tuple(sorted(out, key=lambda way: way["rank"]))
 
 
 def _reason(chain: Chain, slides: int) -> str:
