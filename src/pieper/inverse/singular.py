@@ -73,9 +73,10 @@ def examine(
     isolated = _distinct(chain, np.concatenate([regular, near_regular]), SAME)
     families: list[Family] = []
     doubles: list[np.ndarray] = []
+    open_ended: list[Family] = []
     # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
     for index, q in enumerate(np.concatenate([singular, _distinct(chain, near_singular, 1e-3)])):
-        on_curve = _grow(chain, q, T, limits, names, families)
+        on_curve = _grow(chain, q, T, limits, names, families, open_ended)
         if not on_curve and index < len(singular):
             doubles.append(q)
     doubles = list(_distinct(chain, np.array(sorted(doubles, key=lambda q: _miss(chain, q, T))), SAME))
@@ -91,7 +92,7 @@ def examine(
     return Examined(wrapped[order], np.array(family, int)[order], np.array(multiplicity, int)[order], tuple(families))
 
 
-def _grow(chain, q, T, limits, names, families: list[Family]) -> bool:
+def _grow(chain, q, T, limits, names, families: list[Family], open_ended: list[Family]) -> bool:
     """Add every curve through q, and every curve that crosses those, to `families`; say whether q lies on one."""
     found = any(f.distance(q) < 2e-3 for f in families)
     waiting = [q]
@@ -104,10 +105,13 @@ def _grow(chain, q, T, limits, names, families: list[Family]) -> bool:
             if any(f.distance(further) < ON_POLYLINE for f in families):
                 found = True
                 continue
+            if any(f.distance(further) < ON_POLYLINE for f in open_ended):
+                continue
             set_out = (further - point) / _unit(chain)
             family = trace(chain, point, T, limits, names, set_out / np.linalg.norm(set_out))
             # joint space without sliding joints has no ends: what does not close only came near a singular pose
             if not family.closed and not chain.prismatic.any():
+                open_ended.append(family)
                 continue
             found = True
             families.append(family)
