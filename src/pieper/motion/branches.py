@@ -67,6 +67,9 @@ def _first(way: Continuation, start: np.ndarray) -> list[Strand]:
                 out.append(Strand([first], q, BRIDGE, crossings=[0]))
         if out:
             return out
+    # every pose near by has a continuum too: its representatives begin a branch each
+    sols = way.arm.ik(way.path[0])
+    found = sols.all_q if len(sols.all_q) else found
     out = [Strand([q], q, 0.0) for q in found]
     own, ok = way.project(start, 0)
     if ok and all(np.abs(way.wrapped(own - q)).max() > ROUNDING for q in found):

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.inverse.solutions import Status
+from pieper.inverse.solutions import DEGENERATE, Status
 from pieper.kinematics.pose import pose_error, rotation_vector
 from pieper.motion.path import between
 from pieper.tolerances import VERIFIED
@@ -56,7 +56,6 @@ class Continuation:
     def __init__(self, arm: Arm, path: np.ndarray) -> None:
         self.arm = arm
         self.path = path
-        self.batch = arm.ik_many(path)
         self.revolute = ~np.asarray(arm.chain.prismatic)
         self.length = arm.chain.length
         #: joint coordinates are compared as q * scale: radians, and lengths per characteristic length
@@ -64,7 +63,9 @@ class Continuation:
         self.task = getattr(arm.plan, "task", "pose")
         #: whether every pose has a continuum of solutions, so that none of them can be matched
         self.redundant = bool(getattr(arm.plan, "redundancy", False))
+        self._rows, self._inside, self._special = self._solve(path)
         self._solved: dict[float, tuple[np.ndarray, bool]] = {}
+        self._why: dict[float, str] = {}
         self._poses: dict[float, np.ndarray] = {}
         self._steps = 0
 
@@ -83,10 +84,36 @@ class Continuation:
         """Return all solutions (m, n) at x, limits not applied, and whether the pose is singular or redundant."""
         if x not in self._solved:
             k = int(np.floor(x))
-            batch, row = (self.batch, k) if k == x else (self.arm.ik_many(self.pose(x)[None]), 0)
-            special = batch.status[row] in (Status.SINGULAR, Status.REDUNDANT) or bool(batch.flag[row] & 1)
-            self._solved[x] = batch.q[row][batch.valid[row]], special
+            rows, _, special = (self._rows, None, self._special) if k == x else self._solve(self.pose(x)[None])
+            self._solved[x] = rows[k if k == x else 0], bool(special[k if k == x else 0])
         return self._solved[x]
+
+    def _solve(self, poses: np.ndarray) -> tuple[list[np.ndarray], np.ndarray, np.ndarray]:
+        """Return for N poses their solutions (m, n), whether one lies inside the limits (N,), which are special (N,).
+
+        The kernel's own rows are enough here: on a singularity they are true solutions, and which of a continuum they
+        are does not matter, since a branch that comes to one is carried across it.
+        """
+        plan = self.arm.plan
+        if plan.direct:
+            q, valid, inside, flag = plan.solver.many(np.ascontiguousarray(poses), 1)
+            special = (flag & DEGENERATE) > 0
+        else:
+            batch = self.arm.ik_many(poses)
+            q, valid, inside = batch.q, batch.valid, batch.in_limits
+            special = np.isin(batch.status, (Status.SINGULAR, Status.REDUNDANT)) | ((batch.flag & DEGENERATE) > 0)
+        return [row[ok] for row, ok in zip(q, valid, strict=True)], inside.any(1), special
+
+    @property
+    def reachable(self) -> np.ndarray:
+        """(N,) whether a point has a solution inside the limits."""
+        return self._inside
+
+    def why(self, x: float) -> str:
+        """Return why the pose at x came out as it did, asked once."""
+        if x not in self._why:
+            self._why[x] = self.arm.ik(self.pose(x)).why
+        return self._why[x]
 
     def wrapped(self, dq: np.ndarray) -> np.ndarray:
         """Return joint differences (..., n), scaled, revolute ones by the shorter way round."""
@@ -107,11 +134,13 @@ class Continuation:
         Ta, Tb = self.pose(xa), self.pose(xb)
         return np.concatenate([Tb[:3, 3] - Ta[:3, 3], rotation_vector(Tb[:3, :3] @ Ta[:3, :3].T)])
 
-    def _rates(self, q: np.ndarray, T: np.ndarray, twist: np.ndarray) -> np.ndarray:
-        """Return the scaled joint steps (..., n) that the Jacobian at q predicts for a small motion of the tool."""
-        rows = self._task_rows(T)
-        J = rows @ self.arm.jacobian(q) / self.scale
-        return np.linalg.pinv(J, rcond=1e-10) @ (rows @ twist)
+    def _jacobian(self, q: np.ndarray, x: float) -> np.ndarray:
+        """Return the scaled Jacobians (..., r, n) of joint vectors q (..., n) at x, rows as the task asks."""
+        return self._task_rows(self.pose(x)) @ self.arm.jacobian(q) / self.scale
+
+    def _steps_of(self, J: np.ndarray, xa: float, xb: float) -> np.ndarray:
+        """Return the scaled joint steps (..., n) that scaled Jacobians predict from xa to xb."""
+        return np.linalg.pinv(J, rcond=1e-10) @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
 
     # ------------------------------------------------------------------ steps
 
@@ -131,14 +160,15 @@ class Continuation:
             best = np.argmin(size, axis=1)
             d = np.take_along_axis(D, best[:, None, None], 1)[:, 0]
             return q + d / self.scale, size[np.arange(len(q)), best] <= MET
-        twist = self._twist(xa, xb)
-        forward = self._rates(q, self.pose(xa), twist)
+        here = self._jacobian(q, xa)
+        forward = self._steps_of(here, xa, xb)
         miss = np.linalg.norm(D - forward[:, None], axis=-1)
         best = np.argmin(miss, axis=1)
         rows = np.arange(len(q))
         d = D[rows, best]
         step = size[rows, best]
-        backward = self._rates(found[best], self.pose(xb), twist)
+        there = self._jacobian(found[best], xb)
+        backward = self._steps_of(there, xa, xb)
         allowed = AGREEMENT * step + ROUNDING
         sure = (miss[rows, best] <= allowed) & (np.linalg.norm(d - backward, axis=-1) <= allowed)
         sure &= np.abs(d).max(-1) <= LARGEST_STEP
@@ -148,22 +178,17 @@ class Continuation:
             sure &= others.min(1) >= CLEARANCE * miss[rows, best] + ROUNDING
         counts = np.bincount(best, minlength=len(found))
         sure &= counts[best] == 1
-        sure &= self.side(q, xa) == self.side(found[best], xb)
+        sure &= _side(here) == _side(there)
         return q + d / self.scale, sure
-
-    def side(self, q: np.ndarray, x: float) -> np.ndarray:
-        """Return on which side (...) of the singularities joint vectors q (..., n) lie, +1 or -1; 0 when not square."""
-        J = self._task_rows(self.pose(x)) @ self.arm.jacobian(q)
-        return np.sign(np.linalg.det(J)) if J.shape[-1] == J.shape[-2] else np.zeros(J.shape[:-2])
 
     def is_singular(self, q: np.ndarray, x: float) -> bool:
         """Return whether the Jacobian at a joint vector q (n,) has lost rank."""
-        sigma = np.linalg.svd(self._task_rows(self.pose(x)) @ self.arm.jacobian(q) / self.scale, compute_uv=False)
+        sigma = np.linalg.svd(self._jacobian(q, x), compute_uv=False)
         return bool(sigma[-1] < SINGULAR * sigma[0])
 
     def predict(self, q: np.ndarray, xa: float, xb: float) -> np.ndarray:
         """Return where the Jacobian sends a joint vector q (n,) from xa to xb, with the least joint motion."""
-        return q + self._rates(q, self.pose(xa), self._twist(xa, xb)) / self.scale
+        return q + self._steps_of(self._jacobian(q, xa), xa, xb) / self.scale
 
     def carry(self, q: np.ndarray, xa: float, xb: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Carry joint vectors q (B, n) from xa to xb.
@@ -240,3 +265,8 @@ class Continuation:
             z, wanted = now[:, :3, 2], self.path[: len(q), :3, 2]
             error[:, 1] = np.arctan2(np.linalg.norm(np.cross(z, wanted), axis=-1), np.sum(z * wanted, -1))
         return error
+
+
+def _side(J: np.ndarray) -> np.ndarray:
+    """Return on which side (...) of the singularities Jacobians (..., r, n) lie, +1 or -1; 0 when they are not square."""
+    return np.sign(np.linalg.det(J)) if J.shape[-1] == J.shape[-2] else np.zeros(J.shape[:-2])

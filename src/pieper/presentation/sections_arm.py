@@ -50,7 +50,7 @@ def short_names(arm: Arm) -> list[str]:
 
 
 def first_posture(arm: Arm) -> np.ndarray:
-    """Return a posture (n,) that shows the arm well: a named one that is not zero, else a bent one inside the limits."""
+    """Return a posture (n,) that shows the arm well: a named one, else a bent one inside the limits."""
     for name in ("line-start", "home", "ready", "folded"):
         if name in arm.description.postures:
             return np.asarray(arm.description.postures[name], float)
@@ -74,12 +74,15 @@ def add_arm(page: Document, arm: Arm) -> None:
     convention = "standard (distal)" if d.convention == "standard" else "modified (proximal, Craig)"
     page.section("The arm")
     page.add(
-        f"{arm.name}{maker}, has {arm.n} joints, {' and '.join(counts)}. Its geometry is given by a Denavit–Hartenberg table in the "
+        f"{arm.name}{maker}, has {arm.n} joints, {' and '.join(counts)}. Its geometry is given by a "
+        "Denavit–Hartenberg table in the "
         f"{convention} convention: "
         + (
-            "frame i follows frame i−1 by a turn θ about z, a shift d along z, a shift a along the new x and a turn α about it."
+            "frame i follows frame i−1 by a turn θ about z, a shift d along z, a shift a along the new x and a turn "
+            "α about it."
             if d.convention == "standard"
-            else "frame i follows frame i−1 by a shift a and a turn α along and about x, then a turn θ and a shift d about and "
+            else "frame i follows frame i−1 by a shift a and a turn α along and about x, then a turn θ and a shift d "
+            "about and "
             "along the new z; row i holds a and α of frame i−1."
         )
     )
@@ -100,7 +103,8 @@ def add_arm(page: Document, arm: Arm) -> None:
         if not np.array_equal(T, np.eye(4)):
             p = ", ".join(fixed(v * MM) for v in T[:3, 3])
             page.add(
-                f"The {what} stands at ({p}) mm in the table's {'first' if what == 'base' else 'last'} frame{_turned(T)}."
+                f"The {what} stands at ({p}) mm in the table's {'first' if what == 'base' else 'last'} "
+                f"frame{_turned(T)}."
             )
     if d.actuator:
         g = d.actuator
@@ -114,7 +118,8 @@ def add_arm(page: Document, arm: Arm) -> None:
     page.add(
         Picture(
             arm_figure(arm, q),
-            f"{arm.name} at ({values}), with its joint axes and frames. Drums are joints, turning about their own axis.",
+            f"{arm.name} at ({values}), with its joint axes and frames. Drums are joints, turning about their own "
+            "axis.",
             "arm",
             0.78,
         )
@@ -175,7 +180,8 @@ def add_forward(page: Document, arm: Arm) -> None:
 
         forward = arm.symbolic.fk()
         page.add(
-            "Each joint contributes one matrix. c₁ stands for cos θ₁, s₂₃ for sin(θ₂ + θ₃), and so on; the lengths keep their "
+            "Each joint contributes one matrix. c₁ stands for cos θ₁, s₂₃ for sin(θ₂ + θ₃), and so on; the lengths "
+            "keep their "
             "symbols" + (": " + "; ".join(forward.meanings()) + " (m)." if forward.meanings() else ".")
         )
         if forward.relations():
@@ -258,13 +264,15 @@ def add_reach(page: Document, arm: Arm) -> None:
     far = float(np.linalg.norm(points - foot, axis=1).max())
     low, high = points[:, 2].min() * MM, points[:, 2].max() * MM
     page.add(
-        f"Of {len(points):,} postures drawn evenly inside the joint limits, the tool came as far as {fixed(far * MM, 0)} mm from the "
+        f"Of {len(points):,} postures drawn evenly inside the joint limits, the tool came as far as "
+        f"{fixed(far * MM, 0)} mm from the "
         f"foot of the first axis, and its height lay between {fixed(low, 0)} and {fixed(high, 0)} mm."
     )
     page.add(
         Picture(
             reach_figure(arm, points=points, q=first_posture(arm)),
-            "Where the tool can be, whatever its orientation: darker where more postures end. Left, turned into one half plane "
+            "Where the tool can be, whatever its orientation: darker where more postures end. Left, turned into one "
+            "half plane "
             "through the first axis, with the arm drawn in; right, a slice from above.",
             "reach",
         )

@@ -66,7 +66,8 @@ def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "sol
     page.add(
         Picture(
             solutions_figure(arm, few, labels=labels[:16]),
-            f"The {'first ' if len(rows_q) > 16 else ''}{len(few)} solutions, each with the others as ghosts behind it. Postures "
+            f"The {'first ' if len(rows_q) > 16 else ''}{len(few)} solutions, each with the others as ghosts behind "
+            "it. Postures "
             "that differ in the wrist alone look alike.",
             name,
             1.0,
@@ -79,8 +80,8 @@ def add_track(page: Document, arm: Arm, track: Track, *, prefix: str = "path") -
     N, first, last = len(track.path), track.path[0], track.path[-1]
     length = float(np.linalg.norm(np.diff(track.path[:, :3, 3], axis=0), axis=1).sum())
     page.add(
-        f"The path leads from {pose_words(first)} to {pose_words(last)} in {N} points; it is {fixed(length * MM, 4)} mm long"
-        + (f", {fixed(length / (N - 1) * MM, 5)} mm from point to point." if N > 1 else ".")
+        f"The path leads from {pose_words(first)} to {pose_words(last)} in {N} points; it is {fixed(length * MM, 4)} "
+        "mm long" + (f", {fixed(length / (N - 1) * MM, 5)} mm from point to point." if N > 1 else ".")
     )
     page.add(" ".join(track.explain().splitlines()))
     page.add(
@@ -105,7 +106,8 @@ def add_track(page: Document, arm: Arm, track: Track, *, prefix: str = "path") -
         page.table(
             ["point", "x, mm", "y, mm", "z, mm", *joint_heads(arm)],
             rows,
-            f"Some of the points. Over all of them the tool misses the path by at most {scientific(worst[0] * MM)} mm and "
+            f"Some of the points. Over all of them the tool misses the path by at most {scientific(worst[0] * MM)} "
+            "mm and "
             f"{scientific(np.degrees(worst[1]))}°.",
         )
     if track.branches:
@@ -117,7 +119,8 @@ def add_track(page: Document, arm: Arm, track: Track, *, prefix: str = "path") -
         page.table(
             ["", "posture", "points", "without limits", "ends at s", "why"],
             rows,
-            "Every branch that starts at the first pose: how many of the points it reaches inside the joint limits, how many it "
+            "Every branch that starts at the first pose: how many of the points it reaches inside the joint limits, "
+            "how many it "
             "would reach without them, and what ends it.",
             left=(0, 1, 5),
             strong=() if track.chosen is None else (track.chosen,),
@@ -129,7 +132,8 @@ def add_motion(page: Document, arm: Arm, motion: Motion, words: str, *, name: st
     peak = np.abs(motion.dq).max(0)
     fastest = int(np.argmax(np.where([k == "R" for k in arm.joint_types], peak, 0)))
     page.add(
-        f"{words} Every joint follows a quintic in time, at rest at both ends. The fastest is {arm.joint_names[fastest]} with "
+        f"{words} Every joint follows a quintic in time, at rest at both ends. The fastest is "
+        f"{arm.joint_names[fastest]} with "
         f"{fixed(np.degrees(peak[fastest]), 1)}°/s."
     )
     page.add(Picture(time_figure(motion, arm=arm), "Joint positions, rates and accelerations over time.", name, 0.86))
