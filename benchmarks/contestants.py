@@ -1,0 +1,61 @@
+"""One adapter a contestant; run inside the contestant's own environment by worker.py."""
+
+import numpy as np
+from arms import TABLES
+
+
+class Pieper:
+    """This package."""
+
+    batch_threads = (1, 2)
+
+    def __init__(self, arm):
+        import pieper
+
+        rows = [pieper.DH(a=a, alpha=alpha, d=d, theta=0) for d, a, alpha in TABLES[arm]]
+        self.arm = pieper.Arm.from_dh(rows, convention="standard")
+        self.arm.plan.solver
+
+    def single(self, T):
+        return self.arm.ik(T)
+
+    def rows(self, answer):
+        return answer.all_q
+
+    def batch(self, T, threads):
+        return lambda: self.arm.ik_many(T, threads=threads)
+
+    def fk(self, q):
+        return lambda: self.arm.fk(q)
+
+    def jacobian(self, q):
+        return lambda: self.arm.jacobian(q)
+
+
+class Eaik:
+    """EAIK (Ostermeier et al., 2024)."""
+
+    batch_threads = (1, 2)
+
+    def __init__(self, arm):
+        from eaik.IK_DH import DhRobot
+
+        d, a, alpha = map(np.array, zip(*TABLES[arm]))
+        self.arm = DhRobot(alpha, a, d)
+        if not self.arm.hasKnownDecomposition():
+            raise NotImplementedError(self.arm.getKinematicFamily())
+
+    def single(self, T):
+        return self.arm.IK(T)
+
+    def rows(self, answer):
+        return np.asarray(answer.Q, float).reshape(-1, 6)[~np.asarray(answer.is_LS, bool).reshape(-1)]
+
+    def batch(self, T, threads):
+        poses = [np.ascontiguousarray(t) for t in T]
+        return lambda: self.arm.IK_batched(poses, threads)
+
+
+CONTESTANTS = {"pieper": Pieper, "eaik": Eaik}
+#: What to install for each peer.
+PACKAGES = {"eaik": "eaik"}
