@@ -7,11 +7,11 @@ from functools import cached_property
 
 import numpy as np
 
-from pieper.errors import InputError
+from pieper.errors import InputError, PieperError
 from pieper.symbolic.arm_slips import ARM_KINDS, arm_slips
 from pieper.symbolic.matrices import value_of
 from pieper.symbolic.slip_search import Explanation, Target
-from pieper.symbolic.slips import KINDS
+from pieper.symbolic.slip import KINDS
 from pieper.symbolic.tree import NUMPY, Node, evaluate, substitute, sym
 from pieper.symbolic.truth import ArmModel, Samples, evaluate_samples, parse_for, pose_symbols, sample
 
@@ -79,9 +79,10 @@ class Evidence:
         self.fill(env)
         return env
 
-    def other_arms(self):
-        """Yield (kind, words, samples) with the same joint vectors and lengths for the arms one slip away."""
-        base = self.samples
+    @cached_property
+    def other_arms(self) -> list[tuple[str, str, Samples]]:
+        """(kind, words, samples) with the same joint vectors and lengths for the arms one slip away."""
+        base, out = self.samples, []
         for kind, words, model in arm_slips(self.model):
             env = {
                 k: base.env[k]
@@ -91,14 +92,28 @@ class Evidence:
             frames = model.frames(env)
             env.update(pose_symbols(frames["T"]))
             self.fill(env)
-            yield kind, words, Samples(base.q, env, frames, base.nominal)
+            out.append((kind, words, Samples(base.q, env, frames, base.nominal)))
+        return out
 
     def solutions_at(self, k: int) -> np.ndarray:
         """Return all solutions of the pose of sample k, (m, n), before limits; raises what the solver raises."""
         T = self.samples.frames["T"][k].copy()
         T[:3, 3] *= 0.001 if self.model.unit == "mm" else 1.0
-        solved = self.model.solver.ik(T)
-        return np.asarray(solved.all_q)
+        rows = np.asarray(self.model.solver.ik(T).all_q)
+        if not len(rows) or np.abs((rows - self.samples.q[k] + np.pi) % (2 * np.pi) - np.pi).max(1).min() > 1e-4:
+            raise PieperError("the solver does not return the joints the pose was made from")
+        back = fresh_samples(self.model, self.in_unit(rows)).frames["T"]
+        if np.abs(back - self.samples.frames["T"][k]).max() > 1e-6 * max(1.0, self.model.length()):
+            raise PieperError("the solver returns joints that do not close under forward kinematics")
+        return rows
+
+    def in_unit(self, rows: np.ndarray) -> np.ndarray:
+        """Return solver rows (SI) with sliding joints in the unit of the claims."""
+        out = rows.copy()
+        for joint in range(1, self.model.n + 1):
+            if self.model.sliding(joint) and self.model.unit == "mm":
+                out[:, joint - 1] *= 1000
+        return out
 
     def at(self, k: int, samples: Samples | None = None) -> str:
         """Write the joint vector of sample k."""

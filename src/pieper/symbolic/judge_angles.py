@@ -166,8 +166,6 @@ def _both_signs(ev: Evidence, node: Node, angle: Node) -> tuple[bool | None, str
             if not np.all(np.isfinite(values)):
                 continue
             rows = ev.solutions_at(int(k))
-            if not len(rows) or np.abs(_wrap(rows - ev.samples.q[k])).max(1).min() > 1e-4:
-                return None, "not checked: the solver does not return the solution the pose was made from"
             for j in given:
                 rows = rows[np.abs(_wrap(rows[:, j - 1] - env[f"theta{j}"])) < 1e-5]
             theirs = np.array(
@@ -337,8 +335,6 @@ def _count_candidates(ev: Evidence, rows, candidates) -> tuple[np.ndarray, np.nd
         counts[k] = len(kept)
     try:
         truth = np.array([len(ev.solutions_at(int(k))) for k in rows]) if model.solver is not None else None
-        if truth is not None and (truth == 0).any():
-            truth = None  # every pose was made from a solution: the solver cannot be trusted here
     except (PieperError, AttributeError, NotImplementedError, ImportError):
         truth = None
     return counts, truth

@@ -211,7 +211,7 @@ def _counter_example(ev: Evidence, node: Node, target: Target, good, wanted) -> 
 def _other_arm(ev: Evidence, node: Node, wanted, product, frame, tried: dict[str, int]):
     """Look for an arm one slip away for which the formula is right; return (kind, words) or None."""
     rows = np.ones(len(ev.samples.q), dtype=bool)
-    for kind, words, samples in ev.other_arms():
+    for kind, words, samples in ev.other_arms:
         tried[kind] = tried.get(kind, 0) + 1
         try:
             right = None if wanted is None else value_of(product, samples.frames) if product is not None else None

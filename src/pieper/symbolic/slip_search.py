@@ -8,10 +8,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pieper.symbolic.slips import Slip
+from pieper.symbolic.required import required_values
+from pieper.symbolic.slip import Slip
 from pieper.symbolic.tree import NUMPY, Node, evaluate
 
 ANGLE_TOLERANCE = 1e-7  # rad; acos loses half the digits near its ends
+PROBES = 6  # samples at which a candidate is tried first
 VALUE_TOLERANCE = 1e-9  # relative to the size of the numbers compared
 
 
@@ -99,24 +101,19 @@ def search(target: Target, root: Node, candidates: Iterable[Slip], *, seconds: f
         What was found and what was tried.
     """
     out = Explanation()
-    count = len(target.env["pi"])
-    probe = target.restrict(np.arange(min(6, count)))
-    cache: dict = {}
-    probe.residual(root, 1, cache)
-    cache.pop(root, None)
+    probe = target.restrict(np.arange(min(PROBES, len(target.env["pi"]))))
+    values: dict = {}
+    probe.residual(root, 1, values)
+    needed = required_values(root, probe.wanted, target.angle, values)
     stop = time.monotonic() + seconds
     best_share = float(np.mean(target.fits(root)))
     seen: set[str] = set()
     for k, slip in enumerate(candidates):
         out.tried[slip.kind] = out.tried.get(slip.kind, 0) + 1
-        if k % 64 == 0 and time.monotonic() > stop:
+        if k % 256 == 0 and time.monotonic() > stop:
             out.complete = False
             break
-        good = probe.residual(slip.tree, 1, cache, learn=False) < 1
-        branched = target.angle and slip.tree.has_branch()
-        if not branched and not good.any():
-            continue
-        if branched and not (good | (probe.residual(slip.tree, -1) < 1)).any():
+        if not _promising(slip, probe, needed, values, target.angle):
             continue
         share = float(np.mean(target.fits(slip.tree)))
         if share == 1.0:
@@ -129,3 +126,17 @@ def search(target: Target, root: Node, candidates: Iterable[Slip], *, seconds: f
             out.nearest = (slip, share)
     out.found.sort(key=lambda s: (s.cost, s.tree.size()))
     return out
+
+
+def _promising(slip: Slip, probe: Target, needed: dict, values: dict, angle: bool) -> bool:
+    """Say whether a candidate is right at half of the probes at least, as cheaply as the place allows."""
+    need = needed.get(slip.path) if slip.path is not None else None
+    if need is not None and not slip.new.has_branch():
+        with np.errstate(all="ignore"):
+            value = evaluate(slip.new, probe.env, NUMPY, 1, values, learn=False)
+            close = np.abs(value - need) <= 1e-6 * (np.abs(value) + np.abs(need)) + 1e-12
+        return 2 * np.count_nonzero(close) >= PROBES
+    good = probe.residual(slip.tree, 1, values, learn=False) < 1
+    if angle and slip.tree.has_branch():
+        good = good | (probe.residual(slip.tree, -1) < 1)
+    return 2 * np.count_nonzero(good) >= PROBES

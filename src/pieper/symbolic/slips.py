@@ -7,8 +7,9 @@ with that change *undone*, so the first tree that is right is the nearest right 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from pieper.symbolic.angle_slips import angle_slips, unit_slips
+from pieper.symbolic.slip import Slip
 from pieper.symbolic.tree import (
     ANGLE,
     Node,
@@ -20,48 +21,8 @@ from pieper.symbolic.tree import (
     negated,
     num,
     positions,
-    replaced,
-    replaced_everywhere,
     sym,
 )
-
-
-@dataclass(frozen=True)
-class Slip:
-    """One slip and the formula without it.
-
-    Attributes:
-        kind: the family of slips it belongs to, one of `KINDS`.
-        says: what was done, in words.
-        tree: the formula with the slip undone.
-        cost: how far-fetched it is, smaller is likelier; ranks equally good explanations.
-    """
-
-    kind: str
-    says: str
-    tree: Node
-    cost: float
-
-
-KINDS = {
-    "sign": "a sign",
-    "index": "an index",
-    "sine for cosine": "sine for cosine",
-    "swapped factor": "a swapped factor",
-    "missing factor": "a missing factor",
-    "extra factor": "a factor too many",
-    "extra term": "a term too many",
-    "product": "a product written as a sum, or a sum as a product",
-    "power": "a square or a root",
-    "atan": "atan for atan2, or its arguments exchanged",
-    "branch": "the sign of a branch",
-    "half turn": "half a turn",
-    "inverse function": "arcsine for arccosine",
-    "fraction": "a fraction upside down",
-    "number": "a number",
-    "degrees": "degrees for radians",
-    "millimetres": "millimetres for metres",
-}
 
 
 def slips(
@@ -82,7 +43,7 @@ def slips(
     pool = _factor_pool(root, lengths, joints) | {name: sym(name) for name in others[:8]}
     numbers = _numbers(root, lengths)
     if angle:
-        yield from _angle_slips(root, joints)
+        yield from angle_slips(root, joints)
     shared = _shared(root)
     done: set[Node] = set()
     for path, node, parent in positions(root):
@@ -92,13 +53,15 @@ def slips(
             done.add(node)
 
         def slip(kind, says, new, cost=1.0, path=path, node=node):
-            tree = replaced_everywhere(root, node, new) if node in shared else replaced(root, path, new)
-            return Slip(kind, says, tree, cost)
+            words = (says,) if isinstance(says, str) else says
+            if node in shared:
+                return Slip(kind, words, root, None, new, cost, node)
+            return Slip(kind, words, root, path, new, cost)
 
         if _is_term(node, parent):
-            yield slip("sign", f"the sign of {_short(node)}", negated(node), 0.5)
+            yield slip("sign", ("the sign of {}", node), negated(node), 0.5)
         if node.op in ("pm",):
-            yield slip("sign", f"the sign of {_short(node.args[0])}", Node("pm", node.args, -node.value), 0.6)
+            yield slip("sign", ("the sign of {}", node.args[0]), Node("pm", node.args, -node.value), 0.6)
         if node.op == "call":
             yield from _call_slips(node, slip, joints)
         if node.op == "sym":
@@ -106,27 +69,27 @@ def slips(
         if node.op == "num":
             for value in numbers:
                 if value != node.value:
-                    yield slip("number", f"{node.value} for {value}", num(value), 2.0)
+                    yield slip("number", ("{} for " + value, node), num(value), 2.0)
         if node.op == "mul":
             yield from _product_slips(node, slip)
         if node.op == "add":
             yield from _sum_slips(node, slip)
         if node.op == "div":
-            yield slip("fraction", f"{_short(node)} upside down", Node("div", (node.args[1], node.args[0])), 1.5)
+            yield slip("fraction", ("{} upside down", node), Node("div", (node.args[1], node.args[0])), 1.5)
         if node.op == "pow":
-            yield slip("power", f"the power of {_short(node.args[0])}", node.args[0], 1.2)
+            yield slip("power", ("the power of {}", node.args[0]), node.args[0], 1.2)
         elif node.op in ("sym", "call") and (parent is None or parent.op != "pow"):
-            yield slip("power", f"a lost square of {node}", Node("pow", (node, num(2))), 1.6)
+            yield slip("power", ("a lost square of {}", node), Node("pow", (node, num(2))), 1.6)
         if node.op in ("sym", "call") and (str(node) in pool):
             for text, factor in pool.items():
                 if text != str(node):
-                    yield slip("swapped factor", f"{node} for {text}", factor, 1.5)
+                    yield slip("swapped factor", ("{} for {}", node, factor), factor, 1.5)
         if _is_term(node, parent) or (parent is not None and parent.op in ("neg", "div") and node.op != "add"):
             for text, factor in pool.items():
-                yield slip("missing factor", f"{text} lost from {_short(node)}", mul(node, factor), 1.3)
-            yield slip("missing factor", f"a factor 2 lost from {_short(node)}", mul(num(2), node), 1.3)
-            yield slip("extra factor", f"a factor 2 too many in {_short(node)}", Node("div", (node, num(2))), 1.8)
-    yield from _unit_slips(root)
+                yield slip("missing factor", ("{} lost from {}", factor, node), mul(node, factor), 1.3)
+            yield slip("missing factor", ("a factor 2 lost from {}", node), mul(num(2), node), 1.3)
+            yield slip("extra factor", ("a factor 2 too many in {}", node), Node("div", (node, num(2))), 1.8)
+    yield from unit_slips(root)
 
 
 def _shared(root: Node) -> set[Node]:
@@ -144,11 +107,6 @@ def _is_term(node: Node, parent: Node | None) -> bool:
     if node.op == "num" and float(node.value if "/" not in node.value else 1) == 0:
         return False
     return parent is None or parent.op in ("add", "eq", "call")
-
-
-def _short(node: Node) -> str:
-    text = str(node)
-    return text if len(text) <= 48 else text[:45] + "..."
 
 
 def _factor_pool(root: Node, lengths: dict[str, float], joints: int) -> dict[str, Node]:
@@ -176,12 +134,13 @@ def _call_slips(node: Node, slip, joints: int) -> Iterator[Slip]:
     name, args = node.value, node.args
     if name in ("sin", "cos"):
         other = "cos" if name == "sin" else "sin"
-        yield slip("sine for cosine", f"{node} for {call(other, *args)}", call(other, *args), 0.7)
+        made = call(other, *args)
+        yield slip("sine for cosine", ("{} for {}", node, made), made, 0.7)
         parts = joint_sum(args[0])
         if parts:
             for new in _index_variants(parts, joints):
                 made = call(name, angle_sum(new))
-                yield slip("index", f"{node} for {made}", made, 0.8 if len(new) == len(parts) else 0.9)
+                yield slip("index", ("{} for {}", node, made), made, 0.8 if len(new) == len(parts) else 0.9)
     if name in ("asin", "acos"):
         other = "acos" if name == "asin" else "asin"
         yield slip("inverse function", f"{name} for {other}", call(other, *args), 1.0)
@@ -239,13 +198,14 @@ def _symbol_slips(node: Node, slip, lengths, others, joints: int) -> Iterator[Sl
 def _product_slips(node: Node, slip) -> Iterator[Slip]:
     for k, factor in enumerate(node.args):
         rest = node.args[:k] + node.args[k + 1 :]
-        yield slip("extra factor", f"{_short(factor)} too many in {_short(node)}", mul(*rest), 1.2)
+        kind = {"1000": "millimetres", "180/pi": "degrees", "pi/180": "degrees"}.get(str(factor), "extra factor")
+        yield slip(kind, ("{} too many in {}", factor, node), mul(*rest), 1.2)
         if k:
             for sign, word in ((1, "+"), (-1, "-")):
                 right = mul(*node.args[k:]) if sign > 0 else negated(mul(*node.args[k:]))
                 yield slip(
                     "product",
-                    f"a lost {word} between {_short(mul(*node.args[:k]))} and {_short(mul(*node.args[k:]))}",
+                    ("a lost " + word + " between {} and {}", mul(*node.args[:k]), mul(*node.args[k:])),
                     add(mul(*node.args[:k]), right),
                     1.6,
                 )
@@ -254,83 +214,13 @@ def _product_slips(node: Node, slip) -> Iterator[Slip]:
 def _sum_slips(node: Node, slip) -> Iterator[Slip]:
     for k, term in enumerate(node.args):
         rest = node.args[:k] + node.args[k + 1 :]
-        yield slip("extra term", f"{_short(term)} too many", add(*rest), 1.4)
+        yield slip("extra term", ("{} too many", term), add(*rest), 1.4)
         if k and node.args[k - 1].op != "pm" and term.op != "pm":
             left, right = node.args[k - 1], term.args[0] if term.op == "neg" else term
             merged = negated(mul(left.args[0], right)) if left.op == "neg" else mul(left, right)
             yield slip(
                 "product",
-                f"a sign between {_short(left)} and {_short(right)} where they are multiplied",
+                ("a sign between {} and {} where they are multiplied", left, right),
                 add(*node.args[: k - 1], merged, *node.args[k + 1 :]),
                 1.1,
-            )
-
-
-def _angle_slips(root: Node, joints: int) -> Iterator[Slip]:
-    half = sym("pi")
-    yield Slip("half turn", "half a turn", add(root, half), 0.9)
-    yield Slip("half turn", "the supplement of the angle", add(half, negated(root)), 1.0)
-    quarter = Node("div", (half, num(2)))
-    yield Slip("half turn", "a quarter of a turn", add(root, quarter), 1.4)
-    yield Slip("half turn", "a quarter of a turn", add(root, negated(quarter)), 1.4)
-    yield Slip("branch", "the second branch (+-) left out", Node("pm", (root,), 1), 1.0)
-    yield Slip(
-        "branch",
-        "the second branch (half a turn on) left out",
-        add(root, Node("div", (half, num(2))), Node("pm", (Node("div", (half, num(2))),), 1)),
-        1.1,
-    )
-    if root.op == "add" and any(t.op == "pm" and str(t.args[0]) == "pi" for t in root.args):
-        rest = add(*[t for t in root.args if t.op != "pm"])
-        yield Slip(
-            "branch",
-            "+-pi for {0, pi}: the principal value is lost",
-            add(rest, quarter, Node("pm", (quarter,), 1)),
-            0.5,
-        )
-    for path, node, _ in positions(root):
-        if node.op == "call" and node.value in ("atan", "atan2"):
-            if node.value == "atan2":
-                y, x = node.args
-            elif node.args[0].op == "div":
-                y, x = node.args[0].args
-            else:
-                continue
-            for joint in range(1, joints + 1):
-                for name in ("sin", "cos"):
-                    for negative in (False, True):
-                        k = call("sign", call(name, sym(f"theta{joint}")))
-                        k = negated(k) if negative else k
-                        new = call(
-                            "atan2",
-                            mul(k, y) if not negative else negated(mul(k.args[0], y)),
-                            mul(k, x) if not negative else negated(mul(k.args[0], x)),
-                        )
-                        yield Slip(
-                            "branch",
-                            f"the sign of the branch: both arguments of atan2 go with {k}",
-                            replaced(root, path, new),
-                            0.7 + 0.05 * (name == "cos"),
-                        )
-
-
-def _unit_slips(root: Node) -> Iterator[Slip]:
-    if root.op == "eq":
-        return
-    degree, thousand = Node("div", (sym("pi"), num(180))), num(1000)
-    yield Slip("degrees", "degrees for radians", mul(root, degree), 2.0)
-    yield Slip("degrees", "radians for degrees", Node("div", (root, degree)), 2.0)
-    yield Slip("millimetres", "millimetres for metres", Node("div", (root, thousand)), 2.0)
-    yield Slip("millimetres", "metres for millimetres", mul(root, thousand), 2.0)
-    for path, node, _ in positions(root):
-        if node.op == "num" and len(node.value) > 1:
-            yield Slip("degrees", f"{node.value} in degrees for radians", replaced(root, path, mul(node, degree)), 2.0)
-            yield Slip(
-                "millimetres",
-                f"{node.value} in millimetres for metres",
-                replaced(root, path, Node("div", (node, thousand))),
-                2.0,
-            )
-            yield Slip(
-                "millimetres", f"{node.value} in metres for millimetres", replaced(root, path, mul(node, thousand)), 2.0
             )
