@@ -5,6 +5,8 @@ from __future__ import annotations
 import dataclasses
 import math
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -144,3 +146,19 @@ def test_a_link_to_a_file_stays_a_link(file, tmp_path):
     link.symlink_to(file)
     robotfile.write(dataclasses.replace(robotfile.read(file), name="other"), link)
     assert link.is_symlink() and robotfile.read(file).name == "other"
+
+
+def test_without_tomlkit_a_new_file_is_written_and_an_old_one_is_left_with_a_hint(file, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "tomlkit", None)
+    arm = dataclasses.replace(robotfile.read(file), name="other")
+    robotfile.write(arm, tmp_path / "new.toml")
+    assert robotfile.read(tmp_path / "new.toml").name == "other"
+    with pytest.raises(InputError, match="pip install tomlkit"):
+        robotfile.write(arm, file)
+    assert file.read_text() == TWO_JOINTS
+
+
+def test_reading_loads_no_package_but_numpy():
+    code = "import sys; from pieper.description import robotfile; sys.exit('tomlkit' in sys.modules)"
+    source = Path(robotfile.__file__).parents[2]
+    assert subprocess.run([sys.executable, "-c", code], cwd=source, check=False).returncode == 0
