@@ -268,5 +268,5 @@ class Continuation:
 
 
 def _side(J: np.ndarray) -> np.ndarray:
-    """Return on which side (...) of the singularities Jacobians (..., r, n) lie, +1 or -1; 0 when they are not square."""
+    """Return on which side (...) of the singularities Jacobians (..., r, n) lie, +1 or -1; 0 when not square."""
     return np.sign(np.linalg.det(J)) if J.shape[-1] == J.shape[-2] else np.zeros(J.shape[:-2])
