@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.description.dh import Description
 from pieper.kinematics.pose import FLIP, inverse, rotation_x, rotation_z, translation
 
@@ -56,6 +57,11 @@ class Chain:
     def home(self) -> np.ndarray:
         """The tool's pose (4, 4) with all joints at zero."""
         return self._joint_frames[-1] @ self.links[-1]
+
+    @cached_property
+    def native(self) -> _kernel.Forward:
+        """The native forward kinematics of this chain."""
+        return _kernel.Forward(self.links, self.prismatic, self.frames_after)
 
     @cached_property
     def length(self) -> float:
