@@ -79,7 +79,7 @@ def examine(
         on_curve = _grow(chain, q, T, limits, names, families, open_ended)
         if not on_curve and index < len(singular):
             doubles.append(q)
-    doubles = list(_distinct(chain, np.array(sorted(doubles, key=lambda q: _miss(chain, q, T))), SAME))
+    doubles = list(_distinct(chain, sorted(doubles, key=lambda q: _miss(chain, q, T)), SAME))
     doubles = [d for d in doubles if not any(f.distance(d) < 1e-4 for f in families)]
     isolated = [q for q in isolated if not any(f.distance(q) < 1e-5 for f in families)]
     pairs = [_merged(chain, q, T) for q in doubles]
@@ -179,13 +179,17 @@ def _split(chain: Chain, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _distinct(chain: Chain, q: np.ndarray, tolerance: float) -> np.ndarray:
-    kept: list[np.ndarray] = []
-    for row in q:
-        if not any(_apart(chain, row, other) < tolerance for other in kept):
-            kept.append(row)
-    return np.array(kept).reshape(-1, chain.n)
+    """Return the rows of q (k, n) without those that repeat an earlier one."""
+    q = np.asarray(q, float).reshape(-1, chain.n)
+    near = _apart(chain, q[:, None], q[None]) < tolerance
+    keep: list[int] = []
+    for i in range(len(q)):
+        if not near[i, keep].any():
+            keep.append(i)
+    return q[keep]
 
 
-def _apart(chain: Chain, a: np.ndarray, b: np.ndarray) -> float:
+def _apart(chain: Chain, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Return the largest joint difference (...), angles around the circle, prismatic joints per length."""
     gap = np.where(chain.prismatic, (a - b) / chain.length, (a - b + np.pi) % TURN - np.pi)
-    return float(np.max(np.abs(gap)))
+    return np.max(np.abs(gap), axis=-1)

@@ -12,6 +12,7 @@ from pieper.inverse.reduced import solve_reduced
 from pieper.inverse.singular import examine
 from pieper.inverse.solutions import (
     DEGENERATE,
+    UNCERTAIN,
     SolutionBatch,
     Solutions,
     Status,
@@ -20,6 +21,8 @@ from pieper.inverse.solutions import (
 from pieper.kinematics.pose import checked_pose
 
 _CAREFUL = DEGENERATE
+#: Poses on a singularity that `ik_many` looks at one by one in a call: it bounds the work of a call.
+MOST_CAREFUL = 500
 
 
 def ik(plan: Plan, T: object, redundancy: object = None) -> Solutions:
@@ -62,14 +65,16 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
         np.uint8(Status.REDUNDANT if plan.redundancy else Status.SOLVED),
         np.where(valid.any(1), np.uint8(Status.OUTSIDE_LIMITS), np.uint8(Status.OUT_OF_REACH)),
     ).astype(np.uint8)
-    for i in np.flatnonzero(flag & _CAREFUL) if not plan.redundancy else ():
-        found = _careful(plan, checked_pose(poses[i]), q[i][valid[i]], int(flag[i])) if plan.direct else None
-        if found is None:
-            continue
+    marked = np.flatnonzero(flag & _CAREFUL) if plan.direct else np.zeros(0, int)
+    for i in marked[:MOST_CAREFUL]:
+        found = _careful(plan, checked_pose(poses[i]), q[i][valid[i]], int(flag[i]))
         rows = min(len(found.all_q), q.shape[1])
         q[i], valid[i], inside[i] = 0.0, False, False
         q[i, :rows], valid[i, :rows], inside[i, :rows] = found.all_q[:rows], True, found.in_limits[:rows]
         status[i] = found.status
+    # beyond that the kernel's own rows stand, one of each family, and the pose is called singular unread
+    status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
+    status[(flag & UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, q, valid, inside, status, flag)
 
 
