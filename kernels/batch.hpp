@@ -74,38 +74,49 @@ PIEPER_INLINE void solve_group(const double* params, const int* iparams, const d
   Branches<F, M, N> out;
   Family::template solve<F>(params, iparams, load_poses<F>(T), out);
   F values[M * N];
-  unsigned bits[M];
-  for (int m = 0; m < M; ++m) {
+  for (int m = 0; m < M; ++m)
     for (int j = 0; j < N; ++j) values[m * N + j] = select(out.valid[m], out.q[m][j], F(0.0));
-    bits[m] = bits_of(out.valid[m]);
-  }
   store_records<F, M * N>(q, values, lanes);
-  unsigned degenerate = bits_of(out.degenerate), uncertain = bits_of(out.uncertain), reach = bits_of(out.out_of_reach);
-  for (int i = 0; i < lanes; ++i) {
-    for (int m = 0; m < M; ++m) valid[i * M + m] = (bits[m] >> i) & 1u;
-    flag[i] = static_cast<std::uint8_t>(((degenerate >> i) & 1u) * kDegenerate | ((uncertain >> i) & 1u) * kUncertain |
-                                        ((reach >> i) & 1u) * kOutOfReach);
+  // eight slots are the eight bytes of one word per lane
+  for (int first = 0; first < M; first += 8) {
+    const int slots = M - first < 8 ? M - first : 8;
+    Bits<F> word = word_where(out.valid[first], 1);
+    for (int m = 1; m < slots; ++m) word |= word_where(out.valid[first + m], 1ll << (8 * m));
+    if (M == 8 && lanes == width_of<F>) __builtin_memcpy(valid, &word, sizeof word);
+    else
+      for (int i = 0; i < lanes; ++i) {
+        const std::int64_t bytes = word_of_lane(word, i);
+        for (int m = 0; m < slots; ++m) valid[i * M + first + m] = (bytes >> (8 * m)) & 1;
+      }
   }
+  Bits<F> flags = word_where(out.degenerate, kDegenerate) | word_where(out.uncertain, kUncertain) |
+                  word_where(out.out_of_reach, kOutOfReach);
+  for (int i = 0; i < lanes; ++i) flag[i] = static_cast<std::uint8_t>(word_of_lane(flags, i));
 }
 
-// The entry of a closed-form family: any number of poses; a single one runs on plain doubles.
+// The entry of a closed-form family: any number of poses. A single one runs on plain doubles, or through the family's
+// own `solve_alone` where it has one.
 template <class Family>
 void solve_batch(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid,
                  std::uint8_t* flag) {
   constexpr int M = Family::slots, N = Family::joints, W = PIEPER_LANES;
   if (count == 1) {
-    solve_group<double, Family>(params, iparams, T, 1, q, valid, flag);
+    if constexpr (requires { &Family::solve_alone; })
+      Family::solve_alone(params, iparams, load_poses<double>(T), q, valid, flag);
+    else
+      solve_group<double, Family>(params, iparams, T, 1, q, valid, flag);
     return;
   }
-  long done = 0;
-  for (; done + W <= count; done += W)
-    solve_group<Lanes<W>, Family>(params, iparams, T + 16 * done, W, q + M * N * done, valid + M * done, flag + done);
-  if (done < count) {
-    const int rest = static_cast<int>(count - done);
+  for (long done = 0; done < count; done += W) {
+    const int lanes = count - done < W ? static_cast<int>(count - done) : W;
+    const double* poses = T + 16 * done;
     double padded[16 * W];
-    for (int i = 0; i < W; ++i)  // idle lanes repeat the last pose
-      for (int k = 0; k < 16; ++k) padded[16 * i + k] = T[16 * (done + (i < rest ? i : rest - 1)) + k];
-    solve_group<Lanes<W>, Family>(params, iparams, padded, rest, q + M * N * done, valid + M * done, flag + done);
+    if (lanes < W) {  // idle lanes repeat the last pose
+      for (int i = 0; i < W; ++i)
+        for (int k = 0; k < 16; ++k) padded[16 * i + k] = poses[16 * (i < lanes ? i : lanes - 1) + k];
+      poses = padded;
+    }
+    solve_group<Lanes<W>, Family>(params, iparams, poses, lanes, q + M * N * done, valid + M * done, flag + done);
   }
 }
 

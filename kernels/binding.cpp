@@ -154,10 +154,10 @@ class PySolver {
     const long count = PyArray_DIM(array, 0);
     const double* T = doubles(poses);
     pieper::BadPose bad{};
-    bool proper;
+    bool proper, exact;
     {
       nb::gil_scoped_release release;
-      proper = solver_.check(T, count, bad);
+      proper = solver_.check(T, count, bad, exact);
     }
     if (!proper) refuse(bad, T, true);
     const npy_intp shape[] = {count, solver_.slots(), solver_.joints()};
@@ -166,7 +166,7 @@ class PySolver {
     bool finished;
     {
       nb::gil_scoped_release release;
-      finished = solver_.solve(T, count, threads, static_cast<double*>(PyArray_DATA(as_array(q))), bytes(valid),
+      finished = solver_.solve(T, count, exact, threads, static_cast<double*>(PyArray_DATA(as_array(q))), bytes(valid),
                                bytes(in_limits), bytes(flag), [] {
                                  nb::gil_scoped_acquire acquire;
                                  return PyErr_CheckSignals() == 0;

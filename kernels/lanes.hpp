@@ -30,6 +30,11 @@ template <int W> struct LaneTypes {
 template <int W> struct LaneMask {
   typename LaneTypes<W>::Bits bits;  // all ones or all zeros per lane
 };
+#if defined(__AVX512DQ__)
+template <> struct LaneMask<8> {
+  __mmask8 bits;  // one bit per lane, in a mask register
+};
+#endif
 
 template <int W> struct Lanes {
   using Values = typename LaneTypes<W>::Values;
@@ -39,7 +44,19 @@ template <int W> struct Lanes {
   Lanes() = default;
   PIEPER_INLINE Lanes(Values values) : v(values) {}
   PIEPER_INLINE Lanes(double x) {
-    for (int i = 0; i < W; ++i) v[i] = x;
+#if defined(__AVX512F__)
+    if constexpr (W == 8) v = (Values)_mm512_set1_pd(x);
+    else
+#endif
+#if defined(__AVX__)
+    if constexpr (W == 4) v = (Values)_mm256_set1_pd(x);
+    else
+#endif
+#if defined(__SSE2__)
+    if constexpr (W == 2) v = (Values)_mm_set1_pd(x);
+    else
+#endif
+      for (int i = 0; i < W; ++i) v[i] = x;
   }
 };
 
@@ -70,27 +87,44 @@ PIEPER_BINARY(/)
 #undef PIEPER_BINARY
 template <int W> PIEPER_INLINE Lanes<W> operator-(Lanes<W> a) { return -a.v; }
 
-#define PIEPER_COMPARE(op)                                                                                           \
+#if defined(__AVX512DQ__)
+#define PIEPER_COMPARE_512(code) if constexpr (W == 8) return {_mm512_cmp_pd_mask((__m512d)a.v, (__m512d)b.v, code)}; else
+#else
+#define PIEPER_COMPARE_512(code)
+#endif
+#define PIEPER_COMPARE(op, code)                                                                                     \
   template <int W> PIEPER_INLINE LaneMask<W> operator op(Lanes<W> a, Lanes<W> b) {                                   \
+    PIEPER_COMPARE_512(code)                                                                                         \
     return {(typename LaneTypes<W>::Bits)(a.v op b.v)};                                                              \
   }                                                                                                                  \
   template <int W> PIEPER_INLINE LaneMask<W> operator op(Lanes<W> a, double b) { return a op Lanes<W>(b); }          \
   template <int W> PIEPER_INLINE LaneMask<W> operator op(double a, Lanes<W> b) { return Lanes<W>(a) op b; }
-PIEPER_COMPARE(<)
-PIEPER_COMPARE(<=)
-PIEPER_COMPARE(>)
-PIEPER_COMPARE(>=)
-PIEPER_COMPARE(==)
-PIEPER_COMPARE(!=)
+PIEPER_COMPARE(<, _CMP_LT_OQ)
+PIEPER_COMPARE(<=, _CMP_LE_OQ)
+PIEPER_COMPARE(>, _CMP_GT_OQ)
+PIEPER_COMPARE(>=, _CMP_GE_OQ)
+PIEPER_COMPARE(==, _CMP_EQ_OQ)
+PIEPER_COMPARE(!=, _CMP_NEQ_UQ)
 #undef PIEPER_COMPARE
+#undef PIEPER_COMPARE_512
 
-template <int W> PIEPER_INLINE LaneMask<W> operator&(LaneMask<W> a, LaneMask<W> b) { return {a.bits & b.bits}; }
-template <int W> PIEPER_INLINE LaneMask<W> operator|(LaneMask<W> a, LaneMask<W> b) { return {a.bits | b.bits}; }
-template <int W> PIEPER_INLINE LaneMask<W> operator!(LaneMask<W> a) { return {~a.bits}; }
+template <int W> PIEPER_INLINE LaneMask<W> operator&(LaneMask<W> a, LaneMask<W> b) {
+  return {static_cast<decltype(a.bits)>(a.bits & b.bits)};
+}
+template <int W> PIEPER_INLINE LaneMask<W> operator|(LaneMask<W> a, LaneMask<W> b) {
+  return {static_cast<decltype(a.bits)>(a.bits | b.bits)};
+}
+template <int W> PIEPER_INLINE LaneMask<W> operator!(LaneMask<W> a) { return {static_cast<decltype(a.bits)>(~a.bits)}; }
 
 // ---- select, any, all ---------------------------------------------------------------------------------------------
 PIEPER_INLINE double select(bool m, double a, double b) { return m ? a : b; }
-template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, Lanes<W> a, Lanes<W> b) { return m.bits ? a.v : b.v; }
+template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, Lanes<W> a, Lanes<W> b) {
+#if defined(__AVX512DQ__)
+  if constexpr (W == 8) return (typename LaneTypes<W>::Values)_mm512_mask_blend_pd(m.bits, (__m512d)b.v, (__m512d)a.v);
+  else
+#endif
+  return m.bits ? a.v : b.v;
+}
 template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, Lanes<W> a, double b) { return select(m, a, Lanes<W>(b)); }
 template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, double a, Lanes<W> b) { return select(m, Lanes<W>(a), b); }
 template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, double a, double b) {
@@ -101,17 +135,22 @@ template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, double a, double b
 PIEPER_INLINE unsigned bits_of(bool m) { return m ? 1u : 0u; }
 template <int W> PIEPER_INLINE unsigned bits_of(LaneMask<W> m) {
 #if defined(__AVX512DQ__)
-  if constexpr (W == 8) return _mm512_movepi64_mask((__m512i)m.bits);
+  if constexpr (W == 8) return m.bits;
+  else
 #endif
 #if defined(__AVX__)
   if constexpr (W == 4) return static_cast<unsigned>(_mm256_movemask_pd((__m256d)m.bits));
+  else
 #endif
 #if defined(__SSE2__)
   if constexpr (W == 2) return static_cast<unsigned>(_mm_movemask_pd((__m128d)m.bits));
+  else
 #endif
-  unsigned bits = 0;
-  for (int i = 0; i < W; ++i) bits |= (m.bits[i] ? 1u : 0u) << i;
-  return bits;
+  {
+    unsigned bits = 0;
+    for (int i = 0; i < W; ++i) bits |= (m.bits[i] ? 1u : 0u) << i;
+    return bits;
+  }
 }
 PIEPER_INLINE bool any(bool m) { return m; }
 PIEPER_INLINE bool all(bool m) { return m; }
@@ -146,8 +185,30 @@ template <int W> PIEPER_INLINE Lanes<W> sqrt(Lanes<W> x) {
   for (int i = 0; i < W; ++i) r.v[i] = __builtin_sqrt(x.v[i]);
   return r;
 }
-template <class F> PIEPER_INLINE F max(F a, F b) { return select(a > b, a, b); }
-template <class F> PIEPER_INLINE F min(F a, F b) { return select(a < b, a, b); }
+// The second argument when one is NaN, as the processor does it.
+PIEPER_INLINE double max(double a, double b) { return a > b ? a : b; }
+PIEPER_INLINE double min(double a, double b) { return a < b ? a : b; }
+#if defined(__AVX512F__)
+#define PIEPER_IF_512(name) if constexpr (W == 8) return (typename LaneTypes<W>::Values)_mm512_##name##_pd((__m512d)a.v, (__m512d)b.v);
+#else
+#define PIEPER_IF_512(name)
+#endif
+#if defined(__AVX__)
+#define PIEPER_IF_256(name) if constexpr (W == 4) return (typename LaneTypes<W>::Values)_mm256_##name##_pd((__m256d)a.v, (__m256d)b.v);
+#else
+#define PIEPER_IF_256(name)
+#endif
+#define PIEPER_EXTREME(name, op)                                          \
+  template <int W> PIEPER_INLINE Lanes<W> name(Lanes<W> a, Lanes<W> b) {  \
+    PIEPER_IF_512(name)                                                   \
+    PIEPER_IF_256(name)                                                   \
+    return select(a op b, a, b);                                          \
+  }
+PIEPER_EXTREME(max, >)
+PIEPER_EXTREME(min, <)
+#undef PIEPER_EXTREME
+#undef PIEPER_IF_256
+#undef PIEPER_IF_512
 
 // ---- the bits of a number, for signs ------------------------------------------------------------------------------
 template <class F> struct BitsOf { using type = std::int64_t; };
@@ -158,6 +219,18 @@ PIEPER_INLINE std::int64_t bits_in(double x) { return __builtin_bit_cast(std::in
 PIEPER_INLINE double from_bits(std::int64_t b) { return __builtin_bit_cast(double, b); }
 template <int W> PIEPER_INLINE typename LaneTypes<W>::Bits bits_in(Lanes<W> x) { return (typename LaneTypes<W>::Bits)x.v; }
 
+// `word` where the mask is set, else 0.
+PIEPER_INLINE std::int64_t word_where(bool m, std::int64_t word) { return m ? word : 0; }
+template <int W> PIEPER_INLINE typename LaneTypes<W>::Bits word_where(LaneMask<W> m, std::int64_t word) {
+#if defined(__AVX512DQ__)
+  if constexpr (W == 8) return (typename LaneTypes<W>::Bits)_mm512_maskz_set1_epi64(m.bits, word);
+  else
+#endif
+  return m.bits & word;
+}
+PIEPER_INLINE std::int64_t word_of_lane(std::int64_t b, int) { return b; }
+template <class B> PIEPER_INLINE std::int64_t word_of_lane(B b, int i) { return b[i]; }
+
 // x with its sign turned where bit 1 (worth 2) of `quadrant` is set.
 PIEPER_INLINE double turned(double x, std::int64_t quadrant) {
   return from_bits(bits_in(x) ^ ((quadrant & 2) << 62));
@@ -165,9 +238,17 @@ PIEPER_INLINE double turned(double x, std::int64_t quadrant) {
 template <int W> PIEPER_INLINE Lanes<W> turned(Lanes<W> x, typename LaneTypes<W>::Bits quadrant) {
   return (typename LaneTypes<W>::Values)(bits_in(x) ^ ((quadrant & 2) << 62));
 }
+// x, which is not negative, with the sign of y.
+PIEPER_INLINE double with_sign_of(double x, double y) { return from_bits(bits_in(x) | (bits_in(y) & INT64_MIN)); }
+template <int W> PIEPER_INLINE Lanes<W> with_sign_of(Lanes<W> x, Lanes<W> y) {
+  return (typename LaneTypes<W>::Values)(bits_in(x) | (bits_in(y) & INT64_MIN));
+}
 // Where bit 0 of `quadrant` is set.
 template <class F> PIEPER_INLINE Mask<F> is_odd(Bits<F> quadrant) {
   if constexpr (width_of<F> == 1) return quadrant & 1;
+#if defined(__AVX512DQ__)
+  else if constexpr (width_of<F> == 8) return {_mm512_test_epi64_mask((__m512i)quadrant, _mm512_set1_epi64(1))};
+#endif
   else return {-(quadrant & 1)};
 }
 

@@ -88,17 +88,17 @@ template <class F> PIEPER_INLINE void sincos_of_turns(F x, F& s, F& c) {
   c = turned(select(swap, sr, cr), quadrant + 1);
 }
 
-// The angle of (x, y) in (-pi, pi]; 0 for (0, 0). NaN in, NaN out.
-template <class F> PIEPER_INLINE F atan2(F y, F x) {
+// The angle of (x, y) without its sign, in [0, pi]; 0 for (0, 0). NaN in, NaN out.
+template <class F> PIEPER_INLINE F unsigned_angle(F y, F x) {
   constexpr double tan_pi_8 = 0.41421356237309503, quarter_pi = 0.78539816339744830962;
   constexpr double quarter_pi_low = 3.061616997868383e-17, half_pi_low = 6.123233995736766e-17,
                    pi_low = 1.2246467991473532e-16;
   F ay = abs(y), ax = abs(x);
   auto steep = ay > ax;
-  F large = select(steep, ay, ax), small = select(steep, ax, ay);
+  F large = max(ay, ax), small = min(ax, ay);  // in this order NaN of either one stays
   auto middle = small > large * tan_pi_8;
   F numerator = select(middle, small - large, small), denominator = select(middle, small + large, large);
-  denominator = select(denominator == 0.0, F(1.0), denominator);
+  denominator = max(F(4.9e-324), denominator);
   F z = numerator / denominator;
   F t = z * z, t2 = t * t, t4 = t2 * t2;
   // Estrin's scheme: shorter chains of dependent operations than Horner's.
@@ -109,10 +109,18 @@ template <class F> PIEPER_INLINE F atan2(F y, F x) {
   F r = z + (z * t) * p;
   r = select(middle, quarter_pi + (r + quarter_pi_low), r);
   r = select(steep, kHalfPi - (r - half_pi_low), r);
-  r = select(x < 0.0, kPi - (r - pi_low), r);
+  return select(x < 0.0, kPi - (r - pi_low), r);
+}
+
+// The angle of (x, y) in (-pi, pi]; 0 for (0, 0). NaN in, NaN out.
+template <class F> PIEPER_INLINE F atan2(F y, F x) {
+  F r = unsigned_angle(y, x);
   // An angle that rounds to -pi is said as +pi, so that every answer lies in (-pi, pi].
   return select((y < 0.0) & (r < kPi), -r, r);
 }
+
+// The same in [-pi, pi], for an angle that `wrapped` brings into (-pi, pi] afterwards.
+template <class F> PIEPER_INLINE F atan2_closed(F y, F x) { return with_sign_of(unsigned_angle(y, x), y); }
 
 // An angle of at most three half turns brought into (-pi, pi].
 template <class F> PIEPER_INLINE F wrapped(F angle) {

@@ -45,11 +45,14 @@ Solver::Solver(const std::string& kind, int n, int slots, std::vector<double> pa
     throw std::invalid_argument("lower, upper and prismatic must have one entry a joint, and slots lie in 1..255.");
 }
 
-bool Solver::check(const double* T, long count, BadPose& bad) const {
+bool Solver::check(const double* T, long count, BadPose& bad, bool& exact) const {
   double deviation[kBlock];
+  exact = true;
   for (long first = 0; first < count; first += kBlock) {
     const long block = std::min(kBlock, count - first);
-    if (isa_.deviation(T + 16 * first, block, deviation) <= accepted_) continue;
+    const double largest = isa_.deviation(T + 16 * first, block, deviation);
+    exact &= largest <= exact_;
+    if (largest <= accepted_) continue;
     for (long i = 0; i < block; ++i)
       if (!(deviation[i] <= accepted_)) {
         bad = {first + i, deviation[i]};
@@ -59,10 +62,10 @@ bool Solver::check(const double* T, long count, BadPose& bad) const {
   return true;
 }
 
-void Solver::solve_block(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
+void Solver::solve_block(const double* T, long count, bool exact, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
                          std::uint8_t* flag) const {
   double deviation[kBlock], straight[16 * kBlock];
-  const bool rounded = isa_.deviation(T, count, deviation) > exact_;
+  const bool rounded = !exact && isa_.deviation(T, count, deviation) > exact_;
   if (rounded) {
     isa_.straighten(T, deviation, exact_, count, straight);
     T = straight;
@@ -73,7 +76,7 @@ void Solver::solve_block(const double* T, long count, double* q, std::uint8_t* v
   isa_.limits(q, valid, count * slots_, n_, lower_.data(), upper_.data(), prismatic_.data(), in_limits);
 }
 
-bool Solver::solve(const double* T, long count, int threads, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
+bool Solver::solve(const double* T, long count, bool exact, int threads, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
                    std::uint8_t* flag, const std::function<bool()>& keep_going) const {
   std::atomic<long> next{0};
   std::atomic<bool> stop{false};
@@ -81,7 +84,7 @@ bool Solver::solve(const double* T, long count, int threads, double* q, std::uin
     const long first = next.fetch_add(kBlock);
     if (first >= count || stop.load(std::memory_order_relaxed)) return false;
     const long record = static_cast<long>(slots_) * n_;
-    solve_block(T + 16 * first, std::min(kBlock, count - first), q + record * first, valid + slots_ * first,
+    solve_block(T + 16 * first, std::min(kBlock, count - first), exact, q + record * first, valid + slots_ * first,
                 in_limits + slots_ * first, flag + first);
     return true;
   };

@@ -26,12 +26,15 @@ class Solver {
   int joints() const { return n_; }
   int slots() const { return slots_; }
 
+  // Whether all poses are rigid motions; if not, `bad` is the first that is none. Nothing is solved yet. `exact` tells
+  // whether none of them needs straightening.
+  bool check(const double* T, long count, BadPose& bad, bool& exact) const;
+
   // Solves count poses (16 doubles each). q: count x slots x n, valid and in_limits: count x slots, flag: count.
-  // Returns the index of the first pose that is not a rigid motion through `bad`, before anything is solved.
-  bool check(const double* T, long count, BadPose& bad) const;
+  // `exact`: no pose needs straightening, as `check` found out.
 
   // `keep_going` is asked between blocks on the calling thread; false stops the work and is returned.
-  bool solve(const double* T, long count, int threads, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
+  bool solve(const double* T, long count, bool exact, int threads, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
              std::uint8_t* flag, const std::function<bool()>& keep_going) const;
 
   // One pose, checked here; returns false and fills `bad` when it is not a rigid motion.
@@ -39,7 +42,7 @@ class Solver {
                  BadPose& bad) const;
 
  private:
-  void solve_block(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
+  void solve_block(const double* T, long count, bool exact, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
                    std::uint8_t* flag) const;
 
   const IsaTable& isa_;

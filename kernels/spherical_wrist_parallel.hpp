@@ -46,61 +46,101 @@ struct SphericalWristParallel {
   static constexpr double kOvershoot = 5e-13;       // a reach exceeded by no more than this is the edge of reach
   static constexpr double kVerified = 1e-11;        // forward kinematics must return the pose this closely
 
+  // All branches of W poses: lanes are poses, the branches follow one another.
   template <class F>
   PIEPER_INLINE static void solve(const double* P, const int* I, const Pose<F>& T, Branches<F, 8, 6>& out) {
-    const double b = P[kB], a1 = P[kA1], scale = P[kScale];
-    F M[3][3], w[3];  // rotation and wrist centre seen from B
+    F M[3][3], w[3];
     into_base(P, T, M, w);
-
-    F R2 = w[0] * w[0] + w[1] * w[1], x2 = R2 - b * b;
-    F x = sqrt(max(x2, F(0.0))), over_R2 = 1.0 / R2;
-    Mask<F> reached = x2 >= 0.0, two_sides = reached, degenerate = mask_of<F>(false);
-    F c1[2], s1[2];
+    Shoulder<F> shoulder = start_shoulder(P, w);
+    Mask<F> none = mask_of<F>(true);
+#pragma GCC unroll 2
     for (int side = 0; side < 2; ++side) {
-      F signed_x = side ? -x : x;
-      c1[side] = (signed_x * w[0] + b * w[1]) * over_R2;
-      s1[side] = (signed_x * w[1] - b * w[0]) * over_R2;
-    }
-    const double near2 = kNearSingularity * kNearSingularity * scale * scale + 1e3 * kMerged * __builtin_fabs(b) * scale;
-    if (__builtin_expect(any(x2 < near2), 0)) shoulder_edge(P, w, R2, x2, x, c1[0], s1[0], reached, two_sides, degenerate);
-
-    for (int side = 0; side < 2; ++side) {
-      Mask<F> shoulder_ok = side ? (reached & two_sides) : reached;
-      F c = c1[side], s = s1[side], q1 = atan2(s, c);
-      F ux[3], uy[3];
-      for (int k = 0; k < 3; ++k) {
-        ux[k] = c * M[0][k] + s * M[1][k];
-        uy[k] = c * M[1][k] - s * M[0][k];
-      }
-      F X = (side ? -x : x) - a1, Z = w[2];
-      F q2[2], q3[2], c23[2], s23[2];
-      Mask<F> elbow_ok = shoulder_ok, two_elbows = shoulder_ok;
-      elbow(P, X, Z, side, q2, q3, c23, s23, elbow_ok, two_elbows, degenerate);
-      F sv, cv;
-      sincos_of_turns(q1, sv, cv);
+      Arm<F> arm = turn_shoulder(P, M, w, shoulder, F(side ? -1.0 : 1.0));
+      if (side) arm.ok = arm.ok & shoulder.two_sides;
+      Elbow<F> elbow = start_elbow(P, arm);
+#pragma GCC unroll 2
       for (int e = 0; e < 2; ++e) {
-        Mask<F> ok = e ? (elbow_ok & two_elbows) : elbow_ok;
-        F q4, q5, q6;
-        Mask<F> on_wrist_singularity = mask_of<F>(false);
-        wrist(P, I, ux, uy, M[2], c23[e], s23[e], q4, q5, q6, on_wrist_singularity, degenerate, ok);
-        ok = ok & verify(P, I, M, w, cv, sv, q2[e], q3[e], q4, q5, q6);
+        Answer<F> answer = bend_and_turn_wrist(P, I, M, w, arm, elbow, F(side == e ? -1.0 : 1.0));
+        Mask<F> ok = answer.ok;
+        if (e) ok = ok & elbow.two;
         const int slot = 4 * side + 2 * e;
-        F q[6] = {q1, q2[e], q3[e], wrapped(q4 - P[kOffset4]), wrapped(q5 - P[kOffset5]), q6};
-        for (int j = 0; j < 6; ++j) out.q[slot][j] = q[j];
+        for (int j = 0; j < 6; ++j) out.q[slot][j] = answer.q[j];
         out.valid[slot] = ok;
         // the other turn of the wrist: th4 + pi, -th5, th6 + pi, the same rotation exactly
-        for (int j = 0; j < 3; ++j) out.q[slot + 1][j] = q[j];
-        out.q[slot + 1][3] = select(q[3] > 0.0, q[3] - kPi, q[3] + kPi);
-        out.q[slot + 1][4] = wrapped(-q5 - P[kOffset5]);
-        out.q[slot + 1][5] = select(q6 > 0.0, q6 - kPi, q6 + kPi);
-        out.valid[slot + 1] = ok & !on_wrist_singularity;
+        for (int j = 0; j < 3; ++j) out.q[slot + 1][j] = answer.q[j];
+        for (int j = 0; j < 3; ++j) out.q[slot + 1][3 + j] = answer.flipped[j];
+        out.valid[slot + 1] = ok & answer.two;
+        shoulder.degenerate = shoulder.degenerate | (answer.degenerate & ok);
+        none = none & !ok;
       }
+      shoulder.degenerate = shoulder.degenerate | elbow.degenerate;
     }
-    Mask<F> none = !(out.valid[0] | out.valid[2] | out.valid[4] | out.valid[6]);
-    out.degenerate = degenerate;
-    out.uncertain = none & reached & degenerate;
+    out.degenerate = shoulder.degenerate;
+    out.uncertain = none & shoulder.degenerate & shoulder.reached;
     out.out_of_reach = none;
   }
+
+  // One pose alone: lanes are the four postures of shoulder and elbow.
+  PIEPER_INLINE static void solve_alone(const double* P, const int* I, const Pose<double>& T, double* q,
+                                        std::uint8_t* valid, std::uint8_t* flag) {
+    using F = Lanes<4>;
+    double M1[3][3], w1[3];
+    into_base(P, T, M1, w1);
+    F M[3][3], w[3];
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) M[i][j] = F(M1[i][j]);
+      w[i] = F(w1[i]);
+    }
+    F side, sense;
+    for (int k = 0; k < 4; ++k) {
+      side.v[k] = k < 2 ? 1.0 : -1.0;
+      sense.v[k] = k == 0 || k == 3 ? -1.0 : 1.0;
+    }
+    Shoulder<F> shoulder = start_shoulder(P, w);
+    Arm<F> arm = turn_shoulder(P, M, w, shoulder, side);
+    arm.ok = arm.ok & (shoulder.two_sides | (side > 0.0));
+    Elbow<F> elbow = start_elbow(P, arm);
+    Answer<F> answer = bend_and_turn_wrist(P, I, M, w, arm, elbow, sense);
+    Mask<F> second = (side * sense) > 0.0;  // slot with elbow 1
+    Mask<F> ok = answer.ok & (elbow.two | !second);
+    const unsigned bits = bits_of(ok), two = bits_of(answer.two);
+    const bool degenerate = any(shoulder.degenerate | elbow.degenerate | (answer.degenerate & ok));
+    for (int k = 0; k < 4; ++k) {
+      const bool first_ok = (bits >> k) & 1u, both_ok = first_ok & ((two >> k) & 1u);
+      valid[2 * k] = first_ok;
+      valid[2 * k + 1] = both_ok;
+      double *a = q + 12 * k, *b = a + 6;
+      for (int j = 0; j < 6; ++j) {
+        a[j] = first_ok ? answer.q[j].v[k] : 0.0;
+        b[j] = both_ok ? (j < 3 ? answer.q[j].v[k] : answer.flipped[j < 3 ? 0 : j - 3].v[k]) : 0.0;
+      }
+    }
+    *flag = static_cast<std::uint8_t>((degenerate ? kDegenerate : 0) | (bits ? 0 : kOutOfReach) |
+                                      (!bits && degenerate && any(shoulder.reached) ? kUncertain : 0));
+  }
+
+ private:
+  template <class F> struct Shoulder {
+    F R2, x2, x, over_R2;
+    Mask<F> reached, two_sides, degenerate;
+    Mask<F> fixed;  // direction given by c, s below, not by x
+    F c, s;
+  };
+  template <class F> struct Arm {  // after the first joint has turned
+    F c, s, q1;
+    F rounded_c, rounded_s;  // of the rounded q1, for the check
+    F ux[3], uy[3];  // the rotation's first two rows, turned back
+    F X, Z;          // wrist centre in the arm's plane, from axis 2
+    Mask<F> ok;
+  };
+  template <class F> struct Elbow {
+    F D, c3, s3, th3, over_D;
+    Mask<F> ok, two, centred, degenerate;
+  };
+  template <class F> struct Answer {
+    F q[6], flipped[3];  // flipped: q4, q5, q6 of the wrist's other turn
+    Mask<F> ok, two, degenerate;
+  };
 
   // The pose seen from B, with the tool taken off: M = B^-1 R C and the wrist centre.
   template <class F> PIEPER_INLINE static void into_base(const double* P, const Pose<F>& T, F (&M)[3][3], F (&w)[3]) {
@@ -116,152 +156,189 @@ struct SphericalWristParallel {
     }
   }
 
-  // Wrist centre near axis 1, or near the circle around it inside which the lateral offset b keeps the arm.
-  template <class F, class M>
-  __attribute__((noinline)) static void shoulder_edge(const double* P, const F (&w)[3], const F& R2, const F& x2, F& x,
-                                                      F& c1, F& s1, M& reached, M& two_sides, M& degenerate) {
-    const double b = P[kB], scale = P[kScale], here = kOnSingularity * scale;
-    const double rounding = here * here + kMerged * __builtin_fabs(b) * scale;
-    const double near2 = kNearSingularity * kNearSingularity * scale * scale + 1e3 * kMerged * __builtin_fabs(b) * scale;
-    F rho = sqrt(R2);
-    auto near = x2 < near2;
-    degenerate = degenerate | near;
-    auto beyond = x2 < 0.0, edge = beyond & (__builtin_fabs(b) - rho <= kOvershoot * scale);
-    reached = reached | edge;
-    // at the edge x = 0 and the direction is that of (b y, -b x), made a unit vector anew
-    F over = b / (__builtin_fabs(b) * rho);
-    c1 = select(edge, w[1] * over, c1);
-    s1 = select(edge, -w[0] * over, s1);
-    auto on_axis = (rho <= here) & mask_of<F>(__builtin_fabs(b) <= here);
-    reached = reached | on_axis;
-    c1 = select(on_axis, F(1.0), c1);
-    s1 = select(on_axis, F(0.0), s1);
-    x = select(on_axis, w[0], x);
-    two_sides = two_sides & !(x2 <= rounding) & !on_axis & !edge;
+  // Below this x^2 = wx^2 + wy^2 - b^2 is looked at closely, m^2.
+  PIEPER_INLINE static double shoulder_near(const double* P) {
+    const double length = kNearSingularity * P[kScale];
+    return length * length + 1e3 * kMerged * __builtin_fabs(P[kB]) * P[kScale];
   }
 
-  // The planar two-link problem for wrist centre (X, Z): th2, th3 (as q2, q3) and the forearm's direction, both elbows.
-  template <class F, class M>
-  PIEPER_INLINE static void elbow(const double* P, F X, F Z, int side, F (&q2)[2], F (&q3)[2], F (&c23)[2], F (&s23)[2],
-                                  M& ok, M& two, M& degenerate) {
-    const double L2 = P[kL2], L3 = P[kL3], scale = P[kScale];
-    F D = X * X + Z * Z;
-    F c3 = (D - (L2 * L2 + L3 * L3)) * (0.5 / (L2 * L3));
-    F square = (1.0 - c3) * (1.0 + c3);
-    F s3 = sqrt(max(square, F(0.0)));
-    F over_D = 1.0 / D;
-    M inside = square >= 0.0;
-    M centred = mask_of<F>(false);
-    const double near = 1e3 * kMerged * scale * scale / (L2 * L3);
-    if (__builtin_expect(any((square < near) | (D < 0.01 * (L2 * L3))), 0))
-      elbow_edge(P, D, c3, square, s3, over_D, inside, two, centred, degenerate);
-    ok = ok & inside;
-    F th3 = atan2(s3, c3);
-    for (int e = 0; e < 2; ++e) {
-      const double sense = (side == e) ? -1.0 : 1.0;
-      F sine = sense * s3;
-      // w = e^{i th2} (L2 + L3 e^{i th3}) = e^{i (th2 + th3)} (L3 + L2 e^{-i th3})
-      F along = L2 + L3 * c3, across = L3 * sine;
-      F th2 = atan2(Z * along - X * across, X * along + Z * across);
-      F forward = L3 + L2 * c3, sideways = L2 * sine;
-      c23[e] = (X * forward - Z * sideways) * over_D;
-      s23[e] = (Z * forward + X * sideways) * over_D;
-      if (__builtin_expect(any(centred), 0)) {  // only when L2 = L3: folded back onto axis 2, th2 is free
-        F c2, s2, th20 = F(P[kOffset2]);
-        sincos_of_turns(th20, s2, c2);
-        th2 = select(centred, th20, th2);
-        c23[e] = select(centred, -c2, c23[e]);
-        s23[e] = select(centred, -s2, s23[e]);
-      }
-      q2[e] = wrapped(th2 - P[kOffset2]);
-      q3[e] = P[kSign3] * (sense * th3 - P[kOffset3]);
-      q3[e] = wrapped(q3[e]);
+  template <class F> PIEPER_INLINE static Shoulder<F> start_shoulder(const double* P, const F (&w)[3]) {
+    Shoulder<F> a;
+    a.R2 = w[0] * w[0] + w[1] * w[1];
+    a.x2 = a.R2 - P[kB] * P[kB];
+    a.x = sqrt(max(a.x2, F(0.0)));
+    a.over_R2 = 1.0 / a.R2;
+    a.reached = a.two_sides = a.x2 >= 0.0;
+    a.degenerate = a.fixed = mask_of<F>(false);
+    a.c = a.s = F(0.0);
+    if (__builtin_expect(any(a.x2 < shoulder_near(P)), 0)) shoulder_edge(P, w, a);
+    return a;
+  }
+
+  // Wrist centre near axis 1, or near the circle around it inside which the lateral offset b keeps the arm.
+  template <class F> __attribute__((noinline)) static void shoulder_edge(const double* P, const F (&w)[3], Shoulder<F>& a) {
+    const double b = P[kB], scale = P[kScale], here = kOnSingularity * scale;
+    F rho = sqrt(a.R2);
+    a.degenerate = a.x2 < shoulder_near(P);
+    Mask<F> edge = (a.x2 < 0.0) & (__builtin_fabs(b) - rho <= kOvershoot * scale);
+    Mask<F> on_axis = (rho <= here) & mask_of<F>(__builtin_fabs(b) <= here);
+    a.reached = a.reached | edge | on_axis;
+    a.two_sides = a.two_sides & !(a.x2 <= here * here + kMerged * __builtin_fabs(b) * scale) & !on_axis & !edge;
+    // at the edge x = 0 and the direction is that of (b y, -b x), made a unit vector anew; on the axis q1 = 0
+    a.fixed = edge | on_axis;
+    F over = b / (__builtin_fabs(b) * rho);
+    a.c = select(on_axis, F(1.0), w[1] * over);
+    a.s = select(on_axis, F(0.0), -w[0] * over);
+    a.x = select(on_axis, w[0], a.x);
+  }
+
+  template <class F>
+  PIEPER_INLINE static Arm<F> turn_shoulder(const double* P, const F (&M)[3][3], const F (&w)[3], const Shoulder<F>& a, F side) {
+    Arm<F> arm;
+    F x = side * a.x;
+    arm.c = (x * w[0] + P[kB] * w[1]) * a.over_R2;
+    arm.s = (x * w[1] - P[kB] * w[0]) * a.over_R2;
+    if (__builtin_expect(any(a.fixed), 0)) {
+      arm.c = select(a.fixed, a.c, arm.c);
+      arm.s = select(a.fixed, a.s, arm.s);
     }
+    arm.q1 = atan2(arm.s, arm.c);
+    sincos_of_turns(arm.q1, arm.rounded_s, arm.rounded_c);
+    for (int k = 0; k < 3; ++k) {
+      arm.ux[k] = arm.c * M[0][k] + arm.s * M[1][k];
+      arm.uy[k] = arm.c * M[1][k] - arm.s * M[0][k];
+    }
+    arm.X = x - P[kA1];
+    arm.Z = w[2];
+    arm.ok = a.reached;
+    return arm;
+  }
+
+  // What both elbows of the two-link problem for wrist centre (X, Z) share: |th3|.
+  template <class F> PIEPER_INLINE static Elbow<F> start_elbow(const double* P, const Arm<F>& arm) {
+    const double L2 = P[kL2], L3 = P[kL3], scale = P[kScale];
+    Elbow<F> e;
+    e.D = arm.X * arm.X + arm.Z * arm.Z;
+    e.c3 = (e.D - (L2 * L2 + L3 * L3)) * (0.5 / (L2 * L3));
+    F square = (1.0 - e.c3) * (1.0 + e.c3);
+    e.s3 = sqrt(max(square, F(0.0)));
+    e.over_D = 1.0 / e.D;
+    e.two = square >= 0.0;
+    e.ok = arm.ok & e.two;
+    e.centred = e.degenerate = mask_of<F>(false);
+    const double near = 1e3 * kMerged * scale * scale / (L2 * L3);
+    if (__builtin_expect(any((square < near) | (e.D < 0.01 * (L2 * L3))), 0)) elbow_edge(P, arm, square, e);
+    e.th3 = atan2(e.s3, e.c3);
+    return e;
   }
 
   // Arm nearly stretched or folded, or wrist centre near axis 2.
-  template <class F, class M>
-  __attribute__((noinline)) static void elbow_edge(const double* P, const F& D, F& c3, const F& square, F& s3, F& over_D,
-                                                   M& inside, M& two, M& centred, M& degenerate) {
+  template <class F>
+  __attribute__((noinline)) static void elbow_edge(const double* P, const Arm<F>& arm, const F& square, Elbow<F>& e) {
     const double L2 = P[kL2], L3 = P[kL3], scale = P[kScale], here = kOnSingularity * scale;
     const double rounding = kMerged * scale * scale / (L2 * L3), near = 1e3 * rounding;
-    F r = sqrt(D);
+    F r = sqrt(e.D);
     F excess = max(r - (L2 + L3), __builtin_fabs(L2 - L3) - r);
-    auto edge = (square < 0.0) & (excess <= kOvershoot * scale);
-    inside = inside | edge;
-    c3 = select(edge, select(c3 > 0.0, F(1.0), F(-1.0)), c3);
-    s3 = select(edge, F(0.0), s3);
-    centred = (r <= here) & inside;
-    c3 = select(centred, F(-1.0), c3);
-    s3 = select(centred, F(0.0), s3);
-    two = two & !(square <= rounding) & !edge & !centred;
-    degenerate = degenerate | (inside & ((square < near) | (r < kNearSingularity * scale)));
+    Mask<F> edge = (square < 0.0) & (excess <= kOvershoot * scale);
+    e.ok = arm.ok & ((square >= 0.0) | edge);
+    e.centred = (r <= here) & e.ok;
+    e.c3 = select(edge, select(e.c3 > 0.0, F(1.0), F(-1.0)), e.c3);
+    e.c3 = select(e.centred, F(-1.0), e.c3);
+    e.s3 = select(edge | e.centred, F(0.0), e.s3);
+    e.two = !((square <= rounding) | edge | e.centred);
+    e.degenerate = e.ok & ((square < near) | (r < kNearSingularity * scale));
     // 1/D loses digits where D does; |L2 + L3 e^{i th3}| is the same length without the loss
-    F along = L2 + L3 * c3, across = L3 * s3;
+    F along = L2 + L3 * e.c3, across = L3 * e.s3;
     F length2 = along * along + across * across;
-    over_D = select((length2 > 0.0) & (D > 0.0), 1.0 / sqrt(D * length2), over_D);
+    e.over_D = select((length2 > 0.0) & (e.D > 0.0), 1.0 / sqrt(e.D * length2), e.over_D);
   }
 
-  // The wrist's angles for one forearm direction, sin th5 >= 0.
-  template <class F, class M>
-  PIEPER_INLINE static void wrist(const double* P, const int* I, const F (&ux)[3], const F (&uy)[3], const F (&uz)[3],
-                                  F c23, F s23, F& th4, F& th5, F& q6, M& on_singularity, M& degenerate, M ok) {
-    F c = c23 * P[kCosPsi] - s23 * P[kSinPsi], s = s23 * P[kCosPsi] + c23 * P[kSinPsi];
-    F mx[3], my[3], mz;
-    for (int k = 0; k < 3; ++k) {
-      mx[k] = c * ux[k] + s * uz[k];
-      my[k] = uy[k];
+  // One elbow (the sign of th3) and its wrist with sin th5 >= 0, verified.
+  template <class F>
+  PIEPER_INLINE static Answer<F> bend_and_turn_wrist(const double* P, const int* I, const F (&M)[3][3], const F (&w)[3],
+                                                     const Arm<F>& arm, const Elbow<F>& e, F sense) {
+    Answer<F> out;
+    const double L2 = P[kL2], L3 = P[kL3];
+    // w = e^{i th2} (L2 + L3 e^{i th3}) = e^{i (th2 + th3)} (L3 + L2 e^{-i th3})
+    F sine3 = sense * e.s3, along = L2 + L3 * e.c3, across = L3 * sine3;
+    F th2 = atan2_closed(arm.Z * along - arm.X * across, arm.X * along + arm.Z * across);
+    F forward = L3 + L2 * e.c3, sideways = L2 * sine3;
+    F c23 = (arm.X * forward - arm.Z * sideways) * e.over_D;
+    F s23 = (arm.Z * forward + arm.X * sideways) * e.over_D;
+    if (__builtin_expect(any(e.centred), 0)) {  // only when L2 = L3: folded back onto axis 2, th2 is free
+      F c2, s2, th20 = F(P[kOffset2]);
+      sincos_of_turns(th20, s2, c2);
+      th2 = select(e.centred, th20, th2);
+      c23 = select(e.centred, -c2, c23);
+      s23 = select(e.centred, -s2, s23);
     }
-    mz = c * uz[2] - s * ux[2];
+    out.q[0] = arm.q1;
+    out.q[1] = wrapped(th2 - P[kOffset2]);
+    out.q[2] = wrapped(P[kSign3] * (sense * e.th3 - P[kOffset3]));
+
+    F c = c23 * P[kCosPsi] - s23 * P[kSinPsi], s = s23 * P[kCosPsi] + c23 * P[kSinPsi];
+    F mx[3], my[3], mz = c * M[2][2] - s * arm.ux[2];
+    for (int k = 0; k < 3; ++k) {
+      mx[k] = c * arm.ux[k] + s * M[2][k];
+      my[k] = arm.uy[k];
+    }
     if (I[0]) {
-      for (int k = 0; k < 2; ++k) my[k] = P[kCosTau] * uy[k] - P[kSinTau] * (c * uz[k] - s * ux[k]);
-      my[2] = P[kCosTau] * uy[2] - P[kSinTau] * mz;
-      mz = P[kSinTau] * uy[2] + P[kCosTau] * mz;
+      for (int k = 0; k < 2; ++k) my[k] = P[kCosTau] * my[k] - P[kSinTau] * (c * M[2][k] - s * arm.ux[k]);
+      F y = my[2];
+      my[2] = P[kCosTau] * y - P[kSinTau] * mz;
+      mz = P[kSinTau] * y + P[kCosTau] * mz;
     }
     F sine = sqrt(mx[2] * mx[2] + my[2] * my[2]);
-    on_singularity = sine < kOnSingularity;
-    degenerate = degenerate | ((sine < kNearSingularity) & ok);
+    Mask<F> on_singularity = sine < kOnSingularity;
+    out.degenerate = sine < kNearSingularity;
     F over = 1.0 / select(on_singularity, F(1.0), sine);
     // the same rounded direction serves th4 and th6, so their sum is right even where each alone is not
     F c4 = select(on_singularity, F(P[kCosOffset4]), mx[2] * over);
     F s4 = select(on_singularity, F(P[kSinOffset4]), my[2] * over);
-    th4 = atan2(s4, c4);
-    th5 = atan2(c4 * mx[2] + s4 * my[2], mz);
-    q6 = atan2(c4 * my[0] - s4 * mx[0], c4 * my[1] - s4 * mx[1]);
+    F th4 = atan2_closed(s4, c4);
+    F th5 = atan2_closed(c4 * mx[2] + s4 * my[2], mz);
+    F q6 = atan2(c4 * my[0] - s4 * mx[0], c4 * my[1] - s4 * mx[1]);
+    out.q[3] = wrapped(th4 - P[kOffset4]);
+    out.q[4] = wrapped(th5 - P[kOffset5]);
+    out.q[5] = q6;
+    out.flipped[0] = select(out.q[3] > 0.0, out.q[3] - kPi, out.q[3] + kPi);
+    out.flipped[1] = wrapped(-th5 - P[kOffset5]);
+    out.flipped[2] = select(q6 > 0.0, q6 - kPi, q6 + kPi);
+    out.two = !on_singularity;
+    out.ok = e.ok & verify(P, I, M, w, arm.rounded_c, arm.rounded_s, out.q);
+    return out;
   }
 
-  // Forward kinematics of the rounded answer against the pose.
+  // Forward kinematics of the rounded answer against the pose. Two columns of a rotation fix the third.
   template <class F>
-  PIEPER_INLINE static Mask<F> verify(const double* P, const int* I, const F (&M)[3][3], const F (&w)[3], F c1, F s1, F q2,
-                                      F q3, F th4, F th5, F q6) {
+  PIEPER_INLINE static Mask<F> verify(const double* P, const int* I, const F (&M)[3][3], const F (&w)[3], F c1, F s1,
+                                      const F (&q)[6]) {
     F c2, s2, c3, s3, c4, s4, c5, s5, c6, s6;
-    sincos_of_turns(q2 + P[kOffset2], s2, c2);
-    sincos_of_turns(P[kSign3] * q3 + P[kOffset3], s3, c3);
-    sincos_of_turns(th4, s4, c4);
-    sincos_of_turns(th5, s5, c5);
-    sincos_of_turns(q6, s6, c6);
+    sincos_of_turns(q[1] + P[kOffset2], s2, c2);
+    sincos_of_turns(P[kSign3] * q[2] + P[kOffset3], s3, c3);
+    sincos_of_turns(q[3] + P[kOffset4], s4, c4);
+    sincos_of_turns(q[4] + P[kOffset5], s5, c5);
+    sincos_of_turns(q[5], s6, c6);
     F c23 = c2 * c3 - s2 * s3, s23 = s2 * c3 + c2 * s3;
     F X = P[kA1] + (P[kL2] * c2 + P[kL3] * c23), Z = P[kL2] * s2 + P[kL3] * s23;
-    F off = abs(c1 * X - s1 * P[kB] - w[0]);
-    off = max(off, abs(s1 * X + c1 * P[kB] - w[1]));
-    off = max(off, abs(Z - w[2])) * (1.0 / P[kScale]);
+    // a sum, because NaN survives it
+    F off = abs(c1 * X - s1 * P[kB] - w[0]) + abs(s1 * X + c1 * P[kB] - w[1]) + abs(Z - w[2]);
+    off *= 1.0 / P[kScale];
     F c = c23 * P[kCosPsi] - s23 * P[kSinPsi], s = s23 * P[kCosPsi] + c23 * P[kSinPsi];
-    // rows of Rz(th4) Ry(th5) Rz(th6), then tilt, forearm and first joint applied to each column
-    F cc = c4 * c5, sc = s4 * c5;
-    F N[3][3] = {{cc * c6 - s4 * s6, -(cc * s6) - s4 * c6, c4 * s5},
-                 {sc * c6 + c4 * s6, c4 * c6 - sc * s6, s4 * s5},
-                 {-(s5 * c6), s5 * s6, c5}};
-    for (int k = 0; k < 3; ++k) {
-      F x = N[0][k], y = N[1][k], z = N[2][k];
+    // the first and the last column of Rz(th4) Ry(th5) Rz(th6), then tilt, forearm and first joint
+    F turned_x = c5 * c6;
+    F N[2][3] = {{c4 * turned_x - s4 * s6, s4 * turned_x + c4 * s6, -(s5 * c6)}, {c4 * s5, s4 * s5, c5}};
+    for (int k = 0; k < 2; ++k) {
+      F x = N[k][0], y = N[k][1], z = N[k][2];
       if (I[0]) {
         F turned_y = P[kCosTau] * y + P[kSinTau] * z;
         z = P[kCosTau] * z - P[kSinTau] * y;
         y = turned_y;
       }
       F along = c * x - s * z, up = s * x + c * z;
-      off = max(off, abs(c1 * along - s1 * y - M[0][k]));
-      off = max(off, abs(s1 * along + c1 * y - M[1][k]));
-      off = max(off, abs(up - M[2][k]));
+      off += abs(c1 * along - s1 * y - M[0][2 * k]);
+      off += abs(s1 * along + c1 * y - M[1][2 * k]);
+      off += abs(up - M[2][2 * k]);
     }
     return off <= kVerified;
   }
