@@ -166,7 +166,7 @@ def monomial_content(poly: Poly) -> tuple[Poly, Poly]:
     for (other, trig), value in items:
         powers = dict(other)
         kept = tuple((s, p - symbols.get(s, 0)) for s, p in other if powers[s] > symbols.get(s, 0))
-        rest[(kept, tuple(t for t in trig if t not in functions))] = value / number
+        rest[(kept, tuple(t for t in trig if t not in functions))] = Fraction(value) / number
     if sum(1 for v in rest.values() if v < 0) * 2 > len(rest):
         number, rest = -number, {k: -v for k, v in rest.items()}
     key = (tuple(sorted(symbols.items(), key=lambda item: item[0].order)), tuple(functions))
@@ -194,7 +194,7 @@ def _separate(poly: Poly) -> list[Poly] | None:
             number = next(iter(rest.terms.values()))
             if first is None:
                 first = rest
-            ratio = number / first.terms.get(next(iter(rest.terms)), number)
+            ratio = Fraction(number) / first.terms.get(next(iter(rest.terms)), number)
             if rest != first * ratio:
                 break
             mono = Poly({((), mine) if mine and isinstance(mine[0], Trig) else (mine, ()): Fraction(1)})

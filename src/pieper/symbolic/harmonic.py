@@ -8,6 +8,7 @@ independent (Fourier), therefore two polynomials are equal exactly when their te
 
 from __future__ import annotations
 
+import functools
 from fractions import Fraction
 
 from pieper.symbolic.expression import ONE, ZERO, Expr, Num, Sym, Trig, add, mul
@@ -28,13 +29,13 @@ class Poly:
 
     @classmethod
     def number(cls, value) -> Poly:
-        value = Fraction(value)
+        value = _whole(Fraction(value))
         return cls({((), ()): value} if value else {})
 
     @classmethod
     def symbol(cls, atom: Sym | Trig, coefficient=1) -> Poly:
         key = ((), (atom,)) if isinstance(atom, Trig) else (((atom, 1),), ())
-        return cls({key: Fraction(coefficient)})
+        return cls({key: coefficient})
 
     def __bool__(self):
         return bool(self.terms)
@@ -153,9 +154,9 @@ class Poly:
         shown = _without_double_angles(self)
         sizes = {abs(value) for value in shown.terms.values()}
         # halves and doubles come from the product rules; lengths that were put in as numbers are left alone
-        content = min(sizes) if sizes <= {Fraction(1, 4), HALF, Fraction(1), Fraction(2), Fraction(4)} else Fraction(1)
+        content = min(sizes) if sizes <= {Fraction(1, 4), HALF, Fraction(1), Fraction(2), Fraction(4)} else 1
         rows = [
-            (value / content, [s for s, power in symbols for _ in range(power)] + list(trig))
+            (_whole(Fraction(value) / content), [s for s, power in symbols for _ in range(power)] + list(trig))
             for (symbols, trig), value in shown.terms.items()
         ]
         forms = [_nest(rows, order) for order in (_first_joint_first, _most_common_first, _last_joint_first)]
@@ -198,10 +199,15 @@ def _dot(row, column) -> Poly:
     return total
 
 
+def _whole(value):
+    """Integers as int: sums of them are many times faster than of fractions."""
+    return value.numerator if value.denominator == 1 else value
+
+
 def _gather(terms: dict, key, value):
     total = terms.get(key, 0) + value
     if total:
-        terms[key] = total
+        terms[key] = total if type(total) is int else _whole(total)
     else:
         terms.pop(key, None)
 
@@ -217,9 +223,9 @@ def _merge_symbols(left: tuple, right: tuple) -> tuple:
 
 def _merge_trig(left: tuple, right: tuple) -> list[tuple[tuple, Fraction]]:
     if not left or not right:
-        return [(left or right, Fraction(1))]
+        return [(left or right, 1)]
     groups = {t.group: t for t in left}
-    results = [(dict(groups), Fraction(1))]
+    results = [(dict(groups), 1)]
     for t in right:
         mine = groups.get(t.group)
         if mine is None:
@@ -237,6 +243,7 @@ def _merge_trig(left: tuple, right: tuple) -> list[tuple[tuple, Fraction]]:
     return [(tuple(table[g] for g in sorted(table)), factor) for table, factor in results]
 
 
+@functools.cache
 def _product_to_sum(x: Trig, y: Trig) -> list[tuple[Trig | None, Fraction]]:
     """x*y for two functions of the same group, as [(function or None for 1, factor)]."""
     total, difference = dict(x.angle), dict(x.angle)
@@ -305,11 +312,11 @@ def _nest(rows: list, order) -> Expr:
                 kept.append(atom)
         shared = kept
     sizes = {abs(value) for value, _ in rows}
-    content = sizes.pop() if len(sizes) == 1 else Fraction(1)
+    content = sizes.pop() if len(sizes) == 1 else 1
     if all(value < 0 for value, _ in rows):
         content = -content
     if shared or content != 1:
-        inner = [(value / content, _without(atoms, shared)) for value, atoms in rows]
+        inner = [(_whole(Fraction(value) / content), _without(atoms, shared)) for value, atoms in rows]
         body = _nest(inner, order)
         return _product(content, shared, body)
     counts: dict = {}
