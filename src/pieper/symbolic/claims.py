@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from pieper.errors import InputError
-from pieper.symbolic import judge_angles, judge_formulas, judge_poses, judge_tables
+from pieper.symbolic import judge_angles, judge_formulas, judge_freedom, judge_poses, judge_tables
 from pieper.symbolic.evidence import Evidence
 from pieper.symbolic.formula import FormulaError, parse
 from pieper.symbolic.printed import UNITS
@@ -40,6 +40,7 @@ JUDGES: dict[str, tuple[Callable[[Evidence, dict], Verdict], set[str], set[str]]
         {"matrix", "q", "q_deg", "q_rad", "complete", "unit", "task"},
     ),
     "count": (judge_poses.judge_count, {"count"}, {"task"}),
+    "freedom": (judge_freedom.judge_freedom, {"dof"}, set()),
     "errors": (judge_tables.judge_errors, {"rows", "percent"}, set()),
     "table": (judge_tables.judge_table, {"rows"}, {"unit", "within", "search_zeros"}),
     "limit": (judge_tables.judge_limit, {"joint", "range_deg"}, {"path", "unit"}),

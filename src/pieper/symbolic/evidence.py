@@ -10,12 +10,12 @@ import numpy as np
 from pieper.errors import InputError, PieperError
 from pieper.symbolic.arm_slips import ARM_KINDS, arm_slips
 from pieper.symbolic.matrices import value_of
-from pieper.symbolic.slip_search import Explanation, Target
 from pieper.symbolic.slip import KINDS
+from pieper.symbolic.slip_search import Explanation, Target
 from pieper.symbolic.tree import NUMPY, Node, evaluate, substitute, sym
 from pieper.symbolic.truth import ArmModel, Samples, evaluate_samples, parse_for, pose_symbols, sample
 
-SOLVER_POSES = 16  # poses at which the other solutions are asked for
+SOLVER_POSES = 10  # poses at which the other solutions are asked for
 
 
 @dataclass

@@ -9,6 +9,7 @@ import numpy as np
 from pieper.errors import InputError, PieperError
 from pieper.symbolic.difference import agreeing_digits
 from pieper.symbolic.evidence import SOLVER_POSES, Evidence, tried_text
+from pieper.symbolic.judge_freedom import completes, undetermined
 from pieper.symbolic.matrices import parse_product
 from pieper.symbolic.regions import find_region, region_features, zero_denominators
 from pieper.symbolic.slip_search import ANGLE_TOLERANCE, search
@@ -119,7 +120,14 @@ def _angle_example(ev: Evidence, node: Node, env: dict, wanted, k: int) -> str:
 def _joint_holds(ev: Evidence, claim, text, says, node, env, angle, wanted, frame) -> Verdict:
     digits = agreeing_digits(ev.model, ev.samples, ev.definitions, node, angle, angle=True) if frame is None else None
     more = f"; at 50-digit arithmetic it agrees to {digits} digits" if digits else ""
+    free = [group for group in undetermined(ev) if any(f"theta{j}" == str(angle) for j in group)]
     held = f"right at {len(wanted)} of {len(wanted)} poses{more}"
+    if free:
+        names = " and ".join(f"theta{j}" for j in sorted(free[0]))
+        sentence = (
+            f"True, but it determines nothing: a pose does not tell {names} apart; any value of one fits with another."
+        )
+        return Verdict(claim["id"], text, PARTLY, sentence, says, digits=digits)
     if not node.has_branch():
         return Verdict(claim["id"], text, HOLDS, f"Holds: {held}.", says, digits=digits)
     with np.errstate(all="ignore"):
@@ -154,30 +162,23 @@ def _joint_holds(ev: Evidence, claim, text, says, node, env, angle, wanted, fram
 
 
 def _both_signs(ev: Evidence, node: Node, angle: Node) -> tuple[bool | None, str]:
-    """Ask the solver whether, with the joints the formula uses, both signs are solutions of the pose."""
-    if ev.model.solver is None:
+    """Say whether, with the joints the formula uses held, both signs can be completed to solutions of the pose."""
+    target = ANGLE.match(str(angle))
+    if not target:
         return None, ""
+    joint = int(target.group(1))
     given = {int(ANGLE.match(s).group(1)) for s in substitute(node, ev.definitions).symbols() if ANGLE.match(s)}
     checked = both = 0
-    try:
-        for k in np.flatnonzero(ev.samples.nominal)[:SOLVER_POSES]:
-            env = {name: v[k] for name, v in ev.samples.env.items()}
-            values = [_wrap(float(evaluate(node, env, NUMPY, b))) for b in (1, -1)]
-            if not np.all(np.isfinite(values)):
-                continue
-            rows = ev.solutions_at(int(k))
-            for j in given:
-                rows = rows[np.abs(_wrap(rows[:, j - 1] - env[f"theta{j}"])) < 1e-5]
-            theirs = np.array(
-                [
-                    _wrap(float(evaluate(angle, {**env, **{f"theta{j + 1}": r[j] for j in range(ev.model.n)}})))
-                    for r in rows
-                ]
-            )
-            checked += 1
-            both += all(np.any(np.abs(_wrap(theirs - v)) < 1e-4) for v in values) if len(theirs) else 0
-    except (PieperError, AttributeError, NotImplementedError, ImportError) as error:
-        return None, f"not checked against the other solutions: {error}"
+    for k in np.flatnonzero(ev.samples.nominal)[:SOLVER_POSES]:
+        env = {name: v[k] for name, v in ev.samples.env.items()}
+        q = ev.samples.q[k]
+        values = [float(_wrap(evaluate(node, env, NUMPY, b))) for b in (1, -1)]
+        if not np.all(np.isfinite(values)) or abs(_wrap(values[0] - values[1])) < 1e-6:
+            continue
+        other = max(values, key=lambda v: abs(_wrap(v - q[joint - 1])))
+        held = {j: q[j - 1] for j in given if j != joint} | {joint: other}
+        checked += 1
+        both += completes(ev.model, ev.samples.frames["T"][k], held, q)
     if not checked:
         return None, ""
     given_words = " and ".join(f"theta{j}" for j in sorted(given)) or "the pose"

@@ -81,7 +81,7 @@ def judge_pose(ev: Evidence, claim: dict) -> Verdict:
             text,
             HOLDS,
             f"Holds to the printed digits: {count - len(off)} of {count} entries agree"
-            + (f", {len(off)} are cut off instead of rounded." if off else "."),
+            + (f", {len(off)} differ by the rounding of the last digit." if off else "."),
             says,
             note,
             digits=_digits(printed),
@@ -194,18 +194,45 @@ def _explain(model: ArmModel, q, reading, first: Reading) -> tuple[str, str, str
     tried = f"{len(variants)} other arms and joint vectors (convention, a and d of a row, twists, senses, zeros, tool, base, axes, units), misprints of one number"
     left, kind, words, r = best
     start = len(first.serious())
+    total = sum(v not in ("", "*") for r in first.printed for v in r)
     prints = {ij: misprint(first.printed[ij[0]][ij[1]], first.right[ij]) for ij in first.serious()}
-    if all(prints.values()) and len(prints) <= 2:
+    if all(prints.values()) and 4 * len(prints) <= total:
         return "; ".join(f"entry ({i + 1},{j + 1}): {w}" for (i, j), w in prints.items()), "misprint", tried, ""
     if kind and (left == 0 or (left <= 2 and left < start / 2)):
         rest = {ij: misprint(r.printed[ij[0]][ij[1]], r.right[ij]) for ij in r.serious()}
         if all(rest.values()):
             more = "".join(f"; besides, entry ({i + 1},{j + 1}) is a misprint: {w}" for (i, j), w in rest.items())
             return f"{words} gives the printed numbers{more}", kind, tried, words
+    for joint in range(model.n):
+        value = _joint_that_fits(model, q, joint, reading, first)
+        if value is not None:
+            words = f"joint {joint + 1} is {np.degrees(value):.4f} deg, not {np.degrees(q[joint]):g} deg"
+            return f"{words}: all entries agree then", "joint value", tried, words
     scaled = [f for f in (1000.0, 0.001) if _scaled(first, f)]
     if scaled:
         return "millimetres for metres" if scaled[0] > 1 else "metres for millimetres", "millimetres", tried, ""
     return "", "", tried, ""
+
+
+def _joint_that_fits(model: ArmModel, q, joint: int, reading, first: Reading) -> float | None:
+    """Return the value of one joint with which every printed entry agrees; the pose is linear in its sine and cosine."""
+    if model.sliding(joint + 1):
+        return None
+    at = []
+    for angle in (0.0, np.pi / 2, np.pi):
+        moved = q.copy()
+        moved[joint] = angle
+        at.append(reading(model, moved).right)
+    middle, cosine = (at[0] + at[2]) / 2, (at[0] - at[2]) / 2
+    sine = at[1] - middle
+    cells = [(i, j) for i, r in enumerate(first.printed) for j, v in enumerate(r) if v not in ("", "*")]
+    scale = {c: 1 / (1 + abs(first.right[c])) for c in cells}
+    M = np.array([[cosine[c] * scale[c], sine[c] * scale[c]] for c in cells])
+    y = np.array([(read_number(first.printed[c[0]][c[1]]) - middle[c]) * scale[c] for c in cells])
+    c, s = np.linalg.lstsq(M, y, rcond=None)[0]
+    moved = q.copy()
+    moved[joint] = np.arctan2(s, c)
+    return None if reading(model, moved).serious() else float(moved[joint])
 
 
 def _scaled(first: Reading, factor: float) -> bool:

@@ -43,12 +43,12 @@ def judge_number(ev: Evidence, claim: dict) -> Verdict:
         return Verdict(claim["id"], text, HOLDS, f"Holds to the printed digits; more exactly {right:.10g}{unit}.", says)
     why = misprint(printed, right)
     details = (("nearest right reading", f"{right:.10g}{unit}"),) + ((("the slip", why),) if why else ())
-    if why.startswith("cut off"):
+    if why.startswith("last digit"):
         return Verdict(
             claim["id"],
             text,
             HOLDS,
-            f"Holds, cut off instead of rounded; more exactly {right:.10g}{unit}.",
+            f"Holds but for the rounding of the last digit; more exactly {right:.10g}{unit}.",
             says,
             details,
         )

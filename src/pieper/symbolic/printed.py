@@ -42,7 +42,7 @@ def misprint(printed, right: float) -> str:
     decimals = max(0, -Decimal(text).as_tuple().exponent)
     correct = f"{right:.{decimals}f}"
     if abs(read_number(printed) - right) < step:
-        return f"cut off, not rounded ({correct})"
+        return f"last digit cut off or rounded the wrong way ({correct})"
     if abs(-read_number(printed) - right) <= 0.51 * step:
         return "a sign"
     a, b = text.lstrip("-").replace("+", ""), correct.lstrip("-")

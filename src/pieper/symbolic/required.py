@@ -25,21 +25,26 @@ def required_values(root: Node, wanted: np.ndarray | None, angle: bool, value: d
     """
     out: dict[tuple[int, ...], np.ndarray] = {}
     if root.op == "eq":
-        stack = [((0,), root.args[0], value[root.args[1]]), ((1,), root.args[1], value[root.args[0]])]
+        if root.has_branch():
+            return out
+        stack = [((0,), root.args[0], value[root.args[1]], False), ((1,), root.args[1], value[root.args[0]], False)]
     else:
-        # an angle is wanted modulo a turn, which the operations below (cosine, tangent) forget again
-        stack = [((), root, wanted)]
+        stack = [((), root, wanted, angle)]
     with np.errstate(all="ignore"):
         while stack:
-            path, node, need = stack.pop()
-            if need is None:
-                continue
-            if path or not angle:
+            path, node, need, turning = stack.pop()
+            if not turning:
                 out[path] = need
             for k, child in enumerate(node.args):
+                # an angle is wanted modulo a turn and on either branch; a cosine or a tangent forgets both
+                forgets = node.op == "call" and node.value in ("acos", "asin", "atan", "atan2")
+                if turning and not forgets:
+                    others = [a for a in node.args if a is not child]
+                    if node.op not in ("neg", "pm", "add") or any(a.has_branch() for a in others):
+                        continue
                 inner = _undo(node, k, need, value)
                 if inner is not None and np.isfinite(inner).any():
-                    stack.append((path + (k,), child, inner))
+                    stack.append((path + (k,), child, inner, turning and not forgets))
     return out
 
 

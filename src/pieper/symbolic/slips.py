@@ -21,6 +21,7 @@ from pieper.symbolic.tree import (
     negated,
     num,
     positions,
+    replaced_everywhere,
     sym,
 )
 
@@ -89,7 +90,27 @@ def slips(
                 yield slip("missing factor", ("{} lost from {}", factor, node), mul(node, factor), 1.3)
             yield slip("missing factor", ("a factor 2 lost from {}", node), mul(num(2), node), 1.3)
             yield slip("extra factor", ("a factor 2 too many in {}", node), Node("div", (node, num(2))), 1.8)
+    yield from _throughout(root, joints)
     yield from unit_slips(root)
+
+
+def _throughout(root: Node, joints: int) -> Iterator[Slip]:
+    """Yield formulas in which one angle is another one everywhere: s2 and c2 for s12 and c12, say."""
+    angles = {}
+    for node in root.walk():
+        if node.op == "call" and node.value in ("sin", "cos"):
+            parts = joint_sum(node.args[0])
+            if parts:
+                angles.setdefault(parts, []).append(node)
+    for parts, nodes in angles.items():
+        if len(nodes) < 2:
+            continue
+        for new in _index_variants(parts, joints):
+            tree = root
+            for node in nodes:
+                tree = replaced_everywhere(tree, node, call(node.value, angle_sum(new)))
+            words = ("{} for {} throughout", angle_sum(parts), angle_sum(new))
+            yield Slip("index", words, root, (), tree, 1.0)
 
 
 def _shared(root: Node) -> set[Node]:
@@ -212,6 +233,13 @@ def _product_slips(node: Node, slip) -> Iterator[Slip]:
 
 
 def _sum_slips(node: Node, slip) -> Iterator[Slip]:
+    if len(node.args) <= 8:
+        for first in range(len(node.args)):
+            for last in range(first + 1, len(node.args)):
+                inside = add(*node.args[first : last + 1])
+                root = Node("pm", (call("sqrt", inside),), 1)
+                words = ("a lost root over {}", inside)
+                yield slip("power", words, add(*node.args[:first], root, *node.args[last + 1 :]), 1.7)
     for k, term in enumerate(node.args):
         rest = node.args[:k] + node.args[k + 1 :]
         yield slip("extra term", ("{} too many", term), add(*rest), 1.4)
