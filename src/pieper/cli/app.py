@@ -169,25 +169,29 @@ def report(
 @app.command()
 def check(
     claims: Annotated[str, typer.Argument(metavar="CLAIMS", help="A claims file (.toml).")],
+    brief: Annotated[bool, typer.Option("--brief", help="One line a claim, without counter-examples.")] = False,
     json: Json = False,
 ) -> None:
-    """Judge the equations and numbers that someone claims about an arm."""
-    from pieper.cli.pages import check as run
+    """Judge the equations and numbers that someone claims about an arm; status 1 when one does not hold."""
+    from pieper.cli.judged import check as run
 
-    raise typer.Exit(run(claims, json))
+    raise typer.Exit(run(claims, json, brief))
 
 
 @app.command()
 def workbench(
     arm: Annotated[str, typer.Argument(metavar="[ARM]", help="The arm to begin with.")] = "denso-vp6242",
     host: Annotated[str, typer.Option("--host", help="Address to listen on.")] = "127.0.0.1",
-    port: Annotated[int, typer.Option("--port", help="Port to listen on; 0 for a free one.")] = 8765,
+    port: Annotated[int, typer.Option("--port", help="Port to listen on; 0 for a free one.")] = 8123,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Whether to open a browser.")] = True,
+    open_to_network: Annotated[
+        bool, typer.Option("--open-to-network", help="Allow an address that other machines reach; there is no password.")
+    ] = False,
 ) -> None:
     """Open the workbench: the arm, its joints, poses and equations, live in the browser."""
     from pieper.cli.pages import workbench as run
 
-    raise typer.Exit(run(arm, host, port, browser))
+    raise typer.Exit(run(arm, host, port, browser, open_to_network))
 
 
 @app.command()

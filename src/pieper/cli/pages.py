@@ -44,19 +44,12 @@ def report(
     return DONE
 
 
-def check(claims: str, json: bool) -> int:
-    """Judge a claims file; status 1 when a claim is wrong."""
-    from pieper.cli.judged import check as run
-
-    return run(claims, json)
-
-
-def workbench(name: str, host: str, port: int, browser: bool) -> int:
+def workbench(name: str, host: str, port: int, browser: bool, open_to_network: bool) -> int:
     """Serve the workbench until it is interrupted."""
     load(name)
-    from pieper.workbench.server import run
+    from pieper.workbench.server import serve
 
-    run(host=host, port=port, arm=name, browser=browser)
+    serve(host=host, port=port, arm=name, open_to_network=open_to_network, open_browser=browser)
     return DONE
 
 

@@ -18,12 +18,18 @@ if TYPE_CHECKING:
     from pieper.cli.given import Units
 
 
+#: Columns that the table of solutions of a six-joint arm needs.
+NARROWEST = 124
+
+
 def console() -> Console:
-    """Return a console for standard output; tables get all the width they need when it is not a terminal."""
+    """Return a console for standard output, never so narrow that numbers would be cut off."""
+    import shutil
+
     from rich.console import Console
 
-    width = None if sys.stdout.isatty() else 160
-    return Console(width=width, highlight=False, soft_wrap=False)
+    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else 160
+    return Console(width=max(width, NARROWEST), highlight=False, soft_wrap=False)
 
 
 def table(title: str, *columns: str, left: tuple[int, ...] = ()) -> Table:
@@ -85,7 +91,8 @@ def pose_table(T: np.ndarray, units: Units, title: str) -> Table:
 
 def joint_columns(arm: Arm, units: Units) -> list[str]:
     """Return the headings of joint columns, each with its unit."""
-    return [f"{name}, {unit}" for name, unit in zip(arm.joint_names, units.names_of_joints(arm), strict=True)]
+    plain = [f"q{i + 1}" if name == f"joint_{i + 1}" else name for i, name in enumerate(arm.joint_names)]
+    return [f"{name}, {unit}" for name, unit in zip(plain, units.names_of_joints(arm), strict=True)]
 
 
 def joint_cells(arm: Arm, q: np.ndarray, units: Units) -> list[str]:

@@ -120,8 +120,10 @@ def geometric_stop(way: Continuation, strand: Strand, q: np.ndarray, meets: int 
     if strand.unresolved:
         return Event(s, name, JUMP, True, "the branch could not be followed for certain, however small the steps.")
     if len(way.solutions(just_after)[0]) == 0:
-        why = way.why(after) if len(way.solutions(after)[0]) == 0 else "the path leaves the reach and comes back."
-        return Event(s, name, OUT_OF_REACH, True, f"no branch goes on: at point {int(after) + 1}, {why}")
+        why = "The path leaves the reach and comes back before the next point."
+        if len(way.solutions(after)[0]) == 0:
+            why = f"At point {int(after) + 1}: {way.why(after)}"
+        return Event(s, name, OUT_OF_REACH, True, f"no branch goes on. {why}")
     if meets is not None:
         return Event(
             s,

@@ -232,7 +232,7 @@ def _nearest(way: Continuation, branches: tuple[Branch, ...], start: np.ndarray)
 def _no_start(way: Continuation, branches: tuple[Branch, ...], start: np.ndarray) -> Event:
     """Return why not even the first pose is reached."""
     if not branches:
-        return Event(0.0, None, "out of reach", True, f"The first pose has no solution: {way.why(0.0)}")
+        return Event(0.0, None, "out of reach", True, f"The first pose has no solution. {way.why(0.0)}")
     nearest = min(branches, key=lambda b: b.stop.excess if b.stop else np.inf)
     return Event(
         0.0, nearest.stop.joint, LIMIT, True, f"The first pose has no solution inside the limits: {nearest.stop.detail}"

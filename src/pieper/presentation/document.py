@@ -87,6 +87,13 @@ class Formula:
 
 
 @dataclass(frozen=True)
+class Formulas:
+    """Several small displayed formulas that may stand side by side."""
+
+    formulas: tuple[Formula, ...]
+
+
+@dataclass(frozen=True)
 class Code:
     """Lines as they are typed or printed."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from pieper.presentation.document import Code, Document, Formula, Heading, Lines, Picture, Table, Text, escaped, marked
+from pieper.presentation.document import Code, Document, Formula, Formulas, Heading, Lines, Picture, Table, Text, escaped, marked
 from pieper.presentation.style import svg
 
 #: Characters of plain text that fit on one line at full size.
@@ -68,6 +68,8 @@ class _Body:
             share = max(SMALLEST, min(1.0, LINE / max(block.size, 1)))
             size = f' style="font-size:{share:.2f}em"' if share < 1 else ""
             return f'<div class="formula"{size}>{block.mathml}</div>'
+        if isinstance(block, Formulas):
+            return f'<div class="beside">{"".join(self._block(f) for f in block.formulas)}</div>'
         if isinstance(block, Code):
             return f"<pre>{escaped(block.text)}</pre>"
         raise TypeError(f"a page cannot hold a {type(block).__name__}")
@@ -116,6 +118,10 @@ def inline_svg(text: str, prefix: str) -> str:
     text = re.sub(r"url\(#([^)]+)\)", lambda m: f"url(#{prefix}{m[1]})", text)
     head, rest = text.split(">", 1)
     head = re.sub(r'\s(width|height|xmlns:[a-z]+|version)="[^"]*"', "", head).replace("<svg", '<svg role="img"', 1)
-    # numbers finer than a hundredth of a point are of no use to anyone
-    rest = re.sub(r"-?\d+\.\d{3,}", lambda m: f"{float(m[0]):.2f}".rstrip("0").rstrip("."), rest)
+    # coordinates finer than a hundredth of a point are of no use to anyone; scales of glyphs are
+    rest = re.sub(r'\bd="[^"]*"', lambda m: re.sub(r"-?\d+\.\d{3,}", _shorter, m[0]), rest)
     return f"{head}>{rest}".replace("xlink:href", "href").strip()
+
+
+def _shorter(number: re.Match) -> str:
+    return f"{float(number[0]):.2f}".rstrip("0").rstrip(".")

@@ -6,7 +6,7 @@ import io
 import re
 from pathlib import Path
 
-from pieper.presentation.document import Code, Document, Formula, Heading, Lines, Picture, Table, Text, marked
+from pieper.presentation.document import Code, Document, Formula, Formulas, Heading, Lines, Picture, Table, Text, marked
 
 HEAD = r"""\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
@@ -30,7 +30,7 @@ _SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
     "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}",
     "|": r"\textbar{}",
-    "°": r"\textdegree{}", "±": r"\ensuremath{\pm}", "−": r"\ensuremath{-}", "·": r"\ensuremath{\cdot}",
+    "°": r"\textdegree{}", "\u00a0": "~", "±": r"\ensuremath{\pm}", "−": r"\ensuremath{-}", "·": r"\ensuremath{\cdot}",
     "×": r"\ensuremath{\times}", "²": r"\ensuremath{^2}", "³": r"\ensuremath{^3}", "∞": r"\ensuremath{\infty}",
     "→": r"\ensuremath{\to}", "≤": r"\ensuremath{\le}", "≥": r"\ensuremath{\ge}", "≈": r"\ensuremath{\approx}",
     "θ": r"\ensuremath{\theta}", "α": r"\ensuremath{\alpha}", "π": r"\ensuremath{\pi}", "σ": r"\ensuremath{\sigma}",
@@ -95,6 +95,8 @@ def _block(block: object, folder: str, files: dict[str, bytes]) -> str:
         )
     if isinstance(block, Formula):
         return fitted(block.latex)
+    if isinstance(block, Formulas):
+        return "\n".join(fitted(f.latex) for f in block.formulas)
     if isinstance(block, Code):
         body = "\n".join("".join(c if ord(c) < 128 else _plain(c) for c in line) for line in block.text.splitlines())
         return "{\\small\n\\begin{verbatim}\n" + body + "\n\\end{verbatim}\n}"

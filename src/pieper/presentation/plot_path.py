@@ -68,7 +68,8 @@ def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str 
     low = axes.get_zlim()[0]
     axes.plot(points[:, 0] * MM, points[:, 1] * MM, low, color=FAINT, linewidth=1.0, linestyle=(0, (2, 2)), zorder=1)
     _ends(axes, points * MM)
-    legend(axes, loc="upper right")
+    if reached < len(poses):
+        legend(axes, loc="upper right")
     return figure
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.errors import PieperError
-from pieper.presentation.document import Document, Formula, Heading, Lines, Picture
+from pieper.presentation.document import Document, Formula, Formulas, Heading, Lines, Picture
 from pieper.presentation.plot_arm import arm_figure
 from pieper.presentation.plot_reach import reach_figure, reach_samples
 
@@ -36,7 +36,7 @@ def joint_value(arm: Arm, joint: int, value: float, digits: int = 3) -> str:
 def joint_heads(arm: Arm) -> list[str]:
     """Return one table heading a joint, with its unit."""
     return [
-        f"{name}, {'°' if kind == 'R' else 'mm'}" for name, kind in zip(short_names(arm), arm.joint_types, strict=True)
+        f"{name},\u00a0{'°' if kind == 'R' else 'mm'}" for name, kind in zip(short_names(arm), arm.joint_types, strict=True)
     ]
 
 
@@ -163,7 +163,7 @@ def add_plan(page: Document, arm: Arm) -> None:
 
     geometry, words = FAMILY_WORDS.get(plan.family, ("its own geometry", ""))
     page.add("What matters for the inverse is which neighbouring axes are parallel or meet:")
-    page.add(Lines(tuple(sentence[:1].upper() + sentence[1:] for sentence in plan.geometry.sentences(plan.names))))
+    page.add(Lines(tuple(plan.geometry.sentences(plan.names))))
     spare = f" The arm has joints to spare: {', '.join(plan.redundancy)} is chosen freely." if plan.redundancy else ""
     page.add(
         f"That makes it an arm with {geometry}. {words} A pose has at most {plan.max_solutions} solutions"
@@ -186,8 +186,7 @@ def add_forward(page: Document, arm: Arm) -> None:
         )
         if forward.relations():
             page.add("The table's angles follow from the joint coordinates: " + "; ".join(forward.relations()) + ".")
-        for matrix in forward.A:
-            page.add(_matrix(matrix))
+        page.add(Formulas(tuple(_matrix(matrix) for matrix in forward.A)))
         halves = [m for m in forward.matrices() if m.name.startswith("T") and m.name not in ("T", f"T0{arm.n}")]
         if halves:
             page.add("Their partial products, sums of parallel joints gathered:")

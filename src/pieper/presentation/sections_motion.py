@@ -48,15 +48,15 @@ def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "sol
     rows = []
     for i, q in enumerate(rows_q):
         outside = np.maximum(arm.limits[:, 0] - q, q - arm.limits[:, 1])
-        where = "inside" if inside[i] else f"{arm.joint_names[int(np.argmax(outside))]} outside"
+        where = "none" if inside[i] else arm.joint_names[int(np.argmax(outside))]
         values = [joint_value(arm, j, v, 3) for j, v in enumerate(q)]
-        miss = f"{scientific(residual[i, 0] * MM)} mm, {scientific(np.degrees(residual[i, 1]))}°"
-        rows.append([str(i + 1), *values, labels[i], where, miss])
+        miss = (scientific(residual[i, 0] * MM), scientific(np.degrees(residual[i, 1])))
+        rows.append([str(i + 1), *values, labels[i], where, *miss])
     n = arm.n
     page.table(
-        ["", *joint_heads(arm), "posture", "limits", "residual"],
+        ["", *joint_heads(arm), "posture", "limit broken", "missing,\u00a0mm", "missing,\u00a0°"],
         rows,
-        "Every solution of the pose, each put back through forward kinematics; the residual is what is then missing.",
+        "Every solution of the pose, each put back through forward kinematics; on the right what is then missing.",
         left=(0, n + 1, n + 2),
         strong=tuple(int(i) for i in np.flatnonzero(inside)) if not inside.all() else (),
     )

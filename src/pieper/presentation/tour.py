@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -14,7 +15,17 @@ from pieper.errors import InputError
 from pieper.motion.sequence import move
 from pieper.presentation.document import Code, Document, Heading, Picture
 from pieper.presentation.html_page import page as html_page
-from pieper.presentation.sections_arm import MM, add_arm, add_plan, add_reach, attempt, fixed, joint_value
+from pieper.presentation.sections_arm import (
+    MM,
+    add_arm,
+    add_derivation,
+    add_forward,
+    add_plan,
+    add_reach,
+    attempt,
+    fixed,
+    joint_value,
+)
 from pieper.presentation.sections_motion import add_motion, add_solutions, add_track, scientific
 from pieper.presentation.style import png, svg
 from pieper.presentation.writing import write_whole
@@ -80,6 +91,8 @@ def run(out: Path, *, say: Callable[[str], None] = print) -> tuple[Path, bool]:
     say("Forward kinematics: the twelve printed equations against the table")
     _forward(page, arm)
     add_plan(page, arm)
+    if hasattr(arm.symbolic, "ik"):
+        add_derivation(page, arm)
     say("Inverse kinematics: one pose solved, then many")
     recall = _inverse(page, arm, say)
     say("The line: 50 points, four tool orientations")
@@ -108,51 +121,52 @@ def run(out: Path, *, say: Callable[[str], None] = print) -> tuple[Path, bool]:
 
 
 def _forward(page: Document, arm: Arm) -> None:
-    page.section("Forward kinematics, and what was printed of it")
-    page.add(
-        "The product of the six matrices gives the tool's pose; the columns of its rotation are called n, o and a, "
-        "its position "
-        "P. The source paper prints all twelve entries, its Eqs. (5) to (7). Each was compared with the product of "
-        "the matrices "
-        "of its own Table 1, at random joints and in 50-digit arithmetic:"
-    )
-
-    def judged() -> None:
-        from pieper.presentation.denso_equations import LOST, PRINTED, claims
-        from pieper.symbolic.claims import check
-
-        verdicts = {v.id: v for v in check(claims()).verdicts}
-        rows = [
-            [entry, f"({PRINTED[entry][0]})", "holds" if verdicts[entry].holds else "*wrong*", verdicts[entry].sentence]
-            for entry in PRINTED
-        ]
-        page.table(
-            ["entry", "Eq.", "verdict", "how well"],
-            rows,
-            "The twelve printed entries of the pose, judged.",
-            left=(0, 1, 2, 3),
-            strong=tuple(i for i, entry in enumerate(PRINTED) if not verdicts[entry].holds),
-        )
-        wrong = verdicts[LOST["entry"]]
-        details = dict(wrong.details)
-        page.add(
-            Heading("The lost C2", 2),
-            f"P_x is printed with the term `{LOST['printed']}` where it must be `{LOST['right']}`. The judge found "
-            "the slip by "
-            f"itself: *{details.get('the slip', 'a factor is missing')}*. The printed formula minus the right one is "
-            f"`{details.get('difference', '').replace('printed minus right = ', '')}`, so it is right only where "
-            "joint 2 stands "
-            f"at zero. {_upper(details.get('counter-example', ''))}. With C2 restored, P_x "
-            f"{_lower(verdicts[LOST['entry'] + ' mended'].sentence)}",
-        )
-        page.add(Code(f"P_x as printed:  {PRINTED['Px'][1]}\nP_x restored:    {_mended(PRINTED, LOST)}"))
-
-    attempt(page, "The judgement of the printed equations", judged)
+    add_forward(page, arm)
     q = arm.description.postures.get("line-start", np.zeros(arm.n))
     T = arm.fk(q)
     values = ", ".join(f"{joint_value(arm, i, v, 3)}°" for i, v in enumerate(q))
     rows = [[axis, *(fixed(v, 6) for v in T[i, :3]), fixed(T[i, 3] * MM, 3)] for i, axis in enumerate(("x", "y", "z"))]
-    page.table(["", "n", "o", "a", "P, mm"], rows, f"The tool's pose at q = ({values}), where the line will begin.")
+    page.table(["", "n", "o", "a", "p, mm"], rows, f"The tool's pose at q = ({values}), where the line will begin.")
+    page.section("What was printed of it")
+    page.add(
+        "The source paper prints the twelve entries of the pose as its Eqs. (5) to (7), the position as P. Each was "
+        "compared with "
+        "the product of the matrices of the paper's own Table 1, at random joints and in 50-digit arithmetic."
+    )
+    attempt(page, "The judgement of the printed equations", lambda: _judged(page))
+
+
+def _judged(page: Document) -> None:
+    from pieper.presentation.denso_equations import LOST, PRINTED, claims
+    from pieper.symbolic.claims import check
+
+    verdicts = {v.id: v for v in check(claims()).verdicts}
+    rows = []
+    for entry, (number, _) in PRINTED.items():
+        sentence = verdicts[entry].sentence
+        tried = re.search(r"right at (\d+ of \d+)", sentence)
+        digits = re.search(r"agrees to (\d+) digits", sentence)
+        verdict = "holds identically" if verdicts[entry].holds else "wrong"
+        rows.append([entry, f"({number})", verdict, tried[1] if tried else "", digits[1] if digits else "none"])
+    page.table(
+        ["entry", "Eq.", "verdict", "right at joint vectors", "digits that agree"],
+        rows,
+        "The twelve printed entries of the pose, judged.",
+        left=(0, 1, 2),
+        strong=tuple(i for i, entry in enumerate(PRINTED) if not verdicts[entry].holds),
+    )
+    details = dict(verdicts[LOST["entry"]].details)
+    page.add(
+        Heading("The lost C2", 2),
+        f"P_x is printed with the term `{LOST['printed']}` where it must be `{LOST['right']}`. The judge finds the "
+        "slip by itself: "
+        f"*{details.get('the slip', 'a factor is missing')}*. The printed formula minus the right one is "
+        f"`{details.get('difference', '').replace('printed minus right = ', '')}`, so it is right only where joint 2 "
+        "stands at "
+        f"zero or the term vanishes. {_upper(details.get('counter-example', ''))} (m). With C2 restored, P_x "
+        f"{_lower(verdicts[LOST['entry'] + ' mended'].sentence)}",
+        Code(f"P_x as printed:  {PRINTED['Px'][1]}\nP_x restored:    {_mended(PRINTED, LOST)}"),
+    )
 
 
 def _mended(printed: dict, lost: dict) -> str:
