@@ -2,203 +2,236 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Callable
 
-import typer
+import click
 
-from pieper.cli.options import NUMBERS, Angle, ArmName, Json, Length, Order
+#: Negative numbers are numbers, not options.
+NUMBERS = {"ignore_unknown_options": True}
 
-app = typer.Typer(
-    name="pieper",
-    no_args_is_help=True,
-    add_completion=False,
-    rich_markup_mode="rich",
-    pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
-    help="Kinematics of serial arms: every inverse solution of a pose, verified, labelled and followed along paths. "
-    "Degrees and millimetres unless said otherwise. Exit status: 0 done, 1 no solution, 2 misuse.",
+arm_name = click.argument("arm", metavar="ARM")
+as_json = click.option("--json", is_flag=True, help="Print JSON, in metres and radians, for machines.")
+figure = click.option("--figure", default="", metavar="FILE", help="Draw into this .png, .svg or .pdf.")
+order = click.option(
+    "--order",
+    default="rpy",
+    show_default=True,
+    metavar="NOTATION",
+    help="What the numbers after x y z mean: rpy (roll, pitch, yaw about the fixed x, y, z), zyx (KUKA's A, B, C), zyz, "
+    "rotation_vector, quaternion_wxyz or quaternion_xyzw.",
+)
+first = click.option("--from", "first", default="", metavar="POSE", help="First pose, quoted, as for ik; or @file.")
+last = click.option("--to", "last", default="", metavar="POSE", help="Last pose, quoted, as for ik; or @file.")
+points = click.option(
+    "--points", "-n", default=50, show_default=True, help="Poses on each straight stretch, ends included."
+)
+start = click.option(
+    "--start",
+    default="zero",
+    show_default=True,
+    metavar="JOINTS",
+    help="Joints the arm is in (quoted), or a posture's name.",
 )
 
 
-def _version(wanted: bool) -> None:
-    if wanted:
-        import pieper
+def units(command: Callable) -> Callable:
+    """Add the options for units."""
+    for name, choices in (("--angle", ("deg", "rad")), ("--length", ("mm", "m"))):
+        command = click.option(
+            name, default=choices[0], show_default=True, type=click.Choice(choices), help="Unit, typed and printed."
+        )(command)
+    return command
 
-        print(f"pieper {pieper.__version__}")
-        raise typer.Exit()
 
+@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.version_option(package_name="pieper", message="pieper %(version)s")
+def app() -> None:
+    """Kinematics of serial arms: every inverse solution of a pose, verified, labelled and followed along paths.
 
-@app.callback()
-def options(
-    version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
-    ] = False,
-) -> None:
-    """Nothing is done without a command."""
+    Degrees and millimetres unless said otherwise. ARM is a catalogue name (see `pieper robots`) or a robot file.
+
+    Exit status: 0 done, 1 no solution, 2 misuse.
+    """
 
 
 @app.command()
-def robots(
-    pattern: Annotated[str, typer.Argument(help="Only names that contain this.")] = "",
-    json: Json = False,
-) -> None:
-    """List the arms that ship."""
+@click.argument("pattern", default="")
+@as_json
+def robots(pattern: str, json: bool) -> int:
+    """List the arms that ship, or those whose name contains PATTERN."""
     from pieper.cli.arms import robots as run
 
-    raise typer.Exit(run(pattern, json))
+    return run(pattern, json)
 
 
 @app.command()
-def show(
-    arm: ArmName,
-    json: Json = False,
-    figure: Annotated[str, typer.Option("--figure", help="Draw the arm into this .png, .svg or .pdf.")] = "",
-    length: Length = "mm",
-    angle: Angle = "deg",
-) -> None:
+@arm_name
+@figure
+@as_json
+@units
+def show(arm: str, figure: str, json: bool, length: str, angle: str) -> int:
     """Show an arm: its DH table, limits, postures, and how it is solved."""
     from pieper.cli.arms import show as run
 
-    raise typer.Exit(run(arm, json, figure, length, angle))
+    return run(arm, json, figure, length, angle)
 
 
 @app.command(context_settings=NUMBERS)
-def fk(
-    arm: ArmName,
-    joints: Annotated[
-        list[str], typer.Argument(metavar="JOINTS...", help="One number a joint, a posture's name, or @file.")
-    ],
-    frames: Annotated[bool, typer.Option("--frames", help="Every frame on the way, not only the tool.")] = False,
-    json: Json = False,
-    length: Length = "mm",
-    angle: Angle = "deg",
-) -> None:
+@arm_name
+@click.argument("joints", nargs=-1, required=True)
+@click.option("--frames", is_flag=True, help="Every frame on the way, not only the tool.")
+@as_json
+@units
+def fk(arm: str, joints: tuple[str, ...], frames: bool, json: bool, length: str, angle: str) -> int:
     """Forward kinematics: from joints to the tool's pose.
+
+    JOINTS is one number a joint, a posture's name, or @file.
 
     Example: pieper fk denso-vp6242 0 51.5 -150.6 0 99.1 0
     """
     from pieper.cli.solve import fk as run
 
-    raise typer.Exit(run(arm, joints, frames, json, length, angle))
+    return run(arm, list(joints), frames, json, length, angle)
 
 
 @app.command(context_settings=NUMBERS)
+@arm_name
+@click.argument("pose", nargs=-1, required=True)
+@order
+@click.option(
+    "--near", default="", metavar="JOINTS", help="Name the solution nearest to these (quoted), turns resolved."
+)
+@click.option(
+    "--task", default="", metavar="TASK", help='"pose", "position" or "position+axis"; the arm has a default.'
+)
+@click.option("--redundancy", default="", metavar="VALUE", help="Value of a redundant joint.")
+@click.option("--all", "everything", is_flag=True, help="Also solutions outside the joint limits.")
+@figure
+@as_json
+@units
 def ik(
-    arm: ArmName,
-    pose: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="POSE...", help="x y z, or x y z and an orientation (see --order), or 16 numbers, or @file."
-        ),
-    ],
-    order: Order = "rpy",
-    near: Annotated[
-        str, typer.Option("--near", help="Mark the solution nearest to these joints (quoted), turns resolved.")
-    ] = "",
-    task: Annotated[
-        str, typer.Option("--task", help='"pose", "position" or "position+axis"; the arm has a default.')
-    ] = "",
-    redundancy: Annotated[
-        str, typer.Option("--redundancy", help="Value of a redundant joint, in the arm's units.")
-    ] = "",
-    all_: Annotated[bool, typer.Option("--all", help="Also solutions outside the joint limits.")] = False,
-    figure: Annotated[str, typer.Option("--figure", help="Draw all solutions into this .png, .svg or .pdf.")] = "",
-    json: Json = False,
-    length: Length = "mm",
-    angle: Angle = "deg",
-) -> None:
+    arm: str,
+    pose: tuple[str, ...],
+    order: str,
+    near: str,
+    task: str,
+    redundancy: str,
+    everything: bool,
+    figure: str,
+    json: bool,
+    length: str,
+    angle: str,
+) -> int:
     """Inverse kinematics: every solution of a pose, with labels, limits and residuals.
 
-    Example: pieper ik denso-vp6242 350 0 400
+    POSE is x y z (orientation R = I), or x y z and an orientation (see --order), or the 12 or 16 numbers of a matrix row
+    by row, or @file.
+
+    Example: pieper ik denso-vp6242 350 0 400 --all
     """
     from pieper.cli.solve import ik as run
 
-    raise typer.Exit(run(arm, pose, order, near, task, redundancy, all_, figure, json, length, angle))
+    return run(arm, list(pose), order, near, task, redundancy, everything, figure, json, length, angle)
 
 
 @app.command(context_settings=NUMBERS)
+@arm_name
+@first
+@last
+@click.option("--via", multiple=True, metavar="POSE", help="A pose on the way; may be repeated.")
+@points
+@start
+@click.option("--csv", default="", metavar="FILE", help="Write the joints and the poses into this .csv.")
+@click.option("--figures", default="", metavar="FOLDER", help="Write the figures into this folder.")
+@order
+@as_json
+@units
 def path(
-    arm: ArmName,
-    first: Annotated[str, typer.Option("--from", help="First pose, quoted, as for ik; or @file.")] = "",
-    last: Annotated[str, typer.Option("--to", help="Last pose, quoted, as for ik; or @file.")] = "",
-    via: Annotated[list[str] | None, typer.Option("--via", help="A pose on the way; may be repeated.")] = None,
-    points: Annotated[
-        int, typer.Option("--points", "-n", help="Poses on each straight stretch, both ends included.")
-    ] = 50,
-    start: Annotated[str, typer.Option("--start", help="Joints the arm is in (quoted), or a posture's name.")] = "zero",
-    csv: Annotated[str, typer.Option("--csv", help="Write the joints and the poses into this .csv.")] = "",
-    figures: Annotated[str, typer.Option("--figures", help="Write the figures into this folder.")] = "",
-    order: Order = "rpy",
-    json: Json = False,
-    length: Length = "mm",
-    angle: Angle = "deg",
-) -> None:
+    arm: str,
+    first: str,
+    last: str,
+    via: tuple[str, ...],
+    points: int,
+    start: str,
+    csv: str,
+    figures: str,
+    order: str,
+    json: bool,
+    length: str,
+    angle: str,
+) -> int:
     """Follow straight lines with one continuous branch; say where it stops, why, and which branches would have passed.
 
     Example: pieper path denso-vp6242 --from "350 0 400" --to "200 100 500" --start line-start
     """
     from pieper.cli.follow import path as run
 
-    raise typer.Exit(run(arm, first, last, via or [], points, start, csv, figures, order, json, length, angle))
+    return run(arm, first, last, list(via), points, start, csv, figures, order, json, length, angle)
 
 
 @app.command(context_settings=NUMBERS)
+@arm_name
+@click.option("--out", "-o", default="", metavar="FILE", help="The HTML page; named after the arm when left out.")
+@click.option("--latex", default="", metavar="FILE", help="Also write LaTeX source into this .tex, figures beside it.")
+@click.option("--pose", default="", metavar="POSE", help="The pose to solve, quoted, as for ik; chosen when left out.")
+@first
+@last
+@points
+@start
+@order
+@units
 def report(
-    arm: ArmName,
-    out: Annotated[str, typer.Option("--out", "-o", help="The HTML page; named after the arm when left out.")] = "",
-    latex: Annotated[
-        str, typer.Option("--latex", help="Also write LaTeX source into this .tex, figures beside it.")
-    ] = "",
-    pose: Annotated[
-        str, typer.Option("--pose", help="The pose to solve, quoted, as for ik; chosen when left out.")
-    ] = "",
-    first: Annotated[str, typer.Option("--from", help="First pose of a path study.")] = "",
-    last: Annotated[str, typer.Option("--to", help="Last pose of a path study.")] = "",
-    points: Annotated[int, typer.Option("--points", "-n", help="Poses on the path.")] = 50,
-    start: Annotated[str, typer.Option("--start", help="Joints the arm is in (quoted), or a posture's name.")] = "zero",
-    order: Order = "rpy",
-    length: Length = "mm",
-    angle: Angle = "deg",
-) -> None:
+    arm: str,
+    out: str,
+    latex: str,
+    pose: str,
+    first: str,
+    last: str,
+    points: int,
+    start: str,
+    order: str,
+    length: str,
+    angle: str,
+) -> int:
     """Write everything that can be said about an arm on one page, as HTML that prints well, and as LaTeX."""
     from pieper.cli.pages import report as run
 
-    raise typer.Exit(run(arm, out, latex, pose, first, last, points, start, order, length, angle))
+    return run(arm, out, latex, pose, first, last, points, start, order, length, angle)
 
 
 @app.command()
-def check(
-    claims: Annotated[str, typer.Argument(metavar="CLAIMS", help="A claims file (.toml).")],
-    brief: Annotated[bool, typer.Option("--brief", help="One line a claim, without counter-examples.")] = False,
-    json: Json = False,
-) -> None:
-    """Judge the equations and numbers that someone claims about an arm; status 1 when one does not hold."""
+@click.argument("claims")
+@click.option("--brief", is_flag=True, help="One line a claim, without counter-examples.")
+@as_json
+def check(claims: str, brief: bool, json: bool) -> int:
+    """Judge the equations and numbers that someone claims about an arm; status 1 when one does not hold.
+
+    CLAIMS is a claims file (.toml).
+    """
     from pieper.cli.judged import check as run
 
-    raise typer.Exit(run(claims, json, brief))
+    return run(claims, json, brief)
 
 
 @app.command()
-def workbench(
-    arm: Annotated[str, typer.Argument(metavar="[ARM]", help="The arm to begin with.")] = "denso-vp6242",
-    host: Annotated[str, typer.Option("--host", help="Address to listen on.")] = "127.0.0.1",
-    port: Annotated[int, typer.Option("--port", help="Port to listen on; 0 for a free one.")] = 8123,
-    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Whether to open a browser.")] = True,
-    open_to_network: Annotated[
-        bool, typer.Option("--open-to-network", help="Allow an address that other machines reach; there is no password.")
-    ] = False,
-) -> None:
+@click.argument("arm", default="denso-vp6242")
+@click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
+@click.option("--port", default=8123, show_default=True, help="Port to listen on; 0 for a free one.")
+@click.option("--browser/--no-browser", default=True, help="Whether to open a browser.")
+@click.option(
+    "--open-to-network", is_flag=True, help="Allow an address that other machines reach; there is no password."
+)
+def workbench(arm: str, host: str, port: int, browser: bool, open_to_network: bool) -> int:
     """Open the workbench: the arm, its joints, poses and equations, live in the browser."""
     from pieper.cli.pages import workbench as run
 
-    raise typer.Exit(run(arm, host, port, browser, open_to_network))
+    return run(arm, host, port, browser, open_to_network)
 
 
 @app.command()
-def tour(
-    out: Annotated[str, typer.Option("--out", "-o", help="Folder for the page and the figures.")] = "pieper-tour",
-) -> None:
+@click.option("--out", "-o", default="pieper-tour", show_default=True, help="Folder for the page and the figures.")
+def tour(out: str) -> int:
     """Run a whole study on the Denso VP-6242 and write it up on one page."""
     from pieper.cli.pages import tour as run
 
-    raise typer.Exit(run(out))
+    return run(out)

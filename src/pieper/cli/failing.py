@@ -23,7 +23,7 @@ EXTRAS = {
 
 
 def guarded(app: Callable, arguments: list[str] | None) -> int:
-    """Run a Typer app and return the exit status.
+    """Run a click app and return the exit status.
 
     Args:
         app: The app.
@@ -34,7 +34,7 @@ def guarded(app: Callable, arguments: list[str] | None) -> int:
     """
     warnings.showwarning = _say_warning
     try:
-        status = app(arguments, standalone_mode=False)
+        status = app(arguments, prog_name="pieper", standalone_mode=False)
         sys.stdout.flush()
         return int(status) if isinstance(status, int) else DONE
     except PieperError as error:
@@ -67,6 +67,9 @@ def _of_click(error: Exception) -> int:
         return int(error.exit_code)
     if hasattr(error, "format_message"):
         context = getattr(error, "ctx", None)
+        if name == "NoArgsIsHelpError":
+            print(error.format_message())
+            return MISUSE
         hint = f" See: {context.command_path} --help" if context is not None else ""
         _say(error.format_message().rstrip(".") + "." + hint)
         return MISUSE
