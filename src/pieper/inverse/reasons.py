@@ -69,6 +69,9 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     miss = f"misses it by {metres * 1e3:.4g} mm"
     if radians > 5e-3:
         miss += f" and {np.degrees(radians):.3g} deg"
+    if plan.redundancy and metres < 1e-7 * plan.chain.length and radians < 1e-7:
+        held = ", ".join(plan.redundancy)
+        return f"No solution at the chosen {held}, though the arm can take the pose with other values."
     what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[plan.task]
     if sols._flag & OUT_OF_REACH_FLAG or radians <= 5e-3:
         return f"{what} is out of reach: the nearest one the arm can take {miss}."
@@ -118,5 +121,6 @@ def explain(plan: Plan) -> str:
     if plan.direct and plan.family in ("general", "offset_wrist"):
         lines += [f"  Posture names: this arm is {plan.cuspidal}." if plan.cuspidal.found else f"  Cuspidal? {plan.cuspidal}."]
     for key, value in plan.spec.info.items():
-        lines.append(f"  {key.replace('_', ' ')}: {value}")
+        if isinstance(value, (str, int, float)):
+            lines.append(f"  {key.replace('_', ' ')}: {value}")
     return "\n".join(lines)

@@ -31,7 +31,10 @@ def with_task_joints(chain: Chain, task: str) -> Chain:
     if task == "position+axis":
         return appended(chain, [(np.eye(3), False)])
     if task == "position":
-        return appended(chain, [(np.eye(3), False), (_X, False), (np.eye(3), False)], last=_GENERIC)
+        wrist = [(np.eye(3), False), (_X, False), (np.eye(3), False)]
+        # with joints to spare the wrist is held at chosen turns, and zero must mean the orientation that was given
+        spare = generic_rank(appended(chain, wrist)) < chain.n + 3
+        return appended(chain, wrist, last=None if spare else _GENERIC)
     return chain
 
 
@@ -133,8 +136,6 @@ class Reduction:
         if self.at_ends is not None and self.locked:
             first, tail = self.at_ends
             links = self.full.links[first : self.full.n - tail + 1].copy()
-            if tail:
-                links[-1] = self.full.links[self.full.n - tail]
             return Chain.of(links, self.full.prismatic[self.kept].copy())
         chain = self.with_locked(values)
         return appended(chain, list(self.fill)) if self.fill else chain

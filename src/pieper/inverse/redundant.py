@@ -6,11 +6,15 @@ import numpy as np
 
 from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import solve_reduced
-from pieper.inverse.refine import pose_difference
-from pieper.inverse.selfmotion import Family, trace
+from pieper.inverse.refine import newton, pose_difference
+from pieper.inverse.selfmotion import MOST_STEPS, Family, trace
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import fk
 
 #: Values of the redundant coordinate that are tried to meet every family, and the most families that are traced.
-SLICES, MOST_FAMILIES = 48, 24
+SLICES, DRAWS, MOST_FAMILIES = 48, 400, 24
+#: Where several coordinates are redundant the solutions form a surface: lines through it that are followed, and how far.
+MOST_LINES, LINE_STEPS = 8, 60
 
 
 def families_of(plan: Plan, T: np.ndarray, values: np.ndarray, rows: np.ndarray) -> tuple[Family, ...]:
@@ -26,35 +30,50 @@ def families_of(plan: Plan, T: np.ndarray, values: np.ndarray, rows: np.ndarray)
         rows: (m, n) solutions at those values.
     """
     full = plan.reduction.full
-    seeds = _seeds(plan, T, values)
+    spare = len(plan.redundancy)
+    seeds = _completed(plan, rows, T, values)
+    if spare == 1 or not seeds:
+        seeds += _seeds(plan, T, values)
     families: list[Family] = []
-    for q in [*_completed(plan, rows, T, values), *seeds]:
-        if len(families) >= MOST_FAMILIES:
+    for q in seeds:
+        # a surface has no list of curves: one line through each solution shows the way, and `dimension` says the rest
+        if len(families) >= (MOST_FAMILIES if spare == 1 else MOST_LINES):
             break
         if any(family.distance(q) < 0.02 for family in families):
             continue
         if np.linalg.norm(pose_difference(full, q, T)) > 1e-9:
             continue
-        families.append(trace(full, q, T, plan.full_limits, plan.full_names))
+        steps = MOST_STEPS if spare == 1 else LINE_STEPS
+        families.append(trace(full, q, T, plan.full_limits, plan.full_names, shown=plan.n, most_steps=steps))
     return tuple(families)
 
 
 def _seeds(plan: Plan, T: np.ndarray, values: np.ndarray) -> list[np.ndarray]:
-    joint = plan.reduction.locked[0]
-    lower, upper = plan.full_limits[joint]
-    if plan.reduction.full.prismatic[joint]:
-        reach = 2 * plan.chain.length
-        grid = np.linspace(max(lower, -reach), min(upper, reach), SLICES)
-    else:
-        grid = np.linspace(max(lower, -np.pi), min(upper, np.pi), SLICES, endpoint=bool(upper - lower < 6.28))
-    many = np.tile(values, (SLICES, 1))
-    many[:, 0] = grid
-    poses = np.tile(T, (SLICES, 1, 1))
-    found: list[np.ndarray] = []
-    q, valid, _, _ = solve_reduced(plan, poses, many, 1)
-    for i in range(SLICES):
-        found += _completed(plan, q[i][valid[i]], T, many[i])
+    """Return points of the pose at many values of the redundant coordinates.
+
+    The first coordinate is swept at the given values of the others; where that meets nothing and there are others,
+    all of them are drawn at random (the same draws every time).
+    """
+    ranges = [_range(plan, joint) for joint in plan.reduction.locked]
+    lower, upper = ranges[0]
+    sweep = np.tile(values, (SLICES, 1))
+    sweep[:, 0] = np.linspace(lower, upper, SLICES, endpoint=bool(upper - lower < 2 * np.pi - 1e-9))
+    found = _points(plan, T, sweep)
+    if not found and len(ranges) > 1:
+        low, high = np.array(ranges).T
+        found = _points(plan, T, np.random.default_rng(8).uniform(low, high, (DRAWS, len(ranges))))
     return found
+
+
+def _range(plan: Plan, joint: int) -> tuple[float, float]:
+    lower, upper = plan.full_limits[joint]
+    span = 2 * plan.chain.length if plan.reduction.full.prismatic[joint] else np.pi
+    return max(lower, -span), min(upper, span)
+
+
+def _points(plan: Plan, T: np.ndarray, values: np.ndarray) -> list[np.ndarray]:
+    q, valid, _, _ = solve_reduced(plan, np.tile(T, (len(values), 1, 1)), values, 1)
+    return [row for i in range(len(values)) for row in _completed(plan, q[i][valid[i]], T, values[i])]
 
 
 def _completed(plan: Plan, rows: np.ndarray, T: np.ndarray, values: np.ndarray) -> list[np.ndarray]:
@@ -62,19 +81,17 @@ def _completed(plan: Plan, rows: np.ndarray, T: np.ndarray, values: np.ndarray) 
     full = plan.reduction.full
     if full.n == plan.n:
         return list(rows)
-    from pieper.inverse.refine import newton
-
     out = []
     for row in rows:
         start = np.zeros(full.n)
         start[: plan.n] = row
         for joint, value in zip(plan.reduction.locked, values, strict=True):
             start[joint] = value
-        virtual = newton(full.section(plan.n, full.n - 1), start[plan.n :], np.eye(4), steps=0)
-        start[plan.n :] = virtual
-        best = newton(full, start, T, steps=25)
-        out.append(best)
+        # the virtual joints are a wrist at the tool: solved alone, from a few starts, with the arm where it is
+        wrist = Chain.of(np.concatenate([[fk(plan.chain, row)], full.links[plan.n + 1 :]]), full.prismatic[plan.n :])
+        starts = np.vstack([start[plan.n :], np.random.default_rng(2).uniform(-3, 3, (5, full.n - plan.n))])
+        turned = newton(wrist, starts, T, steps=30)
+        best = np.argmin(np.linalg.norm(pose_difference(wrist, turned, T), axis=-1))
+        start[plan.n :] = turned[best]
+        out.append(start)
     return out
-
-
-__all__ = ["families_of"]

@@ -29,6 +29,8 @@ class Family:
         dimension: Degrees of freedom of the whole self-motion; above 1 the curve is one line through it.
         limits: (n, 2) joint limits.
         names: Joint names.
+        shown: How many of the joints are the arm's own; a partial task adds virtual ones behind them, which are part of
+            `samples` and of nothing that is asked for.
     """
 
     chain: Chain
@@ -38,6 +40,21 @@ class Family:
     dimension: int
     limits: np.ndarray
     names: tuple[str, ...]
+    shown: int
+
+    @property
+    def _virtual(self) -> np.ndarray:
+        return np.arange(self.chain.n) >= self.shown
+
+    def _padded(self, q: np.ndarray) -> np.ndarray:
+        """Return q with the virtual joints added as zeros, where it has the arm's own joints only."""
+        q = np.asarray(q, float)
+        return q if len(q) == self.chain.n else np.append(q, np.zeros(self.chain.n - self.shown))
+
+    def _gaps(self, q: np.ndarray, points: np.ndarray) -> np.ndarray:
+        """Return q - points without units, angles around the circle, virtual joints not counted."""
+        gap = np.where(self.chain.prismatic, (q - points) / self.chain.length, (q - points + np.pi) % TURN - np.pi)
+        return np.where(self._virtual, 0.0, gap)
 
     @cached_property
     def s(self) -> np.ndarray:
@@ -52,15 +69,18 @@ class Family:
     @cached_property
     def free(self) -> tuple[int, ...]:
         """Joints (0-based) that move along the curve; the others stand still."""
-        return tuple(int(j) for j in np.flatnonzero(np.ptp(self._unitless, axis=0) > 1e-6))
+        return tuple(int(j) for j in np.flatnonzero(np.ptp(self._unitless[:, : self.shown], axis=0) > 1e-6))
 
     @cached_property
     def direction(self) -> np.ndarray:
         """(n,) unit tangent at the representative: the self-motion a controller would see there."""
-        return tangent(self.chain, self.representative)[0]
+        return tangent(self.chain, self._representative)[0][: self.shown]
 
     def at(self, s: float) -> np.ndarray:
         """Return the joint vector (n,) at the curve parameter s in [0, 1], exactly on the pose."""
+        return self._at(s)[: self.shown]
+
+    def _at(self, s: float) -> np.ndarray:
         guess = np.array([np.interp(s, self.s, column) for column in self.samples.T])
         return newton(self.chain, guess, self.T, steps=6, cutoff=1e-7)
 
@@ -86,7 +106,7 @@ class Family:
                 np.allclose(point, other, atol=1e-7) for other in found
             ):
                 found.append(point)
-        return np.array(found).reshape(-1, self.chain.n)
+        return np.array(found).reshape(-1, self.chain.n)[:, : self.shown]
 
     @cached_property
     def _sample_inside(self) -> np.ndarray:
@@ -101,12 +121,17 @@ class Family:
         edges = np.flatnonzero(np.diff(np.concatenate([[False], ok, [False]]).astype(int)))
         return tuple((float(self.s[a]), float(self.s[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True))
 
-    @cached_property
+    @property
     def representative(self) -> np.ndarray:
         """(n,) one point: inside the limits if any is, and of those the one with the smallest joint values."""
+        return self._representative[: self.shown]
+
+    @cached_property
+    def _representative(self) -> np.ndarray:
         wrapped = np.where(self.chain.prismatic, self.samples, self.samples - TURN * np.round(self.samples / TURN))
         wrapped = unwound(wrapped, wrapped, self.limits, self.chain.prismatic)
-        cost = joint_distance(wrapped, np.zeros(self.chain.n), self.chain.prismatic, self.chain.length)
+        shown = slice(0, self.shown)
+        cost = joint_distance(wrapped[:, shown], np.zeros(self.shown), self.chain.prismatic[shown], self.chain.length)
         if self._sample_inside.any():
             cost = np.where(self._sample_inside, cost, np.inf)
         # rounding makes equal costs unequal: a coarse key first, then the first sample
@@ -117,51 +142,51 @@ class Family:
         """Return the point (n,) of the curve inside the limits closest to q_now, or None."""
         if not self._sample_inside.any():
             return None
+        q_now = self._padded(q_now)
         wound = unwound(self.samples, np.broadcast_to(q_now, self.samples.shape), self.limits, self.chain.prismatic)
-        distance = joint_distance(wound, q_now, self.chain.prismatic, self.chain.length)
-        start = wound[int(np.argmin(np.where(self._sample_inside, distance, np.inf)))]
-        unit = np.where(self.chain.prismatic, self.chain.length, 1.0)
-        point = start
+        start = wound[int(np.argmin(np.where(self._sample_inside, self._straight(q_now, wound), np.inf)))]
+        point = self._slid(start, lambda p: np.where(self._virtual, 0.0, q_now - p) / self._unit, self.limits)
+        return point[: self.shown]
+
+    @property
+    def _unit(self) -> np.ndarray:
+        return np.where(self.chain.prismatic, self.chain.length, 1.0)
+
+    def _straight(self, q: np.ndarray, points: np.ndarray) -> np.ndarray:
+        return np.linalg.norm(np.where(self._virtual, 0.0, (q - points) / self._unit), axis=-1)
+
+    def _slid(self, point: np.ndarray, gap: Callable, limits: np.ndarray | None) -> np.ndarray:
+        """Slide along the curve while the gap shrinks: along the tangent, then back onto the pose."""
         for _ in range(20):
-            # slide along the tangent towards q_now, then back onto the pose
             direction = tangent(self.chain, point)[0]
-            along = float(((q_now - point) / unit) @ direction)
-            moved = newton(self.chain, point + np.clip(along, -STEP, STEP) * direction * unit, self.T, steps=5, cutoff=1e-7)
-            if not _within(moved, self.limits):
+            weight = np.where(self._virtual, 0.0, direction)
+            along = float(gap(point) @ weight) / max(float(weight @ weight), 1e-12)
+            moved = newton(self.chain, point + np.clip(along, -STEP, STEP) * direction * self._unit, self.T, steps=5, cutoff=1e-7)
+            if limits is not None and not _within(moved, limits):
                 break
-            if joint_distance(moved, q_now, self.chain.prismatic, self.chain.length) >= joint_distance(
-                point, q_now, self.chain.prismatic, self.chain.length
-            ):
+            if np.linalg.norm(gap(moved)) >= np.linalg.norm(gap(point)):
                 break
             point = moved
-            if abs(along) < 1e-12:
+            if abs(along) < 1e-13:
                 break
         return point
 
     def distance(self, q: np.ndarray) -> float:
         """Return how far a joint vector (n,) is from the curve, rad or characteristic lengths, whole turns ignored."""
-        difference = np.where(self.chain.prismatic, q - self.samples, (q - self.samples + np.pi) % TURN - np.pi)
-        difference = difference / np.where(self.chain.prismatic, self.chain.length, 1.0)
-        segment = np.diff(self._unitless, axis=0)
+        difference = self._gaps(self._padded(q), self.samples)
+        segment = np.where(self._virtual, 0.0, np.diff(self._unitless, axis=0))
         inner = np.sum(difference[:-1] * segment, 1) / np.maximum(np.sum(segment * segment, 1), 1e-300)
         foot = difference[:-1] - np.clip(inner, 0, 1)[:, None] * segment
         return float(np.sqrt(min(np.min(np.sum(foot**2, 1)), np.min(np.sum(difference**2, 1)))))
 
     def contains(self, q: np.ndarray, tolerance: float = 1e-6) -> bool:
         """Whether q (n,) lies on the curve within a tolerance (rad)."""
+        q = self._padded(q)
         if self.distance(q) > 0.05:
             return False
-        near = min(range(len(self.samples)), key=lambda i: _gap(q, self.samples[i], self.chain))
-        start = self.samples[near]
-        point, unit = start, np.where(self.chain.prismatic, self.chain.length, 1.0)
-        for _ in range(12):
-            gap = np.where(self.chain.prismatic, q - point, (q - point + np.pi) % TURN - np.pi) / unit
-            direction = tangent(self.chain, point)[0]
-            along = float(gap @ direction)
-            point = newton(self.chain, point + along * direction * unit, self.T, steps=4, cutoff=1e-7)
-            if abs(along) < 1e-13:
-                break
-        return _gap(q, point, self.chain) <= tolerance
+        sizes = np.linalg.norm(self._gaps(q, self.samples), axis=1)
+        point = self._slid(self.samples[int(np.argmin(sizes))], lambda p: self._gaps(q, p), None)
+        return bool(np.linalg.norm(self._gaps(q, point)) <= tolerance)
 
     def __str__(self) -> str:
         moving = [self.names[j] for j in self.free]
@@ -230,6 +255,8 @@ def trace(
     direction: np.ndarray | None = None,
     *,
     stop: Callable[[np.ndarray], bool] | None = None,
+    shown: int | None = None,
+    most_steps: int = MOST_STEPS,
 ) -> Family:
     """Trace the self-motion curve through q both ways until it closes or ends.
 
@@ -241,19 +268,22 @@ def trace(
         names: Joint names.
         direction: (n,) the direction to set out in; the null vector of the Jacobian if None.
         stop: Called with each new point; tracing that way ends where it returns True.
+        shown: Number of joints that are the arm's own; all if None.
+        most_steps: Steps each way at the most.
 
     Returns:
-        The Family; bounded by `MOST_STEPS` steps in all.
+        The Family; bounded by `most_steps`.
     """
     set_out = tangent(chain, q)[0] if direction is None else direction
-    forward, closed = _walk(chain, q, T, set_out, stop)
+    forward, closed = _walk(chain, q, T, set_out, stop, most_steps)
     points = forward
     if not closed:
-        backward, _ = _walk(chain, q, T, -set_out, stop)
+        backward, _ = _walk(chain, q, T, -set_out, stop, most_steps)
         points = backward[:0:-1] + forward
     samples = np.array(points)
     middle = samples[len(samples) // 2]
-    return Family(chain, T, samples, closed, max(1, nullity(chain, middle)), limits, names)
+    arm_joints = chain.n if shown is None else shown
+    return Family(chain, T, samples, closed, max(1, nullity(chain, middle)), limits, names, arm_joints)
 
 
 def crossings(family: Family) -> list[np.ndarray]:
@@ -271,11 +301,11 @@ def crossings(family: Family) -> list[np.ndarray]:
         low, high = family.s[max(i - 1, 0)], family.s[min(i + 1, last)]
         for _ in range(30):  # golden section
             a, b = high - 0.618 * (high - low), low + 0.618 * (high - low)
-            if second_smallest(chain, family.at(a)) < second_smallest(chain, family.at(b)):
+            if second_smallest(chain, family._at(a)) < second_smallest(chain, family._at(b)):
                 high = b
             else:
                 low = a
-        point = family.at((low + high) / 2)
+        point = family._at((low + high) / 2)
         if second_smallest(chain, point) < 1e-5:
             found.append(point)
     return found
@@ -289,11 +319,11 @@ def second_smallest(chain: Chain, q: np.ndarray) -> np.ndarray:
     return (s[..., k] if k < s.shape[-1] else np.zeros(s.shape[:-1])) / s[..., 0]
 
 
-def _walk(chain, q, T, direction, stop) -> tuple[list[np.ndarray], bool]:
+def _walk(chain, q, T, direction, stop, most_steps) -> tuple[list[np.ndarray], bool]:
     unit = np.where(chain.prismatic, chain.length, 1.0)
     points, step = [q], STEP / 2
     gone = 0.0
-    while len(points) < MOST_STEPS:
+    while len(points) < most_steps:
         here = points[-1]
         ahead = corrected(chain, here + step * direction * unit, T, direction)
         if ahead is not None:
