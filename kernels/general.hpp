@@ -69,7 +69,7 @@ inline void polish_onto(const Model& model, const Variant& v, const Pose<double>
         set_lane(q.c[k], i, v.roles.prismatic[k] ? x : __builtin_cos(x));
         set_lane(q.s[k], i, v.roles.prismatic[k] ? 0.0 : __builtin_sin(x));
       }
-    const Closure<G> end = polish(wide, v.roles, q, 20, 3e-16);
+    const Closure<G> end = polish(wide, v.roles, q, 25);
     for (int i = 0; i < used; ++i) {
       if (!(lane(end.residual, i) < kVerified)) continue;
       double values[6];
@@ -81,7 +81,8 @@ inline void polish_onto(const Model& model, const Variant& v, const Pose<double>
 }
 
 // Everything there is beyond the best variant. True when the pose is settled in the end.
-inline bool escalate(const Model& model, const Pose<double>& pose, Found& found) {
+inline bool escalate(const Model& model, const Pose<double>& pose, Found& found, bool* singular) {
+  *singular = false;
   Report report;
   for (int n = 1; n < model.variants; ++n) {
     const int before = found.count;
@@ -98,9 +99,13 @@ inline bool escalate(const Model& model, const Pose<double>& pose, Found& found)
     solve_variant(model, v, pose, 1, &found, &report);
     if (agreed(v, report, found, before)) return true;
   }
+  // The elimination is singular here for every variant: its neighbours need not be. Their solutions move by the size of the
+  // perturbation, or its root where two merge, and Newton brings them back.
   int quiet = 0;
-  double size = 1e-7;
-  for (int n = 0; n < 10 && quiet < 4; ++n, size *= 4) {
+  const double sizes[12] = {1e-3, 3e-3, 3e-4, 1e-2, 1e-3, 3e-3, 1e-4, 3e-2, 1e-5, 1e-2, 1e-6, 1e-3};
+  *singular = true;
+  for (int n = 0; n < 12 && quiet < 4; ++n) {
+    const double size = sizes[n];
     const Variant& v = model.variant[n % (model.variants < 3 ? model.variants : 3)];
     Found near;
     near.count = 0;
@@ -179,8 +184,10 @@ void solve_general(const double* params, const int*, const double* T, long count
     solve_variant(model, model.variant[0], load_poses<G>(padded), used, found, report);
     for (int i = 0; i < used; ++i) {
       bool certain = settled(report[i], found[i]);
-      if (!certain) certain = escalate(model, load_poses<double>(padded + 16 * i), found[i]);
+      bool singular = false;
+      if (!certain) certain = escalate(model, load_poses<double>(padded + 16 * i), found[i], &singular);
       write_pose(model, found[i], certain, q + (done + i) * 6 * kSlots, valid + (done + i) * kSlots, flag + done + i);
+      if (singular) flag[done + i] |= kDegenerate;
     }
   }
 }

@@ -18,6 +18,7 @@ struct Variant {
   RowSpace<double, 12> basis;  // of layout 0
   RowSpace<double, 6> basis6;  // of layouts 1, 2
   double noise;                // median over test poses of what should vanish, relative
+  double typical;              // median over test poses of the largest |determinant|
   double open;                 // eigenvalues a test pose that belong to no solution: roots that special geometry adds
   int pose_free() const { return roles.pose_link == 0 || roles.pose_link == 5; }
 };

@@ -75,14 +75,16 @@ template <class F> PIEPER_INLINE F loop_error(const Frame<F>* link, const Frame<
   return sqrt(size) + select(trace < 1.0, F(1.0), F(0.0));
 }
 
-template <class F>
-Closure<F> polish(const Frame<F>* link, const Roles& roles, Joints<F>& q, int steps, double stop) {
+// At most `steps` steps; a lane is done when its residual has stopped shrinking. Near a double root Newton only halves the error
+// (and quarters the residual), so it takes a dozen steps more there.
+template <class F> Closure<F> polish(const Frame<F>* link, const Roles& roles, Joints<F>& q, int steps) {
   const Frame<F> goal = inverse(link[5]);
   Closure<F> out;
   Joints<F> best = q;
   F m[6][7];
   out.residual = F(1e300);
   out.sigma = F(0.0);
+  F before = F(1e300);
   for (int step = 0;; ++step) {
     const F size = loop_error(link, goal, roles, q, m);
     const auto better = size < out.residual;
@@ -92,7 +94,10 @@ Closure<F> polish(const Frame<F>* link, const Roles& roles, Joints<F>& q, int st
     }
     out.residual = select(better, size, out.residual);
     triangulate(m, 6);
-    if (step == steps || all(out.residual < stop)) break;
+    const auto done = ((size < 1e-14) & (size > 0.4 * before)) | (size < 3e-16);
+    const auto lost = size > F(step < 8 ? 1e300 : 0.05);
+    before = size;
+    if (step == steps || all(done | lost)) break;
     F d[6], largest = 0.0;
     for (int k = 5; k >= 0; --k) {
       F t = m[k][6];

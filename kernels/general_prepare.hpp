@@ -169,6 +169,8 @@ inline void choose_variants(Model& model, Trial* trials) {
     if (!(trial.noise < 1e-6)) continue;
     trial.rank = kTried;
     trial.missed = 0;
+    v.typical = 0;
+    double size[groups * W];
     for (int g = 0; g < groups; ++g) {
       Pose<G> wide;
       for (int i = 0; i < W; ++i) {
@@ -181,11 +183,13 @@ inline void choose_variants(Model& model, Trial* trials) {
       Report report[W];
       solve_variant(model, v, wide, W, own + t * groups * W + g * W, report);
       for (int i = 0; i < W; ++i) {
+        size[g * W + i] = report[i].size;
         trial.open += report[i].unresolved + 100 * report[i].doubtful;
         const Found& f = own[t * groups * W + g * W + i];
         for (int k = 0; k < f.count; ++k) insert(all_found[g * W + i], f.q[k], f.sigma[k], f.residual[k], model.prismatic);
       }
     }
+    v.typical = median(size, groups * W);
   }
   double score[kTried];
   for (int t = 0; t < kTried; ++t) {

@@ -121,7 +121,7 @@ inline bool solve_slides(const Model& model, const Pose<double>& pose, Found& fo
       joints.c[i] = model.prismatic[i] ? q[i] : __builtin_cos(q[i]);
       joints.s[i] = model.prismatic[i] ? 0.0 : __builtin_sin(q[i]);
     }
-    const Closure<double> end = polish(link, roles, joints, 3, 3e-16);
+    const Closure<double> end = polish(link, roles, joints, 4);
     if (!(end.residual < kVerified * (1 + __builtin_fabs(d[0]) + __builtin_fabs(d[1]) + __builtin_fabs(d[2])))) continue;
     for (int i = 0; i < 6; ++i) q[i] = model.prismatic[i] ? joints.c[i] : __builtin_atan2(joints.s[i], joints.c[i]);
     insert(found, q, end.sigma, end.residual, model.prismatic);

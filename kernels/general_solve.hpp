@@ -7,8 +7,11 @@ namespace pieper::PIEPER_ISA::general {
 
 inline constexpr int kMaxFound = 32;
 inline constexpr double kVerified = 1e-11;     // scaled lengths and radians; what polish leaves is 1e-15 unless singular
-inline constexpr double kSameSolution = 2e-7;  // radians or scaled lengths
+inline constexpr double kSameSolution = 1e-7;  // radians or scaled lengths
 inline constexpr double kNearlyReal = 2e-3;    // imaginary part below which a complex pair is tried as a double root
+
+// Where the determinant is this much smaller than usual at all hidden angles, the elimination itself is singular at the pose.
+inline constexpr double kVanishing = 1e-13;
 
 // Distinct verified solutions of one pose, joints in robot order, lengths scaled.
 struct Found {
@@ -33,8 +36,8 @@ inline int insert(Found& set, const double* q, double sigma, double residual, co
   // what polish can resolve: rounding over the smallest singular value
   for (int i = 0; i < set.count; ++i) {
     const double smaller = sigma < set.sigma[i] ? sigma : set.sigma[i];
-    double same = 1e-14 / (smaller > 1e-12 ? smaller : 1e-12);
-    same = same > 1e-5 ? 1e-5 : same < kSameSolution ? kSameSolution : same;
+    double same = 3e-15 / (smaller > 1e-12 ? smaller : 1e-12);
+    same = same > 4e-7 ? 4e-7 : same < kSameSolution ? kSameSolution : same;
     if (joint_distance(set.q[i], q, prismatic) < same) {
       if (residual < set.residual[i]) {
         for (int k = 0; k < 6; ++k) set.q[i][k] = q[k];
@@ -66,6 +69,7 @@ struct Report {
   int unresolved;  // of them without a solution of their own
   bool doubtful;   // eigenvalues missing or the matrix meaningless
   double spread;   // largest distance of an eigenvalue from the hidden angle of its polished solution
+  double size;     // largest |determinant| met
 };
 
 template <class F> PIEPER_INLINE void copy_lane(F& to, int i, const F& from, int j) { set_lane(to, i, lane(from, j)); }
@@ -111,7 +115,7 @@ void try_candidates(const Model& model, const Variant& v, const Eliminated<F>& p
     sincos(G(c3), s3, c3);
     Joints<G> q;
     complete_candidate(group.eq, group.right, group.link, v.roles, v.chart, v.layout, v.swap, start_vector(start), c3, s3, q);
-    const Closure<G> end = polish(group.link, v.roles, q, steps, 3e-16);
+    const Closure<G> end = polish(group.link, v.roles, q, steps);
     double joint[6][W];
     for (int k = 0; k < 6; ++k) store(joint[v.roles.joint[k]], v.roles.prismatic[k] ? q.c[k] : atan2(q.s[k], q.c[k]));
     for (int i = 0; i < used; ++i) {
@@ -140,7 +144,8 @@ void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, in
     for (int a = 0; a < S; ++a)
       for (int b = 0; b < S; ++b) h[a][b] = lane(matrix.h[a][b], i);
     const Spectrum all = spectrum<S>(h, lane(poses.chart_c, i), lane(poses.chart_s, i));
-    report[i] = {0, 0, all.count < S, 0};
+    const double size = lane(poses.largest, i);
+    report[i] = {0, 0, all.count < S || !(size > kVanishing * v.typical), 0, size};
     for (int k = 0; k < all.count; ++k) {
       const double im = all.imaginary[k];
       if (im == 0) ++report[i].real;
@@ -148,7 +153,7 @@ void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, in
       list[count++] = {i, all.angle[k] + im, im, -1};
     }
   }
-  try_candidates(model, v, poses, list, count, 0, 4, found);
+  try_candidates(model, v, poses, list, count, 0, 25, found);
   // Slow ones once more, with time: near a double root Newton only halves the error, and a null vector may mix two roots.
   for (int start = 1; start <= 2; ++start) {
     Candidate open[W * 20];
@@ -162,7 +167,7 @@ void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, in
       open[n++] = list[k];
     }
     if (n == 0) break;
-    try_candidates(model, v, poses, open, n, start, 14, found);
+    try_candidates(model, v, poses, open, n, start, 25, found);
     for (int k = 0; k < n; ++k)
       if (open[k].solution >= 0) list[index[k]].solution = open[k].solution;
   }
