@@ -182,7 +182,7 @@ def serve(
         port=port,
         log_level="warning",
         ws_max_size=LARGEST_FRAME,
-        ws="websockets-sansio",
+        ws="auto",
         server_header=False,
     )
     server = uvicorn.Server(config)

@@ -6,6 +6,7 @@ import { play, stop } from './animate.mjs';
 import { colours } from './theme.mjs';
 import { kinds, series, csv, svg } from './curves.mjs';
 import { fixed } from './units.mjs';
+import { fitArm } from './scene/arm.mjs';
 
 let motion = null, plot = null, kind = 'joints', index = 0, speed = 1, els = null;
 
@@ -18,10 +19,10 @@ export function build(root) {
   const legend = h('div', { class: 'legend' });
   root.append(
     h('div', { class: 'dock-bar' }, toggle, select('Speed', [['0.25', '¼×'], ['0.5', '½×'], ['1', '1×'], ['2', '2×'], ['4', '4×'], ['10', '10×']], '1', (v) => { speed = Number(v); }, { 'data-testid': 'speed' }),
-      h('div', { class: 'scrubber' }, scrub, marks), where),
-    h('div', { class: 'dock-bar second' }, choice('Curves', kinds, kind, (k) => { kind = k; draw(); }, 'curves'), legend,
+      h('div', { class: 'scrubber' }, scrub, marks), where,
       h('span', { class: 'line' }, ...[['CSV', () => download('motion.csv', csv(motion), 'text/csv')], ['PNG', png], ['SVG', () => download(`${kind}.svg`, svg(motion, kind, colours.curves), 'image/svg+xml')]].map(([t, f]) => h('button', { type: 'button', class: 'quiet', text: t, 'aria-label': `Save as ${t}`, on: { click: () => motion && f() } })),
         h('button', { type: 'button', class: 'icon', text: '×', 'aria-label': 'Close the curves', on: { click: () => show(null) } }))),
+    h('div', { class: 'dock-bar second' }, choice('Curves', kinds, kind, (k) => { kind = k; draw(); }, 'curves'), legend),
     chart);
   els = { root, toggle, scrub, where, marks, chart, legend };
   new ResizeObserver(perFrame(() => plot && chart.clientWidth && plot.setSize({ width: chart.clientWidth, height: chart.clientHeight }))).observe(chart);
@@ -37,7 +38,7 @@ export function show(next) {
   state.motion = next;
   els.root.hidden = !next;
   if (plot) { plot.destroy(); plot = null; }
-  if (!next) { tell('motion'); return; }
+  if (!next) { requestAnimationFrame(() => fitArm()); tell('motion'); return; }
   els.scrub.max = String(Math.max(next.q.length - 1, 0));
   const span = next.xs[next.xs.length - 1] - next.xs[0] || 1;
   replace(els.marks, next.events.map((e) => {
@@ -47,6 +48,7 @@ export function show(next) {
   }));
   draw();
   if (next.q.length) go(0);
+  requestAnimationFrame(() => fitArm({ also: next.tool }));
   tell('motion');
 }
 export const current = () => motion;
@@ -89,10 +91,10 @@ function draw() {
   }));
   const axis = { stroke: colours.muted, grid, ticks: { ...grid, size: 4 }, font, labelFont: font, labelSize: 1.4 * rem(), gap: 4 };
   plot = new uPlot({
-    width: els.chart.clientWidth || 600, height: els.chart.clientHeight || 180, legend: { show: false },
+    width: els.chart.clientWidth || 600, height: els.chart.clientHeight || 180, pxAlign: 0, legend: { show: false },
     cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
     scales: { x: { time: false }, y: { range: (_, lo, hi) => (hi - lo > 1e-9 ? [lo - 0.06 * (hi - lo), hi + 0.06 * (hi - lo)] : [lo - 1, hi + 1]) } },
-    series: [{}, ...list.map((s, i) => ({ label: s.name, stroke: colours.curves[i % colours.curves.length], width: 1.75, points: { show: motion.q.length < 3 } }))],
+    series: [{}, ...list.map((s, i) => ({ label: s.name, stroke: colours.curves[i % colours.curves.length], width: 1.75, pxAlign: 0, points: { show: motion.q.length < 3 } }))],
     axes: [{ ...axis, label: motion.xName === 'point' ? 'point number' : 'time, s', size: 2.1 * rem() }, { ...axis, label: y, size: 4 * rem() }],
   }, [motion.xs, ...list.map((s) => s.values)], els.chart);
   const line = h('div', { class: 'now' });

@@ -46,7 +46,8 @@ export function begin() {
   paint();
 }
 
-export function fitArm(options) { fit(outline(state.table, state.frames), options); }
+/** Bring the arm into the picture, with further points if there are any (a path). */
+export function fitArm({ also = [], ...options } = {}) { fit([...outline(state.table, state.frames), ...also], options); }
 
 function drawArm() {
   const F = state.frames;

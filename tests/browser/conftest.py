@@ -1,0 +1,187 @@
+"""A real server and a real Chromium for the stories; each page must end without console errors or foreign requests."""
+
+from __future__ import annotations
+
+import contextlib
+import shutil
+import socket
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
+#: Software WebGL, and a browser that asks nobody anything on its own.
+FLAGS = [
+    "--headless=new",
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+]
+PATIENCE = 20_000
+
+
+class Server:
+    """The workbench in a thread of this process; can be stopped and started again on the same port."""
+
+    def __init__(self) -> None:
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            self.port = probe.getsockname()[1]
+        self.url = f"http://localhost:{self.port}/"
+        self.start()
+
+    def start(self) -> None:
+        import uvicorn
+
+        from pieper.workbench.server import LARGEST_FRAME, create_app
+
+        self.app = create_app()
+        config = uvicorn.Config(self.app, port=self.port, log_level="error", ws_max_size=LARGEST_FRAME)
+        config.timeout_graceful_shutdown = 1
+        self._server = uvicorn.Server(config)
+        self._thread = threading.Thread(target=self._server.run, daemon=True)
+        self._thread.start()
+        while not self._server.started:
+            time.sleep(0.02)
+
+    def stop(self) -> None:
+        self._server.should_exit = True
+        self._thread.join(10)
+
+    @property
+    def sessions(self) -> set:
+        return self.app.state.sessions
+
+
+@pytest.fixture(scope="session")
+def server():
+    served = Server()
+    yield served
+    served.stop()
+
+
+def chromium() -> str | None:
+    names = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+    return next((path for name in names if (path := shutil.which(name))), None)
+
+
+@pytest.fixture(scope="session")
+def browser():
+    playwright = pytest.importorskip(
+        "playwright.sync_api", reason="the browser stories need Playwright: pip install playwright"
+    )
+    with playwright.sync_playwright() as p:
+        path = chromium() or (p.chromium.executable_path if Path(p.chromium.executable_path).exists() else None)
+        if path is None:
+            pytest.skip("no Chromium was found: apt-get install chromium, or playwright install chromium")
+        opened = p.chromium.launch(executable_path=path, args=FLAGS)
+        yield opened
+        opened.close()
+
+
+class Workbench:
+    """One person in front of one page."""
+
+    def __init__(self, page, url: str) -> None:
+        self.page = page
+        self.url = url
+        self.requests: list[str] = []
+        self.errors: list[str] = []
+        page.set_default_timeout(PATIENCE)
+        page.on("request", lambda r: self.requests.append(r.url))
+        page.on("websocket", lambda w: self.requests.append(w.url))
+        page.on("console", lambda m: self.errors.append(m.text) if m.type in ("error", "warning") else None)
+        page.on("pageerror", lambda e: self.errors.append(str(e)))
+
+    def open(self, address: str = "") -> Workbench:
+        self.page.goto(self.url + address)
+        self.page.wait_for_selector("html[data-ready=yes]")
+        self.until("workbench.table.joints.length > 0")
+        return self
+
+    def until(self, condition: str, arg: object = None) -> None:
+        self.page.wait_for_function(condition, arg=arg, timeout=PATIENCE)
+
+    def tab(self, name: str) -> None:
+        self.page.get_by_role("tab", name=name, exact=True).click()
+
+    def button(self, name: str) -> None:
+        self.page.get_by_role("button", name=name, exact=True).click()
+
+    def fill(self, testid: str, text: object) -> None:
+        field = self.page.get_by_test_id(testid)
+        field.fill(str(text))
+        field.press("Enter")
+
+    def text(self, testid: str) -> str:
+        return self.page.get_by_test_id(testid).inner_text()
+
+    def arm(self, name: str) -> None:
+        self.page.get_by_test_id("catalog").select_option(name)
+        self.until("name => workbench.table.name === name", name)
+
+    def joints(self, values) -> None:
+        """Type joint values in the units shown."""
+        self.tab("Move")
+        for i, value in enumerate(values):
+            self.fill(f"q-{i + 1}", value)
+
+    def value(self, expression: str):
+        return self.page.evaluate(expression)
+
+    def shot(self, name: str, *, both: bool = False) -> None:
+        SHOTS.mkdir(parents=True, exist_ok=True)
+        self.page.screenshot(path=SHOTS / f"{name}.png")
+        if both:
+            self.page.get_by_test_id("theme").select_option("dark")
+            self.page.wait_for_timeout(120)
+            self.page.screenshot(path=SHOTS / f"{name}-dark.png")
+            self.page.get_by_test_id("theme").select_option("light")
+
+    def foreign(self) -> list[str]:
+        mine = (self.url, self.url.replace("http", "ws", 1), "blob:", "data:")
+        return [r for r in self.requests if not r.startswith(mine)]
+
+
+@pytest.fixture
+def people(browser, server):
+    """Open as many independent people as a story needs; none may end with an error or a foreign request."""
+    with contextlib.ExitStack() as stack:
+        opened: list[Workbench] = []
+
+        def person(*, width: int = 1280, height: int = 800, dark: bool = False) -> Workbench:
+            context = browser.new_context(
+                viewport={"width": width, "height": height},
+                color_scheme="dark" if dark else "light",
+                reduced_motion="reduce",
+                accept_downloads=True,
+                permissions=["clipboard-read", "clipboard-write"],
+            )
+            stack.callback(context.close)
+            opened.append(Workbench(context.new_page(), server.url))
+            return opened[-1]
+
+        yield person
+        for one in opened:
+            assert one.foreign() == []
+            assert [e for e in one.errors if e not in getattr(one, "expected_errors", ())] == []
+
+
+@pytest.fixture
+def bench(people):
+    return people().open()
+
+
+@pytest.fixture(scope="module")
+def calculator(browser, server):
+    """A page that is only asked to compute, shared by the tests of a file."""
+    context = browser.new_context(viewport={"width": 400, "height": 300})
+    yield Workbench(context.new_page(), server.url).open()
+    context.close()
