@@ -17,8 +17,8 @@ order = click.option(
     default="rpy",
     show_default=True,
     metavar="NOTATION",
-    help="What the numbers after x y z mean: rpy (roll, pitch, yaw about the fixed x, y, z), zyx (KUKA's A, B, C), zyz, "
-    "rotation_vector, quaternion_wxyz or quaternion_xyzw.",
+    help="What the numbers after x y z mean: rpy (roll, pitch, yaw about the fixed x, y, z), zyx (KUKA's A, B, C), "
+    "zyz, rotation_vector, quaternion_wxyz or quaternion_xyzw.",
 )
 first = click.option("--from", "first", default="", metavar="POSE", help="First pose, quoted, as for ik; or @file.")
 last = click.option("--to", "last", default="", metavar="POSE", help="Last pose, quoted, as for ik; or @file.")
@@ -43,8 +43,18 @@ def units(command: Callable) -> Callable:
     return command
 
 
+def _version(context: click.Context, _option: click.Parameter, wanted: bool) -> None:
+    if wanted and not context.resilient_parsing:
+        import pieper
+
+        click.echo(f"pieper {pieper.__version__}")
+        context.exit()
+
+
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
-@click.version_option(package_name="pieper", message="pieper %(version)s")
+@click.option(
+    "--version", is_flag=True, is_eager=True, expose_value=False, callback=_version, help="Print the version."
+)
 def app() -> None:
     """Kinematics of serial arms: every inverse solution of a pose, verified, labelled and followed along paths.
 
@@ -54,7 +64,7 @@ def app() -> None:
     """
 
 
-@app.command()
+@app.command(short_help="List the arms that ship.")
 @click.argument("pattern", default="")
 @as_json
 def robots(pattern: str, json: bool) -> int:
@@ -64,7 +74,7 @@ def robots(pattern: str, json: bool) -> int:
     return run(pattern, json)
 
 
-@app.command()
+@app.command(short_help="Show an arm and how it is solved.")
 @arm_name
 @figure
 @as_json
@@ -76,7 +86,7 @@ def show(arm: str, figure: str, json: bool, length: str, angle: str) -> int:
     return run(arm, json, figure, length, angle)
 
 
-@app.command(context_settings=NUMBERS)
+@app.command(context_settings=NUMBERS, short_help="From joints to the pose of the tool.")
 @arm_name
 @click.argument("joints", nargs=-1, required=True)
 @click.option("--frames", is_flag=True, help="Every frame on the way, not only the tool.")
@@ -94,7 +104,7 @@ def fk(arm: str, joints: tuple[str, ...], frames: bool, json: bool, length: str,
     return run(arm, list(joints), frames, json, length, angle)
 
 
-@app.command(context_settings=NUMBERS)
+@app.command(context_settings=NUMBERS, short_help="From a pose to every solution.")
 @arm_name
 @click.argument("pose", nargs=-1, required=True)
 @order
@@ -124,8 +134,8 @@ def ik(
 ) -> int:
     """Inverse kinematics: every solution of a pose, with labels, limits and residuals.
 
-    POSE is x y z (orientation R = I), or x y z and an orientation (see --order), or the 12 or 16 numbers of a matrix row
-    by row, or @file.
+    POSE is x y z (orientation R = I), or x y z and an orientation (see --order), or the 12 or 16 numbers of a matrix
+    row by row, or @file.
 
     Example: pieper ik denso-vp6242 350 0 400 --all
     """
@@ -134,7 +144,7 @@ def ik(
     return run(arm, list(pose), order, near, task, redundancy, everything, figure, json, length, angle)
 
 
-@app.command(context_settings=NUMBERS)
+@app.command(context_settings=NUMBERS, short_help="Follow straight lines with one branch.")
 @arm_name
 @first
 @last
@@ -169,7 +179,7 @@ def path(
     return run(arm, first, last, list(via), points, start, csv, figures, order, json, length, angle)
 
 
-@app.command(context_settings=NUMBERS)
+@app.command(context_settings=NUMBERS, short_help="Write everything about an arm on one page.")
 @arm_name
 @click.option("--out", "-o", default="", metavar="FILE", help="The HTML page; named after the arm when left out.")
 @click.option("--latex", default="", metavar="FILE", help="Also write LaTeX source into this .tex, figures beside it.")
@@ -199,7 +209,7 @@ def report(
     return run(arm, out, latex, pose, first, last, points, start, order, length, angle)
 
 
-@app.command()
+@app.command(short_help="Judge the claims someone makes about an arm.")
 @click.argument("claims")
 @click.option("--brief", is_flag=True, help="One line a claim, without counter-examples.")
 @as_json
@@ -213,7 +223,7 @@ def check(claims: str, brief: bool, json: bool) -> int:
     return run(claims, json, brief)
 
 
-@app.command()
+@app.command(short_help="Open the workbench in the browser.")
 @click.argument("arm", default="denso-vp6242")
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
 @click.option("--port", default=8123, show_default=True, help="Port to listen on; 0 for a free one.")
@@ -228,7 +238,7 @@ def workbench(arm: str, host: str, port: int, browser: bool, open_to_network: bo
     return run(arm, host, port, browser, open_to_network)
 
 
-@app.command()
+@app.command(short_help="Run a whole study and write it up.")
 @click.option("--out", "-o", default="pieper-tour", show_default=True, help="Folder for the page and the figures.")
 def tour(out: str) -> int:
     """Run a whole study on the Denso VP-6242 and write it up on one page."""
