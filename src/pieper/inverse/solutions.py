@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 from enum import IntEnum
 from typing import TYPE_CHECKING
 
@@ -42,13 +43,11 @@ class Solutions:
         all_q: (k, n) solutions before limits are applied; revolute joints in (-pi, pi], or a whole turn away where
             only that lies inside the limits. Rows keep the order of the plan's branches, which is stable.
         q: (m, n) those inside the limits, same order.
-        families: Continuous families (self-motion) through a singular or redundant pose. Each has one representative
-            among the rows; `in_family` names it.
         in_family: (m,) index of the family a row of q represents, or -1 for an isolated solution.
         multiplicity: (m,) how many branches merge in a row of q: 1, or 2 at a double root.
     """
 
-    __slots__ = ("_all_family", "_all_multiplicity", "_flag", "_inside", "_plan", "_q", "all_q", "families", "slots", "T")
+    __slots__ = ("_all_family", "_all_multiplicity", "_families", "_flag", "_inside", "_plan", "_q", "all_q", "slots", "T")
 
     def __init__(
         self,
@@ -58,7 +57,7 @@ class Solutions:
         slots: np.ndarray,
         inside: np.ndarray,
         flag: int,
-        families: tuple[Family, ...] = (),
+        families: tuple[Family, ...] | Callable[[], tuple[Family, ...]] = (),
         all_family: np.ndarray | None = None,
         all_multiplicity: np.ndarray | None = None,
     ) -> None:
@@ -69,7 +68,7 @@ class Solutions:
         self._inside = inside
         self._flag = flag
         self._q = None
-        self.families = families
+        self._families = families
         self._all_family = all_family
         self._all_multiplicity = all_multiplicity
 
@@ -86,6 +85,13 @@ class Solutions:
 
     def __iter__(self):
         return iter(self.q)
+
+    @property
+    def families(self) -> tuple[Family, ...]:
+        """Continuous families through this pose; those of a redundant arm are traced when first asked for."""
+        if callable(self._families):
+            self._families = self._families()
+        return self._families
 
     @property
     def in_limits(self) -> np.ndarray:
@@ -112,10 +118,11 @@ class Solutions:
         """How this pose came out; see Status."""
         if self._flag & UNCERTAIN:
             return Status.UNCERTAIN
-        if len(self.all_q) == 0 and not self.families:
-            return Status.OUT_OF_REACH
-        if len(self.q) == 0 and not any(family.inside for family in self.families):
-            return Status.OUTSIDE_LIMITS
+        if len(self.q) == 0:
+            if len(self.all_q) == 0 and not self.families:
+                return Status.OUT_OF_REACH
+            if not any(family.inside for family in self.families):
+                return Status.OUTSIDE_LIMITS
         if self._plan.redundancy:
             return Status.REDUNDANT
         if self.families:

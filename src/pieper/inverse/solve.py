@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 
 import numpy as np
 
@@ -128,12 +129,14 @@ def _ik_reduced(plan: Plan, T: object, redundancy: object) -> Solutions:
     if plan.redundancy:
         from pieper.inverse.redundant import families_of
 
-        chosen = redundancy is not None
-        families = families_of(plan, T, values[0], rows)
-        if not chosen and not within.any() and families:
-            rows = np.array([family.representative for family in families])
-            rows, within = inside_limits(rows, plan.limits, plan.prismatic)
-            slots = np.arange(len(rows))
+        families = partial(families_of, plan, T, values[0], rows)
+        if redundancy is None and not within.any():
+            # nobody chose the spare coordinate: any value will do that has an answer
+            families = families()
+            if families:
+                rows = np.array([family.representative for family in families])
+                rows, within = inside_limits(rows, plan.limits, plan.prismatic)
+                slots = np.arange(len(rows))
         return Solutions(plan, T, rows, slots, within, bits & ~DEGENERATE, families=families)
     if bits & _CAREFUL and plan.task == "pose":
         return _careful(plan, T, rows, bits)
