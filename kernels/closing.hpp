@@ -19,26 +19,32 @@ inline constexpr double kSame = 3e-8;
 // Smallest over largest singular value of the scaled Jacobian under which a solution is called degenerate.
 inline constexpr double kSingular = 1e-6;
 
-struct Vec3 {
-  double x, y, z;
+template <class F> struct Vec3T {
+  F x, y, z;
 };
-inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
-inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+using Vec3 = Vec3T<double>;
+template <class F> PIEPER_INLINE Vec3T<F> operator+(Vec3T<F> a, Vec3T<F> b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+template <class F> PIEPER_INLINE Vec3T<F> operator-(Vec3T<F> a, Vec3T<F> b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+template <class F> PIEPER_INLINE Vec3T<F> operator*(F s, Vec3T<F> a) { return {s * a.x, s * a.y, s * a.z}; }
+template <class F> PIEPER_INLINE F dot(Vec3T<F> a, Vec3T<F> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <class F> PIEPER_INLINE Vec3T<F> cross(Vec3T<F> a, Vec3T<F> b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 // A rigid motion: columns x, y, z of its rotation and its translation t.
-struct Rigid {
-  Vec3 x, y, z, t;
+template <class F> struct RigidT {
+  Vec3T<F> x, y, z, t;
 };
-inline Vec3 turn(const Rigid& A, Vec3 v) { return v.x * A.x + v.y * A.y + v.z * A.z; }
-inline Vec3 turn_back(const Rigid& A, Vec3 v) { return {dot(A.x, v), dot(A.y, v), dot(A.z, v)}; }
-inline Vec3 move(const Rigid& A, Vec3 p) { return turn(A, p) + A.t; }
-inline Vec3 move_back(const Rigid& A, Vec3 p) { return turn_back(A, p - A.t); }
-inline Rigid operator*(const Rigid& A, const Rigid& B) { return {turn(A, B.x), turn(A, B.y), turn(A, B.z), move(A, B.t)}; }
-inline Rigid inverse(const Rigid& A) {
-  return {{A.x.x, A.y.x, A.z.x}, {A.x.y, A.y.y, A.z.y}, {A.x.z, A.y.z, A.z.z}, turn_back(A, -1.0 * A.t)};
+using Rigid = RigidT<double>;
+template <class F> PIEPER_INLINE Vec3T<F> turn(const RigidT<F>& A, Vec3T<F> v) { return v.x * A.x + v.y * A.y + v.z * A.z; }
+template <class F> PIEPER_INLINE Vec3T<F> turn_back(const RigidT<F>& A, Vec3T<F> v) { return {dot(A.x, v), dot(A.y, v), dot(A.z, v)}; }
+template <class F> PIEPER_INLINE Vec3T<F> move(const RigidT<F>& A, Vec3T<F> p) { return turn(A, p) + A.t; }
+template <class F> PIEPER_INLINE Vec3T<F> move_back(const RigidT<F>& A, Vec3T<F> p) { return turn_back(A, p - A.t); }
+template <class F> PIEPER_INLINE RigidT<F> operator*(const RigidT<F>& A, const RigidT<F>& B) {
+  return {turn(A, B.x), turn(A, B.y), turn(A, B.z), move(A, B.t)};
+}
+template <class F> PIEPER_INLINE RigidT<F> inverse(const RigidT<F>& A) {
+  return {{A.x.x, A.y.x, A.z.x}, {A.x.y, A.y.y, A.z.y}, {A.x.z, A.y.z, A.z.z}, turn_back(A, F(-1.0) * A.t)};
 }
 // From the upper three rows of a row-major 4x4, lengths divided by `length`.
 inline Rigid read_rigid(const double* m, double length) {
@@ -57,13 +63,13 @@ inline double one_turn(double angle) {
 }
 
 // The part of the loop after a group of three joints, with the pose put where it belongs.
-struct LoopRest {
-  Rigid pre, A, B, C;
+template <class F> struct LoopRestT {
+  RigidT<F> pre, A, B, C;
   int joints[3];  // which joints a, b, c are
 
-  LoopRest(const Rigid* links, const Rigid& T, int first) {
+  LoopRestT(const RigidT<F>* links, const RigidT<F>& T, int first) {
     // link k leads from joint k - 1 to joint k; link 0 is where the loop closes, through the pose
-    Rigid closing = links[6] * inverse(T) * links[0];
+    RigidT<F> closing = links[6] * inverse(T) * links[0];
     auto link = [&](int k) { return k % 6 == 0 ? closing : links[k % 6]; };
     pre = link(first + 3);
     A = link(first + 4);
@@ -72,6 +78,7 @@ struct LoopRest {
     for (int k = 0; k < 3; ++k) joints[k] = (first + 3 + k) % 6;
   }
 };
+using LoopRest = LoopRestT<double>;
 
 // The chain as described, lengths in units of the arm, which every candidate has to satisfy.
 struct TrueChain {

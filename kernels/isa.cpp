@@ -16,6 +16,7 @@
 #include "limits.hpp"
 #include "posecheck.hpp"
 // families
+#include "closed_forms.hpp"
 #include "general_entry.hpp"
 #include "spherical_wrist_parallel.hpp"
 
@@ -29,6 +30,10 @@ namespace PIEPER_ISA {
 
 const FamilyEntry families[] = {
     {"spherical_wrist_parallel", &solve_batch<SphericalWristParallel>},
+    {"spherical_wrist", &closed_spherical_wrist},
+    {"three_parallel", &closed_three_parallel},
+    {"position3", &closed_position3},
+    {"orientation3", &closed_orientation3},
     {"general", &solve_general},
 };
 

@@ -32,9 +32,10 @@ inline double turn_between(Vec3 from, Vec3 to, bool& free) {
 }
 
 // An affine function of one joint's terms: at + first * f1 (+ second * f2), f2 absent for a sliding joint.
-struct Swing {
-  Vec3 at, first, second;
+template <class F> struct SwingT {
+  Vec3T<F> at, first, second;
 };
+using Swing = SwingT<double>;
 
 inline Vec3 swing_at(const Swing& s, double x, bool slides) {
   if (slides) return s.at + x * s.first;
@@ -72,26 +73,52 @@ struct AxisEquations {
 };
 
 // B Z c as a function of the joint.
-inline Swing swing_of(const Rigid& B, Vec3 c, bool slides) {
-  if (slides) return {move(B, c), B.z, {0, 0, 0}};
-  return {move(B, {0, 0, c.z}), turn(B, {c.x, c.y, 0}), turn(B, {-c.y, c.x, 0})};
+template <class F> PIEPER_INLINE SwingT<F> swing_of(const RigidT<F>& B, Vec3T<F> c, bool slides) {
+  const F zero(0.0);
+  if (slides) return {move(B, c), B.z, {zero, zero, zero}};
+  return {c.z * B.z + B.t, c.x * B.x + c.y * B.y, c.x * B.y - c.y * B.x};
 }
 
 // A^-1 Z^-1 g as a function of the joint.
-inline Swing swing_back(const Rigid& A, Vec3 g, bool slides) {
-  if (slides) return {move_back(A, g), -1.0 * turn_back(A, {0, 0, 1}), {0, 0, 0}};
-  return {move_back(A, {0, 0, g.z}), turn_back(A, {g.x, g.y, 0}), turn_back(A, {g.y, -g.x, 0})};
+template <class F> PIEPER_INLINE SwingT<F> swing_back(const RigidT<F>& A, Vec3T<F> g, bool slides) {
+  const F zero(0.0), one(1.0);
+  if (slides) return {move_back(A, g), F(-1.0) * turn_back(A, Vec3T<F>{zero, zero, one}), {zero, zero, zero}};
+  return {move_back(A, Vec3T<F>{zero, zero, g.z}), turn_back(A, Vec3T<F>{g.x, g.y, zero}), turn_back(A, Vec3T<F>{g.y, -g.x, zero})};
 }
 
 // |.|^2 of a swing as constant and coefficients of the joint terms.
-inline void squared(const Swing& s, bool slides, double* k) {
-  k[1] = 2 * dot(s.at, s.first);
+template <class F> PIEPER_INLINE void squared(const SwingT<F>& s, bool slides, F* k) {
+  k[1] = 2.0 * dot(s.at, s.first);
   k[0] = dot(s.at, s.at);
   if (slides) {
-    k[2] = 1;
+    k[2] = F(1.0);
   } else {
-    k[0] += dot(s.first, s.first);
-    k[2] = 2 * dot(s.at, s.second);
+    k[0] = k[0] + dot(s.first, s.first);
+    k[2] = 2.0 * dot(s.at, s.second);
+  }
+}
+
+// The pair of equations of a positioning problem.
+template <class F>
+PIEPER_INLINE void position_pair(const SwingT<F>& w, const SwingT<F>& u, const bool* slides, F (*M)[2], F (*N)[2], F* e) {
+  const F zero(0.0);
+  if (!slides[1]) {
+    // the origin may slide along the middle axis: half way between the two sides keeps the squares small
+    F shift = 0.5 * (w.at.z + u.at.z), kw[3], ku[3];
+    SwingT<F> ws = w, us = u;
+    ws.at.z = ws.at.z - shift;
+    us.at.z = us.at.z - shift;
+    squared(ws, slides[0], kw);
+    squared(us, slides[2], ku);
+    M[0][0] = ws.first.z, M[0][1] = slides[0] ? zero : ws.second.z, M[1][0] = kw[1], M[1][1] = kw[2];
+    N[0][0] = -us.first.z, N[0][1] = slides[2] ? zero : -us.second.z, N[1][0] = -ku[1], N[1][1] = -ku[2];
+    e[0] = us.at.z - ws.at.z;
+    e[1] = ku[0] - kw[0];
+  } else {
+    M[0][0] = w.first.x, M[0][1] = w.second.x, M[1][0] = w.first.y, M[1][1] = w.second.y;
+    N[0][0] = -u.first.x, N[0][1] = -u.second.x, N[1][0] = -u.first.y, N[1][1] = -u.second.y;
+    e[0] = u.at.x - w.at.x;
+    e[1] = u.at.y - w.at.y;
   }
 }
 
@@ -100,25 +127,7 @@ inline void solve_position(const Rigid& A, const Rigid& B, Vec3 c, Vec3 g, const
   PairSystem s;
   s.slides_a = slides[0];
   s.slides_c = slides[2];
-  if (!slides[1]) {
-    // the origin may slide along the middle axis: half way between the two sides keeps the squares small
-    double shift = 0.5 * (w.at.z + u.at.z);
-    Swing ws = w, us = u;
-    ws.at.z -= shift;
-    us.at.z -= shift;
-    double kw[3], ku[3];
-    squared(ws, slides[0], kw);
-    squared(us, slides[2], ku);
-    s.M[0][0] = ws.first.z, s.M[0][1] = slides[0] ? 0 : ws.second.z, s.M[1][0] = kw[1], s.M[1][1] = kw[2];
-    s.N[0][0] = -us.first.z, s.N[0][1] = slides[2] ? 0 : -us.second.z, s.N[1][0] = -ku[1], s.N[1][1] = -ku[2];
-    s.e[0] = us.at.z - ws.at.z;
-    s.e[1] = ku[0] - kw[0];
-  } else {
-    s.M[0][0] = w.first.x, s.M[0][1] = w.second.x, s.M[1][0] = w.first.y, s.M[1][1] = w.second.y;
-    s.N[0][0] = -u.first.x, s.N[0][1] = -u.second.x, s.N[1][0] = -u.first.y, s.N[1][1] = -u.second.y;
-    s.e[0] = u.at.x - w.at.x;
-    s.e[1] = u.at.y - w.at.y;
-  }
+  position_pair(w, u, slides, s.M, s.N, s.e);
   PairRoots pairs;
   solve_pair(s, pairs);
   out.degenerate = pairs.degenerate;

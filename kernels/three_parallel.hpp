@@ -48,42 +48,60 @@ struct PlaneEquations {
   }
 };
 
+// The four swings and the pair of equations of the joints around a plane: h in the frames of a and b, k in those of c and b.
+template <class F> struct PlaneProblem {
+  Vec3T<F> h, k, At, Bt;
+  F climb;  // height the three joints have to make up for
+  SwingT<F> ha, w, kc, u;
+  F M[2][2], N[2][2], e[2];
+
+  PIEPER_INLINE PlaneProblem(const LoopRestT<F>& rest, const bool* slides) {
+    const RigidT<F>&A = rest.A, &B = rest.B;
+    const F zero(0.0);
+    const Vec3T<F> none = {zero, zero, zero};
+    h = {rest.pre.x.z, rest.pre.y.z, rest.pre.z.z};
+    k = rest.C.z;
+    At = A.t, Bt = B.t;
+    climb = rest.pre.t.z + dot(k, rest.C.t);
+    // w(a) = A^T Za^T h, u(c) = B Zc k as swings of directions: a sliding joint does not turn them
+    ha = slides[0] ? SwingT<F>{h, none, none} : SwingT<F>{{zero, zero, h.z}, {h.x, h.y, zero}, {h.y, -h.x, zero}};
+    w = {turn_back(A, ha.at), turn_back(A, ha.first), turn_back(A, ha.second)};
+    kc = slides[2] ? SwingT<F>{k, none, none} : SwingT<F>{{zero, zero, k.z}, {k.x, k.y, zero}, {-k.y, k.x, zero}};
+    u = {turn(B, kc.at), turn(B, kc.first), turn(B, kc.second)};
+    if (!slides[1]) {
+      M[0][0] = w.first.z, M[0][1] = w.second.z;
+      N[0][0] = -u.first.z, N[0][1] = -u.second.z;
+      e[0] = u.at.z - w.at.z;
+      M[1][0] = slides[0] ? h.z : dot(ha.first, At), M[1][1] = slides[0] ? zero : dot(ha.second, At);
+      N[1][0] = slides[2] ? k.z : dot(u.first, Bt), N[1][1] = slides[2] ? zero : dot(u.second, Bt);
+      e[1] = -climb - dot(ha.at, At) - dot(u.at, Bt);
+    } else {  // the sliding middle joint leaves both directions alone: w(a) = u(c), one equation for each alone
+      Vec3T<F> along_c = turn(A, B.z), along_a = turn_back(B, Vec3T<F>{A.x.z, A.y.z, A.z.z});
+      M[0][0] = dot(ha.first, along_c), M[0][1] = dot(ha.second, along_c);
+      N[0][0] = N[0][1] = zero;
+      e[0] = k.z - dot(ha.at, along_c);
+      M[1][0] = M[1][1] = zero;
+      N[1][0] = dot(kc.first, along_a), N[1][1] = dot(kc.second, along_a);
+      e[1] = h.z - dot(kc.at, along_a);
+    }
+  }
+};
+
 // The values of joints a, b, c that leave the rest to the plane.
 inline void solve_around_plane(const LoopRest& rest, const bool* slides, PositionRoots& out) {
-  const Rigid& A = rest.A;
-  const Rigid& B = rest.B;
-  const Vec3 h = {rest.pre.x.z, rest.pre.y.z, rest.pre.z.z}, k = rest.C.z;
-  const double climb = rest.pre.t.z + dot(k, rest.C.t);  // height the three joints have to make up for
-  // w(a) = A^T Za^T h, u(c) = B Zc k as swings of directions: a sliding joint does not turn them
-  Swing ha = slides[0] ? Swing{h, {0, 0, 0}, {0, 0, 0}} : Swing{{0, 0, h.z}, {h.x, h.y, 0}, {h.y, -h.x, 0}};
-  Swing w = {turn_back(A, ha.at), turn_back(A, ha.first), turn_back(A, ha.second)};
-  Swing kc = slides[2] ? Swing{k, {0, 0, 0}, {0, 0, 0}} : Swing{{0, 0, k.z}, {k.x, k.y, 0}, {-k.y, k.x, 0}};
-  Swing u = {turn(B, kc.at), turn(B, kc.first), turn(B, kc.second)};
+  const PlaneProblem<double> P(rest, slides);
+  const auto &[h, k, At, Bt, climb, ha, w, kc, u, M, N, e] = P;
   PairSystem s;
   s.slides_a = slides[0];
   s.slides_c = slides[2];
-  if (!slides[1]) {
-    s.M[0][0] = w.first.z, s.M[0][1] = w.second.z;
-    s.N[0][0] = -u.first.z, s.N[0][1] = -u.second.z;
-    s.e[0] = u.at.z - w.at.z;
-    s.M[1][0] = slides[0] ? h.z : dot(ha.first, A.t), s.M[1][1] = slides[0] ? 0 : dot(ha.second, A.t);
-    s.N[1][0] = slides[2] ? k.z : dot(u.first, B.t), s.N[1][1] = slides[2] ? 0 : dot(u.second, B.t);
-    s.e[1] = -climb - dot(ha.at, A.t) - dot(u.at, B.t);
-  } else {  // the sliding middle joint leaves both directions alone: w(a) = u(c), one equation for each alone
-    Rigid AB = A * B;
-    Vec3 along_c = {A.x.x * B.z.x + A.y.x * B.z.y + A.z.x * B.z.z, AB.z.y, AB.z.z};
-    Vec3 along_a = {AB.x.z, AB.y.z, AB.z.z};
-    s.M[0][0] = dot(ha.first, along_c), s.M[0][1] = dot(ha.second, along_c);
-    s.N[0][0] = s.N[0][1] = 0;
-    s.e[0] = k.z - dot(ha.at, along_c);
-    s.M[1][0] = s.M[1][1] = 0;
-    s.N[1][0] = dot(kc.first, along_a), s.N[1][1] = dot(kc.second, along_a);
-    s.e[1] = h.z - dot(kc.at, along_a);
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) s.M[i][j] = M[i][j], s.N[i][j] = N[i][j];
+    s.e[i] = e[i];
   }
   PairRoots pairs;
   solve_pair(s, pairs);
   out.degenerate = pairs.degenerate;
-  const PlaneEquations equations{ha, w, kc, u, A.t, B.t, slides[0] ? h.z : 0, slides[2] ? k.z : 0, climb, slides[0], slides[2]};
+  const PlaneEquations equations{ha, w, kc, u, At, Bt, slides[0] ? h.z : 0, slides[2] ? k.z : 0, climb, slides[0], slides[2]};
   for (int i = 0; i < pairs.count; ++i) {
     double refined[2][2] = {{pairs.a[i], pairs.c[i]}, {}};
     int branches = slides[1] ? 1 : refine_pair(equations, pairs.a[i], pairs.c[i], refined);
@@ -94,7 +112,7 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, Positio
       if (!slides[1]) {
         middle = turn_between(from, to, free);
       } else if (std::fabs(to.z) > 1e-13) {
-        middle = -(climb + dot(direction_at(ha, a, slides[0]), A.t) + dot(from, B.t) + (slides[0] ? a * h.z : 0) +
+        middle = -(climb + dot(direction_at(ha, a, slides[0]), At) + dot(from, Bt) + (slides[0] ? a * h.z : 0) +
                    (slides[2] ? c * k.z : 0)) / to.z;
       } else {  // the slide runs along the plane
         out.degenerate = true;

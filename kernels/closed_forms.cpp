@@ -1,0 +1,19 @@
+// The closed-form families beyond the spherical wrist behind parallel axes, compiled once per instruction set.
+#include "closed_forms.hpp"
+
+#include "closed_lanes.hpp"
+
+namespace pieper::PIEPER_ISA {
+
+#define PIEPER_CLOSED_FORM(name, solve)                                                                            \
+  void name(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid, \
+            std::uint8_t* flag) {                                                                                         \
+    closed_form::solve(params, iparams, T, count, q, valid, flag);                                                 \
+  }
+PIEPER_CLOSED_FORM(closed_spherical_wrist, solve_closed<closed_form::SphericalWristLanes>)
+PIEPER_CLOSED_FORM(closed_three_parallel, solve_closed<closed_form::ThreeParallelLanes>)
+PIEPER_CLOSED_FORM(closed_position3, solve_position3<double>)
+PIEPER_CLOSED_FORM(closed_orientation3, solve_orientation3<double>)
+#undef PIEPER_CLOSED_FORM
+
+}  // namespace pieper::PIEPER_ISA

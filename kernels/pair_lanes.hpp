@@ -1,0 +1,195 @@
+// The pair of equations M f(a) + N f(c) = e (see subproblems.hpp) for many poses at once. It answers only where all is clear.
+#pragma once
+
+#include "polynomial_lanes.hpp"
+#include "subproblems.hpp"
+
+namespace pieper::PIEPER_ISA::closed_form {
+
+// The terms of a joint: (cos, sin) of a revolute one, (d, d^2) of a sliding one.
+template <class F> struct Motion {
+  F c, s;
+};
+template <class F> PIEPER_INLINE Motion<F> unit(F c, F s) {
+  F n = 1.0 / sqrt(max(c * c + s * s, F(1e-300)));
+  return {c * n, s * n};
+}
+template <class F> PIEPER_INLINE Motion<F> either(Mask<F> m, Motion<F> a, Motion<F> b) {
+  return {select(m, a.c, b.c), select(m, a.s, b.s)};
+}
+
+template <class F> struct PairLanes {
+  F M[2][2], N[2][2], e[2];
+  bool slides_a, slides_c;
+  Motion<F> a[4], c[4];
+  Mask<F> found[4];
+  Mask<F> unclear;
+};
+
+// Both values of one joint from b . f(x) = rhs.
+template <class F>
+PIEPER_INLINE void one_joint(const F* b, F rhs, bool slides, Motion<F>* x, Mask<F>& found, Mask<F>& unclear) {
+  if (slides) {
+    F disc = b[0] * b[0] + 4.0 * b[1] * rhs, size = b[0] * b[0] + abs(4.0 * b[1] * rhs);
+    Mask<F> linear = abs(b[1]) <= 1e-13 * abs(b[0]);
+    found = disc >= 0.0;
+    unclear = unclear | (abs(disc) <= 1e-7 * size) | !(size > 1e-20);
+    F root = sqrt(max(disc, F(0.0))), t = b[0] + select(b[0] < 0.0, -root, root);
+    F near = 2.0 * rhs / select(t == 0.0, F(1.0), t);
+    F far = -t / select(linear, F(1.0), 2.0 * b[1]);
+    far = select(linear, near, far);
+    x[0] = {near, near * near};
+    x[1] = {far, far * far};
+    return;
+  }
+  F size2 = b[0] * b[0] + b[1] * b[1], room = size2 - rhs * rhs;
+  found = room > 0.0;
+  unclear = unclear | (abs(room) <= 1e-7 * size2) | !(size2 > 1e-16);
+  F k = 1.0 / select(size2 > 0.0, size2, F(1.0)), side = sqrt(max(room, F(0.0)));
+  x[0] = unit((b[0] * rhs - b[1] * side) * k, (b[1] * rhs + b[0] * side) * k);
+  x[1] = unit((b[0] * rhs + b[1] * side) * k, (b[1] * rhs - b[0] * side) * k);
+}
+
+template <class F> PIEPER_INLINE void left_null(const F (*A)[2], F* u) {
+  F r0 = A[0][0] * A[0][0] + A[0][1] * A[0][1], r1 = A[1][0] * A[1][0] + A[1][1] * A[1][1];
+  F mixed = A[0][0] * A[1][0] + A[0][1] * A[1][1];
+  Mask<F> first = r0 >= r1;
+  F large = select(first, r0, r1);
+  F lean = -mixed / select(large > 0.0, large, F(1.0));
+  Motion<F> v = unit(select(first, lean, F(1.0)), select(first, F(1.0), lean));
+  u[0] = v.c, u[1] = v.s;
+}
+
+template <class F> __attribute__((noinline)) void solve_apart(PairLanes<F>& s) {
+  F um[2], un[2];
+  left_null(s.M, um);
+  left_null(s.N, un);
+  F bc[2] = {um[0] * s.N[0][0] + um[1] * s.N[1][0], um[0] * s.N[0][1] + um[1] * s.N[1][1]};
+  F ba[2] = {un[0] * s.M[0][0] + un[1] * s.M[1][0], un[0] * s.M[0][1] + un[1] * s.M[1][1]};
+  F size_c = bc[0] * bc[0] + bc[1] * bc[1], size_a = ba[0] * ba[0] + ba[1] * ba[1];
+  // one order for all lanes; either will do unless its equation has nearly vanished
+  const bool first_c = 2 * __builtin_popcount(bits_of(size_c >= size_a)) >= width_of<F>;
+  F chosen = first_c ? size_c : size_a, other = first_c ? size_a : size_c;
+  s.unclear = s.unclear | !(chosen > 1e-6 * other);
+  const auto& V = first_c ? s.M : s.N;
+  const auto& H = first_c ? s.N : s.M;
+  const bool slides_v = first_c ? s.slides_a : s.slides_c, slides_h = first_c ? s.slides_c : s.slides_a;
+  const F* u = first_c ? um : un;
+  Motion<F> h[2], v[2];
+  Mask<F> alone;
+  one_joint(first_c ? bc : ba, u[0] * s.e[0] + u[1] * s.e[1], slides_h, h, alone, s.unclear);
+  Mask<F> upper = (V[0][0] * V[0][0] + V[0][1] * V[0][1]) >= (V[1][0] * V[1][0] + V[1][1] * V[1][1]);
+  F row[2] = {select(upper, V[0][0], V[1][0]), select(upper, V[0][1], V[1][1])};
+  for (int i = 0; i < 2; ++i) {
+    F r0 = s.e[0] - H[0][0] * h[i].c - H[0][1] * h[i].s, r1 = s.e[1] - H[1][0] * h[i].c - H[1][1] * h[i].s;
+    Mask<F> found, unclear = mask_of<F>(false);
+    one_joint(row, select(upper, r0, r1), slides_v, v, found, unclear);
+    s.unclear = s.unclear | (alone & unclear);
+    for (int k = 0; k < 2; ++k) {
+      s.a[2 * i + k] = first_c ? v[k] : h[i];
+      s.c[2 * i + k] = first_c ? h[i] : v[k];
+      s.found[2 * i + k] = alone & found;
+    }
+    if (slides_v && all(abs(row[1]) <= 1e-13 * abs(row[0]))) s.found[2 * i + 1] = mask_of<F>(false);
+  }
+  const F* b = first_c ? bc : ba;
+  if (slides_h && all(abs(b[1]) <= 1e-13 * abs(b[0]))) s.found[2] = s.found[3] = mask_of<F>(false);
+}
+
+// One Newton step on both equations at once.
+template <class F> __attribute__((noinline)) void sharpen(const PairLanes<F>& s, Motion<F>& a, Motion<F>& c, Mask<F>& unclear, Mask<F> found) {
+  F r[2], ja[2], jc[2];
+  for (int k = 0; k < 2; ++k) {
+    r[k] = s.e[k] - (s.M[k][0] * a.c + s.M[k][1] * a.s) - (s.N[k][0] * c.c + s.N[k][1] * c.s);
+    ja[k] = s.slides_a ? s.M[k][0] + 2.0 * s.M[k][1] * a.c : s.M[k][1] * a.c - s.M[k][0] * a.s;
+    jc[k] = s.slides_c ? s.N[k][0] + 2.0 * s.N[k][1] * c.c : s.N[k][1] * c.c - s.N[k][0] * c.s;
+  }
+  F det = ja[0] * jc[1] - ja[1] * jc[0], scale = ja[0] * ja[0] + ja[1] * ja[1] + jc[0] * jc[0] + jc[1] * jc[1];
+  unclear = unclear | (found & !(abs(det) > 1e-6 * scale));
+  F k = 1.0 / select(det == 0.0, F(1.0), det);
+  F da = (r[0] * jc[1] - r[1] * jc[0]) * k, dc = (ja[0] * r[1] - ja[1] * r[0]) * k;
+  unclear = unclear | (found & !((abs(da) < 1e-4) & (abs(dc) < 1e-4)));
+  a = s.slides_a ? Motion<F>{a.c + da, (a.c + da) * (a.c + da)} : unit(a.c - a.s * da, a.s + a.c * da);
+  c = s.slides_c ? Motion<F>{c.c + dc, (c.c + dc) * (c.c + dc)} : unit(c.c - c.s * dc, c.s + c.c * dc);
+}
+
+template <class F> __attribute__((noinline)) void solve_by_quartic(PairLanes<F>& s, Mask<F> hide_c_mask, bool hide_c, F det) {
+  s.unclear = s.unclear | (hide_c ? !hide_c_mask : hide_c_mask);
+  const auto& V = hide_c ? s.M : s.N;
+  const auto& H = hide_c ? s.N : s.M;
+  const bool slides_v = hide_c ? s.slides_a : s.slides_c, slides_h = hide_c ? s.slides_c : s.slides_a;
+  F E[2][3] = {{s.e[0], -H[0][0], -H[0][1]}, {s.e[1], -H[1][0], -H[1][1]}}, d[2][3];
+  for (int k = 0; k < 3; ++k) {
+    d[0][k] = E[0][k] * V[1][1] - E[1][k] * V[0][1];
+    d[1][k] = V[0][0] * E[1][k] - V[1][0] * E[0][k];
+  }
+  F g00 = d[0][0] * d[0][0], g01 = 2.0 * d[0][0] * d[0][1], g02 = 2.0 * d[0][0] * d[0][2];
+  F g11 = d[0][1] * d[0][1], g12 = 2.0 * d[0][1] * d[0][2], g22 = d[0][2] * d[0][2];
+  F scale = g00 + g11 + g22 + det * det;
+  if (slides_v) {
+    g00 = g00 - det * d[1][0], g01 = g01 - det * d[1][1], g02 = g02 - det * d[1][2];
+  } else {
+    g00 = g00 + d[1][0] * d[1][0] - det * det, g01 = g01 + 2.0 * d[1][0] * d[1][1], g02 = g02 + 2.0 * d[1][0] * d[1][2];
+    g11 = g11 + d[1][1] * d[1][1], g12 = g12 + 2.0 * d[1][1] * d[1][2], g22 = g22 + d[1][2] * d[1][2];
+  }
+  F f[5], p[4], q[4];
+  if (slides_h) {
+    f[0] = g00, f[1] = g01, f[2] = g02 + g11, f[3] = g12, f[4] = g22;
+  } else {
+    f[4] = g00 - g01 + g11;
+    f[3] = 2.0 * g02 - 2.0 * g12;
+    f[2] = 2.0 * g00 - 2.0 * g11 + 4.0 * g22;
+    f[1] = 2.0 * g02 + 2.0 * g12;
+    f[0] = g00 + g01 + g11;
+  }
+  if (slides_h && all((abs(f[3]) + abs(f[4])) <= 1e-14 * scale)) {  // a quadratic in disguise
+    Motion<F> x[2];
+    one_joint(f + 1, -f[0], true, x, s.found[0], s.unclear);
+    for (int i = 0; i < 4; ++i) p[i] = x[i % 2].c, q[i] = F(1.0), s.found[i] = i < 2 ? s.found[0] : mask_of<F>(false);
+    if (all(abs(f[2]) <= 1e-13 * abs(f[1]))) s.found[1] = mask_of<F>(false);
+  } else {
+    form_directions(f, 1e-12 * scale, p, q, s.found, s.unclear);
+  }
+  F inverse_det = 1.0 / select(det == 0.0, F(1.0), det);
+  for (int i = 0; i < 4; ++i) {
+    Motion<F> h;
+    if (slides_h) {
+      Mask<F> far = abs(q[i]) < 1e-6;
+      s.found[i] = s.found[i] & !far;
+      F x = p[i] / select(far, F(1.0), q[i]);
+      h = {x, x * x};
+    } else {
+      h = {q[i] * q[i] - p[i] * p[i], 2.0 * p[i] * q[i]};
+    }
+    F v1 = (d[0][0] + d[0][1] * h.c + d[0][2] * h.s) * inverse_det, v2 = (d[1][0] + d[1][1] * h.c + d[1][2] * h.s) * inverse_det;
+    Motion<F> v = slides_v ? Motion<F>{v1, v1 * v1} : unit(v1, v2);
+    s.a[i] = hide_c ? v : h;
+    s.c[i] = hide_c ? h : v;
+  }
+}
+
+template <class F> __attribute__((noinline)) void solve_pair(PairLanes<F>& s) {
+  s.unclear = mask_of<F>(false);
+  F det_m = s.M[0][0] * s.M[1][1] - s.M[0][1] * s.M[1][0], det_n = s.N[0][0] * s.N[1][1] - s.N[0][1] * s.N[1][0];
+  F size_m(0.0), size_n(0.0);
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 2; ++j) size_m = size_m + s.M[k][j] * s.M[k][j], size_n = size_n + s.N[k][j] * s.N[k][j];
+  Mask<F> good_m = abs(det_m) > kRankOne * size_m, good_n = abs(det_n) > kRankOne * size_n;
+  Mask<F> neither = !(good_m | good_n);
+  if (all(neither)) {
+    solve_apart(s);
+  } else {
+    // one hidden joint for all lanes: the better conditioned one of most; the others are handed back unless both will do
+    Mask<F> prefer_c = good_m & ((!good_n) | (abs(det_m) >= abs(det_n)));
+    const unsigned votes = bits_of(prefer_c);
+    const bool hide_c = 2 * __builtin_popcount(votes) >= width_of<F>;
+    Mask<F> able = hide_c ? good_m & (abs(det_m) > 1e-3 * size_m) : good_n & (abs(det_n) > 1e-3 * size_n);
+    Mask<F> fine = able | (hide_c ? prefer_c : (good_n & !prefer_c));
+    s.unclear = s.unclear | neither | !fine;
+    solve_by_quartic(s, hide_c ? fine : !fine, hide_c, hide_c ? det_m : det_n);
+  }
+#pragma GCC unroll 1
+  for (int i = 0; i < 4; ++i) sharpen(s, s.a[i], s.c[i], s.unclear, s.found[i]);
+}
+
+}  // namespace pieper::PIEPER_ISA::closed_form
