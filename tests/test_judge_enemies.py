@@ -18,8 +18,6 @@ from pieper.symbolic.judge_formulas import judge_entry
 from pieper.symbolic.tree import ANGLE, Node, evaluate, mul, negated, num, positions, rebuilt, replaced, sym
 from pieper.symbolic.truth import model_from_description, sample
 
-sympy = pytest.importorskip("sympy")
-
 ARMS = [
     "denso-vp6242",
     "denso-vs060",
@@ -32,39 +30,75 @@ ARMS = [
     "kuka-lbr-iiwa-14-r820",
     "abb-irb140",
 ]
-LENGTHS, JOINTS = "a d", "theta"
 
 
-def written_out(model):
-    """Return the pose of an arm as nested formulas, multiplied by sympy from the table (text in the papers' notation)."""
-    product = sympy.eye(4)
-    product = sympy.Matrix(4, 4, lambda i, j: sympy.nsimplify(round(float(model.base[i, j]), 9)))
-    for k, row in enumerate(model.rows):
-        value = {n: sympy.Symbol(n) if v else sympy.Integer(0) for n, v in model.values.items()}
-        env = {"pi": sympy.pi, **value, **{f"theta{j + 1}": sympy.Symbol(f"theta{j + 1}") for j in range(model.n)}}
-        a, alpha, d, theta = (_sympy(c, env) for c in (row.a, row.alpha, row.d, row.theta))
-        ct, st, ca, sa = (sympy.cos(theta), sympy.sin(theta), sympy.cos(alpha), sympy.sin(alpha))
+def written_out(model, only=None):
+    """Return the pose of an arm as nested formulas, multiplied as text from the table; `only` names the entry wanted."""
+    rows = [[_number(model.base[i, j]) for j in range(4)] for i in range(3)]
+    for row in model.rows:
+        a, d = ("0" if model.values.get(str(c)) == 0 else str(c) for c in (row.a, row.d))
+        (ct, st), (ca, sa) = _turn(row.theta), _turn(row.alpha)
         if model.convention == "standard":
-            A = [[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st], [0, sa, ca, d], [0, 0, 0, 1]]
+            A = [
+                [ct, _t(_n(st), ca), _t(st, sa), _t(a, ct)],
+                [st, _t(ct, ca), _t(_n(ct), sa), _t(a, st)],
+                ["0", sa, ca, d],
+            ]
         else:
-            A = [[ct, -st, 0, a], [st * ca, ct * ca, -sa, -d * sa], [st * sa, ct * sa, ca, d * ca], [0, 0, 0, 1]]
-        product = product * sympy.Matrix(A)
-        del k
-    tool = sympy.Matrix(4, 4, lambda i, j: sympy.nsimplify(round(float(model.tool[i, j]), 9)))
-    product = product * tool
-    names = [*(f"{c}{r}" for r in "xyz" for c in "noa"), *(f"P{r}" for r in "xyz")]
-    cells = [product[i, j] for i in range(3) for j in range(3)] + [product[i, 3] for i in range(3)]
-    names = [f"{'noa'[j]}{'xyz'[i]}" for i in range(3) for j in range(3)] + [f"P{r}" for r in "xyz"]
-    return {n: str(c).replace("**", "^").replace("*", " ") for n, c in zip(names, cells, strict=True)}
+            A = [
+                [ct, _n(st), "0", a],
+                [_t(st, ca), _t(ct, ca), _n(sa), _n(_t(d, sa))],
+                [_t(st, sa), _t(ct, sa), ca, _t(d, ca)],
+            ]
+        rows = _product(rows, [*A, ["0", "0", "0", "1"]])
+    rows = _product(rows, [[_number(model.tool[i, j]) for j in range(4)] for i in range(4)])
+    cells = {f"{'noaP'[j]}{'xyz'[i]}": rows[i][j] for i in range(3) for j in range(4)}
+    return cells[only] if only else cells
 
 
-def _sympy(tree, env):
-    if tree.op == "num":
-        return sympy.Rational(tree.value)
-    if tree.op == "sym":
-        return env[tree.value]
-    v = [_sympy(a, env) for a in tree.args]
-    return {"neg": lambda: -v[0], "add": lambda: sum(v), "mul": lambda: sympy.prod(v), "div": lambda: v[0] / v[1]}[tree.op]()
+def _product(left, right):
+    return [[_sum([_t(row[k], right[k][j]) for k in range(4)]) for j in range(4)] for row in left]
+
+
+def _number(value):
+    return f"{round(float(value), 9):g}"
+
+
+def _n(text):
+    return (
+        "0"
+        if text == "0"
+        else text[1:]
+        if text.startswith("-") and "+" not in text and " -" not in text
+        else f"-({text})"
+        if " " in text
+        else "-" + text
+    )
+
+
+def _t(left, right):
+    if "0" in (left, right):
+        return "0"
+    if left in ("1", "-1"):
+        return right if left == "1" else _n(right)
+    if right in ("1", "-1"):
+        return left if right == "1" else _n(left)
+    wrap = lambda t: f"({t})" if " + " in t or " - " in t or t.startswith("-") else t  # noqa: E731
+    return f"{wrap(left)} {wrap(right)}"
+
+
+def _sum(terms):
+    return " + ".join(f"({t})" if t.startswith("-") else t for t in terms if t != "0") or "0"
+
+
+def _turn(angle):
+    """Return cosine and sine of an angle as text, exact for quarter turns."""
+    if not any(ANGLE.match(s) for s in angle.symbols()):
+        value = float(evaluate(angle, {"pi": np.pi}))
+        quarter = round(value / (np.pi / 2))
+        if abs(value - quarter * np.pi / 2) < 1e-12:
+            return [("1", "0"), ("0", "1"), ("-1", "0"), ("0", "-1")][quarter % 4]
+    return f"cos({angle})", f"sin({angle})"
 
 
 def wrist_formulas(ev):
@@ -128,13 +162,34 @@ def plant(rng, ev, kind, what, tree):
     """Return (slip, formula with it), or None when this slip does not apply to this formula."""
     places = list(positions(tree))
     pick = lambda wanted: places[rng.choice(wanted)] if wanted else None  # noqa: E731
-    slip = rng.choice(["sign", "index", "missing", "swapped", "sine", "atan", "degrees", "convention", "a and d", "frame",
-                       "maker", "millimetres", "axes"])
+    slip = rng.choice(
+        [
+            "sign",
+            "index",
+            "missing",
+            "swapped",
+            "sine",
+            "atan",
+            "degrees",
+            "convention",
+            "a and d",
+            "frame",
+            "maker",
+            "millimetres",
+            "axes",
+        ]
+    )
     if slip == "sign":
         at = pick([k for k, (_, n, p) in enumerate(places) if p is not None and p.op == "add"])
         return at and (slip, replaced(tree, at[0], negated(at[1])))
     if slip == "index":
-        at = pick([k for k, (_, n, p) in enumerate(places) if n.op == "sym" and (ANGLE.match(n.value) or n.value in ev.model.values)])
+        at = pick(
+            [
+                k
+                for k, (_, n, p) in enumerate(places)
+                if n.op == "sym" and (ANGLE.match(n.value) or n.value in ev.model.values)
+            ]
+        )
         if not at:
             return None
         name = at[1].value
@@ -155,7 +210,9 @@ def plant(rng, ev, kind, what, tree):
             return None  # a whole bracket is not a factor one loses unseen
         return slip, replaced(tree, at[0], mul(*[a for k, a in enumerate(at[1].args) if k != drop]))
     if slip == "swapped":
-        factors = [k for k, (_, n, p) in enumerate(places) if p is not None and p.op == "mul" and n.op in ("call", "sym")]
+        factors = [
+            k for k, (_, n, p) in enumerate(places) if p is not None and p.op == "mul" and n.op in ("call", "sym")
+        ]
         at, other = pick(factors), pick(factors)
         return at and (slip, replaced(tree, at[0], other[1]))
     if slip == "sine":
@@ -190,8 +247,7 @@ def plant(rng, ev, kind, what, tree):
         turned = np.eye(4)
         turned[:3, :3] = [[0, 1, 0], [0, 0, 1], [1, 0, 0]]
         wrong = replace(model, base=turned @ model.base)
-    text = written_out(wrong)[what]
-    made = ev.parse(text)
+    made = ev.parse(written_out(wrong, what))
     return (slip, made) if made.size() < 400 else None
 
 
@@ -220,8 +276,11 @@ def trial():
     """Plant 300 slips and judge them; judge the right formulas as well."""
     formulas = right_formulas()
     rng = np.random.default_rng(20260)
-    false_alarms = [(ev.model.name, what, v.sentence) for ev, kind, what, text in formulas if not (v := judged(ev, kind, what, text)).holds
-                    and v.status != "holds only in part"]
+    false_alarms = [
+        (ev.model.name, what, v.sentence)
+        for ev, kind, what, text in formulas
+        if not (v := judged(ev, kind, what, text)).holds and v.status != "holds only in part"
+    ]
     results, k = [], 0
     while len(results) < 300:
         ev, kind, what, text = formulas[k % len(formulas)]
@@ -232,7 +291,9 @@ def trial():
             continue
         slip, tree = planted
         verdict = judged(ev, kind, what, str(tree))
-        results.append((ev.model.name, what, slip, verdict, is_identity(ev, kind, what, tree, original), text, str(tree)))
+        results.append(
+            (ev.model.name, what, slip, verdict, is_identity(ev, kind, what, tree, original), text, str(tree))
+        )
     return formulas, false_alarms, results
 
 
@@ -243,7 +304,9 @@ def test_no_right_formula_is_called_wrong(trial):
 
 
 def test_every_planted_slip_is_called_wrong_or_is_an_identity(trial):
-    missed = [(arm, what, slip, v.sentence) for arm, what, slip, v, same, *_ in trial[2] if (v.status == "holds") != same]
+    missed = [
+        (arm, what, slip, v.sentence) for arm, what, slip, v, same, *_ in trial[2] if (v.status == "holds") != same
+    ]
     assert missed == []
 
 

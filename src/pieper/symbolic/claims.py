@@ -28,9 +28,9 @@ JUDGES: dict[str, tuple[Callable[[Evidence, dict], Verdict], set[str], set[str]]
     # kind: (judge, keys it needs, keys it may have)
     "entry": (judge_formulas.judge_entry, {"of", "is"}, {"where"}),
     "matrix": (judge_formulas.judge_matrix, {"of", "is"}, {"where"}),
-    "equation": (judge_formulas.judge_equation, {"is"}, {"where", "frame"}),
+    "equation": (judge_formulas.judge_equation, {"is"}, {"where", "frame", "at_deg"}),
     "product": (judge_formulas.judge_product, {"is"}, set()),
-    "joint": (judge_angles.judge_joint, {"is"}, {"joint", "for", "where", "frame"}),
+    "joint": (judge_angles.judge_joint, {"is"}, {"joint", "for", "where", "frame", "at_deg"}),
     "together": (judge_angles.judge_together, {"is"}, {"where", "frame"}),
     "procedure": (judge_angles.judge_procedure, {"steps"}, {"where"}),
     "pose": (judge_poses.judge_pose, set(), {"q", "q_deg", "q_rad", "of", "matrix", "position", "unit", "rounded"}),
@@ -40,10 +40,11 @@ JUDGES: dict[str, tuple[Callable[[Evidence, dict], Verdict], set[str], set[str]]
         {"matrix", "q", "q_deg", "q_rad", "complete", "unit", "task"},
     ),
     "count": (judge_poses.judge_count, {"count"}, {"task"}),
-    "freedom": (judge_freedom.judge_freedom, {"dof"}, set()),
+    "freedom": (judge_freedom.judge_freedom, {"dof"}, {"free", "at_deg"}),
     "errors": (judge_tables.judge_errors, {"rows", "percent"}, set()),
     "table": (judge_tables.judge_table, {"rows"}, {"unit", "within", "search_zeros"}),
     "limit": (judge_tables.judge_limit, {"joint", "range_deg"}, {"path", "unit"}),
+    "range": (judge_tables.judge_range, {"joint", "range_deg", "values_deg"}, set()),
     "number": (judge_tables.judge_number, {"is", "value"}, {"q", "q_deg", "q_rad", "unit", "where"}),
 }
 _ALWAYS = {"id", "kind", "says", "arm"}

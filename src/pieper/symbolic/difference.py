@@ -85,7 +85,7 @@ def difference_from_matrix(printed: Node, model: ArmModel, i: int, j: int) -> st
 
 
 def exact_environment(model: ArmModel, samples: Samples, k: int, definitions: dict[str, Node], arithmetic) -> dict:
-    """Return every symbol at sample k with 50 digits; joint angles are the whole degrees they were drawn as."""
+    """Return every symbol at sample k with 50 digits; joint angles are the tenths of a degree they were drawn as."""
     env = {"pi": arithmetic.pi}
     for name in model.values:
         env[name] = arithmetic.number(repr(float(samples.env[name][k])))
@@ -94,7 +94,7 @@ def exact_environment(model: ArmModel, samples: Samples, k: int, definitions: di
         if model.sliding(joint):
             env[f"theta{joint}"] = arithmetic.number(repr(float(value)))
         else:
-            env[f"theta{joint}"] = arithmetic.number(str(int(round(np.degrees(value))))) * arithmetic.pi / 180
+            env[f"theta{joint}"] = arithmetic.number(f"{np.degrees(value):.1f}") * arithmetic.pi / 180
     for alias, target in model.aliases.items():
         env[alias] = env[target]
     T = model.pose_exact(env, arithmetic)

@@ -60,6 +60,23 @@ class Evidence:
         self.fill(out.env)
         return out
 
+    def holding(self, claim: dict) -> Evidence:
+        """Return evidence in which some joints are held, as the claim's at_deg = { theta5 = 0 } says; itself without that key."""
+        held = claim.get("at_deg")
+        if not held:
+            return self
+        q = self.samples.q.copy()
+        for name, degrees in held.items():
+            joint = name.removeprefix("theta").removeprefix("q")
+            if not joint.isdigit() or not 1 <= int(joint) <= self.model.n:
+                raise InputError(f"at_deg: {name!r} is no joint of this arm; write theta1 .. theta{self.model.n}")
+            q[:, int(joint) - 1] = np.radians(float(degrees))
+        out = Evidence(self.model, self.definitions, self.seconds, self.unknown)
+        fixed = evaluate_samples(self.model, q, rng=np.random.default_rng(20_24))
+        out.fill(fixed.env)
+        out.__dict__["samples"] = fixed
+        return out
+
     def fill(self, env: dict):
         """Add the file's symbols to an environment."""
         rng = np.random.default_rng(11)
@@ -134,7 +151,7 @@ class Evidence:
     def target(self, wanted, *, angle=False, frame=None, rows=None) -> Target:
         """Make the target of a slip search from the samples."""
         env = self.environment(frame)
-        out = Target(env, wanted, angle)
+        out = Target(env, wanted, angle, 1e-3 * max(1.0, self.model.length()))
         return out if rows is None else out.restrict(rows)
 
 

@@ -42,10 +42,12 @@ def _angle(ev: Evidence, claim: dict) -> tuple[str, Node]:
 
 def judge_joint(ev: Evidence, claim: dict) -> Verdict:
     """Judge a formula for a joint angle, given the pose and the joints before it at their right values (keys joint or for, is, where, frame)."""
+    ev = ev.holding(claim)
     name, angle = _angle(ev, claim)
-    texts = claim["is"] if isinstance(claim["is"], list) else [claim["is"]]
-    node = ev.parse(str(texts[0]), claim.get("where"))
-    text = f"{name} = {texts[0]}" + "".join(f", {k} = {v}" for k, v in (claim.get("where") or {}).items())
+    if not isinstance(claim["is"], str):
+        raise InputError(f"claim {claim['id']}: is must be one formula; write its branches with +-", claim=claim["id"])
+    node = ev.parse(claim["is"], claim.get("where"))
+    text = f"{name} = {claim['is']}" + "".join(f", {k} = {v}" for k, v in (claim.get("where") or {}).items())
     frame = parse_product(claim["frame"], ev.model.n) if claim.get("frame") else None
     env = ev.environment(frame)
     wanted = np.asarray(evaluate(angle, env), dtype=float)

@@ -34,6 +34,7 @@ def judge_entry(ev: Evidence, claim: dict) -> Verdict:
 
 def judge_equation(ev: Evidence, claim: dict) -> Verdict:
     """Judge an equation between two formulas, with the pose letters of the frame it names (keys is, where, frame)."""
+    ev = ev.holding(claim)
     from pieper.symbolic.formula import parse_equation
 
     text = str(claim["is"])
@@ -231,10 +232,9 @@ def _other_entry(ev: Evidence, node: Node, product: Product) -> str:
     whole = value_of(Product(product.terms), ev.samples.frames)
     if whole.ndim != 3:
         return ""
-    target = ev.target(None)
     for i in range(3):
         for j in range(whole.shape[2]):
-            target.wanted = whole[:, i, j]
+            target = ev.target(whole[:, i, j])
             if (i + 1, j + 1) != product.entry and target.fits(node).all():
                 return str(Product(product.terms, (i + 1, j + 1)))
     return ""

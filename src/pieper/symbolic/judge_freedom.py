@@ -43,7 +43,8 @@ def undetermined(ev: Evidence) -> list[set[int]]:
 
 
 def judge_freedom(ev: Evidence, claim: dict) -> Verdict:
-    """Judge how many degrees of freedom the tool has (key dof)."""
+    """Judge how many degrees of freedom the tool has and which joints it leaves free (keys dof, free, at_deg)."""
+    ev = ev.holding(claim)
     dof = claim.get("dof")
     if not isinstance(dof, int):
         raise InputError(f"claim {claim['id']}: dof must be a whole number", claim=claim["id"])
@@ -61,6 +62,12 @@ def judge_freedom(ev: Evidence, claim: dict) -> Verdict:
                 f"a pose does not determine {names} one by one: they turn about the same line or move together",
             )
         )
+    if "free" in claim:
+        text += ", and " + " and ".join(f"theta{j}" for j in claim["free"]) + " are free"
+        if set(claim["free"]) != (free[0] if free else set()):
+            names = " and ".join(f"theta{j}" for j in sorted(free[0])) if free else "none"
+            sentence = f"Wrong: the joints a pose leaves free are {names}."
+            return Verdict(claim["id"], text, WRONG, sentence, says, tuple(details), "index", names)
     if rank == dof:
         return Verdict(
             claim["id"],

@@ -148,7 +148,7 @@ def _digits(printed) -> int:
 def _rounded(printed, right: float):
     if printed in ("", "*"):
         return ""
-    decimals = max(0, round(-np.log10(last_digit(printed))))
+    decimals = min(12, max(0, round(-np.log10(last_digit(printed)))))
     return f"{right + 0.0:.{max(decimals, 0)}f}"
 
 
@@ -266,11 +266,7 @@ def judge_solutions(ev: Evidence, claim: dict) -> Verdict:
         got = fresh_samples(model, q).frames["T"][0].copy()
         got[:3, 3] *= factor
         gap = float(np.linalg.norm(got[:3, 3] - T[:3, 3]))
-        turn = (
-            0.0
-            if position_only
-            else float(np.degrees(np.arccos(np.clip((np.trace(got[:3, :3].T @ T[:3, :3]) - 1) / 2, -1, 1))))
-        )
+        turn = 0.0 if position_only else _rotation_between(got[:3, :3], T[:3, :3])
         half = joint_tolerance(row, True)
         allowed = slack * 2 + float(half.sum()) * model.length() * factor
         fine = gap <= allowed and turn <= max(0.02, np.degrees(half.sum()) * 2)
@@ -330,6 +326,13 @@ def judge_solutions(ev: Evidence, claim: dict) -> Verdict:
         says,
         tuple(lines),
     )
+
+
+def _rotation_between(A: np.ndarray, B: np.ndarray) -> float:
+    """Return the angle (deg) between two rotations, exact also where it is small and B is rounded."""
+    R = A.T @ B
+    spin = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    return float(np.degrees(np.arctan2(np.linalg.norm(spin), (np.trace(R) - 1) / 2)))
 
 
 def _scale(factor: float, model: ArmModel) -> np.ndarray:

@@ -218,6 +218,19 @@ def _best_zeros(model: ArmModel, q, printed, factor, joints) -> tuple[float, str
     return best[0], best[5], best[3], best[4], best[6]
 
 
+def judge_range(ev: Evidence, claim: dict) -> Verdict:
+    """Judge whether values said to be used lie in the range printed for the joint (keys joint, range_deg, values_deg)."""
+    low, high = (float(v) for v in claim["range_deg"])
+    values = [read_number(v) for v in claim["values_deg"]]
+    outside = [f"{v:g}" for v in values if not low <= v <= high]
+    shown = ", ".join(f"{v:g}" for v in values)
+    text = f"joint {claim['joint']} at {shown} deg is in {low:g} .. {high:g} deg"
+    says = claim.get("says", "")
+    if outside:
+        return Verdict(claim["id"], text, WRONG, f"Wrong: {', '.join(outside)} deg outside the printed range.", says)
+    return Verdict(claim["id"], text, HOLDS, f"Holds: all {len(values)} values.", says)
+
+
 def judge_limit(ev: Evidence, claim: dict) -> Verdict:
     """Judge a joint's printed range against a path the arm is said to follow (keys joint, range_deg, path = {from, to, n}, unit).
 

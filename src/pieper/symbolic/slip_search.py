@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -25,19 +26,22 @@ class Target:
         env: values of all symbols, (K,) each.
         wanted: (K,) right values; for an equation (``eq`` tree) it is left out and both sides are compared.
         angle: compare modulo a whole turn, and accept either sign of +-.
-        rows: which of the K samples count, (K,) bool or None for all.
+        floor: size below which a number counts as rounding of zero, before the relative tolerance.
     """
 
     env: dict[str, np.ndarray]
     wanted: np.ndarray | None = None
     angle: bool = False
-    rows: np.ndarray | None = None
+    floor: float = 1e-3
+
+    @cached_property
+    def _scale(self) -> np.ndarray:
+        return np.abs(self.wanted) + np.median(np.abs(self.wanted)) + self.floor
 
     def restrict(self, rows) -> Target:
         """Return the same target on some of the samples only."""
-        return Target(
-            {k: v[rows] for k, v in self.env.items()}, None if self.wanted is None else self.wanted[rows], self.angle
-        )
+        wanted = None if self.wanted is None else self.wanted[rows]
+        return Target({k: v[rows] for k, v in self.env.items()}, wanted, self.angle, self.floor)
 
     def residual(self, node: Node, branch: int = 1, cache: dict | None = None, learn: bool = True) -> np.ndarray:
         """Return how far the formula is off at every sample, in units of the tolerance; inf where it is undefined."""
@@ -45,7 +49,7 @@ class Target:
             if node.op == "eq":
                 left = evaluate(node.args[0], self.env, NUMPY, branch, cache, learn)
                 right = evaluate(node.args[1], self.env, NUMPY, branch, cache, learn)
-                off = np.abs(left - right) / (VALUE_TOLERANCE * (np.abs(left) + np.abs(right) + 1e-3))
+                off = np.abs(left - right) / (VALUE_TOLERANCE * (np.abs(left) + np.abs(right) + self.floor))
                 wanted = left
             else:
                 value = evaluate(node, self.env, NUMPY, branch, cache, learn)
@@ -53,7 +57,7 @@ class Target:
                 if self.angle:
                     off = np.abs((value - wanted + np.pi) % (2 * np.pi) - np.pi) / ANGLE_TOLERANCE
                 else:
-                    scale = np.abs(wanted) + np.median(np.abs(wanted)) + 1e-9
+                    scale = self._scale
                     off = np.abs(value - wanted) / (VALUE_TOLERANCE * scale)
         off = np.broadcast_to(np.asarray(off, dtype=float), np.shape(self.env["pi"]))
         return np.where(np.isfinite(off), off, np.inf)
@@ -105,12 +109,12 @@ def search(target: Target, root: Node, candidates: Iterable[Slip], *, seconds: f
     values: dict = {}
     probe.residual(root, 1, values)
     needed = required_values(root, probe.wanted, target.angle, values)
-    stop = time.monotonic() + seconds
+    stop = time.thread_time() + seconds
     best_share = float(np.mean(target.fits(root)))
     seen: set[str] = set()
     for k, slip in enumerate(candidates):
         out.tried[slip.kind] = out.tried.get(slip.kind, 0) + 1
-        if k % 256 == 0 and time.monotonic() > stop:
+        if k % 256 == 0 and time.thread_time() > stop:
             out.complete = False
             break
         if not _promising(slip, probe, needed, values, target.angle):

@@ -47,7 +47,12 @@ def slips(
         yield from angle_slips(root, joints)
     shared = _shared(root)
     done: set[Node] = set()
+    inside: set[Node] = set()  # what stands inside a sine or cosine of joints is varied with it, as an index
     for path, node, parent in positions(root):
+        if node in inside:
+            continue
+        if node.op == "call" and node.value in ("sin", "cos") and joint_sum(node.args[0]):
+            inside.update(node.args[0].walk())
         if node in shared:
             if node in done:
                 continue

@@ -200,7 +200,7 @@ class Samples:
     """Joint vectors at which claims are tried.
 
     Attributes:
-        q: (K, n) in rad (or the unit of length), whole degrees so that a counter-example can be read and retyped.
+        q: (K, n) in rad (or the unit of length), tenths of a degree so that a counter-example can be read and retyped.
         env: every symbol's values, (K,) each.
         frames: A1 .. An and T, (K, 4, 4).
         nominal: (K,) bool, True where the lengths are those of the arm, False where they were varied.
@@ -226,9 +226,9 @@ def sample(model: ArmModel, count: int = 96, *, seed: int = 20_24, vary: bool = 
     """
     rng = np.random.default_rng(seed)
     n = model.n
-    degrees = rng.integers(-179, 180, size=(count, n))
-    degrees += (degrees % 15 == 0).astype(int)
-    q = np.radians(degrees.astype(float))
+    degrees = rng.integers(-1799, 1800, size=(count, n))
+    degrees += (degrees % 50 == 0).astype(int)
+    q = np.radians(degrees / 10)
     scale = model.length() / max(n, 1)
     for joint in range(1, n + 1):
         if model.sliding(joint):
