@@ -35,29 +35,12 @@ inline bool agreed(const Variant& v, const Report& report, const Found& found, i
   return settled(report, found) || (v.open > 0 && !report.doubtful && even(found));
 }
 
-// The pose moved a little: a solution of it starts Newton's method for the true pose.
-inline Pose<double> perturbed(const Pose<double>& pose, double size, double length, Random& random) {
-  double w[3];
-  for (double& x : w) x = size * (2 * random.uniform() - 1);
-  Pose<double> out = pose;
-  for (int j = 0; j < 3; ++j) {  // exact rotation by the quaternion (1, w / 2)
-    const double x = pose.r[0][j], y = pose.r[1][j], z = pose.r[2][j];
-    const double a = 0.5 * w[0], b = 0.5 * w[1], c = 0.5 * w[2], s = 2 / (1 + a * a + b * b + c * c);
-    const double u = b * z - c * y, v = c * x - a * z, t = a * y - b * x;
-    out.r[0][j] = x + s * (u + b * t - c * v);
-    out.r[1][j] = y + s * (v + c * u - a * t);
-    out.r[2][j] = z + s * (t + a * v - b * u);
-  }
-  for (double& p : out.p) p += size * length * (2 * random.uniform() - 1);
-  return out;
-}
-
 // Solutions of a neighbouring pose, polished onto this one.
 inline void polish_onto(const Model& model, const Variant& v, const Pose<double>& pose, const Found& from, Found& into) {
   using G = Lanes<PIEPER_LANES>;
   constexpr int W = PIEPER_LANES;
   Frame<double> link[6];
-  role_links(model, v.roles, pose, link);
+  role_links(model, 0, v.roles, pose, link);
   Frame<G> wide[6];
   for (int k = 0; k < 6; ++k) wide[k] = spread<G>(link[k]);
   for (int first = 0; first < from.count; first += W) {
@@ -87,7 +70,9 @@ inline bool escalate(const Model& model, const Pose<double>& pose, Found& found,
   for (int n = 1; n < model.variants; ++n) {
     const int before = found.count;
     solve_variant(model, model.variant[n], pose, 1, &found, &report);
-    if (agreed(model.variant[n], report, found, before)) return true;
+    // solutions fetched from nearby arms are believed when all of them agree
+    const bool last = n + 1 == model.variants;
+    if (agreed(model.variant[n], report, found, before) && (last || model.variant[0].arm == 0)) return true;
   }
   Random random{7};
   for (int n = 0; n < 4; ++n) {  // the same elimination in turned charts

@@ -13,6 +13,7 @@ inline constexpr int kMaxVariants = 12;
 struct Variant {
   Roles roles;
   int layout, swap;
+  int arm;  // 0: the arm itself; 1, 2: a nearby arm, whose solutions are polished onto the arm
   Charts chart;
   LeftSide<double> left;      // valid unless the pose sits in links 2 to 5
   RowSpace<double, 12> basis;  // of layout 0
@@ -26,7 +27,7 @@ struct Variant {
 // Copied bytewise into the params of a KernelSpec: doubles and ints only.
 struct Model {
   double scale;  // one scaled unit of length, m
-  Frame<double> link[7];  // L0 .. L6, scaled, origins slid along the axes towards each other
+  Frame<double> link[3][7];  // L0 .. L6, scaled, origins slid along the axes towards each other; of the arm and two nearby ones
   bool prismatic[6];
   int prismatic_count;
   int variants;
@@ -44,7 +45,9 @@ inline Frame<double> frame_of(const double* T, double scale) {
 }
 
 // The six links of the loop in role order for poses T (lanes): the last loop link is L6 T^-1 L0.
-template <class F> void role_links(const Model& model, const Roles& roles, const Pose<F>& pose, Frame<F>* link) {
+template <class F>
+void role_links(const Model& model, int arm, const Roles& roles, const Pose<F>& pose, Frame<F>* link) {
+  const Frame<double>* own = model.link[arm];
   Frame<F> T;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) T.r[i][j] = pose.r[i][j];
@@ -52,7 +55,7 @@ template <class F> void role_links(const Model& model, const Roles& roles, const
   }
   for (int k = 0; k < 6; ++k) {
     const int which = roles.loop_link(k);
-    Frame<F> a = which == 5 ? spread<F>(model.link[6]) * inverse(T) * spread<F>(model.link[0]) : spread<F>(model.link[which + 1]);
+    Frame<F> a = which == 5 ? spread<F>(own[6]) * inverse(T) * spread<F>(own[0]) : spread<F>(own[which + 1]);
     link[k] = roles.reverse ? flipped(inverse(a)) : a;
   }
 }
@@ -64,7 +67,7 @@ template <int N> inline const RowSpace<double, N>& basis_of(const Variant& v) {
 
 // Everything one variant says about W poses before eigenvalues.
 template <class F> struct Eliminated {
-  Frame<F> link[6];
+  Frame<F> link[6], arm_link[6];  // arm_link: of the arm itself, where a nearby one was eliminated
   RightSide<F> right;
   Equations<F> eq;
   F chart_c, chart_s;  // t = infinity lies half a turn away
@@ -73,7 +76,8 @@ template <class F> struct Eliminated {
 
 template <class F, int N>
 void eliminate_poses(const Model& model, const Variant& v, const Pose<F>& pose, Eliminated<F>& out, Compressed<F, N>& matrix) {
-  role_links(model, v.roles, pose, out.link);
+  role_links(model, v.arm, v.roles, pose, out.link);
+  if (v.arm) role_links(model, 0, v.roles, pose, out.arm_link);
   right_side(out.link, v.roles, out.right);
   const int yr = v.swap ? 4 : 3, xr = v.swap ? 3 : 4;
   LeftSide<F> left;

@@ -23,7 +23,7 @@ struct Random {  // Steele, Lea and Flood's splitmix64 (2014)
 
 // Forward kinematics in scaled lengths.
 inline Frame<double> forward(const Model& model, const double* q) {
-  Frame<double> at = model.link[0];
+  Frame<double> at = model.link[0][0];
   for (int k = 0; k < 6; ++k) {
     Frame<double> z{};
     z.r[0][0] = z.r[1][1] = z.r[2][2] = 1;
@@ -33,7 +33,7 @@ inline Frame<double> forward(const Model& model, const double* q) {
       z.r[1][0] = __builtin_sin(q[k]);
       z.r[0][1] = -z.r[1][0];
     }
-    at = at * z * model.link[k + 1];
+    at = at * z * model.link[0][k + 1];
   }
   return at;
 }
@@ -44,6 +44,23 @@ inline Pose<double> as_pose(const Frame<double>& a, double scale) {
     for (int j = 0; j < 3; ++j) out.r[i][j] = a.r[i][j];
     out.p[i] = a.p[i] * scale;
   }
+  return out;
+}
+
+// A pose turned and moved a little.
+inline Pose<double> perturbed(const Pose<double>& pose, double size, double length, Random& random) {
+  double w[3];
+  for (double& x : w) x = size * (2 * random.uniform() - 1);
+  Pose<double> out = pose;
+  for (int j = 0; j < 3; ++j) {  // exact rotation by the quaternion (1, w / 2)
+    const double x = pose.r[0][j], y = pose.r[1][j], z = pose.r[2][j];
+    const double a = 0.5 * w[0], b = 0.5 * w[1], c = 0.5 * w[2], s = 2 / (1 + a * a + b * b + c * c);
+    const double u = b * z - c * y, v = c * x - a * z, t = a * y - b * x;
+    out.r[0][j] = x + s * (u + b * t - c * v);
+    out.r[1][j] = y + s * (v + c * u - a * t);
+    out.r[2][j] = z + s * (t + a * v - b * u);
+  }
+  for (double& p : out.p) p += size * length * (2 * random.uniform() - 1);
   return out;
 }
 
@@ -61,7 +78,7 @@ inline void fill_constants(const Model& model, Variant& v) {
   Pose<double> any{};
   any.r[0][0] = any.r[1][1] = any.r[2][2] = 1;
   Frame<double> link[6];
-  role_links(model, v.roles, any, link);
+  role_links(model, v.arm, v.roles, any, link);
   left_side(link, v.roles, v.chart, v.swap, v.left);
   if (v.layout == kTwelve) row_space<double, 12>(v.left, v.layout, v.basis);
   else row_space<double, 6>(v.left, v.layout, v.basis6);
@@ -72,7 +89,7 @@ inline double determinant_noise(const Model& model, const Variant& v, const Pose
   constexpr int K = 24;
   const int degree = v.layout == kTwelve ? 8 : 4;
   Frame<double> link[6];
-  role_links(model, v.roles, pose, link);
+  role_links(model, v.arm, v.roles, pose, link);
   RightSide<double> right;
   right_side(link, v.roles, right);
   Equations<double> eq;
@@ -133,93 +150,139 @@ struct Trial {
 inline constexpr int kTestPoses = 16;
 inline constexpr int kTried = 24;
 
+// The test poses, and what the variants found for them.
+struct SelfTest {
+  static constexpr int groups = (kTestPoses + PIEPER_LANES - 1) / PIEPER_LANES, poses = groups * PIEPER_LANES;
+  Pose<double> pose[poses];
+  Found known[poses];  // by whoever
+  Found own[3 * kTried][poses];
+  Variant variant[3 * kTried];
+  Trial trial[3 * kTried];
+  double score[3 * kTried];
+};
+
+inline void make_test_poses(const Model& model, SelfTest& test) {
+  Random random{2026};
+  for (int i = 0; i < SelfTest::poses; ++i) {
+    double made[6];
+    for (int k = 0; k < 6; ++k) made[k] = model.prismatic[k] ? 2 * random.uniform() - 1 : kTwoPi * random.uniform() - kPi;
+    test.pose[i] = as_pose(forward(model, made), model.scale);
+    test.known[i].count = 0;
+    insert(test.known[i], made, 1, 0, model.prismatic);
+  }
+}
+
+// Variant t of one arm (itself or a nearby one) on all test poses.
+inline void try_variant(const Model& model, SelfTest& test, int arm, int t) {
+  using G = Lanes<PIEPER_LANES>;
+  constexpr int W = PIEPER_LANES;
+  const int at = arm * kTried + t;
+  Variant& v = test.variant[at];
+  Trial& trial = test.trial[at];
+  trial = {0, kTestPoses * 16, 0, 1.0};
+  v.roles.assign(t / 4, (t / 2) % 2, model.prismatic);
+  v.swap = t % 2;
+  v.arm = arm;
+  v.chart = {__builtin_cos(0.7), __builtin_sin(0.7), __builtin_cos(0.4), __builtin_sin(0.4)};
+  if (!layout_of(v.roles, v.layout)) return;
+  const bool one_in_pair = v.roles.prismatic[3] != v.roles.prismatic[4];
+  if (v.layout == kTwoApart && !v.roles.prismatic[v.swap ? 4 : 3]) return;
+  if (!one_in_pair && v.swap) return;
+  fill_constants(model, v);
+  double noise[8];
+  for (int i = 0; i < 8; ++i) noise[i] = determinant_noise(model, v, test.pose[i]);
+  v.noise = trial.noise = median(noise, 8);
+  if (!(trial.noise < 1e-6)) return;
+  trial.rank = kTried;
+  trial.missed = 0;
+  v.typical = 0;
+  double size[SelfTest::poses];
+  for (int g = 0; g < SelfTest::groups; ++g) {
+    Pose<G> wide;
+    for (int i = 0; i < W; ++i) {
+      for (int r = 0; r < 3; ++r) {
+        for (int k = 0; k < 3; ++k) set_lane(wide.r[r][k], i, test.pose[g * W + i].r[r][k]);
+        set_lane(wide.p[r], i, test.pose[g * W + i].p[r]);
+      }
+      test.own[at][g * W + i].count = 0;
+    }
+    Report report[W];
+    solve_variant(model, v, wide, W, test.own[at] + g * W, report);
+    for (int i = 0; i < W; ++i) {
+      size[g * W + i] = report[i].size;
+      trial.open += report[i].unresolved + 100 * report[i].doubtful;
+      const Found& f = test.own[at][g * W + i];
+      for (int k = 0; k < f.count; ++k) insert(test.known[g * W + i], f.q[k], f.sigma[k], f.residual[k], model.prismatic);
+    }
+  }
+  v.typical = median(size, SelfTest::poses);
+}
+
+// Losses first, then noise by orders of magnitude, then open ends, then what costs time. 1e300 where of no use.
+inline void rate(const Model& model, SelfTest& test, int at) {
+  Trial& trial = test.trial[at];
+  test.score[at] = 1e300;
+  if (trial.rank == 0) return;
+  trial.missed = 0;
+  for (int i = 0; i < SelfTest::poses; ++i) {
+    Found f = test.own[at][i];
+    const int before = f.count;
+    for (int k = 0; k < test.known[i].count; ++k) insert(f, test.known[i].q[k], 1, 0, model.prismatic);
+    trial.missed += f.count - before;
+  }
+  if (trial.missed > kTestPoses) return;  // of no use even as a second opinion
+  const double noise = trial.noise > 1e-15 ? __builtin_log10(trial.noise / 1e-15) : 0;
+  const Variant& v = test.variant[at];
+  test.score[at] = 1000.0 * trial.missed + 3 * noise + 0.5 * trial.open + (v.pose_free() ? 0 : 2) + (v.arm ? 100 : 0);
+}
+
 // Fills model.variant, best first. `trials` (kTried) is told about every hand-out in the order shift, direction, swap.
 inline void choose_variants(Model& model, Trial* trials) {
-  using G = Lanes<PIEPER_LANES>;
-  constexpr int W = PIEPER_LANES, groups = (kTestPoses + W - 1) / W;
-  Random random{2026};
-  Pose<double> pose[groups * W];
-  double made[groups * W][6];
-  for (int i = 0; i < groups * W; ++i) {
-    for (int k = 0; k < 6; ++k) made[i][k] = model.prismatic[k] ? 2 * random.uniform() - 1 : kTwoPi * random.uniform() - kPi;
-    pose[i] = as_pose(forward(model, made[i]), model.scale);
-  }
-  Variant* all = static_cast<Variant*>(__builtin_malloc(sizeof(Variant) * kTried));
-  Found* all_found = static_cast<Found*>(__builtin_malloc(sizeof(Found) * (groups * W)));
-  Found* own = static_cast<Found*>(__builtin_malloc(sizeof(Found) * (groups * W) * kTried));
-  for (int i = 0; i < groups * W; ++i) {
-    all_found[i].count = 0;
-    insert(all_found[i], made[i], 1, 0, model.prismatic);
-  }
-  for (int t = 0; t < kTried; ++t) {
-    Variant& v = all[t];
-    Trial& trial = trials[t];
-    trial = {0, kTestPoses * 16, 0, 1.0};
-    v.roles.assign(t / 4, (t / 2) % 2, model.prismatic);
-    v.swap = t % 2;
-    v.chart = {__builtin_cos(0.7), __builtin_sin(0.7), __builtin_cos(0.4), __builtin_sin(0.4)};
-    if (!layout_of(v.roles, v.layout)) continue;
-    const bool one_in_pair = v.roles.prismatic[3] != v.roles.prismatic[4];
-    if (v.layout == kTwoApart && !v.roles.prismatic[v.swap ? 4 : 3]) continue;
-    if (!one_in_pair && v.swap) continue;
-    fill_constants(model, v);
-    double noise[8];
-    for (int i = 0; i < 8; ++i) noise[i] = determinant_noise(model, v, pose[i]);
-    v.noise = trial.noise = median(noise, 8);
-    if (!(trial.noise < 1e-6)) continue;
-    trial.rank = kTried;
-    trial.missed = 0;
-    v.typical = 0;
-    double size[groups * W];
-    for (int g = 0; g < groups; ++g) {
-      Pose<G> wide;
-      for (int i = 0; i < W; ++i) {
-        for (int r = 0; r < 3; ++r) {
-          for (int k = 0; k < 3; ++k) set_lane(wide.r[r][k], i, pose[g * W + i].r[r][k]);
-          set_lane(wide.p[r], i, pose[g * W + i].p[r]);
-        }
-        own[t * groups * W + g * W + i].count = 0;
-      }
-      Report report[W];
-      solve_variant(model, v, wide, W, own + t * groups * W + g * W, report);
-      for (int i = 0; i < W; ++i) {
-        size[g * W + i] = report[i].size;
-        trial.open += report[i].unresolved + 100 * report[i].doubtful;
-        const Found& f = own[t * groups * W + g * W + i];
-        for (int k = 0; k < f.count; ++k) insert(all_found[g * W + i], f.q[k], f.sigma[k], f.residual[k], model.prismatic);
-      }
-    }
-    v.typical = median(size, groups * W);
-  }
-  double score[kTried];
-  for (int t = 0; t < kTried; ++t) {
-    score[t] = 1e300;
-    if (trials[t].rank == 0) continue;
-    for (int i = 0; i < groups * W; ++i) {
-      Found f = own[t * groups * W + i];
-      const int before = f.count;
-      for (int k = 0; k < all_found[i].count; ++k) insert(f, all_found[i].q[k], 1, 0, model.prismatic);
-      trials[t].missed += f.count - before;
-    }
-    // losses first, then noise by orders of magnitude, then open ends, then what costs time
-    double noise = trials[t].noise > 1e-15 ? __builtin_log10(trials[t].noise / 1e-15) : 0;
-    score[t] = 1000.0 * trials[t].missed + 3 * noise + 0.5 * trials[t].open + (all[t].pose_free() ? 0 : 2);
+  SelfTest& test = *static_cast<SelfTest*>(__builtin_malloc(sizeof(SelfTest)));
+  make_test_poses(model, test);
+  int tried = 0, clean = 0;
+  // nearby arms only where the arm itself leaves fewer than two ways that lose nothing
+  for (int arm = 0; arm < 3 && clean < 2; ++arm) {
+    for (int t = 0; t < kTried; ++t) try_variant(model, test, arm, t);
+    tried += kTried;
+    for (int t = 0; t < tried; ++t) rate(model, test, t);
+    clean = 0;
+    for (int t = 0; t < tried; ++t) clean += test.score[t] < 1e299 && test.trial[t].missed == 0 && test.variant[t].arm == 0;
   }
   model.variants = 0;
-  for (int n = 0; n < kMaxVariants; ++n) {
+  int nearby = 0;
+  while (model.variants < kMaxVariants) {
     int best = 0;
-    for (int t = 1; t < kTried; ++t)
-      if (score[t] < score[best]) best = t;
-    if (!(score[best] < 1e299)) break;
-    if (trials[best].missed > kTestPoses) break;  // of no use even as a second opinion
-    all[best].open = static_cast<double>(trials[best].open) / kTestPoses;
-    model.variant[model.variants++] = all[best];
-    trials[best].rank = model.variants;
-    score[best] = 1e300;
+    for (int t = 1; t < tried; ++t)
+      if (test.score[t] < test.score[best]) best = t;
+    if (!(test.score[best] < 1e299)) break;
+    test.score[best] = 1e300;
+    if (test.variant[best].arm && ++nearby > 4) continue;  // a few opinions from elsewhere are enough
+    test.variant[best].open = static_cast<double>(test.trial[best].open) / kTestPoses;
+    if (test.variant[best].arm) test.variant[best].open += 1;
+    model.variant[model.variants++] = test.variant[best];
+    test.trial[best].rank = model.variants;
   }
-  __builtin_free(all);
-  __builtin_free(all_found);
-  __builtin_free(own);
+  for (int t = 0; t < kTried; ++t) {
+    trials[t] = test.trial[t];
+    if (trials[t].rank > model.variants) trials[t].rank = 0;
+  }
+  __builtin_free(&test);
+}
+
+// Two arms whose links are turned and moved by about a thousandth: special geometry is gone, and with it what vanished.
+inline void make_nearby(Model& model) {
+  Random random{11};
+  for (int arm = 1; arm < 3; ++arm)
+    for (int k = 0; k < 7; ++k) {
+      model.link[arm][k] = model.link[0][k];
+      if (k == 0 || k == 6) continue;
+      const Pose<double> moved = perturbed(as_pose(model.link[0][k], 1.0), arm == 1 ? 1e-3 : 3e-4, 1.0, random);
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) model.link[arm][k].r[i][j] = moved.r[i][j];
+        model.link[arm][k].p[i] = moved.p[i];
+      }
+    }
 }
 
 // Whether the closed form for three slides returns the joints that made a pose.
@@ -243,7 +306,8 @@ inline bool slides_work(const Model& model) {
 inline bool make_model(const double* links, const std::uint8_t* prismatic, double scale, Model& model, Trial* trials) {
   __builtin_memset(&model, 0, sizeof(Model));
   model.scale = scale;
-  for (int k = 0; k < 7; ++k) model.link[k] = frame_of(links + 16 * k, scale);
+  for (int k = 0; k < 7; ++k) model.link[0][k] = frame_of(links + 16 * k, scale);
+  make_nearby(model);
   for (int k = 0; k < 6; ++k) {
     model.prismatic[k] = prismatic[k] != 0;
     model.prismatic_count += model.prismatic[k];

@@ -48,7 +48,7 @@ inline bool solve_slides(const Model& model, const Pose<double>& pose, Found& fo
     const int from = part == 0 ? 0 : turn[part - 1] + 1, to = part == 3 ? 6 : turn[part];
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) lump[part][i][j] = i == j;
-    for (int k = from; k <= to; ++k) product(lump[part], model.link[k].r, lump[part]);
+    for (int k = from; k <= to; ++k) product(lump[part], model.link[0][k].r, lump[part]);
   }
   double k[3][3];  // R0^T R R3^T
   for (int i = 0; i < 3; ++i)
@@ -70,7 +70,7 @@ inline bool solve_slides(const Model& model, const Pose<double>& pose, Found& fo
   Roles roles;
   roles.assign(0, 0, model.prismatic);
   Frame<double> link[6];
-  role_links(model, roles, pose, link);
+  role_links(model, 0, roles, pose, link);
   for (int side = -1; side <= 1; side += 2) {
     double q[6] = {};
     q[turn[1]] = middle + side * half;
@@ -90,9 +90,9 @@ inline bool solve_slides(const Model& model, const Pose<double>& pose, Found& fo
       q[turn[0]] = __builtin_atan2(k[1][2] * inner[0][2] - k[0][2] * inner[1][2], k[0][2] * inner[0][2] + k[1][2] * inner[1][2]);
       q[turn[2]] = __builtin_atan2(k[2][0] * inner[2][1] - k[2][1] * inner[2][0], k[2][0] * inner[2][0] + k[2][1] * inner[2][1]);
     }
-    double along[3][3], at[3] = {model.link[0].p[0], model.link[0].p[1], model.link[0].p[2]}, r[3][3];
+    double along[3][3], at[3] = {model.link[0][0].p[0], model.link[0][0].p[1], model.link[0][0].p[2]}, r[3][3];
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) r[i][j] = model.link[0].r[i][j];
+      for (int j = 0; j < 3; ++j) r[i][j] = model.link[0][0].r[i][j];
     for (int joint = 0, s = 0; joint < 6; ++joint) {
       if (model.prismatic[joint]) {
         for (int i = 0; i < 3; ++i) along[i][s] = r[i][2];
@@ -105,7 +105,7 @@ inline bool solve_slides(const Model& model, const Pose<double>& pose, Found& fo
           r[i][0] = t;
         }
       }
-      const Frame<double>& l = model.link[joint + 1];
+      const Frame<double>& l = model.link[0][joint + 1];
       for (int i = 0; i < 3; ++i) at[i] += r[i][0] * l.p[0] + r[i][1] * l.p[1] + r[i][2] * l.p[2];
       product(r, l.r, r);
     }

@@ -75,7 +75,7 @@ struct Report {
 template <class F> PIEPER_INLINE void copy_lane(F& to, int i, const F& from, int j) { set_lane(to, i, lane(from, j)); }
 
 template <class F, class G>
-void gather_lane(Eliminated<G>& to, int i, const Eliminated<F>& from, int j) {
+void gather_lane(Eliminated<G>& to, int i, const Eliminated<F>& from, int j, bool nearby) {
   for (int r = 0; r < 6; ++r)
     for (int k = 0; k < 27; ++k) set_lane(to.eq.e[r][k], i, lane(from.eq.e[r][k], j));
   for (int r = 0; r < 6; ++r)
@@ -89,6 +89,9 @@ void gather_lane(Eliminated<G>& to, int i, const Eliminated<F>& from, int j) {
     for (int r = 0; r < 3; ++r) {
       for (int k = 0; k < 3; ++k) set_lane(to.link[l].r[r][k], i, lane(from.link[l].r[r][k], j));
       set_lane(to.link[l].p[r], i, lane(from.link[l].p[r], j));
+      if (!nearby) continue;
+      for (int k = 0; k < 3; ++k) set_lane(to.arm_link[l].r[r][k], i, lane(from.arm_link[l].r[r][k], j));
+      set_lane(to.arm_link[l].p[r], i, lane(from.arm_link[l].p[r], j));
     }
 }
 
@@ -109,13 +112,14 @@ void try_candidates(const Model& model, const Variant& v, const Eliminated<F>& p
     G c3(1.0), s3(0.0);
     for (int i = 0; i < W; ++i) {
       const Candidate& c = list[first + (i < used ? i : used - 1)];
-      gather_lane(group, i, poses, c.pose);
+      gather_lane(group, i, poses, c.pose, v.arm != 0);
       set_lane(c3, i, c.angle);
     }
     sincos(G(c3), s3, c3);
     Joints<G> q;
     complete_candidate(group.eq, group.right, group.link, v.roles, v.chart, v.layout, v.swap, start_vector(start), c3, s3, q);
-    const Closure<G> end = polish(group.link, v.roles, q, steps);
+    Closure<G> end = polish(group.link, v.roles, q, v.arm ? 8 : steps);
+    if (v.arm) end = polish(group.arm_link, v.roles, q, steps);
     double joint[6][W];
     for (int k = 0; k < 6; ++k) store(joint[v.roles.joint[k]], v.roles.prismatic[k] ? q.c[k] : atan2(q.s[k], q.c[k]));
     for (int i = 0; i < used; ++i) {
