@@ -42,3 +42,10 @@ class Symbolic:
 
         task = task or getattr(self._arm.plan, "task", "pose")
         return SingularityEquations(self.jacobian(), numeric=self._arm.jacobian, frames=self._arm.frames, task=task)
+
+    @functools.cache  # noqa: B019
+    def ik(self, *, task: str | None = None):
+        """The derivation of the inverse, or what is true of an arm without a closed form (`InverseEquations`)."""
+        from pieper.symbolic.inverse import InverseEquations
+
+        return InverseEquations(self._arm, task=task)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.symbolic.elimination import Eliminator, Source
+from pieper.symbolic.elimination import Eliminator, Source, branch_values
 from pieper.symbolic.expression import Expr, Num, Sym, Trig, angle_symbol
 from pieper.symbolic.fields import DigitsField, NumpyField
 from pieper.symbolic.table import SymbolTable
@@ -79,7 +79,11 @@ class ClosedForm:
     @property
     def branches(self) -> int:
         """How many combinations of branch signs there are."""
-        return 2 ** len(self.sigmas)
+        return len(self._choices())
+
+    def _choices(self) -> list[tuple[float, ...]]:
+        """All combinations of the branch symbols' values."""
+        return list(itertools.product(*(branch_values(4 if s.base == "rho" else 2) for s in self.sigmas)))
 
     @property
     def formulas(self) -> dict[Sym, Expr]:
@@ -150,7 +154,7 @@ class ClosedForm:
         return tuple(chosen)
 
     def _values(self, T, q) -> dict:
-        signs = np.array(list(itertools.product((1.0, -1.0), repeat=len(self.sigmas)))).reshape(self.branches, -1)
+        signs = np.array(self._choices()).reshape(self.branches, -1)
         values = self.table.constants(NumpyField)
         values |= dict(zip(self.sigmas, (s[:, None] for s in signs.T), strict=True))
         M = np.linalg.inv(self.description.base) @ T
@@ -177,7 +181,7 @@ class ClosedForm:
             start = self.table.constants(field)
             start |= {Sym(c, x, 4): M[r][k] for k, c in enumerate("noap") for r, x in enumerate("xyz")}
             start |= self._given_joints(chosen or [mpmath.mpf(0)] * self.n, field)
-            for signs in itertools.product((1, -1), repeat=len(self.sigmas)):
+            for signs in self._choices():
                 values = start | dict(zip(self.sigmas, map(mpmath.mpf, signs), strict=True))
                 self._run(values, field)
                 found.append([self._joint(values, j, field) for j in range(1, self.n + 1)])

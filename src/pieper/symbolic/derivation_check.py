@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper.errors import PieperError
 from pieper.symbolic.derivation import ClosedForm
+from pieper.symbolic.elimination import branch_values
 from pieper.symbolic.expression import Sym, angle_symbol
 from pieper.symbolic.fields import NumpyField
 
@@ -138,7 +139,7 @@ def _by_formula(form: ClosedForm, T, solutions: np.ndarray, formulas: dict):
         for symbol, expression in step.names:
             values[symbol] = expression.evaluate(values, NumpyField)
         want = truth[step.symbol] if step.symbol in truth else sum(k * truth[angle_symbol(j)] for j, k in step.angle)
-        gaps, signs = [], (1.0, -1.0) if step.sigma is not None else (1.0,)
+        gaps, signs = [], branch_values(1 if step.sigma is None else 4 if step.sigma.base == "rho" else 2)
         for sign in signs:
             if step.sigma is not None:
                 values[step.sigma] = sign
@@ -147,7 +148,7 @@ def _by_formula(form: ClosedForm, T, solutions: np.ndarray, formulas: dict):
             gaps.append(np.broadcast_to(np.abs(gap if slides else np.angle(np.exp(1j * gap))), want.shape))
         gaps = np.where(np.isfinite(gaps), gaps, np.inf)
         if step.sigma is not None:
-            values[step.sigma] = np.where(np.argmin(gaps, axis=0) == 0, 1.0, -1.0)
+            values[step.sigma] = np.array(signs)[np.argmin(gaps, axis=0)]
         best = np.min(gaps, axis=0)
         tried, held, worst = formulas.get(step.symbol, (0, 0, 0.0))
         good = best < CLOSE

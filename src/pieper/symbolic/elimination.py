@@ -26,11 +26,13 @@ from pieper.symbolic.patterns import (
     recognise_slide,
     sign_expression,
 )
+from pieper.symbolic.quartic import recognise_quartics
 from pieper.symbolic.table import SymbolTable, inverse, matmul
 from pieper.symbolic.target import Target
 from pieper.symbolic.unknowns import Knowledge
 
 LONGEST = 90  # terms of one equation; longer ones help nobody
+LONGEST_SQUARES = 44  # terms before squaring
 
 
 @dataclass(frozen=True)
@@ -173,6 +175,20 @@ class Eliminator:
         yield self._sums_of_squares(i, j, seen)
         yield self._inverse_positions(i, j, seen)
 
+    def _quartics(self, rho: Sym):
+        """Options of the last resort: two equations in two unknowns that leave a quartic."""
+        i, j = self.outer
+        seen: set = set()
+        equations = []
+        for a, b, left, right in self._positions(i):
+            if a == i:
+                equations += [e for r in range(3) for e in self._equation(left[r], right[r], Source(a, b, ((r, 3),)), seen)]
+                equations += list(self._squares(left, right, a, b, "squares", seen))
+        for place, (y, recipe, used, polys) in enumerate(
+            recognise_quartics(equations, self.knowledge, self.table.groups, rho)
+        ):
+            yield self._score(recipe, y, used, place), y, used, recipe, polys
+
     def spare_equations(self):
         """Entries of every split in T's own entries: what a finished derivation can still be held against."""
         for a in range(self.n):
@@ -252,7 +268,7 @@ class Eliminator:
         yield Equation(left, right, source)
 
     def _squares(self, left: list[Poly], right: list[Poly], a: int, b: int, kind: str, seen: set):
-        if sum(len(p.terms) for p in (*left, *right)) > LONGEST:
+        if sum(len(p.terms) for p in (*left, *right)) > LONGEST_SQUARES:
             return
         constant = [Poly({key: v for key, v in p.terms.items() if not key[1]}) for p in right]
         constant = [p if self.knowledge.knows(p) else Poly() for p in constant]
@@ -267,14 +283,17 @@ class Eliminator:
         """The next step: the first tier that has one, its best candidate that the witness confirms."""
         sigma = Sym("sigma", str(1 + sum(m.sigma is not None for m in self.moves)), 0)
         name = Sym("k", str(1 + len(self.moves)), 4)
-        for equations in self._tiers():
-            options = sorted(self._options(equations, sigma, name), key=lambda option: option[0])
+        rho = Sym("rho", sigma.sub, 0)
+        searches = [lambda e=e: self._options(e, sigma, name) for e in self._tiers()] + [lambda: self._quartics(rho)]
+        for search in searches:
+            options = sorted(search(), key=lambda option: option[0])
             for _, angle, used, recipe, polys in options:
                 solved = recipe.build()
-                if solved is not None and self.witness.confirms(angle, solved, sigma):
+                mark = rho if solved is not None and solved.branches == 4 else sigma
+                if solved is not None and self.witness.confirms(angle, solved, mark):
                     shown = [*polys, solved.formula, *(x for _, x in solved.definitions)]
                     names = tuple(self.target.show([*shown, *(p for e in used for p in (e.left, e.right))]))
-                    return Move(self.symbol(angle), angle, used, solved, sigma if solved.branches > 1 else None, names)
+                    return Move(self.symbol(angle), angle, used, solved, mark if solved.branches > 1 else None, names)
         return None
 
     def _options(self, equations, sigma: Sym, name: Sym):
@@ -320,7 +339,7 @@ class Eliminator:
         joint = _single_joint(angle)
         left = {j for e in equations for j in e.left.joints() if j not in self.knowledge.joints}
         kinds = ("both functions", "rotated pair", "slide", "homogeneous", "square of a slide", "one function",
-                 "two functions", "quadratic of a slide", "linear pair")  # fmt: skip
+                 "two functions", "quadratic of a slide", "linear pair", "quartic")  # fmt: skip
         # A pair whose determinant may vanish anywhere is worse than two clean branches.
         weak = recipe.kind == "linear pair" and recipe.may_fail
         return (
@@ -384,7 +403,8 @@ class Witness:
         truth = e.symbol(angle).evaluate(self.values, NumpyField) if _single_joint(angle) else sum(
             k * self.values[angle_symbol(j)] for j, k in angle)  # fmt: skip
         hits = []
-        for sign in (1.0, -1.0) if solved.branches > 1 else (1.0,):
+        choices = branch_values(solved.branches)
+        for sign in choices:
             values = _Values(self, self.values)
             values[sigma] = np.full_like(truth, sign)
             for symbol, expression in solved.definitions:
@@ -401,12 +421,17 @@ class Witness:
         if not np.all(np.any(hits, axis=0)):
             return False
         if solved.branches > 1:
-            self.values[sigma] = np.where(hits[0], 1.0, -1.0)
+            self.values[sigma] = np.select(hits, choices)
         if not _single_joint(angle):
             self.values[e.symbol(angle)] = truth
         for symbol, expression in solved.definitions:
             self.values[symbol] = expression.evaluate(self.values, NumpyField)
         return True
+
+
+def branch_values(branches: int) -> tuple[float, ...]:
+    """The values a branch symbol takes: one, two signs, or the numbers of four roots."""
+    return {1: (1.0,), 2: (1.0, -1.0), 4: (1.0, 2.0, 3.0, 4.0)}[branches]
 
 
 def _single_joint(angle: tuple) -> int | None:

@@ -51,6 +51,10 @@ def text(expr: Expr) -> str:
     if isinstance(expr, Power):
         return f"{_wrapped(expr.base, text, 9)}^{expr.power}"
     if isinstance(expr, Call):
+        if expr.name == "quartic":
+            return f"2*atan(t), t real root number {text(expr.args[-1])} of " + " + ".join(
+                f"{text(e)}*t^{4 - k}" if k < 3 else f"{text(e)}*t" if k == 3 else text(e)
+                for k, e in enumerate(expr.args[:-1])) + " = 0"  # fmt: skip
         return f"{TEXT_FUNCTION.get(expr.name, expr.name)}({', '.join(map(text, expr.args))})"
     raise TypeError(f"cannot print {type(expr).__name__}")
 
@@ -80,6 +84,9 @@ def latex(expr: Expr) -> str:
     if isinstance(expr, Call):
         if expr.name == "sqrt":
             return rf"\sqrt{{{latex(expr.args[0])}}}"
+        if expr.name == "quartic":
+            e4, e3, e2, e1, e0, k = map(latex, expr.args)
+            return rf"2\arctan t_{{{k}}},\quad {e4} t^4 + {e3} t^3 + {e2} t^2 + {e1} t + {e0} = 0"
         if expr.name == "abs":
             return rf"\left|{latex(expr.args[0])}\right|"
         return rf"{LATEX_FUNCTION[expr.name]}\left({', '.join(map(latex, expr.args))}\right)"
@@ -113,6 +120,12 @@ def mathml(expr: Expr) -> str:
     if isinstance(expr, Call):
         if expr.name == "sqrt":
             return f"<msqrt>{mathml(expr.args[0])}</msqrt>"
+        if expr.name == "quartic":
+            *e, k = map(mathml, expr.args)
+            powers = [f"<msup><mi>t</mi><mn>{p}</mn></msup>" for p in (4, 3, 2)] + ["<mi>t</mi>", ""]
+            sum_ = "<mo>+</mo>".join(a + p for a, p in zip(e, powers, strict=True))
+            return (f"<mrow><mn>2</mn><mi>arctan</mi><msub><mi>t</mi>{k}</msub><mo>,</mo><mspace width='1em'/>"
+                    f"{sum_}<mo>=</mo><mn>0</mn></mrow>")  # fmt: skip
         if expr.name == "abs":
             return f"<mrow><mo>|</mo>{mathml(expr.args[0])}<mo>|</mo></mrow>"
         name = {"acos": "arccos", "asin": "arcsin", "sign": "sgn"}.get(expr.name, expr.name)
