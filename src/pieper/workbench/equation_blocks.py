@@ -10,9 +10,9 @@ import pieper
 #: Formulas longer than this are not typeset: the browser would stand still for seconds.
 LONGEST_FORMULA = 30_000
 _DISPLAY = re.compile(
-    r"\\\[(.*?)\\\]|\$\$(.*?)\$\$|\\begin\{(align\*?|equation\*?|gather\*?)\}(.*?)\\end\{\3\}", re.DOTALL
+    r"\\\[(.*?)\\\]|\\begin\{(align\*?|equation\*?|gather\*?)\}(.*?)\\end\{\2\}", re.DOTALL
 )
-_HEADING = re.compile(r"\\(?:section|subsection|subsubsection|paragraph)\*?\{([^{}]*)\}")
+_HEADING = re.compile(r"\\(?:section|subsection|subsubsection|paragraph)\*?\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}")
 
 
 def forward_blocks(arm: pieper.Arm, lengths: str) -> list[dict[str, Any]]:
@@ -57,8 +57,8 @@ def blocks_of_latex(text: str) -> list[dict[str, Any]]:
     at = 0
     for found in _DISPLAY.finditer(text):
         blocks += _sentences(text[at : found.start()])
-        plain, dollars, kind, body = found.groups()
-        inner = plain or dollars or body or ""
+        plain, kind, body = found.groups()
+        inner = plain or body or ""
         if kind and kind.startswith("align"):
             inner = rf"\begin{{aligned}}{inner}\end{{aligned}}"
         elif kind and kind.startswith("gather"):
@@ -87,7 +87,7 @@ def _prose(text: str) -> list[dict[str, Any]]:
 
 def _plain(text: str) -> str:
     """Return a LaTeX sentence as words; formulas between dollars are kept for the page to typeset."""
-    parts = re.split(r"(\$[^$]*\$)", text.replace(r"\(", "$").replace(r"\)", "$"))
+    parts = re.split(r"(\$[^$]*\$)", text.replace(r"\(", "$").replace(r"\)", "$").replace("$$", ""))
     for i in range(0, len(parts), 2):
         words = re.sub(r"\\(?:begin|end)\{[a-z*]+\}(?:\[[^\]]*\])?", " ", parts[i])
         words = re.sub(r"\\item\b\s*", "\n• ", words)

@@ -167,13 +167,13 @@ def report(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     q = vector(message.get("q"), arm.n, "q")
     progress({"note": "Writing the report …"})
     try:
-        from pieper.presentation.report import report as write_report
+        from pieper.presentation.report import write_report
     except ImportError as missing:
         raise Refused(f"Reports are not available in this installation ({missing}).") from None
     with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
         _go_on(stop)
         path = Path(folder) / "report.html"
-        write_report(arm, path, q=q)
+        write_report(arm, path, pose=arm.fk(q))
         return {"html": path.read_text(encoding="utf-8"), "name": f"{_file_name(arm.name)}-report.html"}
 
 

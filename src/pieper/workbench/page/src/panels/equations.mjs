@@ -12,7 +12,7 @@ async function katex() {
 
 /** A sentence; what stands between dollars is a formula. */
 function prose(k, text) {
-  return h('p', { class: 'prose' }, text.split('$').map((part, i) => {
+  return h('span', {}, text.split('$').map((part, i) => {
     if (i % 2 === 0) return part;
     const el = h('span');
     try { k.render(part, el, { throwOnError: true, strict: false, trust: false }); } catch { el.textContent = part; }
@@ -54,8 +54,8 @@ export const equations = {
     }
     /** Text, a formula, or a formula whose present value stands beside it. */
     function block(k, b) {
-      if (b.heading) return h('h3', { text: b.heading });
-      if (b.text) return prose(k, b.text);
+      if (b.heading) return h('h3', {}, prose(k, b.heading));
+      if (b.text) return h('p', { class: 'prose' }, prose(k, b.text));
       const el = h('div', { class: 'formula' });
       try { k.render(b.latex, el, { displayMode: true, throwOnError: true, strict: false, trust: false, maxSize: 20, maxExpand: 1000 }); } catch { el.replaceChildren(h('code', { text: b.latex })); }
       if (b.entry === undefined) return el;
