@@ -73,17 +73,15 @@ class Picture:
 
 @dataclass(frozen=True)
 class Formula:
-    """A displayed formula in three notations, and what it weighs on the line.
+    """A displayed formula, or several with words between them, in two notations.
 
     Attributes:
         mathml: One or more <math> elements; <p> elements between them are allowed.
         latex: LaTeX source that sets the same, displays included.
-        size: Length of the plain-text form, by which long formulas are set smaller.
     """
 
     mathml: str
     latex: str
-    size: int = 60
 
 
 @dataclass(frozen=True)

@@ -5,12 +5,22 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from pieper.presentation.document import Code, Document, Formula, Formulas, Heading, Lines, Picture, Table, Text, escaped, marked
+from pieper.presentation.document import (
+    Code,
+    Document,
+    Formula,
+    Formulas,
+    Heading,
+    Lines,
+    Picture,
+    Table,
+    Text,
+    escaped,
+    marked,
+)
+from pieper.presentation.mathml_fit import fitted
 from pieper.presentation.style import svg
 
-#: Characters of plain text that fit on one line at full size.
-LINE = 98
-SMALLEST = 0.5
 FOOTER = "Made by pieper. Lengths are in millimetres and angles in degrees unless another unit is printed."
 
 #: The look of a page, on screen and on paper.
@@ -65,9 +75,7 @@ class _Body:
         if isinstance(block, Picture):
             return self._picture(block)
         if isinstance(block, Formula):
-            share = max(SMALLEST, min(1.0, LINE / max(block.size, 1)))
-            size = f' style="font-size:{share:.2f}em"' if share < 1 else ""
-            return f'<div class="formula"{size}>{block.mathml}</div>'
+            return f'<div class="formula">{fitted(block.mathml)}</div>'
         if isinstance(block, Formulas):
             return f'<div class="beside">{"".join(self._block(f) for f in block.formulas)}</div>'
         if isinstance(block, Code):
@@ -94,7 +102,7 @@ class _Body:
             cells = "".join(f'<td class="{s}">{inline(c)}</td>' for s, c in zip(side, row, strict=True))
             rows.append(f"<tr{' class=strong' if i in block.strong else ''}>{cells}</tr>")
         caption = f"<caption><b>Table {self.tables}.</b> {inline(block.caption)}</caption>" if block.caption else ""
-        long = " long" if len(block.rows) > 22 else ""
+        long = (" long" if len(block.rows) > 22 else "") + (" dense" if len(block.head) > 8 else "")
         return (
             f'<div class="wide{long}"><table>{caption}<thead><tr>{head}</tr></thead>'
             f"<tbody>{''.join(rows)}</tbody></table></div>"

@@ -89,14 +89,16 @@ def _block(block: object, folder: str, files: dict[str, bytes]) -> str:
         block.figure.savefig(out, format="pdf", metadata={"CreationDate": None})
         files[name] = out.getvalue()
         return (
-            "\\begin{figure}[htbp]\n\\centering\n"
+            "\\begin{figure}[!htbp]\n\\centering\n"
             rf"\includegraphics[width={min(block.width, 1.0):.2f}\linewidth]{{{name}}}"
             "\n" + rf"\caption{{{inline(block.caption)}}}" + "\n\\end{figure}"
         )
     if isinstance(block, Formula):
         return fitted(block.latex)
     if isinstance(block, Formulas):
-        return "\n".join(fitted(f.latex) for f in block.formulas)
+        bodies = [f.latex.strip().removeprefix(r"\[").removesuffix(r"\]").strip() for f in block.formulas]
+        rows = [r" \qquad ".join(bodies[k : k + 3]) for k in range(0, len(bodies), 3)]
+        return "\n".join(rf"\[ \fitted{{{row}}} \]" for row in rows)
     if isinstance(block, Code):
         body = "\n".join("".join(c if ord(c) < 128 else _plain(c) for c in line) for line in block.text.splitlines())
         return "{\\small\n\\begin{verbatim}\n" + body + "\n\\end{verbatim}\n}"
@@ -119,7 +121,7 @@ def _table(block: Table) -> str:
     width = sum(max(len(str(row[i])) for row in (block.head, *block.rows)) + 2 for i in range(len(block.head)))
     if width > 88:
         inside = r"\resizebox{\linewidth}{!}{%" + "\n" + inside + "}"
-    return "\\begin{table}[htbp]\n\\centering\\small\n" + caption + "\n" + inside + "\n\\end{table}"
+    return "\\begin{table}[!htbp]\n\\centering\\small\n" + caption + "\n" + inside + "\n\\end{table}"
 
 
 _DISPLAY = re.compile(r"\\\[(.*?)\\\]", re.S)

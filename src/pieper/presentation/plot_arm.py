@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper.kinematics.forward import checked_joints
 from pieper.presentation.draw3d import MM, draw_arm, draw_axes_lines, draw_frame, draw_shadow, space_axes
-from pieper.presentation.skeleton import extent, skeleton
+from pieper.presentation.skeleton import Skeleton, extent, skeleton
 from pieper.presentation.style import AXES, COLOURS, FAINT, INK, new_figure
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def arm_figure(arm: Arm, q: np.ndarray | None = None, *, title: str = "") -> Fig
     centre, half = extent(parts.polyline, np.zeros((1, 3)))
     size = 2 * half
     figure = new_figure(6.4, 5.8)
-    axes = space_axes(figure, 111, centre, half * 1.12, title=title)
+    axes = space_axes(figure, 111, centre, half * 1.12, title=title, view=good_view(parts))
     draw_shadow(axes, parts)
     draw_arm(axes, parts, size)
     draw_axes_lines(axes, parts, size)
@@ -81,6 +81,38 @@ def configuration_figure(
     return figure
 
 
+def postures_figure(arm: Arm, postures: np.ndarray, titles: list[str]) -> Figure:
+    """Draw an arm in several postures side by side.
+
+    Args:
+        arm: The arm.
+        postures: (k, n), rad or m.
+        titles: One text a posture.
+
+    Returns:
+        The figure.
+    """
+    everything = [skeleton(arm, q) for q in postures]
+    figure = new_figure(3.5 * len(everything), 3.6)
+    for k, (parts, title) in enumerate(zip(everything, titles, strict=True)):
+        centre, half = extent(parts.polyline)
+        axes = space_axes(figure, (1, len(everything), k + 1), centre, half, title=title, view=good_view(parts))
+        draw_shadow(axes, parts)
+        draw_arm(axes, parts, 2 * half)
+        draw_axes_lines(axes, parts, 2 * half)
+        draw_frame(axes, parts.frames[-1], 0.11 * 2 * half, names=True, width=2.0)
+    return figure
+
+
+def good_view(parts: Skeleton) -> tuple[float, float]:
+    """Return elevation and azimuth, deg, that look across the plane an arm stands in rather than along it."""
+    flat = parts.polyline[:, :2] - parts.polyline[0, :2]
+    far = flat[np.argmax(np.linalg.norm(flat, axis=1))]
+    if np.linalg.norm(far) < 0.05 * np.ptp(parts.polyline, axis=0).max():
+        return 22.0, -58.0
+    return 22.0, float(np.degrees(np.arctan2(far[1], far[0]))) - 58.0
+
+
 def solutions_figure(
     arm: Arm, q: np.ndarray | Solutions, *, labels: list[str] | None = None, columns: int = 4
 ) -> Figure:
@@ -106,11 +138,12 @@ def solutions_figure(
         figure.text(0.5, 0.5, "no solution", ha="center", va="center", color=INK)
         return figure
     centre, half = extent(*(p.polyline for p in everything))
+    view = good_view(everything[0])
     columns = min(columns, len(q))
     rows = -(-len(q) // columns)
     figure = new_figure(2.9 * columns, 3.1 * rows)
     for i, parts in enumerate(everything):
-        axes = space_axes(figure, (rows, columns, i + 1), centre, half)
+        axes = space_axes(figure, (rows, columns, i + 1), centre, half, view=view)
         for other in everything:
             if other is not parts:
                 axes.plot(

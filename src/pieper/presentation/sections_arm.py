@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pieper.errors import PieperError
 from pieper.presentation.document import Document, Formula, Formulas, Heading, Lines, Picture
-from pieper.presentation.plot_arm import arm_figure
+from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import reach_figure, reach_samples
 
 if TYPE_CHECKING:
@@ -36,7 +37,8 @@ def joint_value(arm: Arm, joint: int, value: float, digits: int = 3) -> str:
 def joint_heads(arm: Arm) -> list[str]:
     """Return one table heading a joint, with its unit."""
     return [
-        f"{name},\u00a0{'°' if kind == 'R' else 'mm'}" for name, kind in zip(short_names(arm), arm.joint_types, strict=True)
+        f"{name},\u00a0{'°' if kind == 'R' else 'mm'}"
+        for name, kind in zip(short_names(arm), arm.joint_types, strict=True)
     ]
 
 
@@ -193,19 +195,16 @@ def add_forward(page: Document, arm: Arm) -> None:
             for matrix in halves:
                 page.add(_matrix(matrix))
         page.add("The pose of the tool, entry by entry; n, o, a are the columns of the rotation and p is the position:")
-        texts = forward.pose.equations()
-        for plain, tex, ml in zip(
-            texts, forward.pose.equations("latex"), forward.pose.equations("mathml"), strict=True
-        ):
-            page.add(Formula(formula(ml, block=True), rf"\[ {tex} \]", len(plain)))
+        shown = "".join(formula(line, block=True) for line in forward.pose.equations("mathml"))
+        lines = " \\\\\n".join(rf"\fitted{{{line}}}" for line in forward.pose.equations("latex"))
+        page.add(Formula(shown, f"\\begin{{gather*}}\n{lines}\n\\end{{gather*}}"))
         page.add(str(forward.check()))
 
     attempt(page, "The equations", equations)
 
 
 def _matrix(matrix) -> Formula:
-    widest = max(len(line) for line in matrix.text().splitlines())
-    return Formula(matrix.mathml(), rf"\[ {matrix.latex()} \]", widest)
+    return Formula(matrix.mathml(), rf"\[ {matrix.latex()} \]")
 
 
 def add_derivation(page: Document, arm: Arm) -> None:
@@ -214,9 +213,10 @@ def add_derivation(page: Document, arm: Arm) -> None:
 
     def derived() -> None:
         inverse = arm.symbolic.ik()
-        page.add(Formula(inverse.mathml(), inverse.latex(), 90))
-        if hasattr(inverse, "check"):
-            page.add(str(inverse.check()))
+        # the section's own heading says what it is
+        mathml = re.sub(r"^\s*<h2>.*?</h2>", "", inverse.mathml(), count=1, flags=re.S)
+        latex = re.sub(r"^\s*\\(?:sub)?section\*\{[^}]*\}", "", inverse.latex(), count=1)
+        page.add(Formula(mathml, latex))
 
     attempt(page, "The derivation", derived)
 
@@ -227,21 +227,16 @@ def add_singularities(page: Document, arm: Arm) -> None:
 
     def found() -> None:
         equations = arm.symbolic.singularities()
-        page.add(Formula(equations.mathml(), equations.latex(), 90))
+        page.add(Formula(equations.mathml(), equations.latex()))
         page.add(str(equations.check()))
-        shown = 0
-        for configuration in equations.configurations:
-            if len(configuration.samples) and shown < 4:
-                shown += 1
-                words = " ".join(configuration.words)
-                page.add(
-                    Picture(
-                        arm_figure(arm, _tame(arm, configuration.samples)),
-                        f"A {configuration.kind} singularity. {words}",
-                        f"singular-{shown}-{configuration.kind}",
-                        0.62,
-                    )
-                )
+        seen = [c for c in equations.configurations if len(c.samples)][:3]
+        if seen:
+            titles = [f"{chr(97 + k)}) {c.kind}" for k, c in enumerate(seen)]
+            words = "; ".join(f"{chr(97 + k)}) {c.words[0].rstrip('.').lower()}" for k, c in enumerate(seen))
+            figure = postures_figure(arm, np.array([_tame(arm, c.samples) for c in seen]), titles)
+            page.add(
+                Picture(figure, f"The arm in singular configurations: {words}.", "singular", min(1.0, 0.36 * len(seen)))
+            )
 
     attempt(page, "The list of singular configurations", found)
 

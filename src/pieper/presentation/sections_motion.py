@@ -49,14 +49,14 @@ def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "sol
     for i, q in enumerate(rows_q):
         outside = np.maximum(arm.limits[:, 0] - q, q - arm.limits[:, 1])
         where = "none" if inside[i] else arm.joint_names[int(np.argmax(outside))]
-        values = [joint_value(arm, j, v, 3) for j, v in enumerate(q)]
-        miss = (scientific(residual[i, 0] * MM), scientific(np.degrees(residual[i, 1])))
-        rows.append([str(i + 1), *values, labels[i], where, *miss])
+        values = [joint_value(arm, j, v, 2) for j, v in enumerate(q)]
+        rows.append([str(i + 1), *values, labels[i], where, scientific(residual[i, 0] * MM)])
     n = arm.n
     page.table(
-        ["", *joint_heads(arm), "posture", "limit broken", "missing,\u00a0mm", "missing,\u00a0°"],
+        ["", *joint_heads(arm), "posture", "limit broken", "missing,\u00a0mm"],
         rows,
-        "Every solution of the pose, each put back through forward kinematics; on the right what is then missing.",
+        "Every solution of the pose, each put back through forward kinematics: on the right what is then missing. "
+        f"The orientation is met to within {scientific(np.degrees(residual[:, 1].max()))}°.",
         left=(0, n + 1, n + 2),
         strong=tuple(int(i) for i in np.flatnonzero(inside)) if not inside.all() else (),
     )

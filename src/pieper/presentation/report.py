@@ -1,0 +1,192 @@
+"""The report of an arm: everything that can be said about it on one page that reads like a paper."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pieper.errors import PieperError, PlanError
+from pieper.kinematics.pose import checked_pose
+from pieper.presentation.document import Document
+from pieper.presentation.html_page import page as html_page
+from pieper.presentation.plot_reach import joint_range
+from pieper.presentation.sections_arm import (
+    MM,
+    add_arm,
+    add_derivation,
+    add_forward,
+    add_plan,
+    add_reach,
+    add_singularities,
+)
+from pieper.presentation.sections_motion import add_solutions, add_track, scientific
+from pieper.presentation.writing import write_whole
+
+if TYPE_CHECKING:
+    from pieper.arm import Arm
+    from pieper.motion.track import Track
+
+#: Joint vectors from which the pose of the report is chosen.
+CANDIDATES = 200
+
+
+def report(arm: Arm, *, pose: np.ndarray | None = None, track: Track | None = None) -> Document:
+    """Return the report of an arm as a document.
+
+    Args:
+        arm: The arm.
+        pose: (4, 4) the pose to solve, m; one with many solutions is chosen when left out.
+        track: A path study to include.
+
+    Returns:
+        The document, to be written by `html_page.page` or `latex_page.source`.
+
+    Raises:
+        InputError: pose is not a pose.
+    """
+    given = pose is not None
+    page = Document(f"Kinematics of the {arm.name}", _subtitle(arm))
+    add_arm(page, arm)
+    add_plan(page, arm)
+    add_peculiarities(page, arm)
+    add_forward(page, arm)
+    add_derivation(page, arm)
+    solved = _solved(page, arm, checked_pose(pose, "pose") if given else None)
+    add_singularities(page, arm)
+    add_reach(page, arm)
+    if track is not None:
+        page.section("A path")
+        add_track(page, arm, track)
+    page.summary = _summary(arm, solved, track)
+    return page
+
+
+def write_report(
+    arm: Arm, out: Path, *, latex: Path | None = None, pose: np.ndarray | None = None, track: Track | None = None
+) -> list[Path]:
+    """Write the report of an arm, each file whole or not at all.
+
+    Args:
+        arm: The arm.
+        out: The HTML page.
+        latex: Where to write the same as LaTeX source, its figures in a folder beside it; not written when left out.
+        pose: As in `report`.
+        track: As in `report`.
+
+    Returns:
+        The files that were written, the page first.
+
+    Raises:
+        InputError: A place that cannot be written.
+    """
+    page = report(arm, pose=pose, track=track)
+    written = [write_whole(out, html_page(page))]
+    if latex is not None:
+        from pieper.presentation.latex_page import source, write_beside
+
+        text, figures = source(page, folder=f"{latex.stem}-figures")
+        written += [*write_beside(latex, figures), write_whole(latex, text)]
+    return written
+
+
+def _subtitle(arm: Arm) -> str:
+    d = arm.description
+    kinds = "".join(arm.joint_types)
+    return f"{kinds}, {d.manufacturer}" if d.manufacturer else kinds
+
+
+def good_pose(arm: Arm) -> np.ndarray:
+    """Return the pose (4, 4) of a posture inside the limits that is far from singular and has many solutions there."""
+    low, high = joint_range(arm)
+    rng = np.random.default_rng(11)
+    q = low + (high - low) * (0.08 + 0.84 * rng.random((CANDIDATES, arm.n)))
+    T = arm.fk(q)
+    many = arm.ik_many(T)
+    J = arm.jacobian(q) * np.array([1 / arm.chain.length] * 3 + [1.0] * 3)[:, None]
+    sigma = np.linalg.svd(J, compute_uv=False)
+    stiff = sigma[:, -1] / sigma[:, 0]
+    # far from singularities, and a little for each solution that can be used
+    return T[int(np.argmax(stiff * (1 + 0.15 * many.in_limits.sum(1))))]
+
+
+def _solved(page: Document, arm: Arm, pose: np.ndarray | None):
+    page.section("A pose and all its solutions")
+    try:
+        T = good_pose(arm) if pose is None else pose
+        sols = arm.ik(T)
+    except PlanError as error:
+        page.add(f"No pose is solved here: {error}")
+        return None
+    if pose is None:
+        page.add(
+            f"Of {CANDIDATES} random postures inside the limits, this pose's is among the farthest from singular."
+        )
+    add_solutions(page, arm, sols)
+    return sols
+
+
+def add_peculiarities(page: Document, arm: Arm) -> None:
+    """Add what is peculiar about an arm, in words; nothing when nothing is."""
+    d, notes = arm.description, []
+    wide = [
+        d.joint_names[i] for i, (a, b) in enumerate(d.limits) if arm.joint_types[i] == "R" and b - a > 2 * np.pi + 1e-9
+    ]
+    finite = [name for name in wide if np.isfinite(d.limits[d.joint_names.index(name)]).all()]
+    if finite:
+        notes.append(
+            f"The range of {_and(finite)} is wider than one turn, so that one solution may be reached in several turns."
+        )
+    endless = [d.joint_names[i] for i, limits in enumerate(d.limits) if not np.isfinite(limits).any()]
+    if endless:
+        notes.append(f"No limit is known for {_and(endless)}.")
+    try:
+        plan = arm.plan
+    except PieperError:
+        plan = None
+    if plan is not None:
+        if arm.n < 6 and plan.task == "pose":
+            notes.append(
+                f"With {arm.n} joints the arm cannot take an arbitrary pose: a pose is solved when it lies in what "
+                "the arm can do."
+            )
+        if plan.task != "pose":
+            notes.append(
+                f"What is asked of this arm is not a full pose but the {plan.task.replace('+', ' and the tool ')}."
+            )
+        if plan.rank < min(arm.n, 6):
+            notes.append(
+                f"Although it has {arm.n} joints it can do only {plan.rank} things at once: some joints repeat one "
+                "another."
+            )
+        if plan.redundancy:
+            notes.append(f"It has more joints than the task needs; {_and(list(plan.redundancy))} may be chosen freely.")
+        if plan.snapped:
+            notes.append(f"Its geometry was taken as special where it is nearly so: {'; '.join(plan.snapped)}.")
+        if plan.direct and plan.family in ("general", "offset_wrist"):
+            notes.append(
+                f"Can it pass from one solution to another without meeting a singularity? It is {plan.cuspidal}."
+            )
+    if notes:
+        page.section("What is peculiar about it", *notes)
+
+
+def _and(words: list[str]) -> str:
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def _summary(arm: Arm, sols, track: Track | None) -> str:
+    text = f"The {arm.name} has {arm.n} joints ({arm.joint_types})."
+    try:
+        text += f" A pose has at most {arm.plan.max_solutions} solutions."
+    except PieperError:
+        text += " It is beyond the solver; its geometry and forward kinematics are given."
+    if sols is not None:
+        text += f" The pose solved here has {len(sols.all_q)}, {len(sols.q)} of them inside the joint limits"
+        if len(sols.q):
+            text += f", put back to within {scientific(sols.residual[:, 0].max() * MM)} mm"
+        text += "."
+    if track is not None:
+        text += f" The path is followed over {len(track.q)} of its {len(track.path)} points."
+    return text
