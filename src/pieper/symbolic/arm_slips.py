@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from pieper.symbolic.tree import Node, add, negated, num, sym
-from pieper.symbolic.truth import ArmModel
+from pieper.symbolic.truth import ArmModel, renamed
 
 ARM_KINDS = {
     "convention": "standard for modified DH",
@@ -80,12 +80,8 @@ def axis_renamings() -> Iterator[tuple[str, np.ndarray]]:
 
 
 def _turned(model: ArmModel, index: int, change) -> ArmModel:
-    from pieper.symbolic.tree import substitute
-
     name = f"theta{index + 1}"
-    # a mark keeps the substitution from running into itself
-    marked = substitute(model.rows[index].theta, {name: change(sym("__joint"))})
-    return model.with_row(index, theta=substitute(marked, {"__joint": sym(name)}))
+    return model.with_row(index, theta=renamed(model.rows[index].theta, {name: change(sym(name))}))
 
 
 def _value(model: ArmModel, node: Node) -> float:

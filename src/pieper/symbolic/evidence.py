@@ -35,6 +35,7 @@ class Evidence:
 
     def define(self, name: str, text: str):
         """Add a symbol of the file; "?" marks one that the source uses and never defines."""
+        name = plain(name)
         if name in self.model.names() or name in self.model.aliases:
             raise InputError(
                 f"the symbol {name!r} already means something for this arm; choose another name", symbol=name
@@ -49,7 +50,7 @@ class Evidence:
         """Read a formula of a claim; `where` holds definitions of this claim alone, which go into the formula itself."""
         local: dict[str, Node] = {}
         for name, body in (where or {}).items():
-            local[name] = substitute(parse_for(self.model, str(body), set(self.definitions) | set(local)), local)
+            local[plain(name)] = substitute(parse_for(self.model, str(body), set(self.definitions) | set(local)), local)
         node = parse_for(self.model, text, set(self.definitions) | set(local))
         return substitute(node, local) if local else node
 
@@ -153,6 +154,11 @@ class Evidence:
         env = self.environment(frame)
         out = Target(env, wanted, angle, 1e-3 * max(1.0, self.model.length()))
         return out if rows is None else out.restrict(rows)
+
+
+def plain(name: str) -> str:
+    """Return a symbol's name as formulas hold it, without the marks of subscripts."""
+    return name.translate(str.maketrans("", "", "_{}"))
 
 
 def tried_text(explanation: Explanation, arms_tried: dict[str, int] | None = None) -> str:

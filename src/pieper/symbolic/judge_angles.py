@@ -10,7 +10,7 @@ from pieper.errors import InputError, PieperError
 from pieper.symbolic.difference import agreeing_digits
 from pieper.symbolic.evidence import SOLVER_POSES, Evidence, tried_text
 from pieper.symbolic.judge_freedom import completes, undetermined
-from pieper.symbolic.matrices import parse_product
+from pieper.symbolic.matrices import parse_product, value_of
 from pieper.symbolic.regions import find_region, region_features, zero_denominators
 from pieper.symbolic.slip_search import ANGLE_TOLERANCE, search
 from pieper.symbolic.slips import slips
@@ -143,7 +143,7 @@ def _joint_holds(ev: Evidence, claim, text, says, node, env, angle, wanted, fram
             else "which sign belongs to a solution follows no simple region",
         )
     ]
-    verdict, why = _both_signs(ev, node, angle)
+    verdict, why = _both_signs(ev, node, angle, frame)
     if why:
         details.append(("both signs", why))
     if verdict is False:
@@ -163,32 +163,37 @@ def _joint_holds(ev: Evidence, claim, text, says, node, env, angle, wanted, fram
     )
 
 
-def _both_signs(ev: Evidence, node: Node, angle: Node) -> tuple[bool | None, str]:
+def _both_signs(ev: Evidence, node: Node, angle: Node, frame) -> tuple[bool | None, str]:
     """Say whether, with the joints the formula uses held, both signs can be completed to solutions of the pose."""
     target = ANGLE.match(str(angle))
-    if not target:
+    part = ev.model.between(str(frame)) if frame is not None else (ev.model, 0)
+    if not target or part is None:
         return None, ""
-    joint = int(target.group(1))
+    model, before = part
+    joint = int(target.group(1)) - before
+    poses = value_of(frame, ev.samples.frames) if frame is not None else ev.samples.frames["T"]
     given = {int(ANGLE.match(s).group(1)) for s in substitute(node, ev.definitions).symbols() if ANGLE.match(s)}
+    given = {j for j in given if before < j <= before + model.n and j - before != joint}
+    env = ev.environment(frame)
     checked = both = 0
+    with np.errstate(all="ignore"):
+        values = np.array([np.broadcast_to(_wrap(evaluate(node, env, NUMPY, b)), len(poses)) for b in (1, -1)])
     for k in np.flatnonzero(ev.samples.nominal)[:SOLVER_POSES]:
-        env = {name: v[k] for name, v in ev.samples.env.items()}
-        q = ev.samples.q[k]
-        values = [float(_wrap(evaluate(node, env, NUMPY, b))) for b in (1, -1)]
-        if not np.all(np.isfinite(values)) or abs(_wrap(values[0] - values[1])) < 1e-6:
+        q = ev.samples.q[k, before : before + model.n]
+        if not np.all(np.isfinite(values[:, k])) or abs(_wrap(values[0, k] - values[1, k])) < 1e-6:
             continue
-        other = max(values, key=lambda v: abs(_wrap(v - q[joint - 1])))
-        held = {j: q[j - 1] for j in given if j != joint} | {joint: other}
+        other = max(values[:, k], key=lambda v: abs(_wrap(v - q[joint - 1])))
+        held = {j - before: q[j - before - 1] for j in given} | {joint: other}
         checked += 1
-        both += completes(ev.model, ev.samples.frames["T"][k], held, q)
+        both += completes(model, poses[k], held, q)
     if not checked:
         return None, ""
-    given_words = " and ".join(f"theta{j}" for j in sorted(given)) or "the pose"
+    words = "for the same " + " and ".join(f"theta{j}" for j in sorted(given)) if given else "of the pose"
     if both == checked:
-        return True, f"both are solutions for the same {given_words} at {both} of {checked} poses"
+        return True, f"both are solutions {words}, at {both} of {checked} poses"
     if both == 0:
-        return False, f"only one is a solution for the same {given_words}, at all of {checked} poses"
-    return None, f"both are solutions for the same {given_words} at {both} of {checked} poses"
+        return False, f"only one is a solution {words}, at all of {checked} poses"
+    return None, f"both are solutions {words} at {both} of {checked} poses"
 
 
 def judge_together(ev: Evidence, claim: dict) -> Verdict:

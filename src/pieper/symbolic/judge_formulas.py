@@ -6,7 +6,7 @@ import numpy as np
 
 from pieper.errors import InputError
 from pieper.symbolic.difference import agreeing_digits, difference_from_matrix, simplified_difference
-from pieper.symbolic.evidence import Evidence, number, tried_text
+from pieper.symbolic.evidence import Evidence, number, plain, tried_text
 from pieper.symbolic.matrices import Product, parse_product, product_slips, value_of
 from pieper.symbolic.regions import find_region, region_features, zero_denominators
 from pieper.symbolic.slip_search import Target, search
@@ -39,7 +39,7 @@ def judge_equation(ev: Evidence, claim: dict) -> Verdict:
 
     text = str(claim["is"])
     model = ev.model
-    where = claim.get("where") or {}
+    where = {plain(k): v for k, v in (claim.get("where") or {}).items()}
     names = model.names() | set(model.aliases) | set(ev.definitions) | set(where)
     left, right = parse_equation(text, names, model.n)
     local = {

@@ -48,7 +48,7 @@ def misprint(printed, right: float) -> str:
     a, b = text.lstrip("-").replace("+", ""), correct.lstrip("-")
     if a == b or (text[:1] == "-") != (correct[:1] == "-"):
         return ""
-    if len(a) == len(b):
+    if len(a) == len(b) and len(a) > 1:
         differ = [k for k in range(len(a)) if a[k] != b[k]]
         if len(differ) == 1:
             return f"one digit ({correct})"
@@ -97,7 +97,9 @@ def read_joints(claim: dict, model: ArmModel, key: str = "q") -> np.ndarray:
         elif model.sliding(k + 1):
             out[k] = quantity(value) if isinstance(value, str) else float(value)
         else:
-            angle = quantity(value) if isinstance(value, str) else read_number(value)
+            angle = (
+                quantity(value) if isinstance(value, str) and any(c in value for c in "pi/*(") else read_number(value)
+            )
             out[k] = np.radians(angle) if found[0].endswith("_deg") else angle
     if not np.all(np.isfinite(out)):
         raise InputError(f"claim {name}: {found[0]} holds a value that is not finite", claim=name)

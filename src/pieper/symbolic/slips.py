@@ -184,6 +184,16 @@ def _call_slips(node: Node, slip, joints: int) -> Iterator[Slip]:
 
 
 def _index_variants(parts, joints: int) -> Iterator[tuple]:
+    """Yield the sums of joints that differ in one index, added ones in rising order as they are written."""
+    seen = {parts}
+    for new in _variants(parts, joints):
+        new = tuple(sorted(new, key=lambda p: p[1])) if all(s > 0 for s, _ in new) else new
+        if new not in seen:
+            seen.add(new)
+            yield new
+
+
+def _variants(parts, joints: int) -> Iterator[tuple]:
     used = {j for _, j in parts}
     for k, (s, j) in enumerate(parts):
         for other in range(1, joints + 1):

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pieper.symbolic.formula import parse
-from pieper.symbolic.tree import NUMPY, Node, add, evaluate, mul, negated, num, sym
+from pieper.symbolic.tree import NUMPY, Node, add, evaluate, mul, negated, num, rebuilt, sym
 
 POSE_NAMES = [(a + b, i, j) for j, a in enumerate("noap") for i, b in enumerate("xyz")]
 POSE_NAMES += [("P" + b, i, 3) for i, b in enumerate("xyz")]
@@ -73,6 +73,15 @@ class ArmModel:
         """Symbols a formula about this arm may use, besides the joints."""
         return set(self.values) | {p[0] for p in POSE_NAMES} | {"pi"}
 
+    def between(self, name: str) -> tuple[ArmModel, int] | None:
+        """Return the arm of joints i+1 .. j for the name Tij (its joints numbered from 1) and i; None for other names."""
+        if len(name) != 3 or name[0] != "T" or not name[1:].isdigit() or name[1] >= name[2]:
+            return None
+        first, last = int(name[1]), int(name[2])
+        new = {f"theta{k}": sym(f"theta{k - first}") for k in range(first + 1, last + 1)}
+        rows = tuple(Row(*(renamed(c, new) for c in (r.a, r.alpha, r.d, r.theta))) for r in self.rows[first:last])
+        return replace(self, rows=rows, base=np.eye(4), tool=np.eye(4), solver=None, aliases={}), first
+
     def length(self) -> float:
         """A typical length, in the arm's unit: what errors in position are compared with."""
         env = {**self.values, **{f"theta{i + 1}": 0.0 for i in range(self.n)}, "pi": np.pi}
@@ -120,6 +129,13 @@ class ArmModel:
         return matmul(product, _constant(self.tool, arithmetic))
 
 
+def renamed(node: Node, new: dict[str, Node]) -> Node:
+    """Replace symbols once, all at the same time."""
+    if node.op == "sym":
+        return new.get(node.value, node)
+    return rebuilt(node, tuple(renamed(a, new) for a in node.args)) if node.args else node
+
+
 def matmul(x: list, y: list) -> list:
     """Multiply nested lists of any numbers."""
     out = []
@@ -136,7 +152,7 @@ def matmul(x: list, y: list) -> list:
 
 def _clean(arithmetic, node: Node, value):
     """Return cosine and sine, exact where a constant angle is a whole number of quarter turns."""
-    if not any(s.startswith("theta") for s in node.symbols()):
+    if not node.symbols() - {"pi"}:
         quarter = float(evaluate(node, {"pi": np.pi})) / (np.pi / 2)
         if abs(quarter - round(quarter)) < 1e-12:
             c, s = [(1, 0), (0, 1), (-1, 0), (0, -1)][round(quarter) % 4]
