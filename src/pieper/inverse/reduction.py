@@ -222,7 +222,10 @@ def _filling(chain: Chain, count: int) -> tuple[tuple[np.ndarray, bool], ...]:
             if joint[1] and sliding + sum(p for _, p in chosen) >= 3:
                 continue
             tried = appended(chain, [*chosen, joint])
-            s = np.linalg.svd(scaled_jacobian(tried, sample_joints(tried, 15, seed=2)), compute_uv=False)
+            # at zero, where the virtual joints are to come out, not at values of no special kind
+            q = sample_joints(tried, 15, seed=2)
+            q[:, chain.n :] = 0.0
+            s = np.linalg.svd(scaled_jacobian(tried, q), compute_uv=False)
             value = float(np.quantile(s[:, -1], 0.3))
             if value > gain * 1.05:
                 best, gain = joint, value
