@@ -6,6 +6,7 @@ import html
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -69,6 +70,13 @@ class Picture:
     caption: str
     name: str
     width: float = 1.0
+
+    @cached_property
+    def svg(self) -> str:
+        """The figure as SVG text, drawn once."""
+        from pieper.presentation.style import svg
+
+        return svg(self.figure)
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,6 @@ from pieper.presentation.document import (
     marked,
 )
 from pieper.presentation.mathml_fit import fitted
-from pieper.presentation.style import svg
 
 FOOTER = "Made by pieper. Lengths are in millimetres and angles in degrees unless another unit is printed."
 
@@ -110,7 +109,7 @@ class _Body:
 
     def _picture(self, block: Picture) -> str:
         self.figures += 1
-        drawing = inline_svg(svg(block.figure), f"f{self.figures}-")
+        drawing = inline_svg(block.svg, f"f{self.figures}-")
         return (
             f'<figure style="width:{100 * block.width:.0f}%">{drawing}'
             f"<figcaption><b>Figure {self.figures}.</b> {inline(block.caption)}</figcaption></figure>"

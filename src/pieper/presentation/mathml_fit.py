@@ -79,7 +79,7 @@ def _lines(row: list[ET.Element]) -> list[list[ET.Element]]:
     pieces: list[list[ET.Element]] = [[]]
     for k, element in enumerate(row):
         text = (element.text or "").strip()
-        before = (row[k - 1].text or "").strip() if k else "("
+        before = "(" if k == 0 else (row[k - 1].text or "").strip() if len(row[k - 1]) == 0 else "term"
         if text in _SIGNS and before not in ("(", "[", ",", "=", "{", ""):
             pieces.append([])
         pieces[-1].append(element)

@@ -120,9 +120,7 @@ def _solved(page: Document, arm: Arm, pose: np.ndarray | None):
         page.add(f"No pose is solved here: {error}")
         return None
     if pose is None:
-        page.add(
-            f"Of {CANDIDATES} random postures inside the limits, this pose's is among the farthest from singular."
-        )
+        page.add(f"Of {CANDIDATES} random postures inside the limits, this pose's is among the farthest from singular.")
     add_solutions(page, arm, sols)
     return sols
 

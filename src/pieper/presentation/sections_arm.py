@@ -217,6 +217,8 @@ def add_derivation(page: Document, arm: Arm) -> None:
         mathml = re.sub(r"^\s*<h2>.*?</h2>", "", inverse.mathml(), count=1, flags=re.S)
         latex = re.sub(r"^\s*\\(?:sub)?section\*\{[^}]*\}", "", inverse.latex(), count=1)
         page.add(Formula(mathml, latex))
+        if hasattr(inverse, "check"):
+            page.add(str(inverse.check()))
 
     attempt(page, "The derivation", derived)
 
@@ -231,11 +233,16 @@ def add_singularities(page: Document, arm: Arm) -> None:
         page.add(str(equations.check()))
         seen = [c for c in equations.configurations if len(c.samples)][:3]
         if seen:
-            titles = [f"{chr(97 + k)}) {c.kind}" for k, c in enumerate(seen)]
+            titles = [f"{chr(97 + k)}) {'singular' if c.kind == 'other' else c.kind}" for k, c in enumerate(seen)]
             words = "; ".join(f"{chr(97 + k)}) {c.words[0].rstrip('.').lower()}" for k, c in enumerate(seen))
             figure = postures_figure(arm, np.array([_tame(arm, c.samples) for c in seen]), titles)
             page.add(
-                Picture(figure, f"The arm in singular configurations: {words}.", "singular", min(1.0, 0.36 * len(seen)))
+                Picture(
+                    figure,
+                    f"The arm in singular configurations: {words}.",
+                    "singular",
+                    min(1.0, 0.15 + 0.3 * len(seen)),
+                )
             )
 
     attempt(page, "The list of singular configurations", found)

@@ -27,7 +27,7 @@ from pieper.presentation.sections_arm import (
     joint_value,
 )
 from pieper.presentation.sections_motion import add_motion, add_solutions, add_track, scientific
-from pieper.presentation.style import png, svg
+from pieper.presentation.style import png
 from pieper.presentation.writing import write_whole
 
 if TYPE_CHECKING:
@@ -337,5 +337,5 @@ def _figures(page: Document, out: Path, say: Callable[[str], None]) -> None:
     pictures = [block for block in page.blocks if isinstance(block, Picture)]
     for picture in pictures:
         write_whole(folder / f"{picture.name}.png", png(picture.figure))
-        write_whole(folder / f"{picture.name}.svg", svg(picture.figure))
+        write_whole(folder / f"{picture.name}.svg", picture.svg)
     say(f"{len(pictures)} figures, each as PNG and SVG, in {folder}")
