@@ -171,7 +171,8 @@ void solve_general(const double* params, const int*, const double* T, long count
       bool certain = settled(report[i], found[i]);
       bool singular = false;
       if (!certain) certain = escalate(model, load_poses<double>(padded + 16 * i), found[i], &singular);
-      write_pose(model, found[i], certain, q + (done + i) * 6 * kSlots, valid + (done + i) * kSlots, flag + done + i);
+      // what only nearby arms vouch for is not certain
+      write_pose(model, found[i], certain && model.variant[0].arm == 0, q + (done + i) * 6 * kSlots, valid + (done + i) * kSlots, flag + done + i);
       if (singular) flag[done + i] |= kDegenerate;
     }
   }

@@ -250,14 +250,15 @@ inline void choose_variants(Model& model, Trial* trials) {
     for (int t = 0; t < tried; ++t) clean += test.score[t] < 1e299 && test.trial[t].missed == 0 && test.variant[t].arm == 0;
   }
   model.variants = 0;
-  int nearby = 0;
+  int taken[3] = {0, 0, 0};
   while (model.variants < kMaxVariants) {
     int best = 0;
     for (int t = 1; t < tried; ++t)
       if (test.score[t] < test.score[best]) best = t;
     if (!(test.score[best] < 1e299)) break;
     test.score[best] = 1e300;
-    if (test.variant[best].arm && ++nearby > 4) continue;  // a few opinions from elsewhere are enough
+    const int arm = test.variant[best].arm;
+    if (arm && ++taken[arm] > 3) continue;  // a few opinions from elsewhere are enough
     test.variant[best].open = static_cast<double>(test.trial[best].open) / kTestPoses;
     if (test.variant[best].arm) test.variant[best].open += 1;
     model.variant[model.variants++] = test.variant[best];

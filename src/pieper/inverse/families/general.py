@@ -48,7 +48,9 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
         match: What `match` found.
 
     Returns:
-        The spec. Its `info` holds `usable` (number of ways left), `hidden_joint` (1-based, of the best way), `direction`, `noise`
+        The spec. Its `info` holds `usable` (number of ways left), `certified` (False where every way vanishes for this geometry
+        and a slightly changed arm is solved instead, its solutions polished onto this one: poses are then flagged
+        uncertain), `hidden_joint` (1-based, of the best way), `direction`, `noise`
         (of the best way, relative; 1e-16 is perfect), `ways` (a tuple of dicts: hidden joint, direction, missed test
         solutions, noise) and `scale` (m).
 
@@ -62,9 +64,16 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     if usable == 0:
         geometry = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
         raise PlanError(_reason(chain, slides), geometry=geometry, ways=ways)
-    best = ways[0] if ways else {"hidden_joint": None, "direction": "closed form", "noise": 0.0}
+    exact = [way for way in ways if way["rank"] == 1]
+    if slides == 3:
+        best = {"hidden_joint": None, "direction": "closed form", "noise": 0.0}
+    elif exact:
+        best = exact[0]
+    else:
+        best = {"hidden_joint": None, "direction": "a nearby arm's solutions, polished", "noise": 1.0}
     info = {
         "usable": usable,
+        "certified": slides == 3 or bool(exact),
         "hidden_joint": best["hidden_joint"],
         "direction": best["direction"],
         "noise": best["noise"],
@@ -135,4 +144,7 @@ def slid(chain: Chain) -> tuple[np.ndarray, float]:
         links[i][:3, 3] += links[i][:3, :3] @ step
         links[i + 1][:3, 3] -= step
     scale = float(np.linalg.norm(links[1:6, :3, 3], axis=1).sum()) / 3
-    return np.ascontiguousarray(links), scale if scale > 0 else 1.0
+    size = float(np.abs(chain.links[1:6, :3, 3]).max())
+    if scale <= 1e-9 * max(size, 1e-300):  # nothing left between the axes: base and tool are all the lengths there are
+        scale = max(float(np.linalg.norm(chain.links[[0, 6], :3, 3], axis=1).max()), size) or 1.0
+    return np.ascontiguousarray(links), scale
