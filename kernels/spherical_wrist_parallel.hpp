@@ -42,8 +42,10 @@ struct SphericalWristParallel {
   // Relative to kScale, or radians. Rounding of a pose made by forward kinematics is a few 1e-16.
   static constexpr double kOnSingularity = 1e-13;   // closer: one representative stands for the family
   static constexpr double kNearSingularity = 1e-7;  // closer: flagged, so that the careful path looks at it
-  static constexpr double kMerged = 64 * 2.2e-16;   // squares below this are rounding: a double root
+  static constexpr double kRounding = 8 * 2.2e-16;  // a distance from the edge of reach that is nothing but rounding
+  static constexpr double kNearDouble = 1e-6;       // half the angle between two roots below which they are flagged
   static constexpr double kOvershoot = 5e-13;       // a reach exceeded by no more than this is the edge of reach
+  static constexpr double kEdgeOfElbow = 1e-3;      // sin^2 th3 below which cancellation is avoided
   static constexpr double kVerified = 1e-11;        // forward kinematics must return the pose this closely
 
   // All branches of W poses: lanes are poses, the branches follow one another.
@@ -134,7 +136,8 @@ struct SphericalWristParallel {
     Mask<F> ok;
   };
   template <class F> struct Elbow {
-    F D, c3, s3, th3, over_D;
+    F D, s3, th3, over_D;
+    F along, forward;  // L2 + L3 cos th3, L3 + L2 cos th3
     Mask<F> ok, two, centred, degenerate;
   };
   template <class F> struct Answer {
@@ -156,10 +159,10 @@ struct SphericalWristParallel {
     }
   }
 
-  // Below this x^2 = wx^2 + wy^2 - b^2 is looked at closely, m^2.
+  // Below this x^2 = wx^2 + wy^2 - b^2 is looked at closely, m^2: x itself small, or the two roots x and -x one direction.
   PIEPER_INLINE static double shoulder_near(const double* P) {
-    const double length = kNearSingularity * P[kScale];
-    return length * length + 1e3 * kMerged * __builtin_fabs(P[kB]) * P[kScale];
+    const double b = __builtin_fabs(P[kB]), length = kNearSingularity * P[kScale], side = kNearDouble * b;
+    return length * length + side * side + 8 * kRounding * b * P[kScale];
   }
 
   template <class F> PIEPER_INLINE static Shoulder<F> start_shoulder(const double* P, const F (&w)[3]) {
@@ -178,12 +181,14 @@ struct SphericalWristParallel {
   // Wrist centre near axis 1, or near the circle around it inside which the lateral offset b keeps the arm.
   template <class F> __attribute__((noinline)) static void shoulder_edge(const double* P, const F (&w)[3], Shoulder<F>& a) {
     const double b = P[kB], scale = P[kScale], here = kOnSingularity * scale;
-    F rho = sqrt(a.R2);
+    F rho = sqrt(a.R2), gap = rho - __builtin_fabs(b);
     a.degenerate = a.x2 < shoulder_near(P);
-    Mask<F> edge = (a.x2 < 0.0) & (__builtin_fabs(b) - rho <= kOvershoot * scale);
+    Mask<F> edge = (gap < 0.0) & (gap >= -kOvershoot * scale);
     Mask<F> on_axis = (rho <= here) & mask_of<F>(__builtin_fabs(b) <= here);
-    a.reached = a.reached | edge | on_axis;
-    a.two_sides = a.two_sides & !(a.x2 <= here * here + kMerged * __builtin_fabs(b) * scale) & !on_axis & !edge;
+    a.x = sqrt(max(gap * (rho + __builtin_fabs(b)), F(0.0)));
+    a.reached = (gap >= 0.0) | edge | on_axis;
+    // on the axis both sides hold the same families; at the edge they are a double root
+    a.two_sides = (gap > 0.0) & (a.x > here) & ((gap > kRounding * scale) | mask_of<F>(__builtin_fabs(b) <= here)) & !on_axis;
     // at the edge x = 0 and the direction is that of (b y, -b x), made a unit vector anew; on the axis q1 = 0
     a.fixed = edge | on_axis;
     F over = b / (__builtin_fabs(b) * rho);
@@ -216,41 +221,56 @@ struct SphericalWristParallel {
 
   // What both elbows of the two-link problem for wrist centre (X, Z) share: |th3|.
   template <class F> PIEPER_INLINE static Elbow<F> start_elbow(const double* P, const Arm<F>& arm) {
-    const double L2 = P[kL2], L3 = P[kL3], scale = P[kScale];
+    const double L2 = P[kL2], L3 = P[kL3];
     Elbow<F> e;
     e.D = arm.X * arm.X + arm.Z * arm.Z;
-    e.c3 = (e.D - (L2 * L2 + L3 * L3)) * (0.5 / (L2 * L3));
-    F square = (1.0 - e.c3) * (1.0 + e.c3);
+    F c3 = (e.D - (L2 * L2 + L3 * L3)) * (0.5 / (L2 * L3));
+    F square = (1.0 - c3) * (1.0 + c3);
     e.s3 = sqrt(max(square, F(0.0)));
     e.over_D = 1.0 / e.D;
+    e.along = L2 + L3 * c3;
+    e.forward = L3 + L2 * c3;
     e.two = square >= 0.0;
     e.ok = arm.ok & e.two;
     e.centred = e.degenerate = mask_of<F>(false);
-    const double near = 1e3 * kMerged * scale * scale / (L2 * L3);
-    if (__builtin_expect(any((square < near) | (e.D < 0.01 * (L2 * L3))), 0)) elbow_edge(P, arm, square, e);
-    e.th3 = atan2(e.s3, e.c3);
+    if (__builtin_expect(any(square < kEdgeOfElbow), 0)) elbow_edge(P, arm, c3, square, e);
+    e.th3 = atan2(e.s3, c3);
     return e;
   }
 
-  // Arm nearly stretched or folded, or wrist centre near axis 2.
+  // Arm nearly stretched or folded: the same quantities from the small distance to the edge of reach, without cancellation.
   template <class F>
-  __attribute__((noinline)) static void elbow_edge(const double* P, const Arm<F>& arm, const F& square, Elbow<F>& e) {
+  __attribute__((noinline)) static void elbow_edge(const double* P, const Arm<F>& arm, F& c3, const F& square, Elbow<F>& e) {
     const double L2 = P[kL2], L3 = P[kL3], scale = P[kScale], here = kOnSingularity * scale;
-    const double rounding = kMerged * scale * scale / (L2 * L3), near = 1e3 * rounding;
+    const double outer = L2 + L3, inner = __builtin_fabs(L2 - L3), over = 0.5 / (L2 * L3);
     F r = sqrt(e.D);
-    F excess = max(r - (L2 + L3), __builtin_fabs(L2 - L3) - r);
-    Mask<F> edge = (square < 0.0) & (excess <= kOvershoot * scale);
-    e.ok = arm.ok & ((square >= 0.0) | edge);
+    Mask<F> folded = c3 < 0.0, close = square < kEdgeOfElbow;
+    F gap = select(folded, r - inner, outer - r);
+    // where the shoulder is near its own edge, rounding of x = sqrt(x^2) adds to the overshoot
+    F overshoot = kOvershoot * scale + (2 * kRounding * scale * scale) / max(abs(arm.X + P[kA1]), F(here));
+    Mask<F> edge = close & (gap < 0.0) & (gap >= -overshoot);
+    // 1 - |cos th3| and what follows from it
+    F rest = select(folded, gap * (r + inner), gap * (outer + r)) * over;
+    rest = max(rest, F(0.0));
+    F cosine = select(folded, rest - 1.0, 1.0 - rest);
+    F sine2 = rest * (2.0 - rest);
+    c3 = select(close, cosine, c3);
+    e.s3 = select(close, sqrt(sine2), e.s3);
+    e.along = select(close, select(folded, (L2 - L3) + L3 * rest, (L2 + L3) - L3 * rest), e.along);
+    e.forward = select(close, select(folded, (L3 - L2) + L2 * rest, (L2 + L3) - L2 * rest), e.forward);
+    Mask<F> within = select(close, gap, square) >= 0.0;
+    e.ok = arm.ok & (within | edge);
     e.centred = (r <= here) & e.ok;
-    e.c3 = select(edge, select(e.c3 > 0.0, F(1.0), F(-1.0)), e.c3);
-    e.c3 = select(e.centred, F(-1.0), e.c3);
-    e.s3 = select(edge | e.centred, F(0.0), e.s3);
-    e.two = !((square <= rounding) | edge | e.centred);
-    e.degenerate = e.ok & ((square < near) | (r < kNearSingularity * scale));
-    // 1/D loses digits where D does; |L2 + L3 e^{i th3}| is the same length without the loss
-    F along = L2 + L3 * e.c3, across = L3 * e.s3;
-    F length2 = along * along + across * across;
-    e.over_D = select((length2 > 0.0) & (e.D > 0.0), 1.0 / sqrt(e.D * length2), e.over_D);
+    e.two = within & !(close & (gap <= kRounding * scale)) & !e.centred;
+    e.degenerate = e.ok & close & ((sine2 < kNearDouble * kNearDouble) | (gap < 8 * kRounding * scale) |
+                                   (r < kNearSingularity * scale));
+    // beyond the edge D is not |L2 + L3 e^{i th3}|^2, and the forearm's direction must be a unit vector all the same
+    e.over_D = select(edge, 1.0 / (r * select(folded, F(inner), F(outer))), e.over_D);
+    if (any(e.centred)) {
+      c3 = select(e.centred, F(-1.0), c3);
+      e.s3 = select(e.centred, F(0.0), e.s3);
+      e.over_D = select(e.centred, F(1.0), e.over_D);
+    }
   }
 
   // One elbow (the sign of th3) and its wrist with sin th5 >= 0, verified.
@@ -258,13 +278,11 @@ struct SphericalWristParallel {
   PIEPER_INLINE static Answer<F> bend_and_turn_wrist(const double* P, const int* I, const F (&M)[3][3], const F (&w)[3],
                                                      const Arm<F>& arm, const Elbow<F>& e, F sense) {
     Answer<F> out;
-    const double L2 = P[kL2], L3 = P[kL3];
     // w = e^{i th2} (L2 + L3 e^{i th3}) = e^{i (th2 + th3)} (L3 + L2 e^{-i th3})
-    F sine3 = sense * e.s3, along = L2 + L3 * e.c3, across = L3 * sine3;
-    F th2 = atan2_closed(arm.Z * along - arm.X * across, arm.X * along + arm.Z * across);
-    F forward = L3 + L2 * e.c3, sideways = L2 * sine3;
-    F c23 = (arm.X * forward - arm.Z * sideways) * e.over_D;
-    F s23 = (arm.Z * forward + arm.X * sideways) * e.over_D;
+    F sine3 = sense * e.s3, across = P[kL3] * sine3, sideways = P[kL2] * sine3;
+    F th2 = atan2_closed(arm.Z * e.along - arm.X * across, arm.X * e.along + arm.Z * across);
+    F c23 = (arm.X * e.forward - arm.Z * sideways) * e.over_D;
+    F s23 = (arm.Z * e.forward + arm.X * sideways) * e.over_D;
     if (__builtin_expect(any(e.centred), 0)) {  // only when L2 = L3: folded back onto axis 2, th2 is free
       F c2, s2, th20 = F(P[kOffset2]);
       sincos_of_turns(th20, s2, c2);
