@@ -18,8 +18,10 @@ from pieper.inverse.solutions import TURN
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 
-#: Poses tried, shapes of path tried for each pair of solutions, points checked on a path.
-POSES, DETOURS, POINTS = 60, 60, 65
+#: Poses tried, shapes of path for each pair of solutions, points first checked on a path, pairs tried at the most.
+POSES, DETOURS, POINTS, PAIRS = 40, 40, 65, 120
+#: |det J| must stay above this part of its largest value: a path that nearly touches a singularity proves nothing.
+CLEAR = 2e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +41,8 @@ class Cuspidal:
     tried: int
 
     def __str__(self) -> str:
+        if not self.found and not self.tried:
+            return "not cuspidal: shoulder, elbow and wrist each change side only at a singularity of their own"
         if self.found:
             return (
                 "cuspidal: a path leads from one solution to another of the same pose without meeting a singularity "
@@ -60,6 +64,10 @@ def search(plan: Plan, *, seed: int = 0, poses: int = POSES) -> Cuspidal:
     """
     from pieper.inverse.solve import ik_many
 
+    if plan.family == "spherical_wrist_parallel":
+        # det J is a product of a shoulder, an elbow and a wrist factor, and each pair of branches differs in the sign
+        # of one of them: no search can find what cannot be
+        return Cuspidal(False, np.empty((0, plan.n)), 0.0, 0)
     chain = plan.chain
     q = sample_joints(chain, poses, seed=seed)
     largest = float(np.abs(determinant(chain, sample_joints(chain, 400, seed=seed + 1))).max())
@@ -72,13 +80,13 @@ def search(plan: Plan, *, seed: int = 0, poses: int = POSES) -> Cuspidal:
         signs = np.sign(determinant(chain, rows))
         for a in range(len(rows)):
             for b in range(a):
-                if signs[a] != signs[b]:
+                if signs[a] != signs[b] or tried >= PAIRS:
                     continue
                 tried += 1
                 found = _connect(chain, rows[a], rows[b], signs[a], largest, rng)
                 if found is not None and (best is None or found[0] > best[0]):
                     best = found
-        if best is not None and best[0] > 1e-3:
+        if best is not None or tried >= PAIRS:
             break
     if best is None:
         return Cuspidal(False, np.empty((0, plan.n)), 0.0, tried)
@@ -102,10 +110,13 @@ def _connect(chain, a, b, sign, largest, rng) -> tuple[float, np.ndarray] | None
     paths = straight + 4 * s * (1 - s) * bumps + TURN * s * turns
     worst = (determinant(chain, paths) * sign).min(1) / largest
     best = int(np.argmax(worst))
-    if worst[best] <= 1e-6:
+    if worst[best] <= CLEAR:
         return None
-    # between the points too: a finer look at the one that is offered
-    fine = np.linspace(0.0, 1.0, 20 * POINTS)[:, None]
+    # between the points too: neighbours of a fine look may differ by no more than what is left to zero
+    fine = np.linspace(0.0, 1.0, 40 * (POINTS - 1) + 1)[:, None]
     path = a + fine * gap + 4 * fine * (1 - fine) * bumps[best] + TURN * fine * turns[best]
-    margin = float((determinant(chain, path) * sign).min() / largest)
-    return (margin, path[::20]) if margin > 0 else None
+    det = determinant(chain, path) * sign / largest
+    change = np.abs(np.diff(det))
+    if det.min() <= CLEAR or np.any(change > 0.5 * np.minimum(det[:-1], det[1:])):
+        return None
+    return float(det.min()), path[::40]
