@@ -39,11 +39,12 @@ struct PreparedArm {
   Rigid truth[7], links[7];
   double length;
   int first;
-  bool slides[6];
+  bool slides[6], hide_c, first_c;
 
   PreparedArm(const double* params, const int* iparams) {
     length = params[0];
     first = iparams[6];
+    hide_c = iparams[10] != 0, first_c = iparams[11] != 0;
     for (int k = 0; k < 7; ++k) truth[k] = read_rigid(params + 1 + 16 * k, length), links[k] = read_rigid(params + 113 + 16 * k, length);
     for (int k = 0; k < 6; ++k) slides[k] = iparams[k] != 0;
   }
@@ -76,7 +77,7 @@ struct SphericalWristLanes {
     Vec3T<F> g = turn_back(rest.pre, F(-1.0) * rest.pre.t);
     SwingT<F> w = swing_back(rest.A, g, slides[0]), u = swing_of(rest.B, rest.C.t, slides[2]);
     PairLanes<F> s;
-    s.slides_a = slides[0], s.slides_c = slides[2];
+    s.slides_a = slides[0], s.slides_c = slides[2], s.hide_c = arm.hide_c, s.first_c = arm.first_c;
     position_pair(w, u, slides, s.M, s.N, s.e);
     solve_pair(s);
     out.unclear = s.unclear;
@@ -141,7 +142,7 @@ struct ThreeParallelLanes {
   __attribute__((noinline)) static void solve(const PreparedArm& arm, const Constants& k, const LoopRestT<F>& rest, const bool* slides, LaneSolutions<F>& out) {
     const PlaneProblem<F> P(rest, slides);
     PairLanes<F> s;
-    s.slides_a = slides[0], s.slides_c = slides[2];
+    s.slides_a = slides[0], s.slides_c = slides[2], s.hide_c = arm.hide_c, s.first_c = arm.first_c;
     for (int i = 0; i < 2; ++i) {
       for (int j = 0; j < 2; ++j) s.M[i][j] = P.M[i][j], s.N[i][j] = P.N[i][j];
       s.e[i] = P.e[i];

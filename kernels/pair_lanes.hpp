@@ -21,6 +21,7 @@ template <class F> PIEPER_INLINE Motion<F> either(Mask<F> m, Motion<F> a, Motion
 template <class F> struct PairLanes {
   F M[2][2], N[2][2], e[2];
   bool slides_a, slides_c;
+  bool hide_c, first_c;  // which joint the quartic is in; which joint comes first where the equations fall apart
   Motion<F> a[4], c[4];
   Mask<F> found[4];
   Mask<F> unclear;
@@ -67,8 +68,8 @@ template <class F> __attribute__((noinline)) void solve_apart(PairLanes<F>& s) {
   F bc[2] = {um[0] * s.N[0][0] + um[1] * s.N[1][0], um[0] * s.N[0][1] + um[1] * s.N[1][1]};
   F ba[2] = {un[0] * s.M[0][0] + un[1] * s.M[1][0], un[0] * s.M[0][1] + un[1] * s.M[1][1]};
   F size_c = bc[0] * bc[0] + bc[1] * bc[1], size_a = ba[0] * ba[0] + ba[1] * ba[1];
-  // one order for all lanes; either will do unless its equation has nearly vanished
-  const bool first_c = 2 * __builtin_popcount(bits_of(size_c >= size_a)) >= width_of<F>;
+  // one order for all poses of an arm, so that slots keep their meaning; it will do unless its equation has nearly vanished
+  const bool first_c = s.first_c;
   F chosen = first_c ? size_c : size_a, other = first_c ? size_a : size_c;
   s.unclear = s.unclear | !(chosen > 1e-6 * other);
   const auto& V = first_c ? s.M : s.N;
@@ -113,8 +114,8 @@ template <class F> __attribute__((noinline)) void sharpen(const PairLanes<F>& s,
   c = s.slides_c ? Motion<F>{c.c + dc, (c.c + dc) * (c.c + dc)} : unit(c.c - c.s * dc, c.s + c.c * dc);
 }
 
-template <class F> __attribute__((noinline)) void solve_by_quartic(PairLanes<F>& s, Mask<F> hide_c_mask, bool hide_c, F det) {
-  s.unclear = s.unclear | (hide_c ? !hide_c_mask : hide_c_mask);
+template <class F> __attribute__((noinline)) void solve_by_quartic(PairLanes<F>& s, F det) {
+  const bool hide_c = s.hide_c;
   const auto& V = hide_c ? s.M : s.N;
   const auto& H = hide_c ? s.N : s.M;
   const bool slides_v = hide_c ? s.slides_a : s.slides_c, slides_h = hide_c ? s.slides_c : s.slides_a;
@@ -174,19 +175,14 @@ template <class F> __attribute__((noinline)) void solve_pair(PairLanes<F>& s) {
   F size_m(0.0), size_n(0.0);
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < 2; ++j) size_m = size_m + s.M[k][j] * s.M[k][j], size_n = size_n + s.N[k][j] * s.N[k][j];
-  Mask<F> good_m = abs(det_m) > kRankOne * size_m, good_n = abs(det_n) > kRankOne * size_n;
-  Mask<F> neither = !(good_m | good_n);
+  Mask<F> neither = (abs(det_m) <= kRankOne * size_m) & (abs(det_n) <= kRankOne * size_n);
   if (all(neither)) {
     solve_apart(s);
   } else {
-    // one hidden joint for all lanes: the better conditioned one of most; the others are handed back unless both will do
-    Mask<F> prefer_c = good_m & ((!good_n) | (abs(det_m) >= abs(det_n)));
-    const unsigned votes = bits_of(prefer_c);
-    const bool hide_c = 2 * __builtin_popcount(votes) >= width_of<F>;
-    Mask<F> able = hide_c ? good_m & (abs(det_m) > 1e-3 * size_m) : good_n & (abs(det_n) > 1e-3 * size_n);
-    Mask<F> fine = able | (hide_c ? prefer_c : (good_n & !prefer_c));
-    s.unclear = s.unclear | neither | !fine;
-    solve_by_quartic(s, hide_c ? fine : !fine, hide_c, hide_c ? det_m : det_n);
+    // one hidden joint for all poses of an arm; where it is badly conditioned the pose is handed back
+    F det = s.hide_c ? det_m : det_n;
+    s.unclear = s.unclear | neither | !(abs(det) > 1e-4 * (s.hide_c ? size_m : size_n));
+    solve_by_quartic(s, det);
   }
 #pragma GCC unroll 1
   for (int i = 0; i < 4; ++i) sharpen(s, s.a[i], s.c[i], s.unclear, s.found[i]);

@@ -71,7 +71,7 @@ __attribute__((noinline)) void form_directions(const F* f, F floor, F* p, F* q, 
     double x = k < 4 ? C[k] : C2[k - 4], y = k < 4 ? S[k] : S2[k - 4];
     double x2 = x * x, y2 = y * y;
     F value = (f[4] * (x2 * x2) + f[3] * (x2 * x * y)) + (f[2] * (x2 * y2) + (f[1] * (x * y2 * y) + f[0] * (y2 * y2)));
-    Mask<F> better = abs(value) > most;
+    Mask<F> better = abs(value) > most * (1.0 + 1e-9);  // ties, common by symmetry, go to the first
     most = select(better, abs(value), most);
     lead = select(better, value, lead);
     c = select(better, F(x), c);

@@ -5,7 +5,7 @@
 // then a known rotation (two): eight in all. One of Pre, A, B, C holds the pose.
 //
 // params: length; 7 true links (4x4, m); 7 links of the loop (4x4, m) whose frames of the wrist joints sit at the centre.
-// iparams: 6 prismatic flags; index (0-based) of the first wrist joint.
+// iparams: 6 prismatic flags; index (0-based) of the first wrist joint; 3 unused; hide_c and first_c of pair_lanes.hpp.
 #pragma once
 
 #include "orientation.hpp"

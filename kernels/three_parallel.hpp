@@ -7,7 +7,8 @@
 // (four pairs). Then b, then P is a known motion of the plane (two solutions): eight in all.
 //
 // params: length; 7 true links (4x4, m); 7 links of the loop (4x4, m) whose frames of the plane's joints lie in one plane with z along the
-// normal (a sliding one with x along its slide). iparams: 6 prismatic flags; first joint of the plane (0-based); sense of its three joints.
+// normal (a sliding one with x along its slide). iparams: 6 prismatic flags; first joint of the plane (0-based); sense of its three joints; hide_c and
+// first_c of pair_lanes.hpp.
 #pragma once
 
 #include "planar.hpp"

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.inverse.families.loop import centred, packed, positioning_rank
+from pieper.inverse.families.pairs import pair_order
 from pieper.inverse.families.spec import KernelSpec
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
@@ -53,6 +54,6 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
         kind=KIND,
         max_solutions=8,
         params=packed(chain, links),
-        iparams=np.array([*chain.prismatic, found.first], np.int32),
+        iparams=np.array([*chain.prismatic, found.first, 1, 1, 1, *pair_order(chain, links, found.first, False)], np.int32),
         info={"wrist": tuple(range(found.first + 1, found.first + 4)), "margin_m": found.margin},
     )

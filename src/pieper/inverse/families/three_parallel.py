@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.inverse.families.loop import full_rank, packed, planar
+from pieper.inverse.families.pairs import pair_order
 from pieper.inverse.families.spec import KernelSpec
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
@@ -75,6 +76,6 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
         kind=KIND,
         max_solutions=8,
         params=packed(chain, links),
-        iparams=np.array([*chain.prismatic, found.first, *sense], np.int32),
+        iparams=np.array([*chain.prismatic, found.first, *sense, *pair_order(chain, links, found.first, True)], np.int32),
         info={"plane": tuple(range(found.first + 1, found.first + 4)), "margin_rad": found.margin},
     )

@@ -1,0 +1,89 @@
+"""Which of the two joints of a closed form's pair of equations the quartic is written in: decided once for an arm."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import fk
+from pieper.kinematics.pose import inverse, rotation_z, transform, translation
+
+_POSES = 24
+
+
+def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tuple[int, int]:
+    """Return (hide_c, first_c) for the pair M f(a) + N f(c) = e that the three joints beside a group obey.
+
+    The choice is a vote over random poses; it is one for all poses so that a solution keeps its slot along a path.
+
+    Args:
+        chain: The arm.
+        links: (7, 4, 4) of the loop, m.
+        first: First joint (0-based) of the wrist or the plane.
+        plane: Whether the group is a plane (its normal and height are kept) or a wrist (its centre is).
+
+    Returns:
+        Whether the quartic is in c, and whether c comes first where the equations fall apart, as 0 or 1.
+    """
+    rng = np.random.default_rng(11)
+    scaled = np.array(links)
+    scaled[:, :3, 3] /= chain.length
+    joints = [(first + 3 + k) % 6 for k in range(3)]
+    slides = chain.prismatic[joints]
+    Q = np.where(chain.prismatic, chain.length * rng.uniform(-0.5, 0.5, (_POSES, 6)), rng.uniform(-np.pi, np.pi, (_POSES, 6)))
+    hide_c = first_c = 0
+    for T in fk(chain, Q):
+        T = T.copy()
+        T[:3, 3] /= chain.length
+        closing = scaled[6] @ inverse(T) @ scaled[0]
+        pre, A, B, C = (closing if k % 6 == 0 else scaled[k % 6] for k in range(first + 3, first + 7))
+        left, right = (_around_plane if plane else _positioning)(pre, A, B, C, slides)
+        M, N = _terms(left, slides[0]), -_terms(right, slides[2])
+        hide_c += abs(np.linalg.det(M)) >= abs(np.linalg.det(N))
+        first_c += np.linalg.norm(_null(M) @ N) >= np.linalg.norm(_null(N) @ M)
+    good_m, good_n = 2 * hide_c >= _POSES, 2 * first_c >= _POSES
+    return int(good_m), int(good_n)
+
+
+def _motion(x: float, slides: bool) -> np.ndarray:
+    return translation(z=x) if slides else transform(rotation_z(x)[:3, :3])
+
+
+def _positioning(pre, A, B, C, slides):
+    g = inverse(pre)[:3, 3]
+
+    def left(x):
+        w = (inverse(A) @ inverse(_motion(x, slides[0])) @ [*g, 1])[:3]
+        return w[:2] if slides[1] else np.array([w[2], w @ w])
+
+    def right(x):
+        u = (B @ _motion(x, slides[2]) @ [*C[:3, 3], 1])[:3]
+        return u[:2] if slides[1] else np.array([u[2], u @ u])
+
+    return left, right
+
+
+def _around_plane(pre, A, B, C, slides):
+    h, k = pre[2, :3], C[:3, 2]
+
+    def left(x):
+        turned = h if slides[0] else _motion(x, False)[:3, :3].T @ h
+        return np.array([(A[:3, :3].T @ turned)[2], turned @ A[:3, 3] + (x * h[2] if slides[0] else 0.0)])
+
+    def right(x):
+        u = B[:3, :3] @ (k if slides[2] else _motion(x, False)[:3, :3] @ k)
+        return np.array([u[2], -(u @ B[:3, 3]) - (x * k[2] if slides[2] else 0.0)])
+
+    return left, right
+
+
+def _terms(side, slides: bool) -> np.ndarray:
+    """Return the coefficients (2, 2) of (cos, sin) or (d, d^2) of two equations, from three values of the joint."""
+    zero, other, opposite = side(0.0), side(1.0 if slides else np.pi / 2), side(-1.0 if slides else np.pi)
+    if slides:
+        return np.stack([(other - opposite) / 2, (other + opposite) / 2 - zero], -1)
+    return np.stack([(zero - opposite) / 2, other - (zero + opposite) / 2], -1)
+
+
+def _null(matrix: np.ndarray) -> np.ndarray:
+    return np.linalg.svd(matrix)[0][:, -1]
