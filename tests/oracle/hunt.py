@@ -1,4 +1,4 @@
-"""Hunt for missing and wrong answers: judge an arm's solutions on many poses; a library of the judge's rules, and a build step."""
+"""Judge an arm's solutions of a pose by the oracle; build the compiled search for long hunts."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from oracle import Found, gap, load, machine, polish, search
+
+from oracle import Found, equations, gap, load, machine, polish, search
 
 
 def build(folder) -> object:
@@ -65,8 +66,6 @@ def judge(arm, T, *, rows=None, families=None, task="pose", tolerance=1e-5, m=No
     pose, code = m.pose(T), {"pose": 0, "position": 1, "position+axis": 2}[task]
     mine, theirs = m.inner(found.q), m.inner(np.asarray(rows).reshape(-1, m.n))
     if len(theirs):
-        from oracle import equations
-
         left = np.linalg.norm(equations(m, theirs, pose, code)[0], axis=1)
         sigma = polish(m, pose, theirs, code, rounds=0)[2]
         for i in np.flatnonzero(left > 1e-8):

@@ -141,9 +141,8 @@ def compiled_newton(library, m: Machine, T, v, task=0, iterations=100):
     links, T = np.ascontiguousarray(m.links), np.ascontiguousarray(T)
     slides = m.slides.astype(np.uint8)
     pointer = [a.ctypes.data_as(ctypes.c_void_p) for a in (links, slides, T, v, out)]
-    count = library.search(
-        m.n, pointer[0], pointer[1], pointer[2], task, pointer[3], len(v), iterations, ctypes.c_double(1e-20), pointer[4]
-    )
+    enough = ctypes.c_double(1e-20)
+    count = library.search(m.n, *pointer[:3], task, pointer[3], len(v), iterations, enough, pointer[4])
     return out[:count].copy()
 
 
@@ -188,6 +187,17 @@ class Found:
         return int(self.hits.min()) if len(self.hits) else 0
 
 
+def _clusters(m, ends, apart, at_most):
+    """Return the first point of each cluster, the clusters' sizes and the points left over after at_most clusters."""
+    reps, hits = [], []
+    while len(ends) and len(reps) < at_most:
+        near = gap(m, ends, ends[0]) < apart
+        reps.append(ends[0])
+        hits.append(int(near.sum()))
+        ends = ends[~near]
+    return reps, hits, ends
+
+
 def search(arm, T, *, task="pose", starts=1500, rng=None, library=None, at_most=40, apart=1e-4, m=None) -> Found:
     """Find the solutions of pose T (4, 4) from random starts.
 
@@ -208,13 +218,12 @@ def search(arm, T, *, task="pose", starts=1500, rng=None, library=None, at_most=
     span = np.where(m.slides, 1.5 + np.linalg.norm(pose[:3, 3]), np.pi)
     v = rng.uniform(-1, 1, (starts, m.n)) * span
     ends = compiled_newton(library, m, pose, v, code) if library else damped_newton(m, pose, v, code)
-    reps, hits = [], []
-    while len(ends) and len(reps) < at_most:
-        near = gap(m, ends, ends[0]) < apart
-        # a cluster may be a string of points where convergence is slow: take in what touches it
-        reps.append(ends[0])
-        hits.append(int(near.sum()))
-        ends = ends[~near]
+    reps, hits, ends = _clusters(m, ends, apart, at_most)
+    if len(ends):
+        # a continuous family: look through what is left for solutions that stand alone
+        alone = polish(m, pose, ends, code, rounds=2)[2] > 1e-4
+        more, counts, _ = _clusters(m, ends[alone], apart, at_most)
+        reps, hits = reps + more, hits + counts
     if not reps:
         return Found(np.zeros((0, m.n)), np.zeros(0, int), np.zeros(0), np.zeros(0), False)
     v, residual, sigma = polish(m, pose, np.array(reps), code)
