@@ -52,6 +52,7 @@ class Solver {
   std::vector<std::int32_t> iparams_;
   std::vector<double> lower_, upper_;
   std::vector<std::uint8_t> prismatic_;
+  bool ordered_;  // rows come ordered by their joint values; false where a slot is a branch
   double accepted_, exact_;
 };
 
