@@ -12,8 +12,8 @@ from pieper.kinematics.pose import translation
 def centred(chain: Chain, first: int) -> np.ndarray:
     """Return links (7, 4, 4) of the same chain with the frames of joints first..first+2 at their common point.
 
-    A revolute joint's frame may slide along its axis without changing the joint's angle. What is left of the translations
-    between the three frames, the amount by which the axes miss each other, is dropped.
+    A revolute joint's frame may slide along its axis without changing the joint's angle. What is left of the
+    translations between the three frames, the amount by which the axes miss each other, is dropped.
     """
     joints = range(first, first + 3)
     normals = np.eye(3) - chain.axes[joints, :, None] * chain.axes[joints, None, :]
@@ -41,7 +41,7 @@ def rank(J: np.ndarray) -> int:
 
 
 def positioning_rank(chain: Chain, first: int) -> int:
-    """Return in how many directions the three joints beside a wrist can move its centre, at a posture of no special kind."""
+    """Return in how many directions the three joints beside a wrist can move its centre, at a generic posture."""
     q = np.array([0.37, -1.13, 0.91, 1.57, -0.53, 2.29]) * np.where(chain.prismatic, chain.length, 1.0)
     J = jacobian(chain, q).copy()
     J[:3] /= chain.length

@@ -30,7 +30,9 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
     scaled[:, :3, 3] /= chain.length
     joints = [(first + 3 + k) % 6 for k in range(3)]
     slides = chain.prismatic[joints]
-    Q = np.where(chain.prismatic, chain.length * rng.uniform(-0.5, 0.5, (_POSES, 6)), rng.uniform(-np.pi, np.pi, (_POSES, 6)))
+    Q = np.where(
+        chain.prismatic, chain.length * rng.uniform(-0.5, 0.5, (_POSES, 6)), rng.uniform(-np.pi, np.pi, (_POSES, 6))
+    )
     hide_c = first_c = 0
     for T in fk(chain, Q):
         T = T.copy()

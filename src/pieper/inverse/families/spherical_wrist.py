@@ -46,14 +46,16 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     """Return the kernel's numbers.
 
     Solves W Pre Za A Zb B Zc C = I for at most four positions of the wrist's centre and two turns of the wrist each:
-    eight solutions. It degenerates where the wrist's outer axes line up, where the centre meets an axis or leaves the reach; the pose is then
-    flagged and one representative of each family is returned.
+    eight solutions. It degenerates where the wrist's outer axes line up, where the centre meets an axis or leaves the
+    reach; the pose is then flagged and one representative of each family is returned.
     """
     links = centred(chain, found.first)
     return KernelSpec(
         kind=KIND,
         max_solutions=8,
         params=packed(chain, links),
-        iparams=np.array([*chain.prismatic, found.first, 1, 1, 1, *pair_order(chain, links, found.first, False)], np.int32),
+        iparams=np.array(
+            [*chain.prismatic, found.first, 1, 1, 1, *pair_order(chain, links, found.first, False)], np.int32
+        ),
         info={"wrist": tuple(range(found.first + 1, found.first + 4)), "margin_m": found.margin},
     )

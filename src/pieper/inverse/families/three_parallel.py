@@ -45,11 +45,13 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
             continue
         axes = chain.axes[joints]
         normal = chain.axes[turning[0]]
-        out_of_plane = np.where(chain.prismatic[joints], np.abs(axes @ normal), np.linalg.norm(np.cross(axes, normal), axis=1))
-        # a plane of too few freedoms (three slides, two slides along one line, one axis twice) moves less than a plane does
+        out_of_plane = np.where(
+            chain.prismatic[joints], np.abs(axes @ normal), np.linalg.norm(np.cross(axes, normal), axis=1)
+        )
+        # three slides, two slides along one line, or one axis twice move less than a plane does
         if out_of_plane.max() <= geometry.tolerance and _spans_plane(chain, joints):
             found.append((Match(first, tuple(normal), float(out_of_plane.max())), int(chain.prismatic[joints].sum())))
-    # slides last: three turns are the common case and best tested; an outer place next, because its links do not hold the pose
+    # slides last: three turns are the common case; then an outer place, where links do not hold the pose
     return min(found, key=lambda entry: (entry[1], entry[0].first in (1, 2)), default=(None, 0))[0]
 
 
@@ -67,15 +69,18 @@ def _spans_plane(chain: Chain, joints: np.ndarray) -> bool:
 def prepare(chain: Chain, found: Match) -> KernelSpec:
     """Return the kernel's numbers.
 
-    The plane keeps its normal and its height, which gives two equations for two of the other three joints: a quartic, or two
-    quadratics, then a triangle in the plane: eight solutions. It degenerates where the normal lies along the middle one of the other joints
-    (the wrist of a UR arm), and where the plane's own arm is stretched or folded; the pose is then flagged.
+    The plane keeps its normal and its height, which gives two equations for two of the other three joints: a quartic,
+    or two quadratics, then a triangle in the plane: eight solutions. It degenerates where the normal lies along the
+    middle one of the other joints (the wrist of a UR arm), and where the plane's own arm is stretched or folded; the
+    pose is then flagged.
     """
     links, sense = planar(chain, found.first, np.array(found.normal))
     return KernelSpec(
         kind=KIND,
         max_solutions=8,
         params=packed(chain, links),
-        iparams=np.array([*chain.prismatic, found.first, *sense, *pair_order(chain, links, found.first, True)], np.int32),
+        iparams=np.array(
+            [*chain.prismatic, found.first, *sense, *pair_order(chain, links, found.first, True)], np.int32
+        ),
         info={"plane": tuple(range(found.first + 1, found.first + 4)), "margin_rad": found.margin},
     )
