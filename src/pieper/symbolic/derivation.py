@@ -123,7 +123,7 @@ class ClosedForm:
         e = self._eliminator
         q = np.random.default_rng(11).uniform(-2.5, 2.5, (6, self.n))
         truth = self.table.values(q.T, NumpyField)
-        frames = [[p.expr().evaluate(truth, NumpyField) for p in row] for row in e.product(0, self.n)]
+        frames = [[p.evaluate(truth) for p in row] for row in e.product(0, self.n)]
         M = np.zeros((6, 4, 4))
         for r, c in itertools.product(range(4), range(4)):
             M[:, r, c] = frames[r][c]
@@ -135,7 +135,7 @@ class ClosedForm:
         columns = ["noap".index(c) for c in self.given]
         miss = np.zeros(found.shape[:2])
         for r, c in itertools.product(range(3), columns):
-            miss = np.maximum(miss, np.abs(e.product(0, self.n)[r][c].expr().evaluate(back, NumpyField) - M[:, r, c]))
+            miss = np.maximum(miss, np.abs(e.product(0, self.n)[r][c].evaluate(back) - M[:, r, c]))
         real = np.isfinite(miss)
         wrong = real & (miss > 1e-6)
         if not wrong.any():

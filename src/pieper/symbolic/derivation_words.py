@@ -93,11 +93,11 @@ def _source(form: ClosedForm, step: Step) -> list:
         entries = _entries(places)
         equation = matrix_equation(source.i, source.j, form.n, inverse=source.kind.startswith("inverse"))
         if source.kind.endswith("squares"):
-            parts += [("And the" if place else "The") + f" squares of {entries} of ", equation, ", added up, leave one unknown"]
+            parts += [("and the" if place else "The") + f" squares of {entries} of ", equation, ", added up, " + ("leave one unknown" if step.kind != "quartic" else "leave two unknowns")]
         else:
             verb = "hold" if len(places) > 1 else "holds"
             word = entries[0].upper() + entries[1:] if not place else "and " + entries
-            parts += [f"{word} of ", equation, f" {verb} no other unknown"]
+            parts += [f"{word} of ", equation, f" {verb} " + ("two unknowns" if step.kind == "quartic" else "no other unknown")]
         parts.append(":" if place == len(sources) - 1 else ", ")
     return parts
 

@@ -139,6 +139,8 @@ def split(poly: Poly, variables: frozenset = frozenset()) -> tuple[Poly, list[Po
 
 def one_circle(poly: Poly) -> Poly:
     """Write the square of a constant sine (of a twist that is no quarter turn) as 1 - cosine squared."""
+    if not any(s.rank == 2 and s.base[0] == "s" and p > 1 for symbols, _ in poly.terms for s, p in symbols):
+        return poly
     total = Poly()
     for (symbols, functions), value in poly.terms.items():
         term = Poly({((), functions): value})

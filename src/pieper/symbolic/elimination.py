@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper.symbolic.determinant import one_circle
 from pieper.symbolic.expression import Expr, Num, Sym, Trig, add, angle_symbol, mul
 from pieper.symbolic.fields import NumpyField
 from pieper.symbolic.harmonic import Poly
@@ -82,6 +83,7 @@ class Eliminator:
         if fold_tool:
             self.links[-1] = matmul(self.links[-1], table.tool)
         self._products: dict = {}
+        self._inverses: dict = {}
         self.knowledge = Knowledge({j: table.variable(j) for j in table.prismatic})
         self.target = Target(self.product, self.n, self.knowledge, given)
         self.branch_signs: dict = {}
@@ -97,6 +99,12 @@ class Eliminator:
                 self.links[i] if j - i == 1 else matmul(self.links[i], self.product(i + 1, j)) if j > i else _unit()
             )
         return self._products[i, j]
+
+    def inverse(self, i: int, j: int) -> list[list[Poly]]:
+        """(A_{i+1} ... A_j)^-1."""
+        if (i, j) not in self._inverses:
+            self._inverses[i, j] = inverse(self.product(i, j))
+        return self._inverses[i, j]
 
     # -- the loop ------------------------------------------------------------------------------------------------------
     def solve(self) -> bool:
@@ -171,6 +179,8 @@ class Eliminator:
         """Generators of equations, the plain ones first; a later tier is looked at when the earlier have nothing."""
         i, j = self.outer
         seen: set = set()
+        if self.moves and self.moves[-1].solved.kind == "quartic":
+            yield iter(self.moves[-1].equations)
         yield self._plain(i, j, seen)
         yield self._sums_of_squares(i, j, seen)
         yield self._inverse_positions(i, j, seen)
@@ -183,7 +193,7 @@ class Eliminator:
         for a, b, left, right in self._positions(i):
             if a == i:
                 equations += [e for r in range(3) for e in self._equation(left[r], right[r], Source(a, b, ((r, 3),)), seen)]
-                equations += list(self._squares(left, right, a, b, "squares", seen))
+                equations += list(self._squares(left, right, a, b, "squares", seen, longest=4 * LONGEST_SQUARES))
         for place, (y, recipe, used, polys) in enumerate(
             recognise_quartics(equations, self.knowledge, self.table.groups, rho)
         ):
@@ -194,7 +204,7 @@ class Eliminator:
         for a in range(self.n):
             left = self.target.matrix(0, self.n)
             if a:
-                left = matmul(inverse(self.product(0, a)), left)
+                left = matmul(self.inverse(0, a), left)
             right = self.product(a, self.n)
             for c, r in itertools.product((3, 2, 0, 1), range(3)):
                 total = left[r][c] - right[r][c]
@@ -218,9 +228,9 @@ class Eliminator:
         F = self.target.matrix(i, j)
         left = F
         if a > i:
-            left = matmul(inverse(self.product(i, a)), left)
+            left = matmul(self.inverse(i, a), left)
         if b < j:
-            left = matmul(left, inverse(self.product(b, j)))
+            left = matmul(left, self.inverse(b, j))
         right = self.product(a, b)
         for c in (3, 2, 0, 1):
             for r in range(3):
@@ -236,7 +246,7 @@ class Eliminator:
                 if a < b:
                     left = w
                     if a > i:
-                        back = inverse(self.product(i, a))
+                        back = self.inverse(i, a)
                         left = [sum((back[r][k] * w[k] for k in range(3)), back[r][3]) for r in range(3)]
                     yield a, b, left, [self.product(a, b)[r][3] for r in range(3)]
 
@@ -253,30 +263,39 @@ class Eliminator:
                 if b < j:
                     out = self.product(b, j)
                     left = [sum((out[r][k] * seen_from[k] for k in range(3)), out[r][3]) for r in range(3)]
-                right = [row[3] for row in inverse(self.product(a, b))[:3]]
+                right = [row[3] for row in self.inverse(a, b)[:3]]
                 for r in range(3):
                     yield from self._equation(left[r], right[r], Source(a, b, ((r, 3),), "inverse"), seen)
                 yield from self._squares(left, right, a, b, "inverse squares", seen)
 
-    def _equation(self, left: Poly, right: Poly, source: Source, seen: set):
+    def _equation(self, left: Poly, right: Poly, source: Source, seen: set, longest: int = LONGEST):
         total = left - right
-        if not total or len(total.terms) > LONGEST or total in seen or -total in seen:
+        if not total or len(total.terms) > longest or total in seen or -total in seen:
             return
         if not self.target.usable(total) or self.knowledge.knows(total):
             return
         seen.add(total)
         yield Equation(left, right, source)
 
-    def _squares(self, left: list[Poly], right: list[Poly], a: int, b: int, kind: str, seen: set):
-        if sum(len(p.terms) for p in (*left, *right)) > LONGEST_SQUARES:
+    def _squares(self, left: list[Poly], right: list[Poly], a: int, b: int, kind: str, seen: set, longest: int = LONGEST_SQUARES):
+        # One joint can drop out on each side; with more than one besides them nothing single can be left.
+        unknown = {j for p in (*left, *right) for j in p.joints() if j not in self.knowledge.joints}
+        if sum(len(p.terms) for p in (*left, *right)) > longest or len(unknown) > 3:
             return
-        constant = [Poly({key: v for key, v in p.terms.items() if not key[1]}) for p in right]
-        constant = [p if self.knowledge.knows(p) else Poly() for p in constant]
-        options = [[Poly()] * 3] + ([constant] if any(constant) else [])
-        for shift, rows in itertools.product(options, ((0, 1), (0, 2), (1, 2), (0, 1, 2))):
-            one = sum(((left[r] - shift[r]) ** 2 for r in rows), Poly())
-            two = sum(((right[r] - shift[r]) ** 2 for r in rows), Poly())
-            yield from self._equation(one, two, Source(a, b, tuple((r, 3) for r in rows), kind), seen)
+        options = [[Poly()] * 3]
+        # distances from a fixed point: the constant part of the position, or the origin that the first joint turns about
+        for fixed in (right, [row[3] for row in self.product(a, a + 1)[:3]]):
+            constant = [Poly({key: v for key, v in p.terms.items() if not key[1]}) for p in fixed]
+            constant = [p if self.knowledge.knows(p) else Poly() for p in constant]
+            if any(constant) and constant not in options:
+                options.append(constant)
+        for shift in options:
+            ones = [one_circle((p - s) ** 2) for p, s in zip(left, shift, strict=True)]
+            twos = [one_circle((p - s) ** 2) for p, s in zip(right, shift, strict=True)]
+            for rows in ((0, 1), (0, 2), (1, 2), (0, 1, 2)):
+                one, two = (sum((squares[r] for r in rows), Poly()) for squares in (ones, twos))
+                source = Source(a, b, tuple((r, 3) for r in rows), kind)
+                yield from self._equation(one, two, source, seen, longest=3 * longest)
 
     # -- choosing --------------------------------------------------------------------------------------------------------
     def _best(self) -> Move | None:
@@ -299,6 +318,8 @@ class Eliminator:
     def _options(self, equations, sigma: Sym, name: Sym):
         """(score, angle, equations, recipe, coefficients) for everything that can be solved now."""
         linear: dict[tuple, list] = {}
+        # what a quartic leaves is the pair of equations it came from, and only the pair is unique
+        pairs_only = bool(self.moves) and self.moves[-1].solved.kind == "quartic"
         for place, equation in enumerate(equations):
             view = self.knowledge.view(equation.left - equation.right)
             found = view.quadratic()
@@ -316,7 +337,7 @@ class Eliminator:
             angle, *coefficients = found
             linear.setdefault(angle, []).append((equation, tuple(coefficients), place))
             recipe = recognise_single(*coefficients, sigma, name, self.target.column_mates)
-            if recipe is not None:
+            if recipe is not None and not pairs_only:
                 yield self._score(recipe, angle, (equation,), place), angle, (equation,), recipe, coefficients
         for angle, rows in linear.items():
             rows = sorted(rows, key=lambda row: len((row[0].left - row[0].right).terms))[:10]
@@ -364,7 +385,7 @@ class _Values(dict):
         self.witness = witness
 
     def __missing__(self, symbol):
-        self[symbol] = value = self.witness.number(self.witness.eliminator.target.definitions[symbol])
+        self[symbol] = value = self.witness.eliminator.target.definitions[symbol].evaluate(self)
         return value
 
 
@@ -380,22 +401,10 @@ class Witness:
         table = eliminator.table
         q = np.random.default_rng(5).uniform(-2.5, 2.5, (table.n, count))
         self.values = _Values(self, table.values(q, NumpyField))
-        pose = [[self.number(p) for p in row] for row in eliminator.product(0, table.n)]
+        pose = [[p.evaluate(self.values) for p in row] for row in eliminator.product(0, table.n)]
         for c, letter in enumerate("noap"):
             for r, axis in enumerate("xyz"):
                 self.values[Sym(letter, axis, 4)] = pose[r][c] + np.zeros(count)
-
-    def number(self, poly: Poly):
-        """The polynomial's value at the postures."""
-        total = 0.0
-        for (symbols, functions), value in poly.terms.items():
-            term = float(value)
-            for symbol, power in symbols:
-                term = term * self.values[symbol] ** power
-            for t in functions:
-                term = term * t.evaluate(self.values, NumpyField)
-            total = total + term
-        return total
 
     def confirms(self, angle: tuple, solved: Solved, sigma: Sym) -> bool:
         """Whether one branch of the formula gives the true value at every posture, and no posture is degenerate."""

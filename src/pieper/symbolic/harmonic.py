@@ -12,6 +12,7 @@ import functools
 from fractions import Fraction
 
 from pieper.symbolic.expression import ONE, ZERO, Expr, Num, Sym, Trig, add, mul
+from pieper.symbolic.fields import NumpyField
 
 HALF = Fraction(1, 2)
 
@@ -144,6 +145,18 @@ class Poly:
                     turned = Trig("s" if t.kind == "c" else "c", t.angle, t.group, letter)
                     key = (symbols, (*functions[:place], turned, *functions[place + 1 :]))
                     total = total + Poly({key: value * factor * (-1 if t.kind == "c" else 1)})
+        return total
+
+    def evaluate(self, values: dict):
+        """The value in double precision, for numbers or arrays."""
+        total = 0.0
+        for (symbols, functions), value in self.terms.items():
+            term = float(value)
+            for symbol, power in symbols:
+                term = term * values[symbol] ** power
+            for t in functions:
+                term = term * t.evaluate(values, NumpyField)
+            total = total + term
         return total
 
     # -- writing it out -----------------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@ import itertools
 import numpy as np
 
 from pieper.errors import PieperError
+from pieper.kinematics.geometry import look
 from pieper.symbolic.derivation import ClosedForm
 from pieper.symbolic.derivation_words import write_steps
 from pieper.symbolic.elimination import Eliminator
@@ -127,15 +128,23 @@ def _choices(arm, plan, task: str):
     if plan is not None:
         first = tuple(j + 1 for j in plan.reduction.locked if j < arm.n)
         spare = max(spare, len(first))
-    seen = {first} if len(first) == spare or not spare else set()
+    # the solver's own choice first, unless it stands for an arm that the solver has no closed form for either
+    general = plan is not None and plan.family == "general" and spare
+    seen = {first} if (len(first) == spare or not spare) and not general else set()
     yield from seen
     if not seen and not spare:
         yield ()
     if spare == 1:
         order = [1, arm.n, *range(2, arm.n)]
-        yield from ((j,) for j in order if (j,) not in seen)
+        yield from ((j,) for j in order if (j,) not in seen and _promising(arm, j))
     elif spare > 1:
         yield from itertools.islice((c for c in itertools.combinations(range(1, arm.n + 1), spare) if c not in seen), 20)
+
+
+def _promising(arm, joint: int) -> bool:
+    """Whether three neighbouring axes meet or are parallel once this joint (1-based) is held at some value."""
+    geometry = look(arm.chain.locked(joint - 1, 0.37), 1e-9)
+    return bool(geometry.spherical) or any(len(group.joints) > 2 for group in geometry.parallel)
 
 
 def _how(self: InverseEquations) -> str:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import itertools
 
+from pieper.symbolic.determinant import one_circle
 from pieper.symbolic.expression import Call, Expr, Sym, Trig
 from pieper.symbolic.harmonic import Poly
 from pieper.symbolic.patterns import Recipe, Solved, _divided, _shared
@@ -39,12 +40,14 @@ def recognise_quartics(equations: list, knowledge: Knowledge, groups: tuple, rho
             first, second = _by(v1, x, groups), _by(v2, x, groups)
             if first is None or second is None:
                 continue
-            total = _eliminated(first, second)
+            short, names = _named_constants((first, second))
+            total = _eliminated(*short)
             if total is None:
                 continue
             parts = _harmonics(knowledge.view(total), y)
             if parts is not None:
-                yield y, Recipe("quartic", 4, False, lambda parts=parts: _solved(parts, rho)), (e1, e2), parts
+                recipe = Recipe("quartic", 4, False, lambda parts=parts, names=names: _solved(parts, rho, names))
+                yield y, recipe, (e1, e2), (*first, *second)
 
 
 def _by(view: View, x: tuple, groups: tuple) -> tuple[Poly, Poly, Poly] | None:
@@ -62,6 +65,19 @@ def _by(view: View, x: tuple, groups: tuple) -> tuple[Poly, Poly, Poly] | None:
     return parts["c"], parts["s"], parts[""]
 
 
+def _named_constants(equations: tuple) -> tuple[list[tuple], list[tuple[Sym, Poly]]]:
+    """The equations with the part of C that holds no unknown under a name, so that its square stays short."""
+    short, names = [], []
+    for number, (A, B, C) in enumerate(equations, 1):
+        known = Poly({key: value for key, value in C.terms.items() if not key[1]})
+        if len(known.terms) > 1:
+            name = Sym("K", str(number), 4)
+            names.append((name, known))
+            C = C - known + Poly.symbol(name)
+        short.append((A, B, C))
+    return short, names
+
+
 def _eliminated(first: tuple, second: tuple) -> Poly | None:
     (A1, B1, C1), (A2, B2, C2) = first, second
     if not (A1 and B1 and A2 and B2):
@@ -71,7 +87,7 @@ def _eliminated(first: tuple, second: tuple) -> Poly | None:
     a2, b2 = _divided(A2, beta), _divided(B2, beta)
     if not ((a2 == k2 and b2 == -k1) or (a2 == -k2 and b2 == k1)):
         return None
-    return (beta * C1) ** 2 + (alpha * C2) ** 2 - (alpha * beta) ** 2 * (k1 * k1 + k2 * k2)
+    return one_circle((beta * C1) ** 2 + (alpha * C2) ** 2 - (alpha * beta) ** 2 * (k1 * k1 + k2 * k2))
 
 
 def _harmonics(view: View, y: tuple) -> tuple[Poly, ...] | None:
@@ -83,10 +99,10 @@ def _harmonics(view: View, y: tuple) -> tuple[Poly, ...] | None:
     return tuple(view.part((), key) for key in keys)
 
 
-def _solved(parts: tuple[Poly, ...], rho: Sym) -> Solved:
+def _solved(parts: tuple[Poly, ...], rho: Sym, names: list) -> Solved:
     f0, c1, s1, c2, s2 = parts
     quartic = (f0 - c1 + c2, 2 * s1 - 4 * s2, 2 * f0 - 6 * c2, 2 * s1 + 4 * s2, f0 + c1 + c2)
     definitions: tuple[tuple[Sym, Expr], ...] = tuple(
-        (symbol, poly.expr()) for symbol, poly in zip(COEFFICIENTS, quartic, strict=True)
+        (symbol, poly.expr()) for symbol, poly in (*names, *zip(COEFFICIENTS, quartic, strict=True))
     )
     return Solved(Call("quartic", *COEFFICIENTS, rho), 4, (), None, "quartic", definitions)
