@@ -99,8 +99,7 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
     labels = list(solutions.all_labels)
     families = np.full(len(solutions.all_q), -1)
     families[inside] = solutions.in_family
-    residual = np.zeros((len(solutions.all_q), 2))
-    residual[inside] = solutions.residual
+    residual = arm.plan_for(message.get("task")).residual(solutions.all_q, solutions.T)
     now = message.get("q")
     near = None
     if isinstance(now, list) and len(now) == arm.n and (len(solutions) or solutions.families):
@@ -111,7 +110,7 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
                 "q": q.tolist(),
                 "label": labels[i],
                 "inside": bool(inside[i]),
-                "residual": residual[i].tolist() if inside[i] else None,
+                "residual": residual[i].tolist(),
                 "family": int(families[i]),
             }
             for i, q in enumerate(solutions.all_q)

@@ -9,9 +9,7 @@ import pieper
 
 #: Formulas longer than this are not typeset: the browser would stand still for seconds.
 LONGEST_FORMULA = 30_000
-_DISPLAY = re.compile(
-    r"\\\[(.*?)\\\]|\\begin\{(align\*?|equation\*?|gather\*?)\}(.*?)\\end\{\2\}", re.DOTALL
-)
+_DISPLAY = re.compile(r"\\\[(.*?)\\\]|\\begin\{(align\*?|equation\*?|gather\*?)\}(.*?)\\end\{\2\}", re.DOTALL)
 _HEADING = re.compile(r"\\(?:section|subsection|subsubsection|paragraph)\*?\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}")
 
 

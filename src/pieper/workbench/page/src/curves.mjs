@@ -8,12 +8,12 @@ export const kinds = [['position', 'Position'], ['joints', 'Joints'], ['speeds',
 
 /**
  * A motion that can be played: postures in order.
- * @param xs point numbers or seconds, one a posture; `seconds` the time of each posture
+ * @param xs point numbers or seconds, one a posture; `xEnd` where the axis ends; `seconds` the time of each posture
  */
-export function motionOf({ table, q, xs, xName, seconds, dq = null, events = [], title }) {
+export function motionOf({ table, q, xs, xName, xEnd = null, seconds, dq = null, events = [], title }) {
   const F = q.map((v) => forward(table, v));
   return {
-    table, q, xs, xName, seconds, events, title,
+    table, q, xs, xName, xEnd, seconds, events, title,
     tool: F.map((f) => position(f[f.length - 1])),
     speeds: dq ?? finiteDifferences(q, seconds),
     least: q.map((v, i) => singularValues(table, v, F[i])[0] ?? 0),
@@ -52,7 +52,7 @@ export function csv(motion) {
 export function svg(motion, kind, colours) {
   const { y, list } = series(motion, kind), W = 720, H = 380, box = { l: 66, r: 96, t: 34, b: 48 };
   const xs = motion.xs, all = list.flatMap((s) => s.values);
-  const [x0, x1] = [xs[0], xs[xs.length - 1] > xs[0] ? xs[xs.length - 1] : xs[0] + 1];
+  const last = motion.xEnd ?? xs[xs.length - 1], x0 = xs[0], x1 = last > x0 ? last : x0 + 1;
   let [y0, y1] = [Math.min(...all), Math.max(...all)];
   if (!(y1 - y0 > 1e-9)) { y0 -= 1; y1 += 1; }
   const X = (v) => box.l + ((v - x0) / (x1 - x0)) * (W - box.l - box.r), Y = (v) => H - box.b - ((v - y0) / (y1 - y0)) * (H - box.t - box.b);

@@ -43,12 +43,12 @@ export function show(next) {
   const span = next.xs[next.xs.length - 1] - next.xs[0] || 1;
   replace(els.marks, next.events.map((e) => {
     const m = h('span', { class: 'event-mark', title: e.text });
-    m.style.setProperty('left', `${(100 * (e.x - next.xs[0])) / span}%`);
+    m.style.setProperty('left', `${Math.min((100 * (e.x - next.xs[0])) / span, 100)}%`);
     return m;
   }));
   draw();
   if (next.q.length) go(0);
-  requestAnimationFrame(() => fitArm({ also: next.tool }));
+  requestAnimationFrame(() => fitArm());
   tell('motion');
 }
 export const current = () => motion;
@@ -93,7 +93,7 @@ function draw() {
   plot = new uPlot({
     width: els.chart.clientWidth || 600, height: els.chart.clientHeight || 180, pxAlign: 0, legend: { show: false },
     cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
-    scales: { x: { time: false }, y: { range: (_, lo, hi) => (hi - lo > 1e-9 ? [lo - 0.06 * (hi - lo), hi + 0.06 * (hi - lo)] : [lo - 1, hi + 1]) } },
+    scales: { x: { time: false, range: (_, lo, hi) => [lo, Math.max(hi, motion.xEnd ?? hi, lo + 1e-6)] }, y: { range: (_, lo, hi) => (hi - lo > 1e-9 ? [lo - 0.06 * (hi - lo), hi + 0.06 * (hi - lo)] : [lo - 1, hi + 1]) } },
     series: [{}, ...list.map((s, i) => ({ label: s.name, stroke: colours.curves[i % colours.curves.length], width: 1.75, pxAlign: 0, points: { show: motion.q.length < 3 } }))],
     axes: [{ ...axis, label: motion.xName === 'point' ? 'point number' : 'time, s', size: 2.1 * rem() }, { ...axis, label: y, size: 4 * rem() }],
   }, [motion.xs, ...list.map((s) => s.values)], els.chart);

@@ -2,7 +2,7 @@
 import { state, tell } from './store.mjs';
 
 export const colours = {};
-const names = ['ground', 'gridFine', 'gridCoarse', 'bounce', 'link', 'joint', 'accent', 'ghost', 'ink', 'muted', 'line', 'trace', 'panel'];
+const names = ['ground', 'gridFine', 'gridCoarse', 'link', 'joint', 'accent', 'ghost', 'ink', 'muted', 'line', 'trace', 'panel'];
 /** Eight curve colours that stay apart for colour-blind eyes (after Okabe and Ito, 2008), one set for each theme. */
 const curves = {
   light: ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#8a6d00', '#56b4e9', '#4b4b4b', '#7a3e9d'],

@@ -66,7 +66,7 @@ export const path = {
       showPath(track.path.map(position));
       if (!track.q.length) { dock.show(null); return; }
       const n = track.path.length, xs = track.q.map((_, i) => i + 1), t = track.q.map((_, i) => (n > 1 ? (P.seconds * i) / (n - 1) : 0));
-      dock.show(motionOf({ table: state.table, q: track.q, xs, xName: 'point', seconds: t, title: `${state.table.name}: straight line, ${track.q.length} of ${n} points`,
+      dock.show(motionOf({ table: state.table, q: track.q, xs, xName: 'point', xEnd: n, seconds: t, title: `${state.table.name}: straight line, ${track.q.length} of ${n} points`,
         events: track.events.map((e) => ({ ...e, x: 1 + e.s * (n - 1), short: e.cause })) }));
     }
     function bar(s) {

@@ -3,14 +3,15 @@ import * as THREE from 'three';
 import { state, on } from '../store.mjs';
 import { colours } from '../theme.mjs';
 import { frames as forward } from '../kinematics.mjs';
-import { position } from '../matrix.mjs';
-import { scene, invalidate, layGround, fit, remember } from './view.mjs';
+import { position, norm, sub } from '../matrix.mjs';
+import { scene, invalidate, layGround, fit, remember, keepInView } from './view.mjs';
+import { debounce } from '../dom.mjs';
 import { proportions, shape, outline } from './shape.mjs';
 import { Bodies } from './bodies.mjs';
+import { matte } from './matte.mjs';
 import { Frames } from './frames.mjs';
 
-const solid = () => new THREE.MeshStandardMaterial({ roughness: 0.52, metalness: 0.08, fog: false });
-const materials = { link: solid(), joint: solid(), accent: solid() };
+const materials = { link: matte(), joint: matte({ gloss: 0.2 }), accent: matte({ gloss: 0.05 }) };
 
 /** The arm's shadow: the same instances, flattened onto the ground along the light; each pixel is darkened once. */
 const light = [0.32, -0.4, 1];
@@ -19,11 +20,10 @@ const shadowMaterial = new THREE.MeshBasicMaterial({ color: '#000', transparent:
 const shadowMatrix = new THREE.Matrix4().set(1, 0, -light[0], 0, 0, 1, -light[1], 0, 0, 0, 0, 0.0005, 0, 0, 0, 1);
 const main = new Bodies(materials, { shadow: { material: shadowMaterial, matrix: shadowMatrix } });
 
-const veil = (opacity) => new THREE.MeshLambertMaterial({ transparent: true, opacity, fog: false });
-const ghostMaterial = veil(0.2);
-const ghosts = new Bodies({ link: ghostMaterial, joint: ghostMaterial, accent: ghostMaterial });
-const previewMaterial = veil(0.62);
-const preview = new Bodies({ link: previewMaterial, joint: previewMaterial, accent: previewMaterial });
+const ghostMaterial = matte({ opacity: 0.2, gloss: 0 });
+const ghosts = new Bodies({ link: ghostMaterial, joint: ghostMaterial, accent: ghostMaterial }, { veil: true });
+const previewMaterial = matte({ opacity: 0.62, gloss: 0.1 });
+const preview = new Bodies({ link: previewMaterial, joint: previewMaterial, accent: previewMaterial }, { veil: true });
 const axes = new Frames();
 
 let form = proportions(state.table);
@@ -46,13 +46,16 @@ export function begin() {
   paint();
 }
 
-/** Bring the arm into the picture, with further points if there are any (a path). */
-export function fitArm({ also = [], ...options } = {}) { fit([...outline(state.table, state.frames), ...also], options); }
+let alsoShown = [];
+/** Bring the arm into the picture; what stands beside it (a path) stays in the picture from then on. */
+export function fitArm(options) { fit([...outline(state.table, state.frames), ...alsoShown], options); }
+const stayInView = debounce(keepInView, 220);
 
 function drawArm() {
   const F = state.frames;
-  main.show(state.table.joints.length ? [{ parts: shape(state.table, F, form), colour: null }] : []);
-  remember(outline(state.table, F));
+  main.show(state.table.joints.length ? [shape(state.table, F, form)] : []);
+  remember([...outline(state.table, F), ...alsoShown]);
+  stayInView();
   if (tracing) addTrace(position(F[F.length - 1]));
   drawFrames();
 }
@@ -71,31 +74,34 @@ export function showPreview(q) { previewRow = q; drawGhosts(); }
 export const ghostCount = () => ghostRows.length;
 function drawGhosts() {
   const partsOf = (q) => shape(state.table, forward(state.table, q), form);
-  ghosts.show(ghostRows.map((q) => ({ parts: partsOf(q), colour: null })));
-  preview.show(previewRow ? [{ parts: partsOf(previewRow), colour: null }] : []);
+  ghosts.show(ghostRows.map(partsOf));
+  preview.show(previewRow ? [partsOf(previewRow)] : []);
   invalidate();
 }
 
-// ---- trace of the tool
+// ---- trace of the tool: pairs of points, so that a jump (a typed value) leaves no line that the tool never drew
 const MOST = 6000;
-const traceAt = new Float32Array(3 * MOST);
-const traceLine = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ fog: false }));
+const traceAt = new Float32Array(6 * MOST);
+const traceLine = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ fog: false }));
 traceLine.geometry.setAttribute('position', new THREE.BufferAttribute(traceAt, 3));
 traceLine.frustumCulled = false;
-let traceCount = 0, tracing = true;
+let traceCount = 0, tracing = true, lastPoint = null;
 scene.add(traceLine);
 function addTrace(p) {
-  if (traceCount) {
-    const k = 3 * (traceCount - 1);
-    if (Math.hypot(p[0] - traceAt[k], p[1] - traceAt[k + 1], p[2] - traceAt[k + 2]) < form.size * 0.002) return;
+  const step = lastPoint ? norm(sub(p, lastPoint)) : Infinity;
+  if (step < form.size * 0.002) return;
+  if (step < form.size * 0.2) {
+    if (traceCount === MOST) { traceAt.copyWithin(0, 6 * 1000); traceCount -= 1000; }
+    traceAt.set(lastPoint, 6 * traceCount);
+    traceAt.set(p, 6 * traceCount + 3);
+    traceCount += 1;
+    traceLine.geometry.setDrawRange(0, 2 * traceCount);
+    traceLine.geometry.attributes.position.needsUpdate = true;
   }
-  if (traceCount === MOST) { traceAt.copyWithin(0, 3 * 1000); traceCount -= 1000; }
-  traceAt.set(p, 3 * traceCount++);
-  traceLine.geometry.setDrawRange(0, traceCount);
-  traceLine.geometry.attributes.position.needsUpdate = true;
+  lastPoint = p;
 }
 export function setTracing(yes) { tracing = yes; traceLine.visible = yes; if (!yes) clearTrace(); invalidate(); }
-export function clearTrace() { traceCount = 0; traceLine.geometry.setDrawRange(0, 0); invalidate(); }
+export function clearTrace() { traceCount = 0; lastPoint = null; traceLine.geometry.setDrawRange(0, 0); invalidate(); }
 export const traceLength = () => traceCount;
 
 // ---- the planned path
@@ -105,6 +111,7 @@ const pathDots = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMa
 pathDots.frustumCulled = false;
 scene.add(pathLine, pathDots);
 export function showPath(points) {
+  alsoShown = points;
   const at = new Float32Array(points.flat());
   for (const o of [pathLine, pathDots]) {
     o.geometry.dispose();
@@ -116,11 +123,11 @@ export function showPath(points) {
 }
 
 function paint() {
-  materials.link.color.set(colours.link);
-  materials.joint.color.set(colours.joint);
-  materials.accent.color.set(colours.accent);
-  ghostMaterial.color.set(colours.ghost);
-  previewMaterial.color.set(colours.accent);
+  materials.link.repaint(colours.link, colours.dark);
+  materials.joint.repaint(colours.joint, colours.dark);
+  materials.accent.repaint(colours.accent, colours.dark);
+  ghostMaterial.repaint(colours.ghost, colours.dark);
+  previewMaterial.repaint(colours.accent, colours.dark);
   traceLine.material.color.set(colours.accent);
   pathLine.material.color.set(colours.trace);
   pathDots.material.color.set(colours.trace);

@@ -2,16 +2,19 @@
 import * as THREE from 'three';
 import { cross, norm, sub } from '../matrix.mjs';
 
-const segments = 24;
-const rodGeometry = new THREE.CylinderGeometry(1, 1, 1, segments, 1, true).rotateX(Math.PI / 2);
-const ballGeometry = new THREE.SphereGeometry(1, segments, 14);
-const bevel = 0.1;
-const drumGeometry = new THREE.LatheGeometry(
-  [[0, -0.5], [1 - bevel, -0.5], [1, -0.5 + bevel / 2], [1, 0.5 - bevel / 2], [1 - bevel, 0.5], [0, 0.5]].map(([r, y]) => new THREE.Vector2(r, y)), segments)
-  .rotateX(Math.PI / 2);
-const bandGeometry = new THREE.CylinderGeometry(1, 1, 1, segments, 1, true).rotateX(Math.PI / 2);
-const boxGeometry = new THREE.BoxGeometry(2, 2, 1);
-for (const g of [drumGeometry]) g.computeVertexNormals();
+/** Meshes of one unit, along z: fine for the arm, coarse for its ghosts and its shadow. */
+function parts(round, rings) {
+  const bevel = 0.1, turn = (g) => g.rotateX(Math.PI / 2);
+  const profile = [[0, -0.5], [1 - bevel, -0.5], [1, -0.5 + bevel / 2], [1, 0.5 - bevel / 2], [1 - bevel, 0.5], [0, 0.5]];
+  return {
+    rod: turn(new THREE.CylinderGeometry(1, 1, 1, round, 1, true)),
+    ball: new THREE.SphereGeometry(1, round, rings),
+    drum: turn(rings > 8 ? new THREE.LatheGeometry(profile.map(([r, y]) => new THREE.Vector2(r, y)), round) : new THREE.CylinderGeometry(1, 1, 1, round)),
+    band: turn(new THREE.CylinderGeometry(1, 1, 1, round, 1, true)),
+    box: new THREE.BoxGeometry(2, 2, 1),
+  };
+}
+const fine = parts(26, 12), coarse = parts(14, 6);
 
 const m = new THREE.Matrix4();
 /** Unit mesh along z to a place: radius r, height h, centred at `at`, z along dir. */
@@ -25,13 +28,17 @@ function stand(at, dir, r, h, x = null) {
 }
 
 export class Bodies {
-  /** @param kinds {link, joint, accent} materials; `shadow` a material for the flattened copy, or null. */
-  constructor(materials, { shadow = null, perArm = 1 } = {}) {
+  /**
+   * @param materials {link, joint, accent}
+   * @param options.shadow {material, matrix} of the flattened copy, or null
+   * @param options.veil true for ghosts: coarse meshes, without bands and plates
+   */
+  constructor(materials, { shadow = null, veil = false } = {}) {
     this.group = new THREE.Group();
     this.materials = materials;
     this.shadow = shadow;
+    this.veil = veil;
     this.capacity = 0;
-    this.perArm = perArm;
     this.meshes = {};
   }
 
@@ -39,17 +46,16 @@ export class Bodies {
     if (capacity <= this.capacity) return;
     this.capacity = Math.max(64, 2 ** Math.ceil(Math.log2(capacity)));
     this.group.clear();
-    const kinds = { rod: [rodGeometry, 'link'], ball: [ballGeometry, 'link'], drum: [drumGeometry, 'joint'], band: [bandGeometry, 'accent'],
-      box: [boxGeometry, 'joint'], tip: [ballGeometry, 'accent'], plate: [drumGeometry, 'joint'] };
+    const kinds = { rod: ['rod', 'link'], ball: ['ball', 'link'], drum: ['drum', 'joint'], band: ['band', 'accent'], box: ['box', 'joint'], tip: ['ball', 'accent'], plate: ['drum', 'joint'] };
     for (const [kind, [geometry, material]] of Object.entries(kinds)) {
       this.meshes[kind]?.dispose();
-      const mesh = new THREE.InstancedMesh(geometry, this.materials[material], this.capacity);
+      const mesh = new THREE.InstancedMesh((this.veil ? coarse : fine)[geometry], this.materials[material], this.capacity);
       mesh.frustumCulled = false;
       mesh.count = 0;
       this.meshes[kind] = mesh;
       this.group.add(mesh);
-      if (this.shadow && kind !== 'band') {
-        const flat = new THREE.InstancedMesh(geometry, this.shadow.material, this.capacity);
+      if (this.shadow && kind !== 'band' && kind !== 'tip') {
+        const flat = new THREE.InstancedMesh(coarse[geometry], this.shadow.material, this.capacity);
         flat.instanceMatrix = mesh.instanceMatrix;
         flat.frustumCulled = false;
         flat.matrixAutoUpdate = false;
@@ -61,40 +67,40 @@ export class Bodies {
     }
   }
 
-  /** Show arms: a list of {parts, colour}; colour null keeps the material's own. */
+  /** Show arms: a list of what `shape` returns. */
   show(arms) {
-    const most = arms.reduce((sum, { parts }) => sum + Math.max(parts.rods.length, parts.balls.length, parts.drums.length + 3), 0);
+    const most = arms.reduce((sum, parts) => sum + Math.max(parts.rods.length, parts.balls.length, parts.drums.length + 3), 0);
     this.#grow(most);
     for (const mesh of Object.values(this.meshes)) mesh.count = 0;
-    for (const { parts, colour } of arms) this.#add(parts, colour);
+    for (const parts of arms) this.#add(parts);
     for (const mesh of Object.values(this.meshes)) {
       mesh.instanceMatrix.needsUpdate = true;
-      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
       mesh.visible = mesh.count > 0;
       if (mesh.userData.flat) { mesh.userData.flat.count = mesh.count; mesh.userData.flat.visible = mesh.visible; }
     }
   }
 
-  #put(kind, matrix, colour) {
+  #put(kind, matrix) {
     const mesh = this.meshes[kind];
     mesh.setMatrixAt(mesh.count, matrix);
-    if (colour) mesh.setColorAt(mesh.count, colour);
     mesh.count += 1;
   }
 
-  #add(parts, colour) {
+  #add(parts) {
+    // A ghost is a little thinner than the arm: where both stand in one place, the arm is seen and not a pattern of the two.
+    const k = this.veil ? 0.95 : 1;
     for (const { a, b, r } of parts.rods) {
       const v = sub(b, a), len = norm(v), dir = v.map((x) => x / len);
-      this.#put('rod', stand([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2], dir, r, len), colour);
+      this.#put('rod', stand([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2], dir, k * r, len));
     }
-    for (const { at, r } of parts.balls) this.#put('ball', m.makeScale(r, r, r).setPosition(...at), colour);
+    for (const { at, r } of parts.balls) this.#put('ball', m.makeScale(k * r, k * r, k * r).setPosition(...at));
     for (const { at, dir, r, h } of parts.drums) {
-      this.#put('drum', stand(at, dir, r, h), colour);
-      this.#put('band', stand(at, dir, r * 1.012, h * 0.13), colour);
+      this.#put('drum', stand(at, dir, k * r, k * h));
+      if (!this.veil) this.#put('band', stand(at, dir, r * 1.012, h * 0.13));
     }
-    for (const { at, dir, x, r, h } of parts.sleeves) this.#put('box', stand(at, dir, r, h, x), colour);
-    if (parts.pedestal) { const { at, dir, r, h } = parts.pedestal; this.#put('plate', stand([at[0] + dir[0] * h / 2, at[1] + dir[1] * h / 2, at[2] + dir[2] * h / 2], dir, r, h), colour); }
-    if (parts.flange) { const { at, dir, r, h } = parts.flange; this.#put('plate', stand(at, dir, r, h), colour); }
-    if (parts.tip) this.#put('tip', m.makeScale(parts.tip.r, parts.tip.r, parts.tip.r).setPosition(...parts.tip.at), colour);
+    for (const { at, dir, x, r, h } of parts.sleeves) this.#put('box', stand(at, dir, k * r, k * h, x));
+    if (parts.pedestal && !this.veil) { const { at, dir, r, h } = parts.pedestal; this.#put('plate', stand([at[0] + dir[0] * h / 2, at[1] + dir[1] * h / 2, at[2] + dir[2] * h / 2], dir, r, h)); }
+    if (parts.flange) { const { at, dir, r, h } = parts.flange; this.#put('plate', stand(at, dir, r, h)); }
+    if (parts.tip && !this.veil) this.#put('tip', m.makeScale(parts.tip.r, parts.tip.r, parts.tip.r).setPosition(...parts.tip.at));
   }
 }

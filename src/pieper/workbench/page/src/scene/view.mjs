@@ -1,7 +1,8 @@
-// The window into space: renderer, camera, standard views, light and ground. Draws only when something changed.
+// The window into space: renderer, camera, standard views and ground. Draws only when something changed.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { colours } from '../theme.mjs';
+import { Quality, drawnInSoftware } from './quality.mjs';
 
 const FOV = 32;
 const directions = { iso: [1, -1.25, 0.62], front: [1, 0, 0], side: [0, -1, 0], top: [0, -0.0001, 1] };
@@ -10,8 +11,7 @@ export const scene = new THREE.Scene();
 export const camera = new THREE.PerspectiveCamera(FOV, 1, 0.01, 100);
 camera.up.set(0, 0, 1);
 export let renderer, controls;
-let host, pending = false, drawn = 0;
-const before = [];
+let host, quality, pending = false, drawn = 0;
 
 /** Ask for a picture; many requests within a frame make one. */
 export function invalidate() {
@@ -19,32 +19,31 @@ export function invalidate() {
   pending = true;
   requestAnimationFrame(draw);
 }
-function draw() {
+function draw(now = performance.now()) {
   pending = false;
-  for (const f of before) f();
+  quality.moving(now);
+  paint();
+}
+function paint() {
   renderer.render(scene, camera);
   drawn += 1;
 }
 export const picturesDrawn = () => drawn;
-/** Run f before every picture; for things whose size follows the camera. */
-export const beforeDrawing = (f) => before.push(f);
 
-const hemisphere = new THREE.HemisphereLight('#ffffff', '#8a8f99', 1.6);
-const sun = new THREE.DirectionalLight('#ffffff', 2.1);
-sun.position.set(1.2, -1.6, 3);
-const fill = new THREE.DirectionalLight('#ffffff', 0.7);
-fill.position.set(-2, 1, 1.2);
-scene.add(hemisphere, sun, fill);
 scene.fog = new THREE.Fog('#fff', 1, 10);
 
 export function open(element) {
   host = element;
-  renderer = new THREE.WebGLRenderer({ antialias: true, stencil: true, powerPreference: 'high-performance' });
+  const software = drawnInSoftware();
+  renderer = new THREE.WebGLRenderer({ antialias: !software, stencil: true, powerPreference: 'high-performance' });
+  quality = new Quality(software, renderer, paint);
   renderer.domElement.setAttribute('aria-hidden', 'true');
   host.append(renderer.domElement);
   controls = new OrbitControls(camera, renderer.domElement);
   controls.enableDamping = false;
   controls.addEventListener('change', invalidate);
+  // Whoever turns the arm out of the picture wants it so, until they ask for a view again.
+  controls.addEventListener('end', () => { handsOff = !inView(); });
   new ResizeObserver(resize).observe(host);
   resize();
   host.tabIndex = 0;
@@ -56,12 +55,12 @@ export function open(element) {
 function resize() {
   const w = host.clientWidth, h = host.clientHeight;
   if (!w || !h) return;
-  // A software renderer or a 4k wall cannot afford every device pixel.
-  renderer.setPixelRatio(Math.min(devicePixelRatio, 2, Math.sqrt(4e6 / (w * h)) || 1));
+  quality.resized(w, h);
   renderer.setSize(w, h);
   camera.aspect = w / h;
   camera.updateProjectionMatrix();
   draw();
+  keepInView();
 }
 
 function onKey(e) {
@@ -133,19 +132,26 @@ function fly({ target, position }, seconds = 0.35) {
     if (s < 1) requestAnimationFrame(go);
   })(began);
 }
-let lastView = 'iso';
 /** Bring points into the picture from the present direction. */
 export function fit(points, { instant = false, view = null } = {}) {
   lastPoints = points;
+  handsOff = false;
   const dir = view ? directions[view] : camera.position.clone().sub(controls.target).toArray();
   fly(framing(points, dir), instant ? 0 : 0.35);
 }
 /** One of the standard views: iso, front (from +x), side (from -y), top. */
 export function look(name) {
-  lastView = name;
+  handsOff = false;
   fly(framing(lastPoints, directions[name]));
 }
-export const currentView = () => lastView;
+let handsOff = false;
+function inView() {
+  camera.updateMatrixWorld();
+  const v = new THREE.Vector3();
+  return lastPoints.every((p) => { v.set(...p).project(camera); return Math.abs(v.x) < 1 && Math.abs(v.y) < 1 && v.z < 1; });
+}
+/** Move back a little when the arm has grown out of the picture, unless the person has chosen it so. */
+export function keepInView() { if (!handsOff && lastPoints.length && !inView()) fit(lastPoints); }
 export const remember = (points) => { lastPoints = points; };
 export const cameraState = () => [...camera.position.toArray(), ...controls.target.toArray()].map((v) => Number(v.toPrecision(5)));
 export function setCamera(six) {
@@ -184,8 +190,6 @@ export function layGround(reach) {
 export function applyTheme() {
   scene.background = new THREE.Color(colours.ground);
   scene.fog.color.set(colours.ground);
-  hemisphere.groundColor.set(colours.bounce);
-  hemisphere.intensity = colours.dark ? 1.1 : 1.7;
   if (grid) layGround(grid.userData.reach);
   invalidate();
 }

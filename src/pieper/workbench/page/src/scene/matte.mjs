@@ -1,0 +1,48 @@
+// The arm's paint: sky, sun and a little gloss in a dozen operations a pixel, since a projector's laptop may draw in software.
+import * as THREE from 'three';
+
+const vertexShader = /* glsl */`
+  varying vec3 vNormal;
+  varying vec3 vToEye;
+  void main() {
+    mat4 place = modelMatrix * instanceMatrix;
+    vec4 world = place * vec4(position, 1.0);
+    // columns of an instance are orthogonal, so dividing by their squared lengths undoes the scale
+    mat3 turn = mat3(place);
+    vNormal = turn * (normal / vec3(dot(turn[0], turn[0]), dot(turn[1], turn[1]), dot(turn[2], turn[2])));
+    vToEye = cameraPosition - world.xyz;
+    gl_Position = projectionMatrix * viewMatrix * world;
+  }`;
+
+const fragmentShader = /* glsl */`
+  uniform vec3 colour;
+  uniform float opacity;
+  uniform vec3 sky;
+  uniform vec3 ground;
+  uniform float gloss;
+  varying vec3 vNormal;
+  varying vec3 vToEye;
+  const vec3 SUN = vec3(0.332, -0.443, 0.831);
+  const vec3 FILL = vec3(-0.788, 0.394, 0.473);
+  void main() {
+    vec3 n = normalize(vNormal), e = normalize(vToEye);
+    float sun = max(dot(n, SUN), 0.0), fill = max(dot(n, FILL), 0.0);
+    vec3 light = mix(ground, sky, 0.5 + 0.5 * n.z) + 0.62 * sun + 0.2 * fill;
+    float shine = gloss * pow(max(dot(n, normalize(SUN + e)), 0.0), 28.0);
+    gl_FragColor = vec4(colour * light + shine, opacity);
+    #include <colorspace_fragment>
+  }`;
+
+/** A material for instanced parts; `set(colour)` repaints it, `lit(dark)` sets the sky for the theme. */
+export function matte({ opacity = 1, gloss = 0.16 } = {}) {
+  const material = new THREE.ShaderMaterial({
+    vertexShader, fragmentShader, transparent: opacity < 1,
+    uniforms: { colour: { value: new THREE.Color() }, opacity: { value: opacity }, gloss: { value: gloss }, sky: { value: new THREE.Color(0.46, 0.46, 0.47) }, ground: { value: new THREE.Color(0.2, 0.2, 0.21) } },
+  });
+  material.repaint = (colour, dark) => {
+    material.uniforms.colour.value.set(colour);
+    material.uniforms.sky.value.setScalar(dark ? 0.36 : 0.47);
+    material.uniforms.ground.value.setScalar(dark ? 0.1 : 0.2);
+  };
+  return material;
+}

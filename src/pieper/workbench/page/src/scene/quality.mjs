@@ -1,0 +1,58 @@
+// How finely to draw. A graphics card smooths edges by itself; a software renderer draws coarsely while things move, as
+// coarsely as it must to keep up with the hand, and once finely when they have come to rest.
+const LEVELS = [1, 0.8, 0.62, 0.5];
+/** Milliseconds between pictures above which the next coarser level is taken, and below which the next finer one. */
+const SLOW = 30, FAST = 17;
+const REST = 400;
+/** Pixels of a picture at rest, at most. */
+const MOST = 6e6;
+
+/** Whether WebGL is drawn by the processor here. */
+export function drawnInSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (!gl) return false;
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
+export class Quality {
+  constructor(software, renderer, draw) {
+    this.software = software;
+    this.renderer = renderer;
+    this.draw = draw;
+    this.level = 0;
+    this.gaps = [];
+    this.last = 0;
+    this.area = 1;
+  }
+
+  resized(width, height) { this.area = width * height; }
+
+  /** The person's pixels, as many as a picture can afford. */
+  get base() { return Math.min(devicePixelRatio, 2, Math.sqrt(MOST / this.area)); }
+
+  #use(ratio) { if (Math.abs(this.renderer.getPixelRatio() - ratio) > 1e-3) this.renderer.setPixelRatio(ratio); }
+
+  /** Before every picture. */
+  moving(now) {
+    if (!this.software) { this.#use(this.base); return; }
+    const gap = now - this.last;
+    this.last = now;
+    if (gap < 120) this.gaps.push(gap);
+    if (this.gaps.length >= 8) {
+      const middle = this.gaps.sort((a, b) => a - b)[4];
+      this.gaps = [];
+      if (middle > SLOW && this.level < LEVELS.length - 1) this.level += 1;
+      else if (middle < FAST && this.level > 0) this.level -= 1;
+    }
+    this.#use(this.base * LEVELS[this.level]);
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.gaps = [];
+      this.#use(Math.min(2 * this.base, Math.max(Math.sqrt(MOST / this.area), 0.5)));
+      this.draw();
+    }, REST);
+  }
+}
