@@ -71,8 +71,12 @@ def limit_stop(way: Continuation, q: np.ndarray, k: int) -> Event:
         joint, where = _limit_place(way, q, k)
     side, bound = ("lower", lower[joint]) if q[k][joint] < lower[joint] else ("upper", upper[joint])
     name = way.arm.joint_names[joint]
-    detail = f"{name} passes its {side} limit of {amount(way, joint, bound)}"
-    detail += f"; at point {k + 1} it would be at {amount(way, joint, q[k][joint])}"
+    if k == 0:
+        detail = f"{name} would begin at {amount(way, joint, q[0][joint])}, beyond its {side} limit of "
+        detail += amount(way, joint, bound)
+    else:
+        detail = f"{name} passes its {side} limit of {amount(way, joint, bound)}"
+        detail += f"; at point {k + 1} it would be at {amount(way, joint, q[k][joint])}"
     other = _other_turn(way, q, joint)
     if other:
         detail += f". Starting {other} it would stay inside"
