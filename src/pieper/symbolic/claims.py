@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from pieper.errors import InputError
-from pieper.symbolic import judge_angles, judge_formulas, judge_freedom, judge_poses, judge_tables
+from pieper.symbolic import judge_angles, judge_formulas, judge_freedom, judge_matrices, judge_poses, judge_tables
 from pieper.symbolic.evidence import Evidence
 from pieper.symbolic.formula import FormulaError, parse
 from pieper.symbolic.printed import UNITS
@@ -27,10 +27,10 @@ MAX_BYTES = 2_000_000
 JUDGES: dict[str, tuple[Callable[[Evidence, dict], Verdict], set[str], set[str]]] = {
     # kind: (judge, keys it needs, keys it may have)
     "entry": (judge_formulas.judge_entry, {"of", "is"}, {"where"}),
-    "matrix": (judge_formulas.judge_matrix, {"of", "is"}, {"where"}),
+    "matrix": (judge_matrices.judge_matrix, {"of", "is"}, {"where"}),
     "equation": (judge_formulas.judge_equation, {"is"}, {"where", "frame", "at_deg"}),
-    "product": (judge_formulas.judge_product, {"is"}, set()),
-    "joint": (judge_angles.judge_joint, {"is"}, {"joint", "for", "where", "frame", "at_deg"}),
+    "product": (judge_matrices.judge_product, {"is"}, set()),
+    "joint": (judge_angles.judge_joint, {"is"}, {"joint", "for", "where", "frame", "at_deg", "task"}),
     "together": (judge_angles.judge_together, {"is"}, {"where", "frame"}),
     "procedure": (judge_angles.judge_procedure, {"steps"}, {"where"}),
     "pose": (judge_poses.judge_pose, set(), {"q", "q_deg", "q_rad", "of", "matrix", "position", "unit", "rounded"}),

@@ -176,4 +176,4 @@ def fresh_samples(model: ArmModel, q: np.ndarray) -> Samples:
 
 def number(value: float) -> str:
     """Write a number with the digits a reader needs."""
-    return f"{value:.6g}"
+    return f"{0.0 if abs(value) < 1e-11 else value:.6g}"

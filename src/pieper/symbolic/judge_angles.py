@@ -143,7 +143,7 @@ def _joint_holds(ev: Evidence, claim, text, says, node, env, angle, wanted, fram
             else "which sign belongs to a solution follows no simple region",
         )
     ]
-    verdict, why = _both_signs(ev, node, angle, frame)
+    verdict, why = _both_signs(ev, node, angle, frame, claim.get("task") == "position")
     if why:
         details.append(("both signs", why))
     if verdict is False:
@@ -163,7 +163,7 @@ def _joint_holds(ev: Evidence, claim, text, says, node, env, angle, wanted, fram
     )
 
 
-def _both_signs(ev: Evidence, node: Node, angle: Node, frame) -> tuple[bool | None, str]:
+def _both_signs(ev: Evidence, node: Node, angle: Node, frame, position: bool) -> tuple[bool | None, str]:
     """Say whether, with the joints the formula uses held, both signs can be completed to solutions of the pose."""
     target = ANGLE.match(str(angle))
     part = ev.model.between(str(frame)) if frame is not None else (ev.model, 0)
@@ -185,7 +185,7 @@ def _both_signs(ev: Evidence, node: Node, angle: Node, frame) -> tuple[bool | No
         other = max(values[:, k], key=lambda v: abs(_wrap(v - q[joint - 1])))
         held = {j - before: q[j - before - 1] for j in given} | {joint: other}
         checked += 1
-        both += completes(model, poses[k], held, q)
+        both += completes(model, poses[k], held, q, position=position)
     if not checked:
         return None, ""
     words = "for the same " + " and ".join(f"theta{j}" for j in sorted(given)) if given else "of the pose"

@@ -52,7 +52,12 @@ def judge_freedom(ev: Evidence, claim: dict) -> Verdict:
     values = np.linalg.svd(J, compute_uv=False)
     rank = int(np.max(np.count_nonzero(values > RANK * values[:, :1], axis=1)))
     text, says = f"the tool has {dof} degrees of freedom", claim.get("says", "")
-    details = [("singular values", "of the Jacobian at " + ev.at(0) + ": " + ", ".join(f"{v:.3g}" for v in values[0]))]
+    details = [
+        (
+            "singular values",
+            "of the Jacobian at " + ev.at(0) + ": " + ", ".join(f"{v if v > 1e-7 else 0:.3g}" for v in values[0]),
+        )
+    ]
     free = undetermined(ev)
     if free:
         names = " and ".join(f"theta{j}" for j in sorted(free[0]))
@@ -87,7 +92,9 @@ def judge_freedom(ev: Evidence, claim: dict) -> Verdict:
     )
 
 
-def completes(model: ArmModel, T: np.ndarray, fixed: dict[int, float], q: np.ndarray, *, starts: int = 40) -> bool:
+def completes(
+    model: ArmModel, T: np.ndarray, fixed: dict[int, float], q: np.ndarray, *, position: bool = False, starts: int = 40
+) -> bool:
     """Say whether a pose can be reached with some joints (1-based) held at given values.
 
     Levenberg's method from many starts; exact enough to tell a solution from none.
@@ -97,6 +104,7 @@ def completes(model: ArmModel, T: np.ndarray, fixed: dict[int, float], q: np.nda
         T: (4, 4) pose, in the arm's unit.
         fixed: joint -> value held.
         q: (n,) a solution, used for the held values' scale only.
+        position: the task fixes the position only.
         starts: number of random starts.
     """
     rng = np.random.default_rng(5)
@@ -115,6 +123,8 @@ def completes(model: ArmModel, T: np.ndarray, fixed: dict[int, float], q: np.nda
         spin = 0.5 * np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
         # half turns have no spin of their own; the trace keeps them from passing for solutions
         flip = (3 - np.trace(R, axis1=1, axis2=2))[:, None]
+        if position:
+            return (T[:3, 3] - now[:, :3, 3]) / size, np.zeros((len(points), 1))
         return np.concatenate([(T[:3, 3] - now[:, :3, 3]) / size, spin], axis=1), flip
 
     if not free:
@@ -125,7 +135,7 @@ def completes(model: ArmModel, T: np.ndarray, fixed: dict[int, float], q: np.nda
         good = (np.abs(error).max(1) < 1e-6) & (flip[:, 0] < 1e-6)
         if good.any():
             return True
-        J = pose_jacobian(model, x)[:, :, free]
+        J = pose_jacobian(model, x)[:, : 3 if position else 6, free]
         JT = np.swapaxes(J, 1, 2)
         damp = 1e-3 * (error**2).sum(1)[:, None, None] * np.eye(len(free)) + 1e-12 * np.eye(len(free))
         step = np.linalg.solve(JT @ J + damp, (JT @ error[..., None]))[..., 0]

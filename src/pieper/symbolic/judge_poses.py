@@ -274,8 +274,9 @@ def judge_solutions(ev: Evidence, claim: dict) -> Verdict:
         lines.append(
             (
                 f"solution {k + 1}",
-                ("closes" if fine else "is NO solution") + f": position off by {gap:.4g} {_unit(claim, model)}, "
-                f"orientation by {turn:.3g} deg"
+                ("closes" if fine else "is NO solution")
+                + f": position off by {gap:.{3 if fine else 6}g} {_unit(claim, model)}, "
+                f"orientation by {turn:.1g} deg"
                 + ("" if fine else f"; it reaches ({', '.join(f'{v:.3f}' for v in got[:3, 3])})"),
             )
         )

@@ -9,13 +9,14 @@ import sys
 from pathlib import Path
 
 from pieper.symbolic.claims import check
+from pieper.symbolic.verdict import Report
 
 NOTE = "This page is written by `python -m pieper.symbolic.pages examples/claims docs/papers` from `examples/claims/{name}`."
 
 
-def page(path: Path) -> str:
-    """Return the page of one claims file."""
-    text = check(path).markdown()
+def page(path: Path, report: Report | None = None) -> str:
+    """Return the page of one claims file; `report` is its report when it is at hand."""
+    text = (report or check(path)).markdown()
     head, rest = text.split("\n", 1)
     return f"{head}\n\n{NOTE.format(name=path.name)}\n{rest}"
 
@@ -33,7 +34,11 @@ def write(claims: Path, folder: Path) -> list[Path]:
         summary = next(line for line in text.splitlines() if line.startswith("**") and "claims:" in line).strip("*")
         rows.append(f"| [{title}]({path.stem}.md) | {summary} |")
     index = folder / "index.md"
-    lines = ["# Five papers, judged", "", "Every numbered equation, table and figure value of five papers, judged by `pieper check`."]
+    lines = [
+        "# Five papers, judged",
+        "",
+        "Every numbered equation, table and figure value of five papers, judged by `pieper check`.",
+    ]
     lines += ["", "| paper | verdicts |", "|---|---|", *rows, ""]
     index.write_text("\n".join(lines), encoding="utf-8")
     return [*written, index]

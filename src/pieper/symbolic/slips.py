@@ -60,6 +60,8 @@ def slips(
 
         def slip(kind, says, new, cost=1.0, path=path, node=node):
             words = (says,) if isinstance(says, str) else says
+            if root.op == "eq" and path[:1] == (0,):
+                cost += 0.05  # the left side of an equation is what it is about, seldom what is wrong
             if node in shared:
                 return Slip(kind, words, root, None, new, cost, node)
             return Slip(kind, words, root, path, new, cost)
