@@ -64,8 +64,7 @@ class DerivationCheck:
 def check(form: ClosedForm, arm, n: int, rng: np.random.Generator) -> DerivationCheck:
     """Compare a closed form with the arm's own solver and forward kinematics at `n` random poses."""
     d = arm.description
-    wide = np.where([kind == "P" for kind in d.joint_types], _slide_range(d), np.pi)
-    q = rng.uniform(-1, 1, (n, form.n)) * wide
+    q = rng.uniform(*_range(d, form), (n, form.n))
     T = arm.fk(q)
     values = form.evaluate(T, chosen=q)
     turning = np.array([kind == "R" for kind in d.joint_types])
@@ -194,8 +193,15 @@ def _field():
     return DigitsField()
 
 
-def _slide_range(d) -> float:
-    return sum(abs(r.a) + abs(r.d) for r in d.rows) + 0.1
+def _range(d, form: ClosedForm) -> tuple[np.ndarray, np.ndarray]:
+    """Lower and upper ends to draw joints from: a whole turn, but the limits of slides and of chosen joints."""
+    slides = np.array([kind == "P" for kind in d.joint_types])
+    reach = np.where(slides, sum(abs(r.a) + abs(r.d) for r in d.rows) + 0.1, np.pi)
+    held = slides | np.isin(np.arange(form.n) + 1, form.chosen)
+    limits = np.clip(np.asarray(d.limits, float), -1e9, 1e9)
+    lower = np.where(held & np.isfinite(d.limits[:, 0]), np.maximum(limits[:, 0], -reach), -reach)
+    upper = np.where(held & np.isfinite(d.limits[:, 1]), np.minimum(limits[:, 1], reach), reach)
+    return np.where(lower < upper, lower, -reach), np.where(lower < upper, upper, reach)
 
 
 def _all(part: int, whole: int) -> str:

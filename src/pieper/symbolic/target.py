@@ -30,6 +30,7 @@ class Target:
         self.product, self.n, self.knowledge, self.given = product, n, knowledge, given
         self.definitions: dict[Sym, Poly] = {}
         self.shown: set[Sym] = set()
+        self._named_before: dict[Poly, Sym] = {}
         self.stages: set[tuple] = set()
         self.hidden: set[Sym] = {Sym(c, x, 4) for c in COLUMNS if c not in given for x in "xyz"}
         self._columns: dict[tuple, list[Poly]] = {}
@@ -94,6 +95,10 @@ class Target:
                 continue
             kind = {3: "position", "inverse": "inverse"}.get(c, "rotation")
             symbol = Sym(f"{kind} {i} {j}", "xyz"[r] if kind != "rotation" else f"{r + 1}{c + 1}", 4)
+            if poly in self._named_before:  # the same entry of another split has a name already
+                found.append(Poly.symbol(self._named_before[poly]))
+                continue
+            self._named_before[poly] = symbol
             self.definitions[symbol] = poly
             if not self.usable(poly):
                 self.hidden.add(symbol)
