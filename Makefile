@@ -11,7 +11,7 @@ VENV ?= .venv
 BIN = $(abspath $(VENV))/bin
 SOURCES = pyproject.toml CMakeLists.txt $(shell find kernels src -name '*.so' -prune -o -type f -not -path '*/__pycache__/*' -print)
 
-.PHONY: tour test bench kernel clean
+.PHONY: tour test bench kernel kernel-now clean
 .DELETE_ON_ERROR:
 
 tour: $(VENV)/.installed
@@ -37,7 +37,11 @@ $(VENV)/.installed-for-tests: $(SOURCES) | $(BIN)/python
 	touch $@ $(VENV)/.installed
 
 # In place, without pip: run with PYTHONPATH=src afterwards.
+# One build at a time: two in one folder would write over each other.
 kernel: $(VENV)/.kernel-tools
+	@mkdir -p build; if command -v flock > /dev/null; then flock build/.lock $(MAKE) --no-print-directory kernel-now; else $(MAKE) --no-print-directory kernel-now; fi
+
+kernel-now:
 	PATH="$(BIN):$$PATH" cmake -S . -B build/dev -G Ninja -DPython_EXECUTABLE=$(BIN)/python > /dev/null
 	PATH="$(BIN):$$PATH" cmake --build build/dev
 	for so in build/dev/_kernel*.so; do cp $$so src/pieper/.new.so && mv -f src/pieper/.new.so src/pieper/$$(basename $$so); done
