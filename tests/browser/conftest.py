@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 import shutil
 import socket
 import threading
@@ -24,7 +25,8 @@ FLAGS = [
     "--disable-sync",
     "--no-first-run",
 ]
-PATIENCE = 20_000
+#: Milliseconds; generous, since a story must not fail because the machine is busy.
+PATIENCE = 60_000
 
 
 class Server:
@@ -107,7 +109,12 @@ class Workbench:
         return self
 
     def until(self, condition: str, arg: object = None) -> None:
-        self.page.wait_for_function(condition, arg=arg, timeout=PATIENCE)
+        """Wait for a condition; asked from outside, since the page's policy forbids it to evaluate text itself."""
+        ask = condition if re.match(r"\w+ =>", condition) else f"() => Boolean({condition})"
+        end = time.monotonic() + PATIENCE / 1000
+        while not self.page.evaluate(ask, arg):
+            assert time.monotonic() < end, f"still not so: {condition}"
+            self.page.wait_for_timeout(30)
 
     def tab(self, name: str) -> None:
         self.page.get_by_role("tab", name=name, exact=True).click()
@@ -136,12 +143,21 @@ class Workbench:
     def value(self, expression: str):
         return self.page.evaluate(expression)
 
+    def settle(self) -> None:
+        """Wait until the picture has come to rest."""
+        before, drawn = -1, 0
+        while before != drawn:
+            before = drawn
+            self.page.wait_for_timeout(500)
+            drawn = self.value("workbench.pictures")
+
     def shot(self, name: str, *, both: bool = False) -> None:
         SHOTS.mkdir(parents=True, exist_ok=True)
+        self.settle()
         self.page.screenshot(path=SHOTS / f"{name}.png")
         if both:
             self.page.get_by_test_id("theme").select_option("dark")
-            self.page.wait_for_timeout(120)
+            self.settle()
             self.page.screenshot(path=SHOTS / f"{name}-dark.png")
             self.page.get_by_test_id("theme").select_option("light")
 

@@ -27,7 +27,7 @@ def test_the_first_view_shows_an_arm_that_can_be_moved(bench):
     arm, q = pieper.load("denso-vp6242"), bench.value("workbench.q")
     assert np.all(q >= arm.limits[:, 0]) and np.all(q <= arm.limits[:, 1])
     assert np.linalg.svd(arm.jacobian(q), compute_uv=False)[-1] > 1e-3, "a first picture is not a singular one"
-    bench.page.wait_for_timeout(300)
+    bench.page.wait_for_timeout(1500)
     before = bench.value("workbench.pictures")
     bench.page.wait_for_timeout(700)
     assert bench.value("workbench.pictures") == before, "draws nothing when nothing changes"

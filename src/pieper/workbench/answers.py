@@ -18,8 +18,8 @@ from pieper.workbench.table import arm_from_table, table_from_arm
 FIRST_ARM = "denso-vp6242"
 LONGEST_FILE = 200_000
 TASKS = ("pose", "position", "position+axis")
-#: Points of a family that are sent; between two of them the page interpolates, which the eye cannot tell from exact.
-FAMILY_POINTS = 121
+#: Points of a family that are sent, at most.
+FAMILY_POINTS = 241
 
 
 def hello(message: dict[str, Any], start: str | None) -> dict[str, Any]:
@@ -131,11 +131,13 @@ def _nearest(solutions: pieper.Solutions, now: np.ndarray) -> list[float] | None
 
 
 def family_points(family: Any) -> dict[str, Any]:
-    """Return a continuous family as joint vectors evenly spread along it, each exactly on the pose, for a slider."""
-    along = np.linspace(0.0, 1.0, FAMILY_POINTS)
+    """Return a continuous family as joint vectors along it, in order; between them the page finds its own way."""
+    samples = np.asarray(family.samples)
+    kept = np.unique(np.linspace(0, len(samples) - 1, min(len(samples), FAMILY_POINTS)).round().astype(int))
     names = list(family.names)
     return {
-        "q": [family.at(float(s)).tolist() for s in along],
+        "q": samples[kept].tolist(),
+        "s": np.asarray(family.s)[kept].tolist(),
         "closed": bool(family.closed),
         "moves": [names[j] for j in family.free if j < len(names)],
         "inside": [[float(a), float(b)] for a, b in family.inside],

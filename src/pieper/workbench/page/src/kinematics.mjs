@@ -95,5 +95,43 @@ export function singularValues(table, q, F) {
   return symmetricEigenvalues(gram).map((e) => Math.sqrt(Math.max(e, 0)));
 }
 
+/** Solve the small dense system M x = b by elimination with pivots. */
+function solveLinear(M, b) {
+  const n = b.length, A = M.map((r, i) => [...r, b[i]]);
+  for (let c = 0; c < n; c++) {
+    let p = c;
+    for (let r = c + 1; r < n; r++) if (Math.abs(A[r][c]) > Math.abs(A[p][c])) p = r;
+    [A[c], A[p]] = [A[p], A[c]];
+    for (let r = c + 1; r < n; r++) {
+      const f = A[r][c] / A[c][c];
+      for (let k = c; k <= n; k++) A[r][k] -= f * A[c][k];
+    }
+  }
+  const x = new Array(n);
+  for (let r = n - 1; r >= 0; r--) x[r] = (A[r][n] - x.slice(r + 1).reduce((sum, v, k) => sum + v * A[r][r + 1 + k], 0)) / A[r][r];
+  return x;
+}
+
+/**
+ * Bring a posture that nearly holds the pose T onto it, by the shortest joint steps (Newton with damped least squares).
+ * For sliding along a self-motion between two points that the library gave.
+ */
+export function ontoPose(table, q, T, steps = 4) {
+  const L = reach(table);
+  let best = q;
+  for (let k = 0; k < steps; k++) {
+    const F = frames(table, best), X = F[F.length - 1], J = jacobian(table, best, F);
+    const half = (c) => cross(column(X, c), column(T, c));
+    const turn = [0, 1, 2].map(half).reduce((a, v) => [a[0] + v[0] / 2, a[1] + v[1] / 2, a[2] + v[2] / 2], [0, 0, 0]);
+    const e = [...sub(position(T), position(X)), ...turn.map((v) => v * L)];
+    if (Math.hypot(...e) < 1e-13 * L) break;
+    const S = J.map((r, i) => (i < 3 ? r : r.map((v) => v * L)));
+    const gram = S.map((u, i) => S.map((v, j) => u.reduce((sum, w, m) => sum + w * v[m], 0) + (i === j ? 1e-10 * L * L : 0)));
+    const y = solveLinear(gram, e);
+    best = best.map((v, m) => v + S.reduce((sum, row, i) => sum + row[m] * y[i], 0));
+  }
+  return best.every(Number.isFinite) ? best : q;
+}
+
 /** A blank table to build an arm from: no joints yet. */
 export const blank = (convention) => ({ name: 'my-arm', convention, joints: [], base: identity(), tool: identity(), postures: {} });

@@ -44,8 +44,8 @@ export function drawGhosts() {
 
 export function begin() {
   on('target', () => { if (state.panel === 'inverse') solve(); });
-  on('panel', (id) => { showPreview(null); if (id === 'inverse') { if (!state.solutions) solve(); } drawGhosts(); });
+  on('panel', (id) => { showPreview(null); if (id === 'inverse' && state.hasTarget && !state.solutions) solve(); drawGhosts(); });
   on('moving', (yes) => { if (!yes) drawGhosts(); });
-  on('table', () => { options.redundancy = null; tell('solutions'); if (state.panel === 'inverse') solve(); });
-  on('online', (yes) => { if (yes && state.panel === 'inverse' && state.table.joints.length) solve(); });
+  on('table', () => { options.redundancy = null; tell('solutions'); if (state.panel === 'inverse' && state.hasTarget) solve(); });
+  on('online', (yes) => { if (yes && state.panel === 'inverse' && state.hasTarget && state.table.joints.length) solve(); });
 }

@@ -6,6 +6,7 @@ import { fixed, showUnit } from '../units.mjs';
 import { ask } from '../link.mjs';
 import { askArm } from '../library.mjs';
 import * as cloud from '../scene/cloud.mjs';
+import { showBeside, fitArm } from '../scene/arm.mjs';
 import { kindOf } from './joints.mjs';
 
 const colourings = [['height', 'height of the tool'], ['manipulability', 'manipulability'], ['condition', 'inverse condition number'], ['limits', 'distance to the limits']];
@@ -56,11 +57,12 @@ export const analysis = {
 function cloudControls() {
   let count = '20000', colour = 'manipulability', running = false;
   const start = h('button', { type: 'button', class: 'primary', text: 'Draw the cloud', 'data-testid': 'cloud-start', on: { click: () => (running ? ask('cancel', { kind: 'cloud' }) : run()) } });
-  const clear = h('button', { type: 'button', text: 'Clear', on: { click: () => { cloud.clear(); legend.hidden = true; setText(note, ''); } } });
+  const clear = h('button', { type: 'button', text: 'Clear', on: { click: wipe } });
   const progress = h('progress', { max: '1', 'aria-label': 'Progress of the cloud', 'data-testid': 'cloud-progress', hidden: true });
   const note = h('p', { class: 'hint', role: 'status', 'data-testid': 'cloud-note' });
   const lo = h('span'), hi = h('span');
   const legend = h('div', { class: 'legend-scale', hidden: true }, lo, h('span', { class: 'scale-bar' }), hi);
+  function wipe() { cloud.clear(); showBeside('cloud', []); legend.hidden = true; setText(note, ''); }
   async function run() {
     running = true;
     setText(start, 'Cancel');
@@ -79,10 +81,12 @@ function cloudControls() {
       setText(note, end.stopped ? `Cancelled after ${cloud.size().toLocaleString('en')} points.` : `${end.done.toLocaleString('en')} random postures inside the limits, coloured by ${colourings.find(([k]) => k === colour)[1]}${colour === 'height' ? ' (m)' : ''}.`);
     } catch (error) { setText(note, error.message); }
     running = false;
+    showBeside('cloud', cloud.corners());
+    fitArm();
     setText(start, 'Draw the cloud');
     progress.hidden = true;
   }
-  on('table', (what) => { if (what !== 'postures' && what !== 'name' && cloud.size()) { cloud.clear(); legend.hidden = true; setText(note, ''); } });
+  on('table', (what) => { if (what !== 'postures' && what !== 'name' && cloud.size()) wipe(); });
   return h('div', {}, h('div', { class: 'line' }, select('Number of points', [['5000', '5,000 points'], ['20000', '20,000 points'], ['100000', '100,000 points']], count, (v) => { count = v; }, { 'data-testid': 'cloud-count' }),
     h('span', { class: 'field-name', text: 'coloured by' }), select('Coloured by', colourings, colour, (v) => { colour = v; }, { 'data-testid': 'cloud-colour' })),
   h('div', { class: 'line' }, start, clear), progress, legend, note);

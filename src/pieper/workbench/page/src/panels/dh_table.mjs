@@ -25,9 +25,11 @@ function change(i, key, value, { symbolic, text }, done) {
   const same = Object.is(state.table.joints[i][key], value) && state.table.joints[i].text?.[key] === joints[i].text[key];
   if (!same) setTable({ ...state.table, joints }, { step, what: 'cell' });
 }
-function restructure(joints, q) {
+/** Joints come, go or change places; what is said joint by joint (the posture, the named postures) goes with them. */
+function restructure(joints, along) {
   editing = null;
-  setTable({ ...state.table, joints }, { q, what: 'rows' });
+  const postures = Object.fromEntries(Object.entries(state.table.postures ?? {}).map(([name, q]) => [name, along(q)]));
+  setTable({ ...state.table, joints, postures }, { q: along(state.q), what: 'rows' });
 }
 
 export const dhTable = {
@@ -80,11 +82,11 @@ export const dhTable = {
     };
     const typeButton = (joint, i) => h('button', { type: 'button', class: `type type-${joint.type}`, text: joint.type, 'data-testid': `dh-${i + 1}-type`,
       'aria-label': `Joint ${i + 1} is ${joint.type === 'R' ? 'revolute' : 'prismatic'}; press to change`, title: joint.type === 'R' ? 'Revolute: turns. Press for prismatic.' : 'Prismatic: slides. Press for revolute.',
-      on: { click: () => restructure(state.table.joints.map((j, k) => (k === i ? { ...j, type: j.type === 'R' ? 'P' : 'R', lower: null, upper: null, offset: 0, text: { ...j.text, lower: undefined, upper: undefined, offset: undefined } } : j)), state.q.map((v, k) => (k === i ? 0 : v))) } });
+      on: { click: () => restructure(state.table.joints.map((j, k) => (k === i ? { ...j, type: j.type === 'R' ? 'P' : 'R', lower: null, upper: null, offset: 0, text: { ...j.text, lower: undefined, upper: undefined, offset: undefined } } : j)), (q) => q.map((v, k) => (k === i ? 0 : v))) } });
     const tools = (i, n) => h('td', { class: 'tools' },
       h('button', { type: 'button', class: 'icon', text: '↑', 'aria-label': `Move joint ${i + 1} up`, disabled: i === 0, on: { click: () => swap(i, i - 1) } }),
       h('button', { type: 'button', class: 'icon', text: '↓', 'aria-label': `Move joint ${i + 1} down`, disabled: i === n - 1, on: { click: () => swap(i, i + 1) } }),
-      h('button', { type: 'button', class: 'icon', text: '×', 'aria-label': `Remove joint ${i + 1}`, on: { click: () => restructure(state.table.joints.filter((_, k) => k !== i), state.q.filter((_, k) => k !== i)) } }));
+      h('button', { type: 'button', class: 'icon', text: '×', 'aria-label': `Remove joint ${i + 1}`, on: { click: () => restructure(state.table.joints.filter((_, k) => k !== i), (q) => q.filter((_, k) => k !== i)) } }));
     const rebuild = () => {
       cells = [];
       const { joints } = state.table, shift = state.table.convention === 'modified';
@@ -138,14 +140,12 @@ function limitReason(i, key, v) {
 function add() {
   const n = state.table.joints.length;
   if (n >= MOST) { say(`At most ${MOST} joints.`, 'wrong'); return; }
-  restructure([...state.table.joints, newJoint(n)], [...state.q, 0]);
+  restructure([...state.table.joints, newJoint(n)], (q) => [...q, 0]);
   document.querySelector(`[data-testid="dh-${n + 1}-a"]`)?.focus();
 }
 function swap(i, k) {
-  const joints = state.table.joints.slice(), q = state.q.slice();
-  [joints[i], joints[k]] = [joints[k], joints[i]];
-  [q[i], q[k]] = [q[k], q[i]];
-  restructure(joints, q);
+  const swapped = (list) => { const out = list.slice(); [out[i], out[k]] = [out[k], out[i]]; return out; };
+  restructure(swapped(state.table.joints), swapped);
 }
 async function save() {
   try { download(`${state.table.name || 'arm'}.toml`, (await askArm('save', {})).text, 'application/toml'); } catch (error) { say(error.message, 'wrong'); }

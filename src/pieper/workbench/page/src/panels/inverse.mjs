@@ -5,6 +5,7 @@ import { units, show, showUnit, tiny } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
 import { moveTo, stop } from '../animate.mjs';
 import { position } from '../matrix.mjs';
+import { ontoPose } from '../kinematics.mjs';
 import { solve, drawGhosts, options } from '../solving.mjs';
 import { showPreview } from '../scene/arm.mjs';
 import * as gizmo from '../scene/gizmo.mjs';
@@ -108,18 +109,27 @@ function showNear(el, s) {
 
 /** A slider for each continuous family: the arm moves, the tool stands still. */
 function showFamilies(el, s) {
-  const list = s?.families ?? [];
+  const list = s?.families ?? [], exact = !options.task && state.plan?.task === 'pose';
   if (el.drawn === list) return;
   el.drawn = list;
   replace(el, list.map((family, k) => {
-    const last = family.q.length - 1;
     const slider = h('input', { type: 'range', min: '0', max: '1', step: 'any', value: '0', 'aria-label': `Along family ${k + 1}`, 'data-testid': `family-${k + 1}` });
     const go = () => {
       stop();
-      const at = Number(slider.value) * last, i = Math.min(Math.floor(at), last - 1), f = at - i;
-      slider.style.setProperty('--at', `${100 * Number(slider.value)}%`);
-      setJoints(family.q[i].map((v, j) => v + f * (family.q[i + 1][j] - v)), 'family');
+      const at = Number(slider.value), i = Math.max(family.s.findLastIndex((v) => v <= at), 0), j = Math.min(i + 1, family.q.length - 1);
+      const f = j > i ? (at - family.s[i]) / (family.s[j] - family.s[i]) : 0;
+      slider.style.setProperty('--at', `${100 * at}%`);
+      const between = family.q[i].map((v, m) => v + f * (family.q[j][m] - v));
+      setJoints(exact ? ontoPose(state.table, between, s.T) : between, 'family');
     };
+    // the thumb begins where the arm is; the reddish parts of the track lie outside the limits
+    const apart = (v) => v.reduce((sum, x, m) => sum + Math.sin((x - state.q[m]) / 2) ** 2, 0);
+    slider.value = String(family.s[family.q.reduce((best, v, m) => (apart(v) < apart(family.q[best]) ? m : best), 0)]);
+    slider.style.setProperty('--at', `${100 * Number(slider.value)}%`);
+    if (family.inside.length === 1) {
+      slider.style.setProperty('--lo', `${100 * family.inside[0][0]}%`);
+      slider.style.setProperty('--hi', `${100 * family.inside[0][1]}%`);
+    }
     slider.addEventListener('input', go);
     slider.addEventListener('keydown', (e) => {
       const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];

@@ -46,7 +46,10 @@ export function begin() {
   paint();
 }
 
+const beside = new Map();
 let alsoShown = [];
+/** What else belongs in the picture: the ends of a path, the corners of a cloud. */
+export function showBeside(what, points) { beside.set(what, points); alsoShown = [...beside.values()].flat(); }
 /** Bring the arm into the picture; what stands beside it (a path) stays in the picture from then on. */
 export function fitArm(options) { fit([...outline(state.table, state.frames), ...alsoShown], options); }
 const stayInView = debounce(keepInView, 220);
@@ -111,7 +114,7 @@ const pathDots = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMa
 pathDots.frustumCulled = false;
 scene.add(pathLine, pathDots);
 export function showPath(points) {
-  alsoShown = points;
+  showBeside('path', points);
   const at = new Float32Array(points.flat());
   for (const o of [pathLine, pathDots]) {
     o.geometry.dispose();

@@ -4,7 +4,6 @@ import { scene, invalidate } from './view.mjs';
 
 /** Stops of a colour scale that reads in grey too (after viridis). */
 const stops = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725'].map((c) => new THREE.Color(c));
-export const gradient = 'viridis';
 const material = new THREE.PointsMaterial({ size: 2.2, sizeAttenuation: false, vertexColors: true, fog: false });
 const points = new THREE.Points(new THREE.BufferGeometry(), material);
 points.frustumCulled = false;
@@ -50,4 +49,11 @@ function recolour() {
   invalidate();
 }
 export const size = () => count;
+/** The eight corners of the cloud. */
+export function corners() {
+  const box = new THREE.Box3();
+  for (let i = 0; i < count; i++) box.expandByPoint(new THREE.Vector3(at[3 * i], at[3 * i + 1], at[3 * i + 2]));
+  const { min: a, max: b } = box;
+  return count ? [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [k & 1 ? a.x : b.x, k & 2 ? a.y : b.y, k & 4 ? a.z : b.z]) : [];
+}
 export function clear() { count = 0; points.visible = false; invalidate(); }
