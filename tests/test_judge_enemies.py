@@ -1,6 +1,7 @@
 """The judge against its own enemies: right formulas of ten catalogue arms with one slip planted in each.
 
-The planting is written here, apart from the judge's own slips, and works on the arm's table where the slip is one of reading the table.
+The planting is written here, apart from the judge's own slips, and works on the arm's table where the slip is one of
+reading the table.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ ARMS = [
 
 
 def written_out(model, only=None):
-    """Return the pose of an arm as nested formulas, multiplied as text from the table; `only` names the entry wanted."""
+    """Return the pose of an arm as nested formulas, multiplied as text; `only` names one entry."""
     rows = [[_number(model.base[i, j]) for j in range(4)] for i in range(3)]
     for row in model.rows:
         a, d = ("0" if model.values.get(str(c)) == 0 else str(c) for c in (row.a, row.d))
@@ -102,7 +103,8 @@ def _turn(angle):
 
 
 def wrist_formulas(ev):
-    """Return right formulas for theta4, theta5, theta6 of a spherical wrist, their signs chosen by trying; {} for another wrist."""
+    """Return right formulas for theta4, theta5, theta6 of a spherical wrist, their signs chosen by trying; {} for
+    another wrist."""
     model = ev.model
     if model.n != 6 or not np.allclose(model.tool, np.eye(4)) or not np.allclose(model.base, np.eye(4)):
         return {}
@@ -194,7 +196,8 @@ def plant(rng, ev, kind, what, tree):
             return None
         name = at[1].value
         if ANGLE.match(name):
-            other = f"theta{rng.choice([j for j in range(1, ev.model.n + 1) if f'theta{j}' != name and not ev.model.sliding(j)])}"
+            others = [j for j in range(1, ev.model.n + 1) if f"theta{j}" != name and not ev.model.sliding(j)]
+            other = f"theta{rng.choice(others)}"
         else:
             pool = [m for m, v in ev.model.values.items() if v and m != name]
             if not pool:

@@ -10,7 +10,7 @@ import pytest
 from pieper.symbolic.formula import FormulaError, parse, parse_equation
 from pieper.symbolic.tree import evaluate
 
-NAMES = {"a1", "a2", "a3", "d1", "d4", "d6", "nx", "ax", "ay", "az", "px", "py", "pz", "Px", "Py", "Pz", "K1", "r12", "r22"}
+NAMES = set("a1 a2 a3 d1 d4 d6 nx ax ay az px py pz Px Py Pz K1 r12 r22".split())
 
 
 @pytest.mark.parametrize(
@@ -39,7 +39,9 @@ def test_reads_the_notation_of_papers(text, printed):
     assert str(parse(text, NAMES, 6)) == printed
 
 
-@pytest.mark.parametrize("text", ["a2 c1 - a3 (s2 + d4/c3)^2", "atan2(-ay, ax) +- acos(pz/d6)", "-(a1 + a2) s(2-3) - 3 d4"])
+@pytest.mark.parametrize(
+    "text", ["a2 c1 - a3 (s2 + d4/c3)^2", "atan2(-ay, ax) +- acos(pz/d6)", "-(a1 + a2) s(2-3) - 3 d4"]
+)
 def test_what_is_printed_reads_back_the_same(text):
     once = parse(text, NAMES, 6)
     assert str(parse(str(once), NAMES, 6)) == str(once)
@@ -97,7 +99,17 @@ def test_an_unfinished_formula_is_refused(text):
         parse(text, NAMES, 6)
 
 
-@pytest.mark.parametrize("text", ["(" * 5000 + "1" + ")" * 5000, "+-" * 5000 + "1", "sin " * 5000 + "1", "1" + "/2" * 5000, "-" * 5000 + "1", "2^" * 5000 + "2"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "(" * 5000 + "1" + ")" * 5000,
+        "+-" * 5000 + "1",
+        "sin " * 5000 + "1",
+        "1" + "/2" * 5000,
+        "-" * 5000 + "1",
+        "2^" * 5000 + "2",
+    ],
+)
 def test_nesting_beyond_reading_is_refused_and_not_a_crash(text):
     with pytest.raises(FormulaError):
         parse(text, NAMES, 6)

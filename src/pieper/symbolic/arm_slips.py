@@ -66,13 +66,13 @@ def axis_renamings() -> Iterator[tuple[str, np.ndarray]]:
     for order in itertools.permutations(range(3)):
         for signs in itertools.product((1, -1), repeat=3):
             R = np.zeros((3, 3))
-            for k, (axis, sign) in enumerate(zip(order, signs)):
+            for k, (axis, sign) in enumerate(zip(order, signs, strict=True)):
                 R[k, axis] = sign
             if np.array_equal(R, np.eye(3)):
                 continue
             names = ", ".join(
                 f"printed {'XYZ'[k]} is {'-' if s < 0 else ''}{'xyz'[a]}"
-                for k, (a, s) in enumerate(zip(order, signs))
+                for k, (a, s) in enumerate(zip(order, signs, strict=True))
                 if a != k or s < 0
             )
             up = " (Y up)" if R[1, 2] == 1 else ""

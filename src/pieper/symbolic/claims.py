@@ -1,6 +1,7 @@
 """A claims file: an arm and what somebody says about it. `check` reads one and judges every claim.
 
-The format is described in docs/claims_files.md. Reading is strict: everything that is not understood is an error that names the place.
+The format is described in docs/claims_files.md. Reading is strict: everything that is not understood is an error that
+names the place.
 """
 
 from __future__ import annotations
@@ -14,7 +15,15 @@ from pathlib import Path
 import numpy as np
 
 from pieper.errors import InputError
-from pieper.symbolic import judge_angles, judge_formulas, judge_freedom, judge_matrices, judge_poses, judge_tables
+from pieper.symbolic import (
+    judge_angles,
+    judge_formulas,
+    judge_freedom,
+    judge_matrices,
+    judge_poses,
+    judge_solutions,
+    judge_tables,
+)
 from pieper.symbolic.evidence import Evidence
 from pieper.symbolic.formula import FormulaError, parse
 from pieper.symbolic.printed import UNITS
@@ -35,11 +44,11 @@ JUDGES: dict[str, tuple[Callable[[Evidence, dict], Verdict], set[str], set[str]]
     "procedure": (judge_angles.judge_procedure, {"steps"}, {"where"}),
     "pose": (judge_poses.judge_pose, set(), {"q", "q_deg", "q_rad", "of", "matrix", "position", "unit", "rounded"}),
     "solutions": (
-        judge_poses.judge_solutions,
+        judge_solutions.judge_solutions,
         {"solutions_deg"},
         {"matrix", "q", "q_deg", "q_rad", "complete", "unit", "task"},
     ),
-    "count": (judge_poses.judge_count, {"count"}, {"task"}),
+    "count": (judge_solutions.judge_count, {"count"}, {"task"}),
     "freedom": (judge_freedom.judge_freedom, {"dof"}, {"free", "at_deg"}),
     "errors": (judge_tables.judge_errors, {"rows", "percent"}, set()),
     "table": (judge_tables.judge_table, {"rows"}, {"unit", "within", "search_zeros"}),
@@ -226,7 +235,8 @@ def _inline(place: str, table: dict, convention: str, unit: str) -> ArmModel:
     columns = table.get("columns")
     if not isinstance(columns, list) or set(columns) != _COLUMNS or len(columns) != 4:
         raise InputError(
-            f'{place}: columns must name the four columns as printed, such as ["theta", "d", "a", "alpha"]; got {columns!r}'
+            f'{place}: columns must name the four columns as printed, such as ["theta", "d", "a", "alpha"]; '
+            f"got {columns!r}"
         )
     values = {str(k): float(v) for k, v in table.get("values", {}).items()}
     cells = table["rows"]
@@ -237,7 +247,7 @@ def _inline(place: str, table: dict, convention: str, unit: str) -> ArmModel:
         if not isinstance(cell_row, list) or len(cell_row) != 4:
             raise InputError(f"{place}: row {i + 1} must have four cells, {', '.join(columns)}; got {cell_row!r}")
         made = {}
-        for column, cell in zip(columns, cell_row):
+        for column, cell in zip(columns, cell_row, strict=True):
             made[column] = _cell(f"{place}: row {i + 1}, {column}", column, cell, i, values, variables, n, convention)
         slides = [s for s in made["d"].symbols() if s in variables]
         for name in slides:
@@ -245,7 +255,8 @@ def _inline(place: str, table: dict, convention: str, unit: str) -> ArmModel:
             made["d"] = substitute(made["d"], {name: sym(f"theta{i + 1}")})
         if not slides and f"theta{i + 1}" not in made["theta"].symbols():
             raise InputError(
-                f"{place}: row {i + 1} has no joint variable; write q{i + 1} under theta, or b{i + 1} under d for a sliding joint"
+                f"{place}: row {i + 1} has no joint variable; write q{i + 1} under theta, or b{i + 1} under "
+                f"d for a sliding joint"
             )
         rows.append(Row(made["a"], made["alpha"], made["d"], made["theta"]))
     limits = np.radians(np.array(table["limits_deg"], dtype=float)) if "limits_deg" in table else None

@@ -1,4 +1,4 @@
-"""The difference between a printed formula and the right one, simplified, and the digits to which two formulas agree."""
+"""The difference between a printed formula and the right one, and the digits to which two formulas agree."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ DIGITS = 50
 
 
 class _Polynomial(SymbolicArithmetic):
-    """Symbols for every sine and cosine of one joint; sums of angles are written out, so that equal formulas become equal polynomials."""
+    """Symbols for every sine and cosine of one joint; sums of angles are written out, so that equal formulas become
+    equal polynomials."""
 
     def sin(self, x):
         return self._trig(x)[1]
@@ -58,7 +59,7 @@ def simplified_difference(printed: Node, right: Node) -> str:
         return evaluate(tree, env, arithmetic)
 
     if printed.op == "eq" and right.op == "eq":
-        gap = [value(p) - value(r) for p, r in zip(printed.args, right.args)]
+        gap = [value(p) - value(r) for p, r in zip(printed.args, right.args, strict=True)]
         total = gap[1] if gap[1] != 0 else gap[0]
     else:
         total = value(printed) - value(right)

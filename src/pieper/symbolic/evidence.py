@@ -1,4 +1,5 @@
-"""What every judge of a claim works with: the arm, its sampled poses, the file's own symbols, and the words for a counter-example."""
+"""What every judge of a claim works with: the arm, its sampled poses, the file's own symbols, and the words for a
+counter-example."""
 
 from __future__ import annotations
 
@@ -47,7 +48,7 @@ class Evidence:
         self.definitions[name] = substitute(self.parse(str(text)), self.definitions)
 
     def parse(self, text: str, where: dict | None = None) -> Node:
-        """Read a formula of a claim; `where` holds definitions of this claim alone, which go into the formula itself."""
+        """Read a formula; `where` holds definitions of its claim alone, which go into the formula itself."""
         local: dict[str, Node] = {}
         for name, body in (where or {}).items():
             local[plain(name)] = substitute(parse_for(self.model, str(body), set(self.definitions) | set(local)), local)
@@ -62,7 +63,8 @@ class Evidence:
         return out
 
     def holding(self, claim: dict) -> Evidence:
-        """Return evidence in which some joints are held, as the claim's at_deg = { theta5 = 0 } says; itself without that key."""
+        """Return evidence in which some joints are held, as the claim's at_deg = { theta5 = 0 } says; itself without
+        that key."""
         held = claim.get("at_deg")
         if not held:
             return self
@@ -89,7 +91,8 @@ class Evidence:
                 env[name] = np.broadcast_to(np.asarray(evaluate(tree, env, NUMPY), dtype=float), env["pi"].shape)
 
     def environment(self, frame=None, samples: Samples | None = None) -> dict:
-        """Return the samples' symbols, the pose letters taken from another frame (a product, such as T03) when one is given."""
+        """Return the samples' symbols, the pose letters taken from another frame (a product, such as T03) when one is
+        given."""
         samples = samples or self.samples
         if frame is None:
             return samples.env

@@ -1,7 +1,10 @@
-"""The formula language: the papers' own notation, read by a tokenizer and a recursive-descent parser into an expression tree.
+"""The formula language: the papers' own notation, read by a tokenizer and a recursive-descent parser into an
+expression tree.
 
-Understood: ``C1 s23 c(2-3) S345 cq2q3``, ``cos t1``, ``sin(q2+q3)``, ``atan2(y, x)``, ``tan^-1``, products written side by side
-(``2a2a3 C1``), ``+-`` and ``-+`` (all signs of one formula go together), ``90 deg``, ``a_2``, ``theta_4``, ``r12`` and names
+Understood: ``C1 s23 c(2-3) S345 cq2q3``, ``cos t1``, ``sin(q2+q3)``, ``atan2(y, x)``, ``tan^-1``, products written
+side by side
+(``2a2a3 C1``), ``+-`` and ``-+`` (all signs of one formula go together), ``90 deg``, ``a_2``, ``theta_4``, ``r12`` and
+names
 the caller allows. Text never reaches Python's evaluator.
 """
 
@@ -12,50 +15,13 @@ import re
 from collections.abc import Collection
 
 from pieper.errors import InputError
+from pieper.symbolic.formula_words import FUNCTION_NAMES, INVERSE, JOINT_NAME, SPELLING, TOKEN, TRIG_NAME
 from pieper.symbolic.tree import FUNCTIONS, Node, add, angle_sum, call, mul, negated, num, sym
 
 MAX_CHARACTERS = 200_000  # a page of algebra has 5,000; beyond this it is not a formula
-MAX_TOKENS = 60_000
+MAXTOKENS = 60_000
 MAX_DEPTH = 60  # brackets inside brackets
 MAX_TREE_DEPTH = 300
-
-_SPELLING = {
-    "\u00b1": "+-",
-    "\u2213": "-+",
-    "\u2212": "-",
-    "\u2013": "-",
-    "\u00b7": "*",
-    "\u00d7": "*",
-    "\u03c0": " pi ",
-    "\u221a": " sqrt ",
-    "\u00b0": " deg ",
-    "\u00b2": "^2",
-    "\u03b8": "theta",
-    "\u03c6": "phi",
-    "\u03b3": "gamma",
-    "\u03b2": "beta",
-    "\u03b1": "alpha",
-    "\u2032": "'",
-}
-_TOKEN = re.compile(
-    r"(?P<space>\s+)|(?P<num>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+(?![A-Za-z\d]))?)"
-    r"|(?P<trig>[cCsS](?:_?q_?\d)+(?![A-Za-z\d]))|(?P<name>[A-Za-z]+(?:_?\{[A-Za-z\d]+\}|(?:_?\d+)|_[A-Za-z]+\d*)?'*)"
-    r"|(?P<pm>\+/?-|-/?\+)|(?P<op>\*\*|[-+*/^()\[\]{},=])"
-)
-_FUNCTION_NAMES = {
-    **{f: f for f in FUNCTIONS},
-    "arctan": "atan",
-    "arctan2": "atan2",
-    "arcsin": "asin",
-    "arccos": "acos",
-    "arctg": "atan",
-    "sgn": "sign",
-    "cosine": "cos",
-    "sine": "sin",
-}
-_INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
-_JOINT_NAME = re.compile(r"(?:theta|th|q|t)(\d+)$")
-_TRIG_NAME = re.compile(r"([cCsS])((?:q?\d)+)$")
 
 
 class FormulaError(InputError):
@@ -83,11 +49,12 @@ class Parser:
     def __init__(self, text: str, names: Collection[str], joints: int):
         if not isinstance(text, str):
             raise FormulaError(f"a formula is text in quotes, but this is {text!r} ({type(text).__name__})")
-        for fancy, plain in _SPELLING.items():
+        for fancy, plain in SPELLING.items():
             text = text.replace(fancy, plain)
         if len(text) > MAX_CHARACTERS:
             raise FormulaError(
-                f"the formula has {len(text):,} characters; at most {MAX_CHARACTERS:,} are read. Split it with symbols of your own."
+                f"the formula has {len(text):,} characters; at most {MAX_CHARACTERS:,} are read. Split it "
+                f"with symbols of your own."
             )
         self.text, self.names, self.joints = text, names, joints
         self.lower = {n.lower(): n for n in sorted(names)}
@@ -98,7 +65,7 @@ class Parser:
     def _tokenize(self) -> list[tuple[str, str, int]]:
         tokens, position = [], 0
         while position < len(self.text):
-            found = _TOKEN.match(self.text, position)
+            found = TOKEN.match(self.text, position)
             if not found:
                 word = re.match(r"\w+", self.text[position:])
                 what = (
@@ -111,9 +78,9 @@ class Parser:
                 )
             if found.lastgroup != "space":
                 tokens.append((found.lastgroup, found.group(), position))
-                if len(tokens) > MAX_TOKENS:
+                if len(tokens) > MAXTOKENS:
                     raise FormulaError(
-                        f"the formula has more than {MAX_TOKENS:,} symbols; split it with symbols of your own."
+                        f"the formula has more than {MAXTOKENS:,} symbols; split it with symbols of your own."
                     )
             position = found.end()
         tokens.append(("end", "", len(self.text)))
@@ -138,13 +105,15 @@ class Parser:
         return self._checked(node)
 
     def _checked(self, node: Node) -> Node:
-        """Refuse trees too deep to walk (a chain of thousands of divisions, say); long sums and products are flat and pass."""
+        """Refuse trees too deep to walk (a chain of thousands of divisions, say); long sums and products are flat and
+        pass."""
         depth: dict[Node, int] = {}
         for n in node.walk():
             depth[n] = 1 + max((depth[a] for a in n.args), default=0)
         if depth[node] > MAX_TREE_DEPTH:
             raise FormulaError(
-                f"the formula is nested {depth[node]:,} levels deep; at most {MAX_TREE_DEPTH} are read. Split it with symbols of your own."
+                f"the formula is nested {depth[node]:,} levels deep; at most {MAX_TREE_DEPTH} are read. "
+                f"Split it with symbols of your own."
             )
         return node
 
@@ -281,8 +250,8 @@ class Parser:
             return found
         lowered = text.lower()
         following = self._peek()[1]
-        if lowered in _FUNCTION_NAMES:
-            return self._call(_FUNCTION_NAMES[lowered], position)
+        if lowered in FUNCTION_NAMES:
+            return self._call(FUNCTION_NAMES[lowered], position)
         if text in ("c", "C", "s", "S") and following == "(":
             digits = self._digit_list()
             if digits:
@@ -301,10 +270,10 @@ class Parser:
             return Node("div", (sym("pi"), num(180)))
         if text == "rad":
             return num(1)
-        joint = _JOINT_NAME.match(text)
+        joint = JOINT_NAME.match(text)
         if joint and 1 <= int(joint.group(1)) <= self.joints:
             return sym(f"theta{int(joint.group(1))}")
-        trig = _TRIG_NAME.match(text)
+        trig = TRIG_NAME.match(text)
         if trig and all(1 <= int(d) <= self.joints for d in re.findall(r"\d", trig.group(2))):
             return self._shorthand(trig.group(1), re.findall(r"\d", trig.group(2)), 0)
         return None
@@ -345,8 +314,8 @@ class Parser:
         if self._peek()[1] in ("^", "**"):
             self._take()
             power = self._exponent()
-            if power.op == "neg" and power.args[0].op == "num" and power.args[0].value == "1" and name in _INVERSE:
-                name, power = _INVERSE[name], None
+            if power.op == "neg" and power.args[0].op == "num" and power.args[0].value == "1" and name in INVERSE:
+                name, power = INVERSE[name], None
         opened = self._peek()[1]
         if opened in ("(", "[", "{"):
             start = self._take()[2]
@@ -381,7 +350,7 @@ class Parser:
         near = difflib.get_close_matches(text, pool, 3, 0.5)
         if text.lower() in self.lower and self.lower[text.lower()] not in near:
             near.insert(0, self.lower[text.lower()])
-        joint = _JOINT_NAME.match(text) or re.match(r"[cCsS](\d)$", text)
+        joint = JOINT_NAME.match(text) or re.match(r"[cCsS](\d)$", text)
         if joint:
             message = f"{raw!r}: joint {joint.group(1)} does not exist; the arm has {self.joints} joints"
         elif text.startswith("__") or raw.startswith("_"):

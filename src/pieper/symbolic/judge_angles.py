@@ -1,4 +1,5 @@
-"""Judges of inverse kinematics: a formula for a joint with its branches, formulas that must hold together, a whole procedure."""
+"""Judges of inverse kinematics: a formula for a joint with its branches, formulas that must hold together, a whole
+procedure."""
 
 from __future__ import annotations
 
@@ -41,7 +42,8 @@ def _angle(ev: Evidence, claim: dict) -> tuple[str, Node]:
 
 
 def judge_joint(ev: Evidence, claim: dict) -> Verdict:
-    """Judge a formula for a joint angle, given the pose and the joints before it at their right values (keys joint or for, is, where, frame)."""
+    """Judge a formula for a joint angle, given the pose and the joints before it at their right values (keys joint or
+    for, is, where, frame)."""
     ev = ev.holding(claim)
     name, angle = _angle(ev, claim)
     if not isinstance(claim["is"], str):
@@ -197,7 +199,8 @@ def _both_signs(ev: Evidence, node: Node, angle: Node, frame, position: bool) ->
 
 
 def judge_together(ev: Evidence, claim: dict) -> Verdict:
-    """Judge formulas for several joints that must be right at the same time (key is: a table of joint = formula; where, frame)."""
+    """Judge formulas for several joints that must be right at the same time (key is: a table of joint = formula;
+    where, frame)."""
     frame = parse_product(claim["frame"], ev.model.n) if claim.get("frame") else None
     env = ev.environment(frame)
     masks, features = {}, region_features(ev.model.n, env, list(ev.definitions))
@@ -241,7 +244,8 @@ def judge_together(ev: Evidence, claim: dict) -> Verdict:
 
 
 def judge_procedure(ev: Evidence, claim: dict) -> Verdict:
-    """Follow formulas in their order with every combination of branches, and count the solutions that close under forward kinematics.
+    """Follow formulas in their order with every combination of branches, and count the solutions that close under
+    forward kinematics.
 
     Keys: steps, a list of {joint, is} where `is` may be a list of alternatives; where.
     """
@@ -267,7 +271,8 @@ def judge_procedure(ev: Evidence, claim: dict) -> Verdict:
                 missing = {s for s in node.symbols() if ANGLE.match(s)} - set(known)
                 if missing:
                     raise InputError(
-                        f"claim {claim['id']}: the step for {name} uses {', '.join(sorted(missing))}, which no step before it gives",
+                        f"claim {claim['id']}: the step for {name} uses {', '.join(sorted(missing))}, which "
+                        f"no step before it gives",
                         claim=claim["id"],
                     )
                 for branch in (1, -1) if node.has_branch() else (1,):
@@ -325,7 +330,8 @@ def judge_procedure(ev: Evidence, claim: dict) -> Verdict:
 
 
 def _count_candidates(ev: Evidence, rows, candidates) -> tuple[np.ndarray, np.ndarray | None]:
-    """Return the number of distinct candidates that reproduce each pose, and of solutions that exist (None when the solver cannot say)."""
+    """Return the number of distinct candidates that reproduce each pose, and of solutions that exist (None when the
+    solver cannot say)."""
     model = ev.model
     want = ev.samples.frames["T"][rows]
     valid = []

@@ -1,4 +1,5 @@
-"""Judges of freedom: how many directions a pose can move in, which joints it cannot tell apart, and whether a joint's value can be completed."""
+"""Judges of freedom: how many directions a pose can move in, which joints it cannot tell apart, and whether a joint's
+value can be completed."""
 
 from __future__ import annotations
 
@@ -14,7 +15,8 @@ RANK = 1e-7  # relative; singular values below are zero
 
 
 def pose_jacobian(model: ArmModel, q: np.ndarray) -> np.ndarray:
-    """Return (K, 6, n) derivatives of the pose by central differences: position over the arm's length, then rotation (rad)."""
+    """Return (K, 6, n) derivatives of the pose by central differences: position over the arm's length, then rotation
+    (rad)."""
     K, n = q.shape
     moved = np.repeat(np.repeat(q[:, None, None], n, axis=1), 2, axis=2)
     for k in range(n):

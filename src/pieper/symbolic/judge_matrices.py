@@ -129,7 +129,8 @@ def judge_product(ev: Evidence, claim: dict) -> Verdict:
     details = [
         (
             "counter-example",
-            f"at {ev.at(k)}: entry ({', '.join(str(p + 1) for p in index)}) is {number(values[0][(k, *index)])} on the left, "
+            f"at {ev.at(k)}: entry ({', '.join(str(p + 1) for p in index)}) is "
+            f"{number(values[0][(k, *index)])} on the left, "
             f"{number(values[1][(k, *index)])} on the right",
         )
     ]

@@ -1,4 +1,5 @@
-"""Judges of printed poses and solutions: a matrix for given joints, a set of solutions for a pose, how many solutions there are."""
+"""Judges of printed poses and solutions: a matrix for given joints, a set of solutions for a pose, how many solutions
+there are."""
 
 from __future__ import annotations
 
@@ -7,13 +8,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.errors import InputError, PieperError
+from pieper.errors import InputError
 from pieper.symbolic.arm_slips import arm_slips
 from pieper.symbolic.evidence import Evidence, fresh_samples, number
 from pieper.symbolic.matrices import Product, parse_product, value_of
 from pieper.symbolic.printed import UNITS, joint_tolerance, last_digit, misprint, read_joints, read_matrix, read_number
 from pieper.symbolic.truth import ArmModel
-from pieper.symbolic.verdict import HOLDS, PARTLY, WRONG, Verdict
+from pieper.symbolic.verdict import HOLDS, WRONG, Verdict
 
 ROUND_OFF = 1e-12  # printed 6.1E-17 stands for zero
 
@@ -39,7 +40,7 @@ class Reading:
         return out
 
     def serious(self) -> list[tuple[int, int]]:
-        """Return the entries that are off by a whole unit of the last digit or more (a cut-off digit is not serious)."""
+        """Return entries off by a whole unit of the last digit or more (a cut-off digit is not serious)."""
         return [
             (i, j)
             for i, j in self.off()
@@ -54,7 +55,7 @@ def judge_pose(ev: Evidence, claim: dict) -> Verdict:
     q = read_joints(claim, model)
     product = parse_product(str(claim.get("of", "T")), model.n)
     printed = [["", "", "", v] for v in claim["position"]] if "position" in claim else read_matrix(claim)
-    factor = UNITS[model.unit] / UNITS[_unit(claim, model)]
+    factor = UNITS[model.unit] / UNITS[unit_of(claim, model)]
     slack = _slack(claim, model, q, product, factor)
 
     def reading(arm: ArmModel, joints: np.ndarray) -> Reading:
@@ -107,7 +108,8 @@ def judge_pose(ev: Evidence, claim: dict) -> Verdict:
         claim["id"],
         text,
         WRONG,
-        f"Wrong in {len(serious)} of {count} entries; the worst, ({worst[0] + 1},{worst[1] + 1}), is off by {number(gap)}.",
+        f"Wrong in {len(serious)} of {count} entries; the worst, ({worst[0] + 1},{worst[1] + 1}), is off by "
+        f"{number(gap)}.",
         says,
         tuple(details),
         kind,
@@ -115,7 +117,7 @@ def judge_pose(ev: Evidence, claim: dict) -> Verdict:
     )
 
 
-def _unit(claim: dict, model: ArmModel) -> str:
+def unit_of(claim: dict, model: ArmModel) -> str:
     unit = claim.get("unit", model.unit)
     if unit not in UNITS:
         raise InputError(
@@ -191,7 +193,8 @@ def _explain(model: ArmModel, q, reading, first: Reading) -> tuple[str, str, str
         serious = r.serious()
         if len(serious) < best[0]:
             best = (len(serious), kind, words, r)
-    tried = f"{len(variants)} other arms and joint vectors (convention, a and d of a row, twists, senses, zeros, tool, base, axes, units), misprints of one number"
+    kinds = "convention, a and d of a row, twists, senses, zeros, tool, base, axes, units"
+    tried = f"{len(variants)} other arms and joint vectors ({kinds}), misprints of one number"
     left, kind, words, r = best
     start = len(first.serious())
     total = sum(v not in ("", "*") for r in first.printed for v in r)
@@ -215,7 +218,7 @@ def _explain(model: ArmModel, q, reading, first: Reading) -> tuple[str, str, str
 
 
 def _joint_that_fits(model: ArmModel, q, joint: int, reading, first: Reading) -> float | None:
-    """Return the value of one joint with which every printed entry agrees; the pose is linear in its sine and cosine."""
+    """Return the value of a joint with which every printed entry agrees; a pose is linear in its sine and cosine."""
     if model.sliding(joint + 1):
         return None
     at = []
@@ -239,162 +242,3 @@ def _scaled(first: Reading, factor: float) -> bool:
     right = first.right.copy()
     right[:3, 3] *= factor
     return not Reading(first.printed, right, first.slack).serious()
-
-
-def judge_solutions(ev: Evidence, claim: dict) -> Verdict:
-    """Judge joint vectors said to be solutions of a pose, and whether they are all (keys matrix or q_deg, solutions_deg, complete, unit)."""
-    model = ev.model
-    factor = UNITS[model.unit] / UNITS[_unit(claim, model)]
-    if "matrix" in claim:
-        printed = read_matrix(claim)
-        T = np.eye(4)
-        for i, row in enumerate(printed[:3]):
-            for j, v in enumerate(row):
-                T[i, j] = read_number(v)
-        slack = max((last_digit(v) for r in printed[:3] for v in r[3:]), default=0.0)
-    else:
-        T = fresh_samples(model, read_joints(claim, model)).frames["T"][0].copy()
-        T[:3, 3] *= factor
-        slack = 1e-9 * model.length()
-    position_only = claim.get("task") == "position"
-    lines, bad = [], 0
-    solutions = claim.get("solutions_deg")
-    if not solutions:
-        raise InputError(f"claim {claim['id']}: solutions_deg must list at least one joint vector", claim=claim["id"])
-    for k, row in enumerate(solutions):
-        q = read_joints({"id": f"{claim['id']} solution {k + 1}", "q_deg": row}, model)
-        got = fresh_samples(model, q).frames["T"][0].copy()
-        got[:3, 3] *= factor
-        gap = float(np.linalg.norm(got[:3, 3] - T[:3, 3]))
-        turn = 0.0 if position_only else _rotation_between(got[:3, :3], T[:3, :3])
-        half = joint_tolerance(row, True)
-        allowed = slack * 2 + float(half.sum()) * model.length() * factor
-        fine = gap <= allowed and turn <= max(0.02, np.degrees(half.sum()) * 2)
-        bad += not fine
-        lines.append(
-            (
-                f"solution {k + 1}",
-                ("closes" if fine else "is NO solution")
-                + f": position off by {gap:.{3 if fine else 6}g} {_unit(claim, model)}, "
-                f"orientation by {turn:.1g} deg"
-                + ("" if fine else f"; it reaches ({', '.join(f'{v:.3f}' for v in got[:3, 3])})"),
-            )
-        )
-    text = (
-        f"{len(solutions)} solution(s)"
-        + (", said to be all" if claim.get("complete") else "")
-        + ": "
-        + "; ".join("(" + ", ".join(str(v) for v in r) + ")" for r in solutions)
-        + " deg"
-    )
-    says = claim.get("says", "")
-    if bad:
-        return Verdict(
-            claim["id"],
-            text,
-            WRONG,
-            f"Wrong: {bad} of {len(solutions)} given joint vectors do not reach the pose.",
-            says,
-            tuple(lines),
-        )
-    if claim.get("complete"):
-        try:
-            total = len(_solve(ev, T / _scale(factor, model), claim))
-        except (PieperError, AttributeError, NotImplementedError, ImportError) as error:
-            return Verdict(
-                claim["id"],
-                text,
-                PARTLY,
-                f"Every one is a solution; whether they are all could not be checked: {error}",
-                says,
-                tuple(lines),
-            )
-        if total != len(solutions):
-            return Verdict(
-                claim["id"],
-                text,
-                PARTLY,
-                f"Every one is a solution, but they are not all: there are {total}.",
-                says,
-                tuple(lines),
-            )
-    return Verdict(
-        claim["id"],
-        text,
-        HOLDS,
-        f"Holds: {len(solutions)} of {len(solutions)} reach the pose"
-        + (", and there are no others." if claim.get("complete") else "."),
-        says,
-        tuple(lines),
-    )
-
-
-def _rotation_between(A: np.ndarray, B: np.ndarray) -> float:
-    """Return the angle (deg) between two rotations, exact also where it is small and B is rounded."""
-    R = A.T @ B
-    spin = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-    return float(np.degrees(np.arctan2(np.linalg.norm(spin), (np.trace(R) - 1) / 2)))
-
-
-def _scale(factor: float, model: ArmModel) -> np.ndarray:
-    out = np.ones((4, 4))
-    out[:3, 3] = factor / UNITS[model.unit]
-    return out
-
-
-def _solve(ev: Evidence, T: np.ndarray, claim: dict) -> np.ndarray:
-    task = {"task": claim["task"]} if "task" in claim else {}
-    return np.asarray(ev.model.solver.ik(T, **task).all_q)
-
-
-def judge_count(ev: Evidence, claim: dict) -> Verdict:
-    """Judge how many solutions a pose has, at random poses the arm can reach (keys count, task)."""
-    count = claim.get("count")
-    if not isinstance(count, int):
-        raise InputError(f"claim {claim['id']}: count must be a whole number", claim=claim["id"])
-    if ev.model.solver is None:
-        raise InputError(
-            f"claim {claim['id']}: this arm's table cannot be given to the solver, so its solutions cannot be counted",
-            claim=claim["id"],
-        )
-    text = f"a pose has {count} solutions"
-    says = claim.get("says", "")
-    counts = []
-    for k in np.flatnonzero(ev.samples.nominal)[:40]:
-        T = ev.samples.frames["T"][k].copy()
-        T[:3, 3] *= UNITS[ev.model.unit]
-        try:
-            counts.append(len(_solve(ev, T, claim)))
-        except (PieperError, AttributeError, NotImplementedError, ImportError) as error:
-            return Verdict(claim["id"], text, PARTLY, f"Could not be checked: {error}", says)
-    found = {c: counts.count(c) for c in sorted(set(counts))}
-    spread = ", ".join(f"{c} at {100 * m / len(counts):.0f}%" for c, m in found.items())
-    details = (("solutions found", f"{spread} of {len(counts)} random poses"),)
-    if set(found) == {count}:
-        return Verdict(
-            claim["id"],
-            text,
-            HOLDS,
-            f"Holds: {count} solutions at {len(counts)} of {len(counts)} random poses.",
-            says,
-            details,
-        )
-    if max(found) == count:
-        return Verdict(
-            claim["id"],
-            text,
-            PARTLY,
-            f"Holds as the largest number only; there are {spread} of the poses.",
-            says,
-            details,
-        )
-    return Verdict(
-        claim["id"],
-        text,
-        WRONG,
-        f"Wrong: there are {spread} of {len(counts)} random poses, never {count}."
-        if count not in found
-        else f"Wrong: there are {spread} of {len(counts)} random poses.",
-        says,
-        details,
-    )

@@ -18,7 +18,8 @@ ZEROS = (0, 90, 180, -90)  # deg, where makers put the zero of a joint relative 
 
 
 def judge_number(ev: Evidence, claim: dict) -> Verdict:
-    """Judge a printed number against a formula, at given joints when the formula needs them (keys is, value, q_deg, unit)."""
+    """Judge a printed number against a formula, at given joints when the formula needs them (keys is, value, q_deg,
+    unit)."""
     q = read_joints(claim, ev.model) if any(k in claim for k in ("q", "q_deg", "q_rad")) else np.zeros(ev.model.n)
     samples = evaluate_samples(ev.model, np.atleast_2d(q))
     ev.fill(samples.env)
@@ -69,7 +70,8 @@ def judge_errors(ev: Evidence, claim: dict) -> Verdict:
     simulated = np.array([[read_number(v) for v in r["simulation"]] for r in claim["rows"]])
     if reference.shape != simulated.shape:
         raise InputError(
-            f"claim {claim['id']}: reference and simulation have different shapes {reference.shape} and {simulated.shape}",
+            f"claim {claim['id']}: reference and simulation have different shapes {reference.shape} and "
+            f"{simulated.shape}",
             claim=claim["id"],
         )
     with np.errstate(all="ignore"):
@@ -110,9 +112,11 @@ def judge_errors(ev: Evidence, claim: dict) -> Verdict:
 
 
 def judge_table(ev: Evidence, claim: dict) -> Verdict:
-    """Judge printed positions for given joints; where they disagree, look for renamed axes and for the maker's zeros and senses.
+    """Judge printed positions for given joints; where they disagree, look for renamed axes and for the maker's zeros
+    and senses.
 
-    Keys: rows, each with q_deg and position; unit; within (how far a position may be off, in the unit); search_zeros = [2, 3, 5], the
+    Keys: rows, each with q_deg and position; unit; within (how far a position may be off, in the unit); search_zeros =
+    [2, 3, 5], the
     joints whose zero and sense may differ from the table's.
     """
     model = ev.model
@@ -138,13 +142,15 @@ def judge_table(ev: Evidence, claim: dict) -> Verdict:
     lines = [
         (
             f"row {k + 1}",
-            f"printed ({', '.join(as_text(v) for v in rows[k]['position'])}), by the table ({', '.join(f'{v:.2f}' for v in right[k])}) {unit}",
+            f"printed ({', '.join(as_text(v) for v in rows[k]['position'])}), by the table "
+            f"({', '.join(f'{v:.2f}' for v in right[k])}) {unit}",
         )
         for k in range(len(rows))
     ]
     best = _best_zeros(model, q, printed, factor, claim.get("search_zeros", []))
     residual, flips, axes, zeros, moved = best
-    tried = f"{len(list(axis_renamings())) + 1} namings of the axes times {8 ** len(claim.get('search_zeros', []))} zeros and senses, one lost sign allowed"
+    zeros_tried = 8 ** len(claim.get("search_zeros", []))
+    tried = f"24 namings of the axes times {zeros_tried} zeros and senses, one lost sign allowed"
     lines.append(("tried", tried))
     if residual > within:
         lines.append(("closest", f"{axes}; {zeros}: still {residual:.3g} {unit} off"))
@@ -152,7 +158,8 @@ def judge_table(ev: Evidence, claim: dict) -> Verdict:
             claim["id"],
             text,
             WRONG,
-            f"Wrong: off by up to {gap.max():.1f} {unit}, and no naming of the axes brings it within {within:g} {unit}.",
+            f"Wrong: off by up to {gap.max():.1f} {unit}, and no naming of the axes brings it within "
+            f"{within:g} {unit}.",
             says,
             tuple(lines),
         )
@@ -182,7 +189,7 @@ def _best_zeros(model: ArmModel, q, printed, factor, joints) -> tuple[float, str
     combos = list(itertools.product(choices, repeat=len(joints)))
     variants = np.repeat(q[None], len(combos), axis=0)
     for c, combo in enumerate(combos):
-        for joint, (sign, zero) in zip(joints, combo):
+        for joint, (sign, zero) in zip(joints, combo, strict=True):
             variants[c, :, joint - 1] = sign * q[:, joint - 1] + np.radians(zero)
     points = (
         evaluate_samples(model, variants.reshape(-1, model.n)).frames["T"][:, :3, 3].reshape(len(combos), len(q), 3)
@@ -211,7 +218,7 @@ def _best_zeros(model: ArmModel, q, printed, factor, joints) -> tuple[float, str
                     where = f"{'XYZ'[axis]} in row {row + 1}"
                 zeros = "; ".join(
                     f"theta{j} = {'-' if s < 0 else ''}J{j}{f' {z:+d} deg' if z else ''}"
-                    for j, (s, z) in zip(joints, combos[c])
+                    for j, (s, z) in zip(joints, combos[c], strict=True)
                     if s != 1 or z
                 )
                 best = (*key, words, zeros, where, turned[c])
@@ -219,7 +226,7 @@ def _best_zeros(model: ArmModel, q, printed, factor, joints) -> tuple[float, str
 
 
 def judge_range(ev: Evidence, claim: dict) -> Verdict:
-    """Judge whether values said to be used lie in the range printed for the joint (keys joint, range_deg, values_deg)."""
+    """Judge whether used values lie in the range printed for the joint (keys joint, range_deg, values_deg)."""
     low, high = (float(v) for v in claim["range_deg"])
     values = [read_number(v) for v in claim["values_deg"]]
     outside = [f"{v:g}" for v in values if not low <= v <= high]
@@ -232,7 +239,8 @@ def judge_range(ev: Evidence, claim: dict) -> Verdict:
 
 
 def judge_limit(ev: Evidence, claim: dict) -> Verdict:
-    """Judge a joint's printed range against a path the arm is said to follow (keys joint, range_deg, path = {from, to, n}, unit).
+    """Judge a joint's printed range against a path the arm is said to follow (keys joint, range_deg, path = {from, to,
+    n}, unit).
 
     The tool's orientation is left free: what is out of reach then is out of reach for every orientation.
     """
@@ -250,7 +258,8 @@ def judge_limit(ev: Evidence, claim: dict) -> Verdict:
     path = claim.get("path")
     if not isinstance(path, dict) or "from" not in path or "to" not in path:
         raise InputError(
-            f"claim {claim['id']}: a limit is judged against a path; give path = {{ from = [x, y, z], to = [x, y, z] }}",
+            f"claim {claim['id']}: a limit is judged against a path; give path = "
+            f"{{ from = [x, y, z], to = [x, y, z] }}",
             claim=claim["id"],
         )
     factor = UNITS[unit] / UNITS[model.unit]
@@ -274,13 +283,15 @@ def judge_limit(ev: Evidence, claim: dict) -> Verdict:
             lo, hi = sorted(sign * v + zero for v in (low, high))
             if all(_closest(model, p, joint, np.radians([lo, hi])) / factor < tolerance for p in ends):
                 maps.append(
-                    f"theta{joint} = {'-' if sign < 0 else ''}J{joint}{f' {zero:+d} deg' if zero else ''} in {lo:g} .. {hi:g} deg"
+                    f"theta{joint} = {'-' if sign < 0 else ''}J{joint}{f' {zero:+d} deg' if zero else ''} "
+                    f"in {lo:g} .. {hi:g} deg"
                 )
     bad = int(np.argmax(gaps))
     details = [
         (
             "counter-example",
-            f"with theta{joint} in {low:g} .. {high:g} deg the tool comes no closer than {gaps[bad]:.4g} {unit} to the path's "
+            f"with theta{joint} in {low:g} .. {high:g} deg the tool comes no closer than {gaps[bad]:.4g} "
+            f"{unit} to the path's "
             f"{'first' if bad == 0 else 'last'} point, whatever its orientation",
         )
     ]
@@ -301,7 +312,8 @@ def judge_limit(ev: Evidence, claim: dict) -> Verdict:
 
 
 def _closest(model: ArmModel, point, joint: int, limits) -> float:
-    """Return the least distance of the tool from a point, any orientation, one joint limited: damped Gauss-Newton from many starts."""
+    """Return the least distance of the tool from a point, any orientation, one joint limited: damped Gauss-Newton from
+    many starts."""
     rng = np.random.default_rng(7)
     k = joint - 1
     q = rng.uniform(-np.pi, np.pi, (64, model.n))

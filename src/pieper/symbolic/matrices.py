@@ -1,4 +1,5 @@
-"""Products of matrices as papers write them: ``A1 A2^-1 T06``, ``(A1 A2 A3)^-1 T``, ``R03^T R06``, ``v1 + Q1 v2`` and entries ``T06[1,4]``."""
+"""Products of matrices as papers write them: ``A1 A2^-1 T06``, ``(A1 A2 A3)^-1 T``, ``R03^T R06``, ``v1 + Q1 v2`` and
+entries ``T06[1,4]``."""
 
 from __future__ import annotations
 
@@ -50,8 +51,10 @@ def parse_product(text: str, joints: int) -> Product:
     """Read a product of matrices.
 
     Args:
-        text: names A1.. (link), T06, T (base and tool included), R.. (its rotation), P.. (its position), Q1.. and v1.. (rotation and
-            position of a link), I; side by side or with ``*``, sums with ``+``, ``^-1``, ``^T``, brackets, ``[row,column]`` at the end.
+        text: names A1.. (link), T06, T (base and tool included), R.. (its rotation), P.. (its position), Q1.. and v1..
+        (rotation and
+            position of a link), I; side by side or with ``*``, sums with ``+``, ``^-1``, ``^T``, brackets,
+            ``[row,column]`` at the end.
         joints: number of joints.
 
     Returns:
@@ -195,7 +198,7 @@ def product_slips(product: Product, joints: int) -> Iterator[tuple[str, str, Pro
             for order in itertools.permutations(inverses):
                 if list(order) != inverses:
                     new = list(term)
-                    for place, taken in zip(inverses, order):
+                    for place, taken in zip(inverses, order, strict=True):
                         new[place] = term[taken]
                     yield "order", "the inverses in the wrong order", made(new)
         for i in range(len(term) - 1):

@@ -1,4 +1,5 @@
-"""Write the pages of verdicts: one Markdown page per claims file, so that what is published is what the judge says today.
+"""Write the pages of verdicts: one Markdown page per claims file, so that what is published is what the judge says
+today.
 
 Run as ``python -m pieper.symbolic.pages examples/claims docs/papers``.
 """
@@ -11,7 +12,8 @@ from pathlib import Path
 from pieper.symbolic.claims import check
 from pieper.symbolic.verdict import Report
 
-NOTE = "This page is written by `python -m pieper.symbolic.pages examples/claims docs/papers` from `examples/claims/{name}`."
+COMMAND = "python -m pieper.symbolic.pages examples/claims docs/papers"
+NOTE = "This page is written by `" + COMMAND + "` from `examples/claims/{name}`."
 
 
 def page(path: Path, report: Report | None = None) -> str:

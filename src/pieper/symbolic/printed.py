@@ -71,7 +71,8 @@ def misprint(printed, right: float) -> str:
 
 
 def read_joints(claim: dict, model: ArmModel, key: str = "q") -> np.ndarray:
-    """Read a joint vector (n,) in rad (or the unit of length) from ``q_deg``, ``q_rad`` or ``q`` with a unit in every entry."""
+    """Read a joint vector (n,) in rad (or the unit of length) from ``q_deg``, ``q_rad`` or ``q`` with a unit in every
+    entry."""
     name = claim.get("id", "?")
     found = [k for k in (f"{key}_deg", f"{key}_rad", key) if k in claim]
     if len(found) != 1:
@@ -82,7 +83,8 @@ def read_joints(claim: dict, model: ArmModel, key: str = "q") -> np.ndarray:
     values = claim[found[0]]
     if not isinstance(values, list) or len(values) != model.n:
         raise InputError(
-            f"claim {name}: {found[0]} has {len(values) if isinstance(values, list) else 'no'} entries; the arm has {model.n} joints",
+            f"claim {name}: {found[0]} has {len(values) if isinstance(values, list) else 'no'} entries; the "
+            f"arm has {model.n} joints",
             claim=name,
         )
     out = np.empty(model.n)
@@ -90,7 +92,8 @@ def read_joints(claim: dict, model: ArmModel, key: str = "q") -> np.ndarray:
         if found[0] == key:
             if not isinstance(value, str) or not any(u in value for u in ("deg", "rad", "\u00b0", "pi", "mm", "m")):
                 raise InputError(
-                    f'claim {name}: {key}[{k + 1}] = {value!r} has no unit; write "{value} deg" or "{value} rad", or use {key}_deg',
+                    f'claim {name}: {key}[{k + 1}] = {value!r} has no unit; write "{value} deg" or "{value} '
+                    f'rad", or use {key}_deg',
                     claim=name,
                 )
             out[k] = quantity(value)
@@ -107,7 +110,8 @@ def read_joints(claim: dict, model: ArmModel, key: str = "q") -> np.ndarray:
 
 
 def quantity(text: str) -> float:
-    """Evaluate a constant formula with a unit: "180*25/98 deg", "pi/2 rad", "45 mm" (lengths stay in the unit they are written in)."""
+    """Evaluate a constant formula with a unit: "180*25/98 deg", "pi/2 rad", "45 mm" (lengths stay in the unit they are
+    written in)."""
     from pieper.symbolic.formula import parse
     from pieper.symbolic.tree import evaluate
 
@@ -133,7 +137,8 @@ def read_matrix(claim: dict, key: str = "matrix") -> list[list]:
     if shape not in ((4, 4), (3, 4), (3, 3)) or any(len(r) != shape[1] for r in rows):
         sizes = ", ".join(str(len(r)) for r in rows)
         raise InputError(
-            f"claim {name}: {key} has {len(rows)} rows of {sizes} entries; a pose is 4 x 4 (or its upper 3 x 4, or a 3 x 3 rotation)",
+            f"claim {name}: {key} has {len(rows)} rows of {sizes} entries; a pose is 4 x 4 (or its upper 3 "
+            f"x 4, or a 3 x 3 rotation)",
             claim=name,
         )
     for r, row in enumerate(rows):

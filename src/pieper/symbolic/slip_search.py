@@ -1,4 +1,5 @@
-"""The search for the one slip that explains a wrong formula: try every near formula and every near arm, keep what is right everywhere."""
+"""The search for the one slip that explains a wrong formula: try every near formula and every near arm, keep what is
+right everywhere."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
 """Every formula one slip away from a given one: the errors people make when they copy, type or derive.
 
-Each slip is a small change of the tree. The change named is the one that was (probably) made; the tree yielded is the formula
+Each slip is a small change of the tree. The change named is the one that was (probably) made; the tree yielded is the
+formula
 with that change *undone*, so the first tree that is right is the nearest right reading.
 """
 
@@ -93,7 +94,7 @@ def slips(
                 if text != str(node):
                     yield slip("swapped factor", ("{} for {}", node, factor), factor, 1.5)
         if _is_term(node, parent) or (parent is not None and parent.op in ("neg", "div") and node.op != "add"):
-            for text, factor in pool.items():
+            for factor in pool.values():
                 yield slip("missing factor", ("{} lost from {}", factor, node), mul(node, factor), 1.3)
             yield slip("missing factor", ("a factor 2 lost from {}", node), mul(num(2), node), 1.3)
             yield slip("extra factor", ("a factor 2 too many in {}", node), Node("div", (node, num(2))), 1.8)
@@ -121,7 +122,8 @@ def _throughout(root: Node, joints: int) -> Iterator[Slip]:
 
 
 def _shared(root: Node) -> set[Node]:
-    """Return the nodes that occur more than once: a symbol defined once and used twice carries its slip to both places."""
+    """Return the nodes that occur more than once: a symbol defined once and used twice carries its slip to both
+    places."""
     seen: set[Node] = set()
     twice: set[Node] = set()
     for node in root.walk():
@@ -138,7 +140,8 @@ def _is_term(node: Node, parent: Node | None) -> bool:
 
 
 def _factor_pool(root: Node, lengths: dict[str, float], joints: int) -> dict[str, Node]:
-    """Return what may have been lost or swapped: sines and cosines of every joint and of the sums that occur, and the lengths."""
+    """Return what may have been lost or swapped: sines and cosines of every joint and of the sums that occur, and the
+    lengths."""
     used = {int(ANGLE.match(s).group(1)) for s in root.symbols() if ANGLE.match(s)}
     sums = {((1, j),) for j in (used or range(1, joints + 1))}
     for node in root.walk():

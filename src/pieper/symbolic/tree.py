@@ -1,6 +1,7 @@
 """Expressions as small immutable trees: how a formula is held, printed back and evaluated.
 
-A tree is evaluated by an *arithmetic* (NumPy arrays, mpmath numbers or sympy symbols); nothing is ever handed to Python's own evaluator.
+A tree is evaluated by an *arithmetic* (NumPy arrays, mpmath numbers or sympy symbols); nothing is ever handed to
+Python's own evaluator.
 """
 
 from __future__ import annotations
@@ -34,7 +35,8 @@ class Node:
     """One node of an expression.
 
     Attributes:
-        op: ``num sym neg add mul div pow pm call``, and ``eq`` at the top of an equation (its value is left minus right).
+        op: ``num sym neg add mul div pow pm call``, and ``eq`` at the top of an equation (its value is left minus
+        right).
         args: the children.
         value: the number as written, the symbol's or function's name, or +1/-1 for the upper sign of a +- (-+).
     """
@@ -258,7 +260,8 @@ def evaluate(
         env: value of every symbol, arrays of any common shape (or numbers of the arithmetic).
         arithmetic: what the operations mean.
         branch: +1 takes the upper sign of every +-, -1 the lower one.
-        cache: values of subtrees already known, by identity. Trees that share subtrees (a formula and its variants) share
+        cache: values of subtrees already known, by identity. Trees that share subtrees (a formula and its variants)
+        share
             their work through it.
         learn: add new subtrees to the cache.
 
@@ -328,7 +331,7 @@ def replaced_everywhere(root: Node, old: Node, new: Node) -> Node:
     if not root.args:
         return root
     args = tuple(replaced_everywhere(a, old, new) for a in root.args)
-    return root if all(x is y for x, y in zip(args, root.args)) else rebuilt(root, args)
+    return root if all(x is y for x, y in zip(args, root.args, strict=True)) else rebuilt(root, args)
 
 
 def positions(root: Node) -> Iterator[tuple[tuple[int, ...], Node, Node | None]]:
@@ -347,6 +350,6 @@ def substitute(node: Node, definitions: dict[str, Node]) -> Node:
     if not node.args:
         return node
     args = tuple(substitute(a, definitions) for a in node.args)
-    if all(x is y for x, y in zip(args, node.args)):
+    if all(x is y for x, y in zip(args, node.args, strict=True)):
         return node
     return rebuilt(node, args)

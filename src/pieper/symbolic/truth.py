@@ -1,4 +1,5 @@
-"""The arm as the judge sees it: DH rows as expressions, evaluated by a plain product of matrices, the slow way on purpose.
+"""The arm as the judge sees it: DH rows as expressions, evaluated by a plain product of matrices, the slow way on
+purpose.
 
 The judge does not use the solver's own kinematics: a claim and its judge must not share a mistake.
 """
@@ -20,7 +21,7 @@ AXES = "xyz"
 
 @dataclass(frozen=True)
 class Row:
-    """One DH row as expressions; the joint's variable ``theta<i>`` stands in `theta` or, for a sliding joint, in `d`."""
+    """A DH row as expressions; the joint's variable ``theta<i>`` stands in `theta` or, for sliding, in `d`."""
 
     a: Node
     alpha: Node
@@ -74,7 +75,7 @@ class ArmModel:
         return set(self.values) | {p[0] for p in POSE_NAMES} | {"pi"}
 
     def between(self, name: str) -> tuple[ArmModel, int] | None:
-        """Return the arm of joints i+1 .. j for the name Tij (its joints numbered from 1) and i; None for other names."""
+        """Return the arm of joints i+1 .. j (numbered from 1) for the name Tij, and i; None for other names."""
         if len(name) != 3 or name[0] != "T" or not name[1:].isdigit() or name[1] >= name[2]:
             return None
         first, last = int(name[1]), int(name[2])
@@ -180,7 +181,8 @@ def angle_node(value: float) -> Node:
 
 
 def model_from_description(d, solver=None) -> ArmModel:
-    """Read an arm description (SI units) into expressions; lengths become a1, d4, ... with the table's numbers as values."""
+    """Read an arm description (SI units) into expressions; lengths become a1, d4, ... with the table's numbers as
+    values."""
     rows, values = [], {}
     for i, row in enumerate(d.rows):
         at = i + 1 if d.convention == "standard" else i
@@ -235,7 +237,8 @@ def sample(model: ArmModel, count: int = 96, *, seed: int = 20_24, vary: bool = 
         model: the arm.
         count: number of joint vectors.
         seed: start of the generator; the same claims get the same counter-examples every time.
-        vary: draw other values for the lengths in the second half, so that "identically" means for every arm of this build.
+        vary: draw other values for the lengths in the second half, so that "identically" means for every arm of this
+        build.
 
     Returns:
         The samples.

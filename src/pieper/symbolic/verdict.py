@@ -20,7 +20,8 @@ class Verdict:
         says: what the claim is about, in the file's words.
         status: "holds", "holds only in part" or "wrong".
         sentence: the verdict in one sentence, with its number.
-        details: further lines, (heading, text): counter-example, difference, nearest right reading, slip, what was tried.
+        details: further lines, (heading, text): counter-example, difference, nearest right reading, slip, what was
+        tried.
         slip: the kind of the one slip that explains a wrong claim, "" when there is none.
         reading: the nearest right reading as a formula, "" when none was found.
         digits: number of digits to which the claim holds, None where that means nothing.
@@ -125,7 +126,8 @@ class Report:
         """Return the report as an HTML fragment."""
         e = html.escape
         rows = "".join(
-            f'<tr class="{v.status.split()[0]}"><td>{e(v.id)}</td><td>{e(v.says or v.claim)}</td><td>{e(v.status)}</td></tr>'
+            f'<tr class="{v.status.split()[0]}"><td>{e(v.id)}</td><td>{e(v.says or v.claim)}</td>'
+            f"<td>{e(v.status)}</td></tr>"
             for v in self.verdicts
         )
         parts = [
