@@ -29,7 +29,12 @@ def _has_compiler() -> bool:
 def zig_tools(folder: Path, python: str = sys.executable) -> dict[str, str]:
     """Write scripts that call zig as compiler, archiver and index maker; return the environment that uses them."""
     tools = {}
-    for variable, name, command in (("CXX", "zig-c++", "c++"), ("CC", "zig-cc", "cc"), ("AR", "zig-ar", "ar"), ("RANLIB", "zig-ranlib", "ranlib")):
+    for variable, name, command in (
+        ("CXX", "zig-c++", "c++"),
+        ("CC", "zig-cc", "cc"),
+        ("AR", "zig-ar", "ar"),
+        ("RANLIB", "zig-ranlib", "ranlib"),
+    ):
         script = folder / name
         script.write_text(f'#!/bin/sh\nexec "{python}" -m ziglang {command} "$@"\n')
         script.chmod(script.stat().st_mode | stat.S_IXUSR)
@@ -90,13 +95,17 @@ def get_requires_for_build_editable(config_settings: dict | None = None) -> list
     return _with_zig(backend.get_requires_for_build_editable(config_settings))
 
 
-def build_wheel(wheel_directory: str, config_settings: dict | None = None, metadata_directory: str | None = None) -> str:
+def build_wheel(
+    wheel_directory: str, config_settings: dict | None = None, metadata_directory: str | None = None
+) -> str:
     """Build the wheel."""
     with _Compiler():
         return backend.build_wheel(wheel_directory, config_settings, metadata_directory)
 
 
-def build_editable(wheel_directory: str, config_settings: dict | None = None, metadata_directory: str | None = None) -> str:
+def build_editable(
+    wheel_directory: str, config_settings: dict | None = None, metadata_directory: str | None = None
+) -> str:
     """Build for an editable install."""
     with _Compiler():
         return backend.build_editable(wheel_directory, config_settings, metadata_directory)
