@@ -1,4 +1,4 @@
-"""Every solution of arms with a spherical wrist behind parallel axes: found again, closing, also where it is singular."""
+"""Spherical wrists behind parallel axes: every solution is found again and closes, also where it is singular."""
 
 from __future__ import annotations
 

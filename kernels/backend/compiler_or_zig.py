@@ -27,11 +27,14 @@ def _has_compiler() -> bool:
 
 
 def zig_tools(folder: Path, python: str = sys.executable) -> dict[str, str]:
-    """Write scripts that call zig as compiler, archiver and index maker; return the environment that uses them."""
+    """Write scripts that call zig as compiler, archiver and index maker; return the environment that uses them.
+
+    Zig compiles for the processor at hand unless told otherwise; the baseline is what a module for others needs.
+    """
     tools = {}
     for variable, name, command in (
-        ("CXX", "zig-c++", "c++"),
-        ("CC", "zig-cc", "cc"),
+        ("CXX", "zig-c++", "c++ -mcpu=baseline"),
+        ("CC", "zig-cc", "cc -mcpu=baseline"),
         ("AR", "zig-ar", "ar"),
         ("RANLIB", "zig-ranlib", "ranlib"),
     ):
