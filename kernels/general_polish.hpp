@@ -85,9 +85,10 @@ template <class F> Closure<F> polish(const Frame<F>* link, const Roles& roles, J
   out.residual = F(1e300);
   out.sigma = F(0.0);
   F before = F(1e300);
+  auto active = mask_of<F>(true);  // a finished lane is left alone, so that its answer does not depend on its neighbours
   for (int step = 0;; ++step) {
     const F size = loop_error(link, goal, roles, q, m);
-    const auto better = size < out.residual;
+    const auto better = (size < out.residual) & active;
     for (int k = 0; k < 6; ++k) {
       best.c[k] = select(better, q.c[k], best.c[k]);
       best.s[k] = select(better, q.s[k], best.s[k]);
@@ -97,7 +98,8 @@ template <class F> Closure<F> polish(const Frame<F>* link, const Roles& roles, J
     const auto done = ((size < 1e-14) & (size > 0.4 * before)) | (size < 3e-16);
     const auto lost = size > F(step < 8 ? 1e300 : 0.05);
     before = size;
-    if (step == steps || all(done | lost)) break;
+    active = active & !(done | lost);
+    if (step == steps || !any(active)) break;
     F d[6], largest = 0.0;
     for (int k = 5; k >= 0; --k) {
       F t = m[k][6];
