@@ -11,9 +11,10 @@ from pieper import DH
 from pieper.symbolic.expression import Sym
 
 PI = np.pi
-CLOSED = ("denso-vp6242", "denso-vs6577", "fanuc-r2000ic-165f", "rrp-wrist", "three-r", "dfrobot-rob0036",
-          "dfrobot-rob0036-as-printed", "universal-robots-ur5e", "unimation-puma-560", "stanford-arm", "adept-cobra-600",
-          "kuka-lbr-iiwa-14-r820", "franka-panda")  # fmt: skip
+CLOSED = """
+    denso-vp6242 denso-vs6577 fanuc-r2000ic-165f rrp-wrist three-r dfrobot-rob0036 dfrobot-rob0036-as-printed
+    universal-robots-ur5e unimation-puma-560 stanford-arm adept-cobra-600 kuka-lbr-iiwa-14-r820 franka-panda
+""".split()
 GENERAL = ("motoman-ea1400n", "motoman-hc10")
 
 
@@ -31,7 +32,9 @@ BUILDS = {
     "three slides": arm_of([DH(alpha=PI / 2), DH(alpha=PI / 2, theta=PI / 2), DH(), *WRIST], "PPPRRR"),
     "turn and two slides": arm_of([DH(d=0.2), DH(alpha=-PI / 2), DH(), *WRIST], "RPPRRR"),
     "scara and wrist": arm_of([DH(a=0.3, d=0.2), DH(a=0.25), DH(), *WRIST], "RRPRRR"),
-    "quartic": arm_of([DH(a=0.1, alpha=PI / 2, d=0.4), DH(a=0.5, alpha=PI / 2, d=0.1), DH(a=0.2, alpha=-PI / 2, d=0.15), *WRIST]),
+    "quartic": arm_of(
+        [DH(a=0.1, alpha=PI / 2, d=0.4), DH(a=0.5, alpha=PI / 2, d=0.1), DH(a=0.2, alpha=-PI / 2, d=0.15), *WRIST]
+    ),
     "planar": arm_of([DH(a=0.4), DH(a=0.3), DH(a=0.2)]),
     "with base, tool, sense and zero": arm_of(
         [DH(a=0.1, alpha=PI / 2, d=0.4), DH(a=0.5), DH(a=0.05, alpha=-PI / 2), *WRIST],

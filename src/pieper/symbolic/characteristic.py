@@ -78,7 +78,9 @@ def characteristic_polynomial(links: np.ndarray, T: np.ndarray, fk) -> Character
         if peak < 1e-13:
             continue
         kept = harmonics[middle - HARMONIC : middle + HARMONIC + 1] / peak
-        outside = np.abs(np.concatenate([harmonics[: middle - HARMONIC], harmonics[middle + HARMONIC + 1 :]])).max() / peak
+        outside = (
+            np.abs(np.concatenate([harmonics[: middle - HARMONIC], harmonics[middle + HARMONIC + 1 :]])).max() / peak
+        )
         if outside < 1e-6:
             ways.append((outside, cut, kept))
     ways.sort(key=lambda way: way[0])
@@ -137,7 +139,7 @@ class _Cut:
         y = np.linalg.lstsq(self.right[:, :8], wanted, rcond=None)[0]
         t1, t2 = np.arctan2(y[2], y[5]), np.arctan2(y[6], y[7])
         m = self.m
-        before = (_turn(t1) @ m[0] @ _turn(t2) @ m[1] @ _turn(t3) @ m[2] @ _turn(t4) @ m[3] @ _turn(t5) @ m[4])
+        before = _turn(t1) @ m[0] @ _turn(t2) @ m[1] @ _turn(t3) @ m[2] @ _turn(t4) @ m[3] @ _turn(t5) @ m[4]
         last = np.linalg.inv(m[5] @ before)
         t6 = np.arctan2(last[1, 0], last[0, 0])
         return np.roll([t1, t2, t3, t4, t5, t6], self.shift)
@@ -164,7 +166,9 @@ def _finish(ways: list, fk, T: np.ndarray) -> CharacteristicPolynomial:
                 found.append(q)
     solutions = np.array(sorted(found, key=lambda q: q[joint - 1])).reshape(-1, 6)
     roots = np.roots(real[trailing[0] :])
-    return CharacteristicPolynomial(joint, harmonics, real[trailing[0] :], degree, roots, solutions[:, joint - 1], solutions, noise)
+    return CharacteristicPolynomial(
+        joint, harmonics, real[trailing[0] :], degree, roots, solutions[:, joint - 1], solutions, noise
+    )
 
 
 def _powers(plus: int, minus: int) -> list[complex]:

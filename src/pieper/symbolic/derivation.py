@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.symbolic.elimination import Eliminator, Source, branch_values
+from pieper.symbolic.elimination import Eliminator, Source
 from pieper.symbolic.expression import Expr, Num, Sym, Trig, angle_symbol
 from pieper.symbolic.fields import DigitsField, NumpyField
 from pieper.symbolic.table import SymbolTable
 from pieper.symbolic.target import pretty_names
-
+from pieper.symbolic.witness import branch_values
 
 #: By how much a side condition may be missed and still hold, per unit of the pose's entries.
 CONDITION = 1e-6
@@ -90,7 +90,7 @@ class ClosedForm:
         """One formula a joint, in the order in which they are to be evaluated."""
         return {s.symbol: s.formula for s in self.steps}
 
-    # -- evaluation ------------------------------------------------------------------------------------------------
+    # -- evaluation ------------------------------------------------------------------------------------------
     def evaluate(self, T, *, chosen=None) -> np.ndarray:
         """Every branch at poses T.
 
@@ -145,9 +145,13 @@ class ClosedForm:
             if not wrong.any() or len(chosen) == 3:
                 break
             left, right = (p.expr().substitute(self.renamed) for p in (equation.left, equation.right))
-            if not (left.atoms() | right.atoms()) <= set(values) | {t for t in left.atoms() | right.atoms() if isinstance(t, Trig)}:
+            if not (left.atoms() | right.atoms()) <= set(values) | {
+                t for t in left.atoms() | right.atoms() if isinstance(t, Trig)
+            }:
                 continue
-            gap = np.broadcast_to(np.abs(left.evaluate(values, NumpyField) - right.evaluate(values, NumpyField)), real.shape)
+            gap = np.broadcast_to(
+                np.abs(left.evaluate(values, NumpyField) - right.evaluate(values, NumpyField)), real.shape
+            )
             if (gap[real & ~(miss > 1e-6)] < 1e-7).all() and (gap[wrong] > 1e-4).any():
                 chosen.append((left, right, equation.source))
                 wrong = wrong & ~(gap > 1e-4)
@@ -225,11 +229,21 @@ def _steps(eliminator: Eliminator, table: dict) -> tuple[Step, ...]:
         names = [(table[s], tidy(eliminator.target.definitions[s].expr())) for s in move.names]
         names += [(s, tidy(x)) for s, x in move.solved.definitions]
         equations = tuple((tidy(e.left.expr()), tidy(e.right.expr())) for e in move.equations)
-        found.append(Step(
-            number, move.symbol, move.angle, tuple(e.source for e in move.equations), tuple(names), equations,
-            tidy(move.solved.formula), move.sigma, move.solved.kind,
-            _vanishing([tidy(x) for x in move.solved.degenerate], constants),
-            tidy(move.solved.merge) if move.solved.merge is not None else None))  # fmt: skip
+        found.append(
+            Step(
+                number,
+                move.symbol,
+                move.angle,
+                tuple(e.source for e in move.equations),
+                tuple(names),
+                equations,
+                tidy(move.solved.formula),
+                move.sigma,
+                move.solved.kind,
+                _vanishing([tidy(x) for x in move.solved.degenerate], constants),
+                tidy(move.solved.merge) if move.solved.merge is not None else None,
+            )
+        )
     return tuple(found)
 
 
@@ -239,7 +253,3 @@ def _vanishing(conditions: list[Expr], constants: dict) -> tuple[Expr, ...]:
         if condition.atoms() <= set(constants) and abs(condition.evaluate(constants, NumpyField)) > 1e-12:
             return ()
     return tuple(c for c in conditions if not (isinstance(c, Num) and c.value == 0))
-
-
-
-

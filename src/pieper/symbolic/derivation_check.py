@@ -1,4 +1,4 @@
-"""Does a derivation hold? Every branch against every solution the solver finds, formula by formula, and at 50 digits."""
+"""Whether a derivation holds: every branch against every solution of the solver, each formula, and at 50 digits."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ import numpy as np
 
 from pieper.errors import PieperError
 from pieper.symbolic.derivation import ClosedForm
-from pieper.symbolic.elimination import branch_values
 from pieper.symbolic.expression import Sym, angle_symbol
 from pieper.symbolic.fields import NumpyField
+from pieper.symbolic.witness import branch_values
 
 CLOSE = 1e-6  # rad or m: a branch is the solution; half the digits remain beside a singular pose
 DIGITS_POSES = 3
@@ -43,9 +43,12 @@ class DerivationCheck:
     @property
     def what(self) -> str:
         """The result in sentences."""
-        said = [f"At {self.poses} random poses the solver finds {self.solutions} solutions; {_all(self.reproduced, self.solutions)} "
-                f"of them {'is' if self.reproduced == 1 else 'are'} given by one choice of the branch signs, "
-                f"to {self.worst:.1e} rad (or m) at worst."]  # fmt: skip
+        said = [
+            f"At {self.poses} random poses the solver finds {self.solutions} solutions; "
+            f"{_all(self.reproduced, self.solutions)} "
+            f"of them {'is' if self.reproduced == 1 else 'are'} given by one choice of the branch signs, "
+            f"to {self.worst:.1e} rad (or m) at worst."
+        ]
         if self.real:
             said.append(f"Of {self.real} real combinations of signs {_all(self.valid, self.real)} reach the pose.")
         if self.digits_worst is not None:
@@ -92,12 +95,16 @@ def check(form: ClosedForm, arm, n: int, rng: np.random.Generator) -> Derivation
 
 
 def _solutions(arm, T, q, form: ClosedForm) -> list[np.ndarray]:
-    """All solutions the solver has for the pose, with the chosen joints as they are; q itself where there is no solver."""
+    """All solutions the solver has for the pose and the chosen joints' values; q alone where there is no solver."""
     found = [q]
     try:
         if form.chosen:
-            rows = arm.ik(T, redundancy=[float(q[j - 1]) for j in form.chosen] if len(form.chosen) > 1 else
-                          float(q[form.chosen[0] - 1])).all_q  # fmt: skip
+            rows = arm.ik(
+                T,
+                redundancy=[float(q[j - 1]) for j in form.chosen]
+                if len(form.chosen) > 1
+                else float(q[form.chosen[0] - 1]),
+            ).all_q
         else:
             rows = arm.ik(T).all_q
     except (PieperError, LookupError, NotImplementedError, TypeError, ValueError, AttributeError):
@@ -151,7 +158,11 @@ def _by_formula(form: ClosedForm, T, solutions: np.ndarray, formulas: dict):
         best = np.min(gaps, axis=0)
         tried, held, worst = formulas.get(step.symbol, (0, 0, 0.0))
         good = best < CLOSE
-        formulas[step.symbol] = (tried + len(best), held + int(good.sum()), max(worst, float(best[good].max(initial=0.0))))
+        formulas[step.symbol] = (
+            tried + len(best),
+            held + int(good.sum()),
+            max(worst, float(best[good].max(initial=0.0))),
+        )
         values[step.symbol] = want
 
 
@@ -174,7 +185,12 @@ def _digits(form: ClosedForm, arm, rng: np.random.Generator) -> float | None:
             gaps = []
             for branch in form.evaluate_digits(M, chosen=q):
                 if all(x == x for x in branch):
-                    gaps.append(max(_turn(b - x, kind) for b, x, kind in zip(branch, q, arm.description.joint_types, strict=True)))
+                    gaps.append(
+                        max(
+                            _turn(b - x, kind)
+                            for b, x, kind in zip(branch, q, arm.description.joint_types, strict=True)
+                        )
+                    )
             if not gaps:
                 return None
             worst = max(worst, min(gaps))

@@ -1,4 +1,4 @@
-"""What is true of an arm without a closed form: why there is none, its characteristic polynomial, how the rest follows."""
+"""What is true of an arm without a closed form: why there is none, its polynomial, how the other joints follow."""
 
 from __future__ import annotations
 
@@ -45,9 +45,13 @@ class PolynomialCheck:
         """The result in sentences."""
         if not self.poses:
             return "There is no polynomial to check."
-        return (f"At {self.poses} random poses the real roots lead to {self.found} of the solver's {self.solutions} solutions, to "
-                f"{self.worst:.1e} rad at worst, and to {self.extra} more; the joint vector that made the pose came back "
-                f"{self.own} times of {self.poses}.")  # fmt: skip
+        return (
+            f"At {self.poses} random poses the real roots lead to {self.found} of the solver's "
+            f"{self.solutions} solutions, to "
+            f"{self.worst:.1e} rad at worst, and to {self.extra} more; the joint vector that made the pose "
+            f"came back "
+            f"{self.own} times of {self.poses}."
+        )
 
     def __str__(self) -> str:
         return self.what
@@ -85,7 +89,7 @@ class GeneralInverse:
             chain = chain.locked(joint, float(value))
         return chain
 
-    # -- words ---------------------------------------------------------------------------------------------------------
+    # -- words -----------------------------------------------------------------------------------------------
     def why(self) -> list[str]:
         """Which axes would have to meet or be parallel for a closed form, and by how much they miss."""
         chain = self._six(self.example[list(self.chosen)])
@@ -100,14 +104,22 @@ class GeneralInverse:
             turns.append((max(angles), label))
             if min(angles) > 1e-9:
                 meets.append((geometry.common_point((i, i + 1, i + 2))[1], label))
-        said = ["A six-joint arm has a closed form when three neighbouring axes meet in one point or are parallel (Pieper 1968). "
-                "Here none do."]  # fmt: skip
+        said = [
+            "A six-joint arm has a closed form when three neighbouring axes meet in one point or are parallel "
+            "(Pieper 1968). "
+            "Here none do."
+        ]
         if meets:
             miss, label = min(meets)
-            said.append(f"The nearest to meeting are axes {label}: any point misses one of them by at least about {miss * 1e3:.4g} mm.")
+            said.append(
+                f"The nearest to meeting are axes {label}: any point misses one of them by at least about "
+                f"{miss * 1e3:.4g} mm."
+            )
         if turns:
             angle, label = min(turns)
-            said.append(f"The nearest to being parallel are axes {label}: they are {np.degrees(angle):.4g} degrees apart.")
+            said.append(
+                f"The nearest to being parallel are axes {label}: they are {np.degrees(angle):.4g} degrees apart."
+            )
         return said
 
     def write(self, page: Page):
@@ -116,26 +128,42 @@ class GeneralInverse:
         page.paragraph(" ".join(self.why()))
         names = [f"theta{j + 1}" for j in self.chosen]
         if names:
-            page.paragraph(f"The arm has a joint to spare; {', '.join(names)} is chosen first, and what follows is for that value.")
+            page.paragraph(
+                f"The arm has a joint to spare; {', '.join(names)} is chosen first, and what follows is for that value."
+            )
         T = arm.fk(self.example)
         poly = self.polynomial(T, self.example[list(self.chosen)])
         if poly is None:
-            page.paragraph("All six ways to eliminate joints vanish for this arm's geometry, so no polynomial is given here; "
-                           "the solver finds its solutions numerically and certifies their number.")  # fmt: skip
+            page.paragraph(
+                "All six ways to eliminate joints vanish for this arm's geometry, so no polynomial is "
+                "given here; "
+                "the solver finds its solutions numerically and certifies their number."
+            )
             return
-        page.paragraph(f"The joints satisfy one polynomial equation of degree {poly.degree} in t = tan(theta{self._name(poly)}/2), so a pose "
-                       f"has at most {poly.degree} solutions. Its coefficients depend on the pose; there is no formula for its roots.")  # fmt: skip
+        page.paragraph(
+            f"The joints satisfy one polynomial equation of degree {poly.degree} in t = "
+            f"tan(theta{self._name(poly)}/2), so a pose "
+            f"has at most {poly.degree} solutions. Its coefficients depend on the pose; there is no "
+            f"formula for its roots."
+        )
         self._method(page, poly)
         page.heading("The polynomial at one pose")
-        page.paragraph("For the pose of the joint vector " + _degrees(self.example) + ", scaled to a largest coefficient of 1:")
+        page.paragraph(
+            "For the pose of the joint vector " + _degrees(self.example) + ", scaled to a largest coefficient of 1:"
+        )
         t = Sym("t", "", 4)
         terms = [(c, poly.degree - k) for k, c in enumerate(poly.coefficients)]
         page.display(Raw(*(_polynomial(terms, style) for style in ("text", "latex", "mathml"))), Num(0))
-        page.paragraph(f"Of its {poly.degree} roots {len(poly.solutions)} belong to real postures"
-                       + (": " + ", ".join(f"{x:.6g}" for x in np.tan(poly.angles / 2)) + "." if len(poly.angles) else "."))  # fmt: skip
+        page.paragraph(
+            f"Of its {poly.degree} roots {len(poly.solutions)} belong to real postures"
+            + (": " + ", ".join(f"{x:.6g}" for x in np.tan(poly.angles / 2)) + "." if len(poly.angles) else ".")
+        )
         for row in poly.solutions:
             page.paragraph(_degrees(row, 4))
-        page.paragraph(f"(Each reaches the pose; the harmonics that must vanish do so to {poly.noise:.0e}. The unknown is {t.text()}.)")
+        page.paragraph(
+            f"(Each reaches the pose; the harmonics that must vanish do so to {poly.noise:.0e}. The "
+            f"unknown is {t.text()}.)"
+        )
 
     def _name(self, poly: CharacteristicPolynomial) -> int:
         return [j + 1 for j in range(self._arm.n) if j not in self.chosen][poly.joint - 1]
@@ -144,19 +172,34 @@ class GeneralInverse:
         names = [j + 1 for j in range(self._arm.n) if j not in self.chosen]
         cut = [names[(poly.joint - 3 + k) % 6] for k in range(6)]
         page.heading("How it comes about")
-        page.paragraph(f"Close the loop of the arm and the wanted pose and cut it at joint {cut[5]}: the axis l of that joint and the "
-                       f"point p on it are reached through joints {cut[2]}, {cut[3]}, {cut[4]} on one side and through {cut[1]}, {cut[0]} "
-                       "on the other.")  # fmt: skip
-        page.paragraph("Equate p, l, p.p, p.l, p x l and (p.p) l - 2 (p.l) p of both sides: fourteen equations, each linear in the sine "
-                       "and cosine of every joint (Raghavan and Roth 1990).")  # fmt: skip
-        page.paragraph(f"Six combinations of them are free of theta{cut[0]} and theta{cut[1]}. With half-angle tangents for theta{cut[3]} and "
-                       f"theta{cut[4]}, and each also multiplied by the first, they are twelve equations in twelve monomials; "
-                       f"the determinant, which depends on theta{cut[2]} alone, must vanish.")  # fmt: skip
-        page.paragraph(f"At a root the null vector of that matrix gives theta{cut[3]} and theta{cut[4]} as ratios of neighbouring entries, "
-                       f"eight of the fourteen equations give theta{cut[0]} and theta{cut[1]} linearly, and the loop leaves "
-                       f"theta{cut[5]}.")  # fmt: skip
+        page.paragraph(
+            f"Close the loop of the arm and the wanted pose and cut it at joint {cut[5]}: the axis l "
+            f"of that joint and the "
+            f"point p on it are reached through joints {cut[2]}, {cut[3]}, {cut[4]} on one side and "
+            f"through {cut[1]}, {cut[0]} "
+            "on the other."
+        )
+        page.paragraph(
+            "Equate p, l, p.p, p.l, p x l and (p.p) l - 2 (p.l) p of both sides: fourteen equations, "
+            "each linear in the sine "
+            "and cosine of every joint (Raghavan and Roth 1990)."
+        )
+        page.paragraph(
+            f"Six combinations of them are free of theta{cut[0]} and theta{cut[1]}. With half-angle "
+            f"tangents for theta{cut[3]} and "
+            f"theta{cut[4]}, and each also multiplied by the first, they are twelve equations in "
+            f"twelve monomials; "
+            f"the determinant, which depends on theta{cut[2]} alone, must vanish."
+        )
+        page.paragraph(
+            f"At a root the null vector of that matrix gives theta{cut[3]} and theta{cut[4]} as ratios "
+            f"of neighbouring entries, "
+            f"eight of the fourteen equations give theta{cut[0]} and theta{cut[1]} linearly, and the "
+            f"loop leaves "
+            f"theta{cut[5]}."
+        )
 
-    # -- numbers ---------------------------------------------------------------------------------------------------------
+    # -- numbers ---------------------------------------------------------------------------------------------
     def check(self, n: int = 10, *, rng: np.random.Generator) -> PolynomialCheck:
         """Compare the solutions that follow from the polynomial with the solver's at `n` random poses."""
         arm = self._arm
@@ -204,8 +247,11 @@ def _polynomial(terms: list[tuple[float, int]], style: str) -> str:
         number = f"{abs(value):.6g}"
         if "e" in number:
             mantissa, exponent = number.split("e")
-            number = {"text": number, "latex": rf"{mantissa}\cdot 10^{{{int(exponent)}}}",
-                      "mathml": f"<mn>{mantissa}</mn><mo>·</mo><msup><mn>10</mn><mn>{int(exponent)}</mn></msup>"}[style]  # fmt: skip
+            number = {
+                "text": number,
+                "latex": rf"{mantissa}\cdot 10^{{{int(exponent)}}}",
+                "mathml": f"<mn>{mantissa}</mn><mo>·</mo><msup><mn>10</mn><mn>{int(exponent)}</mn></msup>",
+            }[style]
         elif style == "mathml":
             number = f"<mn>{number}</mn>"
         sign = "-" if value < 0 else "+"

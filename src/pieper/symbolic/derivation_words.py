@@ -5,19 +5,22 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.symbolic.derivation import ClosedForm, Step
-from pieper.symbolic.expression import Add, Call, Num, Power, Sym, mul
+from pieper.symbolic.expression import Add, Call, Num, Power, Sym, Trig, add, mul
 from pieper.symbolic.page import Page, Raw, comma_list, matrix_equation
 
 WHY = {
-    "homogeneous": "Sine and cosine are in a known ratio, so there are two solutions half a turn apart, one for each sign of ",
+    "homogeneous": "Sine and cosine are in a known ratio, so there are two solutions half a turn apart, one for "
+    "each sign of ",
     "one function": "One of sine and cosine is known, the other up to its sign ",
     "two functions": "An equation of this form has two solutions, one for each sign of ",
     "square of a slide": "Only the square is known; the sign is ",
     "quadratic of a slide": "This is a quadratic equation; its two roots go with the sign ",
 }
 QUARTIC = (
-    "Both equations are linear in the cosine and sine of one joint; solved for the two expressions that hold them, squared and "
-    "added, they lose that joint. What is left is a quartic in the half-angle tangent t, with at most four real roots, numbered "
+    "Both equations are linear in the cosine and sine of one joint; solved for the two expressions that hold "
+    "them, squared and "
+    "added, they lose that joint. What is left is a quartic in the half-angle tangent t, with at most four real "
+    "roots, numbered "
     "from the smallest by "
 )
 ONCE = {
@@ -39,15 +42,37 @@ def write_steps(page: Page, form: ClosedForm):
 def _opening(page: Page, form: ClosedForm):
     d = form.description
     plain_base, plain_tool = (np.array_equal(M, np.eye(4)) for M in (d.base, d.tool))
-    columns = {"noap": "with the columns n, o, a and p", "p": "of which the task gives the position p",
-               "ap": "of which the task gives the approach a and the position p"}[form.given]  # fmt: skip
+    columns = {
+        "noap": "with the columns n, o, a and p",
+        "p": "of which the task gives the position p",
+        "ap": "of which the task gives the approach a and the position p",
+    }[form.given]
     said = f"The wanted pose is T, {columns}. "
     if not plain_base or not (plain_tool or form.fold_tool):
-        known = " and ".join(w for w, plain in (("base", plain_base), ("tool", plain_tool or form.fold_tool)) if not plain)
+        known = " and ".join(
+            w for w, plain in (("base", plain_base), ("tool", plain_tool or form.fold_tool)) if not plain
+        )
         said += f"Here T stands for the pose with the constant {known} taken off. "
     if form.fold_tool and not plain_tool:
         said += "The constant tool is counted to the last link. "
-    page.paragraph(said + "Each step uses entries of one matrix equation; c23 means cos(theta2 + theta3), and so on.")
+    sums = [
+        t
+        for step in form.steps
+        for left, right in step.equations
+        for t in (left.atoms() | right.atoms())
+        if isinstance(t, Trig) and len(t.angle) == 2 and t.kind == "c"
+    ]
+    parts: list = [said + "Each step uses entries of one matrix equation"]
+    if sums:
+        shown = min(sums, key=lambda t: t.order)
+        parts += [
+            "; ",
+            shown,
+            " stands for the cosine of ",
+            add(*(mul(Num(k), symbol) for k, symbol in shown.argument())),
+            ", and so on",
+        ]
+    page.paragraph(*parts, ".")
     relations = [
         (symbol, expr) for symbol, expr in form.table.relation.values() if expr.atoms() != {expr} and symbol.base != "q"
     ]
@@ -74,9 +99,13 @@ def _step(page: Page, form: ClosedForm, step: Step):
         for symbol, expr in step.names:
             page.display(symbol, expr)
     if step.kind == "quartic":
-        page.paragraph(QUARTIC, step.sigma, Raw(" = 1, 2, 3, 4", r" = 1, 2, 3, 4", "<mo>=</mo><mn>1, 2, 3, 4</mn>"), ":")
+        page.paragraph(
+            QUARTIC, step.sigma, Raw(" = 1, 2, 3, 4", r" = 1, 2, 3, 4", "<mo>=</mo><mn>1, 2, 3, 4</mn>"), ":"
+        )
     elif step.sigma is not None:
-        page.paragraph(WHY[step.kind], step.sigma, Raw(" = +1 or -1", r" = \pm 1", "<mo>=</mo><mo>±</mo><mn>1</mn>"), ":")
+        page.paragraph(
+            WHY[step.kind], step.sigma, Raw(" = +1 or -1", r" = \pm 1", "<mo>=</mo><mo>±</mo><mn>1</mn>"), ":"
+        )
     else:
         page.paragraph(ONCE[step.kind])
     page.display(step.symbol, step.formula)
@@ -93,11 +122,19 @@ def _source(form: ClosedForm, step: Step) -> list:
         entries = _entries(places)
         equation = matrix_equation(source.i, source.j, form.n, inverse=source.kind.startswith("inverse"))
         if source.kind.endswith("squares"):
-            parts += [("and the" if place else "The") + f" squares of {entries} of ", equation, ", added up, " + ("leave one unknown" if step.kind != "quartic" else "leave two unknowns")]
+            parts += [
+                ("and the" if place else "The") + f" squares of {entries} of ",
+                equation,
+                ", added up, " + ("leave one unknown" if step.kind != "quartic" else "leave two unknowns"),
+            ]
         else:
             verb = "hold" if len(places) > 1 else "holds"
             word = entries[0].upper() + entries[1:] if not place else "and " + entries
-            parts += [f"{word} of ", equation, f" {verb} " + ("two unknowns" if step.kind == "quartic" else "no other unknown")]
+            parts += [
+                f"{word} of ",
+                equation,
+                f" {verb} " + ("two unknowns" if step.kind == "quartic" else "no other unknown"),
+            ]
         parts.append(":" if place == len(sources) - 1 else ", ")
     return parts
 
@@ -120,15 +157,28 @@ def _failures(page: Page, form: ClosedForm, step: Step):
         for place, condition in enumerate(step.degenerate):
             if place:
                 conditions.append(" and ")
-            bare = mul(Num(-1), condition) if isinstance(condition, Sym) is False and _leads_negative(condition) else condition
+            bare = (
+                mul(Num(-1), condition)
+                if isinstance(condition, Sym) is False and _leads_negative(condition)
+                else condition
+            )
             conditions += [bare, Raw(" = 0", " = 0", "<mo>=</mo><mn>0</mn>")]
-        page.paragraph("It degenerates where ", *conditions, ": then ", step.symbol,
-                       " is free, any value may be chosen for it, and the steps after this one go on from that value.")  # fmt: skip
+        page.paragraph(
+            "It degenerates where ",
+            *conditions,
+            ": then ",
+            step.symbol,
+            " is free, any value may be chosen for it, and the steps after this one go on from that value.",
+        )
     if step.merge is not None:
         inner = step.merge.args[0] if isinstance(step.merge, Call) and step.merge.name == "sqrt" else step.merge
         real = isinstance(inner, Add) and all(isinstance(t, Power) and t.power == 2 for t in inner.terms)
-        page.paragraph("The two branches meet where ", inner, Raw(" = 0", " = 0", "<mo>=</mo><mn>0</mn>"),
-                       "." if real else "; where it is negative, these branches have no solution.")  # fmt: skip
+        page.paragraph(
+            "The two branches meet where ",
+            inner,
+            Raw(" = 0", " = 0", "<mo>=</mo><mn>0</mn>"),
+            "." if real else "; where it is negative, these branches have no solution.",
+        )
 
 
 def _leads_negative(expr) -> bool:
@@ -141,20 +191,28 @@ def _summary(page: Page, form: ClosedForm):
     page.heading("All joints together")
     signs = len(form.sigmas)
     if signs:
-        page.paragraph(f"Evaluated in this order, with each of the {form.branches} combinations of the signs ",
-                       *comma_list(list(form.sigmas)), " held through all formulas:")  # fmt: skip
+        page.paragraph(
+            f"Evaluated in this order, with each of the {form.branches} combinations of the signs ",
+            *comma_list(list(form.sigmas)),
+            " held through all formulas:",
+        )
     else:
         page.paragraph("Evaluated in this order:")
     for step in form.steps:
         page.display(step.symbol, step.formula)
     if form.free:
         free = comma_list([form.table.variable(j) for j in form.free])
-        page.paragraph(*free, " is free: only its sum with the joints about the same line moves anything. Choose it first.")
+        page.paragraph(
+            *free, " is free: only its sum with the joints about the same line moves anything. Choose it first."
+        )
     if form.conditions:
         page.paragraph("This arm cannot reach every pose. Of the combinations, keep those that also satisfy")
         for left, right, source in form.conditions:
             page.display(left, right)
             page.paragraph(f"({_entries(list(source.places))} of ", matrix_equation(source.i, source.j, form.n), ").")
     elif form.n - len(form.chosen) < 6 and form.given == "noap":
-        page.paragraph("An arm with fewer than six joints cannot reach every pose: the formulas answer for the poses that it "
-                       "can reach, and forward kinematics tells whether a given pose is one.")  # fmt: skip
+        page.paragraph(
+            "An arm with fewer than six joints cannot reach every pose: the formulas answer for the "
+            "poses that it "
+            "can reach, and forward kinematics tells whether a given pose is one."
+        )

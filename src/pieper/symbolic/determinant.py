@@ -2,8 +2,8 @@
 
 Expanding a 6x6 determinant and factoring the result is slow and loses the angle sums. Two facts avoid it. The value
 does not depend on the frame nor on the reference point, so both are chosen for the most zeros; and a matrix with enough
-zeros is block triangular after permuting rows and columns (Dulmage & Mendelsohn 1958), so its determinant is a product of
-small ones: shoulder, elbow and wrist come out as the blocks.
+zeros is block triangular after permuting rows and columns (Dulmage & Mendelsohn 1958), so its determinant is a product
+of small ones: shoulder, elbow and wrist come out as the blocks.
 """
 
 from __future__ import annotations

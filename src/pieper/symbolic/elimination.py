@@ -2,9 +2,9 @@
 
 For known joints 1..i and j+1..n the rest of the arm satisfies
     (A1..Ai)^-1 T (A_{j+1}..An)^-1 = A_{i+1} .. A_j,
-twelve equations for every split, of which those with a single unknown are solved (Paul 1981). Three sums of squares help
-where none has: the distance of the wrist from a fixed point or axis does not depend on the joint that turns about it
-(Pieper 1968). The order is fixed: one solution before two, outer joints before inner ones, short before long.
+twelve equations for every split, of which those with a single unknown are solved (Paul 1981). Sums of squares help
+where none has one: the distance of the wrist from a fixed point or axis does not depend on the joint that turns about
+it (Pieper 1968). The order is fixed: one solution before two, outer joints before inner ones, short before long.
 """
 
 from __future__ import annotations
@@ -12,11 +12,8 @@ from __future__ import annotations
 import itertools
 from dataclasses import dataclass
 
-import numpy as np
-
 from pieper.symbolic.determinant import one_circle
 from pieper.symbolic.expression import Expr, Num, Sym, Trig, add, angle_symbol, mul
-from pieper.symbolic.fields import NumpyField
 from pieper.symbolic.harmonic import Poly
 from pieper.symbolic.notation import subscript
 from pieper.symbolic.patterns import (
@@ -31,6 +28,7 @@ from pieper.symbolic.quartic import recognise_quartics
 from pieper.symbolic.table import SymbolTable, inverse, matmul
 from pieper.symbolic.target import Target
 from pieper.symbolic.unknowns import Knowledge
+from pieper.symbolic.witness import Witness, single_joint
 
 LONGEST = 90  # terms of one equation; longer ones help nobody
 LONGEST_SQUARES = 44  # terms before squaring
@@ -77,7 +75,9 @@ class Eliminator:
         fold_tool: Count the constant tool matrix to the last link (tasks that do not give the whole pose).
     """
 
-    def __init__(self, table: SymbolTable, *, given: str = "noap", chosen: tuple[int, ...] = (), fold_tool: bool = False):
+    def __init__(
+        self, table: SymbolTable, *, given: str = "noap", chosen: tuple[int, ...] = (), fold_tool: bool = False
+    ):
         self.table, self.n, self.chosen = table, table.n, chosen
         self.links = list(table.A)
         if fold_tool:
@@ -106,7 +106,7 @@ class Eliminator:
             self._inverses[i, j] = inverse(self.product(i, j))
         return self._inverses[i, j]
 
-    # -- the loop ------------------------------------------------------------------------------------------------------
+    # -- the loop --------------------------------------------------------------------------------------------
     def solve(self) -> bool:
         """Solve as far as it goes; True when every joint is known or free."""
         self._follow_sums()
@@ -129,7 +129,7 @@ class Eliminator:
 
     def _take(self, move: Move):
         self.moves.append(move)
-        joint = _single_joint(move.angle)
+        joint = single_joint(move.angle)
         if joint is not None:
             self.knowledge.joints.add(joint)
         else:
@@ -174,7 +174,7 @@ class Eliminator:
             self._follow_sums()
         return True
 
-    # -- equations -----------------------------------------------------------------------------------------------------
+    # -- equations -------------------------------------------------------------------------------------------
     def _tiers(self):
         """Generators of equations, the plain ones first; a later tier is looked at when the earlier have nothing."""
         i, j = self.outer
@@ -192,7 +192,9 @@ class Eliminator:
         equations = []
         for a, b, left, right in self._positions(i):
             if a == i:
-                equations += [e for r in range(3) for e in self._equation(left[r], right[r], Source(a, b, ((r, 3),)), seen)]
+                equations += [
+                    e for r in range(3) for e in self._equation(left[r], right[r], Source(a, b, ((r, 3),)), seen)
+                ]
                 equations += list(self._squares(left, right, a, b, "squares", seen, longest=4 * LONGEST_SQUARES))
         for place, (y, recipe, used, polys) in enumerate(
             recognise_quartics(equations, self.knowledge, self.table.groups, rho)
@@ -277,13 +279,15 @@ class Eliminator:
         seen.add(total)
         yield Equation(left, right, source)
 
-    def _squares(self, left: list[Poly], right: list[Poly], a: int, b: int, kind: str, seen: set, longest: int = LONGEST_SQUARES):
+    def _squares(
+        self, left: list[Poly], right: list[Poly], a: int, b: int, kind: str, seen: set, longest: int = LONGEST_SQUARES
+    ):
         # One joint can drop out on each side; with more than one besides them nothing single can be left.
         unknown = {j for p in (*left, *right) for j in p.joints() if j not in self.knowledge.joints}
         if sum(len(p.terms) for p in (*left, *right)) > longest or len(unknown) > 3:
             return
         options = [[Poly()] * 3]
-        # distances from a fixed point: the constant part of the position, or the origin that the first joint turns about
+        # distances from a fixed point: the constant part of the position, or the origin of the first joint
         for fixed in (right, [row[3] for row in self.product(a, a + 1)[:3]]):
             constant = [Poly({key: v for key, v in p.terms.items() if not key[1]}) for p in fixed]
             constant = [p if self.knowledge.knows(p) else Poly() for p in constant]
@@ -297,7 +301,7 @@ class Eliminator:
                 source = Source(a, b, tuple((r, 3) for r in rows), kind)
                 yield from self._equation(one, two, source, seen, longest=3 * longest)
 
-    # -- choosing --------------------------------------------------------------------------------------------------------
+    # -- choosing --------------------------------------------------------------------------------------------
     def _best(self) -> Move | None:
         """The next step: the first tier that has one, its best candidate that the witness confirms."""
         sigma = Sym("sigma", str(1 + sum(m.sigma is not None for m in self.moves)), 0)
@@ -349,7 +353,7 @@ class Eliminator:
 
     def symbol(self, angle: tuple) -> Sym:
         """The symbol of a joint or of a sum of joints."""
-        joint = _single_joint(angle)
+        joint = single_joint(angle)
         return self.table.variable(joint) if joint is not None else Sym("theta", subscript(angle)[0], 3)
 
     def _sign(self, poly: Poly) -> Expr:
@@ -357,10 +361,20 @@ class Eliminator:
 
     def _score(self, recipe: Recipe, angle: tuple, equations: tuple, place: int):
         i, j = self.outer
-        joint = _single_joint(angle)
+        joint = single_joint(angle)
         left = {j for e in equations for j in e.left.joints() if j not in self.knowledge.joints}
-        kinds = ("both functions", "rotated pair", "slide", "homogeneous", "square of a slide", "one function",
-                 "two functions", "quadratic of a slide", "linear pair", "quartic")  # fmt: skip
+        kinds = (
+            "both functions",
+            "rotated pair",
+            "slide",
+            "homogeneous",
+            "square of a slide",
+            "one function",
+            "two functions",
+            "quadratic of a slide",
+            "linear pair",
+            "quartic",
+        )
         # A pair whose determinant may vanish anywhere is worse than two clean branches.
         weak = recipe.kind == "linear pair" and recipe.may_fail
         return (
@@ -369,82 +383,14 @@ class Eliminator:
             recipe.may_fail,
             len({(e.source.i, e.source.j, e.source.kind) for e in equations}) > 1,
             joint is None or joint not in (i + 1, j),
-            recipe.branches > 1 and any(c != 3 for e in equations for _, c in e.source.places) and (i, j) == (0, self.n),
+            recipe.branches > 1
+            and any(c != 3 for e in equations for _, c in e.source.places)
+            and (i, j) == (0, self.n),
             kinds.index(recipe.kind),
             sum(a.rank == 1 for e in equations for a in e.right.atoms() if recipe.may_fail),
             sum(len(e.left.terms) + len(e.right.terms) for e in equations),
             place,
         )
-
-
-class _Values(dict):
-    """Numbers for symbols; those of named entries are worked out when first asked for."""
-
-    def __init__(self, witness: Witness, values: dict):
-        super().__init__(values)
-        self.witness = witness
-
-    def __missing__(self, symbol):
-        self[symbol] = value = self.witness.eliminator.target.definitions[symbol].evaluate(self)
-        return value
-
-
-class Witness:
-    """Random postures at which every step is tried before it is taken.
-
-    An equation that follows from the steps before has coefficients that vanish wherever those hold; only numbers tell
-    it from a useful one, and they also guard every formula against a wrong sign.
-    """
-
-    def __init__(self, eliminator: Eliminator, count: int = 3):
-        self.eliminator = eliminator
-        table = eliminator.table
-        q = np.random.default_rng(5).uniform(-2.5, 2.5, (table.n, count))
-        self.values = _Values(self, table.values(q, NumpyField))
-        pose = [[p.evaluate(self.values) for p in row] for row in eliminator.product(0, table.n)]
-        for c, letter in enumerate("noap"):
-            for r, axis in enumerate("xyz"):
-                self.values[Sym(letter, axis, 4)] = pose[r][c] + np.zeros(count)
-
-    def confirms(self, angle: tuple, solved: Solved, sigma: Sym) -> bool:
-        """Whether one branch of the formula gives the true value at every posture, and no posture is degenerate."""
-        e = self.eliminator
-        truth = e.symbol(angle).evaluate(self.values, NumpyField) if _single_joint(angle) else sum(
-            k * self.values[angle_symbol(j)] for j, k in angle)  # fmt: skip
-        hits = []
-        choices = branch_values(solved.branches)
-        for sign in choices:
-            values = _Values(self, self.values)
-            values[sigma] = np.full_like(truth, sign)
-            for symbol, expression in solved.definitions:
-                values[symbol] = expression.evaluate(values, NumpyField)
-            if solved.degenerate:
-                size = max(float(np.max(np.abs(x.evaluate(values, NumpyField)))) for x in solved.degenerate)
-                if not size > 1e-9:
-                    return False
-            result = solved.formula.evaluate(values, NumpyField)
-            gap = result - truth
-            if e.symbol(angle) not in e.knowledge.prismatic.values():
-                gap = np.angle(np.exp(1j * gap))
-            hits.append(np.abs(gap) < 1e-6)
-        if not np.all(np.any(hits, axis=0)):
-            return False
-        if solved.branches > 1:
-            self.values[sigma] = np.select(hits, choices)
-        if not _single_joint(angle):
-            self.values[e.symbol(angle)] = truth
-        for symbol, expression in solved.definitions:
-            self.values[symbol] = expression.evaluate(self.values, NumpyField)
-        return True
-
-
-def branch_values(branches: int) -> tuple[float, ...]:
-    """The values a branch symbol takes: one, two signs, or the numbers of four roots."""
-    return {1: (1.0,), 2: (1.0, -1.0), 4: (1.0, 2.0, 3.0, 4.0)}[branches]
-
-
-def _single_joint(angle: tuple) -> int | None:
-    return angle[0][0] if len(angle) == 1 and angle[0][1] == 1 else None
 
 
 def _unit() -> list[list[Poly]]:

@@ -63,7 +63,12 @@ class DigitsField:
 
         self._mp = mpmath.mp
         self.cos, self.sin, self.acos, self.asin, self.abs = (
-            mpmath.cos, mpmath.sin, mpmath.acos, mpmath.asin, mpmath.fabs)  # fmt: skip
+            mpmath.cos,
+            mpmath.sin,
+            mpmath.acos,
+            mpmath.asin,
+            mpmath.fabs,
+        )
 
     @property
     def pi(self):
@@ -99,7 +104,15 @@ class SympyField:
         self._sympy = sympy
         self.pi = sympy.pi
         self.cos, self.sin, self.sqrt, self.acos, self.asin, self.atan2, self.sign, self.abs = (
-            sympy.cos, sympy.sin, sympy.sqrt, sympy.acos, sympy.asin, sympy.atan2, sympy.sign, sympy.Abs)  # fmt: skip
+            sympy.cos,
+            sympy.sin,
+            sympy.sqrt,
+            sympy.acos,
+            sympy.asin,
+            sympy.atan2,
+            sympy.sign,
+            sympy.Abs,
+        )
 
     def quartic(self, *arguments):
         """2 atan(t) with t as a named root; sympy has no closed form that is useful here."""

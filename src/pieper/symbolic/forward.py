@@ -82,8 +82,11 @@ class MatrixEquation:
         found = []
         for column, letter in enumerate("noap"):
             for row, axis in enumerate("xyz"):
-                left = {"text": f"{letter}_{axis}", "latex": f"{letter}_{{{axis}}}",
-                        "mathml": f"<msub><mi>{letter}</mi><mi>{axis}</mi></msub>"}[style]  # fmt: skip
+                left = {
+                    "text": f"{letter}_{axis}",
+                    "latex": f"{letter}_{{{axis}}}",
+                    "mathml": f"<msub><mi>{letter}</mi><mi>{axis}</mi></msub>",
+                }[style]
                 found.append(equation(left, self.entries[row][column], style))
         return found
 
@@ -149,7 +152,7 @@ class ForwardEquations:
         """Where the arm ends and the wrist begins in the partial products that are shown."""
         return self.n - 3 if self.n > 4 else max(self.n // 2, 1)
 
-    # -- what the symbols mean -------------------------------------------------------------------------------------
+    # -- what the symbols mean -------------------------------------------------------------------------------
     def relations(self, style: str = "text") -> list[str]:
         """Joint angle of the table against joint coordinate, where they differ: theta2 = q2 + pi/2."""
         printer = {"text": text, "latex": latex, "mathml": mathml}[style]
@@ -168,7 +171,7 @@ class ForwardEquations:
             found.append(line)
         return found
 
-    # -- everything at once ------------------------------------------------------------------------------------------
+    # -- everything at once ----------------------------------------------------------------------------------
     def matrices(self) -> list[MatrixEquation]:
         """What a paper prints: A_i, the two halves, the product, and the pose when there is a base or a tool."""
         shown = list(self.A)
@@ -207,7 +210,7 @@ class ForwardEquations:
         """Base-to-tool pose as a sympy Matrix (4, 4)."""
         return self.pose.sympy()
 
-    # -- numbers that check ----------------------------------------------------------------------------------------
+    # -- numbers that check ----------------------------------------------------------------------------------
     def evaluate(self, q) -> np.ndarray:
         """The pose by these equations, q (..., n) -> (..., 4, 4)."""
         q = np.asarray(q, float)
@@ -231,9 +234,14 @@ class ForwardEquations:
         rng = rng or np.random.default_rng(20260)
         q = rng.uniform(-np.pi, np.pi, (n, self.n))
         worst = float(np.max(np.abs(self.evaluate(q) - self._fk(q))))
-        return Check(n, worst, f"All twelve entries agree with the numeric pose at {n} of {n} random joint vectors "
-                               f"to {worst:.1e} (metres or direction cosines)." if worst < 1e-9 else
-                     f"The equations differ from the numeric pose by up to {worst:.1e}.")  # fmt: skip
+        return Check(
+            n,
+            worst,
+            f"All twelve entries agree with the numeric pose at {n} of {n} random joint vectors "
+            f"to {worst:.1e} (metres or direction cosines)."
+            if worst < 1e-9
+            else f"The equations differ from the numeric pose by up to {worst:.1e}.",
+        )
 
 
 def forward_matrices(description, *, lengths: str = "symbols", angles: str = "theta") -> list:

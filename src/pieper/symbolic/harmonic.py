@@ -83,7 +83,7 @@ class Poly:
             result = result * self
         return result
 
-    # -- looking inside ---------------------------------------------------------------------------------------------
+    # -- looking inside --------------------------------------------------------------------------------------
     def atoms(self) -> set:
         return {a for symbols, trig in self.terms for a in (*trig, *(s for s, _ in symbols))}
 
@@ -116,10 +116,13 @@ class Poly:
 
     def without(self, *atoms) -> Poly:
         """The terms in which none of the atoms occurs."""
-        return Poly({
-            key: value for key, value in self.terms.items()
-            if not any(t in atoms for t in key[1]) and not any(s in atoms for s, _ in key[0])
-        })  # fmt: skip
+        return Poly(
+            {
+                key: value
+                for key, value in self.terms.items()
+                if not any(t in atoms for t in key[1]) and not any(s in atoms for s, _ in key[0])
+            }
+        )
 
     def substitute(self, table: dict) -> Poly:
         """Replace symbols by polynomials or numbers."""
@@ -159,7 +162,7 @@ class Poly:
             total = total + term
         return total
 
-    # -- writing it out -----------------------------------------------------------------------------------------------
+    # -- writing it out --------------------------------------------------------------------------------------
     def expr(self) -> Expr:
         """The polynomial as a person would factor it: nested along the chain, the shorter of two nestings."""
         if not self.terms:
@@ -298,7 +301,7 @@ def _without_double_angles(poly: Poly) -> Poly:
     return Poly(terms)
 
 
-# -- nesting -----------------------------------------------------------------------------------------------------------
+# -- nesting -------------------------------------------------------------------------------------------------
 def _first_joint_first(atom, count):
     return (atom.rank != 3, atom.order)
 

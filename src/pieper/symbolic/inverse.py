@@ -138,7 +138,9 @@ def _choices(arm, plan, task: str):
         order = [1, arm.n, *range(2, arm.n)]
         yield from ((j,) for j in order if (j,) not in seen and _promising(arm, j))
     elif spare > 1:
-        yield from itertools.islice((c for c in itertools.combinations(range(1, arm.n + 1), spare) if c not in seen), 20)
+        yield from itertools.islice(
+            (c for c in itertools.combinations(range(1, arm.n + 1), spare) if c not in seen), 20
+        )
 
 
 def _promising(arm, joint: int) -> bool:
@@ -149,13 +151,17 @@ def _promising(arm, joint: int) -> bool:
 
 def _how(self: InverseEquations) -> str:
     words = {
-        "spherical_wrist_parallel": "The last three axes meet in a point, the wrist centre, and axes 2 and 3 are parallel: "
+        "spherical_wrist_parallel": "The last three axes meet in a point, the wrist centre, and axes 2 and 3 are "
+        "parallel: "
         "the first three joints place the wrist centre, the last three turn the tool.",
         "spherical_wrist": "Three axes meet in a point: the other joints place that point, these three turn the tool.",
-        "three_parallel": "Three neighbouring axes are parallel: what happens across them is solved first, then their plane.",
+        "three_parallel": "Three neighbouring axes are parallel: what happens across them is solved first, then "
+        "their plane.",
     }
     sentence = words.get(self.plan.family, "")
     if self.plan.snapped:
-        sentence += " The formulas are those of the table as it stands; the solver takes " + "; ".join(self.plan.snapped) + "."
+        sentence += (
+            " The formulas are those of the table as it stands; the solver takes " + "; ".join(self.plan.snapped) + "."
+        )
     most = f" The solver counts at most {self.plan.max_solutions} solutions." if not self.form.chosen else ""
     return (sentence + most).strip()

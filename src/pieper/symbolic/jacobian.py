@@ -83,7 +83,7 @@ class JacobianEquations:
             return self.forward.product(first, last)
         return inverse(self._between(last, first))
 
-    # -- output ----------------------------------------------------------------------------------------------------------
+    # -- output ----------------------------------------------------------------------------------------------
     def text(self) -> str:
         """One line an entry, column by column, zeros left out."""
         lines = [f"Jacobian of {self.forward.description.name}: tool point, base frame, linear rows first"]

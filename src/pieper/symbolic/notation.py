@@ -13,8 +13,14 @@ from pieper.symbolic.exact import decimal_text
 from pieper.symbolic.expression import Add, Call, Div, Expr, Mul, Num, PiFraction, Power, Sym, Trig, mul, negative
 
 GREEK = {"theta": "θ", "alpha": "α", "sigma": "σ", "beta": "β", "gamma": "γ", "phi": "φ", "rho": "ρ", "Delta": "Δ"}
-LATEX_FUNCTION = {"atan2": r"\operatorname{atan2}", "acos": r"\arccos", "asin": r"\arcsin",
-                  "sign": r"\operatorname{sgn}", "cos": r"\cos", "sin": r"\sin"}  # fmt: skip
+LATEX_FUNCTION = {
+    "atan2": r"\operatorname{atan2}",
+    "acos": r"\arccos",
+    "asin": r"\arcsin",
+    "sign": r"\operatorname{sgn}",
+    "cos": r"\cos",
+    "sin": r"\sin",
+}
 TEXT_FUNCTION = {"sign": "sgn"}
 
 
@@ -30,7 +36,7 @@ def subscript(angle: tuple) -> tuple[str, bool]:
     return "".join(parts), len(angle) == 1 and angle[0][1] == 1
 
 
-# -- text ------------------------------------------------------------------------------------------------------------
+# -- text ----------------------------------------------------------------------------------------------------
 def text(expr: Expr) -> str:
     """One line of plain text that can be typed back in."""
     if isinstance(expr, Num):
@@ -52,14 +58,19 @@ def text(expr: Expr) -> str:
         return f"{_wrapped(expr.base, text, 9)}^{expr.power}"
     if isinstance(expr, Call):
         if expr.name == "quartic":
-            return f"2*atan(t), t real root number {text(expr.args[-1])} of " + " + ".join(
-                f"{text(e)}*t^{4 - k}" if k < 3 else f"{text(e)}*t" if k == 3 else text(e)
-                for k, e in enumerate(expr.args[:-1])) + " = 0"  # fmt: skip
+            return (
+                f"2*atan(t), t real root number {text(expr.args[-1])} of "
+                + " + ".join(
+                    f"{text(e)}*t^{4 - k}" if k < 3 else f"{text(e)}*t" if k == 3 else text(e)
+                    for k, e in enumerate(expr.args[:-1])
+                )
+                + " = 0"
+            )
         return f"{TEXT_FUNCTION.get(expr.name, expr.name)}({', '.join(map(text, expr.args))})"
     raise TypeError(f"cannot print {type(expr).__name__}")
 
 
-# -- LaTeX -----------------------------------------------------------------------------------------------------------
+# -- LaTeX ---------------------------------------------------------------------------------------------------
 def latex(expr: Expr) -> str:
     """LaTeX for math mode."""
     if isinstance(expr, Num):
@@ -96,7 +107,7 @@ def latex(expr: Expr) -> str:
 _BIG = (r"\left(", r"\right)")
 
 
-# -- MathML ----------------------------------------------------------------------------------------------------------
+# -- MathML --------------------------------------------------------------------------------------------------
 def mathml(expr: Expr) -> str:
     """Presentation MathML without the outer <math> element (see `formula`)."""
     if isinstance(expr, Num):
@@ -124,8 +135,10 @@ def mathml(expr: Expr) -> str:
             *e, k = map(mathml, expr.args)
             powers = [f"<msup><mi>t</mi><mn>{p}</mn></msup>" for p in (4, 3, 2)] + ["<mi>t</mi>", ""]
             sum_ = "<mo>+</mo>".join(a + p for a, p in zip(e, powers, strict=True))
-            return (f"<mrow><mn>2</mn><mi>arctan</mi><msub><mi>t</mi>{k}</msub><mo>,</mo><mspace width='1em'/>"
-                    f"{sum_}<mo>=</mo><mn>0</mn></mrow>")  # fmt: skip
+            return (
+                f"<mrow><mn>2</mn><mi>arctan</mi><msub><mi>t</mi>{k}</msub><mo>,</mo><mspace width='1em'/>"
+                f"{sum_}<mo>=</mo><mn>0</mn></mrow>"
+            )
         if expr.name == "abs":
             return f"<mrow><mo>|</mo>{mathml(expr.args[0])}<mo>|</mo></mrow>"
         name = {"acos": "arccos", "asin": "arcsin", "sign": "sgn"}.get(expr.name, expr.name)
@@ -146,7 +159,7 @@ def equation(left: str | Expr, right: Expr, style: str) -> str:
     return f"{left}<mo>=</mo>{printer(right)}" if style == "mathml" else f"{left} = {printer(right)}"
 
 
-# -- pieces ----------------------------------------------------------------------------------------------------------
+# -- pieces --------------------------------------------------------------------------------------------------
 def _sum(expr: Add, printer, plus: str, minus: str) -> str:
     parts = []
     for place, term in enumerate(expr.terms):

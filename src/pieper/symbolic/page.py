@@ -8,7 +8,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from html import escape
 
-from pieper.symbolic.expression import Expr
 from pieper.symbolic.notation import formula, latex, mathml, text
 
 
@@ -72,7 +71,11 @@ class Page:
         lines = []
         for item in self.items:
             body = (" = " if item.kind == "display" else "").join(_piece(p, "latex", item.kind) for p in item.parts)
-            frame = {"title": rf"\subsection*{{{body}}}", "heading": rf"\paragraph{{{body}}}", "display": rf"\[ {body} \]"}
+            frame = {
+                "title": rf"\subsection*{{{body}}}",
+                "heading": rf"\paragraph{{{body}}}",
+                "display": rf"\[ {body} \]",
+            }
             lines.append(frame.get(item.kind, body + "\n"))
         return "\n".join(lines) + "\n"
 
@@ -100,7 +103,6 @@ def _piece(part, style: str, kind: str = "") -> str:
     if isinstance(part, Raw):
         body = getattr(part, style)
     else:
-        assert isinstance(part, Expr)
         body = {"text": text, "latex": latex, "mathml": mathml}[style](part)
     if style == "text" or inside:
         return body
@@ -127,7 +129,11 @@ def matrix_equation(i: int, j: int, n: int, *, inverse: bool = False) -> Raw:
     """(A1 .. Ai)^-1 T (A_{j+1} .. An)^-1 = A_{i+1} .. A_j, or the inverse of both sides."""
     if inverse:
         left = _links(j + 1, n) + Raw("T^-1", "T^{-1}", "<msup><mi>T</mi><mrow><mo>−</mo><mn>1</mn></mrow></msup>")
-        left = left if j == n else _links(j + 1, n) + Raw(" T^-1", r"\,T^{-1}", left.mathml[len(_links(j + 1, n).mathml):])
+        left = (
+            left
+            if j == n
+            else _links(j + 1, n) + Raw(" T^-1", r"\,T^{-1}", left.mathml[len(_links(j + 1, n).mathml) :])
+        )
         if i:
             left = left + Raw(" ", r"\,", "") + _links(1, i)
         return left + _equals() + _back(i + 1, j)
@@ -154,7 +160,9 @@ def _back(first: int, last: int) -> Raw:
     inner = _links(first, last)
     power = "<mrow><mo>−</mo><mn>1</mn></mrow>"
     if first == last:
-        return Raw(f"{inner.text}^-1", f"A_{{{first}}}^{{-1}}",
-                   f"<msubsup><mi>A</mi><mn>{first}</mn>{power}</msubsup>")  # fmt: skip
-    return Raw(f"({inner.text})^-1", rf"({inner.latex})^{{-1}}",
-               f"<msup><mrow><mo>(</mo>{inner.mathml}<mo>)</mo></mrow>{power}</msup>")  # fmt: skip
+        return Raw(f"{inner.text}^-1", f"A_{{{first}}}^{{-1}}", f"<msubsup><mi>A</mi><mn>{first}</mn>{power}</msubsup>")
+    return Raw(
+        f"({inner.text})^-1",
+        rf"({inner.latex})^{{-1}}",
+        f"<msup><mrow><mo>(</mo>{inner.mathml}<mo>)</mo></mrow>{power}</msup>",
+    )

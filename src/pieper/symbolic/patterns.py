@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from pieper.symbolic.determinant import monomial_content
-from pieper.symbolic.expression import Call, Expr, Num, Sym, Trig, add, atan2, mul, sqrt
+from pieper.symbolic.expression import Call, Expr, Num, Sym, add, atan2, mul, sqrt
 from pieper.symbolic.harmonic import Poly
 
 
@@ -122,8 +122,15 @@ def single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates=None) -> Solv
         root = _complement(C, one, mates) or sqrt(add(Num(1), mul(Num(-1), value**2)))
         # cos x = value: the branch is the sign of sin x; sin x = value: that of cos x
         formula = atan2(sigma * root, value) if not B else atan2(value, sigma * root)
-        return Solved(formula, 2, (one.expr(),) if one.constant() is None else (), root, "one function",
-                      definitions, {"s" if not B else "c": 1})  # fmt: skip
+        return Solved(
+            formula,
+            2,
+            (one.expr(),) if one.constant() is None else (),
+            root,
+            "one function",
+            definitions,
+            {"s" if not B else "c": 1},
+        )
     # A cos x + B sin x = -C, divided by what A and B share
     shared = _shared(A, B)
     A, B = _divided(A, shared), _divided(B, shared)
@@ -134,7 +141,9 @@ def single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates=None) -> Solv
         right, definitions = name, ((name, right),)
     a, b = A.expr(), B.expr()
     square = A * A + B * B
-    root = add(square.expr() if square.constant() is not None or len(square.terms) < 3 else add(a**2, b**2), -(right**2))
+    root = add(
+        square.expr() if square.constant() is not None or len(square.terms) < 3 else add(a**2, b**2), -(right**2)
+    )
     formula = add(atan2(b, a), atan2(sigma * sqrt(root), right))
     return Solved(formula, 2, (a, b), root, "two functions", definitions)
 
@@ -155,7 +164,9 @@ def double(first: tuple[Poly, Poly, Poly], second: tuple[Poly, Poly, Poly], sign
             if value is not None and value < 0:
                 over, under = -over, -under
             degenerate = () if value is not None else (A1.expr(),)
-            return Solved(atan2(mul(scale, over.expr()), mul(scale, under.expr())), 1, degenerate, None, "both functions")
+            return Solved(
+                atan2(mul(scale, over.expr()), mul(scale, under.expr())), 1, degenerate, None, "both functions"
+            )
         return Solved(atan2(quotient(-C2, B2), quotient(-C1, A1)), 1, (A1.expr(), B2.expr()), None, "both functions")
     D = A1 * B2 - A2 * B1
     if not D:
@@ -207,19 +218,21 @@ def _shared(A: Poly, B: Poly) -> Poly:
 
 def _divided(poly: Poly, by: Poly) -> Poly:
     """The polynomial over a monomial that divides it."""
-    ((symbols, _), number), = by.terms.items()
+    (((symbols, _), number),) = by.terms.items()
     powers = dict(symbols)
-    return Poly({
-        (tuple((s, p - powers.get(s, 0)) for s, p in mine if p > powers.get(s, 0)), trig): Fraction(value) / number
-        for (mine, trig), value in poly.terms.items()
-    })  # fmt: skip
+    return Poly(
+        {
+            (tuple((s, p - powers.get(s, 0)) for s, p in mine if p > powers.get(s, 0)), trig): Fraction(value) / number
+            for (mine, trig), value in poly.terms.items()
+        }
+    )
 
 
 def _complement(C: Poly, one: Poly, mates) -> Expr | None:
     """sqrt(1 - u33^2) as sqrt(u13^2 + u23^2): the same, and exact where u33 is close to 1."""
     if mates is None or one.constant() not in (1, -1) or len(C.terms) != 1:
         return None
-    ((symbols, functions), value), = C.terms.items()
+    (((symbols, functions), value),) = C.terms.items()
     if functions or len(symbols) != 1 or symbols[0][1] != 1 or abs(value) != 1:
         return None
     others = mates(symbols[0][0])
@@ -239,7 +252,7 @@ def sign_expression(poly: Poly, branch_signs: dict) -> Expr:
     if value is not None:
         return Num(1)
     if len(poly.terms) == 1:
-        ((symbols, functions), number), = poly.terms.items()
+        (((symbols, functions), number),) = poly.terms.items()
         pieces = [branch_signs.get(t) for t in functions]
         rest = [(s, p) for s, p in symbols if p % 2]
         pieces += [branch_signs.get(s) for s, _ in rest]

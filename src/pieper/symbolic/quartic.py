@@ -1,8 +1,9 @@
 """Three axes in general position: one angle eliminated between two equations, a quartic for the next (Pieper 1968).
 
-The squared distance of the wrist from the origin and its height do not depend on theta1. With k1, k2 functions of theta3,
-they read alpha (k1 cos x + k2 sin x) + C1 = 0 and beta (k2 cos x - k1 sin x) + C2 = 0 in x = theta2; squares added up,
-x is gone: (C1/alpha)^2 + (C2/beta)^2 = k1^2 + k2^2, a polynomial of degree 4 in the half-angle tangent of theta3.
+The squared distance of the wrist from the origin and its height do not depend on theta1. With k1, k2 functions of
+theta3, they read alpha (k1 cos x + k2 sin x) + C1 = 0 and beta (k2 cos x - k1 sin x) + C2 = 0 in x = theta2; squares
+added up, x is gone: (C1/alpha)^2 + (C2/beta)^2 = k1^2 + k2^2, a polynomial of degree 4 in the half-angle tangent of
+theta3.
 """
 
 from __future__ import annotations

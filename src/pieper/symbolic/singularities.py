@@ -14,11 +14,17 @@ from pieper.symbolic.fields import NumpyField
 from pieper.symbolic.forward import Check
 from pieper.symbolic.harmonic import Poly
 from pieper.symbolic.jacobian import JacobianEquations
-from pieper.symbolic.notation import equation, formula, latex, mathml, text
+from pieper.symbolic.notation import text
+from pieper.symbolic.page import Page, Raw
 from pieper.symbolic.singular_facts import facts_on, roots_on_factor, still_joints
 
-NAMES = {"shoulder": "Shoulder singularity", "elbow": "Elbow singularity", "slide": "Singularity of the slide",
-         "wrist": "Wrist singularity", "other": "Singular configurations"}  # fmt: skip
+NAMES = {
+    "shoulder": "Shoulder singularity",
+    "elbow": "Elbow singularity",
+    "slide": "Singularity of the slide",
+    "wrist": "Wrist singularity",
+    "other": "Singular configurations",
+}
 
 
 @dataclass(frozen=True)
@@ -61,7 +67,7 @@ class SingularityEquations:
         self.n = jacobian.n
         self.variables = frozenset(self.table.variable(j) for j in self.table.prismatic)
 
-    # -- the determinant -------------------------------------------------------------------------------------------
+    # -- the determinant -------------------------------------------------------------------------------------
     @functools.cached_property
     def _choice(self):
         """(linear frame, angular frame, point, rows of polynomials) with the smallest blocks, then the fewest terms."""
@@ -121,8 +127,11 @@ class SingularityEquations:
                 if value.zero:
                     continue
                 # columns of a minor are counted in the minor; name them by joint
-                named = Factored(value.scale, tuple(
-                    type(f)(f.poly, tuple(columns[c] for c in f.columns)) for f in value.factors), value.largest)  # fmt: skip
+                named = Factored(
+                    value.scale,
+                    tuple(type(f)(f.poly, tuple(columns[c] for c in f.columns)) for f in value.factors),
+                    value.largest,
+                )
                 signature = tuple(sorted(hash(f.poly) for f in named.factors))
                 if signature not in seen:
                     seen.add(signature)
@@ -158,7 +167,7 @@ class SingularityEquations:
                 unique.append((p, c))
         return unique
 
-    # -- the configurations ------------------------------------------------------------------------------------------
+    # -- the configurations ----------------------------------------------------------------------------------
     @functools.cached_property
     def configurations(self) -> tuple[Singularity, ...]:
         """One entry a factor, in the order shoulder, elbow, wrist, other."""
@@ -229,56 +238,71 @@ class SingularityEquations:
         turned = {round(float(np.angle(np.exp(1j * (middle + s * half)))), 12) + 0.0 for s in (1, -1)}
         return tuple(sorted(x if x > -np.pi + 1e-9 else float(np.pi) for x in turned))
 
-    # -- output ----------------------------------------------------------------------------------------------------------
+    # -- output ----------------------------------------------------------------------------------------------
     def sentences(self) -> list[str]:
         """What is true of the determinant as a whole."""
         k, k2, m, matrix = self._choice
         where = f"written at the origin of frame {m}, in frame {k}" if m <= self.n else f"at the tool, in frame {k}"
         if self.minors is None:
             return [
-                "The determinant does not split into blocks and is too long to print; it is checked by its numbers only."
+                "The determinant does not split into blocks and is too long to print; it is checked by its "
+                "numbers only."
             ]
         if self.square:
             if not self.minors:
                 return ["The determinant is identically zero: two joints do the same in every posture."]
             largest, count = self.minors[0].largest, len(self.minors[0].factors)
             said = [
-                f"The Jacobian, {where}, is block triangular; its determinant is the product of the blocks' determinants."
+                f"The Jacobian, {where}, is block triangular; its determinant is the product of the blocks' "
+                f"determinants."
             ]
             if count == 1 and largest > 2:
                 said = [
-                    f"The determinant does not factor: the Jacobian, {where}, keeps one block of {largest} by {largest}."
+                    f"The determinant does not factor: the Jacobian, {where}, keeps one block of {largest} by "
+                    f"{largest}."
                 ]
             return said
         if not self.minors:
             return ["The Jacobian never has full rank: joints repeat each other's motion in every posture."]
-        which = f"all its {len(self.minors)} different largest minors vanish" if len(self.minors) > 1 else (
-            "the one largest minor that is not always zero vanishes")  # fmt: skip
+        which = (
+            f"all its {len(self.minors)} different largest minors vanish"
+            if len(self.minors) > 1
+            else ("the one largest minor that is not always zero vanishes")
+        )
         told = f"The Jacobian is {len(matrix)} by {self.n}; it loses rank where {which}"
         if len(self.minors) == 1:
             return [told + "."]
-        return [told + (", which they do together where a factor that they share does." if self.common_factors else
-                        "; they share no factor.")]  # fmt: skip
+        return [
+            told
+            + (
+                ", which they do together where a factor that they share does."
+                if self.common_factors
+                else "; they share no factor."
+            )
+        ]
 
-    def _lines(self, style: str) -> list[tuple[str, str]]:
-        """(sentence, formula) pairs; the formula may be empty."""
-        printer = {"text": text, "latex": latex, "mathml": mathml}[style]
-        lines = [(s, "") for s in self.sentences()]
+    @functools.cached_property
+    def page(self) -> Page:
+        """Sentences and formulas in reading order."""
+        page = Page()
+        page.title(f"Singular configurations of {self.jacobian.forward.description.name}")
+        for sentence in self.sentences():
+            page.paragraph(sentence)
         if self.determinant is not None and self.minors and len(self.minors[0].poly().terms) <= 200:
-            name = {"text": "det J", "latex": r"\det J", "mathml": "<mi>det</mi><mi>J</mi>"}[style]
-            lines.append(("", equation(name, self.determinant, style)))
+            page.display(Raw("det J", r"\det J", "<mi>det</mi><mi>J</mi>"), self.determinant)
         for s in self.configurations:
-            lines.append((f"{NAMES[s.kind]}. {' '.join(s.words)}", equation(printer(s.factor), Num(0), style)))
+            page.heading(NAMES[s.kind])
+            page.display(s.factor, Num(0))
+            page.paragraph(" ".join(s.words))
             if s.where:
-                lines.append((f"That is at {' or '.join(self._place(s, x) for x in s.where)}.", ""))
+                page.paragraph("That is at ", *self._places(s), ".")
         if not self.square and self.minors:
             for place, minor in enumerate(self._remaining()):
-                name = {"text": f"D{place + 1}", "latex": f"D_{{{place + 1}}}",
-                        "mathml": f"<msub><mi>D</mi><mn>{place + 1}</mn></msub>"}[style]  # fmt: skip
-                lines.append(
-                    ("Besides, where all of these vanish together:" if not place else "", equation(name, minor, style))
-                )
-        return lines
+                if not place:
+                    page.heading("Besides" if self.configurations else "Singular configurations")
+                    page.paragraph("Rank is lost where all of these vanish together:")
+                page.display(minor)
+        return page
 
     def _remaining(self) -> list[Expr]:
         """What is left of each minor without the shared factors, shortest first; nothing when one is a constant."""
@@ -294,24 +318,27 @@ class SingularityEquations:
         ]
         return sorted(rest, key=lambda e: len(text(e)))[:7]
 
-    def _place(self, s: Singularity, value: float) -> str:
+    def _places(self, s: Singularity) -> list:
+        """[theta5, " = 0 deg or ", theta5, " = 180 deg"] for a paragraph."""
         joint = next(iter({j for a in s.factor.atoms() if isinstance(a, Trig) for j, _ in a.angle}), None)
-        if joint is None:
-            return f"{value * 1000:.6g} mm"
-        return f"theta{joint} = {np.degrees(value):.6g} deg"
+        parts: list = []
+        for place, value in enumerate(s.where):
+            size = f"{value * 1000:.6g} mm" if joint is None else f"{np.degrees(value):.6g} deg"
+            symbol = s.factor if joint is None else self.table.variable(joint)
+            parts += [*([" or "] if place else []), symbol, f" = {size}"]
+        return parts
 
     def text(self) -> str:
-        head = f"Singular configurations of {self.jacobian.forward.description.name}"
-        return "\n".join([head, *(" ".join(filter(None, ("  " + e if e else "", w))) if not (w and e) else f"{w}\n    {e}"
-                                  for w, e in self._lines("text"))]) + "\n"  # fmt: skip
+        """Plain text."""
+        return self.page.text()
 
     def latex(self) -> str:
-        return "\n".join(w + (f"\n\\[ {e} \\]" if e else "") for w, e in self._lines("latex")) + "\n"
+        """The inside of a LaTeX document (amsmath)."""
+        return self.page.latex()
 
     def mathml(self) -> str:
-        return "\n".join(
-            (f"<p>{w}</p>" if w else "") + (formula(e, block=True) if e else "") for w, e in self._lines("mathml")
-        )
+        """HTML elements with MathML."""
+        return self.page.mathml()
 
     def sympy(self):
         """The factored determinant as a sympy expression, or the list of factors when the Jacobian is not square."""
@@ -330,7 +357,8 @@ class SingularityEquations:
             got = self._value_of(self.determinant)(q)
             worst = float(np.max(np.abs(got - want)) / max(np.max(np.abs(want)), 1e-300))
             said.append(
-                f"The determinant agrees with the numeric one at {n} random joint vectors to {worst:.1e} of its largest value."
+                f"The determinant agrees with the numeric one at {n} random joint vectors to {worst:.1e} of its "
+                f"largest value."
             )
         count = 0
         for s in self.configurations:
@@ -338,8 +366,10 @@ class SingularityEquations:
                 values = np.linalg.svd(self._rows(q), compute_uv=False)
                 worst, count = max(worst, float(values[-1] / values[0])), count + 1
         if count:
-            said.append(f"At {count} sampled configurations the numeric Jacobian has lost rank (smallest over largest "
-                        f"singular value at most {worst:.1e}).")  # fmt: skip
+            said.append(
+                f"At {count} sampled configurations the numeric Jacobian has lost rank (smallest over largest "
+                f"singular value at most {worst:.1e})."
+            )
         return Check(n, worst, " ".join(said) or "There is no determinant to check.")
 
 

@@ -119,7 +119,7 @@ class Target:
         return [p for r, p in enumerate(column) if r != place[1]]
 
     def show(self, polys) -> list[Sym]:
-        """Names that the polynomials rest on and that were not shown before, in an order in which they can be evaluated."""
+        """Names that the polynomials rest on and that were not shown before, in the order of evaluation."""
         wanted, queue = set(), [a for p in polys for a in p.atoms()]
         while queue:
             atom = queue.pop()

@@ -1,7 +1,7 @@
 """Which angles of an equation are still unknown, and the equation written by them.
 
-An angle combination is known when all its joints are, or when that very sum has been found (theta234 is often known long
-before theta3). What is known moves into the coefficients.
+An angle combination is known when all its joints are, or when that very sum has been found (theta234 is often known
+long before theta3). What is known moves into the coefficients.
 """
 
 from __future__ import annotations
