@@ -9,7 +9,7 @@ import re
 import xml.etree.ElementTree as ET
 
 #: Visible characters of a formula that fit on one line at full size, measured on formulas of the field in Chromium.
-LINE = 58
+LINE = 56
 #: A formula is set at most this much smaller before it is broken, and at most `SMALLEST` where it cannot be.
 SMALLER, SMALLEST = 0.80, 0.45
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
@@ -18,6 +18,7 @@ _DISPLAY = re.compile(r"<math\b[^>]*display=\"block\"[^>]*>.*?</math>", re.S)
 #: Elements whose children stand in a row.
 _ROWS = {"math", "mrow", "mstyle"}
 _SIGNS = {"+", "-", "−"}
+_TALL = {"mfrac", "mtable", "msqrt", "mover", "munder"}
 
 
 def fitted(mathml: str) -> str:
@@ -48,6 +49,9 @@ def _fit(source: str) -> str:
         root = ET.fromstring(source)
     except ET.ParseError:
         return source
+    if not any(element.tag.split("}")[-1] in _TALL for element in root.iter()):
+        # brackets around what is one line high need not stretch, and stand closer when they do not
+        source = re.sub(r"<mo>([()\[\]])</mo>", r'<mo stretchy="false">\1</mo>', source)
     wide = width(root)
     if wide <= LINE:
         return source
@@ -93,10 +97,13 @@ def _lines(row: list[ET.Element]) -> list[list[ET.Element]]:
 
 def _as_math(line: list[ET.Element], continued: bool) -> str:
     ET.register_namespace("", NAMESPACE)
-    for element in line:
-        # a bracket whose partner is on another line must not stretch alone
-        if element.tag.split("}")[-1] == "mo" and (element.text or "").strip() in ("(", ")", "[", "]"):
+    for k, element in enumerate(line):
+        text = (element.text or "").strip() if element.tag.split("}")[-1] == "mo" else ""
+        if text in ("(", ")", "[", "]"):
+            # a bracket whose partner is on another line must not stretch alone
             element.set("stretchy", "false")
+        if text in _SIGNS and k and (line[k - 1].text or "").strip() in ("(", "[", ",", "="):
+            element.set("form", "prefix")
     body = "".join(ET.tostring(element, encoding="unicode") for element in line)
     body = body.replace(f' xmlns="{NAMESPACE}"', "")
     inside = f'<mrow><mspace width="2.5em"/>{body}</mrow>' if continued else f"<mrow>{body}</mrow>"

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 MM = 1e3
 #: Joint vectors drawn for a picture of the reach.
-SAMPLES = 400_000
+SAMPLES = 200_000
 #: Cells along the longer side of a slice.
 CELLS = 150
 

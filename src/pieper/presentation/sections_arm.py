@@ -43,12 +43,8 @@ def joint_heads(arm: Arm) -> list[str]:
 
 
 def short_names(arm: Arm) -> list[str]:
-    """Return names of joints short enough for tables: q₁ for joint_1, makers' own names as they are."""
-    out = []
-    for i, name in enumerate(arm.joint_names):
-        plain = name == f"joint_{i + 1}"
-        out.append("q" + "".join(chr(0x2080 + int(c)) for c in str(i + 1)) if plain else name)
-    return out
+    """Return q₁, q₂ ...: makers' names are too long for the heads of tables, and stand beside these in the DH table."""
+    return ["q" + "".join(chr(0x2080 + int(c)) for c in str(i + 1)) for i in range(arm.n)]
 
 
 def first_posture(arm: Arm) -> np.ndarray:
