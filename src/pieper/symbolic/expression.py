@@ -335,6 +335,8 @@ def mul(*factors) -> Expr:
             rest.append(factor)
     if not number:
         return ZERO
+    if len(rest) == 1 and isinstance(rest[0], PiFraction):
+        return PiFraction(number * rest[0].value)
     if number == -1 and len(rest) == 1 and isinstance(rest[0], Add):
         return Add([mul(Num(-1), t) for t in rest[0].terms])
     if number != 1:
