@@ -97,9 +97,10 @@ def _swept(arm: Arm, cloud: np.ndarray, foot: np.ndarray) -> np.ndarray:
     low, high = joint_range(arm)
     half = (high[0] - low[0]) / 2
     few = cloud[:: max(1, len(cloud) // 12_000)]
-    turns = np.linspace(-half, half, 121)
-    c, s = np.cos(turns), np.sin(turns)
-    return np.concatenate([few @ np.array([[a, b], [-b, a]]) for a, b in zip(c, s, strict=True)]) + foot
+    few = np.tile(few, (max(1, 1_000_000 // max(len(few), 1)), 1))
+    turn = np.random.default_rng(2).uniform(-half, half, len(few))
+    c, s = np.cos(turn), np.sin(turn)
+    return np.stack([c * few[:, 0] - s * few[:, 1], s * few[:, 0] + c * few[:, 1]], 1) + foot
 
 
 def _slice(axes, cloud: np.ndarray, line: np.ndarray | None, labels: tuple[str, str], title: str) -> None:

@@ -104,7 +104,8 @@ def good_pose(arm: Arm) -> np.ndarray:
     q = low + (high - low) * (0.08 + 0.84 * rng.random((CANDIDATES, arm.n)))
     T = arm.fk(q)
     many = arm.ik_many(T)
-    J = arm.jacobian(q) * np.array([1 / arm.chain.length] * 3 + [1.0] * 3)[:, None]
+    rows = 3 if arm.plan.task == "position" else 6
+    J = (arm.jacobian(q) * np.array([1 / arm.chain.length] * 3 + [1.0] * 3)[:, None])[:, :rows]
     sigma = np.linalg.svd(J, compute_uv=False)
     stiff = sigma[:, -1] / sigma[:, 0]
     # far from singularities, and a little for each solution that can be used

@@ -10,7 +10,7 @@ import numpy as np
 from pieper.errors import PieperError
 from pieper.presentation.document import Document, Formula, Formulas, Heading, Lines, Picture
 from pieper.presentation.plot_arm import arm_figure, postures_figure
-from pieper.presentation.plot_reach import reach_figure, reach_samples
+from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -55,12 +55,10 @@ def first_posture(arm: Arm) -> np.ndarray:
     others = [q for name, q in arm.description.postures.items() if name != "zero" and np.any(q)]
     if others:
         return np.asarray(others[0], float)
-    wanted = np.array([0.35, -0.6, 0.9, 0.4, 0.8, 0.3, -0.5] * 9)[: arm.n]
-    low = np.where(np.isfinite(arm.limits[:, 0]), arm.limits[:, 0], -np.pi)
-    high = np.where(np.isfinite(arm.limits[:, 1]), arm.limits[:, 1], np.pi)
+    low, high = joint_range(arm)
     slide = np.array([kind == "P" for kind in arm.joint_types])
-    wanted = np.where(slide, (low + np.minimum(high, low + arm.chain.length)) / 2, wanted)
-    return np.clip(wanted, low, high)
+    bent = np.array([0.35, -0.6, 0.9, 0.4, 0.8, 0.3, -0.5] * 9)[: arm.n]
+    return np.clip(np.where(slide, (low + high) / 2, bent), low, high)
 
 
 def add_arm(page: Document, arm: Arm) -> None:

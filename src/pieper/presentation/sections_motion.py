@@ -56,7 +56,11 @@ def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "sol
         ["", *joint_heads(arm), "posture", "limit broken", "missing,\u00a0mm"],
         rows,
         "Every solution of the pose, each put back through forward kinematics: on the right what is then missing. "
-        f"The orientation is met to within {scientific(np.degrees(residual[:, 1].max()))}°.",
+        + (
+            ""
+            if arm.plan.task == "position"
+            else f"The orientation is met to within {scientific(np.degrees(residual[:, 1].max()))}°."
+        ),
         left=(0, n + 1, n + 2),
         strong=tuple(int(i) for i in np.flatnonzero(inside)) if not inside.all() else (),
     )
