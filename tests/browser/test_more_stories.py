@@ -91,6 +91,7 @@ def test_the_whole_state_travels_in_a_link_and_in_a_file(bench, people):
     bench.tab("Share")
     bench.until("document.querySelector('[data-testid=link]').value.includes('#s=')")
     bench.page.get_by_test_id("copy-link").click()
+    bench.page.get_by_text("Copied").wait_for()
     link = bench.value("navigator.clipboard.readText()")
     bench.shot("share", both=True)
     with bench.page.expect_download() as saved:

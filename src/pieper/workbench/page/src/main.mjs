@@ -23,6 +23,8 @@ import { analysis } from './panels/analysis.mjs';
 import { share } from './panels/share.mjs';
 import { expose } from './hook.mjs';
 
+// The line is laid while the graphics wake up; nothing is heard on it before this module has run to its end.
+link.start();
 readTheme();
 view.open($('#view'));
 on('theme', view.applyTheme);
@@ -58,7 +60,6 @@ on('online', async (yes) => {
   }
   document.documentElement.dataset.ready = 'yes';
 });
-link.start();
 // Labels in the picture are drawn with the page's own letters once these are here.
 document.fonts?.ready.then(() => tell('theme'));
 expose();

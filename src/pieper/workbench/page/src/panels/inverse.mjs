@@ -146,7 +146,8 @@ function showFamilies(el, s) {
 /** Rows are kept and rewritten: a dragged gizmo changes them many times a second. */
 function solutionTable() {
   const head = h('thead'), body = h('tbody');
-  const el = h('div', { class: 'scroll' }, h('table', { class: 'plain solutions', 'data-testid': 'solutions', 'aria-label': 'Solutions' }, head, body));
+  const hint = h('p', { class: 'hint below', text: 'Grey rows lie outside the limits; the joints in red exceed them.' });
+  const el = h('div', { class: 'scroll' }, h('table', { class: 'plain solutions', 'data-testid': 'solutions', 'aria-label': 'Solutions' }, head, body), hint);
   let rows = [], made = '';
   const make = () => {
     const key = `${state.table.joints.map((j) => j.type).join('')}${units.angle}${units.length}`;
@@ -158,8 +159,8 @@ function solutionTable() {
       state.table.joints.map((j, i) => h('th', {}, h('i', { text: 'q' }), h('sub', { text: String(i + 1) }), h('span', { class: 'unit', text: ` ${units.symbol(kindOf(j))}` }))), h('th', { text: 'residual' })));
   };
   const row = (k) => {
-    const cells = state.table.joints.map(() => h('td')), label = h('td', { class: 'left' }), residual = h('td', { class: 'unit' });
-    const tr = h('tr', { tabindex: '0', 'data-testid': `solution-${k + 1}` }, h('th', { scope: 'row', text: String(k + 1) }), label, cells, residual);
+    const cells = state.table.joints.map(() => h('td')), label = h('span'), beyond = h('span', { class: 'offscreen' }), residual = h('td', { class: 'unit' });
+    const tr = h('tr', { tabindex: '0', 'data-testid': `solution-${k + 1}` }, h('th', { scope: 'row', text: String(k + 1) }), h('td', { class: 'left' }, label, beyond), cells, residual);
     const q = () => state.solutions?.rows[k]?.q;
     const over = () => q() && showPreview(q()), out = () => showPreview(null), go = () => { if (q()) { showPreview(null); moveTo(shortest(q())); } };
     tr.addEventListener('pointerenter', over);
@@ -168,7 +169,7 @@ function solutionTable() {
     tr.addEventListener('blur', out);
     tr.addEventListener('click', go);
     tr.addEventListener('keydown', (e) => { if (e.key === 'Enter' || e.key === ' ') { e.preventDefault(); go(); } });
-    return { tr, cells, label, residual };
+    return { tr, cells, label, beyond, residual };
   };
   return {
     el,
@@ -177,12 +178,14 @@ function solutionTable() {
       const list = s?.rows ?? [];
       while (rows.length < list.length) { const r = row(rows.length); rows.push(r); body.append(r.tr); }
       el.hidden = list.length === 0;
+      hint.hidden = list.every((r) => r.inside);
       rows.forEach((r, k) => {
         const data = list[k];
         r.tr.hidden = !data;
         if (!data) return;
         r.tr.classList.toggle('beyond', !data.inside);
-        setText(r.label, `${data.label}${data.family >= 0 ? ' (of a family)' : ''}${data.inside ? '' : ', outside limits'}`);
+        setText(r.label, `${data.label}${data.family >= 0 ? ' (of a family)' : ''}`);
+        setText(r.beyond, data.inside ? '' : ', outside the limits');
         setText(r.residual, data.residual ? `${tiny(data.residual[0] * 1000)} mm` : '');
         r.residual.title = data.residual ? `${tiny(data.residual[0])} m, ${tiny(data.residual[1])} rad by forward kinematics` : '';
         data.q.forEach((v, i) => {

@@ -14,7 +14,7 @@ function parts(round, rings) {
     box: new THREE.BoxGeometry(2, 2, 1),
   };
 }
-const fine = parts(26, 12), coarse = parts(14, 6);
+const fine = parts(26, 12), coarse = parts(11, 5);
 
 const m = new THREE.Matrix4();
 /** Unit mesh along z to a place: radius r, height h, centred at `at`, z along dir. */

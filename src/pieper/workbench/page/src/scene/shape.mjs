@@ -20,7 +20,12 @@ export function shape(table, F, form) {
   const parts = { rods: [], balls: [], drums: [], sleeves: [], flange: null };
   const { radius, size } = form, n = table.joints.length, tiny = size * 1e-6;
   const axes = jointAxes(table, F);
-  const rod = (a, b, r) => { if (norm(sub(b, a)) > tiny) parts.rods.push({ a, b, r }); };
+  /** A rod, if there is any length to it, and a ball at its far end, where the next one may set off another way. */
+  const rod = (a, b, r, ball = true) => {
+    if (norm(sub(b, a)) <= tiny) return;
+    parts.rods.push({ a, b, r });
+    if (ball) parts.balls.push({ at: b, r });
+  };
   if (n) parts.pedestal = { at: position(F[0]), dir: column(F[0], 2), r: radius[0] * 1.7, h: radius[0] * 0.34 };
   let previous = null;
   axes.forEach(({ point, dir, x }, i) => {
@@ -28,15 +33,11 @@ export function shape(table, F, form) {
     const thin = r * 0.62;
     if (table.convention === 'standard') {
       const shoulder = addScaled(o, dir, dot(sub(p, o), dir));
-      const elbow = norm(sub(shoulder, o)) > tiny && norm(sub(p, shoulder)) > tiny;
       rod(o, shoulder, thin);
       rod(shoulder, p, thin);
-      if (elbow) parts.balls.push({ at: shoulder, r: thin });
-      parts.balls.push({ at: p, r: thin });
     } else {
       rod(o, point, thin);
       rod(point, p, thin);
-      parts.balls.push({ at: point, r: thin }, { at: p, r: thin });
     }
     let at = point;
     const along = dot(sub(p, point), dir);
@@ -50,7 +51,7 @@ export function shape(table, F, form) {
   if (n) {
     const end = F[n + 1], hand = position(F[n]);
     parts.flange = { at: hand, dir: column(F[n], 2), r: form.rest * 0.85, h: form.rest * 0.5 };
-    rod(hand, position(end), form.rest * 0.34);
+    rod(hand, position(end), form.rest * 0.34, false);
     parts.tip = { at: position(end), r: form.rest * 0.42 };
   }
   return parts;

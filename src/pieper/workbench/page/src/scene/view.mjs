@@ -34,8 +34,10 @@ scene.fog = new THREE.Fog('#fff', 1, 10);
 
 export function open(element) {
   host = element;
-  const software = drawnInSoftware();
-  renderer = new THREE.WebGLRenderer({ antialias: !software, stencil: true, powerPreference: 'high-performance' });
+  const make = (antialias) => new THREE.WebGLRenderer({ antialias, stencil: true, powerPreference: 'high-performance' });
+  renderer = make(false);
+  const software = drawnInSoftware(renderer.getContext());
+  if (!software) { renderer.dispose(); renderer.forceContextLoss(); renderer = make(true); }
   quality = new Quality(software, renderer, paint);
   renderer.domElement.setAttribute('aria-hidden', 'true');
   host.append(renderer.domElement);
@@ -45,7 +47,6 @@ export function open(element) {
   // Whoever turns the arm out of the picture wants it so, until they ask for a view again.
   controls.addEventListener('end', () => { handsOff = !inView(); });
   new ResizeObserver(resize).observe(host);
-  resize();
   host.tabIndex = 0;
   host.setAttribute('role', 'application');
   host.setAttribute('aria-label', 'The arm in space. Arrow keys turn the view, plus and minus zoom, F fits, 1 to 4 are the standard views.');
@@ -59,7 +60,8 @@ function resize() {
   renderer.setSize(w, h);
   camera.aspect = w / h;
   camera.updateProjectionMatrix();
-  draw();
+  // at once, so that a resized picture does not flicker; the very first one waits for something to show
+  if (drawn) draw(); else invalidate();
   keepInView();
 }
 
