@@ -15,7 +15,9 @@ QUARTER = np.pi / 2
 def random_pose(rng: np.random.Generator, size: float = 0.5) -> np.ndarray:
     """Return a random pose (4, 4)."""
     axis = rng.standard_normal(3)
-    return transform(rotation_about(axis / np.linalg.norm(axis), rng.uniform(-np.pi, np.pi)), rng.uniform(-size, size, 3))
+    return transform(
+        rotation_about(axis / np.linalg.norm(axis), rng.uniform(-np.pi, np.pi)), rng.uniform(-size, size, 3)
+    )
 
 
 def _dressed(rows, rng, types="RRRRRR", dressed=True, name="random") -> Arm:
@@ -48,7 +50,12 @@ def spherical_wrist_parallel(rng, dressed=True) -> Arm:
     rows = [
         DH(a1, rng.choice([-1, 1]) * QUARTER, _length(rng), _angle(rng)),
         DH(_length(rng), rng.choice([0, np.pi]), b, _angle(rng)),
-        DH(rng.choice([0.0, _length(rng) / 3]), rng.choice([-1, 1]) * QUARTER, rng.choice([0.0, _length(rng) / 3]), _angle(rng)),
+        DH(
+            rng.choice([0.0, _length(rng) / 3]),
+            rng.choice([-1, 1]) * QUARTER,
+            rng.choice([0.0, _length(rng) / 3]),
+            _angle(rng),
+        ),
         *_wrist(rng, _length(rng)),
     ]
     return _dressed(rows, rng, dressed=dressed, name="spherical wrist, parallel 2 and 3")
@@ -122,7 +129,9 @@ def from_chain(chain: Chain, name: str = "chain") -> Arm:
 
     rows, offsets, base, tool = modified_rows(chain)
     types = "".join("P" if p else "R" for p in chain.prismatic)
-    return Arm(describe(rows, convention="modified", joint_types=types, base=base, tool=tool, offset=offsets, name=name))
+    return Arm(
+        describe(rows, convention="modified", joint_types=types, base=base, tool=tool, offset=offsets, name=name)
+    )
 
 
 def modified_rows(chain: Chain):

@@ -83,5 +83,7 @@ def product(arm, q):
         value = d.sign[i] * q[i] + d.offset[i]
         theta, length = (row.theta, row.d + value) if sliding else (row.theta + value, row.d)
         c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(row.alpha), np.sin(row.alpha)
-        T = T @ np.array([[c, -s * ca, s * sa, row.a * c], [s, c * ca, -c * sa, row.a * s], [0, sa, ca, length], [0, 0, 0, 1]])
+        T = T @ np.array(
+            [[c, -s * ca, s * sa, row.a * c], [s, c * ca, -c * sa, row.a * s], [0, sa, ca, length], [0, 0, 0, 1]]
+        )
     return T @ arm.tool

@@ -34,7 +34,10 @@ def test_table_frames_and_senses_do_not_matter(kind, seed):
     q = random_joints(arm, rng, 8)
     T = arm.fk(q)
     joint = int(rng.integers(6))
-    for other, sign in ((from_chain(slid(arm.chain, rng)), np.ones(6)), (from_chain(flipped(arm.chain, joint)), _minus(joint))):
+    for other, sign in (
+        (from_chain(slid(arm.chain, rng)), np.ones(6)),
+        (from_chain(flipped(arm.chain, joint)), _minus(joint)),
+    ):
         assert np.abs(other.fk(q * sign) - T).max() < 1e-12 * (1 + np.abs(T).max()) * 10
         for pose in T:
             mine, theirs = arm.ik(pose), other.ik(pose)
@@ -78,7 +81,14 @@ def test_the_reversed_arm_has_the_reversed_solutions(kind, seed):
 
 def test_a_tool_is_applied_on_the_tool_side():
     rng = np.random.default_rng(4)
-    rows = [(0.1, 1.57, 0.2, 0.0), (0.3, 0, 0, 0), (0.1, -1.57, 0, 0), (0, 1.57, 0.3, 0), (0, -1.57, 0, 0), (0, 0, 0.1, 0)]
+    rows = [
+        (0.1, 1.57, 0.2, 0.0),
+        (0.3, 0, 0, 0),
+        (0.1, -1.57, 0, 0),
+        (0, 1.57, 0.3, 0),
+        (0, -1.57, 0, 0),
+        (0, 0, 0.1, 0),
+    ]
     bare, tool = Arm.from_dh(rows, convention="standard"), random_pose(rng)
     held = Arm.from_dh(rows, convention="standard", tool=tool)
     q = random_joints(bare, rng, 5)

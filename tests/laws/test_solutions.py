@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from arms import KINDS, general, general_mixed, offset_wrist, random_joints, spherical_wrist, spherical_wrist_parallel, three_parallel
+from arms import (
+    KINDS,
+    general,
+    general_mixed,
+    offset_wrist,
+    random_joints,
+    spherical_wrist,
+    spherical_wrist_parallel,
+    three_parallel,
+)
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
