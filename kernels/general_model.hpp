@@ -2,7 +2,7 @@
 #pragma once
 
 #include "batch.hpp"
-#include "general_eigenvalues.hpp"
+#include "general_lanes_qr.hpp"
 #include "general_polish.hpp"
 #include "math.hpp"
 
@@ -106,10 +106,9 @@ struct Spectrum {
   double angle[16], imaginary[16];
 };
 
-template <int S> Spectrum spectrum(double (&h)[S][S], double chart_c, double chart_s) {
+inline Spectrum spectrum(int count, const double* re, const double* im, double chart_c, double chart_s) {
   Spectrum out;
-  double re[S], im[S];
-  out.count = hessenberg_eigenvalues<S>(h, re, im);
+  out.count = count;
   const double chart = __builtin_atan2(chart_s, chart_c);
   for (int i = 0; i < out.count; ++i) {
     // theta = 2 atan(t) for complex t = a + ib

@@ -95,7 +95,9 @@ template <class F> Closure<F> polish(const Frame<F>* link, const Roles& roles, J
     }
     out.residual = select(better, size, out.residual);
     triangulate(m, 6);
-    const auto done = ((size < 1e-14) & (size > 0.4 * before)) | (size < 3e-16);
+    F smallest = abs(m[0][0]);
+    for (int k = 1; k < 6; ++k) smallest = min(smallest, abs(m[k][k]));
+    const auto done = ((size < 1e-14) & (size > 0.4 * before)) | (size < 3e-16) | ((size < 2e-15) & (smallest > 1e-3));
     const auto lost = size > F(step < 8 ? 1e300 : 0.05);
     before = size;
     active = active & !(done | lost);

@@ -141,13 +141,13 @@ void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, in
   Compressed<F, N> matrix;
   eliminate_poses<F, N>(model, v, pose, poses, matrix);
   hessenberg(matrix.h);
+  double re[W][S], im[W][S];
+  int eigenvalues[W];
+  hessenberg_eigenvalues(matrix.h, re, im, eigenvalues);
   Candidate list[W * 20];
   int count = 0;
   for (int i = 0; i < used; ++i) {
-    double h[S][S];
-    for (int a = 0; a < S; ++a)
-      for (int b = 0; b < S; ++b) h[a][b] = lane(matrix.h[a][b], i);
-    const Spectrum all = spectrum<S>(h, lane(poses.chart_c, i), lane(poses.chart_s, i));
+    const Spectrum all = spectrum(eigenvalues[i], re[i], im[i], lane(poses.chart_c, i), lane(poses.chart_s, i));
     const double size = lane(poses.largest, i);
     report[i] = {0, 0, all.count < S || !(size > kVanishing * v.typical), 0, size};
     for (int k = 0; k < all.count; ++k) {
