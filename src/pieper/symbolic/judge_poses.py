@@ -199,7 +199,7 @@ def _explain(model: ArmModel, q, reading, first: Reading) -> tuple[str, str, str
     start = len(first.serious())
     total = sum(v not in ("", "*") for r in first.printed for v in r)
     prints = {ij: misprint(first.printed[ij[0]][ij[1]], first.right[ij]) for ij in first.serious()}
-    if all(prints.values()) and 4 * len(prints) <= total:
+    if all(prints.values()) and len(prints) <= max(1, total // 4):
         return "; ".join(f"entry ({i + 1},{j + 1}): {w}" for (i, j), w in prints.items()), "misprint", tried, ""
     if kind and (left == 0 or (left <= 2 and left < start / 2)):
         rest = {ij: misprint(r.printed[ij[0]][ij[1]], r.right[ij]) for ij in r.serious()}

@@ -240,7 +240,7 @@ def _product_slips(node: Node, slip) -> Iterator[Slip]:
     for k, factor in enumerate(node.args):
         rest = node.args[:k] + node.args[k + 1 :]
         kind = {"1000": "millimetres", "180/pi": "degrees", "pi/180": "degrees"}.get(str(factor), "extra factor")
-        yield slip(kind, ("{} too many in {}", factor, node), mul(*rest), 1.2)
+        yield slip(kind, ("{} too many in {}", factor, node), mul(*rest), 1.2 if kind == "extra factor" else 1.0)
         if k:
             for sign, word in ((1, "+"), (-1, "-")):
                 right = mul(*node.args[k:]) if sign > 0 else negated(mul(*node.args[k:]))
