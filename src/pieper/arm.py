@@ -135,7 +135,7 @@ class Arm:
             InputError: The task is unknown.
             PlanError: The arm cannot have the task, or is beyond the solver; the message names the geometry found.
         """
-        key = task or ""
+        key = "default" if task is None else str(task)
         if key not in self._plans:
             self._plans[key] = make_plan(self.chain, self.description, task=task, snap=self._snap)
         return self._plans[key]

@@ -168,7 +168,7 @@ def reduce(chain: Chain, task: str, preferred: tuple[int, ...] | None = None) ->
     rank = generic_rank(full)
     spare = full.n - rank
     if spare == 0:
-        return [Reduction(chain, task, full, (), _filling(full, 6 - rank))]
+        return [Reduction(chain, task, full, (), _filling(full, 6 - rank, full.n > chain.n))]
     ways = []
     q = sample_joints(full, 12)
     J = scaled_jacobian(full, q)
@@ -184,7 +184,7 @@ def reduce(chain: Chain, task: str, preferred: tuple[int, ...] | None = None) ->
         way = Reduction(chain, task, full, tuple(locked), ())
         if rank < 6:
             held = way.with_locked(np.full(len(locked), 0.37))
-            way = Reduction(chain, task, full, tuple(locked), _filling(held, 6 - rank))
+            way = Reduction(chain, task, full, tuple(locked), _filling(held, 6 - rank, full.n > chain.n))
         out.append(way)
     return out
 
@@ -207,13 +207,17 @@ def _choices(full: Chain, arm: Chain, J: np.ndarray, spare: int) -> list[tuple[i
     return [tuple(j for j in range(full.n) if j not in kept)]
 
 
-def _filling(chain: Chain, count: int) -> tuple[tuple[np.ndarray, bool], ...]:
-    """Choose `count` virtual joints at the tool that make the chain able to do everything, well conditioned."""
+def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[np.ndarray, bool], ...]:
+    """Choose `count` virtual joints at the tool that make the chain able to do everything, well conditioned.
+
+    Behind the virtual joints of a task they are tilted: along the tool's own axes they would be tangent to the arm's
+    motion whenever the wanted orientation happens to be the arm's.
+    """
     if count == 0:
         return ()
     rng = np.random.default_rng(3)
     tilted = [rotation_about(v / np.linalg.norm(v), 1.1) for v in rng.standard_normal((3, 3))]
-    pool = [(R, p) for p in (True, False) for R in (np.eye(3), _X, _Y, *tilted)]
+    pool = [(R, p) for p in (True, False) for R in (*(() if virtual else (np.eye(3), _X, _Y)), *tilted)]
     sliding = int(chain.prismatic.sum())
     chosen: list[tuple[np.ndarray, bool]] = []
     for _ in range(count):

@@ -25,6 +25,8 @@ APPROACHES, APPROACH_SIZES = 6, (1e-4, 1e-7)
 SAME = 1e-7
 #: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.
 ON_POLYLINE = 5e-3
+#: What forward kinematics cannot tell from the pose (per length; rad).
+ROUNDING = 3e-15
 #: Directions tried where curves cross, and the most curves followed at one pose.
 FAN, MOST_FAMILIES = 12, 24
 #: A solution must hold the pose this well (per length; rad). At a double root this fixes q to its square root only.
@@ -67,7 +69,7 @@ def examine(
         names: Joint names.
     """
     regular, singular = _split(chain, candidates)
-    pulled = newton(chain, solve(_around(chain, T)).reshape(-1, chain.n), T, steps=30, cutoff=1e-9)
+    pulled = newton(chain, solve(side_steps(chain, T)).reshape(-1, chain.n), T, steps=30, cutoff=1e-9)
     good = np.linalg.norm(pose_difference(chain, pulled, T), axis=-1) < HOLDS
     near_regular, near_singular = _split(chain, pulled[good])
     isolated = _distinct(chain, np.concatenate([regular, near_regular]), SAME)
@@ -79,7 +81,7 @@ def examine(
         on_curve = _grow(chain, q, T, limits, names, families, open_ended)
         if not on_curve and index < len(singular):
             doubles.append(q)
-    doubles = list(_distinct(chain, sorted(doubles, key=lambda q: _miss(chain, q, T)), SAME))
+    doubles = _told_apart(chain, sorted(doubles, key=lambda q: _miss(chain, q, T)), T)
     doubles = [d for d in doubles if not any(f.distance(d) < 1e-4 for f in families)]
     isolated = [q for q in isolated if not any(f.distance(q) < 1e-5 for f in families)]
     pairs = [_merged(chain, q, T) for q in doubles]
@@ -151,11 +153,11 @@ def _merged(chain: Chain, q: np.ndarray, T: np.ndarray) -> int:
     return 2 if 2 * s[-1] < SAME * abs(bent) else 1
 
 
-def _around(chain: Chain, T: np.ndarray) -> np.ndarray:
+def side_steps(chain: Chain, T: np.ndarray, sizes: tuple[float, ...] = APPROACH_SIZES) -> np.ndarray:
     """Poses at generic small side steps about T, the same ones every time."""
     rng = np.random.default_rng(20)
     poses = []
-    for size in APPROACH_SIZES:
+    for size in sizes:
         for _ in range(APPROACHES):
             twist = rng.standard_normal(6)
             twist *= size / np.linalg.norm(twist)
@@ -187,6 +189,23 @@ def _distinct(chain: Chain, q: np.ndarray, tolerance: float) -> np.ndarray:
         if not near[i, keep].any():
             keep.append(i)
     return q[keep]
+
+
+def _told_apart(chain: Chain, rows: list[np.ndarray], T: np.ndarray) -> list[np.ndarray]:
+    """Return one of each cluster of singular rows that forward kinematics cannot tell apart.
+
+    Two rows are one when what lies halfway between them holds the pose to rounding as well: the blur of a double root
+    is about 1e-8 wide, that of a triple root 1e-5.
+    """
+    kept: list[np.ndarray] = []
+    for q in rows:
+        for other in kept:
+            gap = np.where(chain.prismatic, q - other, (q - other + np.pi) % TURN - np.pi)
+            if np.max(np.abs(gap)) < SAME or (np.max(np.abs(gap)) < 1e-3 and _miss(chain, other + gap / 2, T) < ROUNDING):
+                break
+        else:
+            kept.append(q)
+    return kept
 
 
 def _apart(chain: Chain, a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -10,7 +10,7 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import solve_reduced
-from pieper.inverse.singular import examine
+from pieper.inverse.singular import examine, side_steps
 from pieper.inverse.solutions import (
     DEGENERATE,
     UNCERTAIN,
@@ -38,7 +38,7 @@ def ik(plan: Plan, T: object, redundancy: object = None) -> Solutions:
         # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
         T = checked_pose(T)
         q, slots, inside, flag = plan.solver.one(T)
-    if flag & _CAREFUL:
+    if flag & _CAREFUL or (not len(q) and _overlooked(plan, checked_pose(T))):
         return _careful(plan, checked_pose(T), q, flag)
     return Solutions(plan, T, q, slots, inside, flag)
 
@@ -61,12 +61,21 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
         except ValueError:
             poses = _batch(poses)
             q, valid, inside, flag = plan.solver.many(poses, threads)
+    if plan.redundancy and redundancy is None:
+        for i in np.flatnonzero(~inside.any(1))[:MOST_CAREFUL]:
+            found = _ik_reduced(plan, poses[i], None)
+            rows = min(len(found.all_q), q.shape[1])
+            q[i], valid[i], inside[i] = 0.0, False, False
+            q[i, :rows], valid[i, :rows], inside[i, :rows] = found.all_q[:rows], True, found.in_limits[:rows]
     status = np.where(
         inside.any(1),
         np.uint8(Status.REDUNDANT if plan.redundancy else Status.SOLVED),
         np.where(valid.any(1), np.uint8(Status.OUTSIDE_LIMITS), np.uint8(Status.OUT_OF_REACH)),
     ).astype(np.uint8)
     marked = np.flatnonzero(flag & _CAREFUL) if plan.direct else np.zeros(0, int)
+    if plan.direct:
+        none = np.flatnonzero(~valid.any(1) & ((flag & _CAREFUL) == 0))[:MOST_CAREFUL]
+        marked = np.concatenate([[i for i in none if _overlooked(plan, checked_pose(poses[i]))], marked]).astype(int)
     for i in marked[:MOST_CAREFUL]:
         found = _careful(plan, checked_pose(poses[i]), q[i][valid[i]], int(flag[i]))
         rows = min(len(found.all_q), q.shape[1])
@@ -164,6 +173,11 @@ def _careful(plan: Plan, T: np.ndarray, candidates: np.ndarray, flag: int) -> So
         all_family=found.family,
         all_multiplicity=found.multiplicity,
     )
+
+
+def _overlooked(plan: Plan, T: np.ndarray) -> bool:
+    """Whether a pose without solutions has neighbours with some: it may be singular, or lie at the edge of reach."""
+    return len(plan.solver.all_rows(side_steps(plan.chain, T, (1e-9,)))) > 0
 
 
 def _batch(Ts: object) -> np.ndarray:

@@ -7,6 +7,8 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.tolerances import ROTATION_ACCEPTED, ROTATION_EXACT
 
+#: Positions beyond this, m, are refused: their squares would leave the range of doubles' precision.
+FARTHEST = 1e12
 FLIP = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
@@ -27,6 +29,8 @@ def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarr
     Raises:
         InputError: Wrong shape, a number that is not finite, a last row other than 0 0 0 1, not a rotation.
     """
+    if np.iscomplexobj(T):
+        raise InputError(f"{what} must be real, got complex numbers.", given=T)
     try:
         pose = np.array(T, dtype=float)
     except (TypeError, ValueError):
@@ -41,17 +45,22 @@ def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarr
     if bad.any():
         index = tuple(int(i) for i in np.argwhere(bad)[0])
         raise InputError(f"{what} must be finite, got {pose[index]} at index {index}.", index=index)
-    last = np.abs(pose[..., 3, :] - [0.0, 0.0, 0.0, 1.0]).max()
-    if last > ROTATION_EXACT:
+    last = np.abs(pose[..., 3, :] - [0.0, 0.0, 0.0, 1.0]).max(-1)
+    if np.max(last) > ROTATION_EXACT:
+        index, where = _worst(last)
         raise InputError(
-            f"the last row of {what} must be 0 0 0 1, it is off by {last:.3g}. Is the matrix transposed?", deviation=last
+            f"the last row of {what}{where} must be 0 0 0 1, it is off by {np.max(last):.3g}. Is the matrix transposed?",
+            deviation=float(np.max(last)),
+            index=index,
         )
+    if np.abs(pose[..., :3, 3]).max() > FARTHEST:
+        index, where = _worst(np.abs(pose[..., :3, 3]).max(-1))
+        raise InputError(f"the position of {what}{where} is farther than {FARTHEST:g} m; metres are meant.", index=index)
     R = pose[..., :3, :3]
     deviation = np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(axis=(-1, -2))
     worst = float(np.max(deviation))
     if worst > ROTATION_ACCEPTED:
-        index = tuple(int(i) for i in np.argwhere(deviation == deviation.max())[0]) if deviation.ndim else ()
-        where = f" (at index {index})" if index else ""
+        index, where = _worst(deviation)
         raise InputError(
             f"the rotation part of {what}{where} is not a rotation: R^T R departs from I by {worst:.3g}, allowed is "
             f"{ROTATION_ACCEPTED:g}. Scaled, sheared or noisy matrices must be made a rotation first.",
@@ -60,11 +69,23 @@ def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarr
         )
     handed = np.linalg.det(R)
     if np.min(handed) < 0:
-        raise InputError(f"the rotation part of {what} is left-handed (determinant -1): a mirror, not a rotation.")
+        index, where = _worst(-handed)
+        raise InputError(
+            f"the rotation part of {what}{where} is left-handed (determinant -1): a mirror, not a rotation.", index=index
+        )
     if worst > ROTATION_EXACT:
         u, _, vt = np.linalg.svd(R)
         pose[..., :3, :3] = u @ vt
     return pose
+
+
+def _worst(size: np.ndarray) -> tuple[tuple[int, ...], str]:
+    """Return the index of the largest entry and words for it; both empty for a single pose."""
+    size = np.asarray(size)
+    if not size.ndim:
+        return (), ""
+    index = tuple(int(i) for i in np.unravel_index(np.argmax(size), size.shape))
+    return index, f" (at index {index[0] if len(index) == 1 else index})"
 
 
 def inverse(T: np.ndarray) -> np.ndarray:

@@ -57,11 +57,11 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     Raises:
         PlanError: No way of elimination is of use; the message says why, as far as it is known.
     """
+    slides = int(chain.prismatic.sum())
     links, scale = slid(chain)
     params, trials, usable = _kernel.general_model(links, chain.prismatic.astype(np.uint8), scale)
     ways = _ways(trials)
-    slides = int(chain.prismatic.sum())
-    if usable == 0:
+    if usable == 0 or not full_rank(chain):
         geometry = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
         raise PlanError(_reason(chain, slides), geometry=geometry, ways=ways)
     exact = [way for way in ways if way["rank"] == 1]
