@@ -18,9 +18,30 @@ UNCERTAIN, OUT_OF_REACH, DEGENERATE = 2, 4, 1
 FREE = np.tile([-np.inf, np.inf], (6, 1))
 
 #: d, a, alpha. UR5e: the maker's table; EA1400N: Seed et al.; CRX-10iA: Abbes and Poisson (2024).
-UR5E = [(0.1625, 0, 1.5707963267948966), (0, -0.425, 0), (0, -0.3922, 0), (0.1333, 0, 1.5707963267948966), (0.0997, 0, -1.5707963267948966), (0.0996, 0, 0)]
-EA1400N = [(0.45, 0.15, np.pi / 2), (0, 0.57, np.pi), (0, 0.2, np.pi / 2), (0.64, 0, np.pi / 2), (0, 0.03, np.pi / 2), (0.2, 0, 0)]
-CRX10IA = [(0, 0, -np.pi / 2), (0, 0.54, 0), (0, 0, -np.pi / 2), (0.54, 0, np.pi / 2), (-0.15, 0, -np.pi / 2), (0.16, 0, np.pi)]
+UR5E = [
+    (0.1625, 0, np.pi / 2),
+    (0, -0.425, 0),
+    (0, -0.3922, 0),
+    (0.1333, 0, np.pi / 2),
+    (0.0997, 0, -np.pi / 2),
+    (0.0996, 0, 0),
+]
+EA1400N = [
+    (0.45, 0.15, np.pi / 2),
+    (0, 0.57, np.pi),
+    (0, 0.2, np.pi / 2),
+    (0.64, 0, np.pi / 2),
+    (0, 0.03, np.pi / 2),
+    (0.2, 0, 0),
+]
+CRX10IA = [
+    (0, 0, -np.pi / 2),
+    (0, 0.54, 0),
+    (0, 0, -np.pi / 2),
+    (0.54, 0, np.pi / 2),
+    (-0.15, 0, -np.pi / 2),
+    (0.16, 0, np.pi),
+]
 
 
 def dh_link(d: float, a: float, alpha: float, theta: float = 0.0) -> np.ndarray:
@@ -34,7 +55,8 @@ def chain_of(rows: list, kinds: str = "RRRRRR") -> Chain:
 
 
 def random_chain(rng: np.random.Generator, kinds: str) -> Chain:
-    return chain_of([(rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), *rng.uniform(-np.pi, np.pi, 2)) for _ in range(6)], kinds)
+    rows = [(*rng.uniform(-0.5, 0.5, 2), *rng.uniform(-np.pi, np.pi, 2)) for _ in range(6)]
+    return chain_of(rows, kinds)
 
 
 def solver_of(chain: Chain) -> SixJointSolver:
@@ -112,7 +134,8 @@ def test_sets_of_two_hidden_joints_and_of_the_reversed_chain_are_the_same():
     p, seen, _, _ = solver_of(back).many(np.ascontiguousarray(inverse(T)), 1)
     assert (valid.sum(1) == seen.sum(1)).all()
     for i in range(len(T)):
-        assert nearest(chain, np.tile(p[i, :, ::-1], (valid[i].sum(), 1, 1)), np.tile(seen[i], (valid[i].sum(), 1)), q[i][valid[i]]).max() < 1e-6
+        ours, theirs = q[i][valid[i]], p[i][seen[i]][:, ::-1]
+        assert distance(chain, ours[:, None], theirs[None]).min(1).max() < 1e-6
 
 
 def test_scale_base_tool_and_slid_frames_change_nothing():

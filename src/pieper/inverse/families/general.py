@@ -1,4 +1,4 @@
-"""Any six joints, revolute and prismatic in any order: elimination to an eigenvalue problem, up to sixteen solutions."""
+"""Any six joints, revolute and prismatic in any order: elimination to an eigenvalue problem."""
 
 from __future__ import annotations
 
@@ -39,20 +39,20 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
 def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     """Choose how the elimination is done for this arm, by trying every way on test poses.
 
-    The loop of six joints is opened at each joint and walked in both directions; each way hides another joint in the eigenvalue
-    problem. Ways that vanish identically, lose solutions or are noisy fall behind or away. Lengths are scaled, and frames
-    slid along their axes towards each other, so that neither units nor the table's habits matter.
+    The loop of six joints is opened at each joint and walked in both directions; each way hides another joint in
+    the eigenvalue problem. Ways that vanish identically, lose solutions or are noisy fall behind or away. Lengths are
+    scaled, and frames slid along their axes towards each other, so that neither units nor the table's habits matter.
 
     Args:
         chain: Six joints.
         match: What `match` found.
 
     Returns:
-        The spec. Its `info` holds `usable` (number of ways left), `certified` (False where every way vanishes for this geometry
-        and a slightly changed arm is solved instead, its solutions polished onto this one: poses are then flagged
-        uncertain), `hidden_joint` (1-based, of the best way), `direction`, `noise`
-        (of the best way, relative; 1e-16 is perfect), `ways` (a tuple of dicts: hidden joint, direction, missed test
-        solutions, noise) and `scale` (m).
+        The spec. Its `info` holds `usable` (number of ways left), `certified` (False where every way vanishes for
+        this geometry and a slightly changed arm is solved instead, its solutions polished onto this one: poses are
+        then flagged uncertain), `hidden_joint` (1-based, of the best way), `direction`, `noise` (of the best way,
+        relative; 1e-16 is perfect), `ways` (a tuple of dicts: rank, hidden joint, direction, missed test solutions,
+        noise), `max_solutions` (what the degree allows) and `scale` (m).
 
     Raises:
         PlanError: No way of elimination is of use; the message says why, as far as it is known.
@@ -108,25 +108,26 @@ def _ways(trials: np.ndarray) -> tuple[dict, ...]:
 def _reason(chain: Chain, slides: int) -> str:
     if slides > 3:
         return (
-            f"This arm has {slides} prismatic joints: four or more slides depend on each other, and with the rest they cannot "
-            "give six independent motions. Lock a slide, or ask for a partial task."
+            f"This arm has {slides} prismatic joints: four or more slides depend on each other, and with the rest they "
+            "cannot give six independent motions. Lock a slide, or ask for a partial task."
         )
     if not full_rank(chain):
         return (
-            "The six joint axes of this arm depend on each other in every posture (fewer than six independent motions), so a "
-            "reachable pose has a continuous family of solutions. Lock a joint, or ask for a partial task."
+            "The six joint axes of this arm depend on each other in every posture (under six independent motions), "
+            "so a reachable pose has a continuous family of solutions. Lock a joint, or ask for a partial task."
         )
     return (
-        "Every way to eliminate joints vanishes for the geometry of this arm. Perturb its table by a millionth, or lock a joint."
+        "Every way to eliminate joints vanishes for the geometry of this arm. "
+        "Perturb its table by a millionth, or lock a joint."
     )
 
 
 def slid(chain: Chain) -> tuple[np.ndarray, float]:
     """Return links (7, 4, 4) with frames slid where joints do not notice, and the length (m) that counts as one.
 
-    The frame of a revolute joint may slide along its axis, that of a prismatic one move anywhere, without changing joint values;
-    chosen is what makes the five inner translations shortest (least squares), since coordinates of far-away points would
-    cost digits.
+    The frame of a revolute joint may slide along its axis, that of a prismatic one move anywhere, without changing
+    joint values; chosen is what makes the five inner translations shortest (least squares), since coordinates of
+    far-away points would cost digits.
     """
     moves = [np.eye(3) if p else np.eye(3)[:, 2:] for p in chain.prismatic]
     starts = np.concatenate([[0], np.cumsum([m.shape[1] for m in moves])])
