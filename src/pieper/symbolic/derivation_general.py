@@ -9,10 +9,11 @@ import numpy as np
 from pieper.errors import PieperError
 from pieper.kinematics.geometry import look
 from pieper.symbolic.characteristic import CharacteristicPolynomial, characteristic_polynomial
-from pieper.symbolic.expression import Num, Sym
+from pieper.symbolic.expression import Num, angle_symbol
 from pieper.symbolic.page import Page, Raw
 
 CLOSE = 1e-6
+TERMS_A_LINE = 4
 
 
 @dataclass(frozen=True)
@@ -140,30 +141,36 @@ class GeneralInverse:
                 "the solver finds its solutions numerically and certifies their number."
             )
             return
+        unknown = angle_symbol(self._name(poly))
+        half = Raw("t = tan(", r"t = \tan(", "<mi>t</mi><mo>=</mo><mi>tan</mi><mo>(</mo>")
+        closing = Raw(
+            f"{unknown.text()}/2)", rf"{unknown.latex()}/2)", f"{unknown.mathml()}<mo>/</mo><mn>2</mn><mo>)</mo>"
+        )
         page.paragraph(
-            f"The joints satisfy one polynomial equation of degree {poly.degree} in t = "
-            f"tan(theta{self._name(poly)}/2), so a pose "
-            f"has at most {poly.degree} solutions. Its coefficients depend on the pose; there is no "
-            f"formula for its roots."
+            f"The joints satisfy one polynomial equation of degree {poly.degree} in ",
+            half + closing,
+            f", so a pose has at most {poly.degree} solutions. Its coefficients depend on the pose; there is no "
+            f"formula for its roots.",
         )
         self._method(page, poly)
         page.heading("The polynomial at one pose")
         page.paragraph(
             "For the pose of the joint vector " + _degrees(self.example) + ", scaled to a largest coefficient of 1:"
         )
-        t = Sym("t", "", 4)
         terms = [(c, poly.degree - k) for k, c in enumerate(poly.coefficients)]
-        page.display(Raw(*(_polynomial(terms, style) for style in ("text", "latex", "mathml"))), Num(0))
+        for first in range(0, len(terms), TERMS_A_LINE):
+            part = terms[first : first + TERMS_A_LINE]
+            line = Raw(*(_polynomial(part, style, first > 0) for style in ("text", "latex", "mathml")))
+            page.display(*([line, Num(0)] if first + TERMS_A_LINE >= len(terms) else [line]))
+        roots = ": t = " + ", ".join(f"{x:.6g}" for x in np.tan(poly.angles / 2)) if len(poly.angles) else ""
         page.paragraph(
-            f"Of its {poly.degree} roots {len(poly.solutions)} belong to real postures"
-            + (": " + ", ".join(f"{x:.6g}" for x in np.tan(poly.angles / 2)) + "." if len(poly.angles) else ".")
+            f"Of its {poly.degree} roots {len(poly.solutions)} belong to real postures{roots}. They are, each "
+            f"brought to the pose "
+            "and confirmed there:"
         )
         for row in poly.solutions:
             page.paragraph(_degrees(row, 4))
-        page.paragraph(
-            f"(Each reaches the pose; the harmonics that must vanish do so to {poly.noise:.0e}. The "
-            f"unknown is {t.text()}.)"
-        )
+        page.paragraph(f"(The harmonics that must vanish by theory do so to {poly.noise:.0e} of the largest.)")
 
     def _name(self, poly: CharacteristicPolynomial) -> int:
         return [j + 1 for j in range(self._arm.n) if j not in self.chosen][poly.joint - 1]
@@ -171,32 +178,46 @@ class GeneralInverse:
     def _method(self, page: Page, poly: CharacteristicPolynomial):
         names = [j + 1 for j in range(self._arm.n) if j not in self.chosen]
         cut = [names[(poly.joint - 3 + k) % 6] for k in range(6)]
+        one, two, three, four, five, six = (angle_symbol(j) for j in cut)
         page.heading("How it comes about")
         page.paragraph(
-            f"Close the loop of the arm and the wanted pose and cut it at joint {cut[5]}: the axis l "
-            f"of that joint and the "
-            f"point p on it are reached through joints {cut[2]}, {cut[3]}, {cut[4]} on one side and "
-            f"through {cut[1]}, {cut[0]} "
-            "on the other."
+            f"Close the loop of the arm and the wanted pose and cut it at joint {cut[5]}: the axis l of that "
+            f"joint and the point p on "
+            f"it are reached through joints {cut[2]}, {cut[3]}, {cut[4]} on one side and through {cut[1]}, "
+            f"{cut[0]} on the other."
         )
         page.paragraph(
-            "Equate p, l, p.p, p.l, p x l and (p.p) l - 2 (p.l) p of both sides: fourteen equations, "
-            "each linear in the sine "
-            "and cosine of every joint (Raghavan and Roth 1990)."
+            "Equate p, l, p·p, p·l, p × l and (p·p) l − 2 (p·l) p of both sides: fourteen equations, each linear "
+            "in the "
+            "sine and cosine of every joint (Raghavan and Roth 1990)."
         )
         page.paragraph(
-            f"Six combinations of them are free of theta{cut[0]} and theta{cut[1]}. With half-angle "
-            f"tangents for theta{cut[3]} and "
-            f"theta{cut[4]}, and each also multiplied by the first, they are twelve equations in "
-            f"twelve monomials; "
-            f"the determinant, which depends on theta{cut[2]} alone, must vanish."
+            "Six combinations of them are free of ",
+            one,
+            " and ",
+            two,
+            ". With half-angle tangents for ",
+            four,
+            " and ",
+            five,
+            ", and each also multiplied by the first, they are twelve equations in twelve "
+            "monomials; the "
+            "determinant, which depends on ",
+            three,
+            " alone, must vanish.",
         )
         page.paragraph(
-            f"At a root the null vector of that matrix gives theta{cut[3]} and theta{cut[4]} as ratios "
-            f"of neighbouring entries, "
-            f"eight of the fourteen equations give theta{cut[0]} and theta{cut[1]} linearly, and the "
-            f"loop leaves "
-            f"theta{cut[5]}."
+            "At a root the null vector of that matrix gives ",
+            four,
+            " and ",
+            five,
+            " as ratios of neighbouring entries, eight of the fourteen equations give ",
+            one,
+            " and ",
+            two,
+            " linearly, and the loop leaves ",
+            six,
+            ".",
         )
 
     # -- numbers ---------------------------------------------------------------------------------------------
@@ -241,7 +262,8 @@ def _degrees(q, digits: int = 0) -> str:
     return "(" + ", ".join(f"{x:.{digits}f}" for x in np.degrees(q)) + ") deg"
 
 
-def _polynomial(terms: list[tuple[float, int]], style: str) -> str:
+def _polynomial(terms: list[tuple[float, int]], style: str, goes_on: bool) -> str:
+    """Some terms of a polynomial in t; `goes_on` when they follow others."""
     pieces = []
     for place, (value, power) in enumerate(terms):
         number = f"{abs(value):.6g}"
@@ -255,12 +277,12 @@ def _polynomial(terms: list[tuple[float, int]], style: str) -> str:
         elif style == "mathml":
             number = f"<mn>{number}</mn>"
         sign = "-" if value < 0 else "+"
-        lead = sign if place or value < 0 else ""
+        lead = sign if place or goes_on or value < 0 else ""
         if style == "mathml":
             unknown = "" if not power else "<mi>t</mi>" if power == 1 else f"<msup><mi>t</mi><mn>{power}</mn></msup>"
             pieces.append((f"<mo>{'−' if lead == '-' else '+'}</mo>" if lead else "") + number + unknown)
         else:
             power_sign = f"^{power}" if style == "text" else f"^{{{power}}}"
             unknown = "" if not power else ("*" if style == "text" else " ") + "t" + (power_sign if power > 1 else "")
-            pieces.append((f" {lead} " if place else lead) + number + unknown)
+            pieces.append((f" {lead} " if place else f"{lead} " if goes_on else lead) + number + unknown)
     return "".join(pieces)

@@ -85,7 +85,7 @@ class Page:
         for item in self.items:
             if item.kind == "display":
                 body = "<mo>=</mo>".join(_piece(p, "mathml", "display") for p in item.parts)
-                lines.append(f'<div class="formula">{formula(body, block=True)}</div>')
+                lines.append(f'<div class="formula" style="margin:0.4em 0">{formula(body, block=True)}</div>')
             else:
                 tag = {"title": "h2", "heading": "h3"}.get(item.kind, "p")
                 lines.append(f"<{tag}>{''.join(_piece(p, 'mathml', item.kind) for p in item.parts)}</{tag}>")
@@ -109,8 +109,11 @@ def _piece(part, style: str, kind: str = "") -> str:
     return f"${body}$" if style == "latex" else formula(body)
 
 
+_SIGNS = (("·", r"$\cdot$"), ("×", r"$\times$"), ("−", "$-$"))
+
+
 def _tex(words: str) -> str:
-    for sign, code in (("&", r"\&"), ("%", r"\%"), ("_", r"\_"), ("#", r"\#")):
+    for sign, code in (("&", r"\&"), ("%", r"\%"), ("_", r"\_"), ("#", r"\#"), *_SIGNS):
         words = words.replace(sign, code)
     return words
 

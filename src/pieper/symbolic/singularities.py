@@ -292,7 +292,10 @@ class SingularityEquations:
             page.display(Raw("det J", r"\det J", "<mi>det</mi><mi>J</mi>"), self.determinant)
         for s in self.configurations:
             page.heading(NAMES[s.kind])
-            page.display(s.factor, Num(0))
+            if s.kind == "other" and len(text(s.factor)) > 150:
+                page.paragraph("They are where this determinant vanishes.")
+            else:
+                page.display(s.factor, Num(0))
             page.paragraph(" ".join(s.words))
             if s.where:
                 page.paragraph("That is at ", *self._places(s), ".")
