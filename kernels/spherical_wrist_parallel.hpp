@@ -262,7 +262,7 @@ struct SphericalWristParallel {
     e.ok = arm.ok & (within | edge);
     e.centred = (r <= here) & e.ok;
     e.two = within & !(close & (gap <= kRounding * scale)) & !e.centred;
-    e.degenerate = e.ok & close & ((sine2 < kNearDouble * kNearDouble) | (gap < 8 * kRounding * scale) |
+    e.degenerate = e.ok & close & ((sine2 < kNearDouble * kNearDouble) | (gap < overshoot) |
                                    (r < kNearSingularity * scale));
     // beyond the edge D is not |L2 + L3 e^{i th3}|^2, and the forearm's direction must be a unit vector all the same
     e.over_D = select(edge, 1.0 / (r * select(folded, F(inner), F(outer))), e.over_D);
