@@ -145,10 +145,10 @@ class Workbench:
 
     def settle(self) -> None:
         """Wait until the picture has come to rest."""
-        before, drawn = -1, 0
+        before, drawn = -1, self.value("workbench.pictures")
         while before != drawn:
             before = drawn
-            self.page.wait_for_timeout(500)
+            self.page.wait_for_timeout(450)
             drawn = self.value("workbench.pictures")
 
     def shot(self, name: str, *, both: bool = False) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 import pieper
+from pieper.description.dh import Actuator
 from pieper.workbench.messages import LONGEST_NAME, MAX_JOINTS, Refused, number, pose, vector, word
 
 
@@ -58,9 +59,21 @@ def _with_notes(arm: pieper.Arm, table: dict[str, Any]) -> pieper.Arm:
         raise Refused("postures must be an object of at most 40 joint vectors.")
     named = {word(k, "posture name"): vector(v, arm.n, f"posture {k[:LONGEST_NAME]}") for k, v in postures.items()}
     remarks = {key: table[key][:4000] for key in ("manufacturer", "source", "notes") if isinstance(table.get(key), str)}
-    if not named and not remarks:
+    gripper = _actuator(table["actuator"]) if table.get("actuator") else None
+    if not (named or remarks or gripper):
         return arm
-    return pieper.Arm(replace(arm.description, postures=named, **remarks))
+    return pieper.Arm(replace(arm.description, postures=named, actuator=gripper, **remarks))
+
+
+def _actuator(given: object) -> Actuator:
+    if not isinstance(given, dict):
+        raise Refused("actuator must be an object.")
+    lower, upper, value = (number(given.get(key), f"actuator, {key}") for key in ("lower", "upper", "value"))
+    if not lower <= upper:
+        raise Refused("actuator: the lower limit is above the upper one.")
+    return Actuator(
+        word(given.get("name"), "actuator, name"), lower, upper, value, word(given.get("unit"), "actuator, unit")
+    )
 
 
 def table_from_arm(arm: pieper.Arm) -> dict[str, Any]:

@@ -8,7 +8,10 @@ const onlyWoff2 = {
   name: 'only-woff2',
   setup(b) {
     b.onLoad({ filter: /katex\.min\.css$/ }, async ({ path }) => ({
-      contents: (await readFile(path, 'utf8')).replace(/,url\([^)]*\.woff\) format\("woff"\),url\([^)]*\.ttf\) format\("truetype"\)/g, ''),
+      contents: (await readFile(path, 'utf8')).replace(
+        /,url\([^)]*\.woff\) format\("woff"\),url\([^)]*\.ttf\) format\("truetype"\)/g,
+        '',
+      ),
       loader: 'css',
     }));
   },
@@ -18,14 +21,27 @@ const limit = 2.5e6;
 await rm('dist', { recursive: true, force: true });
 await build({
   entryPoints: { app: 'src/main.mjs', page: 'src/style/page.css' },
-  outdir: 'dist', bundle: true, format: 'esm', splitting: true, minify: true, target: 'es2022', legalComments: 'none',
-  chunkNames: '[name]-[hash]', assetNames: 'fonts/[name]', loader: { '.woff2': 'file' }, plugins: [onlyWoff2], logLevel: 'warning',
+  outdir: 'dist',
+  bundle: true,
+  format: 'esm',
+  splitting: true,
+  minify: true,
+  target: 'es2022',
+  legalComments: 'none',
+  chunkNames: '[name]-[hash]',
+  assetNames: 'fonts/[name]',
+  loader: { '.woff2': 'file' },
+  plugins: [onlyWoff2],
+  logLevel: 'warning',
 });
 await copyFile('src/index.html', 'dist/index.html');
 await copyFile('src/icon.svg', 'dist/icon.svg');
 
-const sizes = await Promise.all((await readdir('dist', { recursive: true, withFileTypes: true }))
-  .filter((f) => f.isFile()).map(async (f) => (await stat(join(f.parentPath, f.name))).size));
+const sizes = await Promise.all(
+  (await readdir('dist', { recursive: true, withFileTypes: true }))
+    .filter((f) => f.isFile())
+    .map(async (f) => (await stat(join(f.parentPath, f.name))).size),
+);
 const total = sizes.reduce((a, b) => a + b, 0);
 console.log(`dist: ${sizes.length} files, ${(total / 1e6).toFixed(2)} MB`);
 if (total > limit) throw new Error(`dist weighs ${total} bytes, more than ${limit}`);

@@ -10,26 +10,85 @@ import { fitArm, frameName, setTracing, clearTrace } from './scene/arm.mjs';
 import { axisColours } from './scene/frames.mjs';
 
 export function bar(root) {
-  const arms = h('select', { 'aria-label': 'Arm from the catalogue', 'data-testid': 'catalog', on: { change: () => open(arms.value) } });
+  const arms = h('select', {
+    'aria-label': 'Arm from the catalogue',
+    'data-testid': 'catalog',
+    on: { change: () => open(arms.value) },
+  });
   const what = h('p', { class: 'sentence', 'data-testid': 'sentence' });
   const online = h('span', { class: 'online', role: 'status', 'data-testid': 'online' });
   const list = () => {
-    const own = state.catalog?.includes(state.table.name) ? [] : [h('option', { value: '', text: state.table.name || 'my-arm' })];
-    replace(arms, own, (state.catalog ?? []).map((name) => h('option', { value: name, text: name })));
+    const own = state.catalog?.includes(state.table.name)
+      ? []
+      : [h('option', { value: '', text: state.table.name || 'my-arm' })];
+    replace(
+      arms,
+      own,
+      (state.catalog ?? []).map((name) => h('option', { value: name, text: name })),
+    );
     arms.value = own.length ? '' : state.table.name;
   };
-  root.append(h('span', { class: 'mark' }, h('img', { src: 'icon.svg', alt: '', width: '22', height: '22' }), h('b', { text: 'pieper' })), arms, what,
-    h('span', { class: 'bar-end' },
+  root.append(
+    h(
+      'span',
+      { class: 'mark' },
+      h('img', { src: 'icon.svg', alt: '', width: '22', height: '22' }),
+      h('b', { text: 'pieper' }),
+    ),
+    arms,
+    what,
+    h(
+      'span',
+      { class: 'bar-end' },
       online,
-      choice('Angles in', [['deg', '°'], ['rad', 'rad']], units.angle, (v) => { units.set('angle', v); tell('units'); }, 'unit-angle'),
-      choice('Lengths in', [['mm', 'mm'], ['m', 'm']], units.length, (v) => { units.set('length', v); tell('units'); }, 'unit-length'),
-      select('Light or dark', [['auto', 'Auto'], ['light', 'Light'], ['dark', 'Dark']], state.theme, setTheme, { 'data-testid': 'theme' })));
+      choice(
+        'Angles in',
+        [
+          ['deg', '°'],
+          ['rad', 'rad'],
+        ],
+        units.angle,
+        (v) => {
+          units.set('angle', v);
+          tell('units');
+        },
+        'unit-angle',
+      ),
+      choice(
+        'Lengths in',
+        [
+          ['mm', 'mm'],
+          ['m', 'm'],
+        ],
+        units.length,
+        (v) => {
+          units.set('length', v);
+          tell('units');
+        },
+        'unit-length',
+      ),
+      select(
+        'Light or dark',
+        [
+          ['auto', 'Auto'],
+          ['light', 'Light'],
+          ['dark', 'Dark'],
+        ],
+        state.theme,
+        setTheme,
+        { 'data-testid': 'theme' },
+      ),
+    ),
+  );
   on(['catalog', 'table'], list);
   on('plan', () => {
     setText(what, [countWords(state.plan), sentence(state.plan)].filter(Boolean).join('. ').replace('..', '.'));
     what.title = state.plan?.explain ?? '';
   });
-  on('online', (yes) => { setText(online, yes ? '' : 'Server away; reconnecting'); online.classList.toggle('away', !yes); });
+  on('online', (yes) => {
+    setText(online, yes ? '' : 'Server away; reconnecting');
+    online.classList.toggle('away', !yes);
+  });
   on(['units', 'theme'], () => {
     root.querySelector('[data-testid=unit-angle]').mark(units.angle);
     root.querySelector('[data-testid=unit-length]').mark(units.length);
@@ -41,7 +100,9 @@ async function open(name) {
   try {
     const { table } = await ask('load', { name });
     setTable(table, { q: presentable(table), what: 'new' });
-  } catch (error) { say(error.message, 'wrong'); }
+  } catch (error) {
+    say(error.message, 'wrong');
+  }
 }
 
 /** Tabs down the side; `move` holds Joints and Pose, which stay pinned on a wide screen. */
@@ -50,13 +111,27 @@ export function rail(root, host, pinned, panels) {
   const wide = matchMedia('(min-width: 1700px)');
   root.append(tabs);
   const built = panels.map((p) => {
-    const panel = h('div', { role: 'tabpanel', class: 'panel', id: `panel-${p.id}`, 'aria-labelledby': `tab-${p.id}`, 'data-testid': `panel-${p.id}`, hidden: true });
+    const panel = h('div', {
+      role: 'tabpanel',
+      class: 'panel',
+      id: `panel-${p.id}`,
+      'aria-labelledby': `tab-${p.id}`,
+      'data-testid': `panel-${p.id}`,
+      hidden: true,
+    });
     for (const section of p.sections ?? [p]) {
       const inner = h('section', { class: 'section' }, h('h2', { text: section.title }));
       panel.append(inner);
       section.build(inner, panel);
     }
-    const tab = h('button', { type: 'button', role: 'tab', id: `tab-${p.id}`, 'aria-controls': panel.id, text: p.title, on: { click: () => show(p.id) } });
+    const tab = h('button', {
+      type: 'button',
+      role: 'tab',
+      id: `tab-${p.id}`,
+      'aria-controls': panel.id,
+      text: p.title,
+      on: { click: () => show(p.id) },
+    });
     tabs.append(tab);
     return { ...p, panel, tab };
   });
@@ -71,7 +146,10 @@ export function rail(root, host, pinned, panels) {
       b.tab.hidden = pin;
       b.tab.setAttribute('aria-selected', String(b.id === id));
       b.tab.tabIndex = b.id === id ? 0 : -1;
-      if (b.id === id) { document.getElementById('room').dataset.panel = id; document.getElementById('room').classList.toggle('wide', Boolean(b.wide)); }
+      if (b.id === id) {
+        document.getElementById('room').dataset.panel = id;
+        document.getElementById('room').classList.toggle('wide', Boolean(b.wide));
+      }
     }
     tell('panel', id);
   }
@@ -79,46 +157,111 @@ export function rail(root, host, pinned, panels) {
     const way = { ArrowDown: 1, ArrowUp: -1, ArrowRight: 1, ArrowLeft: -1 }[e.key];
     if (!way) return;
     e.preventDefault();
-    const open = built.filter((b) => !b.tab.hidden), at = open.findIndex((b) => b.id === state.panel);
+    const open = built.filter((b) => !b.tab.hidden),
+      at = open.findIndex((b) => b.id === state.panel);
     const next = open[(at + way + open.length) % open.length];
     show(next.id);
     next.tab.focus();
   });
-  wide.addEventListener('change', () => show(state.panel === 'move' || !built.some((b) => b.id === state.panel) ? 'move' : state.panel));
+  wide.addEventListener('change', () =>
+    show(state.panel === 'move' || !built.some((b) => b.id === state.panel) ? 'move' : state.panel),
+  );
   show(state.panel);
   return show;
 }
 
 /** Over the picture: views, frames, trace, the key of the axes. */
 export function overlay(root) {
-  const views = h('div', { class: 'group', role: 'group', 'aria-label': 'Views' },
-    [['iso', 'Iso'], ['front', 'Front'], ['side', 'Side'], ['top', 'Top']].map(([v, t]) => h('button', { type: 'button', text: t, on: { click: () => look(v) } })),
-    h('button', { type: 'button', text: 'Fit', on: { click: () => fitArm() } }));
-  const frames = h('div', { class: 'group frames', role: 'group', 'aria-label': 'Frames shown', 'data-testid': 'frames' });
-  const trace = h('button', { type: 'button', text: 'Trace', 'aria-pressed': 'true', on: { click: () => {
-    const yes = trace.getAttribute('aria-pressed') !== 'true';
-    trace.setAttribute('aria-pressed', String(yes));
-    setTracing(yes);
-  } } });
-  const clear = h('button', { type: 'button', text: 'Clear', 'aria-label': 'Clear the trace', on: { click: clearTrace } });
+  const views = h(
+    'div',
+    { class: 'group', role: 'group', 'aria-label': 'Views' },
+    [
+      ['iso', 'Iso'],
+      ['front', 'Front'],
+      ['side', 'Side'],
+      ['top', 'Top'],
+    ].map(([v, t]) => h('button', { type: 'button', text: t, on: { click: () => look(v) } })),
+    h('button', { type: 'button', text: 'Fit', on: { click: () => fitArm() } }),
+  );
+  const frames = h('div', {
+    class: 'group frames',
+    role: 'group',
+    'aria-label': 'Frames shown',
+    'data-testid': 'frames',
+  });
+  const trace = h('button', {
+    type: 'button',
+    text: 'Trace',
+    'aria-pressed': 'true',
+    on: {
+      click: () => {
+        const yes = trace.getAttribute('aria-pressed') !== 'true';
+        trace.setAttribute('aria-pressed', String(yes));
+        setTracing(yes);
+      },
+    },
+  });
+  const clear = h('button', {
+    type: 'button',
+    text: 'Clear',
+    'aria-label': 'Clear the trace',
+    on: { click: clearTrace },
+  });
   const scale = h('span', { class: 'scale' });
-  const key = h('div', { class: 'key', 'aria-label': 'Axes: x red, y green, z blue' }, ['x', 'y', 'z'].map((a, i) => {
-    const dot = h('span', { class: 'dot' });
-    dot.style.setProperty('background', axisColours[i]);
-    return h('span', {}, dot, a);
-  }), scale);
-  root.append(h('div', { class: 'corner top' }, views, h('div', { class: 'group', role: 'group', 'aria-label': 'Trace of the tool' }, trace, clear)), h('div', { class: 'corner bottom' }, key, frames));
+  const key = h(
+    'div',
+    { class: 'key', 'aria-label': 'Axes: x red, y green, z blue' },
+    ['x', 'y', 'z'].map((a, i) => {
+      const dot = h('span', { class: 'dot' });
+      dot.style.setProperty('background', axisColours[i]);
+      return h('span', {}, dot, a);
+    }),
+    scale,
+  );
+  root.append(
+    h(
+      'div',
+      { class: 'corner top' },
+      views,
+      h('div', { class: 'group', role: 'group', 'aria-label': 'Trace of the tool' }, trace, clear),
+    ),
+    h('div', { class: 'corner bottom' }, key, frames),
+  );
   let shownFor = -2;
   const list = () => {
-    const n = state.table.joints.length, all = Array.from({ length: n + 2 }, (_, i) => i);
+    const n = state.table.joints.length,
+      all = Array.from({ length: n + 2 }, (_, i) => i);
     // Base and tool at first; afterwards what the person chose, the tool staying the tool when joints come and go.
-    state.shownFrames = (state.shownFrames ?? [0, n + 1]).map((i) => (i === shownFor + 1 ? n + 1 : i)).filter((i) => i < n + 2);
+    state.shownFrames = (state.shownFrames ?? [0, n + 1])
+      .map((i) => (i === shownFor + 1 ? n + 1 : i))
+      .filter((i) => i < n + 2);
     shownFor = n;
-    const set = (shown) => { state.shownFrames = shown; list(); };
-    replace(frames, h('span', { class: 'group-name', text: 'Frames' }),
-      all.map((i) => h('button', { type: 'button', text: frameName(i), 'aria-pressed': String(state.shownFrames.includes(i)), 'aria-label': `Frame ${frameName(i)}`,
-        on: { click: () => set(state.shownFrames.includes(i) ? state.shownFrames.filter((k) => k !== i) : [...state.shownFrames, i]) } })),
-      h('button', { type: 'button', text: state.shownFrames.length === n + 2 ? 'none' : 'all', 'aria-label': 'All frames or none', on: { click: () => set(state.shownFrames.length === n + 2 ? [] : all) } }));
+    const set = (shown) => {
+      state.shownFrames = shown;
+      list();
+    };
+    replace(
+      frames,
+      h('span', { class: 'group-name', text: 'Frames' }),
+      all.map((i) =>
+        h('button', {
+          type: 'button',
+          text: frameName(i),
+          'aria-pressed': String(state.shownFrames.includes(i)),
+          'aria-label': `Frame ${frameName(i)}`,
+          on: {
+            click: () =>
+              set(state.shownFrames.includes(i) ? state.shownFrames.filter((k) => k !== i) : [...state.shownFrames, i]),
+          },
+        }),
+      ),
+      h('button', {
+        type: 'button',
+        text: state.shownFrames.length === n + 2 ? 'none' : 'all',
+        'aria-label': 'All frames or none',
+        on: { click: () => set(state.shownFrames.length === n + 2 ? [] : all) },
+      }),
+    );
     tell('frames');
     setText(scale, `grid ${showUnit(ground.cell, 'length', units.length === 'mm' ? 0 : 2)}`);
   };
@@ -129,9 +272,17 @@ export function overlay(root) {
 export function keys() {
   addEventListener('keydown', (e) => {
     if (!(e.ctrlKey || e.metaKey) || e.altKey) return;
-    const key = e.key.toLowerCase(), typing = e.target.matches?.('input[type=text], textarea') && !e.target.closest('.dh');
+    const key = e.key.toLowerCase(),
+      typing = e.target.matches?.('input[type=text], textarea') && !e.target.closest('.dh');
     if (typing) return;
-    if (key === 'z' && !e.shiftKey) { e.preventDefault(); e.target.blur?.(); undo(); }
-    else if (key === 'y' || (key === 'z' && e.shiftKey)) { e.preventDefault(); e.target.blur?.(); redo(); }
+    if (key === 'z' && !e.shiftKey) {
+      e.preventDefault();
+      e.target.blur?.();
+      undo();
+    } else if (key === 'y' || (key === 'z' && e.shiftKey)) {
+      e.preventDefault();
+      e.target.blur?.();
+      redo();
+    }
   });
 }

@@ -2,7 +2,8 @@
 import { mul, identity } from './matrix.mjs';
 
 const twist = (a, alpha) => {
-  const c = Math.cos(alpha), s = Math.sin(alpha);
+  const c = Math.cos(alpha),
+    s = Math.sin(alpha);
   return [1, 0, 0, a, 0, c, -s, 0, 0, s, c, 0, 0, 0, 0, 1];
 };
 
@@ -15,9 +16,11 @@ function asTwist(T) {
 /** The same arm in the other convention: equal motion for every joint value. */
 export function convert(table, to) {
   if (table.convention === to || !table.joints.length) return { ...table, convention: to };
-  const joints = table.joints, n = joints.length;
+  const joints = table.joints,
+    n = joints.length;
   const pairs = joints.map(({ a, alpha, text }) => ({ a, alpha, text }));
-  let { base, tool } = table, shifted;
+  let { base, tool } = table,
+    shifted;
   if (to === 'modified') {
     // Row i's Tx(a) Rx(alpha) comes before joint i+1: it moves down one row, and the last one into the tool.
     const first = asTwist(base) ?? { a: 0, alpha: 0 };
@@ -31,8 +34,15 @@ export function convert(table, to) {
     shifted = [...pairs.slice(1), last];
   }
   return {
-    ...table, convention: to, base, tool,
-    joints: joints.map((j, i) => ({ ...j, a: shifted[i].a, alpha: shifted[i].alpha,
-      text: { ...j.text, a: shifted[i].text?.a, alpha: shifted[i].text?.alpha } })),
+    ...table,
+    convention: to,
+    base,
+    tool,
+    joints: joints.map((j, i) => ({
+      ...j,
+      a: shifted[i].a,
+      alpha: shifted[i].alpha,
+      text: { ...j.text, a: shifted[i].text?.a, alpha: shifted[i].text?.alpha },
+    })),
   };
 }

@@ -19,7 +19,9 @@ export const $ = (selector, root = document) => root.querySelector(selector);
 export const replace = (el, ...children) => el.replaceChildren(...children.flat().filter(Boolean));
 
 /** Set text only when it differs: a write that changes nothing still costs layout. */
-export function setText(el, text) { if (el.textContent !== text) el.textContent = text; }
+export function setText(el, text) {
+  if (el.textContent !== text) el.textContent = text;
+}
 
 let count = 0;
 export const uid = (prefix = 'id') => `${prefix}-${++count}`;
@@ -27,9 +29,23 @@ export const uid = (prefix = 'id') => `${prefix}-${++count}`;
 /** A row of buttons of which one is pressed. */
 export function choice(label, options, current, pick, testid) {
   const group = h('div', { class: 'choice', role: 'group', 'aria-label': label, 'data-testid': testid });
-  const mark = (name) => { for (const b of group.children) b.setAttribute('aria-pressed', String(b.dataset.value === name)); };
+  const mark = (name) => {
+    for (const b of group.children) b.setAttribute('aria-pressed', String(b.dataset.value === name));
+  };
   for (const [value, text] of options) {
-    group.append(h('button', { type: 'button', text, 'data-value': value, on: { click: () => { mark(value); pick(value); } } }));
+    group.append(
+      h('button', {
+        type: 'button',
+        text,
+        'data-value': value,
+        on: {
+          click: () => {
+            mark(value);
+            pick(value);
+          },
+        },
+      }),
+    );
   }
   mark(current);
   group.mark = mark;
@@ -38,23 +54,38 @@ export function choice(label, options, current, pick, testid) {
 
 /** A labelled select. */
 export function select(label, options, current, pick, props = {}) {
-  const el = h('select', { 'aria-label': label, ...props, on: { change: () => pick(el.value) } },
-    options.map(([value, text]) => h('option', { value, text })));
+  const el = h(
+    'select',
+    { 'aria-label': label, ...props, on: { change: () => pick(el.value) } },
+    options.map(([value, text]) => h('option', { value, text })),
+  );
   el.value = current;
   return el;
 }
 
-export const field = (label, ...controls) => h('label', { class: 'field' }, h('span', { class: 'field-name', text: label }), ...controls);
+export const field = (label, ...controls) =>
+  h('label', { class: 'field' }, h('span', { class: 'field-name', text: label }), ...controls);
 
 /** Call f at most once a frame. */
 export function perFrame(f) {
   let asked = false;
-  return () => { if (!asked) { asked = true; requestAnimationFrame(() => { asked = false; f(); }); } };
+  return () => {
+    if (!asked) {
+      asked = true;
+      requestAnimationFrame(() => {
+        asked = false;
+        f();
+      });
+    }
+  };
 }
 
 export function debounce(f, ms) {
   let timer;
-  const run = (...args) => { clearTimeout(timer); timer = setTimeout(() => f(...args), ms); };
+  const run = (...args) => {
+    clearTimeout(timer);
+    timer = setTimeout(() => f(...args), ms);
+  };
   run.cancel = () => clearTimeout(timer);
   return run;
 }
@@ -70,8 +101,9 @@ export function download(name, content, type = 'text/plain') {
 }
 
 export async function copy(text) {
-  try { await navigator.clipboard.writeText(text); }
-  catch {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
     const area = h('textarea', { class: 'offscreen' });
     area.value = text;
     document.body.append(area);

@@ -3,23 +3,46 @@ import { state } from './store.mjs';
 import { frames } from './kinematics.mjs';
 import { convert } from './convert.mjs';
 import { read } from './expression.mjs';
-import { picturesDrawn, toScreen } from './scene/view.mjs';
+import { cameraState, picturesDrawn, toScreen } from './scene/view.mjs';
 import { ghostCount, traceLength } from './scene/arm.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
 
 export function expose() {
   window.workbench = Object.freeze({
-    get q() { return state.q.slice(); },
-    get frames() { return structuredClone(state.frames); },
-    get target() { return state.target.slice(); },
-    get table() { return structuredClone(state.table); },
-    get solutions() { return structuredClone(state.solutions); },
-    get pictures() { return picturesDrawn(); },
-    get ghosts() { return ghostCount(); },
-    get answers() { return counts.answers; },
-    get trace() { return traceLength(); },
-    get cloud() { return cloud.size(); },
+    get q() {
+      return state.q.slice();
+    },
+    get frames() {
+      return structuredClone(state.frames);
+    },
+    get target() {
+      return state.target.slice();
+    },
+    get table() {
+      return structuredClone(state.table);
+    },
+    get solutions() {
+      return structuredClone(state.solutions);
+    },
+    get camera() {
+      return cameraState();
+    },
+    get pictures() {
+      return picturesDrawn();
+    },
+    get ghosts() {
+      return ghostCount();
+    },
+    get answers() {
+      return counts.answers;
+    },
+    get trace() {
+      return traceLength();
+    },
+    get cloud() {
+      return cloud.size();
+    },
     toScreen,
     forward: (table, q) => frames(table, q),
     convert: (table, to) => convert(table, to),

@@ -4,7 +4,10 @@ import { mul, column, position, cross, sub, identity } from './matrix.mjs';
 
 /** Rz(theta) Tz(d) Tx(a) Rx(alpha) (standard) or Rx(alpha) Tx(a) Rz(theta) Tz(d) (modified). */
 export function linkMatrix(convention, a, alpha, d, theta) {
-  const c = Math.cos(theta), s = Math.sin(theta), C = Math.cos(alpha), S = Math.sin(alpha);
+  const c = Math.cos(theta),
+    s = Math.sin(theta),
+    C = Math.cos(alpha),
+    S = Math.sin(alpha);
   return convention === 'standard'
     ? [c, -s * C, s * S, a * c, s, c * C, -c * S, a * s, 0, S, C, d, 0, 0, 0, 1]
     : [c, -s, 0, a, s * C, c * C, -S, -d * S, s * S, c * S, C, d * C, 0, 0, 0, 1];
@@ -19,10 +22,11 @@ export function rowAt(joint, v) {
 }
 
 /** A_1 .. A_n at q. */
-export const linkMatrices = (table, q) => table.joints.map((joint, i) => {
-  const r = rowAt(joint, q[i]);
-  return linkMatrix(table.convention, r.a, r.alpha, r.d, r.theta);
-});
+export const linkMatrices = (table, q) =>
+  table.joints.map((joint, i) => {
+    const r = rowAt(joint, q[i]);
+    return linkMatrix(table.convention, r.a, r.alpha, r.d, r.theta);
+  });
 
 /** Base, after each joint, tool: n + 2 poses in the world frame. */
 export function frames(table, q) {
@@ -36,7 +40,9 @@ export function frames(table, q) {
 export function jointAxes(table, F) {
   return table.joints.map((joint, i) => {
     if (table.convention === 'standard') return { point: position(F[i]), dir: column(F[i], 2), x: column(F[i], 0) };
-    const dir = column(F[i + 1], 2), x = column(F[i], 0), o = position(F[i]);
+    const dir = column(F[i + 1], 2),
+      x = column(F[i], 0),
+      o = position(F[i]);
     return { point: [o[0] + joint.a * x[0], o[1] + joint.a * x[1], o[2] + joint.a * x[2]], dir, x };
   });
 }
@@ -48,7 +54,10 @@ export function jacobian(table, q, F = frames(table, q)) {
   jointAxes(table, F).forEach(({ point, dir }, i) => {
     const s = table.joints[i].sign;
     const [v, w] = table.joints[i].type === 'R' ? [cross(dir, sub(tip, point)), dir] : [dir, [0, 0, 0]];
-    for (let r = 0; r < 3; r++) { J[r][i] = s * v[r]; J[r + 3][i] = s * w[r]; }
+    for (let r = 0; r < 3; r++) {
+      J[r][i] = s * v[r];
+      J[r + 3][i] = s * w[r];
+    }
   });
   return J;
 }
@@ -65,19 +74,32 @@ export function reach(table) {
 
 /** Eigenvalues of a small symmetric matrix by Jacobi rotations (ascending). */
 function symmetricEigenvalues(M) {
-  const n = M.length, A = M.map((r) => r.slice());
+  const n = M.length,
+    A = M.map((r) => r.slice());
   for (let sweep = 0; sweep < 30; sweep++) {
     let off = 0;
     for (let p = 0; p < n; p++) for (let r = p + 1; r < n; r++) off += A[p][r] ** 2;
     if (off < 1e-30) break;
-    for (let p = 0; p < n; p++) for (let r = p + 1; r < n; r++) {
-      if (Math.abs(A[p][r]) < 1e-300) continue;
-      const h = (A[r][r] - A[p][p]) / (2 * A[p][r]);
-      const t = Math.sign(h || 1) / (Math.abs(h) + Math.sqrt(h * h + 1));
-      const c = 1 / Math.sqrt(t * t + 1), s = t * c;
-      for (let k = 0; k < n; k++) { const x = A[k][p], y = A[k][r]; A[k][p] = c * x - s * y; A[k][r] = s * x + c * y; }
-      for (let k = 0; k < n; k++) { const x = A[p][k], y = A[r][k]; A[p][k] = c * x - s * y; A[r][k] = s * x + c * y; }
-    }
+    for (let p = 0; p < n; p++)
+      for (let r = p + 1; r < n; r++) {
+        if (Math.abs(A[p][r]) < 1e-300) continue;
+        const h = (A[r][r] - A[p][p]) / (2 * A[p][r]);
+        const t = Math.sign(h || 1) / (Math.abs(h) + Math.sqrt(h * h + 1));
+        const c = 1 / Math.sqrt(t * t + 1),
+          s = t * c;
+        for (let k = 0; k < n; k++) {
+          const x = A[k][p],
+            y = A[k][r];
+          A[k][p] = c * x - s * y;
+          A[k][r] = s * x + c * y;
+        }
+        for (let k = 0; k < n; k++) {
+          const x = A[p][k],
+            y = A[r][k];
+          A[p][k] = c * x - s * y;
+          A[r][k] = s * x + c * y;
+        }
+      }
   }
   return A.map((r, i) => r[i]).sort((x, y) => x - y);
 }
@@ -87,7 +109,9 @@ function symmetricEigenvalues(M) {
  * can be compared. An arm of n < 6 joints has n of them.
  */
 export function singularValues(table, q, F) {
-  const J = jacobian(table, q, F), L = reach(table), n = table.joints.length;
+  const J = jacobian(table, q, F),
+    L = reach(table),
+    n = table.joints.length;
   const rowsOf = J.map((r, i) => r.map((x) => (i < 3 ? x / L : x)));
   const cols = Array.from({ length: n }, (_, i) => rowsOf.map((r) => r[i]));
   const side = n < 6 ? cols : rowsOf;
@@ -97,7 +121,8 @@ export function singularValues(table, q, F) {
 
 /** Solve the small dense system M x = b by elimination with pivots. */
 function solveLinear(M, b) {
-  const n = b.length, A = M.map((r, i) => [...r, b[i]]);
+  const n = b.length,
+    A = M.map((r, i) => [...r, b[i]]);
   for (let c = 0; c < n; c++) {
     let p = c;
     for (let r = c + 1; r < n; r++) if (Math.abs(A[r][c]) > Math.abs(A[p][c])) p = r;
@@ -108,7 +133,8 @@ function solveLinear(M, b) {
     }
   }
   const x = new Array(n);
-  for (let r = n - 1; r >= 0; r--) x[r] = (A[r][n] - x.slice(r + 1).reduce((sum, v, k) => sum + v * A[r][r + 1 + k], 0)) / A[r][r];
+  for (let r = n - 1; r >= 0; r--)
+    x[r] = (A[r][n] - x.slice(r + 1).reduce((sum, v, k) => sum + v * A[r][r + 1 + k], 0)) / A[r][r];
   return x;
 }
 
@@ -120,13 +146,17 @@ export function ontoPose(table, q, T, steps = 4) {
   const L = reach(table);
   let best = q;
   for (let k = 0; k < steps; k++) {
-    const F = frames(table, best), X = F[F.length - 1], J = jacobian(table, best, F);
+    const F = frames(table, best),
+      X = F[F.length - 1],
+      J = jacobian(table, best, F);
     const half = (c) => cross(column(X, c), column(T, c));
     const turn = [0, 1, 2].map(half).reduce((a, v) => [a[0] + v[0] / 2, a[1] + v[1] / 2, a[2] + v[2] / 2], [0, 0, 0]);
     const e = [...sub(position(T), position(X)), ...turn.map((v) => v * L)];
     if (Math.hypot(...e) < 1e-13 * L) break;
     const S = J.map((r, i) => (i < 3 ? r : r.map((v) => v * L)));
-    const gram = S.map((u, i) => S.map((v, j) => u.reduce((sum, w, m) => sum + w * v[m], 0) + (i === j ? 1e-10 * L * L : 0)));
+    const gram = S.map((u, i) =>
+      S.map((v, j) => u.reduce((sum, w, m) => sum + w * v[m], 0) + (i === j ? 1e-10 * L * L : 0)),
+    );
     const y = solveLinear(gram, e);
     best = best.map((v, m) => v + S.reduce((sum, row, i) => sum + row[m] * y[i], 0));
   }
@@ -134,4 +164,11 @@ export function ontoPose(table, q, T, steps = 4) {
 }
 
 /** A blank table to build an arm from: no joints yet. */
-export const blank = (convention) => ({ name: 'my-arm', convention, joints: [], base: identity(), tool: identity(), postures: {} });
+export const blank = (convention) => ({
+  name: 'my-arm',
+  convention,
+  joints: [],
+  base: identity(),
+  tool: identity(),
+  postures: {},
+});

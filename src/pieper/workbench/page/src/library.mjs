@@ -3,7 +3,9 @@ import { state, on, tell } from './store.mjs';
 import { ask, Offline } from './link.mjs';
 import { debounce } from './dom.mjs';
 
-let version = 0, told = -1, waiters = [];
+let version = 0,
+  told = -1,
+  waiters = [];
 
 /** The table as the library takes it: without what only the page uses. */
 export function bare(table) {
@@ -33,13 +35,28 @@ async function tellArm() {
 function settle(error) {
   const list = waiters;
   waiters = [];
-  for (const { resolve, reject } of list) if (error) reject(error); else resolve();
+  for (const { resolve, reject } of list)
+    if (error) reject(error);
+    else resolve();
 }
 const soon = debounce(tellArm, 60);
 
 export function begin() {
-  on('table', (what) => { version += 1; if (what === 'postures') told = -1; if (what === 'cell') soon(); else { soon.cancel(); tellArm(); } });
-  on('online', (yes) => { if (yes) { version += 1; tellArm(); } });
+  on('table', (what) => {
+    version += 1;
+    if (what === 'postures') told = -1;
+    if (what === 'cell') soon();
+    else {
+      soon.cancel();
+      tellArm();
+    }
+  });
+  on('online', (yes) => {
+    if (yes) {
+      version += 1;
+      tellArm();
+    }
+  });
 }
 
 /** Resolves when the library holds the table that the page shows. */
@@ -55,7 +72,8 @@ export async function askArm(op, body, progress) {
 /** How the arm is solved, for a line at the top: what the plan says after "Solved by:", else its first sentence. */
 export function sentence(plan) {
   if (!plan) return '';
-  const lines = plan.explain.split('\n').map((l) => l.trim()), by = lines.find((l) => l.startsWith('Solved by:'));
+  const lines = plan.explain.split('\n').map((l) => l.trim()),
+    by = lines.find((l) => l.startsWith('Solved by:'));
   const text = (by ?? lines.filter(Boolean)[0] ?? '').replace(/\s+/g, ' ');
   return by || text.length < 200 ? text : `${text.slice(0, 200)} …`;
 }

@@ -1,23 +1,38 @@
 // The line to the Python session: numbered messages, answers as promises, a new connection when the old one breaks.
 import { state, tell } from './store.mjs';
 
-let socket = null, seq = 0, wait = 250;
+let socket = null,
+  seq = 0,
+  wait = 250;
 const waiting = new Map();
 
 export class Offline extends Error {}
 
 function connect() {
   socket = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/session`);
-  socket.onopen = () => { seq = 0; wait = 250; state.online = true; tell('online', true); };
+  socket.onopen = () => {
+    seq = 0;
+    wait = 250;
+    state.online = true;
+    tell('online', true);
+  };
   socket.onmessage = ({ data }) => {
-    const m = JSON.parse(data), entry = waiting.get(m.seq);
+    const m = JSON.parse(data),
+      entry = waiting.get(m.seq);
     if (!entry) return;
-    if (m.ok && m.progress) { entry.progress?.(m); return; }
+    if (m.ok && m.progress) {
+      entry.progress?.(m);
+      return;
+    }
     waiting.delete(m.seq);
-    if (m.ok) entry.resolve(m); else entry.reject(new Error(m.error));
+    if (m.ok) entry.resolve(m);
+    else entry.reject(new Error(m.error));
   };
   socket.onclose = ({ reason }) => {
-    if (state.online) { state.online = false; tell('online', false); }
+    if (state.online) {
+      state.online = false;
+      tell('online', false);
+    }
     for (const { reject } of waiting.values()) reject(new Offline(reason || 'the server is away'));
     waiting.clear();
     setTimeout(connect, wait);
@@ -38,13 +53,23 @@ export function ask(op, body = {}, progress) {
 
 /** Ask for the newest thing only: one question under way, the latest waiting, everything between dropped. */
 export function newestOnly(run) {
-  let busy = false, next = null;
+  let busy = false,
+    next = null;
   return async function go(...args) {
-    if (busy) { next = args; return; }
+    if (busy) {
+      next = args;
+      return;
+    }
     busy = true;
-    try { await run(...args); } finally {
+    try {
+      await run(...args);
+    } finally {
       busy = false;
-      if (next) { const a = next; next = null; go(...a); }
+      if (next) {
+        const a = next;
+        next = null;
+        go(...a);
+      }
     }
   };
 }

@@ -40,12 +40,21 @@ keys();
 let showPanel;
 showPanel = rail($('#rail'), $('#panels'), $('#pinned'), [
   { id: 'move', title: 'Move', sections: [joints, pose] },
-  inverse, dhTable, matrices, equations, path, sequence, analysis, share(() => showPanel),
+  inverse,
+  dhTable,
+  matrices,
+  equations,
+  path,
+  sequence,
+  analysis,
+  share(() => showPanel),
 ]);
 sharing.begin();
 
 /** An arm of the address goes before the one that the server would open with. */
-const fromAddress = sharing.fromAddress().then((s) => s && sharing.restore(s, showPanel))
+const fromAddress = sharing
+  .fromAddress()
+  .then((s) => s && sharing.restore(s, showPanel))
   .catch((error) => say(`The link could not be read: ${error.message}`, 'wrong'));
 
 on('online', async (yes) => {

@@ -11,8 +11,18 @@ import { plain, units } from './units.mjs';
  */
 export function numberField({ label, kind = 'plain', input, commit, empty, testid, title, check }) {
   const kindOf = typeof kind === 'function' ? kind : () => kind;
-  const el = h('input', { type: 'text', class: 'number', inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false', 'aria-label': label, 'data-testid': testid, title });
-  let last = null, lastText = null;
+  const el = h('input', {
+    type: 'text',
+    class: 'number',
+    inputmode: 'decimal',
+    autocomplete: 'off',
+    spellcheck: 'false',
+    'aria-label': label,
+    'data-testid': testid,
+    title,
+  });
+  let last = null,
+    lastText = null;
   const parse = () => {
     if (el.value.trim() === '' && empty !== undefined) return { value: empty, symbolic: false };
     const got = read(el.value, kindOf());
@@ -22,7 +32,13 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
   };
   const mark = (reason) => {
     el.classList.toggle('wrong', Boolean(reason));
-    if (reason) { el.setAttribute('aria-invalid', 'true'); el.title = reason; } else { el.removeAttribute('aria-invalid'); el.title = title ?? ''; }
+    if (reason) {
+      el.setAttribute('aria-invalid', 'true');
+      el.title = reason;
+    } else {
+      el.removeAttribute('aria-invalid');
+      el.title = title ?? '';
+    }
     el.dispatchEvent(new CustomEvent('verdict', { bubbles: true, detail: reason ? { label, reason } : null }));
   };
   const hear = (f) => {
@@ -31,10 +47,15 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
       mark(null);
       f?.(got.value, { symbolic: got.symbolic, text: el.value.trim() });
       return true;
-    } catch (error) { mark(error.message); return false; }
+    } catch (error) {
+      mark(error.message);
+      return false;
+    }
   };
   el.addEventListener('input', () => hear(input));
-  el.addEventListener('change', () => { if (hear(commit ?? input)) el.blurred?.(); });
+  el.addEventListener('change', () => {
+    if (hear(commit ?? input)) el.blurred?.();
+  });
   el.addEventListener('focus', () => el.select());
   el.addEventListener('keydown', (e) => {
     const way = { ArrowUp: 1, ArrowDown: -1 }[e.key];
@@ -45,16 +66,24 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
       const got = parse();
       el.value = plain((got.value ?? 0) + way * units.step(kindOf()) * (e.shiftKey ? 0.1 : 1), kindOf());
       hear(commit ?? input);
-    } catch { /* the mark says it already */ }
+    } catch {
+      /* the mark says it already */
+    }
   });
   /** Show a value unless the person is typing here. */
   el.put = (value, text = null) => {
     if (document.activeElement === el && !el.readOnly) return;
     if (value === last && text === lastText && !el.classList.contains('wrong')) return;
-    last = value; lastText = text;
+    last = value;
+    lastText = text;
     el.value = text ?? (value === null || value === undefined ? '' : plain(value, kindOf()));
     if (el.classList.contains('wrong')) mark(null);
   };
-  el.refresh = () => { const v = last, t = lastText; last = NaN; el.put(v, t); };
+  el.refresh = () => {
+    const v = last,
+      t = lastText;
+    last = NaN;
+    el.put(v, t);
+  };
   return el;
 }

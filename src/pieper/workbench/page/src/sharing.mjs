@@ -7,30 +7,93 @@ import { setTheme } from './theme.mjs';
 import { debounce } from './dom.mjs';
 import { cameraState, setCamera } from './scene/view.mjs';
 
-const VERSION = 1, MOST_JOINTS = 30;
+const VERSION = 1,
+  MOST_JOINTS = 30;
 
 export function snapshot() {
   const { table, q, target, hasTarget, notation, shownFrames, path, sequence, panel, theme } = state;
-  return { pieper: VERSION, table, q, target: hasTarget ? target : null, notation, frames: shownFrames, path, sequence, panel, theme, units: [units.angle, units.length], camera: cameraState() };
+  return {
+    pieper: VERSION,
+    table,
+    q,
+    target: hasTarget ? target : null,
+    notation,
+    frames: shownFrames,
+    path,
+    sequence,
+    panel,
+    theme,
+    units: [units.angle, units.length],
+    camera: cameraState(),
+  };
 }
 
 // ---- reading: every value is checked, what is wrong is left out or refused as a whole
 const isNumber = (v) => typeof v === 'number' && Number.isFinite(v) && Math.abs(v) < 1e7;
 const numbers = (v, n) => Array.isArray(v) && v.length === n && v.every(isNumber);
 const text = (v, most) => (typeof v === 'string' ? v.slice(0, most) : '');
-const pose = (v) => (numbers(v, 16) && rotationDefect(v) < 1e-3 ? nearestRotation(v) : null);
+/** A pose to the last bit, or the nearest one to a rounded one, or null. */
+const pose = (v) => {
+  if (!numbers(v, 16)) return null;
+  const defect = rotationDefect(v);
+  return defect < 1e-12 ? v.slice() : defect < 1e-3 ? nearestRotation(v) : null;
+};
+const actuator = (a) =>
+  a && [a.lower, a.upper, a.value].every(isNumber) && a.lower <= a.upper
+    ? { name: text(a.name, 40), lower: a.lower, upper: a.upper, value: a.value, unit: text(a.unit, 10) }
+    : null;
 
 function tableFrom(t) {
-  if (!t || !Array.isArray(t.joints) || t.joints.length > MOST_JOINTS || !['standard', 'modified'].includes(t.convention)) return null;
+  if (
+    !t ||
+    !Array.isArray(t.joints) ||
+    t.joints.length > MOST_JOINTS ||
+    !['standard', 'modified'].includes(t.convention)
+  )
+    return null;
   const joints = t.joints.map((j, i) => {
-    if (!j || !['a', 'alpha', 'd', 'theta', 'offset'].every((k) => isNumber(j[k])) || !['R', 'P'].includes(j.type) || ![1, -1].includes(j.sign)) return null;
-    const typed = Object.fromEntries(Object.entries(j.text ?? {}).filter(([, v]) => typeof v === 'string' && v.length < 80));
-    return { name: text(j.name, 40) || `joint_${i + 1}`, type: j.type, a: j.a, alpha: j.alpha, d: j.d, theta: j.theta, lower: isNumber(j.lower) ? j.lower : null, upper: isNumber(j.upper) ? j.upper : null, sign: j.sign, offset: j.offset, text: typed };
+    if (
+      !j ||
+      !['a', 'alpha', 'd', 'theta', 'offset'].every((k) => isNumber(j[k])) ||
+      !['R', 'P'].includes(j.type) ||
+      ![1, -1].includes(j.sign)
+    )
+      return null;
+    const typed = Object.fromEntries(
+      Object.entries(j.text ?? {}).filter(([, v]) => typeof v === 'string' && v.length < 80),
+    );
+    return {
+      name: text(j.name, 40) || `joint_${i + 1}`,
+      type: j.type,
+      a: j.a,
+      alpha: j.alpha,
+      d: j.d,
+      theta: j.theta,
+      lower: isNumber(j.lower) ? j.lower : null,
+      upper: isNumber(j.upper) ? j.upper : null,
+      sign: j.sign,
+      offset: j.offset,
+      text: typed,
+    };
   });
   if (joints.includes(null)) return null;
-  const postures = Object.fromEntries(Object.entries(t.postures ?? {}).filter(([, v]) => numbers(v, joints.length)).slice(0, 40));
-  return { name: text(t.name, 60), convention: t.convention, joints, base: pose(t.base) ?? identity(), tool: pose(t.tool) ?? identity(), postures,
-    manufacturer: text(t.manufacturer, 200), source: text(t.source, 2000), notes: text(t.notes, 3000) };
+  const postures = Object.fromEntries(
+    Object.entries(t.postures ?? {})
+      .filter(([, v]) => numbers(v, joints.length))
+      .slice(0, 40),
+  );
+  return {
+    name: text(t.name, 60),
+    convention: t.convention,
+    joints,
+    base: pose(t.base) ?? identity(),
+    tool: pose(t.tool) ?? identity(),
+    postures,
+    manufacturer: text(t.manufacturer, 200),
+    source: text(t.source, 2000),
+    notes: text(t.notes, 3000),
+    actuator: actuator(t.actuator),
+  };
 }
 
 /** Take a state; throws with the reason when it is not one of ours. */
@@ -38,14 +101,26 @@ export function restore(s, showPanel) {
   const table = s && s.pieper === VERSION ? tableFrom(s.table) : null;
   if (!table) throw new Error('This is not a state of the workbench.');
   const n = table.joints.length;
-  if (Array.isArray(s.units)) { units.set('angle', s.units[0]); units.set('length', s.units[1]); }
+  if (Array.isArray(s.units)) {
+    units.set('angle', s.units[0]);
+    units.set('length', s.units[1]);
+  }
   if (Object.hasOwn(notations, s.notation)) state.notation = s.notation;
   if (['auto', 'light', 'dark'].includes(s.theme)) setTheme(s.theme);
-  state.shownFrames = Array.isArray(s.frames) ? s.frames.filter((i) => Number.isInteger(i) && i >= 0 && i < n + 2) : null;
+  state.shownFrames = Array.isArray(s.frames)
+    ? s.frames.filter((i) => Number.isInteger(i) && i >= 0 && i < n + 2)
+    : null;
   const p = s.path ?? {};
   setTable(table, { q: numbers(s.q, n) ? s.q : null, step: false, what: 'new' });
-  Object.assign(state.path, { from: pose(p.from), to: pose(p.to), n: Number.isInteger(p.n) && p.n >= 2 && p.n <= 2000 ? p.n : 50, seconds: isNumber(p.seconds) && p.seconds > 0 ? p.seconds : 5 });
-  state.sequence.postures = (Array.isArray(s.sequence?.postures) ? s.sequence.postures : []).filter((x) => x && numbers(x.q, n) && isNumber(x.seconds) && isNumber(x.hold)).slice(0, 40)
+  Object.assign(state.path, {
+    from: pose(p.from),
+    to: pose(p.to),
+    n: Number.isInteger(p.n) && p.n >= 2 && p.n <= 2000 ? p.n : 50,
+    seconds: isNumber(p.seconds) && p.seconds > 0 ? p.seconds : 5,
+  });
+  state.sequence.postures = (Array.isArray(s.sequence?.postures) ? s.sequence.postures : [])
+    .filter((x) => x && numbers(x.q, n) && isNumber(x.seconds) && isNumber(x.hold))
+    .slice(0, 40)
     .map((x) => ({ name: text(x.name, 20) || 'P', q: x.q.slice(), seconds: x.seconds, hold: x.hold }));
   const target = pose(s.target);
   state.hasTarget = Boolean(target);
@@ -60,11 +135,16 @@ export function restore(s, showPanel) {
 
 // ---- the address
 async function squeeze(bytes, Stream) {
-  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new Stream('deflate-raw'))).arrayBuffer());
+  return new Uint8Array(
+    await new Response(new Blob([bytes]).stream().pipeThrough(new Stream('deflate-raw'))).arrayBuffer(),
+  );
 }
 export async function link() {
-  const packed = await squeeze(new TextEncoder().encode(JSON.stringify(snapshot(), (k, v) => (typeof v === 'number' ? Number(v.toPrecision(12)) : v))), CompressionStream);
-  const base64 = btoa(String.fromCharCode(...packed)).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+  const packed = await squeeze(new TextEncoder().encode(JSON.stringify(snapshot())), CompressionStream);
+  const base64 = btoa(String.fromCharCode(...packed))
+    .replaceAll('+', '-')
+    .replaceAll('/', '_')
+    .replace(/=+$/, '');
   return `${location.origin}${location.pathname}#s=${base64}`;
 }
 export async function fromAddress() {
@@ -81,7 +161,12 @@ let last = null;
 const keep = debounce(async () => {
   if (!state.table.joints.length) return;
   const url = await link();
-  if (url !== last) { last = url; history.replaceState(null, '', url); }
+  if (url !== last) {
+    last = url;
+    history.replaceState(null, '', url);
+  }
 }, 600);
 /** Keep the address in step with the page, so that reloading or bookmarking loses nothing. */
-export function begin() { on(['table', 'q', 'target', 'units', 'notation', 'panel', 'path', 'sequence', 'theme', 'frames'], keep); }
+export function begin() {
+  on(['table', 'q', 'target', 'units', 'notation', 'panel', 'path', 'sequence', 'theme', 'frames'], keep);
+}

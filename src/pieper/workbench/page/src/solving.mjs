@@ -9,11 +9,13 @@ export const options = { follow: true, ghosts: 'all', task: null, redundancy: nu
 export const counts = { answers: 0 };
 
 export const solve = newestOnly(async () => {
-  const T = state.target, table = state.table;
+  const T = state.target,
+    table = state.table;
   try {
     const brief = isDragging();
     const answer = await askArm('ik', { T, q: state.q, brief, task: options.task, redundancy: options.redundancy });
-    if (table !== state.table) return;
+    // an answer to an older question is worth showing only while the hand is still moving
+    if (table !== state.table || (T !== state.target && !brief)) return;
     counts.answers += 1;
     state.solutions = { ...answer, T };
     if (options.follow && answer.nearest) setJoints(answer.nearest, 'follow');
@@ -31,21 +33,44 @@ export const solve = newestOnly(async () => {
 const findNearest = newestOnly(async (T) => {
   try {
     const near = await askArm('nearest', { T });
-    if (state.solutions && state.solutions.T === T) { state.solutions.near = near; tell('solutions'); }
-  } catch { /* the reason in words stands already */ }
+    if (state.solutions && state.solutions.T === T) {
+      state.solutions.near = near;
+      tell('solutions');
+    }
+  } catch {
+    /* the reason in words stands already */
+  }
 });
 
-const close = (a, b) => a.every((v, i) => Math.abs(Math.atan2(Math.sin(v - b[i]), Math.cos(v - b[i]))) < 1e-6 || Math.abs(v - b[i]) < 1e-9);
+const close = (a, b) =>
+  a.every((v, i) => Math.abs(Math.atan2(Math.sin(v - b[i]), Math.cos(v - b[i]))) < 1e-6 || Math.abs(v - b[i]) < 1e-9);
 export function drawGhosts() {
   const rows = state.solutions?.rows ?? [];
-  const wanted = state.panel === 'inverse' && options.ghosts !== 'none' ? rows.filter((r) => (options.ghosts === 'all' || r.inside) && !close(r.q, state.q)) : [];
+  const wanted =
+    state.panel === 'inverse' && options.ghosts !== 'none'
+      ? rows.filter((r) => (options.ghosts === 'all' || r.inside) && !close(r.q, state.q))
+      : [];
   showGhosts(wanted.map((r) => r.q));
 }
 
 export function begin() {
-  on('target', () => { if (state.panel === 'inverse') solve(); });
-  on('panel', (id) => { showPreview(null); if (id === 'inverse' && state.hasTarget && !state.solutions) solve(); drawGhosts(); });
-  on('moving', (yes) => { if (!yes) drawGhosts(); });
-  on('table', () => { options.redundancy = null; tell('solutions'); if (state.panel === 'inverse' && state.hasTarget) solve(); });
-  on('online', (yes) => { if (yes && state.panel === 'inverse' && state.hasTarget && state.table.joints.length) solve(); });
+  on('target', () => {
+    if (state.panel === 'inverse') solve();
+  });
+  on('panel', (id) => {
+    showPreview(null);
+    if (id === 'inverse' && state.hasTarget && !state.solutions) solve();
+    drawGhosts();
+  });
+  on('moving', (yes) => {
+    if (!yes) drawGhosts();
+  });
+  on('table', (what) => {
+    options.redundancy = null;
+    tell('solutions');
+    if (what !== 'new' && state.panel === 'inverse' && state.hasTarget) solve();
+  });
+  on('online', (yes) => {
+    if (yes && state.panel === 'inverse' && state.hasTarget && state.table.joints.length) solve();
+  });
 }

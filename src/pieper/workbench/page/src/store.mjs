@@ -3,18 +3,22 @@ import { frames as forward, singularValues, reach } from './kinematics.mjs';
 import { identity } from './matrix.mjs';
 
 const listeners = new Map();
-export function on(topics, f) { for (const t of [topics].flat()) (listeners.get(t) ?? listeners.set(t, []).get(t)).push(f); }
-export function tell(topic, detail) { for (const f of listeners.get(topic) ?? []) f(detail); }
+export function on(topics, f) {
+  for (const t of [topics].flat()) (listeners.get(t) ?? listeners.set(t, []).get(t)).push(f);
+}
+export function tell(topic, detail) {
+  for (const f of listeners.get(topic) ?? []) f(detail);
+}
 
 export const state = {
   table: { name: '', convention: 'standard', joints: [], base: identity(), tool: identity(), postures: {} },
   q: [],
   frames: [identity(), identity()],
-  plan: null,                 // what kind of arm this is, from the library
+  plan: null, // what kind of arm this is, from the library
   target: identity(),
-  solutions: null,            // the library's answer for the target
+  solutions: null, // the library's answer for the target
   notation: 'rpy',
-  shownFrames: null,            // indices into frames
+  shownFrames: null, // indices into frames
   path: { from: null, to: null, n: 50, seconds: 5 },
   track: null,
   sequence: { postures: [], rate: 50 },
@@ -36,8 +40,15 @@ export function setJoint(i, value, why = 'hand') {
 }
 
 const clampInto = (j) => {
-  const lo = j.lower ?? -Infinity, hi = j.upper ?? Infinity;
-  return lo <= 0 && hi >= 0 ? 0 : Number.isFinite(lo) && Number.isFinite(hi) ? (lo + hi) / 2 : Number.isFinite(lo) ? lo : hi;
+  const lo = j.lower ?? -Infinity,
+    hi = j.upper ?? Infinity;
+  return lo <= 0 && hi >= 0
+    ? 0
+    : Number.isFinite(lo) && Number.isFinite(hi)
+      ? (lo + hi) / 2
+      : Number.isFinite(lo)
+        ? lo
+        : hi;
 };
 
 /**
@@ -46,22 +57,37 @@ const clampInto = (j) => {
  */
 export function presentable(table) {
   const named = Object.entries(table.postures ?? {});
-  const pick = ['ready', 'home', 'work', 'elbow'].map((w) => named.find(([k]) => k.toLowerCase().includes(w))).find(Boolean);
+  const pick = ['ready', 'home', 'work', 'elbow']
+    .map((w) => named.find(([k]) => k.toLowerCase().includes(w)))
+    .find(Boolean);
   const start = pick ? pick[1].slice() : table.joints.map(clampInto);
   const least = (q) => singularValues(table, q)[0] ?? 1;
-  if (!start.length || least(start) > 0.05) return start;
-  let best = start, score = least(start), seed = 7;
-  const chance = () => { seed = (seed * 16807) % 2147483647; return seed / 2147483647 - 0.5; };
+  const lowest = (q) => Math.min(...forward(table, q).map((T) => T[11])) / reach(table);
+  if (!start.length || (least(start) > 0.05 && lowest(start) > -0.02)) return start;
+  const worth = (q) => Math.min(least(q), 0.15) + Math.min(lowest(q), 0);
+  let best = start,
+    score = worth(start),
+    seed = 7;
+  const chance = () => {
+    seed = (seed * 16807) % 2147483647;
+    return seed / 2147483647 - 0.5;
+  };
   for (let k = 0; k < 160; k++) {
     const q = start.map((v, i) => {
-      const j = table.joints[i], by = chance() * (j.type === 'R' ? 1.3 : 0.5 * reach(table));
+      const j = table.joints[i],
+        by = chance() * (j.type === 'R' ? 1.3 : 0.5 * reach(table));
       return Math.min(Math.max(v + by, j.lower ?? -Infinity), j.upper ?? Infinity);
     });
-    const away = Math.hypot(...q.map((v, i) => v - start[i])), F = forward(table, q), low = Math.min(...F.map((T) => T[11]));
-    const s = least(q) - 0.03 * away + Math.min(low, 0) / reach(table);
-    if (s > score) { score = s; best = q; }
+    const s = worth(q) - 0.03 * Math.hypot(...q.map((v, i) => v - start[i]));
+    if (s > score) {
+      score = s;
+      best = q;
+    }
   }
-  return best.map((v, i) => { const step = table.joints[i].type === 'R' ? Math.PI / 180 : 0.005; return Math.round(v / step) * step; });
+  return best.map((v, i) => {
+    const step = table.joints[i].type === 'R' ? Math.PI / 180 : 0.005;
+    return Math.round(v / step) * step;
+  });
 }
 
 /**
@@ -80,7 +106,8 @@ export function setTable(table, { step = true, q = null, what = 'edit' } = {}) {
 }
 
 // ---- undo and redo: whole tables, which are small
-const past = [], future = [];
+const past = [],
+  future = [];
 const DEPTH = 200;
 const snapshot = () => ({ table: structuredClone(state.table), q: state.q.slice() });
 function remember() {
@@ -100,6 +127,13 @@ export const undo = () => step(past, future);
 export const redo = () => step(future, past);
 export const canUndo = () => past.length > 0;
 export const canRedo = () => future.length > 0;
-export function forgetHistory() { past.length = 0; future.length = 0; tell('history'); }
+export function forgetHistory() {
+  past.length = 0;
+  future.length = 0;
+  tell('history');
+}
 
-export function setTarget(T, why = 'typed') { state.target = T; tell('target', why); }
+export function setTarget(T, why = 'typed') {
+  state.target = T;
+  tell('target', why);
+}

@@ -2,7 +2,20 @@
 import { state, tell } from './store.mjs';
 
 export const colours = {};
-const names = ['ground', 'gridFine', 'gridCoarse', 'link', 'joint', 'accent', 'ghost', 'ink', 'muted', 'line', 'trace', 'panel'];
+const names = [
+  'ground',
+  'gridFine',
+  'gridCoarse',
+  'link',
+  'joint',
+  'accent',
+  'ghost',
+  'ink',
+  'muted',
+  'line',
+  'trace',
+  'panel',
+];
 /** Eight curve colours that stay apart for colour-blind eyes (after Okabe and Ito, 2008), one set for each theme. */
 const curves = {
   light: ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#8a6d00', '#56b4e9', '#4b4b4b', '#7a3e9d'],
@@ -14,7 +27,8 @@ export function readTheme() {
   const dark = state.theme === 'dark' || (state.theme === 'auto' && system.matches);
   document.documentElement.dataset.theme = dark ? 'dark' : 'light';
   const css = getComputedStyle(document.documentElement);
-  for (const n of names) colours[n] = css.getPropertyValue(`--${n.replace(/[A-Z]/g, (c) => `-${c.toLowerCase()}`)}`).trim();
+  for (const n of names)
+    colours[n] = css.getPropertyValue(`--${n.replace(/[A-Z]/g, (c) => `-${c.toLowerCase()}`)}`).trim();
   colours.dark = dark;
   colours.curves = curves[dark ? 'dark' : 'light'];
 }
@@ -23,4 +37,9 @@ export function setTheme(theme) {
   readTheme();
   tell('theme');
 }
-system.addEventListener('change', () => { if (state.theme === 'auto') { readTheme(); tell('theme'); } });
+system.addEventListener('change', () => {
+  if (state.theme === 'auto') {
+    readTheme();
+    tell('theme');
+  }
+});

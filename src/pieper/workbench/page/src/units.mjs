@@ -7,16 +7,23 @@ const digits = { deg: 2, rad: 4, mm: 2, m: 5 };
 const step = { deg: 1, rad: 0.02, mm: 5, m: 0.005 };
 
 export const units = {
-  get angle() { return choice.angle; },
-  get length() { return choice.length; },
-  set(kind, name) { if (name in perSI && kind in choice) choice[kind] = name; },
+  get angle() {
+    return choice.angle;
+  },
+  get length() {
+    return choice.length;
+  },
+  set(kind, name) {
+    if (name in perSI && kind in choice) choice[kind] = name;
+  },
   /** Shown value = SI value times this. */
   factor: (kind) => (kind in choice ? perSI[choice[kind]] : 1),
   symbol: (kind) => (kind in choice ? symbol[choice[kind]] : ''),
   digits: (kind) => (kind in choice ? digits[choice[kind]] : 4),
   /** One keyboard step, SI. */
   step: (kind) => (kind in choice ? step[choice[kind]] / perSI[choice[kind]] : 0.01),
-  suffix: (kind) => (kind === 'angle' ? { deg: DEG, '°': DEG, rad: 1 } : kind === 'length' ? { mm: 1000, m: 1, cm: 100 } : {}),
+  suffix: (kind) =>
+    kind === 'angle' ? { deg: DEG, '°': DEG, rad: 1 } : kind === 'length' ? { mm: 1000, m: 1, cm: 100 } : {},
 };
 
 /** A number with fixed digits and a true minus sign; -0 reads 0. */
@@ -28,7 +35,8 @@ export function fixed(value, n) {
 /** SI value to shown text without its unit. */
 export const show = (value, kind, n = units.digits(kind)) => fixed(value * units.factor(kind), n);
 /** SI value to shown text with its unit. */
-export const showUnit = (value, kind, n) => `${show(value, kind, n)}${kind === 'angle' && choice.angle === 'deg' ? '' : ' '}${units.symbol(kind)}`;
+export const showUnit = (value, kind, n) =>
+  `${show(value, kind, n)}${kind === 'angle' && choice.angle === 'deg' ? '' : ' '}${units.symbol(kind)}`;
 /** For an input field: shortest text that keeps nine digits, with an ASCII minus. */
 export const plain = (value, kind = 'plain') => String(Number((value * units.factor(kind)).toPrecision(9)) + 0);
 /** Short scientific text such as 3e-16 for residuals. */

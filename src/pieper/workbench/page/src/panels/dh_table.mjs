@@ -1,68 +1,153 @@
 // The DH table, editable in place: numbers or expressions, joints added, removed, reordered; a wrong entry leaves the last good arm.
-import { h, replace, setText, choice, download, say } from '../dom.mjs';
-import { state, on, setTable, presentable, canUndo, canRedo, undo, redo } from '../store.mjs';
+import { h, replace, setText, choice } from '../dom.mjs';
+import { state, on, setTable, canUndo, canRedo, undo, redo } from '../store.mjs';
 import { units } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
 import { convert } from '../convert.mjs';
 import { blank } from '../kinematics.mjs';
-import { ask } from '../link.mjs';
-import { askArm, countWords } from '../library.mjs';
+import { countWords } from '../library.mjs';
+import { add, change, limitReason, restructure, settled, swap } from './dh_edits.mjs';
+import { openRobot, saveRobot } from './robot_files.mjs';
 import { poseEditor } from './pose_editor.mjs';
 
-const MOST = 30;
 const columns = {
-  geometry: [['a', 'a', 'length'], ['alpha', 'α', 'angle'], ['d', 'd', 'length'], ['theta', 'θ', 'angle']],
-  joint: [['lower', 'lower limit', null], ['upper', 'upper limit', null], ['offset', 'zero', null]],
+  geometry: [
+    ['a', 'a', 'length'],
+    ['alpha', 'α', 'angle'],
+    ['d', 'd', 'length'],
+    ['theta', 'θ', 'angle'],
+  ],
+  joint: [
+    ['lower', 'lower limit', null],
+    ['upper', 'upper limit', null],
+    ['offset', 'zero', null],
+  ],
 };
 const motion = (joint) => (joint.type === 'R' ? 'angle' : 'length');
-const newJoint = (i) => ({ name: `joint_${i + 1}`, type: 'R', a: 0, alpha: 0, d: 0, theta: 0, lower: null, upper: null, sign: 1, offset: 0 });
-
-let editing = null;     // the cell whose first keystroke made a step of undo
-function change(i, key, value, { symbolic, text }, done) {
-  const cell = `${i}/${key}`, step = editing !== cell;
-  editing = done ? null : cell;
-  const joints = state.table.joints.map((j, k) => (k !== i ? j : { ...j, [key]: value, text: { ...j.text, [key]: symbolic ? text : undefined } }));
-  const same = Object.is(state.table.joints[i][key], value) && state.table.joints[i].text?.[key] === joints[i].text[key];
-  if (!same) setTable({ ...state.table, joints }, { step, what: 'cell' });
-}
-/** Joints come, go or change places; what is said joint by joint (the posture, the named postures) goes with them. */
-function restructure(joints, along) {
-  editing = null;
-  const postures = Object.fromEntries(Object.entries(state.table.postures ?? {}).map(([name, q]) => [name, along(q)]));
-  setTable({ ...state.table, joints, postures }, { q: along(state.q), what: 'rows' });
-}
-
 export const dhTable = {
-  id: 'table', title: 'DH table', wide: true,
+  id: 'table',
+  title: 'DH table',
+  wide: true,
   build(root) {
-    let part = 'geometry', cells = [];
-    const head = h('thead'), body = h('tbody');
+    let part = 'geometry',
+      cells = [];
+    const head = h('thead'),
+      body = h('tbody');
     const table = h('table', { class: 'dh', 'data-testid': 'dh-table', 'aria-label': 'DH table' }, head, body);
     const wrong = h('p', { class: 'reason', role: 'alert', 'data-testid': 'dh-wrong' });
     const kind = h('p', { class: 'verdict', 'data-testid': 'arm-kind' });
-    const conventions = choice('Convention', [['standard', 'Standard'], ['modified', 'Modified (Craig)']], state.table.convention, (to) => {
-      if (to !== state.table.convention) setTable(convert(state.table, to), { what: 'rows' });
-    }, 'convention');
+    const conventions = choice(
+      'Convention',
+      [
+        ['standard', 'Standard'],
+        ['modified', 'Modified (Craig)'],
+      ],
+      state.table.convention,
+      (to) => {
+        if (to !== state.table.convention) setTable(convert(state.table, to), { what: 'rows' });
+      },
+      'convention',
+    );
     const rule = h('p', { class: 'hint order' });
-    const name = h('input', { type: 'text', 'aria-label': 'Name of the arm', 'data-testid': 'arm-name', maxlength: '60', on: { change: () => setTable({ ...state.table, name: name.value || 'my-arm' }, { what: 'name' }) } });
+    const name = h('input', {
+      type: 'text',
+      'aria-label': 'Name of the arm',
+      'data-testid': 'arm-name',
+      maxlength: '60',
+      on: { change: () => setTable({ ...state.table, name: name.value || 'my-arm' }, { what: 'name' }) },
+    });
     const undoButton = h('button', { type: 'button', text: 'Undo', title: 'Ctrl+Z', on: { click: undo } });
     const redoButton = h('button', { type: 'button', text: 'Redo', title: 'Ctrl+Shift+Z', on: { click: redo } });
-    const file = h('input', { type: 'file', accept: '.toml,.urdf,.xml', class: 'offscreen', 'aria-label': 'Robot file', 'data-testid': 'robot-file', tabindex: '-1', on: { change: () => openFile(file) } });
-    const base = poseEditor('Base', 'base', () => state.table.base, (T, step) => setTable({ ...state.table, base: T }, { step, what: 'cell' }));
-    const tool = poseEditor('Tool', 'tool', () => state.table.tool, (T, step) => setTable({ ...state.table, tool: T }, { step, what: 'cell' }));
+    const file = h('input', {
+      type: 'file',
+      accept: '.toml,.urdf,.xml',
+      class: 'offscreen',
+      'aria-label': 'Robot file',
+      'data-testid': 'robot-file',
+      tabindex: '-1',
+      on: { change: () => openRobot(file) },
+    });
+    const base = poseEditor(
+      'Base',
+      'base',
+      () => state.table.base,
+      (T, step) => setTable({ ...state.table, base: T }, { step, what: 'cell' }),
+    );
+    const tool = poseEditor(
+      'Tool',
+      'tool',
+      () => state.table.tool,
+      (T, step) => setTable({ ...state.table, tool: T }, { step, what: 'cell' }),
+    );
     root.append(
-      h('div', { class: 'line spread' },
+      h(
+        'div',
+        { class: 'line spread' },
         h('span', { class: 'line' }, name, undoButton, redoButton),
-        h('span', { class: 'line' },
-          h('button', { type: 'button', text: 'Blank', title: 'An empty table', on: { click: () => setTable(blank(state.table.convention), { q: [], what: 'new' }) } }),
-          h('button', { type: 'button', text: 'Open…', title: 'A robot file (.toml) or a URDF', on: { click: () => file.click() } }), file,
-          h('button', { type: 'button', text: 'Save', title: 'As a robot file', on: { click: save } }))),
-      h('div', { class: 'line spread' }, conventions, choice('Columns', [['geometry', 'Geometry'], ['joint', 'Limits and zeros']], part, (v) => { part = v; rebuild(); }, 'dh-part')),
-      rule, table,
-      h('div', { class: 'line' }, h('button', { type: 'button', class: 'add', text: '+ Add joint', 'data-testid': 'add-joint', on: { click: add } }),
-        h('span', { class: 'hint', text: 'Numbers or expressions: pi/2, 90 deg, 0.5 m, 125+85. With pi, an angle is in radians.' })),
-      wrong, kind,
-      h('details', { class: 'fold', 'data-testid': 'base-tool' }, h('summary', { text: 'Base and tool' }), base.el, tool.el));
+        h(
+          'span',
+          { class: 'line' },
+          h('button', {
+            type: 'button',
+            text: 'Blank',
+            title: 'An empty table',
+            on: { click: () => setTable(blank(state.table.convention), { q: [], what: 'new' }) },
+          }),
+          h('button', {
+            type: 'button',
+            text: 'Open…',
+            title: 'A robot file (.toml) or a URDF',
+            on: { click: () => file.click() },
+          }),
+          file,
+          h('button', { type: 'button', text: 'Save', title: 'As a robot file', on: { click: saveRobot } }),
+        ),
+      ),
+      h(
+        'div',
+        { class: 'line spread' },
+        conventions,
+        choice(
+          'Columns',
+          [
+            ['geometry', 'Geometry'],
+            ['joint', 'Limits and zeros'],
+          ],
+          part,
+          (v) => {
+            part = v;
+            rebuild();
+          },
+          'dh-part',
+        ),
+      ),
+      rule,
+      table,
+      h(
+        'div',
+        { class: 'line' },
+        h('button', {
+          type: 'button',
+          class: 'add',
+          text: '+ Add joint',
+          'data-testid': 'add-joint',
+          on: { click: add },
+        }),
+        h('span', {
+          class: 'hint',
+          text: 'Numbers or expressions: pi/2, 90 deg, 0.5 m, 125+85. With pi, an angle is in radians.',
+        }),
+      ),
+      wrong,
+      kind,
+      h(
+        'details',
+        { class: 'fold', 'data-testid': 'base-tool' },
+        h('summary', { text: 'Base and tool' }),
+        base.el,
+        tool.el,
+      ),
+    );
     root.addEventListener('verdict', (e) => {
       const bad = e.detail ?? firstWrong(root);
       setText(wrong, bad ? `${bad.label}: ${bad.reason}. The arm stays as it was.` : '');
@@ -72,54 +157,205 @@ export const dhTable = {
       const variable = (joint.type === 'R' && key === 'theta') || (joint.type === 'P' && key === 'd');
       const isLimit = key === 'lower' || key === 'upper';
       const f = numberField({
-        label: `Joint ${i + 1}, ${label}`, kind: fixedKind ?? motion(joint), testid: `dh-${i + 1}-${key}`, empty: isLimit ? null : undefined,
-        check: (v) => (isLimit ? limitReason(i, key, v) : v !== null && Math.abs(v) > 1e6 ? 'larger than a million' : null),
-        input: (v, how) => change(i, key, v, how, false), commit: (v, how) => change(i, key, v, how, true),
+        label: `Joint ${i + 1}, ${label}`,
+        kind: fixedKind ?? motion(joint),
+        testid: `dh-${i + 1}-${key}`,
+        empty: isLimit ? null : undefined,
+        check: (v) =>
+          isLimit ? limitReason(i, key, v) : v !== null && Math.abs(v) > 1e6 ? 'larger than a million' : null,
+        input: (v, how) => change(i, key, v, how, false),
+        commit: (v, how) => change(i, key, v, how, true),
       });
       if (isLimit) f.placeholder = 'none';
       cells.push({ f, i, key });
-      return h('td', { class: variable ? 'variable' : '' }, variable ? h('span', { class: 'plus' }, h('i', { text: 'q' }), h('sub', { text: String(i + 1) }), ' +') : null, f);
+      return h(
+        'td',
+        { class: variable ? 'variable' : '' },
+        variable ? h('span', { class: 'plus' }, h('i', { text: 'q' }), h('sub', { text: String(i + 1) }), ' +') : null,
+        f,
+      );
     };
-    const typeButton = (joint, i) => h('button', { type: 'button', class: `type type-${joint.type}`, text: joint.type, 'data-testid': `dh-${i + 1}-type`,
-      'aria-label': `Joint ${i + 1} is ${joint.type === 'R' ? 'revolute' : 'prismatic'}; press to change`, title: joint.type === 'R' ? 'Revolute: turns. Press for prismatic.' : 'Prismatic: slides. Press for revolute.',
-      on: { click: () => restructure(state.table.joints.map((j, k) => (k === i ? { ...j, type: j.type === 'R' ? 'P' : 'R', lower: null, upper: null, offset: 0, text: { ...j.text, lower: undefined, upper: undefined, offset: undefined } } : j)), (q) => q.map((v, k) => (k === i ? 0 : v))) } });
-    const tools = (i, n) => h('td', { class: 'tools' },
-      h('button', { type: 'button', class: 'icon', text: '↑', 'aria-label': `Move joint ${i + 1} up`, disabled: i === 0, on: { click: () => swap(i, i - 1) } }),
-      h('button', { type: 'button', class: 'icon', text: '↓', 'aria-label': `Move joint ${i + 1} down`, disabled: i === n - 1, on: { click: () => swap(i, i + 1) } }),
-      h('button', { type: 'button', class: 'icon', text: '×', 'aria-label': `Remove joint ${i + 1}`, on: { click: () => restructure(state.table.joints.filter((_, k) => k !== i), (q) => q.filter((_, k) => k !== i)) } }));
+    const typeButton = (joint, i) =>
+      h('button', {
+        type: 'button',
+        class: `type type-${joint.type}`,
+        text: joint.type,
+        'data-testid': `dh-${i + 1}-type`,
+        'aria-label': `Joint ${i + 1} is ${joint.type === 'R' ? 'revolute' : 'prismatic'}; press to change`,
+        title: joint.type === 'R' ? 'Revolute: turns. Press for prismatic.' : 'Prismatic: slides. Press for revolute.',
+        on: {
+          click: () =>
+            restructure(
+              state.table.joints.map((j, k) =>
+                k === i
+                  ? {
+                      ...j,
+                      type: j.type === 'R' ? 'P' : 'R',
+                      lower: null,
+                      upper: null,
+                      offset: 0,
+                      text: { ...j.text, lower: undefined, upper: undefined, offset: undefined },
+                    }
+                  : j,
+              ),
+              (q) => q.map((v, k) => (k === i ? 0 : v)),
+            ),
+        },
+      });
+    const tools = (i, n) =>
+      h(
+        'td',
+        { class: 'tools' },
+        h('button', {
+          type: 'button',
+          class: 'icon',
+          text: '↑',
+          'aria-label': `Move joint ${i + 1} up`,
+          disabled: i === 0,
+          on: { click: () => swap(i, i - 1) },
+        }),
+        h('button', {
+          type: 'button',
+          class: 'icon',
+          text: '↓',
+          'aria-label': `Move joint ${i + 1} down`,
+          disabled: i === n - 1,
+          on: { click: () => swap(i, i + 1) },
+        }),
+        h('button', {
+          type: 'button',
+          class: 'icon',
+          text: '×',
+          'aria-label': `Remove joint ${i + 1}`,
+          on: {
+            click: () =>
+              restructure(
+                state.table.joints.filter((_, k) => k !== i),
+                (q) => q.filter((_, k) => k !== i),
+              ),
+          },
+        }),
+      );
     const rebuild = () => {
       cells = [];
-      const { joints } = state.table, shift = state.table.convention === 'modified';
-      const heads = part === 'geometry'
-        ? columns.geometry.map(([key, label, kind]) => h('th', { scope: 'col' }, h('i', { text: label }), h('sub', { text: shift && (key === 'a' || key === 'alpha') ? 'i−1' : 'i' }), h('span', { class: 'unit', text: ` ${units.symbol(kind)}` })))
-        : ['name', 'lower limit', 'upper limit', 'zero', 'sense'].map((t) => h('th', { scope: 'col', text: t }));
-      replace(head, h('tr', {}, h('th', { scope: 'col', text: 'i' }), h('th', { scope: 'col', 'aria-label': 'type' }), heads, h('th', { 'aria-label': 'row tools' })));
-      replace(body, joints.map((joint, i) => {
-        const own = part === 'geometry' ? columns.geometry.map((c) => cellFor(joint, i, c)) : [
-          h('td', {}, h('input', { type: 'text', class: 'name', value: joint.name, maxlength: '40', 'aria-label': `Joint ${i + 1}, name`, on: { change: (e) => change(i, 'name', e.target.value || `joint_${i + 1}`, {}, true) } })),
-          ...columns.joint.map((c) => cellFor(joint, i, c)),
-          h('td', {}, h('button', { type: 'button', class: 'type', text: joint.sign > 0 ? '+' : '−', 'aria-label': `Joint ${i + 1}, sense of the maker: ${joint.sign > 0 ? 'as the table' : 'against the table'}`, on: { click: () => restructure(state.table.joints.map((j, k) => (k === i ? { ...j, sign: -j.sign } : j)), state.q) } })),
-        ];
-        return h('tr', { 'data-testid': `dh-row-${i + 1}` }, h('th', { scope: 'row', text: String(i + 1) }), h('td', {}, typeButton(joint, i)), own, tools(i, joints.length));
-      }));
+      const { joints } = state.table,
+        shift = state.table.convention === 'modified';
+      const heads =
+        part === 'geometry'
+          ? columns.geometry.map(([key, label, kind]) =>
+              h(
+                'th',
+                { scope: 'col' },
+                h('i', { text: label }),
+                h('sub', { text: shift && (key === 'a' || key === 'alpha') ? 'i−1' : 'i' }),
+                h('span', { class: 'unit', text: ` ${units.symbol(kind)}` }),
+              ),
+            )
+          : ['name', 'lower limit', 'upper limit', 'zero', 'sense'].map((t) => h('th', { scope: 'col', text: t }));
+      replace(
+        head,
+        h(
+          'tr',
+          {},
+          h('th', { scope: 'col', text: 'i' }),
+          h('th', { scope: 'col', 'aria-label': 'type' }),
+          heads,
+          h('th', { 'aria-label': 'row tools' }),
+        ),
+      );
+      replace(
+        body,
+        joints.map((joint, i) => {
+          const own =
+            part === 'geometry'
+              ? columns.geometry.map((c) => cellFor(joint, i, c))
+              : [
+                  h(
+                    'td',
+                    {},
+                    h('input', {
+                      type: 'text',
+                      class: 'name',
+                      value: joint.name,
+                      maxlength: '40',
+                      'aria-label': `Joint ${i + 1}, name`,
+                      on: { change: (e) => change(i, 'name', e.target.value || `joint_${i + 1}`, {}, true) },
+                    }),
+                  ),
+                  ...columns.joint.map((c) => cellFor(joint, i, c)),
+                  h(
+                    'td',
+                    {},
+                    h('button', {
+                      type: 'button',
+                      class: 'type',
+                      text: joint.sign > 0 ? '+' : '−',
+                      'aria-label': `Joint ${i + 1}, sense of the maker: ${joint.sign > 0 ? 'as the table' : 'against the table'}`,
+                      on: {
+                        click: () =>
+                          restructure(
+                            state.table.joints.map((j, k) => (k === i ? { ...j, sign: -j.sign } : j)),
+                            state.q,
+                          ),
+                      },
+                    }),
+                  ),
+                ];
+          return h(
+            'tr',
+            { 'data-testid': `dh-row-${i + 1}` },
+            h('th', { scope: 'row', text: String(i + 1) }),
+            h('td', {}, typeButton(joint, i)),
+            own,
+            tools(i, joints.length),
+          );
+        }),
+      );
       if (!joints.length) body.append(h('tr', {}, h('td', { colspan: '7', class: 'hint', text: 'No joints yet.' })));
       refresh();
     };
     const refresh = () => {
-      for (const { f, i, key } of cells) { const j = state.table.joints[i]; f.put(j[key], j.text?.[key] ?? null); }
+      for (const { f, i, key } of cells) {
+        const j = state.table.joints[i];
+        f.put(j[key], j.text?.[key] ?? null);
+      }
       conventions.mark(state.table.convention);
-      setText(rule, state.table.convention === 'standard' ? 'Aᵢ = Rz(θ) Tz(d) Tx(a) Rx(α)' : 'Aᵢ = Rx(α) Tx(a) Rz(θ) Tz(d), each row with the a and α before its joint');
+      setText(
+        rule,
+        state.table.convention === 'standard'
+          ? 'Aᵢ = Rz(θ) Tz(d) Tx(a) Rx(α)'
+          : 'Aᵢ = Rx(α) Tx(a) Rz(θ) Tz(d), each row with the a and α before its joint',
+      );
       if (document.activeElement !== name) name.value = state.table.name;
-      base.show(); tool.show();
+      base.show();
+      tool.show();
     };
-    const showHistory = () => { undoButton.disabled = !canUndo(); redoButton.disabled = !canRedo(); };
-    on('table', (what) => { setText(wrong, ''); if (what === 'cell' || what === 'name' || what === 'postures') refresh(); else { editing = null; rebuild(); } });
+    const showHistory = () => {
+      undoButton.disabled = !canUndo();
+      redoButton.disabled = !canRedo();
+    };
+    on('table', (what) => {
+      setText(wrong, '');
+      if (what === 'cell' || what === 'name' || what === 'postures') refresh();
+      else {
+        settled();
+        rebuild();
+      }
+    });
     on('units', rebuild);
-    on('notation', () => { base.show(); tool.show(); });
+    on('notation', () => {
+      base.show();
+      tool.show();
+    });
     on('history', showHistory);
     on('plan', () => {
       kind.dataset.tone = state.plan?.solvable ? 'good' : 'wrong';
-      replace(kind, h('strong', { text: countWords(state.plan) || (state.plan?.refused ? 'Refused' : 'Not solved') }), ' ', h('span', { text: state.plan?.explain ?? '' }));
+      replace(
+        kind,
+        h('strong', { text: countWords(state.plan) || (state.plan?.refused ? 'Refused' : 'Not solved') }),
+        ' ',
+        h('span', { text: state.plan?.explain ?? '' }),
+      );
     });
     showHistory();
     rebuild();
@@ -129,34 +365,4 @@ export const dhTable = {
 function firstWrong(root) {
   const el = root.querySelector('.number.wrong');
   return el ? { label: el.getAttribute('aria-label'), reason: el.title } : null;
-}
-function limitReason(i, key, v) {
-  const j = state.table.joints[i];
-  if (v === null) return null;
-  if (key === 'lower' && j.upper !== null && v > j.upper) return 'above the upper limit';
-  if (key === 'upper' && j.lower !== null && v < j.lower) return 'below the lower limit';
-  return null;
-}
-function add() {
-  const n = state.table.joints.length;
-  if (n >= MOST) { say(`At most ${MOST} joints.`, 'wrong'); return; }
-  restructure([...state.table.joints, newJoint(n)], (q) => [...q, 0]);
-  document.querySelector(`[data-testid="dh-${n + 1}-a"]`)?.focus();
-}
-function swap(i, k) {
-  const swapped = (list) => { const out = list.slice(); [out[i], out[k]] = [out[k], out[i]]; return out; };
-  restructure(swapped(state.table.joints), swapped);
-}
-async function save() {
-  try { download(`${state.table.name || 'arm'}.toml`, (await askArm('save', {})).text, 'application/toml'); } catch (error) { say(error.message, 'wrong'); }
-}
-async function openFile(input) {
-  const file = input.files[0];
-  input.value = '';
-  if (!file) return;
-  if (file.size > 200_000) { say(`${file.name} has ${file.size} bytes; a robot file has at most 200,000.`, 'wrong'); return; }
-  try {
-    const { table } = await ask('open', { name: file.name.slice(-80), text: await file.text() });
-    setTable(table, { q: presentable(table), what: 'new' });
-  } catch (error) { say(error.message, 'wrong'); }
 }

@@ -1,7 +1,7 @@
 // Joints: a slider and a field each, limits drawn, keyboard steps, named postures; outside the limits is shown, not hidden.
 import { h, replace, setText, say } from '../dom.mjs';
 import { state, on, setJoint, setTable, tell } from '../store.mjs';
-import { units, showUnit, plain } from '../units.mjs';
+import { units, showUnit, plain, fixed } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
 import { moveTo, stop } from '../animate.mjs';
 import { reach } from '../kinematics.mjs';
@@ -25,13 +25,25 @@ export function outside(joint, v) {
 }
 
 function row(i) {
-  const joint = state.table.joints[i], kind = kindOf(joint), { lo, hi, min, max } = span(joint);
+  const joint = state.table.joints[i],
+    kind = kindOf(joint),
+    { lo, hi, min, max } = span(joint);
   const name = `q${i + 1}`;
-  const slider = h('input', { type: 'range', min: String(min), max: String(max), step: 'any', 'aria-label': `${name}, ${joint.name}`, 'data-testid': `slider-${i + 1}` });
+  const slider = h('input', {
+    type: 'range',
+    min: String(min),
+    max: String(max),
+    step: 'any',
+    'aria-label': `${name}, ${joint.name}`,
+    'data-testid': `slider-${i + 1}`,
+  });
   const percent = (v) => `${(100 * (v - min)) / (max - min)}%`;
   slider.style.setProperty('--lo', percent(lo));
   slider.style.setProperty('--hi', percent(hi));
-  slider.addEventListener('input', () => { stop(); setJoint(i, Number(slider.value)); });
+  slider.addEventListener('input', () => {
+    stop();
+    setJoint(i, Number(slider.value));
+  });
   slider.addEventListener('keydown', (e) => {
     const k = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];
     const end = { Home: lo, End: hi }[e.key];
@@ -41,16 +53,36 @@ function row(i) {
     const by = units.step(kind) * (e.shiftKey ? 0.1 : 1);
     setJoint(i, end ?? Math.min(Math.max(Math.round((state.q[i] + k * by) / (by / 10)) * (by / 10), min), max));
   });
-  const number = numberField({ label: `${name} value`, kind, testid: `q-${i + 1}`, input: (v) => { stop(); setJoint(i, v); } });
+  const number = numberField({
+    label: `${name} value`,
+    kind,
+    testid: `q-${i + 1}`,
+    input: (v) => {
+      stop();
+      setJoint(i, v);
+    },
+  });
   const note = h('span', { class: 'out', role: 'note' });
   const limits = h('span', { class: 'limits' });
-  const el = h('div', { class: 'joint', 'data-testid': `joint-${i + 1}` },
-    h('span', { class: 'joint-name', title: `${joint.name}, ${joint.type === 'R' ? 'revolute' : 'prismatic'}` }, h('i', { text: 'q' }), h('sub', { text: String(i + 1) })),
-    h('div', { class: 'track' }, slider, h('div', { class: 'under' }, limits, note)), number, h('span', { class: 'unit' }));
+  const el = h(
+    'div',
+    { class: 'joint', 'data-testid': `joint-${i + 1}` },
+    h(
+      'span',
+      { class: 'joint-name', title: `${joint.name}, ${joint.type === 'R' ? 'revolute' : 'prismatic'}` },
+      h('i', { text: 'q' }),
+      h('sub', { text: String(i + 1) }),
+    ),
+    h('div', { class: 'track' }, slider, h('div', { class: 'under' }, limits, note)),
+    number,
+    h('span', { class: 'unit' }),
+  );
   return {
-    el, number,
+    el,
+    number,
     show() {
-      const v = state.q[i], over = outside(joint, v);
+      const v = state.q[i],
+        over = outside(joint, v);
       if (document.activeElement !== slider || Number(slider.value) !== v) slider.value = v;
       slider.style.setProperty('--at', percent(Math.min(Math.max(v, min), max)));
       slider.setAttribute('aria-valuetext', showUnit(v, kind));
@@ -60,8 +92,12 @@ function row(i) {
     },
     relabel() {
       setText(el.lastChild, units.symbol(kind));
-      const end = (v) => (v === null ? 'no limit' : showUnit(v, kind, units.angle === 'deg' && kind === 'angle' ? 0 : undefined));
-      setText(limits, joint.lower === null && joint.upper === null ? 'no limits' : `${end(joint.lower)} … ${end(joint.upper)}`);
+      const end = (v) =>
+        v === null ? 'no limit' : showUnit(v, kind, units.angle === 'deg' && kind === 'angle' ? 0 : undefined);
+      setText(
+        limits,
+        joint.lower === null && joint.upper === null ? 'no limits' : `${end(joint.lower)} … ${end(joint.upper)}`,
+      );
       number.refresh();
       this.show();
     },
@@ -69,17 +105,24 @@ function row(i) {
 }
 
 export const joints = {
-  id: 'joints', title: 'Joints',
+  id: 'joints',
+  title: 'Joints',
   build(root) {
     let rows = [];
     const list = h('div', { class: 'joints', 'data-testid': 'joints' });
     const postures = h('div', { class: 'chips', role: 'group', 'aria-label': 'Postures' });
-    root.append(list, postures);
+    const gripper = h('div', { class: 'joints gripper' });
+    root.append(list, gripper, postures);
     const rebuild = () => {
       rows = state.table.joints.map((_, i) => row(i));
-      replace(list, rows.map((r) => r.el));
-      if (!rows.length) list.append(h('p', { class: 'hint', text: 'This table has no joints yet. Add one in the DH table.' }));
+      replace(
+        list,
+        rows.map((r) => r.el),
+      );
+      if (!rows.length)
+        list.append(h('p', { class: 'hint', text: 'This table has no joints yet. Add one in the DH table.' }));
       rows.forEach((r) => r.relabel());
+      replace(gripper, state.table.actuator ? actuatorRow(state.table.actuator) : null);
       showPostures(postures);
     };
     on('table', rebuild);
@@ -89,17 +132,79 @@ export const joints = {
   },
 };
 
+/** The tool's own actuator: it has a value and limits and moves no frame. */
+function actuatorRow(a) {
+  const slider = h('input', {
+    type: 'range',
+    min: String(a.lower),
+    max: String(a.upper),
+    step: 'any',
+    'aria-label': `${a.name}, ${a.unit}`,
+    'data-testid': 'actuator',
+  });
+  const value = h('output', { class: 'quantity' });
+  const show = () => {
+    slider.style.setProperty('--at', `${(100 * (a.value - a.lower)) / (a.upper - a.lower || 1)}%`);
+    setText(value, fixed(a.value, 1));
+  };
+  slider.value = a.value;
+  slider.addEventListener('input', () => {
+    a.value = Number(slider.value);
+    show();
+  });
+  show();
+  const note = h('div', { class: 'under' }, h('span', { text: `${a.name}: moves no frame` }));
+  return h(
+    'div',
+    { class: 'joint' },
+    h('span', { class: 'joint-name', text: 'tool' }),
+    h('div', { class: 'track' }, slider, note),
+    value,
+    h('span', { class: 'unit', text: a.unit }),
+  );
+}
+
 function showPostures(root) {
   const n = state.table.joints.length;
   const named = Object.entries(state.table.postures ?? {});
-  const go = (name, q) => h('button', { type: 'button', class: 'chip', text: name, title: q.map((v, i) => showUnit(v, kindOf(state.table.joints[i]))).join(', '), on: { click: () => moveTo(q) } });
+  const go = (name, q) =>
+    h('button', {
+      type: 'button',
+      class: 'chip',
+      text: name,
+      title: q.map((v, i) => showUnit(v, kindOf(state.table.joints[i]))).join(', '),
+      on: { click: () => moveTo(q) },
+    });
   const chips = named.map(([name, q]) => go(name, q));
   if (n && !named.some(([, q]) => q.every((v) => v === 0))) chips.unshift(go('zero', new Array(n).fill(0)));
-  replace(root, chips, n ? h('button', { type: 'button', class: 'chip quiet', text: 'Random', title: 'A posture inside the limits', on: { click: () => moveTo(randomPosture()) } }) : null,
-    n ? h('button', { type: 'button', class: 'chip quiet', text: 'Keep this one', title: 'Add the present posture to the arm', on: { click: keep } }) : null);
+  replace(
+    root,
+    chips,
+    n
+      ? h('button', {
+          type: 'button',
+          class: 'chip quiet',
+          text: 'Random',
+          title: 'A posture inside the limits',
+          on: { click: () => moveTo(randomPosture()) },
+        })
+      : null,
+    n
+      ? h('button', {
+          type: 'button',
+          class: 'chip quiet',
+          text: 'Keep this one',
+          title: 'Add the present posture to the arm',
+          on: { click: keep },
+        })
+      : null,
+  );
 }
 export function randomPosture() {
-  return state.table.joints.map((j) => { const { lo, hi } = span(j); return lo + Math.random() * (hi - lo); });
+  return state.table.joints.map((j) => {
+    const { lo, hi } = span(j);
+    return lo + Math.random() * (hi - lo);
+  });
 }
 function keep() {
   const postures = { ...state.table.postures };

@@ -15,31 +15,108 @@ import { poseEditor } from './pose_editor.mjs';
 const tool = () => state.frames[state.frames.length - 1].slice();
 
 export const path = {
-  id: 'path', title: 'Path', wide: true,
+  id: 'path',
+  title: 'Path',
+  wide: true,
   build(root, panel) {
     const P = state.path;
     const ends = ['from', 'to'].map((key) => {
-      const editor = poseEditor(key === 'from' ? 'From' : 'To', `path-${key}`, () => P[key], (T) => { P[key] = T; preview(); tell('path'); });
-      const capture = h('button', { type: 'button', class: 'quiet', text: 'Take the present pose', 'data-testid': `take-${key}`, on: { click: () => { P[key] = tool(); editor.show(); preview(); tell('path'); } } });
+      const editor = poseEditor(
+        key === 'from' ? 'From' : 'To',
+        `path-${key}`,
+        () => P[key],
+        (T) => {
+          P[key] = T;
+          preview();
+          tell('path');
+        },
+      );
+      const capture = h('button', {
+        type: 'button',
+        class: 'quiet',
+        text: 'Take the present pose',
+        'data-testid': `take-${key}`,
+        on: {
+          click: () => {
+            P[key] = tool();
+            editor.show();
+            preview();
+            tell('path');
+          },
+        },
+      });
       const el = h('div', { class: 'end' }, capture, editor.el);
       return { el, show: editor.show };
     });
     const length = h('span', { class: 'hint' });
-    const count = numberField({ label: 'Number of points N', testid: 'path-n', check: (v) => (Number.isInteger(v) && v >= 2 && v <= 2000 ? null : 'a whole number from 2 to 2000'), input: (v) => { P.n = v; } });
-    const seconds = numberField({ label: 'Seconds for the whole line', testid: 'path-seconds', check: (v) => (v > 0 && v <= 3600 ? null : 'more than 0, at most 3600'), input: (v) => { P.seconds = v; } });
-    const same = h('button', { type: 'button', class: 'quiet', text: 'Keep the orientation of “From”', on: { click: () => { if (P.from && P.to) { const p = position(P.to); P.to = P.from.slice(); [3, 7, 11].forEach((k, i) => { P.to[k] = p[i]; }); ends[1].show(); preview(); } } } });
-    const plan = h('button', { type: 'button', class: 'primary', text: 'Plan the line', 'data-testid': 'plan', on: { click: () => run(state.q) } });
+    const count = numberField({
+      label: 'Number of points N',
+      testid: 'path-n',
+      check: (v) => (Number.isInteger(v) && v >= 2 && v <= 2000 ? null : 'a whole number from 2 to 2000'),
+      input: (v) => {
+        P.n = v;
+      },
+    });
+    const seconds = numberField({
+      label: 'Seconds for the whole line',
+      testid: 'path-seconds',
+      check: (v) => (v > 0 && v <= 3600 ? null : 'more than 0, at most 3600'),
+      input: (v) => {
+        P.seconds = v;
+      },
+    });
+    const same = h('button', {
+      type: 'button',
+      class: 'quiet',
+      text: 'Keep the orientation of “From”',
+      on: {
+        click: () => {
+          if (P.from && P.to) {
+            const p = position(P.to);
+            P.to = P.from.slice();
+            [3, 7, 11].forEach((k, i) => {
+              P.to[k] = p[i];
+            });
+            ends[1].show();
+            preview();
+          }
+        },
+      },
+    });
+    const plan = h('button', {
+      type: 'button',
+      class: 'primary',
+      text: 'Plan the line',
+      'data-testid': 'plan',
+      on: { click: () => run(state.q) },
+    });
     const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'path-verdict', hidden: true });
     const branches = h('div', { class: 'branches', 'data-testid': 'branches' });
-    root.append(...ends.map((e) => e.el), h('div', { class: 'line' }, same, length),
-      h('div', { class: 'line' }, h('label', { class: 'field' }, h('span', { class: 'field-name', text: 'Points N' }), count), h('label', { class: 'field' }, h('span', { class: 'field-name', text: 'Seconds' }), seconds), plan,
-        h('span', { class: 'hint', text: 'starts from the solution nearest to the present posture' })),
-      verdict, branches);
+    root.append(
+      ...ends.map((e) => e.el),
+      h('div', { class: 'line' }, same, length),
+      h(
+        'div',
+        { class: 'line' },
+        h('label', { class: 'field' }, h('span', { class: 'field-name', text: 'Points N' }), count),
+        h('label', { class: 'field' }, h('span', { class: 'field-name', text: 'Seconds' }), seconds),
+        plan,
+        h('span', { class: 'hint', text: 'starts from the solution nearest to the present posture' }),
+      ),
+      verdict,
+      branches,
+    );
 
     const preview = () => {
-      if (!P.from || !P.to) { setText(length, ''); return; }
+      if (!P.from || !P.to) {
+        setText(length, '');
+        return;
+      }
       const turn = angleBetween(P.from, P.to);
-      setText(length, `${showUnit(norm(sub(position(P.to), position(P.from))), 'length')} long${turn > 1e-6 ? `, turning ${showUnit(turn, 'angle')}` : ', orientation kept'}`);
+      setText(
+        length,
+        `${showUnit(norm(sub(position(P.to), position(P.from))), 'length')} long${turn > 1e-6 ? `, turning ${showUnit(turn, 'angle')}` : ', orientation kept'}`,
+      );
       showPath(Array.from({ length: 33 }, (_, i) => position(between(P.from, P.to, i / 32))));
     };
     async function run(start) {
@@ -53,29 +130,83 @@ export const path = {
         verdict.hidden = false;
         verdict.dataset.tone = 'wrong';
         setText(verdict, error.message);
-      } finally { setText(plan, 'Plan the line'); plan.disabled = false; }
+      } finally {
+        setText(plan, 'Plan the line');
+        plan.disabled = false;
+      }
     }
     function report(track) {
       verdict.hidden = false;
       verdict.dataset.tone = track.complete ? 'good' : 'wrong';
       setText(verdict, track.explain);
-      replace(branches, track.branches.length ? h('h3', { text: 'Branches that start at the first pose' }) : null, track.branches.map((b, k) => h('button', {
-        type: 'button', class: `branch ${k === track.chosen ? 'chosen' : ''}`, 'aria-pressed': String(k === track.chosen), 'data-testid': `branch-${k + 1}`, disabled: !b.q, title: b.cause || 'reaches the end',
-        on: { click: async () => { await moveTo(b.q, 0.4); run(b.q); } } },
-        h('span', { class: 'branch-name', text: `${k + 1}  ${b.label}` }), bar(b.s), h('span', { class: 'branch-end', text: b.complete ? 'to the end' : !b.q ? 'starts outside the limits' : `${b.points} of ${P.n}` }))));
+      replace(
+        branches,
+        track.branches.length ? h('h3', { text: 'Branches that start at the first pose' }) : null,
+        track.branches.map((b, k) =>
+          h(
+            'button',
+            {
+              type: 'button',
+              class: `branch ${k === track.chosen ? 'chosen' : ''}`,
+              'aria-pressed': String(k === track.chosen),
+              'data-testid': `branch-${k + 1}`,
+              disabled: !b.q,
+              title: b.cause || 'reaches the end',
+              on: {
+                click: async () => {
+                  await moveTo(b.q, 0.4);
+                  run(b.q);
+                },
+              },
+            },
+            h('span', { class: 'branch-name', text: `${k + 1}  ${b.label}` }),
+            bar(b.s),
+            h('span', {
+              class: 'branch-end',
+              text: b.complete ? 'to the end' : !b.q ? 'starts outside the limits' : `${b.points} of ${P.n}`,
+            }),
+          ),
+        ),
+      );
       showPath(track.path.map(position));
-      if (!track.q.length) { dock.show(null); return; }
-      const n = track.path.length, xs = track.q.map((_, i) => i + 1), t = track.q.map((_, i) => (n > 1 ? (P.seconds * i) / (n - 1) : 0));
-      dock.show(motionOf({ table: state.table, q: track.q, xs, xName: 'point', xEnd: n, seconds: t, title: `${state.table.name}: straight line, ${track.q.length} of ${n} points`,
-        events: track.events.map((e) => ({ ...e, x: 1 + e.s * (n - 1), short: e.cause })) }));
+      if (!track.q.length) {
+        dock.show(null);
+        return;
+      }
+      const n = track.path.length,
+        xs = track.q.map((_, i) => i + 1),
+        t = track.q.map((_, i) => (n > 1 ? (P.seconds * i) / (n - 1) : 0));
+      dock.show(
+        motionOf({
+          table: state.table,
+          q: track.q,
+          xs,
+          xName: 'point',
+          xEnd: n,
+          seconds: t,
+          title: `${state.table.name}: straight line, ${track.q.length} of ${n} points`,
+          events: track.events.map((e) => ({ ...e, x: 1 + e.s * (n - 1), short: e.cause })),
+        }),
+      );
     }
     function bar(s) {
       const fill = h('span', { class: 'bar-fill' });
       fill.style.setProperty('width', `${100 * s}%`);
       return h('span', { class: 'bar' }, fill);
     }
-    const show = () => { ends.forEach((e) => e.show()); count.put(P.n); seconds.put(P.seconds); preview(); };
-    on('panel', (id) => { if (id === 'path') { P.from ??= tool(); P.to ??= tool(); show(); } });
+    const show = () => {
+      ends.forEach((e) => e.show());
+      count.put(P.n);
+      seconds.put(P.seconds);
+      preview();
+    };
+    on('panel', (id) => {
+      if (id === 'path') {
+        P.from ??= tool();
+        P.to ??= tool();
+        show();
+      }
+    });
     on('path-loaded', show);
     on('notation', show);
     on('units', preview);
@@ -84,7 +215,15 @@ export const path = {
       verdict.hidden = true;
       replace(branches);
       showPath([]);
-      if (what === 'new') { P.from = null; P.to = null; if (!panel.hidden) { P.from = tool(); P.to = tool(); show(); } }
+      if (what === 'new') {
+        P.from = null;
+        P.to = null;
+        if (!panel.hidden) {
+          P.from = tool();
+          P.to = tool();
+          show();
+        }
+      }
     });
   },
 };

@@ -12,18 +12,74 @@ import * as dock from '../dock.mjs';
 const MOST = 40;
 
 export const sequence = {
-  id: 'sequence', title: 'Sequence', wide: true,
+  id: 'sequence',
+  title: 'Sequence',
+  wide: true,
   build(root) {
     const S = state.sequence;
-    const head = h('thead'), body = h('tbody');
+    const head = h('thead'),
+      body = h('tbody');
     const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'sequence-verdict', hidden: true });
-    const run = h('button', { type: 'button', class: 'primary', text: 'Run the sequence', 'data-testid': 'run-sequence', on: { click: go } });
-    const legSeconds = h('button', { type: 'button', class: 'quiet', text: 'Same times for all legs', title: 'Copy the first leg’s time and rest to the others', on: { click: () => { const first = S.postures[1]; if (first) { for (const p of S.postures.slice(2)) { p.seconds = first.seconds; p.hold = first.hold; } rebuild(); } } } });
-    root.append(h('p', { class: 'hint', text: 'Each leg is a quintic in time: all joints start and arrive together, at rest in every posture. After a leg the arm rests.' }),
-      h('div', { class: 'scroll' }, h('table', { class: 'dh sequence', 'data-testid': 'sequence', 'aria-label': 'Postures of the sequence' }, head, body)),
-      h('div', { class: 'line' }, h('button', { type: 'button', class: 'add', text: '+ Present posture', 'data-testid': 'add-posture', on: { click: () => add(state.q.slice()) } }),
-        h('button', { type: 'button', text: '+ All named postures', on: { click: () => Object.entries(state.table.postures ?? {}).forEach(([name, q]) => add(q.slice(), name)) } }), legSeconds),
-      h('div', { class: 'line' }, run), verdict);
+    const run = h('button', {
+      type: 'button',
+      class: 'primary',
+      text: 'Run the sequence',
+      'data-testid': 'run-sequence',
+      on: { click: go },
+    });
+    const legSeconds = h('button', {
+      type: 'button',
+      class: 'quiet',
+      text: 'Same times for all legs',
+      title: 'Copy the first leg’s time and rest to the others',
+      on: {
+        click: () => {
+          const first = S.postures[1];
+          if (first) {
+            for (const p of S.postures.slice(2)) {
+              p.seconds = first.seconds;
+              p.hold = first.hold;
+            }
+            rebuild();
+          }
+        },
+      },
+    });
+    root.append(
+      h('p', {
+        class: 'hint',
+        text: 'Each leg is a quintic in time: all joints start and arrive together, at rest in every posture. After a leg the arm rests.',
+      }),
+      h(
+        'div',
+        { class: 'scroll' },
+        h(
+          'table',
+          { class: 'dh sequence', 'data-testid': 'sequence', 'aria-label': 'Postures of the sequence' },
+          head,
+          body,
+        ),
+      ),
+      h(
+        'div',
+        { class: 'line' },
+        h('button', {
+          type: 'button',
+          class: 'add',
+          text: '+ Present posture',
+          'data-testid': 'add-posture',
+          on: { click: () => add(state.q.slice()) },
+        }),
+        h('button', {
+          type: 'button',
+          text: '+ All named postures',
+          on: { click: () => Object.entries(state.table.postures ?? {}).forEach(([name, q]) => add(q.slice(), name)) },
+        }),
+        legSeconds,
+      ),
+      h('div', { class: 'line' }, run),
+      verdict,
+    );
 
     function add(q, name) {
       if (S.postures.length >= MOST) return;
@@ -35,40 +91,157 @@ export const sequence = {
       const joints = state.table.joints;
       S.postures = S.postures.filter((p) => p.q.length === joints.length);
       run.disabled = S.postures.length < 2;
-      replace(head, h('tr', {}, h('th', { text: '' }), joints.map((j, i) => h('th', {}, h('i', { text: 'q' }), h('sub', { text: String(i + 1) }), h('span', { class: 'unit', text: ` ${units.symbol(kindOf(j))}` }))), h('th', { text: 'leg, s' }), h('th', { text: 'rest, s' }), h('th', { 'aria-label': 'row tools' })));
-      replace(body, S.postures.map((p, k) => {
-        const cells = joints.map((j, i) => {
-          const f = numberField({ label: `${p.name}, q${i + 1}`, kind: kindOf(j), testid: `seq-${k}-q${i + 1}`, input: (v) => { p.q[i] = v; tell('sequence'); } });
-          f.put(p.q[i]);
-          return h('td', {}, f);
-        });
-        const time = (key, label, check) => {
-          if (k === 0) return h('td');
-          const f = numberField({ label: `${label} ${p.name}`, testid: `seq-${k}-${key}`, check, input: (v) => { p[key] = v; tell('sequence'); } });
-          f.put(p[key]);
-          return h('td', {}, f);
-        };
-        return h('tr', { 'data-testid': `seq-row-${k}` }, h('th', { scope: 'row' }, h('button', { type: 'button', class: 'quiet', text: p.name, title: 'Go there', on: { click: () => moveTo(p.q.slice()) } })), cells,
-          time('seconds', 'Seconds to', (v) => (v > 0 ? null : 'more than 0')), time('hold', 'Rest after', (v) => (v >= 0 ? null : '0 or more')),
-          h('td', { class: 'tools' }, h('button', { type: 'button', class: 'icon', text: '↑', disabled: k === 0, 'aria-label': `Move ${p.name} up`, on: { click: () => { S.postures.splice(k - 1, 0, ...S.postures.splice(k, 1)); rebuild(); } } }),
-            h('button', { type: 'button', class: 'icon', text: '×', 'aria-label': `Remove ${p.name}`, on: { click: () => { S.postures.splice(k, 1); rebuild(); tell('sequence'); } } })));
-      }));
-      if (!S.postures.length) body.append(h('tr', {}, h('td', { class: 'hint', colspan: String(joints.length + 4), text: 'No postures yet: add the present one, move the arm, add the next.' })));
+      replace(
+        head,
+        h(
+          'tr',
+          {},
+          h('th', { text: '' }),
+          joints.map((j, i) =>
+            h(
+              'th',
+              {},
+              h('i', { text: 'q' }),
+              h('sub', { text: String(i + 1) }),
+              h('span', { class: 'unit', text: ` ${units.symbol(kindOf(j))}` }),
+            ),
+          ),
+          h('th', { text: 'leg, s' }),
+          h('th', { text: 'rest, s' }),
+          h('th', { 'aria-label': 'row tools' }),
+        ),
+      );
+      replace(
+        body,
+        S.postures.map((p, k) => {
+          const cells = joints.map((j, i) => {
+            const f = numberField({
+              label: `${p.name}, q${i + 1}`,
+              kind: kindOf(j),
+              testid: `seq-${k}-q${i + 1}`,
+              input: (v) => {
+                p.q[i] = v;
+                tell('sequence');
+              },
+            });
+            f.put(p.q[i]);
+            return h('td', {}, f);
+          });
+          const time = (key, label, check) => {
+            if (k === 0) return h('td');
+            const f = numberField({
+              label: `${label} ${p.name}`,
+              testid: `seq-${k}-${key}`,
+              check,
+              input: (v) => {
+                p[key] = v;
+                tell('sequence');
+              },
+            });
+            f.put(p[key]);
+            return h('td', {}, f);
+          };
+          return h(
+            'tr',
+            { 'data-testid': `seq-row-${k}` },
+            h(
+              'th',
+              { scope: 'row' },
+              h('button', {
+                type: 'button',
+                class: 'quiet',
+                text: p.name,
+                title: 'Go there',
+                on: { click: () => moveTo(p.q.slice()) },
+              }),
+            ),
+            cells,
+            time('seconds', 'Seconds to', (v) => (v > 0 ? null : 'more than 0')),
+            time('hold', 'Rest after', (v) => (v >= 0 ? null : '0 or more')),
+            h(
+              'td',
+              { class: 'tools' },
+              h('button', {
+                type: 'button',
+                class: 'icon',
+                text: '↑',
+                disabled: k === 0,
+                'aria-label': `Move ${p.name} up`,
+                on: {
+                  click: () => {
+                    S.postures.splice(k - 1, 0, ...S.postures.splice(k, 1));
+                    rebuild();
+                  },
+                },
+              }),
+              h('button', {
+                type: 'button',
+                class: 'icon',
+                text: '×',
+                'aria-label': `Remove ${p.name}`,
+                on: {
+                  click: () => {
+                    S.postures.splice(k, 1);
+                    rebuild();
+                    tell('sequence');
+                  },
+                },
+              }),
+            ),
+          );
+        }),
+      );
+      if (!S.postures.length)
+        body.append(
+          h(
+            'tr',
+            {},
+            h('td', {
+              class: 'hint',
+              colspan: String(joints.length + 4),
+              text: 'No postures yet: add the present one, move the arm, add the next.',
+            }),
+          ),
+        );
     }
     async function go() {
       run.disabled = true;
       verdict.hidden = false;
       try {
         const P = S.postures;
-        const m = await askArm('motion', { postures: P.map((p) => p.q), seconds: P.slice(1).map((p) => p.seconds), holds: P.slice(1).map((p) => p.hold), rate: S.rate });
-        const events = P.map((p, i) => ({ x: m.arrivals[i], s: 0, text: `${p.name} at ${m.arrivals[i].toFixed(2)} s`, short: p.name, stop: false }));
+        const m = await askArm('motion', {
+          postures: P.map((p) => p.q),
+          seconds: P.slice(1).map((p) => p.seconds),
+          holds: P.slice(1).map((p) => p.hold),
+          rate: S.rate,
+        });
+        const events = P.map((p, i) => ({
+          x: m.arrivals[i],
+          s: 0,
+          text: `${p.name} at ${m.arrivals[i].toFixed(2)} s`,
+          short: p.name,
+          stop: false,
+        }));
         verdict.dataset.tone = 'good';
         setText(verdict, `${P.length} postures in ${m.t[m.t.length - 1].toFixed(2)} s. ${limitWords(m.q)}`);
-        dock.show(motionOf({ table: state.table, q: m.q, xs: m.t, xName: 'time', seconds: m.t, dq: m.dq, events, title: `${state.table.name}: ${P.map((p) => p.name).join(' – ')}` }));
+        dock.show(
+          motionOf({
+            table: state.table,
+            q: m.q,
+            xs: m.t,
+            xName: 'time',
+            seconds: m.t,
+            dq: m.dq,
+            events,
+            title: `${state.table.name}: ${P.map((p) => p.name).join(' – ')}`,
+          }),
+        );
       } catch (error) {
         verdict.dataset.tone = 'wrong';
         setText(verdict, error.message);
-      } finally { run.disabled = S.postures.length < 2; }
+      } finally {
+        run.disabled = S.postures.length < 2;
+      }
     }
     on(['table', 'units', 'sequence-loaded'], rebuild);
     rebuild();
@@ -76,6 +249,8 @@ export const sequence = {
 };
 
 function limitWords(q) {
-  const out = state.table.joints.filter((j, i) => q.some((row) => (j.lower !== null && row[i] < j.lower - 1e-9) || (j.upper !== null && row[i] > j.upper + 1e-9)));
+  const out = state.table.joints.filter((j, i) =>
+    q.some((row) => (j.lower !== null && row[i] < j.lower - 1e-9) || (j.upper !== null && row[i] > j.upper + 1e-9)),
+  );
   return out.length ? `Outside the limits on the way: ${out.map((j) => j.name).join(', ')}.` : 'Inside all limits.';
 }

@@ -3,24 +3,90 @@ import { h, setText, copy, download, say } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { askArm } from '../library.mjs';
 import { link, snapshot, restore } from '../sharing.mjs';
+import { saveRobot } from './robot_files.mjs';
 
 export const share = (showPanel) => ({
-  id: 'share', title: 'Share',
+  id: 'share',
+  title: 'Share',
   build(root, panel) {
-    const address = h('input', { type: 'text', readonly: true, class: 'address', 'aria-label': 'Link to this state', 'data-testid': 'link', on: { focus: (e) => e.target.select() } });
-    const file = h('input', { type: 'file', accept: '.json,application/json', class: 'offscreen', tabindex: '-1', 'aria-label': 'State file', 'data-testid': 'state-file', on: { change: () => open(file) } });
+    const address = h('input', {
+      type: 'text',
+      readonly: true,
+      class: 'address',
+      'aria-label': 'Link to this state',
+      'data-testid': 'link',
+      on: { focus: (e) => e.target.select() },
+    });
+    const file = h('input', {
+      type: 'file',
+      accept: '.json,application/json',
+      class: 'offscreen',
+      tabindex: '-1',
+      'aria-label': 'State file',
+      'data-testid': 'state-file',
+      on: { change: () => open(file) },
+    });
     const note = h('p', { class: 'hint', role: 'status', 'data-testid': 'report-note' });
-    const report = h('button', { type: 'button', class: 'primary', text: 'Write the report', 'data-testid': 'report', on: { click: write } });
-    root.append(h('p', { class: 'hint', text: 'Arm, posture, target, path, sequence, units and view, all in the link: whoever opens it on their own workbench sees what you see.' }),
-      h('div', { class: 'line share-link' }, address, h('button', { type: 'button', text: 'Copy the link', 'data-testid': 'copy-link', on: { click: async () => copy(await link()) } })),
+    const report = h('button', {
+      type: 'button',
+      class: 'primary',
+      text: 'Write the report',
+      'data-testid': 'report',
+      on: { click: write },
+    });
+    root.append(
+      h('p', {
+        class: 'hint',
+        text: 'Arm, posture, target, path, sequence, units and view, all in the link: whoever opens it on their own workbench sees what you see.',
+      }),
+      h(
+        'div',
+        { class: 'line share-link' },
+        address,
+        h('button', {
+          type: 'button',
+          text: 'Copy the link',
+          'data-testid': 'copy-link',
+          on: { click: async () => copy(await link()) },
+        }),
+      ),
       h('h3', { text: 'As a file' }),
-      h('div', { class: 'line' }, h('button', { type: 'button', text: 'Save the state', 'data-testid': 'save-state', on: { click: () => download(`${state.table.name || 'arm'}.workbench.json`, JSON.stringify(snapshot(), null, 1), 'application/json') } }),
-        h('button', { type: 'button', text: 'Open a state…', on: { click: () => file.click() } }), file,
-        h('button', { type: 'button', text: 'Save the robot file', 'data-testid': 'save-robot', on: { click: robot } })),
+      h(
+        'div',
+        { class: 'line' },
+        h('button', {
+          type: 'button',
+          text: 'Save the state',
+          'data-testid': 'save-state',
+          on: {
+            click: () =>
+              download(
+                `${state.table.name || 'arm'}.workbench.json`,
+                JSON.stringify(snapshot(), null, 1),
+                'application/json',
+              ),
+          },
+        }),
+        h('button', { type: 'button', text: 'Open a state…', on: { click: () => file.click() } }),
+        file,
+        h('button', {
+          type: 'button',
+          text: 'Save the robot file',
+          'data-testid': 'save-robot',
+          on: { click: saveRobot },
+        }),
+      ),
       h('h3', { text: 'Report' }),
-      h('p', { class: 'hint', text: 'One page that stands alone: the arm, its table and equations, the present pose with all its solutions, singularities and reach.' }),
-      h('div', { class: 'line' }, report), note);
-    const show = async () => { if (!panel.hidden && state.table.joints.length) address.value = await link(); };
+      h('p', {
+        class: 'hint',
+        text: 'One page that stands alone: the arm, its table and equations, the present pose with all its solutions, singularities and reach.',
+      }),
+      h('div', { class: 'line' }, report),
+      note,
+    );
+    const show = async () => {
+      if (!panel.hidden && state.table.joints.length) address.value = await link();
+    };
     on(['panel', 'table', 'q', 'units', 'notation'], show);
 
     async function write() {
@@ -29,10 +95,11 @@ export const share = (showPanel) => ({
         const { html, name } = await askArm('report', { q: state.q }, (m) => setText(note, m.note));
         download(name, html, 'text/html');
         setText(note, `Written: ${name}, ${Math.round(html.length / 1024)} kB.`);
-      } catch (error) { setText(note, error.message); } finally { report.disabled = false; }
-    }
-    async function robot() {
-      try { download(`${state.table.name || 'arm'}.toml`, (await askArm('save', {})).text, 'application/toml'); } catch (error) { say(error.message, 'wrong'); }
+      } catch (error) {
+        setText(note, error.message);
+      } finally {
+        report.disabled = false;
+      }
     }
     async function open(input) {
       const f = input.files[0];
@@ -42,7 +109,9 @@ export const share = (showPanel) => ({
         if (f.size > 500_000) throw new Error('A state file has at most 500 kB.');
         restore(JSON.parse(await f.text()), showPanel());
         say('Opened');
-      } catch (error) { say(error instanceof SyntaxError ? `${f.name} is not a state file.` : error.message, 'wrong'); }
+      } catch (error) {
+        say(error instanceof SyntaxError ? `${f.name} is not a state file.` : error.message, 'wrong');
+      }
     }
   },
 });

@@ -15,8 +15,21 @@ const materials = { link: matte(), joint: matte({ gloss: 0.2 }), accent: matte({
 
 /** The arm's shadow: the same instances, flattened onto the ground along the light; each pixel is darkened once. */
 const light = [0.32, -0.4, 1];
-const shadowMaterial = new THREE.MeshBasicMaterial({ color: '#000', transparent: true, opacity: 0.1, side: THREE.DoubleSide, depthWrite: false, fog: false,
-  stencilWrite: true, stencilFunc: THREE.NotEqualStencilFunc, stencilRef: 1, stencilZPass: THREE.ReplaceStencilOp, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 });
+const shadowMaterial = new THREE.MeshBasicMaterial({
+  color: '#000',
+  transparent: true,
+  opacity: 0.1,
+  side: THREE.DoubleSide,
+  depthWrite: false,
+  fog: false,
+  stencilWrite: true,
+  stencilFunc: THREE.NotEqualStencilFunc,
+  stencilRef: 1,
+  stencilZPass: THREE.ReplaceStencilOp,
+  polygonOffset: true,
+  polygonOffsetFactor: -1,
+  polygonOffsetUnits: -1,
+});
 const shadowMatrix = new THREE.Matrix4().set(1, 0, -light[0], 0, 0, 1, -light[1], 0, 0, 0, 0, 0.0005, 0, 0, 0, 1);
 const main = new Bodies(materials, { shadow: { material: shadowMaterial, matrix: shadowMatrix } });
 
@@ -27,7 +40,8 @@ const preview = new Bodies({ link: previewMaterial, joint: previewMaterial, acce
 const axes = new Frames();
 
 let form = proportions(state.table);
-let ghostRows = [], previewRow = null;
+let ghostRows = [],
+  previewRow = null;
 
 export function begin() {
   scene.add(main.group, ghosts.group, preview.group, axes.group);
@@ -35,7 +49,8 @@ export function begin() {
   on('table', (what) => {
     form = proportions(state.table);
     layGround(form.size);
-    ghostRows = []; previewRow = null;
+    ghostRows = [];
+    previewRow = null;
     drawGhosts();
     clearTrace();
     if (what === 'new') fitArm({ instant: true, view: 'iso' });
@@ -49,9 +64,14 @@ export function begin() {
 const beside = new Map();
 let alsoShown = [];
 /** What else belongs in the picture: the ends of a path, the corners of a cloud. */
-export function showBeside(what, points) { beside.set(what, points); alsoShown = [...beside.values()].flat(); }
+export function showBeside(what, points) {
+  beside.set(what, points);
+  alsoShown = [...beside.values()].flat();
+}
 /** Bring the arm into the picture; what stands beside it (a path) stays in the picture from then on. */
-export function fitArm(options) { fit([...outline(state.table, state.frames), ...alsoShown], options); }
+export function fitArm(options) {
+  fit([...outline(state.table, state.frames), ...alsoShown], options);
+}
 const stayInView = debounce(keepInView, 220);
 
 function drawArm() {
@@ -63,7 +83,12 @@ function drawArm() {
   drawFrames();
 }
 function drawFrames() {
-  axes.show((state.shownFrames ?? []).filter((i) => i < state.frames.length).map((i) => ({ T: state.frames[i], name: frameName(i) })), form.size * 0.13);
+  axes.show(
+    (state.shownFrames ?? [])
+      .filter((i) => i < state.frames.length)
+      .map((i) => ({ T: state.frames[i], name: frameName(i) })),
+    form.size * 0.13,
+  );
   invalidate();
 }
 export function frameName(i) {
@@ -72,8 +97,14 @@ export function frameName(i) {
 }
 
 /** Ghost arms at joint vectors; the one under the hand is drawn more strongly. */
-export function showGhosts(rows) { ghostRows = rows; drawGhosts(); }
-export function showPreview(q) { previewRow = q; drawGhosts(); }
+export function showGhosts(rows) {
+  ghostRows = rows;
+  drawGhosts();
+}
+export function showPreview(q) {
+  previewRow = q;
+  drawGhosts();
+}
 export const ghostCount = () => ghostRows.length;
 function drawGhosts() {
   const partsOf = (q) => shape(state.table, forward(state.table, q), form);
@@ -88,13 +119,18 @@ const traceAt = new Float32Array(6 * MOST);
 const traceLine = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ fog: false }));
 traceLine.geometry.setAttribute('position', new THREE.BufferAttribute(traceAt, 3));
 traceLine.frustumCulled = false;
-let traceCount = 0, tracing = true, lastPoint = null;
+let traceCount = 0,
+  tracing = true,
+  lastPoint = null;
 scene.add(traceLine);
 function addTrace(p) {
   const step = lastPoint ? norm(sub(p, lastPoint)) : Infinity;
   if (step < form.size * 0.002) return;
   if (step < form.size * 0.2) {
-    if (traceCount === MOST) { traceAt.copyWithin(0, 6 * 1000); traceCount -= 1000; }
+    if (traceCount === MOST) {
+      traceAt.copyWithin(0, 6 * 1000);
+      traceCount -= 1000;
+    }
     traceAt.set(lastPoint, 6 * traceCount);
     traceAt.set(p, 6 * traceCount + 3);
     traceCount += 1;
@@ -103,14 +139,27 @@ function addTrace(p) {
   }
   lastPoint = p;
 }
-export function setTracing(yes) { tracing = yes; traceLine.visible = yes; if (!yes) clearTrace(); invalidate(); }
-export function clearTrace() { traceCount = 0; lastPoint = null; traceLine.geometry.setDrawRange(0, 0); invalidate(); }
+export function setTracing(yes) {
+  tracing = yes;
+  traceLine.visible = yes;
+  if (!yes) clearTrace();
+  invalidate();
+}
+export function clearTrace() {
+  traceCount = 0;
+  lastPoint = null;
+  traceLine.geometry.setDrawRange(0, 0);
+  invalidate();
+}
 export const traceLength = () => traceCount;
 
 // ---- the planned path
 const pathLine = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ fog: false }));
 pathLine.frustumCulled = false;
-const pathDots = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMaterial({ size: 4, sizeAttenuation: false, fog: false }));
+const pathDots = new THREE.Points(
+  new THREE.BufferGeometry(),
+  new THREE.PointsMaterial({ size: 4, sizeAttenuation: false, fog: false }),
+);
 pathDots.frustumCulled = false;
 scene.add(pathLine, pathDots);
 export function showPath(points) {

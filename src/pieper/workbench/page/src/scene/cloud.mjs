@@ -9,7 +9,9 @@ const points = new THREE.Points(new THREE.BufferGeometry(), material);
 points.frustumCulled = false;
 scene.add(points);
 
-let at = null, values = null, count = 0;
+let at = null,
+  values = null,
+  count = 0;
 export const range = { lo: 0, hi: 1 };
 
 export function begin(total) {
@@ -26,7 +28,8 @@ export function begin(total) {
 }
 /** Take a piece as the server sends it: x, y, z, value as float32, in base64. */
 export function take(base64) {
-  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)), block = new Float32Array(bytes.buffer);
+  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)),
+    block = new Float32Array(bytes.buffer);
   for (let i = 0; i < block.length && count < values.length; i += 4, count++) {
     at.set(block.subarray(i, i + 3), 3 * count);
     values[count] = block[i + 3];
@@ -37,11 +40,16 @@ function recolour() {
   const sorted = values.slice(0, count).sort();
   range.lo = sorted[Math.floor(count * 0.02)] ?? 0;
   range.hi = sorted[Math.max(Math.ceil(count * 0.98) - 1, 0)] ?? 1;
-  const c = new THREE.Color(), rgb = points.geometry.attributes.color.array, span = range.hi - range.lo || 1;
+  const c = new THREE.Color(),
+    rgb = points.geometry.attributes.color.array,
+    span = range.hi - range.lo || 1;
   for (let i = 0; i < count; i++) {
-    const v = Math.min(Math.max((values[i] - range.lo) / span, 0), 1) * (stops.length - 1), k = Math.min(Math.floor(v), stops.length - 2);
+    const v = Math.min(Math.max((values[i] - range.lo) / span, 0), 1) * (stops.length - 1),
+      k = Math.min(Math.floor(v), stops.length - 2);
     c.lerpColors(stops[k], stops[k + 1], v - k);
-    rgb[3 * i] = c.r; rgb[3 * i + 1] = c.g; rgb[3 * i + 2] = c.b;
+    rgb[3 * i] = c.r;
+    rgb[3 * i + 1] = c.g;
+    rgb[3 * i + 2] = c.b;
   }
   points.geometry.setDrawRange(0, count);
   points.geometry.attributes.position.needsUpdate = true;
@@ -56,4 +64,8 @@ export function corners() {
   const { min: a, max: b } = box;
   return count ? [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [k & 1 ? a.x : b.x, k & 2 ? a.y : b.y, k & 4 ? a.z : b.z]) : [];
 }
-export function clear() { count = 0; points.visible = false; invalidate(); }
+export function clear() {
+  count = 0;
+  points.visible = false;
+  invalidate();
+}

@@ -9,14 +9,21 @@ function arrow(colour, turn) {
   const shaft = new THREE.CylinderGeometry(0.028, 0.028, 0.82, 8).translate(0, 0.41, 0);
   const head = new THREE.ConeGeometry(0.085, 0.22, 12).translate(0, 0.9, 0);
   const g = mergeGeometries([shaft, head]).applyMatrix4(turn);
-  const c = new THREE.Color(colour), rgb = new Float32Array(g.attributes.position.count * 3);
+  const c = new THREE.Color(colour),
+    rgb = new Float32Array(g.attributes.position.count * 3);
   for (let i = 0; i < rgb.length; i += 3) rgb.set([c.r, c.g, c.b], i);
   g.setAttribute('color', new THREE.BufferAttribute(rgb, 3));
   return g;
 }
-const along = (axis) => new THREE.Matrix4().makeRotationFromQuaternion(
-  new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...axis)));
-const glyph = mergeGeometries([arrow(axisColours[0], along([1, 0, 0])), arrow(axisColours[1], along([0, 1, 0])), arrow(axisColours[2], along([0, 0, 1]))]);
+const along = (axis) =>
+  new THREE.Matrix4().makeRotationFromQuaternion(
+    new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...axis)),
+  );
+const glyph = mergeGeometries([
+  arrow(axisColours[0], along([1, 0, 0])),
+  arrow(axisColours[1], along([0, 1, 0])),
+  arrow(axisColours[2], along([0, 0, 1])),
+]);
 
 /** Height of a label as a share of the picture's. */
 const LETTER = 0.021;
@@ -24,7 +31,9 @@ const labels = new Map();
 function label(text) {
   const key = `${text}/${colours.dark}`;
   if (labels.has(key)) return labels.get(key);
-  const canvas = document.createElement('canvas'), k = 4, c = canvas.getContext('2d');
+  const canvas = document.createElement('canvas'),
+    k = 4,
+    c = canvas.getContext('2d');
   const font = `600 ${13 * k}px "Inter Variable", system-ui, sans-serif`;
   c.font = font;
   canvas.width = c.measureText(text).width + 12 * k;
@@ -60,7 +69,9 @@ export class Frames {
     this.last = [list, size];
     const m = new THREE.Matrix4();
     this.mesh.count = list.length;
-    this.sprites.forEach((s, i) => { s.visible = i < list.length; });
+    this.sprites.forEach((s, i) => {
+      s.visible = i < list.length;
+    });
     list.forEach(({ T, name }, i) => {
       this.mesh.setMatrixAt(i, m.set(...T).scale(new THREE.Vector3(size, size, size)));
       const sprite = this.sprites[i] ?? (this.sprites[i] = new THREE.Sprite());
@@ -69,7 +80,11 @@ export class Frames {
       sprite.scale.set(LETTER * sprite.material.userData.aspect, LETTER, 1);
       sprite.renderOrder = 5;
       const d = size * 0.16;
-      sprite.position.set(T[3] - d * (T[0] + T[1] + T[2]), T[7] - d * (T[4] + T[5] + T[6]), T[11] - d * (T[8] + T[9] + T[10]));
+      sprite.position.set(
+        T[3] - d * (T[0] + T[1] + T[2]),
+        T[7] - d * (T[4] + T[5] + T[6]),
+        T[11] - d * (T[8] + T[9] + T[10]),
+      );
     });
     this.mesh.instanceMatrix.needsUpdate = true;
     this.mesh.visible = list.length > 0;
@@ -77,7 +92,10 @@ export class Frames {
 
   /** After a change of colours or letters. */
   paint() {
-    for (const material of labels.values()) { material.map.dispose(); material.dispose(); }
+    for (const material of labels.values()) {
+      material.map.dispose();
+      material.dispose();
+    }
     labels.clear();
     if (this.last) this.show(...this.last);
   }

@@ -6,12 +6,17 @@ import { scene, camera, renderer, controls, invalidate } from './view.mjs';
 
 const handle = new THREE.Object3D();
 const tools = [];
-let mode = 'both', shown = false, dragging = false;
+let mode = 'both',
+  shown = false,
+  dragging = false;
 export const isDragging = () => dragging;
 
 export function begin() {
   scene.add(handle);
-  for (const [name, size] of [['translate', 0.75], ['rotate', 0.55]]) {
+  for (const [name, size] of [
+    ['translate', 0.75],
+    ['rotate', 0.55],
+  ]) {
     const tool = new TransformControls(camera, renderer.domElement);
     tool.setMode(name);
     tool.setSize(size);
@@ -54,7 +59,16 @@ function apply() {
   });
   invalidate();
 }
-export function show(yes) { shown = yes; apply(); }
-export function setMode(name) { mode = name; apply(); }
+export function show(yes) {
+  shown = yes;
+  apply();
+}
+export function setMode(name) {
+  mode = name;
+  apply();
+}
 /** Along the target's own axes or along those of the world. */
-export function setSpace(name) { for (const tool of tools) tool.setSpace(name); invalidate(); }
+export function setSpace(name) {
+  for (const tool of tools) tool.setSpace(name);
+  invalidate();
+}

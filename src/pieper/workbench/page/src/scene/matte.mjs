@@ -1,7 +1,7 @@
 // The arm's paint: sky, sun and a little gloss in a dozen operations a pixel, since a projector's laptop may draw in software.
 import * as THREE from 'three';
 
-const vertexShader = /* glsl */`
+const vertexShader = /* glsl */ `
   varying vec3 vNormal;
   varying vec3 vToEye;
   void main() {
@@ -14,7 +14,7 @@ const vertexShader = /* glsl */`
     gl_Position = projectionMatrix * viewMatrix * world;
   }`;
 
-const fragmentShader = /* glsl */`
+const fragmentShader = /* glsl */ `
   uniform vec3 colour;
   uniform float opacity;
   uniform vec3 sky;
@@ -36,8 +36,16 @@ const fragmentShader = /* glsl */`
 /** A material for instanced parts; `set(colour)` repaints it, `lit(dark)` sets the sky for the theme. */
 export function matte({ opacity = 1, gloss = 0.16 } = {}) {
   const material = new THREE.ShaderMaterial({
-    vertexShader, fragmentShader, transparent: opacity < 1,
-    uniforms: { colour: { value: new THREE.Color() }, opacity: { value: opacity }, gloss: { value: gloss }, sky: { value: new THREE.Color(0.46, 0.46, 0.47) }, ground: { value: new THREE.Color(0.2, 0.2, 0.21) } },
+    vertexShader,
+    fragmentShader,
+    transparent: opacity < 1,
+    uniforms: {
+      colour: { value: new THREE.Color() },
+      opacity: { value: opacity },
+      gloss: { value: gloss },
+      sky: { value: new THREE.Color(0.46, 0.46, 0.47) },
+      ground: { value: new THREE.Color(0.2, 0.2, 0.21) },
+    },
   });
   material.repaint = (colour, dark) => {
     material.uniforms.colour.value.set(colour);

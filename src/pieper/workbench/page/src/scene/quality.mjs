@@ -2,7 +2,8 @@
 // coarsely as it must to keep up with the hand, and once finely when they have come to rest.
 const LEVELS = [1, 0.8, 0.62, 0.5];
 /** Milliseconds between pictures above which the next coarser level is taken, and below which the next finer one. */
-const SLOW = 30, FAST = 17;
+const SLOW = 30,
+  FAST = 17;
 const REST = 400;
 /** Pixels of a picture at rest, at most. */
 const MOST = 6e6;
@@ -10,7 +11,9 @@ const MOST = 6e6;
 /** Whether WebGL is drawn by the processor here. */
 export function drawnInSoftware(gl) {
   const info = gl.getExtension('WEBGL_debug_renderer_info');
-  return /swiftshader|llvmpipe|software|basic render/i.test(String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER)));
+  return /swiftshader|llvmpipe|software|basic render/i.test(
+    String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER)),
+  );
 }
 
 export class Quality {
@@ -24,16 +27,25 @@ export class Quality {
     this.area = 1;
   }
 
-  resized(width, height) { this.area = width * height; }
+  resized(width, height) {
+    this.area = width * height;
+  }
 
   /** The person's pixels, as many as a picture can afford. */
-  get base() { return Math.min(devicePixelRatio, 2, Math.sqrt(MOST / this.area)); }
+  get base() {
+    return Math.min(devicePixelRatio, 2, Math.sqrt(MOST / this.area));
+  }
 
-  #use(ratio) { if (Math.abs(this.renderer.getPixelRatio() - ratio) > 1e-3) this.renderer.setPixelRatio(ratio); }
+  #use(ratio) {
+    if (Math.abs(this.renderer.getPixelRatio() - ratio) > 1e-3) this.renderer.setPixelRatio(ratio);
+  }
 
   /** Before every picture. */
   moving(now) {
-    if (!this.software) { this.#use(this.base); return; }
+    if (!this.software) {
+      this.#use(this.base);
+      return;
+    }
     const gap = now - this.last;
     this.last = now;
     if (gap < 120) this.gaps.push(gap);

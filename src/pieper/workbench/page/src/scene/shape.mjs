@@ -4,7 +4,8 @@ import { position, column, addScaled, sub, norm, dot } from '../matrix.mjs';
 
 /** Sizes that belong to the table and not to a posture. */
 export function proportions(table) {
-  const n = table.joints.length, size = reach(table);
+  const n = table.joints.length,
+    size = reach(table);
   const thick = Math.min(0.062, 0.075 - 0.002 * n) * size;
   const radius = table.joints.map((_, i) => thick * (1 - (0.52 * i) / Math.max(n - 1, 1)));
   return { size, radius, rest: radius[n - 1] ?? thick * 0.5 };
@@ -18,7 +19,9 @@ export function proportions(table) {
  */
 export function shape(table, F, form) {
   const parts = { rods: [], balls: [], drums: [], sleeves: [], flange: null };
-  const { radius, size } = form, n = table.joints.length, tiny = size * 1e-6;
+  const { radius, size } = form,
+    n = table.joints.length,
+    tiny = size * 1e-6;
   const axes = jointAxes(table, F);
   /** A rod, if there is any length to it, and a ball at its far end, where the next one may set off another way. */
   const rod = (a, b, r, ball = true) => {
@@ -29,7 +32,10 @@ export function shape(table, F, form) {
   if (n) parts.pedestal = { at: position(F[0]), dir: column(F[0], 2), r: radius[0] * 1.7, h: radius[0] * 0.34 };
   let previous = null;
   axes.forEach(({ point, dir, x }, i) => {
-    const r = radius[i], joint = table.joints[i], o = position(F[i]), p = position(F[i + 1]);
+    const r = radius[i],
+      joint = table.joints[i],
+      o = position(F[i]),
+      p = position(F[i + 1]);
     const thin = r * 0.62;
     if (table.convention === 'standard') {
       const shoulder = addScaled(o, dir, dot(sub(p, o), dir));
@@ -49,7 +55,8 @@ export function shape(table, F, form) {
     previous = { at: point, r };
   });
   if (n) {
-    const end = F[n + 1], hand = position(F[n]);
+    const end = F[n + 1],
+      hand = position(F[n]);
     parts.flange = { at: hand, dir: column(F[n], 2), r: form.rest * 0.85, h: form.rest * 0.5 };
     rod(hand, position(end), form.rest * 0.34, false);
     parts.tip = { at: position(end), r: form.rest * 0.42 };
@@ -63,5 +70,8 @@ export function outline(table, F) {
   const base = position(F[0]);
   const out = [[base[0], base[1], 0], ...F.map(position)];
   for (const { point } of jointAxes(table, F)) out.push(point);
-  return out.flatMap((p) => [[p[0] - pad, p[1] - pad, p[2] - pad], [p[0] + pad, p[1] + pad, p[2] + pad]]);
+  return out.flatMap((p) => [
+    [p[0] - pad, p[1] - pad, p[2] - pad],
+    [p[0] + pad, p[1] + pad, p[2] + pad],
+  ]);
 }

@@ -11,7 +11,10 @@ export const scene = new THREE.Scene();
 export const camera = new THREE.PerspectiveCamera(FOV, 1, 0.01, 100);
 camera.up.set(0, 0, 1);
 export let renderer, controls;
-let host, quality, pending = false, drawn = 0;
+let host,
+  quality,
+  pending = false,
+  drawn = 0;
 
 /** Ask for a picture; many requests within a frame make one. */
 export function invalidate() {
@@ -34,10 +37,15 @@ scene.fog = new THREE.Fog('#fff', 1, 10);
 
 export function open(element) {
   host = element;
-  const make = (antialias) => new THREE.WebGLRenderer({ antialias, stencil: true, powerPreference: 'high-performance' });
+  const make = (antialias) =>
+    new THREE.WebGLRenderer({ antialias, stencil: true, powerPreference: 'high-performance' });
   renderer = make(false);
   const software = drawnInSoftware(renderer.getContext());
-  if (!software) { renderer.dispose(); renderer.forceContextLoss(); renderer = make(true); }
+  if (!software) {
+    renderer.dispose();
+    renderer.forceContextLoss();
+    renderer = make(true);
+  }
   quality = new Quality(software, renderer, paint);
   renderer.domElement.setAttribute('aria-hidden', 'true');
   host.append(renderer.domElement);
@@ -45,23 +53,30 @@ export function open(element) {
   controls.enableDamping = false;
   controls.addEventListener('change', invalidate);
   // Whoever turns the arm out of the picture wants it so, until they ask for a view again.
-  controls.addEventListener('end', () => { handsOff = !inView(); });
+  controls.addEventListener('end', () => {
+    handsOff = !inView();
+  });
   new ResizeObserver(resize).observe(host);
   host.tabIndex = 0;
   host.setAttribute('role', 'application');
-  host.setAttribute('aria-label', 'The arm in space. Arrow keys turn the view, plus and minus zoom, F fits, 1 to 4 are the standard views.');
+  host.setAttribute(
+    'aria-label',
+    'The arm in space. Arrow keys turn the view, plus and minus zoom, F fits, 1 to 4 are the standard views.',
+  );
   host.addEventListener('keydown', onKey);
 }
 
 function resize() {
-  const w = host.clientWidth, h = host.clientHeight;
+  const w = host.clientWidth,
+    h = host.clientHeight;
   if (!w || !h) return;
   quality.resized(w, h);
   renderer.setSize(w, h);
   camera.aspect = w / h;
   camera.updateProjectionMatrix();
   // at once, so that a resized picture does not flicker; the very first one waits for something to show
-  if (drawn) draw(); else invalidate();
+  if (drawn) draw();
+  else invalidate();
   keepInView();
 }
 
@@ -77,10 +92,14 @@ function onKey(e) {
   e.preventDefault();
 }
 function orbit(dAzimuth, dPolar) {
-  const v = camera.position.clone().sub(controls.target), r = v.length();
+  const v = camera.position.clone().sub(controls.target),
+    r = v.length();
   const az = Math.atan2(v.y, v.x) + dAzimuth;
   const po = Math.min(Math.max(Math.acos(v.z / r) + dPolar, 0.02), Math.PI - 0.02);
-  camera.position.set(Math.sin(po) * Math.cos(az), Math.sin(po) * Math.sin(az), Math.cos(po)).multiplyScalar(r).add(controls.target);
+  camera.position
+    .set(Math.sin(po) * Math.cos(az), Math.sin(po) * Math.sin(az), Math.cos(po))
+    .multiplyScalar(r)
+    .add(controls.target);
   controls.update();
   invalidate();
 }
@@ -91,7 +110,10 @@ function dolly(k) {
 }
 
 // ---- fitting
-let lastPoints = [[0, 0, 0], [0, 0, 1]];
+let lastPoints = [
+  [0, 0, 0],
+  [0, 0, 1],
+];
 /** The closest camera along a direction from which every point is in the picture, with a margin. */
 function framing(points, dir) {
   const box = new THREE.Box3().setFromPoints(points.map((p) => new THREE.Vector3(...p)));
@@ -99,16 +121,26 @@ function framing(points, dir) {
   const back = new THREE.Vector3(...dir).normalize();
   const right = new THREE.Vector3().crossVectors(camera.up, back).normalize();
   const up = new THREE.Vector3().crossVectors(back, right);
-  const ty = Math.tan(THREE.MathUtils.degToRad(FOV / 2)) * 0.8, tx = ty * camera.aspect;
+  const ty = Math.tan(THREE.MathUtils.degToRad(FOV / 2)) * 0.8,
+    tx = ty * camera.aspect;
   let distance = box.getSize(new THREE.Vector3()).length() * 0.4 + 1e-3;
   // Two passes centre the picture, not only the box: the second one starts from the first one's balance.
   for (let pass = 0; pass < 3; pass++) {
-    let need = 0, lo = Infinity, hi = -Infinity, left = Infinity, far = -Infinity;
+    let need = 0,
+      lo = Infinity,
+      hi = -Infinity,
+      left = Infinity,
+      far = -Infinity;
     for (const p of points) {
       const v = new THREE.Vector3(...p).sub(target);
-      const x = v.dot(right), y = v.dot(up), z = v.dot(back);
+      const x = v.dot(right),
+        y = v.dot(up),
+        z = v.dot(back);
       need = Math.max(need, z + Math.abs(x) / tx, z + Math.abs(y) / ty);
-      lo = Math.min(lo, y); hi = Math.max(hi, y); left = Math.min(left, x); far = Math.max(far, x);
+      lo = Math.min(lo, y);
+      hi = Math.max(hi, y);
+      left = Math.min(left, x);
+      far = Math.max(far, x);
     }
     distance = Math.max(need, distance * 0.2);
     if (pass < 2) target.addScaledVector(up, (lo + hi) / 2).addScaledVector(right, (left + far) / 2);
@@ -118,16 +150,21 @@ function framing(points, dir) {
 
 let moving = 0;
 function fly({ target, position }, seconds = 0.35) {
-  const from = { t: controls.target.clone(), p: camera.position.clone() }, began = performance.now(), mine = ++moving;
+  const from = { t: controls.target.clone(), p: camera.position.clone() },
+    began = performance.now(),
+    mine = ++moving;
   const still = matchMedia('(prefers-reduced-motion: reduce)').matches || seconds === 0;
   (function go(now) {
     if (mine !== moving) return;
-    const s = still ? 1 : Math.min((now - began) / (1000 * seconds), 1), k = s * s * (3 - 2 * s);
+    const s = still ? 1 : Math.min((now - began) / (1000 * seconds), 1),
+      k = s * s * (3 - 2 * s);
     controls.target.lerpVectors(from.t, target, k);
     camera.position.lerpVectors(from.p, position, k);
     const d = camera.position.distanceTo(controls.target);
-    camera.near = d / 100; camera.far = d * 30;
-    scene.fog.near = d * 1.3; scene.fog.far = d * 3.4;
+    camera.near = d / 100;
+    camera.far = d * 30;
+    scene.fog.near = d * 1.3;
+    scene.fog.far = d * 3.4;
     camera.updateProjectionMatrix();
     controls.update();
     invalidate();
@@ -150,12 +187,20 @@ let handsOff = false;
 function inView() {
   camera.updateMatrixWorld();
   const v = new THREE.Vector3();
-  return lastPoints.every((p) => { v.set(...p).project(camera); return Math.abs(v.x) < 1 && Math.abs(v.y) < 1 && v.z < 1; });
+  return lastPoints.every((p) => {
+    v.set(...p).project(camera);
+    return Math.abs(v.x) < 1 && Math.abs(v.y) < 1 && v.z < 1;
+  });
 }
 /** Move back a little when the arm has grown out of the picture, unless the person has chosen it so. */
-export function keepInView() { if (!handsOff && lastPoints.length && !inView()) fit(lastPoints); }
-export const remember = (points) => { lastPoints = points; };
-export const cameraState = () => [...camera.position.toArray(), ...controls.target.toArray()].map((v) => Number(v.toPrecision(5)));
+export function keepInView() {
+  if (!handsOff && lastPoints.length && !inView()) fit(lastPoints);
+}
+export const remember = (points) => {
+  lastPoints = points;
+};
+export const cameraState = () =>
+  [...camera.position.toArray(), ...controls.target.toArray()].map((v) => Number(v.toPrecision(5)));
 export function setCamera(six) {
   moving += 1;
   fly({ position: new THREE.Vector3(...six.slice(0, 3)), target: new THREE.Vector3(...six.slice(3)) }, 0);
@@ -166,13 +211,18 @@ let grid = null;
 export const ground = { cell: 0.1 };
 /** A grid on z = 0 whose cell is 1, 2 or 5 times a power of ten, about a tenth of the arm. */
 export function layGround(reach) {
-  const raw = reach / 6, ten = 10 ** Math.floor(Math.log10(raw));
+  const raw = reach / 6,
+    ten = 10 ** Math.floor(Math.log10(raw));
   const cell = [1, 2, 5, 10].map((k) => k * ten).findLast((c) => c <= raw * 1.0001) ?? ten;
   ground.cell = cell;
-  const half = Math.ceil((reach * 2.2) / cell), at = [], shade = [];
-  const fine = new THREE.Color(colours.gridFine), coarse = new THREE.Color(colours.gridCoarse);
+  const half = Math.ceil((reach * 2.2) / cell),
+    at = [],
+    shade = [];
+  const fine = new THREE.Color(colours.gridFine),
+    coarse = new THREE.Color(colours.gridCoarse);
   for (let i = -half; i <= half; i++) {
-    const c = i % 5 === 0 ? coarse : fine, e = half * cell;
+    const c = i % 5 === 0 ? coarse : fine,
+      e = half * cell;
     at.push(i * cell, -e, 0, i * cell, e, 0, -e, i * cell, 0, e, i * cell, 0);
     for (let k = 0; k < 4; k++) shade.push(c.r, c.g, c.b);
   }
@@ -198,6 +248,7 @@ export function applyTheme() {
 
 /** Where a point of space is on the screen, CSS pixels in the page; for tests that drag like a hand. */
 export function toScreen(p) {
-  const v = new THREE.Vector3(...p).project(camera), r = host.getBoundingClientRect();
+  const v = new THREE.Vector3(...p).project(camera),
+    r = host.getBoundingClientRect();
   return [r.x + ((v.x + 1) / 2) * r.width, r.y + ((1 - v.y) / 2) * r.height];
 }

@@ -1,0 +1,72 @@
+// Self-motion: a slider along each continuous family of solutions.
+import { h, replace } from '../dom.mjs';
+import { state, setJoints } from '../store.mjs';
+import { stop } from '../animate.mjs';
+import { ontoPose } from '../kinematics.mjs';
+import { options } from '../solving.mjs';
+
+/** A slider for each continuous family: the arm moves, the tool stands still. */
+export function showFamilies(el, s) {
+  const list = s?.families ?? [],
+    exact = !options.task && state.plan?.task === 'pose';
+  if (el.drawn === list) return;
+  el.drawn = list;
+  replace(
+    el,
+    list.map((family, k) => {
+      const slider = h('input', {
+        type: 'range',
+        min: '0',
+        max: '1',
+        step: 'any',
+        value: '0',
+        'aria-label': `Along family ${k + 1}`,
+        'data-testid': `family-${k + 1}`,
+      });
+      const go = () => {
+        stop();
+        const at = Number(slider.value),
+          i = Math.max(
+            family.s.findLastIndex((v) => v <= at),
+            0,
+          ),
+          j = Math.min(i + 1, family.q.length - 1);
+        const f = j > i ? (at - family.s[i]) / (family.s[j] - family.s[i]) : 0;
+        slider.style.setProperty('--at', `${100 * at}%`);
+        const between = family.q[i].map((v, m) => v + f * (family.q[j][m] - v));
+        setJoints(exact ? ontoPose(state.table, between, s.T) : between, 'family');
+      };
+      // the thumb begins where the arm is; the reddish parts of the track lie outside the limits
+      const apart = (v) => v.reduce((sum, x, m) => sum + Math.sin((x - state.q[m]) / 2) ** 2, 0);
+      slider.value = String(
+        family.s[family.q.reduce((best, v, m) => (apart(v) < apart(family.q[best]) ? m : best), 0)],
+      );
+      slider.style.setProperty('--at', `${100 * Number(slider.value)}%`);
+      if (family.inside.length === 1) {
+        slider.style.setProperty('--lo', `${100 * family.inside[0][0]}%`);
+        slider.style.setProperty('--hi', `${100 * family.inside[0][1]}%`);
+      }
+      slider.addEventListener('input', go);
+      slider.addEventListener('keydown', (e) => {
+        const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];
+        if (!way) return;
+        e.preventDefault();
+        slider.value = Math.min(Math.max(Number(slider.value) + way / 100, 0), 1);
+        go();
+      });
+      const moves = family.moves.length > 3 ? 'all its joints' : family.moves.join(' and ');
+      return h(
+        'div',
+        { class: 'family' },
+        h(
+          'p',
+          {},
+          h('strong', { text: list.length > 1 ? `Self-motion ${k + 1} of ${list.length}` : 'Self-motion' }),
+          ` by ${moves}, ${family.closed ? 'a closed curve' : 'an open curve'}: the arm moves, the tool stands still.`,
+          family.inside.length ? '' : ' All of it lies outside the limits.',
+        ),
+        slider,
+      );
+    }),
+  );
+}

@@ -1,0 +1,140 @@
+// Every solution as a row: hover or focus to see it, click or press Enter to go there.
+import { h, replace, setText } from '../dom.mjs';
+import { state } from '../store.mjs';
+import { units, show, tiny } from '../units.mjs';
+import { moveTo } from '../animate.mjs';
+import { showPreview } from '../scene/arm.mjs';
+import { kindOf } from './joints.mjs';
+
+/** Rows are kept and rewritten: a dragged gizmo changes them many times a second. */
+export function solutionTable() {
+  const head = h('thead'),
+    body = h('tbody');
+  const hint = h('p', {
+    class: 'hint below',
+    text: 'Grey rows lie outside the limits; the joints in red exceed them.',
+  });
+  const el = h(
+    'div',
+    { class: 'scroll' },
+    h('table', { class: 'plain solutions', 'data-testid': 'solutions', 'aria-label': 'Solutions' }, head, body),
+    hint,
+  );
+  let rows = [],
+    made = '';
+  const make = () => {
+    const key = `${state.table.joints.map((j) => j.type).join('')}${units.angle}${units.length}`;
+    if (key === made) return;
+    made = key;
+    rows = [];
+    replace(body);
+    replace(
+      head,
+      h(
+        'tr',
+        {},
+        h('th', { text: '' }),
+        h('th', { class: 'left', text: 'posture' }),
+        state.table.joints.map((j, i) =>
+          h(
+            'th',
+            {},
+            h('i', { text: 'q' }),
+            h('sub', { text: String(i + 1) }),
+            h('span', { class: 'unit', text: ` ${units.symbol(kindOf(j))}` }),
+          ),
+        ),
+        h('th', { text: 'residual' }),
+      ),
+    );
+  };
+  const row = (k) => {
+    const cells = state.table.joints.map(() => h('td')),
+      label = h('span'),
+      beyond = h('span', { class: 'offscreen' }),
+      residual = h('td', { class: 'unit' });
+    const tr = h(
+      'tr',
+      { tabindex: '0', 'data-testid': `solution-${k + 1}` },
+      h('th', { scope: 'row', text: String(k + 1) }),
+      h('td', { class: 'left' }, label, beyond),
+      cells,
+      residual,
+    );
+    const q = () => state.solutions?.rows[k]?.q;
+    const over = () => q() && showPreview(q()),
+      out = () => showPreview(null),
+      go = () => {
+        if (q()) {
+          showPreview(null);
+          moveTo(shortest(q()));
+        }
+      };
+    tr.addEventListener('pointerenter', over);
+    tr.addEventListener('pointerleave', out);
+    tr.addEventListener('focus', over);
+    tr.addEventListener('blur', out);
+    tr.addEventListener('click', go);
+    tr.addEventListener('keydown', (e) => {
+      if (e.key === 'Enter' || e.key === ' ') {
+        e.preventDefault();
+        go();
+      }
+    });
+    return { tr, cells, label, beyond, residual };
+  };
+  return {
+    el,
+    show(s) {
+      make();
+      const list = s?.rows ?? [];
+      while (rows.length < list.length) {
+        const r = row(rows.length);
+        rows.push(r);
+        body.append(r.tr);
+      }
+      el.hidden = list.length === 0;
+      hint.hidden = list.every((r) => r.inside);
+      rows.forEach((r, k) => {
+        const data = list[k];
+        r.tr.hidden = !data;
+        if (!data) return;
+        r.tr.classList.toggle('beyond', !data.inside);
+        setText(r.label, `${data.label}${data.family >= 0 ? ' (of a family)' : ''}`);
+        setText(r.beyond, data.inside ? '' : ', outside the limits');
+        setText(r.residual, data.residual ? `${tiny(data.residual[0] * 1000)} mm` : '');
+        r.residual.title = data.residual
+          ? `${tiny(data.residual[0])} m, ${tiny(data.residual[1])} rad by forward kinematics`
+          : '';
+        data.q.forEach((v, i) => {
+          const j = state.table.joints[i],
+            out = (j.lower !== null && v < j.lower - 1e-9) || (j.upper !== null && v > j.upper + 1e-9);
+          setText(r.cells[i], show(v, kindOf(j), kindOf(j) === 'angle' && units.angle === 'deg' ? 1 : undefined));
+          r.cells[i].classList.toggle('out', out);
+        });
+      });
+      this.mark();
+    },
+    mark() {
+      const list = state.solutions?.rows ?? [];
+      rows.forEach((r, k) =>
+        r.tr.classList.toggle(
+          'here',
+          Boolean(list[k]) &&
+            list[k].q.length === state.q.length &&
+            list[k].q.every((v, i) => Math.abs(Math.sin((v - state.q[i]) / 2)) < 1e-5),
+        ),
+      );
+    },
+  };
+}
+
+/** The same posture with each revolute joint a whole number of turns nearer to where it is, if its limits allow. */
+function shortest(q) {
+  return q.map((v, i) => {
+    const j = state.table.joints[i];
+    if (j.type !== 'R') return v;
+    const w = v + 2 * Math.PI * Math.round((state.q[i] - v) / (2 * Math.PI));
+    return (j.lower === null || w >= j.lower - 1e-9) && (j.upper === null || w <= j.upper + 1e-9) ? w : v;
+  });
+}
