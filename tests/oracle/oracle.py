@@ -79,6 +79,20 @@ def machine(arm) -> Machine:
     return Machine(links, slides, np.asarray(d.sign, float), offset, unit)
 
 
+def locked(m: Machine, joint: int, value: float) -> Machine:
+    """Return the machine with a joint held at an inner value: one joint fewer."""
+    c, s = np.cos(value), np.sin(value)
+    Z = np.eye(4)
+    if m.slides[joint]:
+        Z[2, 3] = value
+    else:
+        Z[:2, :2] = [[c, -s], [s, c]]
+    links = list(m.links)
+    links[joint : joint + 2] = [links[joint] @ Z @ links[joint + 1]]
+    rest = np.arange(m.n) != joint
+    return Machine(np.stack(links), m.slides[rest], m.sign[rest], m.offset[rest], m.unit)
+
+
 def forward(m: Machine, v: np.ndarray):
     """Return poses (k, 4, 4), joint axes (k, n, 3) and points (k, n, 3) of inner values v (k, n)."""
     T = np.broadcast_to(m.links[0], (len(v), 4, 4)).copy()
@@ -210,7 +224,7 @@ def search(arm, T, *, task="pose", starts=1500, rng=None, library=None, at_most=
         library: The compiled search, or None for the one in NumPy.
         at_most: Number of clusters from which a continuous family is assumed.
         apart: Distance below which two answers are the same; a cluster gets wider where the equations are singular.
-        m: The arm's machine, if it has been made already.
+        m: The arm's machine, if it has been made already; arm may then be None.
     """
     rng = rng or np.random.default_rng(0)
     m = m or machine(arm)

@@ -1,0 +1,128 @@
+"""At singular poses: isolated solutions complete, the generating posture on a family or among the rows, no doubles."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hunt import judge
+from made import free
+
+from oracle import gap, machine, search
+
+QUARTER = np.pi / 2
+
+
+def judged(arm, q, starts=600):
+    """Judge the pose of q: return its Solutions and the oracle's findings after the claims all cases share."""
+    m, T = machine(arm), arm.fk(q)
+    sols = arm.ik(T)
+    inner = m.inner(sols.all_q)
+    on_row = len(inner) and gap(m, inner, m.inner(q)).min() < 3e-5
+    assert on_row or any(f.contains(q, 1e-5) for f in sols.families), f"lost: {sols.status.name}, {sols.why}"
+    verdict = judge(arm, T, rows=sols.all_q, families=sols.families, m=m, starts=starts)
+    assert not verdict.wrong
+    assert not [x for x in verdict.missing if x[2] > 1e-6], f"isolated: {verdict.missing[:2]}"
+    assert not verdict.missing, f"neither row nor on a family: {verdict.missing[:2]}"
+    assert verdict.found.crowded == bool(sols.families)
+    for family in sols.families:
+        assert np.abs(arm.fk(family.samples[:, : arm.n]) - T).max() < 1e-9
+    apart = gap(m, inner[:, None], inner[None]) + 9 * np.eye(len(inner))
+    assert len(inner) < 2 or apart.min() > 1e-4, f"one solution twice, {apart.min():.1e} rad apart"
+    return sols, verdict.found
+
+
+WRIST = ["denso-vp6242", "fanuc-r2000ic-165f", "unimation-puma-560"]
+
+
+@pytest.mark.parametrize("name", WRIST)
+def test_wrist_singularity(name):
+    q = np.array([0.4, 0.9, -0.3, 0.8, 0.0, -0.5])
+    sols, _ = judged(free(name), q)
+    assert sols.status.name == "SINGULAR" and len(sols.families) == 1 and list(sols.in_family).count(-1) == 6
+
+
+@pytest.mark.parametrize("name", WRIST[:2])
+def test_elbow_at_the_edge_of_reach_is_a_double_root_given_once(name):
+    arm = free(name)
+    q = np.array([0.4, 0.9, 0.0, 0.8, 0.7, -0.5])
+    rows = arm.description.rows
+    forearm = np.arctan2(rows[3].d, rows[2].a)
+    # the determinant vanishes where the forearm lines up with the upper arm, and where the wrist centre meets axis 1
+    q[2] = root(arm, q, 2, nearest=-forearm if rows[2].alpha < 0 else forearm)
+    sols, found = judged(arm, q)
+    here = gap(machine(arm), sols.q, q).argmin()
+    assert sols.multiplicity[here] == 2
+    assert len(sols.all_q) == len(found.q)
+
+
+def root(arm, q, joint, nearest):
+    """Return the value of a joint where the determinant changes sign, the one nearest to a given value."""
+    values = np.linspace(-np.pi, np.pi, 4001)
+    line = np.tile(q, (len(values), 1))
+    line[:, joint] = values
+    det = np.linalg.det(arm.jacobian(line))
+    turns = np.flatnonzero(det[:-1] * det[1:] < 0)
+    off = np.abs((values[turns] - nearest + np.pi) % (2 * np.pi) - np.pi)
+    k = turns[off.argmin()]
+    lower, upper, sign = values[k], values[k + 1], np.sign(det[k])
+    point = q.copy()
+    for _ in range(60):
+        point[joint] = (lower + upper) / 2
+        if np.sign(np.linalg.det(arm.jacobian(point))) == sign:
+            lower = point[joint]
+        else:
+            upper = point[joint]
+    return lower
+
+
+def test_shoulder_singularity_of_the_denso():
+    """The wrist centre on the first axis: joint 1 turns freely, in four ways to hold the elbow and the wrist."""
+    arm = free("denso-vp6242")
+    q = np.array([0.4, 0.9, -0.7, 0.8, 0.7, -0.5])
+    q[1] = root(arm, q, 1, nearest=0.0)
+    sols, _ = judged(arm, q)
+    assert sols.status.name == "SINGULAR" and len(sols.families) >= 1
+
+
+@pytest.mark.parametrize("name", ["denso-vp6242", "unimation-puma-560", "universal-robots-ur5e", "stanford-arm"])
+def test_the_zero_posture_where_singularities_meet(name):
+    judged(free(name), np.zeros(6))
+
+
+@pytest.mark.parametrize("name", ["universal-robots-ur5e", "motoman-ea1400n", "fanuc-crx-10ia"])
+@pytest.mark.parametrize("values", [{4: 0.0}, {2: 0.0}, {2: 0.0, 4: 0.0}, {1: QUARTER, 2: 0.0, 4: 0.0}])
+def test_special_postures_of_offset_arms(name, values):
+    q = np.array([0.4, 0.9, -0.7, 0.8, 0.7, -0.5])
+    for joint, value in values.items():
+        q[joint] = value
+    judged(free(name), q)
+
+
+@pytest.mark.parametrize("slide", [0.0, 1e-9, 1e-4])
+def test_a_slide_that_is_drawn_in_leaves_the_second_joint_free(slide):
+    judged(free("stanford-arm"), np.array([-1.1, 0.8, slide, 0.75, 0.4, 2.0]))
+
+
+def test_a_root_of_higher_multiplicity_is_given_once():
+    arm = free("kinova-jaco-j2n6")
+    q = np.array([1.5, 0.0, 0.0, -1.07, 0.0, -0.58])
+    sols, found = judged(arm, q)
+    assert len(sols.all_q) == len(found.q)
+
+
+@pytest.mark.parametrize("name", ["denso-vp6242", "universal-robots-ur5e", "motoman-ea1400n", "fanuc-crx-10ia"])
+@pytest.mark.parametrize("distance", [1e-10, 1e-8, 1e-6, 1e-4, 1e-2])
+def test_nothing_is_lost_near_a_singular_posture(name, distance):
+    arm = free(name)
+    m = machine(arm)
+    for joint in (2, 4):
+        q = np.array([0.4, 0.9, -0.7, 0.8, 0.7, -0.5])
+        q[joint] = root(arm, q, joint, nearest=0.0) + distance
+        T = arm.fk(q)
+        sols = arm.ik(T)
+        on_row = gap(m, m.inner(sols.all_q), m.inner(q)).min() < 3e-5
+        assert on_row or any(f.contains(q, 1e-5) for f in sols.families)
+        found = search(arm, T, m=m, starts=400, at_most=25)
+        clear = found.q[found.sigma > 1e-5]
+        for other in clear:
+            assert gap(m, m.inner(sols.all_q), m.inner(other)).min() < 1e-5
