@@ -303,7 +303,7 @@ def as_expr(value) -> Expr:
 
 def angle_symbol(joint: int, letter: str = "theta") -> Sym:
     """The symbol of a joint's angle, theta3 or q3."""
-    return Sym(letter, str(joint), 3)
+    return Sym(letter, str(joint), 1)
 
 
 def add(*terms) -> Expr:
