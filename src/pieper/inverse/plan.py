@@ -134,6 +134,10 @@ class Plan:
         return f"<Plan for {self.name}: {self.task} by {self.family}, at most {self.max_solutions} solutions>"
 
 
+#: Ways to lock spare joints that are tried before an arm is refused.
+MOST_WAYS = 24
+
+
 def make_plan(chain: Chain, description: Description, *, task: str | None = None, snap: float | None = None) -> Plan:
     """Classify a chain and choose how it is solved.
 
@@ -165,10 +169,7 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
     # the fastest family wins, then locks at the ends (which keep one plan for all values), then conditioning
     if len(ways) > 1:
         ways = _ranked(ways, description, tolerance)
-    reduction = ways[0]
-    defaults = _defaults(reduction, description)
-    six = reduction.six(defaults)
-    family, spec = choose(six, look(six, tolerance))
+    reduction, defaults, family, spec = _first_solvable(ways, description, tolerance)
     most = spec.max_solutions
     if wanted == "position" and reduction.full.n - len(reduction.locked) == 6 and not reduction.fill and chain.n <= 3:
         most //= 2  # the two turns of the virtual wrist are one position
@@ -190,12 +191,29 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
     )
 
 
+def _first_solvable(ways: list[Reduction], description: Description, tolerance: float):
+    """Return the first way that a solver takes, with the values of its locked joints, its family and kernel."""
+    refused: PlanError | None = None
+    for reduction in ways[:MOST_WAYS]:
+        defaults = _defaults(reduction, description)
+        six = reduction.six(defaults)
+        try:
+            family, spec = choose(six, look(six, tolerance))
+        except PlanError as error:
+            refused = refused or error
+            continue
+        return reduction, defaults, family, spec
+    raise refused
+
+
 def _ranked(ways: list[Reduction], description: Description, tolerance: float) -> list[Reduction]:
     scored = []
-    for order, way in enumerate(ways[:24]):
+    for order, way in enumerate(ways[:MOST_WAYS]):
         values = np.full(len(way.locked), 0.3719)  # a generic value: zero often looks more special than the arm is
         six = way.six(values)
         real = sum(j < way.arm.n for j in way.locked)
+        # an arm of fewer than six joints cannot keep a chosen orientation: its own joints are held, not the task's
+        real = real if way.arm.n >= 6 else -real
         scored.append((real, tier(six, look(six, tolerance)), way.at_ends is None, order, way))
     scored.sort(key=lambda entry: entry[:4])
     return [entry[-1] for entry in scored]

@@ -28,11 +28,6 @@ FAMILY_WORDS = {
         "The parallel joints move within a plane; what happens across that plane fixes the other joints, and a "
         "two-link triangle in it fixes the three.",
     ),
-    "offset_wrist": (
-        "parallel second and third axes and a wrist whose axes do not all meet",
-        "The pose is reduced to one equation in one joint angle, of the lowest degree the geometry allows; all its real "
-        "roots are found, and each gives the other joints.",
-    ),
     "general": (
         "no special arrangement that a closed form could use",
         "Five of the six joints are eliminated (Raghavan and Roth, 1993); the roots of the remaining equation, of "
@@ -118,7 +113,7 @@ def explain(plan: Plan) -> str:
         lines += ["", "Made a six-joint problem: " + "; ".join(steps) + "."]
     lines += ["", f"Solved by: {plan.family.replace('_', ' ')}, for {geometry}.", f"  {words}"]
     lines += [f"  At most {plan.max_solutions} solutions a pose" + (" and choice of the spare joints." if plan.redundancy else ".")]
-    if plan.direct and plan.family in ("general", "offset_wrist"):
+    if plan.direct and plan.family == "general":
         lines += [f"  Posture names: this arm is {plan.cuspidal}." if plan.cuspidal.found else f"  Cuspidal? {plan.cuspidal}."]
     for key, value in plan.spec.info.items():
         if isinstance(value, (str, int, float)):

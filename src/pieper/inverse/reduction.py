@@ -32,9 +32,8 @@ def with_task_joints(chain: Chain, task: str) -> Chain:
         return appended(chain, [(np.eye(3), False)])
     if task == "position":
         wrist = [(np.eye(3), False), (_X, False), (np.eye(3), False)]
-        # with joints to spare the wrist is held at chosen turns, and zero must mean the orientation that was given
-        spare = generic_rank(appended(chain, wrist)) < chain.n + 3
-        return appended(chain, wrist, last=None if spare else _GENERIC)
+        # an arm of six joints can turn its tool as it is told: the wrist is held, and zero means the orientation given
+        return appended(chain, wrist, last=None if chain.n >= 6 else _GENERIC)
     return chain
 
 

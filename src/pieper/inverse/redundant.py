@@ -56,8 +56,10 @@ def _seeds(plan: Plan, T: np.ndarray, values: np.ndarray) -> list[np.ndarray]:
     """
     ranges = [_range(plan, joint) for joint in plan.reduction.locked]
     lower, upper = ranges[0]
-    sweep = np.tile(values, (SLICES, 1))
-    sweep[:, 0] = np.linspace(lower, upper, SLICES, endpoint=bool(upper - lower < 2 * np.pi - 1e-9))
+    # a joint held inside the chain needs a kernel prepared for each value
+    slices = SLICES if plan.reduction.at_ends is not None else SLICES // 4
+    sweep = np.tile(values, (slices, 1))
+    sweep[:, 0] = np.linspace(lower, upper, slices, endpoint=bool(upper - lower < 2 * np.pi - 1e-9))
     found = _points(plan, T, sweep)
     if not found and len(ranges) > 1:
         low, high = np.array(ranges).T

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from pieper import _kernel
 from pieper.inverse.families.spec import KernelSpec
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
 
-FAMILIES = ("spherical_wrist_parallel", "spherical_wrist", "three_parallel", "offset_wrist", "general")
+FAMILIES = ("spherical_wrist_parallel", "spherical_wrist", "three_parallel", "general")
 
 
 def choose(chain: Chain, geometry: Geometry, families: tuple[str, ...] = FAMILIES) -> tuple[str, KernelSpec]:
@@ -23,8 +22,6 @@ def choose(chain: Chain, geometry: Geometry, families: tuple[str, ...] = FAMILIE
         PlanError: No family takes the chain; raised by the last one asked, with the reason.
     """
     for name in families:
-        if name not in _kernel.kinds:
-            continue
         family = import_module(f"pieper.inverse.families.{name}")
         match = family.match(chain, geometry)
         if match is not None:
@@ -35,6 +32,6 @@ def choose(chain: Chain, geometry: Geometry, families: tuple[str, ...] = FAMILIE
 def tier(chain: Chain, geometry: Geometry) -> int:
     """Return how early in FAMILIES a chain is taken, without preparing it; fewer is faster."""
     for index, name in enumerate(FAMILIES[:-1]):
-        if name in _kernel.kinds and import_module(f"pieper.inverse.families.{name}").match(chain, geometry) is not None:
+        if import_module(f"pieper.inverse.families.{name}").match(chain, geometry) is not None:
             return index
     return len(FAMILIES) - 1
