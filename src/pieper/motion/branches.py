@@ -47,7 +47,10 @@ def strands(way: Continuation, start: np.ndarray) -> list[Strand]:
         alive = [s for s in found if s.end is None]
         if not alive:
             break
-        if way.solutions(k)[1]:
+        if way.redundant:
+            for strand in alive:
+                _carry_on_continuum(way, strand, k)
+        elif way.solutions(k)[1]:
             _reach_special(way, alive, k)
         else:
             _reach_regular(way, alive, k)
@@ -56,9 +59,9 @@ def strands(way: Continuation, start: np.ndarray) -> list[Strand]:
 
 def _first(way: Continuation, start: np.ndarray) -> list[Strand]:
     found, special = way.solutions(0)
-    if not special:
+    if not special and not way.redundant:
         return [Strand([q], q, 0.0) for q in found]
-    if len(way.path) > 1 and not way.solutions(BRIDGE)[1]:
+    if len(way.path) > 1 and not way.redundant and not way.solutions(BRIDGE)[1]:
         # just after a singular first pose the branches are apart; each is read back to where it comes from
         out = []
         for q in way.solutions(BRIDGE)[0]:
@@ -67,9 +70,9 @@ def _first(way: Continuation, start: np.ndarray) -> list[Strand]:
                 out.append(Strand([first], q, BRIDGE, crossings=[0]))
         if out:
             return out
-    # every pose near by has a continuum too: its representatives begin a branch each
-    sols = way.arm.ik(way.path[0])
-    found = sols.all_q if len(sols.all_q) else found
+    # every pose near by has a continuum too: representatives of it begin a branch each
+    if len(found) == 0 or not way.redundant:
+        found = way.arm.ik(way.path[0]).all_q
     out = [Strand([q], q, 0.0) for q in found]
     own, ok = way.project(start, 0)
     if ok and all(np.abs(way.wrapped(own - q)).max() > ROUNDING for q in found):
@@ -162,7 +165,7 @@ def _reach_special(way: Continuation, alive: list[Strand], k: int) -> None:
         rest = []
         moved, sure = way.step(np.array([s.at for s in group]), group[0].x, k)
         for i, strand in enumerate(group):
-            if sure[i] and not way.redundant and not way.is_singular(moved[i], k):
+            if sure[i] and not way.is_singular(moved[i], k):
                 strand.at, strand.x = moved[i], float(k)
                 strand.q.append(moved[i])
             else:

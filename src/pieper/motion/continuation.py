@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.inverse.solutions import DEGENERATE, Status
+from pieper.inverse.reduced import solve_reduced
+from pieper.inverse.solutions import DEGENERATE
 from pieper.kinematics.pose import pose_error, rotation_vector
 from pieper.motion.path import between
 from pieper.tolerances import VERIFIED
@@ -43,6 +44,8 @@ SINGULAR = 1e-7
 BRIDGE = 1e-3
 #: Steps allowed between two neighbouring points before a branch is given up as unresolved.
 BUDGET = 600
+#: Values of a spare joint at which a point is tried before it counts as out of reach.
+SPARE_VALUES = 25
 
 
 class Continuation:
@@ -99,15 +102,23 @@ class Continuation:
             q, valid, inside, flag = plan.solver.many(np.ascontiguousarray(poses), 1)
             special = (flag & DEGENERATE) > 0
         else:
-            batch = self.arm.ik_many(poses)
-            q, valid, inside = batch.q, batch.valid, batch.in_limits
-            special = np.isin(batch.status, (Status.SINGULAR, Status.REDUNDANT)) | ((batch.flag & DEGENERATE) > 0)
+            q, valid, inside, flag = solve_reduced(plan, poses, np.tile(plan.defaults, (len(poses), 1)), 1)
+            special = ((flag & DEGENERATE) > 0) | self.redundant
         return [row[ok] for row, ok in zip(q, valid, strict=True)], inside.any(1), special
 
     @property
     def reachable(self) -> np.ndarray:
-        """(N,) whether a point has a solution inside the limits."""
-        return self._inside
+        """(N,) whether a point has a solution inside the limits, at some value of a spare joint if there is one."""
+        if not self.redundant:
+            return self._inside
+        plan, reachable = self.arm.plan, self._inside.copy()
+        lower, upper = plan.full_limits[plan.reduction.locked[0]]
+        lower, upper = (lower, upper) if np.isfinite(lower) and np.isfinite(upper) else (-np.pi, np.pi)
+        for value in np.linspace(lower, upper, SPARE_VALUES):
+            values = np.tile(plan.defaults, (len(self.path), 1))
+            values[:, 0] = value
+            reachable |= solve_reduced(plan, self.path, values, 1)[2].any(1)
+        return reachable
 
     def why(self, x: float) -> str:
         """Return why the pose at x came out as it did, asked once."""

@@ -201,16 +201,20 @@ def _matrix(matrix) -> Formula:
     return Formula(matrix.mathml(), rf"\[ {matrix.latex()} \]")
 
 
+def _headless(equations) -> Formula:
+    """Return equations without their own first heading: the section's heading says what they are."""
+    mathml = re.sub(r"^\s*<h2>.*?</h2>", "", equations.mathml(), count=1, flags=re.S)
+    latex = re.sub(r"^\s*\\(?:sub)?section\*\{[^}]*\}", "", equations.latex(), count=1)
+    return Formula(mathml, latex)
+
+
 def add_derivation(page: Document, arm: Arm) -> None:
     """Add the derivation of the inverse, when the symbolic wing has one for this arm."""
     page.section("The inverse, derived")
 
     def derived() -> None:
         inverse = arm.symbolic.ik()
-        # the section's own heading says what it is
-        mathml = re.sub(r"^\s*<h2>.*?</h2>", "", inverse.mathml(), count=1, flags=re.S)
-        latex = re.sub(r"^\s*\\(?:sub)?section\*\{[^}]*\}", "", inverse.latex(), count=1)
-        page.add(Formula(mathml, latex))
+        page.add(_headless(inverse))
         if hasattr(inverse, "check"):
             page.add(str(inverse.check()))
 
@@ -223,7 +227,7 @@ def add_singularities(page: Document, arm: Arm) -> None:
 
     def found() -> None:
         equations = arm.symbolic.singularities()
-        page.add(Formula(equations.mathml(), equations.latex()))
+        page.add(_headless(equations))
         page.add(str(equations.check()))
         seen = [c for c in equations.configurations if len(c.samples)][:3]
         if seen:

@@ -64,8 +64,10 @@ def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "sol
         left=(0, n + 1, n + 2),
         strong=tuple(int(i) for i in np.flatnonzero(inside)) if not inside.all() else (),
     )
-    for i, family in enumerate(sols.families):
-        page.add(f"Family {i + 1}: {family}")
+    texts = [str(family) for family in sols.families]
+    for text in dict.fromkeys(texts):
+        which = [str(i + 1) for i, other in enumerate(texts) if other == text]
+        page.add(f"{'Family' if len(which) == 1 else 'Families'} {', '.join(which)}: {text}.")
     few = rows_q[:16]
     page.add(
         Picture(
