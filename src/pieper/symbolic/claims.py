@@ -156,7 +156,7 @@ def _judge(name: str, claim: dict, benches: dict[str, Evidence]) -> Verdict:
 
 
 def _read(source) -> tuple[str, str]:
-    if isinstance(source, str) and ("\n" in source or "=" in source):
+    if isinstance(source, str) and ("\n" in source or ("=" in source and not os.path.isfile(source))):
         return "claims", source
     path = Path(source)
     try:
@@ -338,4 +338,6 @@ def _describe(key: str, model: ArmModel, data: dict) -> str:
     table = data.get("arms", {}).get(key) or data.get("arm") or {}
     words = f" {table['words']}" if table.get("words") else ""
     shown = ", ".join(f"{k} = {v:g}" for k, v in model.values.items() if v)
-    return f"{model.name}: {model.n} joints, {model.convention} DH, {shown} ({model.unit}).{words}"
+    lengths = f", {shown} ({model.unit})" if shown else ""
+    joints = "1 joint" if model.n == 1 else f"{model.n} joints"
+    return f"{model.name}: {joints}, {model.convention} DH{lengths}.{words}"

@@ -169,7 +169,7 @@ def tried_text(explanation: Explanation, arms_tried: dict[str, int] | None = Non
     parts = [f"{KINDS.get(kind, kind)} ({count})" for kind, count in explanation.tried.items()]
     parts += [f"{ARM_KINDS.get(kind, kind)} ({count})" for kind, count in (arms_tried or {}).items()]
     text = ", ".join(parts)
-    return text + ("" if explanation.complete else "; the search stopped at its time limit")
+    return text + ("" if explanation.complete else "; the search stopped at its limit of time or length")
 
 
 def fresh_samples(model: ArmModel, q: np.ndarray) -> Samples:

@@ -51,15 +51,16 @@ def required_values(root: Node, wanted: np.ndarray | None, angle: bool, value: d
 
 
 def _undo(node: Node, k: int, need: np.ndarray, value: dict[Node, np.ndarray]):
-    others = [value[a] for i, a in enumerate(node.args) if i != k]
     op = node.op
+    if op not in ("add", "neg", "pm"):
+        others = [value[a] for i, a in enumerate(node.args) if i != k]
     if op == "neg":
         return -need
     if op == "pm":
         # either sign may be meant; what follows (acos) does not see the difference, anything else is tried in full
         return need if node.args[0].op == "call" and node.args[0].value == "acos" else None
     if op == "add":
-        return need - sum(others)
+        return need - (value[node] - value[node.args[k]])
     if op == "mul":
         return need / np.prod(np.broadcast_arrays(*others), axis=0)
     if op == "div":

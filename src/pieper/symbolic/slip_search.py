@@ -15,6 +15,7 @@ from pieper.symbolic.slip import Slip
 from pieper.symbolic.tree import NUMPY, Node, evaluate
 
 ANGLE_TOLERANCE = 1e-7  # rad; acos loses half the digits near its ends
+MAX_SEARCHED = 4000  # nodes; a formula of several pages has more slips than anyone waits for
 PROBES = 6  # samples at which a candidate is tried first
 VALUE_TOLERANCE = 1e-9  # relative to the size of the numbers compared
 
@@ -106,6 +107,9 @@ def search(target: Target, root: Node, candidates: Iterable[Slip], *, seconds: f
         What was found and what was tried.
     """
     out = Explanation()
+    if root.size() > MAX_SEARCHED:
+        out.complete = False
+        return out
     probe = target.restrict(np.arange(min(PROBES, len(target.env["pi"]))))
     values: dict = {}
     probe.residual(root, 1, values)

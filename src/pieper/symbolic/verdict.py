@@ -38,6 +38,11 @@ class Verdict:
     digits: int | None = None
 
     @property
+    def about(self) -> str:
+        """What the claim is about; a remark in brackets stands behind the claim itself."""
+        return f"{self.claim} {self.says}" if self.says.startswith("(") else self.says or self.claim
+
+    @property
     def holds(self) -> bool:
         """Say whether the claim holds without reserve."""
         return self.status == HOLDS
@@ -94,7 +99,7 @@ class Report:
             "",
         ]
         for v in self.verdicts:
-            lines.append(f"[{_MARK[v.status]}] {v.id}: {v.says or v.claim}")
+            lines.append(f"[{_MARK[v.status]}] {v.id}: {v.about}")
             if v.says:
                 lines.append(f"    claim: {v.claim}")
             lines.append(f"    {v.sentence}")
@@ -110,8 +115,7 @@ class Report:
         lines += [self.notes, ""] if self.notes else []
         lines += [f"**{self.summary()}**", "", "| claim | what | verdict |", "|---|---|---|"]
         lines += [
-            f"| {v.id} | {_cell(v.says or v.claim)} | {v.status if v.holds else '**' + v.status + '**'} |"
-            for v in self.verdicts
+            f"| {v.id} | {_cell(v.about)} | {v.status if v.holds else '**' + v.status + '**'} |" for v in self.verdicts
         ]
         for v in self.verdicts:
             lines += ["", f"## {v.id}" + (f": {v.says}" if v.says else ""), ""]
@@ -126,8 +130,7 @@ class Report:
         """Return the report as an HTML fragment."""
         e = html.escape
         rows = "".join(
-            f'<tr class="{v.status.split()[0]}"><td>{e(v.id)}</td><td>{e(v.says or v.claim)}</td>'
-            f"<td>{e(v.status)}</td></tr>"
+            f'<tr class="{v.status.split()[0]}"><td>{e(v.id)}</td><td>{e(v.about)}</td><td>{e(v.status)}</td></tr>'
             for v in self.verdicts
         )
         parts = [
