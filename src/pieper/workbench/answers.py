@@ -153,6 +153,16 @@ def nearest_pose(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     return {"q": q.tolist(), "T": arm.fk(q).ravel().tolist(), "metres": metres, "radians": radians}
 
 
+def formulas(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
+    """Return what the formulas of the derivation give at a pose: one joint vector for each real branch."""
+    T = pose(message.get("T"), "pose")
+    equations = arm.symbolic.ik()
+    if not equations.closed:
+        return {"rows": []}
+    branches = np.asarray(equations.evaluate(T[None]))[:, 0]
+    return {"rows": branches[np.isfinite(branches).all(1)].tolist()}
+
+
 def save(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     """Return the arm as the text of a robot file."""
     with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
@@ -162,4 +172,4 @@ def save(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
 
 
 TABLES: dict[str, Callable] = {"hello": hello, "load": load, "open": open_file}
-QUICK: dict[str, Callable] = {"ik": ik, "nearest": nearest_pose, "save": save}
+QUICK: dict[str, Callable] = {"ik": ik, "formulas": formulas, "nearest": nearest_pose, "save": save}

@@ -1,8 +1,9 @@
 // Equations: forward and inverse, typeset, with symbols or with the arm's numbers, the present values beside them.
-import { h, replace, setText, choice, perFrame, copy } from '../dom.mjs';
+import { h, replace, setText, choice, perFrame, debounce, copy } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { askArm } from '../library.mjs';
-import { fixed, units } from '../units.mjs';
+import { fixed, show, units } from '../units.mjs';
+import { kindOf } from './joints.mjs';
 
 let typeset = null;
 async function katex() {
@@ -28,6 +29,38 @@ function prose(k, text) {
   );
 }
 
+function valueTable(rows) {
+  const heads = state.table.joints.map((j, i) =>
+    h(
+      'th',
+      {},
+      h('i', { text: 'q' }),
+      h('sub', { text: String(i + 1) }),
+      h('span', { class: 'unit', text: ` ${units.symbol(kindOf(j))}` }),
+    ),
+  );
+  return [
+    h('h3', { text: 'The formulas at the present pose' }),
+    h(
+      'table',
+      { class: 'plain', 'data-testid': 'formula-values', 'aria-label': 'Branches of the formulas at the present pose' },
+      h('thead', {}, h('tr', {}, h('th', { text: 'branch' }), heads)),
+      h(
+        'tbody',
+        {},
+        rows.map((q, k) =>
+          h(
+            'tr',
+            {},
+            h('th', { scope: 'row', text: String(k + 1) }),
+            q.map((v, i) => h('td', { text: show(v, kindOf(state.table.joints[i])) })),
+          ),
+        ),
+      ),
+    ),
+  ];
+}
+
 export const equations = {
   id: 'equations',
   title: 'Equations',
@@ -40,6 +73,20 @@ export const equations = {
       source = '';
     const note = h('p', { class: 'hint', role: 'status', 'data-testid': 'equations-note' });
     const body = h('div', { class: 'equations', 'data-testid': 'equations' });
+    const lengths = choice(
+      'Lengths as',
+      [
+        ['symbols', 'Symbols'],
+        ['numbers', 'Numbers'],
+      ],
+      numbers,
+      (v) => {
+        numbers = v;
+        refresh();
+      },
+      'equation-numbers',
+    );
+    const values = h('div', { class: 'scroll' });
     root.append(
       h(
         'div',
@@ -61,23 +108,12 @@ export const equations = {
             },
             'which-equations',
           ),
-          choice(
-            'Lengths as',
-            [
-              ['symbols', 'Symbols'],
-              ['numbers', 'Numbers'],
-            ],
-            numbers,
-            (v) => {
-              numbers = v;
-              refresh();
-            },
-            'equation-numbers',
-          ),
+          lengths,
         ),
         h('button', { type: 'button', class: 'quiet', text: 'Copy LaTeX', on: { click: () => copy(source) } }),
       ),
       note,
+      values,
       body,
     );
 
@@ -102,6 +138,9 @@ export const equations = {
           answer.blocks.map((b) => block(k, b)),
         );
         update();
+        lengths.hidden = which !== 'forward';
+        replace(values);
+        evaluate();
       } catch (error) {
         if (asked !== key) return;
         asked = null;
@@ -139,6 +178,18 @@ export const equations = {
           `= ${entry % 4 === 3 ? `${fixed(T[entry] * units.factor('length'), units.digits('length'))} ${units.length}` : fixed(T[entry], 4)}`,
         );
     });
+    /** The derivation with the present numbers put in: what its formulas give at the present pose, branch by branch. */
+    const evaluate = debounce(async () => {
+      if (panel.hidden || which !== 'inverse' || !body.childElementCount) return;
+      try {
+        const { rows } = await askArm('formulas', { T: state.frames.at(-1) });
+        replace(values, rows.length && which === 'inverse' ? valueTable(rows) : null);
+      } catch {
+        replace(values);
+      }
+    }, 250);
+    on('q', evaluate);
+    on('units', evaluate);
     on('panel', refresh);
     on('plan', refresh);
     on(['q', 'units'], update);
