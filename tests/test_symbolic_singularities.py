@@ -8,16 +8,23 @@ from pieper.symbolic.determinant import expand
 from pieper.symbolic.harmonic import Poly, trig
 
 ARMS = pieper.catalog()
+#: One arm of each build; the others repeat these determinants with other lengths.
+BUILDS = """
+    denso-vp6242 denso-vs6577-controller fanuc-r2000ic-165f unimation-puma-560 universal-robots-ur5e stanford-arm
+    rrp-wrist
+    three-r adept-cobra-600 dfrobot-rob0036 dfrobot-rob0036-as-printed motoman-ea1400n motoman-hc10 kinova-jaco-j2n6
+    kuka-lbr-iiwa-14-r820 franka-panda
+""".split()
 
 
 @pytest.mark.parametrize("name", ARMS)
 def test_every_entry_of_the_jacobian_agrees_with_the_numeric_one(name):
     arm = pieper.load(name)
     for angles in ("theta", "q"):
-        assert arm.symbolic.jacobian(angles=angles).check(30).worst < 1e-11
+        assert arm.symbolic.jacobian(angles=angles).check(20).worst < 1e-11
 
 
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", BUILDS)
 def test_the_factored_determinant_and_every_singular_configuration_hold(name):
     found = pieper.load(name).symbolic.singularities(task="pose")
     assert found.check(20).worst < 1e-7
