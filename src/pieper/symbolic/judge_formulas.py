@@ -9,7 +9,7 @@ from pieper.symbolic.difference import agreeing_digits, difference_from_matrix, 
 from pieper.symbolic.evidence import Evidence, number, plain, tried_text
 from pieper.symbolic.matrices import Product, parse_product, value_of
 from pieper.symbolic.regions import find_region, region_features, zero_denominators
-from pieper.symbolic.slip_search import Target, search
+from pieper.symbolic.slip_search import MAX_SEARCHED, Target, search
 from pieper.symbolic.slips import slips
 from pieper.symbolic.tree import Node, evaluate, substitute
 from pieper.symbolic.truth import POSE_NAMES
@@ -113,9 +113,10 @@ def judge_equal(
             target.restrict(own), node, slips(node, lengths, ev.model.n, tuple(ev.definitions)), seconds=ev.seconds
         )
         found = nominal if nominal.best else found
-    elsewhere = "" if found.best or product is None else _other_entry(ev, node, product)
+    short = node.size() <= MAX_SEARCHED
+    elsewhere = _other_entry(ev, node, product) if short and product is not None and not found.best else ""
     arm_tried: dict[str, int] = {}
-    arm_words = "" if found.best or elsewhere else _other_arm(ev, node, wanted, product, frame, arm_tried)
+    arm_words = "" if found.best or elsewhere or not short else _other_arm(ev, node, wanted, product, frame, arm_tried)
     slip, reading = "", ""
     if elsewhere:
         slip, reading = "index", elsewhere

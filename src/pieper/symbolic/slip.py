@@ -54,7 +54,7 @@ class Slip:
     def tree(self) -> Node:
         """The formula with the slip undone."""
         if self.path is None:
-            return replaced_everywhere(self.root, self.old, self.new)
+            return replaced_everywhere(self.root, {self.old: self.new})
         return replaced(self.root, self.path, self.new)
 
     @property

@@ -114,9 +114,7 @@ def _throughout(root: Node, joints: int) -> Iterator[Slip]:
         if len(nodes) < 2:
             continue
         for new in _index_variants(parts, joints):
-            tree = root
-            for node in nodes:
-                tree = replaced_everywhere(tree, node, call(node.value, angle_sum(new)))
+            tree = replaced_everywhere(root, {node: call(node.value, angle_sum(new)) for node in nodes})
             words = ("{} for {} throughout", angle_sum(parts), angle_sum(new))
             yield Slip("index", words, root, (), tree, 1.0)
 

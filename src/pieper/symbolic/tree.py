@@ -324,13 +324,13 @@ def replaced(root: Node, path: tuple[int, ...], new: Node) -> Node:
     return rebuilt(root, tuple(args))
 
 
-def replaced_everywhere(root: Node, old: Node, new: Node) -> Node:
-    """Return the tree with every occurrence of one shared node replaced."""
-    if root is old:
-        return new
+def replaced_everywhere(root: Node, new: dict[Node, Node]) -> Node:
+    """Return the tree with every occurrence of some shared nodes replaced."""
+    if root in new:
+        return new[root]
     if not root.args:
         return root
-    args = tuple(replaced_everywhere(a, old, new) for a in root.args)
+    args = tuple([replaced_everywhere(a, new) for a in root.args])
     return root if all(x is y for x, y in zip(args, root.args, strict=True)) else rebuilt(root, args)
 
 
