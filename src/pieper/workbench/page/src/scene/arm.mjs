@@ -33,7 +33,7 @@ const shadowMaterial = new THREE.MeshBasicMaterial({
 const shadowMatrix = new THREE.Matrix4().set(1, 0, -light[0], 0, 0, 1, -light[1], 0, 0, 0, 0, 0.0005, 0, 0, 0, 1);
 const main = new Bodies(materials, { shadow: { material: shadowMaterial, matrix: shadowMatrix } });
 
-const ghostMaterial = matte({ opacity: 0.2, gloss: 0 });
+const ghostMaterial = matte({ opacity: 0.2, veil: true });
 const ghosts = new Bodies({ link: ghostMaterial, joint: ghostMaterial, accent: ghostMaterial }, { veil: true });
 const previewMaterial = matte({ opacity: 0.62, gloss: 0.1 });
 const preview = new Bodies({ link: previewMaterial, joint: previewMaterial, accent: previewMaterial }, { veil: true });

@@ -33,11 +33,33 @@ const fragmentShader = /* glsl */ `
     #include <colorspace_fragment>
   }`;
 
+/** A ghost's paint: the same light, worked out at the corners only; seven translucent arms are many pixels. */
+const veilVertexShader = /* glsl */ `
+  uniform vec3 colour;
+  uniform vec3 sky;
+  uniform vec3 ground;
+  varying vec3 vColour;
+  const vec3 SUN = vec3(0.332, -0.443, 0.831);
+  void main() {
+    mat4 place = modelMatrix * instanceMatrix;
+    mat3 turn = mat3(place);
+    vec3 n = normalize(turn * (normal / vec3(dot(turn[0], turn[0]), dot(turn[1], turn[1]), dot(turn[2], turn[2]))));
+    vec3 linear = colour * (mix(ground, sky, 0.5 + 0.5 * n.z) + 0.75 * max(dot(n, SUN), 0.0));
+    vColour = pow(linear, vec3(1.0 / 2.2));
+    gl_Position = projectionMatrix * viewMatrix * place * vec4(position, 1.0);
+  }`;
+const veilFragmentShader = /* glsl */ `
+  uniform float opacity;
+  varying vec3 vColour;
+  void main() {
+    gl_FragColor = vec4(vColour, opacity);
+  }`;
+
 /** A material for instanced parts; `set(colour)` repaints it, `lit(dark)` sets the sky for the theme. */
-export function matte({ opacity = 1, gloss = 0.16 } = {}) {
+export function matte({ opacity = 1, gloss = 0.16, veil = false } = {}) {
   const material = new THREE.ShaderMaterial({
-    vertexShader,
-    fragmentShader,
+    vertexShader: veil ? veilVertexShader : vertexShader,
+    fragmentShader: veil ? veilFragmentShader : fragmentShader,
     transparent: opacity < 1,
     uniforms: {
       colour: { value: new THREE.Color() },

@@ -1,6 +1,6 @@
 // How finely to draw. A graphics card smooths edges by itself; a software renderer draws coarsely while things move, as
 // coarsely as it must to keep up with the hand, and once finely when they have come to rest.
-const LEVELS = [1, 0.8, 0.62, 0.5];
+const LEVELS = [1, 0.75, 0.55, 0.42];
 /** Milliseconds between pictures above which the next coarser level is taken, and below which the next finer one. */
 const SLOW = 30,
   FAST = 17;
