@@ -29,10 +29,13 @@ def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarr
     Raises:
         InputError: Wrong shape, a number that is not finite, a last row other than 0 0 0 1, not a rotation.
     """
-    if np.iscomplexobj(T):
-        raise InputError(f"{what} must be real, got complex numbers.", given=T)
     try:
-        pose = np.array(T, dtype=float)
+        given = np.asarray(T)
+        if np.iscomplexobj(given):
+            raise InputError(f"{what} must be real, got complex numbers.", given=T)
+        pose = np.array(given, dtype=float)
+    except InputError:
+        raise
     except (TypeError, ValueError):
         raise InputError(f"{what} must be a 4x4 matrix of numbers, got {type(T).__name__}.", given=T) from None
     if pose.shape[-2:] != (4, 4) or (not batch and pose.ndim != 2):
