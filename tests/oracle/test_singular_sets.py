@@ -113,9 +113,7 @@ def test_a_slide_that_is_drawn_in_leaves_the_second_joint_free(slide):
     judged(free("stanford-arm"), np.array([-1.1, 0.8, slide, 0.75, 0.4, 2.0]))
 
 
-@pytest.mark.xfail(
-    strict=True, reason="known: points of a triple root, 1e-6 rad apart, are taken for several solutions"
-)
+@pytest.mark.xfail(strict=True, reason="known: a triple root is given as several rows 1e-6 rad apart")
 def test_a_root_of_higher_multiplicity_is_given_once():
     arm = free("kinova-jaco-j2n6")
     q = np.array([1.5, 0.0, 0.0, -1.07, 0.0, -0.58])
