@@ -96,7 +96,9 @@ def _redundancy(value: object) -> float:
 def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[str, Any]) -> dict[str, Any]:
     """Return Solutions as JSON: every row of all_q, those outside the limits marked."""
     inside = np.asarray(solutions.in_limits, dtype=bool)
-    labels = list(solutions.all_labels)
+    # A dragged target asks many times a second: words and families wait for the hand to rest.
+    brief = bool(message.get("brief"))
+    labels = [None] * len(solutions.all_q) if brief else list(solutions.all_labels)
     families = np.full(len(solutions.all_q), -1)
     families[inside] = solutions.in_family
     residual = arm.plan_for(message.get("task")).residual(solutions.all_q, solutions.T)
@@ -119,7 +121,7 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
         "why": solutions.why,
         "rounded": bool(solutions.rounded),
         "nearest": near,
-        "families": [] if message.get("brief") else [family_points(family) for family in solutions.families],
+        "families": [] if brief else [family_points(family) for family in solutions.families],
     }
 
 

@@ -136,7 +136,7 @@ export const matrices = {
       update();
     };
     const update = perFrame(() => {
-      if (root.hidden || !state.table.joints.length) return;
+      if (root.closest('.panel').hidden || !state.table.joints.length) return;
       const q = posture(),
         A = linkMatrices(state.table, q),
         n = A.length;
@@ -176,11 +176,12 @@ export const matrices = {
       );
     });
     const list = () => {
+      if (root.closest('.panel').hidden) return;
       const rows = state.solutions?.rows ?? [];
       replace(
         pickWhose,
         h('option', { value: 'now', text: 'present posture' }),
-        rows.map((r, i) => h('option', { value: String(i), text: `solution ${i + 1}: ${r.label}` })),
+        rows.map((r, i) => h('option', { value: String(i), text: `solution ${i + 1}: ${r.label ?? ''}` })),
       );
       if (whose !== 'now' && !rows[Number(whose)]) whose = 'now';
       pickWhose.value = whose;
@@ -188,7 +189,7 @@ export const matrices = {
     };
     on('table', rebuild);
     on(['q', 'units', 'panel'], update);
-    on('solutions', list);
+    on(['solutions', 'panel'], list);
     rebuild();
   },
 };

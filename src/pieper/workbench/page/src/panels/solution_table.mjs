@@ -100,7 +100,8 @@ export function solutionTable() {
         r.tr.hidden = !data;
         if (!data) return;
         r.tr.classList.toggle('beyond', !data.inside);
-        setText(r.label, `${data.label}${data.family >= 0 ? ' (of a family)' : ''}`);
+        // an answer on the way brings no words: the branches keep their order, so the ones that stand there stay
+        if (data.label !== null) setText(r.label, `${data.label}${data.family >= 0 ? ' (of a family)' : ''}`);
         setText(r.beyond, data.inside ? '' : ', outside the limits');
         setText(r.residual, data.residual ? `${tiny(data.residual[0] * 1000)} mm` : '');
         r.residual.title = data.residual
