@@ -148,6 +148,8 @@ def _factor_pool(root: Node, lengths: dict[str, float], joints: int) -> dict[str
             if parts:
                 sums.add(parts)
     factors = [call(f, angle_sum(p)) for p in sorted(sums) for f in ("cos", "sin")]
+    # angles that are shifted by a constant are written out, and lost or swapped like the others
+    factors += [n for n in root.walk() if n.op == "call" and n.value in ("sin", "cos") and not joint_sum(n.args[0])]
     factors += [sym(name) for name, value in lengths.items() if value or name in root.symbols()]
     return {str(f): f for f in factors}
 
