@@ -174,6 +174,8 @@ class Family:
     def distance(self, q: np.ndarray) -> float:
         """Return how far a joint vector (n,) is from the curve, rad or characteristic lengths, whole turns ignored."""
         difference = self._gaps(self._padded(q), self.samples)
+        if len(difference) == 1:
+            return float(np.linalg.norm(difference[0]))
         segment = np.where(self._virtual, 0.0, np.diff(self._unitless, axis=0))
         inner = np.sum(difference[:-1] * segment, 1) / np.maximum(np.sum(segment * segment, 1), 1e-300)
         foot = difference[:-1] - np.clip(inner, 0, 1)[:, None] * segment

@@ -26,7 +26,7 @@ SAME = 1e-7
 #: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.
 ON_POLYLINE = 5e-3
 #: What forward kinematics cannot tell from the pose (per length; rad).
-ROUNDING = 3e-15
+ROUNDING = 6e-16
 #: Directions tried where curves cross, and the most curves followed at one pose.
 FAN, MOST_FAMILIES = 12, 24
 #: A solution must hold the pose this well (per length; rad). At a double root this fixes q to its square root only.
