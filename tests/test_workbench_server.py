@@ -9,6 +9,7 @@ import random
 import socket
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -70,7 +71,9 @@ def connect(port: int, origin: str | None = ""):
 
 
 def talk(story):
-    return asyncio.run(asyncio.wait_for(story, 120))
+    """Run a conversation in a thread of its own: the main one may hold the browser stories' event loop."""
+    with ThreadPoolExecutor(1) as thread:
+        return thread.submit(lambda: asyncio.run(asyncio.wait_for(story, 120))).result()
 
 
 def test_the_page_comes_with_a_strict_policy(served):
