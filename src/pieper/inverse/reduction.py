@@ -56,9 +56,24 @@ def appended(chain: Chain, joints: list[tuple[np.ndarray, bool]], last: np.ndarr
 
 
 def sample_joints(chain: Chain, count: int, seed: int = 1) -> np.ndarray:
-    """Return random joint vectors (count, n): angles over the whole turn, prismatic over the arm's length."""
-    rng = np.random.default_rng(seed)
-    return np.where(chain.prismatic, chain.length, np.pi) * rng.uniform(-1, 1, (count, chain.n))
+    """Return generic joint vectors (count, n): angles over the whole turn, prismatic over the arm's length.
+
+    Multiples of square roots of primes (Weyl's sequence) spread evenly and are the same every time, and spare the
+    command line the start-up of a random generator.
+    """
+    steps = np.sqrt(np.array(_primes(chain.n), float))
+    spread = (np.arange(1, count + 1)[:, None] + 1009.0 * seed) * steps % 1.0
+    return np.where(chain.prismatic, chain.length, np.pi) * (2 * spread - 1)
+
+
+def _primes(count: int) -> list[int]:
+    found: list[int] = []
+    candidate = 2
+    while len(found) < count:
+        if all(candidate % p for p in found):
+            found.append(candidate)
+        candidate += 1
+    return found
 
 
 def generic_rank(chain: Chain) -> int:
@@ -179,7 +194,8 @@ def reduce(chain: Chain, task: str, preferred: tuple[int, ...] | None = None) ->
             ways.append((smallest, locked))
     ways.sort(key=lambda way: -way[0])
     out = []
-    for _, locked in ways:
+    # filling takes time: where it is needed, only the best few ways are made ready
+    for _, locked in ways if rank == 6 else ways[:6]:
         way = Reduction(chain, task, full, tuple(locked), ())
         if rank < 6:
             held = way.with_locked(np.full(len(locked), 0.37))

@@ -64,6 +64,11 @@ class Chain:
         return _kernel.Forward(self.links, self.prismatic, self.frames_after)
 
     @cached_property
+    def native_axes(self) -> _kernel.Forward:
+        """The native forward kinematics whose frames stand on the joint axes, z along them."""
+        return _kernel.Forward(self.links, self.prismatic, np.tile(np.eye(4), (self.n, 1, 1)))
+
+    @cached_property
     def length(self) -> float:
         """Characteristic length, m: the common normals and offsets between the joint axes, added up; 1 if all vanish.
 

@@ -234,19 +234,5 @@ def _and(words: list[str]) -> str:
 
 def axes_at(chain: Chain, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the joint axes and a point on each, (..., n, 3), where joint vectors q (..., n) put them, world frame."""
-    q = np.asarray(q, float)
-    z, o = np.empty((*q.shape[:-1], chain.n, 3)), np.empty((*q.shape[:-1], chain.n, 3))
-    R = np.broadcast_to(chain.links[0][:3, :3], (*q.shape[:-1], 3, 3))
-    p = np.broadcast_to(chain.links[0][:3, 3], (*q.shape[:-1], 3))
-    for i in range(chain.n):
-        z[..., i, :], o[..., i, :] = R[..., :, 2], p
-        value, link = q[..., i], chain.links[i + 1]
-        if chain.prismatic[i]:
-            p = p + R[..., :, 2] * value[..., None]
-        else:
-            c, s = np.cos(value)[..., None], np.sin(value)[..., None]
-            x, y = R[..., :, 0], R[..., :, 1]
-            R = np.stack([c * x + s * y, c * y - s * x, R[..., :, 2]], -1)
-        p = p + (R @ link[:3, 3])
-        R = R @ link[:3, :3]
-    return z, o
+    joints = chain.native_axes.frames(np.asarray(q, float), np.eye(4))[..., 1:-1, :, :]
+    return joints[..., :3, 2], joints[..., :3, 3]
