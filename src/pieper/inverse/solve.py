@@ -62,30 +62,38 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
             poses = _batch(poses)
             q, valid, inside, flag = plan.solver.many(poses, threads)
     if plan.redundancy and redundancy is None:
-        for i in np.flatnonzero(~inside.any(1))[:MOST_CAREFUL]:
-            found = _ik_reduced(plan, poses[i], None)
-            rows = min(len(found.all_q), q.shape[1])
-            q[i], valid[i], inside[i] = 0.0, False, False
-            q[i, :rows], valid[i, :rows], inside[i, :rows] = found.all_q[:rows], True, found.in_limits[:rows]
-    status = np.where(
-        inside.any(1),
-        np.uint8(Status.REDUNDANT if plan.redundancy else Status.SOLVED),
-        np.where(valid.any(1), np.uint8(Status.OUTSIDE_LIMITS), np.uint8(Status.OUT_OF_REACH)),
-    ).astype(np.uint8)
-    marked = np.flatnonzero(flag & _CAREFUL) if plan.direct else np.zeros(0, int)
-    if plan.direct:
-        none = np.flatnonzero(~valid.any(1) & ((flag & _CAREFUL) == 0))[:MOST_CAREFUL]
-        marked = np.concatenate([[i for i in none if _overlooked(plan, checked_pose(poses[i]))], marked]).astype(int)
-    for i in marked[:MOST_CAREFUL]:
-        found = _careful(plan, checked_pose(poses[i]), q[i][valid[i]], int(flag[i]))
-        rows = min(len(found.all_q), q.shape[1])
-        q[i], valid[i], inside[i] = 0.0, False, False
-        q[i, :rows], valid[i, :rows], inside[i, :rows] = found.all_q[:rows], True, found.in_limits[:rows]
-        status[i] = found.status
-    # beyond that the kernel's own rows stand, one of each family, and the pose is called singular unread
-    status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
+        for i in np.flatnonzero(~_any(inside))[:MOST_CAREFUL]:
+            _put(_ik_reduced(plan, poses[i], None), q[i], valid[i], inside[i])
+    some = _any(valid)
+    best = Status.REDUNDANT if plan.redundancy else Status.SOLVED
+    codes = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, best], np.uint8)
+    status = codes[some.astype(np.uint8) + _any(inside)]
+    if plan.direct and not (some.all() and not flag.any()):
+        marked = np.flatnonzero(flag & _CAREFUL)
+        none = np.flatnonzero(~some & ((flag & _CAREFUL) == 0))[:MOST_CAREFUL]
+        overlooked = [i for i in none if _overlooked(plan, checked_pose(poses[i]))]
+        for i in [*overlooked, *marked[:MOST_CAREFUL]]:
+            found = _careful(plan, checked_pose(poses[i]), q[i][valid[i]], int(flag[i]))
+            _put(found, q[i], valid[i], inside[i])
+            status[i] = found.status
+        # beyond that the kernel's own rows stand, one of each family, and the pose is called singular unread
+        status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
     status[(flag & UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, q, valid, inside, status, flag)
+
+
+def _any(rows: np.ndarray) -> np.ndarray:
+    """Return rows.any(1) of bools (N, M), eight at a time where that is possible: this runs once a pose."""
+    if rows.shape[1] != 8 or not rows.flags.c_contiguous:
+        return rows.any(1)
+    return rows.view(np.uint64)[:, 0] != 0
+
+
+def _put(found: Solutions, q: np.ndarray, valid: np.ndarray, inside: np.ndarray) -> None:
+    """Write one pose's Solutions into its rows of a batch."""
+    rows = min(len(found.all_q), len(q))
+    q[:], valid[:], inside[:] = 0.0, False, False
+    q[:rows], valid[:rows], inside[:rows] = found.all_q[:rows], True, found.in_limits[:rows]
 
 
 def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
