@@ -24,7 +24,7 @@ ROOT = HERE.parent
 sys.path.insert(0, str(HERE))
 
 import numpy as np  # noqa: E402
-from arms import GENERAL_ARMS, TABLES, WRIST_ARMS, poses  # noqa: E402
+from arms import GENERAL_ARMS, TABLES, poses  # noqa: E402
 from contestants import PACKAGES  # noqa: E402
 
 ENVIRONMENT = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
@@ -123,7 +123,7 @@ def start_up() -> dict:
 
     bare = process(sys.executable, "-c", "import numpy")
     ours = process(sys.executable, "-c", "import numpy, pieper")
-    command = [sys.executable, "-m", "pieper", "ik", "denso-vp6242", "--xyz", "350", "0", "400"]
+    command = [sys.executable, "-m", "pieper", "ik", "denso-vp6242", "350", "0", "400"]
     folder = Path(pieper.__file__).parent
     size = sum(f.stat().st_size for f in folder.rglob("*") if f.is_file() and "__pycache__" not in f.parts)
     out = {"import_beyond_numpy_ms": 1e3 * (ours - bare), "installed_mb": size / 1e6}
@@ -158,7 +158,7 @@ def main() -> None:
                 print(f"round {turn + 1}: {json.dumps(rows[arm, name])}", flush=True)
     recalled = []
     for arm in args.arms:
-        recalled.append(recall(arm, args.recall if arm in (*WRIST_ARMS, "ur5e") else max(2000, args.recall // 10)))
+        recalled.append(recall(arm, args.recall))
         print(json.dumps(recalled[-1]), flush=True)
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
     result = {
