@@ -36,7 +36,9 @@ def python_of(peer: str) -> str | None:
     interpreter = home / "bin" / "python"
     if not interpreter.exists():
         venv.create(home, with_pip=True)
-        made = subprocess.run([interpreter, "-m", "pip", "-q", "install", "numpy", PACKAGES[peer]], capture_output=True, text=True)
+        made = subprocess.run(
+            [interpreter, "-m", "pip", "-q", "install", "numpy", PACKAGES[peer]], capture_output=True, text=True
+        )
         if made.returncode:
             print(f"{peer} could not be installed: {made.stderr.strip()[-200:]}")
             return None
@@ -160,7 +162,9 @@ def main() -> None:
     for arm in args.arms:
         recalled.append(recall(arm, args.recall))
         print(json.dumps(recalled[-1]), flush=True)
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
+    commit = subprocess.run(
+        ["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True
+    ).stdout.strip()
     result = {
         "commit": commit,
         "cpu": cpu(),

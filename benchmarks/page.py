@@ -34,8 +34,11 @@ def main() -> None:
         "",
         "## Speed, one thread",
         "",
-        "| arm | one pose, us | batch, ns a pose | two threads | " + " | ".join(f"one pose: times faster than {p}" for p in peers)
-        + " | " + " | ".join(f"batch: times faster than {p}" for p in peers) + " |",
+        "| arm | one pose, us | batch, ns a pose | two threads | "
+        + " | ".join(f"one pose: times faster than {p}" for p in peers)
+        + " | "
+        + " | ".join(f"batch: times faster than {p}" for p in peers)
+        + " |",
         "|---|---|---|---|" + "---|" * (2 * len(peers)),
     ]
     for arm in arms:
@@ -43,10 +46,16 @@ def main() -> None:
         if "single_us" not in ours:
             continue
         theirs = [measured.get((arm, p), {}) for p in peers]
-        cells = [ratio(t.get("single_us"), ours["single_us"]) if "unsupported" not in t else "not taken" for t in theirs]
-        cells += [ratio(t.get("batch_ns_1"), ours["batch_ns_1"]) if "unsupported" not in t else "not taken" for t in theirs]
+        cells = [
+            ratio(t.get("single_us"), ours["single_us"]) if "unsupported" not in t else "not taken" for t in theirs
+        ]
+        cells += [
+            ratio(t.get("batch_ns_1"), ours["batch_ns_1"]) if "unsupported" not in t else "not taken" for t in theirs
+        ]
         threads = f"{ours['batch_ns_1'] / ours['batch_ns_2']:.2f} times" if "batch_ns_2" in ours else "-"
-        lines.append(f"| {arm} | {ours['single_us']:.3g} | {ours['batch_ns_1']:.4g} | {threads} | " + " | ".join(cells) + " |")
+        lines.append(
+            f"| {arm} | {ours['single_us']:.3g} | {ours['batch_ns_1']:.4g} | {threads} | " + " | ".join(cells) + " |"
+        )
     best = [m for m in result["measured"] if m["contestant"] == "pieper" and "fk_per_s" in m]
     lines += [
         "",

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-import slow_forward
 
 import pieper
+import slow_forward
 from pieper import InputError
 
 

@@ -13,7 +13,17 @@ import pieper
 
 SOURCE = Path(__file__).resolve().parents[1] / "src" / "pieper"
 #: A wing may import from itself and from wings before it.
-ORDER = ["errors", "tolerances", "_kernel", "description", "kinematics", "inverse", "motion", "symbolic", "presentation"]
+ORDER = [
+    "errors",
+    "tolerances",
+    "_kernel",
+    "description",
+    "kinematics",
+    "inverse",
+    "motion",
+    "symbolic",
+    "presentation",
+]
 FILES = sorted(p for p in SOURCE.rglob("*.py") if "node_modules" not in p.parts)
 PUBLIC_ONLY = ("cli", "workbench")
 #: Where a wing reads one that comes later, on purpose: `describe` checks poses with the pose module.

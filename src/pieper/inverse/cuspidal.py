@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.inverse.plan import Plan
-from pieper.inverse.refine import scaled_jacobian
 from pieper.inverse.reduction import sample_joints
+from pieper.inverse.refine import scaled_jacobian
 from pieper.inverse.solutions import TURN
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk

@@ -153,14 +153,18 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         PlanError: The arm cannot have the task, or no solver takes it; the message names the geometry found.
     """
     if task is not None and task not in TASKS:
-        raise InputError(f"task {task!r} is unknown; allowed are {', '.join(map(repr, TASKS))}.", given=task, allowed=TASKS)
+        raise InputError(
+            f"task {task!r} is unknown; allowed are {', '.join(map(repr, TASKS))}.", given=task, allowed=TASKS
+        )
     if snap is not None and not 0 <= snap < 0.5:
         raise InputError(f"snap must be between 0 and 0.5 (rad, and per length of the arm), got {snap!r}.", given=snap)
     nominal, moved, _ = (chain, [], 0.0) if snap is None else snapped(chain, snap)
     tolerance = GEOMETRY_EXACT
     geometry = look(nominal, tolerance)
     if generic_rank(chain) == 0:
-        raise PlanError(f"{description.name} cannot move its tool at all: no joint changes the pose.", geometry=geometry)
+        raise PlanError(
+            f"{description.name} cannot move its tool at all: no joint changes the pose.", geometry=geometry
+        )
     wanted = default_task(nominal) if task is None else task
     full = with_task_joints(nominal, wanted)
     ways = reduce(nominal, wanted)
@@ -224,7 +228,9 @@ def _defaults(reduction: Reduction, description: Description) -> np.ndarray:
     values = []
     for joint in reduction.locked:
         lower, upper = description.limits[joint] if joint < reduction.arm.n else (-np.inf, np.inf)
-        values.append((lower + upper) / 2 if np.isfinite(lower) and np.isfinite(upper) else float(np.clip(0.0, lower, upper)))
+        values.append(
+            (lower + upper) / 2 if np.isfinite(lower) and np.isfinite(upper) else float(np.clip(0.0, lower, upper))
+        )
     return np.array(values)
 
 

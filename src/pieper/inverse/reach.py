@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.inverse.refine import pose_difference, scaled_jacobian
 from pieper.inverse.reduction import sample_joints
+from pieper.inverse.refine import pose_difference, scaled_jacobian
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import pose_error

@@ -51,7 +51,9 @@ def why(plan: Plan, sols: Solutions) -> str:
         return f"The pose is singular: {len(sols.families)} continuous family(ies) ({text}) and {isolated} isolated solution(s)."
     if status == Status.REDUNDANT:
         held = ", ".join(plan.redundancy)
-        return f"{m} solution(s) at the chosen {held}; the arm has {len(plan.redundancy)} joint(s) to spare for this task."
+        return (
+            f"{m} solution(s) at the chosen {held}; the arm has {len(plan.redundancy)} joint(s) to spare for this task."
+        )
     double = int(np.sum(sols.multiplicity > 1))
     merged = f", {double} of them double (two branches meet there)" if double else ""
     return f"{m} of {k} solution(s) lie inside the joint limits{merged}."
@@ -67,7 +69,9 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     if plan.redundancy and metres < 1e-7 * plan.chain.length and radians < 1e-7:
         held = ", ".join(plan.redundancy)
         return f"No solution at the chosen {held}, though the arm can take the pose with other values."
-    what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[plan.task]
+    what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[
+        plan.task
+    ]
     if sols._flag & OUT_OF_REACH_FLAG or radians <= 5e-3:
         return f"{what} is out of reach: the nearest one the arm can take {miss}."
     return f"{what} is out of reach: the arm cannot turn the tool this way there; the nearest one it can take {miss}."
@@ -85,9 +89,7 @@ def _outside_limits(plan: Plan, sols: Solutions) -> str:
         if over[worst] < least:
             least = over[worst]
             by = f"{over[worst] * 1e3:.4g} mm" if plan.prismatic[worst] else f"{np.degrees(over[worst]):.4g} deg"
-            sentence = (
-                f"All {len(sols.all_q)} solution(s) break a joint limit; the least offending one exceeds {plan.names[worst]} by {by}."
-            )
+            sentence = f"All {len(sols.all_q)} solution(s) break a joint limit; the least offending one exceeds {plan.names[worst]} by {by}."
     return sentence
 
 
@@ -103,18 +105,29 @@ def explain(plan: Plan) -> str:
     reduction = plan.reduction
     steps = []
     if reduction.full.n > plan.n:
-        steps.append(f"the task leaves {reduction.full.n - plan.n} freedom(s) of the tool open, which become virtual joints at the tool")
+        steps.append(
+            f"the task leaves {reduction.full.n - plan.n} freedom(s) of the tool open, which become virtual joints at the tool"
+        )
     if reduction.locked:
         values = ", ".join(f"{n} = {v:.4g}" for n, v in zip(plan.redundancy, plan.defaults, strict=True))
-        steps.append(f"more joints than the task needs: {', '.join(plan.redundancy)} held at a chosen value (by default {values})")
+        steps.append(
+            f"more joints than the task needs: {', '.join(plan.redundancy)} held at a chosen value (by default {values})"
+        )
     if reduction.fill:
-        steps.append(f"the arm can do {6 - len(reduction.fill)} things at once: {len(reduction.fill)} virtual joint(s) are added that must come out as zero")
+        steps.append(
+            f"the arm can do {6 - len(reduction.fill)} things at once: {len(reduction.fill)} virtual joint(s) are added that must come out as zero"
+        )
     if steps:
         lines += ["", "Made a six-joint problem: " + "; ".join(steps) + "."]
     lines += ["", f"Solved by: {plan.family.replace('_', ' ')}, for {geometry}.", f"  {words}"]
-    lines += [f"  At most {plan.max_solutions} solutions a pose" + (" and choice of the spare joints." if plan.redundancy else ".")]
+    lines += [
+        f"  At most {plan.max_solutions} solutions a pose"
+        + (" and choice of the spare joints." if plan.redundancy else ".")
+    ]
     if plan.direct and plan.family == "general":
-        lines += [f"  Posture names: this arm is {plan.cuspidal}." if plan.cuspidal.found else f"  Cuspidal? {plan.cuspidal}."]
+        lines += [
+            f"  Posture names: this arm is {plan.cuspidal}." if plan.cuspidal.found else f"  Cuspidal? {plan.cuspidal}."
+        ]
     for key, value in plan.spec.info.items():
         if isinstance(value, (str, int, float)):
             lines.append(f"  {key.replace('_', ' ')}: {value}")

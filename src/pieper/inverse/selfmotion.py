@@ -100,7 +100,9 @@ class Family:
             point = self.samples[i] + part * (self.samples[i + 1] - self.samples[i])
             locked = self.chain.locked(joint, value)
             rest = newton(locked, np.delete(point, joint), self.T, steps=8)
-            turned = value + TURN * np.round((point[joint] - value) / TURN) if not self.chain.prismatic[joint] else value
+            turned = (
+                value + TURN * np.round((point[joint] - value) / TURN) if not self.chain.prismatic[joint] else value
+            )
             point = np.insert(rest, joint, turned)
             if np.linalg.norm(pose_difference(self.chain, point, self.T)) < 1e-9 and not any(
                 np.allclose(point, other, atol=1e-7) for other in found
@@ -161,7 +163,9 @@ class Family:
             direction = tangent(self.chain, point)[0]
             weight = np.where(self._virtual, 0.0, direction)
             along = float(gap(point) @ weight) / max(float(weight @ weight), 1e-12)
-            moved = newton(self.chain, point + np.clip(along, -STEP, STEP) * direction * self._unit, self.T, steps=5, cutoff=1e-7)
+            moved = newton(
+                self.chain, point + np.clip(along, -STEP, STEP) * direction * self._unit, self.T, steps=5, cutoff=1e-7
+            )
             if limits is not None and not _within(moved, limits):
                 break
             if np.linalg.norm(gap(moved)) >= np.linalg.norm(gap(point)):
@@ -351,7 +355,9 @@ def _walk(chain, q, T, direction, stop, most_steps) -> tuple[list[np.ndarray], b
 
 
 def _closes(chain, q, ahead, start, direction) -> bool:
-    gap = np.where(chain.prismatic, ahead - q, (ahead - q + np.pi) % TURN - np.pi) / np.where(chain.prismatic, chain.length, 1.0)
+    gap = np.where(chain.prismatic, ahead - q, (ahead - q + np.pi) % TURN - np.pi) / np.where(
+        chain.prismatic, chain.length, 1.0
+    )
     size = np.linalg.norm(gap)
     return size < 1e-9 or abs(float(gap @ direction)) > 0.9 * size
 

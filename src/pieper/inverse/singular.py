@@ -201,7 +201,9 @@ def _told_apart(chain: Chain, rows: list[np.ndarray], T: np.ndarray) -> list[np.
     for q in rows:
         for other in kept:
             gap = np.where(chain.prismatic, q - other, (q - other + np.pi) % TURN - np.pi)
-            if np.max(np.abs(gap)) < SAME or (np.max(np.abs(gap)) < 1e-3 and _miss(chain, other + gap / 2, T) < ROUNDING):
+            if np.max(np.abs(gap)) < SAME or (
+                np.max(np.abs(gap)) < 1e-3 and _miss(chain, other + gap / 2, T) < ROUNDING
+            ):
                 break
         else:
             kept.append(q)

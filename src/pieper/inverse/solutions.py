@@ -47,7 +47,18 @@ class Solutions:
         multiplicity: (m,) how many branches merge in a row of q: 1, or 2 at a double root.
     """
 
-    __slots__ = ("_all_family", "_all_multiplicity", "_families", "_flag", "_inside", "_plan", "_q", "all_q", "slots", "T")
+    __slots__ = (
+        "_all_family",
+        "_all_multiplicity",
+        "_families",
+        "_flag",
+        "_inside",
+        "_plan",
+        "_q",
+        "all_q",
+        "slots",
+        "T",
+    )
 
     def __init__(
         self,
@@ -212,7 +223,9 @@ class SolutionBatch:
 
     __slots__ = ("_plan", "flag", "in_limits", "q", "status", "valid")
 
-    def __init__(self, plan: Plan, q: np.ndarray, valid: np.ndarray, in_limits: np.ndarray, status: np.ndarray, flag: np.ndarray):
+    def __init__(
+        self, plan: Plan, q: np.ndarray, valid: np.ndarray, in_limits: np.ndarray, status: np.ndarray, flag: np.ndarray
+    ):
         self._plan = plan
         self.q, self.valid, self.in_limits, self.status, self.flag = q, valid, in_limits, status, flag
 

@@ -106,7 +106,10 @@ def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
     if isinstance(redundancy, dict):
         unknown = [name for name in redundancy if name not in names]
         if unknown:
-            raise InputError(f"{unknown[0]!r} is no redundant coordinate of this plan; they are {', '.join(names)}.", given=redundancy)
+            raise InputError(
+                f"{unknown[0]!r} is no redundant coordinate of this plan; they are {', '.join(names)}.",
+                given=redundancy,
+            )
         redundancy = [redundancy.get(name, plan.defaults[i]) for i, name in enumerate(names)]
     try:
         values = np.asarray(redundancy, float)
@@ -199,5 +202,7 @@ def _threads(threads: int | None) -> int:
     if threads is None:
         return os.cpu_count() or 1
     if not isinstance(threads, (int, np.integer)) or threads < 1:
-        raise InputError(f"threads must be a whole number of at least 1, or None for all cores, got {threads!r}.", given=threads)
+        raise InputError(
+            f"threads must be a whole number of at least 1, or None for all cores, got {threads!r}.", given=threads
+        )
     return int(threads)

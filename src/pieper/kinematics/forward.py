@@ -15,7 +15,9 @@ def checked_joints(q: object, n: int, what: str = "q") -> np.ndarray:
     except (TypeError, ValueError):
         raise InputError(f"{what} must be numbers, got {type(q).__name__}.", given=q) from None
     if joints.ndim == 0 or joints.shape[-1] != n:
-        raise InputError(f"{what} must have shape (..., {n}), one number a joint, got {joints.shape}.", given=joints.shape)
+        raise InputError(
+            f"{what} must have shape (..., {n}), one number a joint, got {joints.shape}.", given=joints.shape
+        )
     if not np.isfinite(joints).all():
         index = tuple(int(i) for i in np.argwhere(~np.isfinite(joints))[0])
         raise InputError(f"{what} must be finite, got {joints[index]} at index {index}.", index=index)

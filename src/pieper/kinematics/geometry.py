@@ -136,18 +136,28 @@ class Geometry:
         for pair in self.pairs:
             a, b = names[pair.first], names[pair.first + 1]
             if pair.relation == "coincident":
-                said.append(f"{a} and {b} turn about one line (they miss by {pair.distance * 1e3:.3g} mm, {pair.angle:.2g} rad).")
+                said.append(
+                    f"{a} and {b} turn about one line (they miss by {pair.distance * 1e3:.3g} mm, {pair.angle:.2g} rad)."
+                )
             elif pair.relation == "parallel":
-                apart = "" if self.chain.prismatic[pair.first : pair.first + 2].any() else f", {pair.distance * 1e3:.6g} mm apart"
+                apart = (
+                    ""
+                    if self.chain.prismatic[pair.first : pair.first + 2].any()
+                    else f", {pair.distance * 1e3:.6g} mm apart"
+                )
                 said.append(f"{a} and {b} are parallel (within {pair.angle:.2g} rad){apart}.")
             elif pair.relation == "intersecting":
-                said.append(f"{a} and {b} meet (within {pair.distance * 1e3:.2g} mm) at {np.degrees(pair.angle):.6g} deg.")
+                said.append(
+                    f"{a} and {b} meet (within {pair.distance * 1e3:.2g} mm) at {np.degrees(pair.angle):.6g} deg."
+                )
             elif self.chain.prismatic[pair.first] or self.chain.prismatic[pair.first + 1]:
                 said.append(f"{a} and {b} are {np.degrees(pair.angle):.6g} deg from parallel; one of them slides.")
             else:
                 said.append(f"{a} and {b} pass {pair.distance * 1e3:.6g} mm apart at {np.degrees(pair.angle):.6g} deg.")
         for group in self.spherical:
-            said.append(f"{_and([names[j] for j in group.joints])} meet in one point (within {group.margin * 1e3:.2g} mm).")
+            said.append(
+                f"{_and([names[j] for j in group.joints])} meet in one point (within {group.margin * 1e3:.2g} mm)."
+            )
         return said
 
 
@@ -159,7 +169,11 @@ def look(chain: Chain, tolerance: float) -> Geometry:
 def from_axes(axes: np.ndarray, points: np.ndarray, prismatic: np.ndarray, home: np.ndarray) -> Chain:
     """Make a chain of axes and points (n, 3) at zero and the tool's pose (4, 4) at zero."""
     frames = np.stack([_frame_on(axis, point) for axis, point in zip(axes, points, strict=True)])
-    links = [frames[0], *(inverse(a) @ b for a, b in zip(frames[:-1], frames[1:], strict=True)), inverse(frames[-1]) @ home]
+    links = [
+        frames[0],
+        *(inverse(a) @ b for a, b in zip(frames[:-1], frames[1:], strict=True)),
+        inverse(frames[-1]) @ home,
+    ]
     return Chain.of(np.stack(links), np.array(prismatic, bool))
 
 
@@ -184,7 +198,9 @@ def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:
         mean = (senses[:, None] * axes[members]).sum(0)
         axes[members] = senses[:, None] * (mean / np.linalg.norm(mean))
         if group.margin > 1e-12:
-            said.append(f"joints {_and([str(j + 1) for j in members])} made parallel (they were {group.margin:.2g} rad off)")
+            said.append(
+                f"joints {_and([str(j + 1) for j in members])} made parallel (they were {group.margin:.2g} rad off)"
+            )
     nominal = look(from_axes(axes, points, chain.prismatic, chain.home), tolerance)
     moved = 0.0
     in_group: set[int] = set()

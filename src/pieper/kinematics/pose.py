@@ -58,7 +58,9 @@ def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarr
         )
     if np.abs(pose[..., :3, 3]).max() > FARTHEST:
         index, where = _worst(np.abs(pose[..., :3, 3]).max(-1))
-        raise InputError(f"the position of {what}{where} is farther than {FARTHEST:g} m; metres are meant.", index=index)
+        raise InputError(
+            f"the position of {what}{where} is farther than {FARTHEST:g} m; metres are meant.", index=index
+        )
     R = pose[..., :3, :3]
     deviation = np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(axis=(-1, -2))
     worst = float(np.max(deviation))
@@ -74,7 +76,8 @@ def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarr
     if np.min(handed) < 0:
         index, where = _worst(-handed)
         raise InputError(
-            f"the rotation part of {what}{where} is left-handed (determinant -1): a mirror, not a rotation.", index=index
+            f"the rotation part of {what}{where} is left-handed (determinant -1): a mirror, not a rotation.",
+            index=index,
         )
     if worst > ROTATION_EXACT:
         u, _, vt = np.linalg.svd(R)
