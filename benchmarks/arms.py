@@ -1,4 +1,4 @@
-"""The arms every contestant solves, as bare DH tables: this file needs NumPy alone, so that every environment can read it."""
+"""The arms every contestant solves, as bare DH tables; NumPy alone, so that every environment can read it."""
 
 import numpy as np
 
@@ -48,7 +48,7 @@ TABLES = {
         (0, 0.030, PI / 2),
         (0.200, 0, 0),
     ],
-    "random-6r": list(zip(_d, _a, _alpha)),
+    "random-6r": list(zip(_d, _a, _alpha, strict=True)),
     "fanuc-crx-10ia": [
         (0, 0, -PI / 2),
         (0, 0.540, 0),
@@ -60,7 +60,7 @@ TABLES = {
 }
 for _size in (1e-3, 1e-4, 1e-5, 1e-6):
     _noise = _size * np.random.default_rng(3).uniform(-1, 1, (6, 3))
-    TABLES[f"ur5e-calibrated-{_size:g}"] = [tuple(np.array(r) + e) for r, e in zip(TABLES["ur5e"], _noise)]
+    TABLES[f"ur5e-calibrated-{_size:g}"] = [tuple(np.array(r) + e) for r, e in zip(TABLES["ur5e"], _noise, strict=True)]
 
 #: Arms with a spherical wrist and parallel second and third axes.
 WRIST_ARMS = ("denso-vp6242", "fanuc-r2000ic-165f", "puma-560")

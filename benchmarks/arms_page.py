@@ -15,10 +15,10 @@ import pieper
 
 HEAD = """# The arms of the catalogue
 
-One line an arm, written by `python benchmarks/arms_page.py`. *Counts*: how many solutions random joint vectors' poses have (limits
-not applied), as smallest to largest and mean. *Missed*: generating joint vectors not found again within 1e-6. *us*: time a
-pose in `ik_many`, one thread, on a shared machine; only the ratios between lines mean something. Redundant arms: at the
-generating value of the spare joint.
+One line an arm, written by `python benchmarks/arms_page.py`. *Counts*: how many solutions random joint vectors' poses
+have (limits not applied), as smallest to largest and mean. *Missed*: generating joint vectors not found again within
+1e-6. *us*: time a pose in `ik_many`, one thread, on a shared machine; only the ratios between lines mean something.
+Redundant arms: at the generating value of the spare joint.
 
 | arm | joints | task | family | spare | most | counts (mean) | missed | us |
 |---|---|---|---|---|---|---|---|---|

@@ -14,7 +14,7 @@ class Pieper:
 
         rows = [pieper.DH(a=a, alpha=alpha, d=d, theta=0) for d, a, alpha in TABLES[arm]]
         self.arm = pieper.Arm.from_dh(rows, convention="standard")
-        self.arm.plan.solver
+        self.arm.ik(self.arm.fk(np.zeros(6)))  # the plan is made on first use
 
     def single(self, T):
         return self.arm.ik(T)
@@ -40,7 +40,7 @@ class Eaik:
     def __init__(self, arm):
         from eaik.IK_DH import DhRobot
 
-        d, a, alpha = map(np.array, zip(*TABLES[arm]))
+        d, a, alpha = map(np.array, zip(*TABLES[arm], strict=True))
         self.arm = DhRobot(alpha, a, d)
         if not self.arm.hasKnownDecomposition():
             raise NotImplementedError(self.arm.getKinematicFamily())

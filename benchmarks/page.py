@@ -25,12 +25,12 @@ def main() -> None:
     lines = [
         "# Benchmarks",
         "",
-        "Written by `python benchmarks/page.py` from `benchmarks/results.json`, which `make bench` measures: every contestant in its own",
-        "environment and process, rounds interleaved, the best of them counted. Absolute times are of one shared machine; the ratios are",
-        "the result.",
+        "Written by `python benchmarks/page.py` from `benchmarks/results.json`, which `make bench` measures: every",
+        "contestant in its own environment and process, rounds interleaved, the best of them counted. Absolute times",
+        "are of one shared machine; the ratios are the result.",
         "",
-        f"Commit {result['commit']}, {result['cpu']}, instruction set {result['instruction_set']}, Python {result['python']}, "
-        f"NumPy {result['numpy']}.",
+        f"Commit {result['commit']}, {result['cpu']}, instruction set {result['instruction_set']}, "
+        f"Python {result['python']}, NumPy {result['numpy']}.",
         "",
         "## Speed, one thread",
         "",
@@ -64,8 +64,8 @@ def main() -> None:
         "",
         "## Recall",
         "",
-        "Generating joint vectors, uniform over the whole turn, not found again within 1e-6 rad; poses with an odd number of solutions; poses",
-        "marked uncertain; worst residual over the first 50,000 poses.",
+        "Generating joint vectors, uniform over the whole turn, not found again within 1e-6 rad; poses with an odd",
+        "number of solutions; poses marked uncertain; worst residual over the first 50,000 poses.",
         "",
         "| arm | family | poses | missed | odd | uncertain | worst, m | worst, rad | us a pose |",
         "|---|---|---|---|---|---|---|---|---|",
@@ -80,7 +80,8 @@ def main() -> None:
         "",
         "## Start-up",
         "",
-        f"`import pieper` beyond NumPy: {start['import_beyond_numpy_ms']:.0f} ms. Installed size: {start['installed_mb']:.1f} MB. "
+        f"`import pieper` beyond NumPy: {start['import_beyond_numpy_ms']:.0f} ms. "
+        f"Installed size: {start['installed_mb']:.1f} MB. "
         + (f"`pieper ik` as a whole process: {start['cli_ik_s']:.2f} s." if "cli_ik_s" in start else ""),
     ]
     page = HERE.parent / "docs" / "benchmarks.md"

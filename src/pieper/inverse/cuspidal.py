@@ -1,8 +1,8 @@
 """Cuspidal arms: those that can pass from one solution to another without meeting a singularity, found by search.
 
-On a cuspidal arm "elbow up" and "elbow down" have no meaning: two solutions of one pose lie in the same singularity-free
-region of joint space (Wenger, 1992). The search looks for two solutions of a pose whose Jacobian determinants have the
-same sign and for a path between them on which the determinant never changes it: proof by example.
+On a cuspidal arm "elbow up" and "elbow down" have no meaning: two solutions of one pose lie in the same
+singularity-free region of joint space (Wenger, 1992). The search looks for two solutions of a pose whose Jacobian
+determinants have the same sign and for a path between them on which the determinant never changes it: proof by example.
 """
 
 from __future__ import annotations
@@ -46,7 +46,8 @@ class Cuspidal:
         if self.found:
             return (
                 "cuspidal: a path leads from one solution to another of the same pose without meeting a singularity "
-                f"(|det J| stays above {self.margin:.2g} of its largest value), so posture names do not separate solutions"
+                f"(|det J| stays above {self.margin:.2g} of its largest value), so posture names do not separate "
+                "solutions"
             )
         return f"no singularity-free path between two solutions was found in {self.tried} tries"
 

@@ -3,7 +3,7 @@
 - front / rear: on which side of the first axis the wrist lies, seen along the arm's own forward direction: the side of
   the shoulder offset; where there is none, the side the wrist has with all joints at zero.
 - elbow up / down: whether the elbow lies above the line from shoulder to wrist, for somebody who looks along the arm.
-- wrist no flip / flip: whether the sine of the bend between the fourth and the sixth axis, about the fifth, is positive.
+- wrist no flip / flip: whether the sine of the bend from the fourth to the sixth axis, about the fifth, is positive.
 - aspect + / -: the sign of the Jacobian's determinant, for arms whose postures have no name of their own.
 """
 

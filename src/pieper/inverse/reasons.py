@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 FAMILY_WORDS = {
     "spherical_wrist_parallel": (
         "a spherical wrist and parallel second and third axes",
-        "The wrist centre fixes the first three joints: two ways to face it, two ways to bend the elbow. The last three "
-        "then turn the tool, in two ways.",
+        "The wrist centre fixes the first three joints: two ways to face it, two ways to bend the elbow. The last "
+        "three then turn the tool, in two ways.",
     ),
     "spherical_wrist": (
         "three neighbouring axes that meet in one point",
@@ -48,7 +48,8 @@ def why(plan: Plan, sols: Solutions) -> str:
     isolated = int(np.sum(sols.in_family < 0))
     if status == Status.SINGULAR:
         text = "; ".join(str(f) for f in sols.families)
-        return f"The pose is singular: {len(sols.families)} continuous family(ies) ({text}) and {isolated} isolated solution(s)."
+        count = f"{len(sols.families)} continuous family(ies)"
+        return f"The pose is singular: {count} ({text}) and {isolated} isolated solution(s)."
     if status == Status.REDUNDANT:
         held = ", ".join(plan.redundancy)
         return (
@@ -89,7 +90,10 @@ def _outside_limits(plan: Plan, sols: Solutions) -> str:
         if over[worst] < least:
             least = over[worst]
             by = f"{over[worst] * 1e3:.4g} mm" if plan.prismatic[worst] else f"{np.degrees(over[worst]):.4g} deg"
-            sentence = f"All {len(sols.all_q)} solution(s) break a joint limit; the least offending one exceeds {plan.names[worst]} by {by}."
+            sentence = (
+                f"All {len(sols.all_q)} solution(s) break a joint limit; the least offending one exceeds "
+                f"{plan.names[worst]} by {by}."
+            )
     return sentence
 
 
@@ -106,16 +110,20 @@ def explain(plan: Plan) -> str:
     steps = []
     if reduction.full.n > plan.n:
         steps.append(
-            f"the task leaves {reduction.full.n - plan.n} freedom(s) of the tool open, which become virtual joints at the tool"
+            f"the task leaves {reduction.full.n - plan.n} freedom(s) of the tool open, "
+            "which become virtual joints at the tool"
         )
     if reduction.locked:
         values = ", ".join(f"{n} = {v:.4g}" for n, v in zip(plan.redundancy, plan.defaults, strict=True))
         steps.append(
-            f"more joints than the task needs: {', '.join(plan.redundancy)} held at a chosen value (by default {values})"
+            f"more joints than the task needs: {', '.join(plan.redundancy)} held at a chosen value "
+            f"(by default {values})"
         )
     if reduction.fill:
         steps.append(
-            f"the arm can do {6 - len(reduction.fill)} things at once: {len(reduction.fill)} virtual joint(s) are added that must come out as zero"
+            f"the arm can do {6 - len(reduction.fill)} things at once: {len(reduction.fill)} virtual joint(s) are "
+            "added "
+            "that must come out as zero"
         )
     if steps:
         lines += ["", "Made a six-joint problem: " + "; ".join(steps) + "."]

@@ -129,7 +129,7 @@ class Reduction:
 
     @cached_property
     def at_ends(self) -> tuple[int, int] | None:
-        """(number locked at the base, number locked at the tool) when all locked joints are there and nothing is filled."""
+        """(number locked at the base, at the tool) when all locked joints are there and nothing is filled."""
         if self.fill:
             return None
         first = next((i for i in range(self.full.n) if i not in self.locked), self.full.n)
@@ -146,7 +146,7 @@ class Reduction:
         return chain
 
     def six(self, values: np.ndarray) -> Chain:
-        """Return the six-joint chain for locked values (k,). Where the locked joints are at the ends it is the same for all."""
+        """Return the six-joint chain for locked values (k,); with the locked joints at the ends it is one for all."""
         if self.at_ends is not None and self.locked:
             first, tail = self.at_ends
             links = self.full.links[first : self.full.n - tail + 1].copy()
@@ -155,7 +155,7 @@ class Reduction:
         return appended(chain, list(self.fill)) if self.fill else chain
 
     def moved_pose(self, T: np.ndarray, values: np.ndarray) -> np.ndarray:
-        """Return the poses (N, 4, 4) that the six-joint chain must reach, locked values (N, k) at the ends taken off."""
+        """Return the poses (N, 4, 4) the six-joint chain must reach, locked values (N, k) at the ends taken off."""
         if self.at_ends is None or not self.locked:
             return T
         first, tail = self.at_ends

@@ -13,7 +13,7 @@ from pieper.kinematics.forward import fk
 
 #: Values of the redundant coordinate that are tried to meet every family, and the most families that are traced.
 SLICES, DRAWS, MOST_FAMILIES = 48, 60, 24
-#: Where several coordinates are redundant the solutions form a surface: lines through it that are followed, and how far.
+#: Where several coordinates are redundant the solutions form a surface: lines followed on it, and how far.
 MOST_LINES, LINE_STEPS = 8, 60
 
 

@@ -10,7 +10,7 @@ from pieper.kinematics.pose import rotation_vector
 
 
 def pose_difference(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray:
-    """Return what is missing from fk(q) to T, (..., 6): position per characteristic length, then rotation vector, rad."""
+    """Return what is missing from fk(q) to T, (..., 6): position per length of the arm, then rotation vector, rad."""
     now = fk(chain, q)
     dR = T[..., :3, :3] @ np.swapaxes(now[..., :3, :3], -1, -2)
     return np.concatenate([(T[..., :3, 3] - now[..., :3, 3]) / chain.length, rotation_vector(dR)], -1)

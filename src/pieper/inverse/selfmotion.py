@@ -243,7 +243,7 @@ def corrected(chain: Chain, q: np.ndarray, T: np.ndarray, direction: np.ndarray)
 
 
 def moved(chain: Chain, q: np.ndarray, T: np.ndarray, direction: np.ndarray, probe: float = 0.05) -> np.ndarray | None:
-    """Return a point about `probe` (rad or characteristic lengths) from q along `direction` that holds the pose, or None."""
+    """Return a point about `probe` (rad or lengths) from q along `direction` that holds the pose, or None."""
     unit = np.where(chain.prismatic, chain.length, 1.0)
     for side in (probe, -probe):
         point = corrected(chain, q + side * direction * unit, T, direction)

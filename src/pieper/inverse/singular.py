@@ -145,7 +145,7 @@ def _miss(chain: Chain, q: np.ndarray, T: np.ndarray) -> float:
 def _merged(chain: Chain, q: np.ndarray, T: np.ndarray) -> int:
     """Return 2 for a double root, 1 where the Jacobian is merely poor.
 
-    Along the null direction the pose is missed by sigma t + kappa t^2 / 2: the twin of this root lies at 2 sigma / kappa.
+    Along the null direction the pose is missed by sigma t + kappa t^2 / 2: this root has a twin at 2 sigma / kappa.
     """
     U, s, Vt = np.linalg.svd(scaled_jacobian(chain, q))
     null, left, step = Vt[len(s) - 1], U[:, len(s) - 1], 1e-3

@@ -163,7 +163,7 @@ class Solutions:
 
     @property
     def residual(self) -> np.ndarray:
-        """(m, 2): how far forward kinematics misses the pose, metres and radians; only what the task asks for counts."""
+        """(m, 2): how far forward kinematics misses the pose, m and rad; only what the task asks for counts."""
         return self._plan.residual(self.q, self.T)
 
     @property
@@ -291,7 +291,7 @@ def unwound(q: np.ndarray, near: np.ndarray, limits: np.ndarray, prismatic: np.n
 
 
 def inside_limits(q: np.ndarray, limits: np.ndarray, prismatic: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return q (..., n) with a whole turn added where only that lies inside, and whether all joints are inside (...)."""
+    """Return q (..., n), a whole turn added where only that lies inside, and whether all joints are inside (...)."""
     moved = unwound(q, q, limits, prismatic)
     ok = (moved >= limits[:, 0] - LIMIT_SLACK) & (moved <= limits[:, 1] + LIMIT_SLACK)
     return np.where(ok, moved, q), ok.all(-1)

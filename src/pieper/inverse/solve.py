@@ -126,7 +126,8 @@ def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
         values = values[:, None]
     if values.shape != (count, k):
         raise InputError(
-            f"redundancy must give {k} value(s) ({', '.join(names)}), or one such row a pose, got shape {values.shape}.",
+            f"redundancy must give {k} value(s) ({', '.join(names)}), or one such row a pose, "
+            f"got shape {values.shape}.",
             given=redundancy,
         )
     for j, joint in enumerate(plan.reduction.locked):
@@ -134,7 +135,8 @@ def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
         outside = (values[:, j] < lower - 1e-9) | (values[:, j] > upper + 1e-9)
         if outside.any():
             raise InputError(
-                f"redundancy value {values[outside, j][0]:g} of {names[j]} is outside its limits {lower:g} to {upper:g}.",
+                f"redundancy value {values[outside, j][0]:g} of {names[j]} is outside its limits "
+                f"{lower:g} to {upper:g}.",
                 given=redundancy,
                 joint=names[j],
             )

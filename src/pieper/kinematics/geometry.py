@@ -137,7 +137,8 @@ class Geometry:
             a, b = names[pair.first], names[pair.first + 1]
             if pair.relation == "coincident":
                 said.append(
-                    f"{a} and {b} turn about one line (they miss by {pair.distance * 1e3:.3g} mm, {pair.angle:.2g} rad)."
+                    f"{a} and {b} turn about one line "
+                    f"(they miss by {pair.distance * 1e3:.3g} mm, {pair.angle:.2g} rad)."
                 )
             elif pair.relation == "parallel":
                 apart = (

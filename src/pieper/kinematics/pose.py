@@ -52,7 +52,8 @@ def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarr
     if np.max(last) > ROTATION_EXACT:
         index, where = _worst(last)
         raise InputError(
-            f"the last row of {what}{where} must be 0 0 0 1, it is off by {np.max(last):.3g}. Is the matrix transposed?",
+            f"the last row of {what}{where} must be 0 0 0 1, it is off by {np.max(last):.3g}. "
+            "Is the matrix transposed?",
             deviation=float(np.max(last)),
             index=index,
         )
