@@ -279,6 +279,8 @@ int import_numpy() {
 }  // namespace
 
 NB_MODULE(_kernel, m) {
+  // arms that live as long as the program (a script's globals, caches) are no leaks
+  nb::set_leak_warnings(false);
   if (import_numpy() < 0) throw nb::python_error();
   m.doc() = "The native kernels of pieper: forward kinematics and the inverse families, several poses per instruction.";
   m.attr("isa") = pieper::isa().name;
