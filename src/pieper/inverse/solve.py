@@ -10,6 +10,7 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import solve_reduced
+from pieper.inverse.refine import scaled_jacobian
 from pieper.inverse.singular import examine, side_steps
 from pieper.inverse.solutions import (
     DEGENERATE,
@@ -24,6 +25,8 @@ from pieper.kinematics.pose import checked_pose
 _CAREFUL = DEGENERATE
 #: Poses on a singularity that `ik_many` looks at one by one in a call: it bounds the work of a call.
 MOST_CAREFUL = 500
+#: Smallest relative singular value at which a marked pose is not looked at further.
+CLEAR = 1.5e-7
 
 
 def ik(plan: Plan, T: object, redundancy: object = None) -> Solutions:
@@ -172,9 +175,12 @@ def _careful(plan: Plan, T: np.ndarray, candidates: np.ndarray, flag: int) -> So
         rows = plan.solver.all_rows(poses)
         return rows[:, : plan.n]
 
+    flag = int(flag) & ~DEGENERATE
+    if _clear(plan, candidates):
+        q, inside = inside_limits(candidates, plan.limits, plan.prismatic)
+        return Solutions(plan, T, q, np.arange(len(q)), inside, flag)
     found = examine(plan.chain, T, candidates, near, plan.limits, plan.names)
     q, inside = inside_limits(found.q, plan.limits, plan.prismatic)
-    flag = int(flag) & ~DEGENERATE
     return Solutions(
         plan,
         T,
@@ -186,6 +192,18 @@ def _careful(plan: Plan, T: np.ndarray, candidates: np.ndarray, flag: int) -> So
         all_family=found.family,
         all_multiplicity=found.multiplicity,
     )
+
+
+def _clear(plan: Plan, rows: np.ndarray) -> bool:
+    """Whether all rows are far enough from singular ones that nothing merges there and no family passes.
+
+    Kernels mark poses generously. Twins of a root at sigma lie about 2 sigma apart, which they tell apart well above
+    1e-8; a family needs sigma to vanish.
+    """
+    if not len(rows) or len(rows) % 2:
+        return False
+    s = np.linalg.svd(scaled_jacobian(plan.chain, rows), compute_uv=False)
+    return bool(np.all(s[:, -1] > CLEAR * s[:, 0]))
 
 
 def _overlooked(plan: Plan, T: np.ndarray) -> bool:
