@@ -127,7 +127,10 @@ def start_up() -> dict:
     ours = process(sys.executable, "-c", "import numpy, pieper")
     command = [sys.executable, "-m", "pieper", "ik", "denso-vp6242", "350", "0", "400"]
     folder = Path(pieper.__file__).parent
-    size = sum(f.stat().st_size for f in folder.rglob("*") if f.is_file() and "__pycache__" not in f.parts)
+    # a working tree holds the page's sources and tools too, which the wheel leaves out
+    skipped = {"__pycache__", "node_modules", "src"}
+    files = [f for f in folder.rglob("*") if f.is_file() and not skipped & set(f.relative_to(folder).parts)]
+    size = sum(f.stat().st_size for f in files)
     out = {"import_beyond_numpy_ms": 1e3 * (ours - bare), "installed_mb": size / 1e6}
     try:
         out["cli_ik_s"] = process(*command)
