@@ -32,6 +32,7 @@ def main() -> None:
         f"Commit {result['commit']}, {result['cpu']}, instruction set {result['instruction_set']}, "
         f"Python {result['python']}, NumPy {result['numpy']}.",
         "",
+        *([result["remeasured"], ""] if "remeasured" in result else []),
         "## Speed, one thread",
         "",
         "| arm | one pose, us | batch, ns a pose | two threads | "

@@ -23,6 +23,3 @@ LIMIT_SLACK = 1e-9
 
 #: sigma_min / sigma_max of the scaled Jacobian below which a solution is looked at for self-motion and merged roots.
 SINGULAR_EXAMINED = 1e-6
-
-#: Size, in radians, of the self-motion that must keep the pose before a family is called a family.
-SELF_MOTION_PROBE = 1e-2

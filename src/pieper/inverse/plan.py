@@ -13,7 +13,7 @@ from pieper.errors import InputError, PlanError
 from pieper.inverse.families import choose, tier
 from pieper.inverse.families.spec import KernelSpec
 from pieper.inverse.native import SixJointSolver
-from pieper.inverse.reduction import RANK, TASKS, Reduction, default_task, generic_rank, reduce, with_task_joints
+from pieper.inverse.reduction import TASKS, Reduction, default_task, generic_rank, reduce, with_task_joints
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import Geometry, look, snapped
@@ -232,6 +232,3 @@ def _defaults(reduction: Reduction, description: Description) -> np.ndarray:
             (lower + upper) / 2 if np.isfinite(lower) and np.isfinite(upper) else float(np.clip(0.0, lower, upper))
         )
     return np.array(values)
-
-
-__all__ = ["RANK", "Plan", "make_plan"]

@@ -170,13 +170,12 @@ class Reduction:
         return inverse(before) @ T @ inverse(after)
 
 
-def reduce(chain: Chain, task: str, preferred: tuple[int, ...] | None = None) -> list[Reduction]:
+def reduce(chain: Chain, task: str) -> list[Reduction]:
     """Return the ways to make an arm and a task a six-joint chain, best conditioned first.
 
     Args:
         chain: The arm.
         task: One of TASKS.
-        preferred: Joints to lock, if the caller has a wish.
     """
     full = with_task_joints(chain, task)
     rank = generic_rank(full)
@@ -186,7 +185,7 @@ def reduce(chain: Chain, task: str, preferred: tuple[int, ...] | None = None) ->
     ways = []
     q = sample_joints(full, 12)
     J = scaled_jacobian(full, q)
-    for locked in _choices(full, chain, J, spare) if preferred is None else [preferred]:
+    for locked in _choices(full, chain, J, spare):
         kept = np.setdiff1d(np.arange(full.n), locked)
         s = np.linalg.svd(J[:, :, kept], compute_uv=False)
         smallest = float(np.median(s[:, rank - 1] / s[:, 0]))

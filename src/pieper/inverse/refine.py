@@ -17,11 +17,7 @@ def pose_difference(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray:
 
 
 def scaled_jacobian(chain: Chain, q: np.ndarray) -> np.ndarray:
-    """Return Jacobians (..., 6, n) without units: lengths per characteristic length, prismatic columns likewise.
-
-    The reference point is the arm's own last axis point rather than the tool, so that a long tool does not drown the
-    rotations.
-    """
+    """Return Jacobians (..., 6, n) without units: lengths per characteristic length, prismatic columns likewise."""
     J = jacobian(chain, q)
     J[..., :3, :] /= chain.length
     return np.where(chain.prismatic, J * chain.length, J)
@@ -33,7 +29,6 @@ def newton(
     T: np.ndarray,
     *,
     steps: int = 12,
-    damping: float = 0.0,
     cutoff: float = 1e-12,
     max_step: float = 0.5,
 ) -> np.ndarray:
@@ -47,7 +42,6 @@ def newton(
         q: Start, rad or m.
         T: Wanted poses.
         steps: Number of steps.
-        damping: Levenberg-Marquardt damping relative to the largest singular value.
 
     Returns:
         (..., n) joint vectors with the smallest pose difference met on the way.
@@ -64,7 +58,7 @@ def newton(
             break
         U, s, Vt = np.linalg.svd(scaled_jacobian(chain, q), full_matrices=False)
         top = s[..., :1]
-        gain = s / (s * s + (damping * top) ** 2 + 1e-300)
+        gain = 1.0 / np.maximum(s, 1e-300)
         gain = np.where(s > cutoff * top, gain, 0.0)
         step = np.einsum("...kn,...k->...n", Vt, gain * np.einsum("...ik,...i->...k", U, e))
         length = np.linalg.norm(step, axis=-1, keepdims=True)

@@ -260,7 +260,6 @@ def trace(
     names: tuple[str, ...],
     direction: np.ndarray | None = None,
     *,
-    stop: Callable[[np.ndarray], bool] | None = None,
     shown: int | None = None,
     most_steps: int = MOST_STEPS,
 ) -> Family:
@@ -273,7 +272,6 @@ def trace(
         limits: (n, 2).
         names: Joint names.
         direction: (n,) the direction to set out in; the null vector of the Jacobian if None.
-        stop: Called with each new point; tracing that way ends where it returns True.
         shown: Number of joints that are the arm's own; all if None.
         most_steps: Steps each way at the most.
 
@@ -281,10 +279,10 @@ def trace(
         The Family; bounded by `most_steps`.
     """
     set_out = tangent(chain, q)[0] if direction is None else direction
-    forward, closed = _walk(chain, q, T, set_out, stop, most_steps)
+    forward, closed = _walk(chain, q, T, set_out, most_steps)
     points = forward
     if not closed:
-        backward, _ = _walk(chain, q, T, -set_out, stop, most_steps)
+        backward, _ = _walk(chain, q, T, -set_out, most_steps)
         points = backward[:0:-1] + forward
     samples = np.array(points)
     middle = samples[len(samples) // 2]
@@ -325,7 +323,7 @@ def second_smallest(chain: Chain, q: np.ndarray) -> np.ndarray:
     return (s[..., k] if k < s.shape[-1] else np.zeros(s.shape[:-1])) / s[..., 0]
 
 
-def _walk(chain, q, T, direction, stop, most_steps) -> tuple[list[np.ndarray], bool]:
+def _walk(chain, q, T, direction, most_steps) -> tuple[list[np.ndarray], bool]:
     unit = np.where(chain.prismatic, chain.length, 1.0)
     points, step = [q], STEP / 2
     gone = 0.0
@@ -343,8 +341,6 @@ def _walk(chain, q, T, direction, stop, most_steps) -> tuple[list[np.ndarray], b
         gone += float(np.linalg.norm(move))
         new = _tangent_near(chain, ahead, direction)
         points.append(ahead)
-        if stop is not None and stop(ahead):
-            return points, False
         if gone > 3 * step and _gap(ahead, q, chain) < 0.75 * step and _closes(chain, q, ahead, points[0], new):
             end = q + np.where(chain.prismatic, 0.0, TURN * np.round((ahead - q) / TURN))
             points[-1] = end
