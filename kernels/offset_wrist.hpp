@@ -57,7 +57,7 @@ template <class F> PIEPER_INLINE Dual<F> root(Dual<F> a) {
 }
 
 // What rounding leaves of the polynomial's coefficients is below this, relative to their sum.
-inline constexpr double kNoise = 2e-13;
+inline constexpr double kNoise = 3e-14;
 
 struct Vec {
   double x, y, z;
@@ -177,60 +177,95 @@ template <class G> struct Candidates {
   G side;     // +1, -1: sign of u, 0: to be found out
 };
 
-// From a root to the joints; where not clear, the lane's bit is set in the result.
-template <class F> Mask<F> complete(const Arm& arm, const Candidates<F>& x, Motion<F>* q) {
-  auto unclear = mask_of<F>(false);
-  const double b = arm.lateral, l = arm.fore, l2 = l * l;
-  Motion<F> theta = {x.c, x.s};
-  F side = x.side;
-  F u, across, out, level, N(0.0), size(1.0), slope(1.0);
-  Condition<Dual<F>> now;
+// What a root says at one angle: P, axis 5 and the condition, with derivatives by the angle.
+template <class F> struct Evaluated {
   At<F> at;
   F rho2;
-  for (int step = 0; step < 3; ++step) {
-    at = at_angle(x.target, theta.c, theta.s);
-    At<F> rate;
-    for (int i = 0; i < 3; ++i) {
-      rate.P[i] = 0.0 - theta.s * x.target.lever[i] - theta.c * x.target.lever_turned[i];
-      rate.axis5[i] = 0.0 - theta.s * x.target.fifth[1][i] - theta.c * x.target.fifth[2][i];
-    }
-    const Dual<F> px = {at.P[0], rate.P[0]}, py = {at.P[1], rate.P[1]}, h = {at.P[2], rate.P[2]};
-    const Dual<F> ax = {at.axis5[0], rate.axis5[0]}, ay = {at.axis5[1], rate.axis5[1]}, az = {at.axis5[2], rate.axis5[2]};
-    const Dual<F> along = px * ax + py * ay, past = px * ay - py * ax, r2 = px * px + py * py;
-    Dual<F> du = root(r2 + (-b * b));
-    rho2 = r2.x;
-    if (step == 0) {
-      // on which side the condition holds; in an even one both
-      unclear = unclear | !(du.x > 1e-4);
-      const Dual<F> minus = {-du.x, -du.d};
-      const F up = abs(condition(arm, du, over(du * along - b * past, r2), over(du * past + b * along, r2), az, h).N.x);
-      const F down = abs(condition(arm, minus, over(minus * along - b * past, r2), over(minus * past + b * along, r2), az, h).N.x);
-      const auto open = side == 0.0;
-      unclear = unclear | (open & !(max(up, down) > 1e-7) ) | (open & !(min(up, down) < 1e-2 * max(up, down)));
-      side = select(open, select(up <= down, F(1.0), F(-1.0)), side);
-    }
-    du = {side * du.x, side * du.d};
-    const Dual<F> dacross = over(du * along - b * past, r2), dout = over(du * past + b * along, r2);
-    now = condition(arm, du, dacross, dout, az, h);
-    u = du.x, across = dacross.x, out = dout.x, level = az.x;
-    N = now.N.x;
-    slope = now.N.d;
-    if (step == 2) break;
-    const F change = N / select(slope == 0.0, F(1e-300), slope);
-    unclear = unclear | !(abs(change) < (step ? 1e-7 : 1e-3));
-    theta = {theta.c + change * theta.s, theta.s - change * theta.c};
-    const F n = 1.5 - 0.5 * (theta.c * theta.c + theta.s * theta.s);
-    theta = {theta.c * n, theta.s * n};
+  Dual<F> u, across, out, level, h;
+  Condition<Dual<F>> on;
+};
+template <class F> PIEPER_INLINE void on_side(const Arm& arm, F side, Dual<F> along, Dual<F> past, Dual<F> rho2, Evaluated<F>& x) {
+  x.u = {side * x.u.x, side * x.u.d};
+  x.across = over(x.u * along - arm.lateral * past, rho2);
+  x.out = over(x.u * past + arm.lateral * along, rho2);
+  x.on = condition(arm, x.u, x.across, x.out, x.level, x.h);
+}
+
+// side 0: the one of +1 and -1 on which the condition is nearer to holding, written to `side`; `apart` tells how much nearer.
+template <class F> PIEPER_INLINE Evaluated<F> evaluate(const Arm& arm, const Target<F>& target, Motion<F> theta, F& side, F* apart) {
+  Evaluated<F> x;
+  x.at = at_angle(target, theta.c, theta.s);
+  At<F> rate;
+  for (int i = 0; i < 3; ++i) {
+    rate.P[i] = 0.0 - theta.s * target.lever[i] - theta.c * target.lever_turned[i];
+    rate.axis5[i] = 0.0 - theta.s * target.fifth[1][i] - theta.c * target.fifth[2][i];
   }
-  // the shape of the triangle
-  const F v0 = now.v0.x, v1 = now.v1.x, w0 = now.w0.x, w1 = now.w1.x, K = now.K.x, g = now.g.x;
-  const F V = v0 * v0 + v1 * v1, room = l2 * V - K * K;
-  size = l2 * V + K * K;
-  unclear = unclear | !(room > 1e-8 * size) | !(abs(slope) > 1e-6 * size);
-  const F S = sqrt(max(room, F(0.0))), inv = 1.0 / max(V, F(1e-300)), even = K * (v0 * w0 + v1 * w1), odd = S * (v0 * w1 - v1 * w0);
-  const F up = abs((even + odd) * inv - g), down = abs((even - odd) * inv - g);
-  unclear = unclear | !(max(up, down) > 1e-6 * l);
-  const F bent = select(up <= down, S, -S);
+  const Dual<F> px = {x.at.P[0], rate.P[0]}, py = {x.at.P[1], rate.P[1]};
+  const Dual<F> ax = {x.at.axis5[0], rate.axis5[0]}, ay = {x.at.axis5[1], rate.axis5[1]};
+  const Dual<F> along = px * ax + py * ay, past = px * ay - py * ax, rho2 = px * px + py * py;
+  x.h = {x.at.P[2], rate.P[2]};
+  x.level = {x.at.axis5[2], rate.axis5[2]};
+  x.rho2 = rho2.x;
+  x.u = root(rho2 + (-arm.lateral * arm.lateral));
+  if (apart) {
+    Evaluated<F> plus = x, minus = x;
+    on_side(arm, F(1.0), along, past, rho2, plus);
+    on_side(arm, F(-1.0), along, past, rho2, minus);
+    const F up = abs(plus.on.N.x), down = abs(minus.on.N.x);
+    side = select(side == 0.0, select(up <= down, F(1.0), F(-1.0)), side);
+    apart[0] = min(up, down);
+    apart[1] = max(up, down);
+  }
+  on_side(arm, side, along, past, rho2, x);
+  return x;
+}
+
+// From a root to the joints; lanes where that is not clear are marked in the result.
+template <class F> Mask<F> complete(const Arm& arm, const Candidates<F>& x, Motion<F>* q) {
+  const double b = arm.lateral, l = arm.fore, l2 = l * l;
+  auto turn = [](Motion<F> angle, F change) {
+    const Motion<F> t = {angle.c - change * angle.s, angle.s + change * angle.c};
+    const F n = 1.5 - 0.5 * (t.c * t.c + t.s * t.s);
+    return Motion<F>{t.c * n, t.s * n};
+  };
+  Motion<F> theta = {x.c, x.s};
+  F side = x.side, apart[2];
+  const auto open = side == 0.0;
+  Evaluated<F> now = evaluate(arm, x.target, theta, side, apart);
+  auto size_of = [&](const Evaluated<F>& e) {
+    return l2 * (e.on.v0.x * e.on.v0.x + e.on.v1.x * e.on.v1.x) + e.on.K.x * e.on.K.x;
+  };
+  auto unclear = !(now.u.x * side > 1e-4) | (open & !(apart[1] > 1e-8 * size_of(now))) | (open & !(apart[0] < 1e-2 * apart[1]));
+  // a step of Newton's on N, then one on d.w - g, which is less troubled by rounding: N = -|v|^2 times it times the same of the
+  // triangle's other shape
+  F change = -now.on.N.x / select(now.on.N.d == 0.0, F(1e-300), now.on.N.d);
+  unclear = unclear | !(abs(change) < 1e-3);
+  theta = turn(theta, change);
+  F V, room, sign(1.0);
+  auto triangle = [&](const Evaluated<F>& e, F& up, F& down) {
+    const auto& c = e.on;
+    V = c.v0.x * c.v0.x + c.v1.x * c.v1.x;
+    room = l2 * V - c.K.x * c.K.x;
+    const F inv = 1.0 / max(V, F(1e-300)), even = c.K.x * (c.v0.x * c.w0.x + c.v1.x * c.w1.x);
+    const F odd = sqrt(max(room, F(0.0))) * (c.v0.x * c.w1.x - c.v1.x * c.w0.x);
+    up = (even + odd) * inv - c.g.x;
+    down = (even - odd) * inv - c.g.x;
+  };
+  now = evaluate<F>(arm, x.target, theta, side, nullptr);
+  F up, down;
+  triangle(now, up, down);
+  const auto first = abs(up) <= abs(down);
+  const F own = select(first, up, down), other = select(first, down, up), slope = now.on.N.d, size = size_of(now);
+  sign = select(first, F(1.0), F(-1.0));
+  unclear = unclear | !(room > 1e-8 * size) | !(abs(slope) > 1e-6 * size) | !(abs(other) > 1e-6 * l);
+  change = own * V * other / select(slope == 0.0, F(1e-300), slope);
+  unclear = unclear | !(abs(change) < 1e-6);
+  theta = turn(theta, change);
+  now = evaluate<F>(arm, x.target, theta, side, nullptr);
+  triangle(now, up, down);
+  const At<F>& at = now.at;
+  const F u = now.u.x, rho2 = now.rho2, across = now.across.x, out = now.out.x, level = now.level.x;
+  const F v0 = now.on.v0.x, v1 = now.on.v1.x, K = now.on.K.x, inv = 1.0 / max(V, F(1e-300)), bent = sign * sqrt(max(room, F(0.0)));
   const F d0 = (K * v0 - bent * v1) * inv, d1 = (K * v1 + bent * v0) * inv;
   const Motion<F> elbow = unit(v0 - d0, v1 - d1), fore = unit(d0, d1);
   const F invr = 1.0 / max(rho2, F(1e-300));
@@ -388,6 +423,26 @@ template <class F> PIEPER_INLINE Pose<F> inverse_of(const Pose<F>& a) {
   return out;
 }
 
+// Poses that are not clear wait for company: the general solver takes W at a time.
+struct Waiting {
+  static constexpr int most = 64;
+  int count = 0;
+  long index[most];
+  double T[16 * most], q[96 * most];
+  std::uint8_t valid[16 * most], flag[most];
+
+  void solve(const double* params, const int* iparams, double* all_q, std::uint8_t* all_valid, std::uint8_t* all_flag) {
+    if (count == 0) return;
+    solve_general(params, iparams, T, count, q, valid, flag);
+    for (int i = 0; i < count; ++i) {
+      __builtin_memcpy(all_q + 96 * index[i], q + 96 * i, 96 * sizeof(double));
+      __builtin_memcpy(all_valid + 16 * index[i], valid + 16 * i, 16);
+      all_flag[index[i]] = flag[i];
+    }
+    count = 0;
+  }
+};
+
 // params: an Arm, then the general solver's model of the same arm.
 inline void solve(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid,
                   std::uint8_t* flag) {
@@ -397,6 +452,7 @@ inline void solve(const double* params, const int* iparams, const double* T, lon
   __builtin_memcpy(&arm, params, sizeof arm);
   RigidT<F> truth[7];
   for (int k = 0; k < 7; ++k) truth[k] = closed_form::spread<F>(closed_form::read_rigid(arm.truth + 16 * k, arm.length));
+  Waiting waiting;
   for (long done = 0; done < count; done += W) {
     const int used = count - done < W ? static_cast<int>(count - done) : W;
     double padded[16 * W];
@@ -410,7 +466,9 @@ inline void solve(const double* params, const int* iparams, const double* T, lon
     for (int i = 0; i < used; ++i) {
       const long at = done + i;
       if ((unclear >> i) & 1u) {
-        solve_general(params + kArmSize, iparams, T + 16 * at, 1, q + 96 * at, valid + 16 * at, flag + at);
+        __builtin_memcpy(waiting.T + 16 * waiting.count, T + 16 * at, 16 * sizeof(double));
+        waiting.index[waiting.count++] = at;
+        if (waiting.count == Waiting::most) waiting.solve(params + kArmSize, iparams, q, valid, flag);
         continue;
       }
       for (int m = 0; m < 16; ++m) {
@@ -420,6 +478,7 @@ inline void solve(const double* params, const int* iparams, const double* T, lon
       flag[at] = found[i].count ? 0 : kOutOfReach;
     }
   }
+  waiting.solve(params + kArmSize, iparams, q, valid, flag);
 }
 
 }  // namespace pieper::PIEPER_ISA::offset_wrist
