@@ -56,9 +56,7 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
 
 def _sides(numbers: dict) -> bool | None:
     """Return whether the arm's two sides are alike, None where that is hard to tell."""
-    apart = max(
-        abs(numbers["shoulder"]), abs(numbers["lateral"]), abs(numbers["lean"][1]), abs(numbers["tilt"][1])
-    )
+    apart = max(abs(numbers["shoulder"]), abs(numbers["lateral"]), abs(numbers["lean"][1]), abs(numbers["tilt"][1]))
     if apart <= ALIKE:
         return True
     return False if apart >= DIFFERENT else None
