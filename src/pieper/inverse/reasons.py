@@ -30,9 +30,9 @@ FAMILY_WORDS = {
     ),
     "offset_wrist": (
         "parallel second and third axes and a wrist of which only two neighbouring axes meet",
-        "With the last joint's angle chosen, the point where axes 4 and 5 meet is known, and with it shoulder and elbow: "
-        "two sides, two shapes of the triangle. That axes 4 and 5 meet under their own angle is then one equation for "
-        "the last joint, a trigonometric polynomial, of which every real root is isolated.",
+        "With the last joint's angle chosen, the point where axes 4 and 5 meet is known, and with it shoulder and "
+        "elbow: two sides, two shapes of the triangle. That axes 4 and 5 meet under their own angle is then one "
+        "equation for the last joint, a trigonometric polynomial, of which every real root is isolated.",
     ),
     "general": (
         "no special arrangement that a closed form could use",

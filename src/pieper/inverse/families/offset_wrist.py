@@ -14,8 +14,8 @@ from pieper.kinematics.geometry import Geometry, look
 
 KIND = "offset_wrist"
 
-#: Offsets and twists (per length; rad) up to which the two sides of the arm are taken for alike, and from which they are
-#: taken for different. Between the two every root is nearly double: such an arm goes to the general solver.
+#: Offsets and twists (per length; rad) up to which the two sides of the arm are taken for alike, and from which they
+#: are taken for different. Between the two every root is nearly double: such an arm goes to the general solver.
 ALIKE, DIFFERENT = 1e-13, 2e-3
 #: Shortest link (per length) and smallest sine between neighbouring axes that the construction can stand on.
 SMALLEST = 1e-3
@@ -66,9 +66,9 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     """Return the kernel's numbers.
 
     The last joint's angle is the unknown of one trigonometric polynomial: of degree 8, at most 16 solutions; of
-    degree 4 with two solutions a root where shoulder, elbow and forearm lie in the plane of axis 1. It degenerates where
-    P lies on axis 1, the elbow is straight, or two roots merge; such poses are solved by the general solver, whose
-    model is part of the numbers.
+    degree 4 with two solutions a root where shoulder, elbow and forearm lie in the plane of axis 1. It degenerates
+    where P lies on axis 1, the elbow is straight, or two roots merge; such poses are solved by the general solver,
+    whose model is part of the numbers.
     """
     seen = chain.reversed() if found.backward else chain
     numbers = _measured(seen)
