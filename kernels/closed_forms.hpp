@@ -1,4 +1,4 @@
-// The closed-form families of closed_forms.cpp and offset_wrist.cpp, to be listed in isa.cpp.
+// The closed-form families of closed_forms.cpp and hidden_angle.cpp, to be listed in isa.cpp.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,9 @@ PIEPER_CLOSED_FORM(closed_spherical_wrist)
 PIEPER_CLOSED_FORM(closed_three_parallel)
 PIEPER_CLOSED_FORM(closed_position3)
 PIEPER_CLOSED_FORM(closed_orientation3)
-PIEPER_CLOSED_FORM(closed_offset_wrist)
+PIEPER_CLOSED_FORM(offset_wrist_any)
+PIEPER_CLOSED_FORM(offset_wrist_alike)
+PIEPER_CLOSED_FORM(two_slides_any)
 #undef PIEPER_CLOSED_FORM
 
 }  // namespace pieper::PIEPER_ISA

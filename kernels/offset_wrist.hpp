@@ -15,49 +15,11 @@
 // is delicate is handed to the general solver.
 #pragma once
 
-#include "closed_lanes.hpp"
-#include "general_entry.hpp"
-#include "trigonometric_roots.hpp"
+#include "hidden_angle.hpp"
 
 namespace pieper::PIEPER_ISA::offset_wrist {
 
-using closed_form::Motion;
-using closed_form::Rigid;
-using closed_form::RigidT;
-using closed_form::unit;
-
-// x + y u with u^2 known: what is even and what is odd in u.
-template <class F> struct Surd {
-  F x, y, u2;
-};
-template <class F> PIEPER_INLINE Surd<F> operator+(Surd<F> a, Surd<F> b) { return {a.x + b.x, a.y + b.y, a.u2}; }
-template <class F> PIEPER_INLINE Surd<F> operator-(Surd<F> a, Surd<F> b) { return {a.x - b.x, a.y - b.y, a.u2}; }
-template <class F> PIEPER_INLINE Surd<F> operator*(Surd<F> a, Surd<F> b) {
-  return {a.x * b.x + a.u2 * (a.y * b.y), a.x * b.y + a.y * b.x, a.u2};
-}
-template <class F> PIEPER_INLINE Surd<F> operator+(Surd<F> a, double b) { return {a.x + b, a.y, a.u2}; }
-template <class F> PIEPER_INLINE Surd<F> operator*(double k, Surd<F> a) { return {k * a.x, k * a.y, a.u2}; }
-
-// A value and its derivative by theta.
-template <class F> struct Dual {
-  F x, d;
-};
-template <class F> PIEPER_INLINE Dual<F> operator+(Dual<F> a, Dual<F> b) { return {a.x + b.x, a.d + b.d}; }
-template <class F> PIEPER_INLINE Dual<F> operator-(Dual<F> a, Dual<F> b) { return {a.x - b.x, a.d - b.d}; }
-template <class F> PIEPER_INLINE Dual<F> operator*(Dual<F> a, Dual<F> b) { return {a.x * b.x, a.x * b.d + a.d * b.x}; }
-template <class F> PIEPER_INLINE Dual<F> operator+(Dual<F> a, double b) { return {a.x + b, a.d}; }
-template <class F> PIEPER_INLINE Dual<F> operator*(double k, Dual<F> a) { return {k * a.x, k * a.d}; }
-template <class F> PIEPER_INLINE Dual<F> over(Dual<F> a, Dual<F> b) {
-  const F inv = 1.0 / select(b.x == 0.0, F(1e-300), b.x), x = a.x * inv;
-  return {x, (a.d - x * b.d) * inv};
-}
-template <class F> PIEPER_INLINE Dual<F> root(Dual<F> a) {
-  const F x = sqrt(max(a.x, F(0.0)));
-  return {x, 0.5 * a.d / select(x == 0.0, F(1e-300), x)};
-}
-
-// What rounding leaves of the polynomial's coefficients is below this, relative to their sum.
-inline constexpr double kNoise = 3e-14;
+using namespace hidden_angle;
 
 struct Vec {
   double x, y, z;
@@ -66,7 +28,7 @@ struct Vec {
 // The arm with its joints at zero, in a frame with z along axis 1, y along axis 2, and axis 2 at height zero; lengths of one.
 // Laid out as `prepare` of inverse/families/offset_wrist.py writes it.
 struct Arm {
-  double length;
+  double length;                 // m
   double to_base[9], base[3];    // world -> that frame
   double from_tool[9];           // rotation: that frame -> tool, at zero
   Vec sixth;                     // from the tool's point to the foot of P on axis 6
@@ -81,10 +43,7 @@ struct Arm {
   double sense3;                 // -1 where axis 3 points against axis 2
   Vec axis4, across4, over4;     // axis 4; what of axis 5 lies across it; axis 4 crossed with that (both of length one)
   Vec across5, over5;            // the same of axis 6 and axis 5
-  double truth[7 * 16];          // the links, m
-  double even, backward;         // flags: N is even in u; the arm was reversed, tool for base
 };
-inline constexpr int kArmSize = sizeof(Arm) / sizeof(double);
 
 // A pose as the arm sees it.
 template <class F> struct Target {
@@ -150,7 +109,7 @@ template <class F> PIEPER_INLINE At<F> at_angle(const Target<F>& t, F c, F s) {
 }
 
 // N(u) N(-u) rho^4, or N rho^2 where N is even.
-template <class F> F polynomial(const Arm& arm, const Target<F>& t, F c, F s) {
+template <class F, bool Even> F polynomial(const Arm& arm, const Target<F>& t, F c, F s) {
   const At<F> at = at_angle(t, c, s);
   const F along = at.P[0] * at.axis5[0] + at.P[1] * at.axis5[1], past = at.P[0] * at.axis5[1] - at.P[1] * at.axis5[0];
   const F rho2 = at.P[0] * at.P[0] + at.P[1] * at.P[1], inv = 1.0 / max(rho2, F(1e-30));
@@ -159,23 +118,9 @@ template <class F> F polynomial(const Arm& arm, const Target<F>& t, F c, F s) {
   const Surd<F> u = {F(0.0), F(1.0), u2}, across = {-b * past * inv, along * inv, u2}, out = {b * along * inv, past * inv, u2},
                 level = {at.axis5[2], F(0.0), u2}, h = {at.P[2], F(0.0), u2};
   const Surd<F> N = condition(arm, u, across, out, level, h).N;
-  if (arm.even != 0) return N.x * rho2;
+  if (Even) return N.x * rho2;
   return (N.x * N.x - u2 * N.y * N.y) * rho2 * rho2;
 }
-
-// Solutions of one pose.
-struct Found {
-  int count;
-  double q[16][6];
-};
-
-// Candidates of any poses of the group, W at a time.
-template <class G> struct Candidates {
-  Target<G> target;
-  RigidT<G> tool;
-  G c, s;     // the root
-  G side;     // +1, -1: sign of u, 0: to be found out
-};
 
 // What a root says at one angle: P, axis 5 and the condition, with derivatives by the angle.
 template <class F> struct Evaluated {
@@ -221,17 +166,11 @@ template <class F> PIEPER_INLINE Evaluated<F> evaluate(const Arm& arm, const Tar
 }
 
 // From a root to the joints; lanes where that is not clear are marked in the result.
-template <class F> Mask<F> complete(const Arm& arm, const Candidates<F>& x, Motion<F>* q) {
+template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F side, Motion<F>* q) {
   const double b = arm.lateral, l = arm.fore, l2 = l * l;
-  auto turn = [](Motion<F> angle, F change) {
-    const Motion<F> t = {angle.c - change * angle.s, angle.s + change * angle.c};
-    const F n = 1.5 - 0.5 * (t.c * t.c + t.s * t.s);
-    return Motion<F>{t.c * n, t.s * n};
-  };
-  Motion<F> theta = {x.c, x.s};
-  F side = x.side, apart[2];
+  F apart[2];
   const auto open = side == 0.0;
-  Evaluated<F> now = evaluate(arm, x.target, theta, side, apart);
+  Evaluated<F> now = evaluate(arm, target, theta, side, apart);
   auto size_of = [&](const Evaluated<F>& e) {
     return l2 * (e.on.v0.x * e.on.v0.x + e.on.v1.x * e.on.v1.x) + e.on.K.x * e.on.K.x;
   };
@@ -240,7 +179,7 @@ template <class F> Mask<F> complete(const Arm& arm, const Candidates<F>& x, Moti
   // triangle's other shape
   F change = -now.on.N.x / select(now.on.N.d == 0.0, F(1e-300), now.on.N.d);
   unclear = unclear | !(abs(change) < 1e-3);
-  theta = turn(theta, change);
+  theta = advanced(theta, change);
   F V, room, sign(1.0);
   auto triangle = [&](const Evaluated<F>& e, F& up, F& down) {
     const auto& c = e.on;
@@ -251,7 +190,7 @@ template <class F> Mask<F> complete(const Arm& arm, const Candidates<F>& x, Moti
     up = (even + odd) * inv - c.g.x;
     down = (even - odd) * inv - c.g.x;
   };
-  now = evaluate<F>(arm, x.target, theta, side, nullptr);
+  now = evaluate<F>(arm, target, theta, side, nullptr);
   F up, down;
   triangle(now, up, down);
   const auto first = abs(up) <= abs(down);
@@ -260,8 +199,8 @@ template <class F> Mask<F> complete(const Arm& arm, const Candidates<F>& x, Moti
   unclear = unclear | !(room > 1e-8 * size) | !(abs(slope) > 1e-6 * size) | !(abs(other) > 1e-6 * l);
   change = own * V * other / select(slope == 0.0, F(1e-300), slope);
   unclear = unclear | !(abs(change) < 1e-6);
-  theta = turn(theta, change);
-  now = evaluate<F>(arm, x.target, theta, side, nullptr);
+  theta = advanced(theta, change);
+  now = evaluate<F>(arm, target, theta, side, nullptr);
   triangle(now, up, down);
   const At<F>& at = now.at;
   const F u = now.u.x, rho2 = now.rho2, across = now.across.x, out = now.out.x, level = now.level.x;
@@ -285,7 +224,7 @@ template <class F> Mask<F> complete(const Arm& arm, const Candidates<F>& x, Moti
   F y[3];
   back(across, out, level, y);
   q[3] = unit(on(y, arm.across4), on(y, arm.over4));
-  const F* six = x.target.axis6;
+  const F* six = target.axis6;
   back(six[0] * r.c + six[1] * r.s, six[1] * r.c - six[0] * r.s, six[2], y);
   const Vec k = arm.axis4;  // and before joint 4 turned (Rodrigues' formula)
   const F lift = on(y, k) * (1.0 - q[3].c);
@@ -297,188 +236,18 @@ template <class F> Mask<F> complete(const Arm& arm, const Candidates<F>& x, Moti
   return unclear;
 }
 
-template <class F> PIEPER_INLINE void copy_lane(F& to, int i, const F& from, int j) { set_lane(to, i, lane(from, j)); }
-
-// W candidates: completed, checked by the chain as described, and entered. Returns whether all of them were clear.
-template <class F>
-bool enter(const Arm& arm, const RigidT<F>* truth, const Candidates<F>& x, const int* pose, int used, Found* found, unsigned& unclear_poses) {
-  Motion<F> q[6];
-  auto unclear = complete(arm, x, q);
-  RigidT<F> frame = truth[0];
-  F value[6];
-  for (int j = 0; j < 6; ++j) {
-    frame = closed_form::moved(frame, q[j], false) * truth[j + 1];
-    value[j] = atan2(q[j].s, q[j].c);
+template <bool Even> struct Family {
+  static constexpr int degree = Even ? 4 : 8, samples = Even ? 12 : 20, slots = 16;
+  static constexpr bool both = Even;
+  using Arm = offset_wrist::Arm;
+  template <class F> using Target = offset_wrist::Target<F>;
+  template <class F> static Target<F> see(const Arm& arm, const Pose<F>& pose) { return offset_wrist::see(arm, pose); }
+  template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
+    return offset_wrist::polynomial<F, Even>(arm, target, angle.c, angle.s);
   }
-  auto apart = [](closed_form::Vec3T<F> a, closed_form::Vec3T<F> b) { return max(abs(a.x - b.x), max(abs(a.y - b.y), abs(a.z - b.z))); };
-  const F miss = max(max(apart(frame.x, x.tool.x), apart(frame.y, x.tool.y)), max(apart(frame.z, x.tool.z), apart(frame.t, x.tool.t)));
-  unclear = unclear | !(miss <= 0.5 * closed_form::kVerified);
-  const unsigned bits = bits_of(unclear);
-  for (int i = 0; i < used; ++i) {
-    if ((bits >> i) & 1u) {
-      unclear_poses |= 1u << pose[i];
-      continue;
-    }
-    Found& to = found[pose[i]];
-    if (to.count == 16) {
-      unclear_poses |= 1u << pose[i];
-      continue;
-    }
-    for (int j = 0; j < 6; ++j) to.q[to.count][j] = lane(value[arm.backward != 0 ? 5 - j : j], i);
-    ++to.count;
-  }
-  return bits == 0;
-}
-
-template <class F> void gather_candidate(Candidates<F>& to, int i, const Target<F>& target, const RigidT<F>& tool, int j) {
-  for (int k = 0; k < 3; ++k) {
-    copy_lane(to.target.at[k], i, target.at[k], j);
-    copy_lane(to.target.lever[k], i, target.lever[k], j);
-    copy_lane(to.target.lever_turned[k], i, target.lever_turned[k], j);
-    for (int m = 0; m < 3; ++m) copy_lane(to.target.fifth[m][k], i, target.fifth[m][k], j);
-    copy_lane(to.target.axis6[k], i, target.axis6[k], j);
-  }
-  const closed_form::Vec3T<F>* from[4] = {&tool.x, &tool.y, &tool.z, &tool.t};
-  closed_form::Vec3T<F>* into[4] = {&to.tool.x, &to.tool.y, &to.tool.z, &to.tool.t};
-  for (int k = 0; k < 4; ++k) {
-    copy_lane(into[k]->x, i, from[k]->x, j);
-    copy_lane(into[k]->y, i, from[k]->y, j);
-    copy_lane(into[k]->z, i, from[k]->z, j);
-  }
-}
-
-// A group of W poses, `used` of them asked for. Returns the bits of the poses that are not clear.
-template <class F, int D, int M>
-unsigned solve_group(const Arm& arm, const RigidT<F>* truth, const Pose<F>& pose, int used, Found* found) {
-  constexpr int W = width_of<F>;
-  const Target<F> target = see(arm, pose);
-  const double scale = 1 / arm.length;
-  const RigidT<F> tool = {{pose.r[0][0], pose.r[1][0], pose.r[2][0]},
-                          {pose.r[0][1], pose.r[1][1], pose.r[2][1]},
-                          {pose.r[0][2], pose.r[1][2], pose.r[2][2]},
-                          {pose.p[0] * scale, pose.p[1] * scale, pose.p[2] * scale}};
-  const trigonometric::Circle<M>& angle = trigonometric::circle<M>();
-  F value[M];
-  for (int i = 0; i < M; ++i) value[i] = polynomial(arm, target, F(angle.c[i]), F(angle.s[i]));
-  trigonometric::Series<F, D> series;
-  F size;
-  const F above = trigonometric::series_of<F, D, M>(value, series, size);
-  const F noise = max(kNoise * size, 100.0 * above);
-  unsigned unclear = bits_of(!(above < 1e-12 * size));
-  trigonometric::Sectors<F, D> sectors;
-  sectors_of(series, sectors);
-  trigonometric::Bracket list[W * 2 * D];
-  int count = 0;
-  for (int i = 0; i < used; ++i) {
-    found[i].count = 0;
-    if ((unclear >> i) & 1u) continue;
-    const int before = count;
-    if (!isolate<F, D>(sectors, i, lane(noise, i), list, count)) {
-      unclear |= 1u << i;
-      count = before;
-    }
-  }
-  const trigonometric::Circle<2 * trigonometric::kSectors>& turn = trigonometric::circle<2 * trigonometric::kSectors>();
-  for (int first = 0; first < count; first += W) {
-    const int lanes = count - first < W ? count - first : W;
-    Candidates<F> x;
-    trigonometric::Series<F, D> own;
-    F cc, cs, low, high, at_low, at_high;
-    int of[W];
-    for (int i = 0; i < W; ++i) {
-      const trigonometric::Bracket& b = list[first + (i < lanes ? i : lanes - 1)];
-      of[i] = b.lane;
-      for (int m = 0; m <= D; ++m) {
-        copy_lane(own.a[m], i, series.a[m], b.lane);
-        copy_lane(own.b[m], i, series.b[m], b.lane);
-      }
-      set_lane(cc, i, turn.c[2 * b.sector + 1]);
-      set_lane(cs, i, turn.s[2 * b.sector + 1]);
-      set_lane(low, i, b.low);
-      set_lane(high, i, b.high);
-      set_lane(at_low, i, b.at_low);
-      set_lane(at_high, i, b.at_high);
-      gather_candidate(x, i, target, tool, b.lane);
-    }
-    trigonometric::refine(own, cc, cs, low, high, at_low, at_high, x.c, x.s);
-    if (arm.even != 0) {
-      x.side = F(1.0);
-      enter(arm, truth, x, of, lanes, found, unclear);
-      x.side = F(-1.0);
-    } else {
-      x.side = F(0.0);
-    }
-    enter(arm, truth, x, of, lanes, found, unclear);
-  }
-  return unclear & ((1u << used) - 1u);
-}
-
-// The pose of base in tool, where the arm was reversed.
-template <class F> PIEPER_INLINE Pose<F> inverse_of(const Pose<F>& a) {
-  Pose<F> out;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) out.r[i][j] = a.r[j][i];
-    out.p[i] = 0.0 - (a.r[0][i] * a.p[0] + a.r[1][i] * a.p[1] + a.r[2][i] * a.p[2]);
-  }
-  return out;
-}
-
-// Poses that are not clear wait for company: the general solver takes W at a time.
-struct Waiting {
-  static constexpr int most = 64;
-  int count = 0;
-  long index[most];
-  double T[16 * most], q[96 * most];
-  std::uint8_t valid[16 * most], flag[most];
-
-  void solve(const double* params, const int* iparams, double* all_q, std::uint8_t* all_valid, std::uint8_t* all_flag) {
-    if (count == 0) return;
-    solve_general(params, iparams, T, count, q, valid, flag);
-    for (int i = 0; i < count; ++i) {
-      __builtin_memcpy(all_q + 96 * index[i], q + 96 * i, 96 * sizeof(double));
-      __builtin_memcpy(all_valid + 16 * index[i], valid + 16 * i, 16);
-      all_flag[index[i]] = flag[i];
-    }
-    count = 0;
+  template <class F> static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F side, Motion<F>* q) {
+    return offset_wrist::complete(arm, target, root, side, q);
   }
 };
-
-// params: an Arm, then the general solver's model of the same arm.
-inline void solve(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid,
-                  std::uint8_t* flag) {
-  constexpr int W = PIEPER_LANES;
-  using F = Lanes<W>;
-  Arm arm;
-  __builtin_memcpy(&arm, params, sizeof arm);
-  RigidT<F> truth[7];
-  for (int k = 0; k < 7; ++k) truth[k] = closed_form::spread<F>(closed_form::read_rigid(arm.truth + 16 * k, arm.length));
-  Waiting waiting;
-  for (long done = 0; done < count; done += W) {
-    const int used = count - done < W ? static_cast<int>(count - done) : W;
-    double padded[16 * W];
-    for (int i = 0; i < W; ++i)  // idle lanes repeat the last pose
-      for (int k = 0; k < 16; ++k) padded[16 * i + k] = T[16 * (done + (i < used ? i : used - 1)) + k];
-    Pose<F> pose = load_poses<F>(padded);
-    if (arm.backward != 0) pose = inverse_of(pose);
-    Found found[W];
-    const unsigned unclear = arm.even != 0 ? solve_group<F, 4, 12>(arm, truth, pose, used, found)
-                                           : solve_group<F, 8, 20>(arm, truth, pose, used, found);
-    for (int i = 0; i < used; ++i) {
-      const long at = done + i;
-      if ((unclear >> i) & 1u) {
-        __builtin_memcpy(waiting.T + 16 * waiting.count, T + 16 * at, 16 * sizeof(double));
-        waiting.index[waiting.count++] = at;
-        if (waiting.count == Waiting::most) waiting.solve(params + kArmSize, iparams, q, valid, flag);
-        continue;
-      }
-      for (int m = 0; m < 16; ++m) {
-        valid[16 * at + m] = m < found[i].count;
-        for (int j = 0; j < 6; ++j) q[96 * at + 6 * m + j] = m < found[i].count ? found[i].q[m][j] : 0.0;
-      }
-      flag[at] = found[i].count ? 0 : kOutOfReach;
-    }
-  }
-  waiting.solve(params + kArmSize, iparams, q, valid, flag);
-}
 
 }  // namespace pieper::PIEPER_ISA::offset_wrist

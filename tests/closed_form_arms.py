@@ -82,7 +82,9 @@ def missed(solver: SixJointSolver, chain: Chain, Q: np.ndarray, tolerance=1e-6) 
     q, valid, _, _ = solver.many(T, 1)
     assert np.isfinite(q).all() and not q[~valid].any()
     error = fk(chain, q[valid]) - np.repeat(T[:, None], valid.shape[1], 1)[valid]
-    error[:, :3, 3] /= chain.length
+    # a slide of many lengths carries its own rounding
+    size = chain.length + np.where(chain.prismatic, np.abs(q[valid]), 0.0).max(1)
+    error[:, :3, 3] /= size[:, None]
     assert np.abs(error).max(initial=0.0) < 2e-12
     gap = np.where(valid, difference(chain, q, Q[:, None]), np.inf).min(1)
     return Q[gap > tolerance]
@@ -174,3 +176,9 @@ def offset_arm(rng, alike: bool) -> Chain:
         shift = translation(z=rng.uniform(-0.3, 0.3))
         links[j], links[j + 1] = links[j] @ shift, inverse(shift) @ links[j + 1]
     return Chain.of(np.array(links), np.zeros(6, bool))
+
+
+def sliding_arm(rng, order: str, typed: bool) -> Chain:
+    """Return an arm with joints in an order such as "RPRRPR"; its links any, or such as tables have."""
+    links = [(_typed if typed else _rigid)(rng) for _ in range(7)]
+    return Chain.of(np.array(links), np.array([kind == "P" for kind in order]))

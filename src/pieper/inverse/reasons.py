@@ -34,6 +34,12 @@ FAMILY_WORDS = {
         "elbow: two sides, two shapes of the triangle. That axes 4 and 5 meet under their own angle is then one "
         "equation for the last joint, a trigonometric polynomial, of which every real root is isolated.",
     ),
+    "two_slides": (
+        "two sliding joints, which turn nothing, so that the four turning ones alone make the orientation",
+        "With the angle of one turning joint chosen, the other three follow like a wrist, in two ways; the slides must "
+        "undo what is then left along their two directions. That is one equation for the chosen angle, a "
+        "trigonometric polynomial, of which every real root is isolated.",
+    ),
     "general": (
         "no special arrangement that a closed form could use",
         "Five of the six joints are eliminated (Raghavan and Roth, 1993); the roots of the remaining equation, of "

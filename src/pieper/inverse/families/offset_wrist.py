@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.inverse.families import general
+from pieper.inverse.families.hidden_angle import general_model, with_head
 from pieper.inverse.families.loop import full_rank
 from pieper.inverse.families.spec import KernelSpec
 from pieper.kinematics.chain import Chain
@@ -73,10 +73,9 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     seen = chain.reversed() if found.backward else chain
     numbers = _measured(seen)
     even = bool(_sides(numbers))
-    spare = general.prepare(chain)
     shoulder = 0.0 if even else numbers["shoulder"]
     lateral = 0.0 if even else numbers["lateral"]
-    params = np.concatenate(
+    arm = np.concatenate(
         [
             [seen.length],
             *(np.ravel(numbers[name]) for name in ("to_base", "base", "from_tool", "sixth", "lever", "lever_turned")),
@@ -85,15 +84,12 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
             *(numbers[name] for name in ("elbow", "forearm", "lean", "tilt")),
             [numbers["bend"], numbers["sense3"]],
             *(numbers[name] for name in ("axis4", "across4", "over4", "across5", "over5")),
-            np.ravel(seen.links),
-            [float(even), float(found.backward)],
-            spare.params,
         ]
     )
     return KernelSpec(
-        kind=KIND,
+        kind=f"{KIND}_alike" if even else KIND,
         max_solutions=16,
-        params=params,
+        params=with_head(seen, arm, backward=found.backward, spare=general_model(chain)),
         info={
             "degree": 8 if even else 16,
             "two_solutions_a_root": even,
