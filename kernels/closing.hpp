@@ -67,6 +67,7 @@ template <class F> struct LoopRestT {
   RigidT<F> pre, A, B, C;
   int joints[3];  // which joints a, b, c are
 
+  LoopRestT() = default;
   LoopRestT(const RigidT<F>* links, const RigidT<F>& T, int first) {
     // link k leads from joint k - 1 to joint k; link 0 is where the loop closes, through the pose
     RigidT<F> closing = links[6] * inverse(T) * links[0];
