@@ -24,9 +24,9 @@ inline bool turned_inside(double* row, int n, const double* lower, const double*
 inline void apply_limits(double* q, const std::uint8_t* valid, long rows, int n, const double* lower,
                          const double* upper, const std::uint8_t* prismatic, std::uint8_t* in_limits) {
   constexpr int W = PIEPER_LANES;
-  // angles come in (-pi, pi]: a turn can only help where the limits reach beyond that on one side
-  bool turns = false;
-  for (int j = 0; j < n; ++j) turns |= !prismatic[j] && (upper[j] > kPi || lower[j] < -kPi);
+  // angles come in (-pi, pi]: a turn can only help a joint whose limits reach beyond that on one side
+  std::uint64_t turning = 0;
+  for (int j = 0; j < n && j < 64; ++j) turning |= static_cast<std::uint64_t>(!prismatic[j] && (upper[j] > kPi || lower[j] < -kPi)) << j;
   long r = 0;
   if (n * W <= kLimitPattern) {
     // W rows of n are n vectors; the limits repeat with the same period
@@ -41,9 +41,10 @@ inline void apply_limits(double* q, const std::uint8_t* valid, long rows, int n,
                     bits_of((v >= load<Lanes<W>>(low + k * W)) & (v <= load<Lanes<W>>(high + k * W)))) << (k * W);
       }
       for (int i = 0; i < W; ++i) {
-        const bool good = valid[r + i], inside = ((bits >> (i * n)) & full) == full;
-        in_limits[r + i] = good & inside;
-        if (turns && good && !inside) in_limits[r + i] = turned_inside(q + (r + i) * n, n, lower, upper, prismatic);
+        const std::uint64_t outside = ~(bits >> (i * n)) & full;
+        const bool good = valid[r + i];
+        in_limits[r + i] = good & !outside;
+        if (good && (outside & turning)) in_limits[r + i] = turned_inside(q + (r + i) * n, n, lower, upper, prismatic);
       }
     }
   }
