@@ -259,7 +259,9 @@ __attribute__((noinline)) unsigned solve_clear(const PreparedClosed<Family>& pre
   RigidT<F>* place[4] = {&rest.pre, &rest.A, &rest.B, &rest.C};
   for (int k = 0; k < 4; ++k) {
     const int link = (arm.first + 3 + k) % 6;
-    *place[k] = link == 0 ? closing : spread<F>(arm.links[link]);
+    const double* constant = &arm.links[link].x.x;
+    F* to = &place[k]->x.x;
+    for (int i = 0; i < 12; ++i) to[i] = link == 0 ? (&closing.x.x)[i] : F(constant[i]);
   }
   LaneSolutions<F> out;
   prepared.family.template solve<F>(arm, rest, out);
@@ -269,22 +271,25 @@ __attribute__((noinline)) unsigned solve_clear(const PreparedClosed<Family>& pre
       values[m][j] = select(out.valid[m], arm.slides[j] ? out.q[m][j] * arm.length : out.q[m][j], F(0.0));
   Bits<F> rank[8];
   rank_rows<F, 8, 6>(values, out.valid, arm.slides, rank);
-  std::int64_t ranks[8][W];
+  // as many different ranks as rows, or the lane's order is left to the careful road
+  Bits<F> seen = {}, count = {};
+  for (int m = 0; m < 8; ++m) {
+    seen |= (Bits<F>{} + 1) << rank[m];
+    count += word_where(out.valid[m], 1);
+  }
+  std::int64_t ranks[8][W], counts[W], all_seen[W];
   __builtin_memcpy(ranks, rank, sizeof ranks);
-  unsigned bits[8], unclear = bits_of(out.unclear);
-  for (int m = 0; m < 8; ++m) bits[m] = bits_of(out.valid[m]);
+  __builtin_memcpy(counts, &count, sizeof counts);
+  __builtin_memcpy(all_seen, &seen, sizeof all_seen);
+  unsigned unclear = bits_of(out.unclear);
   double rows[48 * W];
   store_records<F, 48>(rows, values[0], W);
   for (int i = 0; i < lanes; ++i) {
-    unsigned seen = 0, count = 0;
-    for (int m = 0; m < 8; ++m) {
-      seen |= 1u << ranks[m][i];
-      count += (bits[m] >> i) & 1u;
-      __builtin_memcpy(q + 48 * i + 6 * ranks[m][i], rows + 48 * i + 6 * m, 48);
-    }
-    if (seen != 255) unclear |= 1u << i;
-    for (unsigned m = 0; m < 8; ++m) valid[i * 8 + m] = m < count;
-    flag[i] = count ? 0 : kOutOfReach;
+    for (int m = 0; m < 8; ++m) __builtin_memcpy(q + 48 * i + 6 * ranks[m][i], rows + 48 * i + 6 * m, 48);
+    if (all_seen[i] != 255) unclear |= 1u << i;
+    const std::uint64_t ones = 0x0101010101010101u, word = counts[i] == 8 ? ones : ones & ((1ull << (8 * counts[i])) - 1);
+    __builtin_memcpy(valid + 8 * i, &word, 8);
+    flag[i] = counts[i] ? 0 : kOutOfReach;
   }
   return unclear & ((1u << lanes) - 1u);
 }
