@@ -16,4 +16,9 @@ PIEPER_CLOSED_FORM(closed_position3, solve_position3<double>)
 PIEPER_CLOSED_FORM(closed_orientation3, solve_orientation3<double>)
 #undef PIEPER_CLOSED_FORM
 
+void prepare_spherical_wrist(double* params, const int* iparams) { closed_form::prepare_closed<closed_form::SphericalWristLanes>(params, iparams); }
+void prepare_three_parallel(double* params, const int* iparams) { closed_form::prepare_closed<closed_form::ThreeParallelLanes>(params, iparams); }
+static_assert(sizeof(closed_form::PreparedClosed<closed_form::SphericalWristLanes>) <= 8 * kPreparedClosed);
+static_assert(sizeof(closed_form::PreparedClosed<closed_form::ThreeParallelLanes>) <= 8 * kPreparedClosed);
+
 }  // namespace pieper::PIEPER_ISA

@@ -17,4 +17,9 @@ PIEPER_CLOSED_FORM(offset_wrist_alike)
 PIEPER_CLOSED_FORM(two_slides_any)
 #undef PIEPER_CLOSED_FORM
 
+// Writes what does not change with the pose behind the kClosedParams params; there is room for kPreparedClosed more.
+inline constexpr int kClosedParams = 225, kPreparedClosed = 160;  // length and twice seven links
+void prepare_spherical_wrist(double* params, const int* iparams);
+void prepare_three_parallel(double* params, const int* iparams);
+
 }  // namespace pieper::PIEPER_ISA

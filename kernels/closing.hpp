@@ -16,8 +16,8 @@ inline constexpr double kVerified = 1e-12;
 inline constexpr double kHopeless = 2e-2;
 // Solutions closer than this (rad; lengths of the arm) are one.
 inline constexpr double kSame = 3e-8;
-// Smallest over largest singular value of the scaled Jacobian under which a solution is called degenerate.
-inline constexpr double kSingular = 1e-6;
+// Smallest over largest singular value of the scaled Jacobian under which a solution is looked at closely.
+inline constexpr double kSingular = 2.5e-7;
 
 template <class F> struct Vec3T {
   F x, y, z;
@@ -67,6 +67,7 @@ template <class F> struct LoopRestT {
   RigidT<F> pre, A, B, C;
   int joints[3];  // which joints a, b, c are
 
+  LoopRestT() = default;
   LoopRestT(const RigidT<F>* links, const RigidT<F>& T, int first) {
     // link k leads from joint k - 1 to joint k; link 0 is where the loop closes, through the pose
     RigidT<F> closing = links[6] * inverse(T) * links[0];
@@ -115,44 +116,54 @@ inline double missed(const TrueChain& chain, const Rigid& T, const double* q, do
   return worst;
 }
 
-// Solve (J^T J + damping) dq = J^T e by Cholesky. A damping a little above rounding keeps singular poses finite.
+// J^T J + damping trace(J^T J), factored by Cholesky. A damping a little above rounding keeps singular poses finite.
+struct Normal {
+  int n;
+  double A[kMaxJoints][kMaxJoints], trace = 0;
+
+  Normal(int joints, const double (*J)[6], double damping) : n(joints) {
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        A[i][j] = 0;
+        for (int k = 0; k < 6; ++k) A[i][j] += J[i][k] * J[j][k];
+      }
+      trace += A[i][i];
+    }
+    const double least = damping * trace + 1e-300;
+    for (int j = 0; j < n; ++j) {
+      double d = A[j][j] + least;
+      for (int k = 0; k < j; ++k) d -= A[j][k] * A[j][k];
+      A[j][j] = std::sqrt(std::fmax(d, least));
+      for (int i = j + 1; i < n; ++i) {
+        double s = A[i][j];
+        for (int k = 0; k < j; ++k) s -= A[i][k] * A[j][k];
+        A[i][j] = s / A[j][j];
+      }
+    }
+  }
+  void solve(double* b) const {
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < i; ++k) b[i] -= A[i][k] * b[k];
+      b[i] /= A[i][i];
+    }
+    for (int i = n - 1; i >= 0; --i) {
+      for (int k = i + 1; k < n; ++k) b[i] -= A[k][i] * b[k];
+      b[i] /= A[i][i];
+    }
+  }
+};
+
+// The step dq with (J^T J + damping) dq = J^T e.
 inline void damped_step(int n, const double* error, const double (*J)[6], double damping, double* dq) {
-  double A[kMaxJoints][kMaxJoints], b[kMaxJoints], trace = 0;
   for (int i = 0; i < n; ++i) {
-    b[i] = 0;
-    for (int k = 0; k < 6; ++k) b[i] += J[i][k] * error[k];
-    for (int j = 0; j <= i; ++j) {
-      A[i][j] = 0;
-      for (int k = 0; k < 6; ++k) A[i][j] += J[i][k] * J[j][k];
-    }
-    trace += A[i][i];
+    dq[i] = 0;
+    for (int k = 0; k < 6; ++k) dq[i] += J[i][k] * error[k];
   }
-  double least = damping * trace + 1e-300;
-  for (int j = 0; j < n; ++j) {
-    double d = A[j][j] + least;
-    for (int k = 0; k < j; ++k) d -= A[j][k] * A[j][k];
-    A[j][j] = std::sqrt(std::fmax(d, least));
-    for (int i = j + 1; i < n; ++i) {
-      double s = A[i][j];
-      for (int k = 0; k < j; ++k) s -= A[i][k] * A[j][k];
-      A[i][j] = s / A[j][j];
-    }
-  }
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < i; ++k) b[i] -= A[i][k] * b[k];
-    b[i] /= A[i][i];
-  }
-  for (int i = n - 1; i >= 0; --i) {
-    for (int k = i + 1; k < n; ++k) b[i] -= A[k][i] * dq[k];
-    dq[i] = b[i] / A[i][i];
-  }
+  Normal(n, J, damping).solve(dq);
 }
 
-// Whether the Jacobian (columns, lengths in units of the arm) is singular within kSingular: determinant first, and where
-// that is small, the smallest singular value by inverse iteration.
-inline bool is_singular(int n, const double (*J)[6], bool position_only) {
-  int rows = position_only ? 3 : 6;
-  if (n < rows) rows = 0;  // fewer joints than equations: look at the columns only
+// Whether the Jacobian (columns, lengths in units of the arm) is singular within kSingular.
+inline bool is_singular(int n, const double (*J)[6]) {
   double largest = 0;
   for (int i = 0; i < n; ++i) {
     double s = 0;
@@ -187,7 +198,6 @@ inline bool is_singular(int n, const double (*J)[6], bool position_only) {
       for (int k = 0; k < 6; ++k) Q[i][k] -= s * Q[best][k];
     }
   }
-  (void)rows;
   return last <= (3 * kSingular) * (3 * kSingular) * largest;
 }
 
@@ -196,6 +206,7 @@ struct Found {
   int n, most, count = 0;
   double* q;  // most x n
   bool degenerate = false, near_miss = false;
+  bool suspect = false;  // a row is nearly singular
 };
 
 // Polish a candidate (values in rad and lengths of the arm), verify it, and append it unless it is there already.
@@ -238,7 +249,7 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
   }
   for (int i = 0; i < n; ++i)
     if (!chain.prismatic[i]) q[i] = one_turn(q[i]);
-  const bool singular = is_singular(n, J, chain.position_only);
+  const bool singular = is_singular(n, J);
   for (int s = 0; s < found.count; ++s) {
     double apart = 0, middle[kMaxJoints];
     for (int i = 0; i < n; ++i) {
@@ -250,26 +261,17 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
     if (apart < kSame) return;
     // in a flat valley (a family, or a root too shallow for double precision) two candidates are one answer
     if (singular && apart < 0.05 && missed(chain, T, middle, error, J) <= 4e-15 + 2 * miss) {
-      found.degenerate = true;
+      found.suspect = true;
       return;
     }
   }
-  found.degenerate |= singular;
-  if (found.count == found.most) return;
+  found.suspect |= singular;
+  if (found.count == found.most) {
+    found.degenerate = true;
+    return;
+  }
   for (int i = 0; i < n; ++i) found.q[found.count * n + i] = q[i];
   ++found.count;
-}
-
-// Write one pose's solutions into the caller's slots, zeros where there is none.
-inline void write_out(const TrueChain& chain, const Found& found, double* q, std::uint8_t* valid, std::uint8_t* flag) {
-  int n = chain.n;
-  for (int s = 0; s < found.most; ++s) {
-    bool ok = s < found.count;
-    valid[s] = ok;
-    for (int i = 0; i < n; ++i)
-      q[s * n + i] = ok ? found.q[s * n + i] * (chain.prismatic[i] ? chain.length : 1.0) : 0.0;
-  }
-  *flag = (found.degenerate ? 1 : 0) | (found.near_miss && found.count == 0 ? 2 : 0) | (found.count == 0 ? 4 : 0);
 }
 
 }  // namespace pieper::PIEPER_ISA::closed_form

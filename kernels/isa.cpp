@@ -5,7 +5,7 @@
 //      `template <class F> static void solve(const double* params, const int* iparams, const Pose<F>&, Branches<F, slots, joints>&)`
 //      (see batch.hpp; spherical_wrist_parallel.hpp is the model), or a whole SolveFn of your own when lanes are used otherwise;
 //   2. include it below;
-//   3. add one line to `families`. The string is the `kind` that KernelSpec carries in Python; slots and joints are
+//   3. add one line to `families` (FamilyEntry in isa.hpp). The string is the `kind` that KernelSpec carries in Python; slots and joints are
 //      given there too (KernelSpec.max_solutions, the chain's n).
 // CMake compiles this file with -DPIEPER_ISA=<namespace> -DPIEPER_LANES=<width>. Keep templates of the standard library
 // out of the headers: the linker merges them across instruction sets.
@@ -15,6 +15,7 @@
 #include "forward.hpp"
 #include "limits.hpp"
 #include "posecheck.hpp"
+#include "row_order.hpp"
 // families
 #include "closed_forms.hpp"
 #include "general_entry.hpp"
@@ -29,16 +30,20 @@ namespace pieper {
 namespace PIEPER_ISA {
 
 const FamilyEntry families[] = {
-    {"spherical_wrist_parallel", &solve_batch<SphericalWristParallel>},
-    {"spherical_wrist", &closed_spherical_wrist},
-    {"three_parallel", &closed_three_parallel},
-    {"offset_wrist", &offset_wrist_any},
-    {"offset_wrist_alike", &offset_wrist_alike},
-    {"two_slides", &two_slides_any},
-    {"position3", &closed_position3},
-    {"orientation3", &closed_orientation3},
-    {"general", &solve_general},
+    {"spherical_wrist_parallel", &solve_batch<SphericalWristParallel>, true},
+    {"spherical_wrist", &closed_spherical_wrist, true, &prepare_spherical_wrist, kClosedParams, kPreparedClosed},
+    {"three_parallel", &closed_three_parallel, true, &prepare_three_parallel, kClosedParams, kPreparedClosed},
+    {"offset_wrist", &offset_wrist_any, false},
+    {"offset_wrist_alike", &offset_wrist_alike, false},
+    {"two_slides", &two_slides_any, false},
+    {"position3", &closed_position3, false},
+    {"orientation3", &closed_orientation3, false},
+    {"general", &solve_general, false},
 };
+
+void order_rows(double* q, std::uint8_t* valid, long count, int slots, int n, const std::uint8_t* prismatic) {
+  for (long i = 0; i < count; ++i) put_in_order(q + i * slots * n, valid + i * slots, slots, n, prismatic);
+}
 
 void elementary(int what, const double* x, long count, double* out) {
   constexpr int W = PIEPER_LANES;
@@ -72,6 +77,7 @@ const IsaTable& PIEPER_JOIN(isa_, PIEPER_ISA)() {
                                  &pose_deviation,
                                  &pose_straighten,
                                  &apply_limits,
+                                 &order_rows,
                                  &general_model_size,
                                  &general_model,
                                  &elementary};

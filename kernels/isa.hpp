@@ -13,6 +13,11 @@ using SolveFn = void (*)(const double* params, const int* iparams, const double*
 struct FamilyEntry {
   const char* kind;
   SolveFn solve;
+  bool in_order;  // rows come in an order of their own (by branch, or sorted); else the solver sorts them
+  // What does not change with the pose, worked out once for an arm: `given` doubles of params come from Python, `made` more are
+  // written behind them.
+  void (*prepare)(double* params, const int* iparams) = nullptr;
+  int given = 0, made = 0;
 };
 
 struct IsaTable {
@@ -37,6 +42,9 @@ struct IsaTable {
   // Whole turns where only they lie inside; in_limits: count x slots, false where not valid.
   void (*limits)(double* q, const std::uint8_t* valid, long rows, int n, const double* lower, const double* upper,
                  const std::uint8_t* prismatic, std::uint8_t* in_limits);
+
+  // Moves the valid rows of each of count poses to the front, ordered by their joint values (row_order.hpp).
+  void (*put_in_order)(double* q, std::uint8_t* valid, long count, int slots, int n, const std::uint8_t* prismatic);
 
   // The general solver's model of an arm (general_entry.hpp).
   long (*general_model_size)();

@@ -152,6 +152,19 @@ template <int W> PIEPER_INLINE unsigned bits_of(LaneMask<W> m) {
     return bits;
   }
 }
+// The mask of such bits.
+template <class F> PIEPER_INLINE Mask<F> mask_of_bits(unsigned bits) {
+  if constexpr (width_of<F> == 1) return bits & 1u;
+#if defined(__AVX512DQ__)
+  else if constexpr (width_of<F> == 8) return {static_cast<__mmask8>(bits)};
+#endif
+  else {
+    typename F::Bits place;
+    for (int i = 0; i < width_of<F>; ++i) place[i] = 1ll << i;
+    return {((typename F::Bits{} + static_cast<std::int64_t>(bits)) & place) == place};
+  }
+}
+
 PIEPER_INLINE bool any(bool m) { return m; }
 PIEPER_INLINE bool all(bool m) { return m; }
 template <int W> PIEPER_INLINE bool any(LaneMask<W> m) { return bits_of(m) != 0; }

@@ -6,7 +6,7 @@
 // twists cannot reach the direction; where axes 1 and 3 line up only the sum of the outer angles is determined.
 #pragma once
 
-#include "closing.hpp"
+#include "standing.hpp"
 
 namespace pieper::PIEPER_ISA::closed_form {
 
@@ -87,7 +87,7 @@ void solve_orientation3(const double* params, const int*, const double* T, long 
     Found found{3, 2, 0, room};
     found.degenerate = lined_up;
     for (int k = 0; k < candidates; ++k) offer(chain, pose, angles[k], found);
-    write_out(chain, found, q + i * 6, valid + i * 2, flag + i);
+    write_out(chain, pose, found, q + i * 6, valid + i * 2, flag + i);
   }
 }
 

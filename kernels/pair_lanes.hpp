@@ -18,11 +18,20 @@ template <class F> PIEPER_INLINE Motion<F> either(Mask<F> m, Motion<F> a, Motion
   return {select(m, a.c, b.c), select(m, a.s, b.s)};
 }
 
+// The angle of a revolute joint, the way of a sliding one.
+template <class F> PIEPER_INLINE F joint_value(Motion<F> m, bool slides) { return slides ? m.c : atan2(m.s, m.c); }
+
+// A root is not clear when what it is the square root of falls below this (relative): two roots are about to merge.
+inline constexpr double kRootsMerge = 1e-8;
+
 template <class F> struct PairLanes {
   F M[2][2], N[2][2], e[2];
   bool slides_a, slides_c;
-  bool hide_c, first_c;  // which joint the quartic is in; which joint comes first where the equations fall apart
+  bool hide_c;   // which joint the quartic is in
+  bool apart;    // M (first_c) or N is of rank one whatever the pose: no quartic
+  bool first_c;  // which joint comes first where the equations fall apart
   Motion<F> a[4], c[4];
+  F angle_a[4], angle_c[4];  // rad, or lengths of the arm
   Mask<F> found[4];
   Mask<F> unclear;
 };
@@ -34,7 +43,7 @@ PIEPER_INLINE void one_joint(const F* b, F rhs, bool slides, Motion<F>* x, Mask<
     F disc = b[0] * b[0] + 4.0 * b[1] * rhs, size = b[0] * b[0] + abs(4.0 * b[1] * rhs);
     Mask<F> linear = abs(b[1]) <= 1e-13 * abs(b[0]);
     found = disc >= 0.0;
-    unclear = unclear | (abs(disc) <= 1e-7 * size) | !(size > 1e-20);
+    unclear = unclear | (abs(disc) <= kRootsMerge * size) | !(size > 1e-20);
     F root = sqrt(max(disc, F(0.0))), t = b[0] + select(b[0] < 0.0, -root, root);
     F near = 2.0 * rhs / select(t == 0.0, F(1.0), t);
     F far = -t / select(linear, F(1.0), 2.0 * b[1]);
@@ -45,56 +54,57 @@ PIEPER_INLINE void one_joint(const F* b, F rhs, bool slides, Motion<F>* x, Mask<
   }
   F size2 = b[0] * b[0] + b[1] * b[1], room = size2 - rhs * rhs;
   found = room > 0.0;
-  unclear = unclear | (abs(room) <= 1e-7 * size2) | !(size2 > 1e-16);
+  unclear = unclear | (abs(room) <= kRootsMerge * size2) | !(size2 > 1e-16);
   F k = 1.0 / select(size2 > 0.0, size2, F(1.0)), side = sqrt(max(room, F(0.0)));
-  x[0] = unit((b[0] * rhs - b[1] * side) * k, (b[1] * rhs + b[0] * side) * k);
-  x[1] = unit((b[0] * rhs + b[1] * side) * k, (b[1] * rhs - b[0] * side) * k);
+  x[0] = {(b[0] * rhs - b[1] * side) * k, (b[1] * rhs + b[0] * side) * k};
+  x[1] = {(b[0] * rhs + b[1] * side) * k, (b[1] * rhs - b[0] * side) * k};
 }
 
-template <class F> PIEPER_INLINE void left_null(const F (*A)[2], F* u) {
+// A row that annihilates a rank-one 2x2; its larger entry is 1.
+template <class F> PIEPER_INLINE void left_null(const F (*A)[2], F* u, Mask<F>& upper, F& size) {
   F r0 = A[0][0] * A[0][0] + A[0][1] * A[0][1], r1 = A[1][0] * A[1][0] + A[1][1] * A[1][1];
   F mixed = A[0][0] * A[1][0] + A[0][1] * A[1][1];
-  Mask<F> first = r0 >= r1;
-  F large = select(first, r0, r1);
-  F lean = -mixed / select(large > 0.0, large, F(1.0));
-  Motion<F> v = unit(select(first, lean, F(1.0)), select(first, F(1.0), lean));
-  u[0] = v.c, u[1] = v.s;
+  upper = r0 >= r1;
+  size = select(upper, r0, r1);
+  F lean = -mixed / select(size > 0.0, size, F(1.0));
+  u[0] = select(upper, lean, F(1.0));
+  u[1] = select(upper, F(1.0), lean);
 }
 
+// The matrix V of one joint is of rank one: a combination of the equations holds the other joint h alone, what is left gives v.
 template <class F> __attribute__((noinline)) void solve_apart(PairLanes<F>& s) {
-  F um[2], un[2];
-  left_null(s.M, um);
-  left_null(s.N, un);
-  F bc[2] = {um[0] * s.N[0][0] + um[1] * s.N[1][0], um[0] * s.N[0][1] + um[1] * s.N[1][1]};
-  F ba[2] = {un[0] * s.M[0][0] + un[1] * s.M[1][0], un[0] * s.M[0][1] + un[1] * s.M[1][1]};
-  F size_c = bc[0] * bc[0] + bc[1] * bc[1], size_a = ba[0] * ba[0] + ba[1] * ba[1];
-  // one order for all poses of an arm, so that slots keep their meaning; it will do unless its equation has nearly vanished
   const bool first_c = s.first_c;
-  F chosen = first_c ? size_c : size_a, other = first_c ? size_a : size_c;
-  s.unclear = s.unclear | !(chosen > 1e-6 * other);
   const auto& V = first_c ? s.M : s.N;
   const auto& H = first_c ? s.N : s.M;
   const bool slides_v = first_c ? s.slides_a : s.slides_c, slides_h = first_c ? s.slides_c : s.slides_a;
-  const F* u = first_c ? um : un;
+  F u[2], size_v, angle[2];
+  Mask<F> upper, alone;
+  left_null(V, u, upper, size_v);
+  F b[2] = {u[0] * H[0][0] + u[1] * H[1][0], u[0] * H[0][1] + u[1] * H[1][1]};
+  F size_h = H[0][0] * H[0][0] + H[0][1] * H[0][1] + H[1][0] * H[1][0] + H[1][1] * H[1][1];
+  // one order for all poses of an arm; it will do unless the equation of h has nearly vanished
+  s.unclear = s.unclear | !((b[0] * b[0] + b[1] * b[1]) > 1e-6 * size_h);
   Motion<F> h[2], v[2];
-  Mask<F> alone;
-  one_joint(first_c ? bc : ba, u[0] * s.e[0] + u[1] * s.e[1], slides_h, h, alone, s.unclear);
-  Mask<F> upper = (V[0][0] * V[0][0] + V[0][1] * V[0][1]) >= (V[1][0] * V[1][0] + V[1][1] * V[1][1]);
+  one_joint(b, u[0] * s.e[0] + u[1] * s.e[1], slides_h, h, alone, s.unclear);
   F row[2] = {select(upper, V[0][0], V[1][0]), select(upper, V[0][1], V[1][1])};
+  F row_h[2] = {select(upper, H[0][0], H[1][0]), select(upper, H[0][1], H[1][1])}, row_e = select(upper, s.e[0], s.e[1]);
+  const bool one_v = slides_v && all(abs(row[1]) <= 1e-13 * abs(row[0])), one_h = slides_h && all(abs(b[1]) <= 1e-13 * abs(b[0]));
   for (int i = 0; i < 2; ++i) {
-    F r0 = s.e[0] - H[0][0] * h[i].c - H[0][1] * h[i].s, r1 = s.e[1] - H[1][0] * h[i].c - H[1][1] * h[i].s;
+    angle[i] = joint_value(h[i], slides_h);
     Mask<F> found, unclear = mask_of<F>(false);
-    one_joint(row, select(upper, r0, r1), slides_v, v, found, unclear);
+    one_joint(row, row_e - row_h[0] * h[i].c - row_h[1] * h[i].s, slides_v, v, found, unclear);
     s.unclear = s.unclear | (alone & unclear);
     for (int k = 0; k < 2; ++k) {
-      s.a[2 * i + k] = first_c ? v[k] : h[i];
-      s.c[2 * i + k] = first_c ? h[i] : v[k];
-      s.found[2 * i + k] = alone & found;
+      const int n = 2 * i + k;
+      s.a[n] = first_c ? v[k] : h[i];
+      s.c[n] = first_c ? h[i] : v[k];
+      F angle_v = joint_value(v[k], slides_v);
+      s.angle_a[n] = first_c ? angle_v : angle[i];
+      s.angle_c[n] = first_c ? angle[i] : angle_v;
+      s.found[n] = alone & found;
+      if ((one_v && k) || (one_h && i)) s.found[n] = mask_of<F>(false);
     }
-    if (slides_v && all(abs(row[1]) <= 1e-13 * abs(row[0]))) s.found[2 * i + 1] = mask_of<F>(false);
   }
-  const F* b = first_c ? bc : ba;
-  if (slides_h && all(abs(b[1]) <= 1e-13 * abs(b[0]))) s.found[2] = s.found[3] = mask_of<F>(false);
 }
 
 // One Newton step on both equations at once.
@@ -169,23 +179,25 @@ template <class F> __attribute__((noinline)) void solve_by_quartic(PairLanes<F>&
   }
 }
 
-template <class F> __attribute__((noinline)) void solve_pair(PairLanes<F>& s) {
+template <class F> PIEPER_INLINE void solve_pair(PairLanes<F>& s) {
   s.unclear = mask_of<F>(false);
-  F det_m = s.M[0][0] * s.M[1][1] - s.M[0][1] * s.M[1][0], det_n = s.N[0][0] * s.N[1][1] - s.N[0][1] * s.N[1][0];
-  F size_m(0.0), size_n(0.0);
-  for (int k = 0; k < 2; ++k)
-    for (int j = 0; j < 2; ++j) size_m = size_m + s.M[k][j] * s.M[k][j], size_n = size_n + s.N[k][j] * s.N[k][j];
-  Mask<F> neither = (abs(det_m) <= kRankOne * size_m) & (abs(det_n) <= kRankOne * size_n);
-  if (all(neither)) {
+  if (s.apart) {
     solve_apart(s);
-  } else {
-    // one hidden joint for all poses of an arm; where it is badly conditioned the pose is handed back
-    F det = s.hide_c ? det_m : det_n;
-    s.unclear = s.unclear | neither | !(abs(det) > 1e-4 * (s.hide_c ? size_m : size_n));
-    solve_by_quartic(s, det);
+    return;
   }
+  const auto& V = s.hide_c ? s.M : s.N;
+  F det = V[0][0] * V[1][1] - V[0][1] * V[1][0], size(0.0);
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 2; ++j) size = size + V[k][j] * V[k][j];
+  // one hidden joint for all poses of an arm; where it is badly conditioned the pose is handed back
+  s.unclear = s.unclear | !(abs(det) > 1e-4 * size);
+  solve_by_quartic(s, det);
 #pragma GCC unroll 1
-  for (int i = 0; i < 4; ++i) sharpen(s, s.a[i], s.c[i], s.unclear, s.found[i]);
+  for (int i = 0; i < 4; ++i) {
+    sharpen(s, s.a[i], s.c[i], s.unclear, s.found[i]);
+    s.angle_a[i] = joint_value(s.a[i], s.slides_a);
+    s.angle_c[i] = joint_value(s.c[i], s.slides_c);
+  }
 }
 
 }  // namespace pieper::PIEPER_ISA::closed_form

@@ -122,11 +122,14 @@ PIEPER_INLINE void position_pair(const SwingT<F>& w, const SwingT<F>& u, const b
   }
 }
 
-inline void solve_position(const Rigid& A, const Rigid& B, Vec3 c, Vec3 g, const bool* slides, PositionRoots& out) {
+// `apart`, `first_c`: of PairSystem.
+inline void solve_position(const Rigid& A, const Rigid& B, Vec3 c, Vec3 g, const bool* slides, bool apart, bool first_c,
+                           PositionRoots& out) {
   Swing w = swing_back(A, g, slides[0]), u = swing_of(B, c, slides[2]);
   PairSystem s;
   s.slides_a = slides[0];
   s.slides_c = slides[2];
+  s.apart = apart, s.first_c = first_c;
   position_pair(w, u, slides, s.M, s.N, s.e);
   PairRoots pairs;
   solve_pair(s, pairs);
@@ -157,12 +160,12 @@ void solve_position3(const double* params, const int* iparams, const double* T, 
   for (long i = 0; i < count; ++i) {
     Rigid pose = read_rigid(T + 16 * i, chain.length);
     PositionRoots roots;
-    solve_position(A, B, tool.t, move_back(base, pose.t), slides, roots);
+    solve_position(A, B, tool.t, move_back(base, pose.t), slides, false, false, roots);
     double room[kSlots * 3];
     Found found{3, kSlots, 0, room};
     found.degenerate = roots.degenerate;
     for (int k = 0; k < roots.count; ++k) offer(chain, pose, roots.q[k], found);
-    write_out(chain, found, q + i * kSlots * 3, valid + i * kSlots, flag + i);
+    write_out(chain, pose, found, q + i * kSlots * 3, valid + i * kSlots, flag + i);
   }
 }
 

@@ -16,48 +16,12 @@ constexpr long kBlock = 256;              // poses; about 100 kB of answers for 
 constexpr long kSerialBelow = 2000;       // starting a thread costs as much as this many closed-form poses
 constexpr auto kAskEvery = std::chrono::milliseconds(20);
 
-SolveFn find(const IsaTable& isa, const std::string& kind) {
+const FamilyEntry& find(const IsaTable& isa, const std::string& kind) {
   for (int i = 0; i < isa.family_count; ++i)
-    if (kind == isa.families[i].kind) return isa.families[i].solve;
+    if (kind == isa.families[i].kind) return isa.families[i];
   std::string known;
   for (int i = 0; i < isa.family_count; ++i) known += std::string(i ? ", " : "") + isa.families[i].kind;
   throw std::invalid_argument("there is no kernel '" + kind + "'; there are: " + known + ".");
-}
-
-// A value for ordering: an angle a rounding away from -pi counts as pi, so that it does not change places with its twin.
-double place(double value, bool sliding) { return !sliding && value < -3.14159265 ? value + 6.283185307179586 : value; }
-
-// Whether row a comes before row b: by the first joint, then the second ...; differences of rounding size do not count.
-bool before(const double* a, const double* b, const std::uint8_t* prismatic, int n) {
-  for (int j = 0; j < n; ++j) {
-    const double x = place(a[j], prismatic[j]), y = place(b[j], prismatic[j]);
-    if (std::abs(x - y) > 1e-6) return x < y;
-  }
-  return false;
-}
-
-// Moves the valid rows to the front, ordered by their joint values: where slots have no meaning of their own, lanes,
-// the single-pose road and the careful road must still agree on the order.
-void put_in_order(double* q, std::uint8_t* valid, int slots, int n, const std::uint8_t* prismatic) {
-  double sorted[256 * 8];
-  int m = 0;
-  bool moved = false;
-  int order[256];
-  for (int i = 0; i < slots; ++i) {
-    if (!valid[i]) continue;
-    int at = m++;
-    while (at > 0 && before(q + i * n, q + order[at - 1] * n, prismatic, n)) {
-      order[at] = order[at - 1];
-      --at;
-    }
-    order[at] = i;
-  }
-  for (int i = 0; i < m; ++i) moved |= order[i] != i;
-  if (!moved || m * n > 256 * 8) return;
-  for (int i = 0; i < m; ++i) std::copy_n(q + order[i] * n, n, sorted + i * n);
-  std::copy_n(sorted, m * n, q);
-  std::fill(q + m * n, q + slots * n, 0.0);
-  for (int i = 0; i < slots; ++i) valid[i] = i < m;
 }
 
 }  // namespace
@@ -66,7 +30,7 @@ Solver::Solver(const std::string& kind, int n, int slots, std::vector<double> pa
                std::vector<double> lower, std::vector<double> upper, std::vector<std::uint8_t> prismatic, double accepted,
                double exact)
     : isa_(isa()),
-      kernel_(find(isa_, kind)),
+      family_(find(isa_, kind)),
       n_(n),
       slots_(slots),
       params_(std::move(params)),
@@ -74,12 +38,18 @@ Solver::Solver(const std::string& kind, int n, int slots, std::vector<double> pa
       lower_(std::move(lower)),
       upper_(std::move(upper)),
       prismatic_(std::move(prismatic)),
-      ordered_(kind != "spherical_wrist_parallel"),
       accepted_(accepted),
       exact_(exact) {
   const auto size = static_cast<std::size_t>(n);
   if (n < 1 || slots < 1 || slots > 255 || lower_.size() != size || upper_.size() != size || prismatic_.size() != size)
     throw std::invalid_argument("lower, upper and prismatic must have one entry a joint, and slots lie in 1..255.");
+  if (family_.prepare) {
+    if (params_.size() != static_cast<std::size_t>(family_.given))
+      throw std::invalid_argument("kernel '" + kind + "' takes " + std::to_string(family_.given) + " params, got " +
+                                  std::to_string(params_.size()) + ".");
+    params_.resize(params_.size() + family_.made);
+    family_.prepare(params_.data(), iparams_.data());
+  }
 }
 
 bool Solver::check(const double* T, long count, BadPose& bad, bool& exact) const {
@@ -107,9 +77,8 @@ void Solver::solve_block(const double* T, long count, bool exact, double* q, std
     isa_.straighten(T, deviation, exact_, count, straight);
     T = straight;
   }
-  kernel_(params_.data(), iparams_.data(), T, count, q, valid, flag);
-  if (ordered_)
-    for (long i = 0; i < count; ++i) put_in_order(q + i * slots_ * n_, valid + i * slots_, slots_, n_, prismatic_.data());
+  family_.solve(params_.data(), iparams_.data(), T, count, q, valid, flag);
+  if (!family_.in_order) isa_.put_in_order(q, valid, count, slots_, n_, prismatic_.data());
   if (rounded)
     for (long i = 0; i < count; ++i) flag[i] |= deviation[i] > exact_ ? 8 : 0;
   isa_.limits(q, valid, count * slots_, n_, lower_.data(), upper_.data(), prismatic_.data(), in_limits);
@@ -165,8 +134,8 @@ bool Solver::solve_one(const double* T, double* q, std::uint8_t* valid, std::uin
     isa_.straighten(T, &deviation, exact_, 1, straight);
     T = straight;
   }
-  kernel_(params_.data(), iparams_.data(), T, 1, q, valid, flag);
-  if (ordered_) put_in_order(q, valid, slots_, n_, prismatic_.data());
+  family_.solve(params_.data(), iparams_.data(), T, 1, q, valid, flag);
+  if (!family_.in_order) isa_.put_in_order(q, valid, 1, slots_, n_, prismatic_.data());
   if (deviation > exact_) *flag |= 8;
   isa_.limits(q, valid, slots_, n_, lower_.data(), upper_.data(), prismatic_.data(), in_limits);
   return true;

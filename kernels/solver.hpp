@@ -46,13 +46,12 @@ class Solver {
                    std::uint8_t* flag) const;
 
   const IsaTable& isa_;
-  SolveFn kernel_;
+  const FamilyEntry& family_;
   int n_, slots_;
   std::vector<double> params_;
   std::vector<std::int32_t> iparams_;
   std::vector<double> lower_, upper_;
   std::vector<std::uint8_t> prismatic_;
-  bool ordered_;  // rows come ordered by their joint values; false where a slot is a branch
   double accepted_, exact_;
 };
 

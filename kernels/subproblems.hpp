@@ -5,7 +5,7 @@
 // quartic form in c (at most four pairs). With M and N both of rank one the equations fall apart: one holds c alone, then one gives a.
 #pragma once
 
-#include "closing.hpp"
+#include "standing.hpp"
 #include "polynomial.hpp"
 
 namespace pieper::PIEPER_ISA::closed_form {
@@ -13,6 +13,7 @@ namespace pieper::PIEPER_ISA::closed_form {
 struct PairSystem {
   double M[2][2], N[2][2], e[2];
   bool slides_a, slides_c;
+  bool apart = false, first_c = false;  // M (first_c) or N is of rank one at every pose
 };
 
 inline constexpr int kMostPairs = 16;
@@ -169,28 +170,31 @@ inline void left_null(const double (*A)[2], double* u) {
   u[0] *= n, u[1] *= n;
 }
 
-inline void solve_apart(const PairSystem& s, PairRoots& out) {
-  double um[2], un[2];
-  left_null(s.M, um);
-  left_null(s.N, un);
-  double bc[2] = {um[0] * s.N[0][0] + um[1] * s.N[1][0], um[0] * s.N[0][1] + um[1] * s.N[1][1]};
-  double ba[2] = {un[0] * s.M[0][0] + un[1] * s.M[1][0], un[0] * s.M[0][1] + un[1] * s.M[1][1]};
-  double sizec = bc[0] * bc[0] + bc[1] * bc[1], sizea = ba[0] * ba[0] + ba[1] * ba[1];
-  bool first_c = sizec >= sizea;
+// What is left of the equations of joint h when the null row u of the other joint's matrix is put before them.
+struct AloneEquation {
+  double u[2], b[2], size;
+  AloneEquation(const double (*V)[2], const double (*H)[2]) {
+    left_null(V, u);
+    for (int k = 0; k < 2; ++k) b[k] = u[0] * H[0][k] + u[1] * H[1][k];
+    size = b[0] * b[0] + b[1] * b[1];
+  }
+};
+
+// Returns whether the equation of the joint that comes first is a good one.
+inline bool solve_apart(const PairSystem& s, bool first_c, PairRoots& out) {
   const auto& V = first_c ? s.M : s.N;
   const auto& H = first_c ? s.N : s.M;
-  bool slides_v = first_c ? s.slides_a : s.slides_c, slides_h = first_c ? s.slides_c : s.slides_a;
-  const double* u = first_c ? um : un;
-  double h[16], v[2];
+  const bool slides_v = first_c ? s.slides_a : s.slides_c, slides_h = first_c ? s.slides_c : s.slides_a;
+  const AloneEquation alone(V, H);
+  double h[16], v[2], size_h = 0, size_v = 0;
   int count;
-  double total = 0;
   for (int k = 0; k < 2; ++k)
-    for (int j = 0; j < 2; ++j) total += s.M[k][j] * s.M[k][j] + s.N[k][j] * s.N[k][j];
-  if (std::fmax(sizec, sizea) <= 1e-24 * (total + 1e-30)) {  // one equation for two joints: offer points of the family
+    for (int j = 0; j < 2; ++j) size_v += V[k][j] * V[k][j], size_h += H[k][j] * H[k][j];
+  if (alone.size <= 1e-24 * (size_h + size_v + 1e-30)) {  // one equation for two joints: offer points of the family
     out.degenerate = true;
     for (count = 0; count < 8; ++count) h[count] = slides_h ? 0.25 * (count - 4) : kPi / 4 * count;
   } else {
-    count = one_joint(first_c ? bc : ba, u[0] * s.e[0] + u[1] * s.e[1], slides_h, h);
+    count = one_joint(alone.b, alone.u[0] * s.e[0] + alone.u[1] * s.e[1], slides_h, h);
   }
   double r0 = V[0][0] * V[0][0] + V[0][1] * V[0][1], r1 = V[1][0] * V[1][0] + V[1][1] * V[1][1];
   int row = r0 >= r1 ? 0 : 1;
@@ -208,10 +212,12 @@ inline void solve_apart(const PairSystem& s, PairRoots& out) {
       else keep_pair(s, out, h[i], v[k]);
     }
   }
+  return alone.size > 1e-4 * size_h;
 }
 
 // Every pair (a, c): at most four, touches included more.
 inline void solve_pair(const PairSystem& s, PairRoots& out) {
+  if (s.apart && solve_apart(s, s.first_c, out)) return;
   double det_m = s.M[0][0] * s.M[1][1] - s.M[0][1] * s.M[1][0], det_n = s.N[0][0] * s.N[1][1] - s.N[0][1] * s.N[1][0];
   double size_m = 0, size_n = 0;
   for (int k = 0; k < 2; ++k)
@@ -219,7 +225,7 @@ inline void solve_pair(const PairSystem& s, PairRoots& out) {
   bool good_m = std::fabs(det_m) > kRankOne * size_m, good_n = std::fabs(det_n) > kRankOne * size_n;
   if (good_m && (!good_n || std::fabs(det_m) >= std::fabs(det_n))) solve_by_quartic(s, true, det_m, out);
   else if (good_n) solve_by_quartic(s, false, det_n, out);
-  else solve_apart(s, out);
+  else solve_apart(s, AloneEquation(s.M, s.N).size >= AloneEquation(s.N, s.M).size, out);
 }
 
 // One equation f(a) + g(c) = 0 of a pair, with its derivatives.

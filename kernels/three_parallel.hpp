@@ -7,8 +7,8 @@
 // (four pairs). Then b, then P is a known motion of the plane (two solutions): eight in all.
 //
 // params: length; 7 true links (4x4, m); 7 links of the loop (4x4, m) whose frames of the plane's joints lie in one plane with z along the
-// normal (a sliding one with x along its slide). iparams: 6 prismatic flags; first joint of the plane (0-based); sense of its three joints; hide_c and
-// first_c of pair_lanes.hpp.
+// normal (a sliding one with x along its slide). iparams: 6 prismatic flags; first joint of the plane (0-based); sense of its three joints; hide_c,
+// first_c and apart of pair_lanes.hpp.
 #pragma once
 
 #include "planar.hpp"
@@ -89,12 +89,14 @@ template <class F> struct PlaneProblem {
 };
 
 // The values of joints a, b, c that leave the rest to the plane.
-inline void solve_around_plane(const LoopRest& rest, const bool* slides, PositionRoots& out) {
+// `apart`, `first_c`: of PairSystem.
+inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool apart, bool first_c, PositionRoots& out) {
   const PlaneProblem<double> P(rest, slides);
   const auto &[h, k, At, Bt, climb, ha, w, kc, u, M, N, e] = P;
   PairSystem s;
   s.slides_a = slides[0];
   s.slides_c = slides[2];
+  s.apart = apart, s.first_c = first_c;
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) s.M[i][j] = M[i][j], s.N[i][j] = N[i][j];
     s.e[i] = e[i];
@@ -140,32 +142,35 @@ void solve_three_parallel(const double* params, const int* iparams, const double
     LoopRest rest(links, pose, first);
     bool slides[3];
     for (int k = 0; k < 3; ++k) slides[k] = iparams[rest.joints[k]] != 0;
-    PositionRoots roots;
-    solve_around_plane(rest, slides, roots);
     double room[kSlots * 6];
     Found found{6, kSlots, 0, room};
-    found.degenerate = roots.degenerate;
-    for (int k = 0; k < roots.count; ++k) {
-      double* arm = roots.q[k];
-      const int tries = roots.free[k] ? 16 : 1, before = found.count;
-      for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
-        arm[1] += trial * (2 * kPi / 16);
-        Rigid around = joint(rest.pre, arm[0], slides[0]) * rest.A;
-        around = joint(around, arm[1], slides[1]) * rest.B;
-        around = inverse(joint(around, arm[2], slides[2]) * rest.C);
-        double plane[2][3], candidate[6];
-        int bends = solve_planar(l1, l2, slides_in, std::atan2(around.x.y - around.y.x, around.x.x + around.y.y),
-                                 {around.t.x, around.t.y}, plane);
-        for (int s = 0; s < bends; ++s) {
-          for (int j = 0; j < 3; ++j) {
-            candidate[rest.joints[j]] = arm[j];
-            candidate[first + j] = plane[s][j] * iparams[7 + j];
+    // where rows cannot be told from curves the quartic has its say too
+    for (bool apart = iparams[12] != 0, again = true; again; again = apart && !settled(chain, pose, found), apart = false) {
+      PositionRoots roots;
+      solve_around_plane(rest, slides, apart, iparams[11] != 0, roots);
+      found.degenerate |= roots.degenerate;
+      for (int k = 0; k < roots.count; ++k) {
+        double* arm = roots.q[k];
+        const int tries = roots.free[k] ? 16 : 1, before = found.count;
+        for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
+          arm[1] += trial * (2 * kPi / 16);
+          Rigid around = joint(rest.pre, arm[0], slides[0]) * rest.A;
+          around = joint(around, arm[1], slides[1]) * rest.B;
+          around = inverse(joint(around, arm[2], slides[2]) * rest.C);
+          double plane[2][3], candidate[6];
+          int bends = solve_planar(l1, l2, slides_in, std::atan2(around.x.y - around.y.x, around.x.x + around.y.y),
+                                   {around.t.x, around.t.y}, plane);
+          for (int s = 0; s < bends; ++s) {
+            for (int j = 0; j < 3; ++j) {
+              candidate[rest.joints[j]] = arm[j];
+              candidate[first + j] = plane[s][j] * iparams[7 + j];
+            }
+            offer(chain, pose, candidate, found);
           }
-          offer(chain, pose, candidate, found);
         }
       }
     }
-    write_out(chain, found, q + i * kSlots * 6, valid + i * kSlots, flag + i);
+    write_out(chain, pose, found, q + i * kSlots * 6, valid + i * kSlots, flag + i);
   }
 }
 

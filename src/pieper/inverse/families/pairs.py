@@ -9,10 +9,12 @@ from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import inverse, rotation_z, transform, translation
 
 _POSES = 24
+#: Relative determinant up to which a 2x2 is of rank one by the arm's geometry rather than by chance.
+_RANK_ONE = 1e-11
 
 
-def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tuple[int, int]:
-    """Return (hide_c, first_c) for the pair M f(a) + N f(c) = e that the three joints beside a group obey.
+def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tuple[int, int, int]:
+    """Return (hide_c, first_c, apart) for the pair M f(a) + N f(c) = e that the three joints beside a group obey.
 
     The choice is a vote over random poses; it is one for all poses so that a solution keeps its slot along a path.
 
@@ -23,7 +25,8 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
         plane: Whether the group is a plane (its normal and height are kept) or a wrist (its centre is).
 
     Returns:
-        Whether the quartic is in c, and whether c comes first where the equations fall apart, as 0 or 1.
+        Whether the quartic is in c, whether c comes first where the equations fall apart, and whether they do so at
+        every pose (M or N is of rank one, so that a combination of the equations holds one joint alone), as 0 or 1.
     """
     rng = np.random.default_rng(11)
     scaled = np.array(links)
@@ -34,6 +37,7 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
         chain.prismatic, chain.length * rng.uniform(-0.5, 0.5, (_POSES, 6)), rng.uniform(-np.pi, np.pi, (_POSES, 6))
     )
     hide_c = first_c = 0
+    rank_one = np.ones(2, bool)
     for T in fk(chain, Q):
         T = T.copy()
         T[:3, 3] /= chain.length
@@ -41,10 +45,13 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
         pre, A, B, C = (closing if k % 6 == 0 else scaled[k % 6] for k in range(first + 3, first + 7))
         left, right = (_around_plane if plane else _positioning)(pre, A, B, C, slides)
         M, N = _terms(left, slides[0]), -_terms(right, slides[2])
+        rank_one &= [abs(np.linalg.det(K)) <= _RANK_ONE * np.sum(K * K) for K in (M, N)]
         hide_c += abs(np.linalg.det(M)) >= abs(np.linalg.det(N))
         first_c += np.linalg.norm(_null(M) @ N) >= np.linalg.norm(_null(N) @ M)
     good_m, good_n = 2 * hide_c >= _POSES, 2 * first_c >= _POSES
-    return int(good_m), int(good_n)
+    if rank_one.any() and not rank_one.all():
+        good_n = rank_one[0]  # M alone falls apart: c can be had first, and the other way round
+    return int(good_m), int(good_n), int(rank_one.any())
 
 
 def _motion(x: float, slides: bool) -> np.ndarray:
