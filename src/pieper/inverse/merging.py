@@ -69,8 +69,11 @@ def told_apart(chain: Chain, rows: list[np.ndarray], T: np.ndarray) -> list[np.n
             if apart < SAME:
                 break
             if apart < BLUR:
-                between = other + np.array([[0.25], [0.5], [0.75]]) * gap
-                if np.linalg.norm(pose_difference(chain, between, T), axis=-1).max() < limit:
+                # a chord leaves a bent curve: what lies between is moved onto it
+                chord = other + np.array([[0.25], [0.5], [0.75]]) * gap
+                between = nearcurve.onto(chain, chord, T, 3)
+                strayed = np.abs((between.q - chord) / unit).max()
+                if strayed < apart / 4 and (np.abs(between.miss) + between.rest).max() < limit:
                     break
         else:
             kept.append(row)

@@ -36,6 +36,8 @@ FAN, MOST_FAMILIES = 12, 24
 PROBE = 0.05
 #: Relative sigma_min below which a point may lie on a curve that nearly holds the pose.
 NEARLY = 1e-3
+#: Newton steps at merged roots, where each only halves what is left.
+SLOW_STEPS = 40
 #: A solution must hold the pose this well (per length; rad). At a double root this fixes q to its square root only.
 HOLDS = 1e-11
 #: A solution that the kernel did not give must hold it this well, so that poses just out of reach get none.
@@ -101,6 +103,8 @@ def examine(
     """
     curves = _Curves(chain, T, limits, names, chain.n if shown is None else shown)
     regular, singular = _split(chain, candidates)
+    # kernels stop where Newton's method is slow: the last digits of a merged root are fetched here
+    singular = newton(chain, singular, T, steps=SLOW_STEPS, cutoff=1e-13)
     aside = solve(side_steps(chain, T)).reshape(-1, chain.n)
     pulled = newton(chain, aside, T, steps=30, cutoff=1e-9)
     good = np.linalg.norm(pose_difference(chain, pulled, T), axis=-1) < HOLDS
@@ -110,7 +114,7 @@ def examine(
     # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
     starts = np.concatenate([singular, _distinct(chain, np.concatenate([near_singular, flat]), 1e-3)])
     doubles, hidden = _followed(curves, starts, len(singular))
-    extra = newton(chain, np.array([*hidden, *near_singular]).reshape(-1, chain.n), T, steps=40, cutoff=1e-13)
+    extra = newton(chain, np.array([*hidden, *near_singular]).reshape(-1, chain.n), T, steps=SLOW_STEPS, cutoff=1e-13)
     extra = extra[np.linalg.norm(pose_difference(chain, extra, T), axis=-1) < HOLDS_EXACTLY * _size(chain, T)]
     hidden_regular, hidden_singular = _split(chain, extra)
     isolated = _distinct(chain, np.concatenate([regular, near_regular, hidden_regular]), SAME)

@@ -197,10 +197,11 @@ def _careful(plan: Plan, T: np.ndarray, candidates: np.ndarray, flag: int) -> So
 def _clear(plan: Plan, rows: np.ndarray) -> bool:
     """Whether all rows are far enough from singular ones that nothing merges there and no family passes.
 
-    Kernels mark poses generously. Twins of a root at sigma lie about 2 sigma apart, which they tell apart well above
-    1e-8; a family needs sigma to vanish.
+    Closed forms mark poses generously. Twins of a root at sigma lie about 2 sigma apart, which they tell apart well
+    above 1e-8; a family needs sigma to vanish. The general kernel marks poses where its elimination itself is nearly
+    singular, and there clear rows say nothing about those that it may have lost.
     """
-    if not len(rows) or len(rows) % 2:
+    if plan.family == "general" or not len(rows) or len(rows) % 2:
         return False
     s = np.linalg.svd(scaled_jacobian(plan.chain, rows), compute_uv=False)
     return bool(np.all(s[:, -1] > CLEAR * s[:, 0]))
