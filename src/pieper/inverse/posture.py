@@ -29,6 +29,12 @@ def posture_words(plan: Plan, q: np.ndarray) -> list[str]:
     return [", ".join(word for word in row if word) or "on a singularity" for row in zip(*columns, strict=True)]
 
 
+def labels_beside(plan: Plan, q: np.ndarray, direction: np.ndarray) -> tuple[str, ...]:
+    """Return the labels of the branches that meet in q (n,) along a direction (n,) without units, each once."""
+    step = 1e-3 * direction * np.where(plan.prismatic, plan.chain.length, 1.0)
+    return tuple(dict.fromkeys(posture_words(plan, np.stack([q + step, q - step]))))
+
+
 def has_elbow(plan: Plan) -> bool:
     """Whether the second and third axes are parallel and the first is not: an arm with a shoulder and an elbow."""
     g = plan.geometry

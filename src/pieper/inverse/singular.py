@@ -73,6 +73,7 @@ class _Curves:
     limits: np.ndarray
     names: tuple[str, ...]
     shown: int
+    hiding: bool
     families: list[Family] = field(default_factory=list)
     open_ended: list[Family] = field(default_factory=list)
     near: list[Family] = field(default_factory=list)
@@ -88,7 +89,9 @@ def examine(
     solve: Callable[[np.ndarray], np.ndarray],
     limits: np.ndarray,
     names: tuple[str, ...],
+    *,
     shown: int | None = None,
+    hiding: bool = True,
 ) -> Examined:
     """Find every isolated solution and every family of a pose.
 
@@ -100,8 +103,9 @@ def examine(
         limits: (n, 2).
         names: Joint names.
         shown: Number of joints that are the arm's own; all if None.
+        hiding: Whether the kernel may have lost solutions next to a self-motion, so that they are looked for.
     """
-    curves = _Curves(chain, T, limits, names, chain.n if shown is None else shown)
+    curves = _Curves(chain, T, limits, names, chain.n if shown is None else shown, hiding)
     regular, singular = _split(chain, candidates)
     # kernels stop where Newton's method is slow: the last digits of a merged root are fetched here
     singular = newton(chain, singular, T, steps=SLOW_STEPS, cutoff=1e-13)
@@ -109,8 +113,10 @@ def examine(
     pulled = newton(chain, aside, T, steps=30, cutoff=1e-9)
     good = np.linalg.norm(pose_difference(chain, pulled, T), axis=-1) < HOLDS
     near_regular, near_singular = _split(chain, pulled[good])
-    flat = nearcurve.onto(chain, aside, T, 6)
-    flat = flat.q[(flat.sigma < NEARLY) & (np.abs(flat.miss) < nearcurve.FAR) & (flat.rest < 1e-9)]
+    flat = aside[:0]
+    if hiding:
+        found = nearcurve.onto(chain, aside, T, 6)
+        flat = found.q[(found.sigma < NEARLY) & (np.abs(found.miss) < nearcurve.FAR) & (found.rest < 1e-9)]
     # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
     starts = np.concatenate([singular, _distinct(chain, np.concatenate([near_singular, flat]), 1e-3)])
     doubles, hidden = _followed(curves, starts, len(singular))
@@ -119,8 +125,10 @@ def examine(
     hidden_regular, hidden_singular = _split(chain, extra)
     isolated = _distinct(chain, np.concatenate([regular, near_regular, hidden_regular]), SAME)
     isolated = [q for q in isolated if not curves.on_family(q, 1e-5)]
+    doubles = [q for q in doubles if not curves.on_family(q, 1e-4)]
+    hidden_singular = [q for q in _distinct(chain, hidden_singular, SAME) if not curves.on_family(q, ON_POLYLINE)]
     doubles = told_apart(chain, [*doubles, *hidden_singular], T)
-    doubles = [d for d in doubles if not curves.on_family(d, 1e-4) and not _any_near(chain, d, isolated)]
+    doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
     return _told(curves, isolated, doubles)
 
 
@@ -157,7 +165,7 @@ def _followed(curves: _Curves, starts: np.ndarray, own: int) -> tuple[list[np.nd
         on_curve = not several[index] and curves.on_family(q, 2e-3)
         if not on_curve and (several[index] or miss[index] < 10 * ON_CURVE):
             on_curve = _grow(curves, q)
-        if not on_curve and miss[index] < nearcurve.FAR:
+        if curves.hiding and not on_curve and miss[index] < nearcurve.FAR:
             hidden += _hiding(curves, q)
         if not on_curve and index < own:
             doubles.append(q)
