@@ -176,7 +176,14 @@ inline void solve_apart(const PairSystem& s, PairRoots& out) {
   double bc[2] = {um[0] * s.N[0][0] + um[1] * s.N[1][0], um[0] * s.N[0][1] + um[1] * s.N[1][1]};
   double ba[2] = {un[0] * s.M[0][0] + un[1] * s.M[1][0], un[0] * s.M[0][1] + un[1] * s.M[1][1]};
   double sizec = bc[0] * bc[0] + bc[1] * bc[1], sizea = ba[0] * ba[0] + ba[1] * ba[1];
-  bool first_c = sizec >= sizea;
+  // what a row that should annihilate its matrix leaves of it, beside what it makes of the other: a matrix that is only small in one
+  // row is not of rank one, and the equation it was to drop out of would be wrong
+  auto left_over = [](const double* u, const double (*A)[2], double size) {
+    double x = u[0] * A[0][0] + u[1] * A[1][0], y = u[0] * A[0][1] + u[1] * A[1][1];
+    return std::sqrt((x * x + y * y) / std::fmax(size, 1e-300));
+  };
+  const double wrong_c = left_over(um, s.M, sizec), wrong_a = left_over(un, s.N, sizea);
+  bool first_c = std::fmax(wrong_c, wrong_a) > 1e-10 ? wrong_c <= wrong_a : sizec >= sizea;
   const auto& V = first_c ? s.M : s.N;
   const auto& H = first_c ? s.N : s.M;
   bool slides_v = first_c ? s.slides_a : s.slides_c, slides_h = first_c ? s.slides_c : s.slides_a;
