@@ -117,7 +117,11 @@ def measure(arm, seed: int) -> dict:
     gap = np.where(prismatic, (many.q - q[:, None]) / length, (many.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi)
     gap = np.where(many.valid, np.abs(gap).max(-1), np.inf).min(1)
     decade = np.where(distance == 0, 0, np.clip(np.floor(np.log10(np.maximum(distance, 1e-11))) + 11, 1, 8)).astype(int)
-    out = {"poses": [int((decade == d).sum()) for d in range(9)], "seconds": spent, "marked": int((many.flag & 1).sum())}
+    out = {
+        "poses": [int((decade == d).sum()) for d in range(9)],
+        "seconds": spent,
+        "marked": int((many.flag & 1).sum()),
+    }
     for key in ("flat", "told", *VERDICTS):
         out[key] = [0] * 9
     out["worst_m"] = out["worst_rad"] = 0.0

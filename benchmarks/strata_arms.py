@@ -18,7 +18,14 @@ def catalogued(name: str) -> Arm:
     d = pieper.load(name).description
     types = "".join(d.joint_types)
     return Arm.from_dh(
-        d.rows, convention=d.convention, joint_types=types, sign=d.sign, offset=d.offset, base=d.base, tool=d.tool, name=name
+        d.rows,
+        convention=d.convention,
+        joint_types=types,
+        sign=d.sign,
+        offset=d.offset,
+        base=d.base,
+        tool=d.tool,
+        name=name,
     )
 
 
