@@ -14,6 +14,8 @@ import numpy as np
 DIGITS = 50
 #: Two roots of the fifty-digit iteration this close are one.
 ONE = mp.mpf(10) ** -20
+#: What the rounding of a pose and of forward kinematics in double precision amounts to (per metre + 1; rad).
+BLUR = mp.mpf("2e-15")
 
 
 def verdict(arm, T: np.ndarray, q: np.ndarray, rows: np.ndarray, *, asked=range(6), held=()) -> str:
@@ -30,6 +32,8 @@ def verdict(arm, T: np.ndarray, q: np.ndarray, rows: np.ndarray, *, asked=range(
     Returns:
         "rounding": the true solution of the rounded pose next to q is one of the rows, in double precision;
         "not real": next to q the rounded pose has no real solution (two have merged and left the real axis);
+        "blurred": the rows next to it lead to another true solution, and everything between the two reaches the
+        rounded pose to within `BLUR`: in double precision they are one;
         "lost": it has one, and no row leads to it; "unsettled": the iteration did not converge.
     """
     with mp.workdps(DIGITS):
@@ -51,7 +55,33 @@ def verdict(arm, T: np.ndarray, q: np.ndarray, rows: np.ndarray, *, asked=range(
             other = _newton(arm, target, [mp.mpf(float(x)) for x in row], asked, free)
             if other is not None and _apart(arm, root, other) < ONE:
                 return "rounding"
+        if near and _joined(arm, target, root, near[0], asked, free):
+            return "blurred"
         return "lost"
+
+
+def _joined(arm, target, root, row, asked, free) -> bool:
+    """Whether a curve of joint vectors leads from a root to a row on which the pose is missed by rounding only."""
+    if _apart(arm, root, row) > 1e-2:
+        return False
+    limit = BLUR * (1 + mp.norm(target[:3, 3]))
+    end = []
+    for x, y, kind in zip(root, row, arm.joint_types, strict=True):
+        turns = 0 if kind == "P" else mp.nint((x - float(y)) / (2 * mp.pi))
+        end.append(mp.mpf(float(y)) + 2 * mp.pi * turns)
+    for k in range(1, 5):
+        v = [x + (y - x) * k / 4 for x, y in zip(root, end, strict=True)]
+        for _ in range(3):
+            # a chord leaves a bent curve: back onto it by damped steps, which leave the weakest direction alone
+            A, b = _linear(arm, target, v, asked, free)
+            N = A.T * A
+            for i in range(N.rows):
+                N[i, i] += mp.mpf(10) ** -12
+            for j, change in zip(free, mp.lu_solve(N, A.T * b), strict=True):
+                v[j] += change
+        if max(abs(x) for x in _linear(arm, target, v, asked, free)[1]) > limit:
+            return False
+    return True
 
 
 def _apart(arm, a, b):
@@ -103,22 +133,7 @@ def _cross(a, b):
 def _newton(arm, target, v, asked, free):
     """Return a root (list) of the pose equation next to v, or None; least squares where there are too many rows."""
     for _ in range(80):
-        F, axes, points = _forward(arm, v)
-        tip = [F[k, 3] for k in range(3)]
-        e = [target[k, 3] - tip[k] for k in range(3)]
-        turn = [mp.mpf(0)] * 3
-        for column in range(3):
-            one = _cross([F[k, column] for k in range(3)], [target[k, column] for k in range(3)])
-            turn = [t + x / 2 for t, x in zip(turn, one, strict=True)]
-        e += turn
-        columns = []
-        for j in free:
-            if arm.joint_types[j] == "P":
-                columns.append([*axes[j], 0, 0, 0])
-            else:
-                columns.append([*_cross(axes[j], [tip[k] - points[j][k] for k in range(3)]), *axes[j]])
-        A = mp.matrix([[column[k] for column in columns] for k in asked])
-        b = mp.matrix([e[k] for k in asked])
+        A, b = _linear(arm, target, v, asked, free)
         try:
             step = mp.lu_solve(A, b) if A.rows == A.cols else mp.lu_solve(A.T * A, A.T * b)
         except ZeroDivisionError:
@@ -132,3 +147,23 @@ def _newton(arm, target, v, asked, free):
         if size < ONE * mp.mpf(10) ** -8:
             return v
     return None
+
+
+def _linear(arm, target, v, asked, free):
+    """Return the matrix and the right side of one Newton step on the pose equation."""
+    F, axes, points = _forward(arm, v)
+    tip = [F[k, 3] for k in range(3)]
+    e = [target[k, 3] - tip[k] for k in range(3)]
+    turn = [mp.mpf(0)] * 3
+    for column in range(3):
+        one = _cross([F[k, column] for k in range(3)], [target[k, column] for k in range(3)])
+        turn = [t + x / 2 for t, x in zip(turn, one, strict=True)]
+    e += turn
+    columns = []
+    for j in free:
+        if arm.joint_types[j] == "P":
+            columns.append([*axes[j], 0, 0, 0])
+        else:
+            columns.append([*_cross(axes[j], [tip[k] - points[j][k] for k in range(3)]), *axes[j]])
+    A = mp.matrix([[column[k] for column in columns] for k in asked])
+    return A, mp.matrix([e[k] for k in asked])

@@ -17,16 +17,8 @@ def catalogued(name: str) -> Arm:
     """Return an arm of the catalogue without its limits."""
     d = pieper.load(name).description
     types = "".join(d.joint_types)
-    return Arm.from_dh(
-        d.rows,
-        convention=d.convention,
-        joint_types=types,
-        sign=d.sign,
-        offset=d.offset,
-        base=d.base,
-        tool=d.tool,
-        name=name,
-    )
+    said = {"sign": d.sign, "offset": d.offset, "base": d.base, "tool": d.tool}
+    return Arm.from_dh(d.rows, convention=d.convention, joint_types=types, name=name, **said)
 
 
 def tabled(name: str) -> Arm:

@@ -6,9 +6,9 @@ import numpy as np
 
 from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import unsnapped
+from pieper.inverse.selfmotion import Family
 from pieper.inverse.singular import Examined, examine
 from pieper.inverse.solutions import TURN
-from pieper.inverse.selfmotion import Family
 
 
 def near_rows(plan: Plan, poses: np.ndarray) -> np.ndarray:

@@ -76,7 +76,7 @@ def newton(
         better = size < least[going]
         best[going[better]] = here[better]
         least[going[better]] = size[better]
-        # rounding is reached, or what little is missed has stopped shrinking: at a double root it shrinks by four a step
+        # rounding is reached, or what is missed has stopped shrinking: at a double root it shrinks by four a step
         on = (size > 1e-15) & ((least[going] > 1e-13) | (stalled[going] < 3))
         going, here, e = going[on], here[on], e[on]
         if not len(going) or step == steps:

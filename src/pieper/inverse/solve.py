@@ -8,10 +8,10 @@ from functools import partial
 import numpy as np
 
 from pieper.errors import InputError
+from pieper.inverse.looked import every_solution, near_rows
 from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import solve_reduced
 from pieper.inverse.refine import scaled_jacobian
-from pieper.inverse.looked import every_solution, near_rows
 from pieper.inverse.singular import side_steps
 from pieper.inverse.solutions import (
     DEGENERATE,
