@@ -15,6 +15,7 @@ namespace general {
 
 inline constexpr int kSlots = 16;
 inline constexpr double kDegenerateSigma = 1e-6;
+inline constexpr double kMarked = 1e-12;  // a determinant this much smaller than usual marks the pose for a second look
 inline constexpr double kAccurate = 1e-5;  // an eigenvalue farther from its root than this was computed badly
 
 inline bool even(const Found& found) {
@@ -169,8 +170,10 @@ void solve_general(const double* params, const int*, const double* T, long count
     solve_variant(model, model.variant[0], load_poses<G>(padded), used, found, report);
     for (int i = 0; i < used; ++i) {
       bool certain = settled(report[i], found[i]);
-      bool singular = false;
-      if (!certain) certain = escalate(model, load_poses<double>(padded + 16 * i), found[i], &singular);
+      // next to a pose where the elimination is singular, variants may agree on what all of them have lost
+      bool singular = !(report[i].size > kMarked * model.variant[0].typical), fetched = false;
+      if (!certain) certain = escalate(model, load_poses<double>(padded + 16 * i), found[i], &fetched);
+      singular |= fetched;
       // what only nearby arms vouch for is not certain
       write_pose(model, found[i], certain && model.variant[0].arm == 0, q + (done + i) * 6 * kSlots, valid + (done + i) * kSlots, flag + done + i);
       if (singular) flag[done + i] |= kDegenerate;

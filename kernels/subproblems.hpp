@@ -173,10 +173,13 @@ inline void left_null(const double (*A)[2], double* u) {
 // What is left of the equations of joint h when the null row u of the other joint's matrix is put before them.
 struct AloneEquation {
   double u[2], b[2], size;
+  double wrong;  // what u leaves of the matrix it should annihilate, relative: one that is small in one row only is not of rank one
   AloneEquation(const double (*V)[2], const double (*H)[2]) {
     left_null(V, u);
     for (int k = 0; k < 2; ++k) b[k] = u[0] * H[0][k] + u[1] * H[1][k];
     size = b[0] * b[0] + b[1] * b[1];
+    const double x = u[0] * V[0][0] + u[1] * V[1][0], y = u[0] * V[0][1] + u[1] * V[1][1];
+    wrong = std::sqrt((x * x + y * y) / std::fmax(size, 1e-300));
   }
 };
 
@@ -225,7 +228,10 @@ inline void solve_pair(const PairSystem& s, PairRoots& out) {
   bool good_m = std::fabs(det_m) > kRankOne * size_m, good_n = std::fabs(det_n) > kRankOne * size_n;
   if (good_m && (!good_n || std::fabs(det_m) >= std::fabs(det_n))) solve_by_quartic(s, true, det_m, out);
   else if (good_n) solve_by_quartic(s, false, det_n, out);
-  else solve_apart(s, AloneEquation(s.M, s.N).size >= AloneEquation(s.N, s.M).size, out);
+  else {
+    const AloneEquation c(s.M, s.N), a(s.N, s.M);
+    solve_apart(s, std::fmax(c.wrong, a.wrong) > 1e-10 ? c.wrong <= a.wrong : c.size >= a.size, out);
+  }
 }
 
 // One equation f(a) + g(c) = 0 of a pair, with its derivatives.

@@ -91,7 +91,7 @@ def _polished(plan: Plan, full: np.ndarray, valid: np.ndarray, T: np.ndarray, va
         return full, valid
     exact = full.copy()
     keep = np.zeros_like(valid)
-    chain = plan.reduction.full if not plan.snapped else _true_full(plan)
+    chain = plan.reduction.full if not plan.snapped else unsnapped(plan)
     locked = list(plan.reduction.locked)
     for group in _by_value(values[rows[:, 0]]) if locked else [slice(None)]:
         member = rows[group]
@@ -110,7 +110,8 @@ def _polished(plan: Plan, full: np.ndarray, valid: np.ndarray, T: np.ndarray, va
     return wrapped, keep & ~_repeats(plan, wrapped, keep)
 
 
-def _true_full(plan: Plan):
+def unsnapped(plan: Plan):
+    """Return the arm as described with its task's virtual joints: what solutions of the snapped one are polished on."""
     from pieper.inverse.reduction import with_task_joints
 
     return with_task_joints(plan.chain, plan.task)

@@ -44,10 +44,13 @@ class Solutions:
             only that lies inside the limits. Rows keep the order of the plan's branches, which is stable.
         q: (m, n) those inside the limits, same order.
         in_family: (m,) index of the family a row of q represents, or -1 for an isolated solution.
-        multiplicity: (m,) how many branches merge in a row of q: 1, or 2 at a double root.
+        multiplicity: (m,) how many branches merge in a row of q: 1, or 2 at a double root, seldom more.
+        direction: (m, n) unit null direction of the Jacobian (prismatic joints per length of the arm) of a row on a
+            singularity: the self-motion, or the line along which branches merge; zeros for the other rows.
     """
 
     __slots__ = (
+        "_all_direction",
         "_all_family",
         "_all_multiplicity",
         "_families",
@@ -71,6 +74,7 @@ class Solutions:
         families: tuple[Family, ...] | Callable[[], tuple[Family, ...]] = (),
         all_family: np.ndarray | None = None,
         all_multiplicity: np.ndarray | None = None,
+        all_direction: np.ndarray | None = None,
     ) -> None:
         self._plan = plan
         self.T = T
@@ -82,6 +86,7 @@ class Solutions:
         self._families = families
         self._all_family = all_family
         self._all_multiplicity = all_multiplicity
+        self._all_direction = all_direction
 
     @property
     def q(self) -> np.ndarray:
@@ -119,9 +124,22 @@ class Solutions:
         """(m,) number of branches that merge in each row of q."""
         return self._per_row(self._all_multiplicity, 1)
 
-    def _per_row(self, values: np.ndarray | None, default: int) -> np.ndarray:
+    @property
+    def direction(self) -> np.ndarray:
+        """(m, n) null direction of each row of q on a singularity; zeros for the others."""
+        return self._per_row(self._all_direction, np.zeros(self._plan.n))
+
+    @property
+    def merged_labels(self) -> list[tuple[str, ...]]:
+        """The posture labels of the branches that merge in each row of q; empty for a row where none do."""
+        from pieper.inverse.posture import labels_beside
+
+        rows = zip(self.q, self.direction, self.multiplicity, strict=True)
+        return [labels_beside(self._plan, q, way) if count > 1 else () for q, way, count in rows]
+
+    def _per_row(self, values: np.ndarray | None, default: object) -> np.ndarray:
         if values is None:
-            return np.full(len(self.q), default)
+            return np.full((len(self.q), *np.shape(default)), default)
         return values[self._inside]
 
     @property

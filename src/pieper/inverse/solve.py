@@ -8,12 +8,14 @@ from functools import partial
 import numpy as np
 
 from pieper.errors import InputError
+from pieper.inverse.looked import every_solution, near_rows
 from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import solve_reduced
 from pieper.inverse.refine import scaled_jacobian
-from pieper.inverse.singular import examine, side_steps
+from pieper.inverse.singular import side_steps
 from pieper.inverse.solutions import (
     DEGENERATE,
+    OUT_OF_REACH_FLAG,
     UNCERTAIN,
     SolutionBatch,
     Solutions,
@@ -71,7 +73,7 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
     best = Status.REDUNDANT if plan.redundancy else Status.SOLVED
     codes = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, best], np.uint8)
     status = codes[some.astype(np.uint8) + _any(inside)]
-    if plan.direct and not (some.all() and not flag.any()):
+    if not plan.redundancy and not (some.all() and not flag.any()):
         marked = np.flatnonzero(flag & _CAREFUL)
         none = np.flatnonzero(~some & ((flag & _CAREFUL) == 0))[:MOST_CAREFUL]
         overlooked = [i for i in none if _overlooked(plan, checked_pose(poses[i]))]
@@ -163,24 +165,21 @@ def _ik_reduced(plan: Plan, T: object, redundancy: object) -> Solutions:
                 rows, within = inside_limits(rows, plan.limits, plan.prismatic)
                 slots = np.arange(len(rows))
         return Solutions(plan, T, rows, slots, within, bits & ~DEGENERATE, families=families)
-    if bits & _CAREFUL and plan.task == "pose":
+    if bits & _CAREFUL or (not len(rows) and _overlooked(plan, T)):
         return _careful(plan, T, rows, bits)
     return Solutions(plan, T, rows, slots, within, bits)
 
 
 def _careful(plan: Plan, T: np.ndarray, candidates: np.ndarray, flag: int) -> Solutions:
     """Re-examine a pose that the kernel marked: families, merged roots, and what the kernel could not certify."""
-
-    def near(poses: np.ndarray) -> np.ndarray:
-        rows = plan.solver.all_rows(poses)
-        return rows[:, : plan.n]
-
     flag = int(flag) & ~DEGENERATE
     if _clear(plan, candidates):
         q, inside = inside_limits(candidates, plan.limits, plan.prismatic)
         return Solutions(plan, T, q, np.arange(len(q)), inside, flag)
-    found = examine(plan.chain, T, candidates, near, plan.limits, plan.names)
+    found = every_solution(plan, T, candidates)
     q, inside = inside_limits(found.q, plan.limits, plan.prismatic)
+    if len(q):
+        flag &= ~OUT_OF_REACH_FLAG
     return Solutions(
         plan,
         T,
@@ -191,16 +190,18 @@ def _careful(plan: Plan, T: np.ndarray, candidates: np.ndarray, flag: int) -> So
         families=found.families,
         all_family=found.family,
         all_multiplicity=found.multiplicity,
+        all_direction=found.direction,
     )
 
 
 def _clear(plan: Plan, rows: np.ndarray) -> bool:
     """Whether all rows are far enough from singular ones that nothing merges there and no family passes.
 
-    Kernels mark poses generously. Twins of a root at sigma lie about 2 sigma apart, which they tell apart well above
-    1e-8; a family needs sigma to vanish.
+    Closed forms mark poses generously. Twins of a root at sigma lie about 2 sigma apart, which they tell apart well
+    above 1e-8; a family needs sigma to vanish. The general kernel marks poses where its elimination itself is nearly
+    singular, and there clear rows say nothing about those that it may have lost.
     """
-    if not len(rows) or len(rows) % 2:
+    if plan.family == "general" or plan.task != "pose" or not len(rows) or len(rows) % 2:
         return False
     s = np.linalg.svd(scaled_jacobian(plan.chain, rows), compute_uv=False)
     return bool(np.all(s[:, -1] > CLEAR * s[:, 0]))
@@ -208,7 +209,7 @@ def _clear(plan: Plan, rows: np.ndarray) -> bool:
 
 def _overlooked(plan: Plan, T: np.ndarray) -> bool:
     """Whether a pose without solutions has neighbours with some: it may be singular, or lie at the edge of reach."""
-    return len(plan.solver.all_rows(side_steps(plan.chain, T, (1e-9,)))) > 0
+    return len(near_rows(plan, side_steps(plan.chain, T, (1e-9,)))) > 0
 
 
 def _batch(Ts: object) -> np.ndarray:
