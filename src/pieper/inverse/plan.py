@@ -69,7 +69,7 @@ class Plan:
         """(n,) bool."""
         return self.chain.prismatic
 
-    @property
+    @cached_property
     def redundancy(self) -> tuple[str, ...]:
         """Names of the redundant coordinates, in the order their values are given; empty where there is none."""
         return tuple(self._joint_name(j) for j in self.reduction.locked)
@@ -86,7 +86,7 @@ class Plan:
         """Names of the arm's joints and of the task's virtual ones."""
         return tuple(self._joint_name(j) for j in range(self.reduction.full.n))
 
-    @property
+    @cached_property
     def full_limits(self) -> np.ndarray:
         """Limits of the arm's joints and of the task's virtual ones, which have none."""
         extra = self.reduction.full.n - self.n
@@ -98,9 +98,15 @@ class Plan:
         return self.reduction.trivial and self.nominal is self.chain
 
     @cached_property
+    def immediate(self) -> bool:
+        """Whether the native solver's rows are the answer but for locked columns: nothing filled, polished or cut."""
+        reduction = self.reduction
+        return not reduction.fill and not self.snapped and (reduction.trivial or reduction.at_ends is not None)
+
+    @cached_property
     def solver(self) -> SixJointSolver:
         """The native solver of the six-joint chain (for locked joints at the ends or none)."""
-        limits = self.limits if self.reduction.trivial else np.tile([-np.inf, np.inf], (6, 1))
+        limits = self.full_limits[self.reduction.kept] if self.immediate else np.tile([-np.inf, np.inf], (6, 1))
         return SixJointSolver(self.reduction.six(self.defaults), self.spec, limits)
 
     def residual(self, q: np.ndarray, T: np.ndarray) -> np.ndarray:

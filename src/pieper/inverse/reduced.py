@@ -9,6 +9,7 @@ import numpy as np
 from pieper.inverse.families import choose
 from pieper.inverse.native import SixJointSolver
 from pieper.inverse.plan import Plan
+from pieper.inverse.reduction import Reduction
 from pieper.inverse.refine import newton, pose_difference
 from pieper.inverse.solutions import TURN, inside_limits
 from pieper.kinematics.geometry import look
@@ -31,7 +32,12 @@ def solve_reduced(
         q (N, M, n), valid (N, M), in_limits (N, M), flag (N,), as the native solver's `many`.
     """
     reduction = plan.reduction
-    if reduction.at_ends is not None:
+    if plan.immediate:
+        poses = np.ascontiguousarray(reduction.moved_pose(T, values))
+        q6, valid, inside, flag = plan.solver.many(poses, threads)
+        if reduction.full.n == plan.n:
+            return _with_locked(reduction, q6, valid, values), valid, inside, flag
+    elif reduction.at_ends is not None:
         q6, valid, _, flag = plan.solver.many(np.ascontiguousarray(reduction.moved_pose(T, values)), threads)
     else:
         q6, valid, flag = _per_value(plan, T, values, threads)
@@ -54,6 +60,18 @@ def solve_reduced(
     q = np.where(valid[..., None], q, 0.0)
     q, inside = inside_limits(q, plan.limits, plan.prismatic)
     return q, valid, inside & valid, flag
+
+
+def _with_locked(reduction: Reduction, q6: np.ndarray, valid: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Return rows (N, M, n): the six solved joints with those locked at the ends beside them, zero where not valid."""
+    if not reduction.locked:
+        return q6
+    first = reduction.at_ends[0]
+    q = np.empty((*q6.shape[:2], reduction.full.n))
+    q[..., first : first + 6] = q6
+    for k, joint in enumerate(reduction.locked):
+        np.multiply(valid, values[:, k, None], out=q[..., joint])
+    return q
 
 
 def _per_value(plan: Plan, T: np.ndarray, values: np.ndarray, threads: int):

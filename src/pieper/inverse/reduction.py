@@ -154,20 +154,29 @@ class Reduction:
         chain = self.with_locked(values)
         return appended(chain, list(self.fill)) if self.fill else chain
 
+    @cached_property
+    def _back(self) -> np.ndarray:
+        """Inverse links (n + 1, 4, 4) of full."""
+        return inverse(self.full.links)
+
     def moved_pose(self, T: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the poses (N, 4, 4) the six-joint chain must reach, locked values (N, k) at the ends taken off."""
         if self.at_ends is None or not self.locked:
             return T
         first, tail = self.at_ends
         n = self.full.n
-        before = np.broadcast_to(np.eye(4), T.shape)
+        # from the base inwards: T = L Z T' with T' what is left, hence T' = Z^-1 L^-1 T
         for j in range(first):
-            before = before @ self.full.links[j] @ _motion(values[:, j], self.full.prismatic[j])
-        after = np.broadcast_to(np.eye(4), T.shape)
-        for k in range(tail):
+            T = np.einsum("ij,njk->nik", self._back[j], T)
+            T = _taken_off(T, values[:, j], bool(self.full.prismatic[j]))
+        # from the tool inwards the same, seen from the other side: T = T' Z L
+        for k in range(tail - 1, -1, -1):
             j = n - tail + k
-            after = after @ _motion(values[:, first + k], self.full.prismatic[j]) @ self.full.links[j + 1]
-        return inverse(before) @ T @ inverse(after)
+            T = (T.reshape(-1, 4) @ self._back[j + 1]).reshape(-1, 4, 4)
+            T = np.swapaxes(
+                _taken_off(np.swapaxes(T, 1, 2), -values[:, first + k], bool(self.full.prismatic[j]), column=True), 1, 2
+            )
+        return T
 
 
 def reduce(chain: Chain, task: str) -> list[Reduction]:
@@ -251,14 +260,17 @@ def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[np.ndarray,
     return tuple(chosen)
 
 
-def _motion(values: np.ndarray, prismatic: bool) -> np.ndarray:
-    Z = np.zeros((len(values), 4, 4))
-    Z[:, 2, 2] = Z[:, 3, 3] = 1.0
+def _taken_off(T: np.ndarray, values: np.ndarray, prismatic: bool, *, column: bool = False) -> np.ndarray:
+    """Return Z(values)^-1 T for poses (N, 4, 4), or Z(values)^T T when `column` (poses handed over transposed)."""
+    out = np.array(T, order="K")
     if prismatic:
-        Z[:, 0, 0] = Z[:, 1, 1] = 1.0
-        Z[:, 2, 3] = values
-    else:
-        Z[:, 0, 0] = Z[:, 1, 1] = np.cos(values)
-        Z[:, 1, 0] = np.sin(values)
-        Z[:, 0, 1] = -Z[:, 1, 0]
-    return Z
+        # Z^-1 T takes the slide off the third row; transposed, Z^T adds it to the last row
+        if column:
+            out[:, 3] += values[:, None] * T[:, 2]
+        else:
+            out[:, 2] -= values[:, None] * T[:, 3]
+        return out
+    c, s = np.cos(values)[:, None], np.sin(values)[:, None]
+    out[:, 0] = c * T[:, 0] + s * T[:, 1]
+    out[:, 1] = c * T[:, 1] - s * T[:, 0]
+    return out

@@ -49,21 +49,19 @@ def ik(plan: Plan, T: object, redundancy: object = None) -> Solutions:
 def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: object = None) -> SolutionBatch:
     """Return every solution of N poses; see `Arm.ik_many`."""
     threads = _threads(threads)
-    if not plan.direct:
-        poses = _batch(Ts)
-        values = redundancy_values(plan, redundancy, len(poses))
-        q, valid, inside, flag = solve_reduced(plan, poses, values, threads)
-    else:
-        if redundancy is not None:
-            raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
-        poses = np.ascontiguousarray(Ts, dtype=float) if isinstance(Ts, np.ndarray) else _batch(Ts)
-        if poses.ndim != 3 or poses.shape[1:] != (4, 4):
-            poses = _batch(poses)
-        try:
-            q, valid, inside, flag = plan.solver.many(poses, threads)
-        except ValueError:
-            poses = _batch(poses)
-            q, valid, inside, flag = plan.solver.many(poses, threads)
+    if plan.direct and redundancy is not None:
+        raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
+    # the native solver looks at its poses itself; the checked route says what is wrong, or makes it right
+    plain = (plan.direct or plan.immediate) and isinstance(Ts, np.ndarray)
+    poses = np.ascontiguousarray(Ts, dtype=float) if plain else _batch(Ts)
+    if poses.ndim != 3 or poses.shape[1:] != (4, 4):
+        poses = _batch(poses)
+    values = None if plan.direct else redundancy_values(plan, redundancy, len(poses))
+    try:
+        q, valid, inside, flag = _rows(plan, poses, values, threads)
+    except ValueError:
+        poses = _batch(poses)
+        q, valid, inside, flag = _rows(plan, poses, values, threads)
     if plan.redundancy and redundancy is None:
         for i in np.flatnonzero(~_any(inside))[:MOST_CAREFUL]:
             _put(_ik_reduced(plan, poses[i], None), q[i], valid[i], inside[i])
@@ -83,6 +81,12 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
         status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
     status[(flag & UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, q, valid, inside, status, flag)
+
+
+def _rows(plan: Plan, poses: np.ndarray, values: np.ndarray | None, threads: int):
+    if plan.direct:
+        return plan.solver.many(poses, threads)
+    return solve_reduced(plan, poses, values, threads)
 
 
 def _any(rows: np.ndarray) -> np.ndarray:
