@@ -14,6 +14,7 @@ from pieper.inverse.families import choose, tier
 from pieper.inverse.families.spec import KernelSpec
 from pieper.inverse.native import SixJointSolver
 from pieper.inverse.reduction import TASKS, Reduction, default_task, generic_rank, reduce, with_task_joints
+from pieper.kinematics.armangle import ArmAngle, arm_angle
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import Geometry, look, snapped
@@ -42,6 +43,8 @@ class Plan:
         spec: The prepared kernel.
         rank: How many things the arm can do at once for this task.
         snapped: What was moved to make the geometry special, in words; empty when nothing was.
+        defaults: Values (k,) of the locked joints when nobody chooses, rad or m.
+        base: (4, 4) the frame the arm's table stands in; the arm angle counts from it.
     """
 
     name: str
@@ -58,6 +61,7 @@ class Plan:
     rank: int
     snapped: tuple[str, ...] = ()
     defaults: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    base: np.ndarray = field(default_factory=lambda: np.eye(4))
 
     @property
     def n(self) -> int:
@@ -73,6 +77,11 @@ class Plan:
     def redundancy(self) -> tuple[str, ...]:
         """Names of the redundant coordinates, in the order their values are given; empty where there is none."""
         return tuple(self._joint_name(j) for j in self.reduction.locked)
+
+    @property
+    def choices(self) -> tuple[str, ...]:
+        """Names that `redundancy` may be given for: the redundant coordinates, and the arm angle where there is one."""
+        return (*self.redundancy, *(("arm angle",) if self.arm_angle else ()))
 
     def _joint_name(self, joint: int) -> str:
         if joint < self.n:
@@ -119,6 +128,22 @@ class Plan:
             a, b = now[..., :3, 2], T[..., :3, 2]
             error[..., 1] = np.arctan2(np.linalg.norm(np.cross(a, b), axis=-1), np.sum(a * b, -1))
         return error
+
+    @property
+    def arm_angle(self) -> ArmAngle | None:
+        """The arm angle, which may be chosen instead of the redundant joint; None where `no_arm_angle` says why not."""
+        return self._arm_angle if isinstance(self._arm_angle, ArmAngle) else None
+
+    @property
+    def no_arm_angle(self) -> str:
+        """Why the arm angle cannot be chosen, in words; empty where it can."""
+        return self._arm_angle if isinstance(self._arm_angle, str) else ""
+
+    @cached_property
+    def _arm_angle(self) -> ArmAngle | str:
+        if self.task != "pose" or len(self.redundancy) != 1:
+            return "an arm angle needs a full pose and one joint to spare"
+        return arm_angle(self.chain, self.base)
 
     @cached_property
     def cuspidal(self) -> Cuspidal | None:
@@ -198,6 +223,7 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         rank=full.n - len(reduction.locked),
         snapped=tuple(moved),
         defaults=defaults,
+        base=description.base,
     )
 
 

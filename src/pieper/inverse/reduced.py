@@ -12,6 +12,7 @@ from pieper.inverse.plan import Plan
 from pieper.inverse.reduction import Reduction
 from pieper.inverse.refine import newton, pose_difference
 from pieper.inverse.solutions import TURN, inside_limits
+from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import look
 from pieper.tolerances import GEOMETRY_EXACT, SAME_SOLUTION
 
@@ -32,12 +33,32 @@ def solve_reduced(
         q (N, M, n), valid (N, M), in_limits (N, M), flag (N,), as the native solver's `many`.
     """
     reduction = plan.reduction
-    if plan.immediate:
+    if plan.immediate and reduction.full.n == plan.n:
         poses = np.ascontiguousarray(reduction.moved_pose(T, values))
         q6, valid, inside, flag = plan.solver.many(poses, threads)
-        if reduction.full.n == plan.n:
-            return _with_locked(reduction, q6, valid, values), valid, inside, flag
-    elif reduction.at_ends is not None:
+        return _with_locked(reduction, q6, valid, values), valid, inside, flag
+    full, valid, flag = full_rows(plan, T, values, threads)
+    q = full[..., : plan.n]
+    if reduction.full.n > plan.n:
+        valid = distinct_rows(reduction.full, q, valid)
+    most = plan.max_solutions
+    if q.shape[1] > most:
+        q, valid = _packed(q, valid, most)
+    q = np.where(valid[..., None], q, 0.0)
+    q, inside = inside_limits(q, plan.limits, plan.prismatic)
+    return q, valid, inside & valid, flag
+
+
+def full_rows(
+    plan: Plan, T: np.ndarray, values: np.ndarray, threads: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Solve poses T (N, 4, 4) with redundant coordinates at values (N, k), the task's virtual joints included.
+
+    Returns:
+        q (N, M, joints of the arm and the task), valid (N, M), flag (N,).
+    """
+    reduction = plan.reduction
+    if reduction.at_ends is not None:
         q6, valid, _, flag = plan.solver.many(np.ascontiguousarray(reduction.moved_pose(T, values)), threads)
     else:
         q6, valid, flag = _per_value(plan, T, values, threads)
@@ -51,15 +72,7 @@ def solve_reduced(
         full[..., list(reduction.locked)] = values[:, None, :]
     if reduction.fill or plan.snapped:
         full, valid = _polished(plan, full, valid, T, values)
-    q = full[..., : plan.n]
-    if reduction.full.n > plan.n:
-        valid = valid & ~_repeats(plan, q, valid)
-    most = plan.max_solutions
-    if q.shape[1] > most:
-        q, valid = _packed(q, valid, most)
-    q = np.where(valid[..., None], q, 0.0)
-    q, inside = inside_limits(q, plan.limits, plan.prismatic)
-    return q, valid, inside & valid, flag
+    return full, valid, flag
 
 
 def _with_locked(reduction: Reduction, q6: np.ndarray, valid: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -125,7 +138,7 @@ def _polished(plan: Plan, full: np.ndarray, valid: np.ndarray, T: np.ndarray, va
         exact[member[:, 0], member[:, 1]] = target
         keep[member[:, 0], member[:, 1]] = good
     wrapped = np.where(plan.reduction.full.prismatic, exact, np.pi - (np.pi - exact) % TURN)
-    return wrapped, keep & ~_repeats(plan, wrapped, keep)
+    return wrapped, distinct_rows(plan.reduction.full, wrapped, keep)
 
 
 def _true_full(plan: Plan):
@@ -139,16 +152,15 @@ def _by_value(values: np.ndarray) -> list[np.ndarray]:
     return [np.flatnonzero(which.reshape(-1) == i) for i in range(which.max() + 1)]
 
 
-def _repeats(plan: Plan, q: np.ndarray, valid: np.ndarray) -> np.ndarray:
-    """Return (N, M) bool: rows that repeat an earlier valid row of their pose, angles compared around the circle."""
-    prismatic = plan.reduction.full.prismatic[: q.shape[-1]]
-    again = np.zeros_like(valid)
+def distinct_rows(chain: Chain, q: np.ndarray, valid: np.ndarray) -> np.ndarray:
+    """Return valid (N, M) without rows that repeat an earlier valid one of their pose, angles around the circle."""
+    prismatic = chain.prismatic[: q.shape[-1]]
+    first = valid.copy()
     for b in range(1, q.shape[1]):
         gap = q[:, b : b + 1] - q[:, :b]
-        gap = np.where(prismatic, gap / plan.chain.length, (gap + np.pi) % TURN - np.pi)
-        same = (np.abs(gap) < SAME_SOLUTION * 10).all(-1) & valid[:, :b]
-        again[:, b] = valid[:, b] & same.any(1)
-    return again
+        gap = np.where(prismatic, gap / chain.length, (gap + np.pi) % TURN - np.pi)
+        first[:, b] &= ~((np.abs(gap) < SAME_SOLUTION * 10).all(-1) & first[:, :b]).any(1)
+    return first
 
 
 def _packed(q: np.ndarray, valid: np.ndarray, most: int):

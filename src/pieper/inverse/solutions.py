@@ -22,6 +22,8 @@ TURN = 2 * np.pi
 
 #: Flag bits that the kernels set for a pose.
 DEGENERATE, UNCERTAIN, OUT_OF_REACH_FLAG, ROUNDED = 1, 2, 4, 8
+#: Flag bits that are set beside UNCERTAIN and say why: no arm angle at this pose; a snapped arm's count changes here.
+NO_ARM_ANGLE, COUNT_CHANGES = 16, 32
 
 
 class Status(IntEnum):
@@ -218,7 +220,8 @@ class SolutionBatch:
         valid: (N, max_solutions) bool, true solutions, limits not applied.
         in_limits: (N, max_solutions) bool, those inside the limits.
         status: (N,) Status codes.
-        flag: (N,) bits: 1 degenerate, 2 uncertain, 4 out of reach, 8 rotation rounded.
+        flag: (N,) bits: 1 degenerate, 2 uncertain, 4 out of reach, 8 rotation rounded, 16 the arm angle is undefined,
+            32 the number of solutions of a snapped arm changes near the pose.
     """
 
     __slots__ = ("_plan", "flag", "in_limits", "q", "status", "valid")

@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 
 from pieper.errors import InputError
+from pieper.inverse.at_arm_angle import solve_at_arm_angle
 from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import solve_reduced
 from pieper.inverse.refine import scaled_jacobian
@@ -27,6 +28,8 @@ _CAREFUL = DEGENERATE
 MOST_CAREFUL = 500
 #: Smallest relative singular value at which a marked pose is not looked at further.
 CLEAR = 1.5e-7
+#: The name by which an arm angle is asked for.
+ARM_ANGLE = "arm angle"
 
 
 def ik(plan: Plan, T: object, redundancy: object = None) -> Solutions:
@@ -56,12 +59,17 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
     poses = np.ascontiguousarray(Ts, dtype=float) if plain else _batch(Ts)
     if poses.ndim != 3 or poses.shape[1:] != (4, 4):
         poses = _batch(poses)
-    values = None if plan.direct else redundancy_values(plan, redundancy, len(poses))
-    try:
-        q, valid, inside, flag = _rows(plan, poses, values, threads)
-    except ValueError:
+    angles = None if plan.direct else arm_angles(plan, redundancy, len(poses))
+    if angles is not None:
         poses = _batch(poses)
-        q, valid, inside, flag = _rows(plan, poses, values, threads)
+        q, valid, inside, flag = solve_at_arm_angle(plan, poses, angles)
+    else:
+        values = None if plan.direct else redundancy_values(plan, redundancy, len(poses))
+        try:
+            q, valid, inside, flag = _rows(plan, poses, values, threads)
+        except ValueError:
+            poses = _batch(poses)
+            q, valid, inside, flag = _rows(plan, poses, values, threads)
     if plan.redundancy and redundancy is None:
         for i in np.flatnonzero(~_any(inside))[:MOST_CAREFUL]:
             _put(_ik_reduced(plan, poses[i], None), q[i], valid[i], inside[i])
@@ -103,6 +111,27 @@ def _put(found: Solutions, q: np.ndarray, valid: np.ndarray, inside: np.ndarray)
     q[:rows], valid[:rows], inside[:rows] = found.all_q[:rows], True, found.in_limits[:rows]
 
 
+def arm_angles(plan: Plan, redundancy: object, count: int) -> np.ndarray | None:
+    """Return the arm angles (count,) that were asked for, rad, or None where something else was, or nothing."""
+    if not isinstance(redundancy, dict) or ARM_ANGLE not in redundancy:
+        return None
+    if len(redundancy) > 1:
+        raise InputError(f"give either the {ARM_ANGLE} or the redundant joint, not both.", given=redundancy)
+    if plan.arm_angle is None:
+        raise InputError(f"{plan.name} has no {ARM_ANGLE}: {plan.no_arm_angle}.", given=redundancy)
+    try:
+        angles = np.asarray(redundancy[ARM_ANGLE], float)
+    except (TypeError, ValueError):
+        angles = np.array(np.nan)
+    if not np.isfinite(angles).all():
+        raise InputError(f"the {ARM_ANGLE} must be a finite number, got {redundancy[ARM_ANGLE]!r}.", given=redundancy)
+    if angles.shape not in ((), (1,), (count,)):
+        raise InputError(
+            f"the {ARM_ANGLE} must be one number, or one a pose, got shape {angles.shape}.", given=redundancy
+        )
+    return np.broadcast_to(angles, (count,))
+
+
 def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
     """Return the values (count, k) of the redundant coordinates: a number, one a coordinate, one a pose, or by name."""
     names = plan.redundancy
@@ -114,7 +143,7 @@ def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
         unknown = [name for name in redundancy if name not in names]
         if unknown:
             raise InputError(
-                f"{unknown[0]!r} is no redundant coordinate of this plan; they are {', '.join(names)}.",
+                f"{unknown[0]!r} is no redundant coordinate of this plan; they are {', '.join(plan.choices)}.",
                 given=redundancy,
             )
         redundancy = [redundancy.get(name, plan.defaults[i]) for i, name in enumerate(names)]
@@ -152,13 +181,17 @@ def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
 
 def _ik_reduced(plan: Plan, T: object, redundancy: object) -> Solutions:
     T = checked_pose(T)
-    values = redundancy_values(plan, redundancy, 1)
-    q, valid, inside, flag = solve_reduced(plan, T[None], values, 1)
+    angles = arm_angles(plan, redundancy, 1)
+    values = redundancy_values(plan, redundancy, 1) if angles is None else plan.defaults[None]
+    if angles is None:
+        q, valid, inside, flag = solve_reduced(plan, T[None], values, 1)
+    else:
+        q, valid, inside, flag = solve_at_arm_angle(plan, T[None], angles)
     rows, slots, within, bits = q[0][valid[0]], np.flatnonzero(valid[0]), inside[0][valid[0]], int(flag[0])
     if plan.redundancy:
         from pieper.inverse.redundant import families_of
 
-        families = partial(families_of, plan, T, values[0], rows)
+        families = partial(families_of, plan, T, values[0])
         if redundancy is None and not within.any():
             # nobody chose the spare coordinate: any value will do that has an answer
             families = families()
