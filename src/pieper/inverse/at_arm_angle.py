@@ -8,15 +8,16 @@ from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import CLOSES, distinct_rows
 from pieper.inverse.refine import pose_difference, scaled_jacobian
 from pieper.inverse.solutions import NO_ARM_ANGLE, TURN, UNCERTAIN, inside_limits
-from pieper.inverse.sweep import sweep
+from pieper.inverse.sweep import Sweep, approached, sweep
 from pieper.kinematics.armangle import STRETCHED, ArmAngle
-from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import rotation_about
 
 #: Newton steps onto pose and arm angle, and the longest of them, rad.
 STEPS, LONGEST = 25, 0.3
 #: Rows worse than this after the closed form are polished (per length; rad).
 POLISH = 1e-13
+#: Starts of the free approach beside the sweep; how much of the last change an ending branch may still change by.
+FREE_STARTS, AT_ENDS = 64, 8.0
 
 
 def solve_at_arm_angle(
@@ -97,10 +98,12 @@ def _by_sweep(plan: Plan, angle: ArmAngle, T: np.ndarray, wanted: float) -> tupl
     swept = sweep(plan, T, 0, plan.defaults)
     now, known = angle.about(swept.q, x, y, defined)
     off = np.where(known, (now - wanted + np.pi) % TURN - np.pi, 0.0)
-    starts = swept.q[swept.valid & known & _may_cross(swept, off)]
+    free = approached(plan, T, FREE_STARTS)
+    starts = np.concatenate([swept.q[swept.valid & known & _may_cross(swept, off)], free])
     if not len(starts):
-        nowhere = bool(swept.valid.any()) and not bool((swept.valid & known).any())
-        return np.zeros((0, 7)), (UNCERTAIN | NO_ARM_ANGLE) if nowhere else 0
+        return starts, 0
+    if not (swept.valid & known).any() and not angle.about(free, x, y, defined)[1].any():
+        return np.zeros((0, 7)), UNCERTAIN | NO_ARM_ANGLE
     same = [np.broadcast_to(v, (len(starts), *np.shape(v))) for v in (T, wanted, x, y)]
     rows, error = onto(angle, starts, *same)
     _, known = angle.about(rows, x, y, defined)
@@ -112,20 +115,24 @@ def _by_sweep(plan: Plan, angle: ArmAngle, T: np.ndarray, wanted: float) -> tupl
     return rows[:most], UNCERTAIN if len(rows) > most else 0
 
 
-def _may_cross(swept, off: np.ndarray) -> np.ndarray:
+def _may_cross(swept: Sweep, off: np.ndarray) -> np.ndarray:
     """Return (V, M): rows from which the wanted angle may be reached before the next slice, either way.
 
-    That is so where the angle changes from slice to slice by as much as is wanted, or nearly so (it may turn back
-    between), and at rows whose branch turns round between slices.
+    That is so where the angle passes the wanted one before the next slice; where it comes near and turns back, which
+    it may do between slices; and at the end of a branch, which turns round within the part of a slice left there.
     """
-    reach = np.zeros_like(off)
-    loose = np.zeros(off.shape, bool)
-    for here, links in ((slice(None, -1), swept.after), (slice(1, None), swept.before)):
-        there = np.take_along_axis(off[1:] if here.stop == -1 else off[:-1], np.maximum(links, 0), 1)
-        change = np.abs((there - off[here] + np.pi) % TURN - np.pi)
-        reach[here] = np.maximum(reach[here], np.where(links >= 0, change, 0.0))
-        loose[here] |= links < 0
-    return (np.abs(off) <= 2.0 * reach + 1e-9) | loose
+    change = [np.full_like(off, np.nan), np.full_like(off, np.nan)]
+    for side, here, there, links in ((0, off[:-1], off[1:], swept.after), (1, off[1:], off[:-1], swept.before)):
+        beyond = np.take_along_axis(there, np.maximum(links, 0), 1)
+        step = (beyond - here + np.pi) % TURN - np.pi
+        change[side][slice(None, -1) if side == 0 else slice(1, None)] = np.where(links >= 0, step, np.nan)
+    ahead, before = change
+    passes = off * (off + ahead) <= 0
+    passes &= np.abs(ahead) < np.pi
+    most = np.fmax(np.abs(ahead), np.abs(before))
+    turns = (np.abs(off) <= most) & (ahead * off >= 0) & (before * off >= 0)
+    ends = (np.isnan(ahead) | np.isnan(before)) & (np.isnan(most) | (np.abs(off) <= AT_ENDS * most))
+    return passes | turns | ends
 
 
 def onto(
@@ -145,15 +152,15 @@ def onto(
         better = size < least[active]
         best[active[better]], least[active[better]] = at[better], size[better]
         go = (size > 2e-15) & known
-        # what has come to rounding and no nearer is done
-        go &= better | (size > POLISH)
+        # what is at rounding and comes no nearer is done
+        go &= better | (size > 1e-14)
         active, at, e = active[go], at[go], e[go]
         if not len(active):
             break
         A = np.concatenate([scaled_jacobian(chain, at), angle.gradient(at, xs[go], ys[go])[:, None]], 1)
-        U, s, Vt = np.linalg.svd(A)
-        gain = np.where(s > 1e-9 * s[:, :1], 1.0 / np.maximum(s, 1e-300), 0.0)
-        step = np.einsum("bkn,bk->bn", Vt, gain * np.einsum("bik,bi->bk", U, e))
+        # a millionth of a millionth keeps it solvable where pose and angle do not fix the joints
+        A += 1e-12 * np.eye(7)
+        step = np.linalg.solve(A, e[..., None])[..., 0]
         length = np.linalg.norm(step, axis=-1, keepdims=True)
         q[active] = at + step * np.minimum(1.0, LONGEST / np.maximum(length, 1e-300))
     return best, least

@@ -49,9 +49,7 @@ def solve_reduced(
     return q, valid, inside & valid, flag
 
 
-def full_rows(
-    plan: Plan, T: np.ndarray, values: np.ndarray, threads: int
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def full_rows(plan: Plan, T: np.ndarray, values: np.ndarray, threads: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Solve poses T (N, 4, 4) with redundant coordinates at values (N, k), the task's virtual joints included.
 
     Returns:

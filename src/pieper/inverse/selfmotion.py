@@ -177,13 +177,18 @@ class Family:
 
     def distance(self, q: np.ndarray) -> float:
         """Return how far a joint vector (n,) is from the curve, rad or characteristic lengths, whole turns ignored."""
-        difference = self._gaps(self._padded(q), self.samples)
-        if len(difference) == 1:
-            return float(np.linalg.norm(difference[0]))
+        return float(self.distances(self._padded(q)[None])[0])
+
+    def distances(self, q: np.ndarray) -> np.ndarray:
+        """Return how far joint vectors (m, n), virtual joints included, are from the curve, as `distance`."""
+        difference = self._gaps(q[:, None], self.samples)
+        to_samples = np.min(np.einsum("mkn,mkn->mk", difference, difference), axis=1)
+        if difference.shape[1] == 1:
+            return np.sqrt(to_samples)
         segment = np.where(self._virtual, 0.0, np.diff(self._unitless, axis=0))
-        inner = np.sum(difference[:-1] * segment, 1) / np.maximum(np.sum(segment * segment, 1), 1e-300)
-        foot = difference[:-1] - np.clip(inner, 0, 1)[:, None] * segment
-        return float(np.sqrt(min(np.min(np.sum(foot**2, 1)), np.min(np.sum(difference**2, 1)))))
+        inner = np.einsum("mkn,kn->mk", difference[:, :-1], segment) / np.maximum(np.sum(segment * segment, 1), 1e-300)
+        foot = difference[:, :-1] - np.clip(inner, 0, 1)[..., None] * segment
+        return np.sqrt(np.minimum(to_samples, np.min(np.einsum("mkn,mkn->mk", foot, foot), axis=1)))
 
     def contains(self, q: np.ndarray, tolerance: float = 1e-6) -> bool:
         """Whether q (n,) lies on the curve within a tolerance (rad)."""
