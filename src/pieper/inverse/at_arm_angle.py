@@ -1,4 +1,4 @@
-"""Solve seven-joint arms at a chosen arm angle: in closed form where shoulder and wrist are spherical, else by a sweep."""
+"""Seven-joint arms at a chosen arm angle: in closed form where shoulder and wrist are spherical, else by a sweep."""
 
 from __future__ import annotations
 
@@ -138,7 +138,7 @@ def _may_cross(swept: Sweep, off: np.ndarray) -> np.ndarray:
 def onto(
     angle: ArmAngle, q: np.ndarray, T: np.ndarray, wanted: np.ndarray, x: np.ndarray, y: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Move joint vectors q (m, 7) onto poses T and arm angles (m,) by Newton steps; return them and what is left (m,)."""
+    """Move joint vectors q (m, 7) onto poses T and arm angles (m,) by Newton steps; also return what is left (m,)."""
     chain = angle.chain
     q = np.array(q)
     best, least = q.copy(), np.full(len(q), np.inf)
@@ -176,7 +176,7 @@ def _two(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> tuple[np.ndarray, np.nd
 
 
 def _three_turns(u1: np.ndarray, u2: np.ndarray, u3: np.ndarray, R: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the two ways (..., 2, 3) in which turns about three axes, first to last, make R, and whether real (..., 2).
+    """Return the two ways (..., 2, 3) in which turns about three axes in turn make R, and whether real (..., 2).
 
     Where the outer axes line up, only the sum of their turns counts, and the first is zero.
     """

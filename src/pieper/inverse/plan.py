@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,16 @@ from pieper.errors import InputError, PlanError
 from pieper.inverse.families import choose, tier
 from pieper.inverse.families.spec import KernelSpec
 from pieper.inverse.native import SixJointSolver
-from pieper.inverse.reduction import TASKS, Reduction, default_task, generic_rank, reduce, with_task_joints
+from pieper.inverse.reduction import (
+    TASKS,
+    Reduction,
+    default_task,
+    generic_rank,
+    reduce,
+    sample_joints,
+    with_task_joints,
+)
+from pieper.inverse.refine import pose_difference
 from pieper.kinematics.armangle import ArmAngle, arm_angle
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
@@ -113,6 +122,21 @@ class Plan:
         return not reduction.fill and not self.snapped and (reduction.trivial or reduction.at_ends is not None)
 
     @cached_property
+    def exact(self) -> Reduction:
+        """The reduction of the arm as described; another one than `reduction` only where geometry was snapped."""
+        if self.nominal is self.chain:
+            return self.reduction
+        return replace(self.reduction, arm=self.chain, full=with_task_joints(self.chain, self.task))
+
+    @cached_property
+    def drift(self) -> float:
+        """How far the nominal arm's pose is from the arm's own at the same joint vector, at most (per length; rad)."""
+        if self.nominal is self.chain:
+            return 0.0
+        q = sample_joints(self.chain, 64)
+        return float(np.linalg.norm(pose_difference(self.chain, q, fk(self.nominal, q)), axis=-1).max())
+
+    @cached_property
     def solver(self) -> SixJointSolver:
         """The native solver of the six-joint chain (for locked joints at the ends or none)."""
         limits = self.full_limits[self.reduction.kept] if self.immediate else np.tile([-np.inf, np.inf], (6, 1))
@@ -208,6 +232,8 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
     most = spec.max_solutions
     if wanted == "position" and reduction.full.n - len(reduction.locked) == 6 and not reduction.fill and chain.n <= 3:
         most //= 2  # the two turns of the virtual wrist are one position
+    if moved:
+        most = max(most, 16)  # what nearly is special need not be bounded as what is
     return Plan(
         name=description.name,
         chain=chain,

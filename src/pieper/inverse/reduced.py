@@ -11,6 +11,7 @@ from pieper.inverse.native import SixJointSolver
 from pieper.inverse.plan import Plan
 from pieper.inverse.reduction import Reduction
 from pieper.inverse.refine import newton, pose_difference
+from pieper.inverse.snapcheck import counted
 from pieper.inverse.solutions import TURN, inside_limits
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import look
@@ -55,6 +56,20 @@ def full_rows(plan: Plan, T: np.ndarray, values: np.ndarray, threads: int) -> tu
     Returns:
         q (N, M, joints of the arm and the task), valid (N, M), flag (N,).
     """
+    full, valid, flag = nominal_rows(plan, T, values, threads)
+    if not (plan.reduction.fill or plan.snapped):
+        return full, valid, flag
+    nominal = valid
+    full, valid = _polished(plan, full, valid, T, values)
+    if plan.snapped:
+        return counted(plan, T, values, full, valid, nominal.sum(1), flag)
+    return full, valid, flag
+
+
+def nominal_rows(
+    plan: Plan, T: np.ndarray, values: np.ndarray, threads: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Solve as `full_rows`, but leave rows as the kernel gives them: of the nominal arm where geometry was snapped."""
     reduction = plan.reduction
     if reduction.at_ends is not None:
         q6, valid, _, flag = plan.solver.many(np.ascontiguousarray(reduction.moved_pose(T, values)), threads)
@@ -64,12 +79,12 @@ def full_rows(plan: Plan, T: np.ndarray, values: np.ndarray, threads: int) -> tu
     real = 6 - len(reduction.fill)
     if reduction.fill:
         unit = np.array([plan.chain.length if p else 1.0 for _, p in reduction.fill])
-        valid = valid & (np.abs(q6[..., real:] / unit) < FILLED_ZERO).all(-1)
+        # a pose of the arm as described is none of the nominal arm: it misses by about as much as was snapped
+        zero = max(FILLED_ZERO, 10 * plan.drift)
+        valid = valid & (np.abs(q6[..., real:] / unit) < zero).all(-1)
     full[..., reduction.kept] = q6[..., :real]
     if reduction.locked:
         full[..., list(reduction.locked)] = values[:, None, :]
-    if reduction.fill or plan.snapped:
-        full, valid = _polished(plan, full, valid, T, values)
     return full, valid, flag
 
 
@@ -120,7 +135,7 @@ def _polished(plan: Plan, full: np.ndarray, valid: np.ndarray, T: np.ndarray, va
         return full, valid
     exact = full.copy()
     keep = np.zeros_like(valid)
-    chain = plan.reduction.full if not plan.snapped else _true_full(plan)
+    chain = plan.exact.full
     locked = list(plan.reduction.locked)
     for group in _by_value(values[rows[:, 0]]) if locked else [slice(None)]:
         member = rows[group]
@@ -137,12 +152,6 @@ def _polished(plan: Plan, full: np.ndarray, valid: np.ndarray, T: np.ndarray, va
         keep[member[:, 0], member[:, 1]] = good
     wrapped = np.where(plan.reduction.full.prismatic, exact, np.pi - (np.pi - exact) % TURN)
     return wrapped, distinct_rows(plan.reduction.full, wrapped, keep)
-
-
-def _true_full(plan: Plan):
-    from pieper.inverse.reduction import with_task_joints
-
-    return with_task_joints(plan.chain, plan.task)
 
 
 def _by_value(values: np.ndarray) -> list[np.ndarray]:

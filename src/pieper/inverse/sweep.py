@@ -12,7 +12,7 @@ from pieper.inverse.reduction import sample_joints
 from pieper.inverse.refine import pose_difference, scaled_jacobian
 from pieper.inverse.solutions import TURN
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.pose import rotation_about
+from pieper.kinematics.pose import stepped
 
 #: Slices over the range to begin with: many where one prepared kernel serves all values, few where each needs its own.
 SLICES, SLICES_PREPARED = 96, 24
@@ -124,7 +124,7 @@ def _apart(plan: Plan, q: np.ndarray, other: np.ndarray) -> np.ndarray:
 def _continued(
     plan: Plan, q: np.ndarray, valid: np.ndarray, q_next: np.ndarray, valid_next: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return for each row of slices its mutually nearest row of the next ones (V, M), or -1, and whether there is doubt.
+    """Return for each row of slices its mutually nearest row of the next ones (V, M), or -1, and whether in doubt.
 
     There is doubt (V,) where a row is not continued, or moves far.
     """
@@ -157,7 +157,7 @@ def beside(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, swept
     at = np.linspace(lower, upper, SLICES_PREPARED if prepared else SLICES)
     here = np.searchsorted(swept.values, at - 1e-12)
     twists = _to_either_side()
-    poses = np.repeat(_stepped(full, T, twists), len(at), 0)
+    poses = np.repeat(stepped(T, twists, full.length), len(at), 0)
     q, valid = _slices(plan, poses, coordinate, values, np.tile(at, len(twists)))
     own, there = np.tile(here, len(twists)), np.zeros(valid.shape, bool)
     # a slice of T a step further on counts too: near its ends a branch moves fast
@@ -170,7 +170,7 @@ def beside(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, swept
     slices, rows = slices[::every], rows[::every]
     q, twists = q[slices, rows], np.repeat(twists, len(at), 0)[slices]
     for k in range(1, FOLLOW_STAGES + 1):
-        q = _newton_steps(full, q, _stepped(full, T, twists * FOLLOW_RATIO**k), 3)
+        q = _newton_steps(full, q, stepped(T, twists * FOLLOW_RATIO**k, full.length), 3)
     return _arrived(full, _newton_steps(full, q, T, 12), T)
 
 
@@ -179,15 +179,6 @@ def _to_either_side() -> np.ndarray:
     rng = np.random.default_rng(12)
     twists = np.concatenate([size * rng.standard_normal((count, 6)) / 6**0.5 for size, count in SIDE_STEPS])
     return np.concatenate([twists, -twists])
-
-
-def _stepped(chain: Chain, T: np.ndarray, twists: np.ndarray) -> np.ndarray:
-    """Return poses (N, 4, 4): T turned and moved by twists (N, 6), positions per length of the arm."""
-    angle = np.linalg.norm(twists[:, 3:], axis=1)
-    out = np.tile(T, (len(twists), 1, 1))
-    out[:, :3, :3] = rotation_about(twists[:, 3:] / np.maximum(angle, 1e-300)[:, None], angle) @ T[:3, :3]
-    out[:, :3, 3] += twists[:, :3] * chain.length
-    return out
 
 
 def _newton_steps(chain: Chain, q: np.ndarray, T: np.ndarray, steps: int) -> np.ndarray:
