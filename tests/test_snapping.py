@@ -48,7 +48,7 @@ def test_counts_agree_with_the_general_solver_on_the_arm_as_described_or_are_cal
 
 
 def edge(arm: Arm, reach: float) -> np.ndarray:
-    """Return a pose of a UR5e's tool with the wrist at a distance (m) from its shoulder, straight away from the base."""
+    """Return a pose of a stretched UR5e moved so far (m) straight away from its base."""
     T = arm.fk(np.array([0.3, -1.0, 1e-3, -1.2, 0.9, 0.2]))
     direction = T[:3, 3] / np.linalg.norm(T[:3, 3])
     T[:3, 3] += reach * direction

@@ -15,6 +15,7 @@ import numpy as np
 
 from pieper.inverse.refine import scaled_jacobian
 from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import fk, jacobian
 from pieper.kinematics.pose import inverse, rotation_about, transform
 
 TASKS = ("pose", "position", "position+axis")
@@ -191,15 +192,12 @@ def reduce(chain: Chain, task: str) -> list[Reduction]:
     spare = full.n - rank
     if spare == 0:
         return [Reduction(chain, task, full, (), _filling(full, 6 - rank, full.n > chain.n))]
-    ways = []
-    q = sample_joints(full, 12)
-    J = scaled_jacobian(full, q)
-    for locked in _choices(full, chain, J, spare):
-        kept = np.setdiff1d(np.arange(full.n), locked)
-        s = np.linalg.svd(J[:, :, kept], compute_uv=False)
-        smallest = float(np.median(s[:, rank - 1] / s[:, 0]))
-        if smallest > RANK:
-            ways.append((smallest, locked))
+    J = scaled_jacobian(full, sample_joints(full, 12))
+    choices = _choices(full, chain, J, spare)
+    kept = np.array([[j for j in range(full.n) if j not in locked] for locked in choices])
+    s = np.linalg.svd(np.moveaxis(J[:, :, kept], 2, 0), compute_uv=False)  # ways, postures, singular values
+    smallest = np.median(s[..., rank - 1] / s[..., 0], axis=1)
+    ways = [(float(value), locked) for value, locked in zip(smallest, choices, strict=True) if value > RANK]
     ways.sort(key=lambda way: -way[0])
     out = []
     # filling takes time: where it is needed, only the best few ways are made ready
@@ -242,21 +240,29 @@ def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[np.ndarray,
     tilted = [rotation_about(v / np.linalg.norm(v), 1.1) for v in rng.standard_normal((3, 3))]
     pool = [(R, p) for p in (True, False) for R in (*(() if virtual else (np.eye(3), _X, _Y)), *tilted)]
     sliding = int(chain.prismatic.sum())
+    # at zero, where the virtual joints are to come out, not at values of no special kind: there a virtual joint turns
+    # about, or slides along, an axis through the tool point
+    tried = appended(chain, pool[:1])
+    q = sample_joints(tried, 15, seed=2)[:, : chain.n]
+    J = jacobian(chain, q).copy()
+    J[:, :3] /= tried.length
+    J = np.where(chain.prismatic, J * tried.length, J)
+    axes = fk(chain, q)[:, :3, :3] @ np.array([R[:, 2] for R, _ in pool]).T  # postures, xyz, pool
+    slides = np.array([p for _, p in pool])
+    columns = np.concatenate([np.where(slides, axes, 0.0), np.where(slides, 0.0, axes)], 1)
     chosen: list[tuple[np.ndarray, bool]] = []
     for _ in range(count):
-        best, gain = pool[0], -1.0
-        for joint in pool:
-            if joint[1] and sliding + sum(p for _, p in chosen) >= 3:
+        tables = np.concatenate([np.repeat(J[None], len(pool), 0), np.moveaxis(columns, 2, 0)[..., None]], -1)
+        worst = np.sort(np.linalg.svd(tables, compute_uv=False)[..., -1], axis=1)
+        value = worst[:, 4] + 0.2 * (worst[:, 5] - worst[:, 4])  # the 0.3 quantile of fifteen
+        best, gain = 0, -1.0
+        for k, (_, p) in enumerate(pool):
+            if p and sliding + sum(p for _, p in chosen) >= 3:
                 continue
-            tried = appended(chain, [*chosen, joint])
-            # at zero, where the virtual joints are to come out, not at values of no special kind
-            q = sample_joints(tried, 15, seed=2)
-            q[:, chain.n :] = 0.0
-            s = np.linalg.svd(scaled_jacobian(tried, q), compute_uv=False)
-            value = float(np.quantile(s[:, -1], 0.3))
-            if value > gain * 1.05:
-                best, gain = joint, value
-        chosen.append(best)
+            if value[k] > gain * 1.05:
+                best, gain = k, float(value[k])
+        chosen.append(pool[best])
+        J = np.concatenate([J, columns[:, :, best : best + 1]], -1)
     return tuple(chosen)
 
 
