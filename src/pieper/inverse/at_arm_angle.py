@@ -7,7 +7,7 @@ import numpy as np
 from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import CLOSES, distinct_rows
 from pieper.inverse.refine import pose_difference, scaled_jacobian
-from pieper.inverse.solutions import NO_ARM_ANGLE, TURN, UNCERTAIN, inside_limits
+from pieper.inverse.solutions import AT_ARM_ANGLE, NO_ARM_ANGLE, TURN, UNCERTAIN, inside_limits
 from pieper.inverse.sweep import Sweep, approached, sweep
 from pieper.kinematics.armangle import STRETCHED, ArmAngle
 from pieper.kinematics.pose import rotation_about
@@ -42,7 +42,7 @@ def solve_at_arm_angle(
             q[i, : len(rows)], valid[i, : len(rows)] = rows, True
     q = np.where(valid[..., None], np.pi - (np.pi - q) % TURN, 0.0)
     q, inside = inside_limits(q, plan.limits, plan.prismatic)
-    return q, valid, inside & valid, flag
+    return q, valid, inside & valid, flag | np.uint8(AT_ARM_ANGLE)
 
 
 def _closed_form(angle: ArmAngle, T: np.ndarray, angles: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.inverse.solutions import COUNT_CHANGES, NO_ARM_ANGLE, OUT_OF_REACH_FLAG, Status
+from pieper.inverse.solutions import AT_ARM_ANGLE, COUNT_CHANGES, NO_ARM_ANGLE, OUT_OF_REACH_FLAG, Status
 from pieper.kinematics.armangle import POLE
 
 if TYPE_CHECKING:
@@ -63,13 +63,17 @@ def why(plan: Plan, sols: Solutions) -> str:
         count = f"{len(sols.families)} continuous family(ies)"
         return f"The pose is singular: {count} ({text}) and {isolated} isolated solution(s)."
     if status == Status.REDUNDANT:
-        held = ", ".join(plan.redundancy)
+        held = _held(plan, sols)
         return (
             f"{m} solution(s) at the chosen {held}; the arm has {len(plan.redundancy)} joint(s) to spare for this task."
         )
     double = int(np.sum(sols.multiplicity > 1))
     merged = f", {double} of them double (two branches meet there)" if double else ""
     return f"{m} of {k} solution(s) lie inside the joint limits{merged}."
+
+
+def _held(plan: Plan, sols: Solutions) -> str:
+    return "arm angle" if sols._flag & AT_ARM_ANGLE else ", ".join(plan.redundancy)
 
 
 def _out_of_reach(plan: Plan, sols: Solutions) -> str:
@@ -80,7 +84,7 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     if radians > 5e-3:
         miss += f" and {np.degrees(radians):.3g} deg"
     if plan.redundancy and metres < 1e-7 * plan.chain.length and radians < 1e-7:
-        held = ", ".join(plan.redundancy)
+        held = _held(plan, sols)
         return f"No solution at the chosen {held}, though the arm can take the pose with other values."
     what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[
         plan.task

@@ -21,11 +21,15 @@ from pieper.inverse.solutions import (
     Status,
     inside_limits,
 )
+from pieper.inverse.sweep import best_slice
+from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.pose import checked_pose
 
 _CAREFUL = DEGENERATE
 #: Poses on a singularity that `ik_many` looks at one by one in a call: it bounds the work of a call.
 MOST_CAREFUL = 500
+#: Poses of a redundant arm in a call of `ik_many` whose families are traced because no slice through them was met.
+MOST_TRACED = 20
 #: Smallest relative singular value at which a marked pose is not looked at further.
 CLEAR = 1.5e-7
 #: The name by which an arm angle is asked for.
@@ -71,8 +75,7 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
             poses = _batch(poses)
             q, valid, inside, flag = _rows(plan, poses, values, threads)
     if plan.redundancy and redundancy is None:
-        for i in np.flatnonzero(~_any(inside))[:MOST_CAREFUL]:
-            _put(_ik_reduced(plan, poses[i], None), q[i], valid[i], inside[i])
+        _choose_elsewhere(plan, poses, q, valid, inside)
     some = _any(valid)
     best = Status.REDUNDANT if plan.redundancy else Status.SOLVED
     codes = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, best], np.uint8)
@@ -87,8 +90,25 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
             status[i] = found.status
         # beyond that the kernel's own rows stand, one of each family, and the pose is called singular unread
         status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
+    if plan.redundancy and redundancy is not None:
+        # not at the value that was asked for, but perhaps at others
+        for i in np.flatnonzero(~some & ((flag & UNCERTAIN) == 0))[:MOST_CAREFUL]:
+            _, found, within = best_slice(plan, checked_pose(poses[i]))
+            status[i] = codes[int(found.any()) + int(within.any())]
     status[(flag & UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, q, valid, inside, status, flag)
+
+
+def _choose_elsewhere(plan: Plan, poses: np.ndarray, q: np.ndarray, valid: np.ndarray, inside: np.ndarray) -> None:
+    """Give poses another value of the spare coordinate, which nobody chose, where the default has no solution inside."""
+    traced = 0
+    for i in np.flatnonzero(~_any(inside))[:MOST_CAREFUL]:
+        rows, ok, within = best_slice(plan, checked_pose(poses[i]))
+        if within.any() or (ok.any() and not valid[i].any()):
+            q[i], valid[i], inside[i] = rows, ok, within
+        elif not ok.any() and traced < MOST_TRACED:
+            traced += 1
+            _put(_ik_reduced(plan, poses[i], None), q[i], valid[i], inside[i])
 
 
 def _rows(plan: Plan, poses: np.ndarray, values: np.ndarray | None, threads: int):
@@ -130,6 +150,13 @@ def arm_angles(plan: Plan, redundancy: object, count: int) -> np.ndarray | None:
             f"the {ARM_ANGLE} must be one number, or one a pose, got shape {angles.shape}.", given=redundancy
         )
     return np.broadcast_to(angles, (count,))
+
+
+def read_arm_angle(plan: Plan, q: object) -> tuple[np.ndarray, np.ndarray]:
+    """Return the arm angles of joint vectors; see `Arm.arm_angle`."""
+    if plan.arm_angle is None:
+        raise InputError(f"{plan.name} has no {ARM_ANGLE}: {plan.no_arm_angle}.")
+    return plan.arm_angle.of(checked_joints(q, plan.n))
 
 
 def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
@@ -194,8 +221,10 @@ def _ik_reduced(plan: Plan, T: object, redundancy: object) -> Solutions:
         families = partial(families_of, plan, T, values[0])
         if redundancy is None and not within.any():
             # nobody chose the spare coordinate: any value will do that has an answer
-            families = families()
-            if families:
+            others, ok, there = best_slice(plan, T)
+            if there.any() or (ok.any() and not len(rows)):
+                rows, slots, within = others[ok], np.flatnonzero(ok), there[ok]
+            elif not ok.any() and (families := families()):
                 rows = np.array([family.representative for family in families])
                 rows, within = inside_limits(rows, plan.limits, plan.prismatic)
                 slots = np.arange(len(rows))

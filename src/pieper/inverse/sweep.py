@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.inverse.plan import Plan
-from pieper.inverse.reduced import full_rows
+from pieper.inverse.reduced import full_rows, solve_reduced
 from pieper.inverse.reduction import sample_joints
 from pieper.inverse.refine import pose_difference, scaled_jacobian
-from pieper.inverse.solutions import TURN
+from pieper.inverse.solutions import TURN, inside_limits
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import stepped
 
@@ -89,6 +89,22 @@ def sweep(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray) -> Swe
         at = np.insert(at, halved + 1, middle)
         q, valid = np.insert(q, halved + 1, rows, axis=0), np.insert(valid, halved + 1, ok, axis=0)
     return Sweep(at, q, valid, after)
+
+
+def best_slice(plan: Plan, T: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return q (M, n), valid (M,), in_limits (M,) of a pose (4, 4) where most solutions are inside the limits.
+
+    The first redundant coordinate takes the values of a sweep's first slices, the others their defaults.
+    """
+    lower, upper = span(plan, plan.reduction.locked[0])
+    at = np.linspace(lower, upper, SLICES if plan.reduction.at_ends is not None else SLICES_PREPARED)
+    held = np.tile(plan.defaults, (len(at), 1))
+    held[:, 0] = at
+    q, valid, _, _ = solve_reduced(plan, np.tile(T, (len(at), 1, 1)), held, 1)
+    q, inside = inside_limits(q, plan.limits, plan.prismatic)
+    inside &= valid
+    best = int(np.argmax(100 * inside.sum(1) + valid.sum(1)))
+    return np.where(valid[best][:, None], q[best], 0.0), valid[best], inside[best]
 
 
 def span(plan: Plan, joint: int) -> tuple[float, float]:
