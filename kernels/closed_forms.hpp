@@ -1,4 +1,4 @@
-// The closed-form families of closed_forms.cpp, to be listed in isa.cpp.
+// The closed-form families of closed_forms.cpp and offset_wrist.cpp, to be listed in isa.cpp.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@ PIEPER_CLOSED_FORM(closed_spherical_wrist)
 PIEPER_CLOSED_FORM(closed_three_parallel)
 PIEPER_CLOSED_FORM(closed_position3)
 PIEPER_CLOSED_FORM(closed_orientation3)
+PIEPER_CLOSED_FORM(closed_offset_wrist)
 #undef PIEPER_CLOSED_FORM
 
 }  // namespace pieper::PIEPER_ISA

@@ -182,7 +182,9 @@ void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, in
       if (j != k && list[j].pose == list[k].pose && list[j].partner == 0 && list[j].solution == list[k].solution) {
         double d = __builtin_fabs(list[j].angle - list[k].angle);
         d = d > kPi ? __builtin_fabs(kTwoPi - d) : d;
-        if (d < 1e-5) found[list[k].pose].merged[list[k].solution] = true;  // a double root
+        Found& all = found[list[k].pose];
+        // a double root; roots that coincide where the posture is far from singular belong to two solutions, one of them not found
+        if (d < 1e-5 && all.sigma[list[k].solution] < 1e-3) all.merged[list[k].solution] = true;
         else if (j < k) own = false;
       }
     Report& r = report[list[k].pose];

@@ -32,6 +32,7 @@ const FamilyEntry families[] = {
     {"spherical_wrist_parallel", &solve_batch<SphericalWristParallel>},
     {"spherical_wrist", &closed_spherical_wrist},
     {"three_parallel", &closed_three_parallel},
+    {"offset_wrist", &closed_offset_wrist},
     {"position3", &closed_position3},
     {"orientation3", &closed_orientation3},
     {"general", &solve_general},

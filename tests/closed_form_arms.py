@@ -149,3 +149,28 @@ def newton_solutions(rng, chain: Chain, T: np.ndarray, starts: int) -> np.ndarra
         if all(difference(chain, row, other) > 1e-5 for other in distinct):
             distinct.append(row)
     return np.array(distinct).reshape(-1, chain.n)
+
+
+def offset_arm(rng, alike: bool) -> Chain:
+    """Return an arm with axes 2 and 3 parallel (of either sense), 1 across them, 4 and 5 meeting, all else any.
+
+    Args:
+        rng: The generator.
+        alike: Whether the two sides of the arm are alike: no offset of shoulder or forearm, no twist out of the plane.
+    """
+    links = [_rigid(rng) for _ in range(7)]
+    side = float(rng.choice([-1, 1])) * QUARTER
+    links[1] = (
+        rotation_z(rng.uniform(-3, 3))
+        @ translation(x=0.0 if alike else rng.uniform(-0.3, 0.3), z=0.2)
+        @ rotation_x(side)
+    )
+    turned = rotation_x(float(rng.choice([0, np.pi])))
+    links[2] = rotation_z(rng.uniform(-3, 3)) @ translation(x=0.5, z=0.0 if alike else rng.uniform(-0.2, 0.2)) @ turned
+    if alike:  # axis 4 leaves the elbow along the forearm
+        links[3] = rotation_z(rng.uniform(-3, 3)) @ rotation_x(side) @ rotation_z(rng.uniform(-3, 3))
+    links[4] = translation(z=0.4) @ rotation_x(rng.uniform(0.4, 2.7)) @ rotation_z(rng.uniform(-3, 3))
+    for j in range(6):  # where a frame sits on its axis must not matter
+        shift = translation(z=rng.uniform(-0.3, 0.3))
+        links[j], links[j + 1] = links[j] @ shift, inverse(shift) @ links[j + 1]
+    return Chain.of(np.array(links), np.zeros(6, bool))

@@ -29,6 +29,12 @@ FAMILY_WORDS = {
         "The parallel joints move within a plane; what happens across that plane fixes the other joints, and a "
         "two-link triangle in it fixes the three.",
     ),
+    "offset_wrist": (
+        "parallel second and third axes and a wrist of which only two neighbouring axes meet",
+        "With the last joint's angle chosen, the point where axes 4 and 5 meet is known, and with it shoulder and "
+        "elbow: two sides, two shapes of the triangle. That axes 4 and 5 meet under their own angle is then one "
+        "equation for the last joint, a trigonometric polynomial, of which every real root is isolated.",
+    ),
     "general": (
         "no special arrangement that a closed form could use",
         "Five of the six joints are eliminated (Raghavan and Roth, 1993); the roots of the remaining equation, of "
@@ -150,7 +156,7 @@ def explain(plan: Plan) -> str:
         f"  At most {plan.max_solutions} solutions a pose"
         + (" and choice of the spare joints." if plan.redundancy else ".")
     ]
-    if plan.direct and plan.family == "general":
+    if plan.direct and plan.max_solutions > 8:  # more than three pairs of words can tell apart
         lines += [
             f"  Posture names: this arm is {plan.cuspidal}." if plan.cuspidal.found else f"  Cuspidal? {plan.cuspidal}."
         ]

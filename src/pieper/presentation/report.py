@@ -163,7 +163,7 @@ def add_peculiarities(page: Document, arm: Arm) -> None:
             notes.append(f"It has more joints than the task needs; {_and(list(plan.redundancy))} may be chosen freely.")
         if plan.snapped:
             notes.append(f"Its geometry was taken as special where it is nearly so: {'; '.join(plan.snapped)}.")
-        if plan.direct and plan.family == "general":
+        if plan.direct and plan.max_solutions > 8:  # more than three pairs of words can tell apart
             notes.append(
                 f"Can it pass from one solution to another without meeting a singularity? It is {plan.cuspidal}."
             )

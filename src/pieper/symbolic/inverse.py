@@ -129,7 +129,7 @@ def _choices(arm, plan, task: str):
         first = tuple(j + 1 for j in plan.reduction.locked if j < arm.n)
         spare = max(spare, len(first))
     # the solver's own choice first, unless it stands for an arm that the solver has no closed form for either
-    general = plan is not None and plan.family == "general" and spare
+    general = plan is not None and plan.max_solutions > 8 and spare
     seen = {first} if (len(first) == spare or not spare) and not general else set()
     yield from seen
     if not seen and not spare:

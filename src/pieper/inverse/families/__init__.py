@@ -12,7 +12,7 @@ from pieper.inverse.families.spec import KernelSpec
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
 
-FAMILIES = ("spherical_wrist_parallel", "spherical_wrist", "three_parallel", "general")
+FAMILIES = ("spherical_wrist_parallel", "spherical_wrist", "three_parallel", "offset_wrist", "general")
 
 
 def choose(chain: Chain, geometry: Geometry, families: tuple[str, ...] = FAMILIES) -> tuple[str, KernelSpec]:
