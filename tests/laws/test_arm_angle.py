@@ -1,4 +1,4 @@
-"""Laws of the arm angle: what is returned has the angle that was asked for, nothing is missing, and no angle is said."""
+"""Laws of the arm angle: solutions have the angle asked for, none is missing, and where there is none it is said."""
 
 from __future__ import annotations
 

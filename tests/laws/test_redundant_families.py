@@ -1,4 +1,4 @@
-"""Laws of redundant arms: families that are met whole however small, limits, whole turns and nearest by a slow oracle."""
+"""Laws of redundant arms: families are met however small; limits, turns and nearest agree with a slow oracle."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import CLOSES, distinct_rows
 from pieper.inverse.refine import pose_difference, scaled_jacobian
 from pieper.inverse.solutions import AT_ARM_ANGLE, NO_ARM_ANGLE, TURN, UNCERTAIN, inside_limits
-from pieper.inverse.sweep import Sweep, approached, sweep
+from pieper.inverse.sweep import Sweep, approached, sweep, unknown
 from pieper.kinematics.armangle import STRETCHED, ArmAngle
 from pieper.kinematics.pose import rotation_about
 
@@ -98,7 +98,7 @@ def _by_sweep(plan: Plan, angle: ArmAngle, T: np.ndarray, wanted: float) -> tupl
     swept = sweep(plan, T, 0, plan.defaults)
     now, known = angle.about(swept.q, x, y, defined)
     off = np.where(known, (now - wanted + np.pi) % TURN - np.pi, 0.0)
-    free = approached(plan, T, FREE_STARTS)
+    free = unknown(plan, swept, 0, approached(plan, T, FREE_STARTS))
     starts = np.concatenate([swept.q[swept.valid & known & _may_cross(swept, off)], free])
     if not len(starts):
         return starts, 0

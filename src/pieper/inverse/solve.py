@@ -100,7 +100,7 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
 
 
 def _choose_elsewhere(plan: Plan, poses: np.ndarray, q: np.ndarray, valid: np.ndarray, inside: np.ndarray) -> None:
-    """Give poses another value of the spare coordinate, which nobody chose, where the default has no solution inside."""
+    """Choose another value of the spare coordinate where its default, which nobody chose, gives nothing inside."""
     traced = 0
     for i in np.flatnonzero(~_any(inside))[:MOST_CAREFUL]:
         rows, ok, within = best_slice(plan, checked_pose(poses[i]))

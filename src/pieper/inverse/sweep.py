@@ -128,7 +128,7 @@ def _slices(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, at: 
 
 
 def _apart(plan: Plan, q: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Return the distances (V, M, M) of rows (V, M, n) of two slices each, angles around the circle."""
+    """Return the distances (V, M, K) of rows (V, M, n) from others (V, K, n), angles around the circle."""
     prismatic = plan.reduction.full.prismatic
     gap = q[:, :, None] - other[:, None, :]
     gap[..., ~prismatic] = np.remainder(gap[..., ~prismatic] + np.pi, TURN) - np.pi
@@ -175,19 +175,31 @@ def beside(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, swept
     twists = _to_either_side()
     poses = np.repeat(stepped(T, twists, full.length), len(at), 0)
     q, valid = _slices(plan, poses, coordinate, values, np.tile(at, len(twists)))
-    own, there = np.tile(here, len(twists)), np.zeros(valid.shape, bool)
-    # a slice of T a step further on counts too: near its ends a branch moves fast
-    for step in (-1, 0, 1):
-        near = np.clip(own + step, 0, len(swept.values) - 1)
-        distance = _apart(plan, q, swept.q[near])
-        there |= ((distance < KNOWN) & swept.valid[near][:, None, :]).any(2)
-    slices, rows = np.nonzero(valid & ~there)
+    slices, rows = np.nonzero(valid & ~_known(plan, swept, np.tile(here, len(twists)), q))
     every = max(1, -(-len(slices) // MOST_FOLLOWED))
     slices, rows = slices[::every], rows[::every]
     q, twists = q[slices, rows], np.repeat(twists, len(at), 0)[slices]
     for k in range(1, FOLLOW_STAGES + 1):
         q = _newton_steps(full, q, stepped(T, twists * FOLLOW_RATIO**k, full.length), 3)
     return _arrived(full, _newton_steps(full, q, T, 12), T)
+
+
+def unknown(plan: Plan, swept: Sweep, coordinate: int, q: np.ndarray) -> np.ndarray:
+    """Return the rows (k, n) of q (m, n) that have no neighbour among those of a sweep."""
+    at = q[:, plan.reduction.locked[coordinate]]
+    here = np.minimum(np.searchsorted(swept.values, at), len(swept.values) - 1)
+    return q[~_known(plan, swept, here, q[:, None])[:, 0]]
+
+
+def _known(plan: Plan, swept: Sweep, here: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """Return (N, M): whether rows q (N, M, n), each at or before slice `here` (N,), have a neighbour in the sweep."""
+    known = np.zeros(q.shape[:2], bool)
+    # a slice further on counts too: near its ends a branch moves fast
+    for step in (-1, 0, 1):
+        near = np.clip(here + step, 0, len(swept.values) - 1)
+        distance = _apart(plan, q, swept.q[near])
+        known |= ((distance < KNOWN) & swept.valid[near][:, None, :]).any(2)
+    return known
 
 
 def _to_either_side() -> np.ndarray:
