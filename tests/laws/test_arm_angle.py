@@ -163,6 +163,22 @@ def test_a_wrist_on_the_pole_of_the_reference_has_no_arm_angle_and_says_so(name)
     assert arm.ik(beside, redundancy={"arm angle": 0.3}).status != Status.UNCERTAIN
 
 
+@pytest.mark.parametrize("shoulder", [0.0, 1e-10, 1e-7, 1e-3])
+@pytest.mark.parametrize("wrist", [0.0, 1e-9, 1e-6, 1e-2])
+def test_shoulder_and_wrist_in_line_or_nearly_lose_nothing(shoulder, wrist):
+    arm = pieper.load("kuka-lbr-iiwa-14-r820")
+    q = np.array([0.3, shoulder, 0.5, 1.0, 0.2, wrist, 0.3])
+    T, asked = arm.fk(q), float(arm.arm_angle(q)[0])
+    sols = arm.ik(T, redundancy={"arm angle": asked})
+    assert sols.status == Status.REDUNDANT
+    assert arm.plan.residual(sols.all_q, T).max() < 1e-12
+    assert np.abs(turned([angle_by_definition(arm, row) for row in sols.all_q], asked)).max() < 1e-9
+    # where axes line up only the sum of their joints is told
+    told = [[row[0] + row[2], row[1], row[3], row[4] + row[6], row[5]] for row in (*sols.all_q, q)]
+    assert np.abs(turned(told[:-1], told[-1])).max(1).min() < 1e-6
+    assert len(sols.all_q) == 2 * (1 if shoulder == 0 else 2) * (1 if wrist == 0 else 2)
+
+
 def test_a_wrist_straight_up_has_an_arm_angle():
     arm = pieper.load("kuka-lbr-iiwa-14-r820")
     q = np.array([0.7, 0.5, 0.2, -1.0, 0.3, 0.6, 0.1])

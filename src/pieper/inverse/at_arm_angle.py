@@ -180,11 +180,19 @@ def _three_turns(u1: np.ndarray, u2: np.ndarray, u3: np.ndarray, R: np.ndarray) 
 
     Where the outer axes line up, only the sum of their turns counts, and the first is zero.
     """
-    flat = u3 - (u3 @ u2) * u2
-    q2, real = _two(u1 @ flat, u1 @ np.cross(u2, flat), R @ u3 @ u1 - (u1 @ u2) * (u2 @ u3))
+    # a spherical triangle: the sides between the axes are known, and the one between the outer axes as R puts them
+    flat, end = u3 - (u3 @ u2) * u2, R @ u3
+    side = np.arctan2(np.linalg.norm(np.cross(u1, end), axis=-1), end @ u1)
+    first, second = (np.arctan2(np.linalg.norm(np.cross(u2, u)), u2 @ u) for u in (u1, u3))
+    low = 2 * np.sin((side + first - second) / 2) * np.sin((side - first + second) / 2)
+    high = 2 * np.sin((first + second + side) / 2) * np.sin((first + second - side) / 2)
+    half = np.arctan2(np.sqrt(np.maximum(low * high, 0.0)), (high - low) / 2)
+    middle = np.arctan2(u1 @ np.cross(u2, flat), u1 @ flat)
+    q2 = np.stack([middle + half, middle - half], -1)
+    real = np.stack([np.minimum(low, high) > -1e-13] * 2, -1)
     turned = rotation_about(u2, q2)
     third = turned @ u3
-    q1 = _about(u1, third, (R @ u3)[..., None, :])
+    q1 = _about(u1, third, end[..., None, :])
     left = np.swapaxes(rotation_about(u1, q1) @ turned, -1, -2) @ R[..., None, :, :]
     across = np.cross(u3, np.eye(3)[np.argmin(np.abs(u3))])
     q3 = _about(u3, np.broadcast_to(across, third.shape), left @ across)
@@ -193,10 +201,11 @@ def _three_turns(u1: np.ndarray, u2: np.ndarray, u3: np.ndarray, R: np.ndarray) 
 
 def _about(axis: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
     """Return the angles (...) about an axis that bring start nearest to end (..., 3); zero where both lie along it."""
-    sine = np.sum(axis * np.cross(start, end), -1)
-    cosine = np.sum(start * end, -1) - (start @ axis) * (end @ axis)
-    none = np.hypot(sine, cosine) < 1e-14 * np.linalg.norm(start, axis=-1) * np.linalg.norm(end, axis=-1)
-    return np.where(none, 0.0, np.arctan2(sine, cosine))
+    # what is across the axis first: it may be small, and differences of products of the whole would lose it
+    a, b = np.cross(axis, start), np.cross(axis, end)
+    small = 1e-15 * np.linalg.norm(start, axis=-1)
+    none = (np.linalg.norm(a, axis=-1) <= small) | (np.linalg.norm(b, axis=-1) <= small)
+    return np.where(none, 0.0, np.arctan2(np.cross(a, b) @ axis, np.sum(a * b, -1)))
 
 
 def _across(line: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
