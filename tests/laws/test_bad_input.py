@@ -135,6 +135,14 @@ def test_a_pose_rounded_to_float32_is_solved_and_said_to_be_rounded(request, whi
     assert not arm.ik(arm.fk(Q)).rounded
 
 
+def test_a_rounded_pose_of_a_redundant_arm_is_said_to_be_rounded():
+    arm = pieper.load("franka-panda")
+    T = arm.fk(np.full(7, 0.4))
+    rounded = T.astype(np.float32).astype(float)
+    assert arm.ik(rounded, redundancy=0.4).rounded and arm.ik_many(rounded[None], redundancy=0.4).flag[0] & 8
+    assert not arm.ik(T, redundancy=0.4).rounded and not arm.ik_many(T[None], redundancy=0.4).flag[0] & 8
+
+
 @pytest.mark.parametrize("q", [np.zeros(5), np.zeros((2, 7)), np.full(6, np.nan), "abc", None, 3.0, [[1, 2], [3]]])
 @pytest.mark.parametrize("method", ["fk", "frames", "jacobian"])
 def test_bad_joint_vectors_are_refused(arm, method, q):

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper.inverse.nominal import distinct_rows
 from pieper.inverse.plan import Plan
-from pieper.inverse.reduced import CLOSES, distinct_rows
+from pieper.inverse.reduced import CLOSES
 from pieper.inverse.refine import pose_difference, scaled_jacobian
 from pieper.inverse.solutions import AT_ARM_ANGLE, NO_ARM_ANGLE, TURN, UNCERTAIN, inside_limits
 from pieper.inverse.sweep import Sweep, approached, sweep, unknown

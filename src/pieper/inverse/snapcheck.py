@@ -9,6 +9,7 @@ import numpy as np
 from pieper.errors import PlanError
 from pieper.inverse.families import choose
 from pieper.inverse.native import SixJointSolver
+from pieper.inverse.nominal import FILLED_ZERO, UNLIMITED, distinct_rows, nominal_rows
 from pieper.inverse.plan import Plan
 from pieper.inverse.solutions import COUNT_CHANGES, UNCERTAIN
 from pieper.kinematics.geometry import look
@@ -21,13 +22,9 @@ MARGIN = 3.0
 #: Poses whose surroundings are looked at in one go: it bounds the memory.
 CHUNK = 4096
 
-_UNLIMITED = np.tile([-np.inf, np.inf], (6, 1))
-
 
 def in_doubt(plan: Plan, T: np.ndarray, values: np.ndarray, count: np.ndarray) -> np.ndarray:
     """Return (N,) bool: poses T (N, 4, 4) near which the nominal arm has another count of solutions than count (N,)."""
-    from pieper.inverse.reduced import nominal_rows
-
     size = MARGIN * plan.drift
     twists = np.concatenate([size * np.eye(6), -size * np.eye(6)])
     doubt = np.zeros(len(T), bool)
@@ -48,13 +45,11 @@ def exact_solver(plan: Plan, values: tuple[float, ...]) -> SixJointSolver | None
         _, spec = choose(six, look(six, GEOMETRY_EXACT))
     except PlanError:
         return None
-    return SixJointSolver(six, spec, _UNLIMITED)
+    return SixJointSolver(six, spec, UNLIMITED)
 
 
 def exact_rows(plan: Plan, T: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, bool]:
     """Return the rows (m, n) of one pose (4, 4) of the arm as described, and whether they are certainly all."""
-    from pieper.inverse.reduced import FILLED_ZERO
-
     reduction = plan.exact
     # one kernel serves all values of joints locked at the ends
     solver = exact_solver(plan, () if reduction.at_ends is not None else tuple(values))
@@ -91,8 +86,6 @@ def counted(
         full (N, max_solutions, n), valid and flag: where a pair of solutions lies between the nominal arm and the true
         one, the rows of the true one with the flags UNCERTAIN and COUNT_CHANGES.
     """
-    from pieper.inverse.reduced import distinct_rows
-
     most = plan.max_solutions
     if full.shape[1] < most:
         full = np.pad(full, ((0, 0), (0, most - full.shape[1]), (0, 0)))

@@ -15,6 +15,7 @@ from pieper.inverse.refine import scaled_jacobian
 from pieper.inverse.singular import examine, side_steps
 from pieper.inverse.solutions import (
     DEGENERATE,
+    ROUNDED,
     UNCERTAIN,
     SolutionBatch,
     Solutions,
@@ -206,8 +207,8 @@ def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
     return values
 
 
-def _ik_reduced(plan: Plan, T: object, redundancy: object) -> Solutions:
-    T = checked_pose(T)
+def _ik_reduced(plan: Plan, given: object, redundancy: object) -> Solutions:
+    T = checked_pose(given)
     angles = arm_angles(plan, redundancy, 1)
     values = redundancy_values(plan, redundancy, 1) if angles is None else plan.defaults[None]
     if angles is None:
@@ -215,6 +216,8 @@ def _ik_reduced(plan: Plan, T: object, redundancy: object) -> Solutions:
     else:
         q, valid, inside, flag = solve_at_arm_angle(plan, T[None], angles)
     rows, slots, within, bits = q[0][valid[0]], np.flatnonzero(valid[0]), inside[0][valid[0]], int(flag[0])
+    if not np.array_equal(T, np.asarray(given, float)):
+        bits |= ROUNDED
     if plan.redundancy:
         from pieper.inverse.redundant import families_of
 
