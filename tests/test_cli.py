@@ -52,6 +52,22 @@ def test_fk_takes_negative_numbers_radians_expressions_and_postures(run):
     assert np.allclose(json.loads(out)["T"], ARM.fk(ARM.description.postures["home"]))
 
 
+def test_ik_takes_a_spare_joint_by_value_or_by_name_and_an_arm_angle_in_degrees(run):
+    arm = pieper.load("kuka-lbr-iiwa-14-r820")
+    T = arm.fk(np.full(7, 0.4))
+    pose = [float(v) * (1000 if i % 4 == 3 else 1) for i, v in enumerate(T[:3].ravel())]
+    _, out, _ = run("ik", arm.name, *pose, "--redundancy", "20", "--all", "--json")
+    by_value = [row["q"] for row in json.loads(out)["solutions"]]
+    assert np.allclose(by_value, arm.ik(T, redundancy=np.radians(20)).all_q, atol=1e-9)
+    _, out, _ = run("ik", arm.name, *pose, "--redundancy", "joint_1=20", "--all", "--json")
+    assert np.allclose([row["q"] for row in json.loads(out)["solutions"]], by_value, atol=1e-12)
+    _, out, _ = run("ik", arm.name, *pose, "--redundancy", "arm angle=20", "--all", "--json")
+    rows = np.array([row["q"] for row in json.loads(out)["solutions"]])
+    assert len(rows) == 8 and np.allclose(arm.arm_angle(rows)[0], np.radians(20), atol=1e-9)
+    status, _, said = run("ik", arm.name, *pose, "--redundancy", "elbow=20")
+    assert status == 2 and "arm angle" in said
+
+
 def test_ik_prints_every_solution_with_label_limit_and_residual(run):
     status, out, _ = run("ik", "denso-vp6242", 350, 0, 400, "--all")
     assert status == 0

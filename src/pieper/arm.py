@@ -146,7 +146,9 @@ class Arm:
         Args:
             T: (4, 4), base to tool.
             task: "pose", "position" or "position+axis"; the plan states the default.
-            redundancy: Value of the redundant coordinate of an arm that has one, rad or m.
+            redundancy: Value of the redundant coordinate of an arm that has one, rad or m; one a coordinate, in the
+                order of `plan.redundancy`; or by name, such as `{"joint_1": 0.3}` or `{"arm angle": 0.3}`, one of
+                `plan.choices`.
 
         Raises:
             InputError: T is not a pose, or the redundancy value is impossible.
@@ -165,6 +167,17 @@ class Arm:
             redundancy: As in `ik`, one value or one a pose.
         """
         return solve.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
+
+    def arm_angle(self, q: object) -> tuple[np.ndarray, np.ndarray]:
+        """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
+
+        `ik(T, redundancy={"arm angle": value})` solves for one. An undefined angle is given as zero; where that is so
+        and how the angle counts is told in docs/inverse.md.
+
+        Raises:
+            InputError: The arm has no arm angle; the message says why.
+        """
+        return solve.read_arm_angle(self.plan_for("pose"), q)
 
     def follow(self, path: object, *, start: object) -> Track:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""

@@ -135,6 +135,14 @@ def test_a_pose_rounded_to_float32_is_solved_and_said_to_be_rounded(request, whi
     assert not arm.ik(arm.fk(Q)).rounded
 
 
+def test_a_rounded_pose_of_a_redundant_arm_is_said_to_be_rounded():
+    arm = pieper.load("franka-panda")
+    T = arm.fk(np.full(7, 0.4))
+    rounded = T.astype(np.float32).astype(float)
+    assert arm.ik(rounded, redundancy=0.4).rounded and arm.ik_many(rounded[None], redundancy=0.4).flag[0] & 8
+    assert not arm.ik(T, redundancy=0.4).rounded and not arm.ik_many(T[None], redundancy=0.4).flag[0] & 8
+
+
 @pytest.mark.parametrize("q", [np.zeros(5), np.zeros((2, 7)), np.full(6, np.nan), "abc", None, 3.0, [[1, 2], [3]]])
 @pytest.mark.parametrize("method", ["fk", "frames", "jacobian"])
 def test_bad_joint_vectors_are_refused(arm, method, q):
@@ -182,6 +190,61 @@ def test_a_redundancy_value_outside_the_limits_is_said(arm):
             assert "limit" in str(error) or "range" in str(error)
         else:
             assert len(sols.q) == 0 and sols.status.name in ("OUTSIDE_LIMITS", "OUT_OF_REACH")
+
+
+@pytest.mark.parametrize(
+    ("value", "word"),
+    [
+        ({"elbow": 0.1}, "joint_1, arm angle"),
+        ({"joint_1": np.nan}, "finite"),
+        ({"joint_1": "a"}, "finite"),
+        ({"joint_1": 3.1}, "limits"),
+        ({"arm angle": np.inf}, "finite"),
+        ({"arm angle": None}, "finite"),
+        ([[0.1, 0.2]], "shape"),
+        ([0.1, 0.2, 0.3, 0.4], "shape"),
+    ],
+)
+def test_an_impossible_redundancy_by_name_or_pose_is_refused_alone_and_in_a_batch(value, word):
+    arm = pieper.load("kuka-lbr-iiwa-14-r820")
+    T = arm.fk(np.full(7, 0.4))
+    with within(5), pytest.raises(pieper.InputError, match=word):
+        arm.ik(T, redundancy=value)
+    with within(5), pytest.raises(pieper.InputError, match=word):
+        arm.ik_many(np.stack([T, T]), redundancy=value)
+
+
+def test_one_impossible_redundancy_among_many_is_refused():
+    arm = pieper.load("kuka-lbr-iiwa-14-r820")
+    Ts = np.stack([arm.fk(np.full(7, 0.4))] * 3)
+    for values, word in (([0.1, np.nan, 0.2], "finite"), ([0.1, 0.2, 9.0], "limits")):
+        with within(5), pytest.raises(pieper.InputError, match=word):
+            arm.ik_many(Ts, redundancy=values)
+
+
+def test_too_few_values_for_several_spare_joints_are_refused_and_the_joints_named():
+    arm = Arm.from_dh([DH(0.1, 1.0, 0.2, 0)] * 9, convention="standard")
+    with within(10), pytest.raises(pieper.InputError) as error:
+        arm.ik(arm.fk(np.full(9, 0.3)), redundancy=0.2)
+    assert all(name in str(error.value) for name in arm.plan.redundancy) and len(arm.plan.redundancy) == 3
+
+
+def test_thirty_joints_give_their_families_in_bounded_time():
+    arm = HARD["30 joints"]()
+    with within(60):
+        sols = arm.ik(arm.fk(np.linspace(-1, 1, 30)))
+        assert sols.families and all(family.dimension > 1 for family in sols.families)
+
+
+def test_a_bad_pose_of_a_redundant_arm_is_refused_and_named_by_its_index():
+    arm = pieper.load("franka-panda")
+    for change, _ in (BAD_POSES[name] for name in ("nan in the rotation", "left-handed", "scaled", "bad last row")):
+        Ts = np.stack([arm.fk(np.full(7, 0.4))] * 9)
+        changed = change(Ts[7])
+        if changed is not None:
+            Ts[7] = changed
+        with within(5), pytest.raises(pieper.InputError, match="7"):
+            arm.ik_many(Ts, redundancy=0.4)
 
 
 def test_a_redundancy_value_for_an_arm_that_has_none_is_refused(arm):

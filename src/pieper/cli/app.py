@@ -114,7 +114,9 @@ def fk(arm: str, joints: tuple[str, ...], frames: bool, json: bool, length: str,
 @click.option(
     "--task", default="", metavar="TASK", help='"pose", "position" or "position+axis"; the arm has a default.'
 )
-@click.option("--redundancy", default="", metavar="VALUE", help="Value of a redundant joint.")
+@click.option(
+    "--redundancy", default="", metavar="VALUE", help="Value of a redundant joint, or by name: 'arm angle=20'."
+)
 @click.option("--all", "everything", is_flag=True, help="Also solutions outside the joint limits.")
 @figure
 @as_json

@@ -77,13 +77,13 @@ def ik(
     units = Units(length, angle)
     arm = load(name)
     T = pose(words, units, order)
-    spare = _redundancy(arm, redundancy, units)
+    plan = arm.plan_for(task or None)
+    spare = _redundancy(plan, redundancy, units)
     sols = arm.ik(T, task=task or None, redundancy=spare)
     closest = sols.nearest(joints(arm, [near], units, "--near")) if near and len(sols) else None
     rows = sols.all_q if everything else sols.q
     labels = sols.all_labels if everything else sols.labels
     inside = sols.in_limits if everything else np.ones(len(sols), bool)
-    plan = arm.plan if not task else arm.plan_for(task)
     residual = plan.residual(rows, sols.T) if len(rows) else np.zeros((0, 2))
     status = DONE if len(sols) or sols.families else NO_SOLUTION
     if figure and len(sols):
@@ -133,12 +133,25 @@ def ik(
     return status
 
 
-def _redundancy(arm, text: str, units: Units) -> object:
+def _redundancy(plan, text: str, units: Units) -> object:
+    """Read "20", "20 30" or "arm angle=20; joint_1=30": angles and lengths in the units said."""
     if not text:
         return None
+    if "=" in text:
+        given = {}
+        for part in text.split(";"):
+            name, _, value = part.partition("=")
+            given[name.strip()] = numbers([value], "--redundancy")[0] * _unit(plan, name.strip(), units)
+        return given
     values = numbers([text], "--redundancy")
-    scaled = [v * units.radians for v in values]
+    names = [*plan.redundancy, *[""] * len(values)]
+    scaled = [v * _unit(plan, name, units) for v, name in zip(values, names, strict=False)]
     return scaled[0] if len(scaled) == 1 else np.array(scaled)
+
+
+def _unit(plan, name: str, units: Units) -> float:
+    sliding = name in plan.names and plan.prismatic[plan.names.index(name)]
+    return units.metres if sliding else units.radians
 
 
 def _all_families(sols, rows: np.ndarray) -> np.ndarray:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper.inverse.families import ELIMINATING
 from pieper.inverse.plan import Plan
-from pieper.inverse.reduced import unsnapped
 from pieper.inverse.selfmotion import Family
 from pieper.inverse.singular import Examined, examine
 from pieper.inverse.solutions import TURN
@@ -27,9 +27,9 @@ def every_solution(plan: Plan, T: np.ndarray, rows: np.ndarray) -> Examined:
         T: (4, 4).
         rows: (k, n) solutions already known.
     """
-    full = unsnapped(plan) if plan.snapped else plan.reduction.full
+    full = plan.exact.full
     # closed forms lose nothing next to a self-motion: only what an elimination gives is searched for more
-    hiding = plan.family == "general"
+    hiding = plan.family in ELIMINATING
     if full.n == plan.n:
         return examine(full, T, rows, lambda poses: near_rows(plan, poses), plan.limits, plan.names, hiding=hiding)
     # values of the virtual joints are not known of given rows: all are solved for again

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,17 @@ from pieper.errors import InputError, PlanError
 from pieper.inverse.families import choose, tier
 from pieper.inverse.families.spec import KernelSpec
 from pieper.inverse.native import SixJointSolver
-from pieper.inverse.reduction import TASKS, Reduction, default_task, generic_rank, reduce, with_task_joints
+from pieper.inverse.reduction import (
+    TASKS,
+    Reduction,
+    default_task,
+    generic_rank,
+    reduce,
+    sample_joints,
+    with_task_joints,
+)
+from pieper.inverse.refine import pose_difference
+from pieper.kinematics.armangle import ArmAngle, arm_angle
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import Geometry, look, snapped
@@ -42,6 +52,8 @@ class Plan:
         spec: The prepared kernel.
         rank: How many things the arm can do at once for this task.
         snapped: What was moved to make the geometry special, in words; empty when nothing was.
+        defaults: Values (k,) of the locked joints when nobody chooses, rad or m.
+        base: (4, 4) the frame the arm's table stands in; the arm angle counts from it.
     """
 
     name: str
@@ -58,6 +70,7 @@ class Plan:
     rank: int
     snapped: tuple[str, ...] = ()
     defaults: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    base: np.ndarray = field(default_factory=lambda: np.eye(4))
 
     @property
     def n(self) -> int:
@@ -69,10 +82,15 @@ class Plan:
         """(n,) bool."""
         return self.chain.prismatic
 
-    @property
+    @cached_property
     def redundancy(self) -> tuple[str, ...]:
         """Names of the redundant coordinates, in the order their values are given; empty where there is none."""
         return tuple(self._joint_name(j) for j in self.reduction.locked)
+
+    @property
+    def choices(self) -> tuple[str, ...]:
+        """Names that `redundancy` may be given for: the redundant coordinates, and the arm angle where there is one."""
+        return (*self.redundancy, *(("arm angle",) if self.arm_angle else ()))
 
     def _joint_name(self, joint: int) -> str:
         if joint < self.n:
@@ -86,7 +104,7 @@ class Plan:
         """Names of the arm's joints and of the task's virtual ones."""
         return tuple(self._joint_name(j) for j in range(self.reduction.full.n))
 
-    @property
+    @cached_property
     def full_limits(self) -> np.ndarray:
         """Limits of the arm's joints and of the task's virtual ones, which have none."""
         extra = self.reduction.full.n - self.n
@@ -98,9 +116,30 @@ class Plan:
         return self.reduction.trivial and self.nominal is self.chain
 
     @cached_property
+    def immediate(self) -> bool:
+        """Whether the native solver's rows are the answer but for locked columns: nothing filled, polished or cut."""
+        reduction = self.reduction
+        return not reduction.fill and not self.snapped and (reduction.trivial or reduction.at_ends is not None)
+
+    @cached_property
+    def exact(self) -> Reduction:
+        """The reduction of the arm as described; another one than `reduction` only where geometry was snapped."""
+        if self.nominal is self.chain:
+            return self.reduction
+        return replace(self.reduction, arm=self.chain, full=with_task_joints(self.chain, self.task))
+
+    @cached_property
+    def drift(self) -> float:
+        """How far the nominal arm's pose is from the arm's own at the same joint vector, at most (per length; rad)."""
+        if self.nominal is self.chain:
+            return 0.0
+        q = sample_joints(self.chain, 64)
+        return float(np.linalg.norm(pose_difference(self.chain, q, fk(self.nominal, q)), axis=-1).max())
+
+    @cached_property
     def solver(self) -> SixJointSolver:
         """The native solver of the six-joint chain (for locked joints at the ends or none)."""
-        limits = self.limits if self.reduction.trivial else np.tile([-np.inf, np.inf], (6, 1))
+        limits = self.full_limits[self.reduction.kept] if self.immediate else np.tile([-np.inf, np.inf], (6, 1))
         return SixJointSolver(self.reduction.six(self.defaults), self.spec, limits)
 
     def residual(self, q: np.ndarray, T: np.ndarray) -> np.ndarray:
@@ -113,6 +152,22 @@ class Plan:
             a, b = now[..., :3, 2], T[..., :3, 2]
             error[..., 1] = np.arctan2(np.linalg.norm(np.cross(a, b), axis=-1), np.sum(a * b, -1))
         return error
+
+    @property
+    def arm_angle(self) -> ArmAngle | None:
+        """The arm angle, which may be chosen instead of the redundant joint; None where `no_arm_angle` says why not."""
+        return self._arm_angle if isinstance(self._arm_angle, ArmAngle) else None
+
+    @property
+    def no_arm_angle(self) -> str:
+        """Why the arm angle cannot be chosen, in words; empty where it can."""
+        return self._arm_angle if isinstance(self._arm_angle, str) else ""
+
+    @cached_property
+    def _arm_angle(self) -> ArmAngle | str:
+        if self.task != "pose" or len(self.redundancy) != 1:
+            return "an arm angle needs a full pose and one joint to spare"
+        return arm_angle(self.chain, self.base)
 
     @cached_property
     def cuspidal(self) -> Cuspidal | None:
@@ -177,6 +232,8 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
     most = spec.max_solutions
     if wanted == "position" and reduction.full.n - len(reduction.locked) == 6 and not reduction.fill and chain.n <= 3:
         most //= 2  # the two turns of the virtual wrist are one position
+    if moved:
+        most = max(most, 16)  # what nearly is special need not be bounded as what is
     return Plan(
         name=description.name,
         chain=chain,
@@ -192,6 +249,7 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         rank=full.n - len(reduction.locked),
         snapped=tuple(moved),
         defaults=defaults,
+        base=description.base,
     )
 
 

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.inverse.solutions import OUT_OF_REACH_FLAG, Status
+from pieper.inverse.solutions import AT_ARM_ANGLE, COUNT_CHANGES, NO_ARM_ANGLE, OUT_OF_REACH_FLAG, Status
+from pieper.kinematics.armangle import POLE
 
 if TYPE_CHECKING:
     from pieper.inverse.plan import Plan
@@ -55,6 +56,17 @@ def why(plan: Plan, sols: Solutions) -> str:
         return _out_of_reach(plan, sols)
     if status == Status.OUTSIDE_LIMITS:
         return _outside_limits(plan, sols)
+    if status == Status.UNCERTAIN and sols._flag & NO_ARM_ANGLE:
+        return (
+            "The arm angle is undefined at this pose: the line from shoulder to wrist points along the pole of the "
+            f"reference or the elbow lies on it, within {POLE:g} rad. Choose {', '.join(plan.redundancy)} instead."
+        )
+    if status == Status.UNCERTAIN and sols._flag & COUNT_CHANGES:
+        return (
+            f"{k} solution(s) of the arm as described were found and verified, another number than its nominal arm has "
+            f"here: solutions merge or appear within the {plan.drift * plan.chain.length * 1e3:.3g} mm by which the "
+            "two differ."
+        )
     if status == Status.UNCERTAIN:
         return f"{k} solution(s) were found and verified, but the check that none is missing failed at this pose."
     isolated = int(np.sum(sols.in_family < 0))
@@ -63,13 +75,17 @@ def why(plan: Plan, sols: Solutions) -> str:
         count = f"{len(sols.families)} continuous family(ies)"
         return f"The pose is singular: {count} ({text}) and {isolated} isolated solution(s)."
     if status == Status.REDUNDANT:
-        held = ", ".join(plan.redundancy)
+        held = _held(plan, sols)
         return (
             f"{m} solution(s) at the chosen {held}; the arm has {len(plan.redundancy)} joint(s) to spare for this task."
         )
     double = int(np.sum(sols.multiplicity > 1))
     merged = f", {double} of them double (two branches meet there)" if double else ""
     return f"{m} of {k} solution(s) lie inside the joint limits{merged}."
+
+
+def _held(plan: Plan, sols: Solutions) -> str:
+    return "arm angle" if sols._flag & AT_ARM_ANGLE else ", ".join(plan.redundancy)
 
 
 def _out_of_reach(plan: Plan, sols: Solutions) -> str:
@@ -80,7 +96,7 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     if radians > 5e-3:
         miss += f" and {np.degrees(radians):.3g} deg"
     if plan.redundancy and metres < 1e-7 * plan.chain.length and radians < 1e-7:
-        held = ", ".join(plan.redundancy)
+        held = _held(plan, sols)
         return f"No solution at the chosen {held}, though the arm can take the pose with other values."
     what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[
         plan.task
@@ -131,6 +147,8 @@ def explain(plan: Plan) -> str:
             f"more joints than the task needs: {', '.join(plan.redundancy)} held at a chosen value "
             f"(by default {values})"
         )
+    if plan.arm_angle:
+        steps.append(f"instead of it the arm angle may be chosen ({plan.arm_angle.words})")
     if reduction.fill:
         steps.append(
             f"the arm can do {6 - len(reduction.fill)} things at once: {len(reduction.fill)} virtual joint(s) are "

@@ -15,6 +15,7 @@ import numpy as np
 
 from pieper.inverse.refine import scaled_jacobian
 from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import fk, jacobian
 from pieper.kinematics.pose import inverse, rotation_about, transform
 
 TASKS = ("pose", "position", "position+axis")
@@ -154,20 +155,29 @@ class Reduction:
         chain = self.with_locked(values)
         return appended(chain, list(self.fill)) if self.fill else chain
 
+    @cached_property
+    def _back(self) -> np.ndarray:
+        """Inverse links (n + 1, 4, 4) of full."""
+        return inverse(self.full.links)
+
     def moved_pose(self, T: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the poses (N, 4, 4) the six-joint chain must reach, locked values (N, k) at the ends taken off."""
         if self.at_ends is None or not self.locked:
             return T
         first, tail = self.at_ends
         n = self.full.n
-        before = np.broadcast_to(np.eye(4), T.shape)
+        # from the base inwards: T = L Z T' with T' what is left, hence T' = Z^-1 L^-1 T
         for j in range(first):
-            before = before @ self.full.links[j] @ _motion(values[:, j], self.full.prismatic[j])
-        after = np.broadcast_to(np.eye(4), T.shape)
-        for k in range(tail):
+            T = np.einsum("ij,njk->nik", self._back[j], T)
+            T = _taken_off(T, values[:, j], bool(self.full.prismatic[j]))
+        # from the tool inwards the same, seen from the other side: T = T' Z L
+        for k in range(tail - 1, -1, -1):
             j = n - tail + k
-            after = after @ _motion(values[:, first + k], self.full.prismatic[j]) @ self.full.links[j + 1]
-        return inverse(before) @ T @ inverse(after)
+            T = (T.reshape(-1, 4) @ self._back[j + 1]).reshape(-1, 4, 4)
+            T = np.swapaxes(
+                _taken_off(np.swapaxes(T, 1, 2), -values[:, first + k], bool(self.full.prismatic[j]), column=True), 1, 2
+            )
+        return T
 
 
 def reduce(chain: Chain, task: str) -> list[Reduction]:
@@ -182,15 +192,12 @@ def reduce(chain: Chain, task: str) -> list[Reduction]:
     spare = full.n - rank
     if spare == 0:
         return [Reduction(chain, task, full, (), _filling(full, 6 - rank, full.n > chain.n))]
-    ways = []
-    q = sample_joints(full, 12)
-    J = scaled_jacobian(full, q)
-    for locked in _choices(full, chain, J, spare):
-        kept = np.setdiff1d(np.arange(full.n), locked)
-        s = np.linalg.svd(J[:, :, kept], compute_uv=False)
-        smallest = float(np.median(s[:, rank - 1] / s[:, 0]))
-        if smallest > RANK:
-            ways.append((smallest, locked))
+    J = scaled_jacobian(full, sample_joints(full, 12))
+    choices = _choices(full, chain, J, spare)
+    kept = np.array([[j for j in range(full.n) if j not in locked] for locked in choices])
+    s = np.linalg.svd(np.moveaxis(J[:, :, kept], 2, 0), compute_uv=False)  # ways, postures, singular values
+    smallest = np.median(s[..., rank - 1] / s[..., 0], axis=1)
+    ways = [(float(value), locked) for value, locked in zip(smallest, choices, strict=True) if value > RANK]
     ways.sort(key=lambda way: -way[0])
     out = []
     # filling takes time: where it is needed, only the best few ways are made ready
@@ -233,32 +240,43 @@ def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[np.ndarray,
     tilted = [rotation_about(v / np.linalg.norm(v), 1.1) for v in rng.standard_normal((3, 3))]
     pool = [(R, p) for p in (True, False) for R in (*(() if virtual else (np.eye(3), _X, _Y)), *tilted)]
     sliding = int(chain.prismatic.sum())
+    # at zero, where the virtual joints are to come out, not at values of no special kind: there a virtual joint turns
+    # about, or slides along, an axis through the tool point
+    tried = appended(chain, pool[:1])
+    q = sample_joints(tried, 15, seed=2)[:, : chain.n]
+    J = jacobian(chain, q).copy()
+    J[:, :3] /= tried.length
+    J = np.where(chain.prismatic, J * tried.length, J)
+    axes = fk(chain, q)[:, :3, :3] @ np.array([R[:, 2] for R, _ in pool]).T  # postures, xyz, pool
+    slides = np.array([p for _, p in pool])
+    columns = np.concatenate([np.where(slides, axes, 0.0), np.where(slides, 0.0, axes)], 1)
     chosen: list[tuple[np.ndarray, bool]] = []
     for _ in range(count):
-        best, gain = pool[0], -1.0
-        for joint in pool:
-            if joint[1] and sliding + sum(p for _, p in chosen) >= 3:
+        tables = np.concatenate([np.repeat(J[None], len(pool), 0), np.moveaxis(columns, 2, 0)[..., None]], -1)
+        worst = np.sort(np.linalg.svd(tables, compute_uv=False)[..., -1], axis=1)
+        value = worst[:, 4] + 0.2 * (worst[:, 5] - worst[:, 4])  # the 0.3 quantile of fifteen
+        best, gain = 0, -1.0
+        for k, (_, p) in enumerate(pool):
+            if p and sliding + sum(p for _, p in chosen) >= 3:
                 continue
-            tried = appended(chain, [*chosen, joint])
-            # at zero, where the virtual joints are to come out, not at values of no special kind
-            q = sample_joints(tried, 15, seed=2)
-            q[:, chain.n :] = 0.0
-            s = np.linalg.svd(scaled_jacobian(tried, q), compute_uv=False)
-            value = float(np.quantile(s[:, -1], 0.3))
-            if value > gain * 1.05:
-                best, gain = joint, value
-        chosen.append(best)
+            if value[k] > gain * 1.05:
+                best, gain = k, float(value[k])
+        chosen.append(pool[best])
+        J = np.concatenate([J, columns[:, :, best : best + 1]], -1)
     return tuple(chosen)
 
 
-def _motion(values: np.ndarray, prismatic: bool) -> np.ndarray:
-    Z = np.zeros((len(values), 4, 4))
-    Z[:, 2, 2] = Z[:, 3, 3] = 1.0
+def _taken_off(T: np.ndarray, values: np.ndarray, prismatic: bool, *, column: bool = False) -> np.ndarray:
+    """Return Z(values)^-1 T for poses (N, 4, 4), or Z(values)^T T when `column` (poses handed over transposed)."""
+    out = np.array(T, order="K")
     if prismatic:
-        Z[:, 0, 0] = Z[:, 1, 1] = 1.0
-        Z[:, 2, 3] = values
-    else:
-        Z[:, 0, 0] = Z[:, 1, 1] = np.cos(values)
-        Z[:, 1, 0] = np.sin(values)
-        Z[:, 0, 1] = -Z[:, 1, 0]
-    return Z
+        # Z^-1 T takes the slide off the third row; transposed, Z^T adds it to the last row
+        if column:
+            out[:, 3] += values[:, None] * T[:, 2]
+        else:
+            out[:, 2] -= values[:, None] * T[:, 3]
+        return out
+    c, s = np.cos(values)[:, None], np.sin(values)[:, None]
+    out[:, 0] = c * T[:, 0] + s * T[:, 1]
+    out[:, 1] = c * T[:, 1] - s * T[:, 0]
+    return out

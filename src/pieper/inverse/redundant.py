@@ -5,95 +5,91 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.inverse.plan import Plan
-from pieper.inverse.reduced import solve_reduced
-from pieper.inverse.refine import newton, pose_difference
+from pieper.inverse.reduced import full_rows
+from pieper.inverse.refine import pose_difference
 from pieper.inverse.selfmotion import MOST_STEPS, Family, trace
-from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
+from pieper.inverse.sweep import HOLDS, approached, beside, span, sweep
 
-#: Values of the redundant coordinate that are tried to meet every family, and the most families that are traced.
-SLICES, DRAWS, MOST_FAMILIES = 48, 60, 24
+#: Starts from which the pose is approached freely, besides the sweep.
+STARTS = 96
+#: Draws of several redundant coordinates where the given values have no solution, and the most families traced.
+DRAWS, MOST_FAMILIES = 60, 24
 #: Where several coordinates are redundant the solutions form a surface: lines followed on it, and how far.
 MOST_LINES, LINE_STEPS = 8, 60
+#: A seed this near to a traced curve is on it; between this and `DOUBTFUL` it is slid onto the curve to see.
+ON_POLYLINE, DOUBTFUL = 5e-3, 5e-2
+#: A family that takes less than this part of the redundant coordinate's range is small.
+SMALL = 0.05
+#: Seeds whose distances to a curve are taken at once: it bounds the memory.
+CHUNK = 256
 
 
-def families_of(plan: Plan, T: np.ndarray, values: np.ndarray, rows: np.ndarray) -> tuple[Family, ...]:
+def families_of(plan: Plan, T: np.ndarray, values: np.ndarray) -> tuple[Family, ...]:
     """Trace every family of a pose of a redundant arm.
 
-    Slices at many values of the first redundant coordinate (the others stay) give starting points on every curve that
-    reaches over more than a slice's width; each point not on a traced curve starts a new one.
+    A sweep over the first redundant coordinate (the others stay) meets every curve that reaches over more than a
+    slice's width. A curve that lies between two slices is small in that coordinate; it is met by free approach (see
+    `approached`). Each point not on a traced curve starts a new one, and where a traced curve is small the pose is
+    solved within its range too: what arms have by symmetry is often small there as well.
 
     Args:
         plan: A plan with redundancy.
         T: (4, 4).
         values: (k,) the redundant coordinates asked for.
-        rows: (m, n) solutions at those values.
     """
     full = plan.reduction.full
     spare = len(plan.redundancy)
-    seeds = _completed(plan, rows, T, values)
-    if spare == 1 or not seeds:
-        seeds += _seeds(plan, T, values)
+    seeds = _seeds(plan, T, values)
     families: list[Family] = []
-    for q in seeds:
-        # a surface has no list of curves: one line through each solution shows the way, and `dimension` says the rest
-        if len(families) >= (MOST_FAMILIES if spare == 1 else MOST_LINES):
-            break
-        if any(family.distance(q) < 0.02 for family in families):
-            continue
-        if np.linalg.norm(pose_difference(full, q, T)) > 1e-9:
-            continue
-        steps = MOST_STEPS if spare == 1 else LINE_STEPS
-        families.append(trace(full, q, T, plan.full_limits, plan.full_names, shown=plan.n, most_steps=steps))
+    # a surface has no list of curves: one line through each solution shows the way, and `dimension` says the rest
+    most, steps = (MOST_FAMILIES, MOST_STEPS) if spare == 1 else (MOST_LINES, LINE_STEPS)
+    while len(seeds) and len(families) < most:
+        family = trace(full, seeds[0], T, plan.full_limits, plan.full_names, shown=plan.n, most_steps=steps)
+        seeds = seeds[1:]
+        families.append(family)
+        if spare == 1:
+            more = _within(plan, T, family)
+            for other in families[:-1]:
+                more = more[~_on(other, more)]
+            seeds = np.concatenate([seeds, more])
+        seeds = seeds[~_on(family, seeds)]
     return tuple(families)
 
 
-def _seeds(plan: Plan, T: np.ndarray, values: np.ndarray) -> list[np.ndarray]:
-    """Return points of the pose at many values of the redundant coordinates.
-
-    The first coordinate is swept at the given values of the others; where that meets nothing and there are others,
-    all of them are drawn at random (the same draws every time).
-    """
-    ranges = [_range(plan, joint) for joint in plan.reduction.locked]
-    lower, upper = ranges[0]
-    # a joint held inside the chain needs a kernel prepared for each value
-    slices = SLICES if plan.reduction.at_ends is not None else SLICES // 4
-    sweep = np.tile(values, (slices, 1))
-    sweep[:, 0] = np.linspace(lower, upper, slices, endpoint=bool(upper - lower < 2 * np.pi - 1e-9))
-    found = _points(plan, T, sweep)
-    if not found and len(ranges) > 1:
-        low, high = np.array(ranges).T
-        found = _points(plan, T, np.random.default_rng(8).uniform(low, high, (DRAWS, len(ranges))))
-    return found
+def _within(plan: Plan, T: np.ndarray, family: Family) -> np.ndarray:
+    """Return all solutions (m, n) at two values of the redundant coordinate that a small family takes."""
+    column = family.samples[:, plan.reduction.locked[0]]
+    low, high = column.min(), column.max()
+    lower, upper = span(plan, plan.reduction.locked[0])
+    if high - low > SMALL * (upper - lower):
+        return np.zeros((0, plan.reduction.full.n))
+    within = low + np.array([0.38, 0.71]) * (high - low)
+    return holding(plan, T, *full_rows(plan, np.tile(T, (2, 1, 1)), within[:, None], 1)[:2])
 
 
-def _range(plan: Plan, joint: int) -> tuple[float, float]:
-    lower, upper = plan.full_limits[joint]
-    span = 2 * plan.chain.length if plan.reduction.full.prismatic[joint] else np.pi
-    return max(lower, -span), min(upper, span)
+def _seeds(plan: Plan, T: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Return points (m, n) of the pose, the task's virtual joints included, on every family."""
+    swept = sweep(plan, T, 0, values)
+    found = holding(plan, T, swept.q, swept.valid)
+    if not len(found) and len(values) > 1:
+        low, high = np.array([span(plan, joint) for joint in plan.reduction.locked]).T
+        drawn = np.random.default_rng(8).uniform(low, high, (DRAWS, len(values)))
+        found = holding(plan, T, *full_rows(plan, np.tile(T, (DRAWS, 1, 1)), drawn, 1)[:2])
+    hidden = beside(plan, T, 0, values, swept) if len(values) == 1 else found[:0]
+    return np.concatenate([found, hidden, approached(plan, T, STARTS)])
 
 
-def _points(plan: Plan, T: np.ndarray, values: np.ndarray) -> list[np.ndarray]:
-    q, valid, _, _ = solve_reduced(plan, np.tile(T, (len(values), 1, 1)), values, 1)
-    return [row for i in range(len(values)) for row in _completed(plan, q[i][valid[i]], T, values[i])]
+def holding(plan: Plan, T: np.ndarray, q: np.ndarray, valid: np.ndarray) -> np.ndarray:
+    """Return the valid rows (m, n) of q (N, M, n) that hold the pose T (4, 4) well enough to set out from."""
+    rows = q[valid]
+    return rows[np.linalg.norm(pose_difference(plan.reduction.full, rows, T), axis=-1) < HOLDS]
 
 
-def _completed(plan: Plan, rows: np.ndarray, T: np.ndarray, values: np.ndarray) -> list[np.ndarray]:
-    """Return rows (m, n) with the task's virtual joints added, so that they reach the full pose."""
-    full = plan.reduction.full
-    if full.n == plan.n:
-        return list(rows)
-    out = []
-    for row in rows:
-        start = np.zeros(full.n)
-        start[: plan.n] = row
-        for joint, value in zip(plan.reduction.locked, values, strict=True):
-            start[joint] = value
-        # the virtual joints are a wrist at the tool: solved alone, from a few starts, with the arm where it is
-        wrist = Chain.of(np.concatenate([[fk(plan.chain, row)], full.links[plan.n + 1 :]]), full.prismatic[plan.n :])
-        starts = np.vstack([start[plan.n :], np.random.default_rng(2).uniform(-3, 3, (5, full.n - plan.n))])
-        turned = newton(wrist, starts, T, steps=30)
-        best = np.argmin(np.linalg.norm(pose_difference(wrist, turned, T), axis=-1))
-        start[plan.n :] = turned[best]
-        out.append(start)
-    return out
+def _on(family: Family, seeds: np.ndarray) -> np.ndarray:
+    """Return which of the seeds (m, n) lie on a traced curve."""
+    parts = [family.distances(seeds[i : i + CHUNK]) for i in range(0, len(seeds), CHUNK)]
+    away = np.concatenate(parts) if parts else np.zeros(0)
+    on = away < ON_POLYLINE
+    for i in np.flatnonzero(~on & (away < DOUBTFUL)):
+        on[i] = family.contains(seeds[i], 1e-5)
+    return on

@@ -146,9 +146,15 @@ class Family:
             return None
         q_now = self._padded(q_now)
         wound = unwound(self.samples, np.broadcast_to(q_now, self.samples.shape), self.limits, self.chain.prismatic)
-        start = wound[int(np.argmin(np.where(self._sample_inside, self._straight(q_now, wound), np.inf)))]
-        point = self._slid(start, lambda p: np.where(self._virtual, 0.0, q_now - p) / self._unit, self.limits)
-        return point[: self.shown]
+        away = np.where(self._sample_inside, self._straight(q_now, wound), np.inf)
+        # samples a step apart do not say which of several minima along the curve is the lowest
+        lowest = np.flatnonzero((away <= np.append(away[1:], np.inf)) & (away <= np.append(np.inf, away[:-1])))
+        lowest = lowest[away[lowest] <= away.min() + STEP]
+        points = [
+            self._slid(wound[i], lambda p: np.where(self._virtual, 0.0, q_now - p) / self._unit, self.limits)
+            for i in lowest[np.argsort(away[lowest], kind="stable")][:4]
+        ]
+        return points[int(np.argmin([self._straight(q_now, p) for p in points]))][: self.shown]
 
     @property
     def _unit(self) -> np.ndarray:
@@ -163,27 +169,32 @@ class Family:
             direction = tangent(self.chain, point)[0]
             weight = np.where(self._virtual, 0.0, direction)
             along = float(gap(point) @ weight) / max(float(weight @ weight), 1e-12)
-            moved = newton(
-                self.chain, point + np.clip(along, -STEP, STEP) * direction * self._unit, self.T, steps=5, cutoff=1e-7
-            )
-            if limits is not None and not _within(moved, limits):
-                break
-            if np.linalg.norm(gap(moved)) >= np.linalg.norm(gap(point)):
+            step = float(np.clip(along, -STEP, STEP))
+            while abs(step) > 1e-10:  # a step that leaves the limits, or leads away, is too long
+                moved = newton(self.chain, point + step * direction * self._unit, self.T, steps=5, cutoff=1e-7)
+                inside = limits is None or _within(moved, limits)
+                if inside and np.linalg.norm(gap(moved)) < np.linalg.norm(gap(point)):
+                    break
+                step /= 2
+            else:
                 break
             point = moved
-            if abs(along) < 1e-13:
-                break
         return point
 
     def distance(self, q: np.ndarray) -> float:
         """Return how far a joint vector (n,) is from the curve, rad or characteristic lengths, whole turns ignored."""
-        difference = self._gaps(self._padded(q), self.samples)
-        if len(difference) == 1:
-            return float(np.linalg.norm(difference[0]))
+        return float(self.distances(self._padded(q)[None])[0])
+
+    def distances(self, q: np.ndarray) -> np.ndarray:
+        """Return how far joint vectors (m, n), virtual joints included, are from the curve, as `distance`."""
+        difference = self._gaps(q[:, None], self.samples)
+        to_samples = np.min(np.einsum("mkn,mkn->mk", difference, difference), axis=1)
+        if difference.shape[1] == 1:
+            return np.sqrt(to_samples)
         segment = np.where(self._virtual, 0.0, np.diff(self._unitless, axis=0))
-        inner = np.sum(difference[:-1] * segment, 1) / np.maximum(np.sum(segment * segment, 1), 1e-300)
-        foot = difference[:-1] - np.clip(inner, 0, 1)[:, None] * segment
-        return float(np.sqrt(min(np.min(np.sum(foot**2, 1)), np.min(np.sum(difference**2, 1)))))
+        inner = np.einsum("mkn,kn->mk", difference[:, :-1], segment) / np.maximum(np.sum(segment * segment, 1), 1e-300)
+        foot = difference[:, :-1] - np.clip(inner, 0, 1)[..., None] * segment
+        return np.sqrt(np.minimum(to_samples, np.min(np.einsum("mkn,mkn->mk", foot, foot), axis=1)))
 
     def contains(self, q: np.ndarray, tolerance: float = 1e-6) -> bool:
         """Whether q (n,) lies on the curve within a tolerance (rad)."""

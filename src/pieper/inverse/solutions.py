@@ -22,6 +22,10 @@ TURN = 2 * np.pi
 
 #: Flag bits that the kernels set for a pose.
 DEGENERATE, UNCERTAIN, OUT_OF_REACH_FLAG, ROUNDED = 1, 2, 4, 8
+#: Flag bits that are set beside UNCERTAIN and say why: no arm angle at this pose; a snapped arm's count changes here.
+NO_ARM_ANGLE, COUNT_CHANGES = 16, 32
+#: Flag bit that says what was chosen: the arm angle, not the redundant joint.
+AT_ARM_ANGLE = 64
 
 
 class Status(IntEnum):
@@ -150,7 +154,8 @@ class Solutions:
         if len(self.q) == 0:
             if len(self.all_q) == 0 and not self.families:
                 return Status.OUT_OF_REACH
-            if not any(family.inside for family in self.families):
+            # of a redundant arm this is said of the value of the spare coordinate that was chosen
+            if (self._plan.redundancy and len(self.all_q)) or not any(family.inside for family in self.families):
                 return Status.OUTSIDE_LIMITS
         if self._plan.redundancy:
             return Status.REDUNDANT
@@ -236,7 +241,8 @@ class SolutionBatch:
         valid: (N, max_solutions) bool, true solutions, limits not applied.
         in_limits: (N, max_solutions) bool, those inside the limits.
         status: (N,) Status codes.
-        flag: (N,) bits: 1 degenerate, 2 uncertain, 4 out of reach, 8 rotation rounded.
+        flag: (N,) bits: 1 degenerate, 2 uncertain, 4 out of reach, 8 rotation rounded, 16 the arm angle is undefined,
+            32 the number of solutions of a snapped arm changes near the pose, 64 solved at an arm angle.
     """
 
     __slots__ = ("_plan", "flag", "in_limits", "q", "status", "valid")

@@ -8,6 +8,8 @@ from functools import partial
 import numpy as np
 
 from pieper.errors import InputError
+from pieper.inverse.at_arm_angle import solve_at_arm_angle
+from pieper.inverse.families import ELIMINATING
 from pieper.inverse.looked import every_solution, near_rows
 from pieper.inverse.plan import Plan
 from pieper.inverse.reduced import solve_reduced
@@ -16,19 +18,26 @@ from pieper.inverse.singular import side_steps
 from pieper.inverse.solutions import (
     DEGENERATE,
     OUT_OF_REACH_FLAG,
+    ROUNDED,
     UNCERTAIN,
     SolutionBatch,
     Solutions,
     Status,
     inside_limits,
 )
+from pieper.inverse.sweep import best_slice
+from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.pose import checked_pose
 
 _CAREFUL = DEGENERATE
 #: Poses on a singularity that `ik_many` looks at one by one in a call: it bounds the work of a call.
 MOST_CAREFUL = 500
+#: Poses of a redundant arm in a call of `ik_many` whose families are traced because no slice through them was met.
+MOST_TRACED = 20
 #: Smallest relative singular value at which a marked pose is not looked at further.
 CLEAR = 1.5e-7
+#: The name by which an arm angle is asked for.
+ARM_ANGLE = "arm angle"
 
 
 def ik(plan: Plan, T: object, redundancy: object = None) -> Solutions:
@@ -51,24 +60,26 @@ def ik(plan: Plan, T: object, redundancy: object = None) -> Solutions:
 def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: object = None) -> SolutionBatch:
     """Return every solution of N poses; see `Arm.ik_many`."""
     threads = _threads(threads)
-    if not plan.direct:
-        poses = _batch(Ts)
-        values = redundancy_values(plan, redundancy, len(poses))
-        q, valid, inside, flag = solve_reduced(plan, poses, values, threads)
+    if plan.direct and redundancy is not None:
+        raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
+    # the native solver looks at its poses itself; the checked route says what is wrong, or makes it right
+    plain = (plan.direct or plan.immediate) and isinstance(Ts, np.ndarray)
+    poses = np.ascontiguousarray(Ts, dtype=float) if plain else _batch(Ts)
+    if poses.ndim != 3 or poses.shape[1:] != (4, 4):
+        poses = _batch(poses)
+    angles = None if plan.direct else arm_angles(plan, redundancy, len(poses))
+    if angles is not None:
+        poses = _batch(poses)
+        q, valid, inside, flag = solve_at_arm_angle(plan, poses, angles)
     else:
-        if redundancy is not None:
-            raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
-        poses = np.ascontiguousarray(Ts, dtype=float) if isinstance(Ts, np.ndarray) else _batch(Ts)
-        if poses.ndim != 3 or poses.shape[1:] != (4, 4):
-            poses = _batch(poses)
+        values = None if plan.direct else redundancy_values(plan, redundancy, len(poses))
         try:
-            q, valid, inside, flag = plan.solver.many(poses, threads)
+            q, valid, inside, flag = _rows(plan, poses, values, threads)
         except ValueError:
             poses = _batch(poses)
-            q, valid, inside, flag = plan.solver.many(poses, threads)
+            q, valid, inside, flag = _rows(plan, poses, values, threads)
     if plan.redundancy and redundancy is None:
-        for i in np.flatnonzero(~_any(inside))[:MOST_CAREFUL]:
-            _put(_ik_reduced(plan, poses[i], None), q[i], valid[i], inside[i])
+        _choose_elsewhere(plan, poses, q, valid, inside)
     some = _any(valid)
     best = Status.REDUNDANT if plan.redundancy else Status.SOLVED
     codes = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, best], np.uint8)
@@ -83,8 +94,31 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
             status[i] = found.status
         # beyond that the kernel's own rows stand, one of each family, and the pose is called singular unread
         status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
+    if plan.redundancy and redundancy is not None:
+        # not at the value that was asked for, but perhaps at others
+        for i in np.flatnonzero(~some & ((flag & UNCERTAIN) == 0))[:MOST_CAREFUL]:
+            _, found, within = best_slice(plan, checked_pose(poses[i]))
+            status[i] = codes[int(found.any()) + int(within.any())]
     status[(flag & UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, q, valid, inside, status, flag)
+
+
+def _choose_elsewhere(plan: Plan, poses: np.ndarray, q: np.ndarray, valid: np.ndarray, inside: np.ndarray) -> None:
+    """Choose another value of the spare coordinate where its default, which nobody chose, gives nothing inside."""
+    traced = 0
+    for i in np.flatnonzero(~_any(inside))[:MOST_CAREFUL]:
+        rows, ok, within = best_slice(plan, checked_pose(poses[i]))
+        if within.any() or (ok.any() and not valid[i].any()):
+            q[i], valid[i], inside[i] = rows, ok, within
+        elif not ok.any() and traced < MOST_TRACED:
+            traced += 1
+            _put(_ik_reduced(plan, poses[i], None), q[i], valid[i], inside[i])
+
+
+def _rows(plan: Plan, poses: np.ndarray, values: np.ndarray | None, threads: int):
+    if plan.direct:
+        return plan.solver.many(poses, threads)
+    return solve_reduced(plan, poses, values, threads)
 
 
 def _any(rows: np.ndarray) -> np.ndarray:
@@ -101,6 +135,34 @@ def _put(found: Solutions, q: np.ndarray, valid: np.ndarray, inside: np.ndarray)
     q[:rows], valid[:rows], inside[:rows] = found.all_q[:rows], True, found.in_limits[:rows]
 
 
+def arm_angles(plan: Plan, redundancy: object, count: int) -> np.ndarray | None:
+    """Return the arm angles (count,) that were asked for, rad, or None where something else was, or nothing."""
+    if not isinstance(redundancy, dict) or ARM_ANGLE not in redundancy:
+        return None
+    if len(redundancy) > 1:
+        raise InputError(f"give either the {ARM_ANGLE} or the redundant joint, not both.", given=redundancy)
+    if plan.arm_angle is None:
+        raise InputError(f"{plan.name} has no {ARM_ANGLE}: {plan.no_arm_angle}.", given=redundancy)
+    try:
+        angles = np.asarray(redundancy[ARM_ANGLE], float)
+    except (TypeError, ValueError):
+        angles = np.array(np.nan)
+    if not np.isfinite(angles).all():
+        raise InputError(f"the {ARM_ANGLE} must be a finite number, got {redundancy[ARM_ANGLE]!r}.", given=redundancy)
+    if angles.shape not in ((), (1,), (count,)):
+        raise InputError(
+            f"the {ARM_ANGLE} must be one number, or one a pose, got shape {angles.shape}.", given=redundancy
+        )
+    return np.broadcast_to(angles, (count,))
+
+
+def read_arm_angle(plan: Plan, q: object) -> tuple[np.ndarray, np.ndarray]:
+    """Return the arm angles of joint vectors; see `Arm.arm_angle`."""
+    if plan.arm_angle is None:
+        raise InputError(f"{plan.name} has no {ARM_ANGLE}: {plan.no_arm_angle}.")
+    return plan.arm_angle.of(checked_joints(q, plan.n))
+
+
 def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
     """Return the values (count, k) of the redundant coordinates: a number, one a coordinate, one a pose, or by name."""
     names = plan.redundancy
@@ -112,7 +174,7 @@ def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
         unknown = [name for name in redundancy if name not in names]
         if unknown:
             raise InputError(
-                f"{unknown[0]!r} is no redundant coordinate of this plan; they are {', '.join(names)}.",
+                f"{unknown[0]!r} is no redundant coordinate of this plan; they are {', '.join(plan.choices)}.",
                 given=redundancy,
             )
         redundancy = [redundancy.get(name, plan.defaults[i]) for i, name in enumerate(names)]
@@ -148,19 +210,27 @@ def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
     return values
 
 
-def _ik_reduced(plan: Plan, T: object, redundancy: object) -> Solutions:
-    T = checked_pose(T)
-    values = redundancy_values(plan, redundancy, 1)
-    q, valid, inside, flag = solve_reduced(plan, T[None], values, 1)
+def _ik_reduced(plan: Plan, given: object, redundancy: object) -> Solutions:
+    T = checked_pose(given)
+    angles = arm_angles(plan, redundancy, 1)
+    values = redundancy_values(plan, redundancy, 1) if angles is None else plan.defaults[None]
+    if angles is None:
+        q, valid, inside, flag = solve_reduced(plan, T[None], values, 1)
+    else:
+        q, valid, inside, flag = solve_at_arm_angle(plan, T[None], angles)
     rows, slots, within, bits = q[0][valid[0]], np.flatnonzero(valid[0]), inside[0][valid[0]], int(flag[0])
+    if not np.array_equal(T, np.asarray(given, float)):
+        bits |= ROUNDED
     if plan.redundancy:
         from pieper.inverse.redundant import families_of
 
-        families = partial(families_of, plan, T, values[0], rows)
+        families = partial(families_of, plan, T, values[0])
         if redundancy is None and not within.any():
             # nobody chose the spare coordinate: any value will do that has an answer
-            families = families()
-            if families:
+            others, ok, there = best_slice(plan, T)
+            if there.any() or (ok.any() and not len(rows)):
+                rows, slots, within = others[ok], np.flatnonzero(ok), there[ok]
+            elif not ok.any() and (families := families()):
                 rows = np.array([family.representative for family in families])
                 rows, within = inside_limits(rows, plan.limits, plan.prismatic)
                 slots = np.arange(len(rows))
@@ -201,7 +271,7 @@ def _clear(plan: Plan, rows: np.ndarray) -> bool:
     above 1e-8; a family needs sigma to vanish. The general kernel marks poses where its elimination itself is nearly
     singular, and there clear rows say nothing about those that it may have lost.
     """
-    if plan.family == "general" or plan.task != "pose" or not len(rows) or len(rows) % 2:
+    if plan.family in ELIMINATING or plan.task != "pose" or not len(rows) or len(rows) % 2:
         return False
     s = np.linalg.svd(scaled_jacobian(plan.chain, rows), compute_uv=False)
     return bool(np.all(s[:, -1] > CLEAR * s[:, 0]))

@@ -60,19 +60,20 @@ class Geometry:
     @cached_property
     def pairs(self) -> tuple[Pair, ...]:
         """The n - 1 pairs of neighbouring axes."""
-        return tuple(self._pair(i) for i in range(self.chain.n - 1))
-
-    def _pair(self, i: int) -> Pair:
-        u, v = self.chain.axes[i], self.chain.axes[i + 1]
-        w = self.chain.points[i + 1] - self.chain.points[i]
-        cross = np.cross(u, v)
-        sine = float(np.linalg.norm(cross))
-        angle = float(np.arctan2(sine, abs(u @ v)))
+        u, v = self.chain.axes[:-1], self.chain.axes[1:]
+        w = self.chain.points[1:] - self.chain.points[:-1]
+        cross = _cross(u, v)
+        sine = np.sqrt(np.sum(cross * cross, 1))
+        angle = np.arctan2(sine, np.abs(np.sum(u * v, 1)))
         parallel = angle <= self.tolerance
-        if parallel:
-            distance = float(np.linalg.norm(w - (w @ u) * u))
-        else:
-            distance = float(abs(w @ cross) / sine)
+        across = w - np.sum(w * u, 1)[:, None] * u
+        apart = np.sqrt(np.sum(across * across, 1))
+        skew = np.abs(np.sum(w * cross, 1)) / np.where(parallel, 1.0, sine)
+        distance = np.where(parallel, apart, skew)
+        return tuple(self._pair(i, float(angle[i]), float(distance[i])) for i in range(self.chain.n - 1))
+
+    def _pair(self, i: int, angle: float, distance: float) -> Pair:
+        parallel = angle <= self.tolerance
         near = distance <= self.tolerance * self.chain.length
         # a prismatic axis is a direction alone: it has no place, so it neither meets nor coincides
         if self.chain.prismatic[i] or self.chain.prismatic[i + 1]:
@@ -100,6 +101,10 @@ class Geometry:
             if self.chain.prismatic[list(joints)].any():
                 continue
             if self.pairs[i].angle <= self.tolerance or self.pairs[i + 1].angle <= self.tolerance:
+                continue
+            # axes that pass each other by more than twice a distance have no point within that distance of both
+            apart = max(self.pairs[i].distance, self.pairs[i + 1].distance)
+            if apart > 2.01 * self.tolerance * self.chain.length:
                 continue
             point, margin = self.common_point(joints)
             if margin <= self.tolerance * self.chain.length:
@@ -233,6 +238,11 @@ def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:
     if not said:
         return chain, [], 0.0
     return from_axes(axes, points, chain.prismatic, chain.home), said, moved
+
+
+def _cross(u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Return u x v of vectors (n, 3); NumPy's own is made for any axis and much slower on few vectors."""
+    return u[:, [1, 2, 0]] * v[:, [2, 0, 1]] - u[:, [2, 0, 1]] * v[:, [1, 2, 0]]
 
 
 def _frame_on(axis: np.ndarray, point: np.ndarray) -> np.ndarray:

@@ -148,6 +148,16 @@ def rotation_about(axis: np.ndarray, angle: np.ndarray | float) -> np.ndarray:
     return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * (K @ K)
 
 
+def stepped(T: np.ndarray, twists: np.ndarray, length: float) -> np.ndarray:
+    """Return poses (N, 4, 4): T turned and moved by twists (N, 6), positions per length (m), world frame."""
+    angle = np.linalg.norm(twists[:, 3:], axis=1)
+    out = np.array(np.broadcast_to(T, (len(twists), 4, 4)))
+    turn = rotation_about(twists[:, 3:] / np.maximum(angle, 1e-300)[:, None], angle)
+    out[:, :3, :3] = turn @ out[:, :3, :3]
+    out[:, :3, 3] += twists[:, :3] * length
+    return out
+
+
 def skew(v: np.ndarray) -> np.ndarray:
     """Return the matrices (..., 3, 3) with skew(v) @ w = v x w."""
     v = np.asarray(v, float)

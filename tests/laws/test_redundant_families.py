@@ -1,0 +1,229 @@
+"""Laws of redundant arms: families are met however small; limits, turns and nearest agree with a slow oracle."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pieper
+from pieper import DH, Arm, Status
+from pieper.inverse.refine import scaled_jacobian
+from pieper.inverse.selfmotion import trace
+from pieper.kinematics.pose import rotation_about
+
+POSTURE = np.array([0.4, -0.7, 0.5, 1.1, -0.6, 0.9, 0.3])
+
+
+def around(a, b):
+    """Return angles a - b around the circle."""
+    return (np.asarray(a) - b + np.pi) % (2 * np.pi) - np.pi
+
+
+def random_seven(rng) -> Arm:
+    """Return seven revolute joints of no special kind."""
+    rows = [DH(rng.uniform(-0.5, 0.5), rng.uniform(-3, 3), rng.uniform(-0.5, 0.5), 0.0) for _ in range(7)]
+    return Arm.from_dh(rows, convention="standard", name="random seven")
+
+
+def turning_point(chain, rng):
+    """Return a posture where all seven joints together lose one direction, that direction, and how the pose bends.
+
+    There the distance of the tool along that direction has a maximum or a minimum (the two bends have one sign): a
+    pose a little inside has a closed family around the posture, and a pose a little outside has none there.
+    """
+    for _ in range(200):
+        q = rng.uniform(-3, 3, chain.n)
+        u = np.linalg.svd(scaled_jacobian(chain, q))[0][:, -1]
+        for _ in range(40):
+            J = scaled_jacobian(chain, q)
+            r = np.append(J.T @ u, u @ u - 1)
+            if np.linalg.norm(r) < 1e-13:
+                break
+            A = np.zeros((chain.n + 1, chain.n + 6))
+            for j, d in enumerate(1e-6 * np.eye(chain.n)):
+                A[:-1, j] = (scaled_jacobian(chain, q + d) - scaled_jacobian(chain, q - d)).T @ u / 2e-6
+            A[:-1, chain.n :], A[-1, chain.n :] = J.T, 2 * u
+            step = -np.linalg.pinv(A, rcond=1e-6) @ r
+            step *= min(1.0, 0.3 / np.linalg.norm(step))
+            q, u = q + step[: chain.n], u + step[chain.n :]
+        if np.linalg.norm(r) > 1e-10:
+            continue
+        null = np.linalg.svd(scaled_jacobian(chain, q))[2][5:]
+        H = np.array(
+            [u @ (scaled_jacobian(chain, q + d) - scaled_jacobian(chain, q - d)) / 2e-4 for d in 1e-4 * np.eye(chain.n)]
+        )
+        bends = np.linalg.eigvalsh(null @ (H + H.T) @ null.T / 2)
+        if bends[0] * bends[1] > 1e-4 and np.abs(bends).max() < 100 * np.abs(bends).min():
+            return q, u, np.sign(bends[0])
+    raise AssertionError("no turning point was found")
+
+
+def small_family(arm, rng, depth):
+    """Return a pose with a family so small that its joints hardly move, and a point of it."""
+    chain = arm.chain
+    q, u, side = turning_point(chain, rng)
+    twist = side * depth * u
+    T = arm.fk(q)
+    angle = np.linalg.norm(twist[3:])
+    T[:3, :3] = rotation_about(twist[3:] / angle, angle) @ T[:3, :3]
+    T[:3, 3] += twist[:3] * chain.length
+    for start in q + rng.normal(0, 0.02, (200, chain.n)):
+        x = start
+        for _ in range(40):
+            now = arm.fk(x)
+            R = T[:3, :3] @ now[:3, :3].T
+            turn = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
+            e = np.concatenate([(T[:3, 3] - now[:3, 3]) / chain.length, turn])
+            if np.linalg.norm(e) < 1e-14:
+                break
+            step = np.linalg.pinv(scaled_jacobian(chain, x), rcond=1e-4) @ e
+            x = x + step * min(1.0, 0.1 / max(np.linalg.norm(step), 1e-300))
+        if np.linalg.norm(e) < 1e-12 and np.abs(x - q).max() < 0.3:
+            return T, x
+    raise AssertionError("the family that must be there was not met")
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("name", ["random", "franka-panda", "rethink-sawyer"])
+def test_a_family_that_lies_between_two_slices_is_found(name, seed):
+    rng = np.random.default_rng(seed)
+    arm = random_seven(rng) if name == "random" else pieper.load(name)
+    T, q = small_family(arm, rng, (1e-3, 1e-4, 1e-5, 1e-6)[seed])
+    family = trace(arm.chain, q, T, arm.limits, arm.joint_names)
+    held = family.samples[:, arm.plan.reduction.locked[0]]
+    assert family.closed
+    if seed >= 2:
+        assert np.ptp(held) < 2 * np.pi / 20, "this family is not small"
+    found = arm.ik(T).families
+    assert any(f.contains(q, 1e-4) for f in found)
+
+
+def on_the_slice(arm, T, joint, value, starts, rng):
+    """Return the distinct solutions with one joint held that Newton's method finds from many random starts."""
+    found = []
+    free = [j for j in range(7) if j != joint]
+    q = rng.uniform(-np.pi, np.pi, (starts, 7))
+    q[:, joint] = value
+    for _ in range(60):
+        now = arm.fk(q)
+        R = T[:3, :3] @ np.swapaxes(now[:, :3, :3], 1, 2)
+        turn = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], -1) / 2
+        turn *= np.where(np.trace(R, axis1=1, axis2=2) < 1, 2.0, 1.0)[:, None]
+        e = np.concatenate([T[:3, 3] - now[:, :3, 3], turn], 1)
+        step = np.einsum("bij,bj->bi", np.linalg.pinv(arm.jacobian(q)[:, :, free], rcond=1e-8), e)
+        step *= np.minimum(1.0, 0.5 / np.maximum(np.linalg.norm(step, axis=1, keepdims=True), 1e-300))
+        q[:, free] += step
+    good = np.abs(arm.fk(q) - T).max((1, 2)) < 1e-9
+    for row in q[good]:
+        if not any(np.abs(around(row, other)).max() < 1e-5 for other in found):
+            found.append(around(row, 0.0))
+    return np.array(found).reshape(-1, 7)
+
+
+def inside(arm, q):
+    """Return the whole-turn variants of q (7,) inside the limits."""
+    rows = [[]]
+    for value, (lower, upper) in zip(q, arm.limits, strict=True):
+        turns = [value + 2 * np.pi * k for k in (-2, -1, 0, 1, 2)]
+        rows = [[*row, v] for row in rows for v in turns if lower - 1e-9 <= v <= upper + 1e-9]
+    return np.array(rows).reshape(-1, 7)
+
+
+def wide(name) -> Arm:
+    """Return a redundant arm whose limits let some joints turn more than once, and hold others short."""
+    from dataclasses import replace
+
+    d = pieper.load(name).description
+    limits = np.tile([-2.9, 2.9], (7, 1))
+    limits[2], limits[4], limits[6] = (-4.5, 4.5), (-0.5, 4.0), (-7.0, 5.0)
+    return Arm(replace(d, limits=limits))
+
+
+@pytest.mark.parametrize("name", ["franka-panda", "kuka-lbr-iiwa-14-r820"])
+def test_limits_turns_and_nearest_of_a_batch_are_those_of_the_oracle(name):
+    arm = wide(name)
+    rng = np.random.default_rng(6)
+    joint = arm.plan.reduction.locked[0]
+    q = rng.uniform(-2.5, 2.5, (3, 7))
+    T = arm.fk(q)
+    many = arm.ik_many(T, threads=1, redundancy=q[:, joint])
+    now = rng.uniform(-3, 3, 7)
+    nearest, there = many.nearest(now)
+    for i in range(3):
+        found = on_the_slice(arm, T[i], joint, q[i, joint], 1500, rng)
+        rows = many.q[i][many.valid[i]]
+        assert len(rows) == len(found)
+        assert max(np.abs(around(rows, other)).max(1).min() for other in found) < 1e-6
+        variants = [v for v in (inside(arm, row) for row in found) if len(v)]
+        assert many.in_limits[i].sum() == len(variants)
+        one = arm.ik(T[i], redundancy=q[i, joint])
+        assert len(one.windings()) == sum(len(v) for v in variants)
+        assert there[i] == bool(variants)
+        if variants:
+            # the spare joint keeps the value that was chosen
+            best = min((v for v in np.concatenate(variants)), key=lambda v: np.linalg.norm(v - now))
+            assert np.linalg.norm(nearest[i] - now) < np.linalg.norm(best - now) + 1e-6
+            assert np.abs(arm.fk(nearest[i]) - T[i]).max() < 1e-9
+
+
+@pytest.mark.parametrize("name", ["franka-panda", "kuka-lbr-iiwa-14-r820", "ufactory-xarm7"])
+def test_the_nearest_point_of_the_families_is_not_beaten_on_any_slice(name):
+    arm = wide(name)
+    rng = np.random.default_rng(7)
+    joint = arm.plan.reduction.locked[0]
+    q = rng.uniform(-1.5, 1.5, 7)
+    T = arm.fk(q)
+    now = q + rng.normal(0, 0.5, 7)
+    nearest = arm.ik(T).nearest(now)
+    assert np.abs(arm.fk(nearest) - T).max() < 1e-9
+    assert (nearest >= arm.limits[:, 0] - 1e-8).all() and (nearest <= arm.limits[:, 1] + 1e-8).all()
+    values = np.linspace(*np.clip(arm.limits[joint], -np.pi, np.pi), 721)
+    many = arm.ik_many(np.tile(T, (len(values), 1, 1)), threads=1, redundancy=values)
+    rows, there = many.nearest(now)
+    assert np.linalg.norm(nearest - now) < np.linalg.norm(rows[there] - now, axis=1).min() + 1e-3
+
+
+@pytest.mark.parametrize("name", ["franka-panda", "kuka-lbr-iiwa-14-r820"])
+def test_what_the_limits_leave_of_the_families_is_what_slices_leave(name):
+    arm = wide(name)
+    joint = arm.plan.reduction.locked[0]
+    T = arm.fk(POSTURE)
+    families = arm.ik(T).families
+    for value in (-2.0, -0.6, 0.1, 0.9, 2.3):
+        sols = arm.ik(T, redundancy=value)
+        points = np.concatenate([f.at_joint(joint, value) for f in families])
+        for row, ok in zip(sols.all_q, sols.in_limits, strict=True):
+            assert np.abs(around(points, row)).max(1).min() < 1e-6
+            family = min(families, key=lambda f: f.distance(row))
+            near = int(np.argmin(np.abs(around(family.samples, row)).max(1)))
+            s = family.s[near]
+            inner = any(a + 0.02 < s < b - 0.02 for a, b in family.inside)
+            outer = not any(a - 0.02 < s < b + 0.02 for a, b in family.inside)
+            assert (ok or not inner) and (not ok or not outer)
+
+
+def test_the_default_value_gives_way_to_one_with_an_answer_alone_and_in_a_batch():
+    arm = pieper.load("kuka-lbr-iiwa-14-r820")
+    T = arm.fk(np.random.default_rng(8).uniform(arm.limits[:, 0], arm.limits[:, 1], (40, 7)))
+    many = arm.ik_many(T, threads=1)
+    assert (many.status == Status.REDUNDANT).all() and many.in_limits.any(1).all()
+    for i in range(0, 40, 5):
+        one = arm.ik(T[i])
+        np.testing.assert_allclose(one.all_q, many.q[i][many.valid[i]], atol=1e-9)
+        assert one.status == many.status[i]
+
+
+def test_a_chosen_value_without_an_answer_is_told_from_a_pose_out_of_reach():
+    arm = pieper.load("franka-panda")
+    q = np.array([0.1, 0.9, 0.2, -0.6, 0.1, 1.3, 0.4])
+    T = arm.fk(q)
+    values = np.linspace(*arm.limits[6], 40)
+    many = arm.ik_many(np.tile(T, (40, 1, 1)), threads=1, redundancy=values)
+    none = np.flatnonzero(~many.valid.any(1))
+    assert len(none), "every value has an answer: the pose is not one to test with"
+    assert (many.status[none] == Status.REDUNDANT).all()
+    one = arm.ik(T, redundancy=values[none[0]])
+    assert one.status == Status.REDUNDANT and len(one) == 0
+    far = T.copy()
+    far[:3, 3] = [3.0, 0, 0]
+    assert arm.ik_many(far[None], redundancy=0.4).status[0] == Status.OUT_OF_REACH
