@@ -11,9 +11,9 @@ import { Bodies } from './bodies.mjs';
 import { matte } from './matte.mjs';
 import { Frames } from './frames.mjs';
 
-const materials = { link: matte(), joint: matte({ gloss: 0.2 }), accent: matte({ gloss: 0.05 }) };
+const material = matte();
 
-/** The arm's shadow: the same instances, flattened onto the ground along the light; each pixel is darkened once. */
+/** The arm's shadow: the same parts, flattened onto the ground along the light; each pixel is darkened once. */
 const light = [0.32, -0.4, 1];
 const shadowMaterial = new THREE.MeshBasicMaterial({
   color: '#000',
@@ -31,12 +31,12 @@ const shadowMaterial = new THREE.MeshBasicMaterial({
   polygonOffsetUnits: -1,
 });
 const shadowMatrix = new THREE.Matrix4().set(1, 0, -light[0], 0, 0, 1, -light[1], 0, 0, 0, 0, 0.0005, 0, 0, 0, 1);
-const main = new Bodies(materials, { shadow: { material: shadowMaterial, matrix: shadowMatrix } });
+const main = new Bodies(material, { shadow: { material: shadowMaterial, matrix: shadowMatrix } });
 
 const ghostMaterial = matte({ opacity: 0.2, veil: true });
-const ghosts = new Bodies({ link: ghostMaterial, joint: ghostMaterial, accent: ghostMaterial }, { veil: true });
+const ghosts = new Bodies(ghostMaterial, { veil: true });
 const previewMaterial = matte({ opacity: 0.62, gloss: 0.1 });
-const preview = new Bodies({ link: previewMaterial, joint: previewMaterial, accent: previewMaterial }, { veil: true });
+const preview = new Bodies(previewMaterial, { veil: true });
 const axes = new Frames();
 
 let form = proportions(state.table);
@@ -58,6 +58,9 @@ export function begin() {
   on('q', drawArm);
   on('frames', drawFrames);
   on('theme', paint);
+  on('hurry', (yes) => {
+    for (const bodies of [main, ghosts, preview]) bodies.hurry(yes);
+  });
   paint();
 }
 
@@ -175,11 +178,9 @@ export function showPath(points) {
 }
 
 function paint() {
-  materials.link.repaint(colours.link, colours.dark);
-  materials.joint.repaint(colours.joint, colours.dark);
-  materials.accent.repaint(colours.accent, colours.dark);
-  ghostMaterial.repaint(colours.ghost, colours.dark);
-  previewMaterial.repaint(colours.accent, colours.dark);
+  material.repaint(colours.link, colours.joint, colours.accent, colours.dark);
+  ghostMaterial.repaint(colours.ghost, colours.ghost, colours.ghost, colours.dark);
+  previewMaterial.repaint(colours.accent, colours.accent, colours.accent, colours.dark);
   traceLine.material.color.set(colours.accent);
   pathLine.material.color.set(colours.trace);
   pathDots.material.color.set(colours.trace);

@@ -1,6 +1,7 @@
 // The window into space: renderer, camera, standard views and ground. Draws only when something changed.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { tell } from '../store.mjs';
 import { colours } from '../theme.mjs';
 import { Quality, drawnInSoftware } from './quality.mjs';
 
@@ -35,18 +36,21 @@ export const picturesDrawn = () => drawn;
 
 scene.fog = new THREE.Fog('#fff', 1, 10);
 
+/** Without an alpha channel: an opaque picture spares the browser drawing what lies under it and mixing the two. */
+const contextOf = (canvas, antialias) =>
+  canvas.getContext('webgl2', { alpha: false, antialias, stencil: true, powerPreference: 'high-performance' });
+
 export function open(element) {
   host = element;
-  const make = (antialias) =>
-    new THREE.WebGLRenderer({ antialias, stencil: true, powerPreference: 'high-performance' });
-  renderer = make(false);
-  const software = drawnInSoftware(renderer.getContext());
+  let canvas = document.createElement('canvas'),
+    context = contextOf(canvas, false);
+  const software = drawnInSoftware(context);
   if (!software) {
-    renderer.dispose();
-    renderer.forceContextLoss();
-    renderer = make(true);
+    canvas = document.createElement('canvas');
+    context = contextOf(canvas, true);
   }
-  quality = new Quality(software, renderer, paint);
+  renderer = new THREE.WebGLRenderer({ canvas, context });
+  quality = new Quality(software, renderer, paint, (yes) => tell('hurry', yes));
   renderer.domElement.setAttribute('aria-hidden', 'true');
   host.append(renderer.domElement);
   controls = new OrbitControls(camera, renderer.domElement);
