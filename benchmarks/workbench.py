@@ -25,10 +25,15 @@ from pathlib import Path
 
 import numpy as np
 
-import pieper
-
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent
+SOURCE = HERE.parent / "src"
+# The tree is measured, not an installed copy, where its native module is built in place.
+if any((SOURCE / "pieper").glob("_kernel*")):
+    sys.path.insert(0, str(SOURCE))
+    os.environ["PYTHONPATH"] = str(SOURCE)
+
+import pieper  # noqa: E402
+
 FLAGS = [
     "--headless=new",
     "--no-sandbox",

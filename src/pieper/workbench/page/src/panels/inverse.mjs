@@ -1,5 +1,5 @@
 // Inverse: a target typed, taken or dragged; every solution as a row and as a ghost; the reason in words when there is none.
-import { h, replace, setText, choice, select } from '../dom.mjs';
+import { h, replace, setText, choice, select, atMostEvery } from '../dom.mjs';
 import { state, on, setTarget, tell } from '../store.mjs';
 import { units, show, showUnit } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -27,6 +27,9 @@ const words = {
   UNCERTAIN: 'Not certain',
   REFUSED: 'Refused',
 };
+
+/** Milliseconds between two changes of the numbers while the hand drags the target. */
+const READABLE = 120;
 
 /** Present pose as target: what the first opening of this panel and the button do. */
 export function takePresent() {
@@ -78,12 +81,12 @@ export const inverse = {
     const list = solutionTable();
     root.append(verdict, near, families, list.el);
 
-    on('target', () => {
+    // The picture follows the hand with every answer; numbers that change more often than this cannot be read anyway.
+    const showTarget = atMostEvery(READABLE, () => {
       editor.show();
       showMatrix();
     });
-    on('notation', editor.show);
-    on(['solutions', 'units'], () => {
+    const showAnswer = atMostEvery(READABLE, () => {
       if (panel.hidden) return;
       const s = state.solutions;
       showVerdict(verdict, s);
@@ -91,7 +94,12 @@ export const inverse = {
       showFamilies(families, s);
       list.show(s);
     });
-    on('q', () => list.mark());
+    const mark = atMostEvery(READABLE, () => list.mark());
+    const atOnce = (run) => () => (gizmo.isDragging() ? run.soon() : run());
+    on('target', atOnce(showTarget));
+    on('notation', editor.show);
+    on(['solutions', 'units'], atOnce(showAnswer));
+    on('q', atOnce(mark));
     on('panel', (id) => {
       gizmo.show(id === 'inverse');
       if (id !== 'inverse') return;

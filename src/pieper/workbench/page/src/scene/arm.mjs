@@ -4,7 +4,7 @@ import { state, on } from '../store.mjs';
 import { colours } from '../theme.mjs';
 import { frames as forward } from '../kinematics.mjs';
 import { position, norm, sub } from '../matrix.mjs';
-import { scene, invalidate, layGround, fit, remember, keepInView } from './view.mjs';
+import { scene, invalidate, wake, layGround, fit, remember, keepInView } from './view.mjs';
 import { debounce } from '../dom.mjs';
 import { proportions, shape, outline } from './shape.mjs';
 import { Bodies } from './bodies.mjs';
@@ -54,6 +54,7 @@ export function begin() {
     drawGhosts();
     clearTrace();
     if (what === 'new') fitArm({ instant: true, view: 'iso' });
+    wake();
   });
   on('q', drawArm);
   on('frames', drawFrames);
@@ -122,6 +123,7 @@ const traceAt = new Float32Array(6 * MOST);
 const traceLine = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ fog: false }));
 traceLine.geometry.setAttribute('position', new THREE.BufferAttribute(traceAt, 3));
 traceLine.frustumCulled = false;
+traceLine.visible = false;
 let traceCount = 0,
   tracing = true,
   lastPoint = null;
@@ -139,19 +141,19 @@ function addTrace(p) {
     traceCount += 1;
     traceLine.geometry.setDrawRange(0, 2 * traceCount);
     traceLine.geometry.attributes.position.needsUpdate = true;
+    traceLine.visible = true;
   }
   lastPoint = p;
 }
 export function setTracing(yes) {
   tracing = yes;
-  traceLine.visible = yes;
   if (!yes) clearTrace();
   invalidate();
 }
 export function clearTrace() {
   traceCount = 0;
   lastPoint = null;
-  traceLine.geometry.setDrawRange(0, 0);
+  traceLine.visible = false;
   invalidate();
 }
 export const traceLength = () => traceCount;
@@ -164,6 +166,7 @@ const pathDots = new THREE.Points(
   new THREE.PointsMaterial({ size: 4, sizeAttenuation: false, fog: false }),
 );
 pathDots.frustumCulled = false;
+pathLine.visible = pathDots.visible = false;
 scene.add(pathLine, pathDots);
 export function showPath(points) {
   showBeside('path', points);

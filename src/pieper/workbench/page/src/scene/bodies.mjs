@@ -49,6 +49,7 @@ class Heap {
   constructor(material) {
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), material);
     this.mesh.frustumCulled = false;
+    this.mesh.visible = false;
     this.#room(1024, 4096);
     this.clear();
   }

@@ -7,6 +7,7 @@ const stops = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725']
 const material = new THREE.PointsMaterial({ size: 2.2, sizeAttenuation: false, vertexColors: true, fog: false });
 const points = new THREE.Points(new THREE.BufferGeometry(), material);
 points.frustumCulled = false;
+points.visible = false;
 scene.add(points);
 
 let at = null,

@@ -15,11 +15,12 @@ export let renderer, controls;
 let host,
   quality,
   pending = false,
+  awake = false,
   drawn = 0;
 
 /** Ask for a picture; many requests within a frame make one. */
 export function invalidate() {
-  if (pending) return;
+  if (pending || !awake) return;
   pending = true;
   requestAnimationFrame(draw);
 }
@@ -32,24 +33,49 @@ function paint() {
   renderer.render(scene, camera);
   drawn += 1;
 }
+/** From now on there is something to show. */
+export function wake() {
+  awake = true;
+  invalidate();
+}
 export const picturesDrawn = () => drawn;
 
 scene.fog = new THREE.Fog('#fff', 1, 10);
 
-/** Without an alpha channel: an opaque picture spares the browser drawing what lies under it and mixing the two. */
-const contextOf = (canvas, antialias) =>
-  canvas.getContext('webgl2', { alpha: false, antialias, stencil: true, powerPreference: 'high-performance' });
+/**
+ * A canvas of the host's size with its context. Without an alpha channel: an opaque picture spares the browser drawing what
+ * lies under it and mixing the two. At its size from the start: every change of size is a question to the graphics process,
+ * and where the processor draws, each of them waits in line.
+ */
+function contextOf(antialias) {
+  const canvas = document.createElement('canvas');
+  canvas.width = host.clientWidth || 1;
+  canvas.height = host.clientHeight || 1;
+  const context = canvas.getContext('webgl2', {
+    alpha: false,
+    antialias,
+    stencil: true,
+    powerPreference: 'high-performance',
+  });
+  if (!context) throw new Error('This browser offers no WebGL 2, which the picture needs.');
+  // None of the extensions that three.js asks for is used here, and asking is again a question each.
+  const offered = context.getExtension.bind(context);
+  context.getExtension = (name) => (used.has(name) ? offered(name) : null);
+  return context;
+}
+const used = new Set(['WEBGL_debug_renderer_info', 'WEBGL_lose_context']);
 
 export function open(element) {
   host = element;
-  let canvas = document.createElement('canvas'),
-    context = contextOf(canvas, false);
+  let context = contextOf(false);
   const software = drawnInSoftware(context);
   if (!software) {
-    canvas = document.createElement('canvas');
-    context = contextOf(canvas, true);
+    context.getExtension('WEBGL_lose_context')?.loseContext();
+    context = contextOf(true);
   }
-  renderer = new THREE.WebGLRenderer({ canvas, context });
+  renderer = new THREE.WebGLRenderer({ canvas: context.canvas, context });
+  // our shaders are tried by the tests; asking for each one's log holds up the first picture
+  renderer.debug.checkShaderErrors = false;
   quality = new Quality(software, renderer, paint, (yes) => tell('hurry', yes));
   renderer.domElement.setAttribute('aria-hidden', 'true');
   host.append(renderer.domElement);
@@ -78,7 +104,7 @@ function resize() {
   renderer.setSize(w, h);
   camera.aspect = w / h;
   camera.updateProjectionMatrix();
-  // at once, so that a resized picture does not flicker; the very first one waits for something to show
+  // at once, so that a resized picture does not flicker
   if (drawn) draw();
   else invalidate();
   keepInView();

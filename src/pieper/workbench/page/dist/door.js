@@ -1,0 +1,1 @@
+var e=()=>import("./app.js");document.readyState==="complete"?e():addEventListener("load",e,{once:!0});
