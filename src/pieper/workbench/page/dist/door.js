@@ -1,1 +1,1 @@
-var e=()=>import("./app.js");document.readyState==="complete"?e():addEventListener("load",e,{once:!0});
+import{K as t}from"./chunk-LLBWXIPN.js";t();var e=()=>import("./app.js");document.readyState==="complete"?e():addEventListener("load",e,{once:!0});

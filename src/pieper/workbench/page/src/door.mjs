@@ -1,5 +1,8 @@
-// Starts the page when everything that it needs first has come: until then the browser draws its own signs of loading, and
-// where the processor draws, the page's graphics would stand in line behind them.
+// Lays the line to the session at once, and starts the page when everything that it needs first has come: until then the
+// browser draws its own signs of loading, and where the processor draws, the page's graphics would stand in line behind them.
+import * as link from './link.mjs';
+
+link.start();
 const start = () => import('./main.mjs');
 if (document.readyState === 'complete') start();
 else addEventListener('load', start, { once: true });

@@ -40,9 +40,11 @@ function parts(round, rings) {
  * Where the processor draws, triangles are what a picture costs: while things move the arm has a fifth of them, and its ghosts
  * and its shadow have as few as still tell a rod from a drum.
  */
-const fine = parts(26, 12),
-  middling = parts(11, 5),
-  coarse = parts(6, 3);
+const made = new Map();
+const unitParts = (round, rings) => made.get(round) ?? made.set(round, parts(round, rings)).get(round);
+const fine = () => unitParts(26, 12),
+  middling = () => unitParts(11, 5),
+  coarse = () => unitParts(6, 3);
 
 /** One growing mesh; `paint` numbers the colours of its material. */
 class Heap {
@@ -86,7 +88,10 @@ class Heap {
     const first = this.corners,
       end = first + part.count;
     if (3 * end > this.at.length || this.indices + part.index.length > this.index.length)
-      this.#room(2 * Math.max(end, this.at.length / 3), 2 * Math.max(this.indices + part.index.length, this.index.length));
+      this.#room(
+        2 * Math.max(end, this.at.length / 3),
+        2 * Math.max(this.indices + part.index.length, this.index.length),
+      );
     for (let v = 0, o = 3 * first; v < 3 * part.count; v += 3, o += 3) {
       const x = r * part.at[v],
         y = r * part.at[v + 1],
@@ -175,11 +180,11 @@ export class Bodies {
     this.arms = arms;
     this.body.clear();
     const unit = this.veil ? (this.moving ? coarse : middling) : this.moving ? middling : fine;
-    for (const arm of arms) this.#write(this.body, arm, unit);
+    for (const arm of arms) this.#write(this.body, arm, unit());
     this.body.done();
     if (!this.flat) return;
     this.flat.clear();
-    for (const arm of arms) this.#write(this.flat, arm, this.moving ? coarse : middling, true);
+    for (const arm of arms) this.#write(this.flat, arm, this.moving ? coarse() : middling(), true);
     this.flat.done();
   }
 
@@ -210,7 +215,14 @@ export class Bodies {
     for (const { at, dir, x, r, h } of arm.sleeves) stand(unit.box, JOINT, at, dir, k * r, k * h, x);
     if (arm.pedestal && !this.veil) {
       const { at, dir, r, h } = arm.pedestal;
-      stand(unit.drum, JOINT, [at[0] + (dir[0] * h) / 2, at[1] + (dir[1] * h) / 2, at[2] + (dir[2] * h) / 2], dir, r, h);
+      stand(
+        unit.drum,
+        JOINT,
+        [at[0] + (dir[0] * h) / 2, at[1] + (dir[1] * h) / 2, at[2] + (dir[2] * h) / 2],
+        dir,
+        r,
+        h,
+      );
     }
     if (arm.flange) stand(unit.drum, JOINT, arm.flange.at, arm.flange.dir, arm.flange.r, arm.flange.h);
     if (arm.tip && whole) ball(ACCENT, arm.tip.at, arm.tip.r);

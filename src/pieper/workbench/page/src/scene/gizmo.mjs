@@ -7,12 +7,18 @@ import { scene, camera, renderer, controls, invalidate } from './view.mjs';
 const handle = new THREE.Object3D();
 const tools = [];
 let mode = 'both',
+  space = 'local',
   shown = false,
   dragging = false;
 export const isDragging = () => dragging;
 
 export function begin() {
   scene.add(handle);
+  on('target', place);
+}
+
+/** The tools are made when they are first shown: a first picture does without them. */
+function make() {
   for (const [name, size] of [
     ['translate', 0.75],
     ['rotate', 0.55],
@@ -20,7 +26,7 @@ export function begin() {
     const tool = new TransformControls(camera, renderer.domElement);
     tool.setMode(name);
     tool.setSize(size);
-    tool.setSpace('local');
+    tool.setSpace(space);
     tool.attach(handle);
     tool.addEventListener('dragging-changed', ({ value }) => {
       controls.enabled = !value;
@@ -39,8 +45,6 @@ export function begin() {
     tools.push(tool);
     scene.add(tool.getHelper());
   }
-  on('target', place);
-  apply();
 }
 
 /** Rings of half as many pieces: they look the same, and where the processor draws, triangles are what a picture costs. */
@@ -79,6 +83,7 @@ function apply() {
 }
 export function show(yes) {
   shown = yes;
+  if (yes && !tools.length) make();
   apply();
 }
 export function setMode(name) {
@@ -87,6 +92,7 @@ export function setMode(name) {
 }
 /** Along the target's own axes or along those of the world. */
 export function setSpace(name) {
+  space = name;
   for (const tool of tools) tool.setSpace(name);
   invalidate();
 }
