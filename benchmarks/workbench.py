@@ -274,7 +274,9 @@ def measure_loads(browser, url: str, loads: int) -> dict:
         )
         parts, sent = entries, sum(entry[3] for entry in entries)
         page.context.close()
-    shipped = sum(p.stat().st_size for p in (Path(pieper.__file__).parent / "workbench/page/dist").rglob("*") if p.is_file())
+    shipped = sum(
+        p.stat().st_size for p in (Path(pieper.__file__).parent / "workbench/page/dist").rglob("*") if p.is_file()
+    )
     return {"seconds": spread(ready), "sent_MB": sent / 1e6, "shipped_MB": shipped / 1e6, "requests": parts}
 
 
@@ -386,7 +388,10 @@ def table_of(results: dict) -> str:
     m = results["machine"]
     rows += [
         ("machine: loop in the page, ms", f"{m['page_loop_ms']['median']:.0f} (best {m['page_loop_ms']['best']:.0f})"),
-        ("machine: loop in Python, ms", f"{m['python_loop_ms']['median']:.0f} (best {m['python_loop_ms']['best']:.0f})"),
+        (
+            "machine: loop in Python, ms",
+            f"{m['python_loop_ms']['median']:.0f} (best {m['python_loop_ms']['best']:.0f})",
+        ),
         ("machine: load average, cores", f"{m['load_average']:.1f}, {os.cpu_count()}"),
     ]
     return "\n".join(f"{name:48} {value:>22}   {TARGETS.get(name, '')}".rstrip() for name, value in rows)

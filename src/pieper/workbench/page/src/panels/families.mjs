@@ -8,9 +8,21 @@ import { options } from '../solving.mjs';
 /** A slider for each continuous family: the arm moves, the tool stands still. */
 export function showFamilies(el, s) {
   const list = s?.families ?? [],
-    exact = !options.task && state.plan?.task === 'pose';
-  if (el.drawn === list) return;
-  el.drawn = list;
+    task = options.task ?? state.plan?.task,
+    exact = task === 'pose';
+  const key = s?.families === null && !s.brief ? 'pending' : s?.families;
+  if (el.drawn === key) return;
+  el.drawn = key;
+  if (key === 'pending') {
+    replace(el, h('p', { class: 'hint', text: 'Following the families of this pose …' }));
+    return;
+  }
+  const still =
+    task === 'position'
+      ? 'the tool point stands still'
+      : task === 'pose'
+        ? 'the tool stands still'
+        : 'the tool point and its axis stand still';
   replace(
     el,
     list.map((family, k) => {
@@ -54,7 +66,13 @@ export function showFamilies(el, s) {
         slider.value = Math.min(Math.max(Number(slider.value) + way / 100, 0), 1);
         go();
       });
-      const moves = family.moves.length > 3 ? 'all its joints' : family.moves.join(' and ');
+      const moves = family.moves.length > 3 ? 'most of its joints' : family.moves.join(' and ');
+      const form =
+        family.dimension > 1
+          ? `one line in a surface of ${family.dimension} dimensions`
+          : family.closed
+            ? 'a closed curve'
+            : 'an open curve';
       return h(
         'div',
         { class: 'family' },
@@ -62,7 +80,7 @@ export function showFamilies(el, s) {
           'p',
           {},
           h('strong', { text: list.length > 1 ? `Self-motion ${k + 1} of ${list.length}` : 'Self-motion' }),
-          ` by ${moves}, ${family.closed ? 'a closed curve' : 'an open curve'}: the arm moves, the tool stands still.`,
+          ` by ${moves}, ${form}: the arm moves, ${still}.`,
           family.inside.length ? '' : ' All of it lies outside the limits.',
         ),
         slider,

@@ -2,7 +2,6 @@
 import { h, replace, setText, choice, select, atMostEvery } from '../dom.mjs';
 import { state, on, setTarget, tell } from '../store.mjs';
 import { units, show, showUnit } from '../units.mjs';
-import { numberField } from '../numberfield.mjs';
 import { moveTo } from '../animate.mjs';
 import { position } from '../matrix.mjs';
 import { solve, drawGhosts, options } from '../solving.mjs';
@@ -10,6 +9,7 @@ import * as gizmo from '../scene/gizmo.mjs';
 import { poseEditor, readMatrix } from './pose_editor.mjs';
 import { matrixText } from './grid.mjs';
 import { showFamilies } from './families.mjs';
+import { spareCoordinates } from './spare.mjs';
 import { solutionTable } from './solution_table.mjs';
 
 const tones = {
@@ -79,7 +79,7 @@ export const inverse = {
     const near = h('div', { class: 'near', 'data-testid': 'ik-nearest' });
     const families = h('div', { class: 'families', 'data-testid': 'families' });
     const list = solutionTable();
-    root.append(verdict, near, families, list.el);
+    root.append(spareCoordinates(), verdict, near, families, list.el);
 
     // The picture follows the hand with every answer; numbers that change more often than this cannot be read anyway.
     const showTarget = atMostEvery(READABLE, () => {
@@ -148,7 +148,6 @@ function matrixEditor() {
 }
 
 function controls() {
-  const redundancy = h('span', { class: 'line' });
   const task = h('span', { class: 'line' });
   const follow = h('input', {
     type: 'checkbox',
@@ -160,27 +159,7 @@ function controls() {
       },
     },
   });
-  on('plan', () => {
-    const names = state.plan?.redundancy ?? [];
-    replace(
-      redundancy,
-      names.length === 1
-        ? [
-            h('span', { class: 'field-name', text: `Free joint ${names[0]} at` }),
-            numberField({
-              label: `Value of ${names[0]}`,
-              kind: state.table.joints.find((j) => j.name === names[0])?.type === 'P' ? 'length' : 'angle',
-              empty: null,
-              testid: 'redundancy',
-              commit: (v) => {
-                options.redundancy = v;
-                solve();
-              },
-            }),
-          ]
-        : [],
-    );
-    options.task = null;
+  on('plan', () =>
     replace(
       task,
       state.plan?.solvable
@@ -194,17 +173,18 @@ function controls() {
                 ['position', 'position'],
                 ['position+axis', 'position + axis'],
               ],
-              '',
+              options.task ?? '',
               (v) => {
                 options.task = v || null;
+                options.redundancy = null;
                 solve();
               },
               { 'data-testid': 'task' },
             ),
           ]
         : [],
-    );
-  });
+    ),
+  );
   return h(
     'div',
     { class: 'line controls' },
@@ -252,7 +232,6 @@ function controls() {
     ),
     h('label', { class: 'check' }, follow, 'Arm follows'),
     task,
-    redundancy,
   );
 }
 
