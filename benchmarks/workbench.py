@@ -1,10 +1,10 @@
 """Measure the workbench as a person meets it: a real server, a real Chromium with software WebGL, a table of medians.
 
-Usage: python benchmarks/workbench.py [--repeats 40] [--loads 7] [--only joint gizmo load idle people restart] [--out FILE]
+Usage: python benchmarks/workbench.py [--repeats 40] [--loads 7] [--only joint gizmo load ...] [--out FILE]
 
 The machine is measured in the same run (a loop in the page's JavaScript, a loop in Python, the load average), because
-other work on it slows everything here alike: judge the numbers beside those loops. Needs Playwright and a Chromium, as the
-browser stories do; CHROMIUM may name the executable.
+other work on it slows everything here alike: judge the numbers beside those loops. Needs Playwright and a Chromium, as
+the browser stories do; CHROMIUM may name the executable.
 """
 
 from __future__ import annotations
@@ -31,6 +31,9 @@ SOURCE = HERE.parent / "src"
 if any((SOURCE / "pieper").glob("_kernel*")):
     sys.path.insert(0, str(SOURCE))
     os.environ["PYTHONPATH"] = str(SOURCE)
+sys.path.insert(0, str(HERE))
+
+from probes import GIZMO, JOINT, WATCH  # noqa: E402
 
 import pieper  # noqa: E402
 
@@ -59,73 +62,6 @@ TARGETS = {
     "messages lost": "0",
     "answers for another arm": "0",
 }
-
-#: Runs before the page's own modules: when the page became usable, and a fixed piece of work to judge the machine by.
-WATCH = """
-window.watch = { ready: null };
-new MutationObserver(() => {
-  if (window.watch.ready === null && document.documentElement.dataset.ready === 'yes') {
-    const seen = () => window.workbench?.pictures > 0 && window.workbench.table.joints.length > 0
-      ? (window.watch.ready = performance.now()) : requestAnimationFrame(seen);
-    requestAnimationFrame(seen);
-  }
-}).observe(document, { subtree: true, attributes: true, attributeFilter: ['data-ready'] });
-window.fixedWork = () => {
-  const began = performance.now();
-  let x = 0;
-  for (let i = 0; i < 2e7; i++) x = (x * 1664525 + 1013904223 + i) | 0;
-  return [performance.now() - began, x];
-};
-"""
-
-#: From the event's own time stamp to the matrix cell that changed, and to the second frame after it: the first one hands
-#: the picture over, the second one begins when the browser has taken it.
-JOINT = """
-() => {
-  window.heard = { number: [], picture: [], began: null };
-  const cell = document.querySelector('[data-testid=pose]');
-  addEventListener('keydown', (e) => {
-    heard.began = e.timeStamp;
-    const drawn = workbench.pictures;
-    const look = () => workbench.pictures > drawn
-      ? requestAnimationFrame(() => heard.picture.push(performance.now() - e.timeStamp)) : requestAnimationFrame(look);
-    requestAnimationFrame(look);
-  }, true);
-  new MutationObserver(() => {
-    if (heard.began === null) return;
-    heard.number.push(performance.now() - heard.began);
-    heard.began = null;
-  }).observe(cell, { subtree: true, characterData: true, childList: true });
-}
-"""
-
-#: Counts pictures that show a newer answer than the picture before, for as long as the hand drags.
-GIZMO = """
-() => {
-  const seen = { updates: 0, gaps: [], began: performance.now(), answers: workbench.answers, pictures: workbench.pictures, on: true };
-  window.seen = seen;
-  const first = { answers: seen.answers, pictures: seen.pictures };
-  let last = seen.began;
-  const look = (now) => {
-    if (!seen.on) return;
-    if (workbench.answers > seen.answers && workbench.pictures > seen.pictures) {
-      seen.updates += 1;
-      seen.gaps.push(now - last);
-      last = now;
-      seen.answers = workbench.answers;
-      seen.pictures = workbench.pictures;
-    }
-    requestAnimationFrame(look);
-  };
-  requestAnimationFrame(look);
-  seen.stop = () => {
-    seen.on = false;
-    const s = (performance.now() - seen.began) / 1000;
-    return { updates: seen.updates / s, answers: (workbench.answers - first.answers) / s,
-             pictures: (workbench.pictures - first.pictures) / s, gaps: seen.gaps, ghosts: workbench.ghosts };
-  };
-}
-"""
 
 
 class Served:
@@ -177,7 +113,7 @@ def python_loop() -> float:
 
 
 def processor_ms() -> dict[str, float]:
-    """Return the processor time that this benchmark's processes have used so far, by what they do; empty but on Linux."""
+    """Return the processor time that this benchmark's processes have used, by what they do; zeros but on Linux."""
     children: dict[int, list[tuple[int, float, str]]] = {}
     for folder in Path("/proc").glob("[0-9]*"):
         try:

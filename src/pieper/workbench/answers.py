@@ -102,8 +102,8 @@ def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
 def solve(arm: pieper.Arm, message: dict[str, Any]) -> pieper.Solutions:
     """Return what the library answers to the target, task and redundancy of a message.
 
-    Where nobody chose the redundant joints, they stay where the page's posture has them if that has an answer: an arm whose
-    target is dragged does not swing about.
+    Where nobody chose the redundant joints, they stay where the page's posture has them if that has an answer: an arm
+    whose target is dragged does not swing about.
     """
     T = pose(message.get("T"), "target")
     task = optional(word, message.get("task"), "task", TASKS)
@@ -125,7 +125,7 @@ def _redundancy(value: object) -> dict[str, float]:
 
 
 def spare_coordinates(plan: Plan) -> list[dict[str, Any]]:
-    """Return each coordinate that may be chosen: its name, whether it is a length, its limits; null where there is none.
+    """Return each coordinate that may be chosen: its name, whether it is a length, and its limits, null for none.
 
     The arm angle, where the arm has one, stands for its redundant joint: one of the two is chosen, not both.
     """

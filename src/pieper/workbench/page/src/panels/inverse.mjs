@@ -254,7 +254,7 @@ function showVerdict(el, s) {
     el,
     h('strong', { text: head }),
     ' ',
-    h('span', { text: s.status === 'SOLVED' && s.rows.length ? '' : s.why }),
+    h('span', { text: s.status === 'SOLVED' && s.rows.length ? '' : s.why.replace(/^\d+ solution\(s\) /, '') }),
     s.ms === undefined
       ? null
       : h('span', {
