@@ -5,6 +5,7 @@ import { units, show, showUnit } from '../units.mjs';
 import { moveTo } from '../animate.mjs';
 import { position } from '../matrix.mjs';
 import { solve, drawGhosts, options } from '../solving.mjs';
+import { showBeside } from '../scene/arm.mjs';
 import * as gizmo from '../scene/gizmo.mjs';
 import { poseEditor, readMatrix } from './pose_editor.mjs';
 import { matrixText } from './grid.mjs';
@@ -100,8 +101,11 @@ export const inverse = {
     on('notation', editor.show);
     on(['solutions', 'units'], atOnce(showAnswer));
     on('q', atOnce(mark));
+    const beside = () => showBeside('target', state.panel === 'inverse' ? [position(state.target)] : []);
+    on('target', (why) => why !== 'drag' && beside());
     on('panel', (id) => {
       gizmo.show(id === 'inverse');
+      if (id !== 'inverse' || state.hasTarget) beside();
       if (id !== 'inverse') return;
       if (!state.hasTarget) {
         state.hasTarget = true;

@@ -67,10 +67,13 @@ export function begin() {
 
 const beside = new Map();
 let alsoShown = [];
-/** What else belongs in the picture: the ends of a path, the corners of a cloud. */
+/** What else belongs in the picture: the ends of a path, the corners of a cloud, a target. */
 export function showBeside(what, points) {
   beside.set(what, points);
   alsoShown = [...beside.values()].flat();
+  if (!state.table.joints.length) return;
+  remember([...outline(state.table, state.frames), ...alsoShown]);
+  if (points.length) stayInView();
 }
 /** Bring the arm into the picture; what stands beside it (a path) stays in the picture from then on. */
 export function fitArm(options) {

@@ -224,7 +224,8 @@ function inView() {
 }
 /** Move back a little when the arm has grown out of the picture, unless the person has chosen it so. */
 export function keepInView() {
-  if (!handsOff && lastPoints.length && !inView()) fit(lastPoints);
+  // never under a hand that drags the target, which lets go of the controls meanwhile
+  if (!handsOff && controls.enabled && lastPoints.length && !inView()) fit(lastPoints);
 }
 export const remember = (points) => {
   lastPoints = points;
