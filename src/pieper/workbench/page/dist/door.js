@@ -1,1 +1,1 @@
-import{K as t}from"./chunk-LLBWXIPN.js";t();var e=()=>import("./app.js");document.readyState==="complete"?e():addEventListener("load",e,{once:!0});
+import{K as n}from"./chunk-LLBWXIPN.js";n();var o=()=>import("./app.js").catch(t=>{let e=document.getElementById("remark");throw e.textContent=`The workbench could not start: ${t.message}`,e.classList.add("shown"),t});document.readyState==="complete"?o():addEventListener("load",o,{once:!0});

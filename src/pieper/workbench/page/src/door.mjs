@@ -3,6 +3,12 @@
 import * as link from './link.mjs';
 
 link.start();
-const start = () => import('./main.mjs');
+const start = () =>
+  import('./main.mjs').catch((error) => {
+    const remark = document.getElementById('remark');
+    remark.textContent = `The workbench could not start: ${error.message}`;
+    remark.classList.add('shown');
+    throw error;
+  });
 if (document.readyState === 'complete') start();
 else addEventListener('load', start, { once: true });
