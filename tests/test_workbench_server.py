@@ -193,6 +193,7 @@ def random_message(rng: random.Random, seq: int) -> str | bytes:
         "nearest",
         "save",
         "follow",
+        "families",
         "motion",
         "cloud",
         "equations",
@@ -202,7 +203,23 @@ def random_message(rng: random.Random, seq: int) -> str | bytes:
     ]
     message = {"op": rng.choice(ops), "seq": rng.choice([seq, seq, seq, seq, -3, "1", None])}
     for key in rng.sample(
-        ["T", "T0", "T1", "n", "start", "q", "table", "name", "text", "count", "which", "kind", "postures"], 4
+        [
+            "T",
+            "T0",
+            "T1",
+            "n",
+            "start",
+            "q",
+            "table",
+            "name",
+            "text",
+            "count",
+            "which",
+            "kind",
+            "postures",
+            "redundancy",
+        ],
+        4,
     ):
         message[key] = junk()
     if rng.random() < 0.2:
@@ -303,6 +320,28 @@ def test_a_closed_page_stops_its_long_work(served):
         while app.state.sessions and time.perf_counter() - began < 5:
             await asyncio.sleep(0.05)
         assert not app.state.sessions
+
+    talk(story())
+
+
+def test_a_redundant_arm_answers_at_once_and_sends_its_families_after(served):
+    arm = pieper.load("kuka-lbr-iiwa-14-r820")
+    q = np.radians([15, 40, 10, -70, 20, 50, 30])
+    asked = {"T": arm.fk(q).ravel().tolist(), "q": q.tolist()}
+
+    async def story():
+        async with connect(served[0]) as socket:
+            page = Page(socket)
+            await page.ask("arm", table=table_from_arm(arm))
+            free = await page.ask("ik", **asked)
+            assert free["families"] is None and np.allclose(free["nearest"], q, atol=1e-9)
+            assert [c["name"] for c in free["spare"]][:1] == ["joint_1"]
+            held = await page.ask("ik", **asked, redundancy={"joint_1": 0.5})
+            assert held["rows"] and all(row["q"][0] == pytest.approx(0.5, abs=1e-12) for row in held["rows"])
+            families = (await page.ask("families", **asked))["families"]
+            assert families and all(len(point) == 7 for family in families for point in family["q"])
+            refused = await page.ask("ik", **asked, redundancy={"joint_2": 0.5})
+            assert not refused["ok"] and "joint_2" in refused["error"]
 
     talk(story())
 

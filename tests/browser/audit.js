@@ -37,6 +37,9 @@
 
   cut: [
     ...(document.documentElement.scrollWidth > innerWidth ? ['the page scrolls sideways'] : []),
+    ...[...document.querySelectorAll('#rail [role=tab]:not([hidden])')]
+      .filter((t) => t.offsetHeight > document.getElementById('rail').clientHeight)
+      .map((t) => `the tab ${t.textContent}`),
     ...[...document.querySelectorAll('.panel:not([hidden])')].filter((p) => p.scrollWidth > p.parentElement.clientWidth + 1).map((p) => p.id),
   ],
 })

@@ -73,6 +73,31 @@ def test_converting_there_and_back_gives_the_same_rows_when_base_and_tool_are_pl
 
 
 @pytest.mark.parametrize(
+    "name",
+    ["denso-vp6242", "motoman-ea1400n", "adept-cobra-600", "universal-robots-ur5e", "stanford-arm", "kuka-kr5-arc"],
+)
+def test_equations_with_the_present_numbers_add_up_to_the_pose(calculator, name):
+    from pieper.workbench.equation_blocks import forward_blocks
+
+    arm = pieper.load(name)
+    q = np.random.default_rng(5).uniform(-1, 1, arm.n)
+    T = arm.fk(q).ravel()
+    table = table_from_arm(arm)
+    checked = 0
+    for block in forward_blocks(arm, "numbers"):
+        if "entry" not in block:
+            continue
+        latex = calculator.page.evaluate(
+            "([latex, table, q]) => workbench.present(latex, table, q)", [block["latex"], table, q.tolist()]
+        )
+        sum_ = latex.split(" = ", 1)[1].replace(r"\left", "").replace(r"\right", "").replace(r"\cdot", "*")
+        assert set(sum_) <= set("0123456789.+-*() "), f"a symbol is left in {latex}"
+        assert eval(sum_) == pytest.approx(T[block["entry"]], abs=2e-3)
+        checked += 1
+    assert checked == 12
+
+
+@pytest.mark.parametrize(
     ("typed", "kind", "value"),
     [
         ("pi/2", "angle", math.pi / 2),

@@ -216,6 +216,10 @@ def test_a_cloud_of_reachable_points_with_progress_and_cancel(bench):
     bench.until("workbench.cloud === 5000")
     bench.page.get_by_text("random postures inside the limits").wait_for()
     bench.shot("cloud", both=True)
+    drawn = bench.value("workbench.pictures")
+    bench.button("Cut open")
+    bench.until("n => workbench.pictures > n", drawn)
+    bench.shot("cloud-cut")
     bench.page.get_by_test_id("cloud-count").select_option("100000")
     bench.page.get_by_test_id("cloud-start").click()
     bench.page.get_by_role("button", name="Cancel").click()
@@ -232,6 +236,9 @@ def test_equations_are_typeset(bench, which):
         value = bench.page.locator("[data-entry='3']").inner_text()
         x = bench.value("workbench.frames.at(-1)[3]") * 1000
         assert float(re.sub("−", "-", value).strip("= m")) == pytest.approx(x, abs=0.006)
+        bench.button("Present numbers")
+        cosine = f"{np.cos(bench.value('workbench.q[0]')):.4f}"
+        bench.page.get_by_test_id("equations").get_by_text(cosine).first.wait_for()
     bench.shot(f"equations-{which.lower()}", both=which == "Forward")
 
 

@@ -240,12 +240,40 @@ def test_a_target_dragged_by_its_handles_with_all_ghosts(bench):
     bench.until("workbench.solutions.rows[2].q.every((v, i) => Math.abs(Math.sin((v - workbench.q[i]) / 2)) < 1e-6)")
 
 
+def test_a_target_turned_by_its_ring(bench):
+    bench.joints([10, 70, -160, 20, 50, 30])
+    bench.tab("Inverse")
+    bench.until("workbench.solutions && workbench.solutions.rows.length === 8")
+    bench.page.get_by_role("group", name="Handles", exact=True).get_by_role("button", name="Turn").click()
+    bench.settle()
+    before = shown_target(bench)
+    x, y = bench.value("workbench.toScreen([3, 7, 11].map((i) => workbench.target[i]))")
+    # the outer ring turns in the plane of the picture; its radius is a fixed share of the picture's height
+    radius = 0.098 * bench.page.locator("#view").bounding_box()["height"]
+    angles = np.radians(np.linspace(100, 150, 12))
+    for k, angle in enumerate(angles):
+        bench.page.mouse.move(x + radius * np.cos(angle), y - radius * np.sin(angle))
+        if k == 0:
+            bench.page.mouse.down()
+    bench.page.mouse.up()
+    after = shown_target(bench)
+    turned = np.degrees(np.arccos(np.clip((np.trace(before[:3, :3].T @ after[:3, :3]) - 1) / 2, -1, 1)))
+    assert 20 < turned < 80, "the ring turns the target about as far as the hand went"
+    assert np.allclose(after[:3, 3], before[:3, 3], atol=1e-9)
+    bench.until("workbench.frames.at(-1).every((v, i) => Math.abs(v - workbench.target[i]) < 1e-6)")
+    bench.shot("gizmo-turned")
+
+
 def test_out_of_reach_is_said_with_the_nearest_point(bench):
     bench.tab("Inverse")
     bench.fill("target-0", 900)
     near = bench.page.get_by_test_id("ik-nearest")
     near.get_by_text("Nearest reachable").wait_for()
     assert "out of reach" in bench.text("ik-verdict").lower()
+    seen = bench.page.locator("#view").bounding_box()
+    bench.settle()
+    x, y = bench.value("workbench.toScreen([3, 7, 11].map((i) => workbench.target[i]))")
+    assert 0 < x - seen["x"] < seen["width"] and 0 < y - seen["y"] < seen["height"], "the target is in the picture"
     bench.shot("out-of-reach", both=True)
     near.get_by_role("button", name="Make it the target").click()
     bench.until("workbench.solutions && workbench.solutions.status !== 'OUT_OF_REACH' || workbench.target[3] < 0.6")

@@ -6,14 +6,18 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 import pieper
 from pieper.inverse.reach import nearest_reachable
-from pieper.workbench.messages import Refused, optional, pose, vector, word
+from pieper.inverse.solutions import joint_distance, unwound
+from pieper.workbench.messages import MAX_JOINTS, Refused, number, optional, pose, vector, word
 from pieper.workbench.table import arm_from_table, table_from_arm
+
+if TYPE_CHECKING:
+    from pieper.inverse.plan import Plan
 
 FIRST_ARM = "denso-vp6242"
 LONGEST_FILE = 200_000
@@ -80,17 +84,59 @@ def _count(value: object) -> int | None:
 
 def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     """Return every solution of a pose with labels, limits and residuals, its families, and the reason in words."""
+    began = time.perf_counter()
+    solutions = solve(arm, message)
+    spent = time.perf_counter() - began
+    plan = arm.plan_for(message.get("task"))
+    answer = {**solution_rows(arm, solutions, message), "ms": 1e3 * spent}
+    if plan.redundancy:
+        # tracing what a redundant arm can do at a pose takes far longer than solving it: the page asks for that apart
+        answer["families"] = None
+        if not message.get("brief"):
+            answer["spare"] = spare_coordinates(plan)
+    elif not message.get("brief"):
+        answer["families"] = [family_points(family, arm.n) for family in solutions.families]
+    return answer
+
+
+def solve(arm: pieper.Arm, message: dict[str, Any]) -> pieper.Solutions:
+    """Return what the library answers to the target, task and redundancy of a message.
+
+    Where nobody chose the redundant joints, they stay where the page's posture has them if that has an answer: an arm
+    whose target is dragged does not swing about.
+    """
     T = pose(message.get("T"), "target")
     task = optional(word, message.get("task"), "task", TASKS)
     redundancy = optional(_redundancy, message.get("redundancy"))
-    began = time.perf_counter()
-    solutions = arm.ik(T, task=task, redundancy=redundancy)
-    spent = time.perf_counter() - began
-    return {**solution_rows(arm, solutions, message), "ms": 1e3 * spent}
+    plan, now = arm.plan_for(task), message.get("q")
+    if redundancy is None and plan.redundancy and isinstance(now, list) and len(now) == arm.n:
+        held = [joint for joint in plan.reduction.locked if joint < arm.n]
+        q = np.clip(vector(now, arm.n, "q"), *arm.limits.T)
+        solutions = arm.ik(T, task=task, redundancy={plan.names[joint]: float(q[joint]) for joint in held})
+        if len(solutions):
+            return solutions
+    return arm.ik(T, task=task, redundancy=redundancy)
 
 
-def _redundancy(value: object) -> float:
-    return float(vector([value], 1, "redundancy")[0])
+def _redundancy(value: object) -> dict[str, float]:
+    if not isinstance(value, dict) or not 1 <= len(value) <= MAX_JOINTS:
+        raise Refused("redundancy must be an object of values by the name of their coordinate.")
+    return {word(name, "name of a coordinate"): number(v, f"redundancy, {name[:40]}") for name, v in value.items()}
+
+
+def spare_coordinates(plan: Plan) -> list[dict[str, Any]]:
+    """Return each coordinate that may be chosen: its name, whether it is a length, and its limits, null for none.
+
+    The arm angle, where the arm has one, stands for its redundant joint: one of the two is chosen, not both.
+    """
+    found = []
+    for joint, name in zip(plan.reduction.locked, plan.redundancy, strict=True):
+        lower, upper = (float(v) if np.isfinite(v) else None for v in plan.full_limits[joint])
+        kind = "length" if joint < plan.n and plan.prismatic[joint] else "angle"
+        found.append({"name": name, "kind": kind, "lower": lower, "upper": upper, "instead": False})
+    if "arm angle" in getattr(plan, "choices", ()):
+        found.append({"name": "arm angle", "kind": "angle", "lower": None, "upper": None, "instead": True})
+    return found
 
 
 def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[str, Any]) -> dict[str, Any]:
@@ -101,11 +147,12 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
     labels = [None] * len(solutions.all_q) if brief else list(solutions.all_labels)
     families = np.full(len(solutions.all_q), -1)
     families[inside] = solutions.in_family
-    residual = arm.plan_for(message.get("task")).residual(solutions.all_q, solutions.T)
+    plan = arm.plan_for(message.get("task"))
+    residual = plan.residual(solutions.all_q, solutions.T)
     now = message.get("q")
     near = None
-    if isinstance(now, list) and len(now) == arm.n and (len(solutions) or solutions.families):
-        near = _nearest(solutions, vector(now, arm.n, "q"))
+    if isinstance(now, list) and len(now) == arm.n:
+        near = _nearest(plan, solutions, vector(now, arm.n, "q"))
     return {
         "rows": [
             {
@@ -121,27 +168,34 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
         "why": solutions.why,
         "rounded": bool(solutions.rounded),
         "nearest": near,
-        "families": [] if brief else [family_points(family) for family in solutions.families],
+        "families": [],
     }
 
 
-def _nearest(solutions: pieper.Solutions, now: np.ndarray) -> list[float] | None:
-    try:
-        return np.asarray(solutions.nearest(now)).tolist()
-    except pieper.NoSolutionError:
+def _nearest(plan: Plan, solutions: pieper.Solutions, now: np.ndarray) -> list[float] | None:
+    """Return the solution nearest to a posture; of a redundant arm, at the coordinates that the rows are for."""
+    if not plan.redundancy:
+        try:
+            return np.asarray(solutions.nearest(now)).tolist()
+        except pieper.NoSolutionError:
+            return None
+    if not len(solutions):
         return None
+    rows = unwound(solutions.q, now, plan.limits, plan.prismatic)
+    return rows[np.argmin(joint_distance(rows, now, plan.prismatic, plan.chain.length))].tolist()
 
 
-def family_points(family: Any) -> dict[str, Any]:
-    """Return a continuous family as joint vectors along it, in order; between them the page finds its own way."""
+def family_points(family: Any, n: int) -> dict[str, Any]:
+    """Return a continuous family as joint vectors (n,) along it, in order; between them the page finds its own way."""
     samples = np.asarray(family.samples)
     kept = np.unique(np.linspace(0, len(samples) - 1, min(len(samples), FAMILY_POINTS)).round().astype(int))
     names = list(family.names)
     return {
-        "q": samples[kept].tolist(),
+        # a task that fixes less than a pose adds joints at the tool, which are none of the arm's
+        "q": samples[kept, :n].tolist(),
         "s": np.asarray(family.s)[kept].tolist(),
         "closed": bool(family.closed),
-        "moves": [names[j] for j in family.free if j < len(names)],
+        "moves": [names[j] for j in family.free if j < n],
         "inside": [[float(a), float(b)] for a, b in family.inside],
         "dimension": int(family.dimension),
     }

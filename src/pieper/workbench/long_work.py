@@ -13,7 +13,7 @@ import numpy as np
 
 import pieper
 from pieper.motion.sequence import sequence
-from pieper.workbench import equation_blocks
+from pieper.workbench import answers, equation_blocks
 from pieper.workbench.messages import (
     MAX_CLOUD,
     MAX_POINTS,
@@ -73,6 +73,13 @@ def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
         ],
         "residual": [float(v) for v in (track.residual.max(0) if len(track.residual) else (0.0, 0.0))],
     }
+
+
+def families(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
+    """Return the continuous families of a pose of a redundant arm."""
+    found = answers.solve(arm, message).families
+    _go_on(stop)
+    return {"families": [answers.family_points(family, arm.n) for family in found]}
 
 
 def motion(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
@@ -183,6 +190,7 @@ def _file_name(name: str) -> str:
 
 KINDS: dict[str, Callable] = {
     "follow": follow,
+    "families": families,
     "motion": motion,
     "cloud": cloud,
     "equations": equations,

@@ -20,7 +20,7 @@ const onlyWoff2 = {
 const limit = 2.5e6;
 await rm('dist', { recursive: true, force: true });
 await build({
-  entryPoints: { app: 'src/main.mjs', page: 'src/style/page.css' },
+  entryPoints: { door: 'src/door.mjs', app: 'src/main.mjs', page: 'src/style/page.css' },
   outdir: 'dist',
   bundle: true,
   format: 'esm',

@@ -80,6 +80,24 @@ export function perFrame(f) {
   };
 }
 
+/** Call f at once, and again at most every `ms` while it is asked for, the last time with what was asked last. */
+export function atMostEvery(ms, f) {
+  let timer = null,
+    last = -Infinity;
+  const run = () => {
+    clearTimeout(timer);
+    timer = null;
+    last = performance.now();
+    f();
+  };
+  run.soon = () => {
+    const wait = last + ms - performance.now();
+    if (wait <= 0) run();
+    else timer ??= setTimeout(run, wait);
+  };
+  return run;
+}
+
 export function debounce(f, ms) {
   let timer;
   const run = (...args) => {

@@ -3,6 +3,7 @@ import { state } from './store.mjs';
 import { frames } from './kinematics.mjs';
 import { convert } from './convert.mjs';
 import { read } from './expression.mjs';
+import { withPresentNumbers } from './presentnumbers.mjs';
 import { cameraState, picturesDrawn, toScreen } from './scene/view.mjs';
 import { ghostCount, traceLength } from './scene/arm.mjs';
 import { counts } from './solving.mjs';
@@ -47,5 +48,6 @@ export function expose() {
     forward: (table, q) => frames(table, q),
     convert: (table, to) => convert(table, to),
     read: (text, kind) => read(text, kind),
+    present: (latex, table, q) => withPresentNumbers(latex, table, q),
   });
 }

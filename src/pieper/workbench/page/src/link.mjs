@@ -5,6 +5,9 @@ let socket = null,
   seq = 0,
   wait = 250;
 const waiting = new Map();
+let greeted = null;
+/** What the session says first: version, catalogue, and the arm that a new page opens with. */
+export const greeting = () => greeted;
 
 export class Offline extends Error {}
 
@@ -14,6 +17,9 @@ function connect() {
     seq = 0;
     wait = 250;
     state.online = true;
+    // asked before anybody waits for it, so that it is there when the rest of the page is
+    greeted = ask('hello', { wants_arm: true });
+    greeted.catch(() => {});
     tell('online', true);
   };
   socket.onmessage = ({ data }) => {

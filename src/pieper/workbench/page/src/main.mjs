@@ -23,8 +23,6 @@ import { analysis } from './panels/analysis.mjs';
 import { share } from './panels/share.mjs';
 import { expose } from './hook.mjs';
 
-// The line is laid while the graphics wake up; nothing is heard on it before this module has run to its end.
-link.start();
 readTheme();
 view.open($('#view'));
 on('theme', view.applyTheme);
@@ -60,7 +58,7 @@ const fromAddress = sharing
 on('online', async (yes) => {
   if (!yes) return;
   await fromAddress;
-  const hello = await link.ask('hello', { wants_arm: !state.table.joints.length });
+  const hello = await link.greeting();
   state.catalog = hello.catalog;
   tell('catalog');
   if (hello.table && !state.table.joints.length) {
@@ -69,6 +67,7 @@ on('online', async (yes) => {
   }
   document.documentElement.dataset.ready = 'yes';
 });
+if (state.online) tell('online', true);
 // Labels in the picture are drawn with the page's own letters once these are here.
 document.fonts?.ready.then(() => tell('theme'));
 expose();

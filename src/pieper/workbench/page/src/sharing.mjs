@@ -6,6 +6,7 @@ import { rotationDefect, identity, nearestRotation } from './matrix.mjs';
 import { setTheme } from './theme.mjs';
 import { debounce } from './dom.mjs';
 import { cameraState, setCamera } from './scene/view.mjs';
+import { options } from './solving.mjs';
 
 const VERSION = 1,
   MOST_JOINTS = 30;
@@ -17,6 +18,8 @@ export function snapshot() {
     table,
     q,
     target: hasTarget ? target : null,
+    task: options.task,
+    redundancy: options.redundancy,
     notation,
     frames: shownFrames,
     path,
@@ -122,6 +125,9 @@ export function restore(s, showPanel) {
     .filter((x) => x && numbers(x.q, n) && isNumber(x.seconds) && isNumber(x.hold))
     .slice(0, 40)
     .map((x) => ({ name: text(x.name, 20) || 'P', q: x.q.slice(), seconds: x.seconds, hold: x.hold }));
+  if (['pose', 'position', 'position+axis'].includes(s.task)) options.task = s.task;
+  const held = Object.entries(s.redundancy ?? {}).filter(([name, v]) => name.length < 80 && isNumber(v));
+  options.redundancy = held.length ? Object.fromEntries(held.slice(0, MOST_JOINTS)) : null;
   const target = pose(s.target);
   state.hasTarget = Boolean(target);
   if (target) setTarget(target, 'restored');
@@ -168,5 +174,5 @@ const keep = debounce(async () => {
 }, 600);
 /** Keep the address in step with the page, so that reloading or bookmarking loses nothing. */
 export function begin() {
-  on(['table', 'q', 'target', 'units', 'notation', 'panel', 'path', 'sequence', 'theme', 'frames'], keep);
+  on(['table', 'q', 'target', 'solutions', 'units', 'notation', 'panel', 'path', 'sequence', 'theme', 'frames'], keep);
 }

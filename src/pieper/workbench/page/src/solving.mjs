@@ -8,25 +8,50 @@ import { isDragging } from './scene/gizmo.mjs';
 export const options = { follow: true, ghosts: 'all', task: null, redundancy: null };
 export const counts = { answers: 0 };
 
-export const solve = newestOnly(async () => {
+const ask = newestOnly(async () => {
   const T = state.target,
     table = state.table;
   try {
-    const brief = isDragging();
+    const brief = isDragging() || sliding;
     const answer = await askArm('ik', { T, q: state.q, brief, task: options.task, redundancy: options.redundancy });
     // an answer to an older question is worth showing only while the hand is still moving
     if (table !== state.table || (T !== state.target && !brief)) return;
     counts.answers += 1;
-    state.solutions = { ...answer, T };
+    state.solutions = { ...answer, T, brief };
     if (options.follow && answer.nearest) setJoints(answer.nearest, 'follow');
     drawGhosts();
     tell('solutions');
     if (answer.status === 'OUT_OF_REACH' && !brief) findNearest(T);
+    if (answer.families === null && !brief) findFamilies(state.solutions);
   } catch (error) {
     if (error instanceof Offline) return;
     state.solutions = { rows: [], families: [], status: 'REFUSED', why: error.message, nearest: null };
     drawGhosts();
     tell('solutions');
+  }
+});
+
+let sliding = false;
+/** A spare coordinate is being slid: answers without words until the hand rests, which `solve` is told by. */
+export function slide() {
+  sliding = true;
+  ask();
+}
+export function solve() {
+  sliding = false;
+  ask();
+}
+
+/** The families of a redundant arm take longer than its solutions, which are shown meanwhile. */
+const findFamilies = newestOnly(async (asked) => {
+  try {
+    const body = { T: asked.T, q: state.q, task: options.task, redundancy: options.redundancy };
+    const { families } = await askArm('families', body);
+    if (state.solutions !== asked || !families) return;
+    asked.families = families;
+    tell('solutions');
+  } catch {
+    /* the solutions stand without them */
   }
 });
 
@@ -67,6 +92,7 @@ export function begin() {
   });
   on('table', (what) => {
     options.redundancy = null;
+    if (what === 'new') options.task = null;
     tell('solutions');
     if (what !== 'new' && state.panel === 'inverse' && state.hasTarget) solve();
   });

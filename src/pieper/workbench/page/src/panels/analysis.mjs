@@ -1,5 +1,5 @@
 // Analysis: how well the arm can move here, how near its limits are, and where its tool can be.
-import { h, replace, setText, select, perFrame } from '../dom.mjs';
+import { h, replace, setText, choice, select, perFrame } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { singularValues } from '../kinematics.mjs';
 import { fixed, showUnit } from '../units.mjs';
@@ -111,6 +111,16 @@ function cloudControls() {
     on: { click: () => (running ? ask('cancel', { kind: 'cloud' }) : run()) },
   });
   const clear = h('button', { type: 'button', text: 'Clear', on: { click: wipe } });
+  const cut = choice(
+    'Cloud shown',
+    [
+      ['whole', 'Whole'],
+      ['half', 'Cut open'],
+    ],
+    'whole',
+    (v) => cloud.cutAt(v === 'half' ? state.table.base[7] : null),
+    'cloud-cut',
+  );
   const progress = h('progress', {
     max: '1',
     'aria-label': 'Progress of the cloud',
@@ -190,7 +200,7 @@ function cloudControls() {
         { 'data-testid': 'cloud-colour' },
       ),
     ),
-    h('div', { class: 'line' }, start, clear),
+    h('div', { class: 'line' }, start, clear, cut),
     progress,
     legend,
     note,

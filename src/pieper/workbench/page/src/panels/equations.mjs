@@ -1,8 +1,9 @@
-// Equations: forward and inverse, typeset, with symbols or with the arm's numbers, the present values beside them.
+// Equations: forward and inverse, typeset, with symbols, the arm's lengths or the present numbers, their values beside them.
 import { h, replace, setText, choice, perFrame, debounce, copy } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { askArm } from '../library.mjs';
 import { fixed, show, units } from '../units.mjs';
+import { withPresentNumbers } from '../presentnumbers.mjs';
 import { kindOf } from './joints.mjs';
 
 let typeset = null;
@@ -70,14 +71,15 @@ export const equations = {
       numbers = 'symbols',
       asked = null,
       live = [],
-      source = '';
+      blocks = [];
     const note = h('p', { class: 'hint', role: 'status', 'data-testid': 'equations-note' });
     const body = h('div', { class: 'equations', 'data-testid': 'equations' });
     const lengths = choice(
-      'Lengths as',
+      'Written with',
       [
         ['symbols', 'Symbols'],
-        ['numbers', 'Numbers'],
+        ['numbers', 'Lengths'],
+        ['present', 'Present numbers'],
       ],
       numbers,
       (v) => {
@@ -110,13 +112,24 @@ export const equations = {
           ),
           lengths,
         ),
-        h('button', { type: 'button', class: 'quiet', text: 'Copy LaTeX', on: { click: () => copy(source) } }),
+        h('button', { type: 'button', class: 'quiet', text: 'Copy LaTeX', on: { click: () => copy(source()) } }),
       ),
       note,
       values,
       body,
     );
 
+    const latexOf = (b) =>
+      which === 'forward' && numbers === 'present' ? withPresentNumbers(b.latex, state.table, state.q) : b.latex;
+    const source = () => blocks.map((b) => (b.latex ? `\\[ ${latexOf(b)} \\]` : (b.text ?? b.heading))).join('\n\n');
+    function typesetAll(k) {
+      live = [];
+      replace(
+        body,
+        blocks.map((b) => block(k, b)),
+      );
+      update();
+    }
     async function refresh() {
       if (panel.hidden || !state.table.joints.length) return;
       const key = `${which}/${numbers}/${JSON.stringify(state.table.joints)}${state.table.convention}`;
@@ -127,17 +140,14 @@ export const equations = {
       try {
         const [k, answer] = await Promise.all([
           katex(),
-          askArm('equations', { which, numbers }, (m) => setText(note, m.note ?? '')),
+          askArm('equations', { which, numbers: numbers === 'symbols' ? numbers : 'numbers' }, (m) =>
+            setText(note, m.note ?? ''),
+          ),
         ]);
         if (asked !== key) return;
         setText(note, answer.note ?? '');
-        source = answer.blocks.map((b) => (b.latex ? `\\[ ${b.latex} \\]` : b.text)).join('\n\n');
-        live = [];
-        replace(
-          body,
-          answer.blocks.map((b) => block(k, b)),
-        );
-        update();
+        blocks = answer.blocks;
+        typesetAll(k);
         lengths.hidden = which !== 'forward';
         replace(values);
         evaluate();
@@ -153,7 +163,7 @@ export const equations = {
       if (b.text) return h('p', { class: 'prose' }, prose(k, b.text));
       const el = h('div', { class: 'formula' });
       try {
-        k.render(b.latex, el, {
+        k.render(latexOf(b), el, {
           displayMode: true,
           throwOnError: true,
           strict: false,
@@ -162,7 +172,7 @@ export const equations = {
           maxExpand: 1000,
         });
       } catch {
-        el.replaceChildren(h('code', { text: b.latex }));
+        el.replaceChildren(h('code', { text: latexOf(b) }));
       }
       if (b.entry === undefined) return el;
       const value = h('output', { class: 'value', 'data-entry': String(b.entry) });
@@ -188,6 +198,12 @@ export const equations = {
         replace(values);
       }
     }, 250);
+    const follow = debounce(() => {
+      if (!panel.hidden && typeset && blocks.length && which === 'forward' && numbers === 'present')
+        typesetAll(typeset);
+    }, 120);
+    on('q', follow);
+    on('panel', follow);
     on('q', evaluate);
     on('units', evaluate);
     on('panel', refresh);

@@ -1,15 +1,16 @@
 // Inverse: a target typed, taken or dragged; every solution as a row and as a ghost; the reason in words when there is none.
-import { h, replace, setText, choice, select } from '../dom.mjs';
+import { h, replace, setText, choice, select, atMostEvery } from '../dom.mjs';
 import { state, on, setTarget, tell } from '../store.mjs';
 import { units, show, showUnit } from '../units.mjs';
-import { numberField } from '../numberfield.mjs';
 import { moveTo } from '../animate.mjs';
 import { position } from '../matrix.mjs';
 import { solve, drawGhosts, options } from '../solving.mjs';
+import { showBeside } from '../scene/arm.mjs';
 import * as gizmo from '../scene/gizmo.mjs';
 import { poseEditor, readMatrix } from './pose_editor.mjs';
 import { matrixText } from './grid.mjs';
 import { showFamilies } from './families.mjs';
+import { spareCoordinates } from './spare.mjs';
 import { solutionTable } from './solution_table.mjs';
 
 const tones = {
@@ -27,6 +28,9 @@ const words = {
   UNCERTAIN: 'Not certain',
   REFUSED: 'Refused',
 };
+
+/** Milliseconds between two changes of the numbers while the hand drags the target. */
+const READABLE = 120;
 
 /** Present pose as target: what the first opening of this panel and the button do. */
 export function takePresent() {
@@ -76,14 +80,14 @@ export const inverse = {
     const near = h('div', { class: 'near', 'data-testid': 'ik-nearest' });
     const families = h('div', { class: 'families', 'data-testid': 'families' });
     const list = solutionTable();
-    root.append(verdict, near, families, list.el);
+    root.append(spareCoordinates(), verdict, near, families, list.el);
 
-    on('target', () => {
+    // The picture follows the hand with every answer; numbers that change more often than this cannot be read anyway.
+    const showTarget = atMostEvery(READABLE, () => {
       editor.show();
       showMatrix();
     });
-    on('notation', editor.show);
-    on(['solutions', 'units'], () => {
+    const showAnswer = atMostEvery(READABLE, () => {
       if (panel.hidden) return;
       const s = state.solutions;
       showVerdict(verdict, s);
@@ -91,9 +95,17 @@ export const inverse = {
       showFamilies(families, s);
       list.show(s);
     });
-    on('q', () => list.mark());
+    const mark = atMostEvery(READABLE, () => list.mark());
+    const atOnce = (run) => () => (gizmo.isDragging() ? run.soon() : run());
+    on('target', atOnce(showTarget));
+    on('notation', editor.show);
+    on(['solutions', 'units'], atOnce(showAnswer));
+    on('q', atOnce(mark));
+    const beside = () => showBeside('target', state.panel === 'inverse' ? [position(state.target)] : []);
+    on('target', (why) => why !== 'drag' && beside());
     on('panel', (id) => {
       gizmo.show(id === 'inverse');
+      if (id !== 'inverse' || state.hasTarget) beside();
       if (id !== 'inverse') return;
       if (!state.hasTarget) {
         state.hasTarget = true;
@@ -140,7 +152,6 @@ function matrixEditor() {
 }
 
 function controls() {
-  const redundancy = h('span', { class: 'line' });
   const task = h('span', { class: 'line' });
   const follow = h('input', {
     type: 'checkbox',
@@ -152,27 +163,7 @@ function controls() {
       },
     },
   });
-  on('plan', () => {
-    const names = state.plan?.redundancy ?? [];
-    replace(
-      redundancy,
-      names.length === 1
-        ? [
-            h('span', { class: 'field-name', text: `Free joint ${names[0]} at` }),
-            numberField({
-              label: `Value of ${names[0]}`,
-              kind: state.table.joints.find((j) => j.name === names[0])?.type === 'P' ? 'length' : 'angle',
-              empty: null,
-              testid: 'redundancy',
-              commit: (v) => {
-                options.redundancy = v;
-                solve();
-              },
-            }),
-          ]
-        : [],
-    );
-    options.task = null;
+  on('plan', () =>
     replace(
       task,
       state.plan?.solvable
@@ -186,17 +177,18 @@ function controls() {
                 ['position', 'position'],
                 ['position+axis', 'position + axis'],
               ],
-              '',
+              options.task ?? '',
               (v) => {
                 options.task = v || null;
+                options.redundancy = null;
                 solve();
               },
               { 'data-testid': 'task' },
             ),
           ]
         : [],
-    );
-  });
+    ),
+  );
   return h(
     'div',
     { class: 'line controls' },
@@ -244,7 +236,6 @@ function controls() {
     ),
     h('label', { class: 'check' }, follow, 'Arm follows'),
     task,
-    redundancy,
   );
 }
 
@@ -267,7 +258,7 @@ function showVerdict(el, s) {
     el,
     h('strong', { text: head }),
     ' ',
-    h('span', { text: s.status === 'SOLVED' && s.rows.length ? '' : s.why }),
+    h('span', { text: s.status === 'SOLVED' && s.rows.length ? '' : s.why.replace(/^\d+ solution\(s\) /, '') }),
     s.ms === undefined
       ? null
       : h('span', {

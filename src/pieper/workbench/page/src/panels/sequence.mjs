@@ -124,7 +124,8 @@ export const sequence = {
                 tell('sequence');
               },
             });
-            f.put(p.q[i]);
+            // shown to what fits the cell; what was captured stays behind it, exact, until the cell is typed in
+            f.put(p.q[i], String(Number((p.q[i] * units.factor(kindOf(j))).toFixed(units.digits(kindOf(j)))) + 0));
             return h('td', {}, f);
           });
           const time = (key, label, check) => {

@@ -4,16 +4,16 @@ import { state, on } from '../store.mjs';
 import { colours } from '../theme.mjs';
 import { frames as forward } from '../kinematics.mjs';
 import { position, norm, sub } from '../matrix.mjs';
-import { scene, invalidate, layGround, fit, remember, keepInView } from './view.mjs';
+import { scene, invalidate, wake, layGround, fit, remember, keepInView } from './view.mjs';
 import { debounce } from '../dom.mjs';
 import { proportions, shape, outline } from './shape.mjs';
 import { Bodies } from './bodies.mjs';
 import { matte } from './matte.mjs';
 import { Frames } from './frames.mjs';
 
-const materials = { link: matte(), joint: matte({ gloss: 0.2 }), accent: matte({ gloss: 0.05 }) };
+const material = matte();
 
-/** The arm's shadow: the same instances, flattened onto the ground along the light; each pixel is darkened once. */
+/** The arm's shadow: the same parts, flattened onto the ground along the light; each pixel is darkened once. */
 const light = [0.32, -0.4, 1];
 const shadowMaterial = new THREE.MeshBasicMaterial({
   color: '#000',
@@ -31,12 +31,12 @@ const shadowMaterial = new THREE.MeshBasicMaterial({
   polygonOffsetUnits: -1,
 });
 const shadowMatrix = new THREE.Matrix4().set(1, 0, -light[0], 0, 0, 1, -light[1], 0, 0, 0, 0, 0.0005, 0, 0, 0, 1);
-const main = new Bodies(materials, { shadow: { material: shadowMaterial, matrix: shadowMatrix } });
+const main = new Bodies(material, { shadow: { material: shadowMaterial, matrix: shadowMatrix } });
 
 const ghostMaterial = matte({ opacity: 0.2, veil: true });
-const ghosts = new Bodies({ link: ghostMaterial, joint: ghostMaterial, accent: ghostMaterial }, { veil: true });
+const ghosts = new Bodies(ghostMaterial, { veil: true });
 const previewMaterial = matte({ opacity: 0.62, gloss: 0.1 });
-const preview = new Bodies({ link: previewMaterial, joint: previewMaterial, accent: previewMaterial }, { veil: true });
+const preview = new Bodies(previewMaterial, { veil: true });
 const axes = new Frames();
 
 let form = proportions(state.table);
@@ -54,19 +54,26 @@ export function begin() {
     drawGhosts();
     clearTrace();
     if (what === 'new') fitArm({ instant: true, view: 'iso' });
+    wake();
   });
   on('q', drawArm);
   on('frames', drawFrames);
   on('theme', paint);
+  on('hurry', (yes) => {
+    for (const bodies of [main, ghosts, preview]) bodies.hurry(yes);
+  });
   paint();
 }
 
 const beside = new Map();
 let alsoShown = [];
-/** What else belongs in the picture: the ends of a path, the corners of a cloud. */
+/** What else belongs in the picture: the ends of a path, the corners of a cloud, a target. */
 export function showBeside(what, points) {
   beside.set(what, points);
   alsoShown = [...beside.values()].flat();
+  if (!state.table.joints.length) return;
+  remember([...outline(state.table, state.frames), ...alsoShown]);
+  if (points.length) stayInView();
 }
 /** Bring the arm into the picture; what stands beside it (a path) stays in the picture from then on. */
 export function fitArm(options) {
@@ -119,6 +126,7 @@ const traceAt = new Float32Array(6 * MOST);
 const traceLine = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ fog: false }));
 traceLine.geometry.setAttribute('position', new THREE.BufferAttribute(traceAt, 3));
 traceLine.frustumCulled = false;
+traceLine.visible = false;
 let traceCount = 0,
   tracing = true,
   lastPoint = null;
@@ -136,19 +144,19 @@ function addTrace(p) {
     traceCount += 1;
     traceLine.geometry.setDrawRange(0, 2 * traceCount);
     traceLine.geometry.attributes.position.needsUpdate = true;
+    traceLine.visible = true;
   }
   lastPoint = p;
 }
 export function setTracing(yes) {
   tracing = yes;
-  traceLine.visible = yes;
   if (!yes) clearTrace();
   invalidate();
 }
 export function clearTrace() {
   traceCount = 0;
   lastPoint = null;
-  traceLine.geometry.setDrawRange(0, 0);
+  traceLine.visible = false;
   invalidate();
 }
 export const traceLength = () => traceCount;
@@ -161,6 +169,7 @@ const pathDots = new THREE.Points(
   new THREE.PointsMaterial({ size: 4, sizeAttenuation: false, fog: false }),
 );
 pathDots.frustumCulled = false;
+pathLine.visible = pathDots.visible = false;
 scene.add(pathLine, pathDots);
 export function showPath(points) {
   showBeside('path', points);
@@ -175,11 +184,9 @@ export function showPath(points) {
 }
 
 function paint() {
-  materials.link.repaint(colours.link, colours.dark);
-  materials.joint.repaint(colours.joint, colours.dark);
-  materials.accent.repaint(colours.accent, colours.dark);
-  ghostMaterial.repaint(colours.ghost, colours.dark);
-  previewMaterial.repaint(colours.accent, colours.dark);
+  material.repaint(colours.link, colours.joint, colours.accent, colours.dark);
+  ghostMaterial.repaint(colours.ghost, colours.ghost, colours.ghost, colours.dark);
+  previewMaterial.repaint(colours.accent, colours.accent, colours.accent, colours.dark);
   traceLine.material.color.set(colours.accent);
   pathLine.material.color.set(colours.trace);
   pathDots.material.color.set(colours.trace);

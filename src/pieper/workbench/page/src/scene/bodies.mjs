@@ -1,8 +1,9 @@
-// Many arms in a handful of draw calls: every rod, ball, drum and sleeve of all of them is an instance of one mesh.
+// Many arms in one draw call: every rod, ball, drum and sleeve of all of them is written into one mesh.
+// Instances would be less to write, but a software renderer draws each of them like a mesh of its own.
 import * as THREE from 'three';
 import { cross, norm, sub } from '../matrix.mjs';
 
-/** Meshes of one unit, along z: fine for the arm, coarse for its ghosts and its shadow. */
+/** Corners, normals and triangles of one unit, along z. */
 function parts(round, rings) {
   const bevel = 0.1,
     turn = (g) => g.rotateX(Math.PI / 2);
@@ -14,159 +15,216 @@ function parts(round, rings) {
     [1 - bevel, 0.5],
     [0, 0.5],
   ];
-  return {
+  const drum =
+    rings > 8
+      ? new THREE.LatheGeometry(
+          profile.map(([r, y]) => new THREE.Vector2(r, y)),
+          round,
+        )
+      : new THREE.CylinderGeometry(1, 1, 1, round);
+  const bare = {
     rod: turn(new THREE.CylinderGeometry(1, 1, 1, round, 1, true)),
-    ball: new THREE.SphereGeometry(1, round, rings),
-    drum: turn(
-      rings > 8
-        ? new THREE.LatheGeometry(
-            profile.map(([r, y]) => new THREE.Vector2(r, y)),
-            round,
-          )
-        : new THREE.CylinderGeometry(1, 1, 1, round),
-    ),
-    band: turn(new THREE.CylinderGeometry(1, 1, 1, round, 1, true)),
+    ball: rings > 3 ? new THREE.SphereGeometry(1, round, rings) : new THREE.OctahedronGeometry(1, 0),
+    drum: turn(drum),
     box: new THREE.BoxGeometry(2, 2, 1),
   };
-}
-const fine = parts(26, 12),
-  coarse = parts(11, 5);
-
-const m = new THREE.Matrix4();
-/** Unit mesh along z to a place: radius r, height h, centred at `at`, z along dir. */
-function stand(at, dir, r, h, x = null) {
-  let ux =
-    x && Math.abs(dir[0] * x[0] + dir[1] * x[1] + dir[2] * x[2]) < 0.5
-      ? x
-      : cross(dir, Math.abs(dir[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]);
-  let uy = cross(dir, ux),
-    k = norm(uy) || 1;
-  uy = uy.map((v) => v / k);
-  ux = cross(uy, dir);
-  return m.set(
-    ux[0] * r,
-    uy[0] * r,
-    dir[0] * h,
-    at[0],
-    ux[1] * r,
-    uy[1] * r,
-    dir[1] * h,
-    at[1],
-    ux[2] * r,
-    uy[2] * r,
-    dir[2] * h,
-    at[2],
-    0,
-    0,
-    0,
-    1,
+  return Object.fromEntries(
+    Object.entries(bare).map(([name, g]) => {
+      const at = g.attributes.position;
+      const index = g.index ? g.index.array : Uint16Array.from({ length: at.count }, (_, i) => i);
+      return [name, { at: at.array, normal: g.attributes.normal.array, index, count: at.count }];
+    }),
   );
 }
+/**
+ * Where the processor draws, triangles are what a picture costs: while things move the arm has a fifth of them, and its ghosts
+ * and its shadow have as few as still tell a rod from a drum.
+ */
+const made = new Map();
+const unitParts = (round, rings) => made.get(round) ?? made.set(round, parts(round, rings)).get(round);
+const fine = () => unitParts(26, 12),
+  middling = () => unitParts(11, 5),
+  coarse = () => unitParts(6, 3);
+
+/** One growing mesh; `paint` numbers the colours of its material. */
+class Heap {
+  constructor(material) {
+    this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), material);
+    this.mesh.frustumCulled = false;
+    this.mesh.visible = false;
+    this.#room(1024, 4096);
+    this.clear();
+  }
+
+  /** Make room for so many corners and triangle indices; what is there already stays. */
+  #room(corners, indices) {
+    const old = this.mesh.geometry.attributes,
+      g = new THREE.BufferGeometry();
+    const grown = (name, size) => {
+      const array = new Float32Array(size * corners);
+      if (old[name]) array.set(old[name].array);
+      const attribute = new THREE.BufferAttribute(array, size).setUsage(THREE.DynamicDrawUsage);
+      g.setAttribute(name, attribute);
+      return array;
+    };
+    this.at = grown('position', 3);
+    this.normal = grown('normal', 3);
+    this.paint = grown('paint', 1);
+    const index = new Uint32Array(indices);
+    if (this.index) index.set(this.index);
+    this.index = index;
+    g.setIndex(new THREE.BufferAttribute(index, 1).setUsage(THREE.DynamicDrawUsage));
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = g;
+  }
+
+  clear() {
+    this.corners = 0;
+    this.indices = 0;
+  }
+
+  /** A part at a place: x and y of the unit times r along ux and uy, z times h along uz. */
+  put(part, paint, at, ux, uy, uz, r, h) {
+    const first = this.corners,
+      end = first + part.count;
+    if (3 * end > this.at.length || this.indices + part.index.length > this.index.length)
+      this.#room(
+        2 * Math.max(end, this.at.length / 3),
+        2 * Math.max(this.indices + part.index.length, this.index.length),
+      );
+    for (let v = 0, o = 3 * first; v < 3 * part.count; v += 3, o += 3) {
+      const x = r * part.at[v],
+        y = r * part.at[v + 1],
+        z = h * part.at[v + 2];
+      // normals go with the inverse scale; the shader brings them to length one
+      const nx = part.normal[v] / r,
+        ny = part.normal[v + 1] / r,
+        nz = part.normal[v + 2] / h;
+      for (let k = 0; k < 3; k++) {
+        this.at[o + k] = at[k] + ux[k] * x + uy[k] * y + uz[k] * z;
+        this.normal[o + k] = ux[k] * nx + uy[k] * ny + uz[k] * nz;
+      }
+    }
+    this.paint.fill(paint, first, end);
+    for (let i = 0; i < part.index.length; i++) this.index[this.indices + i] = first + part.index[i];
+    this.corners = end;
+    this.indices += part.index.length;
+  }
+
+  /** Hand over what was put since the last clear. */
+  done() {
+    const g = this.mesh.geometry;
+    for (const [attribute, used] of [
+      [g.attributes.position, 3 * this.corners],
+      [g.attributes.normal, 3 * this.corners],
+      [g.attributes.paint, this.corners],
+      [g.index, this.indices],
+    ]) {
+      attribute.clearUpdateRanges();
+      attribute.addUpdateRange(0, used);
+      attribute.needsUpdate = true;
+    }
+    g.setDrawRange(0, this.indices);
+    this.mesh.visible = this.indices > 0;
+  }
+}
+
+const X = [1, 0, 0],
+  Y = [0, 1, 0],
+  Z = [0, 0, 1];
+/** Two unit vectors across a direction, the first as near to `x` as can be. */
+function across(dir, x = null) {
+  const ux =
+    x && Math.abs(dir[0] * x[0] + dir[1] * x[1] + dir[2] * x[2]) < 0.5 ? x : cross(dir, Math.abs(dir[2]) < 0.9 ? Z : X);
+  const v = cross(dir, ux),
+    k = norm(v) || 1,
+    uy = v.map((c) => c / k);
+  return [cross(uy, dir), uy];
+}
+
+/** Numbers of the colours in `matte`. */
+const LINK = 0,
+  JOINT = 1,
+  ACCENT = 2;
 
 export class Bodies {
   /**
-   * @param materials {link, joint, accent}
+   * @param material a `matte`
    * @param options.shadow {material, matrix} of the flattened copy, or null
-   * @param options.veil true for ghosts: coarse meshes, without bands and plates
+   * @param options.veil true for ghosts: fewer triangles, without bands and plates
    */
-  constructor(materials, { shadow = null, veil = false } = {}) {
+  constructor(material, { shadow = null, veil = false } = {}) {
     this.group = new THREE.Group();
-    this.materials = materials;
-    this.shadow = shadow;
     this.veil = veil;
-    this.capacity = 0;
-    this.meshes = {};
+    this.moving = false;
+    this.arms = [];
+    this.body = new Heap(material);
+    this.group.add(this.body.mesh);
+    if (shadow) {
+      this.flat = new Heap(shadow.material);
+      this.flat.mesh.matrixAutoUpdate = false;
+      this.flat.mesh.matrix.copy(shadow.matrix);
+      this.flat.mesh.renderOrder = -1;
+      this.group.add(this.flat.mesh);
+    }
   }
 
-  #grow(capacity) {
-    if (capacity <= this.capacity) return;
-    this.capacity = Math.max(64, 2 ** Math.ceil(Math.log2(capacity)));
-    this.group.clear();
-    const kinds = {
-      rod: ['rod', 'link'],
-      ball: ['ball', 'link'],
-      drum: ['drum', 'joint'],
-      band: ['band', 'accent'],
-      box: ['box', 'joint'],
-      tip: ['ball', 'accent'],
-      plate: ['drum', 'joint'],
-    };
-    for (const [kind, [geometry, material]] of Object.entries(kinds)) {
-      this.meshes[kind]?.dispose();
-      const mesh = new THREE.InstancedMesh(
-        (this.veil ? coarse : fine)[geometry],
-        this.materials[material],
-        this.capacity,
-      );
-      mesh.frustumCulled = false;
-      mesh.count = 0;
-      this.meshes[kind] = mesh;
-      this.group.add(mesh);
-      if (this.shadow && kind !== 'band' && kind !== 'tip') {
-        const flat = new THREE.InstancedMesh(coarse[geometry], this.shadow.material, this.capacity);
-        flat.instanceMatrix = mesh.instanceMatrix;
-        flat.frustumCulled = false;
-        flat.matrixAutoUpdate = false;
-        flat.matrix.copy(this.shadow.matrix);
-        flat.renderOrder = -1;
-        mesh.userData.flat = flat;
-        this.group.add(flat);
-      }
-    }
+  /** Draw with few triangles while things move, with many when they rest. */
+  hurry(yes) {
+    this.moving = yes;
+    this.show(this.arms);
   }
 
   /** Show arms: a list of what `shape` returns. */
   show(arms) {
-    const most = arms.reduce(
-      (sum, parts) => sum + Math.max(parts.rods.length, parts.balls.length, parts.drums.length + 3),
-      0,
-    );
-    this.#grow(most);
-    for (const mesh of Object.values(this.meshes)) mesh.count = 0;
-    for (const parts of arms) this.#add(parts);
-    for (const mesh of Object.values(this.meshes)) {
-      mesh.instanceMatrix.needsUpdate = true;
-      mesh.visible = mesh.count > 0;
-      if (mesh.userData.flat) {
-        mesh.userData.flat.count = mesh.count;
-        mesh.userData.flat.visible = mesh.visible;
-      }
-    }
+    this.arms = arms;
+    this.body.clear();
+    const unit = this.veil ? (this.moving ? coarse : middling) : this.moving ? middling : fine;
+    for (const arm of arms) this.#write(this.body, arm, unit());
+    this.body.done();
+    if (!this.flat) return;
+    this.flat.clear();
+    for (const arm of arms) this.#write(this.flat, arm, this.moving ? coarse() : middling(), true);
+    this.flat.done();
   }
 
-  #put(kind, matrix) {
-    const mesh = this.meshes[kind];
-    mesh.setMatrixAt(mesh.count, matrix);
-    mesh.count += 1;
-  }
-
-  #add(parts) {
+  #write(heap, arm, unit, flat = false) {
     // A ghost is a little thinner than the arm: where both stand in one place, the arm is seen and not a pattern of the two.
-    const k = this.veil ? 0.95 : 1;
-    for (const { a, b, r } of parts.rods) {
+    const k = this.veil ? 0.95 : 1,
+      whole = !this.veil && !flat;
+    const stand = (part, paint, at, dir, r, h, x) => heap.put(part, paint, at, ...across(dir, x), dir, r, h);
+    const ball = (paint, at, r) => heap.put(unit.ball, paint, at, X, Y, Z, r, r);
+    for (const { a, b, r } of arm.rods) {
       const v = sub(b, a),
-        len = norm(v),
-        dir = v.map((x) => x / len);
-      this.#put('rod', stand([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2], dir, k * r, len));
-    }
-    for (const { at, r } of parts.balls) this.#put('ball', m.makeScale(k * r, k * r, k * r).setPosition(...at));
-    for (const { at, dir, r, h } of parts.drums) {
-      this.#put('drum', stand(at, dir, k * r, k * h));
-      if (!this.veil) this.#put('band', stand(at, dir, r * 1.012, h * 0.13));
-    }
-    for (const { at, dir, x, r, h } of parts.sleeves) this.#put('box', stand(at, dir, k * r, k * h, x));
-    if (parts.pedestal && !this.veil) {
-      const { at, dir, r, h } = parts.pedestal;
-      this.#put(
-        'plate',
-        stand([at[0] + (dir[0] * h) / 2, at[1] + (dir[1] * h) / 2, at[2] + (dir[2] * h) / 2], dir, r, h),
+        len = norm(v);
+      const middle = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2];
+      stand(
+        unit.rod,
+        LINK,
+        middle,
+        v.map((c) => c / len),
+        k * r,
+        len,
       );
     }
-    if (parts.flange) {
-      const { at, dir, r, h } = parts.flange;
-      this.#put('plate', stand(at, dir, r, h));
+    for (const { at, r } of arm.balls) ball(LINK, at, k * r);
+    for (const { at, dir, r, h } of arm.drums) {
+      stand(unit.drum, JOINT, at, dir, k * r, k * h);
+      if (whole) stand(unit.rod, ACCENT, at, dir, r * 1.012, h * 0.13);
     }
-    if (parts.tip && !this.veil)
-      this.#put('tip', m.makeScale(parts.tip.r, parts.tip.r, parts.tip.r).setPosition(...parts.tip.at));
+    for (const { at, dir, x, r, h } of arm.sleeves) stand(unit.box, JOINT, at, dir, k * r, k * h, x);
+    if (arm.pedestal && !this.veil) {
+      const { at, dir, r, h } = arm.pedestal;
+      stand(
+        unit.drum,
+        JOINT,
+        [at[0] + (dir[0] * h) / 2, at[1] + (dir[1] * h) / 2, at[2] + (dir[2] * h) / 2],
+        dir,
+        r,
+        h,
+      );
+    }
+    if (arm.flange) stand(unit.drum, JOINT, arm.flange.at, arm.flange.dir, arm.flange.r, arm.flange.h);
+    if (arm.tip && whole) ball(ACCENT, arm.tip.at, arm.tip.r);
   }
 }

@@ -1,12 +1,13 @@
 // The cloud of reachable points, coloured by a value from low to high.
 import * as THREE from 'three';
-import { scene, invalidate } from './view.mjs';
+import { scene, renderer, invalidate } from './view.mjs';
 
 /** Stops of a colour scale that reads in grey too (after viridis). */
 const stops = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725'].map((c) => new THREE.Color(c));
 const material = new THREE.PointsMaterial({ size: 2.2, sizeAttenuation: false, vertexColors: true, fog: false });
 const points = new THREE.Points(new THREE.BufferGeometry(), material);
 points.frustumCulled = false;
+points.visible = false;
 scene.add(points);
 
 let at = null,
@@ -57,6 +58,13 @@ function recolour() {
   invalidate();
 }
 export const size = () => count;
+/** Leave out the half before the plane y = at, so that the inside and the arm are seen; null shows the whole. */
+export function cutAt(at) {
+  renderer.localClippingEnabled = at !== null;
+  material.clippingPlanes = at === null ? null : [new THREE.Plane(new THREE.Vector3(0, 1, 0), -at)];
+  material.needsUpdate = true;
+  invalidate();
+}
 /** The eight corners of the cloud. */
 export function corners() {
   const box = new THREE.Box3();

@@ -33,7 +33,7 @@ function label(text) {
   if (labels.has(key)) return labels.get(key);
   const canvas = document.createElement('canvas'),
     k = 4,
-    c = canvas.getContext('2d');
+    c = canvas.getContext('2d', { willReadFrequently: true });
   const font = `600 ${13 * k}px "Inter Variable", system-ui, sans-serif`;
   c.font = font;
   canvas.width = c.measureText(text).width + 12 * k;

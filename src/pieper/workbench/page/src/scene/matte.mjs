@@ -2,26 +2,27 @@
 import * as THREE from 'three';
 
 const vertexShader = /* glsl */ `
+  attribute float paint;
+  uniform vec3 colours[3];
   varying vec3 vNormal;
   varying vec3 vToEye;
+  varying vec3 vColour;
   void main() {
-    mat4 place = modelMatrix * instanceMatrix;
-    vec4 world = place * vec4(position, 1.0);
-    // columns of an instance are orthogonal, so dividing by their squared lengths undoes the scale
-    mat3 turn = mat3(place);
-    vNormal = turn * (normal / vec3(dot(turn[0], turn[0]), dot(turn[1], turn[1]), dot(turn[2], turn[2])));
+    vec4 world = modelMatrix * vec4(position, 1.0);
+    vNormal = normalize(normal);
     vToEye = cameraPosition - world.xyz;
+    vColour = paint < 0.5 ? colours[0] : paint < 1.5 ? colours[1] : colours[2];
     gl_Position = projectionMatrix * viewMatrix * world;
   }`;
 
 const fragmentShader = /* glsl */ `
-  uniform vec3 colour;
   uniform float opacity;
   uniform vec3 sky;
   uniform vec3 ground;
   uniform float gloss;
   varying vec3 vNormal;
   varying vec3 vToEye;
+  varying vec3 vColour;
   const vec3 SUN = vec3(0.332, -0.443, 0.831);
   const vec3 FILL = vec3(-0.788, 0.394, 0.473);
   void main() {
@@ -29,24 +30,22 @@ const fragmentShader = /* glsl */ `
     float sun = max(dot(n, SUN), 0.0), fill = max(dot(n, FILL), 0.0);
     vec3 light = mix(ground, sky, 0.5 + 0.5 * n.z) + 0.62 * sun + 0.2 * fill;
     float shine = gloss * pow(max(dot(n, normalize(SUN + e)), 0.0), 28.0);
-    gl_FragColor = vec4(colour * light + shine, opacity);
+    gl_FragColor = vec4(vColour * light + shine, opacity);
     #include <colorspace_fragment>
   }`;
 
 /** A ghost's paint: the same light, worked out at the corners only; seven translucent arms are many pixels. */
 const veilVertexShader = /* glsl */ `
-  uniform vec3 colour;
+  uniform vec3 colours[3];
   uniform vec3 sky;
   uniform vec3 ground;
   varying vec3 vColour;
   const vec3 SUN = vec3(0.332, -0.443, 0.831);
   void main() {
-    mat4 place = modelMatrix * instanceMatrix;
-    mat3 turn = mat3(place);
-    vec3 n = normalize(turn * (normal / vec3(dot(turn[0], turn[0]), dot(turn[1], turn[1]), dot(turn[2], turn[2]))));
-    vec3 linear = colour * (mix(ground, sky, 0.5 + 0.5 * n.z) + 0.75 * max(dot(n, SUN), 0.0));
+    vec3 n = normalize(normal);
+    vec3 linear = colours[0] * (mix(ground, sky, 0.5 + 0.5 * n.z) + 0.75 * max(dot(n, SUN), 0.0));
     vColour = pow(linear, vec3(1.0 / 2.2));
-    gl_Position = projectionMatrix * viewMatrix * place * vec4(position, 1.0);
+    gl_Position = projectionMatrix * viewMatrix * modelMatrix * vec4(position, 1.0);
   }`;
 const veilFragmentShader = /* glsl */ `
   uniform float opacity;
@@ -55,22 +54,22 @@ const veilFragmentShader = /* glsl */ `
     gl_FragColor = vec4(vColour, opacity);
   }`;
 
-/** A material for instanced parts; `set(colour)` repaints it, `lit(dark)` sets the sky for the theme. */
+/** A material for the parts of arms; `repaint(link, joint, accent, dark)` sets its colours and the sky of the theme. */
 export function matte({ opacity = 1, gloss = 0.16, veil = false } = {}) {
   const material = new THREE.ShaderMaterial({
     vertexShader: veil ? veilVertexShader : vertexShader,
     fragmentShader: veil ? veilFragmentShader : fragmentShader,
     transparent: opacity < 1,
     uniforms: {
-      colour: { value: new THREE.Color() },
+      colours: { value: [new THREE.Color(), new THREE.Color(), new THREE.Color()] },
       opacity: { value: opacity },
       gloss: { value: gloss },
       sky: { value: new THREE.Color(0.46, 0.46, 0.47) },
       ground: { value: new THREE.Color(0.2, 0.2, 0.21) },
     },
   });
-  material.repaint = (colour, dark) => {
-    material.uniforms.colour.value.set(colour);
+  material.repaint = (link, joint, accent, dark) => {
+    [link, joint, accent].forEach((colour, i) => material.uniforms.colours.value[i].set(colour));
     material.uniforms.sky.value.setScalar(dark ? 0.36 : 0.47);
     material.uniforms.ground.value.setScalar(dark ? 0.1 : 0.2);
   };

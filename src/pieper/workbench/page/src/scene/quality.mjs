@@ -17,10 +17,13 @@ export function drawnInSoftware(gl) {
 }
 
 export class Quality {
-  constructor(software, renderer, draw) {
+  /** @param hurry called with true when things begin to move and with false when they rest, where the processor draws */
+  constructor(software, renderer, draw, hurry) {
     this.software = software;
     this.renderer = renderer;
     this.draw = draw;
+    this.hurry = hurry;
+    this.resting = true;
     this.level = 0;
     this.gaps = [];
     this.last = 0;
@@ -55,10 +58,14 @@ export class Quality {
       if (middle > SLOW && this.level < LEVELS.length - 1) this.level += 1;
       else if (middle < FAST && this.level > 0) this.level -= 1;
     }
+    if (this.resting) this.hurry(true);
+    this.resting = false;
     this.#use(this.base * LEVELS[this.level]);
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
       this.gaps = [];
+      this.resting = true;
+      this.hurry(false);
       this.#use(Math.min(2 * this.base, Math.max(Math.sqrt(MOST / this.area), 0.5)));
       this.draw();
     }, REST);

@@ -1,6 +1,7 @@
 // The window into space: renderer, camera, standard views and ground. Draws only when something changed.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { tell } from '../store.mjs';
 import { colours } from '../theme.mjs';
 import { Quality, drawnInSoftware } from './quality.mjs';
 
@@ -14,11 +15,12 @@ export let renderer, controls;
 let host,
   quality,
   pending = false,
+  awake = false,
   drawn = 0;
 
 /** Ask for a picture; many requests within a frame make one. */
 export function invalidate() {
-  if (pending) return;
+  if (pending || !awake) return;
   pending = true;
   requestAnimationFrame(draw);
 }
@@ -31,22 +33,50 @@ function paint() {
   renderer.render(scene, camera);
   drawn += 1;
 }
+/** From now on there is something to show. */
+export function wake() {
+  awake = true;
+  invalidate();
+}
 export const picturesDrawn = () => drawn;
 
 scene.fog = new THREE.Fog('#fff', 1, 10);
 
+/**
+ * A canvas of the host's size with its context. Without an alpha channel: an opaque picture spares the browser drawing what
+ * lies under it and mixing the two. At its size from the start: every change of size is a question to the graphics process,
+ * and where the processor draws, each of them waits in line.
+ */
+function contextOf(antialias) {
+  const canvas = document.createElement('canvas');
+  canvas.width = host.clientWidth || 1;
+  canvas.height = host.clientHeight || 1;
+  const context = canvas.getContext('webgl2', {
+    alpha: false,
+    antialias,
+    stencil: true,
+    powerPreference: 'high-performance',
+  });
+  if (!context) throw new Error('This browser offers no WebGL 2, which the picture needs.');
+  // None of the extensions that three.js asks for is used here, and asking is again a question each.
+  const offered = context.getExtension.bind(context);
+  context.getExtension = (name) => (used.has(name) ? offered(name) : null);
+  return context;
+}
+const used = new Set(['WEBGL_debug_renderer_info', 'WEBGL_lose_context']);
+
 export function open(element) {
   host = element;
-  const make = (antialias) =>
-    new THREE.WebGLRenderer({ antialias, stencil: true, powerPreference: 'high-performance' });
-  renderer = make(false);
-  const software = drawnInSoftware(renderer.getContext());
+  let context = contextOf(false);
+  const software = drawnInSoftware(context);
   if (!software) {
-    renderer.dispose();
-    renderer.forceContextLoss();
-    renderer = make(true);
+    context.getExtension('WEBGL_lose_context')?.loseContext();
+    context = contextOf(true);
   }
-  quality = new Quality(software, renderer, paint);
+  renderer = new THREE.WebGLRenderer({ canvas: context.canvas, context });
+  // our shaders are tried by the tests; asking for each one's log holds up the first picture
+  renderer.debug.checkShaderErrors = false;
+  quality = new Quality(software, renderer, paint, (yes) => tell('hurry', yes));
   renderer.domElement.setAttribute('aria-hidden', 'true');
   host.append(renderer.domElement);
   controls = new OrbitControls(camera, renderer.domElement);
@@ -74,7 +104,7 @@ function resize() {
   renderer.setSize(w, h);
   camera.aspect = w / h;
   camera.updateProjectionMatrix();
-  // at once, so that a resized picture does not flicker; the very first one waits for something to show
+  // at once, so that a resized picture does not flicker
   if (drawn) draw();
   else invalidate();
   keepInView();
@@ -194,7 +224,8 @@ function inView() {
 }
 /** Move back a little when the arm has grown out of the picture, unless the person has chosen it so. */
 export function keepInView() {
-  if (!handsOff && lastPoints.length && !inView()) fit(lastPoints);
+  // never under a hand that drags the target, which lets go of the controls meanwhile
+  if (!handsOff && controls.enabled && lastPoints.length && !inView()) fit(lastPoints);
 }
 export const remember = (points) => {
   lastPoints = points;

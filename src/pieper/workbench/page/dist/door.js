@@ -1,0 +1,1 @@
+import{K as n}from"./chunk-LLBWXIPN.js";n();var o=()=>import("./app.js").catch(t=>{let e=document.getElementById("remark");throw e.textContent=`The workbench could not start: ${t.message}`,e.classList.add("shown"),t});document.readyState==="complete"?o():addEventListener("load",o,{once:!0});
