@@ -77,7 +77,7 @@ def runs(rng, n: int) -> list[slice]:
     """Return one or two runs of two to four neighbouring links."""
     out = []
     for _ in range(rng.integers(1, 3)):
-        first = int(rng.integers(0, n - 1))
+        first = int(rng.integers(0, max(1, n - 1)))
         out.append(slice(first, min(n - 1, first + int(rng.integers(1, 4)))))
     return out
 
@@ -105,7 +105,8 @@ def meeting(rng, n: int = 6) -> list[DH]:
 def coincident(rng, n: int = 6) -> list[DH]:
     """One or two pairs of neighbouring axes on one line."""
     rows = [general, drawn, meeting][rng.integers(3)](rng, n)
-    for i in rng.choice(n - 1, min(n - 1, int(rng.integers(1, 3))), replace=False):
+    pairs = min(n - 1, int(rng.integers(1, 3)))
+    for i in rng.choice(max(1, n - 1), pairs, replace=False):
         rows[i] = DH(0, float(rng.choice([0, np.pi])), rows[i].d, rows[i].theta)
     return rows
 
