@@ -26,14 +26,14 @@ TESTS = HERE.parent / "tests"
 sys.path += [str(HERE), str(TESTS), str(TESTS / "oracle")]
 
 import arms as tables  # noqa: E402
-from closed_form_arms import plane_arm, wrist_arm  # noqa: E402
 from hunt import build  # noqa: E402
 from made import free, laws  # noqa: E402
-from oracle import locked, machine  # noqa: E402
 from random_arms import joint_vectors, poses, write  # noqa: E402
 from whole import DOUBLE, compare, whole_set  # noqa: E402
 
 import pieper  # noqa: E402
+from closed_form_arms import plane_arm, wrist_arm  # noqa: E402
+from oracle import locked, machine  # noqa: E402
 
 CHUNK = 100
 
@@ -82,7 +82,15 @@ def begun(arm) -> dict:
     more = ("uncertain", "singular", "ik_differs", "starts_beyond", "crowded")
     plan = arm.plan
     start = dict.fromkeys((*sums, *more), 0)
-    return start | {"family": plan.family, "types": arm.joint_types, "held": list(plan.redundancy), "counts": {}, "cases": [], "seconds": 0.0, "fewest": 10**9}
+    return start | {
+        "family": plan.family,
+        "types": arm.joint_types,
+        "held": list(plan.redundancy),
+        "counts": {},
+        "cases": [],
+        "seconds": 0.0,
+        "fewest": 10**9,
+    }
 
 
 def chunk(arm, name: str, state: dict, count: int, starts: int, library) -> None:
@@ -107,7 +115,9 @@ def chunk(arm, name: str, state: dict, count: int, starts: int, library) -> None
         rows = many.q[i][many.valid[i]]
         if i % 20 == 0:
             alone = arm.ik(T[i], **chosen).all_q
-            same = len(alone) == len(rows) and (not len(rows) or np.abs(np.sort(alone, 0) - np.sort(rows, 0)).max() < 1e-9)
+            same = len(alone) == len(rows) and (
+                not len(rows) or np.abs(np.sort(alone, 0) - np.sort(rows, 0)).max() < 1e-9
+            )
             state["ik_differs"] += not same
         rows = rows[:, free_joints]
         how = {"library": library, "rng": np.random.default_rng([first + i, 1]), "least": starts}
@@ -135,7 +145,12 @@ def chunk(arm, name: str, state: dict, count: int, starts: int, library) -> None
         state["odd_at_double_root"] += odd and verdict.sigma < DOUBLE
         if verdict.missing or verdict.extra or verdict.unseen or made.missing or odd:
             case = {"pose": first + i, "q": q[i].tolist(), "rows": len(rows), "status": pieper.Status(status).name}
-            case |= {"missing": verdict.missing, "extra": verdict.extra, "unseen": verdict.unseen, "sigma": verdict.sigma}
+            case |= {
+                "missing": verdict.missing,
+                "extra": verdict.extra,
+                "unseen": verdict.unseen,
+                "sigma": verdict.sigma,
+            }
             state["cases"] = [*state["cases"], case][:50]
             print(f"{name}: {json.dumps(case)[:600]}", flush=True)
     state["seconds"] += time.perf_counter() - begin

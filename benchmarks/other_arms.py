@@ -25,11 +25,25 @@ sys.path += [str(HERE), str(HERE.parent / "tests" / "oracle")]
 
 from hunt import build  # noqa: E402
 from mixed_arms import random_arm  # noqa: E402
-from oracle import TASKS, equations, locked, machine  # noqa: E402
 from random_arms import PATIENCE, joint_vectors, patience, poses, write  # noqa: E402
 from whole import compare, whole_set  # noqa: E402
 
-SUMS = ("arms", "poses", "solutions", "missing", "generating_missed", "extra", "unseen", "on_families", "uncertain", "crowded", "failed", "refused")
+from oracle import TASKS, equations, locked, machine  # noqa: E402
+
+SUMS = (
+    "arms",
+    "poses",
+    "solutions",
+    "missing",
+    "generating_missed",
+    "extra",
+    "unseen",
+    "on_families",
+    "uncertain",
+    "crowded",
+    "failed",
+    "refused",
+)
 
 
 def judged(arm, number: int, task: str, count: int, library) -> dict:
@@ -50,7 +64,13 @@ def judged(arm, number: int, task: str, count: int, library) -> dict:
         sols = arm.ik(T[i], task=task, **chosen)
         out["poses"] += 1
         out["uncertain"] += sols.status.name == "UNCERTAIN"
-        case = {"pose": i, "q": q[i].tolist(), "status": sols.status.name, "rows": len(sols.all_q), "spare": list(plan.redundancy)}
+        case = {
+            "pose": i,
+            "q": q[i].tolist(),
+            "status": sols.status.name,
+            "rows": len(sols.all_q),
+            "spare": list(plan.redundancy),
+        }
         if turning:
             left = np.linalg.norm(equations(m, m.inner(sols.all_q), m.pose(T[i]), TASKS[task])[0], axis=1)
             bad = int((left > 1e-9).sum())
@@ -67,7 +87,13 @@ def judged(arm, number: int, task: str, count: int, library) -> dict:
             rest = locked(rest, j, m.inner(q)[i, j])
         free = [j for j in range(arm.n) if j not in held]
         rows = sols.all_q[:, free]
-        how = {"library": library, "rng": np.random.default_rng([number, i]), "task": task, "least": 600, "most": 12_000}
+        how = {
+            "library": library,
+            "rng": np.random.default_rng([number, i]),
+            "task": task,
+            "least": 600,
+            "most": 12_000,
+        }
         found = whole_set(rest, T[i], **how)
         verdict = compare(rest, T[i], rows, found, task)
         if verdict.unseen and not found.crowded:
@@ -79,7 +105,9 @@ def judged(arm, number: int, task: str, count: int, library) -> dict:
         if missing and sols.families:
             full = np.repeat(q[i][None], len(missing), 0)
             full[:, free] = [x[0] for x in missing] if missing else full[:, free]
-            missing = [x for x, p in zip(missing, full, strict=True) if not any(f.contains(p, 1e-4) for f in sols.families)]
+            missing = [
+                x for x, p in zip(missing, full, strict=True) if not any(f.contains(p, 1e-4) for f in sols.families)
+            ]
         out["missing"] += len(missing)
         out["extra"] += len(verdict.extra)
         out["unseen"] += 0 if found.crowded else len(verdict.unseen)
@@ -96,7 +124,11 @@ def main() -> None:
     parser.add_argument("--joints", type=int, nargs="*", default=[1, 2, 3, 4, 5, 7, 8])
     parser.add_argument("--out", type=Path, default=HERE / "other_arms.json")
     args = parser.parse_args()
-    state = json.loads(args.out.read_text()) if args.out.exists() else {"poses": args.poses, "rows": {}, "next": {}, "notable": []}
+    state = (
+        json.loads(args.out.read_text())
+        if args.out.exists()
+        else {"poses": args.poses, "rows": {}, "next": {}, "notable": []}
+    )
     stop = Counter()
     signal.signal(signal.SIGINT, lambda *_: stop.update(now=1))
     said = time.monotonic()
@@ -111,12 +143,25 @@ def main() -> None:
                         with patience(PATIENCE):
                             result = judged(arm, number, task, args.poses, library)
                     except Exception as error:  # whatever comes out is the finding
-                        result = dict.fromkeys(SUMS, 0) | {"arms": 1, "failed": 1, "cases": [f"{type(error).__name__}: {error}"]}
+                        result = dict.fromkeys(SUMS, 0) | {
+                            "arms": 1,
+                            "failed": 1,
+                            "cases": [f"{type(error).__name__}: {error}"],
+                        }
                     row = state["rows"].setdefault(f"{joints} joints, {task}", dict.fromkeys(SUMS, 0))
                     for key in SUMS:
                         row[key] += int(result[key])
                     if result["cases"] or result["uncertain"]:
-                        state["notable"].append({"joints": joints, "number": number, "kind": kind, "types": arm.joint_types, "task": task, **result})
+                        state["notable"].append(
+                            {
+                                "joints": joints,
+                                "number": number,
+                                "kind": kind,
+                                "types": arm.joint_types,
+                                "task": task,
+                                **result,
+                            }
+                        )
                         print(json.dumps({k: v for k, v in state["notable"][-1].items() if v}), flush=True)
                 state["next"][str(joints)] = number + 1
                 if time.monotonic() - said > 10:

@@ -24,19 +24,30 @@ HERE = Path(__file__).resolve().parent
 sys.path += [str(HERE), str(HERE.parent / "tests" / "oracle")]
 
 from mixed_arms import random_arm  # noqa: E402
-from oracle import Machine, equations, forward, gap, machine  # noqa: E402
 
+from oracle import Machine, equations, forward, gap, machine  # noqa: E402
 from pieper import Arm, PlanError  # noqa: E402
 
 #: A joint vector is found again within this, rad or arm lengths, ...
 FOUND = 1e-6
-#: ... and by as much more as the rounding of a pose moves a solution whose smallest singular value is sigma: this / sigma.
+#: ... and by this / sigma more, as rounding of a pose moves a solution whose smallest singular value is sigma.
 ROUNDED = 1e-14
-#: Below this smallest singular value two roots are one within rounding: an odd count there is a double root given once.
+#: Below this smallest singular value two roots can be one within rounding, which is given once: an odd count.
 DOUBLE = 1e-5
 #: Seconds after which an arm is given up and reported.
 PATIENCE = 120
-SUMS = ("arms", "poses", "missed", "missed_beyond_rounding_only", "odd", "odd_at_double_root", "uncertain", "singular", "wrong", "twice")
+SUMS = (
+    "arms",
+    "poses",
+    "missed",
+    "found_within_rounding",
+    "odd",
+    "odd_at_double_root",
+    "uncertain",
+    "singular",
+    "wrong",
+    "twice",
+)
 
 
 def joint_vectors(arm: Arm, number: int, count: int, unit: float) -> np.ndarray:
@@ -116,14 +127,18 @@ def judged(arm: Arm, number: int, count: int) -> dict:
     near = np.where(many.valid, gap(m, found, inner[:, None]), np.inf).min(1)
     # the unknowns of a pose are the joints that are not held, its equations as many as the arm can move in
     sigma = np.linalg.svd(slopes(m, q)[:, :, free], compute_uv=False)[:, min(out["rank"], len(free)) - 1]
-    lost = np.flatnonzero(near > FOUND + ROUNDED / np.maximum(sigma, 1e-300))
+    # a base or a tool far away rounds the pose more coarsely
+    size = 1 + np.linalg.norm(T[:, :3, 3], axis=1) / m.unit
+    wide = FOUND + ROUNDED * size / np.maximum(sigma, 1e-300)
+    lost = np.flatnonzero(near > wide)
     names = [s.name for s in map(type(arm.ik(T[0]).status), many.status)]
     lost = [i for i in lost if not on_a_family(arm, T[i], q[i], held)]
     out["missed"] = len(lost)
     out["lost"] = [
-        {"pose": int(i), "sigma": float(sigma[i]), "near": float(min(near[i], 1e9)), "status": names[i]} for i in lost[:5]
+        {"pose": int(i), "sigma": float(sigma[i]), "near": float(min(near[i], 1e9)), "status": names[i]}
+        for i in lost[:5]
     ]
-    out["missed_beyond_rounding_only"] = int(((near > FOUND) & (near <= FOUND + ROUNDED / np.maximum(sigma, 1e-300))).sum())
+    out["found_within_rounding"] = int(((near > FOUND) & (near <= wide)).sum())
     out["uncertain"], out["singular"] = names.count("UNCERTAIN"), names.count("SINGULAR")
     rows(arm, m, many, T, free, out)
     return out

@@ -1,4 +1,4 @@
-"""Search a pose until its rarest solution has been met often enough, and hold an arm's answers against what was found."""
+"""Search a pose until its rarest solution was met often enough; hold an arm's answers against what was found."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DOUBLE = 1e-5
 
 
 def whole_set(m: Machine, T, *, library, rng, task="pose", least=1500, sure=8, most=48_000, at_most=40) -> Found:
-    """Find the solutions of pose T (4, 4) from at least `least` starts, going on while the rarest was met less than `sure` times.
+    """Find the solutions of pose T (4, 4): `least` starts, and more while the rarest was met under `sure` times.
 
     The number of starts is doubled each time, up to `most`. Where every solution was met eight times, one with a basin
     as small as the rarest would have been passed over with a probability of e^-8.
