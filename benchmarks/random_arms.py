@@ -36,6 +36,8 @@ ROUNDED = 1e-14
 DOUBLE = 1e-5
 #: Seconds after which an arm is given up and reported.
 PATIENCE = 120
+#: Poses that share the values of the spare joints of a redundant arm.
+VALUES = 5
 SUMS = (
     "arms",
     "poses",
@@ -43,6 +45,7 @@ SUMS = (
     "found_within_rounding",
     "odd",
     "odd_at_double_root",
+    "odd_far_away",
     "uncertain",
     "singular",
     "wrong",
@@ -118,6 +121,9 @@ def judged(arm: Arm, number: int, count: int) -> dict:
     out |= {"plan_ms": 1e3 * (time.perf_counter() - begin), "family": plan.family, "poses": count}
     held = [list(arm.joint_names).index(name) for name in plan.redundancy]
     free = [j for j in range(arm.n) if j not in held]
+    if held:  # a solver is prepared for each value: a few values, several poses each
+        q[:, held] = q[np.arange(count) // VALUES * VALUES][:, held]
+        T = poses(m, q)
     chosen = {"redundancy": q[:, held]} if held else {}
     begin = time.perf_counter()
     many = arm.ik_many(T, threads=1, **chosen)
@@ -160,12 +166,11 @@ def rows(arm: Arm, m: Machine, many, T, free, out) -> None:
     if not len(answers):
         return
     goal = np.stack([m.pose(t) for t in T])
-    left = np.array([equations(m, a[None], goal[i])[0] for a, i in zip(answers, which, strict=True)])
-    left = np.linalg.norm(left.reshape(len(answers), -1), axis=1)
+    left = np.linalg.norm((forward(m, answers)[0] - goal[which])[:, :3].reshape(len(answers), -1), axis=1)
     size = 1 + np.linalg.norm(goal[which, :3, 3], axis=1)
     out["worst"] = float((left / size).max())
     out["wrong"] = int((left > 1e-9 * size).sum())
-    sigma = smallest(slopes(m, m.outer(answers))[:, :, free]) if len(free) <= 6 else np.zeros(len(answers))
+    sigma = smallest(slopes(m, m.outer(answers))[:, :, free])
     for i in range(len(T)):
         mine = np.flatnonzero(which == i)
         apart = gap(m, answers[mine][:, None], answers[mine][None]) + 9 * np.eye(len(mine))
@@ -175,8 +180,34 @@ def rows(arm: Arm, m: Machine, many, T, free, out) -> None:
         out["odd"] += 1
         if sigma[mine].min() < DOUBLE:
             out["odd_at_double_root"] += 1
+        elif (elsewhere := far_away(m, goal[i], answers[mine])) % 2:
+            out["odd_far_away"] += 1
         elif len(listed := out.setdefault("odd_poses", [])) < 3:
-            listed.append([i, len(mine), float(sigma[mine].min())])
+            listed.append([i, len(mine), float(sigma[mine].min()), elsewhere])
+
+
+def far_away(m: Machine, goal, known) -> int:
+    """Return how many solutions lie beyond `known` (k, n), slides up to 1e6 arm lengths away: plain Newton steps.
+
+    Where slides are nearly parallel, one of a pair of solutions can be that far out.
+    """
+    if not m.slides.any():
+        return 0
+    rng = np.random.default_rng(0)
+    v = rng.uniform(-np.pi, np.pi, (400, m.n))
+    v[:, m.slides] = rng.standard_normal((400, m.slides.sum())) * 10 ** rng.uniform(0, 6, (400, 1))
+    for _ in range(120):
+        r, J = equations(m, v, goal)
+        step = (np.linalg.pinv(J, rcond=1e-13) @ r[..., None])[..., 0]
+        v = v - step * np.minimum(1, 0.5 / np.maximum(np.abs(step[:, ~m.slides]).max(1, initial=1e-9), 1e-9))[:, None]
+    size = 1 + np.abs(v[:, m.slides]).max(1)
+    v = v[(np.linalg.norm(equations(m, v, goal)[0], axis=1) < 1e-12 * size) & (size < 1e6)]
+    count = 0
+    while len(v):
+        beyond = gap(m, known, v[0]).min() > 1e-4 * (1 + np.abs(v[0, m.slides]).max())
+        count += bool(beyond)
+        v = v[gap(m, v, v[0]) > 1e-4 * (1 + np.abs(v[0, m.slides]).max())]
+    return count
 
 
 def notable(result: dict) -> bool:
