@@ -87,6 +87,9 @@ def judged(arm, number: int, task: str, count: int, library) -> dict:
             rest = locked(rest, j, m.inner(q)[i, j])
         free = [j for j in range(arm.n) if j not in held]
         rows = sols.all_q[:, free]
+        if not free:  # every joint is to spare: the chosen values are the answer
+            out["generating_missed"] += len(sols.all_q) != 1
+            continue
         how = {
             "library": library,
             "rng": np.random.default_rng([number, i]),

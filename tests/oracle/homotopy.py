@@ -196,7 +196,9 @@ def standard_rows(arm, m: Machine):
     else:
         links = [(r.a, r.alpha) for r in d.rows[1:]] + [(0.0, 0.0)]
     a, alpha = np.array(links).T
-    return np.concatenate([np.array([r.d for r in d.rows]) / m.unit, a / m.unit, alpha]), np.array([r.theta for r in d.rows])
+    return np.concatenate([np.array([r.d for r in d.rows]) / m.unit, a / m.unit, alpha]), np.array(
+        [r.theta for r in d.rows]
+    )
 
 
 def all_solutions(arm, m: Machine, q, begin: tuple[Start, ...]):

@@ -2,7 +2,7 @@
 
 Cases are in found_losses.json. A case that is not cured has its reason under "open" and must fail until it is; when it
 is cured, "open" becomes null. "claim" says what must hold: "found" (the joint vector is a row, or lies on a family),
-"certain" (the status is not UNCERTAIN either) or "families" (it lies on one of the families of a redundant arm).
+"certain" (the status is not UNCERTAIN either) or "families" (it lies on one of the families of a redundant arm). "task" is None for the arm's default task.
 """
 
 from __future__ import annotations
@@ -40,8 +40,9 @@ def marked(case):
 def test_a_joint_vector_that_was_once_lost_is_found_again(case):
     arm, q, T = made(case)
     m = machine(arm)
-    held = [list(arm.joint_names).index(name) for name in arm.plan.redundancy]
-    chosen = {"redundancy": q[held]} if held else {}
+    task = case["task"]
+    held = [list(arm.joint_names).index(name) for name in arm.plan_for(task).redundancy]
+    chosen = {"task": task} | ({"redundancy": q[held]} if held else {})
     one, many = arm.ik(T, **chosen), arm.ik_many(T[None], threads=1, **chosen)
     free = [j for j in range(arm.n) if j not in held]
     # rounding of the pose moves a solution by about this much
