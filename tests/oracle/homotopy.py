@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from oracle import Machine, elementary
+from oracle import Machine
 
 GENERIC = 16
 #: A path whose angles' imaginary parts grow beyond this has left for infinity.
