@@ -189,7 +189,7 @@ def kept() -> tuple[Start, ...]:
 
 
 def standard_rows(arm, m: Machine):
-    """Return d, a, alpha (18,) by the arm's size and theta (6,) of its joints as standard rows, base and tool left out."""
+    """Return d, a, alpha (18,) by the arm's size and theta (6,) as standard rows; base and tool are left out."""
     d = arm.description
     if d.convention == "standard":
         links = [(r.a, r.alpha) for r in d.rows]
@@ -204,8 +204,8 @@ def standard_rows(arm, m: Machine):
 def all_solutions(arm, m: Machine, q, begin: tuple[Start, ...]):
     """Find the complex solutions of the poses of real joint vectors q (N, 6).
 
-    Paths that stop halfway, where one passes close to infinity, and pairs of paths that end in one solution, because one
-    has jumped, are followed again from the next generic arm, with smaller steps.
+    Paths that stop halfway, where one passes close to infinity, and pairs of paths that end in one solution, because
+    one has jumped, are followed again from the next generic arm, with smaller steps.
 
     Returns:
         x: (N, 16, 6) complex joint vectors (of the arm, rad).

@@ -2,7 +2,8 @@
 
 Cases are in found_losses.json. A case that is not cured has its reason under "open" and must fail until it is; when it
 is cured, "open" becomes null. "claim" says what must hold: "found" (the joint vector is a row, or lies on a family),
-"certain" (the status is not UNCERTAIN either) or "families" (it lies on one of the families of a redundant arm). "task" is None for the arm's default task.
+"certain" (the status is not UNCERTAIN either) or "families" (it lies on one of the families of a redundant arm).
+"task" is None for the arm's default task.
 """
 
 from __future__ import annotations
