@@ -240,7 +240,9 @@ def added(state: dict, number: int, kind: str, arm: Arm, result: dict) -> None:
             counts[str(result[key])] = counts.get(str(result[key]), 0) + 1
     for key in ("plan_ms", "us_a_pose"):
         if key in result:
-            state[key].append(round(result[key], 2))
+            times, decade = state[key], str(10 ** int(np.ceil(np.log10(max(result[key], 1)))))
+            times["up_to"][decade] = times["up_to"].get(decade, 0) + 1
+            times["worst"] = max(times["worst"], [round(result[key], 1), number])
     if notable(result):
         state["notable"].append({"number": number, "kind": kind, "types": arm.joint_types, **result})
 
@@ -254,14 +256,15 @@ def summary(state: dict) -> str:
 def write(state: dict, path: Path) -> None:
     """Write the state whole or not at all."""
     part = path.with_suffix(".part")
-    part.write_text(json.dumps(state, indent=None) + "\n")
+    part.write_text(json.dumps(state) + "\n")
     part.replace(path)
 
 
 def fresh(args) -> dict:
     """Return the state of a run that has not begun."""
-    tables = {"kinds": {}, "family": {}, "rank": {}, "held": {}, "plan_ms": [], "us_a_pose": [], "notable": []}
-    return {"joints": args.joints, "poses": args.poses, "first": args.first, "next": args.first, **tables}
+    settings = {"joints": args.joints, "poses": args.poses, "first": args.first, "next": args.first}
+    times = {key: {"up_to": {}, "worst": [0.0, -1]} for key in ("plan_ms", "us_a_pose")}
+    return {**settings, "kinds": {}, "family": {}, "rank": {}, "held": {}, **times, "notable": []}
 
 
 def main() -> None:
