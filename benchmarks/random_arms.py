@@ -37,7 +37,7 @@ DOUBLE = 1e-5
 #: Seconds after which an arm is given up and reported.
 PATIENCE = 120
 #: Poses that share the values of the spare joints of a redundant arm.
-VALUES = 5
+VALUES = 10
 SUMS = (
     "arms",
     "poses",
