@@ -44,6 +44,9 @@ def whole_set(m: Machine, T, *, library, rng, task="pose", least=1500, sure=8, m
     if not len(reps):
         return Found(reps, hits, np.zeros(0), np.zeros(0), False)
     v, residual, sigma = polish(m, pose, reps, code, rounds=2)
+    weak = sigma < 1e-4  # near a double root Newton is slow at first
+    if weak.any():
+        v[weak], residual[weak], sigma[weak] = polish(m, pose, v[weak], code, rounds=8)
     out, seen = [], []
     for i in np.argsort(-sigma, kind="stable"):
         if residual[i] > 1e-11 * (1 + np.abs(pose).max()):
