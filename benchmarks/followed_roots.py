@@ -74,7 +74,7 @@ def main() -> None:
     for name in args.arms:
         if stop:
             break
-        if name not in state["arms"] or state["arms"][name]["poses"] != args.poses:
+        if name not in state["arms"] or state["arms"][name]["poses"] < args.poses:
             state["arms"][name] = held_against(name, args.poses, begin)
             write(state, args.out)
         print(f"{name}: {json.dumps(state['arms'][name])[:400]}", flush=True)
