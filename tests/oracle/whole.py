@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from oracle import TASKS, Found, Machine, compiled_newton, equations, gap, polish
+from oracle import TASKS, Found, Machine, compiled_newton, damped_newton, equations, gap, polish
 
 #: Two answers are the same solution within this (rad, arm lengths), and within as much more as rounding moves one.
 SAME, ROUNDED = 1e-6, 1e-14
@@ -20,7 +20,8 @@ def whole_set(m: Machine, T, *, library, rng, task="pose", least=1500, sure=8, m
     """Find the solutions of pose T (4, 4): `least` starts, and more while the rarest was met under `sure` times.
 
     The number of starts is doubled each time, up to `most`. Where every solution was met eight times, one with a basin
-    as small as the rarest would have been passed over with a probability of e^-8.
+    as small as the rarest would have been passed over with a probability of e^-8. The library is the compiled search,
+    or None for the one in NumPy.
     """
     pose, code = m.pose(T), TASKS[task]
     span = np.where(m.slides, 1.5 + np.linalg.norm(pose[:3, 3] - m.links[0][:3, 3]), np.pi)
@@ -28,7 +29,8 @@ def whole_set(m: Machine, T, *, library, rng, task="pose", least=1500, sure=8, m
     total, crowded = 0, False
     while True:
         fresh = min(max(least, total), most - total)
-        ends = compiled_newton(library, m, pose, rng.uniform(-1, 1, (fresh, m.n)) * span, code)
+        v = rng.uniform(-1, 1, (fresh, m.n)) * span
+        ends = compiled_newton(library, m, pose, v, code) if library else damped_newton(m, pose, v, code)
         total += fresh
         for i in range(len(reps)):
             near = gap(m, ends, reps[i]) < SAME
