@@ -38,6 +38,8 @@ DOUBLE = 1e-5
 PATIENCE = 120
 #: Poses that share the values of the spare joints of a redundant arm.
 VALUES = 10
+#: Slides farther out than this many arm lengths are far away.
+FAR = 100
 SUMS = (
     "arms",
     "poses",
@@ -187,7 +189,7 @@ def rows(arm: Arm, m: Machine, many, T, free, out) -> None:
 
 
 def far_away(m: Machine, goal, known) -> int:
-    """Return how many solutions lie beyond `known` (k, n), slides up to 1e6 arm lengths away: plain Newton steps.
+    """Return how many solutions besides `known` (k, n) have slides 100 to 1e6 arm lengths out: plain Newton steps.
 
     Where slides are nearly parallel, one of a pair of solutions can be that far out.
     """
@@ -204,8 +206,7 @@ def far_away(m: Machine, goal, known) -> int:
     v = v[(np.linalg.norm(equations(m, v, goal)[0], axis=1) < 1e-12 * size) & (size < 1e6)]
     count = 0
     while len(v):
-        beyond = gap(m, known, v[0]).min() > 1e-4 * (1 + np.abs(v[0, m.slides]).max())
-        count += bool(beyond)
+        count += bool(np.abs(v[0, m.slides]).max() > FAR and gap(m, known, v[0]).min() > 1e-4 * FAR)
         v = v[gap(m, v, v[0]) > 1e-4 * (1 + np.abs(v[0, m.slides]).max())]
     return count
 
