@@ -1,4 +1,4 @@
-"""The judge of whole sets finds what is planted: a row left out, given twice or moved; and searches on for rare ones."""
+"""The judge of whole sets finds what is planted: a row left out, given twice or moved; and it searches long enough."""
 
 from __future__ import annotations
 
