@@ -21,7 +21,8 @@ sys.path += [str(HERE), str(HERE.parent / "tests" / "oracle")]
 
 from hunt import build  # noqa: E402
 from made import free  # noqa: E402
-from random_arms import joint_vectors, judged, poses, write  # noqa: E402
+from mixed_arms import random_arm  # noqa: E402
+from random_arms import joint_vectors, judged, poses, slopes, smallest, write  # noqa: E402
 from whole import compare, whole_set  # noqa: E402
 
 from oracle import machine  # noqa: E402
@@ -36,6 +37,7 @@ NAMES = (
     "kinova-jaco-j2n6",
 )
 SMALL = [10.0**-k for k in range(3, 13)]
+#: About the reach of these arms, m.
 LENGTH = 1.0
 
 
@@ -69,7 +71,7 @@ def cases():
             yield "axes 5 and 6 miss by a further", size, changed(name, joint=4, a=size)
             yield "twist of joint 2 off by", size, changed(name, joint=1, alpha=size)
             yield "twist of joint 5 off by", size, changed(name, joint=4, alpha=size)
-            yield "every length and twist off by", size, noisy(name, size)
+            yield "every length and twist off by", size, noisy(free(name), size)
     for scale in (1e-6, 1e-3, 1e3, 1e6):
         for name in NAMES:
             yield "every length times", scale, changed(name, scale=scale)
@@ -86,19 +88,32 @@ def cases():
             row = d[longest]
             more = {"a": row.a * (scale - 1), "d": row.d * (scale - 1)}
             yield "longest link's lengths times", scale, changed(name, joint=longest, **more)
+    for arm in special(20):
+        for size in SMALL:
+            yield "random special arms, every length and twist off by", size, noisy(arm, size)
 
 
-def noisy(name: str, size: float) -> Arm:
-    """Return an arm with errors in every length and twist, its joint types kept."""
-    d = free(name).description
-    rng = np.random.default_rng(11)
-    rows = [
-        replace(r, a=r.a + e[0], d=r.d + e[1], alpha=r.alpha + e[2])
-        for r, e in zip(d.rows, size * rng.uniform(-1, 1, (6, 3)), strict=True)
-    ]
-    return Arm.from_dh(
-        rows, convention=d.convention, joint_types="".join(d.joint_types), sign=d.sign, offset=d.offset, name=name
-    )
+def noisy(arm: Arm, size: float) -> Arm:
+    """Return an arm with errors in every length and twist, without its limits."""
+    d = arm.description
+    errors = size * np.random.default_rng(11).uniform(-1, 1, (arm.n, 3))
+    rows = [replace(r, a=r.a + e[0], d=r.d + e[1], alpha=r.alpha + e[2]) for r, e in zip(d.rows, errors, strict=True)]
+    place = {"base": d.base, "tool": d.tool, "sign": d.sign, "offset": d.offset}
+    return Arm.from_dh(rows, convention=d.convention, joint_types="".join(d.joint_types), name=arm.name, **place)
+
+
+def special(count: int):
+    """Yield random arms with special geometry, at most two slides and clear poses."""
+    number = 0
+    while count:
+        arm, kind = random_arm(number)
+        number += 1
+        if kind in ("general", "scales") or arm.joint_types.count("P") > 2:
+            continue
+        m = machine(arm)
+        if np.median(smallest(slopes(m, joint_vectors(arm, 0, 9, m.unit)))) > 1e-3:
+            count -= 1
+            yield arm
 
 
 def searched(arm: Arm, count: int, library, out: dict) -> None:
