@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import sys
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 import numpy as np
@@ -10,8 +10,10 @@ import numpy as np
 import pieper
 from pieper import DH, Arm
 
-sys.path.append(str(Path(__file__).parent.parent / "laws"))
-import arms as laws
+# by its path: benchmarks/ has an arms.py too
+_spec = spec_from_file_location("law_arms", Path(__file__).parent.parent / "laws" / "arms.py")
+laws = module_from_spec(_spec)
+_spec.loader.exec_module(laws)
 
 QUARTER = np.pi / 2
 

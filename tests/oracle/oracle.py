@@ -155,7 +155,7 @@ def compiled_newton(library, m: Machine, T, v, task=0, iterations=100):
     links, T = np.ascontiguousarray(m.links), np.ascontiguousarray(T)
     slides = m.slides.astype(np.uint8)
     pointer = [a.ctypes.data_as(ctypes.c_void_p) for a in (links, slides, T, v, out)]
-    enough = ctypes.c_double(1e-20)
+    enough = ctypes.c_double(1e-27)
     count = library.search(m.n, *pointer[:3], task, pointer[3], len(v), iterations, enough, pointer[4])
     return out[:count].copy()
 

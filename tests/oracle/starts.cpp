@@ -1,4 +1,4 @@
-// Multi-start damped Newton for the inverse kinematics of any serial chain, eight starts in lanes; for long hunts only.
+// Multi-start damped Newton for the inverse kinematics of any serial chain, several starts in lanes; for long hunts.
 //
 // It knows nothing of the library: a chain is constant matrices and rotations about, or slides along, the z axis.
 // Build: g++ -O3 -march=native -ffast-math -shared -fPIC starts.cpp -o starts.so   (tests/oracle/hunt.py does it)
@@ -7,10 +7,15 @@
 
 namespace {
 
+// one register's worth of lanes: twice as many run four times slower, because nothing stays in registers
+#ifdef __AVX512F__
 constexpr int W = 8, MAXN = 8;
-typedef double vec __attribute__((vector_size(64)));
+#else
+constexpr int W = 4, MAXN = 8;
+#endif
+typedef double vec __attribute__((vector_size(8 * W)));
 
-vec splat(double x) { return vec{x, x, x, x, x, x, x, x}; }
+vec splat(double x) { return x - vec{}; }
 
 void sincos(vec x, vec& s, vec& c) {
   vec k;
@@ -126,33 +131,43 @@ void step(int n, const Model& m, const vec& damping, vec* d) {
   }
 }
 
+// A start is given up in a local minimum: a cost far from nothing whose gradient is next to nothing.
+bool stuck(int n, const Model& m, int w) {
+  if (m.cost[w] < 1e-8) return false;
+  double g = 0;
+  for (int k = 0; k < n; ++k) g += m.g[k][w] * m.g[k][w];
+  return g < 1e-8 * m.cost[w] * m.cost[w];
+}
+
 }  // namespace
 
-// starts (count, n); out (count, n) receives the converged ones. Returns how many converged.
+// starts (count, n); out (count, n) receives those whose cost fell below `enough`, or below 1e-20 and then no further.
+// Returns how many.
 extern "C" int search(int n, const double* links, const uint8_t* slides, const double* T, int task, const double* starts, int count,
                       int iterations, double enough, double* out) {
   Chain ch{n, links, slides};
   vec q[MAXN], damping, trial[MAXN], d[MAXN];
   Model here, there;
   int left[W], next = 0, found = 0;
-  bool busy[W];
-  for (int w = 0; w < W; ++w) busy[w] = false, left[w] = 0;
+  bool busy[W], refused[W];
+  for (int w = 0; w < W; ++w) busy[w] = refused[w] = false, left[w] = 0;
   for (int k = 0; k < n; ++k) q[k] = splat(0);
   damping = splat(1e-2);
   evaluate(ch, T, task, q, here);
   for (;;) {
     bool fresh = false, any = false;
     for (int w = 0; w < W; ++w) {
-      if (busy[w] && here.cost[w] < enough) {
+      bool there_yet = here.cost[w] < enough || (here.cost[w] < 1e-20 && (refused[w] || left[w] <= 1));
+      if (busy[w] && there_yet) {
         for (int k = 0; k < n; ++k) out[found * n + k] = q[k][w];
         ++found;
         busy[w] = false;
       }
-      if (busy[w] && --left[w] <= 0) busy[w] = false;
+      if (busy[w] && (--left[w] <= 0 || stuck(n, here, w))) busy[w] = false;
       if (!busy[w] && next < count) {
         for (int k = 0; k < n; ++k) q[k][w] = starts[next * n + k];
         ++next;
-        busy[w] = fresh = true;
+        busy[w] = fresh = true, refused[w] = false;
         damping[w] = 1e-2;
         left[w] = iterations;
       }
@@ -164,7 +179,8 @@ extern "C" int search(int n, const double* links, const uint8_t* slides, const d
     for (int k = 0; k < n; ++k) trial[k] = q[k] + d[k];
     evaluate(ch, T, task, trial, there);
     for (int w = 0; w < W; ++w) {
-      if (there.cost[w] < here.cost[w]) {
+      refused[w] = !(there.cost[w] < here.cost[w]);
+      if (!refused[w]) {
         here.cost[w] = there.cost[w];
         for (int k = 0; k < n; ++k) {
           q[k][w] = trial[k][w];

@@ -1,0 +1,59 @@
+"""Every arm and pose at which a solution was once lost: the joint vector that made the pose must be found again.
+
+Cases are in found_losses.json. A case that is not cured has its reason under "open" and must fail until it is; when it
+is cured, "open" becomes null. "claim" says what must hold: "found" (the joint vector is a row, or lies on a family),
+"certain" (the status is not UNCERTAIN either) or "families" (it lies on one of the families of a redundant arm).
+"task" is None for the arm's default task.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from oracle import forward, gap, machine, polish
+from pieper import DH, Arm
+
+CASES = json.loads(Path(__file__).with_name("found_losses.json").read_text())
+
+
+def made(case) -> tuple[Arm, np.ndarray, np.ndarray]:
+    """Return a case's arm, joint vector and pose; the pose by the oracle's own product."""
+    rows = [DH(*row) for row in case["rows"]]
+    place = {key: np.array(case[key]) for key in ("base", "tool", "sign", "offset")}
+    arm = Arm.from_dh(rows, convention=case["convention"], joint_types=case["types"], name=case["name"], **place)
+    m, q = machine(arm), np.array(case["q"])
+    T = forward(m, m.inner(q[None]))[0][0]
+    T[:3, 3] *= m.unit
+    return arm, q, T
+
+
+def marked(case):
+    """Return a case as a parameter, a strict xfail while it is open."""
+    marks = [pytest.mark.xfail(strict=True, reason=case["open"])] if case["open"] else []
+    return pytest.param(case, id=case["name"], marks=marks)
+
+
+@pytest.mark.parametrize("case", [marked(case) for case in CASES])
+def test_a_joint_vector_that_was_once_lost_is_found_again(case):
+    arm, q, T = made(case)
+    m = machine(arm)
+    task = case["task"]
+    held = [list(arm.joint_names).index(name) for name in arm.plan_for(task).redundancy]
+    chosen = {"task": task} | ({"redundancy": q[held]} if held else {})
+    one, many = arm.ik(T, **chosen), arm.ik_many(T[None], threads=1, **chosen)
+    free = [j for j in range(arm.n) if j not in held]
+    # rounding of the pose moves a solution by about this much
+    sigma = polish(m, m.pose(T), m.inner(q[None]), rounds=0)[2][0] if len(free) == 6 else 1.0
+    wide = 1e-6 + 1e-14 / max(sigma, 1e-300)
+    on_family = not held and any(family.contains(q, 1e-5) for family in one.families)
+    for rows in (one.all_q, many.q[0][many.valid[0]]):
+        near = gap(m, m.inner(rows), m.inner(q)).min() if len(rows) else np.inf
+        assert near < wide or on_family, f"lost: {one.status.name}, {one.why}"
+    if case["claim"] == "families":
+        assert any(family.contains(q, 1e-5) for family in arm.ik(T).families)
+    if case["claim"] == "certain":
+        assert one.status.name != "UNCERTAIN", one.why
