@@ -124,7 +124,7 @@ def test_one_pose_and_a_batch_give_the_same_rows_in_the_same_order():
 
 def test_a_pose_out_of_reach_has_no_solution_and_no_flag_of_doubt():
     arm = pieper.load("motoman-ea1400n")
-    T = arm.fk(np.zeros(6))
+    T = arm.fk([0.3, -0.2, 0.5, 1.0, 0.7, 0.2])  # where nothing is aligned
     T[:3, 3] += [3.0, 0.0, 0.0]
     q, _, _, flag = arm.plan.solver.one(T)
     assert len(q) == 0 and flag == 4

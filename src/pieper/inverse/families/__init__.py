@@ -13,7 +13,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
 
 FAMILIES = ("spherical_wrist_parallel", "spherical_wrist", "three_parallel", "offset_wrist", "two_slides", "general")
-#: Families that eliminate joints: next to a self-motion the elimination itself is nearly singular and may hide solutions.
+#: Families that eliminate joints: next to a self-motion the elimination is nearly singular and may hide solutions.
 ELIMINATING = ("offset_wrist", "two_slides", "general")
 
 
