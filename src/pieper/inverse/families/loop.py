@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper.inverse.refine import scaled_jacobian
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import jacobian
 from pieper.kinematics.pose import translation
 
 
@@ -34,29 +34,38 @@ def packed(chain: Chain, links: np.ndarray) -> np.ndarray:
     return np.concatenate([[chain.length], np.ravel(chain.links), np.ravel(links)])
 
 
+#: Postures of no special kind (rad, or lengths of the arm): what an arm can do, it can do at one of them.
+_POSTURES = np.array(
+    [
+        [0.37, -1.13, 0.91, 1.57, -0.53, 2.29],
+        [-2.11, 0.48, -1.74, 0.66, 1.21, -0.35],
+        [1.09, 2.63, 0.27, -0.94, -1.83, 0.71],
+    ]
+)
+
+
 def rank(J: np.ndarray) -> int:
     """Return the numerical rank of a matrix."""
     singular = np.linalg.svd(J, compute_uv=False)
     return int((singular > 1e-7 * max(float(singular[0]), 1e-300)).sum())
 
 
+def _jacobians(chain: Chain) -> np.ndarray:
+    """Return Jacobians (3, 6, n) without units at postures of no special kind."""
+    return scaled_jacobian(chain, _POSTURES[:, : chain.n] * np.where(chain.prismatic, chain.length, 1.0))
+
+
 def positioning_rank(chain: Chain, first: int) -> int:
     """Return in how many directions the three joints beside a wrist can move its centre, at a generic posture."""
-    q = np.array([0.37, -1.13, 0.91, 1.57, -0.53, 2.29]) * np.where(chain.prismatic, chain.length, 1.0)
-    J = jacobian(chain, q).copy()
-    J[:3] /= chain.length
     wrist = [first, first + 1, first + 2]
     others = [j for j in range(6) if j not in wrist]
     # a full chain of six has rank 3 + 3: the wrist spans the rotations about its centre, the others must add three more
-    return rank(J[:, wrist + others]) - rank(J[:, wrist])
+    return max(rank(J[:, wrist + others]) - rank(J[:, wrist]) for J in _jacobians(chain))
 
 
 def full_rank(chain: Chain) -> bool:
     """Return whether a six-joint chain reaches all six directions at a posture of no special kind."""
-    q = np.array([0.37, -1.13, 0.91, 1.57, -0.53, 2.29]) * np.where(chain.prismatic, chain.length, 1.0)
-    J = jacobian(chain, q).copy()
-    J[:3] /= chain.length
-    return rank(J) == 6
+    return any(rank(J) == 6 for J in _jacobians(chain))
 
 
 def planar(chain: Chain, first: int, normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.inverse.families.loop import full_rank, packed, planar
+from pieper.inverse.families.loop import full_rank, packed, planar, rank
 from pieper.inverse.families.pairs import pair_order
 from pieper.inverse.families.spec import KernelSpec
+from pieper.inverse.refine import scaled_jacobian
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
 
@@ -56,14 +57,9 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
 
 
 def _spans_plane(chain: Chain, joints: np.ndarray) -> bool:
-    from pieper.inverse.families.loop import rank
-    from pieper.kinematics.forward import jacobian
-
     section = chain.section(int(joints[0]), int(joints[-1]))
     q = np.array([0.37, -1.13, 0.91]) * np.where(section.prismatic, chain.length, 1.0)
-    J = jacobian(section, q).copy()
-    J[:3] /= chain.length
-    return rank(J) == 3
+    return rank(scaled_jacobian(section, q)) == 3
 
 
 def prepare(chain: Chain, found: Match) -> KernelSpec:
