@@ -56,6 +56,30 @@ class Eaik:
         return lambda: self.arm.IK_batched(poses, threads)
 
 
-CONTESTANTS = {"pieper": Pieper, "eaik": Eaik}
+class Crx:
+    """crx-kinematics, for Fanuc's CRX arms only; in its own joints (the controller's) and poses (millimetres)."""
+
+    batch_threads = ()
+
+    def __init__(self, arm):
+        if arm != "fanuc-crx-10ia":
+            raise NotImplementedError("Fanuc CRX arms only")
+        from crx_kinematics import Crx as Arm
+
+        self.arm = Arm.crx10ia()
+
+    def poses(self, count):
+        """Return joint vectors (count, 6), rad, and their poses (count, 4, 4) as it writes them."""
+        q = np.random.default_rng(3).uniform(-np.pi, np.pi, (count, 6))
+        return q, np.array([self.arm.fk(row) for row in np.degrees(q)])
+
+    def single(self, T):
+        return self.arm.ik(T)
+
+    def rows(self, answer):
+        return np.radians(np.array([list(row) for row in answer], float).reshape(-1, 6))
+
+
+CONTESTANTS = {"pieper": Pieper, "eaik": Eaik, "crx-kinematics": Crx}
 #: What to install for each peer.
-PACKAGES = {"eaik": "eaik"}
+PACKAGES = {"eaik": "eaik", "crx-kinematics": "crx-kinematics"}

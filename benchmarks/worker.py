@@ -34,7 +34,7 @@ def main(name, arm, count):
     except NotImplementedError as reason:
         print(json.dumps(out | {"unsupported": str(reason)}))
         return
-    q, T = poses(arm, count)
+    q, T = contestant.poses(count) if hasattr(contestant, "poses") else poses(arm, count)
     few = [np.ascontiguousarray(t) for t in T[:2000]]
     times = np.empty(len(few))
     for i, pose in enumerate(few):
