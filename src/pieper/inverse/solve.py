@@ -92,10 +92,7 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
         # beyond that the kernel's own rows stand, one of each family, and the pose is called singular unread
         status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
     if plan.redundancy and redundancy is not None:
-        # not at the value that was asked for, but perhaps at others
-        for i in np.flatnonzero(~some & ((flag & UNCERTAIN) == 0))[:MOST_CAREFUL]:
-            _, found, within = best_slice(plan, checked_pose(poses[i]))
-            status[i] = codes[int(found.any()) + int(within.any())]
+        _told_apart(plan, poses, some, inside, flag, status)
     status[(flag & UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, q, valid, inside, status, flag)
 
@@ -110,6 +107,25 @@ def _choose_elsewhere(plan: Plan, poses: np.ndarray, q: np.ndarray, valid: np.nd
         elif not ok.any() and traced < MOST_TRACED:
             traced += 1
             _put(_ik_reduced(plan, poses[i], None), q[i], valid[i], inside[i])
+
+
+def _told_apart(plan: Plan, poses, some: np.ndarray, inside: np.ndarray, flag: np.ndarray, status: np.ndarray) -> None:
+    """Say of poses without rows at the value that was asked for whether other values have some.
+
+    Poses that follow each other and are equal, as in a sweep over the values, are looked at once.
+    """
+    none = ~some & ((flag & UNCERTAIN) == 0)
+    if not none.any():
+        return
+    run = np.concatenate([[0], np.cumsum((poses[1:] != poses[:-1]).any((1, 2)))])
+    within = np.bincount(run, weights=_any(inside)) > 0
+    missing = np.unique(run[none & ~within[run]])[:MOST_CAREFUL]
+    anywhere = np.bincount(run, weights=some) > 0
+    for k in missing:
+        _, found, there = best_slice(plan, checked_pose(poses[np.argmax(run == k)]))
+        within[k], anywhere[k] = there.any(), anywhere[k] or found.any()
+    codes = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT], np.uint8)
+    status[none] = codes[anywhere.astype(np.uint8) + within][run[none]]
 
 
 def _rows(plan: Plan, poses: np.ndarray, values: np.ndarray | None, threads: int):
