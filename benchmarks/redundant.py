@@ -3,7 +3,7 @@
 Usage: python benchmarks/redundant.py [--rounds 25]
 
 Prints a table. *6R*: the six-joint chain that the arm becomes when its spare joint is held, on the same 128 problems,
-where they are in reach. All on one thread, in one run; on a shared machine only the ratios within a line mean something.
+where they are in reach. All on one thread, in one run; on a shared machine only the ratios within a line count.
 """
 
 from __future__ import annotations

@@ -76,7 +76,7 @@ def _seeds(plan: Plan, T: np.ndarray, values: np.ndarray) -> np.ndarray:
         drawn = np.random.default_rng(8).uniform(low, high, (DRAWS, len(values)))
         found = holding(plan, T, *full_rows(plan, np.tile(T, (DRAWS, 1, 1)), drawn, 1)[:2])
     hidden = beside(plan, T, 0, values, swept) if len(values) == 1 else found[:0]
-    return np.concatenate([found, hidden, approached(plan, T, STARTS)])
+    return np.concatenate([found, hidden, approached(plan, T[None], STARTS)[0]])
 
 
 def holding(plan: Plan, T: np.ndarray, q: np.ndarray, valid: np.ndarray) -> np.ndarray:

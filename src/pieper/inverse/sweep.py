@@ -27,7 +27,7 @@ SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
 KNOWN, MOST_FOLLOWED = 0.25, 150
 #: By how much a side step shrinks from stage to stage when it is followed back, and how often.
 FOLLOW_RATIO, FOLLOW_STAGES = 0.3, 13
-#: Most steps of pulling a row onto a pose, and what its end may miss the pose by (per length; rad).
+#: Most steps of a free approach to a pose, and what its end may miss the pose by (per length; rad).
 PULL_STEPS, HOLDS = 40, 1e-9
 
 
@@ -226,20 +226,26 @@ def _arrived(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray:
     return np.where(chain.prismatic, q, (q + np.pi) % TURN - np.pi)
 
 
-def approached(plan: Plan, T: np.ndarray, starts: int) -> np.ndarray:
-    """Return points (m, n) of a pose found from anywhere: pulled onto it from so many postures, always the same."""
-    return pulled(plan, T, sample_joints(plan.reduction.full, starts, seed=7))
+def approached(plan: Plan, T: np.ndarray, starts: int) -> list[np.ndarray]:
+    """Return for each of poses T (N, 4, 4) points (m, n) of it found from anywhere.
 
-
-def pulled(plan: Plan, T: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Return points (m, n) of a pose to which joint vectors q (k, n) lead downhill (Levenberg-Marquardt); m <= k."""
+    The distance to the pose is minimised (Levenberg-Marquardt) from so many postures, always the same ones. Where a
+    curve of solutions is about to appear or has just appeared, that distance has a minimum to which a neighbourhood of
+    ordinary size leads.
+    """
     full = plan.reduction.full
-    unit = np.where(full.prismatic, full.length, 1.0)
-    q = np.array(q)
+    q = np.tile(sample_joints(full, starts, seed=7), (len(T), 1))
+    q = _downhill(full, q, np.repeat(T, starts, axis=0)).reshape(len(T), starts, -1)
+    return [_arrived(full, rows, pose) for rows, pose in zip(q, T, strict=True)]
+
+
+def _downhill(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray:
+    """Return where joint vectors q (k, n) come to when the distance to poses T (k, 4, 4) is minimised."""
+    unit = np.where(chain.prismatic, chain.length, 1.0)
     damping, size = np.full(len(q), 1e-1), np.full(len(q), np.inf)
     active, tried = np.arange(len(q)), q.copy()
     for _ in range(PULL_STEPS):
-        e = pose_difference(full, tried, T)
+        e = pose_difference(chain, tried, T[active])
         new = np.einsum("bi,bi->b", e, e)
         better = new < size[active]
         q[active[better]], size[active[better]] = tried[better], new[better]
@@ -247,10 +253,10 @@ def pulled(plan: Plan, T: np.ndarray, q: np.ndarray) -> np.ndarray:
         active = active[(size[active] > 1e-24) & (damping[active] < 1e3)]
         if not len(active):
             break
-        e = pose_difference(full, q[active], T)
-        J = scaled_jacobian(full, q[active])
+        e = pose_difference(chain, q[active], T[active])
+        J = scaled_jacobian(chain, q[active])
         A = J @ np.swapaxes(J, -1, -2) + (damping[active] * size[active] + 1e-15)[:, None, None] * np.eye(6)
         step = np.einsum("bij,bi->bj", J, np.linalg.solve(A, e[..., None])[..., 0])
         step *= np.minimum(1.0, 0.7 / np.maximum(np.linalg.norm(step, axis=-1, keepdims=True), 1e-300))
         tried = q[active] + step * unit
-    return _arrived(full, q, T)
+    return q
