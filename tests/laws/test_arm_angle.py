@@ -124,6 +124,13 @@ def test_an_independent_search_finds_nothing_else(name):
     assert len(rows) >= len(found)
 
 
+@pytest.mark.parametrize("name", SPHERICAL[:1] + OFFSET[:1])
+def test_no_poses_at_all_are_an_empty_batch_at_an_arm_angle(name):
+    arm = pieper.load(name)
+    many = arm.ik_many(np.zeros((0, 4, 4)), redundancy={"arm angle": 0.3})
+    assert many.q.shape == (0, arm.plan.arm_angle.max_solutions, 7) and many.status.shape == (0,)
+
+
 @pytest.mark.parametrize("name", SPHERICAL[:3])
 def test_the_closed_form_and_the_sweep_agree(name):
     arm = pieper.load(name)

@@ -99,12 +99,12 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
 
 def _choose_elsewhere(plan: Plan, poses: np.ndarray, q: np.ndarray, valid: np.ndarray, inside: np.ndarray) -> None:
     """Choose another value of the spare coordinate where its default, which nobody chose, gives nothing inside."""
-    traced = 0
+    traced, several = 0, len(plan.redundancy) > 1
     for i in np.flatnonzero(~_any(inside))[:MOST_CAREFUL]:
         rows, ok, within = best_slice(plan, checked_pose(poses[i]))
         if within.any() or (ok.any() and not valid[i].any()):
             q[i], valid[i], inside[i] = rows, ok, within
-        elif not ok.any() and traced < MOST_TRACED:
+        elif (several or not ok.any()) and traced < MOST_TRACED:
             traced += 1
             _put(_ik_reduced(plan, poses[i], None), q[i], valid[i], inside[i])
 
@@ -243,7 +243,7 @@ def _ik_reduced(plan: Plan, given: object, redundancy: object) -> Solutions:
             others, ok, there = best_slice(plan, T)
             if there.any() or (ok.any() and not len(rows)):
                 rows, slots, within = others[ok], np.flatnonzero(ok), there[ok]
-            elif not ok.any() and (families := families()):
+            elif (len(plan.redundancy) > 1 or not ok.any()) and (families := families()):
                 rows = np.array([family.representative for family in families])
                 rows, within = inside_limits(rows, plan.limits, plan.prismatic)
                 slots = np.arange(len(rows))

@@ -235,7 +235,7 @@ def approached(plan: Plan, T: np.ndarray, starts: int) -> list[np.ndarray]:
     """
     full = plan.reduction.full
     q = np.tile(sample_joints(full, starts, seed=7), (len(T), 1))
-    q = _downhill(full, q, np.repeat(T, starts, axis=0)).reshape(len(T), starts, -1)
+    q = _downhill(full, q, np.repeat(T, starts, axis=0)).reshape(len(T), starts, full.n)
     return [_arrived(full, rows, pose) for rows, pose in zip(q, T, strict=True)]
 
 
