@@ -37,7 +37,7 @@ def families_of(plan: Plan, T: np.ndarray, values: np.ndarray) -> tuple[Family, 
         T: (4, 4).
         values: (k,) the redundant coordinates asked for.
     """
-    full = plan.reduction.full
+    full = plan.exact.full
     spare = len(plan.redundancy)
     seeds = _seeds(plan, T, values)
     families: list[Family] = []
@@ -62,7 +62,7 @@ def _within(plan: Plan, T: np.ndarray, family: Family) -> np.ndarray:
     low, high = column.min(), column.max()
     lower, upper = span(plan, plan.reduction.locked[0])
     if high - low > SMALL * (upper - lower):
-        return np.zeros((0, plan.reduction.full.n))
+        return np.zeros((0, plan.exact.full.n))
     within = low + np.array([0.38, 0.71]) * (high - low)
     return holding(plan, T, *full_rows(plan, np.tile(T, (2, 1, 1)), within[:, None], 1)[:2])
 
@@ -82,7 +82,7 @@ def _seeds(plan: Plan, T: np.ndarray, values: np.ndarray) -> np.ndarray:
 def holding(plan: Plan, T: np.ndarray, q: np.ndarray, valid: np.ndarray) -> np.ndarray:
     """Return the valid rows (m, n) of q (N, M, n) that hold the pose T (4, 4) well enough to set out from."""
     rows = q[valid]
-    return rows[np.linalg.norm(pose_difference(plan.reduction.full, rows, T), axis=-1) < HOLDS]
+    return rows[np.linalg.norm(pose_difference(plan.exact.full, rows, T), axis=-1) < HOLDS]
 
 
 def _on(family: Family, seeds: np.ndarray) -> np.ndarray:

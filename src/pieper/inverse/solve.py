@@ -210,8 +210,7 @@ def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
             f"got shape {values.shape}.",
             given=redundancy,
         )
-    for j, joint in enumerate(plan.reduction.locked):
-        lower, upper = plan.full_limits[joint]
+    for j, (lower, upper) in enumerate(plan.redundancy_limits):
         outside = (values[:, j] < lower - 1e-9) | (values[:, j] > upper + 1e-9)
         if outside.any():
             raise InputError(

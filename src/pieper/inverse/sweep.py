@@ -109,7 +109,7 @@ def best_slice(plan: Plan, T: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nd
 
 def span(plan: Plan, joint: int) -> tuple[float, float]:
     """Return over what a redundant joint (0-based, virtual ones included) is swept: a turn, or its limits."""
-    if not plan.reduction.full.prismatic[joint]:
+    if not plan.exact.full.prismatic[joint]:
         return -np.pi, np.pi
     lower, upper = plan.full_limits[joint]
     reach = 2 * plan.chain.length
@@ -129,7 +129,7 @@ def _slices(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, at: 
 
 def _apart(plan: Plan, q: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Return the distances (V, M, K) of rows (V, M, n) from others (V, K, n), angles around the circle."""
-    prismatic = plan.reduction.full.prismatic
+    prismatic = plan.exact.full.prismatic
     gap = q[:, :, None] - other[:, None, :]
     gap[..., ~prismatic] = np.remainder(gap[..., ~prismatic] + np.pi, TURN) - np.pi
     if prismatic.any():
@@ -167,7 +167,7 @@ def beside(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, swept
         values: (k,) of all of them.
         swept: The sweep of T.
     """
-    full = plan.reduction.full
+    full = plan.exact.full
     prepared = plan.reduction.at_ends is None
     lower, upper = span(plan, plan.reduction.locked[coordinate])
     at = np.linspace(lower, upper, SLICES_PREPARED if prepared else SLICES)
@@ -233,7 +233,7 @@ def approached(plan: Plan, T: np.ndarray, starts: int) -> list[np.ndarray]:
     curve of solutions is about to appear or has just appeared, that distance has a minimum to which a neighbourhood of
     ordinary size leads.
     """
-    full = plan.reduction.full
+    full = plan.exact.full
     q = np.tile(sample_joints(full, starts, seed=7), (len(T), 1))
     q = _downhill(full, q, np.repeat(T, starts, axis=0)).reshape(len(T), starts, full.n)
     return [_arrived(full, rows, pose) for rows, pose in zip(q, T, strict=True)]
