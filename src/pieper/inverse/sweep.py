@@ -19,8 +19,8 @@ SLICES, SLICES_PREPARED = 96, 24
 #: An interval is halved where solutions appear or vanish or move farther than this (rad; per length); rows farther
 #: apart than the second number are not one branch.
 FAR, LOST = 0.3, 2.0
-#: How often an interval is halved at most, and the most new slices in all.
-HALVINGS, HALVINGS_PREPARED, MOST_NEW = 5, 2, 400
+#: How often an interval is halved at most, and the most new slices in all, for both kinds.
+HALVINGS, MOST_NEW, HALVINGS_PREPARED, MOST_NEW_PREPARED = 5, 400, 2, 40
 #: Steps to either side of a pose (per length; rad), and how many pairs of each.
 SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
 #: Rows of a pose beside this one are known when one of this pose is so near; of the others, so many are followed.
@@ -73,7 +73,7 @@ def sweep(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray) -> Swe
     at = np.linspace(lower, upper, SLICES_PREPARED if prepared else SLICES)
     q, valid = _slices(plan, T, coordinate, values, at)
     after, doubt = _continued(plan, q[:-1], valid[:-1], q[1:], valid[1:])
-    room = MOST_NEW
+    room = MOST_NEW_PREPARED if prepared else MOST_NEW
     for _ in range(HALVINGS_PREPARED if prepared else HALVINGS):
         halved = np.flatnonzero(doubt & (np.diff(at) > 1e-6))[:room]
         if not len(halved):
@@ -108,12 +108,17 @@ def best_slice(plan: Plan, T: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nd
 
 
 def span(plan: Plan, joint: int) -> tuple[float, float]:
-    """Return over what a redundant joint (0-based, virtual ones included) is swept: a turn, or its limits."""
+    """Return over what a redundant joint (0-based, virtual ones included) is swept: a turn, or a slide's limits.
+
+    A slide without a limit is swept over twice the arm's length to that side of zero, or of its other limit.
+    """
     if not plan.exact.full.prismatic[joint]:
         return -np.pi, np.pi
     lower, upper = plan.full_limits[joint]
     reach = 2 * plan.chain.length
-    return max(lower, -reach), min(upper, reach)
+    if not np.isfinite(lower):
+        lower = min(-reach, upper - reach)
+    return lower, upper if np.isfinite(upper) else max(reach, lower + reach)
 
 
 def _slices(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, at: np.ndarray):
