@@ -14,6 +14,9 @@ from pieper.inverse.sweep import HOLDS, approached, beside, span, sweep
 STARTS = 96
 #: Draws of several redundant coordinates where the given values have no solution, and the most families traced.
 DRAWS, MOST_FAMILIES = 60, 24
+#: Slides without limits make curves without end: how far these are followed; and the points of all curves together at
+#: which tracing ends.
+ENDLESS_STEPS, MOST_SAMPLES = 250, 12000
 #: Where several coordinates are redundant the solutions form a surface: lines followed on it, and how far.
 MOST_LINES, LINE_STEPS = 8, 60
 #: A seed this near to a traced curve is on it; between this and `DOUBTFUL` it is slid onto the curve to see.
@@ -41,12 +44,19 @@ def families_of(plan: Plan, T: np.ndarray, values: np.ndarray) -> tuple[Family, 
     spare = len(plan.redundancy)
     seeds = _seeds(plan, T, values)
     families: list[Family] = []
-    # a surface has no list of curves: one line through each solution shows the way, and `dimension` says the rest
-    most, steps = (MOST_FAMILIES, MOST_STEPS) if spare == 1 else (MOST_LINES, LINE_STEPS)
-    while len(seeds) and len(families) < most:
+    # a surface (of several spare joints, or of a singular pose) has no list of curves: one line through each solution
+    # shows the way, and `dimension` says the rest
+    endless = bool((full.prismatic & ~np.isfinite(plan.full_limits).all(1)).any())
+    curve_steps = ENDLESS_STEPS if endless else MOST_STEPS
+    most, steps = (MOST_FAMILIES, curve_steps) if spare == 1 else (MOST_LINES, LINE_STEPS)
+    traced = 0
+    while len(seeds) and len(families) < most and traced < MOST_SAMPLES:
         family = trace(full, seeds[0], T, plan.full_limits, plan.full_names, shown=plan.n, most_steps=steps)
         seeds = seeds[1:]
         families.append(family)
+        traced += len(family.samples)
+        if family.dimension > 1:
+            most, steps = MOST_LINES, LINE_STEPS
         if spare == 1:
             more = _within(plan, T, family)
             for other in families[:-1]:
