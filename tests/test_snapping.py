@@ -77,3 +77,17 @@ def test_a_pose_where_the_count_changes_is_uncertain_and_says_by_how_much_the_ar
 def test_an_arm_that_is_special_as_it_stands_is_not_changed_by_snapping():
     arm, same = pieper.load("denso-vp6242"), pieper.load("denso-vp6242", snap=1e-2)
     assert not same.plan.snapped and same.plan.drift == 0.0 and same.plan.family == arm.plan.family
+
+
+def test_families_and_arm_angle_of_a_snapped_redundant_arm_are_those_of_the_arm_as_described():
+    arm = drawn("kuka-lbr-iiwa-14-r820", 2e-4, snap=1e-2)
+    assert arm.plan.snapped and arm.plan.family == "spherical_wrist"
+    q = np.array([0.4, -0.7, 0.5, 1.1, -0.6, 0.9, 0.3])
+    T = arm.fk(q)
+    family = arm.ik(T, redundancy=q[0]).families[0]
+    assert np.abs(arm.fk(family.samples) - T).max() < 1e-9
+    asked = float(arm.arm_angle(q)[0])
+    rows = arm.ik(T, redundancy={"arm angle": asked}).all_q
+    assert np.abs((rows - q + np.pi) % (2 * np.pi) - np.pi).max(1).min() < 1e-7
+    assert np.abs(arm.fk(rows) - T).max() < 1e-9
+    assert np.abs((arm.arm_angle(rows)[0] - asked + np.pi) % (2 * np.pi) - np.pi).max() < 1e-9

@@ -7,7 +7,7 @@ import pytest
 
 import pieper
 from pieper import Status
-from pieper.inverse.at_arm_angle import _by_sweep
+from pieper.inverse.at_arm_angle import by_sweep
 
 SPHERICAL = ["kuka-lbr-iiwa-14-r820", "kuka-lwr-4-plus", "motoman-sia10d", "motoman-sia20d"]
 OFFSET = ["franka-panda", "franka-fr3", "kinova-gen3-7dof", "ufactory-xarm7", "rethink-sawyer", "rethink-baxter-left"]
@@ -124,13 +124,21 @@ def test_an_independent_search_finds_nothing_else(name):
     assert len(rows) >= len(found)
 
 
+@pytest.mark.parametrize("name", SPHERICAL[:1] + OFFSET[:1])
+def test_no_poses_at_all_are_an_empty_batch_at_an_arm_angle(name):
+    arm = pieper.load(name)
+    many = arm.ik_many(np.zeros((0, 4, 4)), redundancy={"arm angle": 0.3})
+    assert many.q.shape == (0, arm.plan.arm_angle.max_solutions, 7) and many.status.shape == (0,)
+
+
 @pytest.mark.parametrize("name", SPHERICAL[:3])
 def test_the_closed_form_and_the_sweep_agree(name):
     arm = pieper.load(name)
     for q in np.random.default_rng(5).uniform(-2.5, 2.5, (3, 7)):
         T, asked = arm.fk(q), float(arm.arm_angle(q)[0])
         rows = arm.ik(T, redundancy={"arm angle": asked}).all_q
-        swept, _ = _by_sweep(arm.plan, arm.plan.arm_angle, T, asked)
+        swept, valid, _ = by_sweep(arm.plan, T[None], np.array([asked]))
+        swept = swept[valid]
         assert len(rows) == len(swept)
         assert max(np.abs(turned(rows, other)).max(1).min() for other in swept) < 1e-7
 

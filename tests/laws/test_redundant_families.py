@@ -213,6 +213,20 @@ def test_the_default_value_gives_way_to_one_with_an_answer_alone_and_in_a_batch(
         assert one.status == many.status[i]
 
 
+def test_an_arm_on_a_rail_far_from_its_zero_finds_the_rail_s_values():
+    rows = [DH(0, -np.pi / 2, 0, 0)]
+    rows += [DH(*row, 0) for row in ((0, np.pi / 2, 0.4), (0.5, 0, 0), (0, np.pi / 2, 0), (0, -np.pi / 2, 0.4))]
+    rows += [DH(0, np.pi / 2, 0, 0), DH(0, 0, 0.1, 0)]
+    limits = [(8.0, 12.0)] + [(-2.9, 2.9)] * 6
+    arm = Arm.from_dh(rows, convention="standard", joint_types="PRRRRRR", limits=limits)
+    q = np.array([9.7, 0.3, 0.6, 1.1, 0.4, 0.9, 0.2])
+    T = arm.fk(q)
+    sols = arm.ik(T)
+    assert sols.status == Status.REDUNDANT and len(sols)
+    assert (sols.q[:, 0] >= 8.0 - 1e-9).all() and (sols.q[:, 0] <= 12.0 + 1e-9).all()
+    assert any(family.contains(q, 1e-5) for family in sols.families)
+
+
 def test_a_chosen_value_without_an_answer_is_told_from_a_pose_out_of_reach():
     arm = pieper.load("franka-panda")
     q = np.array([0.1, 0.9, 0.2, -0.6, 0.1, 1.3, 0.4])

@@ -19,6 +19,8 @@ STEPS, LONGEST = 25, 0.3
 POLISH = 1e-13
 #: Starts of the free approach beside the sweep; how much of the last change an ending branch may still change by.
 FREE_STARTS, AT_ENDS = 64, 8.0
+#: Poses that are solved together by a sweep each.
+TOGETHER = 32
 
 
 def solve_at_arm_angle(
@@ -35,12 +37,10 @@ def solve_at_arm_angle(
         q, valid, undefined = _closed_form(angle, T, angles)
         flag = np.where(undefined, UNCERTAIN | NO_ARM_ANGLE, 0).astype(np.uint8)
     else:
-        q = np.zeros((len(T), angle.max_solutions, 7))
-        valid = np.zeros(q.shape[:2], bool)
-        flag = np.zeros(len(T), np.uint8)
-        for i in range(len(T)):
-            rows, flag[i] = _by_sweep(plan, angle, T[i], angles[i])
-            q[i, : len(rows)], valid[i, : len(rows)] = rows, True
+        parts = [by_sweep(plan, T[i : i + TOGETHER], angles[i : i + TOGETHER]) for i in range(0, len(T), TOGETHER)] or [
+            by_sweep(plan, T, angles)
+        ]
+        q, valid, flag = (np.concatenate(part) for part in zip(*parts, strict=True))
     q = np.where(valid[..., None], np.pi - (np.pi - q) % TURN, 0.0)
     q, inside = inside_limits(q, plan.limits, plan.prismatic)
     return q, valid, inside & valid, flag | np.uint8(AT_ARM_ANGLE)
@@ -91,29 +91,49 @@ def _closing(angle, q, good, T, angles, x, y) -> tuple[np.ndarray, np.ndarray]:
     return q, distinct_rows(angle.chain, q, good)
 
 
-def _by_sweep(plan: Plan, angle: ArmAngle, T: np.ndarray, wanted: float) -> tuple[np.ndarray, int]:
-    """Return rows (m, 7) of one pose, and flag bits: each branch over the redundant joint is searched for the angle."""
+def by_sweep(plan: Plan, T: np.ndarray, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Solve poses T (N, 4, 4) at arm angles wanted (N,) by searching each branch over the redundant joint for them.
+
+    Returns:
+        q (N, M, 7), valid (N, M) and flag bits (N,).
+    """
+    angle, chain = plan.arm_angle, plan.chain
     x, y, defined = angle.frame(T)
-    if not defined:
-        return np.zeros((0, 7)), UNCERTAIN | NO_ARM_ANGLE
+    q = np.zeros((len(T), angle.max_solutions, 7))
+    valid, flag = np.zeros(q.shape[:2], bool), np.zeros(len(T), np.uint8)
+    flag[~defined] = UNCERTAIN | NO_ARM_ANGLE
+    starts, of = [np.zeros((0, 7))], [np.zeros(0, int)]
+    free = approached(plan, T, FREE_STARTS)
+    for i in np.flatnonzero(defined):
+        found, somewhere = _starts(plan, T[i], wanted[i], x[i], y[i], free[i])
+        # there are solutions, but on none of them is the elbow off the line
+        flag[i] = 0 if somewhere or not len(found) else UNCERTAIN | NO_ARM_ANGLE
+        starts.append(found if somewhere else found[:0])
+        of.append(np.full(len(starts[-1]), i))
+    of = np.concatenate(of)
+    rows, error = onto(angle, np.concatenate(starts), T[of], wanted[of], x[of], y[of])
+    good = (error < CLOSES) & angle.about(rows, x[of], y[of], defined[of])[1]
+    for i in np.unique(of[good]):
+        own = rows[good & (of == i)]
+        own = own[distinct_rows(chain, own[None], np.ones((1, len(own)), bool))[0]]
+        own = np.pi - (np.pi - own) % TURN
+        own = own[np.lexsort(np.round(own, 6).T[::-1])]
+        flag[i] |= UNCERTAIN if len(own) > q.shape[1] else 0
+        own = own[: q.shape[1]]
+        q[i, : len(own)], valid[i, : len(own)] = own, True
+    return q, valid, flag
+
+
+def _starts(plan: Plan, T, wanted: float, x: np.ndarray, y: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, bool]:
+    """Return rows (m, 7) of one pose from which Newton's method is to set out, and whether any has an arm angle."""
     swept = sweep(plan, T, 0, plan.defaults)
-    now, known = angle.about(swept.q, x, y, defined)
+    now, known = plan.arm_angle.about(swept.q, x, y, np.ones((), bool))
     off = np.where(known, (now - wanted + np.pi) % TURN - np.pi, 0.0)
-    free = unknown(plan, swept, 0, approached(plan, T, FREE_STARTS))
-    starts = np.concatenate([swept.q[swept.valid & known & _may_cross(swept, off)], free])
-    if not len(starts):
-        return starts, 0
-    if not (swept.valid & known).any() and not angle.about(free, x, y, defined)[1].any():
-        return np.zeros((0, 7)), UNCERTAIN | NO_ARM_ANGLE
-    same = [np.broadcast_to(v, (len(starts), *np.shape(v))) for v in (T, wanted, x, y)]
-    rows, error = onto(angle, starts, *same)
-    _, known = angle.about(rows, x, y, defined)
-    rows = rows[(error < CLOSES) & known]
-    rows = rows[distinct_rows(angle.chain, rows[None], np.ones((1, len(rows)), bool))[0]]
-    rows = np.pi - (np.pi - rows) % TURN
-    rows = rows[np.lexsort(np.round(rows, 6).T[::-1])]
-    most = angle.max_solutions
-    return rows[:most], UNCERTAIN if len(rows) > most else 0
+    free = unknown(plan, swept, 0, free)
+    has = plan.arm_angle.about(free, x, y, np.ones((), bool))[1]
+    if not (swept.valid & known).any() and not has.any():
+        return np.concatenate([swept.q[swept.valid], free]), False
+    return np.concatenate([swept.q[swept.valid & known & _may_cross(swept, off)], free[has]]), True
 
 
 def _may_cross(swept: Sweep, off: np.ndarray) -> np.ndarray:

@@ -88,6 +88,11 @@ class Plan:
         return tuple(self._joint_name(j) for j in self.reduction.locked)
 
     @property
+    def redundancy_limits(self) -> np.ndarray:
+        """Limits (k, 2) of the redundant coordinates, rad or m; infinite for a task's own, which have none."""
+        return self.full_limits[list(self.reduction.locked)]
+
+    @property
     def choices(self) -> tuple[str, ...]:
         """Names that `redundancy` may be given for: the redundant coordinates, and the arm angle where there is one."""
         return (*self.redundancy, *(("arm angle",) if self.arm_angle else ()))

@@ -91,7 +91,7 @@ def _held(plan: Plan, sols: Solutions) -> str:
 def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     from pieper.inverse.reach import nearest_reachable
 
-    _, metres, radians = nearest_reachable(plan.reduction.full, sols.T)
+    _, metres, radians = nearest_reachable(plan.exact.full, sols.T)
     miss = f"misses it by {metres * 1e3:.4g} mm"
     if radians > 5e-3:
         miss += f" and {np.degrees(radians):.3g} deg"

@@ -14,6 +14,9 @@ from pieper.inverse.sweep import HOLDS, approached, beside, span, sweep
 STARTS = 96
 #: Draws of several redundant coordinates where the given values have no solution, and the most families traced.
 DRAWS, MOST_FAMILIES = 60, 24
+#: Slides without limits make curves without end: how far these are followed; and the points of all curves together at
+#: which tracing ends.
+ENDLESS_STEPS, MOST_SAMPLES = 250, 12000
 #: Where several coordinates are redundant the solutions form a surface: lines followed on it, and how far.
 MOST_LINES, LINE_STEPS = 8, 60
 #: A seed this near to a traced curve is on it; between this and `DOUBTFUL` it is slid onto the curve to see.
@@ -37,16 +40,23 @@ def families_of(plan: Plan, T: np.ndarray, values: np.ndarray) -> tuple[Family, 
         T: (4, 4).
         values: (k,) the redundant coordinates asked for.
     """
-    full = plan.reduction.full
+    full = plan.exact.full
     spare = len(plan.redundancy)
     seeds = _seeds(plan, T, values)
     families: list[Family] = []
-    # a surface has no list of curves: one line through each solution shows the way, and `dimension` says the rest
-    most, steps = (MOST_FAMILIES, MOST_STEPS) if spare == 1 else (MOST_LINES, LINE_STEPS)
-    while len(seeds) and len(families) < most:
+    # a surface (of several spare joints, or of a singular pose) has no list of curves: one line through each solution
+    # shows the way, and `dimension` says the rest
+    endless = bool((full.prismatic & ~np.isfinite(plan.full_limits).all(1)).any())
+    curve_steps = ENDLESS_STEPS if endless else MOST_STEPS
+    most, steps = (MOST_FAMILIES, curve_steps) if spare == 1 else (MOST_LINES, LINE_STEPS)
+    traced = 0
+    while len(seeds) and len(families) < most and traced < MOST_SAMPLES:
         family = trace(full, seeds[0], T, plan.full_limits, plan.full_names, shown=plan.n, most_steps=steps)
         seeds = seeds[1:]
         families.append(family)
+        traced += len(family.samples)
+        if family.dimension > 1:
+            most, steps = MOST_LINES, LINE_STEPS
         if spare == 1:
             more = _within(plan, T, family)
             for other in families[:-1]:
@@ -62,7 +72,7 @@ def _within(plan: Plan, T: np.ndarray, family: Family) -> np.ndarray:
     low, high = column.min(), column.max()
     lower, upper = span(plan, plan.reduction.locked[0])
     if high - low > SMALL * (upper - lower):
-        return np.zeros((0, plan.reduction.full.n))
+        return np.zeros((0, plan.exact.full.n))
     within = low + np.array([0.38, 0.71]) * (high - low)
     return holding(plan, T, *full_rows(plan, np.tile(T, (2, 1, 1)), within[:, None], 1)[:2])
 
@@ -76,13 +86,13 @@ def _seeds(plan: Plan, T: np.ndarray, values: np.ndarray) -> np.ndarray:
         drawn = np.random.default_rng(8).uniform(low, high, (DRAWS, len(values)))
         found = holding(plan, T, *full_rows(plan, np.tile(T, (DRAWS, 1, 1)), drawn, 1)[:2])
     hidden = beside(plan, T, 0, values, swept) if len(values) == 1 else found[:0]
-    return np.concatenate([found, hidden, approached(plan, T, STARTS)])
+    return np.concatenate([found, hidden, approached(plan, T[None], STARTS)[0]])
 
 
 def holding(plan: Plan, T: np.ndarray, q: np.ndarray, valid: np.ndarray) -> np.ndarray:
     """Return the valid rows (m, n) of q (N, M, n) that hold the pose T (4, 4) well enough to set out from."""
     rows = q[valid]
-    return rows[np.linalg.norm(pose_difference(plan.reduction.full, rows, T), axis=-1) < HOLDS]
+    return rows[np.linalg.norm(pose_difference(plan.exact.full, rows, T), axis=-1) < HOLDS]
 
 
 def _on(family: Family, seeds: np.ndarray) -> np.ndarray:

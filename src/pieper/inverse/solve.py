@@ -95,24 +95,40 @@ def ik_many(plan: Plan, Ts: object, threads: int | None = None, redundancy: obje
         # beyond that the kernel's own rows stand, one of each family, and the pose is called singular unread
         status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
     if plan.redundancy and redundancy is not None:
-        # not at the value that was asked for, but perhaps at others
-        for i in np.flatnonzero(~some & ((flag & UNCERTAIN) == 0))[:MOST_CAREFUL]:
-            _, found, within = best_slice(plan, checked_pose(poses[i]))
-            status[i] = codes[int(found.any()) + int(within.any())]
+        _told_apart(plan, poses, some, inside, flag, status)
     status[(flag & UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, q, valid, inside, status, flag)
 
 
 def _choose_elsewhere(plan: Plan, poses: np.ndarray, q: np.ndarray, valid: np.ndarray, inside: np.ndarray) -> None:
     """Choose another value of the spare coordinate where its default, which nobody chose, gives nothing inside."""
-    traced = 0
+    traced, several = 0, len(plan.redundancy) > 1
     for i in np.flatnonzero(~_any(inside))[:MOST_CAREFUL]:
         rows, ok, within = best_slice(plan, checked_pose(poses[i]))
         if within.any() or (ok.any() and not valid[i].any()):
             q[i], valid[i], inside[i] = rows, ok, within
-        elif not ok.any() and traced < MOST_TRACED:
+        elif (several or not ok.any()) and traced < MOST_TRACED:
             traced += 1
             _put(_ik_reduced(plan, poses[i], None), q[i], valid[i], inside[i])
+
+
+def _told_apart(plan: Plan, poses, some: np.ndarray, inside: np.ndarray, flag: np.ndarray, status: np.ndarray) -> None:
+    """Say of poses without rows at the value that was asked for whether other values have some.
+
+    Poses that follow each other and are equal, as in a sweep over the values, are looked at once.
+    """
+    none = ~some & ((flag & UNCERTAIN) == 0)
+    if not none.any():
+        return
+    run = np.concatenate([[0], np.cumsum((poses[1:] != poses[:-1]).any((1, 2)))])
+    within = np.bincount(run, weights=_any(inside)) > 0
+    missing = np.unique(run[none & ~within[run]])[:MOST_CAREFUL]
+    anywhere = np.bincount(run, weights=some) > 0
+    for k in missing:
+        _, found, there = best_slice(plan, checked_pose(poses[np.argmax(run == k)]))
+        within[k], anywhere[k] = there.any(), anywhere[k] or found.any()
+    codes = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT], np.uint8)
+    status[none] = codes[anywhere.astype(np.uint8) + within][run[none]]
 
 
 def _rows(plan: Plan, poses: np.ndarray, values: np.ndarray | None, threads: int):
@@ -197,8 +213,7 @@ def redundancy_values(plan: Plan, redundancy: object, count: int) -> np.ndarray:
             f"got shape {values.shape}.",
             given=redundancy,
         )
-    for j, joint in enumerate(plan.reduction.locked):
-        lower, upper = plan.full_limits[joint]
+    for j, (lower, upper) in enumerate(plan.redundancy_limits):
         outside = (values[:, j] < lower - 1e-9) | (values[:, j] > upper + 1e-9)
         if outside.any():
             raise InputError(
@@ -230,7 +245,7 @@ def _ik_reduced(plan: Plan, given: object, redundancy: object) -> Solutions:
             others, ok, there = best_slice(plan, T)
             if there.any() or (ok.any() and not len(rows)):
                 rows, slots, within = others[ok], np.flatnonzero(ok), there[ok]
-            elif not ok.any() and (families := families()):
+            elif (len(plan.redundancy) > 1 or not ok.any()) and (families := families()):
                 rows = np.array([family.representative for family in families])
                 rows, within = inside_limits(rows, plan.limits, plan.prismatic)
                 slots = np.arange(len(rows))

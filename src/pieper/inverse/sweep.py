@@ -19,15 +19,15 @@ SLICES, SLICES_PREPARED = 96, 24
 #: An interval is halved where solutions appear or vanish or move farther than this (rad; per length); rows farther
 #: apart than the second number are not one branch.
 FAR, LOST = 0.3, 2.0
-#: How often an interval is halved at most, and the most new slices in all.
-HALVINGS, HALVINGS_PREPARED, MOST_NEW = 5, 2, 400
+#: How often an interval is halved at most, and the most new slices in all, for both kinds.
+HALVINGS, MOST_NEW, HALVINGS_PREPARED, MOST_NEW_PREPARED = 5, 400, 2, 40
 #: Steps to either side of a pose (per length; rad), and how many pairs of each.
 SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
 #: Rows of a pose beside this one are known when one of this pose is so near; of the others, so many are followed.
 KNOWN, MOST_FOLLOWED = 0.25, 150
 #: By how much a side step shrinks from stage to stage when it is followed back, and how often.
 FOLLOW_RATIO, FOLLOW_STAGES = 0.3, 13
-#: Most steps of pulling a row onto a pose, and what its end may miss the pose by (per length; rad).
+#: Most steps of a free approach to a pose, and what its end may miss the pose by (per length; rad).
 PULL_STEPS, HOLDS = 40, 1e-9
 
 
@@ -73,7 +73,7 @@ def sweep(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray) -> Swe
     at = np.linspace(lower, upper, SLICES_PREPARED if prepared else SLICES)
     q, valid = _slices(plan, T, coordinate, values, at)
     after, doubt = _continued(plan, q[:-1], valid[:-1], q[1:], valid[1:])
-    room = MOST_NEW
+    room = MOST_NEW_PREPARED if prepared else MOST_NEW
     for _ in range(HALVINGS_PREPARED if prepared else HALVINGS):
         halved = np.flatnonzero(doubt & (np.diff(at) > 1e-6))[:room]
         if not len(halved):
@@ -108,12 +108,17 @@ def best_slice(plan: Plan, T: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nd
 
 
 def span(plan: Plan, joint: int) -> tuple[float, float]:
-    """Return over what a redundant joint (0-based, virtual ones included) is swept: a turn, or its limits."""
-    if not plan.reduction.full.prismatic[joint]:
+    """Return over what a redundant joint (0-based, virtual ones included) is swept: a turn, or a slide's limits.
+
+    A slide without a limit is swept over twice the arm's length to that side of zero, or of its other limit.
+    """
+    if not plan.exact.full.prismatic[joint]:
         return -np.pi, np.pi
     lower, upper = plan.full_limits[joint]
     reach = 2 * plan.chain.length
-    return max(lower, -reach), min(upper, reach)
+    if not np.isfinite(lower):
+        lower = min(-reach, upper - reach)
+    return lower, upper if np.isfinite(upper) else max(reach, lower + reach)
 
 
 def _slices(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, at: np.ndarray):
@@ -129,7 +134,7 @@ def _slices(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, at: 
 
 def _apart(plan: Plan, q: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Return the distances (V, M, K) of rows (V, M, n) from others (V, K, n), angles around the circle."""
-    prismatic = plan.reduction.full.prismatic
+    prismatic = plan.exact.full.prismatic
     gap = q[:, :, None] - other[:, None, :]
     gap[..., ~prismatic] = np.remainder(gap[..., ~prismatic] + np.pi, TURN) - np.pi
     if prismatic.any():
@@ -167,7 +172,7 @@ def beside(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, swept
         values: (k,) of all of them.
         swept: The sweep of T.
     """
-    full = plan.reduction.full
+    full = plan.exact.full
     prepared = plan.reduction.at_ends is None
     lower, upper = span(plan, plan.reduction.locked[coordinate])
     at = np.linspace(lower, upper, SLICES_PREPARED if prepared else SLICES)
@@ -226,20 +231,26 @@ def _arrived(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray:
     return np.where(chain.prismatic, q, (q + np.pi) % TURN - np.pi)
 
 
-def approached(plan: Plan, T: np.ndarray, starts: int) -> np.ndarray:
-    """Return points (m, n) of a pose found from anywhere: pulled onto it from so many postures, always the same."""
-    return pulled(plan, T, sample_joints(plan.reduction.full, starts, seed=7))
+def approached(plan: Plan, T: np.ndarray, starts: int) -> list[np.ndarray]:
+    """Return for each of poses T (N, 4, 4) points (m, n) of it found from anywhere.
+
+    The distance to the pose is minimised (Levenberg-Marquardt) from so many postures, always the same ones. Where a
+    curve of solutions is about to appear or has just appeared, that distance has a minimum to which a neighbourhood of
+    ordinary size leads.
+    """
+    full = plan.exact.full
+    q = np.tile(sample_joints(full, starts, seed=7), (len(T), 1))
+    q = _downhill(full, q, np.repeat(T, starts, axis=0)).reshape(len(T), starts, full.n)
+    return [_arrived(full, rows, pose) for rows, pose in zip(q, T, strict=True)]
 
 
-def pulled(plan: Plan, T: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Return points (m, n) of a pose to which joint vectors q (k, n) lead downhill (Levenberg-Marquardt); m <= k."""
-    full = plan.reduction.full
-    unit = np.where(full.prismatic, full.length, 1.0)
-    q = np.array(q)
+def _downhill(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray:
+    """Return where joint vectors q (k, n) come to when the distance to poses T (k, 4, 4) is minimised."""
+    unit = np.where(chain.prismatic, chain.length, 1.0)
     damping, size = np.full(len(q), 1e-1), np.full(len(q), np.inf)
     active, tried = np.arange(len(q)), q.copy()
     for _ in range(PULL_STEPS):
-        e = pose_difference(full, tried, T)
+        e = pose_difference(chain, tried, T[active])
         new = np.einsum("bi,bi->b", e, e)
         better = new < size[active]
         q[active[better]], size[active[better]] = tried[better], new[better]
@@ -247,10 +258,10 @@ def pulled(plan: Plan, T: np.ndarray, q: np.ndarray) -> np.ndarray:
         active = active[(size[active] > 1e-24) & (damping[active] < 1e3)]
         if not len(active):
             break
-        e = pose_difference(full, q[active], T)
-        J = scaled_jacobian(full, q[active])
+        e = pose_difference(chain, q[active], T[active])
+        J = scaled_jacobian(chain, q[active])
         A = J @ np.swapaxes(J, -1, -2) + (damping[active] * size[active] + 1e-15)[:, None, None] * np.eye(6)
         step = np.einsum("bij,bi->bj", J, np.linalg.solve(A, e[..., None])[..., 0])
         step *= np.minimum(1.0, 0.7 / np.maximum(np.linalg.norm(step, axis=-1, keepdims=True), 1e-300))
         tried = q[active] + step * unit
-    return _arrived(full, q, T)
+    return q
