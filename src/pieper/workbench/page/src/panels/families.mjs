@@ -104,7 +104,9 @@ function along(family, k, T, exact) {
     const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];
     if (!way) return;
     e.preventDefault();
-    slider.value = Math.min(Math.max(Number(slider.value) + way / 100, 0), 1);
+    const next = Number(slider.value) + way / 100;
+    // a closed curve goes round
+    slider.value = String(family.closed ? next - Math.floor(next) : Math.min(Math.max(next, 0), 1));
     go();
   });
   return slider;
