@@ -48,7 +48,10 @@ export function showFamilies(el, s) {
         return h(
           'div',
           { class: 'family short' },
-          h('span', { title: outside, text: `${k + 1}, ${outside ? 'outside the limits' : form(family)}` }),
+          h('span', {
+            title: outside,
+            text: `${k + 1}, ${outside ? 'outside the limits' : family.dimension > 1 ? 'in a surface' : form(family)}`,
+          }),
           slider,
         );
       const moves = family.moves.length > 3 ? 'most of its joints' : family.moves.join(' and ');
