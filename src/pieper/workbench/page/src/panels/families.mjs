@@ -15,6 +15,7 @@ export function showFamilies(el, s) {
     exact = task === 'pose';
   // while the hand moves, the families of a redundant arm wait: what stands there keeps its place
   el.classList.toggle('stale', s?.families === null);
+  for (const slider of el.querySelectorAll('input')) slider.disabled = s?.families === null;
   if (s?.families === null && el.childElementCount) return;
   const key = s?.families === null ? 'pending' : s?.families;
   if (el.drawn === key) return;

@@ -124,6 +124,7 @@ export function spareCoordinates() {
     for (const c of list) {
       if (options.redundancy && c.name in options.redundancy) values[c.name] = options.redundancy[c.name];
       else if (jointOf(c) >= 0) values[c.name] = state.q[jointOf(c)];
+      else if (c.instead && Number.isFinite(state.solutions?.arm_angle)) values[c.name] = state.solutions.arm_angle;
       else values[c.name] ??= 0;
     }
     mode.mark(options.redundancy ? 'chosen' : 'free');
