@@ -236,7 +236,7 @@ def test_equations_are_typeset(bench, which):
         value = bench.page.locator("[data-entry='3']").inner_text()
         x = bench.value("workbench.frames.at(-1)[3]") * 1000
         assert float(re.sub("−", "-", value).strip("= m")) == pytest.approx(x, abs=0.006)
-        bench.button("Present numbers")
+        bench.button("Numbers")
         cosine = f"{np.cos(bench.value('workbench.q[0]')):.4f}"
         bench.page.get_by_test_id("equations").get_by_text(cosine).first.wait_for()
     bench.shot(f"equations-{which.lower()}", both=which == "Forward")

@@ -50,10 +50,11 @@ def test_two_redundant_joints_are_held_by_slider_and_by_field(bench, eight, tmp_
     rows = np.array([row["q"] for row in bench.value("workbench.solutions.rows")])
     assert len(rows) == 8 and np.allclose(rows[:, 0], np.radians(15)) and np.allclose(rows[:, 7], np.radians(20))
     assert np.allclose(eight.fk(rows), np.reshape(target, (4, 4)), atol=1e-9)
+    page.get_by_test_id("families").get_by_role("slider").first.wait_for()
+    bench.shot("redundant-eight", both=True)
     field = chosen(page).get_by_label("Value of joint_8")
     field.fill("120")
     assert field.get_attribute("aria-invalid") == "true" and "above the limit" in field.get_attribute("title")
-    bench.shot("redundant-eight", both=True)
 
 
 def test_the_spare_turns_of_a_position_task(bench):

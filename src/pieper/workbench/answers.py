@@ -94,6 +94,7 @@ def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
         answer["families"] = None
         if not message.get("brief"):
             answer["spare"] = spare_coordinates(plan)
+            answer["arm_angle"] = _arm_angle(plan, answer["nearest"])
     elif not message.get("brief"):
         answer["families"] = [family_points(family, arm.n) for family in solutions.families]
     return answer
@@ -137,6 +138,15 @@ def spare_coordinates(plan: Plan) -> list[dict[str, Any]]:
     if "arm angle" in getattr(plan, "choices", ()):
         found.append({"name": "arm angle", "kind": "angle", "lower": None, "upper": None, "instead": True})
     return found
+
+
+def _arm_angle(plan: Plan, q: list[float] | None) -> float | None:
+    """Return the arm angle of a posture where the arm has one and it is defined there."""
+    angle = getattr(plan, "arm_angle", None)
+    if angle is None or q is None:
+        return None
+    value, defined = angle.of(np.asarray(q))
+    return float(value) if np.all(defined) else None
 
 
 def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[str, Any]) -> dict[str, Any]:

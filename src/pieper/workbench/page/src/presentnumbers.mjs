@@ -29,5 +29,7 @@ export function withPresentNumbers(latex, table, q) {
     if (letter === 'd') return table.joints[list[0][0] - 1].type === 'P' ? number(rows[list[0][0] - 1].d) : symbol;
     return number(letter === 'c' ? Math.cos(angle(list)) : Math.sin(angle(list)));
   });
-  return put.replace(/(\d|\))\s+(?=\d|\(|\\left\()/g, '$1 \\cdot ');
+  // plain parentheses let a long line break anywhere, and a number beside a number needs its dot
+  const plain = put.replaceAll('\\left(', '(').replaceAll('\\right)', ')');
+  return plain.replace(/(\d|\))\s+(?=\d|\()/g, '$1 \\cdot ');
 }

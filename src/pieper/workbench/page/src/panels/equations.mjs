@@ -79,7 +79,7 @@ export const equations = {
       [
         ['symbols', 'Symbols'],
         ['numbers', 'Lengths'],
-        ['present', 'Present numbers'],
+        ['present', 'Numbers'],
       ],
       numbers,
       (v) => {

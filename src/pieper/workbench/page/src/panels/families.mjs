@@ -15,6 +15,7 @@ export function showFamilies(el, s) {
     exact = task === 'pose';
   // while the hand moves, the families of a redundant arm wait: what stands there keeps its place
   el.classList.toggle('stale', s?.families === null);
+  for (const slider of el.querySelectorAll('input')) slider.disabled = s?.families === null;
   if (s?.families === null && el.childElementCount) return;
   const key = s?.families === null ? 'pending' : s?.families;
   if (el.drawn === key) return;
@@ -48,7 +49,10 @@ export function showFamilies(el, s) {
         return h(
           'div',
           { class: 'family short' },
-          h('span', { title: outside, text: `${k + 1}, ${outside ? 'outside the limits' : form(family)}` }),
+          h('span', {
+            title: outside,
+            text: `${k + 1}, ${outside ? 'outside the limits' : family.dimension > 1 ? 'in a surface' : form(family)}`,
+          }),
           slider,
         );
       const moves = family.moves.length > 3 ? 'most of its joints' : family.moves.join(' and ');
@@ -104,7 +108,9 @@ function along(family, k, T, exact) {
     const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];
     if (!way) return;
     e.preventDefault();
-    slider.value = Math.min(Math.max(Number(slider.value) + way / 100, 0), 1);
+    const next = Number(slider.value) + way / 100;
+    // a closed curve goes round
+    slider.value = String(family.closed ? next - Math.floor(next) : Math.min(Math.max(next, 0), 1));
     go();
   });
   return slider;

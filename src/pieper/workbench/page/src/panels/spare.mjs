@@ -59,6 +59,7 @@ export function spareCoordinates() {
       'aria-label': `Slide ${c.name}`,
       'data-testid': `spare-slider-${i + 1}`,
     });
+    let held = false; // a key is
     const set = (v, sliding) => {
       values[c.name] = v;
       choose(together(c), { sliding });
@@ -69,10 +70,14 @@ export function spareCoordinates() {
       const k = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];
       if (k === undefined) return;
       e.preventDefault();
+      held = true;
       const by = k * units.step(c.kind) * (e.shiftKey ? 0.1 : 1);
       set(Math.min(Math.max(values[c.name] + by, lo), hi), true);
     });
-    slider.addEventListener('keyup', () => solve());
+    slider.addEventListener('keyup', () => {
+      if (held) solve();
+      held = false;
+    });
     const field = numberField({
       label: `Value of ${c.name}`,
       kind: c.kind,
@@ -119,6 +124,7 @@ export function spareCoordinates() {
     for (const c of list) {
       if (options.redundancy && c.name in options.redundancy) values[c.name] = options.redundancy[c.name];
       else if (jointOf(c) >= 0) values[c.name] = state.q[jointOf(c)];
+      else if (c.instead && Number.isFinite(state.solutions?.arm_angle)) values[c.name] = state.solutions.arm_angle;
       else values[c.name] ??= 0;
     }
     mode.mark(options.redundancy ? 'chosen' : 'free');
@@ -132,7 +138,8 @@ export function spareCoordinates() {
   }
   on('solutions', () => {
     const next = state.solutions?.spare;
-    if (!state.solutions || (!next && state.solutions.brief)) return;
+    // an answer on the way, or a refused one, says nothing of the coordinates
+    if (!state.solutions || (!next && (state.solutions.brief || state.solutions.status === 'REFUSED'))) return;
     if (JSON.stringify(next ?? []) !== JSON.stringify(list)) {
       list = next ?? [];
       values = {};
