@@ -38,7 +38,7 @@ template <class F> struct LaneSolutions {
 // Everything of an arm that does not depend on the pose; made once, kept behind the arm's params.
 struct PreparedArm {
   Rigid links[7];
-  double length;
+  double length, unit[6];  // unit: what a joint's value is multiplied with at the end, 1 rad or the length
   int first;
   int order[3];  // joints a, b, c
   bool slides[6], hide_c, first_c, apart;
@@ -49,7 +49,7 @@ struct PreparedArm {
     first = iparams[6];
     hide_c = iparams[10] != 0, first_c = iparams[11] != 0, apart = iparams[12] != 0;
     for (int k = 0; k < 7; ++k) links[k] = read_rigid(params + 113 + 16 * k, length);
-    for (int k = 0; k < 6; ++k) slides[k] = iparams[k] != 0;
+    for (int k = 0; k < 6; ++k) slides[k] = iparams[k] != 0, unit[k] = slides[k] ? length : 1.0;
     for (int k = 0; k < 3; ++k) order[k] = (first + 3 + k) % 6;
     straight = true;
     for (int sample = 0; sample < 4; ++sample) {
@@ -267,8 +267,7 @@ __attribute__((noinline)) unsigned solve_clear(const PreparedClosed<Family>& pre
   prepared.family.template solve<F>(arm, rest, out);
   F values[8][6];
   for (int m = 0; m < 8; ++m)
-    for (int j = 0; j < 6; ++j)
-      values[m][j] = select(out.valid[m], arm.slides[j] ? out.q[m][j] * arm.length : out.q[m][j], F(0.0));
+    for (int j = 0; j < 6; ++j) values[m][j] = select(out.valid[m], out.q[m][j] * arm.unit[j], F(0.0));
   Bits<F> rank[8];
   rank_rows<F, 8, 6>(values, out.valid, arm.slides, rank);
   // as many different ranks as rows, or the lane's order is left to the careful road

@@ -14,9 +14,6 @@ template <class F> PIEPER_INLINE Motion<F> unit(F c, F s) {
   F n = 1.0 / sqrt(max(c * c + s * s, F(1e-300)));
   return {c * n, s * n};
 }
-template <class F> PIEPER_INLINE Motion<F> either(Mask<F> m, Motion<F> a, Motion<F> b) {
-  return {select(m, a.c, b.c), select(m, a.s, b.s)};
-}
 
 // The angle of a revolute joint, the way of a sliding one.
 template <class F> PIEPER_INLINE F joint_value(Motion<F> m, bool slides) { return slides ? m.c : atan2(m.s, m.c); }

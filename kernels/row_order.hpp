@@ -50,21 +50,17 @@ inline void put_in_order(double* q, std::uint8_t* valid, int slots, int n, const
 // make a circle two rows get one rank: the caller must look.
 template <class F, int M, int N>
 PIEPER_INLINE void rank_rows(const F (*q)[N], const Mask<F>* valid, const bool* slides, Bits<F>* rank) {
-  F key[M][N];
-  for (int m = 0; m < M; ++m)
-    for (int j = 0; j < N; ++j) {
-      key[m][j] = place(q[m][j], slides[j]);
-      if (j == 0) key[m][j] = select(valid[m], key[m][j], F(1e300 * (m + 1)));  // no ties among them
-    }
+  F first[M];
+  for (int m = 0; m < M; ++m) first[m] = select(valid[m], place(q[m][0], slides[0]), F(1e300 * (m + 1)));  // no ties among invalid ones
   for (int m = 0; m < M; ++m) rank[m] = Bits<F>{} + m;  // before it: those of a lower slot, until shown otherwise
 #pragma GCC unroll 1
   for (int b = 1; b < M; ++b)
 #pragma GCC unroll 1
     for (int a = 0; a < b; ++a) {
-      F ahead = key[b][0] - key[a][0];
+      F ahead = first[b] - first[a];
       Mask<F> tie = abs(ahead) <= kOneValue;
       for (int j = 1; j < N && any(tie); ++j) {
-        ahead = select(tie, key[b][j] - key[a][j], ahead);
+        ahead = select(tie, place(q[b][j], slides[j]) - place(q[a][j], slides[j]), ahead);
         tie = abs(ahead) <= kOneValue;
       }
       const Bits<F> swap = word_where(ahead < -kOneValue, 1);

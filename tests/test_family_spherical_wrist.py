@@ -17,7 +17,9 @@ from closed_form_arms import (
     solver_of,
     wrist_arm,
 )
+from pieper.description.dh import DH, describe
 from pieper.inverse.families import spherical_wrist
+from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
 
@@ -78,6 +80,28 @@ def test_one_pose_and_a_batch_give_the_same_rows_in_the_same_order():
         q, valid, _, _ = solver.many(T, 1)
         for i, pose in enumerate(T):
             np.testing.assert_allclose(solver.one(np.ascontiguousarray(pose))[0], q[i][valid[i]], atol=1e-7)
+
+
+@pytest.mark.parametrize("distance", [1e-9, 1e-8, 1e-6, 1e-4])
+def test_a_cylindrical_arm_reaches_its_column_from_both_sides(distance):
+    # its slide near zero is a double root of the quartic, whose two solutions are half a turn of the column apart
+    rows = [(0, 0, 0.3), (0, -np.pi / 2, 0), (0, 0, 0.2), (0, -np.pi / 2, 0), (0, np.pi / 2, 0), (0, 0, 0.1)]
+    description = describe(
+        [DH(a=a, alpha=alpha, d=d) for a, alpha, d in rows], convention="standard", joint_types="RPPRRR"
+    )
+    chain = Chain.from_description(description)
+    solver = solver_of(spherical_wrist, chain)
+    rng = np.random.default_rng(4)
+    for _ in range(40):
+        q = random_joints(rng, chain, 1)[0]
+        q[2] = distance - 0.2
+        T = np.ascontiguousarray(fk(chain, q))
+        found = solver.one(T)[0]
+        told = max(1e-6, 1e-14 / np.linalg.svd(scaled(chain, q), compute_uv=False)[-1])
+        assert len(found) == 4
+        assert difference(chain, found, q).min() < told
+        poses = np.stack([T, T])
+        assert solver.many(poses, 1)[1].sum() == 8
 
 
 def test_a_pose_out_of_reach_has_no_solution_and_says_so():

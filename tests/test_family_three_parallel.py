@@ -91,3 +91,11 @@ def test_one_pose_and_a_batch_give_the_same_rows_in_the_same_order():
     q, valid, _, _ = solver.many(T, 1)
     for i, pose in enumerate(T):
         np.testing.assert_allclose(solver.one(np.ascontiguousarray(pose))[0], q[i][valid[i]], atol=1e-7)
+
+
+def test_generic_poses_are_not_sent_to_the_careful_look():
+    rng = np.random.default_rng(31)
+    for first in range(4):
+        chain = plane_arm(rng, first, "RRRRRR", typed=False)
+        _, _, _, flag = solver_of(three_parallel, chain).many(fk(chain, random_joints(rng, chain, 20000)), 1)
+        assert (flag & 1).sum() == 0
