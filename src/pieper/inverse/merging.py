@@ -55,8 +55,8 @@ def told_apart(chain: Chain, rows: list[np.ndarray], T: np.ndarray) -> list[np.n
     """Return one of each cluster of singular rows that forward kinematics cannot tell apart, the most exact first.
 
     Two rows are one when everything between them holds the pose to rounding as well: the blur of a double root is
-    about 1e-8 wide, that of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such rows are
-    kept apart even where rounding hides what is between them.
+    about 1e-8 wide, that of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such
+    rows are kept apart even where rounding hides what is between them.
     """
     if not rows:
         return []
