@@ -43,7 +43,7 @@ SLOW_STEPS = 40
 #: A solution must hold the pose this well (per length; rad). At a double root this fixes q to its square root only.
 HOLDS = 1e-11
 #: A solution that the kernel did not give must hold it this well, so that poses just out of reach get none.
-HOLDS_EXACTLY = 4e-15
+HOLDS_EXACTLY = 2e-15
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,7 +129,9 @@ def examine(
     isolated = _distinct(chain, np.concatenate([regular, near_regular, hidden_regular]), SAME)
     isolated = [q for q in isolated if not curves.on_family(q, 1e-5)]
     doubles = [q for q in doubles if not curves.on_family(q, 1e-4)]
-    hidden_singular = [q for q in _distinct(chain, hidden_singular, SAME) if not curves.on_family(q, ON_POLYLINE)]
+    # closed forms give every merged root themselves: what else nearly holds the pose there is the foot of a fold
+    hidden_singular = _distinct(chain, hidden_singular, SAME) if hiding else []
+    hidden_singular = [q for q in hidden_singular if not curves.on_family(q, ON_POLYLINE)]
     if curves.lines:
         hidden_singular = [q for q in hidden_singular if second_smallest(chain, q) > SINGULAR_EXAMINED]
     doubles = told_apart(chain, [*doubles, *hidden_singular], T)
