@@ -155,7 +155,8 @@ def measure(arm, seed: int) -> dict:
             held=[j for j in plan.reduction.locked if j < arm.n],
         )
         out[said][decade[i]] += 1
-        out["cases"].append([said, float(distance[i]), float(sigma[i]), float(gap[i]), q[i].tolist()])
+        if said in ("lost", "unsettled"):
+            out["cases"].append([said, float(distance[i]), float(sigma[i]), float(gap[i]), q[i].tolist()])
     return out
 
 

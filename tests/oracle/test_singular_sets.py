@@ -137,3 +137,116 @@ def test_nothing_is_lost_near_a_singular_posture(name, distance):
         clear = found.q[found.sigma > 1e-5]
         for other in clear:
             assert gap(m, m.inner(sols.all_q), m.inner(other)).min() < 1e-5
+
+
+#: Joint vectors next to a self-motion of the arm folded onto its shoulder: their solutions hide along what is left of
+#: it, and the elimination, itself nearly singular there, gives four to twelve of the others only.
+HIDING = [
+    ([1.1757, -1.2226, -4.7124, 0.5717, -1.1459, -0.4997], 4e-6),
+    ([0.5747, 0.0484, 1.5708, 0.444, -1.0409, 2.7012], 4e-7),
+    ([-1.7652, 2.9461, 1.5708, -2.5693, -1.8207, 2.7005], 2e-8),
+    ([-0.4657, -3.7503, 1.5708, 2.5109, -0.5139, -0.7688], 5e-10),
+]
+
+
+@pytest.mark.parametrize(("near", "distance"), HIDING)
+def test_solutions_that_hide_next_to_a_self_motion_are_found(near, distance):
+    arm = free("fanuc-crx-10ia")
+    q = np.array(near)
+    q[2] = np.round(q[2] / QUARTER) * QUARTER
+    q += distance * np.array([0.3, -0.5, 0.6, 0.2, -0.4, 0.3])
+    T = arm.fk(q)
+    sols, many = arm.ik(T), arm.ik_many(T[None], threads=1)
+    m = machine(arm)
+    # a pose in double precision says no more of q than 1e-16 over the distance
+    assert gap(m, m.inner(sols.all_q), m.inner(q)).min() < 1e-6 + 1e-14 / distance
+    assert len(sols.all_q) == many.count[0] and len(sols.all_q) % 2 == 0
+    assert len(sols.all_q) <= arm.plan.max_solutions
+    assert sols.residual.max() < 1e-12
+
+
+@pytest.mark.parametrize("distance", [0.0, 1e-10, 2.5e-8, 1e-6])
+def test_a_short_arm_loses_nothing_where_its_virtual_joint_is_of_no_help(distance):
+    """The arm's five joints are at ease; the six of which its closed form thinks are singular."""
+    arm = free("dfrobot-rob0036")
+    plan = arm.plan
+    six = plan.reduction.six(plan.defaults)
+    q = np.array([-0.518, -4.303, -0.519, 5.351, 1.967])
+    lower, upper = q[4] - 0.3, q[4] + 0.3
+
+    def det(value):
+        return np.linalg.det(six_jacobian(six, np.array([*q[:4], value, 0.0])))
+
+    values = np.linspace(q[4] - np.pi, q[4] + np.pi, 400)
+    signs = np.sign([det(v) for v in values])
+    k = np.flatnonzero(signs[:-1] != signs[1:])[0]
+    lower, upper = values[k], values[k + 1]
+    for _ in range(60):
+        q[4] = (lower + upper) / 2
+        lower, upper = (q[4], upper) if np.sign(det(q[4])) == signs[k] else (lower, q[4])
+    q[4] += distance
+    T = arm.fk(q)
+    sols, many = arm.ik(T), arm.ik_many(T[None], threads=1)
+    m = machine(arm)
+    assert gap(m, m.inner(sols.all_q), m.inner(q)).min() < 1e-9
+    assert len(sols.all_q) == many.count[0] == len(search(arm, T, m=m, starts=400).q)
+
+
+def six_jacobian(chain, q):
+    """Return the Jacobian of a chain with lengths in units of the arm."""
+    J = chain.native.jacobian(q)
+    J[:3] /= chain.length
+    return J
+
+
+def test_a_surface_of_solutions_is_told_as_such_and_takes_no_long_search():
+    """Wrist and shoulder singular at once, and axes 1, 4 and 6 in one line: two joints may be chosen."""
+    arm = free("denso-vp6242")
+    q = np.array([0.4, 7.488808, 11.360793, 0.3, 0.0, 0.5])
+    q[1:3] = upright(arm, q)
+    sols = arm.ik(arm.fk(q))
+    assert sols.status.name == "SINGULAR"
+    surfaces = [f for f in sols.families if f.dimension == 2]
+    assert surfaces and "2 degrees of freedom" in sols.why
+    curves = [f for f in sols.families if f.dimension == 1]
+    found = search(arm, arm.fk(q), starts=400)
+    for other in found.q:
+        rank = np.linalg.svd(six_jacobian(arm.chain, other), compute_uv=False)
+        assert rank[4] < 1e-6 or any(f.contains(other, 1e-4) for f in curves)
+
+
+def upright(arm, q):
+    """Return joints 2 and 3 that put the wrist centre on the first axis and the forearm along it, by Newton."""
+    from pieper.kinematics.geometry import axes_at
+
+    def left(x):
+        z, o = axes_at(arm.chain, np.array([q[0], *x, *q[3:]]))
+        side = np.cross(z[1], z[0])
+        return np.array([z[3] @ side, (o[4] - o[0]) @ side])
+
+    x = q[1:3].copy()
+    for _ in range(8):
+        J = np.stack([(left(x + 1e-6 * e) - left(x - 1e-6 * e)) / 2e-6 for e in np.eye(2)], 1)
+        x -= np.linalg.solve(J, left(x))
+    return x
+
+
+def test_what_merges_and_along_which_direction_is_in_the_result():
+    arm = free("denso-vp6242")
+    q = np.array([0.4, 0.9, 0.0, 0.8, 0.7, -0.5])
+    rows = arm.description.rows
+    q[2] = root(arm, q, 2, nearest=-np.arctan2(rows[3].d, rows[2].a))
+    sols = arm.ik(arm.fk(q))
+    here = gap(machine(arm), sols.q, q).argmin()
+    assert sols.multiplicity[here] == 2
+    assert {label.split(", ")[1] for label in sols.merged_labels[here]} == {"elbow up", "elbow down"}
+    way = sols.direction[here]
+    assert np.linalg.norm(way) == pytest.approx(1) and np.linalg.norm(arm.jacobian(q) @ way) < 1e-7
+    q = np.array([0.4, 0.9, -0.3, 0.8, 0.0, -0.5])
+    sols = arm.ik(arm.fk(q))
+    for row, family, way, labels in zip(sols.q, sols.in_family, sols.direction, sols.merged_labels, strict=True):
+        assert labels == ()
+        assert bool(way.any()) == (family >= 0)
+        if family >= 0:
+            assert np.linalg.norm(arm.jacobian(row) @ way) < 1e-9
+            assert abs(way @ sols.families[family].direction) == pytest.approx(1)

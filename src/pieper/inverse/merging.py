@@ -11,10 +11,12 @@ from pieper.kinematics.chain import Chain
 
 #: Solutions closer than this (rad; per length) are one.
 SAME = 1e-7
-#: What forward kinematics cannot tell from the pose (per length; rad).
-ROUNDING = 2e-15
+#: What forward kinematics cannot tell from the pose (per length; rad): in the one direction that counts, and in all.
+ALONG, ROUNDING = 6e-16, 2e-15
 #: Rows farther apart than this (rad; per length) are never called one.
 BLUR = 5e-3
+#: Rows on two sides of a singularity (neighbouring roots of a curve) are called one up to here only (rad; per length).
+TWINS = 2e-6
 #: Step for the derivatives of what is missed along the null direction (rad; per length).
 STEP = 2e-2
 
@@ -52,29 +54,33 @@ def merged(chain: Chain, q: np.ndarray, T: np.ndarray) -> int:
 def told_apart(chain: Chain, rows: list[np.ndarray], T: np.ndarray) -> list[np.ndarray]:
     """Return one of each cluster of singular rows that forward kinematics cannot tell apart, the most exact first.
 
-    Two rows are one when everything between them holds the pose to rounding as well: the blur of a double root is about
-    1e-8 wide, that of a triple root 1e-5.
+    Two rows are one when everything between them holds the pose to rounding as well: the blur of a double root is
+    about 1e-8 wide, that of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such
+    rows are kept apart even where rounding hides what is between them.
     """
     if not rows:
         return []
     q = np.array(rows)
     q = q[np.argsort(np.linalg.norm(pose_difference(chain, q, T), axis=-1), kind="stable")]
     unit = np.where(chain.prismatic, chain.length, 1.0)
-    limit = ROUNDING * (1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length)
-    kept: list[np.ndarray] = []
-    for row in q:
-        for other in kept:
+    side = np.sign(np.linalg.det(scaled_jacobian(chain, q))) if chain.n == 6 else np.zeros(len(q))
+    size = 1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length
+    kept: list[int] = []
+    for index, row in enumerate(q):
+        for k in kept:
+            other = q[k]
             gap = np.where(chain.prismatic, row - other, (row - other + np.pi) % TURN - np.pi)
             apart = np.max(np.abs(gap / unit))
             if apart < SAME:
                 break
-            if apart < BLUR:
+            if apart < (BLUR if side[k] == side[index] else TWINS):
                 # a chord leaves a bent curve: what lies between is moved onto it
                 chord = other + np.array([[0.25], [0.5], [0.75]]) * gap
                 between = nearcurve.onto(chain, chord, T, 3)
                 strayed = np.abs((between.q - chord) / unit).max()
-                if strayed < apart / 4 and (np.abs(between.miss) + between.rest).max() < limit:
+                told = np.abs(between.miss).max() > ALONG or between.rest.max() > ROUNDING * size
+                if strayed < apart / 4 and not told:
                     break
         else:
-            kept.append(row)
-    return kept
+            kept.append(index)
+    return [q[k] for k in kept]

@@ -16,7 +16,7 @@ import numpy as np
 from pieper.inverse import nearcurve
 from pieper.inverse.merging import merged, null_direction, told_apart
 from pieper.inverse.refine import newton, pose_difference, scaled_jacobian
-from pieper.inverse.selfmotion import ON_CURVE, Family, crossings, moved, trace
+from pieper.inverse.selfmotion import MOST_STEPS, ON_CURVE, Family, crossings, moved, second_smallest, trace
 from pieper.inverse.solutions import TURN
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import rotation_about
@@ -32,6 +32,8 @@ ON_POLYLINE = 5e-3
 ON_NEAR_POLYLINE = 3e-2
 #: Directions tried where curves cross, and the most curves followed at one pose.
 FAN, MOST_FAMILIES = 12, 24
+#: Where a second direction stays open the solutions form a surface: lines followed on it, and how far each way.
+MOST_LINES, LINE_STEPS, OPEN = 4, 60, 1e-7
 #: How far along the null direction a point is asked whether the pose can be held (rad; per length).
 PROBE = 0.05
 #: Relative sigma_min below which a point may lie on a curve that nearly holds the pose.
@@ -41,7 +43,7 @@ SLOW_STEPS = 40
 #: A solution must hold the pose this well (per length; rad). At a double root this fixes q to its square root only.
 HOLDS = 1e-11
 #: A solution that the kernel did not give must hold it this well, so that poses just out of reach get none.
-HOLDS_EXACTLY = 4e-15
+HOLDS_EXACTLY = 2e-15
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +79,7 @@ class _Curves:
     families: list[Family] = field(default_factory=list)
     open_ended: list[Family] = field(default_factory=list)
     near: list[Family] = field(default_factory=list)
+    lines: int = 0
 
     def on_family(self, q: np.ndarray, within: float) -> bool:
         return any(f.distance(q) < within for f in self.families)
@@ -126,7 +129,11 @@ def examine(
     isolated = _distinct(chain, np.concatenate([regular, near_regular, hidden_regular]), SAME)
     isolated = [q for q in isolated if not curves.on_family(q, 1e-5)]
     doubles = [q for q in doubles if not curves.on_family(q, 1e-4)]
-    hidden_singular = [q for q in _distinct(chain, hidden_singular, SAME) if not curves.on_family(q, ON_POLYLINE)]
+    # closed forms give every merged root themselves: what else nearly holds the pose there is the foot of a fold
+    hidden_singular = _distinct(chain, hidden_singular, SAME) if hiding else []
+    hidden_singular = [q for q in hidden_singular if not curves.on_family(q, ON_POLYLINE)]
+    if curves.lines:
+        hidden_singular = [q for q in hidden_singular if second_smallest(chain, q) > SINGULAR_EXAMINED]
     doubles = told_apart(chain, [*doubles, *hidden_singular], T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
     return _told(curves, isolated, doubles)
@@ -162,7 +169,7 @@ def _followed(curves: _Curves, starts: np.ndarray, own: int) -> tuple[list[np.nd
     hidden: list[np.ndarray] = []
     miss, several = _probed(curves, starts)
     for index, q in enumerate(starts):
-        on_curve = not several[index] and curves.on_family(q, 2e-3)
+        on_curve = curves.lines >= MOST_LINES if several[index] else curves.on_family(q, 2e-3)
         if not on_curve and (several[index] or miss[index] < 10 * ON_CURVE):
             on_curve = _grow(curves, q)
         if curves.hiding and not on_curve and miss[index] < nearcurve.FAR:
@@ -213,14 +220,19 @@ def _grow(curves: _Curves, q: np.ndarray) -> bool:
             further = moved(chain, point, T, direction, PROBE)
             if further is None:
                 continue
+            if second_smallest(chain, further) < OPEN:
+                # a surface has no list of curves: a few lines on it show the way, and `dimension` says the rest
+                found = True
+                if curves.lines < MOST_LINES:
+                    curves.lines += 1
+                    curves.families.append(_line(curves, point, further))
+                break
             if curves.on_family(further, ON_POLYLINE):
                 found = True
                 continue
             if any(f.distance(further) < ON_POLYLINE for f in curves.open_ended):
                 continue
-            set_out = (further - point) / _unit(chain)
-            set_out /= np.linalg.norm(set_out)
-            family = trace(chain, point, T, curves.limits, curves.names, set_out, shown=curves.shown)
+            family = _line(curves, point, further, MOST_STEPS)
             # joint space without sliding joints has no ends: what does not close only came near a singular pose
             if not family.closed and not chain.prismatic.any():
                 curves.open_ended.append(family)
@@ -229,6 +241,22 @@ def _grow(curves: _Curves, q: np.ndarray) -> bool:
             curves.families.append(family)
             waiting += crossings(family)
     return found
+
+
+def _line(curves: _Curves, point: np.ndarray, further: np.ndarray, steps: int = LINE_STEPS) -> Family:
+    """Return the curve through two points that hold the pose."""
+    set_out = (further - point) / _unit(curves.chain)
+    set_out /= np.linalg.norm(set_out)
+    return trace(
+        curves.chain,
+        point,
+        curves.T,
+        curves.limits,
+        curves.names,
+        set_out,
+        shown=curves.shown,
+        most_steps=steps,
+    )
 
 
 def _directions(chain: Chain, q: np.ndarray) -> list[np.ndarray]:

@@ -284,9 +284,11 @@ def _clear(plan: Plan, rows: np.ndarray) -> bool:
 
     Closed forms mark poses generously. Twins of a root at sigma lie about 2 sigma apart, which they tell apart well
     above 1e-8; a family needs sigma to vanish. The general kernel marks poses where its elimination itself is nearly
-    singular, and there clear rows say nothing about those that it may have lost.
+    singular, and there clear rows say nothing about those that it may have lost; nor do they where a virtual joint that
+    must be zero may be free.
     """
-    if plan.family in ELIMINATING or plan.task != "pose" or not len(rows) or len(rows) % 2:
+    six_alone = plan.task == "pose" and not plan.reduction.fill and plan.family not in ELIMINATING
+    if not six_alone or not len(rows) or len(rows) % 2:
         return False
     s = np.linalg.svd(scaled_jacobian(plan.chain, rows), compute_uv=False)
     return bool(np.all(s[:, -1] > CLEAR * s[:, 0]))
