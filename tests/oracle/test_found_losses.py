@@ -3,7 +3,7 @@
 Cases are in found_losses.json. A case that is not cured has its reason under "open" and must fail until it is; when it
 is cured, "open" becomes null. "claim" says what must hold: "found" (the joint vector is a row, or lies on a family),
 "certain" (the status is not UNCERTAIN either) or "families" (it lies on one of the families of a redundant arm).
-"task" is None for the arm's default task.
+"full rank" (no joint is to spare) asks without held values. "task" is None for the arm's default task.
 """
 
 from __future__ import annotations
@@ -45,6 +45,8 @@ def test_a_joint_vector_that_was_once_lost_is_found_again(case):
     m = machine(arm)
     task = case["task"]
     held = [list(arm.joint_names).index(name) for name in arm.plan_for(task).redundancy]
+    if case["claim"] == "full rank":
+        assert not held
     chosen = {"task": task} | ({"redundancy": q[held]} if held else {})
     one, many = arm.ik(T, **chosen), arm.ik_many(T[None], threads=1, **chosen)
     free = [j for j in range(arm.n) if j not in held]
