@@ -210,6 +210,8 @@ def main() -> None:
     for name, part in parts.items():
         result = read(name)
         lines += part(result) if result else [f"`benchmarks/{name}.py` has not been run.", ""]
+        if result:
+            lines += [f"Measured at commit {result.get('commit', 'unknown')}.", ""]
     lines += known()
     page = HERE.parent / "docs" / "completeness.md"
     part = page.with_suffix(".part")

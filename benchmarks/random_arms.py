@@ -13,6 +13,7 @@ import argparse
 import contextlib
 import json
 import signal
+import subprocess
 import sys
 import time
 from collections import Counter
@@ -255,7 +256,9 @@ def summary(state: dict) -> str:
 
 
 def write(state: dict, path: Path) -> None:
-    """Write the state whole or not at all."""
+    """Write the state whole or not at all, with the commit that was measured last."""
+    asked = ["git", "rev-parse", "--short", "HEAD"]
+    state["commit"] = subprocess.run(asked, cwd=HERE, capture_output=True, text=True).stdout.strip()
     part = path.with_suffix(".part")
     part.write_text(json.dumps(state) + "\n")
     part.replace(path)
