@@ -33,7 +33,7 @@ from whole import DOUBLE, compare, whole_set  # noqa: E402
 
 import pieper  # noqa: E402
 from closed_form_arms import plane_arm, wrist_arm  # noqa: E402
-from oracle import locked, machine  # noqa: E402
+from oracle import Found, locked, machine, polish  # noqa: E402
 
 CHUNK = 100
 
@@ -158,8 +158,6 @@ def chunk(arm, name: str, state: dict, count: int, starts: int, library) -> None
 
 def generating(m, T, q):
     """Return the joint vector that made the pose as if it had been searched for."""
-    from oracle import Found, polish
-
     v = m.inner(q[None])
     _, residual, sigma = polish(m, m.pose(T), v, 0, rounds=0)
     return Found(q[None], np.ones(1, int), sigma, residual, False)

@@ -141,8 +141,12 @@ def at_random(result: dict) -> list[str]:
     told = [n for n in result["notable"] if n.get("refused") or n.get("failed")]
     if told:
         lines += ["Arms without a plan, or that raised, with their rank as the oracle's Jacobian has it:", ""]
-        rows = [(n["number"], n["kind"], n["types"], n.get("rank", "-"), n.get("refused") or n["failed"]) for n in told]
-        lines += table(("arm", "kind", "joints", "rank", "what is said"), rows)
+        rows = []
+        for n in told:
+            said = n.get("refused") or n["failed"]
+            true = "-" if "rank" not in n or "depend on each other" not in said else "yes" if n["rank"] < 6 else "no"
+            rows.append((n["number"], n["kind"], n["types"], n.get("rank", "-"), said, true))
+        lines += table(("arm", "kind", "joints", "rank", "what is said", "true"), rows)
     lost = [n for n in result["notable"] if n["missed"] or n.get("odd_poses") or n["uncertain"]]
     rows = [
         (
@@ -167,7 +171,7 @@ def others(result: dict) -> list[str]:
     """Shorter and longer arms."""
     keys = ("arms", "poses", "solutions", "missing", "generating_missed", "extra", "unseen", "on_families")
     keys += ("uncertain", "refused", "failed")
-    rows = [(name, *(row[key] for key in keys)) for name, row in result["rows"].items()]
+    rows = [(name, *(row[key] for key in keys)) for name, row in sorted(result["rows"].items())]
     head = ("joints, task", *(key.replace("_", " ") for key in keys))
     return [
         *OTHERS.split("\n"),
@@ -206,6 +210,8 @@ def main() -> None:
     for name, part in parts.items():
         result = read(name)
         lines += part(result) if result else [f"`benchmarks/{name}.py` has not been run.", ""]
+        if result:
+            lines += [f"Measured at commit {result.get('commit', 'unknown')}.", ""]
     lines += known()
     page = HERE.parent / "docs" / "completeness.md"
     part = page.with_suffix(".part")

@@ -13,6 +13,7 @@ import argparse
 import contextlib
 import json
 import signal
+import subprocess
 import sys
 import time
 from collections import Counter
@@ -196,9 +197,9 @@ def far_away(m: Machine, goal, known) -> int:
     if not m.slides.any():
         return 0
     rng = np.random.default_rng(0)
-    v = rng.uniform(-np.pi, np.pi, (400, m.n))
-    v[:, m.slides] = rng.standard_normal((400, m.slides.sum())) * 10 ** rng.uniform(0, 6, (400, 1))
-    for _ in range(120):
+    v = rng.uniform(-np.pi, np.pi, (60, m.n))
+    v[:, m.slides] = rng.standard_normal((60, m.slides.sum())) * 10 ** rng.uniform(0, 6, (60, 1))
+    for _ in range(60):
         r, J = equations(m, v, goal)
         step = (np.linalg.pinv(J, rcond=1e-13) @ r[..., None])[..., 0]
         v = v - step * np.minimum(1, 0.5 / np.maximum(np.abs(step[:, ~m.slides]).max(1, initial=1e-9), 1e-9))[:, None]
@@ -255,7 +256,9 @@ def summary(state: dict) -> str:
 
 
 def write(state: dict, path: Path) -> None:
-    """Write the state whole or not at all."""
+    """Write the state whole or not at all, with the commit that was measured last."""
+    asked = ["git", "rev-parse", "--short", "HEAD"]
+    state["commit"] = subprocess.run(asked, cwd=HERE, capture_output=True, text=True).stdout.strip()
     part = path.with_suffix(".part")
     part.write_text(json.dumps(state) + "\n")
     part.replace(path)
