@@ -79,7 +79,9 @@ def _primes(count: int) -> list[int]:
 
 def generic_rank(chain: Chain) -> int:
     """Return how many things the arm can do at once: the rank of its Jacobian away from singular postures."""
-    s = np.linalg.svd(scaled_jacobian(chain, sample_joints(chain, 12)), compute_uv=False)
+    # without base and tool: how far away they are changes the numbers but not the rank
+    bare = chain.section(0, chain.n - 1)
+    s = np.linalg.svd(scaled_jacobian(bare, sample_joints(chain, 12)), compute_uv=False)
     return int(np.max(np.sum(s > RANK * s[:, :1], axis=1)))
 
 
