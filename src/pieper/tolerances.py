@@ -10,7 +10,7 @@ ROTATION_EXACT = 1e-12
 
 #: Axes are taken for parallel, and points for one point, when they miss by no more than this (rad; per length).
 #: It is the size of rounding in tables that were typed exactly, not of drawing noise.
-GEOMETRY_EXACT = 1e-9
+GEOMETRY_EXACT = 1e-12
 
 #: A solution counts as verified when forward kinematics returns the pose within this (per length; rad).
 VERIFIED = 1e-9

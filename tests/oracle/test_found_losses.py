@@ -63,7 +63,6 @@ def test_a_joint_vector_that_was_once_lost_is_found_again(case):
         assert one.status.name != "UNCERTAIN", one.why
 
 
-@pytest.mark.xfail(strict=True, reason="the wrist's closed form solves the nominal arm, and its rows are not refined")
 @pytest.mark.parametrize("size", [1e-9, 1e-10, 1e-11])
 def test_an_arm_that_is_off_by_less_than_is_recognised_still_closes_to_rounding(size):
     arm = free("denso-vp6242")

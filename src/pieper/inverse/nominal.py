@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from pieper.inverse.families import choose
-from pieper.inverse.native import SixJointSolver
+from pieper.inverse.native import SixJointSolver, without_far_ends
 from pieper.inverse.plan import Plan
 from pieper.inverse.solutions import TURN
 from pieper.kinematics.chain import Chain
@@ -65,9 +65,14 @@ def _per_value(plan: Plan, T: np.ndarray, values: np.ndarray, threads: int):
 @lru_cache(maxsize=512)
 def solver_at(plan: Plan, values: tuple[float, ...]) -> SixJointSolver:
     """Return the native solver with the locked joints at values; made once a value."""
-    six = plan.reduction.six(np.array(values))
+    return solver_of(plan.reduction.six(np.array(values)))
+
+
+def solver_of(chain: Chain) -> SixJointSolver:
+    """Return the native solver of a six-joint chain without limits; raises PlanError where no family takes it."""
+    six, ends = without_far_ends(chain)
     _, spec = choose(six, look(six, GEOMETRY_EXACT))
-    return SixJointSolver(six, spec, UNLIMITED)
+    return SixJointSolver(six, spec, UNLIMITED, ends)
 
 
 def distinct_rows(chain: Chain, q: np.ndarray, valid: np.ndarray) -> np.ndarray:

@@ -12,7 +12,7 @@ from pieper.description.dh import Description
 from pieper.errors import InputError, PlanError
 from pieper.inverse.families import choose, tier
 from pieper.inverse.families.spec import KernelSpec
-from pieper.inverse.native import SixJointSolver
+from pieper.inverse.native import SixJointSolver, without_far_ends
 from pieper.inverse.reduction import (
     TASKS,
     Reduction,
@@ -145,7 +145,8 @@ class Plan:
     def solver(self) -> SixJointSolver:
         """The native solver of the six-joint chain (for locked joints at the ends or none)."""
         limits = self.full_limits[self.reduction.kept] if self.immediate else np.tile([-np.inf, np.inf], (6, 1))
-        return SixJointSolver(self.reduction.six(self.defaults), self.spec, limits)
+        six, ends = without_far_ends(self.reduction.six(self.defaults))
+        return SixJointSolver(six, self.spec, limits, ends)
 
     def residual(self, q: np.ndarray, T: np.ndarray) -> np.ndarray:
         """Return (..., 2): metres and radians by which q misses T, of what the task asks for."""
@@ -263,7 +264,7 @@ def _first_solvable(ways: list[Reduction], description: Description, tolerance: 
     refused: PlanError | None = None
     for reduction in ways[:MOST_WAYS]:
         defaults = _defaults(reduction, description)
-        six = reduction.six(defaults)
+        six, _ = without_far_ends(reduction.six(defaults))
         try:
             family, spec = choose(six, look(six, tolerance))
         except PlanError as error:

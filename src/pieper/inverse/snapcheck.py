@@ -7,14 +7,11 @@ from functools import lru_cache
 import numpy as np
 
 from pieper.errors import PlanError
-from pieper.inverse.families import choose
 from pieper.inverse.native import SixJointSolver
-from pieper.inverse.nominal import FILLED_ZERO, UNLIMITED, distinct_rows, nominal_rows
+from pieper.inverse.nominal import FILLED_ZERO, distinct_rows, nominal_rows, solver_of
 from pieper.inverse.plan import Plan
 from pieper.inverse.solutions import COUNT_CHANGES, UNCERTAIN
-from pieper.kinematics.geometry import look
 from pieper.kinematics.pose import stepped
-from pieper.tolerances import GEOMETRY_EXACT
 
 #: How far from the pose the nominal arm's count is looked at, in multiples of how far the two arms differ: a double
 #: cross of twelve poses so far away encloses the ball that the difference may lead to.
@@ -40,12 +37,10 @@ def in_doubt(plan: Plan, T: np.ndarray, values: np.ndarray, count: np.ndarray) -
 @lru_cache(maxsize=64)
 def exact_solver(plan: Plan, values: tuple[float, ...]) -> SixJointSolver | None:
     """Return the solver of the arm as described with locked joints at values; None where no family takes it."""
-    six = plan.exact.six(np.array(values))
     try:
-        _, spec = choose(six, look(six, GEOMETRY_EXACT))
+        return solver_of(plan.exact.six(np.array(values)))
     except PlanError:
         return None
-    return SixJointSolver(six, spec, UNLIMITED)
 
 
 def exact_rows(plan: Plan, T: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, bool]:

@@ -52,7 +52,8 @@ def rank(J: np.ndarray) -> int:
 
 def _jacobians(chain: Chain) -> np.ndarray:
     """Return Jacobians (3, 6, n) without units at postures of no special kind, of the arm without base and tool."""
-    return scaled_jacobian(chain.section(0, chain.n - 1), _POSTURES[:, : chain.n] * np.where(chain.prismatic, chain.length, 1.0))
+    q = _POSTURES[:, : chain.n] * np.where(chain.prismatic, chain.length, 1.0)
+    return scaled_jacobian(chain.section(0, chain.n - 1), q)
 
 
 def positioning_rank(chain: Chain, first: int) -> int:
