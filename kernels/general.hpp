@@ -16,6 +16,7 @@ namespace general {
 inline constexpr int kSlots = 16;
 inline constexpr double kDegenerateSigma = 1e-6;
 inline constexpr double kMarked = 1e-12;  // a determinant this much smaller than usual marks the pose for a second look
+inline constexpr double kQuiet = 1e-13;  // noise of an elimination, relative, below which no second opinion is asked for
 inline constexpr double kAccurate = 1e-5;  // an eigenvalue farther from its root than this was computed badly
 
 inline bool even(const Found& found) {
@@ -169,7 +170,8 @@ void solve_general(const double* params, const int*, const double* T, long count
     for (Found& f : found) f.count = 0;
     solve_variant(model, model.variant[0], load_poses<G>(padded), used, found, report);
     for (int i = 0; i < used; ++i) {
-      bool certain = settled(report[i], found[i]);
+      // an elimination that has lost digits for this arm is not believed on its own word
+      bool certain = model.variant[0].noise < kQuiet && settled(report[i], found[i]);
       // next to a pose where the elimination is singular, variants may agree on what all of them have lost
       bool singular = !(report[i].size > kMarked * model.variant[0].typical), fetched = false;
       if (!certain) certain = escalate(model, load_poses<double>(padded + 16 * i), found[i], &fetched);
