@@ -65,16 +65,20 @@ inline void polish_onto(const Model& model, const Variant& v, const Pose<double>
   }
 }
 
-// Everything there is beyond the best variant. True when the pose is settled in the end.
-inline bool escalate(const Model& model, const Pose<double>& pose, Found& found, bool* singular) {
-  *singular = false;
+// Everything there is beyond the best variant. True when the pose is settled in the end; `healthy` when by an elimination that is
+// far from singular there, `singular` when only by neighbouring poses.
+inline bool escalate(const Model& model, const Pose<double>& pose, Found& found, bool* singular, bool* healthy) {
+  *singular = *healthy = false;
   Report report;
   for (int n = 1; n < model.variants; ++n) {
     const int before = found.count;
     solve_variant(model, model.variant[n], pose, 1, &found, &report);
     // solutions fetched from nearby arms are believed when all of them agree
     const bool last = n + 1 == model.variants;
-    if (agreed(model.variant[n], report, found, before) && (last || model.variant[0].arm == 0)) return true;
+    if (agreed(model.variant[n], report, found, before) && (last || model.variant[0].arm == 0)) {
+      *healthy = model.variant[n].arm == 0 && report.size > kMarked * model.variant[n].typical;
+      return true;
+    }
   }
   Random random{7};
   for (int n = 0; n < 4; ++n) {  // the same elimination in turned charts
@@ -171,11 +175,12 @@ void solve_general(const double* params, const int*, const double* T, long count
     solve_variant(model, model.variant[0], load_poses<G>(padded), used, found, report);
     for (int i = 0; i < used; ++i) {
       // an elimination that has lost digits for this arm is not believed on its own word
-      bool certain = model.variant[0].noise < kQuiet && settled(report[i], found[i]);
+      const bool weak = !(report[i].size > kMarked * model.variant[0].typical);
+      bool certain = model.variant[0].noise < kQuiet && !weak && settled(report[i], found[i]);
       // next to a pose where the elimination is singular, variants may agree on what all of them have lost
-      bool singular = !(report[i].size > kMarked * model.variant[0].typical), fetched = false;
-      if (!certain) certain = escalate(model, load_poses<double>(padded + 16 * i), found[i], &fetched);
-      singular |= fetched;
+      bool fetched = false, healthy = false;
+      if (!certain) certain = escalate(model, load_poses<double>(padded + 16 * i), found[i], &fetched, &healthy);
+      const bool singular = (weak && !healthy) || fetched;
       // what only nearby arms vouch for is not certain
       write_pose(model, found[i], certain && model.variant[0].arm == 0, q + (done + i) * 6 * kSlots, valid + (done + i) * kSlots, flag + done + i);
       if (singular) flag[done + i] |= kDegenerate;
