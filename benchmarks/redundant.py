@@ -15,8 +15,8 @@ from types import SimpleNamespace
 import numpy as np
 
 import pieper
-from pieper.inverse import solve
-from pieper.inverse.plan import make_plan
+from pieper.solver import verbs as solve
+from pieper.solver.plan.plan import make_plan
 
 VALUES = 128
 COLUMNS = (

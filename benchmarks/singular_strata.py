@@ -26,7 +26,7 @@ sys.path.insert(0, str(HERE))
 from fifty_digits import verdict  # noqa: E402
 from strata_arms import ARMS  # noqa: E402
 
-from pieper.inverse.refine import scaled_jacobian  # noqa: E402
+from pieper.kinematics.newton import scaled_jacobian  # noqa: E402
 
 RESULTS = HERE / "singular_strata.json"
 CHUNK = 250

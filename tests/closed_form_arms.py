@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from scipy.optimize import brentq
 
-from pieper.inverse.native import SixJointSolver
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk, jacobian
 from pieper.kinematics.geometry import look
 from pieper.kinematics.pose import inverse, rotation_about, rotation_x, rotation_z, transform, translation
+from pieper.solver.native import SixJointSolver
 
 QUARTER = np.pi / 2
 

@@ -8,9 +8,9 @@ import numpy as np
 
 from pieper import _kernel
 from pieper.description.dh import DH, describe
-from pieper.inverse.families import spherical_wrist_parallel as family
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import look
+from pieper.solver.families import spherical_wrist_parallel as family
 
 
 def arm(a, alpha, d, theta=(0,) * 6, **rest) -> Chain:

@@ -190,7 +190,7 @@ def test_figures_go_into_a_folder_and_an_unwritable_one_is_said(run, tmp_path):
 def test_the_judge_answers_with_its_status(run, tmp_path):
     claims = tmp_path / "claims.toml"
     pytest.importorskip("sympy")
-    from pieper.presentation.denso_equations import claims as printed
+    from pieper.cli.denso_equations import claims as printed
 
     claims.write_text(printed())
     status, out, _ = run("check", claims, "--brief")

@@ -7,12 +7,12 @@ import pytest
 
 import pieper
 from closed_form_arms import difference, missed, newton_solutions, offset_arm, random_joints, solver_of
-from pieper.inverse.families import general, offset_wrist
-from pieper.inverse.native import SixJointSolver
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
 from pieper.kinematics.pose import translation
+from pieper.solver.families import general, offset_wrist
+from pieper.solver.native import SixJointSolver
 
 REAL = ("motoman-ea1400n", "fanuc-crx-10ia", "motoman-hc10", "kinova-jaco-j2n6", "kinova-mico")
 

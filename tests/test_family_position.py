@@ -7,10 +7,10 @@ import pytest
 
 from closed_form_arms import difference
 from pieper import _kernel
-from pieper.inverse.families import position
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import rotation_x, rotation_z, translation
+from pieper.solver.families import position
 
 QUARTER = np.pi / 2
 

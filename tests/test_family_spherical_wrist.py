@@ -18,10 +18,10 @@ from closed_form_arms import (
     wrist_arm,
 )
 from pieper.description.dh import DH, describe
-from pieper.inverse.families import spherical_wrist
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
+from pieper.solver.families import spherical_wrist
 
 OTHERS = ["".join(t) for t in itertools.product("RP", repeat=3)]
 

@@ -15,9 +15,9 @@ from closed_form_arms import (
     scaled,
     solver_of,
 )
-from pieper.inverse.families import three_parallel
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
+from pieper.solver.families import three_parallel
 
 
 @pytest.mark.parametrize("first", [0, 1, 2, 3])

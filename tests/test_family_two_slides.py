@@ -9,11 +9,11 @@ import pytest
 
 import pieper
 from closed_form_arms import difference, missed, newton_solutions, random_joints, sliding_arm, solver_of
-from pieper.inverse.families import general, two_slides
-from pieper.inverse.native import SixJointSolver
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
+from pieper.solver.families import general, two_slides
+from pieper.solver.native import SixJointSolver
 
 ORDERS = ["".join("P" if j in pair else "R" for j in range(6)) for pair in itertools.combinations(range(6), 2)]
 

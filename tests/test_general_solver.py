@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from pieper.errors import PlanError
-from pieper.inverse.families import general
-from pieper.inverse.native import SixJointSolver
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import inverse
+from pieper.solver.families import general
+from pieper.solver.native import SixJointSolver
 
 UNCERTAIN, OUT_OF_REACH, DEGENERATE = 2, 4, 1
 FREE = np.tile([-np.inf, np.inf], (6, 1))

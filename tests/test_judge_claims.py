@@ -9,8 +9,8 @@ import pytest
 
 import pieper
 from pieper.errors import InputError
-from pieper.symbolic.claims import check
-from pieper.symbolic.verdict import HOLDS, PARTLY, WRONG
+from pieper.judge.claims import check
+from pieper.judge.verdict import HOLDS, PARTLY, WRONG
 
 ARM = """
 [arm]

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.symbolic.evidence import Evidence
-from pieper.symbolic.judge_angles import judge_joint
-from pieper.symbolic.judge_formulas import judge_entry
-from pieper.symbolic.tree import ANGLE, Node, evaluate, mul, negated, num, positions, rebuilt, replaced, sym
-from pieper.symbolic.truth import model_from_description, sample
+from pieper.algebra.tree import ANGLE, Node, evaluate, mul, negated, num, positions, rebuilt, replaced, sym
+from pieper.judge.evidence import Evidence
+from pieper.judge.judges.angles import judge_joint
+from pieper.judge.judges.formulas import judge_entry
+from pieper.judge.model import model_from_description, sample
 
 ARMS = [
     "denso-vp6242",

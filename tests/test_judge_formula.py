@@ -7,8 +7,8 @@ import time
 import numpy as np
 import pytest
 
-from pieper.symbolic.formula import FormulaError, parse, parse_equation
-from pieper.symbolic.tree import evaluate
+from pieper.algebra.parser import FormulaError, parse, parse_equation
+from pieper.algebra.tree import evaluate
 
 NAMES = set("a1 a2 a3 d1 d4 d6 nx ax ay az px py pz Px Py Pz K1 r12 r22".split())
 

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import pieper
+from pieper.document.writing import write_whole
 from pieper.errors import InputError
 from pieper.motion.sequence import sequence
 from pieper.presentation import plot
 from pieper.presentation.plot_reach import joint_range, reach_samples
 from pieper.presentation.skeleton import skeleton
 from pieper.presentation.style import COLOURS, LINES, MARKERS
-from pieper.presentation.writing import write_whole
 
 ARM = pieper.load("denso-vp6242")
 HOME = ARM.description.postures["line-start"]

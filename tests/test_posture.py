@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pieper.inverse.cuspidal import determinant
-from pieper.inverse.posture import posture_words
+from pieper.solver.plan.cuspidal import determinant
+from pieper.solver.words.labels import posture_words
 
 sys.path.append(str(Path(__file__).parent / "oracle"))
 from made import free, random_joints

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 import pieper
+from pieper.document.blocks import Code, Document, Formula, Lines, Picture, marked
+from pieper.document.html_page import inline_svg
+from pieper.document.html_page import page as html_page
+from pieper.document.latex_page import latex_text, source
+from pieper.document.mathml_fit import LINE, fitted, width
 from pieper.errors import InputError
-from pieper.presentation.document import Code, Document, Formula, Lines, Picture, marked
-from pieper.presentation.html_page import inline_svg
-from pieper.presentation.html_page import page as html_page
-from pieper.presentation.latex_page import latex_text, source
-from pieper.presentation.mathml_fit import LINE, fitted, width
 from pieper.presentation.report import good_pose, report, write_report
 from pieper.presentation.sections_arm import add_arm, fixed
 from pieper.presentation.style import new_figure

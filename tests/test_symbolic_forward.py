@@ -9,9 +9,9 @@ import pytest
 import sympy
 
 import pieper
+from pieper.algebra.expression import Num
 from pieper.description.dh import DH, describe
-from pieper.symbolic.expression import Num
-from pieper.symbolic.forward import ForwardEquations, forward_matrices
+from pieper.equations.forward import ForwardEquations, forward_matrices
 
 PAPERS = json.loads((Path(__file__).parent / "papers" / "forward_30_digits.json").read_text())["robots"]
 

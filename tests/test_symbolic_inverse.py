@@ -8,7 +8,7 @@ import sympy
 
 import pieper
 from pieper import DH
-from pieper.symbolic.expression import Sym
+from pieper.algebra.expression import Sym
 
 PI = np.pi
 CLOSED = """

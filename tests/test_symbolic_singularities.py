@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.symbolic.determinant import expand
-from pieper.symbolic.harmonic import Poly, trig
+from pieper.algebra.determinant import expand
+from pieper.algebra.harmonic import Poly, trig
 
 ARMS = pieper.catalog()
 #: One arm of each build; the others repeat these determinants with other lengths.

@@ -3,8 +3,8 @@
 from pieper.arm import Arm, catalog, load
 from pieper.description.dh import DH
 from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
-from pieper.inverse.solutions import SolutionBatch, Solutions, Status
 from pieper.motion.path import line
+from pieper.solver.results import SolutionBatch, Solutions, Status
 
 __version__ = "0.1.0"
 

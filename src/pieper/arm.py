@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.description.dh import DH, Description, describe
-from pieper.inverse import solve
-from pieper.inverse.plan import Plan, make_plan
 from pieper.kinematics import forward
 from pieper.kinematics.chain import Chain
+from pieper.solver import verbs as solve
+from pieper.solver.plan.plan import Plan, make_plan
 
 if TYPE_CHECKING:
-    from pieper.inverse.solutions import SolutionBatch, Solutions
     from pieper.motion.track import Track
+    from pieper.solver.results import SolutionBatch, Solutions
 
 
 class Arm:
@@ -188,7 +188,7 @@ class Arm:
     @cached_property
     def symbolic(self):
         """The arm's equations: `.fk()`, `.jacobian()`, `.singularities()`, `.ik()`."""
-        from pieper.symbolic import Symbolic
+        from pieper.equations import Symbolic
 
         return Symbolic(self)
 

@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_gauge import same_set
 
-from pieper.inverse.families import choose
-from pieper.inverse.native import SixJointSolver
 from pieper.kinematics.geometry import look
+from pieper.solver.families import choose
+from pieper.solver.native import SixJointSolver
 
 SEEDS = st.integers(0, 10**6)
 

@@ -7,7 +7,7 @@ import pytest
 
 import pieper
 from pieper import Status
-from pieper.inverse.at_arm_angle import by_sweep
+from pieper.solver.redundant.at_arm_angle import by_sweep
 
 SPHERICAL = ["kuka-lbr-iiwa-14-r820", "kuka-lwr-4-plus", "motoman-sia10d", "motoman-sia20d"]
 OFFSET = ["franka-panda", "franka-fr3", "kinova-gen3-7dof", "ufactory-xarm7", "rethink-sawyer", "rethink-baxter-left"]

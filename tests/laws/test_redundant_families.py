@@ -7,9 +7,9 @@ import pytest
 
 import pieper
 from pieper import DH, Arm, Status
-from pieper.inverse.refine import scaled_jacobian
-from pieper.inverse.selfmotion import trace
+from pieper.kinematics.newton import scaled_jacobian
 from pieper.kinematics.pose import rotation_about
+from pieper.solver.singular.selfmotion import trace
 
 POSTURE = np.array([0.4, -0.7, 0.5, 1.1, -0.6, 0.9, 0.3])
 

@@ -44,7 +44,7 @@ def blurred(arm, q, floor=1e-7):
     Next to a double root two branches blur into one over the square root of rounding; next to a self-motion the error
     is rounding over the smallest singular value.
     """
-    from pieper.inverse.refine import scaled_jacobian
+    from pieper.kinematics.newton import scaled_jacobian
 
     s = np.linalg.svd(scaled_jacobian(arm.chain, q), compute_uv=False)
     size = 1.0 + np.abs(arm.fk(q)[..., :3, 3]).max() / arm.chain.length
@@ -100,7 +100,7 @@ def test_nothing_is_lost_near_a_singularity(kind, joint):
 
 def near_singular(arm, rng, joint, count):
     """Return joint vectors whose determinant changes sign 1e-10 to 1e-2 away along one joint."""
-    from pieper.inverse.cuspidal import determinant
+    from pieper.solver.plan.cuspidal import determinant
 
     out = []
     for start in random_joints(arm, rng, 4 * count):

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from pieper.symbolic.claims import check
-from pieper.symbolic.pages import page
-from pieper.symbolic.verdict import HOLDS, PARTLY, WRONG
+from pieper.judge.claims import check
+from pieper.judge.pages import page
+from pieper.judge.verdict import HOLDS, PARTLY, WRONG
 
 ROOT = Path(__file__).parents[2]
 CLAIMS = ROOT / "examples" / "claims"

@@ -86,7 +86,7 @@ def _branch_table(track):
 
 def write_csv(arm, track, file: str) -> None:
     """Write a track as CSV, whole or not at all: point, s, joints (rad, m), position (m), rotation row by row."""
-    from pieper.presentation.writing import write_whole
+    from pieper.document.writing import write_whole
 
     text = io.StringIO()
     writer = csv_format.writer(text, lineterminator="\n")

@@ -55,7 +55,7 @@ def workbench(name: str, host: str, port: int, browser: bool, open_to_network: b
 
 def tour(out: str) -> int:
     """Run the tour and print where its page is."""
-    from pieper.presentation.tour import run
+    from pieper.cli.tour import run
 
     page, complete = run(Path(out), say=print)
     print(f"\nThe page: {page.resolve()}")

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.inverse.reduced import solve_reduced
-from pieper.inverse.solutions import DEGENERATE
 from pieper.kinematics.pose import pose_error, rotation_vector
 from pieper.motion.path import between
+from pieper.solver.redundant.reduced import solve_reduced
+from pieper.solver.results import DEGENERATE
 from pieper.tolerances import VERIFIED
 
 if TYPE_CHECKING:

@@ -164,7 +164,7 @@ def follow(arm: Arm, path: np.ndarray, *, start: np.ndarray | None = None) -> Tr
 
 
 def _labels(arm: Arm, found: list[Strand]) -> list[str]:
-    from pieper.inverse.posture import posture_words
+    from pieper.solver.words.labels import posture_words
 
     return posture_words(arm.plan, np.array([strand.q[0] for strand in found])) if found else []
 

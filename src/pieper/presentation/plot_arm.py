@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from pieper.arm import Arm
-    from pieper.inverse.solutions import Solutions
     from pieper.motion.track import Track
+    from pieper.solver.results import Solutions
 
 
 def arm_figure(arm: Arm, q: np.ndarray | None = None, *, title: str = "") -> Figure:

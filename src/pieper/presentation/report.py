@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.document.blocks import Document
+from pieper.document.html_page import page as html_page
+from pieper.document.writing import write_whole
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.pose import checked_pose
-from pieper.presentation.document import Document
-from pieper.presentation.html_page import page as html_page
 from pieper.presentation.plot_reach import joint_range
 from pieper.presentation.sections_arm import (
     MM,
@@ -22,7 +23,6 @@ from pieper.presentation.sections_arm import (
     add_singularities,
 )
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
-from pieper.presentation.writing import write_whole
 
 if TYPE_CHECKING:
     from pieper.arm import Arm
@@ -84,7 +84,7 @@ def write_report(
     page = report(arm, pose=pose, track=track)
     written = [write_whole(out, html_page(page))]
     if latex is not None:
-        from pieper.presentation.latex_page import source, write_beside
+        from pieper.document.latex_page import source, write_beside
 
         text, figures = source(page, folder=f"{latex.stem}-figures")
         written += [*write_beside(latex, figures), write_whole(latex, text)]

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.document.blocks import Document, Formula, Formulas, Heading, Lines, Picture
 from pieper.errors import PieperError
-from pieper.presentation.document import Document, Formula, Formulas, Heading, Lines, Picture
 from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
 
@@ -155,7 +155,7 @@ def add_plan(page: Document, arm: Arm) -> None:
     except PieperError as error:
         page.add(str(error))
         return
-    from pieper.inverse.reasons import FAMILY_WORDS
+    from pieper.solver.words.why import FAMILY_WORDS
 
     geometry, words = FAMILY_WORDS.get(plan.family, ("its own geometry", ""))
     page.add("What matters for the inverse is which neighbouring axes are parallel or meet:")
@@ -172,7 +172,7 @@ def add_forward(page: Document, arm: Arm) -> None:
     page.section("Forward kinematics")
 
     def equations() -> None:
-        from pieper.symbolic.notation import formula
+        from pieper.algebra.notation import formula
 
         forward = arm.symbolic.fk()
         page.add(

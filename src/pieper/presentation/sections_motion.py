@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.presentation.document import Document, Picture
+from pieper.document.blocks import Document, Picture
 from pieper.presentation.plot_arm import configuration_figure, solutions_figure
 from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
 from pieper.presentation.plot_path import path_figure
@@ -14,9 +14,9 @@ from pieper.presentation.sections_arm import MM, fixed, joint_heads, joint_value
 
 if TYPE_CHECKING:
     from pieper.arm import Arm
-    from pieper.inverse.solutions import Solutions
     from pieper.motion.sequence import Motion
     from pieper.motion.track import Track
+    from pieper.solver.results import Solutions
 
 
 def scientific(value: float) -> str:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.document.writing import write_whole
 from pieper.errors import InputError
-from pieper.presentation.writing import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

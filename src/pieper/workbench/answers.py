@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import pieper
-from pieper.inverse.reach import nearest_reachable
-from pieper.inverse.solutions import joint_distance, unwound
+from pieper.solver.results import joint_distance, unwound
+from pieper.solver.words.closest import nearest_reachable
 from pieper.workbench.messages import MAX_JOINTS, Refused, number, optional, pose, vector, word
 from pieper.workbench.table import arm_from_table, table_from_arm
 
 if TYPE_CHECKING:
-    from pieper.inverse.plan import Plan
+    from pieper.solver.plan.plan import Plan
 
 FIRST_ARM = "denso-vp6242"
 LONGEST_FILE = 200_000

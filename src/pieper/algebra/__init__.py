@@ -1,0 +1,1 @@
+"""Expressions, polynomials, their arithmetics, and formulas read and written."""

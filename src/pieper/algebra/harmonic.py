@@ -1,0 +1,389 @@
+"""Trigonometric polynomials in a form in which angle sums appear by construction and zero is always seen as zero.
+
+A term is a rational coefficient, powers of plain symbols, and at most one sine or cosine per run of parallel axes.
+Two functions of the same run are multiplied by the product-to-sum rules at once, so c2 c3 - s2 s3 becomes c23 and
+s2^2 + c2^2 becomes 1 without any search. The functions of whole-number combinations of independent angles are linearly
+independent (Fourier), therefore two polynomials are equal exactly when their terms are.
+"""
+
+from __future__ import annotations
+
+import functools
+from fractions import Fraction
+
+from pieper.algebra.arithmetics import NumpyField
+from pieper.algebra.expression import ONE, ZERO, Expr, Num, Sym, Trig, add, mul
+
+HALF = Fraction(1, 2)
+
+
+class Poly:
+    """A sum of terms {(symbols, trig): coefficient}.
+
+    `symbols` is a sorted tuple of (Sym, power), `trig` a tuple of Trig sorted by group, one per group.
+    """
+
+    __slots__ = ("terms",)
+
+    def __init__(self, terms: dict | None = None):
+        self.terms = terms or {}
+
+    @classmethod
+    def number(cls, value) -> Poly:
+        value = _whole(Fraction(value))
+        return cls({((), ()): value} if value else {})
+
+    @classmethod
+    def symbol(cls, atom: Sym | Trig, coefficient=1) -> Poly:
+        key = ((), (atom,)) if isinstance(atom, Trig) else (((atom, 1),), ())
+        return cls({key: coefficient})
+
+    def __bool__(self):
+        return bool(self.terms)
+
+    def __eq__(self, other):
+        return isinstance(other, Poly) and self.terms == other.terms
+
+    def __hash__(self):
+        return hash(frozenset(self.terms.items()))
+
+    def __add__(self, other):
+        other = as_poly(other)
+        terms = dict(self.terms)
+        for key, value in other.terms.items():
+            _gather(terms, key, value)
+        return Poly(terms)
+
+    __radd__ = __add__
+
+    def __neg__(self):
+        return Poly({key: -value for key, value in self.terms.items()})
+
+    def __sub__(self, other):
+        return self + (-as_poly(other))
+
+    def __rsub__(self, other):
+        return as_poly(other) - self
+
+    def __mul__(self, other):
+        other = as_poly(other)
+        terms: dict = {}
+        for (sym1, trig1), c1 in self.terms.items():
+            for (sym2, trig2), c2 in other.terms.items():
+                symbols = _merge_symbols(sym1, sym2)
+                for trig, factor in _merge_trig(trig1, trig2):
+                    _gather(terms, (symbols, trig), c1 * c2 * factor)
+        return Poly(terms)
+
+    __rmul__ = __mul__
+
+    def __pow__(self, power: int):
+        result = Poly.number(1)
+        for _ in range(power):
+            result = result * self
+        return result
+
+    # -- looking inside --------------------------------------------------------------------------------------
+    def atoms(self) -> set:
+        return {a for symbols, trig in self.terms for a in (*trig, *(s for s, _ in symbols))}
+
+    def joints(self) -> set[int]:
+        """Joints whose angle occurs."""
+        return {j for _, trig in self.terms for t in trig for j, _ in t.angle}
+
+    def angles(self) -> set[tuple]:
+        """The angle combinations that occur."""
+        return {t.angle for _, trig in self.terms for t in trig}
+
+    def constant(self) -> Fraction | None:
+        """The value, when the polynomial is a plain number."""
+        if not self.terms:
+            return Fraction(0)
+        if len(self.terms) == 1:
+            return self.terms.get(((), ()))
+        return None
+
+    def coefficient(self, atom: Sym | Trig) -> Poly:
+        """The polynomial that multiplies the first power of `atom`."""
+        terms: dict = {}
+        for (symbols, trig), value in self.terms.items():
+            if isinstance(atom, Trig):
+                if atom in trig:
+                    terms[(symbols, tuple(t for t in trig if t is not atom))] = value
+            elif (atom, 1) in symbols:
+                terms[(tuple(s for s in symbols if s[0] is not atom), trig)] = value
+        return Poly(terms)
+
+    def without(self, *atoms) -> Poly:
+        """The terms in which none of the atoms occurs."""
+        return Poly(
+            {
+                key: value
+                for key, value in self.terms.items()
+                if not any(t in atoms for t in key[1]) and not any(s in atoms for s, _ in key[0])
+            }
+        )
+
+    def substitute(self, table: dict) -> Poly:
+        """Replace symbols by polynomials or numbers."""
+        if not any(atom in table for atom in self.atoms()):
+            return self
+        total = Poly()
+        for (symbols, trig), value in self.terms.items():
+            term = Poly({((), ()): value})
+            for symbol, power in symbols:
+                term = term * (as_poly(table.get(symbol, symbol)) ** power)
+            for t in trig:
+                term = term * as_poly(table.get(t, t))
+            total = total + term
+        return total
+
+    def derivative(self, joint: int, letter: str = "theta") -> Poly:
+        """The derivative by the angle of one joint."""
+        total = Poly()
+        for (symbols, functions), value in self.terms.items():
+            for place, t in enumerate(functions):
+                factor = dict(t.angle).get(joint, 0)
+                if factor and t.letter == letter:
+                    turned = Trig("s" if t.kind == "c" else "c", t.angle, t.group, letter)
+                    key = (symbols, (*functions[:place], turned, *functions[place + 1 :]))
+                    total = total + Poly({key: value * factor * (-1 if t.kind == "c" else 1)})
+        return total
+
+    def evaluate(self, values: dict):
+        """The value in double precision, for numbers or arrays."""
+        total = 0.0
+        for (symbols, functions), value in self.terms.items():
+            term = float(value)
+            for symbol, power in symbols:
+                term = term * values[symbol] ** power
+            for t in functions:
+                term = term * t.evaluate(values, NumpyField)
+            total = total + term
+        return total
+
+    # -- writing it out --------------------------------------------------------------------------------------
+    def expr(self) -> Expr:
+        """The polynomial as a person would factor it: nested along the chain, the shorter of two nestings."""
+        if not self.terms:
+            return ZERO
+        shown = _without_double_angles(self)
+        sizes = {abs(value) for value in shown.terms.values()}
+        # halves and doubles come from the product rules; lengths that were put in as numbers are left alone
+        content = min(sizes) if sizes <= {Fraction(1, 4), HALF, Fraction(1), Fraction(2), Fraction(4)} else 1
+        rows = [
+            (_whole(Fraction(value) / content), [s for s, power in symbols for _ in range(power)] + list(trig))
+            for (symbols, trig), value in shown.terms.items()
+        ]
+        forms = [_nest(rows, order) for order in (_first_joint_first, _most_common_first, _last_joint_first)]
+        return mul(Num(content), min(forms, key=_operations))
+
+
+def as_poly(value) -> Poly:
+    if isinstance(value, Poly):
+        return value
+    if isinstance(value, (Sym, Trig)):
+        return Poly.symbol(value)
+    if isinstance(value, Num):
+        return Poly.number(value.value)
+    return Poly.number(value)
+
+
+def trig(kind: str, angle: dict[int, int], group: int, letter: str = "theta") -> Poly:
+    """sin or cos of an angle combination, with the first factor made positive."""
+    items = tuple(sorted((j, k) for j, k in angle.items() if k))
+    if not items:
+        return Poly.number(1 if kind == "c" else 0)
+    sign = 1
+    if items[0][1] < 0:
+        items = tuple((j, -k) for j, k in items)
+        sign = 1 if kind == "c" else -1
+    return Poly.symbol(Trig(kind, items, group, letter), sign)
+
+
+def matmul(left: list[list[Poly]], right: list[list[Poly]]) -> list[list[Poly]]:
+    """Product of two matrices of polynomials."""
+    columns = list(zip(*right, strict=True))
+    return [[_dot(row, column) for column in columns] for row in left]
+
+
+def _dot(row, column) -> Poly:
+    total = Poly()
+    for x, y in zip(row, column, strict=True):
+        if x.terms and y.terms:
+            total = total + x * y
+    return total
+
+
+def _whole(value):
+    """Integers as int: sums of them are many times faster than of fractions."""
+    return value.numerator if value.denominator == 1 else value
+
+
+def _gather(terms: dict, key, value):
+    total = terms.get(key, 0) + value
+    if total:
+        terms[key] = total if type(total) is int else _whole(total)
+    else:
+        terms.pop(key, None)
+
+
+def _merge_symbols(left: tuple, right: tuple) -> tuple:
+    if not left or not right:
+        return left or right
+    powers = dict(left)
+    for symbol, power in right:
+        powers[symbol] = powers.get(symbol, 0) + power
+    return tuple(sorted(powers.items(), key=lambda item: item[0].order))
+
+
+def _merge_trig(left: tuple, right: tuple) -> list[tuple[tuple, Fraction]]:
+    if not left or not right:
+        return [(left or right, 1)]
+    groups = {t.group: t for t in left}
+    results = [(dict(groups), 1)]
+    for t in right:
+        mine = groups.get(t.group)
+        if mine is None:
+            for table, _ in results:
+                table[t.group] = t
+            continue
+        results = [
+            (
+                {**{g: x for g, x in table.items() if g != t.group}, **({t.group: product} if product else {})},
+                factor * weight,
+            )
+            for table, factor in results
+            for product, weight in _product_to_sum(mine, t)
+        ]
+    return [(tuple(table[g] for g in sorted(table)), factor) for table, factor in results]
+
+
+@functools.cache
+def _product_to_sum(x: Trig, y: Trig) -> list[tuple[Trig | None, Fraction]]:
+    """x*y for two functions of the same group, as [(function or None for 1, factor)]."""
+    total, difference = dict(x.angle), dict(x.angle)
+    for joint, factor in y.angle:
+        total[joint] = total.get(joint, 0) + factor
+        difference[joint] = difference.get(joint, 0) - factor
+    kinds = x.kind + y.kind
+    kind = "c" if kinds in ("cc", "ss") else "s"
+    weights = {"cc": (HALF, HALF), "ss": (-HALF, HALF), "sc": (HALF, HALF), "cs": (HALF, -HALF)}[kinds]
+    found = []
+    for angle, weight in ((total, weights[0]), (difference, weights[1])):
+        for (_, functions), sign in trig(kind, angle, x.group, x.letter).terms.items():
+            found.append((functions[0] if functions else None, weight * sign))
+    return found
+
+
+def _without_double_angles(poly: Poly) -> Poly:
+    """Write c(2*4) and s(2*4) with c4 and s4, as people do; other sums of angles stay.
+
+    The powers are kept among the symbols, where the product rules do not gather them again; the result is for printing.
+    """
+    if not any(k == 2 and len(t.angle) == 1 for t in poly.atoms() if isinstance(t, Trig) for _, k in t.angle):
+        return poly
+    terms: dict = {}
+    for (symbols, functions), value in poly.terms.items():
+        rows = [(list(symbols), [], value)]
+        for t in functions:
+            (joint, factor), *more = t.angle
+            if factor != 2 or more:
+                rows = [(s, [*f, t], v) for s, f, v in rows]
+                continue
+            c, s_ = (Trig(kind, ((joint, 1),), t.group, t.letter) for kind in "cs")
+            if t.kind == "s":
+                rows = [([*s, (c, 1), (s_, 1)], f, 2 * v) for s, f, v in rows]
+            else:
+                rows = [row for s, f, v in rows for row in (([*s, (c, 2)], f, 2 * v), (s, f, -v))]
+        for s, f, v in rows:
+            _gather(terms, (tuple(sorted(s, key=lambda item: item[0].order)), tuple(f)), v)
+    return Poly(terms)
+
+
+# -- nesting -------------------------------------------------------------------------------------------------
+def _first_joint_first(atom, count):
+    return (atom.rank != 3, atom.order)
+
+
+def _most_common_first(atom, count):
+    return (-count, atom.rank != 3, atom.order)
+
+
+def _last_joint_first(atom, count):
+    return (atom.rank != 3, -atom.group if atom.rank == 3 else 0, atom.order)
+
+
+def _nest(rows: list, order) -> Expr:
+    if len(rows) == 1:
+        value, atoms = rows[0]
+        return _product(value, atoms)
+    shared = list(rows[0][1])
+    for _, atoms in rows[1:]:
+        remaining = list(atoms)
+        kept = []
+        for atom in shared:
+            if atom in remaining:
+                remaining.remove(atom)
+                kept.append(atom)
+        shared = kept
+    sizes = {abs(value) for value, _ in rows}
+    content = sizes.pop() if len(sizes) == 1 else 1
+    if all(value < 0 for value, _ in rows):
+        content = -content
+    if shared or content != 1:
+        inner = [(_whole(Fraction(value) / content), _without(atoms, shared)) for value, atoms in rows]
+        body = _nest(inner, order)
+        return _product(content, shared, body)
+    counts: dict = {}
+    for _, atoms in rows:
+        for atom in dict.fromkeys(atoms):
+            counts[atom] = counts.get(atom, 0) + 1
+    candidates = [atom for atom, count in counts.items() if count > 1]
+    if not candidates:
+        return add(*(_product(v, a) for v, a in sorted(rows, key=_reading_order)))
+    pivot = min(candidates, key=lambda atom: order(atom, counts[atom]))
+    first = [row for row in rows if pivot in row[1]]
+    rest = [row for row in rows if pivot not in row[1]]
+    parts = [(min(map(_reading_order, first)), _nest(first, order))]
+    if rest:
+        inner = _nest(rest, order)
+        parts.append((min(map(_reading_order, rest)), inner))
+    return add(*(part for _, part in sorted(parts, key=lambda item: item[0])))
+
+
+def _reading_order(row):
+    """Lengths without angles first, then along the chain, cosine before sine."""
+    _, atoms = row
+    functions = [a for a in atoms if a.rank == 3]
+    targets = [a for a in atoms if a.rank == 4]
+    lengths = [a for a in atoms if a.rank not in (3, 4)]
+    return (
+        bool(lengths) and bool(targets),
+        [(a.order[1:]) if isinstance(a, Trig) else (99, 0) for a in functions],
+        [a.order[1:] for a in targets],
+        [a.order for a in lengths],
+    )
+
+
+def _without(atoms: list, shared: list) -> list:
+    rest = list(atoms)
+    for atom in shared:
+        rest.remove(atom)
+    return rest
+
+
+def _product(value: Fraction, atoms: list, body: Expr | None = None) -> Expr:
+    ordered = sorted(atoms, key=lambda a: (a.rank, a.order))
+    factors, index = [], 0
+    while index < len(ordered):
+        power = ordered.count(ordered[index])
+        factors.append(ordered[index] if power == 1 else ordered[index] ** power)
+        index += power
+    if body is not None and body != ONE:
+        factors.append(body)
+    return mul(Num(value), *factors)
+
+
+def _operations(expr: Expr) -> int:
+    return len(expr.children()) + sum(_operations(child) for child in expr.children())

@@ -1,0 +1,256 @@
+"""The field's notation on paper: text, LaTeX and presentation MathML of an expression.
+
+c1, s23, c(2-3) for sines and cosines; a2, d4 for lengths; n_x ... p_z for the target; sigma1 = +1 or -1 for a branch.
+The MathML needs no script and no style sheet.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from html import escape
+
+from pieper.algebra.exact import decimal_text
+from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Num, PiFraction, Power, Sym, Trig, mul, negative
+
+GREEK = {"theta": "θ", "alpha": "α", "sigma": "σ", "beta": "β", "gamma": "γ", "phi": "φ", "rho": "ρ", "Delta": "Δ"}
+LATEX_FUNCTION = {
+    "atan2": r"\operatorname{atan2}",
+    "acos": r"\arccos",
+    "asin": r"\arcsin",
+    "sign": r"\operatorname{sgn}",
+    "cos": r"\cos",
+    "sin": r"\sin",
+}
+TEXT_FUNCTION = {"sign": "sgn"}
+
+
+def subscript(angle: tuple) -> tuple[str, bool]:
+    """The index of an angle combination: ("23", True), ("2-3", False); True when it needs no brackets in text."""
+    plain = all(factor == 1 and joint < 10 for joint, factor in angle)
+    if plain:
+        return "".join(str(joint) for joint, _ in angle), True
+    parts = []
+    for place, (joint, factor) in enumerate(angle):
+        sign = "-" if factor < 0 else ("+" if place else "")
+        parts.append(sign + ("" if abs(factor) == 1 else f"{abs(factor)}·") + str(joint))
+    return "".join(parts), len(angle) == 1 and angle[0][1] == 1
+
+
+# -- text ----------------------------------------------------------------------------------------------------
+def text(expr: Expr) -> str:
+    """One line of plain text that can be typed back in."""
+    if isinstance(expr, Num):
+        return _number(expr.value)
+    if isinstance(expr, PiFraction):
+        return _pi_text(expr.value)
+    if isinstance(expr, Trig):
+        index, plain = subscript(expr.angle)
+        return f"{expr.kind}{index}" if plain else f"{expr.kind}({index})"
+    if isinstance(expr, Sym):
+        return expr.name
+    if isinstance(expr, Add):
+        return _sum(expr, text, " + ", " - ")
+    if isinstance(expr, Mul):
+        return _signed_product(expr, text, "*", "(", ")")
+    if isinstance(expr, Div):
+        return f"{_wrapped(expr.over, text, 2)}/{_wrapped(expr.under, text, 4)}"
+    if isinstance(expr, Power):
+        return f"{_wrapped(expr.base, text, 9)}^{expr.power}"
+    if isinstance(expr, Call):
+        if expr.name == "quartic":
+            return (
+                f"2*atan(t), t real root number {text(expr.args[-1])} of "
+                + " + ".join(
+                    f"{text(e)}*t^{4 - k}" if k < 3 else f"{text(e)}*t" if k == 3 else text(e)
+                    for k, e in enumerate(expr.args[:-1])
+                )
+                + " = 0"
+            )
+        return f"{TEXT_FUNCTION.get(expr.name, expr.name)}({', '.join(map(text, expr.args))})"
+    raise TypeError(f"cannot print {type(expr).__name__}")
+
+
+# -- LaTeX ---------------------------------------------------------------------------------------------------
+def latex(expr: Expr) -> str:
+    """LaTeX for math mode."""
+    if isinstance(expr, Num):
+        return _number_latex(expr.value)
+    if isinstance(expr, PiFraction):
+        return _pi_latex(expr.value)
+    if isinstance(expr, Trig):
+        return f"{expr.kind}_{{{subscript(expr.angle)[0].replace('·', ' ')}}}"
+    if isinstance(expr, Sym):
+        base = expr.base if len(expr.base) == 1 else _latex_base(expr.base)
+        return f"{base}_{{{expr.sub}}}" if expr.sub else base
+    if isinstance(expr, Add):
+        return _sum(expr, latex, " + ", " - ")
+    if isinstance(expr, Mul):
+        return _signed_product(expr, latex, r" ", r"\left(", r"\right)")
+    if isinstance(expr, Div):
+        return rf"\frac{{{latex(expr.over)}}}{{{latex(expr.under)}}}"
+    if isinstance(expr, Power):
+        if isinstance(expr.base, Trig):
+            return f"{expr.base.kind}_{{{subscript(expr.base.angle)[0]}}}^{{{expr.power}}}"
+        return f"{_wrapped(expr.base, latex, 9, *_BIG)}^{{{expr.power}}}"
+    if isinstance(expr, Call):
+        if expr.name == "sqrt":
+            return rf"\sqrt{{{latex(expr.args[0])}}}"
+        if expr.name == "quartic":
+            e4, e3, e2, e1, e0, k = map(latex, expr.args)
+            return rf"2\arctan t_{{{k}}},\quad {e4} t^4 + {e3} t^3 + {e2} t^2 + {e1} t + {e0} = 0"
+        if expr.name == "abs":
+            return rf"\left|{latex(expr.args[0])}\right|"
+        return rf"{LATEX_FUNCTION[expr.name]}\left({', '.join(map(latex, expr.args))}\right)"
+    raise TypeError(f"cannot print {type(expr).__name__}")
+
+
+_BIG = (r"\left(", r"\right)")
+
+
+# -- MathML --------------------------------------------------------------------------------------------------
+def mathml(expr: Expr) -> str:
+    """Presentation MathML without the outer <math> element (see `formula`)."""
+    if isinstance(expr, Num):
+        return _number_mathml(expr.value)
+    if isinstance(expr, PiFraction):
+        return _pi_mathml(expr.value)
+    if isinstance(expr, Trig):
+        return f"<msub><mi>{expr.kind}</mi><mn>{subscript(expr.angle)[0].replace('-', '−')}</mn></msub>"
+    if isinstance(expr, Sym):
+        return _symbol_mathml(expr)
+    if isinstance(expr, Add):
+        return f"<mrow>{_sum(expr, mathml, '<mo>+</mo>', '<mo>−</mo>')}</mrow>"
+    if isinstance(expr, Mul):
+        body = _signed_product(expr, mathml, "<mspace width='0.17em'/>", "<mo>(</mo>", "<mo>)</mo>")
+        return f"<mrow>{body}</mrow>"
+    if isinstance(expr, Div):
+        return f"<mfrac>{mathml(expr.over)}{mathml(expr.under)}</mfrac>"
+    if isinstance(expr, Power):
+        inner = _wrapped(expr.base, mathml, 9, "<mo>(</mo>", "<mo>)</mo>")
+        return f"<msup><mrow>{inner}</mrow><mn>{expr.power}</mn></msup>"
+    if isinstance(expr, Call):
+        if expr.name == "sqrt":
+            return f"<msqrt>{mathml(expr.args[0])}</msqrt>"
+        if expr.name == "quartic":
+            *e, k = map(mathml, expr.args)
+            powers = [f"<msup><mi>t</mi><mn>{p}</mn></msup>" for p in (4, 3, 2)] + ["<mi>t</mi>", ""]
+            sum_ = "<mo>+</mo>".join(a + p for a, p in zip(e, powers, strict=True))
+            return (
+                f"<mrow><mn>2</mn><mi>arctan</mi><msub><mi>t</mi>{k}</msub><mo>,</mo><mspace width='1em'/>"
+                f"{sum_}<mo>=</mo><mn>0</mn></mrow>"
+            )
+        if expr.name == "abs":
+            return f"<mrow><mo>|</mo>{mathml(expr.args[0])}<mo>|</mo></mrow>"
+        name = {"acos": "arccos", "asin": "arcsin", "sign": "sgn"}.get(expr.name, expr.name)
+        return f"<mrow><mi>{name}</mi><mo>(</mo>{'<mo>,</mo>'.join(map(mathml, expr.args))}<mo>)</mo></mrow>"
+    raise TypeError(f"cannot print {type(expr).__name__}")
+
+
+def formula(content: str, *, block: bool = False) -> str:
+    """Wrap MathML content in a <math> element that stands on its own."""
+    display = ' display="block"' if block else ""
+    return f'<math xmlns="http://www.w3.org/1998/Math/MathML"{display}>{content}</math>'
+
+
+def equation(left: str | Expr, right: Expr, style: str) -> str:
+    """`left = right` in the style "text", "latex" or "mathml" (a string on the left is taken as it is)."""
+    printer = {"text": text, "latex": latex, "mathml": mathml}[style]
+    left = left if isinstance(left, str) else printer(left)
+    return f"{left}<mo>=</mo>{printer(right)}" if style == "mathml" else f"{left} = {printer(right)}"
+
+
+# -- pieces --------------------------------------------------------------------------------------------------
+def _sum(expr: Add, printer, plus: str, minus: str) -> str:
+    parts = []
+    for place, term in enumerate(expr.terms):
+        if place and negative(term):
+            parts.append(minus + _wrapped(mul(-1, term), printer, 2, *_brackets(printer)))
+        else:
+            parts.append((plus if place else "") + printer(term))
+    return "".join(parts)
+
+
+def _brackets(printer):
+    return {text: ("(", ")"), latex: _BIG}.get(printer, ("<mo>(</mo>", "<mo>)</mo>"))
+
+
+def _wrapped(expr: Expr, printer, least: int, left: str = "(", right: str = ")") -> str:
+    body = printer(expr)
+    weak = expr.precedence < least or (least > 2 and isinstance(expr, (Num, PiFraction)) and expr.value < 0)
+    return left + body + right if weak else body
+
+
+def _signed_product(expr: Mul, printer, times: str, left: str, right: str) -> str:
+    factors = list(expr.factors)
+    sign = ""
+    if isinstance(factors[0], Num) and factors[0].value < 0:
+        sign = {text: "-", latex: "-"}.get(printer, "<mo>−</mo>")
+        factors[0] = Num(-factors[0].value)
+        if factors[0].value == 1:
+            factors.pop(0)
+    pieces = [_wrapped(f, printer, 2, left, right) for f in factors]
+    if printer is text:
+        return sign + times.join(pieces)
+    # A number before a digit-like piece needs a visible product sign; LaTeX and MathML otherwise use a thin space.
+    return sign + times.join(pieces)
+
+
+def _number(value: Fraction) -> str:
+    return decimal_text(value) or f"{value.numerator}/{value.denominator}"
+
+
+def _number_latex(value: Fraction) -> str:
+    decimal = decimal_text(value)
+    if decimal is not None and value.denominator not in (2, 4):
+        return decimal
+    sign = "-" if value < 0 else ""
+    return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
+
+
+def _number_mathml(value: Fraction) -> str:
+    sign = "<mo>−</mo>" if value < 0 else ""
+    decimal = decimal_text(abs(value))
+    if decimal is not None and value.denominator not in (2, 4):
+        body = f"<mn>{decimal}</mn>"
+    else:
+        body = f"<mfrac><mn>{abs(value.numerator)}</mn><mn>{value.denominator}</mn></mfrac>"
+    return f"<mrow>{sign}{body}</mrow>" if sign else body
+
+
+def _pi_text(value: Fraction) -> str:
+    sign, over = ("-" if value < 0 else ""), abs(value.numerator)
+    return f"{sign}{'' if over == 1 else f'{over}*'}pi" + ("" if value.denominator == 1 else f"/{value.denominator}")
+
+
+def _pi_latex(value: Fraction) -> str:
+    sign, over = ("-" if value < 0 else ""), abs(value.numerator)
+    top = r"\pi" if over == 1 else rf"{over}\pi"
+    return sign + (top if value.denominator == 1 else rf"\frac{{{top}}}{{{value.denominator}}}")
+
+
+def _pi_mathml(value: Fraction) -> str:
+    sign, over = ("<mo>−</mo>" if value < 0 else ""), abs(value.numerator)
+    top = "<mi>π</mi>" if over == 1 else f"<mrow><mn>{over}</mn><mi>π</mi></mrow>"
+    body = top if value.denominator == 1 else f"<mfrac>{top}<mn>{value.denominator}</mn></mfrac>"
+    return f"<mrow>{sign}{body}</mrow>" if sign else body
+
+
+def _latex_base(base: str) -> str:
+    if base in GREEK:
+        return "\\" + base
+    if base[:1] in "cs" and base[1:] in GREEK:  # cos/sin of a twist: c_alpha
+        return rf"{base[0]}\{base[1:]}"
+    return rf"\mathrm{{{base}}}"
+
+
+def _symbol_mathml(symbol: Sym) -> str:
+    base = symbol.base
+    if base in GREEK:
+        base = GREEK[base]
+    elif base[:1] in "cs" and base[1:] in GREEK:
+        base = base[0] + GREEK[base[1:]]
+    letter = f"<mi>{escape(base)}</mi>"
+    if not symbol.sub:
+        return letter
+    tag = "mn" if symbol.sub.isdigit() else "mi"
+    return f"<msub>{letter}<{tag}>{escape(symbol.sub)}</{tag}></msub>"

@@ -1,0 +1,384 @@
+"""The formula language: the papers' own notation, read by a tokenizer and a recursive-descent parser into an
+expression tree.
+
+Understood: ``C1 s23 c(2-3) S345 cq2q3``, ``cos t1``, ``sin(q2+q3)``, ``atan2(y, x)``, ``tan^-1``, products written
+side by side
+(``2a2a3 C1``), ``+-`` and ``-+`` (all signs of one formula go together), ``90 deg``, ``a_2``, ``theta_4``, ``r12`` and
+names
+the caller allows. Text never reaches Python's evaluator.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Collection
+
+from pieper.algebra.parser_words import FUNCTION_NAMES, INVERSE, JOINT_NAME, SPELLING, TOKEN, TRIG_NAME
+from pieper.algebra.tree import FUNCTIONS, Node, add, angle_sum, call, mul, negated, num, sym
+from pieper.errors import InputError
+
+MAX_CHARACTERS = 200_000  # a page of algebra has 5,000; beyond this it is not a formula
+MAXTOKENS = 60_000
+MAX_DEPTH = 60  # brackets inside brackets
+MAX_TREE_DEPTH = 300
+
+
+class FormulaError(InputError):
+    """A formula that cannot be read; the message shows the line with a caret under the place."""
+
+
+def _fail(text: str, at: int, message: str, **data) -> FormulaError:
+    start = max(0, at - 60)
+    shown = text[start : at + 60].replace("\n", " ")
+    if start:
+        shown = "..." + shown
+        start -= 3
+    return FormulaError(f"{message}\n  {shown}\n  {' ' * (at - start)}^", text=text, position=at, **data)
+
+
+class Parser:
+    """One formula on its way to a tree.
+
+    Args:
+        text: the formula.
+        names: the symbols the formula may use, besides joints, functions and pi.
+        joints: number of joints; theta1 .. theta<joints> and their sines and cosines are allowed.
+    """
+
+    def __init__(self, text: str, names: Collection[str], joints: int):
+        if not isinstance(text, str):
+            raise FormulaError(f"a formula is text in quotes, but this is {text!r} ({type(text).__name__})")
+        for fancy, plain in SPELLING.items():
+            text = text.replace(fancy, plain)
+        if len(text) > MAX_CHARACTERS:
+            raise FormulaError(
+                f"the formula has {len(text):,} characters; at most {MAX_CHARACTERS:,} are read. Split it "
+                f"with symbols of your own."
+            )
+        self.text, self.names, self.joints = text, names, joints
+        self.lower = {n.lower(): n for n in sorted(names)}
+        self.tokens = self._tokenize()
+        self.at = 0
+        self.depth = 0
+
+    def _tokenize(self) -> list[tuple[str, str, int]]:
+        tokens, position = [], 0
+        while position < len(self.text):
+            found = TOKEN.match(self.text, position)
+            if not found:
+                word = re.match(r"\w+", self.text[position:])
+                what = (
+                    f"{word.group()!r} is no symbol"
+                    if word
+                    else f"the character {self.text[position]!r} has no meaning in a formula"
+                )
+                raise _fail(
+                    self.text, position, what + "; a formula holds symbols, numbers, brackets and known functions only"
+                )
+            if found.lastgroup != "space":
+                tokens.append((found.lastgroup, found.group(), position))
+                if len(tokens) > MAXTOKENS:
+                    raise FormulaError(
+                        f"the formula has more than {MAXTOKENS:,} symbols; split it with symbols of your own."
+                    )
+            position = found.end()
+        tokens.append(("end", "", len(self.text)))
+        return tokens
+
+    def _peek(self) -> tuple[str, str, int]:
+        return self.tokens[self.at]
+
+    def _take(self) -> tuple[str, str, int]:
+        token = self.tokens[self.at]
+        self.at += 1
+        return token
+
+    def parse(self) -> Node:
+        """Read the whole formula as one expression."""
+        node = self._sum()
+        kind, text, position = self._peek()
+        if kind != "end":
+            hint = " (this closing bracket was never opened)" if text in ")]}" else ""
+            hint = " (a formula here has no equals sign: write the right-hand side only)" if text == "=" else hint
+            raise _fail(self.text, position, f"{text!r} is not expected here{hint}")
+        return self._checked(node)
+
+    def _checked(self, node: Node) -> Node:
+        """Refuse trees too deep to walk (a chain of thousands of divisions, say); long sums and products are flat and
+        pass."""
+        depth: dict[Node, int] = {}
+        for n in node.walk():
+            depth[n] = 1 + max((depth[a] for a in n.args), default=0)
+        if depth[node] > MAX_TREE_DEPTH:
+            raise FormulaError(
+                f"the formula is nested {depth[node]:,} levels deep; at most {MAX_TREE_DEPTH} are read. "
+                f"Split it with symbols of your own."
+            )
+        return node
+
+    def parse_equation(self) -> tuple[Node, Node]:
+        """Read ``left = right``."""
+        left = self._sum()
+        kind, text, position = self._take()
+        if text != "=":
+            raise _fail(self.text, position, "an equation needs one '='")
+        right = self._sum()
+        kind, text, position = self._peek()
+        if kind != "end":
+            raise _fail(self.text, position, f"{text!r} is not expected here")
+        return self._checked(left), self._checked(right)
+
+    def _sum(self) -> Node:
+        terms = [self._term()]
+        while True:
+            kind, text, _ = self._peek()
+            if kind == "pm":
+                self._take()
+                terms.append(Node("pm", (self._term(),), 1 if text.startswith("+") else -1))
+            elif text in ("+", "-") and kind == "op":
+                self._take()
+                term = self._term()
+                terms.append(negated(term) if text == "-" else term)
+            else:
+                return add(*terms)
+
+    def _term(self) -> Node:
+        kind, text, position = self._peek()
+        if kind == "op" and text in "+-":
+            self._take()
+            self._deeper(position)
+            inner = self._term()
+            self.depth -= 1
+            return negated(inner) if text == "-" else inner
+        if kind == "pm":
+            self._take()
+            self._deeper(position)
+            inner = self._term()
+            self.depth -= 1
+            return Node("pm", (inner,), 1 if text.startswith("+") else -1)
+        factors = [self._power()]
+        while True:
+            kind, text, position = self._peek()
+            if text == "*":
+                self._take()
+                factors.append(self._signed_power())
+            elif text == "/":
+                self._take()
+                factors = [Node("div", (mul(*factors), self._signed_power()))]
+            elif kind in ("num", "name", "trig") or text in ("(", "[", "{"):
+                if kind == "num" and self.tokens[self.at - 1][0] == "num":
+                    raise _fail(self.text, position, "two numbers stand side by side; write * between them")
+                factors.append(self._power())
+            else:
+                return mul(*factors)
+
+    def _signed_power(self) -> Node:
+        if self._peek()[1] in ("-", "+"):
+            sign = self._take()[1]
+            inner = self._power()
+            return negated(inner) if sign == "-" else inner
+        return self._power()
+
+    def _power(self) -> Node:
+        base = self._primary()
+        if self._peek()[1] in ("^", "**"):
+            self._take()
+            return Node("pow", (base, self._exponent()))
+        return base
+
+    def _exponent(self) -> Node:
+        kind, text, position = self._peek()
+        if text == "-":
+            self._take()
+            return negated(self._primary())
+        return self._primary()
+
+    def _deeper(self, position: int):
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            raise _fail(self.text, position, f"more than {MAX_DEPTH} brackets or signs inside one another")
+
+    def _primary(self) -> Node:
+        kind, text, position = self._take()
+        if kind == "num":
+            return num(text)
+        if text in ("(", "[", "{"):
+            return self._bracket(text, position)
+        if kind == "trig":
+            return self._shorthand(text[0], re.findall(r"\d", text), position)
+        if kind == "name":
+            return self._name(text, position)
+        if kind == "end":
+            raise _fail(self.text, position, "the formula stops here, but something must follow")
+        raise _fail(
+            self.text, position, f"{text!r} is not expected here; a symbol, a number or a bracket must stand here"
+        )
+
+    def _bracket(self, opened: str, position: int) -> Node:
+        self._deeper(position)
+        inner = self._sum()
+        self._close(opened, position)
+        self.depth -= 1
+        return inner
+
+    def _close(self, opened: str, position: int):
+        wanted = {"(": ")", "[": "]", "{": "}"}[opened]
+        kind, text, at = self._take()
+        if text != wanted:
+            if kind == "end":
+                raise _fail(self.text, position, f"this bracket {opened!r} is never closed")
+            raise _fail(
+                self.text,
+                at,
+                f"{text!r} is not expected here; {wanted!r} would close the bracket opened at character {position + 1}",
+            )
+
+    def _shorthand(self, letter: str, digits: list[str], position: int, signs: list[int] | None = None) -> Node:
+        parts = []
+        for k, digit in enumerate(digits):
+            joint = int(digit)
+            if not 1 <= joint <= self.joints:
+                raise _fail(self.text, position, f"joint {joint} does not exist; the arm has {self.joints} joints")
+            parts.append((signs[k] if signs else 1, joint))
+        return call("cos" if letter in "cC" else "sin", angle_sum(tuple(parts)))
+
+    def _name(self, raw: str, position: int) -> Node:
+        text = re.sub(r"[_{}]", "", raw)
+        found = self._known(text)
+        if found is not None:
+            return found
+        lowered = text.lower()
+        following = self._peek()[1]
+        if lowered in FUNCTION_NAMES:
+            return self._call(FUNCTION_NAMES[lowered], position)
+        if text in ("c", "C", "s", "S") and following == "(":
+            digits = self._digit_list()
+            if digits:
+                return self._shorthand(text, [d for _, d in digits], position, [s for s, _ in digits])
+        joined = self._split(text)
+        if joined:
+            return joined
+        raise self._unknown(raw, text, position)
+
+    def _known(self, text: str) -> Node | None:
+        if text in self.names:
+            return sym(text)
+        if text == "pi":
+            return sym("pi")
+        if text in ("deg", "degrees"):
+            return Node("div", (sym("pi"), num(180)))
+        if text == "rad":
+            return num(1)
+        joint = JOINT_NAME.match(text)
+        if joint and 1 <= int(joint.group(1)) <= self.joints:
+            return sym(f"theta{int(joint.group(1))}")
+        trig = TRIG_NAME.match(text)
+        if trig and all(1 <= int(d) <= self.joints for d in re.findall(r"\d", trig.group(2))):
+            return self._shorthand(trig.group(1), re.findall(r"\d", trig.group(2)), 0)
+        return None
+
+    def _split(self, text: str) -> Node | None:
+        """Read names that stand without a space, as in a4C34 or axS23, longest first."""
+        pieces, rest = [], text
+        while rest:
+            for length in range(len(rest), 0, -1):
+                # a piece never ends in the middle of a number: C345 is not C34 times 5
+                if length < len(rest) and rest[length].isdigit():
+                    continue
+                piece = self._known(rest[:length])
+                if piece is not None:
+                    pieces.append(piece)
+                    rest = rest[length:]
+                    break
+            else:
+                return None
+        return mul(*pieces)
+
+    def _digit_list(self) -> list[tuple[int, str]] | None:
+        """Read the inside of c(2-3) when the bracket holds nothing but joint numbers; otherwise leave it alone."""
+        inside, k = [], self.at + 1
+        while self.tokens[k][1] != ")":
+            inside.append(self.tokens[k][:2])
+            k += 1
+            if len(inside) > 20 or self.tokens[k][0] == "end":
+                return None
+        joined = "".join(t for _, t in inside)
+        if not re.fullmatch(r"[-+]?\d([-+]\d|\d)*", joined):
+            return None
+        self.at = k + 1
+        return [(-1 if s == "-" else 1, d) for s, d in re.findall(r"([-+]?)(\d)", joined)]
+
+    def _call(self, name: str, position: int) -> Node:
+        power = None
+        if self._peek()[1] in ("^", "**"):
+            self._take()
+            power = self._exponent()
+            if power.op == "neg" and power.args[0].op == "num" and power.args[0].value == "1" and name in INVERSE:
+                name, power = INVERSE[name], None
+        opened = self._peek()[1]
+        if opened in ("(", "[", "{"):
+            start = self._take()[2]
+            self._deeper(start)
+            args = [self._sum()]
+            while self._peek()[1] == ",":
+                self._take()
+                args.append(self._sum())
+            self._close(opened, start)
+            self.depth -= 1
+        else:
+            self._deeper(position)
+            args = [self._primary()]
+            self.depth -= 1
+        if len(args) != FUNCTIONS[name]:
+            wanted = (
+                "one value"
+                if FUNCTIONS[name] == 1
+                else "two values, atan2(sine part, cosine part)"
+                if name == "atan2"
+                else "two values"
+            )
+            raise _fail(
+                self.text, position, f"{name} takes {wanted}, but {len(args)} {'is' if len(args) == 1 else 'are'} given"
+            )
+        node = call(name, *args)
+        return Node("pow", (node, power)) if power is not None else node
+
+    def _unknown(self, raw: str, text: str, position: int) -> FormulaError:
+        pool = list(self.names) + list(FUNCTIONS) + [f"theta{i + 1}" for i in range(self.joints)]
+        pool += [f"{c}{i + 1}" for c in "cs" for i in range(self.joints)]
+        near = difflib.get_close_matches(text, pool, 3, 0.5)
+        if text.lower() in self.lower and self.lower[text.lower()] not in near:
+            near.insert(0, self.lower[text.lower()])
+        joint = JOINT_NAME.match(text) or re.match(r"[cCsS](\d)$", text)
+        if joint:
+            message = f"{raw!r}: joint {joint.group(1)} does not exist; the arm has {self.joints} joints"
+        elif text.startswith("__") or raw.startswith("_"):
+            message = f"{raw!r} is not a symbol; formulas hold symbols, numbers and known functions only"
+        else:
+            message = f"{raw!r} is not a known symbol"
+        if near and not joint:
+            message += "; did you mean " + " or ".join(near) + "?"
+        return _fail(self.text, position, message, symbol=text, suggestions=near)
+
+
+def parse(text: str, names: Collection[str] = (), joints: int = 9) -> Node:
+    """Read a formula.
+
+    Args:
+        text: the formula in the notation of the module.
+        names: symbols it may use (lengths, pose entries, symbols of one's own).
+        joints: number of joints of the arm.
+
+    Returns:
+        The expression tree.
+
+    Raises:
+        FormulaError: the text is no formula; the message points at the character.
+    """
+    return Parser(text, names, joints).parse()
+
+
+def parse_equation(text: str, names: Collection[str] = (), joints: int = 9) -> tuple[Node, Node]:
+    """Read ``left = right``; see `parse`."""
+    return Parser(text, names, joints).parse_equation()

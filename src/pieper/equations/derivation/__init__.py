@@ -1,0 +1,1 @@
+"""The inverse derived step by step, with every choice written down, and checked."""

@@ -1,0 +1,224 @@
+"""Whether a derivation holds: every branch against every solution of the solver, each formula, and at 50 digits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.algebra.arithmetics import NumpyField
+from pieper.algebra.expression import Sym, angle_symbol
+from pieper.equations.derivation.closed_form import ClosedForm
+from pieper.equations.derivation.witness import branch_values
+from pieper.errors import PieperError
+
+CLOSE = 1e-6  # rad or m: a branch is the solution; half the digits remain beside a singular pose
+DIGITS_POSES = 3
+
+
+@dataclass(frozen=True)
+class DerivationCheck:
+    """How often and how well a derivation held.
+
+    Attributes:
+        poses: Random poses tried.
+        solutions: Solutions that the solver found at them, all together.
+        reproduced: How many of those one choice of branch signs gives.
+        worst: Largest joint deviation among those (rad or m).
+        real: Branch combinations that were real, all together.
+        valid: How many of those reach the pose.
+        digits_worst: Largest deviation in 50-digit arithmetic (a number such as 1e-49); None when not tried.
+        formulas: symbol -> (times evaluated, times held, largest deviation), with the joints before it from the solver.
+    """
+
+    poses: int
+    solutions: int
+    reproduced: int
+    worst: float
+    real: int
+    valid: int
+    digits_worst: float | None
+    formulas: dict
+
+    @property
+    def what(self) -> str:
+        """The result in sentences."""
+        said = [
+            f"At {self.poses} random poses the solver finds {self.solutions} solutions; "
+            f"{_all(self.reproduced, self.solutions)} "
+            f"of them {'is' if self.reproduced == 1 else 'are'} given by one choice of the branch signs, "
+            f"to {self.worst:.1e} rad (or m) at worst."
+        ]
+        if self.real:
+            said.append(f"Of {self.real} real combinations of signs {_all(self.valid, self.real)} reach the pose.")
+        if self.digits_worst is not None:
+            said.append(f"In 50-digit arithmetic the joints come back to {self.digits_worst:.0e}.")
+        return " ".join(said)
+
+    @property
+    def holds(self) -> bool:
+        """Whether every solution was reproduced."""
+        return self.solutions > 0 and self.reproduced == self.solutions
+
+    def __str__(self) -> str:
+        return self.what
+
+
+def check(form: ClosedForm, arm, n: int, rng: np.random.Generator) -> DerivationCheck:
+    """Compare a closed form with the arm's own solver and forward kinematics at `n` random poses."""
+    d = arm.description
+    q = rng.uniform(*_range(d, form), (n, form.n))
+    T = arm.fk(q)
+    values = form.evaluate(T, chosen=q)
+    turning = np.array([kind == "R" for kind in d.joint_types])
+    total = reproduced = real = valid = 0
+    worst = 0.0
+    formulas: dict = {}
+    for k in range(n):
+        found = _solutions(arm, T[k], q[k], form)
+        branches = values[:, k]
+        branches = branches[np.all(np.isfinite(branches), axis=1)]
+        mine = _same_choice(found, q[k], form)
+        total += len(mine)
+        for solution in mine:
+            gap = _gap(branches, solution, turning)
+            if len(gap) and gap.min() < CLOSE:
+                reproduced += 1
+                worst = max(worst, float(gap.min()))
+        real += len(branches)
+        if len(branches):
+            miss = np.abs(_asked(arm.fk(branches), form) - _asked(T[k], form)).max(axis=1)
+            valid += int(np.sum(miss < CLOSE * max(1.0, float(np.abs(T[k]).max()))))
+        if len(mine):
+            _by_formula(form, T[k], np.array(mine), formulas)
+    return DerivationCheck(n, total, reproduced, worst, real, valid, _digits(form, arm, rng), formulas)
+
+
+def _solutions(arm, T, q, form: ClosedForm) -> list[np.ndarray]:
+    """All solutions the solver has for the pose and the chosen joints' values; q alone where there is no solver."""
+    found = [q]
+    try:
+        if form.chosen:
+            rows = arm.ik(
+                T,
+                redundancy=[float(q[j - 1]) for j in form.chosen]
+                if len(form.chosen) > 1
+                else float(q[form.chosen[0] - 1]),
+            ).all_q
+        else:
+            rows = arm.ik(T).all_q
+    except (PieperError, LookupError, NotImplementedError, TypeError, ValueError, AttributeError):
+        return found
+    turning = np.array([kind == "R" for kind in arm.description.joint_types])
+    for row in rows:
+        if _gap(np.array(found), row, turning).min() > 1e-5:
+            found.append(np.asarray(row))
+    return found
+
+
+def _same_choice(found, q, form: ClosedForm) -> list:
+    """Solutions with the same values of the chosen and free joints (formulas cannot give others)."""
+    fixed = [j - 1 for j in (*form.chosen, *form.free)]
+    return [row for row in found if all(abs(np.angle(np.exp(1j * (row[j] - q[j])))) < 1e-9 for j in fixed)]
+
+
+def _gap(rows: np.ndarray, solution: np.ndarray, turning: np.ndarray) -> np.ndarray:
+    gap = np.abs(rows - solution)
+    turn = np.abs(np.angle(np.exp(1j * (rows - solution))))
+    return np.where(turning, turn, gap).max(axis=1) if len(rows) else np.zeros(0)
+
+
+def _asked(T: np.ndarray, form: ClosedForm) -> np.ndarray:
+    """What the task fixes of poses (..., 4, 4), flattened."""
+    columns = ["noap".index(c) for c in form.given]
+    return T[..., :3, columns].reshape(*T.shape[:-2], -1)
+
+
+def _by_formula(form: ClosedForm, T, solutions: np.ndarray, formulas: dict):
+    """Evaluate each formula with everything before it taken from the solver's solutions."""
+    d = form.description
+    M = np.linalg.inv(d.base) @ T @ (np.eye(4) if form.fold_tool else np.linalg.inv(d.tool))
+    truth = form.table.values(solutions.T, NumpyField)
+    values = dict(truth)
+    values |= {Sym(c, x, 4): M[r, k] for k, c in enumerate("noap") for r, x in enumerate("xyz")}
+    for step in form.steps:
+        for symbol, expression in step.names:
+            values[symbol] = expression.evaluate(values, NumpyField)
+        want = truth[step.symbol] if step.symbol in truth else sum(k * truth[angle_symbol(j)] for j, k in step.angle)
+        gaps, signs = [], branch_values(1 if step.sigma is None else 4 if step.sigma.base == "rho" else 2)
+        for sign in signs:
+            if step.sigma is not None:
+                values[step.sigma] = sign
+            gap = step.formula.evaluate(values, NumpyField) - want
+            slides = step.angle[0][0] in form.table.prismatic
+            gaps.append(np.broadcast_to(np.abs(gap if slides else np.angle(np.exp(1j * gap))), want.shape))
+        gaps = np.where(np.isfinite(gaps), gaps, np.inf)
+        if step.sigma is not None:
+            values[step.sigma] = np.array(signs)[np.argmin(gaps, axis=0)]
+        best = np.min(gaps, axis=0)
+        tried, held, worst = formulas.get(step.symbol, (0, 0, 0.0))
+        good = best < CLOSE
+        formulas[step.symbol] = (
+            tried + len(best),
+            held + int(good.sum()),
+            max(worst, float(best[good].max(initial=0.0))),
+        )
+        values[step.symbol] = want
+
+
+def _digits(form: ClosedForm, arm, rng: np.random.Generator) -> float | None:
+    """Largest deviation of the branch that is the joint vector the pose was made from, at 50 digits."""
+    import mpmath
+
+    from pieper.equations.forward import ForwardEquations
+
+    equations = ForwardEquations(arm.description)
+    worst = mpmath.mpf(0)
+    with mpmath.workdps(60):
+        for _ in range(DIGITS_POSES):
+            q = [mpmath.mpf(round(x, 6)) for x in rng.uniform(-2.5, 2.5, form.n)]
+            field_values = equations.table.values(q, _field())
+            chain = equations.flange if not form.fold_tool else equations.pose
+            M = chain.evaluate(field_values, _field())
+            if form.fold_tool and not np.array_equal(arm.description.base, np.eye(4)):
+                return None
+            gaps = []
+            for branch in form.evaluate_digits(M, chosen=q):
+                if all(x == x for x in branch):
+                    gaps.append(
+                        max(
+                            _turn(b - x, kind)
+                            for b, x, kind in zip(branch, q, arm.description.joint_types, strict=True)
+                        )
+                    )
+            if not gaps:
+                return None
+            worst = max(worst, min(gaps))
+        return float(worst)
+
+
+def _turn(gap, kind: str):
+    import mpmath
+
+    return abs(gap) if kind == "P" else abs(mpmath.atan2(mpmath.sin(gap), mpmath.cos(gap)))
+
+
+def _field():
+    from pieper.algebra.arithmetics import DigitsField
+
+    return DigitsField()
+
+
+def _range(d, form: ClosedForm) -> tuple[np.ndarray, np.ndarray]:
+    """Lower and upper ends to draw joints from: a whole turn, but the limits of slides and of chosen joints."""
+    slides = np.array([kind == "P" for kind in d.joint_types])
+    reach = np.where(slides, sum(abs(r.a) + abs(r.d) for r in d.rows) + 0.1, np.pi)
+    held = slides | np.isin(np.arange(form.n) + 1, form.chosen)
+    limits = np.clip(np.asarray(d.limits, float), -1e9, 1e9)
+    lower = np.where(held & np.isfinite(d.limits[:, 0]), np.maximum(limits[:, 0], -reach), -reach)
+    upper = np.where(held & np.isfinite(d.limits[:, 1]), np.minimum(limits[:, 1], reach), reach)
+    return np.where(lower < upper, lower, -reach), np.where(lower < upper, upper, reach)
+
+
+def _all(part: int, whole: int) -> str:
+    return f"all {whole}" if part == whole else str(part)

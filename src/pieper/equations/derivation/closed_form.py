@@ -1,0 +1,255 @@
+"""The derivation of the inverse as data: numbered steps that can be evaluated, with every branch, at any precision."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.algebra.arithmetics import DigitsField, NumpyField
+from pieper.algebra.expression import Expr, Num, Sym, Trig, angle_symbol
+from pieper.equations.derivation.elimination import Eliminator, Source
+from pieper.equations.derivation.witness import branch_values
+from pieper.equations.table import SymbolTable
+from pieper.equations.target import pretty_names
+
+#: By how much a side condition may be missed and still hold, per unit of the pose's entries.
+CONDITION = 1e-6
+
+
+@dataclass(frozen=True)
+class Step:
+    """One numbered step.
+
+    Attributes:
+        number: 1, 2, ...
+        symbol: What it solves for (theta1, d3, or a sum such as theta234).
+        angle: The joints of it, ((joint, factor), ...).
+        sources: The matrix equations used, each with its entries.
+        names: Shorthands introduced here, (symbol, formula).
+        equations: The scalar equations used, (left, right).
+        formula: The formula for `symbol`.
+        sigma: The branch sign in it, or None.
+        kind: The pattern, see `patterns`.
+        degenerate: Expressions that all vanish where `symbol` is free; empty when that cannot happen.
+        merge: Vanishes where the two branches become one; None for one branch.
+    """
+
+    number: int
+    symbol: Sym
+    angle: tuple
+    sources: tuple[Source, ...]
+    names: tuple[tuple[Sym, Expr], ...]
+    equations: tuple[tuple[Expr, Expr], ...]
+    formula: Expr
+    sigma: Sym | None
+    kind: str
+    degenerate: tuple[Expr, ...]
+    merge: Expr | None
+
+
+class ClosedForm:
+    """Formulas for every joint that hold together, branch by branch.
+
+    Attributes:
+        steps: The derivation.
+        chosen: Joints (1-based) whose value is chosen beforehand; then `free`: joints that come out as free.
+    """
+
+    def __init__(self, eliminator: Eliminator, description, *, fold_tool: bool):
+        self.table: SymbolTable = eliminator.table
+        self.n = self.table.n
+        self.description = description
+        self.fold_tool = fold_tool
+        self.chosen = tuple(sorted(set(eliminator.chosen)))
+        self.free = tuple(eliminator.free)
+        self.renamed = pretty_names([name for move in eliminator.moves for name in move.names])
+        self.steps = _steps(eliminator, self.renamed)
+        self.given = eliminator.target.given
+        self._eliminator = eliminator
+        self.conditions: tuple[tuple[Expr, Expr, Source], ...] = ()
+        self.conditions = self._side_conditions()
+
+    @property
+    def sigmas(self) -> tuple[Sym, ...]:
+        """The branch signs, in order."""
+        return tuple(s.sigma for s in self.steps if s.sigma is not None)
+
+    @property
+    def branches(self) -> int:
+        """How many combinations of branch signs there are."""
+        return len(self._choices())
+
+    def _choices(self) -> list[tuple[float, ...]]:
+        """All combinations of the branch symbols' values."""
+        return list(itertools.product(*(branch_values(4 if s.base == "rho" else 2) for s in self.sigmas)))
+
+    @property
+    def formulas(self) -> dict[Sym, Expr]:
+        """One formula a joint, in the order in which they are to be evaluated."""
+        return {s.symbol: s.formula for s in self.steps}
+
+    # -- evaluation ------------------------------------------------------------------------------------------
+    def evaluate(self, T, *, chosen=None) -> np.ndarray:
+        """Every branch at poses T.
+
+        Args:
+            T: (N, 4, 4) poses, base to tool.
+            chosen: (N, n) joint vectors from which the values of chosen and free joints are taken; zero without.
+
+        Returns:
+            (branches, N, n) joint vectors; NaN where a branch is not real. The sign of branch b in `sigmas[k]` is the
+            k-th of the b-th row of the product of (1, -1).
+        """
+        T = np.asarray(T, float).reshape(-1, 4, 4)
+        q = np.zeros((len(T), self.n)) if chosen is None else np.asarray(chosen, float).reshape(len(T), self.n)
+        values = self._values(T, q)
+        self._run(values, NumpyField)
+        shape = (self.branches, len(T))
+        found = [np.broadcast_to(self._joint(values, j, NumpyField), shape) for j in range(1, self.n + 1)]
+        found = np.stack(found, axis=-1)
+        for left, right, _ in self.conditions:
+            miss = np.abs(left.evaluate(values, NumpyField) - right.evaluate(values, NumpyField))
+            found = np.where((miss < CONDITION * (1 + np.abs(T[:, :3]).max()))[..., None], found, np.nan)
+        return found
+
+    def _side_conditions(self) -> tuple:
+        """Equations that no step used and that some real branches violate (arms with fewer joints than T has freedoms).
+
+        They are found by trying: at random postures, a branch that does not lead back to the pose is one too many, and
+        the shortest equation that holds for the others and not for it is the condition that a page must state.
+        """
+        e = self._eliminator
+        q = np.random.default_rng(11).uniform(-2.5, 2.5, (6, self.n))
+        truth = self.table.values(q.T, NumpyField)
+        frames = [[p.evaluate(truth) for p in row] for row in e.product(0, self.n)]
+        M = np.zeros((6, 4, 4))
+        for r, c in itertools.product(range(4), range(4)):
+            M[:, r, c] = frames[r][c]
+        T = self.description.base @ M @ (np.eye(4) if self.fold_tool else self.description.tool)
+        found = self.evaluate(T, chosen=q)
+        values = self._values(T, q)
+        self._run(values, NumpyField)
+        back = self.table.values(np.moveaxis(found, -1, 0), NumpyField)
+        columns = ["noap".index(c) for c in self.given]
+        miss = np.zeros(found.shape[:2])
+        for r, c in itertools.product(range(3), columns):
+            miss = np.maximum(miss, np.abs(e.product(0, self.n)[r][c].evaluate(back) - M[:, r, c]))
+        real = np.isfinite(miss)
+        wrong = real & (miss > 1e-6)
+        if not wrong.any():
+            return ()
+        chosen = []
+        for equation in sorted(e.spare_equations(), key=lambda q: len(q.left.terms) + len(q.right.terms)):
+            if not wrong.any() or len(chosen) == 3:
+                break
+            left, right = (p.expr().substitute(self.renamed) for p in (equation.left, equation.right))
+            if not (left.atoms() | right.atoms()) <= set(values) | {
+                t for t in left.atoms() | right.atoms() if isinstance(t, Trig)
+            }:
+                continue
+            gap = np.broadcast_to(
+                np.abs(left.evaluate(values, NumpyField) - right.evaluate(values, NumpyField)), real.shape
+            )
+            if (gap[real & ~(miss > 1e-6)] < 1e-7).all() and (gap[wrong] > 1e-4).any():
+                chosen.append((left, right, equation.source))
+                wrong = wrong & ~(gap > 1e-4)
+        return tuple(chosen)
+
+    def _values(self, T, q) -> dict:
+        signs = np.array(self._choices()).reshape(self.branches, -1)
+        values = self.table.constants(NumpyField)
+        values |= dict(zip(self.sigmas, (s[:, None] for s in signs.T), strict=True))
+        M = np.linalg.inv(self.description.base) @ T
+        if not self.fold_tool:
+            M = M @ np.linalg.inv(self.description.tool)
+        values |= {Sym(c, x, 4): M[:, r, k] for k, c in enumerate("noap") for r, x in enumerate("xyz")}
+        return values | self._given_joints(q.T, NumpyField)
+
+    def evaluate_digits(self, M, *, chosen=None, digits: int = 50) -> list[list]:
+        """Every branch at one pose in many-digit arithmetic.
+
+        Args:
+            M: 4x4 nested lists of mpmath numbers, the pose in the table's frames (base and tool taken off).
+            chosen: Values of chosen and free joints, one a joint of the arm.
+
+        Returns:
+            One list of n mpmath numbers (nan where not real) a branch.
+        """
+        import mpmath
+
+        found = []
+        with mpmath.workdps(digits + 10):
+            field = DigitsField()
+            start = self.table.constants(field)
+            start |= {Sym(c, x, 4): M[r][k] for k, c in enumerate("noap") for r, x in enumerate("xyz")}
+            start |= self._given_joints(chosen or [mpmath.mpf(0)] * self.n, field)
+            for signs in self._choices():
+                values = start | dict(zip(self.sigmas, map(mpmath.mpf, signs), strict=True))
+                self._run(values, field)
+                found.append([self._joint(values, j, field) for j in range(1, self.n + 1)])
+        return found
+
+    def _given_joints(self, q, field) -> dict:
+        values = {}
+        for joint in (*self.chosen, *self.free):
+            symbol, expression = self.table.relation[joint]
+            values[symbol] = expression.evaluate({angle_symbol(joint, "q"): q[joint - 1]}, field)
+        return values
+
+    def _run(self, values: dict, field, steps=None):
+        for step in self.steps if steps is None else steps:
+            for symbol, expression in step.names:
+                values[symbol] = expression.evaluate(values, field)
+            value = step.formula.evaluate(values, field)
+            values[step.symbol] = value
+            if len(step.angle) > 1 or step.angle[0][1] != 1:
+                group = self.table.groups[step.angle[0][0] - 1]
+                values[Trig("c", step.angle, group)] = field.cos(value)
+                values[Trig("s", step.angle, group)] = field.sin(value)
+
+    def _joint(self, values: dict, joint: int, field):
+        """q of a joint from its table variable: theta = sign q + constant."""
+        symbol, expression = self.table.relation[joint]
+        q = angle_symbol(joint, "q")
+        zero = field.rational(Num(0).value)
+        constant = expression.evaluate({q: zero}, field)
+        return (values[symbol] - constant) * int(round(float(self.description.sign[joint - 1])))
+
+
+def _steps(eliminator: Eliminator, table: dict) -> tuple[Step, ...]:
+    constants = eliminator.table.constants(NumpyField)
+
+    def tidy(expr: Expr) -> Expr:
+        return expr.substitute(table)
+
+    found = []
+    for number, move in enumerate(eliminator.moves, 1):
+        names = [(table[s], tidy(eliminator.target.definitions[s].expr())) for s in move.names]
+        names += [(s, tidy(x)) for s, x in move.solved.definitions]
+        equations = tuple((tidy(e.left.expr()), tidy(e.right.expr())) for e in move.equations)
+        found.append(
+            Step(
+                number,
+                move.symbol,
+                move.angle,
+                tuple(e.source for e in move.equations),
+                tuple(names),
+                equations,
+                tidy(move.solved.formula),
+                move.sigma,
+                move.solved.kind,
+                _vanishing([tidy(x) for x in move.solved.degenerate], constants),
+                tidy(move.solved.merge) if move.solved.merge is not None else None,
+            )
+        )
+    return tuple(found)
+
+
+def _vanishing(conditions: list[Expr], constants: dict) -> tuple[Expr, ...]:
+    """The conditions, or nothing when one of them is a length that does not vanish."""
+    for condition in conditions:
+        if condition.atoms() <= set(constants) and abs(condition.evaluate(constants, NumpyField)) > 1e-12:
+            return ()
+    return tuple(c for c in conditions if not (isinstance(c, Num) and c.value == 0))

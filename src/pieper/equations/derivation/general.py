@@ -1,0 +1,288 @@
+"""What is true of an arm without a closed form: why there is none, its polynomial, how the other joints follow."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.algebra.expression import Num, angle_symbol
+from pieper.document.page import Page, Raw
+from pieper.equations.derivation.characteristic import CharacteristicPolynomial, characteristic_polynomial
+from pieper.errors import PieperError
+from pieper.kinematics.geometry import look
+
+CLOSE = 1e-6
+TERMS_A_LINE = 4
+
+
+@dataclass(frozen=True)
+class PolynomialCheck:
+    """How the polynomial's real roots compare with the solver.
+
+    Attributes:
+        poses: Poses tried.
+        solutions: Solutions the solver found.
+        found: How many of them are among those that follow from the polynomial's real roots.
+        extra: Solutions that follow from the polynomial and reach the pose but that the solver does not have.
+        own: How many of the joint vectors that the poses were made from came back.
+        worst: Largest joint deviation among the found ones, rad.
+    """
+
+    poses: int
+    solutions: int
+    found: int
+    extra: int
+    own: int
+    worst: float
+
+    @property
+    def holds(self) -> bool:
+        """Whether the polynomial gave every solution."""
+        return self.found == self.solutions and self.own == self.poses
+
+    @property
+    def what(self) -> str:
+        """The result in sentences."""
+        if not self.poses:
+            return "There is no polynomial to check."
+        return (
+            f"At {self.poses} random poses the real roots lead to {self.found} of the solver's "
+            f"{self.solutions} solutions, to "
+            f"{self.worst:.1e} rad at worst, and to {self.extra} more; the joint vector that made the pose "
+            f"came back "
+            f"{self.own} times of {self.poses}."
+        )
+
+    def __str__(self) -> str:
+        return self.what
+
+
+class GeneralInverse:
+    """An arm whose joints cannot be solved one after the other.
+
+    Attributes:
+        chosen: Spare joints (0-based) that must be chosen first.
+        example: The joint vector whose pose the page works out.
+    """
+
+    def __init__(self, arm, plan):
+        self._arm, self.plan = arm, plan
+        locked = plan.reduction.locked if plan is not None else ()
+        self.chosen = tuple(j for j in locked if j < arm.n)
+        if not self.chosen and arm.n > 6:
+            self.chosen = tuple(range(6, arm.n))
+        middle = np.random.default_rng(4).uniform(-1.2, 1.2, arm.n)
+        self.example = np.radians(np.round(np.degrees(middle)))
+
+    def polynomial(self, T, chosen=None) -> CharacteristicPolynomial | None:
+        """The characteristic polynomial at a pose (4, 4); `chosen` are the values of the spare joints, rad."""
+        chain = self._six(np.zeros(len(self.chosen)) if chosen is None else np.atleast_1d(chosen))
+        if chain.n != 6 or chain.prismatic.any():
+            return None
+        from pieper.kinematics.forward import fk
+
+        return characteristic_polynomial(np.array(chain.links), np.asarray(T, float), lambda q: fk(chain, q))
+
+    def _six(self, values):
+        chain = self._arm.chain
+        for joint, value in sorted(zip(self.chosen, values, strict=True), reverse=True):
+            chain = chain.locked(joint, float(value))
+        return chain
+
+    # -- words -----------------------------------------------------------------------------------------------
+    def why(self) -> list[str]:
+        """Which axes would have to meet or be parallel for a closed form, and by how much they miss."""
+        chain = self._six(self.example[list(self.chosen)])
+        names = [j + 1 for j in range(self._arm.n) if j not in self.chosen]
+        geometry = look(chain, 1e-9)
+        meets, turns = [], []
+        for i in range(chain.n - 2):
+            if chain.prismatic[i : i + 3].any():
+                continue
+            label = f"{names[i]}, {names[i + 1]} and {names[i + 2]}"
+            angles = [geometry.pairs[i].angle, geometry.pairs[i + 1].angle]
+            turns.append((max(angles), label))
+            if min(angles) > 1e-9:
+                meets.append((geometry.common_point((i, i + 1, i + 2))[1], label))
+        said = [
+            "A six-joint arm has a closed form when three neighbouring axes meet in one point or are parallel "
+            "(Pieper 1968). "
+            "Here none do."
+        ]
+        if meets:
+            miss, label = min(meets)
+            said.append(
+                f"The nearest to meeting are axes {label}: any point misses one of them by at least about "
+                f"{miss * 1e3:.4g} mm."
+            )
+        if turns:
+            angle, label = min(turns)
+            said.append(
+                f"The nearest to being parallel are axes {label}: they are {np.degrees(angle):.4g} degrees apart."
+            )
+        return said
+
+    def write(self, page: Page):
+        """Write what is true onto a page."""
+        arm = self._arm
+        page.paragraph(" ".join(self.why()))
+        names = [f"theta{j + 1}" for j in self.chosen]
+        if names:
+            page.paragraph(
+                f"The arm has a joint to spare; {', '.join(names)} is chosen first, and what follows is for that value."
+            )
+        T = arm.fk(self.example)
+        poly = self.polynomial(T, self.example[list(self.chosen)])
+        if poly is None:
+            page.paragraph(
+                "All six ways to eliminate joints vanish for this arm's geometry, so no polynomial is "
+                "given here; "
+                "the solver finds its solutions numerically and certifies their number."
+            )
+            return
+        unknown = angle_symbol(self._name(poly))
+        half = Raw("t = tan(", r"t = \tan(", "<mi>t</mi><mo>=</mo><mi>tan</mi><mo>(</mo>")
+        closing = Raw(
+            f"{unknown.text()}/2)", rf"{unknown.latex()}/2)", f"{unknown.mathml()}<mo>/</mo><mn>2</mn><mo>)</mo>"
+        )
+        page.paragraph(
+            f"The joints satisfy one polynomial equation of degree {poly.degree} in ",
+            half + closing,
+            f", so a pose has at most {poly.degree} solutions. Its coefficients depend on the pose; there is no "
+            f"formula for its roots.",
+        )
+        self._method(page, poly)
+        page.heading("The polynomial at one pose")
+        page.paragraph(
+            "For the pose of the joint vector " + _degrees(self.example) + ", scaled to a largest coefficient of 1:"
+        )
+        terms = [(c, poly.degree - k) for k, c in enumerate(poly.coefficients)]
+        for first in range(0, len(terms), TERMS_A_LINE):
+            part = terms[first : first + TERMS_A_LINE]
+            line = Raw(*(_polynomial(part, style, first > 0) for style in ("text", "latex", "mathml")))
+            page.display(*([line, Num(0)] if first + TERMS_A_LINE >= len(terms) else [line]))
+        roots = ": t = " + ", ".join(f"{x:.6g}" for x in np.tan(poly.angles / 2)) if len(poly.angles) else ""
+        page.paragraph(
+            f"Of its {poly.degree} roots {len(poly.solutions)} belong to real postures{roots}. They are, each "
+            f"brought to the pose "
+            "and confirmed there:"
+        )
+        for row in poly.solutions:
+            page.paragraph(_degrees(row, 4))
+        page.paragraph(f"(The harmonics that must vanish by theory do so to {poly.noise:.0e} of the largest.)")
+
+    def _name(self, poly: CharacteristicPolynomial) -> int:
+        return [j + 1 for j in range(self._arm.n) if j not in self.chosen][poly.joint - 1]
+
+    def _method(self, page: Page, poly: CharacteristicPolynomial):
+        names = [j + 1 for j in range(self._arm.n) if j not in self.chosen]
+        cut = [names[(poly.joint - 3 + k) % 6] for k in range(6)]
+        one, two, three, four, five, six = (angle_symbol(j) for j in cut)
+        page.heading("How it comes about")
+        page.paragraph(
+            f"Close the loop of the arm and the wanted pose and cut it at joint {cut[5]}: the axis l of that "
+            f"joint and the point p on "
+            f"it are reached through joints {cut[2]}, {cut[3]}, {cut[4]} on one side and through {cut[1]}, "
+            f"{cut[0]} on the other."
+        )
+        page.paragraph(
+            "Equate p, l, p·p, p·l, p × l and (p·p) l − 2 (p·l) p of both sides: fourteen equations, each linear "
+            "in the "
+            "sine and cosine of every joint (Raghavan and Roth 1990)."
+        )
+        page.paragraph(
+            "Six combinations of them are free of ",
+            one,
+            " and ",
+            two,
+            ". With half-angle tangents for ",
+            four,
+            " and ",
+            five,
+            ", and each also multiplied by the first, they are twelve equations in twelve "
+            "monomials; the "
+            "determinant, which depends on ",
+            three,
+            " alone, must vanish.",
+        )
+        page.paragraph(
+            "At a root the null vector of that matrix gives ",
+            four,
+            " and ",
+            five,
+            " as ratios of neighbouring entries, eight of the fourteen equations give ",
+            one,
+            " and ",
+            two,
+            " linearly, and the loop leaves ",
+            six,
+            ".",
+        )
+
+    # -- numbers ---------------------------------------------------------------------------------------------
+    def check(self, n: int = 10, *, rng: np.random.Generator) -> PolynomialCheck:
+        """Compare the solutions that follow from the polynomial with the solver's at `n` random poses."""
+        arm = self._arm
+        poses = solutions = found = extra = own = 0
+        worst = 0.0
+        kept = [j for j in range(arm.n) if j not in self.chosen]
+        for q in rng.uniform(-np.pi, np.pi, (n, arm.n)):
+            T = arm.fk(q)
+            poly = self.polynomial(T, q[list(self.chosen)])
+            if poly is None:
+                continue
+            poses += 1
+            own += _among(q[kept], poly.solutions) < CLOSE
+            rows = _solver_rows(arm, T, q, self.chosen)
+            matched = [_among(row[kept], poly.solutions) for row in rows]
+            solutions += len(rows)
+            good = [m for m in matched if m < CLOSE]
+            found += len(good)
+            extra += max(len(poly.solutions) - len(good), 0)
+            worst = max([worst, *good])
+        return PolynomialCheck(poses, solutions, found, extra, own, worst)
+
+
+def _solver_rows(arm, T, q, chosen) -> list:
+    try:
+        rows = arm.ik(T, redundancy=float(q[chosen[0]])).all_q if chosen else arm.ik(T).all_q
+    except (PieperError, LookupError, NotImplementedError, TypeError, ValueError):
+        return [q]
+    return [row for row in rows if all(abs(np.angle(np.exp(1j * (row[j] - q[j])))) < 1e-9 for j in chosen)]
+
+
+def _among(q, rows) -> float:
+    if not len(rows):
+        return np.inf
+    return float(np.abs(np.angle(np.exp(1j * (rows - q)))).max(axis=1).min())
+
+
+def _degrees(q, digits: int = 0) -> str:
+    return "(" + ", ".join(f"{x:.{digits}f}" for x in np.degrees(q)) + ") deg"
+
+
+def _polynomial(terms: list[tuple[float, int]], style: str, goes_on: bool) -> str:
+    """Some terms of a polynomial in t; `goes_on` when they follow others."""
+    pieces = []
+    for place, (value, power) in enumerate(terms):
+        number = f"{abs(value):.6g}"
+        if "e" in number:
+            mantissa, exponent = number.split("e")
+            number = {
+                "text": number,
+                "latex": rf"{mantissa}\cdot 10^{{{int(exponent)}}}",
+                "mathml": f"<mn>{mantissa}</mn><mo>·</mo><msup><mn>10</mn><mn>{int(exponent)}</mn></msup>",
+            }[style]
+        elif style == "mathml":
+            number = f"<mn>{number}</mn>"
+        sign = "-" if value < 0 else "+"
+        lead = sign if place or goes_on or value < 0 else ""
+        if style == "mathml":
+            unknown = "" if not power else "<mi>t</mi>" if power == 1 else f"<msup><mi>t</mi><mn>{power}</mn></msup>"
+            pieces.append((f"<mo>{'−' if lead == '-' else '+'}</mo>" if lead else "") + number + unknown)
+        else:
+            power_sign = f"^{power}" if style == "text" else f"^{{{power}}}"
+            unknown = "" if not power else ("*" if style == "text" else " ") + "t" + (power_sign if power > 1 else "")
+            pieces.append((f" {lead} " if place else f"{lead} " if goes_on else lead) + number + unknown)
+    return "".join(pieces)

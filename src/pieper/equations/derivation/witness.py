@@ -1,0 +1,82 @@
+"""Random postures at which every step of an elimination is tried before it is taken."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.algebra.arithmetics import NumpyField
+from pieper.algebra.expression import Sym, angle_symbol
+from pieper.equations.derivation.patterns import Solved
+
+
+class _Values(dict):
+    """Numbers for symbols; those of named entries are worked out when first asked for."""
+
+    def __init__(self, witness: Witness, values: dict):
+        super().__init__(values)
+        self.witness = witness
+
+    def __missing__(self, symbol):
+        self[symbol] = value = self.witness.eliminator.target.definitions[symbol].evaluate(self)
+        return value
+
+
+class Witness:
+    """Random postures at which every step is tried before it is taken.
+
+    An equation that follows from the steps before has coefficients that vanish wherever those hold; only numbers tell
+    it from a useful one, and they also guard every formula against a wrong sign.
+    """
+
+    def __init__(self, eliminator, count: int = 3):
+        self.eliminator = eliminator
+        table = eliminator.table
+        q = np.random.default_rng(5).uniform(-2.5, 2.5, (table.n, count))
+        self.values = _Values(self, table.values(q, NumpyField))
+        pose = [[p.evaluate(self.values) for p in row] for row in eliminator.product(0, table.n)]
+        for c, letter in enumerate("noap"):
+            for r, axis in enumerate("xyz"):
+                self.values[Sym(letter, axis, 4)] = pose[r][c] + np.zeros(count)
+
+    def confirms(self, angle: tuple, solved: Solved, sigma: Sym) -> bool:
+        """Whether one branch of the formula gives the true value at every posture, and no posture is degenerate."""
+        e = self.eliminator
+        truth = (
+            e.symbol(angle).evaluate(self.values, NumpyField)
+            if single_joint(angle)
+            else sum(k * self.values[angle_symbol(j)] for j, k in angle)
+        )
+        hits = []
+        choices = branch_values(solved.branches)
+        for sign in choices:
+            values = _Values(self, self.values)
+            values[sigma] = np.full_like(truth, sign)
+            for symbol, expression in solved.definitions:
+                values[symbol] = expression.evaluate(values, NumpyField)
+            if solved.degenerate:
+                size = max(float(np.max(np.abs(x.evaluate(values, NumpyField)))) for x in solved.degenerate)
+                if not size > 1e-9:
+                    return False
+            result = solved.formula.evaluate(values, NumpyField)
+            gap = result - truth
+            if e.symbol(angle) not in e.knowledge.prismatic.values():
+                gap = np.angle(np.exp(1j * gap))
+            hits.append(np.abs(gap) < 1e-6)
+        if not np.all(np.any(hits, axis=0)):
+            return False
+        if solved.branches > 1:
+            self.values[sigma] = np.select(hits, choices)
+        if not single_joint(angle):
+            self.values[e.symbol(angle)] = truth
+        for symbol, expression in solved.definitions:
+            self.values[symbol] = expression.evaluate(self.values, NumpyField)
+        return True
+
+
+def branch_values(branches: int) -> tuple[float, ...]:
+    """The values a branch symbol takes: one, two signs, or the numbers of four roots."""
+    return {1: (1.0,), 2: (1.0, -1.0), 4: (1.0, 2.0, 3.0, 4.0)}[branches]
+
+
+def single_joint(angle: tuple) -> int | None:
+    return angle[0][0] if len(angle) == 1 and angle[0][1] == 1 else None

@@ -1,0 +1,167 @@
+"""The inverse of an arm as equations: a derivation when there is a closed form, and what is true when there is none."""
+
+from __future__ import annotations
+
+import functools
+import itertools
+
+import numpy as np
+
+from pieper.document.page import Page
+from pieper.equations.derivation.closed_form import ClosedForm
+from pieper.equations.derivation.elimination import Eliminator
+from pieper.equations.derivation.words import write_steps
+from pieper.equations.table import symbol_table
+from pieper.errors import PieperError
+from pieper.kinematics.geometry import look
+
+GIVEN = {"pose": "noap", "position": "p", "position+axis": "ap"}
+
+
+class InverseEquations:
+    """The inverse kinematics of one arm as equations.
+
+    Attributes:
+        form: The closed form (`ClosedForm`), or None.
+        general: What is true of an arm without one (`GeneralInverse`), or None.
+        task: "pose", "position" or "position+axis".
+    """
+
+    def __init__(self, arm, *, task: str | None = None):
+        self._arm = arm
+        self.plan = _plan(arm, task)
+        self.task = task or getattr(self.plan, "task", None) or "pose"
+        self.form = _closed_form(arm, self.plan, self.task)
+
+    @functools.cached_property
+    def general(self):
+        """What is true of an arm without a closed form."""
+        if self.form is not None:
+            return None
+        from pieper.equations.derivation.general import GeneralInverse
+
+        return GeneralInverse(self._arm, self.plan)
+
+    @property
+    def closed(self) -> bool:
+        """Whether every joint has a formula."""
+        return self.form is not None
+
+    @property
+    def steps(self) -> tuple:
+        """The numbered steps of the derivation; empty without a closed form."""
+        return self.form.steps if self.form else ()
+
+    @functools.cached_property
+    def page(self) -> Page:
+        """Sentences and formulas in reading order."""
+        page = Page()
+        page.title(f"Inverse kinematics of {self._arm.name}")
+        if self.form is not None:
+            if self.plan is not None and getattr(self.plan, "family", ""):
+                page.paragraph(_how(self))
+            write_steps(page, self.form)
+        else:
+            self.general.write(page)
+        return page
+
+    def text(self) -> str:
+        """The page as plain text."""
+        return self.page.text()
+
+    def latex(self) -> str:
+        """The page as LaTeX (the inside of a document; amsmath)."""
+        return self.page.latex()
+
+    def mathml(self) -> str:
+        """The page as HTML elements with MathML."""
+        return self.page.mathml()
+
+    def sympy(self) -> dict:
+        """{name: sympy expression} in the order of evaluation, shorthands included."""
+        if self.form is None:
+            return {}
+        found = {}
+        for step in self.form.steps:
+            for symbol, expr in (*step.names, (step.symbol, step.formula)):
+                found[symbol.name] = expr.sympy()
+        return found
+
+    def evaluate(self, T, *, chosen=None) -> np.ndarray:
+        """Every branch at poses T (N, 4, 4) -> (branches, N, n), NaN where not real."""
+        if self.form is None:
+            raise PieperError(f"{self._arm.name} has no closed form; use arm.ik, or .general.polynomial(T).")
+        return self.form.evaluate(T, chosen=chosen)
+
+    def check(self, n: int = 200, *, rng: np.random.Generator | None = None):
+        """Evaluate the formulas at every solution of `n` random poses, and at 50 digits (`DerivationCheck`)."""
+        rng = rng or np.random.default_rng(20263)
+        if self.form is None:
+            return self.general.check(min(n, 20), rng=rng)
+        from pieper.equations.derivation.check import check
+
+        return check(self.form, self._arm, n, rng)
+
+
+def _plan(arm, task: str | None):
+    try:
+        return arm.plan_for(task)
+    except (PieperError, LookupError, NotImplementedError):
+        return None
+
+
+def _closed_form(arm, plan, task: str) -> ClosedForm | None:
+    """The first set of chosen joints with which every joint can be solved; the plan's choice comes first."""
+    table = symbol_table(arm.description)
+    fold = task != "pose"
+    for chosen in _choices(arm, plan, task):
+        eliminator = Eliminator(table, given=GIVEN[task], chosen=chosen, fold_tool=fold)
+        if eliminator.solve():
+            return ClosedForm(eliminator, arm.description, fold_tool=fold)
+    return None
+
+
+def _choices(arm, plan, task: str):
+    wanted = {"pose": 6, "position": 3, "position+axis": 5}[task]
+    spare = max(arm.n - wanted, 0)
+    first = ()
+    if plan is not None:
+        first = tuple(j + 1 for j in plan.reduction.locked if j < arm.n)
+        spare = max(spare, len(first))
+    # the solver's own choice first, unless it stands for an arm that the solver has no closed form for either
+    general = plan is not None and plan.max_solutions > 8 and spare
+    seen = {first} if (len(first) == spare or not spare) and not general else set()
+    yield from seen
+    if not seen and not spare:
+        yield ()
+    if spare == 1:
+        order = [1, arm.n, *range(2, arm.n)]
+        yield from ((j,) for j in order if (j,) not in seen and _promising(arm, j))
+    elif spare > 1:
+        yield from itertools.islice(
+            (c for c in itertools.combinations(range(1, arm.n + 1), spare) if c not in seen), 20
+        )
+
+
+def _promising(arm, joint: int) -> bool:
+    """Whether three neighbouring axes meet or are parallel once this joint (1-based) is held at some value."""
+    geometry = look(arm.chain.locked(joint - 1, 0.37), 1e-9)
+    return bool(geometry.spherical) or any(len(group.joints) > 2 for group in geometry.parallel)
+
+
+def _how(self: InverseEquations) -> str:
+    words = {
+        "spherical_wrist_parallel": "The last three axes meet in a point, the wrist centre, and axes 2 and 3 are "
+        "parallel: "
+        "the first three joints place the wrist centre, the last three turn the tool.",
+        "spherical_wrist": "Three axes meet in a point: the other joints place that point, these three turn the tool.",
+        "three_parallel": "Three neighbouring axes are parallel: what happens across them is solved first, then "
+        "their plane.",
+    }
+    sentence = words.get(self.plan.family, "")
+    if self.plan.snapped:
+        sentence += (
+            " The formulas are those of the table as it stands; the solver takes " + "; ".join(self.plan.snapped) + "."
+        )
+    most = f" The solver counts at most {self.plan.max_solutions} solutions." if not self.form.chosen else ""
+    return (sentence + most).strip()

@@ -1,0 +1,1 @@
+"""What somebody else's equations are worth."""

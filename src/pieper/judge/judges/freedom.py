@@ -1,0 +1,145 @@
+"""Judges of freedom: how many directions a pose can move in, which joints it cannot tell apart, and whether a joint's
+value can be completed."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.errors import InputError
+from pieper.judge.evidence import Evidence
+from pieper.judge.model import ArmModel, evaluate_samples
+from pieper.judge.verdict import HOLDS, WRONG, Verdict
+
+STEP = 1e-6
+RANK = 1e-7  # relative; singular values below are zero
+
+
+def pose_jacobian(model: ArmModel, q: np.ndarray) -> np.ndarray:
+    """Return (K, 6, n) derivatives of the pose by central differences: position over the arm's length, then rotation
+    (rad)."""
+    K, n = q.shape
+    moved = np.repeat(np.repeat(q[:, None, None], n, axis=1), 2, axis=2)
+    for k in range(n):
+        moved[:, k, 0, k] += STEP
+        moved[:, k, 1, k] -= STEP
+    T = evaluate_samples(model, moved.reshape(-1, n)).frames["T"].reshape(K, n, 2, 4, 4)
+    here = evaluate_samples(model, q).frames["T"]
+    dT = (T[:, :, 0] - T[:, :, 1]) / (2 * STEP)
+    W = dT[..., :3, :3] @ np.swapaxes(here[:, None, :3, :3], -1, -2)
+    spin = np.stack([W[..., 2, 1], W[..., 0, 2], W[..., 1, 0]], axis=-1)
+    return np.concatenate([dT[..., :3, 3] / model.length(), spin], axis=-1).transpose(0, 2, 1)
+
+
+def undetermined(ev: Evidence) -> list[set[int]]:
+    """Return the sets of joints (1-based) that a pose leaves free together, at every sampled pose."""
+    J = pose_jacobian(ev.model, ev.samples.q[ev.samples.nominal][:12])
+    free = np.zeros(ev.model.n)
+    for Jk in J:
+        _, s, V = np.linalg.svd(Jk)
+        null = V[np.count_nonzero(s > RANK * s[0]) :]
+        if not len(null):
+            return []
+        free += (np.abs(null) > 1e-4).any(0)
+    joints = {k + 1 for k in range(ev.model.n) if free[k] == len(J)}
+    return [joints] if joints else []
+
+
+def judge_freedom(ev: Evidence, claim: dict) -> Verdict:
+    """Judge how many degrees of freedom the tool has and which joints it leaves free (keys dof, free, at_deg)."""
+    ev = ev.holding(claim)
+    dof = claim.get("dof")
+    if not isinstance(dof, int):
+        raise InputError(f"claim {claim['id']}: dof must be a whole number", claim=claim["id"])
+    J = pose_jacobian(ev.model, ev.samples.q[ev.samples.nominal][:24])
+    values = np.linalg.svd(J, compute_uv=False)
+    rank = int(np.max(np.count_nonzero(values > RANK * values[:, :1], axis=1)))
+    text, says = f"the tool has {dof} degrees of freedom", claim.get("says", "")
+    details = [
+        (
+            "singular values",
+            "of the Jacobian at " + ev.at(0) + ": " + ", ".join(f"{v if v > 1e-7 else 0:.3g}" for v in values[0]),
+        )
+    ]
+    free = undetermined(ev)
+    if free:
+        names = " and ".join(f"theta{j}" for j in sorted(free[0]))
+        details.append(
+            (
+                "the slip",
+                f"a pose does not determine {names} one by one: they turn about the same line or move together",
+            )
+        )
+    if "free" in claim:
+        text += ", and " + " and ".join(f"theta{j}" for j in claim["free"]) + " are free"
+        if set(claim["free"]) != (free[0] if free else set()):
+            names = " and ".join(f"theta{j}" for j in sorted(free[0])) if free else "none"
+            sentence = f"Wrong: the joints a pose leaves free are {names}."
+            return Verdict(claim["id"], text, WRONG, sentence, says, tuple(details), "index", names)
+    if rank == dof:
+        return Verdict(
+            claim["id"],
+            text,
+            HOLDS,
+            f"Holds: the Jacobian has rank {rank} at {len(J)} random poses.",
+            says,
+            tuple(details),
+        )
+    return Verdict(
+        claim["id"],
+        text,
+        WRONG,
+        f"Wrong: the Jacobian has rank {rank}, never more, at {len(J)} random poses.",
+        says,
+        tuple(details),
+    )
+
+
+def completes(
+    model: ArmModel, T: np.ndarray, fixed: dict[int, float], q: np.ndarray, *, position: bool = False, starts: int = 40
+) -> bool:
+    """Say whether a pose can be reached with some joints (1-based) held at given values.
+
+    Levenberg's method from many starts; exact enough to tell a solution from none.
+
+    Args:
+        model: the arm.
+        T: (4, 4) pose, in the arm's unit.
+        fixed: joint -> value held.
+        q: (n,) a solution, used for the held values' scale only.
+        position: the task fixes the position only.
+        starts: number of random starts.
+    """
+    rng = np.random.default_rng(5)
+    x = rng.uniform(-np.pi, np.pi, (starts, model.n))
+    free = [k for k in range(model.n) if k + 1 not in fixed]
+    for joint in range(1, model.n + 1):
+        if model.sliding(joint):
+            x[:, joint - 1] = rng.uniform(-1, 2, starts) * (abs(q[joint - 1]) + 0.1 * model.length())
+    for joint, value in fixed.items():
+        x[:, joint - 1] = value
+    size = model.length()
+
+    def gap(points):
+        now = evaluate_samples(model, points).frames["T"]
+        R = T[:3, :3] @ np.swapaxes(now[:, :3, :3], 1, 2)
+        spin = 0.5 * np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
+        # half turns have no spin of their own; the trace keeps them from passing for solutions
+        flip = (3 - np.trace(R, axis1=1, axis2=2))[:, None]
+        if position:
+            return (T[:3, 3] - now[:, :3, 3]) / size, np.zeros((len(points), 1))
+        return np.concatenate([(T[:3, 3] - now[:, :3, 3]) / size, spin], axis=1), flip
+
+    if not free:
+        error, flip = gap(x[:1])
+        return bool(np.abs(error).max() < 1e-6 and flip[0, 0] < 1e-6)
+    for _ in range(60):
+        error, flip = gap(x)
+        good = (np.abs(error).max(1) < 1e-6) & (flip[:, 0] < 1e-6)
+        if good.any():
+            return True
+        J = pose_jacobian(model, x)[:, : 3 if position else 6, free]
+        JT = np.swapaxes(J, 1, 2)
+        damp = 1e-3 * (error**2).sum(1)[:, None, None] * np.eye(len(free)) + 1e-12 * np.eye(len(free))
+        step = np.linalg.solve(JT @ J + damp, (JT @ error[..., None]))[..., 0]
+        x[:, free] += np.clip(step, -0.5, 0.5)
+    return False

@@ -1,0 +1,151 @@
+"""Printed numbers: how many digits they carry, what rounding allows, and which single misprint explains a wrong one."""
+
+from __future__ import annotations
+
+from decimal import Decimal, InvalidOperation
+
+import numpy as np
+
+from pieper.errors import InputError
+from pieper.judge.model import ArmModel
+
+UNITS = {"m": 1.0, "mm": 0.001, "cm": 0.01}
+
+
+def as_text(value) -> str:
+    """Return a number of a claims file as it was written (TOML floats keep their shortest form)."""
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        raise InputError(f'{value!r} is not a number; write a number, or text to keep trailing zeros as in "0.5370"')
+    return repr(value) if not isinstance(value, str) else value.strip().replace("\u2212", "-")
+
+
+def read_number(value) -> float:
+    """Read a printed number."""
+    try:
+        return float(Decimal(as_text(value)))
+    except InvalidOperation:
+        raise InputError(f"{value!r} is not a number") from None
+
+
+def last_digit(value) -> float:
+    """Return the size of one unit in the last printed digit: 0.01 for "2.06", 1 for "790"."""
+    text = as_text(value)
+    if isinstance(value, float) and value == int(value):
+        return 1.0
+    return float(Decimal(1).scaleb(Decimal(text).as_tuple().exponent))
+
+
+def misprint(printed, right: float) -> str:
+    """Return the one misprint that turns the right number into the printed one, "" when there is none."""
+    text = as_text(printed)
+    step = last_digit(printed)
+    decimals = max(0, -Decimal(text).as_tuple().exponent)
+    correct = f"{right:.{decimals}f}"
+    if abs(read_number(printed) - right) < step:
+        return f"last digit cut off or rounded the wrong way ({correct})"
+    if abs(-read_number(printed) - right) <= 0.51 * step:
+        return "a sign"
+    a, b = text.lstrip("-").replace("+", ""), correct.lstrip("-")
+    if a == b or (text[:1] == "-") != (correct[:1] == "-"):
+        return ""
+    if len(a) == len(b) and len(a) > 1:
+        differ = [k for k in range(len(a)) if a[k] != b[k]]
+        if len(differ) == 1:
+            return f"one digit ({correct})"
+        if (
+            len(differ) == 2
+            and differ[1] == differ[0] + 1
+            and a[differ[0]] == b[differ[1]]
+            and a[differ[1]] == b[differ[0]]
+        ):
+            return f"two digits exchanged ({correct})"
+    more = f"{right:.{decimals + 1}f}".lstrip("-")
+    less = f"{right:.{max(decimals - 1, 0)}f}".lstrip("-")
+    for k in range(len(more)):
+        if more[:k] + more[k + 1 :] == a:
+            return f"a digit lost ({f'{right:.{decimals + 1}f}'})"
+    for k in range(len(a)):
+        if a[:k] + a[k + 1 :] == less:
+            return f"a digit too many ({f'{right:.{max(decimals - 1, 0)}f}'})"
+    return ""
+
+
+def read_joints(claim: dict, model: ArmModel, key: str = "q") -> np.ndarray:
+    """Read a joint vector (n,) in rad (or the unit of length) from ``q_deg``, ``q_rad`` or ``q`` with a unit in every
+    entry."""
+    name = claim.get("id", "?")
+    found = [k for k in (f"{key}_deg", f"{key}_rad", key) if k in claim]
+    if len(found) != 1:
+        raise InputError(
+            f'claim {name}: give the joints once, as {key}_deg = [..], {key}_rad = [..] or {key} = ["30 deg", ..]',
+            claim=name,
+        )
+    values = claim[found[0]]
+    if not isinstance(values, list) or len(values) != model.n:
+        raise InputError(
+            f"claim {name}: {found[0]} has {len(values) if isinstance(values, list) else 'no'} entries; the "
+            f"arm has {model.n} joints",
+            claim=name,
+        )
+    out = np.empty(model.n)
+    for k, value in enumerate(values):
+        if found[0] == key:
+            if not isinstance(value, str) or not any(u in value for u in ("deg", "rad", "\u00b0", "pi", "mm", "m")):
+                raise InputError(
+                    f'claim {name}: {key}[{k + 1}] = {value!r} has no unit; write "{value} deg" or "{value} '
+                    f'rad", or use {key}_deg',
+                    claim=name,
+                )
+            out[k] = quantity(value)
+        elif model.sliding(k + 1):
+            out[k] = quantity(value) if isinstance(value, str) else float(value)
+        else:
+            angle = (
+                quantity(value) if isinstance(value, str) and any(c in value for c in "pi/*(") else read_number(value)
+            )
+            out[k] = np.radians(angle) if found[0].endswith("_deg") else angle
+    if not np.all(np.isfinite(out)):
+        raise InputError(f"claim {name}: {found[0]} holds a value that is not finite", claim=name)
+    return out
+
+
+def quantity(text: str) -> float:
+    """Evaluate a constant formula with a unit: "180*25/98 deg", "pi/2 rad", "45 mm" (lengths stay in the unit they are
+    written in)."""
+    from pieper.algebra.parser import parse
+    from pieper.algebra.tree import evaluate
+
+    node = parse(text, {"mm", "m"}, 0)
+    return float(evaluate(node, {"pi": np.pi, "mm": 1.0, "m": 1.0}))
+
+
+def joint_tolerance(values, degrees: bool) -> np.ndarray:
+    """Return half a unit of the last printed digit of each joint, in rad."""
+    half = np.array(
+        [0.51 * last_digit(v) if not (isinstance(v, str) and any(c.isalpha() for c in v)) else 0.0 for v in values]
+    )
+    return np.radians(half) if degrees else half
+
+
+def read_matrix(claim: dict, key: str = "matrix") -> list[list]:
+    """Read a printed 4 by 4 (or 3 by 4, 3 by 3) matrix of numbers; "" marks an entry that is not claimed."""
+    rows = claim.get(key)
+    name = claim.get("id", "?")
+    if not isinstance(rows, list) or not all(isinstance(r, list) for r in rows):
+        raise InputError(f"claim {name}: {key} must be a list of rows", claim=name)
+    shape = (len(rows), len(rows[0]) if rows else 0)
+    if shape not in ((4, 4), (3, 4), (3, 3)) or any(len(r) != shape[1] for r in rows):
+        sizes = ", ".join(str(len(r)) for r in rows)
+        raise InputError(
+            f"claim {name}: {key} has {len(rows)} rows of {sizes} entries; a pose is 4 x 4 (or its upper 3 "
+            f"x 4, or a 3 x 3 rotation)",
+            claim=name,
+        )
+    for r, row in enumerate(rows):
+        for c, value in enumerate(row):
+            if value not in ("", "*"):
+                try:
+                    read_number(value)
+                except InputError as error:
+                    raise InputError(f"claim {name}: {key} entry ({r + 1},{c + 1}): {error}", claim=name) from None
+    return rows

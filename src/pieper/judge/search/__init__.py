@@ -1,0 +1,1 @@
+"""The search for the one slip that explains a wrong claim."""

@@ -1,0 +1,151 @@
+"""The search for the one slip that explains a wrong formula: try every near formula and every near arm, keep what is
+right everywhere."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from pieper.algebra.tree import NUMPY, Node, evaluate
+from pieper.judge.search.required import required_values
+from pieper.judge.slips.slip import Slip
+
+ANGLE_TOLERANCE = 1e-7  # rad; acos loses half the digits near its ends
+MAX_SEARCHED = 4000  # nodes; a formula of several pages has more slips than anyone waits for
+PROBES = 6  # samples at which a candidate is tried first
+VALUE_TOLERANCE = 1e-9  # relative to the size of the numbers compared
+
+
+@dataclass
+class Target:
+    """What a formula should give.
+
+    Attributes:
+        env: values of all symbols, (K,) each.
+        wanted: (K,) right values; for an equation (``eq`` tree) it is left out and both sides are compared.
+        angle: compare modulo a whole turn, and accept either sign of +-.
+        floor: size below which a number counts as rounding of zero, before the relative tolerance.
+    """
+
+    env: dict[str, np.ndarray]
+    wanted: np.ndarray | None = None
+    angle: bool = False
+    floor: float = 1e-3
+
+    @cached_property
+    def _scale(self) -> np.ndarray:
+        return np.abs(self.wanted) + np.median(np.abs(self.wanted)) + self.floor
+
+    def restrict(self, rows) -> Target:
+        """Return the same target on some of the samples only."""
+        wanted = None if self.wanted is None else self.wanted[rows]
+        return Target({k: v[rows] for k, v in self.env.items()}, wanted, self.angle, self.floor)
+
+    def residual(self, node: Node, branch: int = 1, cache: dict | None = None, learn: bool = True) -> np.ndarray:
+        """Return how far the formula is off at every sample, in units of the tolerance; inf where it is undefined."""
+        with np.errstate(all="ignore"):
+            if node.op == "eq":
+                left = evaluate(node.args[0], self.env, NUMPY, branch, cache, learn)
+                right = evaluate(node.args[1], self.env, NUMPY, branch, cache, learn)
+                off = np.abs(left - right) / (VALUE_TOLERANCE * (np.abs(left) + np.abs(right) + self.floor))
+                wanted = left
+            else:
+                value = evaluate(node, self.env, NUMPY, branch, cache, learn)
+                wanted = self.wanted
+                if self.angle:
+                    off = np.abs((value - wanted + np.pi) % (2 * np.pi) - np.pi) / ANGLE_TOLERANCE
+                else:
+                    scale = self._scale
+                    off = np.abs(value - wanted) / (VALUE_TOLERANCE * scale)
+        off = np.broadcast_to(np.asarray(off, dtype=float), np.shape(self.env["pi"]))
+        return np.where(np.isfinite(off), off, np.inf)
+
+    def fits(self, node: Node, cache: dict | None = None, learn: bool = True) -> np.ndarray:
+        """Say at which samples the formula is right, on either branch of its +-."""
+        good = self.residual(node, 1, cache, learn) < 1
+        if node.has_branch() and not good.all():
+            good = good | (self.residual(node, -1, None) < 1)
+        return good
+
+
+@dataclass
+class Explanation:
+    """What a search found.
+
+    Attributes:
+        found: slips whose undoing makes the claim right at every sample, likeliest first.
+        nearest: the slip that makes it right most often when none makes it right always, and how often.
+        tried: how many variants of each kind were tried.
+        complete: False when the time allowed ran out.
+    """
+
+    found: list[Slip] = field(default_factory=list)
+    nearest: tuple[Slip, float] | None = None
+    tried: dict[str, int] = field(default_factory=dict)
+    complete: bool = True
+
+    @property
+    def best(self) -> Slip | None:
+        """Return the likeliest explanation, or None."""
+        return self.found[0] if self.found else None
+
+
+def search(target: Target, root: Node, candidates: Iterable[Slip], *, seconds: float = 2.0) -> Explanation:
+    """Try every candidate and keep those that are right at every sample.
+
+    Args:
+        target: what the formula should give.
+        root: the formula as printed; its subtrees are evaluated once and shared by the candidates.
+        candidates: formulas one slip away.
+        seconds: time allowed.
+
+    Returns:
+        What was found and what was tried.
+    """
+    out = Explanation()
+    if root.size() > MAX_SEARCHED:
+        out.complete = False
+        return out
+    probe = target.restrict(np.arange(min(PROBES, len(target.env["pi"]))))
+    values: dict = {}
+    probe.residual(root, 1, values)
+    needed = required_values(root, probe.wanted, target.angle, values)
+    stop = time.thread_time() + seconds
+    best_share = float(np.mean(target.fits(root)))
+    seen: set[str] = set()
+    for k, slip in enumerate(candidates):
+        out.tried[slip.kind] = out.tried.get(slip.kind, 0) + 1
+        if k % 256 == 0 and time.thread_time() > stop:
+            out.complete = False
+            break
+        if not _promising(slip, probe, needed, values, target.angle):
+            continue
+        share = float(np.mean(target.fits(slip.tree)))
+        if share == 1.0:
+            text = str(slip.tree)
+            if text not in seen:
+                seen.add(text)
+                out.found.append(slip)
+        elif share > best_share + 0.2:
+            best_share = share
+            out.nearest = (slip, share)
+    out.found.sort(key=lambda s: (s.cost, s.tree.size()))
+    return out
+
+
+def _promising(slip: Slip, probe: Target, needed: dict, values: dict, angle: bool) -> bool:
+    """Say whether a candidate is right at half of the probes at least, as cheaply as the place allows."""
+    need = needed.get(slip.path) if slip.path is not None else None
+    if need is not None and not slip.new.has_branch():
+        with np.errstate(all="ignore"):
+            value = evaluate(slip.new, probe.env, NUMPY, 1, values, learn=False)
+            close = np.abs(value - need) <= 1e-6 * (np.abs(value) + np.abs(need)) + 1e-12
+        return 2 * np.count_nonzero(close) >= PROBES
+    good = probe.residual(slip.tree, 1, values, learn=False) < 1
+    if angle and slip.tree.has_branch():
+        good = good | (probe.residual(slip.tree, -1) < 1)
+    return 2 * np.count_nonzero(good) >= PROBES

@@ -1,0 +1,1 @@
+"""Every formula and every arm one slip away from a given one."""

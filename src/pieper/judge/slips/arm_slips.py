@@ -1,0 +1,91 @@
+"""Every arm one slip away from a given one: a row misread, a convention mistaken, a frame turned."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from pieper.algebra.tree import Node, add, negated, num, sym
+from pieper.judge.model import ArmModel, renamed
+
+ARM_KINDS = {
+    "convention": "standard for modified DH",
+    "row": "a and d swapped in a row, or a length in the wrong row",
+    "twist": "the sign of a twist",
+    "sense": "the maker's sense of a joint",
+    "zero": "the maker's zero of a joint",
+    "tool": "the tool left out",
+    "base": "the base left out",
+    "flange": "the last length left out",
+    "axes": "axes renamed",
+}
+
+
+def arm_slips(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
+    """Yield (kind, words, arm) for the arms one slip away, each with the slip *made*.
+
+    A claim that is right for such an arm was worked out with that slip.
+    """
+    other = "modified" if model.convention == "standard" else "standard"
+    yield "convention", f"{other} for {model.convention} DH", replace(model, convention=other)
+    for i, row in enumerate(model.rows):
+        joint, zero = i + 1, num(0)
+        if not model.sliding(joint):
+            if str(row.a) != str(row.d):
+                yield "row", f"a and d swapped in row {joint}", model.with_row(i, a=row.d, d=row.a)
+            yield "sense", f"joint {joint} turns the other way", _turned(model, i, lambda v: negated(v))
+            for degrees in (90, -90, 180):
+                shift = Node("div", (sym("pi"), num({90: 2, -90: -2, 180: 1}[degrees])))
+                yield (
+                    "zero",
+                    f"joint {joint} has its zero {degrees:+d} deg from there",
+                    _turned(model, i, lambda v, s=shift: add(v, s)),
+                )
+        if _value(model, row.alpha) not in (0.0,) and abs(abs(_value(model, row.alpha)) - np.pi) > 1e-9:
+            yield "twist", f"the twist of row {joint} has the other sign", model.with_row(i, alpha=negated(row.alpha))
+        for column in ("a", "d"):
+            node = getattr(row, column)
+            if _value(model, node) and not model.sliding(joint):
+                yield "row", f"{column} of row {joint} left out", model.with_row(i, **{column: zero})
+                yield "row", f"{column} of row {joint} has the other sign", model.with_row(i, **{column: negated(node)})
+    if not np.allclose(model.tool, np.eye(4)):
+        yield "tool", "the tool left out", replace(model, tool=np.eye(4))
+    if not np.allclose(model.base, np.eye(4)):
+        yield "base", "the base left out", replace(model, base=np.eye(4))
+    for words, R in axis_renamings():
+        turned = np.eye(4)
+        turned[:3, :3] = R
+        yield "axes", words, replace(model, base=turned @ model.base)
+
+
+def axis_renamings() -> Iterator[tuple[str, np.ndarray]]:
+    """Yield (words, R) for the 47 ways to rename the base axes, mirrored ones included."""
+    for order in itertools.permutations(range(3)):
+        for signs in itertools.product((1, -1), repeat=3):
+            R = np.zeros((3, 3))
+            for k, (axis, sign) in enumerate(zip(order, signs, strict=True)):
+                R[k, axis] = sign
+            if np.array_equal(R, np.eye(3)):
+                continue
+            names = ", ".join(
+                f"printed {'XYZ'[k]} is {'-' if s < 0 else ''}{'xyz'[a]}"
+                for k, (a, s) in enumerate(zip(order, signs, strict=True))
+                if a != k or s < 0
+            )
+            up = " (Y up)" if R[1, 2] == 1 else ""
+            yield f"axes renamed{up}: {names}", R
+
+
+def _turned(model: ArmModel, index: int, change) -> ArmModel:
+    name = f"theta{index + 1}"
+    return model.with_row(index, theta=renamed(model.rows[index].theta, {name: change(sym(name))}))
+
+
+def _value(model: ArmModel, node: Node) -> float:
+    from pieper.algebra.tree import evaluate
+
+    env = {**model.values, **{f"theta{i + 1}": 0.0 for i in range(model.n)}, "pi": np.pi}
+    return float(evaluate(node, env))

@@ -1,0 +1,151 @@
+"""Any six joints, revolute and prismatic in any order: elimination to an eigenvalue problem."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper import _kernel
+from pieper.errors import PlanError
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.geometry import Geometry, look
+from pieper.solver.families.loop import full_rank
+from pieper.solver.families.spec import KernelSpec
+from pieper.tolerances import GEOMETRY_EXACT
+
+KIND = "general"
+
+#: The kernel's order of trials: six starts of the loop, two directions, two orders of the pair.
+_DIRECTIONS = ("forward", "backward")
+
+
+@dataclass(frozen=True)
+class Match:
+    """Six joints of whatever kind.
+
+    Args:
+        geometry: What was found about the axes; a refusal carries it.
+    """
+
+    geometry: Geometry
+
+
+def match(chain: Chain, geometry: Geometry) -> Match | None:
+    """Return a match for every six-joint chain; whether the arm can be solved is said by `prepare`."""
+    return Match(geometry) if chain.n == 6 else None
+
+
+def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
+    """Choose how the elimination is done for this arm, by trying every way on test poses.
+
+    The loop of six joints is opened at each joint and walked in both directions; each way hides another joint in
+    the eigenvalue problem. Ways that vanish identically, lose solutions or are noisy fall behind or away. Lengths are
+    scaled, and frames slid along their axes towards each other, so that neither units nor the table's habits matter.
+
+    Args:
+        chain: Six joints.
+        match: What `match` found.
+
+    Returns:
+        The spec. Its `info` holds `usable` (number of ways left), `certified` (False where every way vanishes for
+        this geometry and a slightly changed arm is solved instead, its solutions polished onto this one: poses are
+        then flagged uncertain), `hidden_joint` (1-based, of the best way), `direction`, `noise` (of the best way,
+        relative; 1e-16 is perfect), `ways` (a tuple of dicts: rank, hidden joint, direction, missed test solutions,
+        noise), `max_solutions` (what the degree allows) and `scale` (m).
+
+    Raises:
+        PlanError: No way of elimination is of use; the message says why, as far as it is known.
+    """
+    slides = int(chain.prismatic.sum())
+    links, scale = slid(chain)
+    params, trials, usable = _kernel.general_model(links, chain.prismatic.astype(np.uint8), scale)
+    ways = _ways(trials)
+    if usable == 0 or not full_rank(chain):
+        geometry = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
+        raise PlanError(_reason(chain, slides), geometry=geometry, ways=ways)
+    exact = [way for way in ways if way["rank"] == 1]
+    if slides == 3:
+        best = {"hidden_joint": None, "direction": "closed form", "noise": 0.0}
+    elif exact:
+        best = exact[0]
+    else:
+        best = {"hidden_joint": None, "direction": "a nearby arm's solutions, polished", "noise": 1.0}
+    info = {
+        "usable": usable,
+        "certified": slides == 3 or bool(exact),
+        "hidden_joint": best["hidden_joint"],
+        "direction": best["direction"],
+        "noise": best["noise"],
+        "ways": ways,
+        "scale": scale,
+        "max_solutions": {0: 16, 1: 16, 2: 8}.get(slides, 2),
+    }
+    return KernelSpec(kind=KIND, max_solutions=16, params=params, info=info)
+
+
+def _ways(trials: np.ndarray) -> tuple[dict, ...]:
+    """Turn the kernel's record (24, 4) into words, best first."""
+    out = []
+    for index, (rank, missed, left_open, noise) in enumerate(trials):
+        if not rank:
+            continue
+        shift, backward = index // 4, (index // 2) % 2
+        at = (2 + shift) % 6
+        out.append(
+            {
+                "rank": int(rank),
+                "hidden_joint": (6 - at) if backward else at + 1,
+                "direction": _DIRECTIONS[backward],
+                "missed": int(missed),
+                "open": int(left_open),
+                "noise": float(noise),
+            }
+        )
+    return tuple(sorted(out, key=lambda way: way["rank"]))
+
+
+def _reason(chain: Chain, slides: int) -> str:
+    if slides > 3:
+        return (
+            f"This arm has {slides} prismatic joints: four or more slides depend on each other, and with the rest they "
+            "cannot give six independent motions. Lock a slide, or ask for a partial task."
+        )
+    if not full_rank(chain):
+        return (
+            "The six joint axes of this arm depend on each other in every posture (under six independent motions), "
+            "so a reachable pose has a continuous family of solutions. Lock a joint, or ask for a partial task."
+        )
+    return (
+        "Every way to eliminate joints vanishes for the geometry of this arm. "
+        "Perturb its table by a millionth, or lock a joint."
+    )
+
+
+def slid(chain: Chain) -> tuple[np.ndarray, float]:
+    """Return links (7, 4, 4) with frames slid where joints do not notice, and the length (m) that counts as one.
+
+    The frame of a revolute joint may slide along its axis, that of a prismatic one move anywhere, without changing
+    joint values; chosen is what makes the five inner translations shortest (least squares), since coordinates of
+    far-away points would cost digits.
+    """
+    moves = [np.eye(3) if p else np.eye(3)[:, 2:] for p in chain.prismatic]
+    starts = np.concatenate([[0], np.cumsum([m.shape[1] for m in moves])])
+    A = np.zeros((15, starts[-1]))
+    b = np.zeros(15)
+    for i in range(1, 6):
+        rows = slice(3 * i - 3, 3 * i)
+        A[rows, starts[i - 1] : starts[i]] = -moves[i - 1]
+        A[rows, starts[i] : starts[i + 1]] += chain.links[i][:3, :3] @ moves[i]
+        b[rows] = -chain.links[i][:3, 3]
+    x = np.linalg.lstsq(A, b, rcond=None)[0]
+    links = np.array(chain.links)
+    for i in range(6):
+        step = moves[i] @ x[starts[i] : starts[i + 1]]
+        links[i][:3, 3] += links[i][:3, :3] @ step
+        links[i + 1][:3, 3] -= step
+    scale = float(np.linalg.norm(links[1:6, :3, 3], axis=1).sum()) / 3
+    size = float(np.abs(chain.links[1:6, :3, 3]).max())
+    if scale <= 1e-9 * max(size, 1e-300):  # nothing left between the axes: base and tool are all the lengths there are
+        scale = max(float(np.linalg.norm(chain.links[[0, 6], :3, 3], axis=1).max()), size) or 1.0
+    return np.ascontiguousarray(links), scale

@@ -1,0 +1,156 @@
+"""Six turning joints, second and third parallel, fourth and fifth meeting: wrists whose axes miss one point."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.geometry import Geometry, look
+from pieper.solver.families.hidden_angle import general_model, with_head
+from pieper.solver.families.loop import full_rank
+from pieper.solver.families.spec import KernelSpec
+
+KIND = "offset_wrist"
+
+#: Offsets and twists (per length; rad) up to which the two sides of the arm are taken for alike, and from which they
+#: are taken for different. Between the two every root is nearly double: such an arm goes to the general solver.
+ALIKE, DIFFERENT = 1e-13, 2e-3
+#: Shortest link (per length) and smallest sine between neighbouring axes that the construction can stand on.
+SMALLEST = 1e-3
+
+
+@dataclass(frozen=True)
+class Match:
+    """An offset wrist found.
+
+    Args:
+        backward: Whether it stands at the base: the arm is then solved from tool to base.
+        margin: How far axes 4 and 5 miss each other, m.
+    """
+
+    backward: bool
+    margin: float
+
+
+def match(chain: Chain, geometry: Geometry) -> Match | None:
+    """Return what is found in a six-joint chain: axes 2 and 3 parallel, 1 across them, 4 and 5 meeting; or None."""
+    if chain.n != 6 or chain.prismatic.any() or not full_rank(chain):
+        return None
+    for backward in (False, True):
+        seen = chain.reversed() if backward else chain
+        found = look(seen, geometry.tolerance) if backward else geometry
+        first, second, third, fourth, fifth = found.pairs
+        if (
+            second.relation == "parallel"
+            and np.pi / 2 - first.angle <= geometry.tolerance
+            and fourth.relation == "intersecting"
+            and min(third.angle, fourth.angle, fifth.angle) > SMALLEST
+        ):
+            numbers = _measured(seen)
+            if min(numbers["upper"], numbers["fore"]) > SMALLEST and _sides(numbers) is not None:
+                return Match(backward, fourth.distance)
+    return None
+
+
+def _sides(numbers: dict) -> bool | None:
+    """Return whether the arm's two sides are alike, None where that is hard to tell."""
+    apart = max(abs(numbers["shoulder"]), abs(numbers["lateral"]), abs(numbers["lean"][1]), abs(numbers["tilt"][1]))
+    if apart <= ALIKE:
+        return True
+    return False if apart >= DIFFERENT else None
+
+
+def prepare(chain: Chain, found: Match) -> KernelSpec:
+    """Return the kernel's numbers.
+
+    The last joint's angle is the unknown of one trigonometric polynomial: of degree 8, at most 16 solutions; of
+    degree 4 with two solutions a root where shoulder, elbow and forearm lie in the plane of axis 1. It degenerates
+    where P lies on axis 1, the elbow is straight, or two roots merge; such poses are solved by the general solver,
+    whose model is part of the numbers.
+    """
+    seen = chain.reversed() if found.backward else chain
+    numbers = _measured(seen)
+    even = bool(_sides(numbers))
+    shoulder = 0.0 if even else numbers["shoulder"]
+    lateral = 0.0 if even else numbers["lateral"]
+    arm = np.concatenate(
+        [
+            [seen.length],
+            *(np.ravel(numbers[name]) for name in ("to_base", "base", "from_tool", "sixth", "lever", "lever_turned")),
+            *(np.ravel(numbers[name]) for name in ("fifth", "axis6")),
+            [shoulder, lateral, numbers["upper"], numbers["fore"]],
+            *(numbers[name] for name in ("elbow", "forearm", "lean", "tilt")),
+            [numbers["bend"], numbers["sense3"]],
+            *(numbers[name] for name in ("axis4", "across4", "over4", "across5", "over5")),
+        ]
+    )
+    return KernelSpec(
+        kind=f"{KIND}_alike" if even else KIND,
+        max_solutions=16,
+        params=with_head(seen, arm, backward=found.backward, spare=general_model(chain)),
+        info={
+            "degree": 8 if even else 16,
+            "two_solutions_a_root": even,
+            "wrist_at": "base" if found.backward else "end",
+            "meeting_margin_m": found.margin,
+        },
+    )
+
+
+def _measured(chain: Chain) -> dict:
+    """Return the arm at zero, seen from axes 1 and 2, lengths per characteristic length (see offset_wrist.hpp)."""
+    u, p = chain.axes, chain.points
+    z, y = _unit(u[0]), u[1] - (u[1] @ u[0]) * u[0]
+    y = _unit(y)
+    x = np.cross(y, z)
+    to_base = np.stack([x, y, z])
+    base = p[0] + ((p[1] - p[0]) @ z) * z
+    axes = u @ to_base.T
+    points = (p - base) @ to_base.T / chain.length
+    tool = to_base @ (chain.home[:3, 3] - base) / chain.length
+    meeting = to_base @ (look(chain, SMALLEST).common_point((3, 4))[0] - base) / chain.length
+    foot = points[5] + ((meeting - points[5]) @ axes[5]) * axes[5]
+    lever = meeting - foot
+    plane = [0, 2]
+    shoulder = points[1][0]
+    elbow = points[2][plane] - [shoulder, 0.0]
+    forearm = meeting[plane] - points[2][plane]
+    in_plane = axes[3][plane]
+    tilt = np.array([np.linalg.norm(in_plane), axes[3][1]])
+    upper, fore = np.linalg.norm(elbow), np.linalg.norm(forearm)
+    elbow, forearm, along = (v / max(float(np.linalg.norm(v)), 1e-300) for v in (elbow, forearm, in_plane))
+    lean = np.array([forearm @ along, forearm[0] * along[1] - forearm[1] * along[0]])
+    part = (axes[4] @ axes[5]) * axes[5]
+    across4 = _unit(axes[4] - (axes[4] @ axes[3]) * axes[3])
+    across5 = _unit(axes[5] - (axes[5] @ axes[4]) * axes[4])
+    return {
+        "to_base": to_base,
+        "base": base,
+        "from_tool": chain.home[:3, :3].T @ to_base.T,
+        "sixth": foot - tool,
+        "lever": lever,
+        "lever_turned": np.cross(axes[5], lever),
+        "fifth": np.stack([part, axes[4] - part, np.cross(axes[5], axes[4])]),
+        "axis6": axes[5],
+        "shoulder": float(shoulder),
+        "lateral": float(meeting[1]),
+        "upper": float(upper),
+        "fore": float(fore),
+        "elbow": elbow,
+        "forearm": forearm,
+        "lean": lean,
+        "tilt": tilt,
+        "bend": float(axes[3] @ axes[4]),
+        "sense3": 1.0 if u[2] @ u[1] > 0 else -1.0,
+        "axis4": axes[3],
+        "across4": across4,
+        "over4": np.cross(axes[3], across4),
+        "across5": across5,
+        "over5": np.cross(axes[4], across5),
+    }
+
+
+def _unit(v: np.ndarray) -> np.ndarray:
+    return v / np.linalg.norm(v)

@@ -1,0 +1,61 @@
+"""Six joints with a spherical wrist at the end, at the base or inside the chain, and any other three joints."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.geometry import Geometry
+from pieper.solver.families.loop import centred, packed, positioning_rank
+from pieper.solver.families.pairs import pair_order
+from pieper.solver.families.spec import KernelSpec
+
+KIND = "spherical_wrist"
+
+
+@dataclass(frozen=True)
+class Match:
+    """A spherical wrist found.
+
+    Args:
+        first: 0-based index of its first joint.
+        margin: How far the three axes miss one point, m.
+    """
+
+    first: int
+    margin: float
+
+
+def match(chain: Chain, geometry: Geometry) -> Match | None:
+    """Return the spherical wrist of a six-joint chain whose other three joints can place its centre, or None.
+
+    A wrist at the end is preferred, then at the base, then inside: the positioning problem of the first two does not
+    change with the pose.
+    """
+    if chain.n != 6:
+        return None
+    found = [Match(group.joints[0], group.margin) for group in geometry.spherical]
+    found = [m for m in found if positioning_rank(chain, m.first) == 3]
+    order = {3: 0, 0: 1, 1: 2, 2: 2}
+    return min(found, key=lambda m: (order[m.first], m.margin), default=None)
+
+
+def prepare(chain: Chain, found: Match) -> KernelSpec:
+    """Return the kernel's numbers.
+
+    Solves W Pre Za A Zb B Zc C = I for at most four positions of the wrist's centre and two turns of the wrist each:
+    eight solutions. It degenerates where the wrist's outer axes line up, where the centre meets an axis or leaves the
+    reach; the pose is then flagged and one representative of each family is returned.
+    """
+    links = centred(chain, found.first)
+    return KernelSpec(
+        kind=KIND,
+        max_solutions=8,
+        params=packed(chain, links),
+        iparams=np.array(
+            [*chain.prismatic, found.first, 1, 1, 1, *pair_order(chain, links, found.first, False)], np.int32
+        ),
+        info={"wrist": tuple(range(found.first + 1, found.first + 4)), "margin_m": found.margin},
+    )

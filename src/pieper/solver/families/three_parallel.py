@@ -1,0 +1,82 @@
+"""Six joints, three neighbouring ones of a plane (three parallel axes, or slides across them), wherever they stand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.geometry import Geometry
+from pieper.kinematics.newton import scaled_jacobian
+from pieper.solver.families.loop import full_rank, packed, planar, rank
+from pieper.solver.families.pairs import pair_order
+from pieper.solver.families.spec import KernelSpec
+
+KIND = "three_parallel"
+
+
+@dataclass(frozen=True)
+class Match:
+    """Three joints of a plane found.
+
+    Args:
+        first: 0-based index of the first of them.
+        normal: (3,) the plane's normal at zero, world frame.
+        margin: How far a joint leans out of the plane at worst, rad.
+    """
+
+    first: int
+    normal: tuple[float, float, float]
+    margin: float
+
+
+def match(chain: Chain, geometry: Geometry) -> Match | None:
+    """Return three neighbouring planar joints of a six-joint chain whose Jacobian has full rank, or None.
+
+    Turning axes must be parallel and slides perpendicular to them within the geometry's tolerance.
+    """
+    if chain.n != 6 or not full_rank(chain):
+        return None
+    found = []
+    for first in range(4):
+        joints = np.arange(first, first + 3)
+        turning = joints[~chain.prismatic[joints]]
+        if len(turning) == 0:
+            continue
+        axes = chain.axes[joints]
+        normal = chain.axes[turning[0]]
+        out_of_plane = np.where(
+            chain.prismatic[joints], np.abs(axes @ normal), np.linalg.norm(np.cross(axes, normal), axis=1)
+        )
+        # three slides, two slides along one line, or one axis twice move less than a plane does
+        if out_of_plane.max() <= geometry.tolerance and _spans_plane(chain, joints):
+            found.append((Match(first, tuple(normal), float(out_of_plane.max())), int(chain.prismatic[joints].sum())))
+    # slides last: three turns are the common case; then an outer place, where links do not hold the pose
+    return min(found, key=lambda entry: (entry[1], entry[0].first in (1, 2)), default=(None, 0))[0]
+
+
+def _spans_plane(chain: Chain, joints: np.ndarray) -> bool:
+    section = chain.section(int(joints[0]), int(joints[-1]))
+    q = np.array([0.37, -1.13, 0.91]) * np.where(section.prismatic, chain.length, 1.0)
+    return rank(scaled_jacobian(section, q)) == 3
+
+
+def prepare(chain: Chain, found: Match) -> KernelSpec:
+    """Return the kernel's numbers.
+
+    The plane keeps its normal and its height, which gives two equations for two of the other three joints: a quartic,
+    or two quadratics, then a triangle in the plane: eight solutions. It degenerates where the normal lies along the
+    middle one of the other joints (the wrist of a UR arm), and where the plane's own arm is stretched or folded; the
+    pose is then flagged.
+    """
+    links, sense = planar(chain, found.first, np.array(found.normal))
+    return KernelSpec(
+        kind=KIND,
+        max_solutions=8,
+        params=packed(chain, links),
+        iparams=np.array(
+            [*chain.prismatic, found.first, *sense, *pair_order(chain, links, found.first, True)], np.int32
+        ),
+        info={"plane": tuple(range(found.first + 1, found.first + 4)), "margin_rad": found.margin},
+    )

@@ -1,0 +1,80 @@
+"""Six joints of which two slide, in any order: the turning joints make the orientation, the slides undo the rest."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import fk
+from pieper.kinematics.geometry import Geometry
+from pieper.solver.families.hidden_angle import general_model, with_head
+from pieper.solver.families.loop import full_rank
+from pieper.solver.families.spec import KernelSpec
+from pieper.solver.native import SixJointSolver
+
+KIND = "two_slides"
+
+#: Test poses a turning joint is tried on as the hidden one, and the share of them that may stay unclear.
+TRIALS, MOST_UNCLEAR = 48, 0.3
+_UNLIMITED = np.tile([-np.inf, np.inf], (6, 1))
+
+
+@dataclass(frozen=True)
+class Match:
+    """Two slides among six joints.
+
+    Args:
+        hidden: 0-based turning joints whose angle can be the unknown, best first.
+        unclear: Share of test poses that the best of them does not decide.
+    """
+
+    hidden: tuple[int, ...]
+    unclear: float
+
+
+def match(chain: Chain, geometry: Geometry) -> Match | None:
+    """Return the turning joints that can be hidden, found by trying each on test poses, or None where none will do."""
+    if chain.n != 6 or chain.prismatic.sum() != 2 or not full_rank(chain):
+        return None
+    rng = np.random.default_rng(5)
+    made = np.where(chain.prismatic, chain.length, np.pi) * rng.uniform(-1, 1, (TRIALS, 6))
+    poses = fk(chain, made)
+    tried = []
+    for hidden in np.flatnonzero(~chain.prismatic):
+        alone = KernelSpec(kind=KIND, max_solutions=8, params=with_head(chain, _arm(chain, int(hidden))))
+        q, valid, _, flag = SixJointSolver(chain, alone, _UNLIMITED).many(poses, 1)
+        gap = q - made[:, None]
+        gap = np.where(chain.prismatic, gap / chain.length, (gap + np.pi) % (2 * np.pi) - np.pi)
+        found = ((np.abs(gap).max(-1) < 1e-6) & valid).any(1)
+        clear = (flag & 2) == 0
+        if np.all(found | ~clear) and np.mean(~clear) <= MOST_UNCLEAR:
+            tried.append((float(np.mean(~clear)), int(hidden)))
+    tried.sort()
+    return Match(tuple(hidden for _, hidden in tried), tried[0][0]) if tried else None
+
+
+def prepare(chain: Chain, found: Match) -> KernelSpec:
+    """Return the kernel's numbers.
+
+    With the hidden angle chosen the other three turning joints are a wrist, and the slides must undo what is left of
+    the loop in the plane of their directions: a trigonometric polynomial of degree 4, at most eight solutions. It
+    degenerates where turning axes line up or the slides are parallel; another joint is then hidden, and what no way
+    decides is solved by the general solver.
+    """
+    return KernelSpec(
+        kind=KIND,
+        max_solutions=8,
+        params=with_head(chain, *(_arm(chain, hidden) for hidden in found.hidden), spare=general_model(chain)),
+        info={
+            "degree": 8,
+            "hidden_joint": found.hidden[0] + 1,
+            "ways": len(found.hidden),
+            "unclear_in_the_best": found.unclear,
+        },
+    )
+
+
+def _arm(chain: Chain, hidden: int) -> np.ndarray:
+    return np.concatenate([[chain.length, float(hidden)], chain.prismatic.astype(float), np.ravel(chain.links)])

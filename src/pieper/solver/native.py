@@ -1,0 +1,72 @@
+"""The native solver behind one six-joint chain, and what it says of a batch of poses."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper import _kernel
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.pose import inverse
+from pieper.solver.families.spec import KernelSpec
+from pieper.tolerances import LIMIT_SLACK, ROTATION_ACCEPTED, ROTATION_EXACT
+
+#: A base or a tool this many lengths of the arm away is taken off the poses before they are solved: beside it the
+#: arm's own coordinates would drown in rounding.
+FAR = 100.0
+
+
+def without_far_ends(chain: Chain) -> tuple[Chain, tuple[np.ndarray, np.ndarray] | None]:
+    """Return the chain that is to be solved, and what its poses T must be multiplied with: before, after (4, 4).
+
+    None where base and tool are near, and the chain is returned as it is.
+    """
+    if max(np.linalg.norm(chain.links[i][:3, 3]) for i in (0, -1)) <= FAR * chain.length:
+        return chain, None
+    return chain.section(0, chain.n - 1), (inverse(chain.links[0]), inverse(chain.links[-1]))
+
+
+class SixJointSolver:
+    """A prepared kernel with limits.
+
+    Args:
+        chain: The six-joint chain.
+        spec: Its prepared kernel.
+        limits: (6, 2), rad or m.
+        ends: What poses are multiplied with, as `without_far_ends` says.
+    """
+
+    __slots__ = ("chain", "many", "one", "spec")
+
+    def __init__(
+        self,
+        chain: Chain,
+        spec: KernelSpec,
+        limits: np.ndarray,
+        ends: tuple[np.ndarray, np.ndarray] | None = None,
+    ) -> None:
+        self.chain = chain
+        self.spec = spec
+        native = _kernel.Solver(
+            spec.kind,
+            chain.n,
+            spec.max_solutions,
+            np.ascontiguousarray(spec.params, np.float64),
+            np.ascontiguousarray(spec.iparams, np.int32),
+            np.ascontiguousarray(limits[:, 0]),
+            np.ascontiguousarray(limits[:, 1]),
+            np.ascontiguousarray(chain.prismatic, bool),
+            LIMIT_SLACK,
+            ROTATION_ACCEPTED,
+            ROTATION_EXACT,
+        )
+        self.one = native.one
+        self.many = native.many
+        if ends is not None:
+            before, after = ends
+            self.one = lambda T: native.one(before @ np.asarray(T, float) @ after)
+            self.many = lambda T, threads: native.many(np.ascontiguousarray(before @ T @ after), threads)
+
+    def all_rows(self, T: np.ndarray) -> np.ndarray:
+        """Return the solutions (m, 6) of all poses T (N, 4, 4) in one heap."""
+        q, valid, _, _ = self.many(np.ascontiguousarray(T), 1)
+        return q[valid]

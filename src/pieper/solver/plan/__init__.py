@@ -1,0 +1,1 @@
+"""Classify an arm once, and decide how it is solved."""

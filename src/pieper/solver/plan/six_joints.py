@@ -1,0 +1,284 @@
+"""Any arm and task as a six-joint problem: task freedoms become joints, spare joints are locked, missing ones filled.
+
+A task that leaves something free (the roll about the tool axis, the whole orientation) is a full pose for the arm with
+that freedom added as a virtual joint at the tool. An arm that can do less than six things gets virtual joints that must
+come out as zero. An arm that can do more has joints locked at chosen values.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import fk, jacobian
+from pieper.kinematics.newton import scaled_jacobian
+from pieper.kinematics.pose import inverse, rotation_about, transform
+
+TASKS = ("pose", "position", "position+axis")
+#: Relative singular value below which a direction does not count as a freedom.
+RANK = 1e-7
+#: Orientation of the virtual wrist of a position task; generic, so that no ordinary pose makes it singular.
+_GENERIC = transform(rotation_about(np.array([0.48, 0.6, 0.64]), 0.83))
+_X = rotation_about(np.array([0.0, 1.0, 0.0]), np.pi / 2)
+_Y = rotation_about(np.array([1.0, 0.0, 0.0]), -np.pi / 2)
+
+
+def with_task_joints(chain: Chain, task: str) -> Chain:
+    """Return the chain with the freedoms a task leaves added as virtual revolute joints at the tool."""
+    if task == "position+axis":
+        return appended(chain, [(np.eye(3), False)])
+    if task == "position":
+        wrist = [(np.eye(3), False), (_X, False), (np.eye(3), False)]
+        # an arm of six joints can turn its tool as it is told: the wrist is held, and zero means the orientation given
+        return appended(chain, wrist, last=None if chain.n >= 6 else _GENERIC)
+    return chain
+
+
+def appended(chain: Chain, joints: list[tuple[np.ndarray, bool]], last: np.ndarray | None = None) -> Chain:
+    """Return the chain with virtual joints at the tool; at zero they change nothing but `last`.
+
+    Args:
+        chain: The arm.
+        joints: For each its orientation (3, 3) in the tool frame (it acts along its z) and whether it is prismatic.
+        last: (4, 4) constant pose after the last of them; identity if None.
+    """
+    links = list(chain.links)
+    for R, _ in joints:
+        frame = transform(R)
+        links[-1] = links[-1] @ frame
+        links.append(inverse(frame))
+    if last is not None:
+        links[-1] = links[-1] @ last
+    return Chain.of(np.stack(links), np.concatenate([chain.prismatic, [p for _, p in joints]]))
+
+
+def sample_joints(chain: Chain, count: int, seed: int = 1) -> np.ndarray:
+    """Return generic joint vectors (count, n): angles over the whole turn, prismatic over the arm's length.
+
+    Multiples of square roots of primes (Weyl's sequence) spread evenly and are the same every time, and spare the
+    command line the start-up of a random generator.
+    """
+    steps = np.sqrt(np.array(_primes(chain.n), float))
+    spread = (np.arange(1, count + 1)[:, None] + 1009.0 * seed) * steps % 1.0
+    return np.where(chain.prismatic, chain.length, np.pi) * (2 * spread - 1)
+
+
+def _primes(count: int) -> list[int]:
+    found: list[int] = []
+    candidate = 2
+    while len(found) < count:
+        if all(candidate % p for p in found):
+            found.append(candidate)
+        candidate += 1
+    return found
+
+
+def generic_rank(chain: Chain) -> int:
+    """Return how many things the arm can do at once: the rank of its Jacobian away from singular postures."""
+    # without base and tool: how far away they are changes the numbers but not the rank
+    bare = chain.section(0, chain.n - 1)
+    s = np.linalg.svd(scaled_jacobian(bare, sample_joints(chain, 12)), compute_uv=False)
+    return int(np.max(np.sum(s > RANK * s[:, :1], axis=1)))
+
+
+def task_freedoms(chain: Chain, task: str) -> tuple[int, int]:
+    """Return the rank of the chain with the task's joints, and the number of joints."""
+    full = with_task_joints(chain, task)
+    return generic_rank(full), full.n
+
+
+def default_task(chain: Chain) -> str:
+    """Return the task an arm is asked for when nobody says: the fullest that it can do at every reachable place."""
+    if chain.n >= 6 or generic_rank(chain) != chain.n:
+        return "pose"
+    for task in ("position+axis", "position"):
+        full = with_task_joints(chain, task)
+        if full.n == 6 and generic_rank(full) == 6:
+            return task
+    return "pose"
+
+
+@dataclass(frozen=True, eq=False)
+class Reduction:
+    """How an arm and a task become one six-joint chain.
+
+    Args:
+        arm: The arm's chain.
+        task: One of TASKS.
+        full: The arm's joints followed by the task's virtual ones.
+        locked: Joints (0-based, in full) that are held at chosen values.
+        fill: Virtual joints at the tool, as for `appended`, that must come out as zero.
+    """
+
+    arm: Chain
+    task: str
+    full: Chain
+    locked: tuple[int, ...]
+    fill: tuple[tuple[np.ndarray, bool], ...]
+
+    @property
+    def trivial(self) -> bool:
+        """Whether the arm itself is the six-joint chain."""
+        return self.full is self.arm and not self.locked and not self.fill
+
+    @cached_property
+    def kept(self) -> np.ndarray:
+        """Joints of full that are solved for."""
+        return np.setdiff1d(np.arange(self.full.n), self.locked)
+
+    @cached_property
+    def at_ends(self) -> tuple[int, int] | None:
+        """(number locked at the base, at the tool) when all locked joints are there and nothing is filled."""
+        if self.fill:
+            return None
+        first = next((i for i in range(self.full.n) if i not in self.locked), self.full.n)
+        tail = len(self.locked) - first
+        if set(self.locked) == set(range(first)) | set(range(self.full.n - tail, self.full.n)):
+            return first, tail
+        return None
+
+    def with_locked(self, values: np.ndarray) -> Chain:
+        """Return full with the locked joints held at values (k,), nothing filled."""
+        chain = self.full
+        for joint, value in sorted(zip(self.locked, values, strict=True), reverse=True):
+            chain = chain.locked(joint, float(value))
+        return chain
+
+    def six(self, values: np.ndarray) -> Chain:
+        """Return the six-joint chain for locked values (k,); with the locked joints at the ends it is one for all."""
+        if self.at_ends is not None and self.locked:
+            first, tail = self.at_ends
+            links = self.full.links[first : self.full.n - tail + 1].copy()
+            return Chain.of(links, self.full.prismatic[self.kept].copy())
+        chain = self.with_locked(values)
+        return appended(chain, list(self.fill)) if self.fill else chain
+
+    @cached_property
+    def _back(self) -> np.ndarray:
+        """Inverse links (n + 1, 4, 4) of full."""
+        return inverse(self.full.links)
+
+    def moved_pose(self, T: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Return the poses (N, 4, 4) the six-joint chain must reach, locked values (N, k) at the ends taken off."""
+        if self.at_ends is None or not self.locked:
+            return T
+        first, tail = self.at_ends
+        n = self.full.n
+        # from the base inwards: T = L Z T' with T' what is left, hence T' = Z^-1 L^-1 T
+        for j in range(first):
+            T = np.einsum("ij,njk->nik", self._back[j], T)
+            T = _taken_off(T, values[:, j], bool(self.full.prismatic[j]))
+        # from the tool inwards the same, seen from the other side: T = T' Z L
+        for k in range(tail - 1, -1, -1):
+            j = n - tail + k
+            T = (T.reshape(-1, 4) @ self._back[j + 1]).reshape(-1, 4, 4)
+            T = np.swapaxes(
+                _taken_off(np.swapaxes(T, 1, 2), -values[:, first + k], bool(self.full.prismatic[j]), column=True), 1, 2
+            )
+        return T
+
+
+def reduce(chain: Chain, task: str) -> list[Reduction]:
+    """Return the ways to make an arm and a task a six-joint chain, best conditioned first.
+
+    Args:
+        chain: The arm.
+        task: One of TASKS.
+    """
+    full = with_task_joints(chain, task)
+    rank = generic_rank(full)
+    spare = full.n - rank
+    if spare == 0:
+        return [Reduction(chain, task, full, (), _filling(full, 6 - rank, full.n > chain.n))]
+    J = scaled_jacobian(full, sample_joints(full, 12))
+    choices = _choices(full, chain, J, spare)
+    kept = np.array([[j for j in range(full.n) if j not in locked] for locked in choices])
+    s = np.linalg.svd(np.moveaxis(J[:, :, kept], 2, 0), compute_uv=False)  # ways, postures, singular values
+    smallest = np.median(s[..., rank - 1] / s[..., 0], axis=1)
+    ways = [(float(value), locked) for value, locked in zip(smallest, choices, strict=True) if value > RANK]
+    ways.sort(key=lambda way: -way[0])
+    out = []
+    # filling takes time: where it is needed, only the best few ways are made ready
+    for _, locked in ways if rank == 6 else ways[:6]:
+        way = Reduction(chain, task, full, tuple(locked), ())
+        if rank < 6:
+            held = way.with_locked(np.full(len(locked), 0.37))
+            way = Reduction(chain, task, full, tuple(locked), _filling(held, 6 - rank, full.n > chain.n))
+        out.append(way)
+    return out
+
+
+def _choices(full: Chain, arm: Chain, J: np.ndarray, spare: int) -> list[tuple[int, ...]]:
+    """Return sets of joints worth locking: all of them for a few joints, a greedy good one for many."""
+    if full.n <= 9 and spare <= 3:
+        return list(itertools.combinations(range(full.n), spare))
+    kept: list[int] = []
+    for _ in range(full.n - spare):
+        best, gain = -1, -np.inf
+        for j in range(full.n):
+            if j in kept:
+                continue
+            s = np.linalg.svd(J[:, :, [*kept, j]], compute_uv=False)
+            value = float(np.median(s[:, -1]))
+            if value > gain:
+                best, gain = j, value
+        kept.append(best)
+    return [tuple(j for j in range(full.n) if j not in kept)]
+
+
+def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[np.ndarray, bool], ...]:
+    """Choose `count` virtual joints at the tool that make the chain able to do everything, well conditioned.
+
+    Behind the virtual joints of a task they are tilted: along the tool's own axes they would be tangent to the arm's
+    motion whenever the wanted orientation happens to be the arm's.
+    """
+    if count == 0:
+        return ()
+    rng = np.random.default_rng(3)
+    tilted = [rotation_about(v / np.linalg.norm(v), 1.1) for v in rng.standard_normal((3, 3))]
+    pool = [(R, p) for p in (True, False) for R in (*(() if virtual else (np.eye(3), _X, _Y)), *tilted)]
+    sliding = int(chain.prismatic.sum())
+    # at zero, where the virtual joints are to come out, not at values of no special kind: there a virtual joint turns
+    # about, or slides along, an axis through the tool point
+    tried = appended(chain, pool[:1])
+    q = sample_joints(tried, 15, seed=2)[:, : chain.n]
+    J = jacobian(chain, q).copy()
+    J[:, :3] /= tried.length
+    J = np.where(chain.prismatic, J * tried.length, J)
+    axes = fk(chain, q)[:, :3, :3] @ np.array([R[:, 2] for R, _ in pool]).T  # postures, xyz, pool
+    slides = np.array([p for _, p in pool])
+    columns = np.concatenate([np.where(slides, axes, 0.0), np.where(slides, 0.0, axes)], 1)
+    chosen: list[tuple[np.ndarray, bool]] = []
+    for _ in range(count):
+        tables = np.concatenate([np.repeat(J[None], len(pool), 0), np.moveaxis(columns, 2, 0)[..., None]], -1)
+        worst = np.sort(np.linalg.svd(tables, compute_uv=False)[..., -1], axis=1)
+        value = worst[:, 4] + 0.2 * (worst[:, 5] - worst[:, 4])  # the 0.3 quantile of fifteen
+        best, gain = 0, -1.0
+        for k, (_, p) in enumerate(pool):
+            if p and sliding + sum(p for _, p in chosen) >= 3:
+                continue
+            if value[k] > gain * 1.05:
+                best, gain = k, float(value[k])
+        chosen.append(pool[best])
+        J = np.concatenate([J, columns[:, :, best : best + 1]], -1)
+    return tuple(chosen)
+
+
+def _taken_off(T: np.ndarray, values: np.ndarray, prismatic: bool, *, column: bool = False) -> np.ndarray:
+    """Return Z(values)^-1 T for poses (N, 4, 4), or Z(values)^T T when `column` (poses handed over transposed)."""
+    out = np.array(T, order="K")
+    if prismatic:
+        # Z^-1 T takes the slide off the third row; transposed, Z^T adds it to the last row
+        if column:
+            out[:, 3] += values[:, None] * T[:, 2]
+        else:
+            out[:, 2] -= values[:, None] * T[:, 3]
+        return out
+    c, s = np.cos(values)[:, None], np.sin(values)[:, None]
+    out[:, 0] = c * T[:, 0] + s * T[:, 1]
+    out[:, 1] = c * T[:, 1] - s * T[:, 0]
+    return out

@@ -1,0 +1,1 @@
+"""Arms with spare joints: slices, self-motions, the arm angle."""

@@ -1,0 +1,1 @@
+"""What is free at a singular pose, and which roots merge there."""

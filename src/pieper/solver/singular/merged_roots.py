@@ -1,0 +1,86 @@
+"""Merged roots: how many branches meet in a solution, along which direction, and which solutions are one."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.newton import pose_difference, scaled_jacobian
+from pieper.solver.results import TURN
+from pieper.solver.singular import nearcurve
+
+#: Solutions closer than this (rad; per length) are one.
+SAME = 1e-7
+#: What forward kinematics cannot tell from the pose (per length; rad): in the one direction that counts, and in all.
+ALONG, ROUNDING = 6e-16, 2e-15
+#: Rows farther apart than this (rad; per length) are never called one.
+BLUR = 5e-3
+#: Rows on two sides of a singularity (neighbouring roots of a curve) are called one up to here only (rad; per length).
+TWINS = 2e-6
+#: Step for the derivatives of what is missed along the null direction (rad; per length).
+STEP = 2e-2
+
+
+def null_direction(chain: Chain, q: np.ndarray) -> np.ndarray:
+    """Return the unit joint direction (n,), without units, that the pose feels least; its largest entry is positive."""
+    v = np.linalg.svd(scaled_jacobian(chain, q))[2][min(chain.n, 6) - 1]
+    return v * np.sign(v[np.argmax(np.abs(v))])
+
+
+def merged(chain: Chain, q: np.ndarray, T: np.ndarray) -> int:
+    """Return how many branches merge at a solution q (n,) of a pose: 1 where its Jacobian is merely poor.
+
+    Along the curve on which only the weakest direction misses the pose, what is missed is c0 + c1 t + ... + c4 t^4:
+    its roots that lie within what rounding lets one tell of each other are one solution.
+    """
+    unit = np.where(chain.prismatic, chain.length, 1.0)
+    here = nearcurve.onto(chain, q[None], T, 0)
+    t = STEP * np.array([-2.0, -1.0, 1.0, 2.0])
+    beside = nearcurve.onto(chain, q + t[:, None] * here.null[0] * unit, T, 5)
+    far, near, near2, far2 = beside.miss * np.sign(beside.left @ here.left[0])
+    # to rounding c0 vanishes, and c1 is the singular value; the others by differences
+    s = np.linalg.svd(scaled_jacobian(chain, q), compute_uv=False)
+    c1 = -s[min(chain.n, 6) - 1]
+    c4 = ((far + far2) - 4 * (near + near2)) / (24 * STEP**4)
+    c3 = ((far2 - far) - 2 * (near2 - near)) / (12 * STEP**3)
+    c2 = (near + near2) / (2 * STEP**2) - c4 * STEP**2
+    noise = [0.0, 0.0, 1e-15 / STEP**2, 1e-15 / STEP**3, 1e-15 / STEP**4]
+    c = [0.0 if abs(x) < e else x for x, e in zip((0.0, c1, c2, c3, c4), noise, strict=True)]
+    blur = min(((ROUNDING / abs(x)) ** (1 / k) for k, x in enumerate(c) if k and x), default=np.inf)
+    roots = np.roots(np.trim_zeros(c[::-1], "f")) if any(c) else np.zeros(0)
+    return max(1, int(np.sum(np.abs(roots) < max(SAME, 3 * blur))))
+
+
+def told_apart(chain: Chain, rows: list[np.ndarray], T: np.ndarray) -> list[np.ndarray]:
+    """Return one of each cluster of singular rows that forward kinematics cannot tell apart, the most exact first.
+
+    Two rows are one when everything between them holds the pose to rounding as well: the blur of a double root is
+    about 1e-8 wide, that of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such
+    rows are kept apart even where rounding hides what is between them.
+    """
+    if not rows:
+        return []
+    q = np.array(rows)
+    q = q[np.argsort(np.linalg.norm(pose_difference(chain, q, T), axis=-1), kind="stable")]
+    unit = np.where(chain.prismatic, chain.length, 1.0)
+    side = np.sign(np.linalg.det(scaled_jacobian(chain, q))) if chain.n == 6 else np.zeros(len(q))
+    size = 1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length
+    kept: list[int] = []
+    for index, row in enumerate(q):
+        for k in kept:
+            other = q[k]
+            gap = np.where(chain.prismatic, row - other, (row - other + np.pi) % TURN - np.pi)
+            apart = np.max(np.abs(gap / unit))
+            if apart < SAME:
+                break
+            if apart < (BLUR if side[k] == side[index] else TWINS):
+                # a chord leaves a bent curve: what lies between is moved onto it
+                chord = other + np.array([[0.25], [0.5], [0.75]]) * gap
+                between = nearcurve.onto(chain, chord, T, 3)
+                strayed = np.abs((between.q - chord) / unit).max()
+                told = np.abs(between.miss).max() > ALONG or between.rest.max() > ROUNDING * size
+                if strayed < apart / 4 and not told:
+                    break
+        else:
+            kept.append(index)
+    return [q[k] for k in kept]

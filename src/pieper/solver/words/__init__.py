@@ -1,0 +1,1 @@
+"""Sentences about results: why, posture labels, how far out of reach."""
