@@ -94,7 +94,8 @@ class PoseFile:
             if first is None:
                 raise InputError(f"{self.name} holds no pose.", path=self.name)
             at, line = first
-            delimiter = next((mark for mark in ",;\t" if mark in line), " ")
+            delimiter = max(",;\t", key=line.count)
+            delimiter = delimiter if delimiter in line else " "
             cells = self._cells(line, delimiter)
             if _names(cells):
                 pick, order, factors = self._columns(cells)
