@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.description.dh import DH, Description, describe
+from pieper.description.fold import chain_of
 from pieper.kinematics import forward
-from pieper.kinematics.chain import Chain
 from pieper.solver import verbs as solve
 from pieper.solver.plan.plan import Plan, make_plan
 
@@ -32,7 +32,7 @@ class Arm:
 
     def __init__(self, description: Description, *, snap: float | None = None) -> None:
         self.description = description
-        self.chain = Chain.from_description(description)
+        self.chain = chain_of(description)
         self._snap = snap
         self._plans: dict[str, Plan] = {}
 

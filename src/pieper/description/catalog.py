@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 from functools import cache
-from typing import TYPE_CHECKING
 
+from pieper.description.dh import Description
+from pieper.description.robotfile import read
 from pieper.errors import InputError
-
-if TYPE_CHECKING:
-    from pieper.description.dh import Description
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "catalog")
 
@@ -70,14 +69,10 @@ def load(name: str) -> Description:
     Raises:
         InputError: There is no such arm; the message has the nearest names.
     """
-    from pieper.description.robotfile import read
-
     return read(path_of(name))
 
 
 def _unknown(name: str) -> str:
-    import difflib
-
     wanted = str(name).strip().lower().replace("_", "-").replace(" ", "-")
     near = difflib.get_close_matches(wanted, names(), n=3, cutoff=0.5)
     # "ur5x" should find "universal-robots-ur5e", whose maker's name hides the likeness

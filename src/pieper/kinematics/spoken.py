@@ -75,7 +75,7 @@ def _about(axis: int, angle: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]
 
 def read_pose(T: npt.ArrayLike, kind: str, degrees: bool = False, mm: bool = False) -> tuple[float, ...]:
     """Return a pose (4, 4) as x, y, z and the numbers of a notation."""
-    from pieper.description.orientation import rpy_of
+    from pieper.kinematics.orientation import rpy_of
 
     T = checked_pose(T, "T")
     if kind not in ("rpy", "wpr"):
