@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -202,23 +202,32 @@ class Arm:
         return f"<Arm {self.name}: {self.n} joints {self.joint_types}, {self.description.convention} DH>"
 
 
-def load(source: str | os.PathLike, *, snap: float | None = None) -> Arm:
-    """Load an arm: a catalogue name, or a path to a robot file (.toml) or a .urdf.
+def load(
+    source: str | os.PathLike[str],
+    base: str | None = None,
+    tip: str | None = None,
+    snap: float | None = None,
+    *,
+    missing_limits: str = "refuse",
+    xacro_args: Mapping[str, str] | None = None,
+) -> Arm:
+    """Load an arm: a catalogue name or a unique part of one, or a file: .toml, .urdf, .xacro, .xml (MJCF).
+
+    Args:
+        source: Name or path.
+        base: Link that is the base; in a robot file one of its named frames.
+        tip: Link that is the tool; in a robot file one of its named tools.
+        snap: As in `Arm`.
+        missing_limits: "refuse" a joint whose range the file does not say, or take it as "unlimited".
+        xacro_args: Values of the arguments of a .xacro file.
 
     Raises:
-        InputError: No such arm or file, or the file says something impossible.
+        InputError: No such arm or file, or the file says something impossible or leaves a choice; the message lists it.
     """
-    from pieper.description import catalog as shelf
-    from pieper.description import robotfile
+    from pieper.description import source as door
 
-    text = os.fspath(source)
-    if text.endswith(".urdf"):
-        from pieper.description import urdf
-
-        return Arm(urdf.read(Path(text)), snap=snap)
-    if text.endswith(".toml") or os.sep in text:
-        return Arm(robotfile.read(Path(text)), snap=snap)
-    return Arm(shelf.load(text), snap=snap)
+    said = door.read(source, base=base, tip=tip, missing_limits=missing_limits, xacro_args=xacro_args)
+    return Arm(said, snap=snap)
 
 
 def catalog() -> list[str]:
