@@ -1,8 +1,9 @@
 """pieper: give it a DH table and it gives back everything that can be known about how that arm moves."""
 
-from pieper.arm import Arm, catalog, load
+from pieper.arm import Arm, catalog, load, ur_calibrated
 from pieper.description.dh import DH
 from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
+from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.path import line
 from pieper.solver.results import SolutionBatch, Solutions, Status
 
@@ -22,4 +23,7 @@ __all__ = [
     "catalog",
     "line",
     "load",
+    "pose",
+    "read_pose",
+    "ur_calibrated",
 ]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pieper.description import catalog, mjcf, robotfile, urdf, xacro
+from pieper.description import catalog, mjcf, robotfile, urdf, urdf_text, xacro
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.pose import inverse
@@ -102,3 +102,22 @@ def _chosen(arm: Description, base: str | None, tip: str | None) -> Description:
     if tip is not None:
         arm = replace(arm, tool=arm.tools[tip], checks=())
     return arm
+
+
+def write(arm: Description, path: str | os.PathLike[str]) -> None:
+    """Write an arm as a robot file, or as a URDF where the name ends in .urdf; whole or not at all.
+
+    Raises:
+        InputError: The file cannot be written, or its ending is another format's.
+    """
+    target = Path(os.fspath(path))
+    ending = target.suffix.lower()
+    if ending == ".urdf":
+        urdf_text.write(arm, target)
+    elif ending in (".xml", ".mjcf", ".xacro", *_REFUSED):
+        raise InputError(
+            f"{target}: an arm is written as .toml or .urdf. MuJoCo reads a .urdf, and saves it as MJCF.",
+            file=str(target),
+        )
+    else:
+        robotfile.write(arm, target)
