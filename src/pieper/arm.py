@@ -275,6 +275,17 @@ class Arm:
         """
         return solve.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
 
+    def closest(self, T: object) -> tuple[np.ndarray, float, float]:
+        """Return the posture (n,) that comes closest to a pose, limits aside, and what is missing, m and rad.
+
+        Position gives way before orientation. The search begins at random places: a nearer posture may exist.
+        """
+        from pieper.kinematics.pose import checked_pose
+        from pieper.solver.words.closest import nearest_reachable
+
+        q, metres, radians = nearest_reachable(self.plan.reduction.full, checked_pose(T))
+        return q[: self.n], metres, radians
+
     def arm_angle(self, q: object) -> tuple[np.ndarray, np.ndarray]:
         """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
 
