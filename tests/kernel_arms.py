@@ -7,6 +7,7 @@ from math import pi
 import numpy as np
 
 from pieper import _kernel
+from pieper.description.chain_of import chain_of
 from pieper.description.dh import DH, describe
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import look
@@ -15,7 +16,7 @@ from pieper.solver.families import spherical_wrist_parallel as family
 
 def arm(a, alpha, d, theta=(0,) * 6, **rest) -> Chain:
     rows = [DH(a=w, alpha=x, d=y, theta=z) for w, x, y, z in zip(a, alpha, d, theta, strict=True)]
-    return Chain.from_description(describe(rows, convention="standard", **rest))
+    return chain_of(describe(rows, convention="standard", **rest))
 
 
 def placed(seed: int) -> np.ndarray:

@@ -18,7 +18,6 @@ from closed_form_arms import (
     wrist_arm,
 )
 from pieper.description.dh import DH, describe
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
 from pieper.solver.families import spherical_wrist
@@ -89,7 +88,7 @@ def test_a_cylindrical_arm_reaches_its_column_from_both_sides(distance):
     description = describe(
         [DH(a=a, alpha=alpha, d=d) for a, alpha, d in rows], convention="standard", joint_types="RPPRRR"
     )
-    chain = Chain.from_description(description)
+    chain = chain_of(description)
     solver = solver_of(spherical_wrist, chain)
     rng = np.random.default_rng(4)
     for _ in range(40):

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pieper.solver.plan.cuspidal import determinant
+from pieper.kinematics.newton import determinant
 from pieper.solver.words.labels import posture_words
 
 sys.path.append(str(Path(__file__).parent / "oracle"))
