@@ -7,6 +7,7 @@ from math import pi
 import numpy as np
 
 from pieper import _kernel
+from pieper.description.fold import chain_of
 from pieper.description.dh import DH, describe
 from pieper.description.fold import chain_of
 from pieper.kinematics.chain import Chain

@@ -6,19 +6,17 @@ import os
 from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
-
-import numpy as np
 
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
 from pieper.kinematics import forward
-from pieper.solver import verbs as solve
-from pieper.solver.plan.plan import Plan, make_plan
-
-if TYPE_CHECKING:
-    from pieper.motion.track import Track
-    from pieper.solver.results import SolutionBatch, Solutions
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
+from pieper.motion.track import Track, follow
+from pieper.solver import verbs
+from pieper.solver.plan.classify import make_plan
+from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant.choice import Redundancy, read_arm_angle
+from pieper.solver.results import SolutionBatch, Solutions
 
 
 class Arm:
@@ -43,8 +41,8 @@ class Arm:
         convention: str,
         joint_types: str | None = None,
         limits: Sequence | None = None,
-        base: np.ndarray | None = None,
-        tool: np.ndarray | None = None,
+        base: Array | None = None,
+        tool: Array | None = None,
         name: str = "arm",
         joint_names: Sequence[str] | None = None,
         sign: Sequence[float] | None = None,
@@ -93,17 +91,17 @@ class Arm:
         return self.description.joint_types
 
     @property
-    def limits(self) -> np.ndarray:
+    def limits(self) -> Array:
         """(n, 2) lower and upper limits, rad or m; infinite where there is none."""
         return self.description.limits
 
     @property
-    def base(self) -> np.ndarray:
+    def base(self) -> Array:
         """(4, 4) pose of the DH table's first frame."""
         return self.description.base
 
     @property
-    def tool(self) -> np.ndarray:
+    def tool(self) -> Array:
         """(4, 4) pose of the tool in the DH table's last frame."""
         return self.description.tool
 
@@ -112,7 +110,7 @@ class Arm:
         """Named joint vectors (n,), rad or m."""
         return dict(self.description.postures)
 
-    def fk(self, q: object) -> np.ndarray:
+    def fk(self, q: ArrayLike) -> Array:
         """Return the tool poses (..., 4, 4) in the base frame of joint vectors q (..., n), rad or m.
 
         Raises:
@@ -120,11 +118,11 @@ class Arm:
         """
         return forward.fk(self.chain, q)
 
-    def frames(self, q: object) -> np.ndarray:
+    def frames(self, q: ArrayLike) -> Array:
         """Return the frames (..., n + 2, 4, 4) of q (..., n): base, the DH frame after each joint, tool."""
         return forward.frames(self.chain, q, self.description.base)
 
-    def jacobian(self, q: object) -> np.ndarray:
+    def jacobian(self, q: ArrayLike) -> Array:
         """Return the geometric Jacobians (..., 6, n) of q (..., n): tool point, base frame, linear rows first."""
         return forward.jacobian(self.chain, q)
 
@@ -145,7 +143,7 @@ class Arm:
             self._plans[key] = make_plan(self.chain, self.description, task=task, snap=self._snap)
         return self._plans[key]
 
-    def ik(self, T: object, *, task: str | None = None, redundancy: object = None) -> Solutions:
+    def ik(self, T: ArrayLike, *, task: str | None = None, redundancy: Redundancy = None) -> Solutions:
         """Return every solution of a pose.
 
         Args:
@@ -158,10 +156,10 @@ class Arm:
         Raises:
             InputError: T is not a pose, or the redundancy value is impossible.
         """
-        return solve.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
+        return verbs.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
 
     def ik_many(
-        self, Ts: object, *, threads: int | None = None, task: str | None = None, redundancy: object = None
+        self, Ts: ArrayLike, *, threads: int | None = None, task: str | None = None, redundancy: Redundancy = None
     ) -> SolutionBatch:
         """Return every solution of N poses.
 
@@ -171,9 +169,9 @@ class Arm:
             task: As in `ik`.
             redundancy: As in `ik`, one value or one a pose.
         """
-        return solve.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
+        return verbs.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
 
-    def closest(self, T: object) -> tuple[np.ndarray, float, float]:
+    def closest(self, T: ArrayLike) -> tuple[Array, float, float]:
         """Return the posture (n,) that comes closest to a pose, limits aside, and what is missing, m and rad.
 
         Position gives way before orientation. The search begins at random places: a nearer posture may exist.
@@ -184,7 +182,7 @@ class Arm:
         q, metres, radians = nearest_reachable(self.plan.reduction.full, checked_pose(T))
         return q[: self.n], metres, radians
 
-    def arm_angle(self, q: object) -> tuple[np.ndarray, np.ndarray]:
+    def arm_angle(self, q: ArrayLike) -> tuple[Array, Bools]:
         """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
 
         `ik(T, redundancy={"arm angle": value})` solves for one. An undefined angle is given as zero; where that is so
@@ -193,13 +191,11 @@ class Arm:
         Raises:
             InputError: The arm has no arm angle; the message says why.
         """
-        return solve.read_arm_angle(self.plan_for("pose"), q)
+        return read_arm_angle(self.plan_for("pose"), q)
 
-    def follow(self, path: object, *, start: object) -> Track:
+    def follow(self, path: ArrayLike, *, start: ArrayLike | None = None) -> Track:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
-        from pieper.motion.track import follow
-
-        return follow(self, path, start=start)
+        return follow(self.plan, path, start=start)
 
     @cached_property
     def symbolic(self):

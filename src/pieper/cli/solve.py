@@ -85,7 +85,7 @@ def ik(
     labels = sols.all_labels if everything else sols.labels
     inside = sols.in_limits if everything else np.ones(len(sols), bool)
     residual = plan.residual(rows, sols.T) if len(rows) else np.zeros((0, 2))
-    status = DONE if len(sols) or sols.families else NO_SOLUTION
+    status = DONE if len(sols) or sols.self_motions else NO_SOLUTION
     if figure and len(sols):
         from pieper.presentation.plot_arm import solutions_figure
         from pieper.presentation.style import save_figure
@@ -106,9 +106,9 @@ def ik(
         "",
         left=(arm.n + 1, arm.n + 2, arm.n + 4),
     )
-    families = sols.in_family if not everything else _all_families(sols, rows)
+    motions = sols.in_self_motion if not everything else _all_self_motions(sols, rows)
     for i, row in enumerate(rows):
-        remark = f"family {families[i] + 1}" if families[i] >= 0 else ""
+        remark = f"self-motion {motions[i] + 1}" if motions[i] >= 0 else ""
         made.add_row(
             str(i + 1),
             *joint_cells(arm, row, units),
@@ -120,8 +120,8 @@ def ik(
     out.print(pose_table(sols.T, units, "pose"))
     if len(rows):
         out.print(made)
-    for i, family in enumerate(sols.families):
-        out.print(f"family {i + 1}: {family}", markup=False)
+    for i, motion in enumerate(sols.self_motions):
+        out.print(f"self-motion {i + 1}: {motion}", markup=False)
     if closest is not None:
         out.print(f"nearest to {near}: {', '.join(joint_cells(arm, closest, units))}", markup=False)
     out.print(f"{sols.status.name}: {sols.why}", markup=False)
@@ -154,9 +154,9 @@ def _unit(plan, name: str, units: Units) -> float:
     return units.metres if sliding else units.radians
 
 
-def _all_families(sols, rows: np.ndarray) -> np.ndarray:
+def _all_self_motions(sols, rows: np.ndarray) -> np.ndarray:
     out = np.full(len(rows), -1)
-    out[sols.in_limits] = sols.in_family
+    out[sols.in_limits] = sols.in_self_motion
     return out
 
 
@@ -166,7 +166,7 @@ def _which_limit(arm, row: np.ndarray) -> str:
 
 
 def _as_data(arm, sols, rows, labels, inside, residual, closest, plan) -> dict:
-    families = _all_families(sols, rows) if len(rows) != len(sols.q) else sols.in_family
+    motions = _all_self_motions(sols, rows) if len(rows) != len(sols.q) else sols.in_self_motion
     return {
         "arm": arm.name,
         "T": sols.T,
@@ -182,11 +182,11 @@ def _as_data(arm, sols, rows, labels, inside, residual, closest, plan) -> dict:
                 "in_limits": bool(ok),
                 "residual_m": r[0],
                 "residual_rad": r[1],
-                "family": int(family) if family >= 0 else None,
+                "self_motion": int(motion) if motion >= 0 else None,
             }
-            for q, label, ok, r, family in zip(rows, labels, inside, residual, families, strict=True)
+            for q, label, ok, r, motion in zip(rows, labels, inside, residual, motions, strict=True)
         ],
         "solutions_before_limits": len(sols.all_q),
-        "families": [str(family) for family in sols.families],
+        "self_motions": [str(motion) for motion in sols.self_motions],
         "nearest": closest,
     }

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.chain import Chain
 
 
-def checked_joints(q: object, n: int, what: str = "q") -> np.ndarray:
+def checked_joints(q: ArrayLike, n: int, what: str = "q") -> Array:
     """Return joint vectors (..., n) as float64 or say what is wrong with them."""
     try:
         joints = np.asarray(q, dtype=float)
@@ -24,16 +25,16 @@ def checked_joints(q: object, n: int, what: str = "q") -> np.ndarray:
     return joints
 
 
-def fk(chain: Chain, q: object) -> np.ndarray:
+def fk(chain: Chain, q: ArrayLike) -> Array:
     """Return the tool poses (..., 4, 4) of joint vectors q (..., n)."""
     return chain.native.fk(checked_joints(q, chain.n))
 
 
-def frames(chain: Chain, q: object, base: np.ndarray) -> np.ndarray:
+def frames(chain: Chain, q: ArrayLike, base: Array) -> Array:
     """Return the frames (..., n + 2, 4, 4): base, the DH frame after each joint, tool."""
     return chain.native.frames(checked_joints(q, chain.n), base)
 
 
-def jacobian(chain: Chain, q: object) -> np.ndarray:
+def jacobian(chain: Chain, q: ArrayLike) -> Array:
     """Return the geometric Jacobians (..., 6, n) of the tool point in the base frame, linear rows first."""
     return chain.native.jacobian(checked_joints(q, chain.n))

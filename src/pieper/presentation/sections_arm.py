@@ -155,7 +155,7 @@ def add_plan(page: Document, arm: Arm) -> None:
     except PieperError as error:
         page.add(str(error))
         return
-    from pieper.solver.words.why import FAMILY_WORDS
+    from pieper.solver.words.explain import FAMILY_WORDS
 
     geometry, words = FAMILY_WORDS.get(plan.family, ("its own geometry", ""))
     page.add("What matters for the inverse is which neighbouring axes are parallel or meet:")

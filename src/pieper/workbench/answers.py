@@ -11,19 +11,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import pieper
-from pieper.solver.results import joint_distance, unwound
 from pieper.solver.words.closest import nearest_reachable
 from pieper.workbench.messages import MAX_JOINTS, Refused, number, optional, pose, vector, word
 from pieper.workbench.table import arm_from_table, table_from_arm
 
 if TYPE_CHECKING:
     from pieper.solver.plan.plan import Plan
+    from pieper.solver.singular.self_motion import SelfMotion
 
 FIRST_ARM = "denso-vp6242"
 LONGEST_FILE = 200_000
 TASKS = ("pose", "position", "position+axis")
-#: Points of a family that are sent, at most.
-FAMILY_POINTS = 241
+#: Points of a self-motion that are sent, at most.
+MOTION_POINTS = 241
 
 
 def hello(message: dict[str, Any], start: str | None) -> dict[str, Any]:
@@ -83,7 +83,7 @@ def _count(value: object) -> int | None:
 
 
 def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
-    """Return every solution of a pose with labels, limits and residuals, its families, and the reason in words."""
+    """Return every solution of a pose with labels, limits and residuals, its self-motions, and the reason in words."""
     began = time.perf_counter()
     solutions = solve(arm, message)
     spent = time.perf_counter() - began
@@ -96,7 +96,7 @@ def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
             answer["spare"] = spare_coordinates(plan)
             answer["arm_angle"] = _arm_angle(plan, answer["nearest"])
     elif not message.get("brief"):
-        answer["families"] = [family_points(family, arm.n) for family in solutions.families]
+        answer["families"] = [motion_points(motion, arm.n) for motion in solutions.self_motions]
     return answer
 
 
@@ -152,11 +152,11 @@ def _arm_angle(plan: Plan, q: list[float] | None) -> float | None:
 def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[str, Any]) -> dict[str, Any]:
     """Return Solutions as JSON: every row of all_q, those outside the limits marked."""
     inside = np.asarray(solutions.in_limits, dtype=bool)
-    # A dragged target asks many times a second: words and families wait for the hand to rest.
+    # A dragged target asks many times a second: words and self-motions wait for the hand to rest.
     brief = bool(message.get("brief"))
     labels = [None] * len(solutions.all_q) if brief else list(solutions.all_labels)
-    families = np.full(len(solutions.all_q), -1)
-    families[inside] = solutions.in_family
+    motions = np.full(len(solutions.all_q), -1)
+    motions[inside] = solutions.in_self_motion
     plan = arm.plan_for(message.get("task"))
     residual = plan.residual(solutions.all_q, solutions.T)
     now = message.get("q")
@@ -170,7 +170,7 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
                 "label": labels[i],
                 "inside": bool(inside[i]),
                 "residual": residual[i].tolist(),
-                "family": int(families[i]),
+                "family": int(motions[i]),
             }
             for i, q in enumerate(solutions.all_q)
         ],
@@ -191,23 +191,24 @@ def _nearest(plan: Plan, solutions: pieper.Solutions, now: np.ndarray) -> list[f
             return None
     if not len(solutions):
         return None
-    rows = unwound(solutions.q, now, plan.limits, plan.prismatic)
-    return rows[np.argmin(joint_distance(rows, now, plan.prismatic, plan.chain.length))].tolist()
+    joints = plan.chain.joints
+    rows = joints.unwound(solutions.q, now, plan.limits)
+    return rows[np.argmin(joints.straight(rows, now))].tolist()
 
 
-def family_points(family: Any, n: int) -> dict[str, Any]:
-    """Return a continuous family as joint vectors (n,) along it, in order; between them the page finds its own way."""
-    samples = np.asarray(family.samples)
-    kept = np.unique(np.linspace(0, len(samples) - 1, min(len(samples), FAMILY_POINTS)).round().astype(int))
-    names = list(family.names)
+def motion_points(motion: SelfMotion, n: int) -> dict[str, Any]:
+    """Return a self-motion as joint vectors (n,) along it, in order; between them the page finds its own way."""
+    samples = np.asarray(motion.samples)
+    kept = np.unique(np.linspace(0, len(samples) - 1, min(len(samples), MOTION_POINTS)).round().astype(int))
+    names = list(motion.names)
     return {
         # a task that fixes less than a pose adds joints at the tool, which are none of the arm's
         "q": samples[kept, :n].tolist(),
-        "s": np.asarray(family.s)[kept].tolist(),
-        "closed": bool(family.closed),
-        "moves": [names[j] for j in family.free if j < n],
-        "inside": [[float(a), float(b)] for a, b in family.inside],
-        "dimension": int(family.dimension),
+        "s": np.asarray(motion.u)[kept].tolist(),
+        "closed": bool(motion.closed),
+        "moves": [names[j] for j in motion.free if j < n],
+        "inside": [[float(a), float(b)] for a, b in motion.inside],
+        "dimension": int(motion.dimension),
     }
 
 

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from pieper.errors import PlanError
+from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.pose import stepped
-from pieper.solver.native import SixJointSolver
-from pieper.solver.plan.nominal import FILLED_ZERO, distinct_rows, nominal_rows, solver_of
+from pieper.solver.kernel_rows import Solved, kernel_rows, without_repeats
 from pieper.solver.plan.plan import Plan
-from pieper.solver.results import COUNT_CHANGES, UNCERTAIN
+from pieper.solver.rows import Flag
+from pieper.tolerances import FILLED_ZERO
 
 #: How far from the pose the nominal arm's count is looked at, in multiples of how far the two arms differ: a double
 #: cross of twelve poses so far away encloses the ball that the difference may lead to.
@@ -20,7 +19,7 @@ MARGIN = 3.0
 CHUNK = 4096
 
 
-def in_doubt(plan: Plan, T: np.ndarray, values: np.ndarray, count: np.ndarray) -> np.ndarray:
+def in_doubt(plan: Plan, T: Array, values: Array, count: Indices) -> Bools:
     """Return (N,) bool: poses T (N, 4, 4) near which the nominal arm has another count of solutions than count (N,)."""
     size = MARGIN * plan.drift
     twists = np.concatenate([size * np.eye(6), -size * np.eye(6)])
@@ -28,30 +27,22 @@ def in_doubt(plan: Plan, T: np.ndarray, values: np.ndarray, count: np.ndarray) -
     for first in range(0, len(T), CHUNK):
         part = slice(first, first + CHUNK)
         beside = np.concatenate([stepped(T[part], np.tile(w, (len(T[part]), 1)), plan.chain.length) for w in twists])
-        valid = nominal_rows(plan, beside, np.tile(values[part], (len(twists), 1)), 1)[1]
-        counts = valid.sum(1).reshape(len(twists), -1)
+        values_beside = np.tile(values[part], (len(twists), 1))
+        counts = kernel_rows(plan, beside, values_beside, 1).valid.sum(1).reshape(len(twists), -1)
         doubt[part] = (counts != count[part]).any(0)
     return doubt
 
 
-@lru_cache(maxsize=64)
-def exact_solver(plan: Plan, values: tuple[float, ...]) -> SixJointSolver | None:
-    """Return the solver of the arm as described with locked joints at values; None where no family takes it."""
-    try:
-        return solver_of(plan.exact.six(np.array(values)))
-    except PlanError:
-        return None
-
-
-def exact_rows(plan: Plan, T: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, bool]:
+def exact_rows(plan: Plan, T: Array, values: Array) -> tuple[Array, bool]:
     """Return the rows (m, n) of one pose (4, 4) of the arm as described, and whether they are certainly all."""
     reduction = plan.exact
     # one kernel serves all values of joints locked at the ends
-    solver = exact_solver(plan, () if reduction.at_ends is not None else tuple(values))
-    if solver is None:
+    try:
+        solver = plan.exact_solvers.at(() if reduction.at_ends is not None else tuple(values))
+    except PlanError:
         return np.zeros((0, reduction.full.n)), False
     pose = reduction.moved_pose(T[None], values[None])
-    q6, valid, _, flag = solver.many(np.ascontiguousarray(pose), 1)
+    q6, valid, _, flags = solver.many(np.ascontiguousarray(pose), 1)
     q6 = q6[0][valid[0]]
     real = 6 - len(reduction.fill)
     if reduction.fill:
@@ -60,32 +51,26 @@ def exact_rows(plan: Plan, T: np.ndarray, values: np.ndarray) -> tuple[np.ndarra
     rows = np.zeros((len(q6), reduction.full.n))
     rows[:, reduction.kept] = q6[:, :real]
     rows[:, list(reduction.locked)] = values
-    return rows, not flag[0] & UNCERTAIN
+    return rows, not int(flags[0]) & Flag.UNCERTAIN
 
 
-def counted(
-    plan: Plan, T: np.ndarray, values: np.ndarray, full: np.ndarray, valid: np.ndarray, nominal: np.ndarray, flag
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def counted(plan: Plan, T: Array, values: Array, polished: Solved, nominal: Indices) -> Solved:
     """Compare the refined rows with the nominal arm's and, where the counts may differ, with the arm's own.
 
     Args:
         plan: A snapped plan.
         T: (N, 4, 4).
         values: (N, k) of the locked joints.
-        full: (N, M, n) rows refined on the arm as described.
-        valid: (N, M).
+        polished: Rows refined on the arm as described.
         nominal: (N,) number of the nominal arm's solutions.
-        flag: (N,).
 
     Returns:
-        full (N, max_solutions, n), valid and flag: where a pair of solutions lies between the nominal arm and the true
-        one, the rows of the true one with the flags UNCERTAIN and COUNT_CHANGES.
+        Rows, at least `max_solutions` a pose: where a pair of solutions lies between the nominal arm and the true one,
+        those of the true one with the flags UNCERTAIN and COUNT_CHANGES.
     """
-    most = plan.max_solutions
-    if full.shape[1] < most:
-        full = np.pad(full, ((0, 0), (0, most - full.shape[1]), (0, 0)))
-        valid = np.pad(valid, ((0, 0), (0, most - valid.shape[1])))
-    full, valid, flag = full.copy(), valid.copy(), flag.copy()
+    room = max(0, plan.max_solutions - polished.q.shape[1])
+    full, valid = np.pad(polished.q, ((0, 0), (0, room), (0, 0))), np.pad(polished.valid, ((0, 0), (0, room)))
+    flags = polished.flags.copy()
     if plan.reduction.fill:
         # the nominal arm's rows are those that come near to filling with zero: only the refined ones can be counted
         nominal, doubt = valid.sum(1), np.ones(len(T), bool)
@@ -94,10 +79,10 @@ def counted(
     for i in np.flatnonzero(doubt):
         rows, certain = exact_rows(plan, T[i], values[i])
         both = np.concatenate([full[i][valid[i]], rows])
-        both = both[distinct_rows(plan.exact.full, both[None], np.ones((1, len(both)), bool))[0]][: full.shape[1]]
+        both = both[without_repeats(plan.exact.full, both[None], np.ones((1, len(both)), bool))[0]][: full.shape[1]]
         if certain and len(both) == nominal[i] == valid[i].sum():
             continue
         full[i], valid[i] = 0.0, False
         full[i, : len(both)], valid[i, : len(both)] = both, True
-        flag[i] |= UNCERTAIN | (COUNT_CHANGES if len(both) != nominal[i] else 0)
-    return full, valid, flag
+        flags[i] |= Flag.UNCERTAIN | (Flag.COUNT_CHANGES if len(both) != nominal[i] else 0)
+    return Solved(full, valid, flags)

@@ -15,9 +15,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk, jacobian
+from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import axes_at, look
+from pieper.kinematics.newton import null_space
 from pieper.kinematics.pose import inverse
 from pieper.tolerances import GEOMETRY_EXACT
 
@@ -42,11 +44,11 @@ class ArmAngle:
     """
 
     chain: Chain
-    shoulder: np.ndarray
+    shoulder: Array
     along: float
-    wrist: np.ndarray
-    pole: np.ndarray
-    reference: np.ndarray
+    wrist: Array
+    pole: Array
+    reference: Array
     spherical: bool
     words: str
 
@@ -55,7 +57,7 @@ class ArmAngle:
         """The most solutions that are given for one pose and arm angle: 8 where shoulder and wrist are spherical."""
         return 8 if self.spherical else 32
 
-    def of(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def of(self, q: Array) -> tuple[Array, Bools]:
         """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
 
         An angle that is undefined (the elbow on the line S-W, the line along the pole, or W on S) is given as zero.
@@ -63,7 +65,7 @@ class ArmAngle:
         x, y, defined = self.frame(fk(self.chain, q))
         return self.about(q, x, y, defined)
 
-    def about(self, q: np.ndarray, x: np.ndarray, y: np.ndarray, defined: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def about(self, q: Array, x: Array, y: Array, defined: Bools) -> tuple[Array, Bools]:
         """Return angles and whether defined, of q (..., 7) about lines whose references x, y (..., 3) are given."""
         elbow = self.elbow(q)
         across, up = np.sum(elbow * x, -1), np.sum(elbow * y, -1)
@@ -71,16 +73,16 @@ class ArmAngle:
         angle = np.arctan2(np.where(defined, up, 0.0), np.where(defined, across, 1.0))
         return np.where(angle == -np.pi, np.pi, angle), defined
 
-    def elbow(self, q: np.ndarray) -> np.ndarray:
+    def elbow(self, q: Array) -> Array:
         """Return E - S (..., 3) of joint vectors q (..., 7), world frame, m."""
         axes, points = axes_at(self.chain, q)
         return points[..., 3, :] + self.along * axes[..., 3, :] - self.shoulder
 
-    def line(self, T: np.ndarray) -> np.ndarray:
+    def line(self, T: Array) -> Array:
         """Return W - S (..., 3) of poses T (..., 4, 4), world frame, m."""
         return T[..., :3, :3] @ self.wrist + T[..., :3, 3] - self.shoulder
 
-    def frame(self, T: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def frame(self, T: Array) -> tuple[Array, Array, Bools]:
         """Return unit vectors x, y (..., 3) across the line S-W of poses T: the angle counts from x towards y.
 
         The mirror that swaps the pole and the line's direction u carries the reference to x; y = u x x. Also returned:
@@ -99,7 +101,7 @@ class ArmAngle:
         x = self.reference - 2 * (mirror @ self.reference)[..., None] * mirror
         return x, np.cross(u, x), defined
 
-    def gradient(self, q: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    def gradient(self, q: Array, x: Array, y: Array) -> Array:
         """Return d angle / d q (..., 7) with the line S-W held; zero where the elbow is on the line."""
         axes, points = axes_at(self.chain, q)
         elbow = points[..., 3, :] + self.along * axes[..., 3, :]
@@ -112,7 +114,7 @@ class ArmAngle:
         return out
 
 
-def arm_angle(chain: Chain, base: np.ndarray) -> ArmAngle | str:
+def arm_angle(chain: Chain, base: Array) -> ArmAngle | str:
     """Return how the arm angle of a chain is defined, or in words why it has none.
 
     Args:
@@ -155,14 +157,12 @@ def _moves(angle: ArmAngle) -> bool:
     q = np.pi * (2 * (np.arange(1, 9)[:, None] * steps % 1.0) - 1)
     x, y, defined = angle.frame(fk(angle.chain, q))
     _, defined = angle.about(q, x, y, defined)
-    J = jacobian(angle.chain, q).copy()
-    J[:, :3] /= angle.chain.length
-    null = np.linalg.svd(J)[2][:, -1]
+    null = null_space(angle.chain, q)[1][:, -1]
     change = np.abs(np.sum(angle.gradient(q, x, y) * null, -1))
     return bool(np.median(np.where(defined, change, 0.0)) > 1e-6)
 
 
-def _foot(chain: Chain, on: int, towards: int) -> np.ndarray | None:
+def _foot(chain: Chain, on: int, towards: int) -> Array | None:
     """Return the point (3,) of one axis nearest to another, all joints at zero; None where they are parallel."""
     u, v = chain.axes[on], chain.axes[towards]
     normal = np.cross(u, v)

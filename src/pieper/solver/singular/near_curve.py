@@ -11,9 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import pose_difference, scaled_jacobian
-from pieper.solver.results import TURN
+from pieper.kinematics.newton import bounded, pose_difference, scaled_jacobian, turned_back
+from pieper.tolerances import TINY
 
 #: What a curve may miss the pose by at most, and the relative sigma_min up to which it is followed.
 FAR, STEEP = 1e-4, 1e-2
@@ -38,33 +39,28 @@ class Points:
         sigma: (N,) relative smallest singular value.
     """
 
-    q: np.ndarray
-    miss: np.ndarray
-    rest: np.ndarray
-    left: np.ndarray
-    null: np.ndarray
-    sigma: np.ndarray
+    q: Array
+    miss: Array
+    rest: Array
+    left: Array
+    null: Array
+    sigma: Array
 
 
-def onto(chain: Chain, q: np.ndarray, T: np.ndarray, steps: int = 4) -> Points:
+def onto(chain: Chain, q: Array, T: Array, steps: int = 4) -> Points:
     """Move joint vectors q (N, n) onto such curves by Newton steps in all but the weakest direction."""
-    unit = np.where(chain.prismatic, chain.length, 1.0)
-    q = np.array(q, float)
     weakest = min(chain.n, 6) - 1
     for step in range(steps + 1):
         e = pose_difference(chain, q, T)
         U, s, Vt = np.linalg.svd(scaled_jacobian(chain, q), full_matrices=False)
         along = np.einsum("nik,ni->nk", U, e)
-        if step < steps:
-            gain = np.where(s > WEAK * s[:, :1], 1.0 / np.maximum(s, 1e-300), 0.0)
-            gain[:, weakest] = 0.0
-            move = np.einsum("nkj,nk->nj", Vt, gain * along)
-            size = np.linalg.norm(move, axis=1, keepdims=True)
-            q = q + np.minimum(1.0, 0.3 / np.maximum(size, 1e-300)) * move * unit
+        if step == steps:
+            break
+        q = q + bounded(turned_back(s, Vt, along, WEAK, weakest), 0.3) * chain.joints.unit
     miss = along[:, weakest]
     left, null = U[:, :, weakest], Vt[:, weakest]
     rest = np.linalg.norm(e - miss[:, None] * left, axis=1)
-    return Points(q, miss, rest, left, null, s[:, weakest] / np.maximum(s[:, 0], 1e-300))
+    return Points(q, miss, rest, left, null, s[:, weakest] / np.maximum(s[:, 0], TINY))
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,13 +74,13 @@ class NearCurve:
         closed: Whether the last sample is the first again, up to whole turns.
     """
 
-    q: np.ndarray
-    miss: np.ndarray
-    left: np.ndarray
+    q: Array
+    miss: Array
+    left: Array
     closed: bool
 
 
-def followed(chain: Chain, q: np.ndarray, T: np.ndarray) -> NearCurve:
+def follow(chain: Chain, q: Array, T: Array) -> NearCurve:
     """Follow the curve through q (n,) both ways until it closes, turns steep or misses the pose by too much."""
     start = onto(chain, q[None], T)
     points, closed = _walk(chain, start, T, 1.0)
@@ -93,8 +89,8 @@ def followed(chain: Chain, q: np.ndarray, T: np.ndarray) -> NearCurve:
     return NearCurve(*(np.array(column) for column in zip(*points, strict=True)), closed)
 
 
-def _walk(chain: Chain, start: Points, T: np.ndarray, sense: float) -> tuple[list[tuple], bool]:
-    unit = np.where(chain.prismatic, chain.length, 1.0)
+def _walk(chain: Chain, start: Points, T: Array, sense: float) -> tuple[list[tuple[Array, float, Array]], bool]:
+    unit = chain.joints.unit
     q, null, left = start.q[0], sense * start.null[0], start.left[0]
     points, step, first = [(q, float(start.miss[0]), left)], STEP, null
     for taken in range(MOST_STEPS):
@@ -113,7 +109,7 @@ def _walk(chain: Chain, start: Points, T: np.ndarray, sense: float) -> tuple[lis
         same = 1.0 if p.left[0] @ left > 0 else -1.0
         left = same * p.left[0]
         points.append((q, float(same * p.miss[0]), left))
-        home = np.where(chain.prismatic, q - start.q[0], (q - start.q[0] + np.pi) % TURN - np.pi)
+        home = chain.joints.way(q, start.q[0])
         if taken > 2 and np.linalg.norm(home / unit) < 0.75 * step and abs(null @ first) > 0.8:
             back = 1.0 if start.left[0] @ left > 0 else -1.0
             points.append((q - home, back * float(start.miss[0]), back * start.left[0]))
@@ -122,7 +118,7 @@ def _walk(chain: Chain, start: Points, T: np.ndarray, sense: float) -> tuple[lis
     return points, False
 
 
-def hiding(chain: Chain, T: np.ndarray, curve: NearCurve) -> np.ndarray:
+def hiding(chain: Chain, T: Array, curve: NearCurve) -> Array:
     """Return points (m, n) of a curve where what is missed vanishes, or where it is smallest without a change of sign.
 
     Changes of sign are narrowed down on the curve by false position, all at once.
@@ -163,11 +159,11 @@ def hiding(chain: Chain, T: np.ndarray, curve: NearCurve) -> np.ndarray:
     return np.concatenate([middle[0], tips]) if len(a[0]) else tips
 
 
-def _ends(q, miss, left, index):
+def _ends(q: Array, miss: Array, left: Array, index: Indices) -> tuple[Array, Array, Array]:
     return q[index], miss[index], left[index]
 
 
-def _valued(chain, q, T, left):
+def _valued(chain: Chain, q: Array, T: Array, left: Array) -> tuple[Array, Array, Array]:
     """Return q moved onto the curve, what it misses along the sense of `left`, and that direction."""
     p = onto(chain, q, T, 4)
     same = np.where(np.einsum("ni,ni->n", p.left, left) > 0, 1.0, -1.0)
