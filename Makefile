@@ -9,7 +9,7 @@
 PYTHON ?= python3
 VENV ?= .venv
 BIN = $(abspath $(VENV))/bin
-SOURCES = pyproject.toml CMakeLists.txt $(shell find kernels src -name '*.so' -prune -o -type f -not -path '*/__pycache__/*' -print)
+SOURCES = pyproject.toml CMakeLists.txt $(shell find kernels build_backend src -name '*.so' -prune -o -type f -not -path '*/__pycache__/*' -print)
 
 .PHONY: tour test bench kernel kernel-now clean
 .DELETE_ON_ERROR:

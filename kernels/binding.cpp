@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "solver.hpp"
+#include "dispatch/solver.hpp"
 
 namespace nb = nanobind;
 
