@@ -10,10 +10,13 @@
 
 #include <cmath>
 #include <algorithm>
+#include <cstring>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "dispatch/solver.hpp"
+#include "family_headers.hpp"
 
 namespace nb = nanobind;
 
@@ -64,6 +67,145 @@ template <class T> std::vector<T> to_vector(nb::handle given, int type) {
   return std::vector<T>(data, data + PyArray_SIZE(as_array(owner)));
 }
 
+// ---- a geometry's fields: keyword arguments, attributes, state -----------------------------------------------------
+
+void fill(nb::handle given, double* to, std::initializer_list<npy_intp> shape) {
+  nb::object array = float_array(given, "the field");
+  PyArrayObject* a = as_array(array);
+  bool fits = PyArray_NDIM(a) == static_cast<int>(shape.size());
+  std::string wanted;
+  npy_intp size = 1;
+  int axis = 0;
+  for (npy_intp n : shape) {
+    fits = fits && PyArray_DIM(a, axis++) == n;
+    wanted += std::to_string(n) + ", ";
+    size *= n;
+  }
+  if (!fits) throw nb::value_error(("must have shape (" + wanted.substr(0, wanted.size() - 2) + "), got " + shape_text(a) + ".").c_str());
+  std::copy(doubles(array), doubles(array) + size, to);
+}
+nb::object shown(const double* from, std::initializer_list<npy_intp> shape) {
+  nb::object array = new_array(static_cast<int>(shape.size()), shape.begin(), NPY_DOUBLE);
+  std::copy(from, from + PyArray_SIZE(as_array(array)), static_cast<double*>(PyArray_DATA(as_array(array))));
+  return array;
+}
+
+// What a field can be: `put` reads it from Python, `get` says it in Python.
+void put(nb::handle h, double& to) { to = nb::cast<double>(nb::float_(h)); }
+nb::object get(double v) { return nb::float_(v); }
+void put(nb::handle h, bool& to) {
+  const int truth = PyObject_IsTrue(h.ptr());
+  if (truth < 0) throw nb::python_error();
+  to = truth;
+}
+nb::object get(bool v) { return nb::bool_(v); }
+void put(nb::handle h, int& to) { to = nb::cast<int>(nb::int_(h)); }
+nb::object get(int v) { return nb::int_(v); }
+template <int N> void put(nb::handle h, double (&to)[N]) { fill(h, to, {N}); }
+template <int N> nb::object get(const double (&v)[N]) { return shown(v, {N}); }
+template <int N, int M> void put(nb::handle h, double (&to)[N][M]) { fill(h, to[0], {N, M}); }
+template <int N, int M> nb::object get(const double (&v)[N][M]) { return shown(v[0], {N, M}); }
+template <int N, int M, int K> void put(nb::handle h, double (&to)[N][M][K]) { fill(h, to[0][0], {N, M, K}); }
+template <int N, int M, int K> nb::object get(const double (&v)[N][M][K]) { return shown(v[0][0], {N, M, K}); }
+void put(nb::handle h, pieper::Vector& to) { fill(h, &to.x, {3}); }
+nb::object get(const pieper::Vector& v) { return shown(&v.x, {3}); }
+template <int N> void put(nb::handle h, pieper::Vector (&to)[N]) { fill(h, &to[0].x, {N, 3}); }
+template <int N> nb::object get(const pieper::Vector (&v)[N]) { return shown(&v[0].x, {N, 3}); }
+template <int N> void put(nb::handle h, bool (&to)[N]) {
+  double values[N];
+  fill(h, values, {N});
+  for (int i = 0; i < N; ++i) to[i] = values[i] != 0;
+}
+template <int N> nb::object get(const bool (&v)[N]) {
+  nb::list out;
+  for (bool x : v) out.append(x);
+  return nb::tuple(out);
+}
+void put(nb::handle h, pieper::Choice& to) {
+  to.count = 0;
+  for (nb::handle x : h) {
+    if (to.count == 6) throw nb::value_error("at most six numbers.");
+    to.at[to.count++] = nb::cast<int>(nb::int_(x));
+  }
+}
+nb::object get(const pieper::Choice& v) {
+  nb::list out;
+  for (int i = 0; i < v.count; ++i) out.append(v.at[i]);
+  return nb::tuple(out);
+}
+
+template <class Own> struct Bound;
+void put(nb::handle h, const pieper::General*& to);
+nb::object get(const pieper::General* v);
+
+// A geometry that Python holds.
+template <class Own> struct Bound : Own {
+  nb::object held;  // kept alive, where the geometry refers to one
+
+  Bound(int family, nb::dict given) {
+    this->family = family;
+    std::string known;
+    std::size_t taken = 0;
+    Own::fields(*this, [&](const char* name, auto& field) {
+      known += (known.empty() ? "" : ", ") + std::string(name);
+      if (!given.contains(name)) throw nb::type_error((std::string(Own::name) + " needs '" + name + "'.").c_str());
+      nb::object value = given[name];
+      if constexpr (std::is_same_v<decltype(field), const pieper::General*&>) held = value;
+      try {
+        put(value, field);
+      } catch (const nb::python_error&) {
+        throw;
+      } catch (const std::exception& e) {
+        throw nb::value_error((std::string(Own::name) + "." + name + ": " + e.what()).c_str());
+      }
+      ++taken;
+    });
+    if (taken != given.size()) throw nb::type_error((std::string(Own::name) + " takes " + known + ".").c_str());
+    if constexpr (std::is_same_v<Own, pieper::General>) pieper::isa().make_model(*this);
+  }
+  ~Bound() {
+    if constexpr (std::is_same_v<Own, pieper::General>) pieper::isa().drop_model(*this);
+  }
+  Bound(const Bound&) = delete;
+  Bound& operator=(const Bound&) = delete;
+
+  nb::dict state() const {
+    nb::dict out;
+    Own::fields(*this, [&](const char* name, const auto& field) { out[name] = get(field); });
+    return out;
+  }
+};
+
+void put(nb::handle h, const pieper::General*& to) { to = h.is_none() ? nullptr : nb::cast<const Bound<pieper::General>*>(h); }
+nb::object get(const pieper::General* v) {
+  return v ? nb::find(*static_cast<const Bound<pieper::General>*>(v)) : nb::none();
+}
+
+template <class Own> nb::class_<Bound<Own>, pieper::Geometry> bind_family(nb::module_& m, const char* title, int family) {
+  using B = Bound<Own>;
+  nb::class_<B, pieper::Geometry> c(m, title, Own::doc);
+  c.def("__init__", [family](B* self, nb::kwargs given) { new (self) B(family, given); });
+  c.def("__getstate__", &B::state);
+  c.def("__setstate__", [family](B& self, nb::dict given) { new (&self) B(family, given); });
+  // nothing can change it: a copy is the same
+  c.def("__copy__", [](nb::object self) { return self; });
+  c.def("__deepcopy__", [](nb::object self, nb::handle) { return self; }, nb::arg("memo"));
+  c.attr("name") = Own::name;
+  c.attr("joints") = Own::joints;
+  c.attr("slots") = Own::slots;
+  alignas(B) static unsigned char blank[sizeof(B)];  // only the names are looked at
+  Own::fields(*reinterpret_cast<const Own*>(blank), [&](const char* name, const auto&) {
+    c.def_prop_ro(name, [name](const B& self) {
+      nb::object found;
+      Own::fields(static_cast<const Own&>(self), [&](const char* other, const auto& field) {
+        if (std::strcmp(name, other) == 0) found = get(field);
+      });
+      return found;
+    });
+  });
+  return c;
+}
+
 // Forward kinematics of one chain.
 class Forward {
  public:
@@ -75,6 +217,13 @@ class Forward {
         n_(static_cast<int>(prismatic_.size())) {
     if (links_.size() != 16u * (n_ + 1) || after_.size() != 16u * n_)
       throw nb::value_error("links must be (n + 1, 4, 4), prismatic (n,) and frames_after (n, 4, 4).");
+  }
+
+  nb::tuple state() const {
+    const npy_intp n = n_;
+    nb::object prismatic = new_array(1, &n, NPY_UINT8);
+    std::copy(prismatic_.begin(), prismatic_.end(), static_cast<std::uint8_t*>(PyArray_DATA(as_array(prismatic))));
+    return nb::make_tuple(shown(links_.data(), {n + 1, 4, 4}), prismatic, shown(after_.data(), {n, 4, 4}));
   }
 
   nb::object fk(nb::handle q) const {
@@ -137,12 +286,13 @@ class Forward {
 
 class PySolver {
  public:
-  PySolver(const std::string& kind, int n, int slots, nb::handle params, nb::handle iparams, nb::handle lower,
-           nb::handle upper, nb::handle prismatic, double slack, double accepted, double exact)
-      : accepted_(accepted),
-        solver_(kind, n, slots, to_vector<double>(params, NPY_DOUBLE), to_vector<std::int32_t>(iparams, NPY_INT32),
-                shifted(lower, -slack), shifted(upper, slack), to_vector<std::uint8_t>(prismatic, NPY_UINT8), accepted,
-                exact) {}
+  PySolver(nb::object geometry, nb::handle lower, nb::handle upper, nb::handle prismatic, double slack, double accepted, double exact)
+      : geometry_(geometry),
+        accepted_(accepted),
+        solver_(*nb::cast<const pieper::Geometry*>(geometry), shifted(lower, -slack), shifted(upper, slack),
+                to_vector<std::uint8_t>(prismatic, NPY_UINT8), accepted, exact) {}
+
+  nb::object geometry() const { return geometry_; }
 
   nb::tuple many(nb::handle given, int threads) const {
     nb::object poses = float_array(given, "Ts");
@@ -247,6 +397,7 @@ class PySolver {
     return T[0] * (T[5] * T[10] - T[6] * T[9]) - T[1] * (T[4] * T[10] - T[6] * T[8]) + T[2] * (T[4] * T[9] - T[5] * T[8]);
   }
 
+  nb::object geometry_;
   double accepted_;
   pieper::Solver solver_;
 };
@@ -258,17 +409,6 @@ nb::object elementary(int what, nb::handle given) {
   nb::object out = new_array(what == 0 ? 2 : 1, shape, NPY_DOUBLE);
   pieper::isa().elementary(what, doubles(x), count, static_cast<double*>(PyArray_DATA(as_array(out))));
   return out;
-}
-
-nb::tuple general_model(nb::handle links, nb::handle prismatic, double scale) {
-  const std::vector<double> l = to_vector<double>(links, NPY_DOUBLE);
-  const std::vector<std::uint8_t> p = to_vector<std::uint8_t>(prismatic, NPY_UINT8);
-  if (l.size() != 7 * 16 || p.size() != 6) throw nb::value_error("links must be (7, 4, 4) and prismatic (6,).");
-  const npy_intp size[] = {pieper::isa().general_model_size()}, table[] = {24, 4};
-  nb::object params = new_array(1, size, NPY_DOUBLE), trials = new_array(2, table, NPY_DOUBLE);
-  const int usable = pieper::isa().general_model(l.data(), p.data(), scale, static_cast<double*>(PyArray_DATA(as_array(params))),
-                                                 static_cast<double*>(PyArray_DATA(as_array(trials))));
-  return nb::make_tuple(params, trials, usable);
 }
 
 int import_numpy() {
@@ -286,29 +426,42 @@ NB_MODULE(_kernel, m) {
   m.attr("isa") = pieper::isa().name;
   m.attr("isa_available") = pieper::isa_names();
   m.attr("lanes") = pieper::isa().lanes;
-  nb::list kinds;
-  for (int i = 0; i < pieper::isa().family_count; ++i) kinds.append(nb::str(pieper::isa().families[i].kind));
-  m.attr("kinds") = nb::tuple(kinds);
+  nb::enum_<pieper::Flag>(m, "Flag", nb::is_arithmetic(), nb::is_flag(), "What a solver says of a pose; bits of `flag`.")
+      .value("DEGENERATE", pieper::Flag::DEGENERATE, "So near a singular pose that self-motions or merged roots are possible.")
+      .value("UNCERTAIN", pieper::Flag::UNCERTAIN, "The family cannot vouch that nothing is missing.")
+      .value("OUT_OF_REACH", pieper::Flag::OUT_OF_REACH, "No solution, for reasons of reach.")
+      .value("ROUNDED", pieper::Flag::ROUNDED, "The rotation was replaced by the nearest exact one.")
+      .value("NO_ARM_ANGLE", pieper::Flag::NO_ARM_ANGLE, "The arm angle is undefined here.")
+      .value("COUNT_CHANGES", pieper::Flag::COUNT_CHANGES, "The arm as described has another number of solutions here than the one solved.")
+      .value("AT_ARM_ANGLE", pieper::Flag::AT_ARM_ANGLE, "Solved at a chosen arm angle.");
 
   nb::class_<Forward>(m, "Forward", "Forward kinematics of a chain: links (n + 1, 4, 4), prismatic (n,), frames_after (n, 4, 4).")
       .def(nb::init<nb::handle, nb::handle, nb::handle>(), nb::arg("links"), nb::arg("prismatic"), nb::arg("frames_after"))
+      .def("__getstate__", &Forward::state)
+      .def("__setstate__", [](Forward& self, nb::tuple s) { new (&self) Forward(s[0], s[1], s[2]); })
       .def("fk", &Forward::fk, nb::arg("q"), "Poses (..., 4, 4) of q (..., n).")
       .def("frames", &Forward::frames, nb::arg("q"), nb::arg("base"), "Frames (..., n + 2, 4, 4) of q (..., n).")
       .def("jacobian", &Forward::jacobian, nb::arg("q"), "Jacobians (..., 6, n) of q (..., n), linear rows first.");
 
-  nb::class_<PySolver>(m, "Solver", "Every solution of poses by the kernel of one family; see inverse/families.")
-      .def(nb::init<const std::string&, int, int, nb::handle, nb::handle, nb::handle, nb::handle, nb::handle, double, double,
-                    double>(),
-           nb::arg("kind"), nb::arg("n"), nb::arg("max_solutions"), nb::arg("params"), nb::arg("iparams"), nb::arg("lower"),
-           nb::arg("upper"), nb::arg("prismatic"), nb::arg("slack") = 1e-9, nb::arg("accepted") = 1e-5,
-           nb::arg("exact") = 1e-12)
-      .def("many", &PySolver::many, nb::arg("Ts"), nb::arg("threads") = 1,
-           "(N, 4, 4) -> q (N, max_solutions, n), valid, in_limits (N, max_solutions), flag (N,). threads 0: all cores.")
-      .def("one", &PySolver::one, nb::arg("T"),
-           "(4, 4) -> q (m, n) of the valid slots in order, slots (m,), in_limits (m,), flag.");
+  nb::class_<pieper::Geometry>(m, "Geometry", "What a family is told of an arm: made from keyword arguments, unchangeable, picklable.");
+  int family = 0;
+#define PIEPER_FAMILY(name) [[maybe_unused]] auto name = bind_family<pieper::name>(m, #name, family++);
+#include "families.def"
+#undef PIEPER_FAMILY
+  General
+      .def_prop_ro("trials", [](const Bound<pieper::General>& self) { return get(self.trials); },
+                   "(24, 4): rank, missed, open, noise of every hand-out of roles (shift, direction, swap).")
+      .def_prop_ro("usable", [](const Bound<pieper::General>& self) { return self.usable; }, "How many ways are of use.");
 
-  m.def("general_model", &general_model, nb::arg("links"), nb::arg("prismatic"), nb::arg("scale"),
-        "Six joints' links (7, 4, 4) -> params of the general solver, its trials (24, 4), usable variants.");
+  nb::class_<PySolver>(m, "Solver", "Every solution of poses by the kernel of one family.")
+      .def(nb::init<nb::object, nb::handle, nb::handle, nb::handle, double, double, double>(), nb::arg("geometry"), nb::kw_only(),
+           nb::arg("lower"), nb::arg("upper"), nb::arg("prismatic"), nb::arg("slack"), nb::arg("accepted"), nb::arg("exact"))
+      .def_prop_ro("geometry", &PySolver::geometry)
+      .def("many", &PySolver::many, nb::arg("Ts"), nb::arg("threads") = 1,
+           "(N, 4, 4) -> q (N, slots, joints), valid, in_limits (N, slots), flag (N,). threads 0: all cores.")
+      .def("one", &PySolver::one, nb::arg("T"),
+           "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
+
   m.def("sincos", [](nb::handle x) { return elementary(0, x); }, nb::arg("x"), "(N,) -> (N, 2) sine and cosine, for tests.");
   m.def("atan2", [](nb::handle yx) { return elementary(1, yx); }, nb::arg("yx"), "(N, 2) y, x -> (N,), for tests.");
 }

@@ -3,28 +3,27 @@
 
 #include <cstdint>
 
+#include "dispatch/geometry.hpp"
+
 namespace pieper {
 
-// Every family's kernel. T: count x 16 row-major, proper rotations. q: count x slots x joints, zeros where not valid.
-// valid: count x slots. flag: count; bits 1 degenerate, 2 uncertain, 4 out of reach.
-using SolveFn = void (*)(const double* params, const int* iparams, const double* T, long count, double* q,
-                         std::uint8_t* valid, std::uint8_t* flag);
+struct General;
 
+// A family's kernel for one arm, made once from its geometry, which must outlive it.
+// T: count x 16 row-major, proper rotations. q: count x slots x joints, zeros where not valid. valid: count x slots. flag: count.
 struct FamilyEntry {
-  const char* kind;
-  SolveFn solve;
+  const char* name;
+  int joints, slots;
   bool in_order;  // rows come in an order of their own (by branch, or sorted); else the solver sorts them
-  // What does not change with the pose, worked out once for an arm: `given` doubles of params come from Python, `made` more are
-  // written behind them.
-  void (*prepare)(double* params, const int* iparams) = nullptr;
-  int given = 0, made = 0;
+  const void* (*make)(const Geometry&);
+  void (*drop)(const void* kernel);
+  void (*solve)(const void* kernel, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag);
 };
 
 struct IsaTable {
   const char* name;
   int lanes;
-  const FamilyEntry* families;
-  int family_count;
+  const FamilyEntry* const* families;  // in the order of the table
 
   // links: (n + 1) x 16 row-major; q: count x n. out: count x 16.
   void (*fk)(const double* links, const std::uint8_t* prismatic, int n, const double* q, long count, double* out);
@@ -46,9 +45,9 @@ struct IsaTable {
   // Moves the valid rows of each of count poses to the front, ordered by their joint values (row_order.hpp).
   void (*put_in_order)(double* q, std::uint8_t* valid, long count, int slots, int n, const std::uint8_t* prismatic);
 
-  // The general solver's model of an arm (general_entry.hpp).
-  long (*general_model_size)();
-  int (*general_model)(const double* links, const std::uint8_t* prismatic, double scale, double* params, double* trials);
+  // The general solver's model of an arm (elimination/general.hpp).
+  void (*make_model)(General& arm);
+  void (*drop_model)(General& arm);
 
   // sin and cos (what = 0: out is count x 2) or atan2 of pairs (what = 1: x is count x 2), for the tests.
   void (*elementary)(int what, const double* x, long count, double* out);

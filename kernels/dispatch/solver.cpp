@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 namespace pieper {
@@ -16,40 +17,22 @@ constexpr long kBlock = 256;              // poses; about 100 kB of answers for 
 constexpr long kSerialBelow = 2000;       // starting a thread costs as much as this many closed-form poses
 constexpr auto kAskEvery = std::chrono::milliseconds(20);
 
-const FamilyEntry& find(const IsaTable& isa, const std::string& kind) {
-  for (int i = 0; i < isa.family_count; ++i)
-    if (kind == isa.families[i].kind) return isa.families[i];
-  std::string known;
-  for (int i = 0; i < isa.family_count; ++i) known += std::string(i ? ", " : "") + isa.families[i].kind;
-  throw std::invalid_argument("there is no kernel '" + kind + "'; there are: " + known + ".");
-}
-
 }  // namespace
 
-Solver::Solver(const std::string& kind, int n, int slots, std::vector<double> params, std::vector<std::int32_t> iparams,
-               std::vector<double> lower, std::vector<double> upper, std::vector<std::uint8_t> prismatic, double accepted,
-               double exact)
+Solver::Solver(const Geometry& geometry, std::vector<double> lower, std::vector<double> upper, std::vector<std::uint8_t> prismatic,
+               double accepted, double exact)
     : isa_(isa()),
-      family_(find(isa_, kind)),
-      n_(n),
-      slots_(slots),
-      params_(std::move(params)),
-      iparams_(std::move(iparams)),
+      family_(*isa_.families[geometry.family]),
+      kernel_(nullptr),
       lower_(std::move(lower)),
       upper_(std::move(upper)),
       prismatic_(std::move(prismatic)),
       accepted_(accepted),
       exact_(exact) {
-  const auto size = static_cast<std::size_t>(n);
-  if (n < 1 || slots < 1 || slots > 255 || lower_.size() != size || upper_.size() != size || prismatic_.size() != size)
-    throw std::invalid_argument("lower, upper and prismatic must have one entry a joint, and slots lie in 1..255.");
-  if (family_.prepare) {
-    if (params_.size() != static_cast<std::size_t>(family_.given))
-      throw std::invalid_argument("kernel '" + kind + "' takes " + std::to_string(family_.given) + " params, got " +
-                                  std::to_string(params_.size()) + ".");
-    params_.resize(params_.size() + family_.made);
-    family_.prepare(params_.data(), iparams_.data());
-  }
+  const auto size = static_cast<std::size_t>(joints());
+  if (lower_.size() != size || upper_.size() != size || prismatic_.size() != size)
+    throw std::invalid_argument("lower, upper and prismatic must have one entry a joint, " + std::to_string(size) + " here.");
+  kernel_ = family_.make(geometry);
 }
 
 bool Solver::check(const double* T, long count, BadPose& bad, bool& exact) const {
@@ -77,11 +60,11 @@ void Solver::solve_block(const double* T, long count, bool exact, double* q, std
     isa_.straighten(T, deviation, exact_, count, straight);
     T = straight;
   }
-  family_.solve(params_.data(), iparams_.data(), T, count, q, valid, flag);
-  if (!family_.in_order) isa_.put_in_order(q, valid, count, slots_, n_, prismatic_.data());
+  family_.solve(kernel_, T, count, q, valid, flag);
+  if (!family_.in_order) isa_.put_in_order(q, valid, count, slots(), joints(), prismatic_.data());
   if (rounded)
-    for (long i = 0; i < count; ++i) flag[i] |= deviation[i] > exact_ ? 8 : 0;
-  isa_.limits(q, valid, count * slots_, n_, lower_.data(), upper_.data(), prismatic_.data(), in_limits);
+    for (long i = 0; i < count; ++i) flag[i] |= deviation[i] > exact_ ? kRounded : 0;
+  isa_.limits(q, valid, count * slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(), in_limits);
 }
 
 bool Solver::solve(const double* T, long count, bool exact, int threads, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
@@ -91,9 +74,9 @@ bool Solver::solve(const double* T, long count, bool exact, int threads, double*
   auto take_block = [&]() {
     const long first = next.fetch_add(kBlock);
     if (first >= count || stop.load(std::memory_order_relaxed)) return false;
-    const long record = static_cast<long>(slots_) * n_;
-    solve_block(T + 16 * first, std::min(kBlock, count - first), exact, q + record * first, valid + slots_ * first,
-                in_limits + slots_ * first, flag + first);
+    const long record = static_cast<long>(slots()) * joints();
+    solve_block(T + 16 * first, std::min(kBlock, count - first), exact, q + record * first, valid + slots() * first,
+                in_limits + slots() * first, flag + first);
     return true;
   };
   if (threads <= 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -134,10 +117,10 @@ bool Solver::solve_one(const double* T, double* q, std::uint8_t* valid, std::uin
     isa_.straighten(T, &deviation, exact_, 1, straight);
     T = straight;
   }
-  family_.solve(params_.data(), iparams_.data(), T, 1, q, valid, flag);
-  if (!family_.in_order) isa_.put_in_order(q, valid, 1, slots_, n_, prismatic_.data());
-  if (deviation > exact_) *flag |= 8;
-  isa_.limits(q, valid, slots_, n_, lower_.data(), upper_.data(), prismatic_.data(), in_limits);
+  family_.solve(kernel_, T, 1, q, valid, flag);
+  if (!family_.in_order) isa_.put_in_order(q, valid, 1, slots(), joints(), prismatic_.data());
+  if (deviation > exact_) *flag |= kRounded;
+  isa_.limits(q, valid, slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(), in_limits);
   return true;
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "dispatch/isa.hpp"
@@ -18,13 +17,16 @@ struct BadPose {
 
 class Solver {
  public:
-  // params: as the family's header says. lower, upper: n limits of q (rad, m; infinite where there is none), slack included.
-  Solver(const std::string& kind, int n, int slots, std::vector<double> params, std::vector<std::int32_t> iparams,
-         std::vector<double> lower, std::vector<double> upper, std::vector<std::uint8_t> prismatic, double accepted,
-         double exact);
+  // geometry: kept by the caller as long as this lives. lower, upper: limits of q (rad, m; infinite where there is none), slack
+  // included.
+  Solver(const Geometry& geometry, std::vector<double> lower, std::vector<double> upper, std::vector<std::uint8_t> prismatic,
+         double accepted, double exact);
+  ~Solver() { family_.drop(kernel_); }
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
 
-  int joints() const { return n_; }
-  int slots() const { return slots_; }
+  int joints() const { return family_.joints; }
+  int slots() const { return family_.slots; }
 
   // Whether all poses are rigid motions; if not, `bad` is the first that is none. Nothing is solved yet. `exact` tells
   // whether none of them needs straightening.
@@ -47,9 +49,7 @@ class Solver {
 
   const IsaTable& isa_;
   const FamilyEntry& family_;
-  int n_, slots_;
-  std::vector<double> params_;
-  std::vector<std::int32_t> iparams_;
+  const void* kernel_;
   std::vector<double> lower_, upper_;
   std::vector<std::uint8_t> prismatic_;
   double accepted_, exact_;

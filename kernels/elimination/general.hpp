@@ -7,6 +7,8 @@
 #pragma once
 
 #include "elimination/entry.hpp"
+
+#ifdef PIEPER_ISA
 #include "elimination/prepare.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -148,44 +150,68 @@ inline void write_pose(const Model& model, const Found& found, bool certain, dou
 
 }  // namespace general
 
-void solve_general(const double* params, const int*, const double* T, long count, double* q, std::uint8_t* valid,
-                          std::uint8_t* flag) {
+void make_model(General& arm) {
+  general::Model* model = new general::Model;
+  general::Trial record[general::kTried];
+  general::make_model(arm, *model, record);
+  for (int i = 0; i < general::kTried; ++i) {
+    const general::Trial& t = record[i];
+    const double row[4] = {double(t.rank), double(t.missed), double(t.open), t.noise};
+    for (int k = 0; k < 4; ++k) arm.trials[i][k] = row[k];
+  }
+  arm.model = model;
+  arm.usable = model->variants;
+}
+
+void drop_model(General& arm) { delete static_cast<const general::Model*>(arm.model); }
+
+void solve_general(const General& arm, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) {
   using namespace general;
-  constexpr int W = PIEPER_LANES;
-  using G = Lanes<W>;
-  const Model& model = *reinterpret_cast<const Model*>(params);
-  for (long done = 0; done < count; done += W) {
-    const int used = count - done < W ? static_cast<int>(count - done) : W;
-    double padded[16 * W];
-    for (int i = 0; i < W; ++i)  // idle lanes repeat the last pose
-      for (int k = 0; k < 16; ++k) padded[16 * i + k] = T[16 * (done + (i < used ? i : used - 1)) + k];
+  using G = Lanes<PIEPER_LANES>;
+  const Model& model = *static_cast<const Model*>(arm.model);
+  in_lanes(T, count, [&](long done, int used, const double* poses) {
+    double* rows = q + done * 6 * kSlots;
+    std::uint8_t *good = valid + done * kSlots, *say = flag + done;
     if (model.prismatic_count == 3) {
       for (int i = 0; i < used; ++i) {
         Found found;
         found.count = 0;
-        const bool isolated = solve_slides(model, load_poses<double>(padded + 16 * i), found);
-        write_pose(model, found, true, q + (done + i) * 6 * kSlots, valid + (done + i) * kSlots, flag + done + i);
-        if (!isolated) flag[done + i] = kDegenerate;
+        const bool isolated = solve_slides(model, load_poses<double>(poses + 16 * i), found);
+        write_pose(model, found, true, rows + i * 6 * kSlots, good + i * kSlots, say + i);
+        if (!isolated) say[i] = kDegenerate;
       }
-      continue;
+      return;
     }
-    Found found[W];
-    Report report[W];
+    Found found[PIEPER_LANES];
+    Report report[PIEPER_LANES];
     for (Found& f : found) f.count = 0;
-    solve_variant(model, model.variant[0], load_poses<G>(padded), used, found, report);
+    solve_variant(model, model.variant[0], load_poses<G>(poses), used, found, report);
     for (int i = 0; i < used; ++i) {
       // an elimination that has lost digits for this arm is not believed on its own word
       const bool weak = !(report[i].size > kMarked * model.variant[0].typical);
       bool certain = model.variant[0].noise < kQuiet && !weak && settled(report[i], found[i]);
       // next to a pose where the elimination is singular, variants may agree on what all of them have lost
       bool fetched = false, healthy = false;
-      if (!certain) certain = escalate(model, load_poses<double>(padded + 16 * i), found[i], &fetched, &healthy);
+      if (!certain) certain = escalate(model, load_poses<double>(poses + 16 * i), found[i], &fetched, &healthy);
       const bool singular = (weak && !healthy) || fetched;
       // what only nearby arms vouch for is not certain
-      write_pose(model, found[i], certain && model.variant[0].arm == 0, q + (done + i) * 6 * kSlots, valid + (done + i) * kSlots, flag + done + i);
-      if (singular) flag[done + i] |= kDegenerate;
+      write_pose(model, found[i], certain && model.variant[0].arm == 0, rows + i * 6 * kSlots, good + i * kSlots, say + i);
+      if (singular) say[i] |= kDegenerate;
     }
-  }
+  });
 }
 
+class GeneralKernel {
+ public:
+  static constexpr bool in_order = false;
+  explicit GeneralKernel(const General& arm) : arm_(arm) {}
+  void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
+    solve_general(arm_, T, count, q, valid, flag);
+  }
+
+ private:
+  const General& arm_;
+};
+
 }  // namespace pieper::PIEPER_ISA
+#endif  // PIEPER_ISA

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lanes/batch.hpp"
+#include "elimination/entry.hpp"
 #include "elimination/francis.hpp"
 #include "elimination/polish.hpp"
 #include "lanes/math.hpp"
@@ -24,7 +25,6 @@ struct Variant {
   int pose_free() const { return roles.pose_link == 0 || roles.pose_link == 5; }
 };
 
-// Copied bytewise into the params of a KernelSpec: doubles and ints only.
 struct Model {
   double scale;  // one scaled unit of length, m
   Frame<double> link[3][7];  // L0 .. L6, scaled, origins slid along the axes towards each other; of the arm and two nearby ones

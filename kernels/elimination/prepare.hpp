@@ -303,14 +303,14 @@ inline bool slides_work(const Model& model) {
   return hits >= kTestPoses - 1;
 }
 
-// links: 7 x 16 row-major, in metres, origins already slid; false when no variant is of use.
-inline bool make_model(const double* links, const std::uint8_t* prismatic, double scale, Model& model, Trial* trials) {
-  __builtin_memset(&model, 0, sizeof(Model));
-  model.scale = scale;
-  for (int k = 0; k < 7; ++k) model.link[0][k] = frame_of(links + 16 * k, scale);
+// False when no variant is of use.
+inline bool make_model(const General& arm, Model& model, Trial* trials) {
+  __builtin_memset(static_cast<void*>(&model), 0, sizeof(Model));
+  model.scale = arm.scale;
+  for (int k = 0; k < 7; ++k) model.link[0][k] = frame_of(arm.links[k][0], arm.scale);
   make_nearby(model);
   for (int k = 0; k < 6; ++k) {
-    model.prismatic[k] = prismatic[k] != 0;
+    model.prismatic[k] = arm.slides[k];
     model.prismatic_count += model.prismatic[k];
   }
   model.expected = model.prismatic_count < 2 ? 16 : model.prismatic_count == 2 ? 8 : 2;

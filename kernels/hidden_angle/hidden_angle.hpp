@@ -9,7 +9,7 @@
 //   complete(arm, target, c, s, side, q): the joints from a root, side +1 or -1, or 0 where it must find out; returns what is not clear.
 #pragma once
 
-#include "closed_form/lanes/families.hpp"
+#include "closed_form/lanes/group.hpp"
 #include "elimination/entry.hpp"
 #include "hidden_angle/trigonometric_roots.hpp"
 
@@ -62,17 +62,6 @@ template <class F> PIEPER_INLINE Motion<F> advanced(Motion<F> angle, F change) {
 // What rounding leaves of the polynomial's coefficients is below this, relative to their sum.
 inline constexpr double kNoise = 3e-14;
 
-// The head of every family's params; its Arms follow, then the general solver's model, where there is one.
-struct Head {
-  double length;         // m
-  double truth[7 * 16];  // the links, m
-  double slides[6];      // flags
-  double backward;       // flag: the arm was reversed, tool for base
-  double alone;          // flag: no general solver behind; what is not clear is said to be uncertain
-  double ways;           // number of Arms that follow: the same arm seen in several ways, best first
-};
-inline constexpr int kHeadSize = sizeof(Head) / sizeof(double);
-
 template <int Slots> struct Found {
   int count;
   double q[Slots][6];
@@ -97,14 +86,14 @@ template <class F, class Family> struct Candidates {
 
 // Candidates completed, checked and entered; the poses of those that are not clear are marked.
 template <class F, class Family>
-void enter(const Head& head, const typename Family::Arm& arm, const RigidT<F>* truth, const Candidates<F, Family>& x, const int* pose,
+void enter(const HiddenAngle& head, const typename Family::Arm& arm, const RigidT<F>* truth, const Candidates<F, Family>& x, const int* pose,
            int used, Found<Family::slots>* found, unsigned& unclear_poses) {
   Motion<F> q[6];
   auto unclear = Family::complete(arm, x.target, x.root, x.side, q);
   RigidT<F> frame = truth[0];
   F value[6];
   for (int j = 0; j < 6; ++j) {
-    const bool slides = head.slides[j] != 0;
+    const bool slides = head.slides[j];
     frame = closed_form::moved(frame, q[j], slides) * truth[j + 1];
     value[j] = slides ? q[j].c * head.length : atan2(q[j].s, q[j].c);
   }
@@ -118,14 +107,14 @@ void enter(const Head& head, const typename Family::Arm& arm, const RigidT<F>* t
       unclear_poses |= 1u << pose[i];
       continue;
     }
-    for (int j = 0; j < 6; ++j) to.q[to.count][j] = lane(value[head.backward != 0 ? 5 - j : j], i);
+    for (int j = 0; j < 6; ++j) to.q[to.count][j] = lane(value[head.backward ? 5 - j : j], i);
     ++to.count;
   }
 }
 
 // A group of W poses, `used` of them asked for. Returns the bits of the poses that are not clear.
 template <class F, class Family>
-unsigned solve_group(const Head& head, const typename Family::Arm& arm, const RigidT<F>* truth, const Pose<F>& pose, int used,
+unsigned solve_group(const HiddenAngle& head, const typename Family::Arm& arm, const RigidT<F>* truth, const Pose<F>& pose, int used,
                      Found<Family::slots>* found) {
   constexpr int W = width_of<F>, D = Family::degree, M = Family::samples;
   const auto target = Family::see(arm, pose);
@@ -195,11 +184,11 @@ template <class F> PIEPER_INLINE Pose<F> inverse_of(const Pose<F>& a) {
 }
 
 // Largest joint difference of two solutions, lengths in units of the arm.
-inline double apart(const Head& head, const double* a, const double* b) {
+inline double apart(const HiddenAngle& head, const double* a, const double* b) {
   double worst = 0;
   for (int j = 0; j < 6; ++j) {
     double d = __builtin_fabs(a[j] - b[j]);
-    if (head.slides[j] != 0) d = d / head.length;
+    if (head.slides[j]) d = d / head.length;
     else if (d > kPi) d = __builtin_fabs(kTwoPi - d);
     worst = d > worst ? d : worst;
   }
@@ -208,7 +197,7 @@ inline double apart(const Head& head, const double* a, const double* b) {
 inline constexpr double kSame = 1e-5;  // of two ways of solving a pose that is not clear
 
 // Adds to n rows those of `more` that are none of them; returns how many there are then.
-template <int Slots> int joined(const Head& head, double* rows, int n, const Found<Slots>& more) {
+template <int Slots> int joined(const HiddenAngle& head, double* rows, int n, const Found<Slots>& more) {
   const int known = n;
   for (int k = 0; k < more.count && n < Slots; ++k) {
     bool again = false;
@@ -227,9 +216,9 @@ template <int Slots> struct Waiting {
   double T[16 * most], q[6 * general_slots * most];
   std::uint8_t valid[general_slots * most], flag[most];
 
-  void solve(const Head& head, const double* model, const int* iparams, double* all_q, std::uint8_t* all_valid, std::uint8_t* all_flag) {
+  void solve(const HiddenAngle& head, double* all_q, std::uint8_t* all_valid, std::uint8_t* all_flag) {
     if (count == 0) return;
-    solve_general(model, iparams, T, count, q, valid, flag);
+    solve_general(*head.general, T, count, q, valid, flag);
     for (int i = 0; i < count; ++i) {
       double* rows = all_q + 6 * Slots * index[i];
       std::uint8_t* good = all_valid + Slots * index[i];
@@ -246,29 +235,22 @@ template <int Slots> struct Waiting {
   }
 };
 
+// `ways`: the same arm seen in several ways, best first.
 template <class Family>
-void solve(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) {
-  constexpr int W = PIEPER_LANES, M = Family::slots;
-  using F = Lanes<W>;
-  Head head;
-  __builtin_memcpy(&head, params, sizeof head);
-  const int ways = static_cast<int>(head.ways);
-  const auto* arm = reinterpret_cast<const typename Family::Arm*>(params + kHeadSize);
-  const double* model = reinterpret_cast<const double*>(arm + ways);
+void solve(const HiddenAngle& head, const typename Family::Arm* arm, int ways, const double* T, long count, double* q,
+           std::uint8_t* valid, std::uint8_t* flag) {
+  constexpr int M = Family::slots;
+  using F = Lanes<PIEPER_LANES>;
   RigidT<F> truth[7];
-  for (int k = 0; k < 7; ++k) truth[k] = closed_form::spread<F>(closed_form::read_rigid(head.truth + 16 * k, head.length));
+  for (int k = 0; k < 7; ++k) truth[k] = closed_form::spread<F>(closed_form::read_rigid(head.links[k][0], head.length));
   Waiting<M> waiting;
-  for (long done = 0; done < count; done += W) {
-    const int used = count - done < W ? static_cast<int>(count - done) : W;
-    double padded[16 * W];
-    for (int i = 0; i < W; ++i)  // idle lanes repeat the last pose
-      for (int k = 0; k < 16; ++k) padded[16 * i + k] = T[16 * (done + (i < used ? i : used - 1)) + k];
-    Pose<F> pose = load_poses<F>(padded);
-    if (head.backward != 0) pose = inverse_of(pose);
-    Found<M> found[W];
+  in_lanes(T, count, [&](long done, int used, const double* poses) {
+    Pose<F> pose = load_poses<F>(poses);
+    if (head.backward) pose = inverse_of(pose);
+    Found<M> found[PIEPER_LANES];
     unsigned unclear = solve_group<F, Family>(head, arm[0], truth, pose, used, found);
     for (int way = 1; way < ways && unclear; ++way) {
-      Found<M> other[W];
+      Found<M> other[PIEPER_LANES];
       const unsigned still = solve_group<F, Family>(head, arm[way], truth, pose, used, other);
       for (int i = 0; i < used; ++i) {
         if (!((unclear >> i) & 1u)) continue;
@@ -280,11 +262,11 @@ void solve(const double* params, const int* iparams, const double* T, long count
     for (int i = 0; i < used; ++i) {
       const long at = done + i;
       const bool doubt = (unclear >> i) & 1u;
-      if (doubt && head.alone == 0) {
+      if (doubt && head.general) {
         __builtin_memcpy(waiting.T + 16 * waiting.count, T + 16 * at, 16 * sizeof(double));
         waiting.own[waiting.count] = found[i];
         waiting.index[waiting.count++] = at;
-        if (waiting.count == Waiting<M>::most) waiting.solve(head, model, iparams, q, valid, flag);
+        if (waiting.count == Waiting<M>::most) waiting.solve(head, q, valid, flag);
         continue;
       }
       for (int m = 0; m < M; ++m) {
@@ -293,8 +275,8 @@ void solve(const double* params, const int* iparams, const double* T, long count
       }
       flag[at] = doubt ? kDegenerate | kUncertain : found[i].count ? 0 : kOutOfReach;
     }
-  }
-  waiting.solve(head, model, iparams, q, valid, flag);
+  });
+  waiting.solve(head, q, valid, flag);
 }
 
 }  // namespace pieper::PIEPER_ISA::hidden_angle

@@ -15,55 +15,73 @@
 // is delicate is handed to the general solver.
 #pragma once
 
+#include "dispatch/geometry.hpp"
+
+namespace pieper {
+
+// The arm with its joints at zero, in a frame with z along axis 1, y along axis 2, and axis 2 at height zero; lengths of one.
+struct OffsetWrist : HiddenAngle {
+  static constexpr const char* name = "offset_wrist";
+  static constexpr const char* doc = "Parallel second and third axes across the first, the fourth and fifth meeting.";
+  static constexpr int joints = 6, slots = 16;
+  bool alike;                          // neither an offset nor a twist tells the arm's two sides apart
+  double to_base[3][3], base[3];       // world -> that frame
+  double from_tool[3][3];              // rotation: that frame -> tool, at zero
+  Vector sixth;                        // from the tool's point to the foot of P on axis 6
+  Vector lever, lever_turned;          // from there to P, and axis 6 crossed with it
+  Vector fifth[3];                     // axis 5: its part along axis 6, its part across it, axis 6 crossed with that
+  Vector axis6;
+  double shoulder, lateral, upper, fore;    // a1: axis 2 from axis 1; b: P out of axis 1's plane; lengths to and from the elbow
+  double elbow_c, elbow_s, fore_c, fore_s;  // directions of upper arm and forearm in the plane (x, z)
+  double lean_c, lean_s;               // from the forearm's direction to axis 4's in the plane
+  double tilt_c, tilt_s;               // of axis 4 out of the plane
+  double bend;                         // cosine of the angle of axes 4 and 5
+  double sense3;                       // -1 where axis 3 points against axis 2
+  Vector axis4, across4, over4;        // axis 4; what of axis 5 lies across it; axis 4 crossed with that (both of length one)
+  Vector across5, over5;               // the same of axis 6 and axis 5
+
+  template <class Self, class Visit> static void fields(Self& self, Visit visit) {
+    HiddenAngle::fields(self, visit);
+    visit("backward", self.backward), visit("alike", self.alike), visit("to_base", self.to_base), visit("base", self.base);
+    visit("from_tool", self.from_tool), visit("sixth", self.sixth), visit("lever", self.lever);
+    visit("lever_turned", self.lever_turned), visit("fifth", self.fifth), visit("axis6", self.axis6);
+    visit("shoulder", self.shoulder), visit("lateral", self.lateral), visit("upper", self.upper), visit("fore", self.fore);
+    visit("elbow_c", self.elbow_c), visit("elbow_s", self.elbow_s), visit("fore_c", self.fore_c), visit("fore_s", self.fore_s);
+    visit("lean_c", self.lean_c), visit("lean_s", self.lean_s), visit("tilt_c", self.tilt_c), visit("tilt_s", self.tilt_s);
+    visit("bend", self.bend), visit("sense3", self.sense3), visit("axis4", self.axis4), visit("across4", self.across4);
+    visit("over4", self.over4), visit("across5", self.across5), visit("over5", self.over5);
+  }
+};
+
+}  // namespace pieper
+
+#ifdef PIEPER_ISA
 #include "hidden_angle/hidden_angle.hpp"
 
 namespace pieper::PIEPER_ISA::offset_wrist {
 
 using namespace hidden_angle;
-
-struct Vec {
-  double x, y, z;
-};
-
-// The arm with its joints at zero, in a frame with z along axis 1, y along axis 2, and axis 2 at height zero; lengths of one.
-// Laid out as `prepare` of inverse/families/offset_wrist.py writes it.
-struct Arm {
-  double length;                 // m
-  double to_base[9], base[3];    // world -> that frame
-  double from_tool[9];           // rotation: that frame -> tool, at zero
-  Vec sixth;                     // from the tool's point to the foot of P on axis 6
-  Vec lever, lever_turned;       // from there to P, and axis 6 crossed with it
-  Vec fifth[3];                  // axis 5: its part along axis 6, its part across it, axis 6 crossed with that
-  Vec axis6;
-  double shoulder, lateral, upper, fore;  // a1: axis 2 from axis 1; b: P out of axis 1's plane; lengths to and from the elbow
-  double elbow_c, elbow_s, fore_c, fore_s;    // directions of upper arm and forearm in the plane (x, z)
-  double lean_c, lean_s;         // from the forearm's direction to axis 4's in the plane
-  double tilt_c, tilt_s;         // of axis 4 out of the plane
-  double bend;                   // cosine of the angle of axes 4 and 5
-  double sense3;                 // -1 where axis 3 points against axis 2
-  Vec axis4, across4, over4;     // axis 4; what of axis 5 lies across it; axis 4 crossed with that (both of length one)
-  Vec across5, over5;            // the same of axis 6 and axis 5
-};
+using Arm = OffsetWrist;
 
 // A pose as the arm sees it.
 template <class F> struct Target {
   F at[3], lever[3], lever_turned[3], fifth[3][3], axis6[3];
 };
 
-template <class F> PIEPER_INLINE void turned_by(const F (*D)[3], Vec v, F* out) {
+template <class F> PIEPER_INLINE void turned_by(const F (*D)[3], Vector v, F* out) {
   for (int i = 0; i < 3; ++i) out[i] = D[i][0] * v.x + D[i][1] * v.y + D[i][2] * v.z;
 }
 
 template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const Pose<F>& pose) {
   F turned[3][3], D[3][3], p[3];
   for (int i = 0; i < 3; ++i) {
-    const double* b = arm.to_base + 3 * i;
+    const double* b = arm.to_base[i];
     for (int j = 0; j < 3; ++j) turned[i][j] = b[0] * pose.r[0][j] + b[1] * pose.r[1][j] + b[2] * pose.r[2][j];
     p[i] = (b[0] * (pose.p[0] - arm.base[0]) + b[1] * (pose.p[1] - arm.base[1]) + b[2] * (pose.p[2] - arm.base[2])) * (1 / arm.length);
   }
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      D[i][j] = turned[i][0] * arm.from_tool[j] + turned[i][1] * arm.from_tool[3 + j] + turned[i][2] * arm.from_tool[6 + j];
+      D[i][j] = turned[i][0] * arm.from_tool[0][j] + turned[i][1] * arm.from_tool[1][j] + turned[i][2] * arm.from_tool[2][j];
   Target<F> out;
   turned_by(D, arm.sixth, out.at);
   for (int i = 0; i < 3; ++i) out.at[i] = out.at[i] + p[i];
@@ -220,13 +238,13 @@ template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Mot
     y[1] = across_plane;
     y[2] = along * both.s + up_z * both.c;
   };
-  auto on = [](const F* y, Vec e) { return y[0] * e.x + y[1] * e.y + y[2] * e.z; };
+  auto on = [](const F* y, Vector e) { return y[0] * e.x + y[1] * e.y + y[2] * e.z; };
   F y[3];
   back(across, out, level, y);
   q[3] = unit(on(y, arm.across4), on(y, arm.over4));
   const F* six = target.axis6;
   back(six[0] * r.c + six[1] * r.s, six[1] * r.c - six[0] * r.s, six[2], y);
-  const Vec k = arm.axis4;  // and before joint 4 turned (Rodrigues' formula)
+  const Vector k = arm.axis4;  // and before joint 4 turned (Rodrigues' formula)
   const F lift = on(y, k) * (1.0 - q[3].c);
   const F z[3] = {y[0] * q[3].c - (k.y * y[2] - k.z * y[1]) * q[3].s + lift * k.x,
                   y[1] * q[3].c - (k.z * y[0] - k.x * y[2]) * q[3].s + lift * k.y,
@@ -251,3 +269,21 @@ template <bool Even> struct Family {
 };
 
 }  // namespace pieper::PIEPER_ISA::offset_wrist
+
+namespace pieper::PIEPER_ISA {
+
+class OffsetWristKernel {
+ public:
+  static constexpr bool in_order = false;
+  explicit OffsetWristKernel(const OffsetWrist& arm) : arm_(arm) {}
+  void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
+    if (arm_.alike) hidden_angle::solve<offset_wrist::Family<true>>(arm_, &arm_, 1, T, count, q, valid, flag);
+    else hidden_angle::solve<offset_wrist::Family<false>>(arm_, &arm_, 1, T, count, q, valid, flag);
+  }
+
+ private:
+  const OffsetWrist& arm_;
+};
+
+}  // namespace pieper::PIEPER_ISA
+#endif  // PIEPER_ISA

@@ -11,17 +11,47 @@
 // wherever the slides stand: at most eight solutions. Roots: hidden_angle.hpp.
 #pragma once
 
+#include "dispatch/geometry.hpp"
+
+namespace pieper {
+
+struct TwoSlides : HiddenAngle {
+  static constexpr const char* name = "two_slides";
+  static constexpr const char* doc = "Four turning and two sliding joints in any order.";
+  static constexpr int joints = 6, slots = 8;
+  Choice hidden;  // turning joints (0-based) whose angle may be the unknown, best first
+
+  template <class Self, class Visit> static void fields(Self& self, Visit visit) {
+    HiddenAngle::fields(self, visit);
+    visit("slides", self.slides), visit("hidden", self.hidden);
+  }
+};
+
+}  // namespace pieper
+
+#ifdef PIEPER_ISA
 #include "hidden_angle/hidden_angle.hpp"
 
 namespace pieper::PIEPER_ISA::two_slides {
 
 using namespace hidden_angle;
 
+// The arm seen with one of its joints hidden, and the places of the loop counted from there.
 struct Arm {
-  double length;         // m
-  double hidden;         // 0-based joint
-  double slides[6];      // flags
-  double links[7 * 16];  // m
+  closed_form::Rigid links[7];  // lengths of one
+  double length;                // m
+  int hidden;
+  bool slides[6];   // by role
+  int turning[4];   // roles
+  Arm() = default;
+  Arm(const TwoSlides& arm, int hides) : length(arm.length), hidden(hides) {
+    closed_form::read_links(arm.links, arm.length, links);
+    for (int role = 0, n = 0; role < 6; ++role) {
+      slides[role] = arm.slides[joint(role)];
+      if (!slides[role] && n < 4) turning[n++] = role;
+    }
+  }
+  int joint(int role) const { return (hidden + role) % 6; }
 };
 
 // A pose as the arm sees it, roles counted from the hidden joint on.
@@ -31,24 +61,9 @@ template <class F> struct Target {
   Vec3T<F> first[3], second[3], third[3], fourth[3];  // columns
 };
 
-// Places of the loop, worked out once a call.
-struct Places {
-  int hidden;
-  bool slides[6];   // by role
-  int turning[4];   // roles
-  explicit Places(const Arm& arm) : hidden(static_cast<int>(arm.hidden)) {
-    int n = 0;
-    for (int role = 0; role < 6; ++role) {
-      slides[role] = arm.slides[(hidden + role) % 6] != 0;
-      if (!slides[role]) turning[n++] = role;
-    }
-  }
-  int joint(int role) const { return (hidden + role) % 6; }
-};
-
 template <class F> PIEPER_INLINE RigidT<F> link_of(const Arm& arm, const Target<F>& target, int joint) {
   if (joint == 5) return target.closing;
-  return closed_form::spread<F>(closed_form::read_rigid(arm.links + 16 * (joint + 1), arm.length));
+  return closed_form::spread<F>(arm.links[joint + 1]);
 }
 
 template <class F> Target<F> see(const Arm& arm, const Pose<F>& pose) {
@@ -58,13 +73,12 @@ template <class F> Target<F> see(const Arm& arm, const Pose<F>& pose) {
                        {pose.r[0][1], pose.r[1][1], pose.r[2][1]},
                        {pose.r[0][2], pose.r[1][2], pose.r[2][2]},
                        {pose.p[0] * scale, pose.p[1] * scale, pose.p[2] * scale}};
-  out.closing = closed_form::spread<F>(closed_form::read_rigid(arm.links + 96, arm.length)) * inverse(T) *
-                closed_form::spread<F>(closed_form::read_rigid(arm.links, arm.length));
-  const Places at(arm);
+  out.closing = closed_form::spread<F>(arm.links[6]) * inverse(T) *
+                closed_form::spread<F>(arm.links[0]);
   Vec3T<F>* const between[4] = {out.first, out.second, out.third, out.fourth};
   for (int k = 0; k < 4; ++k) {
-    RigidT<F> R = link_of(arm, out, at.joint(at.turning[k]));
-    for (int role = at.turning[k] + 1; role < (k < 3 ? at.turning[k + 1] : 6); ++role) R = R * link_of(arm, out, at.joint(role));
+    RigidT<F> R = link_of(arm, out, arm.joint(arm.turning[k]));
+    for (int role = arm.turning[k] + 1; role < (k < 3 ? arm.turning[k + 1] : 6); ++role) R = R * link_of(arm, out, arm.joint(role));
     between[k][0] = R.x, between[k][1] = R.y, between[k][2] = R.z;
   }
   return out;
@@ -155,13 +169,12 @@ PIEPER_INLINE Evaluated<X> evaluate(const Numbers& numbers, const Arm& arm, cons
   }
   out.turn[0] = {c, s};
   out.turn[2] = {cy, sy};
-  const Places at(arm);
   const X zero = numbers.lift(F(0.0)), one = numbers.lift(F(1.0));
   Vec3T<X> x = {one, zero, zero}, y = {zero, one, zero}, z = {zero, zero, one};
   out.rest = {zero, zero, zero};
   int turns = 0, slides = 0;
   for (int role = 0; role < 6; ++role) {
-    if (at.slides[role]) {
+    if (arm.slides[role]) {
       out.slide[slides++] = z;
     } else {
       const Motion<X> m = out.turn[turns++];
@@ -169,7 +182,7 @@ PIEPER_INLINE Evaluated<X> evaluate(const Numbers& numbers, const Arm& arm, cons
       x = {m.c * old.x + m.s * y.x, m.c * old.y + m.s * y.y, m.c * old.z + m.s * y.z};
       y = {m.c * y.x - m.s * old.x, m.c * y.y - m.s * old.y, m.c * y.z - m.s * old.z};
     }
-    const RigidT<F> link = link_of(arm, t, at.joint(role));
+    const RigidT<F> link = link_of(arm, t, arm.joint(role));
     out.rest = out.rest + mixed(x, y, z, link.t);
     const Vec3T<X> nx = mixed(x, y, z, link.x), ny = mixed(x, y, z, link.y), nz = mixed(x, y, z, link.z);
     x = nx, y = ny, z = nz;
@@ -205,11 +218,10 @@ template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Mot
   const Evaluated<F> at = evaluate(PlainNumbers<F>{side}, arm, target, b, theta.c, theta.s);
   const F size = dot(at.across, at.across), per = 1.0 / max(size, F(1e-300));
   unclear = unclear | !(at.room > 1e-8 * b.n) | !(at.open > 1e-8) | !(size > 1e-10);
-  const Places place(arm);
   int turns = 0, slides = 0;
   for (int role = 0; role < 6; ++role) {
-    Motion<F>& out = q[place.joint(role)];
-    if (place.slides[role]) {
+    Motion<F>& out = q[arm.joint(role)];
+    if (arm.slides[role]) {
       // rest + d1 s1 + d2 s2 = 0, crossed with the other slide
       const F d = slides ? dot(cross(at.rest, at.slide[0]), at.across) : -dot(cross(at.rest, at.slide[1]), at.across);
       out = {d * per, F(0.0)};
@@ -237,3 +249,23 @@ struct Family {
 };
 
 }  // namespace pieper::PIEPER_ISA::two_slides
+
+namespace pieper::PIEPER_ISA {
+
+class TwoSlidesKernel {
+ public:
+  static constexpr bool in_order = false;
+  explicit TwoSlidesKernel(const TwoSlides& arm) : arm_(arm) {
+    for (int k = 0; k < arm.hidden.count; ++k) way_[k] = two_slides::Arm(arm, arm.hidden.at[k]);
+  }
+  void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
+    hidden_angle::solve<two_slides::Family>(arm_, way_, arm_.hidden.count, T, count, q, valid, flag);
+  }
+
+ private:
+  const TwoSlides& arm_;
+  two_slides::Arm way_[6];
+};
+
+}  // namespace pieper::PIEPER_ISA
+#endif  // PIEPER_ISA

@@ -1,8 +1,7 @@
-// The loop around a closed-form family: poses from memory into lanes, one call, solutions back to memory.
-//
-// A family is a struct with `joints`, `slots` and a template `solve` over the number type; it never sees memory.
+// Poses from memory into lanes, and solutions back to memory; a closed form between the two never sees memory.
 #pragma once
 
+#include "dispatch/geometry.hpp"
 #include "lanes/lanes.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -20,8 +19,6 @@ template <class F, int Slots, int Joints> struct Branches {
   Mask<F> uncertain;         // the family cannot vouch that nothing is missing
   Mask<F> out_of_reach;      // no solution, for reasons of reach
 };
-
-enum FlagBit : std::uint8_t { kDegenerate = 1, kUncertain = 2, kOutOfReach = 4, kRounded = 8 };
 
 // Poses [0, W) of T (row-major 4x4, 16 doubles each) into lanes.
 template <class F> PIEPER_INLINE Pose<F> load_poses(const double* T) {
@@ -67,12 +64,11 @@ template <class F, int K> PIEPER_INLINE void store_records(double* out, F* value
   }
 }
 
-template <class F, class Family>
-PIEPER_INLINE void solve_group(const double* params, const int* iparams, const double* T, int lanes, double* q,
-                               std::uint8_t* valid, std::uint8_t* flag) {
-  constexpr int M = Family::slots, N = Family::joints;
+template <class F, class Kernel, class Arm>
+PIEPER_INLINE void solve_group(const Arm& arm, const double* T, int lanes, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+  constexpr int M = Arm::slots, N = Arm::joints;
   Branches<F, M, N> out;
-  Family::template solve<F>(params, iparams, load_poses<F>(T), out);
+  Kernel::template branches<F>(arm, load_poses<F>(T), out);
   F values[M * N];
   for (int m = 0; m < M; ++m)
     for (int j = 0; j < N; ++j) values[m * N + j] = select(out.valid[m], out.q[m][j], F(0.0));
@@ -94,30 +90,25 @@ PIEPER_INLINE void solve_group(const double* params, const int* iparams, const d
   for (int i = 0; i < lanes; ++i) flag[i] = static_cast<std::uint8_t>(word_of_lane(flags, i));
 }
 
-// The entry of a closed-form family: any number of poses. A single one runs on plain doubles, or through the family's
-// own `solve_alone` where it has one.
-template <class Family>
-void solve_batch(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid,
-                 std::uint8_t* flag) {
-  constexpr int M = Family::slots, N = Family::joints, W = PIEPER_LANES;
-  if (count == 1) {
-    if constexpr (requires { &Family::solve_alone; })
-      Family::solve_alone(params, iparams, load_poses<double>(T), q, valid, flag);
-    else
-      solve_group<double, Family>(params, iparams, T, 1, q, valid, flag);
-    return;
-  }
-  for (long done = 0; done < count; done += W) {
-    const int lanes = count - done < W ? static_cast<int>(count - done) : W;
-    const double* poses = T + 16 * done;
-    double padded[16 * W];
-    if (lanes < W) {  // idle lanes repeat the last pose
-      for (int i = 0; i < W; ++i)
-        for (int k = 0; k < 16; ++k) padded[16 * i + k] = poses[16 * (i < lanes ? i : lanes - 1) + k];
-      poses = padded;
-    }
-    solve_group<Lanes<W>, Family>(params, iparams, poses, lanes, q + M * N * done, valid + M * done, flag + done);
-  }
+// Calls group(first, lanes, poses) for all poses, W at a time; idle lanes of the last group repeat the last pose.
+template <class Group> PIEPER_INLINE void in_lanes(const double* T, long count, Group group) {
+  constexpr int W = PIEPER_LANES;
+  long done = 0;
+  for (; done + W <= count; done += W) group(done, W, T + 16 * done);
+  if (done == count) return;
+  const int rest = static_cast<int>(count - done);
+  double padded[16 * W];
+  for (int i = 0; i < W; ++i) __builtin_memcpy(padded + 16 * i, T + 16 * (done + (i < rest ? i : rest - 1)), sizeof(double[16]));
+  group(done, rest, padded);
+}
+
+// Any number of poses through a closed form that never branches.
+template <class Kernel, class Arm>
+void solve_batch(const Arm& arm, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+  constexpr int M = Arm::slots, N = Arm::joints;
+  in_lanes(T, count, [&](long first, int lanes, const double* poses) {
+    solve_group<Lanes<PIEPER_LANES>, Kernel>(arm, poses, lanes, q + M * N * first, valid + M * first, flag + first);
+  });
 }
 
 }  // namespace pieper::PIEPER_ISA

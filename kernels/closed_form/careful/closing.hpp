@@ -51,6 +51,9 @@ inline Rigid read_rigid(const double* m, double length) {
   double k = 1 / length;
   return {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}, {k * m[3], k * m[7], k * m[11]}};
 }
+template <int N> void read_links(const double (&from)[N][4][4], double length, Rigid* to) {
+  for (int k = 0; k < N; ++k) to[k] = read_rigid(from[k][0], length);
+}
 // A * Z, the joint's motion by `value` about or along the local z.
 inline Rigid joint(const Rigid& A, double value, bool prismatic) {
   if (prismatic) return {A.x, A.y, A.z, A.t + value * A.z};
@@ -84,20 +87,20 @@ using LoopRest = LoopRestT<double>;
 // The chain as described, lengths in units of the arm, which every candidate has to satisfy.
 struct TrueChain {
   int n;
-  double length;
-  const double* links;  // (n + 1) row-major 4x4 in metres
-  const int* prismatic;
+  double length;         // m
+  const Rigid* links;    // n + 1
+  const bool* slides;
   bool position_only;
 };
 
 // What forward kinematics of q misses T by, as a twist of the tool in base coordinates; and the Jacobian's columns.
 inline double missed(const TrueChain& chain, const Rigid& T, const double* q, double* error, double (*columns)[6]) {
-  Rigid frame = read_rigid(chain.links, chain.length);
+  Rigid frame = chain.links[0];
   Vec3 axis[kMaxJoints], point[kMaxJoints];
   for (int i = 0; i < chain.n; ++i) {
     axis[i] = frame.z;
     point[i] = frame.t;
-    frame = joint(frame, q[i], chain.prismatic[i]) * read_rigid(chain.links + 16 * (i + 1), chain.length);
+    frame = joint(frame, q[i], chain.slides[i]) * chain.links[i + 1];
   }
   Vec3 dp = T.t - frame.t, dr = {0, 0, 0};
   if (!chain.position_only) dr = 0.5 * (cross(frame.x, T.x) + cross(frame.y, T.y) + cross(frame.z, T.z));
@@ -108,8 +111,8 @@ inline double missed(const TrueChain& chain, const Rigid& T, const double* q, do
   }
   error[0] = dp.x, error[1] = dp.y, error[2] = dp.z, error[3] = dr.x, error[4] = dr.y, error[5] = dr.z;
   for (int i = 0; i < chain.n; ++i) {
-    Vec3 v = chain.prismatic[i] ? axis[i] : cross(axis[i], frame.t - point[i]);
-    Vec3 w = chain.prismatic[i] || chain.position_only ? Vec3{0, 0, 0} : axis[i];
+    Vec3 v = chain.slides[i] ? axis[i] : cross(axis[i], frame.t - point[i]);
+    Vec3 w = chain.slides[i] || chain.position_only ? Vec3{0, 0, 0} : axis[i];
     columns[i][0] = v.x, columns[i][1] = v.y, columns[i][2] = v.z;
     columns[i][3] = w.x, columns[i][4] = w.y, columns[i][5] = w.z;
   }
@@ -248,13 +251,13 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
     return;
   }
   for (int i = 0; i < n; ++i)
-    if (!chain.prismatic[i]) q[i] = one_turn(q[i]);
+    if (!chain.slides[i]) q[i] = one_turn(q[i]);
   const bool singular = is_singular(n, J);
   for (int s = 0; s < found.count; ++s) {
     double apart = 0, middle[kMaxJoints];
     for (int i = 0; i < n; ++i) {
       double d = q[i] - found.q[s * n + i];
-      if (!chain.prismatic[i]) d = std::remainder(d, 2 * kPi);
+      if (!chain.slides[i]) d = std::remainder(d, 2 * kPi);
       middle[i] = q[i] - 0.5 * d;
       apart = std::fmax(apart, std::fabs(d));
     }

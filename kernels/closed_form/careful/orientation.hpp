@@ -1,4 +1,4 @@
-// Three revolute axes through one point make a rotation: R = Z1 M1 Z2 M2 Z3 (kind "orientation3" and every spherical wrist).
+// Three revolute axes through one point make a rotation: R = Z1 M1 Z2 M2 Z3 (an arm of three such axes, and every spherical wrist).
 //
 // With M = Rz(before) Rx(twist) Rz(after) the middle angle obeys the spherical law of cosines
 //     R33 = cos(a1) cos(a2) - sin(a1) sin(a2) cos(t2),
@@ -66,29 +66,6 @@ inline int solve_wrist(const Wrist& w, const Rigid& R, double (*q)[3], bool& lin
     q[k][2] = t3 - w.after[1];
   }
   return count;
-}
-
-// params: length, then 4 links as 4x4. The target is T's rotation; the chain may stand anywhere.
-template <class F>
-void solve_orientation3(const double* params, const int*, const double* T, long count, double* q, std::uint8_t* valid,
-                        std::uint8_t* flag) {
-  static const int revolute[3] = {0, 0, 0};
-  double links[64];
-  for (int i = 0; i < 64; ++i) links[i] = i % 4 == 3 && i % 16 < 12 ? 0.0 : params[1 + i];
-  TrueChain chain{3, 1.0, links, revolute, false};
-  const Rigid base = read_rigid(links, 1), tool = read_rigid(links + 48, 1);
-  const Wrist wrist = read_wrist(read_rigid(links + 16, 1), read_rigid(links + 32, 1));
-  for (long i = 0; i < count; ++i) {
-    Rigid pose = read_rigid(T + 16 * i, 1);
-    pose.t = {0, 0, 0};
-    double angles[2][3], room[6];
-    bool lined_up;
-    int candidates = solve_wrist(wrist, inverse(base) * pose * inverse(tool), angles, lined_up);
-    Found found{3, 2, 0, room};
-    found.degenerate = lined_up;
-    for (int k = 0; k < candidates; ++k) offer(chain, pose, angles[k], found);
-    write_out(chain, pose, found, q + i * 6, valid + i * 2, flag + i);
-  }
 }
 
 }  // namespace pieper::PIEPER_ISA::closed_form

@@ -1,5 +1,5 @@
-// Three joints, each revolute or sliding, bring a point to a place: Za A Zb B Zc c = g (kind "position3" and the
-// positioning part of every arm with a spherical wrist).
+// Three joints, each revolute or sliding, bring a point to a place: Za A Zb B Zc c = g (an arm of three joints that places a
+// point, and the positioning part of every arm with a spherical wrist).
 //
 // With w(a) = A^-1 Za^-1 g and u(c) = B Zc c the middle joint only turns (slides) u into w: what it cannot change, w.z = u.z and
 // |w|^2 = |u|^2 (or w.x = u.x and w.y = u.y), are two equations linear in the joint terms of a and c: a PairSystem.
@@ -145,27 +145,6 @@ inline void solve_position(const Rigid& A, const Rigid& B, Vec3 c, Vec3 g, const
       out.degenerate |= free;
       out.add(refined[k][0], middle, refined[k][1], free);
     }
-  }
-}
-
-// params: length, then (n + 1) links as 4x4. iparams: prismatic flag of each joint. The target is T's translation.
-template <class F>
-void solve_position3(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid,
-                     std::uint8_t* flag) {
-  constexpr int kSlots = 4;
-  TrueChain chain{3, params[0], params + 1, iparams, true};
-  const Rigid base = read_rigid(params + 1, chain.length), A = read_rigid(params + 17, chain.length),
-              B = read_rigid(params + 33, chain.length), tool = read_rigid(params + 49, chain.length);
-  const bool slides[3] = {iparams[0] != 0, iparams[1] != 0, iparams[2] != 0};
-  for (long i = 0; i < count; ++i) {
-    Rigid pose = read_rigid(T + 16 * i, chain.length);
-    PositionRoots roots;
-    solve_position(A, B, tool.t, move_back(base, pose.t), slides, false, false, roots);
-    double room[kSlots * 3];
-    Found found{3, kSlots, 0, room};
-    found.degenerate = roots.degenerate;
-    for (int k = 0; k < roots.count; ++k) offer(chain, pose, roots.q[k], found);
-    write_out(chain, pose, found, q + i * kSlots * 3, valid + i * kSlots, flag + i);
   }
 }
 

@@ -3,36 +3,30 @@
 // The loop L0 Z1 L1 ... Z6 L6 T^-1 = I may be entered anywhere: W Pre Za A Zb B Zc C = I with W the three wrist joints.
 // W keeps the wrist's centre, so Za A Zb B Zc (C o) = Pre^-1 o is a positioning problem of three joints (at most four solutions), and W is
 // then a known rotation (two): eight in all. One of Pre, A, B, C holds the pose.
-//
-// params: length; 7 true links (4x4, m); 7 links of the loop (4x4, m) whose frames of the wrist joints sit at the centre.
-// iparams: 6 prismatic flags; index (0-based) of the first wrist joint; 3 unused; hide_c, first_c and apart of pair_lanes.hpp.
 #pragma once
 
+#include "closed_form/careful/group.hpp"
 #include "closed_form/careful/orientation.hpp"
 #include "closed_form/careful/position.hpp"
 
 namespace pieper::PIEPER_ISA::closed_form {
 
-template <class F>
-void solve_spherical_wrist(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid,
-                           std::uint8_t* flag) {
+// One pose.
+inline void solve_spherical_wrist(const GroupArm& own, const Wrist& wrist, const double* T, double* q, std::uint8_t* valid,
+                                  std::uint8_t* flag) {
   constexpr int kSlots = 8;
-  TrueChain chain{6, params[0], params + 1, iparams, false};
-  Rigid links[7];
-  for (int k = 0; k < 7; ++k) links[k] = read_rigid(params + 113 + 16 * k, chain.length);
-  const int first = iparams[6];
-  const Wrist wrist = read_wrist(links[first + 1], links[first + 2]);
-  for (long i = 0; i < count; ++i) {
-    Rigid pose = read_rigid(T + 16 * i, chain.length);
-    LoopRest rest(links, pose, first);
+  const TrueChain chain = own.chain();
+  const int first = own.first;
+    Rigid pose = read_rigid(T, chain.length);
+    LoopRest rest(own.links, pose, first);
     bool slides[3];
-    for (int k = 0; k < 3; ++k) slides[k] = iparams[rest.joints[k]] != 0;
+    for (int k = 0; k < 3; ++k) slides[k] = own.slides[rest.joints[k]];
     double room[kSlots * 6];
     Found found{6, kSlots, 0, room};
     // where rows cannot be told from curves the quartic has its say too
-    for (bool apart = iparams[12] != 0, again = true; again; again = apart && !settled(chain, pose, found), apart = false) {
+    for (bool apart = own.apart, again = true; again; again = apart && !settled(chain, pose, found), apart = false) {
       PositionRoots roots;
-      solve_position(rest.A, rest.B, rest.C.t, turn_back(rest.pre, -1.0 * rest.pre.t), slides, apart, iparams[11] != 0, roots);
+      solve_position(rest.A, rest.B, rest.C.t, turn_back(rest.pre, -1.0 * rest.pre.t), slides, apart, own.first_c, roots);
       found.degenerate |= roots.degenerate;
       for (int k = 0; k < roots.count; ++k) {
         const double* arm = roots.q[k];
@@ -50,8 +44,7 @@ void solve_spherical_wrist(const double* params, const int* iparams, const doubl
         }
       }
     }
-    write_out(chain, pose, found, q + i * kSlots * 6, valid + i * kSlots, flag + i);
-  }
+    write_out(chain, pose, found, q, valid, flag);
 }
 
 }  // namespace pieper::PIEPER_ISA::closed_form

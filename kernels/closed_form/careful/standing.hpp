@@ -2,6 +2,7 @@
 #pragma once
 
 #include "closed_form/careful/closing.hpp"
+#include "dispatch/geometry.hpp"
 
 namespace pieper::PIEPER_ISA::closed_form {
 
@@ -103,7 +104,7 @@ inline bool stands_alone(const TrueChain& chain, const Rigid& T, const Found& fo
     double apart = 0;
     for (int i = 0; i < n; ++i) {
       double gap = q[i] - found.q[s * n + i];
-      if (!chain.prismatic[i]) gap = std::remainder(gap, 2 * kPi);
+      if (!chain.slides[i]) gap = std::remainder(gap, 2 * kPi);
       apart += gap * gap;
     }
     apart = std::sqrt(apart);
@@ -134,10 +135,10 @@ inline void write_out(const TrueChain& chain, const Rigid& T, const Found& found
     bool ok = s < found.count;
     valid[s] = ok;
     for (int i = 0; i < n; ++i)
-      q[s * n + i] = ok ? found.q[s * n + i] * (chain.prismatic[i] ? chain.length : 1.0) : 0.0;
+      q[s * n + i] = ok ? found.q[s * n + i] * (chain.slides[i] ? chain.length : 1.0) : 0.0;
   }
   const bool look = found.count ? !settled(chain, T, found) : found.degenerate || found.suspect;
-  *flag = (look ? 1 : 0) | (found.near_miss && found.count == 0 ? 2 : 0) | (found.count == 0 ? 4 : 0);
+  *flag = (look ? kDegenerate : 0) | (found.near_miss && found.count == 0 ? kUncertain : 0) | (found.count == 0 ? kOutOfReach : 0);
 }
 
 }  // namespace pieper::PIEPER_ISA::closed_form

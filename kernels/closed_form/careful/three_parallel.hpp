@@ -5,12 +5,9 @@
 // (0 0 1 0) passes through it: h Za A Zb B Zc = k with h the third row of Pre and k that of C^-1. The middle joint b drops
 // out of the normal's component along it and of the height, two equations linear in the terms of a and c: a PairSystem
 // (four pairs). Then b, then P is a known motion of the plane (two solutions): eight in all.
-//
-// params: length; 7 true links (4x4, m); 7 links of the loop (4x4, m) whose frames of the plane's joints lie in one plane with z along the
-// normal (a sliding one with x along its slide). iparams: 6 prismatic flags; first joint of the plane (0-based); sense of its three joints; hide_c,
-// first_c and apart of pair_lanes.hpp.
 #pragma once
 
+#include "closed_form/careful/group.hpp"
 #include "closed_form/careful/planar.hpp"
 #include "closed_form/careful/position.hpp"
 
@@ -127,27 +124,23 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
   }
 }
 
-template <class F>
-void solve_three_parallel(const double* params, const int* iparams, const double* T, long count, double* q, std::uint8_t* valid,
-                          std::uint8_t* flag) {
+// One pose.
+inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, const PlanarLink& l2, const double* T, double* q,
+                                 std::uint8_t* valid, std::uint8_t* flag) {
   constexpr int kSlots = 8;
-  TrueChain chain{6, params[0], params + 1, iparams, false};
-  Rigid links[7];
-  for (int k = 0; k < 7; ++k) links[k] = read_rigid(params + 113 + 16 * k, chain.length);
-  const int first = iparams[6];
-  const PlanarLink l1 = read_planar(links[first + 1]), l2 = read_planar(links[first + 2]);
-  const bool slides_in[3] = {iparams[first] != 0, iparams[first + 1] != 0, iparams[first + 2] != 0};
-  for (long i = 0; i < count; ++i) {
-    Rigid pose = read_rigid(T + 16 * i, chain.length);
-    LoopRest rest(links, pose, first);
+  const TrueChain chain = own.chain();
+  const int first = own.first;
+  const bool* slides_in = own.slides + first;
+    Rigid pose = read_rigid(T, chain.length);
+    LoopRest rest(own.links, pose, first);
     bool slides[3];
-    for (int k = 0; k < 3; ++k) slides[k] = iparams[rest.joints[k]] != 0;
+    for (int k = 0; k < 3; ++k) slides[k] = own.slides[rest.joints[k]];
     double room[kSlots * 6];
     Found found{6, kSlots, 0, room};
     // where rows cannot be told from curves the quartic has its say too
-    for (bool apart = iparams[12] != 0, again = true; again; again = apart && !settled(chain, pose, found), apart = false) {
+    for (bool apart = own.apart, again = true; again; again = apart && !settled(chain, pose, found), apart = false) {
       PositionRoots roots;
-      solve_around_plane(rest, slides, apart, iparams[11] != 0, roots);
+      solve_around_plane(rest, slides, apart, own.first_c, roots);
       found.degenerate |= roots.degenerate;
       for (int k = 0; k < roots.count; ++k) {
         double* arm = roots.q[k];
@@ -163,15 +156,14 @@ void solve_three_parallel(const double* params, const int* iparams, const double
           for (int s = 0; s < bends; ++s) {
             for (int j = 0; j < 3; ++j) {
               candidate[rest.joints[j]] = arm[j];
-              candidate[first + j] = plane[s][j] * iparams[7 + j];
+              candidate[first + j] = plane[s][j] * own.sense[j];
             }
             offer(chain, pose, candidate, found);
           }
         }
       }
     }
-    write_out(chain, pose, found, q + i * kSlots * 6, valid + i * kSlots, flag + i);
-  }
+    write_out(chain, pose, found, q, valid, flag);
 }
 
 }  // namespace pieper::PIEPER_ISA::closed_form

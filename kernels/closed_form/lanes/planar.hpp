@@ -16,7 +16,7 @@ struct PlanarLanes {
   Flat l1, l2, bent, along_1, along_12;  // bent: l2 turned by angle_1; along: unit vectors at angle_1 and angle_1 + angle_2
   double det;                 // of the two slides' directions where that is a constant
 
-  PlanarLanes(const PlanarLink& first, const PlanarLink& second, const bool* slides, const int* senses) {
+  PlanarLanes(const PlanarLink& first, const PlanarLink& second, const bool* slides, const double* senses) {
     kind = slides[0] | slides[1] << 1 | slides[2] << 2;
     one_solution = kind == 3 || kind == 5 || kind == 6;
     l1 = first.at, l2 = second.at;

@@ -11,7 +11,7 @@ from pieper.errors import InputError
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.kinematics.pose import checked_pose
-from pieper.solver.families import ELIMINATING
+from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.at_arm_angle import solve_at_arm_angle
 from pieper.solver.redundant.reduced import solve_reduced
@@ -287,7 +287,7 @@ def _clear(plan: Plan, rows: np.ndarray) -> bool:
     singular, and there clear rows say nothing about those that it may have lost; nor do they where a virtual joint that
     must be zero may be free.
     """
-    six_alone = plan.task == "pose" and not plan.reduction.fill and plan.family not in ELIMINATING
+    six_alone = plan.task == "pose" and not plan.reduction.fill and not named(plan.family).eliminating
     if not six_alone or not len(rows) or len(rows) % 2:
         return False
     s = np.linalg.svd(scaled_jacobian(plan.chain, rows), compute_uv=False)

@@ -17,7 +17,7 @@ from pieper.kinematics.geometry import Geometry, look, snapped
 from pieper.kinematics.newton import pose_difference
 from pieper.kinematics.pose import pose_error
 from pieper.solver.families import choose, tier
-from pieper.solver.families.spec import KernelSpec
+from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import SixJointSolver, without_far_ends
 from pieper.solver.plan.six_joints import (
     TASKS,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.solver.families import ELIMINATING
+from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import TURN
 from pieper.solver.singular.examine import Examined, examine
@@ -29,7 +29,7 @@ def every_solution(plan: Plan, T: np.ndarray, rows: np.ndarray) -> Examined:
     """
     full = plan.exact.full
     # closed forms lose nothing next to a self-motion: only what an elimination gives is searched for more
-    hiding = plan.family in ELIMINATING
+    hiding = named(plan.family).eliminating
     if full.n == plan.n:
         return examine(full, T, rows, lambda poses: near_rows(plan, poses), plan.limits, plan.names, hiding=hiding)
     # values of the virtual joints are not known of given rows: all are solved for again
