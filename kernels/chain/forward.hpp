@@ -18,8 +18,7 @@ template <class F> PIEPER_INLINE void set_constant(Pose<F>& T, const double* lin
 template <class F> PIEPER_INLINE Pose<F> times_constant(const Pose<F>& T, const double* link) {
   Pose<F> out;
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j)
-      out.r[i][j] = T.r[i][0] * link[j] + (T.r[i][1] * link[4 + j] + T.r[i][2] * link[8 + j]);
+    for (int j = 0; j < 3; ++j) out.r[i][j] = T.r[i][0] * link[j] + (T.r[i][1] * link[4 + j] + T.r[i][2] * link[8 + j]);
     out.p[i] = T.p[i] + (T.r[i][0] * link[3] + (T.r[i][1] * link[7] + T.r[i][2] * link[11]));
   }
   return out;
@@ -46,7 +45,8 @@ template <class F> PIEPER_INLINE void move(Pose<F>& T, F q, bool prismatic) {
 }
 
 // The pose of a chain; for families that verify by the chain itself. links: (n + 1) x 16.
-template <class F> PIEPER_INLINE Pose<F> chain_pose(const double* links, const std::uint8_t* prismatic, int n, const F* q) {
+template <class F>
+PIEPER_INLINE Pose<F> chain_pose(const double* links, const std::uint8_t* prismatic, int n, const F* q) {
   Pose<F> T;
   set_constant(T, links);
   for (int i = 0; i < n; ++i) {

@@ -40,13 +40,15 @@ inline void apply_limits(double* q, const std::uint8_t* valid, long rows, int n,
     for (int k = 0; k < n * W; ++k) low[k] = lower[k % n], high[k] = upper[k % n];
     // angles come in (-pi, pi]: a turn can only help a joint whose limits reach beyond that on one side
     std::uint64_t turning = 0;
-    for (int k = 0; k < n * W; ++k) turning |= static_cast<std::uint64_t>(!prismatic[k % n] && (high[k] > kPi || low[k] < -kPi)) << k;
+    for (int k = 0; k < n * W; ++k)
+      turning |= static_cast<std::uint64_t>(!prismatic[k % n] && (high[k] > kPi || low[k] < -kPi)) << k;
     const std::uint64_t full = n == 64 ? ~0ull : (1ull << n) - 1;
     for (; r + W <= rows; r += W) {
       std::uint64_t bits = 0, rows_valid = 0;
       for (int k = 0; k < n; ++k) {
         V v = load<V>(q + r * n + k * W);
-        bits |= static_cast<std::uint64_t>(bits_of((v >= load<V>(low + k * W)) & (v <= load<V>(high + k * W)))) << (k * W);
+        bits |= static_cast<std::uint64_t>(bits_of((v >= load<V>(low + k * W)) & (v <= load<V>(high + k * W))))
+                << (k * W);
       }
       for (int i = 0; i < W; ++i) rows_valid |= (valid[r + i] ? full : 0) << (i * n);
       const std::uint64_t wanted = ~bits & turning & rows_valid;

@@ -32,7 +32,8 @@ inline double pose_deviation(const double* T, long count, double* out) {
       for (int i = 0; i < lanes; ++i) value[i] = rotation_deviation(load_poses<double>(T + 16 * (first + i)));
     for (int i = 0; i < lanes; ++i) {
       const double* last = T + 16 * (first + i) + 12;
-      double row = __builtin_fabs(last[0]) + __builtin_fabs(last[1]) + __builtin_fabs(last[2]) + __builtin_fabs(last[3] - 1.0);
+      double row =
+          __builtin_fabs(last[0]) + __builtin_fabs(last[1]) + __builtin_fabs(last[2]) + __builtin_fabs(last[3] - 1.0);
       double d = value[i];
       if (!(row <= d)) d = d == d ? row : d;
       out[first + i] = d;

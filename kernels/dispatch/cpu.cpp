@@ -74,7 +74,8 @@ const IsaTable& choose() {
   for (const Build& build : builds())
     if (!wanted || !*wanted || std::strcmp(wanted, build.name) == 0) return build.table();
   throw std::runtime_error(std::string("PIEPER_ISA is '") + (wanted ? wanted : "") +
-                           "'; this processor and build offer: " + isa_names() + ". Unset it to have the widest chosen.");
+                           "'; this processor and build offer: " + isa_names() +
+                           ". Unset it to have the widest chosen.");
 }
 
 }  // namespace
@@ -87,7 +88,8 @@ const IsaTable& isa() {
 const char* isa_names() {
   static const std::string names = [] {
     std::string text;
-    for (auto build = builds().rbegin(); build != builds().rend(); ++build) text += (text.empty() ? "" : " ") + std::string(build->name);
+    for (auto build = builds().rbegin(); build != builds().rend(); ++build)
+      text += (text.empty() ? "" : " ") + std::string(build->name);
     return text;
   }();
   return names.c_str();

@@ -19,7 +19,10 @@ using Kernel = PIEPER_JOIN(PIEPER_FAMILY, Kernel);
 
 extern const FamilyEntry PIEPER_JOIN(PIEPER_FAMILY, Entry);
 const FamilyEntry PIEPER_JOIN(PIEPER_FAMILY, Entry) = {
-    Own::name, Own::joints, Own::slots, Kernel::in_order,
+    Own::name,
+    Own::joints,
+    Own::slots,
+    Kernel::in_order,
     [](const Geometry& geometry) -> const void* { return new Kernel(static_cast<const Own&>(geometry)); },
     [](const void* kernel) { delete static_cast<const Kernel*>(kernel); },
     [](const void* kernel, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) {

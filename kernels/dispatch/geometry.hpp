@@ -10,13 +10,13 @@ namespace pieper {
 
 // What `many` and `one` say of a pose, one bit each. Kernels set the first three and the solver the fourth; the others are Python's.
 enum class Flag : std::uint8_t {
-  DEGENERATE = 1,     // so near a singular pose that self-motions or merged roots are possible
-  UNCERTAIN = 2,      // the family cannot vouch that nothing is missing
-  OUT_OF_REACH = 4,   // no solution, for reasons of reach
-  ROUNDED = 8,        // the rotation was replaced by the nearest exact one
-  NO_ARM_ANGLE = 16,  // the arm angle is undefined here
-  COUNT_CHANGES = 32, // the arm as described has another number of solutions here than the one that was solved
-  AT_ARM_ANGLE = 64,  // solved at a chosen arm angle
+  DEGENERATE = 1,      // so near a singular pose that self-motions or merged roots are possible
+  UNCERTAIN = 2,       // the family cannot vouch that nothing is missing
+  OUT_OF_REACH = 4,    // no solution, for reasons of reach
+  ROUNDED = 8,         // the rotation was replaced by the nearest exact one
+  NO_ARM_ANGLE = 16,   // the arm angle is undefined here
+  COUNT_CHANGES = 32,  // the arm as described has another number of solutions here than the one that was solved
+  AT_ARM_ANGLE = 64,   // solved at a chosen arm angle
 };
 inline constexpr std::uint8_t kDegenerate = 1, kUncertain = 2, kOutOfReach = 4, kRounded = 8;
 
@@ -43,20 +43,22 @@ struct Group : Geometry {
   double links[7][4][4];  // as described, m
   double loop[7][4][4];   // the same, frames of the group moved along and about its axes as the family wants them, m
   bool slides[6];
-  int first;              // joint of the group, 0-based
+  int first;                    // joint of the group, 0-based
   double sense[3] = {1, 1, 1};  // of the group's joints in `loop`
-  bool hide_c, first_c, apart;  // how the pair of equations of the joints beside the group is solved (closed_form/lanes/pair.hpp)
+  bool hide_c, first_c,
+      apart;  // how the pair of equations of the joints beside the group is solved (closed_form/lanes/pair.hpp)
 
   template <class Self, class Visit> static void fields(Self& self, Visit visit) {
     visit("length", self.length), visit("links", self.links), visit("loop", self.loop), visit("slides", self.slides);
-    visit("first", self.first), visit("hide_c", self.hide_c), visit("first_c", self.first_c), visit("apart", self.apart);
+    visit("first", self.first), visit("hide_c", self.hide_c), visit("first_c", self.first_c),
+        visit("apart", self.apart);
   }
 };
 
 // What every family that hides an angle is told.
 struct HiddenAngle : Geometry {
-  double length;           // m
-  double links[7][4][4];   // of the arm that is solved, already reversed where `backward`, m
+  double length;          // m
+  double links[7][4][4];  // of the arm that is solved, already reversed where `backward`, m
   bool slides[6] = {};
   bool backward = false;   // the arm was reversed, tool for base
   const General* general;  // solves what is not clear, of the arm as it stands; null: that is said to be uncertain

@@ -54,8 +54,19 @@ void elementary(int what, const double* x, long count, double* out) {
 
 const IsaTable& PIEPER_JOIN(isa_, PIEPER_ISA)() {
   using namespace PIEPER_ISA;
-  static const IsaTable table = {PIEPER_TEXT(PIEPER_ISA), PIEPER_LANES, families, &forward_fk, &forward_frames, &forward_jacobian,
-                                 &pose_deviation, &pose_straighten, &apply_limits, &order_rows, &make_model, &drop_model, &elementary};
+  static const IsaTable table = {PIEPER_TEXT(PIEPER_ISA),
+                                 PIEPER_LANES,
+                                 families,
+                                 &forward_fk,
+                                 &forward_frames,
+                                 &forward_jacobian,
+                                 &pose_deviation,
+                                 &pose_straighten,
+                                 &apply_limits,
+                                 &order_rows,
+                                 &make_model,
+                                 &drop_model,
+                                 &elementary};
   return table;
 }
 

@@ -13,14 +13,14 @@
 namespace pieper {
 namespace {
 
-constexpr long kBlock = 256;              // poses; about 100 kB of answers for eight solutions of six joints
-constexpr long kSerialBelow = 2000;       // starting a thread costs as much as this many closed-form poses
+constexpr long kBlock = 256;         // poses; about 100 kB of answers for eight solutions of six joints
+constexpr long kSerialBelow = 2000;  // starting a thread costs as much as this many closed-form poses
 constexpr auto kAskEvery = std::chrono::milliseconds(20);
 
 }  // namespace
 
-Solver::Solver(const Geometry& geometry, std::vector<double> lower, std::vector<double> upper, std::vector<std::uint8_t> prismatic,
-               double accepted, double exact)
+Solver::Solver(const Geometry& geometry, std::vector<double> lower, std::vector<double> upper,
+               std::vector<std::uint8_t> prismatic, double accepted, double exact)
     : isa_(isa()),
       family_(*isa_.families[geometry.family]),
       kernel_(nullptr),
@@ -31,7 +31,8 @@ Solver::Solver(const Geometry& geometry, std::vector<double> lower, std::vector<
       exact_(exact) {
   const auto size = static_cast<std::size_t>(joints());
   if (lower_.size() != size || upper_.size() != size || prismatic_.size() != size)
-    throw std::invalid_argument("lower, upper and prismatic must have one entry a joint, " + std::to_string(size) + " here.");
+    throw std::invalid_argument("lower, upper and prismatic must have one entry a joint, " + std::to_string(size) +
+                                " here.");
   kernel_ = family_.make(geometry);
 }
 
@@ -52,8 +53,8 @@ bool Solver::check(const double* T, long count, BadPose& bad, bool& exact) const
   return true;
 }
 
-void Solver::solve_block(const double* T, long count, bool exact, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
-                         std::uint8_t* flag) const {
+void Solver::solve_block(const double* T, long count, bool exact, double* q, std::uint8_t* valid,
+                         std::uint8_t* in_limits, std::uint8_t* flag) const {
   double deviation[kBlock], straight[16 * kBlock];
   const bool rounded = !exact && isa_.deviation(T, count, deviation) > exact_;
   if (rounded) {
@@ -67,8 +68,8 @@ void Solver::solve_block(const double* T, long count, bool exact, double* q, std
   isa_.limits(q, valid, count * slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(), in_limits);
 }
 
-bool Solver::solve(const double* T, long count, bool exact, int threads, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
-                   std::uint8_t* flag, const std::function<bool()>& keep_going) const {
+bool Solver::solve(const double* T, long count, bool exact, int threads, double* q, std::uint8_t* valid,
+                   std::uint8_t* in_limits, std::uint8_t* flag, const std::function<bool()>& keep_going) const {
   std::atomic<long> next{0};
   std::atomic<bool> stop{false};
   auto take_block = [&]() {

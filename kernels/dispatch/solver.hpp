@@ -11,16 +11,17 @@ namespace pieper {
 
 // A pose that is not a rigid motion.
 struct BadPose {
-  long index;        // which of the poses given
-  double deviation;  // max abs of R^T R - 1 and of the last row against 0 0 0 1; 2 when left handed; NaN when not finite
+  long index;  // which of the poses given
+  double
+      deviation;  // max abs of R^T R - 1 and of the last row against 0 0 0 1; 2 when left handed; NaN when not finite
 };
 
 class Solver {
  public:
   // geometry: kept by the caller as long as this lives. lower, upper: limits of q (rad, m; infinite where there is none), slack
   // included.
-  Solver(const Geometry& geometry, std::vector<double> lower, std::vector<double> upper, std::vector<std::uint8_t> prismatic,
-         double accepted, double exact);
+  Solver(const Geometry& geometry, std::vector<double> lower, std::vector<double> upper,
+         std::vector<std::uint8_t> prismatic, double accepted, double exact);
   ~Solver() { family_.drop(kernel_); }
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
@@ -36,8 +37,8 @@ class Solver {
   // `exact`: no pose needs straightening, as `check` found out.
 
   // `keep_going` is asked between blocks on the calling thread; false stops the work and is returned.
-  bool solve(const double* T, long count, bool exact, int threads, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
-             std::uint8_t* flag, const std::function<bool()>& keep_going) const;
+  bool solve(const double* T, long count, bool exact, int threads, double* q, std::uint8_t* valid,
+             std::uint8_t* in_limits, std::uint8_t* flag, const std::function<bool()>& keep_going) const;
 
   // One pose, checked here; returns false and fills `bad` when it is not a rigid motion.
   bool solve_one(const double* T, double* q, std::uint8_t* valid, std::uint8_t* in_limits, std::uint8_t* flag,

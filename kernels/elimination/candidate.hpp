@@ -6,9 +6,7 @@
 namespace pieper::PIEPER_ISA::general {
 
 // Joint values in role order: cosine and sine of a revolute joint; the length (in c) of a prismatic one.
-template <class F> struct Joints {
-  F c[6], s[6];
-};
+template <class F> struct Joints { F c[6], s[6]; };
 
 // The two angles' common work: (sn : cn) is a half-angle tangent from the chart, or a length as a ratio.
 template <class F>
@@ -57,9 +55,9 @@ template <class F> PIEPER_INLINE void null_vector(F (&m)[6][6], const double* st
   }
 }
 
-template <class F>
-void complete_candidate(const Equations<F>& eq, const RightSide<F>& right, const Frame<F>* link, const Roles& roles,
-                        const Charts& chart, int layout, bool swap, const double* start, F c3, F s3, Joints<F>& out) {
+template <class F> void complete_candidate(const Equations<F>& eq, const RightSide<F>& right, const Frame<F>* link,
+                                           const Roles& roles, const Charts& chart, int layout, bool swap,
+                                           const double* start, F c3, F s3, Joints<F>& out) {
   F e[6][9], six[6][6], v[6];
   at_angle(eq, c3, s3, e);
   if (layout == kTwelve) core(e, six);
@@ -129,7 +127,8 @@ void complete_candidate(const Equations<F>& eq, const RightSide<F>& right, const
   F c1 = b1 * a22 - b2 * a12, s1 = b2 * a11 - b1 * a12;
   if (roles.prismatic[0]) {
     const F det = a11 * a22 - a12 * a12;
-    out.c[0] = select(det > 1e-12 * a11 * a22, c1 / select(det > 1e-300, det, F(1.0)), b1 / select(a11 > 1e-300, a11, F(1.0)));
+    out.c[0] =
+        select(det > 1e-12 * a11 * a22, c1 / select(det > 1e-300, det, F(1.0)), b1 / select(a11 > 1e-300, a11, F(1.0)));
     out.s[0] = F(0.0);
     c1 = out.c[0];
     s1 = c1 * c1;

@@ -19,7 +19,7 @@ enum Layout { kTwelve = 0, kTwoInPair = 1, kTwoApart = 2 };
 
 // What the left side contributes: per robot, unless the pose sits among its links.
 template <class F> struct LeftSide {
-  F feature[14][27];       // [feature][hidden 1, c, s][y^2, y, 1][x^2, x, 1]
+  F feature[14][27];         // [feature][hidden 1, c, s][y^2, y, 1][x^2, x, 1]
   Complex<F> leading[4][9];  // the four functions that carry the highest power of e^{-i theta3}, in y, x
 };
 
@@ -119,7 +119,8 @@ void left_side(const Frame<F>* link, const Roles& roles, const Charts& chart, bo
     for (int a = 0; a < 3; ++a)
       for (int j = 0; j < 3; ++j) t[a * 3 + j] = ky[a][0] * v[j] + ky[a][1] * v[3 + j] + ky[a][2] * v[6 + j];
     for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) v[a * 3 + b] = kx[b][0] * t[a * 3] + kx[b][1] * t[a * 3 + 1] + kx[b][2] * t[a * 3 + 2];
+      for (int b = 0; b < 3; ++b)
+        v[a * 3 + b] = kx[b][0] * t[a * 3] + kx[b][1] * t[a * 3 + 1] + kx[b][2] * t[a * 3 + 2];
   };
   for (int m = 0; m < 14; ++m) {
     for (int k = 0; k < 3; ++k) pair_coefficients(at[m] + 9 * k);
@@ -223,7 +224,8 @@ template <class F, int N, int C> PIEPER_INLINE void left_null_rows(F (&columns)[
 }
 
 // The complex row that annihilates `columns` (N x C).
-template <class F, int N, int C> PIEPER_INLINE void complex_null_row(Complex<F> (&columns)[C][N], Complex<F> (&row)[N]) {
+template <class F, int N, int C>
+PIEPER_INLINE void complex_null_row(Complex<F> (&columns)[C][N], Complex<F> (&row)[N]) {
   for (int c = 0; c < C; ++c) {
     reflector(columns[c], c);
     for (int d = c + 1; d < C; ++d) reflect(columns[c], columns[d], c);
@@ -234,13 +236,10 @@ template <class F, int N, int C> PIEPER_INLINE void complex_null_row(Complex<F> 
 }
 
 // Six equations: [row][hidden 1, c, s][y^2, y, 1][x^2, x, 1]. In layout 2 row 0 is l_z and row 3 is not used.
-template <class F> struct Equations {
-  F e[6][27];
-};
+template <class F> struct Equations { F e[6][27]; };
 
-template <class F>
-void eliminate(const LeftSide<F>& left, const RightSide<F>& right, int layout, bool y_prismatic, bool x_prismatic,
-               Equations<F>& out) {
+template <class F> void eliminate(const LeftSide<F>& left, const RightSide<F>& right, int layout, bool y_prismatic,
+                                  bool x_prismatic, Equations<F>& out) {
   F rows[4][6];
   Complex<F> mix[4];
   if (layout != kTwoApart) {

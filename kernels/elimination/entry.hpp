@@ -8,11 +8,12 @@ namespace pieper {
 // Making a model tries every way of elimination on test poses, so it is made once and shared by all solvers of the arm.
 struct General : Geometry {
   static constexpr const char* name = "general";
-  static constexpr const char* doc = "Any six joints; making it tries every way of elimination. `trials` and `usable` say how that went.";
+  static constexpr const char* doc =
+      "Any six joints; making it tries every way of elimination. `trials` and `usable` say how that went.";
   static constexpr int joints = 6, slots = 16;
   double links[7][4][4];  // frames slid along their axes towards each other, m
   bool slides[6];
-  double scale;           // m per unit of length inside
+  double scale;  // m per unit of length inside
 
   // What the trials left: the model, and for every hand-out of roles (shift, direction, swap) rank (1 the best way, 0 of no use),
   // solutions missed, eigenvalues left open, noise. `usable`: how many ways there are; 0 where the arm is beyond this solver.

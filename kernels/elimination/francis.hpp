@@ -68,7 +68,8 @@ template <class F, int N> void first_column(const F (&a)[N][N], int i, Window& w
     product = -0.4375 * s * s;
   }
   ++w.trial;
-  const double z = lane(a[k][k], i), dx = x - z, dy = y - z;  // differences first: they are all that is left in a cluster
+  const double z = lane(a[k][k], i), dx = x - z,
+               dy = y - z;  // differences first: they are all that is left in a cluster
   column[0] = (dx * dy - product) / lane(a[k + 1][k], i) + lane(a[k][k + 1], i);
   column[1] = lane(a[k + 1][k + 1], i) - z - dx - dy;
   column[2] = lane(a[k + 2][k + 1], i);

@@ -18,7 +18,8 @@ namespace general {
 inline constexpr int kSlots = 16;
 inline constexpr double kDegenerateSigma = 1e-6;
 inline constexpr double kMarked = 1e-12;  // a determinant this much smaller than usual marks the pose for a second look
-inline constexpr double kQuiet = 1e-13;  // noise of an elimination, relative, below which no second opinion is asked for
+inline constexpr double kQuiet =
+    1e-13;  // noise of an elimination, relative, below which no second opinion is asked for
 inline constexpr double kAccurate = 1e-5;  // an eigenvalue farther from its root than this was computed badly
 
 inline bool even(const Found& found) {
@@ -40,7 +41,8 @@ inline bool agreed(const Variant& v, const Report& report, const Found& found, i
 }
 
 // Solutions of a neighbouring pose, polished onto this one.
-inline void polish_onto(const Model& model, const Variant& v, const Pose<double>& pose, const Found& from, Found& into) {
+inline void polish_onto(const Model& model, const Variant& v, const Pose<double>& pose, const Found& from,
+                        Found& into) {
   using G = Lanes<PIEPER_LANES>;
   constexpr int W = PIEPER_LANES;
   Frame<double> link[6];
@@ -61,7 +63,8 @@ inline void polish_onto(const Model& model, const Variant& v, const Pose<double>
       if (!(lane(end.residual, i) < kVerified)) continue;
       double values[6];
       for (int k = 0; k < 6; ++k)
-        values[v.roles.joint[k]] = v.roles.prismatic[k] ? lane(q.c[k], i) : __builtin_atan2(lane(q.s[k], i), lane(q.c[k], i));
+        values[v.roles.joint[k]] =
+            v.roles.prismatic[k] ? lane(q.c[k], i) : __builtin_atan2(lane(q.s[k], i), lane(q.c[k], i));
       insert(into, values, lane(end.sigma, i), lane(end.residual, i), model.prismatic);
     }
   }
@@ -117,7 +120,8 @@ inline bool comes_before(const double* a, const double* b) {
   return false;
 }
 
-inline void write_pose(const Model& model, const Found& found, bool certain, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+inline void write_pose(const Model& model, const Found& found, bool certain, double* q, std::uint8_t* valid,
+                       std::uint8_t* flag) {
   int order[kMaxFound];
   for (int i = 0; i < found.count; ++i) order[i] = i;
   int count = found.count;
@@ -165,7 +169,8 @@ void make_model(General& arm) {
 
 void drop_model(General& arm) { delete static_cast<const general::Model*>(arm.model); }
 
-void solve_general(const General& arm, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+void solve_general(const General& arm, const double* T, long count, double* q, std::uint8_t* valid,
+                   std::uint8_t* flag) {
   using namespace general;
   using G = Lanes<PIEPER_LANES>;
   const Model& model = *static_cast<const Model*>(arm.model);
@@ -195,7 +200,8 @@ void solve_general(const General& arm, const double* T, long count, double* q, s
       if (!certain) certain = escalate(model, load_poses<double>(poses + 16 * i), found[i], &fetched, &healthy);
       const bool singular = (weak && !healthy) || fetched;
       // what only nearby arms vouch for is not certain
-      write_pose(model, found[i], certain && model.variant[0].arm == 0, rows + i * 6 * kSlots, good + i * kSlots, say + i);
+      write_pose(model, found[i], certain && model.variant[0].arm == 0, rows + i * 6 * kSlots, good + i * kSlots,
+                 say + i);
       if (singular) say[i] |= kDegenerate;
     }
   });

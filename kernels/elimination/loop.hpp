@@ -10,13 +10,9 @@
 
 namespace pieper::PIEPER_ISA::general {
 
-template <class F> struct Frame {
-  F r[3][3], p[3];
-};
+template <class F> struct Frame { F r[3][3], p[3]; };
 
-template <class F> struct Complex {
-  F re, im;
-};
+template <class F> struct Complex { F re, im; };
 template <class F> PIEPER_INLINE Complex<F> operator*(Complex<F> a, Complex<F> b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
@@ -87,9 +83,7 @@ struct Roles {
 };
 
 // The line of an axis: a point on it and its direction, moved along by links and joints.
-template <class F> struct Line {
-  F p[3], l[3];
-};
+template <class F> struct Line { F p[3], l[3]; };
 
 template <class F> PIEPER_INLINE void move(Line<F>& x, const Frame<F>& a) {
   const Line<F> y = x;

@@ -16,7 +16,7 @@ struct Variant {
   int layout, swap;
   int arm;  // 0: the arm itself; 1, 2: a nearby arm, whose solutions are polished onto the arm
   Charts chart;
-  LeftSide<double> left;      // valid unless the pose sits in links 2 to 5
+  LeftSide<double> left;       // valid unless the pose sits in links 2 to 5
   RowSpace<double, 12> basis;  // of layout 0
   RowSpace<double, 6> basis6;  // of layouts 1, 2
   double noise;                // median over test poses of what should vanish, relative
@@ -27,7 +27,8 @@ struct Variant {
 
 struct Model {
   double scale;  // one scaled unit of length, m
-  Frame<double> link[3][7];  // L0 .. L6, scaled, origins slid along the axes towards each other; of the arm and two nearby ones
+  Frame<double>
+      link[3][7];  // L0 .. L6, scaled, origins slid along the axes towards each other; of the arm and two nearby ones
   bool prismatic[6];
   int prismatic_count;
   int variants;
@@ -74,8 +75,8 @@ template <class F> struct Eliminated {
   F largest;           // |determinant| there
 };
 
-template <class F, int N>
-void eliminate_poses(const Model& model, const Variant& v, const Pose<F>& pose, Eliminated<F>& out, Compressed<F, N>& matrix) {
+template <class F, int N> void eliminate_poses(const Model& model, const Variant& v, const Pose<F>& pose,
+                                               Eliminated<F>& out, Compressed<F, N>& matrix) {
   role_links(model, v.arm, v.roles, pose, out.link);
   if (v.arm) role_links(model, 0, v.roles, pose, out.arm_link);
   right_side(out.link, v.roles, out.right);

@@ -85,7 +85,8 @@ template <class F> Closure<F> polish(const Frame<F>* link, const Roles& roles, J
   out.residual = F(1e300);
   out.sigma = F(0.0);
   F before = F(1e300);
-  auto active = mask_of<F>(true);  // a finished lane is left alone, so that its answer does not depend on its neighbours
+  auto active =
+      mask_of<F>(true);  // a finished lane is left alone, so that its answer does not depend on its neighbours
   for (int step = 0;; ++step) {
     const F size = loop_error(link, goal, roles, q, m);
     const auto better = (size < out.residual) & active;

@@ -165,7 +165,8 @@ inline void make_test_poses(const Model& model, SelfTest& test) {
   Random random{2026};
   for (int i = 0; i < SelfTest::poses; ++i) {
     double made[6];
-    for (int k = 0; k < 6; ++k) made[k] = model.prismatic[k] ? 2 * random.uniform() - 1 : kTwoPi * random.uniform() - kPi;
+    for (int k = 0; k < 6; ++k)
+      made[k] = model.prismatic[k] ? 2 * random.uniform() - 1 : kTwoPi * random.uniform() - kPi;
     test.pose[i] = as_pose(forward(model, made), model.scale);
     test.known[i].count = 0;
     insert(test.known[i], made, 1, 0, model.prismatic);
@@ -212,7 +213,8 @@ inline void try_variant(const Model& model, SelfTest& test, int arm, int t) {
       size[g * W + i] = report[i].size;
       trial.open += report[i].unresolved + 100 * report[i].doubtful;
       const Found& f = test.own[at][g * W + i];
-      for (int k = 0; k < f.count; ++k) insert(test.known[g * W + i], f.q[k], f.sigma[k], f.residual[k], model.prismatic);
+      for (int k = 0; k < f.count; ++k)
+        insert(test.known[g * W + i], f.q[k], f.sigma[k], f.residual[k], model.prismatic);
     }
   }
   v.typical = median(size, SelfTest::poses);
@@ -247,7 +249,8 @@ inline void choose_variants(Model& model, Trial* trials) {
     tried += kTried;
     for (int t = 0; t < tried; ++t) rate(model, test, t);
     clean = 0;
-    for (int t = 0; t < tried; ++t) clean += test.score[t] < 1e299 && test.trial[t].missed == 0 && test.variant[t].arm == 0;
+    for (int t = 0; t < tried; ++t)
+      clean += test.score[t] < 1e299 && test.trial[t].missed == 0 && test.variant[t].arm == 0;
   }
   model.variants = 0;
   int taken[3] = {0, 0, 0};
@@ -292,7 +295,8 @@ inline bool slides_work(const Model& model) {
   int hits = 0;
   for (int i = 0; i < kTestPoses; ++i) {
     double made[6];
-    for (int k = 0; k < 6; ++k) made[k] = model.prismatic[k] ? 2 * random.uniform() - 1 : kTwoPi * random.uniform() - kPi;
+    for (int k = 0; k < 6; ++k)
+      made[k] = model.prismatic[k] ? 2 * random.uniform() - 1 : kTwoPi * random.uniform() - kPi;
     Found found;
     found.count = 0;
     if (!solve_slides(model, as_pose(forward(model, made), model.scale), found)) continue;

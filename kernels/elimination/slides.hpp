@@ -84,11 +84,14 @@ inline bool solve_slides(const Model& model, const Pose<double>& pose, Found& fo
       isolated = false;  // first and last turning axis in line: only their sum counts
       double in_plane[3][3];
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) in_plane[i][j] = inner[0][i] * k[0][j] + inner[1][i] * k[1][j] + inner[2][i] * k[2][j];
+        for (int j = 0; j < 3; ++j)
+          in_plane[i][j] = inner[0][i] * k[0][j] + inner[1][i] * k[1][j] + inner[2][i] * k[2][j];
       q[turn[2]] = __builtin_atan2(in_plane[1][0], in_plane[0][0]);
     } else {
-      q[turn[0]] = __builtin_atan2(k[1][2] * inner[0][2] - k[0][2] * inner[1][2], k[0][2] * inner[0][2] + k[1][2] * inner[1][2]);
-      q[turn[2]] = __builtin_atan2(k[2][0] * inner[2][1] - k[2][1] * inner[2][0], k[2][0] * inner[2][0] + k[2][1] * inner[2][1]);
+      q[turn[0]] =
+          __builtin_atan2(k[1][2] * inner[0][2] - k[0][2] * inner[1][2], k[0][2] * inner[0][2] + k[1][2] * inner[1][2]);
+      q[turn[2]] =
+          __builtin_atan2(k[2][0] * inner[2][1] - k[2][1] * inner[2][0], k[2][0] * inner[2][0] + k[2][1] * inner[2][1]);
     }
     double along[3][3], at[3] = {model.link[0][0].p[0], model.link[0][0].p[1], model.link[0][0].p[2]}, r[3][3];
     for (int i = 0; i < 3; ++i)
@@ -122,7 +125,8 @@ inline bool solve_slides(const Model& model, const Pose<double>& pose, Found& fo
       joints.s[i] = model.prismatic[i] ? 0.0 : __builtin_sin(q[i]);
     }
     const Closure<double> end = polish(link, roles, joints, 4);
-    if (!(end.residual < kVerified * (1 + __builtin_fabs(d[0]) + __builtin_fabs(d[1]) + __builtin_fabs(d[2])))) continue;
+    if (!(end.residual < kVerified * (1 + __builtin_fabs(d[0]) + __builtin_fabs(d[1]) + __builtin_fabs(d[2]))))
+      continue;
     for (int i = 0; i < 6; ++i) q[i] = model.prismatic[i] ? joints.c[i] : __builtin_atan2(joints.s[i], joints.c[i]);
     insert(found, q, end.sigma, end.residual, model.prismatic);
   }

@@ -6,7 +6,7 @@
 namespace pieper::PIEPER_ISA::general {
 
 inline constexpr int kMaxFound = 32;
-inline constexpr double kVerified = 1e-11;     // scaled lengths and radians; what polish leaves is 1e-15 unless singular
+inline constexpr double kVerified = 1e-11;  // scaled lengths and radians; what polish leaves is 1e-15 unless singular
 inline constexpr double kSameSolution = 1e-7;  // radians or scaled lengths
 inline constexpr double kNearlyReal = 2e-3;    // imaginary part below which a complex pair is tried as a double root
 
@@ -57,10 +57,10 @@ inline int insert(Found& set, const double* q, double sigma, double residual, co
 }
 
 struct Candidate {
-  int pose;       // lane of the block
-  double angle;   // of the hidden joint
+  int pose;        // lane of the block
+  double angle;    // of the hidden joint
   double partner;  // imaginary part: 0 for a real eigenvalue
-  int solution;   // index in the pose's set, or -1
+  int solution;    // index in the pose's set, or -1
 };
 
 // What one variant left open for one pose.
@@ -74,8 +74,7 @@ struct Report {
 
 template <class F> PIEPER_INLINE void copy_lane(F& to, int i, const F& from, int j) { set_lane(to, i, lane(from, j)); }
 
-template <class F, class G>
-void gather_lane(Eliminated<G>& to, int i, const Eliminated<F>& from, int j, bool nearby) {
+template <class F, class G> void gather_lane(Eliminated<G>& to, int i, const Eliminated<F>& from, int j, bool nearby) {
   for (int r = 0; r < 6; ++r)
     for (int k = 0; k < 27; ++k) set_lane(to.eq.e[r][k], i, lane(from.eq.e[r][k], j));
   for (int r = 0; r < 6; ++r)
@@ -96,14 +95,14 @@ void gather_lane(Eliminated<G>& to, int i, const Eliminated<F>& from, int j, boo
 }
 
 inline const double* start_vector(int which) {
-  static const double v[3][6] = {{1, 0.83, -0.71, 0.93, 1.11, -0.87}, {1, -0.9, 0.8, -1.1, 0.7, 0.95}, {0.6, 1, 1.2, 0.9, -1, -0.8}};
+  static const double v[3][6] = {
+      {1, 0.83, -0.71, 0.93, 1.11, -0.87}, {1, -0.9, 0.8, -1.1, 0.7, 0.95}, {0.6, 1, 1.2, 0.9, -1, -0.8}};
   return v[which % 3];
 }
 
 // Candidates in groups of lanes: complete, polish, insert.
-template <class F>
-void try_candidates(const Model& model, const Variant& v, const Eliminated<F>& poses, Candidate* list, int count, int start,
-                    int steps, Found* found) {
+template <class F> void try_candidates(const Model& model, const Variant& v, const Eliminated<F>& poses,
+                                       Candidate* list, int count, int start, int steps, Found* found) {
   using G = Lanes<PIEPER_LANES>;
   constexpr int W = PIEPER_LANES;
   for (int first = 0; first < count; first += W) {
@@ -117,7 +116,8 @@ void try_candidates(const Model& model, const Variant& v, const Eliminated<F>& p
     }
     sincos(G(c3), s3, c3);
     Joints<G> q;
-    complete_candidate(group.eq, group.right, group.link, v.roles, v.chart, v.layout, v.swap, start_vector(start), c3, s3, q);
+    complete_candidate(group.eq, group.right, group.link, v.roles, v.chart, v.layout, v.swap, start_vector(start), c3,
+                       s3, q);
     Closure<G> end = polish(group.link, v.roles, q, v.arm ? 8 : steps);
     if (v.arm) end = polish(group.arm_link, v.roles, q, steps);
     double joint[6][W];

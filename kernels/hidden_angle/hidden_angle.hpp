@@ -21,9 +21,7 @@ using closed_form::unit;
 using closed_form::Vec3T;
 
 // x + y r with r^2 known: what is even and what is odd in a square root, also where that is not real.
-template <class F> struct Surd {
-  F x, y, square;
-};
+template <class F> struct Surd { F x, y, square; };
 template <class F> PIEPER_INLINE Surd<F> operator+(Surd<F> a, Surd<F> b) { return {a.x + b.x, a.y + b.y, a.square}; }
 template <class F> PIEPER_INLINE Surd<F> operator-(Surd<F> a, Surd<F> b) { return {a.x - b.x, a.y - b.y, a.square}; }
 template <class F> PIEPER_INLINE Surd<F> operator*(Surd<F> a, Surd<F> b) {
@@ -34,9 +32,7 @@ template <class F> PIEPER_INLINE Surd<F> operator*(double k, Surd<F> a) { return
 template <class F> PIEPER_INLINE Surd<F> operator*(F k, Surd<F> a) { return {k * a.x, k * a.y, a.square}; }
 
 // A value and its derivative by the hidden angle.
-template <class F> struct Dual {
-  F x, d;
-};
+template <class F> struct Dual { F x, d; };
 template <class F> PIEPER_INLINE Dual<F> operator+(Dual<F> a, Dual<F> b) { return {a.x + b.x, a.d + b.d}; }
 template <class F> PIEPER_INLINE Dual<F> operator-(Dual<F> a, Dual<F> b) { return {a.x - b.x, a.d - b.d}; }
 template <class F> PIEPER_INLINE Dual<F> operator*(Dual<F> a, Dual<F> b) { return {a.x * b.x, a.x * b.d + a.d * b.x}; }
@@ -85,9 +81,9 @@ template <class F, class Family> struct Candidates {
 };
 
 // Candidates completed, checked and entered; the poses of those that are not clear are marked.
-template <class F, class Family>
-void enter(const HiddenAngle& head, const typename Family::Arm& arm, const RigidT<F>* truth, const Candidates<F, Family>& x, const int* pose,
-           int used, Found<Family::slots>* found, unsigned& unclear_poses) {
+template <class F, class Family> void enter(const HiddenAngle& head, const typename Family::Arm& arm,
+                                            const RigidT<F>* truth, const Candidates<F, Family>& x, const int* pose,
+                                            int used, Found<Family::slots>* found, unsigned& unclear_poses) {
   Motion<F> q[6];
   auto unclear = Family::complete(arm, x.target, x.root, x.side, q);
   RigidT<F> frame = truth[0];
@@ -98,7 +94,8 @@ void enter(const HiddenAngle& head, const typename Family::Arm& arm, const Rigid
     value[j] = slides ? q[j].c * head.length : atan2(q[j].s, q[j].c);
   }
   auto between = [](Vec3T<F> a, Vec3T<F> b) { return max(abs(a.x - b.x), max(abs(a.y - b.y), abs(a.z - b.z))); };
-  const F miss = max(max(between(frame.x, x.tool.x), between(frame.y, x.tool.y)), max(between(frame.z, x.tool.z), between(frame.t, x.tool.t)));
+  const F miss = max(max(between(frame.x, x.tool.x), between(frame.y, x.tool.y)),
+                     max(between(frame.z, x.tool.z), between(frame.t, x.tool.t)));
   unclear = unclear | !(miss <= 0.5 * closed_form::kVerified);
   const unsigned bits = bits_of(unclear);
   for (int i = 0; i < used; ++i) {
@@ -113,9 +110,9 @@ void enter(const HiddenAngle& head, const typename Family::Arm& arm, const Rigid
 }
 
 // A group of W poses, `used` of them asked for. Returns the bits of the poses that are not clear.
-template <class F, class Family>
-unsigned solve_group(const HiddenAngle& head, const typename Family::Arm& arm, const RigidT<F>* truth, const Pose<F>& pose, int used,
-                     Found<Family::slots>* found) {
+template <class F, class Family> unsigned solve_group(const HiddenAngle& head, const typename Family::Arm& arm,
+                                                      const RigidT<F>* truth, const Pose<F>& pose, int used,
+                                                      Found<Family::slots>* found) {
   constexpr int W = width_of<F>, D = Family::degree, M = Family::samples;
   const auto target = Family::see(arm, pose);
   const double scale = 1 / head.length;
@@ -236,9 +233,8 @@ template <int Slots> struct Waiting {
 };
 
 // `ways`: the same arm seen in several ways, best first.
-template <class Family>
-void solve(const HiddenAngle& head, const typename Family::Arm* arm, int ways, const double* T, long count, double* q,
-           std::uint8_t* valid, std::uint8_t* flag) {
+template <class Family> void solve(const HiddenAngle& head, const typename Family::Arm* arm, int ways, const double* T,
+                                   long count, double* q, std::uint8_t* valid, std::uint8_t* flag) {
   constexpr int M = Family::slots;
   using F = Lanes<PIEPER_LANES>;
   RigidT<F> truth[7];

@@ -24,30 +24,35 @@ struct OffsetWrist : HiddenAngle {
   static constexpr const char* name = "offset_wrist";
   static constexpr const char* doc = "Parallel second and third axes across the first, the fourth and fifth meeting.";
   static constexpr int joints = 6, slots = 16;
-  bool alike;                          // neither an offset nor a twist tells the arm's two sides apart
-  double to_base[3][3], base[3];       // world -> that frame
-  double from_tool[3][3];              // rotation: that frame -> tool, at zero
-  Vector sixth;                        // from the tool's point to the foot of P on axis 6
-  Vector lever, lever_turned;          // from there to P, and axis 6 crossed with it
-  Vector fifth[3];                     // axis 5: its part along axis 6, its part across it, axis 6 crossed with that
+  bool alike;                     // neither an offset nor a twist tells the arm's two sides apart
+  double to_base[3][3], base[3];  // world -> that frame
+  double from_tool[3][3];         // rotation: that frame -> tool, at zero
+  Vector sixth;                   // from the tool's point to the foot of P on axis 6
+  Vector lever, lever_turned;     // from there to P, and axis 6 crossed with it
+  Vector fifth[3];                // axis 5: its part along axis 6, its part across it, axis 6 crossed with that
   Vector axis6;
-  double shoulder, lateral, upper, fore;    // a1: axis 2 from axis 1; b: P out of axis 1's plane; lengths to and from the elbow
+  double shoulder, lateral, upper,
+      fore;  // a1: axis 2 from axis 1; b: P out of axis 1's plane; lengths to and from the elbow
   double elbow_c, elbow_s, fore_c, fore_s;  // directions of upper arm and forearm in the plane (x, z)
-  double lean_c, lean_s;               // from the forearm's direction to axis 4's in the plane
-  double tilt_c, tilt_s;               // of axis 4 out of the plane
-  double bend;                         // cosine of the angle of axes 4 and 5
-  double sense3;                       // -1 where axis 3 points against axis 2
-  Vector axis4, across4, over4;        // axis 4; what of axis 5 lies across it; axis 4 crossed with that (both of length one)
-  Vector across5, over5;               // the same of axis 6 and axis 5
+  double lean_c, lean_s;                    // from the forearm's direction to axis 4's in the plane
+  double tilt_c, tilt_s;                    // of axis 4 out of the plane
+  double bend;                              // cosine of the angle of axes 4 and 5
+  double sense3;                            // -1 where axis 3 points against axis 2
+  Vector axis4, across4, over4;  // axis 4; what of axis 5 lies across it; axis 4 crossed with that (both of length one)
+  Vector across5, over5;         // the same of axis 6 and axis 5
 
   template <class Self, class Visit> static void fields(Self& self, Visit visit) {
     HiddenAngle::fields(self, visit);
-    visit("backward", self.backward), visit("alike", self.alike), visit("to_base", self.to_base), visit("base", self.base);
+    visit("backward", self.backward), visit("alike", self.alike), visit("to_base", self.to_base),
+        visit("base", self.base);
     visit("from_tool", self.from_tool), visit("sixth", self.sixth), visit("lever", self.lever);
     visit("lever_turned", self.lever_turned), visit("fifth", self.fifth), visit("axis6", self.axis6);
-    visit("shoulder", self.shoulder), visit("lateral", self.lateral), visit("upper", self.upper), visit("fore", self.fore);
-    visit("elbow_c", self.elbow_c), visit("elbow_s", self.elbow_s), visit("fore_c", self.fore_c), visit("fore_s", self.fore_s);
-    visit("lean_c", self.lean_c), visit("lean_s", self.lean_s), visit("tilt_c", self.tilt_c), visit("tilt_s", self.tilt_s);
+    visit("shoulder", self.shoulder), visit("lateral", self.lateral), visit("upper", self.upper),
+        visit("fore", self.fore);
+    visit("elbow_c", self.elbow_c), visit("elbow_s", self.elbow_s), visit("fore_c", self.fore_c),
+        visit("fore_s", self.fore_s);
+    visit("lean_c", self.lean_c), visit("lean_s", self.lean_s), visit("tilt_c", self.tilt_c),
+        visit("tilt_s", self.tilt_s);
     visit("bend", self.bend), visit("sense3", self.sense3), visit("axis4", self.axis4), visit("across4", self.across4);
     visit("over4", self.over4), visit("across5", self.across5), visit("over5", self.over5);
   }
@@ -64,9 +69,7 @@ using namespace hidden_angle;
 using Arm = OffsetWrist;
 
 // A pose as the arm sees it.
-template <class F> struct Target {
-  F at[3], lever[3], lever_turned[3], fifth[3][3], axis6[3];
-};
+template <class F> struct Target { F at[3], lever[3], lever_turned[3], fifth[3][3], axis6[3]; };
 
 template <class F> PIEPER_INLINE void turned_by(const F (*D)[3], Vector v, F* out) {
   for (int i = 0; i < 3; ++i) out[i] = D[i][0] * v.x + D[i][1] * v.y + D[i][2] * v.z;
@@ -77,11 +80,13 @@ template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const Pose<F>& po
   for (int i = 0; i < 3; ++i) {
     const double* b = arm.to_base[i];
     for (int j = 0; j < 3; ++j) turned[i][j] = b[0] * pose.r[0][j] + b[1] * pose.r[1][j] + b[2] * pose.r[2][j];
-    p[i] = (b[0] * (pose.p[0] - arm.base[0]) + b[1] * (pose.p[1] - arm.base[1]) + b[2] * (pose.p[2] - arm.base[2])) * (1 / arm.length);
+    p[i] = (b[0] * (pose.p[0] - arm.base[0]) + b[1] * (pose.p[1] - arm.base[1]) + b[2] * (pose.p[2] - arm.base[2])) *
+           (1 / arm.length);
   }
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      D[i][j] = turned[i][0] * arm.from_tool[0][j] + turned[i][1] * arm.from_tool[1][j] + turned[i][2] * arm.from_tool[2][j];
+      D[i][j] =
+          turned[i][0] * arm.from_tool[0][j] + turned[i][1] * arm.from_tool[1][j] + turned[i][2] * arm.from_tool[2][j];
   Target<F> out;
   turned_by(D, arm.sixth, out.at);
   for (int i = 0; i < 3; ++i) out.at[i] = out.at[i] + p[i];
@@ -93,9 +98,7 @@ template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const Pose<F>& po
 }
 
 // The condition N, and the quantities on the way to it. X: a number, a Dual or a Surd.
-template <class X> struct Condition {
-  X v0, v1, w0, w1, K, g, N;
-};
+template <class X> struct Condition { X v0, v1, w0, w1, K, g, N; };
 
 // u: P's distance along the plane; across, level: u5.r and u5.z; out: u5.n; h: P's height.
 template <class X> PIEPER_INLINE Condition<X> condition(const Arm& arm, X u, X across, X out, X level, X h) {
@@ -114,9 +117,7 @@ template <class X> PIEPER_INLINE Condition<X> condition(const Arm& arm, X u, X a
 }
 
 // P and axis 5 at the angle (c, s) of the last joint.
-template <class F> struct At {
-  F P[3], axis5[3];
-};
+template <class F> struct At { F P[3], axis5[3]; };
 template <class F> PIEPER_INLINE At<F> at_angle(const Target<F>& t, F c, F s) {
   At<F> out;
   for (int i = 0; i < 3; ++i) {
@@ -133,8 +134,8 @@ template <class F, bool Even> F polynomial(const Arm& arm, const Target<F>& t, F
   const F rho2 = at.P[0] * at.P[0] + at.P[1] * at.P[1], inv = 1.0 / max(rho2, F(1e-30));
   const double b = arm.lateral;
   const F u2 = rho2 - b * b;
-  const Surd<F> u = {F(0.0), F(1.0), u2}, across = {-b * past * inv, along * inv, u2}, out = {b * along * inv, past * inv, u2},
-                level = {at.axis5[2], F(0.0), u2}, h = {at.P[2], F(0.0), u2};
+  const Surd<F> u = {F(0.0), F(1.0), u2}, across = {-b * past * inv, along * inv, u2},
+                out = {b * along * inv, past * inv, u2}, level = {at.axis5[2], F(0.0), u2}, h = {at.P[2], F(0.0), u2};
   const Surd<F> N = condition(arm, u, across, out, level, h).N;
   if (Even) return N.x * rho2;
   return (N.x * N.x - u2 * N.y * N.y) * rho2 * rho2;
@@ -147,7 +148,8 @@ template <class F> struct Evaluated {
   Dual<F> u, across, out, level, h;
   Condition<Dual<F>> on;
 };
-template <class F> PIEPER_INLINE void on_side(const Arm& arm, F side, Dual<F> along, Dual<F> past, Dual<F> rho2, Evaluated<F>& x) {
+template <class F>
+PIEPER_INLINE void on_side(const Arm& arm, F side, Dual<F> along, Dual<F> past, Dual<F> rho2, Evaluated<F>& x) {
   x.u = {side * x.u.x, side * x.u.d};
   x.across = over(x.u * along - arm.lateral * past, rho2);
   x.out = over(x.u * past + arm.lateral * along, rho2);
@@ -155,7 +157,8 @@ template <class F> PIEPER_INLINE void on_side(const Arm& arm, F side, Dual<F> al
 }
 
 // side 0: the one of +1 and -1 on which the condition is nearer to holding, written to `side`; `apart` tells how much nearer.
-template <class F> PIEPER_INLINE Evaluated<F> evaluate(const Arm& arm, const Target<F>& target, Motion<F> theta, F& side, F* apart) {
+template <class F>
+PIEPER_INLINE Evaluated<F> evaluate(const Arm& arm, const Target<F>& target, Motion<F> theta, F& side, F* apart) {
   Evaluated<F> x;
   x.at = at_angle(target, theta.c, theta.s);
   At<F> rate;
@@ -192,7 +195,8 @@ template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Mot
   auto size_of = [&](const Evaluated<F>& e) {
     return l2 * (e.on.v0.x * e.on.v0.x + e.on.v1.x * e.on.v1.x) + e.on.K.x * e.on.K.x;
   };
-  auto unclear = !(now.u.x * side > 1e-4) | (open & !(apart[1] > 1e-8 * size_of(now))) | (open & !(apart[0] < 1e-2 * apart[1]));
+  auto unclear =
+      !(now.u.x * side > 1e-4) | (open & !(apart[1] > 1e-8 * size_of(now))) | (open & !(apart[0] < 1e-2 * apart[1]));
   // a step of Newton's on N, then one on d.w - g, which is less troubled by rounding: N = -|v|^2 times it times the same of the
   // triangle's other shape
   F change = -now.on.N.x / select(now.on.N.d == 0.0, F(1e-300), now.on.N.d);
@@ -222,7 +226,8 @@ template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Mot
   triangle(now, up, down);
   const At<F>& at = now.at;
   const F u = now.u.x, rho2 = now.rho2, across = now.across.x, out = now.out.x, level = now.level.x;
-  const F v0 = now.on.v0.x, v1 = now.on.v1.x, K = now.on.K.x, inv = 1.0 / max(V, F(1e-300)), bent = sign * sqrt(max(room, F(0.0)));
+  const F v0 = now.on.v0.x, v1 = now.on.v1.x, K = now.on.K.x, inv = 1.0 / max(V, F(1e-300)),
+          bent = sign * sqrt(max(room, F(0.0)));
   const F d0 = (K * v0 - bent * v1) * inv, d1 = (K * v1 + bent * v0) * inv;
   const Motion<F> elbow = unit(v0 - d0, v1 - d1), fore = unit(d0, d1);
   const F invr = 1.0 / max(rho2, F(1e-300));
@@ -263,7 +268,8 @@ template <bool Even> struct Family {
   template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
     return offset_wrist::polynomial<F, Even>(arm, target, angle.c, angle.s);
   }
-  template <class F> static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F side, Motion<F>* q) {
+  template <class F>
+  static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F side, Motion<F>* q) {
     return offset_wrist::complete(arm, target, root, side, q);
   }
 };

@@ -22,7 +22,8 @@ template <class F, int D> struct Series {
 template <int M> struct Circle {
   double c[M], s[M];
   Circle() {
-    for (int i = 0; i < M; ++i) c[i] = __builtin_cos(6.28318530717958647693 * i / M), s[i] = __builtin_sin(6.28318530717958647693 * i / M);
+    for (int i = 0; i < M; ++i)
+      c[i] = __builtin_cos(6.28318530717958647693 * i / M), s[i] = __builtin_sin(6.28318530717958647693 * i / M);
   }
 };
 template <int M> inline const Circle<M>& circle() {
@@ -70,7 +71,8 @@ template <int D> struct SectorBasis {
         double c = 0, s = 0;
         for (int j = 0; j <= k; ++j) {
           if (j > D + m || k - j > D - m) continue;
-          const double weight = pascal[D + m][j] * pascal[D - m][k - j] / pascal[2 * D][k], angle = half * (2 * j - m - k);
+          const double weight = pascal[D + m][j] * pascal[D - m][k - j] / pascal[2 * D][k],
+                       angle = half * (2 * j - m - k);
           c += weight * __builtin_cos(angle);
           s += weight * __builtin_sin(angle);
         }
@@ -153,7 +155,8 @@ template <int N> inline double least_of(const double* b) {
 
 // Appends the roots of one lane to `list`, at most 2D of them; returns false when some of it is not clear: where a coefficient that
 // decides lies below `noise`, or roots do not part.
-template <class F, int D> bool isolate(const Sectors<F, D>& sectors, int of_lane, double noise, Bracket* list, int& count) {
+template <class F, int D>
+bool isolate(const Sectors<F, D>& sectors, int of_lane, double noise, Bracket* list, int& count) {
   constexpr int N = 2 * D + 1;
   const double reach = __builtin_tan(0.78539816339744830962 * 2 / kSectors);  // of u at a sector's edge
   struct Cell {
@@ -168,7 +171,12 @@ template <class F, int D> bool isolate(const Sectors<F, D>& sectors, int of_lane
     if (changes == 0) continue;
     if (count == most) return false;
     if (changes == 1) {
-      list[count++] = {of_lane, i, -reach, reach, lane(sectors.coefficient[i][0], of_lane), lane(sectors.coefficient[i][N - 1], of_lane)};
+      list[count++] = {of_lane,
+                       i,
+                       -reach,
+                       reach,
+                       lane(sectors.coefficient[i][0], of_lane),
+                       lane(sectors.coefficient[i][N - 1], of_lane)};
       continue;
     }
     int waiting = 1;
@@ -201,7 +209,8 @@ template <class F, int D> bool isolate(const Sectors<F, D>& sectors, int of_lane
 }
 
 // Newton's method kept inside the brackets: the roots as cosine and sine. p: of each root's own polynomial.
-template <class F, int D> void refine(const Series<F, D>& p, F centre_c, F centre_s, F low, F high, F at_low, F at_high, F& c, F& s) {
+template <class F, int D>
+void refine(const Series<F, D>& p, F centre_c, F centre_s, F low, F high, F at_low, F at_high, F& c, F& s) {
   const auto negative = at_low < 0.0;
   F u = low + (high - low) * min(max(at_low / (at_low - at_high), F(0.05)), F(0.95));
   auto done = mask_of<F>(false);

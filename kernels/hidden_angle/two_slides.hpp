@@ -41,8 +41,8 @@ struct Arm {
   closed_form::Rigid links[7];  // lengths of one
   double length;                // m
   int hidden;
-  bool slides[6];   // by role
-  int turning[4];   // roles
+  bool slides[6];  // by role
+  int turning[4];  // roles
   Arm() = default;
   Arm(const TwoSlides& arm, int hides) : length(arm.length), hidden(hides) {
     closed_form::read_links(arm.links, arm.length, links);
@@ -73,12 +73,12 @@ template <class F> Target<F> see(const Arm& arm, const Pose<F>& pose) {
                        {pose.r[0][1], pose.r[1][1], pose.r[2][1]},
                        {pose.r[0][2], pose.r[1][2], pose.r[2][2]},
                        {pose.p[0] * scale, pose.p[1] * scale, pose.p[2] * scale}};
-  out.closing = closed_form::spread<F>(arm.links[6]) * inverse(T) *
-                closed_form::spread<F>(arm.links[0]);
+  out.closing = closed_form::spread<F>(arm.links[6]) * inverse(T) * closed_form::spread<F>(arm.links[0]);
   Vec3T<F>* const between[4] = {out.first, out.second, out.third, out.fourth};
   for (int k = 0; k < 4; ++k) {
     RigidT<F> R = link_of(arm, out, arm.joint(arm.turning[k]));
-    for (int role = arm.turning[k] + 1; role < (k < 3 ? arm.turning[k + 1] : 6); ++role) R = R * link_of(arm, out, arm.joint(role));
+    for (int role = arm.turning[k] + 1; role < (k < 3 ? arm.turning[k + 1] : 6); ++role)
+      R = R * link_of(arm, out, arm.joint(role));
     between[k][0] = R.x, between[k][1] = R.y, between[k][2] = R.z;
   }
   return out;
@@ -114,14 +114,13 @@ template <class X> struct Evaluated {
   X room, open, f;                  // S^2, 1 - X33^2
 };
 
-template <class F, class X> PIEPER_INLINE Vec3T<X> mixed(const Vec3T<X>& x, const Vec3T<X>& y, const Vec3T<X>& z, Vec3T<F> v) {
+template <class F, class X>
+PIEPER_INLINE Vec3T<X> mixed(const Vec3T<X>& x, const Vec3T<X>& y, const Vec3T<X>& z, Vec3T<F> v) {
   return {v.x * x.x + v.y * y.x + v.z * z.x, v.x * x.y + v.y * y.y + v.z * z.y, v.x * x.z + v.y * y.z + v.z * z.z};
 }
 
 // cos(y) = (A E - B S) / n, sin(y) = (B E + A S) / n with E of degree one in theta.
-template <class F> struct Bend {
-  F A, B, n, cosine, sine, constant, both;
-};
+template <class F> struct Bend { F A, B, n, cosine, sine, constant, both; };
 template <class F> PIEPER_INLINE Bend<F> bend_of(const Target<F>& t) {
   const Vec3T<F> row = {t.second[0].z, t.second[1].z, t.second[2].z}, column = t.third[2];
   const Vec3T<F> u = t.first[2], w = {t.fourth[0].z, t.fourth[1].z, t.fourth[2].z};
@@ -136,8 +135,9 @@ template <class F> PIEPER_INLINE Bend<F> bend_of(const Target<F>& t) {
   return b;
 }
 
-template <class Numbers, class X, class F>
-PIEPER_INLINE Evaluated<X> evaluate(const Numbers& numbers, const Arm& arm, const Target<F>& t, const Bend<F>& b, X c, X s) {
+template <class Numbers, class X, class F> PIEPER_INLINE Evaluated<X> evaluate(const Numbers& numbers, const Arm& arm,
+                                                                               const Target<F>& t, const Bend<F>& b,
+                                                                               X c, X s) {
   Evaluated<X> out;
   const X E = b.cosine * c + b.sine * s + numbers.lift(b.constant);
   out.room = numbers.lift(b.n) - E * E;
@@ -243,7 +243,8 @@ struct Family {
   template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
     return two_slides::polynomial(arm, target, angle);
   }
-  template <class F> static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F side, Motion<F>* q) {
+  template <class F>
+  static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F side, Motion<F>* q) {
     return two_slides::complete(arm, target, root, side, q);
   }
 };

@@ -13,11 +13,11 @@ template <class F> struct Pose {
 
 // What a family fills for every pose. Slots of one meaning keep one index, so labels follow from the slot.
 template <class F, int Slots, int Joints> struct Branches {
-  F q[Slots][Joints];        // rad or m; any value where not valid
-  Mask<F> valid[Slots];      // verified by forward kinematics inside the family
-  Mask<F> degenerate;        // so near a singular pose that families or merged roots are possible
-  Mask<F> uncertain;         // the family cannot vouch that nothing is missing
-  Mask<F> out_of_reach;      // no solution, for reasons of reach
+  F q[Slots][Joints];    // rad or m; any value where not valid
+  Mask<F> valid[Slots];  // verified by forward kinematics inside the family
+  Mask<F> degenerate;    // so near a singular pose that families or merged roots are possible
+  Mask<F> uncertain;     // the family cannot vouch that nothing is missing
+  Mask<F> out_of_reach;  // no solution, for reasons of reach
 };
 
 // Poses [0, W) of T (row-major 4x4, 16 doubles each) into lanes.
@@ -64,8 +64,9 @@ template <class F, int K> PIEPER_INLINE void store_records(double* out, F* value
   }
 }
 
-template <class F, class Kernel, class Arm>
-PIEPER_INLINE void solve_group(const Arm& arm, const double* T, int lanes, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+template <class F, class Kernel, class Arm> PIEPER_INLINE void solve_group(const Arm& arm, const double* T, int lanes,
+                                                                           double* q, std::uint8_t* valid,
+                                                                           std::uint8_t* flag) {
   constexpr int M = Arm::slots, N = Arm::joints;
   Branches<F, M, N> out;
   Kernel::template branches<F>(arm, load_poses<F>(T), out);
@@ -98,7 +99,8 @@ template <class Group> PIEPER_INLINE void in_lanes(const double* T, long count, 
   if (done == count) return;
   const int rest = static_cast<int>(count - done);
   double padded[16 * W];
-  for (int i = 0; i < W; ++i) __builtin_memcpy(padded + 16 * i, T + 16 * (done + (i < rest ? i : rest - 1)), sizeof(double[16]));
+  for (int i = 0; i < W; ++i)
+    __builtin_memcpy(padded + 16 * i, T + 16 * (done + (i < rest ? i : rest - 1)), sizeof(double[16]));
   group(done, rest, padded);
 }
 

@@ -49,11 +49,13 @@ template <int W> struct Lanes {
     else
 #endif
 #if defined(__AVX__)
-    if constexpr (W == 4) v = (Values)_mm256_set1_pd(x);
+        if constexpr (W == 4)
+      v = (Values)_mm256_set1_pd(x);
     else
 #endif
 #if defined(__SSE2__)
-    if constexpr (W == 2) v = (Values)_mm_set1_pd(x);
+        if constexpr (W == 2)
+      v = (Values)_mm_set1_pd(x);
     else
 #endif
       for (int i = 0; i < W; ++i) v[i] = x;
@@ -74,12 +76,18 @@ template <class F> inline constexpr int width_of = NumberTraits<F>::width;
 template <class F> using Mask = typename NumberTraits<F>::Mask;
 
 // ---- arithmetic ---------------------------------------------------------------------------------------------------
-#define PIEPER_BINARY(op)                                                                                   \
-  template <int W> PIEPER_INLINE Lanes<W> operator op(Lanes<W> a, Lanes<W> b) { return a.v op b.v; }        \
+#define PIEPER_BINARY(op)                                                                                    \
+  template <int W> PIEPER_INLINE Lanes<W> operator op(Lanes<W> a, Lanes<W> b) { return a.v op b.v; }         \
   template <int W> PIEPER_INLINE Lanes<W> operator op(Lanes<W> a, double b) { return a.v op Lanes<W>(b).v; } \
   template <int W> PIEPER_INLINE Lanes<W> operator op(double a, Lanes<W> b) { return Lanes<W>(a).v op b.v; } \
-  template <int W> PIEPER_INLINE Lanes<W>& operator op##=(Lanes<W>& a, Lanes<W> b) { a.v = a.v op b.v; return a; } \
-  template <int W> PIEPER_INLINE Lanes<W>& operator op##=(Lanes<W>& a, double b) { a.v = a.v op Lanes<W>(b).v; return a; }
+  template <int W> PIEPER_INLINE Lanes<W>& operator op##=(Lanes<W>& a, Lanes<W> b) {                         \
+    a.v = a.v op b.v;                                                                                        \
+    return a;                                                                                                \
+  }                                                                                                          \
+  template <int W> PIEPER_INLINE Lanes<W>& operator op##=(Lanes<W>& a, double b) {                           \
+    a.v = a.v op Lanes<W>(b).v;                                                                              \
+    return a;                                                                                                \
+  }
 PIEPER_BINARY(+)
 PIEPER_BINARY(-)
 PIEPER_BINARY(*)
@@ -88,16 +96,18 @@ PIEPER_BINARY(/)
 template <int W> PIEPER_INLINE Lanes<W> operator-(Lanes<W> a) { return -a.v; }
 
 #if defined(__AVX512DQ__)
-#define PIEPER_COMPARE_512(code) if constexpr (W == 8) return {_mm512_cmp_pd_mask((__m512d)a.v, (__m512d)b.v, code)}; else
+#define PIEPER_COMPARE_512(code)                                                       \
+  if constexpr (W == 8) return {_mm512_cmp_pd_mask((__m512d)a.v, (__m512d)b.v, code)}; \
+  else
 #else
 #define PIEPER_COMPARE_512(code)
 #endif
-#define PIEPER_COMPARE(op, code)                                                                                     \
-  template <int W> PIEPER_INLINE LaneMask<W> operator op(Lanes<W> a, Lanes<W> b) {                                   \
-    PIEPER_COMPARE_512(code)                                                                                         \
-    return {(typename LaneTypes<W>::Bits)(a.v op b.v)};                                                              \
-  }                                                                                                                  \
-  template <int W> PIEPER_INLINE LaneMask<W> operator op(Lanes<W> a, double b) { return a op Lanes<W>(b); }          \
+#define PIEPER_COMPARE(op, code)                                                                            \
+  template <int W> PIEPER_INLINE LaneMask<W> operator op(Lanes<W> a, Lanes<W> b) {                          \
+    PIEPER_COMPARE_512(code)                                                                                \
+    return {(typename LaneTypes<W>::Bits)(a.v op b.v)};                                                     \
+  }                                                                                                         \
+  template <int W> PIEPER_INLINE LaneMask<W> operator op(Lanes<W> a, double b) { return a op Lanes<W>(b); } \
   template <int W> PIEPER_INLINE LaneMask<W> operator op(double a, Lanes<W> b) { return Lanes<W>(a) op b; }
 PIEPER_COMPARE(<, _CMP_LT_OQ)
 PIEPER_COMPARE(<=, _CMP_LE_OQ)
@@ -123,10 +133,14 @@ template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, Lanes<W> a, Lanes<
   if constexpr (W == 8) return (typename LaneTypes<W>::Values)_mm512_mask_blend_pd(m.bits, (__m512d)b.v, (__m512d)a.v);
   else
 #endif
-  return m.bits ? a.v : b.v;
+    return m.bits ? a.v : b.v;
 }
-template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, Lanes<W> a, double b) { return select(m, a, Lanes<W>(b)); }
-template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, double a, Lanes<W> b) { return select(m, Lanes<W>(a), b); }
+template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, Lanes<W> a, double b) {
+  return select(m, a, Lanes<W>(b));
+}
+template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, double a, Lanes<W> b) {
+  return select(m, Lanes<W>(a), b);
+}
 template <int W> PIEPER_INLINE Lanes<W> select(LaneMask<W> m, double a, double b) {
   return select(m, Lanes<W>(a), Lanes<W>(b));
 }
@@ -139,11 +153,13 @@ template <int W> PIEPER_INLINE unsigned bits_of(LaneMask<W> m) {
   else
 #endif
 #if defined(__AVX__)
-  if constexpr (W == 4) return static_cast<unsigned>(_mm256_movemask_pd((__m256d)m.bits));
+      if constexpr (W == 4)
+    return static_cast<unsigned>(_mm256_movemask_pd((__m256d)m.bits));
   else
 #endif
 #if defined(__SSE2__)
-  if constexpr (W == 2) return static_cast<unsigned>(_mm_movemask_pd((__m128d)m.bits));
+      if constexpr (W == 2)
+    return static_cast<unsigned>(_mm_movemask_pd((__m128d)m.bits));
   else
 #endif
   {
@@ -202,20 +218,22 @@ template <int W> PIEPER_INLINE Lanes<W> sqrt(Lanes<W> x) {
 PIEPER_INLINE double max(double a, double b) { return a > b ? a : b; }
 PIEPER_INLINE double min(double a, double b) { return a < b ? a : b; }
 #if defined(__AVX512F__)
-#define PIEPER_IF_512(name) if constexpr (W == 8) return (typename LaneTypes<W>::Values)_mm512_##name##_pd((__m512d)a.v, (__m512d)b.v);
+#define PIEPER_IF_512(name) \
+  if constexpr (W == 8) return (typename LaneTypes<W>::Values)_mm512_##name##_pd((__m512d)a.v, (__m512d)b.v);
 #else
 #define PIEPER_IF_512(name)
 #endif
 #if defined(__AVX__)
-#define PIEPER_IF_256(name) if constexpr (W == 4) return (typename LaneTypes<W>::Values)_mm256_##name##_pd((__m256d)a.v, (__m256d)b.v);
+#define PIEPER_IF_256(name) \
+  if constexpr (W == 4) return (typename LaneTypes<W>::Values)_mm256_##name##_pd((__m256d)a.v, (__m256d)b.v);
 #else
 #define PIEPER_IF_256(name)
 #endif
-#define PIEPER_EXTREME(name, op)                                          \
-  template <int W> PIEPER_INLINE Lanes<W> name(Lanes<W> a, Lanes<W> b) {  \
-    PIEPER_IF_512(name)                                                   \
-    PIEPER_IF_256(name)                                                   \
-    return select(a op b, a, b);                                          \
+#define PIEPER_EXTREME(name, op)                                         \
+  template <int W> PIEPER_INLINE Lanes<W> name(Lanes<W> a, Lanes<W> b) { \
+    PIEPER_IF_512(name)                                                  \
+    PIEPER_IF_256(name)                                                  \
+    return select(a op b, a, b);                                         \
   }
 PIEPER_EXTREME(max, >)
 PIEPER_EXTREME(min, <)
@@ -230,7 +248,9 @@ template <class F> using Bits = typename BitsOf<F>::type;
 
 PIEPER_INLINE std::int64_t bits_in(double x) { return __builtin_bit_cast(std::int64_t, x); }
 PIEPER_INLINE double from_bits(std::int64_t b) { return __builtin_bit_cast(double, b); }
-template <int W> PIEPER_INLINE typename LaneTypes<W>::Bits bits_in(Lanes<W> x) { return (typename LaneTypes<W>::Bits)x.v; }
+template <int W> PIEPER_INLINE typename LaneTypes<W>::Bits bits_in(Lanes<W> x) {
+  return (typename LaneTypes<W>::Bits)x.v;
+}
 
 // `word` where the mask is set, else 0.
 PIEPER_INLINE std::int64_t word_where(bool m, std::int64_t word) { return m ? word : 0; }
@@ -239,15 +259,13 @@ template <int W> PIEPER_INLINE typename LaneTypes<W>::Bits word_where(LaneMask<W
   if constexpr (W == 8) return (typename LaneTypes<W>::Bits)_mm512_maskz_set1_epi64(m.bits, word);
   else
 #endif
-  return m.bits & word;
+    return m.bits & word;
 }
 PIEPER_INLINE std::int64_t word_of_lane(std::int64_t b, int) { return b; }
 template <class B> PIEPER_INLINE std::int64_t word_of_lane(B b, int i) { return b[i]; }
 
 // x with its sign turned where bit 1 (worth 2) of `quadrant` is set.
-PIEPER_INLINE double turned(double x, std::int64_t quadrant) {
-  return from_bits(bits_in(x) ^ ((quadrant & 2) << 62));
-}
+PIEPER_INLINE double turned(double x, std::int64_t quadrant) { return from_bits(bits_in(x) ^ ((quadrant & 2) << 62)); }
 template <int W> PIEPER_INLINE Lanes<W> turned(Lanes<W> x, typename LaneTypes<W>::Bits quadrant) {
   return (typename LaneTypes<W>::Values)(bits_in(x) ^ ((quadrant & 2) << 62));
 }

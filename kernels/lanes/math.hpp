@@ -70,7 +70,8 @@ template <class F> PIEPER_INLINE void sincos(F x, F& s, F& c) {
 
 // The same for |x| of a few turns at most, and good to about 1e-16 absolute rather than relative: what a check needs.
 template <class F> PIEPER_INLINE void sincos_of_turns(F x, F& s, F& c) {
-  constexpr double to_integer = 6755399441055744.0, piece1 = 1.57079632673412561417e+00, rest = 6.07710050650619224932e-11;
+  constexpr double to_integer = 6755399441055744.0, piece1 = 1.57079632673412561417e+00,
+                   rest = 6.07710050650619224932e-11;
   F shifted = x * 0.63661977236758134308 + to_integer;
   F n = shifted - to_integer;
   F r = (x - n * piece1) - n * rest;

@@ -19,12 +19,14 @@ inline constexpr double kSame = 3e-8;
 // Smallest over largest singular value of the scaled Jacobian under which a solution is looked at closely.
 inline constexpr double kSingular = 2.5e-7;
 
-template <class F> struct Vec3T {
-  F x, y, z;
-};
+template <class F> struct Vec3T { F x, y, z; };
 using Vec3 = Vec3T<double>;
-template <class F> PIEPER_INLINE Vec3T<F> operator+(Vec3T<F> a, Vec3T<F> b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-template <class F> PIEPER_INLINE Vec3T<F> operator-(Vec3T<F> a, Vec3T<F> b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+template <class F> PIEPER_INLINE Vec3T<F> operator+(Vec3T<F> a, Vec3T<F> b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class F> PIEPER_INLINE Vec3T<F> operator-(Vec3T<F> a, Vec3T<F> b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 template <class F> PIEPER_INLINE Vec3T<F> operator*(F s, Vec3T<F> a) { return {s * a.x, s * a.y, s * a.z}; }
 template <class F> PIEPER_INLINE F dot(Vec3T<F> a, Vec3T<F> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 template <class F> PIEPER_INLINE Vec3T<F> cross(Vec3T<F> a, Vec3T<F> b) {
@@ -32,12 +34,14 @@ template <class F> PIEPER_INLINE Vec3T<F> cross(Vec3T<F> a, Vec3T<F> b) {
 }
 
 // A rigid motion: columns x, y, z of its rotation and its translation t.
-template <class F> struct RigidT {
-  Vec3T<F> x, y, z, t;
-};
+template <class F> struct RigidT { Vec3T<F> x, y, z, t; };
 using Rigid = RigidT<double>;
-template <class F> PIEPER_INLINE Vec3T<F> turn(const RigidT<F>& A, Vec3T<F> v) { return v.x * A.x + v.y * A.y + v.z * A.z; }
-template <class F> PIEPER_INLINE Vec3T<F> turn_back(const RigidT<F>& A, Vec3T<F> v) { return {dot(A.x, v), dot(A.y, v), dot(A.z, v)}; }
+template <class F> PIEPER_INLINE Vec3T<F> turn(const RigidT<F>& A, Vec3T<F> v) {
+  return v.x * A.x + v.y * A.y + v.z * A.z;
+}
+template <class F> PIEPER_INLINE Vec3T<F> turn_back(const RigidT<F>& A, Vec3T<F> v) {
+  return {dot(A.x, v), dot(A.y, v), dot(A.z, v)};
+}
 template <class F> PIEPER_INLINE Vec3T<F> move(const RigidT<F>& A, Vec3T<F> p) { return turn(A, p) + A.t; }
 template <class F> PIEPER_INLINE Vec3T<F> move_back(const RigidT<F>& A, Vec3T<F> p) { return turn_back(A, p - A.t); }
 template <class F> PIEPER_INLINE RigidT<F> operator*(const RigidT<F>& A, const RigidT<F>& B) {
@@ -87,8 +91,8 @@ using LoopRest = LoopRestT<double>;
 // The chain as described, lengths in units of the arm, which every candidate has to satisfy.
 struct TrueChain {
   int n;
-  double length;         // m
-  const Rigid* links;    // n + 1
+  double length;       // m
+  const Rigid* links;  // n + 1
   const bool* slides;
   bool position_only;
 };

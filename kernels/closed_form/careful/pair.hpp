@@ -173,7 +173,8 @@ inline void left_null(const double (*A)[2], double* u) {
 // What is left of the equations of joint h when the null row u of the other joint's matrix is put before them.
 struct AloneEquation {
   double u[2], b[2], size;
-  double wrong;  // what u leaves of the matrix it should annihilate, relative: one that is small in one row only is not of rank one
+  double
+      wrong;  // what u leaves of the matrix it should annihilate, relative: one that is small in one row only is not of rank one
   AloneEquation(const double (*V)[2], const double (*H)[2]) {
     left_null(V, u);
     for (int k = 0; k < 2; ++k) b[k] = u[0] * H[0][k] + u[1] * H[1][k];
@@ -257,7 +258,8 @@ template <class Equations> inline int refine_pair(const Equations& at, double a,
       double ta = -flat.c / n, tc = flat.a / n;  // along flat = 0
       double value = bent.value + bent.a * da + bent.c * dc + 0.5 * (bent.aa * da * da + bent.cc * dc * dc);
       double slope = (bent.a + bent.aa * da) * ta + (bent.c + bent.cc * dc) * tc;
-      double lean = (bent.a * flat.a + bent.c * flat.c) / n2;  // bending of flat = 0 itself, weighed by the gradient of bent
+      double lean =
+          (bent.a * flat.a + bent.c * flat.c) / n2;  // bending of flat = 0 itself, weighed by the gradient of bent
       double bend = bent.aa * ta * ta + bent.cc * tc * tc - lean * (flat.aa * ta * ta + flat.cc * tc * tc);
       double disc = slope * slope - 2 * bend * value, step;
       if (disc < 0) {

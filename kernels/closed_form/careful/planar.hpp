@@ -44,7 +44,8 @@ inline int slide_to_circle(Flat v, Flat e, double r, double* d) {
 }
 
 // At most two triples.
-inline int solve_planar(const PlanarLink& l1, const PlanarLink& l2, const bool* slides, double turn_by, Flat t, double (*q)[3]) {
+inline int solve_planar(const PlanarLink& l1, const PlanarLink& l2, const bool* slides, double turn_by, Flat t,
+                        double (*q)[3]) {
   const double sum = turn_by - l1.angle - l2.angle;  // of the turning joints
   const int kind = slides[0] | slides[1] << 1 | slides[2] << 2;
   auto ahead = [](double angle) { return Flat{std::cos(angle), std::sin(angle)}; };
@@ -91,7 +92,8 @@ inline int solve_planar(const PlanarLink& l1, const PlanarLink& l2, const bool* 
       }
       return count;
     }
-    default: break;
+    default:
+      break;
   }
   // two slides: v = d1 e1 + d2 e2 with known directions
   Flat v, e1, e2;

@@ -32,9 +32,7 @@ inline double turn_between(Vec3 from, Vec3 to, bool& free) {
 }
 
 // An affine function of one joint's terms: at + first * f1 (+ second * f2), f2 absent for a sliding joint.
-template <class F> struct SwingT {
-  Vec3T<F> at, first, second;
-};
+template <class F> struct SwingT { Vec3T<F> at, first, second; };
 using Swing = SwingT<double>;
 
 inline Vec3 swing_at(const Swing& s, double x, bool slides) {
@@ -62,8 +60,8 @@ struct AxisEquations {
     swing_slopes(w, a, slides_a, dp, ddp);
     swing_slopes(u, c, slides_c, dr, ddr);
     flat = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
-    bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y), -2 * (r.x * dr.x + r.y * dr.y),
-            2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
+    bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y),
+            -2 * (r.x * dr.x + r.y * dr.y), 2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
             -2 * (r.x * ddr.x + r.y * ddr.y + dr.x * dr.x + dr.y * dr.y)};
     if (flat.a * flat.a + flat.c * flat.c < bent.a * bent.a + bent.c * bent.c) {
       Separable swap = flat;
@@ -83,7 +81,8 @@ template <class F> PIEPER_INLINE SwingT<F> swing_of(const RigidT<F>& B, Vec3T<F>
 template <class F> PIEPER_INLINE SwingT<F> swing_back(const RigidT<F>& A, Vec3T<F> g, bool slides) {
   const F zero(0.0), one(1.0);
   if (slides) return {move_back(A, g), F(-1.0) * turn_back(A, Vec3T<F>{zero, zero, one}), {zero, zero, zero}};
-  return {move_back(A, Vec3T<F>{zero, zero, g.z}), turn_back(A, Vec3T<F>{g.x, g.y, zero}), turn_back(A, Vec3T<F>{g.y, -g.x, zero})};
+  return {move_back(A, Vec3T<F>{zero, zero, g.z}), turn_back(A, Vec3T<F>{g.x, g.y, zero}),
+          turn_back(A, Vec3T<F>{g.y, -g.x, zero})};
 }
 
 // |.|^2 of a swing as constant and coefficients of the joint terms.
@@ -99,8 +98,8 @@ template <class F> PIEPER_INLINE void squared(const SwingT<F>& s, bool slides, F
 }
 
 // The pair of equations of a positioning problem.
-template <class F>
-PIEPER_INLINE void position_pair(const SwingT<F>& w, const SwingT<F>& u, const bool* slides, F (*M)[2], F (*N)[2], F* e) {
+template <class F> PIEPER_INLINE void position_pair(const SwingT<F>& w, const SwingT<F>& u, const bool* slides,
+                                                    F (*M)[2], F (*N)[2], F* e) {
   const F zero(0.0);
   if (!slides[1]) {
     // the origin may slide along the middle axis: half way between the two sides keeps the squares small

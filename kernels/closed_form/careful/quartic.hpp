@@ -50,8 +50,8 @@ inline double root_between(const double* c, int degree, double a, double b, doub
 
 // Real roots of a polynomial inside (-bound, bound), given the ascending (near-)critical points: sign changes first, then the
 // critical points themselves where the curve touches zero. Returns how many; they are written in ascending order.
-inline int roots_from_critical(const double* c, int degree, double bound, const double* critical, int count, double touching,
-                               double* roots) {
+inline int roots_from_critical(const double* c, int degree, double bound, const double* critical, int count,
+                               double touching, double* roots) {
   int found = 0;
   double left = -bound, at_left, slope;
   evaluate(c, degree, left, at_left, slope);
@@ -121,15 +121,16 @@ inline void turn_form(const double* f, double c, double s, double* out) {
 // Every real direction in which a quartic form vanishes (touches included); at most 7 are written, p*p + q*q = 1.
 // Returns -1 when the form vanishes identically within `floor`.
 inline int form_directions(const double* f, double floor, Direction* out) {
-  static const double C[8] = {1, 0.92387953251128674, 0.70710678118654752, 0.38268343236508977, 0, -0.38268343236508977,
-                              -0.70710678118654752, -0.92387953251128674};
-  static const double S[8] = {0, 0.38268343236508977, 0.70710678118654752, 0.92387953251128674, 1, 0.92387953251128674,
-                              0.70710678118654752, 0.38268343236508977};
+  static const double C[8] = {1, 0.92387953251128674,  0.70710678118654752,  0.38268343236508977,
+                              0, -0.38268343236508977, -0.70710678118654752, -0.92387953251128674};
+  static const double S[8] = {0, 0.38268343236508977, 0.70710678118654752, 0.92387953251128674,
+                              1, 0.92387953251128674, 0.70710678118654752, 0.38268343236508977};
   int best = 0;
   double most = -1;
   for (int k = 0; k < 8; ++k) {
     double p = C[k], q = S[k];
-    double value = std::fabs((((f[4] * p + f[3] * q) * p + f[2] * q * q) * p + f[1] * q * q * q) * p + f[0] * q * q * q * q);
+    double value =
+        std::fabs((((f[4] * p + f[3] * q) * p + f[2] * q * q) * p + f[1] * q * q * q) * p + f[0] * q * q * q * q);
     if (value > most) most = value, best = k;
   }
   if (!(most > floor)) return -1;

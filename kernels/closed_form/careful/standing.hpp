@@ -14,7 +14,7 @@ inline constexpr double kHeld = 4e-13;
 
 // The null direction of a nearly singular row: how the pose is missed when moving along it.
 struct NullDirection {
-  double v[kMaxJoints], u[6];  // unit vectors: J v = sigma u
+  double v[kMaxJoints], u[6];   // unit vectors: J v = sigma u
   double sigma, second, scale;  // the two smallest singular values; the Frobenius norm of J
 
   NullDirection(int n, const double (*J)[6]) {
@@ -53,7 +53,8 @@ struct NullDirection {
 
 // By how much the pose is missed, along u, at t on the curve through q that leaves in the null direction and is otherwise
 // corrected as well as can be. False where the correction does not settle.
-inline bool missed_along(const TrueChain& chain, const Rigid& T, const double* q, const NullDirection& d, double t, double& miss) {
+inline bool missed_along(const TrueChain& chain, const Rigid& T, const double* q, const NullDirection& d, double t,
+                         double& miss) {
   const int n = chain.n;
   double p[kMaxJoints], error[6], J[kMaxJoints][6];
   for (int i = 0; i < n; ++i) p[i] = q[i] + t * d.v[i];
@@ -125,20 +126,22 @@ inline bool all_stand_alone(const TrueChain& chain, const Rigid& T, const Found&
 
 // Whether the rows of a pose are all there and all clear.
 inline bool settled(const TrueChain& chain, const Rigid& T, const Found& found) {
-  return found.count > 0 && found.count % 2 == 0 && !found.degenerate && (!found.suspect || all_stand_alone(chain, T, found));
+  return found.count > 0 && found.count % 2 == 0 && !found.degenerate &&
+         (!found.suspect || all_stand_alone(chain, T, found));
 }
 
 // Write one pose's solutions into the caller's slots, zeros where there is none.
-inline void write_out(const TrueChain& chain, const Rigid& T, const Found& found, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+inline void write_out(const TrueChain& chain, const Rigid& T, const Found& found, double* q, std::uint8_t* valid,
+                      std::uint8_t* flag) {
   int n = chain.n;
   for (int s = 0; s < found.most; ++s) {
     bool ok = s < found.count;
     valid[s] = ok;
-    for (int i = 0; i < n; ++i)
-      q[s * n + i] = ok ? found.q[s * n + i] * (chain.slides[i] ? chain.length : 1.0) : 0.0;
+    for (int i = 0; i < n; ++i) q[s * n + i] = ok ? found.q[s * n + i] * (chain.slides[i] ? chain.length : 1.0) : 0.0;
   }
   const bool look = found.count ? !settled(chain, T, found) : found.degenerate || found.suspect;
-  *flag = (look ? kDegenerate : 0) | (found.near_miss && found.count == 0 ? kUncertain : 0) | (found.count == 0 ? kOutOfReach : 0);
+  *flag = (look ? kDegenerate : 0) | (found.near_miss && found.count == 0 ? kUncertain : 0) |
+          (found.count == 0 ? kOutOfReach : 0);
 }
 
 }  // namespace pieper::PIEPER_ISA::closed_form

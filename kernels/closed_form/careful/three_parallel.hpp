@@ -30,13 +30,13 @@ struct PlaneEquations {
     Vec3 dp = zero, ddp = zero, dr = zero, ddr = zero, ph = direction_at(ha, a, slides_a), dph = zero, ddph = zero;
     if (!slides_a) swing_slopes(w, a, false, dp, ddp), swing_slopes(ha, a, false, dph, ddph);
     if (!slides_c) swing_slopes(u, c, false, dr, ddr);
-    flat = {climb + dot(ph, At) + dot(r, Bt) + rise_a * a + rise_c * c, dot(dph, At) + rise_a, dot(dr, Bt) + rise_c, dot(ddph, At),
-            dot(ddr, Bt)};
+    flat = {climb + dot(ph, At) + dot(r, Bt) + rise_a * a + rise_c * c, dot(dph, At) + rise_a, dot(dr, Bt) + rise_c,
+            dot(ddph, At), dot(ddr, Bt)};
     if (std::fabs(p.z) < 0.5) {
       bent = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
     } else {
-      bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y), -2 * (r.x * dr.x + r.y * dr.y),
-              2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
+      bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y),
+              -2 * (r.x * dr.x + r.y * dr.y), 2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
               -2 * (r.x * ddr.x + r.y * ddr.y + dr.x * dr.x + dr.y * dr.y)};
     }
     if (flat.a * flat.a + flat.c * flat.c < bent.a * bent.a + bent.c * bent.c) {
@@ -89,7 +89,7 @@ template <class F> struct PlaneProblem {
 // `apart`, `first_c`: of PairSystem.
 inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool apart, bool first_c, PositionRoots& out) {
   const PlaneProblem<double> P(rest, slides);
-  const auto &[h, k, At, Bt, climb, ha, w, kc, u, M, N, e] = P;
+  const auto& [h, k, At, Bt, climb, ha, w, kc, u, M, N, e] = P;
   PairSystem s;
   s.slides_a = slides[0];
   s.slides_c = slides[2];
@@ -101,7 +101,8 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
   PairRoots pairs;
   solve_pair(s, pairs);
   out.degenerate = pairs.degenerate;
-  const PlaneEquations equations{ha, w, kc, u, At, Bt, slides[0] ? h.z : 0, slides[2] ? k.z : 0, climb, slides[0], slides[2]};
+  const PlaneEquations equations{ha,    w,         kc,       u, At, Bt, slides[0] ? h.z : 0, slides[2] ? k.z : 0,
+                                 climb, slides[0], slides[2]};
   for (int i = 0; i < pairs.count; ++i) {
     double refined[2][2] = {{pairs.a[i], pairs.c[i]}, {}};
     int branches = slides[1] ? 1 : refine_pair(equations, pairs.a[i], pairs.c[i], refined);
@@ -113,7 +114,8 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
         middle = turn_between(from, to, free);
       } else if (std::fabs(to.z) > 1e-13) {
         middle = -(climb + dot(direction_at(ha, a, slides[0]), At) + dot(from, Bt) + (slides[0] ? a * h.z : 0) +
-                   (slides[2] ? c * k.z : 0)) / to.z;
+                   (slides[2] ? c * k.z : 0)) /
+                 to.z;
       } else {  // the slide runs along the plane
         out.degenerate = true;
         continue;
@@ -125,45 +127,45 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
 }
 
 // One pose.
-inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, const PlanarLink& l2, const double* T, double* q,
-                                 std::uint8_t* valid, std::uint8_t* flag) {
+inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, const PlanarLink& l2, const double* T,
+                                 double* q, std::uint8_t* valid, std::uint8_t* flag) {
   constexpr int kSlots = 8;
   const TrueChain chain = own.chain();
   const int first = own.first;
   const bool* slides_in = own.slides + first;
-    Rigid pose = read_rigid(T, chain.length);
-    LoopRest rest(own.links, pose, first);
-    bool slides[3];
-    for (int k = 0; k < 3; ++k) slides[k] = own.slides[rest.joints[k]];
-    double room[kSlots * 6];
-    Found found{6, kSlots, 0, room};
-    // where rows cannot be told from curves the quartic has its say too
-    for (bool apart = own.apart, again = true; again; again = apart && !settled(chain, pose, found), apart = false) {
-      PositionRoots roots;
-      solve_around_plane(rest, slides, apart, own.first_c, roots);
-      found.degenerate |= roots.degenerate;
-      for (int k = 0; k < roots.count; ++k) {
-        double* arm = roots.q[k];
-        const int tries = roots.free[k] ? 16 : 1, before = found.count;
-        for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
-          arm[1] += trial * (2 * kPi / 16);
-          Rigid around = joint(rest.pre, arm[0], slides[0]) * rest.A;
-          around = joint(around, arm[1], slides[1]) * rest.B;
-          around = inverse(joint(around, arm[2], slides[2]) * rest.C);
-          double plane[2][3], candidate[6];
-          int bends = solve_planar(l1, l2, slides_in, std::atan2(around.x.y - around.y.x, around.x.x + around.y.y),
-                                   {around.t.x, around.t.y}, plane);
-          for (int s = 0; s < bends; ++s) {
-            for (int j = 0; j < 3; ++j) {
-              candidate[rest.joints[j]] = arm[j];
-              candidate[first + j] = plane[s][j] * own.sense[j];
-            }
-            offer(chain, pose, candidate, found);
+  Rigid pose = read_rigid(T, chain.length);
+  LoopRest rest(own.links, pose, first);
+  bool slides[3];
+  for (int k = 0; k < 3; ++k) slides[k] = own.slides[rest.joints[k]];
+  double room[kSlots * 6];
+  Found found{6, kSlots, 0, room};
+  // where rows cannot be told from curves the quartic has its say too
+  for (bool apart = own.apart, again = true; again; again = apart && !settled(chain, pose, found), apart = false) {
+    PositionRoots roots;
+    solve_around_plane(rest, slides, apart, own.first_c, roots);
+    found.degenerate |= roots.degenerate;
+    for (int k = 0; k < roots.count; ++k) {
+      double* arm = roots.q[k];
+      const int tries = roots.free[k] ? 16 : 1, before = found.count;
+      for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
+        arm[1] += trial * (2 * kPi / 16);
+        Rigid around = joint(rest.pre, arm[0], slides[0]) * rest.A;
+        around = joint(around, arm[1], slides[1]) * rest.B;
+        around = inverse(joint(around, arm[2], slides[2]) * rest.C);
+        double plane[2][3], candidate[6];
+        int bends = solve_planar(l1, l2, slides_in, std::atan2(around.x.y - around.y.x, around.x.x + around.y.y),
+                                 {around.t.x, around.t.y}, plane);
+        for (int s = 0; s < bends; ++s) {
+          for (int j = 0; j < 3; ++j) {
+            candidate[rest.joints[j]] = arm[j];
+            candidate[first + j] = plane[s][j] * own.sense[j];
           }
+          offer(chain, pose, candidate, found);
         }
       }
     }
-    write_out(chain, pose, found, q, valid, flag);
+  }
+  write_out(chain, pose, found, q, valid, flag);
 }
 
 }  // namespace pieper::PIEPER_ISA::closed_form

@@ -15,7 +15,8 @@ template <class F> PIEPER_INLINE RigidT<F> spread(const Rigid& A) {
   return {v(A.x), v(A.y), v(A.z), v(A.t)};
 }
 template <class F> PIEPER_INLINE Vec3T<F> combined(const RigidT<F>& A, Vec3 b) {
-  return {A.x.x * b.x + (A.y.x * b.y + A.z.x * b.z), A.x.y * b.x + (A.y.y * b.y + A.z.y * b.z), A.x.z * b.x + (A.y.z * b.y + A.z.z * b.z)};
+  return {A.x.x * b.x + (A.y.x * b.y + A.z.x * b.z), A.x.y * b.x + (A.y.y * b.y + A.z.y * b.z),
+          A.x.z * b.x + (A.y.z * b.y + A.z.z * b.z)};
 }
 template <class F> PIEPER_INLINE RigidT<F> times(const RigidT<F>& A, const Rigid& B) {
   return {combined(A, B.x), combined(A, B.y), combined(A, B.z), combined(A, B.t) + A.t};
@@ -66,8 +67,8 @@ template <class F> PIEPER_INLINE void put_pair(const GroupArm& arm, const PairLa
 
 // Lanes of poses through a family, verified by closing the loop, rows in order; bits of the lanes that need the careful road.
 template <class F, class Family>
-__attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family& family, const double* T, int lanes, double* q,
-                                               std::uint8_t* valid, std::uint8_t* flag) {
+__attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family& family, const double* T, int lanes,
+                                               double* q, std::uint8_t* valid, std::uint8_t* flag) {
   constexpr int W = width_of<F>;
   const Pose<F> pose = load_poses<F>(T);
   const double scale = 1 / arm.length;
@@ -107,7 +108,8 @@ __attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family
   for (int i = 0; i < lanes; ++i) {
     for (int m = 0; m < 8; ++m) __builtin_memcpy(q + 48 * i + 6 * ranks[m][i], rows + 48 * i + 6 * m, 48);
     if (all_seen[i] != 255) unclear |= 1u << i;
-    const std::uint64_t ones = 0x0101010101010101u, word = counts[i] == 8 ? ones : ones & ((1ull << (8 * counts[i])) - 1);
+    const std::uint64_t ones = 0x0101010101010101u,
+                        word = counts[i] == 8 ? ones : ones & ((1ull << (8 * counts[i])) - 1);
     __builtin_memcpy(valid + 8 * i, &word, 8);
     flag[i] = counts[i] ? 0 : kOutOfReach;
   }
@@ -134,7 +136,9 @@ template <class Geometry, class Lanes_> class GroupKernel {
       again(solve_clear<double>(arm_, family_, T, 1, q, valid, flag), 0);
     } else {
       in_lanes(T, count, [&](long first, int lanes, const double* poses) {
-        again(solve_clear<Lanes<PIEPER_LANES>>(arm_, family_, poses, lanes, q + 48 * first, valid + 8 * first, flag + first), first);
+        again(solve_clear<Lanes<PIEPER_LANES>>(arm_, family_, poses, lanes, q + 48 * first, valid + 8 * first,
+                                               flag + first),
+              first);
       });
     }
   }

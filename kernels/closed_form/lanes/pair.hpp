@@ -7,9 +7,7 @@
 namespace pieper::PIEPER_ISA::closed_form {
 
 // The terms of a joint: (cos, sin) of a revolute one, (d, d^2) of a sliding one.
-template <class F> struct Motion {
-  F c, s;
-};
+template <class F> struct Motion { F c, s; };
 template <class F> PIEPER_INLINE Motion<F> unit(F c, F s) {
   F n = 1.0 / sqrt(max(c * c + s * s, F(1e-300)));
   return {c * n, s * n};
@@ -84,8 +82,10 @@ template <class F> __attribute__((noinline)) void solve_apart(PairLanes<F>& s) {
   Motion<F> h[2], v[2];
   one_joint(b, u[0] * s.e[0] + u[1] * s.e[1], slides_h, h, alone, s.unclear);
   F row[2] = {select(upper, V[0][0], V[1][0]), select(upper, V[0][1], V[1][1])};
-  F row_h[2] = {select(upper, H[0][0], H[1][0]), select(upper, H[0][1], H[1][1])}, row_e = select(upper, s.e[0], s.e[1]);
-  const bool one_v = slides_v && all(abs(row[1]) <= 1e-13 * abs(row[0])), one_h = slides_h && all(abs(b[1]) <= 1e-13 * abs(b[0]));
+  F row_h[2] = {select(upper, H[0][0], H[1][0]), select(upper, H[0][1], H[1][1])},
+    row_e = select(upper, s.e[0], s.e[1]);
+  const bool one_v = slides_v && all(abs(row[1]) <= 1e-13 * abs(row[0])),
+             one_h = slides_h && all(abs(b[1]) <= 1e-13 * abs(b[0]));
   for (int i = 0; i < 2; ++i) {
     angle[i] = joint_value(h[i], slides_h);
     Mask<F> found, unclear = mask_of<F>(false);
@@ -105,7 +105,8 @@ template <class F> __attribute__((noinline)) void solve_apart(PairLanes<F>& s) {
 }
 
 // One Newton step on both equations at once.
-template <class F> __attribute__((noinline)) void sharpen(const PairLanes<F>& s, Motion<F>& a, Motion<F>& c, Mask<F>& unclear, Mask<F> found) {
+template <class F> __attribute__((noinline)) void sharpen(const PairLanes<F>& s, Motion<F>& a, Motion<F>& c,
+                                                          Mask<F>& unclear, Mask<F> found) {
   F r[2], ja[2], jc[2];
   for (int k = 0; k < 2; ++k) {
     r[k] = s.e[k] - (s.M[k][0] * a.c + s.M[k][1] * a.s) - (s.N[k][0] * c.c + s.N[k][1] * c.s);
@@ -169,7 +170,8 @@ template <class F> __attribute__((noinline)) void solve_by_quartic(PairLanes<F>&
     } else {
       h = {q[i] * q[i] - p[i] * p[i], 2.0 * p[i] * q[i]};
     }
-    F v1 = (d[0][0] + d[0][1] * h.c + d[0][2] * h.s) * inverse_det, v2 = (d[1][0] + d[1][1] * h.c + d[1][2] * h.s) * inverse_det;
+    F v1 = (d[0][0] + d[0][1] * h.c + d[0][2] * h.s) * inverse_det,
+      v2 = (d[1][0] + d[1][1] * h.c + d[1][2] * h.s) * inverse_det;
     Motion<F> v = slides_v ? Motion<F>{v1, v1 * v1} : unit(v1, v2);
     s.a[i] = hide_c ? v : h;
     s.c[i] = hide_c ? h : v;

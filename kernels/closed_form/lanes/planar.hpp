@@ -11,10 +11,11 @@ struct PlanarLanes {
   bool one_solution;  // two slides: everything is linear
   bool usable;
   double sense[3];
-  double a, b;                // lengths of the links
+  double a, b;                                       // lengths of the links
   double heading_1, heading_2, angle_2, sum, shift;  // shift, sum: constants of the second joint and of all three
-  Flat l1, l2, bent, along_1, along_12;  // bent: l2 turned by angle_1; along: unit vectors at angle_1 and angle_1 + angle_2
-  double det;                 // of the two slides' directions where that is a constant
+  Flat l1, l2, bent, along_1,
+      along_12;  // bent: l2 turned by angle_1; along: unit vectors at angle_1 and angle_1 + angle_2
+  double det;    // of the two slides' directions where that is a constant
 
   PlanarLanes(const PlanarLink& first, const PlanarLink& second, const bool* slides, const double* senses) {
     kind = slides[0] | slides[1] << 1 | slides[2] << 2;

@@ -25,8 +25,9 @@ template <class F, int Degree> PIEPER_INLINE F value_of(const F* c, F t) {
 
 // Roots inside Count neighbouring brackets at once: edge[i]..edge[i + 1] holds one where signs differ (`inside`). Newton's step,
 // or bisection where it would leave; at most `steps` of them.
-template <class F, int Degree, int Count>
-__attribute__((noinline)) void bracketed_roots(const F* c, const F* edge, int steps, double precision, F* root, Mask<F>* inside) {
+template <class F, int Degree, int Count> __attribute__((noinline)) void bracketed_roots(const F* c, const F* edge,
+                                                                                         int steps, double precision,
+                                                                                         F* root, Mask<F>* inside) {
   F low[Count], high[Count], at_low[Count];
   F left = value_of<F, Degree>(c, edge[0]);
   for (int i = 0; i < Count; ++i) {
@@ -110,7 +111,8 @@ __attribute__((noinline)) void form_directions(const F* f, F floor, F* p, F* q, 
     unclear = unclear | (turning[i] & ((abs(value) < kUnclear * size) | (abs(lean) > 1e-4 * size)));
   }
   for (int i = 1; i < 3; ++i)  // the derivative may touch zero where its own extremum lies
-    unclear = unclear | ((abs(value_of<F, 3>(slope, edges[i])) < 1e-5 * size) & (abs(value_of<F, 4>(g, edges[i])) < 1e-5 * size));
+    unclear = unclear |
+              ((abs(value_of<F, 3>(slope, edges[i])) < 1e-5 * size) & (abs(value_of<F, 4>(g, edges[i])) < 1e-5 * size));
   bracketed_roots<F, 4, 4>(g, splits, 40, 2e-15, t, found);
   for (int i = 0; i < 4; ++i) {
     F n = 1.0 / sqrt(1.0 + t[i] * t[i]);

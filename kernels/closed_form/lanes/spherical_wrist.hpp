@@ -7,7 +7,8 @@ namespace pieper {
 
 struct SphericalWrist : Group {
   static constexpr const char* name = "spherical_wrist";
-  static constexpr const char* doc = "Three neighbouring revolute axes through one point; in `loop` their frames stand there.";
+  static constexpr const char* doc =
+      "Three neighbouring revolute axes through one point; in `loop` their frames stand there.";
 };
 
 }  // namespace pieper
@@ -22,7 +23,7 @@ namespace closed_form {
 struct SphericalWristLanes {
   Wrist wrist;
   double c0, s0, c1, s1, cos_sum, cos_difference, shift[3];
-  bool square;     // right angles between neighbours: the other turn of the wrist is half a turn of its outer joints
+  bool square;  // right angles between neighbours: the other turn of the wrist is half a turn of its outer joints
   bool straight = true;
 
   SphericalWristLanes(const GroupArm& arm) {

@@ -21,24 +21,27 @@ namespace pieper {
 
 struct SphericalWristParallel : Geometry {
   static constexpr const char* name = "spherical_wrist_parallel";
-  static constexpr const char* doc = "Parallel second and third axes, the first across them, a spherical wrist of right angles at the end.";
+  static constexpr const char* doc =
+      "Parallel second and third axes, the first across them, a spherical wrist of right angles at the end.";
   static constexpr int joints = 6, slots = 8;
-  double base[3][3];                                // takes world directions to B
-  double tool[3][3];                                // C, the end frame of the wrist's angles seen from the tool
-  Vector origin;                                    // minus B's origin, in B, m
-  Vector centre;                                    // wrist centre seen from the tool point, in C's frame, m
-  double a1, b, upper, fore;                        // m; L2 and L3 above
+  double base[3][3];          // takes world directions to B
+  double tool[3][3];          // C, the end frame of the wrist's angles seen from the tool
+  Vector origin;              // minus B's origin, in B, m
+  Vector centre;              // wrist centre seen from the tool point, in C's frame, m
+  double a1, b, upper, fore;  // m; L2 and L3 above
   double cos_psi, sin_psi, cos_tau, sin_tau;
-  double offset2, offset3, offset4, offset5;        // rad: th2 = q2 + offset2, th3 = sign3 q3 + offset3, ...
+  double offset2, offset3, offset4, offset5;  // rad: th2 = q2 + offset2, th3 = sign3 q3 + offset3, ...
   double sign3, cos_offset4, sin_offset4;
-  double scale;                                     // length that positions are compared with, m
-  bool tilted;                                      // tau is not zero
+  double scale;  // length that positions are compared with, m
+  bool tilted;   // tau is not zero
 
   template <class Self, class Visit> static void fields(Self& self, Visit visit) {
     visit("base", self.base), visit("tool", self.tool), visit("origin", self.origin), visit("centre", self.centre);
     visit("a1", self.a1), visit("b", self.b), visit("upper", self.upper), visit("fore", self.fore);
-    visit("cos_psi", self.cos_psi), visit("sin_psi", self.sin_psi), visit("cos_tau", self.cos_tau), visit("sin_tau", self.sin_tau);
-    visit("offset2", self.offset2), visit("offset3", self.offset3), visit("offset4", self.offset4), visit("offset5", self.offset5);
+    visit("cos_psi", self.cos_psi), visit("sin_psi", self.sin_psi), visit("cos_tau", self.cos_tau),
+        visit("sin_tau", self.sin_tau);
+    visit("offset2", self.offset2), visit("offset3", self.offset3), visit("offset4", self.offset4),
+        visit("offset5", self.offset5);
     visit("sign3", self.sign3), visit("cos_offset4", self.cos_offset4), visit("sin_offset4", self.sin_offset4);
     visit("scale", self.scale), visit("tilted", self.tilted);
   }
@@ -154,8 +157,8 @@ class SphericalWristParallelKernel {
   template <class F> struct Arm {  // after the first joint has turned
     F c, s, q1;
     F rounded_c, rounded_s;  // of the rounded q1, for the check
-    F ux[3], uy[3];  // the rotation's first two rows, turned back
-    F X, Z;          // wrist centre in the arm's plane, from axis 2
+    F ux[3], uy[3];          // the rotation's first two rows, turned back
+    F X, Z;                  // wrist centre in the arm's plane, from axis 2
     Mask<F> ok;
   };
   template <class F> struct Elbow {
@@ -169,7 +172,8 @@ class SphericalWristParallelKernel {
   };
 
   // The pose seen from B, with the tool taken off: M = B^-1 R C and the wrist centre.
-  template <class F> PIEPER_INLINE static void into_base(const SphericalWristParallel& P, const Pose<F>& T, F (&M)[3][3], F (&w)[3]) {
+  template <class F>
+  PIEPER_INLINE static void into_base(const SphericalWristParallel& P, const Pose<F>& T, F (&M)[3][3], F (&w)[3]) {
     F half[3][3];
     const double origin[3] = {P.origin.x, P.origin.y, P.origin.z};
     for (int i = 0; i < 3; ++i)
@@ -203,7 +207,8 @@ class SphericalWristParallelKernel {
   }
 
   // Wrist centre near axis 1, or near the circle around it inside which the lateral offset b keeps the arm.
-  template <class F> __attribute__((noinline)) static void shoulder_edge(const SphericalWristParallel& P, const F (&w)[3], Shoulder<F>& a) {
+  template <class F> __attribute__((noinline)) static void shoulder_edge(const SphericalWristParallel& P,
+                                                                         const F (&w)[3], Shoulder<F>& a) {
     const double b = P.b, scale = P.scale, here = kOnSingularity * scale;
     F rho = sqrt(a.R2), gap = rho - __builtin_fabs(b);
     a.degenerate = a.x2 < shoulder_near(P);
@@ -212,7 +217,8 @@ class SphericalWristParallelKernel {
     a.x = sqrt(max(gap * (rho + __builtin_fabs(b)), F(0.0)));
     a.reached = (gap >= 0.0) | edge | on_axis;
     // on the axis both sides hold the same families; at the edge they are a double root
-    a.two_sides = (gap > 0.0) & (a.x > here) & ((gap > kRounding * scale) | mask_of<F>(__builtin_fabs(b) <= here)) & !on_axis;
+    a.two_sides =
+        (gap > 0.0) & (a.x > here) & ((gap > kRounding * scale) | mask_of<F>(__builtin_fabs(b) <= here)) & !on_axis;
     // at the edge x = 0 and the direction is that of (b y, -b x), made a unit vector anew; on the axis q1 = 0
     a.fixed = edge | on_axis;
     F over = b / (__builtin_fabs(b) * rho);
@@ -221,8 +227,8 @@ class SphericalWristParallelKernel {
     a.x = select(on_axis, w[0], a.x);
   }
 
-  template <class F>
-  PIEPER_INLINE static Arm<F> turn_shoulder(const SphericalWristParallel& P, const F (&M)[3][3], const F (&w)[3], const Shoulder<F>& a, F side) {
+  template <class F> PIEPER_INLINE static Arm<F> turn_shoulder(const SphericalWristParallel& P, const F (&M)[3][3],
+                                                               const F (&w)[3], const Shoulder<F>& a, F side) {
     Arm<F> arm;
     F x = side * a.x;
     arm.c = (x * w[0] + P.b * w[1]) * a.over_R2;
@@ -263,8 +269,9 @@ class SphericalWristParallelKernel {
   }
 
   // Arm nearly stretched or folded: the same quantities from the small distance to the edge of reach, without cancellation.
-  template <class F>
-  __attribute__((noinline)) static void elbow_edge(const SphericalWristParallel& P, const Arm<F>& arm, F& c3, const F& square, Elbow<F>& e) {
+  template <class F> __attribute__((noinline)) static void elbow_edge(const SphericalWristParallel& P,
+                                                                      const Arm<F>& arm, F& c3, const F& square,
+                                                                      Elbow<F>& e) {
     const double L2 = P.upper, L3 = P.fore, scale = P.scale, here = kOnSingularity * scale;
     const double outer = L2 + L3, inner = __builtin_fabs(L2 - L3), over = 0.5 / (L2 * L3);
     F r = sqrt(e.D);
@@ -286,8 +293,8 @@ class SphericalWristParallelKernel {
     e.ok = arm.ok & (within | edge);
     e.centred = (r <= here) & e.ok;
     e.two = within & !(close & (gap <= kRounding * scale)) & !e.centred;
-    e.degenerate = e.ok & close & ((sine2 < kNearDouble * kNearDouble) | (gap < overshoot) |
-                                   (r < kNearSingularity * scale));
+    e.degenerate =
+        e.ok & close & ((sine2 < kNearDouble * kNearDouble) | (gap < overshoot) | (r < kNearSingularity * scale));
     // beyond the edge D is not |L2 + L3 e^{i th3}|^2, and the forearm's direction must be a unit vector all the same
     e.over_D = select(edge, 1.0 / (r * select(folded, F(inner), F(outer))), e.over_D);
     if (any(e.centred)) {
@@ -298,9 +305,9 @@ class SphericalWristParallelKernel {
   }
 
   // One elbow (the sign of th3) and its wrist with sin th5 >= 0, verified.
-  template <class F>
-  PIEPER_INLINE static Answer<F> bend_and_turn_wrist(const SphericalWristParallel& P, const F (&M)[3][3], const F (&w)[3],
-                                                     const Arm<F>& arm, const Elbow<F>& e, F sense) {
+  template <class F> PIEPER_INLINE static Answer<F> bend_and_turn_wrist(const SphericalWristParallel& P,
+                                                                        const F (&M)[3][3], const F (&w)[3],
+                                                                        const Arm<F>& arm, const Elbow<F>& e, F sense) {
     Answer<F> out;
     // w = e^{i th2} (L2 + L3 e^{i th3}) = e^{i (th2 + th3)} (L3 + L2 e^{-i th3})
     F sine3 = sense * e.s3, across = P.fore * sine3, sideways = P.upper * sine3;
@@ -352,9 +359,8 @@ class SphericalWristParallelKernel {
   }
 
   // Forward kinematics of the rounded answer against the pose. Two columns of a rotation fix the third.
-  template <class F>
-  PIEPER_INLINE static Mask<F> verify(const SphericalWristParallel& P, const F (&M)[3][3], const F (&w)[3], F c1, F s1,
-                                      const F (&q)[6]) {
+  template <class F> PIEPER_INLINE static Mask<F> verify(const SphericalWristParallel& P, const F (&M)[3][3],
+                                                         const F (&w)[3], F c1, F s1, const F (&q)[6]) {
     F c2, s2, c3, s3, c4, s4, c5, s5, c6, s6;
     sincos_of_turns(q[1] + P.offset2, s2, c2);
     sincos_of_turns(P.sign3 * q[2] + P.offset3, s3, c3);

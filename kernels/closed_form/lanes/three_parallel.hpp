@@ -7,7 +7,8 @@ namespace pieper {
 
 struct ThreeParallel : Group {
   static constexpr const char* name = "three_parallel";
-  static constexpr const char* doc = "Three neighbouring joints of a plane; in `loop` their frames lie in it, z along its normal.";
+  static constexpr const char* doc =
+      "Three neighbouring joints of a plane; in `loop` their frames lie in it, z along its normal.";
   template <class Self, class Visit> static void fields(Self& self, Visit visit) {
     Group::fields(self, visit);
     visit("sense", self.sense);
@@ -31,7 +32,8 @@ struct ThreeParallelLanes {
   PlanarLink l1, l2;
 
   explicit ThreeParallelLanes(const GroupArm& arm)
-      : plane(read_planar(arm.links[arm.first + 1]), read_planar(arm.links[arm.first + 2]), arm.slides + arm.first, arm.sense),
+      : plane(read_planar(arm.links[arm.first + 1]), read_planar(arm.links[arm.first + 2]), arm.slides + arm.first,
+              arm.sense),
         straight(plane.usable),
         l1(read_planar(arm.links[arm.first + 1])),
         l2(read_planar(arm.links[arm.first + 2])) {}
