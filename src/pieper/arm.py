@@ -106,7 +106,7 @@ class Arm:
         return self.description.tool
 
     @property
-    def postures(self) -> dict[str, np.ndarray]:
+    def postures(self) -> dict[str, Array]:
         """Named joint vectors (n,), rad or m."""
         return dict(self.description.postures)
 

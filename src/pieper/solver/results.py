@@ -210,17 +210,17 @@ class Solutions:
         rows = np.array(candidates)
         return rows[np.argmin(joints.straight(rows, now))]
 
-    def nearest_row(self, q_now: object) -> tuple[int, np.ndarray]:
+    def nearest_row(self, q_now: ArrayLike) -> tuple[int, Array]:
         """Return which row of q is closest to q_now, and that row (n,) with whole turns resolved inside the limits.
 
         Raises:
             NoSolutionError: No solution lies inside the limits; the message says why.
         """
-        q_now = checked_joints(q_now, self._plan.n, "q_now")
+        joints, now = self._plan.chain.joints, checked_joints(q_now, self._plan.n, "q_now")
         if not len(self.q):
             raise NoSolutionError(f"there is no solution to be near to: {self.why}", status=self.status)
-        rows = unwound(self.q, q_now, self._plan.limits, self._plan.prismatic)
-        row = int(np.argmin(joint_distance(rows, q_now, self._plan.prismatic, self._plan.chain.length)))
+        rows = joints.unwound(self.q, now, self._plan.limits)
+        row = int(np.argmin(joints.straight(rows, now)))
         return row, rows[row]
 
     def __repr__(self) -> str:
