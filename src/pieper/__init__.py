@@ -3,7 +3,7 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from pieper.arm import Arm, catalog, load
+from pieper.arm import Arm, catalog, load, ur_calibrated
 from pieper.description.dh import DH, Actuator
 from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
 from pieper.motion.path import line
@@ -67,6 +67,7 @@ __all__ = [
     "report",
     "sections",
     "sequence",
+    "ur_calibrated",
     "whole_file",
     "write_report",
 ]
