@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from pieper.motion.track import Track
     from pieper.presentation import plot, sections
     from pieper.presentation.report import report, write_report
+    from pieper.solver.singular.self_motion import SelfMotion
 
 __version__ = "0.1.0"
 
@@ -26,6 +27,7 @@ __version__ = "0.1.0"
 _LATER = {
     "Motion": "pieper.motion.sequence",
     "Track": "pieper.motion.track",
+    "SelfMotion": "pieper.solver.singular.self_motion",
     "check": "pieper.judge.claims",
     "evaluate": "pieper.description.quantity",
     "move": "pieper.motion.sequence",
@@ -51,6 +53,7 @@ __all__ = [
     "PieperWarning",
     "Plan",
     "PlanError",
+    "SelfMotion",
     "SolutionBatch",
     "Solutions",
     "Status",
