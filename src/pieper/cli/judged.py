@@ -16,7 +16,7 @@ def check(file: str, json: bool, brief: bool) -> int:
     """Judge a claims file and print the verdicts; the status is 1 when a claim does not hold."""
     if not Path(file).is_file():
         raise InputError(f"there is no claims file {file!r}.", path=file)
-    from pieper.judge.claims import check as judge
+    from pieper import check as judge
 
     report = judge(file)
     status = DONE if report.ok else NO_SOLUTION

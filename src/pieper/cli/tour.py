@@ -137,8 +137,8 @@ def _forward(page: Document, arm: Arm) -> None:
 
 
 def _judged(page: Document) -> None:
+    from pieper import check
     from pieper.cli.denso_equations import LOST, PRINTED, claims
-    from pieper.judge.claims import check
 
     verdicts = {v.id: v for v in check(claims()).verdicts}
     rows = []

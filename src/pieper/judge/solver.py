@@ -11,7 +11,7 @@ import numpy as np
 
 from pieper.description import catalog, robotfile, urdf
 from pieper.description.dh import Description
-from pieper.kinematics.chain import Chain
+from pieper.description.fold import chain_of
 from pieper.solver import verbs
 from pieper.solver.plan.plan import Plan, make_plan
 
@@ -37,7 +37,7 @@ class Solver:
     @classmethod
     def of(cls, description: Description) -> Solver:
         """A solver that plans a described arm when it is first asked."""
-        return cls(cache(lambda task: make_plan(Chain.from_description(description), description, task=task)))
+        return cls(cache(lambda task: make_plan(chain_of(description), description, task=task)))
 
     def solutions(self, T: np.ndarray, task: str | None = None) -> np.ndarray:
         """Return all joint vectors (m, n), rad or m, of a pose (4, 4), before limits.
