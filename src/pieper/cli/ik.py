@@ -85,7 +85,7 @@ def command(
         return solve_file(Request(arm, pose[0][1:], units, order, task or None, spare, now, everything, csv, json))
     solved = _solve(arm, target(pose, units, order), task or None, spare)
     found = _Rows.of(arm, solved.sols, solved.plan, everything)
-    status = DONE if len(solved.sols) or solved.sols.families else NO_SOLUTION
+    status = DONE if len(solved.sols) or solved.sols.self_motions else NO_SOLUTION
     if figure and len(solved.sols):
         pieper.plot.save_figure(pieper.plot.solutions_figure(arm, solved.sols), figure)
     if csv:
@@ -125,7 +125,7 @@ class _Rows:
         q = sols.all_q if everything else sols.q
         inside = np.asarray(sols.in_limits) if everything else np.ones(len(sols), bool)
         motion = np.full(len(q), -1)
-        motion[inside] = sols.in_family
+        motion[inside] = sols.in_self_motion
         residual = plan.residual(q, sols.T) if len(q) else np.zeros((0, 2))
         return _Rows(q, sols.all_labels if everything else sols.labels, inside, residual, motion)
 
@@ -152,7 +152,7 @@ def _closest(
     sols: pieper.Solutions, now: npt.NDArray[np.float64] | None
 ) -> tuple[int | None, npt.NDArray[np.float64] | None]:
     """Return the row of q nearest to a posture, or None where a continuous set comes nearer, and the nearest."""
-    if now is None or not (len(sols) or sols.families):
+    if now is None or not (len(sols) or sols.self_motions):
         return None, None
     try:
         nearest = sols.nearest(now)
@@ -185,7 +185,7 @@ def _print(
     marked = int(np.flatnonzero(sols.in_limits)[row]) if row is not None and everything else row
     if len(found.q):
         _print_rows(arm, sols, found, marked, units)
-    texts = [str(motion) for motion in sols.families]
+    texts = [str(motion) for motion in sols.self_motions]
     for text in dict.fromkeys(texts):
         which = [str(i + 1) for i, other in enumerate(texts) if other == text]
         say(f"{'self-motion' if len(which) == 1 else 'self-motions'} {', '.join(which)}: {text}.")
@@ -287,6 +287,6 @@ def _as_data(arm: pieper.Arm, solved: _Solved, found: _Rows, closest: npt.NDArra
             for q, label, ok, r, motion in rows
         ],
         "solutions_before_limits": len(sols.all_q),
-        "self_motions": [str(motion) for motion in sols.families],
+        "self_motions": [str(motion) for motion in sols.self_motions],
         "nearest": closest,
     }

@@ -18,8 +18,8 @@ from pieper.workbench.table import arm_from_table, table_from_arm
 FIRST_ARM = "denso-vp6242"
 LONGEST_FILE = 200_000
 TASKS = ("pose", "position", "position+axis")
-#: Points of a family that are sent, at most.
-FAMILY_POINTS = 241
+#: Points of a self-motion that are sent, at most.
+MOTION_POINTS = 241
 
 
 def hello(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
@@ -74,7 +74,7 @@ def take_arm(message: dict[str, Any]) -> tuple[pieper.Arm, dict[str, Any]]:
 
 
 def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
-    """Return every solution of a pose with labels, limits and residuals, its families, and the reason in words."""
+    """Return every solution of a pose with labels, limits and residuals, its self-motions, and the reason in words."""
     began = time.perf_counter()
     solutions = solve(arm, message)
     spent = time.perf_counter() - began
@@ -87,7 +87,7 @@ def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
             answer["spare"] = spare_coordinates(arm, plan)
             answer["arm_angle"] = _arm_angle(arm, plan, answer["nearest"])
     elif not message.get("brief"):
-        answer["families"] = [family_points(family, arm.n) for family in solutions.families]
+        answer["families"] = [motion_points(motion, arm.n) for motion in solutions.self_motions]
     return answer
 
 
@@ -143,11 +143,11 @@ def _arm_angle(arm: pieper.Arm, plan: pieper.Plan, q: list[float] | None) -> flo
 def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[str, Any]) -> dict[str, Any]:
     """Return Solutions as JSON: every row of all_q, those outside the limits marked."""
     inside = np.asarray(solutions.in_limits, dtype=bool)
-    # A dragged target asks many times a second: words and families wait for the hand to rest.
+    # A dragged target asks many times a second: words and self-motions wait for the hand to rest.
     brief = bool(message.get("brief"))
     labels = [None] * len(solutions.all_q) if brief else list(solutions.all_labels)
-    families = np.full(len(solutions.all_q), -1)
-    families[inside] = solutions.in_family
+    motions = np.full(len(solutions.all_q), -1)
+    motions[inside] = solutions.in_self_motion
     plan = arm.plan_for(message.get("task"))
     residual = plan.residual(solutions.all_q, solutions.T)
     now = message.get("q")
@@ -161,7 +161,7 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
                 "label": labels[i],
                 "inside": bool(inside[i]),
                 "residual": residual[i].tolist(),
-                "family": int(families[i]),
+                "family": int(motions[i]),
             }
             for i, q in enumerate(solutions.all_q)
         ],
@@ -182,19 +182,19 @@ def _nearest(plan: pieper.Plan, solutions: pieper.Solutions, now: npt.NDArray[np
     return near.tolist()
 
 
-def family_points(family: Any, n: int) -> dict[str, Any]:
-    """Return a continuous family as joint vectors (n,) along it, in order; between them the page finds its own way."""
-    samples = np.asarray(family.samples)
-    kept = np.unique(np.linspace(0, len(samples) - 1, min(len(samples), FAMILY_POINTS)).round().astype(int))
-    names = list(family.names)
+def motion_points(motion: pieper.SelfMotion, n: int) -> dict[str, Any]:
+    """Return a self-motion as joint vectors (n,) along it, in order; between them the page finds its own way."""
+    samples = np.asarray(motion.samples)
+    kept = np.unique(np.linspace(0, len(samples) - 1, min(len(samples), MOTION_POINTS)).round().astype(int))
+    names = list(motion.names)
     return {
         # a task that fixes less than a pose adds joints at the tool, which are none of the arm's
         "q": samples[kept, :n].tolist(),
-        "s": np.asarray(family.s)[kept].tolist(),
-        "closed": bool(family.closed),
-        "moves": [names[j] for j in family.free if j < n],
-        "inside": [[float(a), float(b)] for a, b in family.inside],
-        "dimension": int(family.dimension),
+        "s": np.asarray(motion.u)[kept].tolist(),
+        "closed": bool(motion.closed),
+        "moves": [names[j] for j in motion.free if j < n],
+        "inside": [[float(a), float(b)] for a, b in motion.inside],
+        "dimension": int(motion.dimension),
     }
 
 

@@ -76,10 +76,10 @@ def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
 
 
 def families(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
-    """Return the continuous families of a pose of a redundant arm."""
-    found = answers.solve(arm, message).families
+    """Return the self-motions of a pose of a redundant arm."""
+    found = answers.solve(arm, message).self_motions
     _go_on(stop)
-    return {"families": [answers.family_points(family, arm.n) for family in found]}
+    return {"families": [answers.motion_points(motion, arm.n) for motion in found]}
 
 
 def motion(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
