@@ -67,7 +67,9 @@ def takes_arm(command: Command, *, default: str | None = None) -> Command:
         ),
         click.option("--tip", default=None, metavar="LINK", help="Link (or named tool) of a robot file to end at."),
         click.option("--base", default=None, metavar="LINK", help="Link (or named frame) of a robot file to begin at."),
-        click.argument("arm", metavar="ARM", **({"default": default} if default else {})),
+        click.argument("arm", metavar="ARM")
+        if default is None
+        else click.argument("arm", metavar="[ARM]", default=default),
     ):
         made = option(made)
     return made
