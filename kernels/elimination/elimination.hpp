@@ -78,28 +78,24 @@ struct Charts {  // cosine and sine of the chart angles of roles 4 and 5
 };
 
 template <class F> PIEPER_INLINE void sample(Line<F>& x, const JointSamples& joint, int i, bool prismatic) {
-  if (prismatic) x.p[2] = x.p[2] + joint.d[i];
+  if (prismatic) x.p.z = x.p.z + joint.d[i];
   else turn(x, F(joint.c[i]), F(joint.s[i]));
 }
 
 // `swap` stores role 5 as y and role 4 as x.
 template <class F>
-void left_side(const Frame<F>* link, const Roles& roles, const Charts& chart, bool swap, LeftSide<F>& out) {
+void left_side(const RigidT<F>* link, const Roles& roles, const Charts& chart, bool swap, LeftSide<F>& out) {
   const JointSamples j3 = trig_samples();
   const JointSamples j4 = pair_samples(roles.prismatic[3], chart.c4, chart.s4);
   const JointSamples j5 = pair_samples(roles.prismatic[4], chart.c5, chart.s5);
   F at[14][27], inner[8][9];
   for (int i5 = 0; i5 < 3; ++i5)
     for (int i4 = 0; i4 < 3; ++i4) {
-      Line<F> x;
-      for (int i = 0; i < 3; ++i) {
-        x.p[i] = link[4].p[i];
-        x.l[i] = link[4].r[i][2];
-      }
+      Line<F> x = {link[4].t, link[4].z};
       sample(x, j5, i5, roles.prismatic[4]);
-      move(x, link[3]);
+      x = move(link[3], x);
       sample(x, j4, i4, roles.prismatic[3]);
-      move(x, link[2]);
+      x = move(link[2], x);
       const int cell = swap ? i5 * 3 + i4 : i4 * 3 + i5;
       F value[14];
       features(x, value);
@@ -107,7 +103,7 @@ void left_side(const Frame<F>* link, const Roles& roles, const Charts& chart, bo
       for (int i3 = 0; i3 < 3; ++i3) {
         Line<F> y = x;
         turn(y, F(j3.c[i3]), F(j3.s[i3]));
-        move(y, link[1]);
+        y = move(link[1], y);
         features(y, value);
         for (int m = 0; m < 14; ++m) at[m][i3 * 9 + cell] = value[m];
       }
@@ -140,19 +136,15 @@ template <class F> struct RightSide {
   Complex<F> turned[4][3];
 };
 
-template <class F> void right_side(const Frame<F>* link, const Roles& roles, RightSide<F>& out) {
+template <class F> void right_side(const RigidT<F>* link, const Roles& roles, RightSide<F>& out) {
   const JointSamples j1 = roles.prismatic[0] ? length_samples() : trig_samples();
   F value[3][14];
   for (int i = 0; i < 3; ++i) {
-    Line<F> x;
-    const Frame<F>& a = link[5];
-    for (int k = 0; k < 3; ++k) {
-      x.p[k] = 0.0 - (a.r[0][k] * a.p[0] + a.r[1][k] * a.p[1] + a.r[2][k] * a.p[2]);
-      x.l[k] = a.r[2][k];
-    }
-    if (roles.prismatic[0]) x.p[2] = x.p[2] - j1.d[i];
+    const RigidT<F> back = inverse(link[5]);
+    Line<F> x = {back.t, back.z};
+    if (roles.prismatic[0]) x.p.z = x.p.z - j1.d[i];
     else turn(x, F(j1.c[i]), F(-j1.s[i]));
-    move_back(x, link[0]);
+    x = move_back(link[0], x);
     features(x, value[i]);
   }
   for (int k = 0; k < 3; ++k) {

@@ -41,22 +41,20 @@ inline bool agreed(const Variant& v, const Report& report, const Found& found, i
 }
 
 // Solutions of a neighbouring pose, polished onto this one.
-inline void polish_onto(const Model& model, const Variant& v, const Pose<double>& pose, const Found& from,
-                        Found& into) {
+inline void polish_onto(const Model& model, const Variant& v, const Rigid& pose, const Found& from, Found& into) {
   using G = Lanes<PIEPER_LANES>;
   constexpr int W = PIEPER_LANES;
-  Frame<double> link[6];
-  role_links(model, 0, v.roles, pose, link);
-  Frame<G> wide[6];
-  for (int k = 0; k < 6; ++k) wide[k] = spread<G>(link[k]);
+  RigidT<G> wide[6];
+  role_links(model, 0, v.roles, spread<G>(pose), wide);
   for (int first = 0; first < from.count; first += W) {
     const int used = from.count - first < W ? from.count - first : W;
-    Joints<G> q;
+    Motion<G> q[6];
     for (int k = 0; k < 6; ++k)
       for (int i = 0; i < W; ++i) {
         const double x = from.q[first + (i < used ? i : used - 1)][v.roles.joint[k]];
-        set_lane(q.c[k], i, v.roles.prismatic[k] ? x : __builtin_cos(x));
-        set_lane(q.s[k], i, v.roles.prismatic[k] ? 0.0 : __builtin_sin(x));
+        const Motion<double> m = motion_of(x, v.roles.prismatic[k]);
+        set_lane(q[k].c, i, m.c);
+        set_lane(q[k].s, i, m.s);
       }
     const Closure<G> end = polish(wide, v.roles, q, 25);
     for (int i = 0; i < used; ++i) {
@@ -64,7 +62,7 @@ inline void polish_onto(const Model& model, const Variant& v, const Pose<double>
       double values[6];
       for (int k = 0; k < 6; ++k)
         values[v.roles.joint[k]] =
-            v.roles.prismatic[k] ? lane(q.c[k], i) : __builtin_atan2(lane(q.s[k], i), lane(q.c[k], i));
+            v.roles.prismatic[k] ? lane(q[k].c, i) : __builtin_atan2(lane(q[k].s, i), lane(q[k].c, i));
       insert(into, values, lane(end.sigma, i), lane(end.residual, i), model.prismatic);
     }
   }
@@ -72,7 +70,7 @@ inline void polish_onto(const Model& model, const Variant& v, const Pose<double>
 
 // Everything there is beyond the best variant. True when the pose is settled in the end; `healthy` when by an elimination that is
 // far from singular there, `singular` when only by neighbouring poses.
-inline bool escalate(const Model& model, const Pose<double>& pose, Found& found, bool* singular, bool* healthy) {
+inline bool escalate(const Model& model, const Rigid& pose, Found& found, bool* singular, bool* healthy) {
   *singular = *healthy = false;
   Report report;
   for (int n = 1; n < model.variants; ++n) {

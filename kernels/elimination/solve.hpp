@@ -72,28 +72,6 @@ struct Report {
   double size;     // largest |determinant| met
 };
 
-template <class F> PIEPER_INLINE void copy_lane(F& to, int i, const F& from, int j) { set_lane(to, i, lane(from, j)); }
-
-template <class F, class G> void gather_lane(Eliminated<G>& to, int i, const Eliminated<F>& from, int j, bool nearby) {
-  for (int r = 0; r < 6; ++r)
-    for (int k = 0; k < 27; ++k) set_lane(to.eq.e[r][k], i, lane(from.eq.e[r][k], j));
-  for (int r = 0; r < 6; ++r)
-    for (int k = 0; k < 3; ++k) set_lane(to.right.real[r][k], i, lane(from.right.real[r][k], j));
-  for (int r = 0; r < 4; ++r)
-    for (int k = 0; k < 3; ++k) {
-      set_lane(to.right.turned[r][k].re, i, lane(from.right.turned[r][k].re, j));
-      set_lane(to.right.turned[r][k].im, i, lane(from.right.turned[r][k].im, j));
-    }
-  for (int l = 0; l < 6; ++l)
-    for (int r = 0; r < 3; ++r) {
-      for (int k = 0; k < 3; ++k) set_lane(to.link[l].r[r][k], i, lane(from.link[l].r[r][k], j));
-      set_lane(to.link[l].p[r], i, lane(from.link[l].p[r], j));
-      if (!nearby) continue;
-      for (int k = 0; k < 3; ++k) set_lane(to.arm_link[l].r[r][k], i, lane(from.arm_link[l].r[r][k], j));
-      set_lane(to.arm_link[l].p[r], i, lane(from.arm_link[l].p[r], j));
-    }
-}
-
 inline const double* start_vector(int which) {
   static const double v[3][6] = {
       {1, 0.83, -0.71, 0.93, 1.11, -0.87}, {1, -0.9, 0.8, -1.1, 0.7, 0.95}, {0.6, 1, 1.2, 0.9, -1, -0.8}};
@@ -111,17 +89,20 @@ template <class F> void try_candidates(const Model& model, const Variant& v, con
     G c3(1.0), s3(0.0);
     for (int i = 0; i < W; ++i) {
       const Candidate& c = list[first + (i < used ? i : used - 1)];
-      gather_lane(group, i, poses, c.pose, v.arm != 0);
+      copy_lanes<G, F>(group.eq, i, poses.eq, c.pose);
+      copy_lanes<G, F>(group.right, i, poses.right, c.pose);
+      copy_lanes<G, F>(group.link, i, poses.link, c.pose);
+      if (v.arm) copy_lanes<G, F>(group.arm_link, i, poses.arm_link, c.pose);
       set_lane(c3, i, c.angle);
     }
     sincos(G(c3), s3, c3);
-    Joints<G> q;
+    Motion<G> q[6];
     complete_candidate(group.eq, group.right, group.link, v.roles, v.chart, v.layout, v.swap, start_vector(start), c3,
                        s3, q);
     Closure<G> end = polish(group.link, v.roles, q, v.arm ? 8 : steps);
     if (v.arm) end = polish(group.arm_link, v.roles, q, steps);
     double joint[6][W];
-    for (int k = 0; k < 6; ++k) store(joint[v.roles.joint[k]], v.roles.prismatic[k] ? q.c[k] : atan2(q.s[k], q.c[k]));
+    for (int k = 0; k < 6; ++k) store(joint[v.roles.joint[k]], v.roles.prismatic[k] ? q[k].c : atan2(q[k].s, q[k].c));
     for (int i = 0; i < used; ++i) {
       Candidate& c = list[first + i];
       c.solution = -1;
@@ -134,8 +115,8 @@ template <class F> void try_candidates(const Model& model, const Variant& v, con
 }
 
 // All solutions that one variant finds for `used` poses in lanes; adds to `found`, writes one report per pose.
-template <class F, int N>
-void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, int used, Found* found, Report* report) {
+template <class F, int N> void solve_variant(const Model& model, const Variant& v, const RigidT<F>& pose, int used,
+                                             Found* found, Report* report) {
   constexpr int S = 4 * N / 3, W = width_of<F>;
   Eliminated<F> poses;
   Compressed<F, N> matrix;
@@ -198,8 +179,8 @@ void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, in
   }
 }
 
-template <class F>
-void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, int used, Found* found, Report* report) {
+template <class F> void solve_variant(const Model& model, const Variant& v, const RigidT<F>& pose, int used,
+                                      Found* found, Report* report) {
   if (v.layout == kTwelve) solve_variant<F, 12>(model, v, pose, used, found, report);
   else solve_variant<F, 6>(model, v, pose, used, found, report);
 }

@@ -15,11 +15,6 @@
 
 namespace pieper::PIEPER_ISA::hidden_angle {
 
-using closed_form::Motion;
-using closed_form::RigidT;
-using closed_form::unit;
-using closed_form::Vec3T;
-
 // x + y r with r^2 known: what is even and what is odd in a square root, also where that is not real.
 template <class F> struct Surd { F x, y, square; };
 template <class F> PIEPER_INLINE Surd<F> operator+(Surd<F> a, Surd<F> b) { return {a.x + b.x, a.y + b.y, a.square}; }
@@ -63,15 +58,6 @@ template <int Slots> struct Found {
   double q[Slots][6];
 };
 
-template <class F> PIEPER_INLINE void copy_lane(F& to, int i, const F& from, int j) { set_lane(to, i, lane(from, j)); }
-
-template <class F, class T> PIEPER_INLINE void copy_lanes(T& to, int i, const T& from, int j) {
-  static_assert(sizeof(T) % sizeof(F) == 0);
-  F* into = reinterpret_cast<F*>(&to);
-  const F* of = reinterpret_cast<const F*>(&from);
-  for (unsigned k = 0; k < sizeof(T) / sizeof(F); ++k) copy_lane(into[k], i, of[k], j);
-}
-
 // W candidates of any poses of the group.
 template <class F, class Family> struct Candidates {
   typename Family::template Target<F> target;
@@ -86,16 +72,13 @@ template <class F, class Family> void enter(const HiddenAngle& head, const typen
                                             int used, Found<Family::slots>* found, unsigned& unclear_poses) {
   Motion<F> q[6];
   auto unclear = Family::complete(arm, x.target, x.root, x.side, q);
-  RigidT<F> frame = truth[0];
+  const RigidT<F> end = walk(
+      6, truth[0], [&](int j) -> const RigidT<F>& { return truth[j + 1]; }, [&](int j) { return q[j]; }, head.slides,
+      [](int, const RigidT<F>&) {});
   F value[6];
-  for (int j = 0; j < 6; ++j) {
-    const bool slides = head.slides[j];
-    frame = closed_form::moved(frame, q[j], slides) * truth[j + 1];
-    value[j] = slides ? q[j].c * head.length : atan2(q[j].s, q[j].c);
-  }
-  auto between = [](Vec3T<F> a, Vec3T<F> b) { return max(abs(a.x - b.x), max(abs(a.y - b.y), abs(a.z - b.z))); };
-  const F miss = max(max(between(frame.x, x.tool.x), between(frame.y, x.tool.y)),
-                     max(between(frame.z, x.tool.z), between(frame.t, x.tool.t)));
+  for (int j = 0; j < 6; ++j) value[j] = head.slides[j] ? q[j].c * head.length : atan2(q[j].s, q[j].c);
+  const F miss = max(max(largest(end.x - x.tool.x), largest(end.y - x.tool.y)),
+                     max(largest(end.z - x.tool.z), largest(end.t - x.tool.t)));
   unclear = unclear | !(miss <= 0.5 * closed_form::kVerified);
   const unsigned bits = bits_of(unclear);
   for (int i = 0; i < used; ++i) {
@@ -111,15 +94,11 @@ template <class F, class Family> void enter(const HiddenAngle& head, const typen
 
 // A group of W poses, `used` of them asked for. Returns the bits of the poses that are not clear.
 template <class F, class Family> unsigned solve_group(const HiddenAngle& head, const typename Family::Arm& arm,
-                                                      const RigidT<F>* truth, const Pose<F>& pose, int used,
+                                                      const RigidT<F>* truth, const RigidT<F>& pose, int used,
                                                       Found<Family::slots>* found) {
   constexpr int W = width_of<F>, D = Family::degree, M = Family::samples;
   const auto target = Family::see(arm, pose);
-  const double scale = 1 / head.length;
-  const RigidT<F> tool = {{pose.r[0][0], pose.r[1][0], pose.r[2][0]},
-                          {pose.r[0][1], pose.r[1][1], pose.r[2][1]},
-                          {pose.r[0][2], pose.r[1][2], pose.r[2][2]},
-                          {pose.p[0] * scale, pose.p[1] * scale, pose.p[2] * scale}};
+  const RigidT<F> tool = in_lengths(pose, head.length);
   const trigonometric::Circle<M>& angle = trigonometric::circle<M>();
   F value[M], size;
   for (int i = 0; i < M; ++i) value[i] = Family::polynomial(arm, target, Motion<F>{F(angle.c[i]), F(angle.s[i])});
@@ -150,9 +129,9 @@ template <class F, class Family> unsigned solve_group(const HiddenAngle& head, c
     for (int i = 0; i < W; ++i) {
       const trigonometric::Bracket& b = list[first + (i < lanes ? i : lanes - 1)];
       of[i] = b.lane;
-      copy_lanes<F>(own, i, series, b.lane);
-      copy_lanes<F>(x.target, i, target, b.lane);
-      copy_lanes<F>(x.tool, i, tool, b.lane);
+      copy_lanes<F, F>(own, i, series, b.lane);
+      copy_lanes<F, F>(x.target, i, target, b.lane);
+      copy_lanes<F, F>(x.tool, i, tool, b.lane);
       set_lane(centre_c, i, turn.c[2 * b.sector + 1]);
       set_lane(centre_s, i, turn.s[2 * b.sector + 1]);
       set_lane(low, i, b.low);
@@ -168,16 +147,6 @@ template <class F, class Family> unsigned solve_group(const HiddenAngle& head, c
     enter<F, Family>(head, arm, truth, x, of, lanes, found, unclear);
   }
   return unclear & ((1u << used) - 1u);
-}
-
-// The pose of base in tool, where the arm was reversed.
-template <class F> PIEPER_INLINE Pose<F> inverse_of(const Pose<F>& a) {
-  Pose<F> out;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) out.r[i][j] = a.r[j][i];
-    out.p[i] = 0.0 - (a.r[0][i] * a.p[0] + a.r[1][i] * a.p[1] + a.r[2][i] * a.p[2]);
-  }
-  return out;
 }
 
 // Largest joint difference of two solutions, lengths in units of the arm.
@@ -238,11 +207,11 @@ template <class Family> void solve(const HiddenAngle& head, const typename Famil
   constexpr int M = Family::slots;
   using F = Lanes<PIEPER_LANES>;
   RigidT<F> truth[7];
-  for (int k = 0; k < 7; ++k) truth[k] = closed_form::spread<F>(closed_form::read_rigid(head.links[k][0], head.length));
+  for (int k = 0; k < 7; ++k) truth[k] = spread<F>(read_rigid(head.links[k][0], head.length));
   Waiting<M> waiting;
   in_lanes(T, count, [&](long done, int used, const double* poses) {
-    Pose<F> pose = load_poses<F>(poses);
-    if (head.backward) pose = inverse_of(pose);
+    RigidT<F> pose = load_poses<F>(poses);
+    if (head.backward) pose = inverse(pose);
     Found<M> found[PIEPER_LANES];
     unsigned unclear = solve_group<F, Family>(head, arm[0], truth, pose, used, found);
     for (int way = 1; way < ways && unclear; ++way) {

@@ -71,16 +71,16 @@ using Arm = OffsetWrist;
 // A pose as the arm sees it.
 template <class F> struct Target { F at[3], lever[3], lever_turned[3], fifth[3][3], axis6[3]; };
 
-template <class F> PIEPER_INLINE void turned_by(const F (*D)[3], Vector v, F* out) {
+template <class F> PIEPER_INLINE void turned_from(const F (*D)[3], Vector v, F* out) {
   for (int i = 0; i < 3; ++i) out[i] = D[i][0] * v.x + D[i][1] * v.y + D[i][2] * v.z;
 }
 
-template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const Pose<F>& pose) {
+template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const RigidT<F>& pose) {
   F turned[3][3], D[3][3], p[3];
   for (int i = 0; i < 3; ++i) {
     const double* b = arm.to_base[i];
-    for (int j = 0; j < 3; ++j) turned[i][j] = b[0] * pose.r[0][j] + b[1] * pose.r[1][j] + b[2] * pose.r[2][j];
-    p[i] = (b[0] * (pose.p[0] - arm.base[0]) + b[1] * (pose.p[1] - arm.base[1]) + b[2] * (pose.p[2] - arm.base[2])) *
+    for (int j = 0; j < 3; ++j) turned[i][j] = b[0] * pose.r(0, j) + b[1] * pose.r(1, j) + b[2] * pose.r(2, j);
+    p[i] = (b[0] * (pose.p(0) - arm.base[0]) + b[1] * (pose.p(1) - arm.base[1]) + b[2] * (pose.p(2) - arm.base[2])) *
            (1 / arm.length);
   }
   for (int i = 0; i < 3; ++i)
@@ -88,12 +88,12 @@ template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const Pose<F>& po
       D[i][j] =
           turned[i][0] * arm.from_tool[0][j] + turned[i][1] * arm.from_tool[1][j] + turned[i][2] * arm.from_tool[2][j];
   Target<F> out;
-  turned_by(D, arm.sixth, out.at);
+  turned_from(D, arm.sixth, out.at);
   for (int i = 0; i < 3; ++i) out.at[i] = out.at[i] + p[i];
-  turned_by(D, arm.lever, out.lever);
-  turned_by(D, arm.lever_turned, out.lever_turned);
-  for (int k = 0; k < 3; ++k) turned_by(D, arm.fifth[k], out.fifth[k]);
-  turned_by(D, arm.axis6, out.axis6);
+  turned_from(D, arm.lever, out.lever);
+  turned_from(D, arm.lever_turned, out.lever_turned);
+  for (int k = 0; k < 3; ++k) turned_from(D, arm.fifth[k], out.fifth[k]);
+  turned_from(D, arm.axis6, out.axis6);
   return out;
 }
 
@@ -264,7 +264,9 @@ template <bool Even> struct Family {
   static constexpr bool both = Even;
   using Arm = offset_wrist::Arm;
   template <class F> using Target = offset_wrist::Target<F>;
-  template <class F> static Target<F> see(const Arm& arm, const Pose<F>& pose) { return offset_wrist::see(arm, pose); }
+  template <class F> static Target<F> see(const Arm& arm, const RigidT<F>& pose) {
+    return offset_wrist::see(arm, pose);
+  }
   template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
     return offset_wrist::polynomial<F, Even>(arm, target, angle.c, angle.s);
   }

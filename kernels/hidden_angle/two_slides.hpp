@@ -38,14 +38,14 @@ using namespace hidden_angle;
 
 // The arm seen with one of its joints hidden, and the places of the loop counted from there.
 struct Arm {
-  closed_form::Rigid links[7];  // lengths of one
-  double length;                // m
+  Rigid links[7];  // lengths of one
+  double length;   // m
   int hidden;
   bool slides[6];  // by role
   int turning[4];  // roles
   Arm() = default;
   Arm(const TwoSlides& arm, int hides) : length(arm.length), hidden(hides) {
-    closed_form::read_links(arm.links, arm.length, links);
+    read_links(arm.links, arm.length, links);
     for (int role = 0, n = 0; role < 6; ++role) {
       slides[role] = arm.slides[joint(role)];
       if (!slides[role] && n < 4) turning[n++] = role;
@@ -62,18 +62,12 @@ template <class F> struct Target {
 };
 
 template <class F> PIEPER_INLINE RigidT<F> link_of(const Arm& arm, const Target<F>& target, int joint) {
-  if (joint == 5) return target.closing;
-  return closed_form::spread<F>(arm.links[joint + 1]);
+  return loop_link(arm.links, target.closing, joint);
 }
 
-template <class F> Target<F> see(const Arm& arm, const Pose<F>& pose) {
+template <class F> Target<F> see(const Arm& arm, const RigidT<F>& pose) {
   Target<F> out;
-  const double scale = 1 / arm.length;
-  const RigidT<F> T = {{pose.r[0][0], pose.r[1][0], pose.r[2][0]},
-                       {pose.r[0][1], pose.r[1][1], pose.r[2][1]},
-                       {pose.r[0][2], pose.r[1][2], pose.r[2][2]},
-                       {pose.p[0] * scale, pose.p[1] * scale, pose.p[2] * scale}};
-  out.closing = closed_form::spread<F>(arm.links[6]) * inverse(T) * closed_form::spread<F>(arm.links[0]);
+  out.closing = closing_link(arm.links, in_lengths(pose, arm.length));
   Vec3T<F>* const between[4] = {out.first, out.second, out.third, out.fourth};
   for (int k = 0; k < 4; ++k) {
     RigidT<F> R = link_of(arm, out, arm.joint(arm.turning[k]));
@@ -239,7 +233,7 @@ struct Family {
   static constexpr bool both = false;
   using Arm = two_slides::Arm;
   template <class F> using Target = two_slides::Target<F>;
-  template <class F> static Target<F> see(const Arm& arm, const Pose<F>& pose) { return two_slides::see(arm, pose); }
+  template <class F> static Target<F> see(const Arm& arm, const RigidT<F>& pose) { return two_slides::see(arm, pose); }
   template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
     return two_slides::polynomial(arm, target, angle);
   }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lanes/math.hpp"
+#include "chain/rigid.hpp"
 
 namespace pieper::PIEPER_ISA::closed_form {
 
@@ -19,51 +19,6 @@ inline constexpr double kSame = 3e-8;
 // Smallest over largest singular value of the scaled Jacobian under which a solution is looked at closely.
 inline constexpr double kSingular = 2.5e-7;
 
-template <class F> struct Vec3T { F x, y, z; };
-using Vec3 = Vec3T<double>;
-template <class F> PIEPER_INLINE Vec3T<F> operator+(Vec3T<F> a, Vec3T<F> b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class F> PIEPER_INLINE Vec3T<F> operator-(Vec3T<F> a, Vec3T<F> b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class F> PIEPER_INLINE Vec3T<F> operator*(F s, Vec3T<F> a) { return {s * a.x, s * a.y, s * a.z}; }
-template <class F> PIEPER_INLINE F dot(Vec3T<F> a, Vec3T<F> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-template <class F> PIEPER_INLINE Vec3T<F> cross(Vec3T<F> a, Vec3T<F> b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-// A rigid motion: columns x, y, z of its rotation and its translation t.
-template <class F> struct RigidT { Vec3T<F> x, y, z, t; };
-using Rigid = RigidT<double>;
-template <class F> PIEPER_INLINE Vec3T<F> turn(const RigidT<F>& A, Vec3T<F> v) {
-  return v.x * A.x + v.y * A.y + v.z * A.z;
-}
-template <class F> PIEPER_INLINE Vec3T<F> turn_back(const RigidT<F>& A, Vec3T<F> v) {
-  return {dot(A.x, v), dot(A.y, v), dot(A.z, v)};
-}
-template <class F> PIEPER_INLINE Vec3T<F> move(const RigidT<F>& A, Vec3T<F> p) { return turn(A, p) + A.t; }
-template <class F> PIEPER_INLINE Vec3T<F> move_back(const RigidT<F>& A, Vec3T<F> p) { return turn_back(A, p - A.t); }
-template <class F> PIEPER_INLINE RigidT<F> operator*(const RigidT<F>& A, const RigidT<F>& B) {
-  return {turn(A, B.x), turn(A, B.y), turn(A, B.z), move(A, B.t)};
-}
-template <class F> PIEPER_INLINE RigidT<F> inverse(const RigidT<F>& A) {
-  return {{A.x.x, A.y.x, A.z.x}, {A.x.y, A.y.y, A.z.y}, {A.x.z, A.y.z, A.z.z}, turn_back(A, F(-1.0) * A.t)};
-}
-// From the upper three rows of a row-major 4x4, lengths divided by `length`.
-inline Rigid read_rigid(const double* m, double length) {
-  double k = 1 / length;
-  return {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}, {k * m[3], k * m[7], k * m[11]}};
-}
-template <int N> void read_links(const double (&from)[N][4][4], double length, Rigid* to) {
-  for (int k = 0; k < N; ++k) to[k] = read_rigid(from[k][0], length);
-}
-// A * Z, the joint's motion by `value` about or along the local z.
-inline Rigid joint(const Rigid& A, double value, bool prismatic) {
-  if (prismatic) return {A.x, A.y, A.z, A.t + value * A.z};
-  double c = std::cos(value), s = std::sin(value);
-  return {c * A.x + s * A.y, c * A.y - s * A.x, A.z, A.t};
-}
 inline double one_turn(double angle) {
   angle = std::remainder(angle, 2 * kPi);
   return angle <= -kPi ? kPi : angle;
@@ -74,15 +29,10 @@ template <class F> struct LoopRestT {
   RigidT<F> pre, A, B, C;
   int joints[3];  // which joints a, b, c are
 
-  LoopRestT() = default;
-  LoopRestT(const RigidT<F>* links, const RigidT<F>& T, int first) {
-    // link k leads from joint k - 1 to joint k; link 0 is where the loop closes, through the pose
-    RigidT<F> closing = links[6] * inverse(T) * links[0];
-    auto link = [&](int k) { return k % 6 == 0 ? closing : links[k % 6]; };
-    pre = link(first + 3);
-    A = link(first + 4);
-    B = link(first + 5);
-    C = link(first + 6);
+  PIEPER_INLINE LoopRestT(const Rigid* links, const RigidT<F>& T, int first) {
+    const RigidT<F> closing = closing_link(links, T);
+    RigidT<F>* place[4] = {&pre, &A, &B, &C};
+    for (int k = 0; k < 4; ++k) *place[k] = loop_link(links, closing, (first + 2 + k) % 6);
     for (int k = 0; k < 3; ++k) joints[k] = (first + 3 + k) % 6;
   }
 };
@@ -99,27 +49,19 @@ struct TrueChain {
 
 // What forward kinematics of q misses T by, as a twist of the tool in base coordinates; and the Jacobian's columns.
 inline double missed(const TrueChain& chain, const Rigid& T, const double* q, double* error, double (*columns)[6]) {
-  Rigid frame = chain.links[0];
-  Vec3 axis[kMaxJoints], point[kMaxJoints];
-  for (int i = 0; i < chain.n; ++i) {
-    axis[i] = frame.z;
-    point[i] = frame.t;
-    frame = joint(frame, q[i], chain.slides[i]) * chain.links[i + 1];
-  }
-  Vec3 dp = T.t - frame.t, dr = {0, 0, 0};
-  if (!chain.position_only) dr = 0.5 * (cross(frame.x, T.x) + cross(frame.y, T.y) + cross(frame.z, T.z));
-  double worst = std::sqrt(dot(dp, dp));
-  if (!chain.position_only) {
-    Vec3 ex = T.x - frame.x, ey = T.y - frame.y, ez = T.z - frame.z;  // sees a half turn, which the cross products miss
+  const Miss<double> miss = missed_by(
+      chain.n, chain.links[0], [&](int k) -> const Rigid& { return chain.links[k + 1]; },
+      [&](int k) { return motion_of(q[k], chain.slides[k]); }, chain.slides, T, columns);
+  const Rigid& end = miss.end;
+  const Vec3 w = chain.position_only ? Vec3{0, 0, 0} : miss.w;
+  double worst = std::sqrt(dot(miss.p, miss.p));
+  if (chain.position_only) {
+    for (int i = 0; i < chain.n; ++i) columns[i][3] = columns[i][4] = columns[i][5] = 0;
+  } else {  // sees a half turn, which the cross products miss
+    const Vec3 ex = T.x - end.x, ey = T.y - end.y, ez = T.z - end.z;
     worst = std::fmax(worst, std::sqrt(0.5 * (dot(ex, ex) + dot(ey, ey) + dot(ez, ez))));
   }
-  error[0] = dp.x, error[1] = dp.y, error[2] = dp.z, error[3] = dr.x, error[4] = dr.y, error[5] = dr.z;
-  for (int i = 0; i < chain.n; ++i) {
-    Vec3 v = chain.slides[i] ? axis[i] : cross(axis[i], frame.t - point[i]);
-    Vec3 w = chain.slides[i] || chain.position_only ? Vec3{0, 0, 0} : axis[i];
-    columns[i][0] = v.x, columns[i][1] = v.y, columns[i][2] = v.z;
-    columns[i][3] = w.x, columns[i][4] = w.y, columns[i][5] = w.z;
-  }
+  error[0] = miss.p.x, error[1] = miss.p.y, error[2] = miss.p.z, error[3] = w.x, error[4] = w.y, error[5] = w.z;
   return worst;
 }
 

@@ -57,8 +57,7 @@ inline int solve_wrist(const Wrist& w, const Rigid& R, double (*q)[3], bool& lin
     double t2 = k ? -middle : middle;
     double vx = s2 * std::sin(t2), vy = -c1 * s2 * std::cos(t2) - s1 * c2;
     double t1 = lined_up ? w.before[0] : std::atan2(R.z.y * vx - R.z.x * vy, R.z.x * vx + R.z.y * vy);
-    const Rigid none = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
-    Rigid K = twisted(joint(twisted(joint(none, t1, false), w.twist[0]), t2, false), w.twist[1]);
+    Rigid K = twisted(joint(twisted(joint(kNoMotion, t1, false), w.twist[0]), t2, false), w.twist[1]);
     // K^T R is a turn about z up to rounding
     double t3 = std::atan2(dot(K.y, R.x) - dot(K.x, R.y), dot(K.x, R.x) + dot(K.y, R.y));
     q[k][0] = t1 - w.before[0];

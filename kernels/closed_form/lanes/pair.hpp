@@ -6,13 +6,6 @@
 
 namespace pieper::PIEPER_ISA::closed_form {
 
-// The terms of a joint: (cos, sin) of a revolute one, (d, d^2) of a sliding one.
-template <class F> struct Motion { F c, s; };
-template <class F> PIEPER_INLINE Motion<F> unit(F c, F s) {
-  F n = 1.0 / sqrt(max(c * c + s * s, F(1e-300)));
-  return {c * n, s * n};
-}
-
 // The angle of a revolute joint, the way of a sliding one.
 template <class F> PIEPER_INLINE F joint_value(Motion<F> m, bool slides) { return slides ? m.c : atan2(m.s, m.c); }
 

@@ -76,7 +76,7 @@ class SphericalWristParallelKernel {
 
   // All branches of W poses: lanes are poses, the branches follow one another.
   template <class F>
-  PIEPER_INLINE static void branches(const SphericalWristParallel& P, const Pose<F>& T, Branches<F, 8, 6>& out) {
+  PIEPER_INLINE static void branches(const SphericalWristParallel& P, const RigidT<F>& T, Branches<F, 8, 6>& out) {
     F M[3][3], w[3];
     into_base(P, T, M, w);
     Shoulder<F> shoulder = start_shoulder(P, w);
@@ -109,8 +109,8 @@ class SphericalWristParallelKernel {
   }
 
   // One pose alone: lanes are the four postures of shoulder and elbow.
-  PIEPER_INLINE static void solve_alone(const SphericalWristParallel& P, const Pose<double>& T, double* q,
-                                        std::uint8_t* valid, std::uint8_t* flag) {
+  PIEPER_INLINE static void solve_alone(const SphericalWristParallel& P, const Rigid& T, double* q, std::uint8_t* valid,
+                                        std::uint8_t* flag) {
     using F = Lanes<4>;
     double M1[3][3], w1[3];
     into_base(P, T, M1, w1);
@@ -173,16 +173,16 @@ class SphericalWristParallelKernel {
 
   // The pose seen from B, with the tool taken off: M = B^-1 R C and the wrist centre.
   template <class F>
-  PIEPER_INLINE static void into_base(const SphericalWristParallel& P, const Pose<F>& T, F (&M)[3][3], F (&w)[3]) {
+  PIEPER_INLINE static void into_base(const SphericalWristParallel& P, const RigidT<F>& T, F (&M)[3][3], F (&w)[3]) {
     F half[3][3];
     const double origin[3] = {P.origin.x, P.origin.y, P.origin.z};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        half[i][j] = T.r[i][0] * P.tool[0][j] + (T.r[i][1] * P.tool[1][j] + T.r[i][2] * P.tool[2][j]);
+        half[i][j] = T.r(i, 0) * P.tool[0][j] + (T.r(i, 1) * P.tool[1][j] + T.r(i, 2) * P.tool[2][j]);
     for (int i = 0; i < 3; ++i) {
       const double* row = P.base[i];
       for (int j = 0; j < 3; ++j) M[i][j] = row[0] * half[0][j] + (row[1] * half[1][j] + row[2] * half[2][j]);
-      F p = origin[i] + (row[0] * T.p[0] + (row[1] * T.p[1] + row[2] * T.p[2]));
+      F p = origin[i] + (row[0] * T.p(0) + (row[1] * T.p(1) + row[2] * T.p(2)));
       w[i] = p + (M[i][0] * P.centre.x + (M[i][1] * P.centre.y + M[i][2] * P.centre.z));
     }
   }
