@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from reference_arms import TO_METRES, arm_of, pose_of, read, same
+
+from tests.papers.reference_arms import TO_METRES, arm_of, pose_of, read, same
 
 FORWARD, INVERSE = read("forward.json"), read("inverse.json")
 SETS = [(name, i) for name, entry in INVERSE["robots"].items() for i in range(len(entry["ik"]))]
@@ -40,7 +41,7 @@ def test_inverse_kinematics_gives_the_whole_reference_set_and_nothing_else(name,
     gap = same(sols.all_q, expected, slides)
     assert len(sols.all_q) == len(expected), f"{len(sols.all_q)} solutions, not {len(expected)}"
     assert gap.min(0).max() < 1e-9 and gap.min(1).max() < 1e-9
-    assert sols.status.name == "SOLVED" and not sols.families
+    assert sols.status.name == "SOLVED" and not sols.self_motions
 
 
 @pytest.mark.parametrize("name", [n for n, e in INVERSE["robots"].items() if all("pose" in c for c in e["ik"])])

@@ -139,7 +139,7 @@ def _variable(arm: Arm, i: int) -> str:
 
 
 def _turned(T: np.ndarray) -> str:
-    from pieper.description.orientation import rpy_of
+    from pieper.kinematics.orientation import rpy_of
 
     angles = np.degrees(rpy_of(T[:3, :3]))
     if np.abs(angles).max() < 1e-12:

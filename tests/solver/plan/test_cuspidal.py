@@ -1,0 +1,26 @@
+"""Cuspidal arms are found by an example that holds; arms that cannot be cuspidal are never called so."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import pieper
+from pieper.kinematics.newton import determinant
+
+
+def test_an_arm_with_a_wrist_and_parallel_axes_is_never_called_cuspidal():
+    assert not pieper.load("denso-vp6242").plan.cuspidal.found
+
+
+def test_the_path_of_a_cuspidal_arm_joins_two_solutions_and_meets_no_singularity():
+    arm = pieper.load("fanuc-crx-10ia")
+    found = arm.plan.cuspidal
+    assert found.found
+    ends = arm.fk(found.path[[0, -1]])
+    np.testing.assert_allclose(ends[0], ends[1], atol=1e-9)
+    gap = np.abs((found.path[0] - found.path[-1] + np.pi) % (2 * np.pi) - np.pi).max()
+    assert gap > 1e-2
+    # looked at anew, two hundred times as finely
+    t = np.linspace(0, len(found.path) - 1, 200 * len(found.path))
+    fine = np.stack([np.interp(t, np.arange(len(found.path)), column) for column in found.path.T], 1)
+    assert len(set(np.sign(determinant(arm.chain, fine)))) == 1
