@@ -1,4 +1,5 @@
 // Forward kinematics of a chain T(q) = L0 Z(q1) L1 ... Z(qn) Ln: poses, frames and Jacobians, W joint vectors at a time.
+// Templates over the number type: one joint vector in doubles, many in lanes.
 #pragma once
 
 #include "lanes/batch.hpp"

@@ -1,4 +1,5 @@
 // How far a 4x4 matrix is from a rigid motion, and the rigid motion nearest to it.
+// The check is a template over the number type; straightening, which is rare, is scalar.
 #pragma once
 
 #include "lanes/batch.hpp"

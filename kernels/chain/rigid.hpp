@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lanes/math.hpp"
+#include "tolerances.hpp"
 
 namespace pieper::PIEPER_ISA {
 
@@ -80,7 +81,7 @@ inline Motion<double> motion_of(double value, bool slides) {
 }
 // Along (c, s), made of length one.
 template <class F> PIEPER_INLINE Motion<F> unit(F c, F s) {
-  F n = 1.0 / sqrt(max(c * c + s * s, F(1e-300)));
+  F n = 1.0 / sqrt(max(c * c + s * s, F(kTiny)));
   return {c * n, s * n};
 }
 // A * Z

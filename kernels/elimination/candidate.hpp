@@ -1,4 +1,5 @@
 // From a hidden angle to a joint vector: null vector, pair, then the eliminated roles and the dropped one.
+// Templates over the number type.
 #pragma once
 
 #include "elimination/pencil.hpp"
@@ -7,8 +8,8 @@ namespace pieper::PIEPER_ISA::general {
 
 // The two angles' common work: (sn : cn) is a half-angle tangent from the chart, or a length as a ratio.
 template <class F> PIEPER_INLINE Motion<F> pair_value(F sn, F cn, bool prismatic, double chart_c, double chart_s) {
-  if (prismatic) return {sn / select(abs(cn) > 1e-200, cn, F(1e-200)), F(0.0)};
-  const F n = sn * sn + cn * cn, inv = 1.0 / select(n > 1e-300, n, F(1.0));
+  if (prismatic) return {sn / select(abs(cn) > kInfiniteLength, cn, F(kInfiniteLength)), F(0.0)};
+  const F n = sn * sn + cn * cn, inv = 1.0 / select(n > kTiny, n, F(1.0));
   const F a = (cn * cn - sn * sn) * inv, b = 2.0 * sn * cn * inv;
   return {a * chart_c - b * chart_s, b * chart_c + a * chart_s};
 }
@@ -16,9 +17,9 @@ template <class F> PIEPER_INLINE Motion<F> pair_value(F sn, F cn, bool prismatic
 // Null vector of the triangle left by `triangulate` (one inverse iteration step with the triangle's own right side).
 template <class F> PIEPER_INLINE void null_vector(F (&m)[6][6], const double* start, F* v) {
   F y[6];
-  F largest = 1e-300;
+  F largest = kTiny;
   for (int k = 0; k < 6; ++k) largest = max(largest, abs(m[k][k]));
-  const F floor = largest * 1e-17;
+  const F floor = largest * kNullPivot;
   for (int k = 0; k < 6; ++k) {
     F t = start[k];
     for (int r = 0; r < k; ++r) t -= m[r][k] * y[r];
@@ -26,7 +27,7 @@ template <class F> PIEPER_INLINE void null_vector(F (&m)[6][6], const double* st
     y[k] = t / m[k][k];
   }
   for (int pass = 0; pass < 2; ++pass) {
-    F size = 1e-300;
+    F size = kTiny;
     for (int k = 0; k < 6; ++k) size = max(size, abs(y[k]));
     const F inv = 1.0 / size;
     for (int k = 5; k >= 0; --k) {
@@ -35,7 +36,7 @@ template <class F> PIEPER_INLINE void null_vector(F (&m)[6][6], const double* st
       v[k] = t / m[k][k];
     }
     if (pass == 1) break;
-    size = F(1e-300);
+    size = F(kTiny);
     for (int k = 0; k < 6; ++k) size = max(size, abs(v[k]));
     const F again = 1.0 / size;
     for (int k = 0; k < 6; ++k) {
@@ -111,15 +112,15 @@ template <class F> void complete_candidate(const Equations<F>& eq, const RightSi
   F c1 = b1 * a22 - b2 * a12, s1 = b2 * a11 - b1 * a12;
   if (roles.prismatic[0]) {
     const F det = a11 * a22 - a12 * a12;
-    out[0].c =
-        select(det > 1e-12 * a11 * a22, c1 / select(det > 1e-300, det, F(1.0)), b1 / select(a11 > 1e-300, a11, F(1.0)));
+    out[0].c = select(det > kSlideRole * a11 * a22, c1 / select(det > kTiny, det, F(1.0)),
+                      b1 / select(a11 > kTiny, a11, F(1.0)));
     out[0].s = F(0.0);
     c1 = out[0].c;
     s1 = c1 * c1;
   } else {
-    const F n = c1 * c1 + s1 * s1, inv = 1.0 / sqrt(select(n > 1e-300, n, F(1.0)));
-    c1 = select(n > 1e-300, c1 * inv, F(1.0));
-    s1 = select(n > 1e-300, s1 * inv, F(0.0));
+    const F n = c1 * c1 + s1 * s1, inv = 1.0 / sqrt(select(n > kTiny, n, F(1.0)));
+    c1 = select(n > kTiny, c1 * inv, F(1.0));
+    s1 = select(n > kTiny, s1 * inv, F(0.0));
     out[0].c = c1;
     out[0].s = s1;
   }
@@ -131,9 +132,9 @@ template <class F> void complete_candidate(const Equations<F>& eq, const RightSi
     er += t.re;
     ei += t.im;
   }
-  F n = er * er + ei * ei, inv = 1.0 / sqrt(select(n > 1e-300, n, F(1.0)));
-  out[1].c = select(n > 1e-300, er * inv, F(1.0));
-  out[1].s = select(n > 1e-300, ei * inv, F(0.0));
+  F n = er * er + ei * ei, inv = 1.0 / sqrt(select(n > kTiny, n, F(1.0)));
+  out[1].c = select(n > kTiny, er * inv, F(1.0));
+  out[1].s = select(n > kTiny, ei * inv, F(0.0));
   // Role 6: carry the first axis of the inverse last link back through the chain.
   Vec3T<F> g = {link[5].x.x, link[5].y.x, link[5].z.x};
   for (int role = 0; role < 5; ++role) {
@@ -142,8 +143,8 @@ template <class F> void complete_candidate(const Equations<F>& eq, const RightSi
     g = turn_back(link[role], g);
   }
   n = g.x * g.x + g.y * g.y;
-  inv = 1.0 / sqrt(select(n > 1e-300, n, F(1.0)));
-  out[5] = {select(n > 1e-300, g.x * inv, F(1.0)), select(n > 1e-300, g.y * inv, F(0.0))};
+  inv = 1.0 / sqrt(select(n > kTiny, n, F(1.0)));
+  out[5] = {select(n > kTiny, g.x * inv, F(1.0)), select(n > kTiny, g.y * inv, F(0.0))};
 }
 
 }  // namespace pieper::PIEPER_ISA::general

@@ -5,6 +5,7 @@
 // three functions of role 1, (1, cos, sin) or (1, d, d^2). Two small null spaces remove role 1 (six real features: four rows)
 // and roles 1 and 2 (four complex features, which role 2 only turns: one complex row). Householder reflections without
 // pivoting give valid rows whatever the rank.
+// Templates over the number type: doubles for what an arm has once and for one pose alone, lanes for many.
 #pragma once
 
 #include "elimination/loop.hpp"
@@ -162,12 +163,12 @@ template <class F, int N> PIEPER_INLINE void reflector(Complex<F> (&v)[N], int k
   for (int i = k + 1; i < N; ++i) tail += v[i].re * v[i].re + v[i].im * v[i].im;
   const F head2 = v[k].re * v[k].re + v[k].im * v[k].im;
   const F norm = sqrt(tail + head2), head = sqrt(head2);
-  const F inv = 1.0 / select(head > 1e-300, head, F(1.0));
-  const F er = select(head > 1e-300, v[k].re * inv, F(1.0)), ei = select(head > 1e-300, v[k].im * inv, F(0.0));
+  const F inv = 1.0 / select(head > kTiny, head, F(1.0));
+  const F er = select(head > kTiny, v[k].re * inv, F(1.0)), ei = select(head > kTiny, v[k].im * inv, F(0.0));
   v[k].re += er * norm;
   v[k].im += ei * norm;
   const F size = norm * (norm + head);  // half of |v|^2
-  const F scale = select(size > 1e-290, 1.0 / sqrt(select(size > 1e-290, size, F(1.0))), F(0.0));
+  const F scale = select(size > kHouseholderZero, 1.0 / sqrt(select(size > kHouseholderZero, size, F(1.0))), F(0.0));
   for (int i = k; i < N; ++i) v[i] = {v[i].re * scale, v[i].im * scale};
   for (int i = 0; i < k; ++i) v[i] = {F(0.0), F(0.0)};
 }
@@ -196,7 +197,7 @@ template <class F, int N, int C> PIEPER_INLINE void left_null_rows(F (&columns)[
     norm = select(x0 > 0.0, norm, 0.0 - norm);
     const F size = norm * (norm + x0);
     columns[c][c] = x0 + norm;
-    scale[c] = select(size > 1e-290, 1.0 / select(size > 1e-290, size, F(1.0)), F(0.0));
+    scale[c] = select(size > kHouseholderZero, 1.0 / select(size > kHouseholderZero, size, F(1.0)), F(0.0));
     for (int d = c + 1; d < C; ++d) {
       F w = 0.0;
       for (int i = c; i < N; ++i) w += columns[c][i] * columns[d][i];

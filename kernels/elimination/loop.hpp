@@ -4,6 +4,7 @@
 // joint, or walking it backwards, renames the joints: twelve ways to hand out the same six *roles*
 //   1, 2 eliminated by linear algebra; 3 hidden (the one unknown of the eigenvalue problem); 4, 5 the pair whose monomials
 //   are the unknown vector; 6 dropped (the features are those of the line of its axis).
+// Templates over the number type.
 #pragma once
 
 #include "chain/rigid.hpp"

@@ -101,7 +101,7 @@ inline Spectrum spectrum(int count, const double* re, const double* im, double c
     const double a = re[i], b = im[i];
     out.angle[i] = chart + (b == 0 ? 2 * __builtin_atan(a) : __builtin_atan2(2 * a, 1 - a * a - b * b));
     const double up = a * a + (1 + b) * (1 + b), down = a * a + (1 - b) * (1 - b);
-    out.imaginary[i] = b == 0 ? 0 : 0.5 * __builtin_log(up / (down > 1e-300 ? down : 1e-300));
+    out.imaginary[i] = b == 0 ? 0 : 0.5 * __builtin_log(up / (down > kTiny ? down : kTiny));
   }
   return out;
 }

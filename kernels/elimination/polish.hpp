@@ -1,4 +1,5 @@
 // Newton's method on the loop itself: from an approximate joint vector to one that closes to machine precision.
+// A template over the number type: undamped, for candidates in lanes. The careful closed forms damp theirs (closed_form/careful/closing.hpp).
 #pragma once
 
 #include "elimination/candidate.hpp"
@@ -62,8 +63,9 @@ template <class F> Closure<F> polish(const RigidT<F>* link, const Roles& roles, 
     triangulate(m, 6);
     F smallest = abs(m[0][0]);
     for (int k = 1; k < 6; ++k) smallest = min(smallest, abs(m[k][k]));
-    const auto done = ((size < 1e-14) & (size > 0.4 * before)) | (size < 3e-16) | ((size < 2e-15) & (smallest > 1e-3));
-    const auto lost = size > F(step < 8 ? 1e300 : 0.05);
+    const auto done = ((size < kPolishStalled) & (size > 0.4 * before)) | (size < kPolishDone) |
+                      ((size < kPolishDoneRegular) & (smallest > kPolishRegular));
+    const auto lost = size > F(step < 8 ? 1e300 : kPolishLost);
     before = size;
     active = active & !(done | lost);
     if (step == steps || !any(active)) break;
@@ -72,10 +74,11 @@ template <class F> Closure<F> polish(const RigidT<F>* link, const Roles& roles, 
       F t = m[k][6];
       for (int j = k + 1; j < 6; ++j) t -= m[k][j] * d[j];
       const F pivot = m[k][k];
-      d[k] = t / select(abs(pivot) > 1e-15, pivot, F(1e-15));
+      d[k] = t / select(abs(pivot) > kPolishPivot, pivot, F(kPolishPivot));
       largest = max(largest, abs(d[k]));
     }
-    const F shrink = select(largest > 0.4, 0.4 / select(largest > 0.4, largest, F(1.0)), F(1.0));
+    const F shrink = select(largest > kPolishLongestStep,
+                            kPolishLongestStep / select(largest > kPolishLongestStep, largest, F(1.0)), F(1.0));
     for (int k = 0; k < 6; ++k) {
       if (roles.prismatic[k]) q[k].c += shrink * d[k];
       else q[k] = advanced(q[k], shrink * d[k]);
@@ -86,16 +89,16 @@ template <class F> Closure<F> polish(const RigidT<F>* link, const Roles& roles, 
   for (int k = 0; k < 6; ++k) {
     F t = 1.0;
     for (int r = 0; r < k; ++r) t -= m[r][k] * y[r];
-    y[k] = t / select(abs(m[k][k]) > 1e-30, m[k][k], F(1e-30));
+    y[k] = t / select(abs(m[k][k]) > kPolishSigmaPivot, m[k][k], F(kPolishSigmaPivot));
     ny += y[k] * y[k];
   }
   for (int k = 5; k >= 0; --k) {
     F t = y[k];
     for (int j = k + 1; j < 6; ++j) t -= m[k][j] * z[j];
-    z[k] = t / select(abs(m[k][k]) > 1e-30, m[k][k], F(1e-30));
+    z[k] = t / select(abs(m[k][k]) > kPolishSigmaPivot, m[k][k], F(kPolishSigmaPivot));
     nz += z[k] * z[k];
   }
-  out.sigma = sqrt(ny / select(nz > 1e-300, nz, F(1e-300)));
+  out.sigma = sqrt(ny / select(nz > kTiny, nz, F(kTiny)));
   for (int k = 0; k < 6; ++k) q[k] = best[k];
   return out;
 }

@@ -4,6 +4,7 @@
 // joint is at ease: so all are tried when the arm is made. Two things are measured on random poses: the determinant in the hidden
 // angle must be a trigonometric polynomial of degree 8 (or 4), so what lies above is noise; and the joint vector that made the pose,
 // and every solution that some other variant found, must be found.
+// Scalar, but for the solver it tries.
 #pragma once
 
 #include "elimination/slides.hpp"
@@ -173,7 +174,7 @@ inline void try_variant(const Model& model, SelfTest& test, int arm, int t) {
   double noise[8];
   for (int i = 0; i < 8; ++i) noise[i] = determinant_noise(model, v, test.pose[i]);
   v.noise = trial.noise = median(noise, 8);
-  if (!(trial.noise < 1e-6)) return;
+  if (!(trial.noise < kGeneralNoisiest)) return;
   trial.rank = kTried;
   trial.missed = 0;
   v.typical = 0;
@@ -210,7 +211,7 @@ inline void rate(const Model& model, SelfTest& test, int at) {
     trial.missed += f.count - before;
   }
   if (trial.missed > kTestPoses) return;  // of no use even as a second opinion
-  const double noise = trial.noise > 1e-15 ? __builtin_log10(trial.noise / 1e-15) : 0;
+  const double noise = trial.noise > kGeneralPerfect ? __builtin_log10(trial.noise / kGeneralPerfect) : 0;
   const Variant& v = test.variant[at];
   test.score[at] = 1000.0 * trial.missed + 3 * noise + 0.5 * trial.open + (v.pose_free() ? 0 : 2) + (v.arm ? 100 : 0);
 }
@@ -258,7 +259,7 @@ inline void make_nearby(Model& model) {
     for (int k = 0; k < 7; ++k) {
       model.link[arm][k] = model.link[0][k];
       if (k == 0 || k == 6) continue;
-      model.link[arm][k] = perturbed(model.link[0][k], arm == 1 ? 1e-3 : 3e-4, 1.0, random);
+      model.link[arm][k] = perturbed(model.link[0][k], arm == 1 ? kGeneralNearby : kGeneralNearbyToo, 1.0, random);
     }
 }
 

@@ -1,4 +1,5 @@
 // Three turning and three sliding joints in any order: orientation alone gives the turns (two ways), position then the slides.
+// Scalar.
 #pragma once
 
 #include "elimination/solve.hpp"
@@ -8,7 +9,7 @@ namespace pieper::PIEPER_ISA::general {
 // d with d0 a + d1 b + d2 c = rest by Cramer's rule; false when the three slides depend on each other here.
 inline bool slides_between(const Vec3* along, Vec3 rest, double* d) {
   const double det = dot(along[0], cross(along[1], along[2]));
-  if (!(__builtin_fabs(det) > 1e-10)) return false;
+  if (!(__builtin_fabs(det) > kThreeSlidesDepend)) return false;
   for (int i = 0; i < 3; ++i) d[i] = dot(rest, cross(along[(i + 1) % 3], along[(i + 2) % 3])) / det;
   return true;
 }
@@ -30,9 +31,9 @@ inline bool solve_slides(const Model& model, const Rigid& pose, Found& found) {
   const Rigid &m = lump[1], &n = lump[2];
   const double a = m.x.z * n.z.x + m.y.z * n.z.y, b = m.y.z * n.z.x - m.x.z * n.z.y;
   const double reach = __builtin_sqrt(a * a + b * b), want = k.z.z - m.z.z * n.z.z;
-  if (!(reach > 1e-12)) return false;
+  if (!(reach > kThreeSlidesReach)) return false;
   double ratio = want / reach;
-  if (__builtin_fabs(ratio) > 1 + 1e-12) return true;
+  if (__builtin_fabs(ratio) > 1 + kThreeSlidesReach) return true;
   ratio = ratio > 1 ? 1 : ratio < -1 ? -1 : ratio;
   const double middle = __builtin_atan2(b, a), half = __builtin_atan2(__builtin_sqrt((1 - ratio) * (1 + ratio)), ratio);
   bool isolated = true;
@@ -44,7 +45,7 @@ inline bool solve_slides(const Model& model, const Rigid& pose, Found& found) {
     double q[6] = {};
     q[turning[1]] = middle + side * half;
     const Rigid inner = joint(m, q[turning[1]], false) * n;  // Z(a) inner Z(c) = k
-    if (inner.z.x * inner.z.x + inner.z.y * inner.z.y < 1e-20) {
+    if (inner.z.x * inner.z.x + inner.z.y * inner.z.y < kThreeSlidesInLine) {
       isolated = false;  // first and last turning axis in line: only their sum counts
       q[turning[2]] = __builtin_atan2(dot(inner.y, k.x), dot(inner.x, k.x));
     } else {
@@ -69,7 +70,7 @@ inline bool solve_slides(const Model& model, const Rigid& pose, Found& found) {
     for (int i = 0; i < 6; ++i) joints[i] = motion(i);
     const Closure<double> closed = polish(loop, roles, joints, 4);
     const double size = 1 + __builtin_fabs(d[0]) + __builtin_fabs(d[1]) + __builtin_fabs(d[2]);
-    if (!(closed.residual < kVerified * size)) continue;
+    if (!(closed.residual < kGeneralVerified * size)) continue;
     for (int i = 0; i < 6; ++i) q[i] = model.prismatic[i] ? joints[i].c : __builtin_atan2(joints[i].s, joints[i].c);
     insert(found, q, closed.sigma, closed.residual, model.prismatic);
   }

@@ -1,4 +1,5 @@
 // One variant of the elimination applied to W poses: eigenvalues, candidates in lanes, polished solutions, and what is open.
+// Templates over the number type.
 #pragma once
 
 #include "elimination/model.hpp"
@@ -6,12 +7,6 @@
 namespace pieper::PIEPER_ISA::general {
 
 inline constexpr int kMaxFound = 32;
-inline constexpr double kVerified = 1e-11;  // scaled lengths and radians; what polish leaves is 1e-15 unless singular
-inline constexpr double kSameSolution = 1e-7;  // radians or scaled lengths
-inline constexpr double kNearlyReal = 2e-3;    // imaginary part below which a complex pair is tried as a double root
-
-// Where the determinant is this much smaller than usual at all hidden angles, the elimination itself is singular at the pose.
-inline constexpr double kVanishing = 1e-13;
 
 // Distinct verified solutions of one pose, joints in robot order, lengths scaled.
 struct Found {
@@ -36,8 +31,8 @@ inline int insert(Found& set, const double* q, double sigma, double residual, co
   // what polish can resolve: rounding over the smallest singular value
   for (int i = 0; i < set.count; ++i) {
     const double smaller = sigma < set.sigma[i] ? sigma : set.sigma[i];
-    double same = 3e-15 / (smaller > 1e-12 ? smaller : 1e-12);
-    same = same > 4e-7 ? 4e-7 : same < kSameSolution ? kSameSolution : same;
+    double same = kGeneralResolved / (smaller > kGeneralLeastSigma ? smaller : kGeneralLeastSigma);
+    same = same > kGeneralSameMost ? kGeneralSameMost : same < kGeneralSame ? kGeneralSame : same;
     if (joint_distance(set.q[i], q, prismatic) < same) {
       if (residual < set.residual[i]) {
         for (int k = 0; k < 6; ++k) set.q[i][k] = q[k];
@@ -106,7 +101,7 @@ template <class F> void try_candidates(const Model& model, const Variant& v, con
     for (int i = 0; i < used; ++i) {
       Candidate& c = list[first + i];
       c.solution = -1;
-      if (!(lane(end.residual, i) < kVerified)) continue;
+      if (!(lane(end.residual, i) < kGeneralVerified)) continue;
       double values[6];
       for (int k = 0; k < 6; ++k) values[k] = joint[k][i];
       c.solution = insert(found[c.pose], values, lane(end.sigma, i), lane(end.residual, i), model.prismatic);
@@ -130,11 +125,11 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
   for (int i = 0; i < used; ++i) {
     const Spectrum all = spectrum(eigenvalues[i], re[i], im[i], lane(poses.chart_c, i), lane(poses.chart_s, i));
     const double size = lane(poses.largest, i);
-    report[i] = {0, 0, all.count < S || !(size > kVanishing * v.typical), 0, size};
+    report[i] = {0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), 0, size};
     for (int k = 0; k < all.count; ++k) {
       const double im = all.imaginary[k];
       if (im == 0) ++report[i].real;
-      else if (!(__builtin_fabs(im) < kNearlyReal)) continue;
+      else if (!(__builtin_fabs(im) < kGeneralNearlyReal)) continue;
       list[count++] = {i, all.angle[k] + im, im, -1};
     }
   }
@@ -144,7 +139,7 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
     Candidate open[W * 20];
     int index[W * 20], n = 0;
     for (int k = 0; k < count; ++k) {
-      bool again = list[k].solution < 0 && __builtin_fabs(list[k].partner) < 2e-4;
+      bool again = list[k].solution < 0 && __builtin_fabs(list[k].partner) < kGeneralTryAgain;
       for (int j = 0; j < k && !again; ++j)
         again = list[j].pose == list[k].pose && list[k].solution >= 0 && list[j].solution == list[k].solution;
       if (!again) continue;
@@ -165,7 +160,7 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
         d = d > kPi ? __builtin_fabs(kTwoPi - d) : d;
         Found& all = found[list[k].pose];
         // a double root; roots that coincide where the posture is far from singular belong to two solutions, one of them not found
-        if (d < 1e-5 && all.sigma[list[k].solution] < 1e-3) all.merged[list[k].solution] = true;
+        if (d < kGeneralOneRoot && all.sigma[list[k].solution] < kGeneralMerged) all.merged[list[k].solution] = true;
         else if (j < k) own = false;
       }
     Report& r = report[list[k].pose];

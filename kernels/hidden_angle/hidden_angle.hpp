@@ -7,6 +7,7 @@
 //   Arm: its constants, doubles only; Target<F>: a pose as the arm sees it, numbers of type F only;
 //   see(arm, pose), polynomial(arm, target, c, s),
 //   complete(arm, target, c, s, side, q): the joints from a root, side +1 or -1, or 0 where it must find out; returns what is not clear.
+// Templates over the number type, used for lanes only; the general solver is the careful road.
 #pragma once
 
 #include "closed_form/lanes/group.hpp"
@@ -35,12 +36,12 @@ template <class F> PIEPER_INLINE Dual<F> operator+(Dual<F> a, double b) { return
 template <class F> PIEPER_INLINE Dual<F> operator*(double k, Dual<F> a) { return {k * a.x, k * a.d}; }
 template <class F> PIEPER_INLINE Dual<F> operator*(F k, Dual<F> a) { return {k * a.x, k * a.d}; }
 template <class F> PIEPER_INLINE Dual<F> over(Dual<F> a, Dual<F> b) {
-  const F inv = 1.0 / select(b.x == 0.0, F(1e-300), b.x), x = a.x * inv;
+  const F inv = 1.0 / select(b.x == 0.0, F(kTiny), b.x), x = a.x * inv;
   return {x, (a.d - x * b.d) * inv};
 }
 template <class F> PIEPER_INLINE Dual<F> root(Dual<F> a) {
   const F x = sqrt(max(a.x, F(0.0)));
-  return {x, 0.5 * a.d / select(x == 0.0, F(1e-300), x)};
+  return {x, 0.5 * a.d / select(x == 0.0, F(kTiny), x)};
 }
 
 // A small turn, kept of length one.
@@ -49,9 +50,6 @@ template <class F> PIEPER_INLINE Motion<F> advanced(Motion<F> angle, F change) {
   const F n = 1.5 - 0.5 * (t.c * t.c + t.s * t.s);
   return {t.c * n, t.s * n};
 }
-
-// What rounding leaves of the polynomial's coefficients is below this, relative to their sum.
-inline constexpr double kNoise = 3e-14;
 
 template <int Slots> struct Found {
   int count;
@@ -79,7 +77,7 @@ template <class F, class Family> void enter(const HiddenAngle& head, const typen
   for (int j = 0; j < 6; ++j) value[j] = head.slides[j] ? q[j].c * head.length : atan2(q[j].s, q[j].c);
   const F miss = max(max(largest(end.x - x.tool.x), largest(end.y - x.tool.y)),
                      max(largest(end.z - x.tool.z), largest(end.t - x.tool.t)));
-  unclear = unclear | !(miss <= 0.5 * closed_form::kVerified);
+  unclear = unclear | !(miss <= 0.5 * kClosedVerified);
   const unsigned bits = bits_of(unclear);
   for (int i = 0; i < used; ++i) {
     Found<Family::slots>& to = found[pose[i]];
@@ -104,8 +102,8 @@ template <class F, class Family> unsigned solve_group(const HiddenAngle& head, c
   for (int i = 0; i < M; ++i) value[i] = Family::polynomial(arm, target, Motion<F>{F(angle.c[i]), F(angle.s[i])});
   trigonometric::Series<F, D> series;
   const F above = trigonometric::series_of<F, D, M>(value, series, size);
-  const F noise = max(kNoise * size, 100.0 * above);
-  unsigned unclear = bits_of(!(above < 1e-12 * size));
+  const F noise = max(kHiddenNoise * size, 100.0 * above);
+  unsigned unclear = bits_of(!(above < kHiddenDegree * size));
   trigonometric::Sectors<F, D> sectors;
   sectors_of(series, sectors);
   trigonometric::Bracket list[W * 2 * D];
@@ -160,14 +158,13 @@ inline double apart(const HiddenAngle& head, const double* a, const double* b) {
   }
   return worst;
 }
-inline constexpr double kSame = 1e-5;  // of two ways of solving a pose that is not clear
 
 // Adds to n rows those of `more` that are none of them; returns how many there are then.
 template <int Slots> int joined(const HiddenAngle& head, double* rows, int n, const Found<Slots>& more) {
   const int known = n;
   for (int k = 0; k < more.count && n < Slots; ++k) {
     bool again = false;
-    for (int m = 0; m < known && !again; ++m) again = apart(head, rows + 6 * m, more.q[k]) < kSame;
+    for (int m = 0; m < known && !again; ++m) again = apart(head, rows + 6 * m, more.q[k]) < kHiddenSame;
     if (!again) __builtin_memcpy(rows + 6 * n++, more.q[k], 6 * sizeof(double));
   }
   return n;

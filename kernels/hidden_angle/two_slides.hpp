@@ -9,6 +9,7 @@
 //
 // and f(S) f(-S) (1 - X33^2), X33 the cosine between the axes of x and z, is a trigonometric polynomial of degree 4 in theta
 // wherever the slides stand: at most eight solutions. Roots: hidden_angle.hpp.
+// Templates over the number type.
 #pragma once
 
 #include "dispatch/geometry.hpp"
@@ -83,7 +84,7 @@ template <class F> struct PlainNumbers {
   F side;
   F lift(F x) const { return x; }
   F root(F a) const { return side * sqrt(max(a, F(0.0))); }
-  F reciprocal(F a) const { return 1.0 / select(a == 0.0, F(1e-300), a); }
+  F reciprocal(F a) const { return 1.0 / select(a == 0.0, F(kTiny), a); }
 };
 template <class F> struct DualNumbers {
   F side;
@@ -98,7 +99,7 @@ template <class F> struct SurdNumbers {
   F square;
   Surd<F> lift(F x) const { return {x, F(0.0), square}; }
   Surd<F> root(Surd<F>) const { return {F(0.0), F(1.0), square}; }
-  Surd<F> reciprocal(Surd<F> a) const { return lift(1.0 / select(a.x == 0.0, F(1e-300), a.x)); }  // of what has no S
+  Surd<F> reciprocal(Surd<F> a) const { return lift(1.0 / select(a.x == 0.0, F(kTiny), a.x)); }  // of what has no S
 };
 
 // All that follows from the hidden angle: the other angles, what is left of the loop, the slides' directions, the condition.
@@ -136,7 +137,7 @@ template <class Numbers, class X, class F> PIEPER_INLINE Evaluated<X> evaluate(c
   const X E = b.cosine * c + b.sine * s + numbers.lift(b.constant);
   out.room = numbers.lift(b.n) - E * E;
   const X S = numbers.root(out.room);
-  const F per = 1.0 / max(b.n, F(1e-300)), ka = b.A * per, kb = b.B * per;
+  const F per = 1.0 / max(b.n, F(kTiny)), ka = b.A * per, kb = b.B * per;
   const X cy = ka * E - kb * S, sy = kb * E + ka * S;
   const X X33 = E + numbers.lift(b.both);
   out.open = numbers.lift(F(1.0)) - X33 * X33;
@@ -200,18 +201,19 @@ template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Mot
   const F up = abs(evaluate(PlainNumbers<F>{F(1.0)}, arm, target, b, theta.c, theta.s).f);
   const F down = abs(evaluate(PlainNumbers<F>{F(-1.0)}, arm, target, b, theta.c, theta.s).f);
   side = select(up <= down, F(1.0), F(-1.0));
-  auto unclear = !(min(up, down) < 1e-2 * max(up, down));
+  auto unclear = !(min(up, down) < kHiddenSide * max(up, down));
   for (int step = 0; step < 2; ++step) {
     const Evaluated<Dual<F>> at =
         evaluate(DualNumbers<F>{side}, arm, target, b, Dual<F>{theta.c, -theta.s}, Dual<F>{theta.s, theta.c});
-    const F slope = at.f.d, change = -at.f.x / select(slope == 0.0, F(1e-300), slope);
+    const F slope = at.f.d, change = -at.f.x / select(slope == 0.0, F(kTiny), slope);
     const F size = 1.0 + abs(at.rest.x.x) + abs(at.rest.y.x) + abs(at.rest.z.x);
-    unclear = unclear | !(abs(change) < (step ? 1e-6 : 1e-3)) | !(abs(slope) > 1e-6 * size);
+    unclear =
+        unclear | !(abs(change) < (step ? kHiddenLastStep : kHiddenFirstStep)) | !(abs(slope) > kHiddenSlope * size);
     theta = advanced(theta, change);
   }
   const Evaluated<F> at = evaluate(PlainNumbers<F>{side}, arm, target, b, theta.c, theta.s);
-  const F size = dot(at.across, at.across), per = 1.0 / max(size, F(1e-300));
-  unclear = unclear | !(at.room > 1e-8 * b.n) | !(at.open > 1e-8) | !(size > 1e-10);
+  const F size = dot(at.across, at.across), per = 1.0 / max(size, F(kTiny));
+  unclear = unclear | !(at.room > kHiddenRoom * b.n) | !(at.open > kHiddenRoom) | !(size > kHiddenParallel);
   int turns = 0, slides = 0;
   for (int role = 0; role < 6; ++role) {
     Motion<F>& out = q[arm.joint(role)];

@@ -1,4 +1,5 @@
 // Poses from memory into lanes, and solutions back to memory; a closed form between the two never sees memory.
+// Templates over the number type.
 #pragma once
 
 #include "dispatch/geometry.hpp"
@@ -37,10 +38,10 @@ template <class F> PIEPER_INLINE RigidT<F> load_poses(const double* T) {
 // Lane j of `from` becomes lane i of `to`; both are made of nothing but numbers of type F and G.
 template <class G, class F, class To, class From>
 PIEPER_INLINE void copy_lanes(To& to, int i, const From& from, int j) {
-
   G* into = reinterpret_cast<G*>(&to);
   const F* of = reinterpret_cast<const F*>(&from);
-  for (unsigned k = 0; k < sizeof(To) / (sizeof(G)); ++k) set_lane(into[k], i, lane(of[k], j));
+  constexpr unsigned all = sizeof(To), one = sizeof(G);
+  for (unsigned k = 0; k < all / one; ++k) set_lane(into[k], i, lane(of[k], j));
 }
 
 // `values[k]` lane i -> out[i * K + k], for the first `lanes` lanes.

@@ -1,5 +1,6 @@
 // Closing the loop: forward kinematics of a chain, the last Newton steps on SE(3), the verdict on a candidate, and the
 // list of distinct solutions. Shared by the families that find candidates in closed form.
+// Scalar: the careful road takes one pose at a time.
 #pragma once
 
 #include <cmath>
@@ -10,14 +11,6 @@
 namespace pieper::PIEPER_ISA::closed_form {
 
 inline constexpr int kMaxJoints = 6;
-// A candidate is a solution when forward kinematics misses the pose by no more (in lengths of the arm; rad).
-inline constexpr double kVerified = 1e-12;
-// Candidates that miss by more than this before polishing belong to a wrong branch.
-inline constexpr double kHopeless = 2e-2;
-// Solutions closer than this (rad; lengths of the arm) are one.
-inline constexpr double kSame = 3e-8;
-// Smallest over largest singular value of the scaled Jacobian under which a solution is looked at closely.
-inline constexpr double kSingular = 2.5e-7;
 
 inline double one_turn(double angle) {
   angle = std::remainder(angle, 2 * kPi);
@@ -78,7 +71,7 @@ struct Normal {
       }
       trace += A[i][i];
     }
-    const double least = damping * trace + 1e-300;
+    const double least = damping * trace + kTiny;
     for (int j = 0; j < n; ++j) {
       double d = A[j][j] + least;
       for (int k = 0; k < j; ++k) d -= A[j][k] * A[j][k];
@@ -111,7 +104,7 @@ inline void damped_step(int n, const double* error, const double (*J)[6], double
   Normal(n, J, damping).solve(dq);
 }
 
-// Whether the Jacobian (columns, lengths in units of the arm) is singular within kSingular.
+// Whether the Jacobian (columns, lengths in units of the arm) is singular within kClosedSingular.
 inline bool is_singular(int n, const double (*J)[6]) {
   double largest = 0;
   for (int i = 0; i < n; ++i) {
@@ -147,7 +140,7 @@ inline bool is_singular(int n, const double (*J)[6]) {
       for (int k = 0; k < 6; ++k) Q[i][k] -= s * Q[best][k];
     }
   }
-  return last <= (3 * kSingular) * (3 * kSingular) * largest;
+  return last <= (3 * kClosedSingular) * (3 * kClosedSingular) * largest;
 }
 
 // The distinct verified solutions of one pose.
@@ -164,36 +157,36 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
   double q[kMaxJoints], error[6], J[kMaxJoints][6];
   for (int i = 0; i < n; ++i) {
     q[i] = candidate[i];
-    if (!(std::fabs(q[i]) < 1e6)) return;
+    if (!(std::fabs(q[i]) < kClosedEndless)) return;
   }
   double miss = missed(chain, T, q, error, J);
-  if (!(miss < kHopeless)) return;
-  double damping = 1e-15;
-  for (int i = 0; i < 12 && miss > 4e-15; ++i) {
+  if (!(miss < kClosedHopeless)) return;
+  double damping = kClosedDamping;
+  for (int i = 0; i < 12 && miss > kClosedPolished; ++i) {
     double dq[kMaxJoints], trial[kMaxJoints], e2[6], J2[kMaxJoints][6];
     damped_step(n, error, J, damping, dq);
     double largest = 0;
     for (int k = 0; k < n; ++k) largest = std::fmax(largest, std::fabs(dq[k]));
-    double shrink = largest > 0.3 ? 0.3 / largest : 1;
+    double shrink = largest > kClosedLongestStep ? kClosedLongestStep / largest : 1;
     for (int k = 0; k < n; ++k) trial[k] = q[k] + shrink * dq[k];
     double next = missed(chain, T, trial, e2, J2);
     if (next < miss) {
-      bool stalled = next > 0.5 * miss && next < 1e-14;
+      bool stalled = next > 0.5 * miss && next < kClosedStalled;
       miss = next;
       for (int k = 0; k < 6; ++k) error[k] = e2[k];
       for (int k = 0; k < n; ++k) {
         q[k] = trial[k];
         for (int r = 0; r < 6; ++r) J[k][r] = J2[k][r];
       }
-      damping = std::fmax(damping * 1e-2, 1e-15);
+      damping = std::fmax(damping * 1e-2, kClosedDamping);
       if (stalled) break;
     } else {
-      if (miss < 5e-14 || damping > 1) break;
+      if (miss < kClosedGoodEnough || damping > 1) break;
       damping = damping * 1e3;
     }
   }
-  if (!(miss <= kVerified)) {
-    if (miss < 1e-9) found.near_miss = true;
+  if (!(miss <= kClosedVerified)) {
+    if (miss < kClosedNearMiss) found.near_miss = true;
     return;
   }
   for (int i = 0; i < n; ++i)
@@ -207,9 +200,9 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
       middle[i] = q[i] - 0.5 * d;
       apart = std::fmax(apart, std::fabs(d));
     }
-    if (apart < kSame) return;
+    if (apart < kClosedSame) return;
     // in a flat valley (a family, or a root too shallow for double precision) two candidates are one answer
-    if (singular && apart < 0.05 && missed(chain, T, middle, error, J) <= 4e-15 + 2 * miss) {
+    if (singular && apart < kClosedValley && missed(chain, T, middle, error, J) <= kClosedPolished + 2 * miss) {
       found.suspect = true;
       return;
     }

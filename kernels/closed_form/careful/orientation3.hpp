@@ -1,4 +1,5 @@
 // Three revolute axes of which the orientation alone counts; the chain may stand anywhere.
+// Scalar.
 #pragma once
 
 #include "dispatch/geometry.hpp"

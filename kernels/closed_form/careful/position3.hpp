@@ -1,4 +1,5 @@
 // Three joints of any kinds that place the tool's point.
+// Scalar.
 #pragma once
 
 #include "dispatch/geometry.hpp"

@@ -1,5 +1,6 @@
 // A group of three joints and the three beside it for many poses at once: the straight road. A lane in which anything is delicate
 // (a root pair about to merge, a wrist about to line up, a residual above the verified one) is handed to the careful scalar road.
+// A template over the number type: one pose in doubles, many in lanes; its careful twin is scalar.
 #pragma once
 
 #include "chain/row_order.hpp"
