@@ -17,6 +17,7 @@ from closed_form_arms import (
     solver_of,
     wrist_arm,
 )
+from pieper.description.chain_of import chain_of
 from pieper.description.dh import DH, describe
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
