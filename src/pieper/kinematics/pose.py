@@ -13,6 +13,43 @@ FARTHEST = 1e12
 FLIP = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
+#: How other libraries hand out the matrix of a pose: attribute or method, the first that is there.
+_ACCESSORS = (
+    "as_matrix",
+    "homogeneous",
+    "A",
+    "to_matrix",
+    "matrix",
+    "transformation_matrix",
+    "as_transformation_matrix",
+)
+
+
+def as_pose(T: object) -> object:
+    """Return the matrix of a pose that another library holds, anything else unchanged.
+
+    SciPy's RigidTransform, spatialmath's SE3, Pinocchio's SE3 and whatever else hands out a (4, 4) or (N, 4, 4) by one
+    of the usual names, or a `rotation` (3, 3) and a `translation` (3,); lists of such poses too.
+    """
+    if isinstance(T, (np.ndarray, float, int)) or T is None:
+        return T
+    if isinstance(T, (list, tuple)):
+        # numbers and nested lists are left to NumPy
+        return [as_pose(item) for item in T] if T and not isinstance(T[0], (list, tuple, float, int)) else T
+    for name in _ACCESSORS:
+        found = getattr(T, name, None)
+        if found is not None:
+            matrix = found() if callable(found) else found
+            return np.array(matrix, float) if isinstance(matrix, list) else matrix
+    R, p = getattr(T, "rotation", None), getattr(T, "translation", None)
+    if R is not None and p is not None:
+        R, p = (value() if callable(value) else value for value in (R, p))
+        R = as_pose(R)
+        if np.shape(R) == (3, 3) and np.size(p) == 3:
+            return transform(np.asarray(R, float), np.asarray(p, float).reshape(3))
+    return T
+
+
 def checked_pose(T: ArrayLike, what: str = "T", *, batch: bool = False) -> Array:
     """Return poses as float64 with an exact rotation part, or say what is wrong with them.
 
@@ -20,7 +57,7 @@ def checked_pose(T: ArrayLike, what: str = "T", *, batch: bool = False) -> Array
     replaced by the nearest rotation (polar decomposition).
 
     Args:
-        T: (4, 4), or (..., 4, 4) when batch.
+        T: (4, 4), or (..., 4, 4) when batch; or another library's pose, see `as_pose`.
         what: The name to use in messages.
         batch: Whether leading axes are allowed.
 
@@ -31,7 +68,7 @@ def checked_pose(T: ArrayLike, what: str = "T", *, batch: bool = False) -> Array
         InputError: Wrong shape, a number that is not finite, a last row other than 0 0 0 1, not a rotation.
     """
     try:
-        given = np.asarray(T)
+        given = np.asarray(as_pose(T))
         if np.iscomplexobj(given):
             raise InputError(f"{what} must be real, got complex numbers.", given=T)
         pose = np.array(given, dtype=np.float64)

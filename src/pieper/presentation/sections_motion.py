@@ -30,7 +30,7 @@ def scientific(value: float) -> str:
 
 def pose_words(T: np.ndarray) -> str:
     """Return a pose in words: position in mm and, unless it is the identity, roll, pitch, yaw."""
-    from pieper.description.orientation import rpy_of
+    from pieper.kinematics.orientation import rpy_of
 
     p = ", ".join(fixed(v * MM, 2) for v in T[:3, 3])
     if np.allclose(T[:3, :3], np.eye(3), atol=1e-12):

@@ -210,6 +210,19 @@ class Solutions:
         rows = np.array(candidates)
         return rows[np.argmin(joints.straight(rows, now))]
 
+    def nearest_row(self, q_now: ArrayLike) -> tuple[int, Array]:
+        """Return which row of q is closest to q_now, and that row (n,) with whole turns resolved inside the limits.
+
+        Raises:
+            NoSolutionError: No solution lies inside the limits; the message says why.
+        """
+        joints, now = self._plan.chain.joints, checked_joints(q_now, self._plan.n, "q_now")
+        if not len(self.q):
+            raise NoSolutionError(f"there is no solution to be near to: {self.why}", status=self.status)
+        rows = joints.unwound(self.q, now, self._plan.limits)
+        row = int(np.argmin(joints.straight(rows, now)))
+        return row, rows[row]
+
     def __repr__(self) -> str:
         # what has not been traced stays so: printing an object never solves anything
         traced = not callable(self._self_motions) or len(self.q) > 0 or self.flag & _UNCERTAIN

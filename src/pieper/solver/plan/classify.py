@@ -10,7 +10,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import look, snapped
 from pieper.solver.families import choose, tier
-from pieper.solver.families.spec import KernelSpec
+from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import without_far_ends
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import (

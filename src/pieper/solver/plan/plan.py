@@ -16,7 +16,7 @@ from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import Geometry
 from pieper.kinematics.newton import missed
 from pieper.kinematics.pose import pose_error
-from pieper.solver.families.spec import KernelSpec
+from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import SixJointSolver, without_far_ends
 from pieper.solver.plan.cuspidal import Cuspidal, never, search
 from pieper.solver.plan.prepared import UNLIMITED, Prepared

@@ -6,7 +6,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.newton import singular_values
-from pieper.solver.families import ELIMINATING
+from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.solver.singular.examine import Examined, examine, side_steps
 from pieper.tolerances import CLEARLY_REGULAR, SAME_AFTER_CUT
@@ -30,7 +30,7 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     """
     full = plan.exact.full
     # closed forms lose nothing next to a self-motion: only what an elimination gives is searched for more
-    hiding = plan.family in ELIMINATING
+    hiding = named(plan.family).eliminating
     if full.n == plan.n:
         return examine(full, T, rows, lambda poses: near_rows(plan, poses), plan.limits, plan.names, hiding=hiding)
     # values of the virtual joints are not known of given rows: all are solved for again
@@ -70,7 +70,7 @@ def clear(plan: Plan, rows: Array) -> bool:
     nearly singular, and there clear rows say nothing about those that it may have lost; nor do they where a virtual
     joint that must be zero may be free.
     """
-    six_alone = plan.task == "pose" and not plan.reduction.fill and plan.family not in ELIMINATING
+    six_alone = plan.task == "pose" and not plan.reduction.fill and not named(plan.family).eliminating
     if not six_alone or not len(rows) or len(rows) % 2:
         return False
     s = singular_values(plan.chain, rows)

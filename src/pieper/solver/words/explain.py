@@ -2,48 +2,14 @@
 
 from __future__ import annotations
 
+from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.words_by_number import plural
-
-FAMILY_WORDS = {
-    "spherical_wrist_parallel": (
-        "a spherical wrist and parallel second and third axes",
-        "The wrist centre fixes the first three joints: two ways to face it, two ways to bend the elbow. The last "
-        "three then turn the tool, in two ways.",
-    ),
-    "spherical_wrist": (
-        "three neighbouring axes that meet in one point",
-        "The point where they meet depends on the other three joints alone: a positioning problem with at most four "
-        "solutions. The three meeting axes then turn the tool, in at most two ways each.",
-    ),
-    "three_parallel": (
-        "three neighbouring parallel axes",
-        "The parallel joints move within a plane; what happens across that plane fixes the other joints, and a "
-        "two-link triangle in it fixes the three.",
-    ),
-    "offset_wrist": (
-        "parallel second and third axes and a wrist of which only two neighbouring axes meet",
-        "With the last joint's angle chosen, the point where axes 4 and 5 meet is known, and with it shoulder and "
-        "elbow: two sides, two shapes of the triangle. That axes 4 and 5 meet under their own angle is then one "
-        "equation for the last joint, a trigonometric polynomial, of which every real root is isolated.",
-    ),
-    "two_slides": (
-        "two sliding joints, which turn nothing, so that the four turning ones alone make the orientation",
-        "With the angle of one turning joint chosen, the other three follow like a wrist, in two ways; the slides must "
-        "undo what is then left along their two directions. That is one equation for the chosen angle, a "
-        "trigonometric polynomial, of which every real root is isolated.",
-    ),
-    "general": (
-        "no special arrangement that a closed form could use",
-        "Five of the six joints are eliminated (Raghavan and Roth, 1993); the roots of the remaining equation, of "
-        "degree sixteen at most, are found as eigenvalues, and each gives the other joints.",
-    ),
-}
 
 
 def explain(plan: Plan) -> str:
     """Tell how an arm is solved and why, as a teacher would."""
-    geometry, words = FAMILY_WORDS[plan.family]
+    family = named(plan.family)
     lines = [f"{plan.name}: {plan.n} joints ({''.join('P' if p else 'R' for p in plan.prismatic)}), task: {plan.task}."]
     lines += ["", "What the axes do:"]
     lines += [f"  {sentence}" for sentence in plan.geometry.sentences(plan.names)]
@@ -73,7 +39,7 @@ def explain(plan: Plan) -> str:
         )
     if steps:
         lines += ["", "Made a six-joint problem: " + "; ".join(steps) + "."]
-    lines += ["", f"Solved by: {plan.family.replace('_', ' ')}, for {geometry}.", f"  {words}"]
+    lines += ["", f"Solved by: {plan.family.replace('_', ' ')}, for {family.arrangement}.", f"  {family.words}"]
     lines += [
         f"  At most {plan.max_solutions} solutions a pose"
         + (" and choice of the spare joints." if plan.redundancy else ".")
