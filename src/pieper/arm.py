@@ -14,6 +14,7 @@ from pieper.description.coupling import chain_values
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
 from pieper.description.posture import posture
+from pieper.errors import PlanError
 from pieper.kinematics import forward
 from pieper.solver import verbs as solve
 from pieper.solver.plan.plan import Plan, make_plan
@@ -242,6 +243,12 @@ class Arm:
             InputError: The task is unknown.
             PlanError: The arm cannot have the task, or is beyond the solver; the message names the geometry found.
         """
+        if self.description.coupling is not None:
+            raise PlanError(
+                f"{self.name} has coupled joints, which the inverse does not take yet; forward kinematics, frames and "
+                "Jacobian do.",
+                coupling=self.description.coupling,
+            )
         key = "default" if task is None else str(task)
         if key not in self._plans:
             self._plans[key] = make_plan(self.chain, self.description, task=task, snap=self._snap)
@@ -307,6 +314,9 @@ class Arm:
     def symbolic(self):
         """The arm's equations: `.fk()`, `.jacobian()`, `.singularities()`, `.ik()`."""
         from pieper.equations import Symbolic
+
+        if self.description.coupling is not None:
+            raise PlanError(f"{self.name} has coupled joints; equations are written of the chain's own joints only.")
 
         return Symbolic(self)
 

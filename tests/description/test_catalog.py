@@ -92,17 +92,26 @@ def test_the_seed_003_postures_are_told_in_controller_angles():
 @pytest.mark.parametrize(
     ("typed", "meant"),
     [
-        ("denso-vp6224", "denso-vp6242"),
         ("DENSO VP6242", "denso-vp6242"),
         ("ur5e", "universal-robots-ur5e"),
+        ("ur5", "universal-robots-ur5"),
         ("panda", "franka-panda"),
         ("iiwa", "kuka-lbr-iiwa-14-r820"),
         ("puma560", "unimation-puma-560"),
     ],
 )
-def test_an_unknown_name_gets_the_nearest_ones(typed, meant):
-    with pytest.raises(InputError, match=f"no arm.*{meant}"):
-        catalog.load(typed)
+def test_a_part_that_fits_one_arm_is_enough(typed, meant):
+    assert catalog.load(typed).name == catalog.load(meant).name
+
+
+def test_a_part_that_fits_several_lists_them():
+    with pytest.raises(InputError, match="may be .*fanuc-m-10ia.*say which"):
+        catalog.load("fanuc")
+
+
+def test_an_unknown_name_gets_the_nearest_ones():
+    with pytest.raises(InputError, match="no arm.*denso-vp6242"):
+        catalog.load("denso-vp6224")
 
 
 def test_a_name_cannot_lead_out_of_the_catalogue():
