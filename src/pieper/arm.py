@@ -5,23 +5,23 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
+from pieper.description import change
 from pieper.description.coupling import chain_values
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
 from pieper.description.posture import posture
 from pieper.errors import PlanError
 from pieper.kinematics import forward
-from pieper.solver import verbs as solve
-from pieper.solver.plan.plan import Plan, make_plan
-
-if TYPE_CHECKING:
-    from pieper.motion.track import Track
-    from pieper.solver.results import SolutionBatch, Solutions
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
+from pieper.motion.track import Track, follow
+from pieper.solver import verbs
+from pieper.solver.plan.classify import make_plan
+from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant.choice import Redundancy, read_arm_angle
+from pieper.solver.results import SolutionBatch, Solutions
 
 
 class Arm:
@@ -46,8 +46,8 @@ class Arm:
         convention: str,
         joint_types: str | None = None,
         limits: Sequence | None = None,
-        base: np.ndarray | None = None,
-        tool: np.ndarray | None = None,
+        base: Array | None = None,
+        tool: Array | None = None,
         name: str = "arm",
         joint_names: Sequence[str] | None = None,
         sign: Sequence[float] | None = None,
@@ -144,12 +144,12 @@ class Arm:
         return self.description.joint_types
 
     @property
-    def limits(self) -> np.ndarray:
+    def limits(self) -> Array:
         """(n, 2) lower and upper limits, rad or m; infinite where there is none."""
         return self.description.limits
 
     @property
-    def coupling(self) -> np.ndarray:
+    def coupling(self) -> Array:
         """(n, n): values of the chain's joints = coupling @ joint values; the identity where no joint is coupled."""
         return np.eye(self.n) if self.description.coupling is None else self.description.coupling
 
@@ -159,21 +159,21 @@ class Arm:
         return self.description.remarks
 
     @property
-    def postures(self) -> dict[str, np.ndarray]:
+    def postures(self) -> dict[str, Array]:
         """Named joint vectors (n,), "zero" among them; wherever a joint vector goes, such a name does."""
         return {"zero": np.zeros(self.n)} | {name: np.array(q) for name, q in self.description.postures.items()}
 
     @property
-    def base(self) -> np.ndarray:
+    def base(self) -> Array:
         """(4, 4) pose of the DH table's first frame."""
         return self.description.base
 
     @property
-    def tool(self) -> np.ndarray:
+    def tool(self) -> Array:
         """(4, 4) pose of the tool in the DH table's last frame."""
         return self.description.tool
 
-    def fk(self, q: ArrayLike | str) -> np.ndarray:
+    def fk(self, q: ArrayLike | str) -> Array:
         """Return the tool poses (..., 4, 4) in the base frame of joint vectors q (..., n), rad or m, or of a posture.
 
         Raises:
@@ -181,11 +181,11 @@ class Arm:
         """
         return forward.fk(self.chain, self._values(q))
 
-    def frames(self, q: ArrayLike | str) -> np.ndarray:
+    def frames(self, q: ArrayLike | str) -> Array:
         """Return the frames (..., n + 2, 4, 4) of q (..., n): base, the DH frame after each joint, tool."""
         return forward.frames(self.chain, self._values(q), self.description.base)
 
-    def jacobian(self, q: ArrayLike | str) -> np.ndarray:
+    def jacobian(self, q: ArrayLike | str) -> Array:
         """Return the geometric Jacobians (..., 6, n) of q (..., n): tool point, base frame, linear rows first."""
         J = forward.jacobian(self.chain, self._values(q))
         return J if self.description.coupling is None else J @ self.description.coupling
@@ -204,32 +204,27 @@ class Arm:
 
     def with_tool(self, tool: object) -> Arm:
         """Return the arm with another tool: a pose in the table's last frame, or the name of one of its tools."""
-        return self._changed("with_tool", tool)
+        return Arm(change.with_tool(self.description, tool), snap=self._snap)
 
     def with_base(self, base: object) -> Arm:
         """Return the arm whose DH table begins at another pose."""
-        return self._changed("with_base", base)
+        return Arm(change.with_base(self.description, base), snap=self._snap)
 
     def with_limits(self, limits: Mapping[str, Sequence[float | None] | None]) -> Arm:
         """Return the arm with other limits: joint name -> (lower, upper), rad or m, None for none."""
-        return self._changed("with_limits", limits)
+        return Arm(change.with_limits(self.description, limits), snap=self._snap)
 
     def with_joints_locked(self, values: Mapping[str, float]) -> Arm:
         """Return the arm with some joints held: joint name -> value, rad or m. The others keep their numbers."""
-        return self._changed("with_joints_locked", values)
+        return Arm(change.with_joints_locked(self.description, values), snap=self._snap)
 
     def to(self, convention: str) -> Arm:
         """Return the same arm with its table in the "standard" or "modified" DH convention."""
-        return self._changed("to_convention", convention)
+        return Arm(change.to_convention(self.description, convention), snap=self._snap)
 
     def reversed(self) -> Arm:
         """Return the arm seen from its tool, joints last to first: its pose is the inverse of this one's."""
-        return self._changed("reversed_arm")
-
-    def _changed(self, how: str, *said: object) -> Arm:
-        from pieper.description import change
-
-        return Arm(getattr(change, how)(self.description, *said), snap=self._snap)
+        return Arm(change.reversed_arm(self.description), snap=self._snap)
 
     @property
     def plan(self) -> Plan:
@@ -254,7 +249,7 @@ class Arm:
             self._plans[key] = make_plan(self.chain, self.description, task=task, snap=self._snap)
         return self._plans[key]
 
-    def ik(self, T: object, *, task: str | None = None, redundancy: object = None) -> Solutions:
+    def ik(self, T: ArrayLike, *, task: str | None = None, redundancy: Redundancy = None) -> Solutions:
         """Return every solution of a pose.
 
         Args:
@@ -267,10 +262,10 @@ class Arm:
         Raises:
             InputError: T is not a pose, or the redundancy value is impossible.
         """
-        return solve.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
+        return verbs.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
 
     def ik_many(
-        self, Ts: object, *, threads: int | None = None, task: str | None = None, redundancy: object = None
+        self, Ts: ArrayLike, *, threads: int | None = None, task: str | None = None, redundancy: Redundancy = None
     ) -> SolutionBatch:
         """Return every solution of N poses.
 
@@ -280,9 +275,9 @@ class Arm:
             task: As in `ik`.
             redundancy: As in `ik`, one value or one a pose.
         """
-        return solve.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
+        return verbs.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
 
-    def closest(self, T: object) -> tuple[np.ndarray, float, float]:
+    def closest(self, T: ArrayLike) -> tuple[Array, float, float]:
         """Return the posture (n,) that comes closest to a pose, limits aside, and what is missing, m and rad.
 
         Position gives way before orientation. The search begins at random places: a nearer posture may exist.
@@ -293,7 +288,7 @@ class Arm:
         q, metres, radians = nearest_reachable(self.plan.reduction.full, checked_pose(T))
         return q[: self.n], metres, radians
 
-    def arm_angle(self, q: object) -> tuple[np.ndarray, np.ndarray]:
+    def arm_angle(self, q: ArrayLike) -> tuple[Array, Bools]:
         """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
 
         `ik(T, redundancy={"arm angle": value})` solves for one. An undefined angle is given as zero; where that is so
@@ -302,13 +297,11 @@ class Arm:
         Raises:
             InputError: The arm has no arm angle; the message says why.
         """
-        return solve.read_arm_angle(self.plan_for("pose"), q)
+        return read_arm_angle(self.plan_for("pose"), q)
 
-    def follow(self, path: object, *, start: object) -> Track:
+    def follow(self, path: ArrayLike, *, start: ArrayLike | None = None) -> Track:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
-        from pieper.motion.track import follow
-
-        return follow(self, path, start=start)
+        return follow(self.plan, path, start=start)
 
     @cached_property
     def symbolic(self):

@@ -7,13 +7,14 @@ import warnings
 import numpy as np
 
 from pieper.errors import InputError, PieperWarning
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.chain import Chain
 
 #: Angles beyond this (rad) are taken, with a warning: eight turns, and few degrees of a usual posture are below it.
 DEGREES_LIKELY = 50.0
 
 
-def checked_joints(q: object, n: int, what: str = "q", prismatic: np.ndarray | None = None) -> np.ndarray:
+def checked_joints(q: ArrayLike, n: int, what: str = "q", prismatic: Bools | None = None) -> Array:
     """Return joint vectors (..., n) as float64 or say what is wrong with them.
 
     Args:
@@ -50,16 +51,16 @@ def _look_closer(joints: np.ndarray, what: str, prismatic: np.ndarray | None) ->
         )
 
 
-def fk(chain: Chain, q: object) -> np.ndarray:
+def fk(chain: Chain, q: ArrayLike) -> Array:
     """Return the tool poses (..., 4, 4) of joint vectors q (..., n)."""
     return chain.native.fk(checked_joints(q, chain.n, prismatic=chain.prismatic))
 
 
-def frames(chain: Chain, q: object, base: np.ndarray) -> np.ndarray:
+def frames(chain: Chain, q: ArrayLike, base: Array) -> Array:
     """Return the frames (..., n + 2, 4, 4): base, the DH frame after each joint, tool."""
     return chain.native.frames(checked_joints(q, chain.n, prismatic=chain.prismatic), base)
 
 
-def jacobian(chain: Chain, q: object) -> np.ndarray:
+def jacobian(chain: Chain, q: ArrayLike) -> Array:
     """Return the geometric Jacobians (..., 6, n) of the tool point in the base frame, linear rows first."""
     return chain.native.jacobian(checked_joints(q, chain.n, prismatic=chain.prismatic))
