@@ -80,3 +80,10 @@ def test_many_poses_in_one_object_are_understood():
 def test_what_is_no_pose_is_refused(what):
     with pytest.raises(InputError, match="T must"):
         checked_pose(what)
+
+
+def test_millimetres_where_metres_are_meant_get_a_warning(recwarn):
+    arm = pieper.load("universal-robots-ur5e")
+    assert not len(arm.ik(pieper.pose(3, 0, 0))) and not recwarn
+    with pytest.warns(pieper.PieperWarning, match="500.1 m away.*millimetres"):
+        arm.ik(pieper.pose(500, 10, 0))
