@@ -72,6 +72,7 @@ class Num(Expr):
     """
 
     __slots__ = ("value", "written")
+    op = "num"
 
     def __init__(self, value: Any, written: str = "") -> None:
         self.value, self.written = Fraction(value), written
@@ -90,6 +91,7 @@ class PiFraction(Expr):
     """A rational multiple of pi."""
 
     __slots__ = ("value",)
+    op = "pi"
 
     def __init__(self, value: Any) -> None:
         self.value = Fraction(value)
@@ -108,6 +110,7 @@ class Sym(Expr):
     """
 
     __slots__ = ("base", "sub", "rank", "order", "name")
+    op = "sym"
     _pool: dict = {}
     base: str
     sub: str
@@ -146,6 +149,7 @@ class Trig(Expr):
     """
 
     __slots__ = ("kind", "angle", "group", "letter", "rank", "order")
+    op = "trig"
     _pool: dict = {}
     kind: str
     angle: tuple[tuple[int, int], ...]
@@ -183,7 +187,7 @@ class Trig(Expr):
 class Operation(Expr):
     """A node with arguments."""
 
-    __slots__ = ("args", "_typed")
+    __slots__ = ("args",)
 
     def __init__(self, *args: Expr) -> None:
         self.args = args
@@ -191,18 +195,12 @@ class Operation(Expr):
     def rebuilt(self, args):
         return type(self)(*args)
 
-    def __str__(self) -> str:
-        try:
-            return self._typed
-        except AttributeError:
-            self._typed = super().__str__()
-            return self._typed
-
 
 class Add(Operation):
     """A sum, in the order it is to be read."""
 
     __slots__ = ()
+    op = "sum"
     precedence = 1
 
     @classmethod
@@ -225,6 +223,7 @@ class Mul(Operation):
     """A product, in the order it is to be read."""
 
     __slots__ = ()
+    op = "product"
     precedence = 2
 
     @classmethod
@@ -247,6 +246,7 @@ class Div(Operation):
     """A quotient."""
 
     __slots__ = ()
+    op = "quotient"
     precedence = 3
 
     def combined(self, v, field, branch):
@@ -257,6 +257,7 @@ class Power(Operation):
     """A power; derived formulas have whole-number powers only."""
 
     __slots__ = ()
+    op = "power"
     precedence = 4
 
     @property
@@ -280,6 +281,7 @@ class Call(Operation):
     """A function of expressions: sqrt, atan2, acos, sgn."""
 
     __slots__ = ("name",)
+    op = "call"
 
     def __init__(self, name: str, *args: Any) -> None:
         super().__init__(*map(as_expr, args))

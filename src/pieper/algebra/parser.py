@@ -157,7 +157,7 @@ class Parser:
             inner = self._term()
             self.depth -= 1
             return PlusMinus(inner, 1 if text.startswith("+") else -1)
-        factors = [self._power()]
+        factors: list[Expr] = [self._power()]
         while True:
             kind, text, position = self._peek()
             if text == "*":

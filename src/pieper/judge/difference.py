@@ -10,7 +10,8 @@ import numpy as np
 
 from pieper.algebra.arithmetics import DigitsField, SympyField
 from pieper.algebra.expression import Call, Expr
-from pieper.algebra.formula import TURNS, Equation, has_branch, is_call, joint_sum
+from pieper.algebra.formula import Equation, has_branch, is_call
+from pieper.algebra.notation import TURNS, joint_sum
 from pieper.judge.model import POSE_NAMES, ArmModel, decimal
 from pieper.judge.samples import Samples
 

@@ -66,7 +66,8 @@ def parse_product(text: str, joints: int) -> Product:
         m = _PIECE.match(text, at)
         if not m:
             raise InputError(f"this is no product of matrices:\n  {source}\n  {' ' * at}^", text=source, position=at)
-        pieces.append((m.lastgroup, m.group(m.lastgroup), m.start(m.lastgroup)))
+        kind = m.lastgroup or ""
+        pieces.append((kind, m.group(kind), m.start(kind)))
         at = m.end()
 
     def fail(position: int, message: str):
@@ -74,7 +75,8 @@ def parse_product(text: str, joints: int) -> Product:
 
     entry = None
     if pieces and pieces[-1][0] == "entry":
-        entry = tuple(int(d) for d in re.findall(r"\d", pieces[-1][1]))
+        row, column = re.findall(r"\d", pieces[-1][1])
+        entry = int(row), int(column)
         if not (1 <= entry[0] <= 4 and 1 <= entry[1] <= 4):
             raise fail(pieces[-1][2], f"a pose has rows and columns 1 to 4, not {entry}")
         pieces.pop()
@@ -133,10 +135,9 @@ def check_name(word: str, joints: int, fail):
 
 def value_of(product: Product, frames: dict[str, np.ndarray]) -> np.ndarray:
     """Evaluate a product at all samples, (K, 4, 4), (K, 3, 3) or (K, 3); with an entry, (K,)."""
-    total = None
-    for term in product.terms:
-        value = _chain(term, frames)
-        total = value if total is None else total + value
+    total = _chain(product.terms[0], frames)
+    for term in product.terms[1:]:
+        total = total + _chain(term, frames)
     if product.entry is None:
         return total
     row, column = product.entry
@@ -148,7 +149,7 @@ def value_of(product: Product, frames: dict[str, np.ndarray]) -> np.ndarray:
 
 
 def _chain(factors: tuple[Factor, ...], frames) -> np.ndarray:
-    out = None
+    out: np.ndarray | None = None
     for factor in factors:
         M = _named(factor.name, frames) if factor.name else _chain(factor.inside, frames)
         if factor.inverse:
@@ -164,6 +165,7 @@ def _chain(factors: tuple[Factor, ...], frames) -> np.ndarray:
                 raise InputError(
                     f"{' '.join(map(str, factors))}: a {out.shape[1:]} and a {M.shape[1:]} matrix cannot be multiplied"
                 ) from None
+    assert out is not None  # a term has a factor at least
     return out
 
 
