@@ -128,6 +128,9 @@ class Sym(Expr):
             found.order = (rank, base if rank != 4 else {"p": "0", "w": "0"}.get(base, base), natural(sub))
         return found
 
+    def __reduce__(self):
+        return Sym, (self.base, self.sub, self.rank)
+
     def looked_up(self, values, field):
         try:
             return values[self]
@@ -166,6 +169,9 @@ class Trig(Expr):
             found.kind, found.angle, found.group, found.letter, found.rank = kind, angle, group, letter, 3
             found.order = (3, group, len(angle), angle, kind)
         return found
+
+    def __reduce__(self):
+        return Trig, (self.kind, self.angle, self.group, self.letter)
 
     def argument(self) -> tuple:
         """((factor, symbol), ...) of the angle."""

@@ -26,6 +26,9 @@ class Mention(Sym):
         found.order = (1, found.base, natural(found.sub))
         return found
 
+    def __reduce__(self):
+        return Mention, (self.name,)
+
     def looked_up(self, values, field):
         return values[self.name]
 

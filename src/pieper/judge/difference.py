@@ -40,9 +40,9 @@ class _Polynomials(SympyField):
         return c, s
 
     def factored(self, total: Any, longest: int) -> str:
-        """The expanded polynomial in factors; "" when it has too many terms to be of use."""
+        """The expanded polynomial in factors; "" when it has too many terms to be of use, or no value."""
         total = self.sympy.expand(total)
-        if len(self.sympy.Add.make_args(total)) > longest:
+        if len(self.sympy.Add.make_args(total)) > longest or total.has(self.sympy.zoo, self.sympy.nan):
             return ""
         return str(self.sympy.factor(total)).replace("**", "^").replace("*", " ")
 
