@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper import _kernel
 from pieper.description.dh import DH, describe
+from pieper.description.fold import chain_of
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import look
 from pieper.solver.families import spherical_wrist_parallel as family
@@ -15,7 +16,7 @@ from pieper.solver.families import spherical_wrist_parallel as family
 
 def arm(a, alpha, d, theta=(0,) * 6, **rest) -> Chain:
     rows = [DH(a=w, alpha=x, d=y, theta=z) for w, x, y, z in zip(a, alpha, d, theta, strict=True)]
-    return Chain.from_description(describe(rows, convention="standard", **rest))
+    return chain_of(describe(rows, convention="standard", **rest))
 
 
 def placed(seed: int) -> np.ndarray:
@@ -64,8 +65,5 @@ def specification(chain: Chain):
 
 
 def solver(chain: Chain, limits: np.ndarray | None = None) -> _kernel.Solver:
-    spec = specification(chain)
     limits = np.tile([-np.inf, np.inf], (6, 1)) if limits is None else np.asarray(limits, float)
-    return _kernel.Solver(
-        spec.kind, 6, spec.max_solutions, spec.params, spec.iparams, limits[:, 0], limits[:, 1], chain.prismatic
-    )
+    return specification(chain).solver(limits, chain.prismatic)

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pieper.description import catalog, robotfile, robottext
+from pieper.description import catalog, robotfile, wholefile
 from pieper.errors import InputError
 from tests.description.robotfile_samples import EXAMPLES, TWO_JOINTS, same
 
@@ -137,7 +137,7 @@ def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(file, monkeyp
 
 def test_the_permissions_of_a_rewritten_file_stay(file):
     file.chmod(0o640)
-    robottext.replace_file(file, TWO_JOINTS)
+    wholefile.replace_file(file, TWO_JOINTS)
     assert file.stat().st_mode & 0o777 == 0o640
 
 

@@ -1,10 +1,10 @@
-"""A verdict on one claim and a report of many, with their forms for people and machines."""
+"""A verdict on one claim and a judgement of many, with their forms for people and machines."""
 
 from __future__ import annotations
 
 import html
 import json
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 
 HOLDS, PARTLY, WRONG = "holds", "holds only in part", "wrong"
 _MARK = {HOLDS: "holds", PARTLY: "PARTLY", WRONG: "WRONG"}
@@ -21,7 +21,7 @@ class Verdict:
         status: "holds", "holds only in part" or "wrong".
         sentence: the verdict in one sentence, with its number.
         details: further lines, (heading, text): counter-example, difference, nearest right reading, slip, what was
-        tried.
+            tried.
         slip: the kind of the one slip that explains a wrong claim, "" when there is none.
         reading: the nearest right reading as a formula, "" when none was found.
         digits: number of digits to which the claim holds, None where that means nothing.
@@ -47,9 +47,19 @@ class Verdict:
         """Say whether the claim holds without reserve."""
         return self.status == HOLDS
 
+    @property
+    def partly(self) -> bool:
+        """Say whether the claim holds only in part."""
+        return self.status == PARTLY
+
+    @property
+    def wrong(self) -> bool:
+        """Say whether the claim is wrong."""
+        return self.status == WRONG
+
 
 @dataclass(frozen=True)
-class Report:
+class Judgement:
     """The verdicts of one claims file, in its order.
 
     Attributes:
@@ -65,7 +75,6 @@ class Report:
     arms: tuple[str, ...]
     verdicts: tuple[Verdict, ...]
     notes: str = ""
-    settings: dict = field(default_factory=dict)
 
     @property
     def ok(self) -> bool:
@@ -88,7 +97,7 @@ class Report:
         return f"{len(self.verdicts)} claims: {c[HOLDS]} hold, {c[PARTLY]} hold only in part, {c[WRONG]} are wrong."
 
     def text(self) -> str:
-        """Return the report as plain text."""
+        """Return the judgement as plain text."""
         lines = [
             self.title,
             "=" * len(self.title),
@@ -108,7 +117,7 @@ class Report:
         return "\n".join(lines)
 
     def markdown(self) -> str:
-        """Return the report as Markdown, a table of verdicts first and every claim after it."""
+        """Return the judgement as Markdown, a table of verdicts first and every claim after it."""
         lines = [f"# {self.title}", ""]
         lines += [self.source, ""] if self.source else []
         lines += [f"- {a}" for a in self.arms] + [""]
@@ -127,7 +136,7 @@ class Report:
         return "\n".join(lines).rstrip() + "\n"
 
     def html(self) -> str:
-        """Return the report as an HTML fragment."""
+        """Return the judgement as an HTML fragment."""
         e = html.escape
         rows = "".join(
             f'<tr class="{v.status.split()[0]}"><td>{e(v.id)}</td><td>{e(v.about)}</td><td>{e(v.status)}</td></tr>'
@@ -146,7 +155,7 @@ class Report:
         return "".join(parts) + "</section>"
 
     def json(self) -> str:
-        """Return the report as JSON."""
+        """Return the judgement as JSON."""
         return json.dumps(
             {
                 "title": self.title,

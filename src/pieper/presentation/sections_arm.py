@@ -139,7 +139,7 @@ def _variable(arm: Arm, i: int) -> str:
 
 
 def _turned(T: np.ndarray) -> str:
-    from pieper.description.orientation import rpy_of
+    from pieper.kinematics.orientation import rpy_of
 
     angles = np.degrees(rpy_of(T[:3, :3]))
     if np.abs(angles).max() < 1e-12:
@@ -155,14 +155,15 @@ def add_plan(page: Document, arm: Arm) -> None:
     except PieperError as error:
         page.add(str(error))
         return
-    from pieper.solver.words.why import FAMILY_WORDS
+    from pieper.solver.families import named
 
-    geometry, words = FAMILY_WORDS.get(plan.family, ("its own geometry", ""))
+    family = named(plan.family)
     page.add("What matters for the inverse is which neighbouring axes are parallel or meet:")
     page.add(Lines(tuple(plan.geometry.sentences(plan.names))))
     spare = f" The arm has joints to spare: {', '.join(plan.redundancy)} is chosen freely." if plan.redundancy else ""
     page.add(
-        f"That makes it an arm with {geometry}. {words} A pose has at most {plan.max_solutions} solutions"
+        f"That makes it an arm with {family.arrangement}. {family.words} "
+        f"A pose has at most {plan.max_solutions} solutions"
         f"{' for a chosen value of the spare joint' if plan.redundancy else ''}.{spare}"
     )
 

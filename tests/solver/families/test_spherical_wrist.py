@@ -11,7 +11,7 @@ from oracle.arms.chains import wrist_arm
 from oracle.joints import difference, near_singular, random_joints, scaled
 from oracle.native import missed, newton_solutions, solver_of
 from pieper.description.dh import DH, describe
-from pieper.kinematics.chain import Chain
+from pieper.description.fold import chain_of
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
 from pieper.solver.families import spherical_wrist
@@ -82,7 +82,7 @@ def test_a_cylindrical_arm_reaches_its_column_from_both_sides(distance):
     description = describe(
         [DH(a=a, alpha=alpha, d=d) for a, alpha, d in rows], convention="standard", joint_types="RPPRRR"
     )
-    chain = Chain.from_description(description)
+    chain = chain_of(description)
     solver = solver_of(spherical_wrist, chain)
     rng = np.random.default_rng(4)
     for _ in range(40):

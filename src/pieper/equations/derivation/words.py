@@ -172,7 +172,7 @@ def _failures(page: Page, form: ClosedForm, step: Step):
         )
     if step.merge is not None:
         inner = step.merge.args[0] if isinstance(step.merge, Call) and step.merge.name == "sqrt" else step.merge
-        real = isinstance(inner, Add) and all(isinstance(t, Power) and t.power == 2 for t in inner.terms)
+        real = isinstance(inner, Add) and all(isinstance(t, Power) and t.power == 2 for t in inner.args)
         page.paragraph(
             "The two branches meet where ",
             inner,
@@ -182,7 +182,7 @@ def _failures(page: Page, form: ClosedForm, step: Step):
 
 
 def _leads_negative(expr) -> bool:
-    from pieper.algebra.expression import negative
+    from pieper.algebra.notation import negative
 
     return negative(expr)
 
