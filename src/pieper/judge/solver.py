@@ -13,7 +13,8 @@ from pieper.description import catalog, robotfile, urdf
 from pieper.description.dh import Description
 from pieper.description.fold import chain_of
 from pieper.solver import verbs
-from pieper.solver.plan.plan import Plan, make_plan
+from pieper.solver.plan.classify import make_plan
+from pieper.solver.plan.plan import Plan
 
 
 def opened(source: str | os.PathLike) -> Description:

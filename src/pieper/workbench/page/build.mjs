@@ -18,10 +18,11 @@ const onlyWoff2 = {
 };
 
 const limit = 2.5e6;
-await rm('dist', { recursive: true, force: true });
+const out = process.argv[2] ?? 'dist';
+await rm(out, { recursive: true, force: true });
 await build({
   entryPoints: { door: 'src/door.mjs', app: 'src/main.mjs', page: 'src/style/page.css' },
-  outdir: 'dist',
+  outdir: out,
   bundle: true,
   format: 'esm',
   splitting: true,
@@ -34,14 +35,14 @@ await build({
   plugins: [onlyWoff2],
   logLevel: 'warning',
 });
-await copyFile('src/index.html', 'dist/index.html');
-await copyFile('src/icon.svg', 'dist/icon.svg');
+await copyFile('src/index.html', join(out, 'index.html'));
+await copyFile('src/icon.svg', join(out, 'icon.svg'));
 
 const sizes = await Promise.all(
-  (await readdir('dist', { recursive: true, withFileTypes: true }))
+  (await readdir(out, { recursive: true, withFileTypes: true }))
     .filter((f) => f.isFile())
     .map(async (f) => (await stat(join(f.parentPath, f.name))).size),
 );
 const total = sizes.reduce((a, b) => a + b, 0);
-console.log(`dist: ${sizes.length} files, ${(total / 1e6).toFixed(2)} MB`);
-if (total > limit) throw new Error(`dist weighs ${total} bytes, more than ${limit}`);
+console.log(`${out}: ${sizes.length} files, ${(total / 1e6).toFixed(2)} MB`);
+if (total > limit) throw new Error(`${out} weighs ${total} bytes, more than ${limit}`);
