@@ -73,7 +73,9 @@ def types() -> list[str]:
 def kernels() -> list[str]:
     sources = tracked("kernels/*.hpp", "kernels/*.cpp", "oracle/*.cpp")
     _, said = run("clang-format", "--dry-run", "--ferror-limit=1", *sources)
-    return sorted({line.split(":")[0] for line in said.splitlines() if "warning: code should be clang-formatted" in line})
+    return sorted(
+        {line.split(":")[0] for line in said.splitlines() if "warning: code should be clang-formatted" in line}
+    )
 
 
 def node() -> None:
