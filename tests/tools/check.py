@@ -3,7 +3,8 @@
 Usage: python -m tests.tools.check [--only NAME ...]
 
 Where a check does not hold everywhere yet, allowed.json has the number of complaints that stand; it may only shrink,
-and the line says when it can be lowered. What needs Node says so and is left out where there is none.
+and the line says when it can be lowered; null counts only, until a first number is written down. What needs Node says
+so and is left out where there is none.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "src" / "pieper" / "workbench" / "page"
-ALLOWED: dict[str, int] = json.loads(Path(__file__).with_name("allowed.json").read_text())
+ALLOWED: dict[str, int | None] = json.loads(Path(__file__).with_name("allowed.json").read_text())
 BIN = Path(sys.executable).parent
 
 
@@ -141,6 +142,11 @@ def told(name: str) -> bool:
         found = CHECKS[name]()
     except LeftOut as why:
         print(f"{name:32} LEFT OUT: {why}", flush=True)
+        return True
+    if allowed is None:
+        print(
+            f"{name:32} {time.monotonic() - begin:5.1f} s  COUNTED, NOT HELD YET: {len(found)} complaints", flush=True
+        )
         return True
     verdict = "holds" if len(found) <= allowed else f"FAILS, {len(found)} complaints, {allowed} allowed"
     if found and len(found) == allowed:
