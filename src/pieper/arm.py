@@ -17,6 +17,7 @@ from pieper.solver import verbs as solve
 from pieper.solver.plan.plan import Plan, make_plan
 
 if TYPE_CHECKING:
+    from pieper.equations import Symbolic
     from pieper.motion.track import Track
     from pieper.solver.results import SolutionBatch, Solutions
 
@@ -186,7 +187,7 @@ class Arm:
         return follow(self, path, start=start)
 
     @cached_property
-    def symbolic(self):
+    def symbolic(self) -> Symbolic:
         """The arm's equations: `.fk()`, `.jacobian()`, `.singularities()`, `.ik()`."""
         from pieper.equations import Symbolic
 

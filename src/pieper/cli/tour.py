@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -11,13 +10,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 import pieper
-from pieper.document.blocks import Code, Document, Heading, Picture
-from pieper.document.html_page import page as html_page
+from pieper.document.blocks import Code, Document, Emphasis, Heading, Listing, Paragraph, Picture
+from pieper.document.html import page as html_page
 from pieper.document.writing import write_whole
 from pieper.errors import InputError
 from pieper.motion.sequence import move
 from pieper.presentation.sections_arm import (
-    MM,
     add_arm,
     add_derivation,
     add_forward,
@@ -28,7 +26,7 @@ from pieper.presentation.sections_arm import (
     joint_value,
 )
 from pieper.presentation.sections_motion import add_motion, add_solutions, add_track, scientific
-from pieper.presentation.style import png
+from pieper.presentation.style import MM
 
 if TYPE_CHECKING:
     from pieper.arm import Arm
@@ -91,8 +89,7 @@ def run(out: Path, *, say: Callable[[str], None] = print) -> tuple[Path, bool]:
     say("Forward kinematics: the twelve printed equations against the table")
     _forward(page, arm)
     add_plan(page, arm)
-    if hasattr(arm.symbolic, "ik"):
-        add_derivation(page, arm)
+    add_derivation(page, arm)
     say("Inverse kinematics: one pose solved, then many")
     recall = _inverse(page, arm, say)
     say("The line: 50 points, four tool orientations")
@@ -143,11 +140,9 @@ def _judged(page: Document) -> None:
     verdicts = {v.id: v for v in check(claims()).verdicts}
     rows = []
     for entry, (number, _) in PRINTED.items():
-        sentence = verdicts[entry].sentence
-        tried = re.search(r"right at (\d+ of \d+)", sentence)
-        digits = re.search(r"agrees to (\d+) digits", sentence)
-        verdict = "holds identically" if verdicts[entry].holds else "wrong"
-        rows.append([entry, f"({number})", verdict, tried[1] if tried else "", digits[1] if digits else "none"])
+        v = verdicts[entry]
+        words = "holds identically" if v.holds else "wrong"
+        rows.append([entry, f"({number})", words, f"{v.right} of {v.tried}", str(v.digits or "none")])
     page.table(
         ["entry", "Eq.", "verdict", "right at joint vectors", "digits that agree"],
         rows,
@@ -155,17 +150,26 @@ def _judged(page: Document) -> None:
         left=(0, 1, 2),
         strong=tuple(i for i, entry in enumerate(PRINTED) if not verdicts[entry].holds),
     )
-    details = dict(verdicts[LOST["entry"]].details)
+    lost = verdicts[LOST["entry"]]
+    details = dict(lost.details)
     page.add(
-        Heading("The lost C2", 2),
-        f"P_x is printed with the term `{LOST['printed']}` where it must be `{LOST['right']}`. The judge finds the "
-        "slip by itself: "
-        f"*{details.get('the slip', 'a factor is missing')}*. The printed formula minus the right one is "
-        f"`{details.get('difference', '').replace('printed minus right = ', '')}`, so it is right only where joint 2 "
-        "stands at "
-        f"zero or the term vanishes. {_upper(details.get('counter-example', ''))} (m). With C2 restored, P_x "
-        f"{_lower(verdicts[LOST['entry'] + ' mended'].sentence)}",
-        Code(f"P_x as printed:  {PRINTED['Px'][1]}\nP_x restored:    {_mended(PRINTED, LOST)}"),
+        Heading(("The lost C2",), 2),
+        Paragraph(
+            (
+                "P_x is printed with the term ",
+                Code(LOST["printed"]),
+                " where it must be ",
+                Code(LOST["right"]),
+                ". The judge finds the slip by itself: ",
+                Emphasis(details.get("the slip", "a factor is missing")),
+                ". The printed formula minus the right one is ",
+                Code(lost.difference),
+                ", so it is right only where joint 2 stands at zero or the term vanishes. "
+                f"{_upper(details.get('counter-example', ''))} (m). With C2 restored, P_x "
+                f"{_lower(verdicts[LOST['entry'] + ' mended'].sentence)}",
+            )
+        ),
+        Listing(f"P_x as printed:  {PRINTED['Px'][1]}\nP_x restored:    {_mended(PRINTED, LOST)}"),
     )
 
 
@@ -190,7 +194,7 @@ def _inverse(page: Document, arm: Arm, say: Callable[[str], None]) -> dict:
     say(f"  {found['poses']:,} random poses: {found['missed']} missed, worst residual {found['metres'] * MM:.1e} mm")
     missed = "in none of them was it missing" if not found["missed"] else f"in {found['missed']} of them it was missing"
     page.add(
-        Heading("Many poses", 2),
+        Heading(("Many poses",), 2),
         f"Then {found['poses']:,} joint vectors were drawn evenly over whole turns, their poses computed and solved "
         "again. The "
         f"joint vector that had made the pose was looked for among the solutions; {missed}. The number of solutions "
@@ -232,7 +236,7 @@ def _line(page: Document, arm: Arm, say: Callable[[str], None]) -> Track:
     track = arm.follow(path, start=arm.description.postures.get("line-start", np.zeros(arm.n)))
     say(f"  R = I: {len(track.q)} of {len(path)} points on one branch")
     add_track(page, arm, track, prefix="line")
-    page.add(Heading("Which way the tool may point", 2))
+    page.add(Heading(("Which way the tool may point",), 2))
     rows, remarks = [], []
     for name, R in orientations().items():
         way = line_of_study(R)
@@ -265,7 +269,7 @@ def _line(page: Document, arm: Arm, say: Callable[[str], None]) -> Track:
         left=(0, 5),
     )
     page.add(*remarks)
-    page.add(Heading("The printed limits of joint 3", 2), _literal_limits(arm, track))
+    page.add(Heading(("The printed limits of joint 3",), 2), _literal_limits(arm, track))
     return track
 
 
@@ -313,14 +317,14 @@ def _again(page: Document) -> None:
     page.section("Do it again")
     page.add("Everything on this page can be had from the command line or from Python:")
     page.add(
-        Code(
+        Listing(
             "pieper show denso-vp6242\n"
             "pieper fk denso-vp6242 line-start\n"
             "pieper ik denso-vp6242 350 0 400 --all\n"
             'pieper path denso-vp6242 --from "350 0 400" --to "200 100 500" --start line-start --figures figures\n'
             "pieper report denso-vp6242\n"
         ),
-        Code(
+        Listing(
             "import pieper\n\n"
             'arm = pieper.load("denso-vp6242")\n'
             "T = arm.fk(arm.description.postures['line-start'])\n"
@@ -336,6 +340,6 @@ def _figures(page: Document, out: Path, say: Callable[[str], None]) -> None:
     folder.mkdir(exist_ok=True)
     pictures = [block for block in page.blocks if isinstance(block, Picture)]
     for picture in pictures:
-        write_whole(folder / f"{picture.name}.png", png(picture.figure))
-        write_whole(folder / f"{picture.name}.svg", picture.svg)
+        write_whole(folder / f"{picture.name}.png", picture.drawing.png())
+        write_whole(folder / f"{picture.name}.svg", picture.drawing.svg())
     say(f"{len(pictures)} figures, each as PNG and SVG, in {folder}")

@@ -9,7 +9,7 @@ from pathlib import Path
 from pieper.errors import InputError
 
 
-def write_whole(path: str | os.PathLike, content: bytes | str) -> Path:
+def write_whole(path: str | os.PathLike[str], content: bytes | str) -> Path:
     """Write a file whole or not at all: into a neighbour first, then renamed over the target.
 
     Raises:
@@ -34,6 +34,19 @@ def write_whole(path: str | os.PathLike, content: bytes | str) -> Path:
         if name is not None:
             Path(name).unlink(missing_ok=True)
     return path
+
+
+def write_beside(path: Path, files: dict[str, bytes]) -> list[Path]:
+    """Write the figures of a source beside it, each whole or not at all; return them."""
+    out: list[Path] = []
+    for name, content in files.items():
+        target = path.parent / name
+        try:
+            target.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise InputError(f"cannot make the folder {target.parent}: {error.strerror}.", path=target) from None
+        out.append(write_whole(target, content))
+    return out
 
 
 def _umask() -> int:

@@ -83,6 +83,8 @@ def judge_equal(
             f"Holds identically: right at {len(good)} of {len(good)} joint vectors{_lengths_word(ev, node)}{more}.",
             says,
             digits=digits,
+            right=len(good),
+            tried=len(good),
         )
     if good[own].all():
         digits = _digits(ev, node, product, frame)
@@ -95,6 +97,8 @@ def judge_equal(
             + ".",
             says,
             digits=digits,
+            right=int(own.sum()),
+            tried=int(own.sum()),
         )
     rows = own if good[own].any() else np.ones_like(own)
     vanish = zero_denominators(node, target.env, evaluate)
@@ -117,7 +121,7 @@ def judge_equal(
     elsewhere = _other_entry(ev, node, product) if short and product is not None and not found.best else ""
     arm_tried: dict[str, int] = {}
     arm_words = "" if found.best or elsewhere or not short else _other_arm(ev, node, wanted, product, frame, arm_tried)
-    slip, reading = "", ""
+    slip, reading, gap = "", "", ""
     if elsewhere:
         slip, reading = "index", elsewhere
         details.append(("the slip", f"the formula is right for another entry, {elsewhere}"))
@@ -152,8 +156,11 @@ def judge_equal(
         )
     details.append(("tried", tried_text(found, arm_tried)))
     share = good.mean()
+    numbers = {"right": int(good.sum()), "tried": len(good), "difference": gap}
     if region:
-        return Verdict(claim_id, text, PARTLY, f"Holds only where {region}.", says, tuple(details), slip, reading)
+        return Verdict(
+            claim_id, text, PARTLY, f"Holds only where {region}.", says, tuple(details), slip, reading, **numbers
+        )
     if share > 0.1:
         return Verdict(
             claim_id,
@@ -164,11 +171,12 @@ def judge_equal(
             tuple(details),
             slip,
             reading,
+            **numbers,
         )
     sentence = f"Wrong: right at {int(good.sum())} of {len(good)} joint vectors."
     if vanish:
         sentence = "Wrong: undefined, because it divides by zero for all joints."
-    return Verdict(claim_id, text, WRONG, sentence, says, tuple(details), slip, reading)
+    return Verdict(claim_id, text, WRONG, sentence, says, tuple(details), slip, reading, **numbers)
 
 
 def _uses_lengths(ev: Evidence, node: Node) -> bool:
