@@ -101,7 +101,7 @@ class _Writer:
                 return self._equation(item)
             case Equations():
                 rows = "".join(map(self._equation, item.rows))
-                return f'<div class="beside">{rows}</div>' if item.beside else rows
+                return f'<div class="{"beside" if item.beside else "group"}">{rows}</div>'
             case Lines():
                 tag = "ol" if item.numbered else "ul"
                 return f"<{tag}>{''.join(f'<li>{line(words)}</li>' for words in item.items)}</{tag}>"
