@@ -21,7 +21,7 @@ test: $(VENV)/.installed-for-tests
 	CHROMIUM="$$(sh tests/browser/find_chromium.sh)" $(BIN)/python -m pytest
 
 bench: $(VENV)/.installed-for-tests
-	$(BIN)/python benchmarks/bench.py
+	$(BIN)/python -m benchmarks.measure.speed
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "pieper needs Python 3.11 or newer; say make PYTHON=python3.12, for one. This is " + sys.version)'

@@ -1,25 +1,85 @@
 """pieper: give it a DH table and it gives back everything that can be known about how that arm moves."""
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from pieper.arm import Arm, catalog, load
-from pieper.description.dh import DH
+from pieper.description.dh import DH, Actuator
 from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
 from pieper.motion.path import line
+from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status
+
+if TYPE_CHECKING:
+    from pieper.description.quantity import evaluate
+    from pieper.document.writing import whole_file
+    from pieper.judge.claims import check
+    from pieper.kinematics.spoken import pose, read_pose
+    from pieper.motion.sequence import Motion, move, sequence
+    from pieper.motion.track import Track
+    from pieper.presentation import plot, sections
+    from pieper.presentation.report import report, write_report
 
 __version__ = "0.1.0"
 
+#: What is imported when it is first asked for: a name and the module that has it, or that it is.
+_LATER = {
+    "Motion": "pieper.motion.sequence",
+    "Track": "pieper.motion.track",
+    "check": "pieper.judge.claims",
+    "evaluate": "pieper.description.quantity",
+    "move": "pieper.motion.sequence",
+    "plot": "pieper.presentation.plot",
+    "pose": "pieper.kinematics.spoken",
+    "read_pose": "pieper.kinematics.spoken",
+    "report": "pieper.presentation.report",
+    "sections": "pieper.presentation.sections",
+    "sequence": "pieper.motion.sequence",
+    "whole_file": "pieper.document.writing",
+    "write_report": "pieper.presentation.report",
+}
+_MODULES = ("plot", "sections")
+
 __all__ = [
     "DH",
+    "Actuator",
     "Arm",
     "InputError",
+    "Motion",
     "NoSolutionError",
     "PieperError",
     "PieperWarning",
+    "Plan",
     "PlanError",
     "SolutionBatch",
     "Solutions",
     "Status",
+    "Track",
     "catalog",
+    "check",
+    "evaluate",
     "line",
     "load",
+    "move",
+    "plot",
+    "pose",
+    "read_pose",
+    "report",
+    "sections",
+    "sequence",
+    "whole_file",
+    "write_report",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Import a name of `_LATER` when it is first asked for, and keep it."""
+    if name not in _LATER:
+        raise AttributeError(f"module 'pieper' has no attribute {name!r}")
+    module = import_module(_LATER[name])
+    value = globals()[name] = module if name in _MODULES else getattr(module, name)
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.description.dh import DH, Description, describe
+from pieper.description.fold import chain_of
 from pieper.kinematics import forward
-from pieper.kinematics.chain import Chain
 from pieper.solver import verbs as solve
 from pieper.solver.plan.plan import Plan, make_plan
 
@@ -33,7 +33,7 @@ class Arm:
 
     def __init__(self, description: Description, *, snap: float | None = None) -> None:
         self.description = description
-        self.chain = Chain.from_description(description)
+        self.chain = chain_of(description)
         self._snap = snap
         self._plans: dict[str, Plan] = {}
 
@@ -108,6 +108,11 @@ class Arm:
         """(4, 4) pose of the tool in the DH table's last frame."""
         return self.description.tool
 
+    @property
+    def postures(self) -> dict[str, np.ndarray]:
+        """Named joint vectors (n,), rad or m."""
+        return dict(self.description.postures)
+
     def fk(self, q: object) -> np.ndarray:
         """Return the tool poses (..., 4, 4) in the base frame of joint vectors q (..., n), rad or m.
 
@@ -169,6 +174,17 @@ class Arm:
         """
         return solve.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
 
+    def closest(self, T: object) -> tuple[np.ndarray, float, float]:
+        """Return the posture (n,) that comes closest to a pose, limits aside, and what is missing, m and rad.
+
+        Position gives way before orientation. The search begins at random places: a nearer posture may exist.
+        """
+        from pieper.kinematics.pose import checked_pose
+        from pieper.solver.words.closest import nearest_reachable
+
+        q, metres, radians = nearest_reachable(self.plan.reduction.full, checked_pose(T))
+        return q[: self.n], metres, radians
+
     def arm_angle(self, q: object) -> tuple[np.ndarray, np.ndarray]:
         """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
 
@@ -204,7 +220,7 @@ class Arm:
 
 
 def load(source: str | os.PathLike, *, snap: float | None = None) -> Arm:
-    """Load an arm: a catalogue name, or a path to a robot file (.toml) or a .urdf.
+    """Load an arm: a catalogue name or a unique part of one, or a path to a robot file (.toml) or a .urdf.
 
     Raises:
         InputError: No such arm or file, or the file says something impossible.

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from arms import KINDS, offset_wrist, random_joints, random_pose, spherical_wrist_parallel, three_parallel
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_gauge import same_set
 
+from oracle.arms.kinds import KINDS, offset_wrist, random_pose, spherical_wrist_parallel, three_parallel
+from oracle.joints import random_joints, same_set
 from pieper.kinematics.geometry import look
 from pieper.solver.families import choose
 from pieper.solver.native import SixJointSolver

@@ -4,25 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from arms import KINDS, flipped, from_chain, random_joints, random_pose, slid
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from oracle.arms.gauge import flipped, from_chain, slid
+from oracle.arms.kinds import KINDS, random_pose
+from oracle.joints import random_joints, same_set
 from pieper import Arm
 from pieper.kinematics.chain import Chain
 
 TURN = 2 * np.pi
 SEEDS = st.integers(0, 10**6)
-
-
-def same_set(a, b, prismatic, tolerance=1e-6):
-    """Whether two sets of joint vectors are equal, angles around the circle."""
-    if len(a) != len(b):
-        return False
-    gap = a[:, None] - b[None]
-    gap = np.where(prismatic, gap, (gap + np.pi) % TURN - np.pi)
-    near = np.abs(gap).max(-1) < tolerance
-    return bool(near.any(1).all() and near.any(0).all())
 
 
 @pytest.mark.parametrize("kind", KINDS)

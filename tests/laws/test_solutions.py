@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from arms import (
-    KINDS,
-    general,
-    general_mixed,
-    offset_wrist,
-    random_joints,
-    spherical_wrist,
-    spherical_wrist_parallel,
-    three_parallel,
-)
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pieper
+from oracle.arms.kinds import (
+    KINDS,
+    general,
+    general_mixed,
+    offset_wrist,
+    spherical_wrist,
+    spherical_wrist_parallel,
+    three_parallel,
+)
+from oracle.joints import random_joints
 
 TURN = 2 * np.pi
 SEEDS = st.integers(0, 10**6)

@@ -14,9 +14,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made import free, random_joints
 
 from oracle import equations, forward, gap, machine, polish
+from oracle.arms.known import free
+from oracle.joints import random_joints
 from pieper import DH, Arm
 
 CASES = json.loads(Path(__file__).with_name("found_losses.json").read_text())

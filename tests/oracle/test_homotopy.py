@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from homotopy import all_solutions, apart, forward, kept, newton
-from made import free, random_joints
 
 import pieper
 from oracle import equations, machine
+from oracle.arms.known import free
+from oracle.homotopy import all_solutions, apart, forward, kept, newton
+from oracle.joints import random_joints
 from pieper import DH, Arm
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hunt import blur, judge
-from made import free, random_joints
 
 import pieper
-from oracle import equations, gap, locked, machine, search
+from oracle import blur, equations, gap, judge, locked, machine, search
+from oracle.arms.known import free
+from oracle.joints import random_joints
 from pieper import DH, Arm
 
 QUARTER = np.pi / 2

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hunt import judge
-from made import free
 
-from oracle import gap, machine, search
+from oracle import gap, judge, machine, search
+from oracle.arms.known import free
 
 QUARTER = np.pi / 2
 

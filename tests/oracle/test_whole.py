@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from made import free
-from whole import compare, whole_set
 
-from oracle import machine
+from oracle import compare, machine, whole_set
+from oracle.arms.known import free
 
 Q = np.array([0.4, 0.9, -0.7, 0.8, 0.7, -0.5])
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hunt import judge
-from made import KINDS, free, perturbed, random_joints
 
 import pieper
-from oracle import exact_residual, machine, search
+from oracle import exact_residual, judge, machine, search
+from oracle.arms.known import KINDS, free, perturbed
+from oracle.joints import random_joints
 from pieper import DH, Arm
 
 QUARTER = np.pi / 2

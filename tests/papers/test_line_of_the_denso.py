@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from reference_arms import read, same
 
 import pieper
+from tests.papers.reference_arms import read, same
 
 LINE = read("line_of_the_denso.json")
 REVOLUTE = np.zeros(6, bool)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from reference_arms import read
 
 import pieper
 from pieper import DH, Arm
+from tests.papers.reference_arms import read
 
 SETS = read("poses_of_the_r2000ic.json")
 

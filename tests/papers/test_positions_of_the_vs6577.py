@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from reference_arms import read
 
 import pieper
 from pieper import DH, Arm
 from pieper.motion.sequence import compare
+from tests.papers.reference_arms import read
 
 TABLE = read("positions_of_the_vs6577.json")
 AXES = [1, 2, 0]  # printed X, Y, Z are the base's y, z, x

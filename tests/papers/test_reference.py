@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from reference_arms import TO_METRES, arm_of, pose_of, read, same
+
+from tests.papers.reference_arms import TO_METRES, arm_of, pose_of, read, same
 
 FORWARD, INVERSE = read("forward.json"), read("inverse.json")
 SETS = [(name, i) for name, entry in INVERSE["robots"].items() for i in range(len(entry["ik"]))]

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.description.orientation import ANGLE_NOTATIONS, NOTATIONS, rotation
 from pieper.description.quantity import ExpressionError, evaluate
 from pieper.errors import InputError
+from pieper.kinematics.orientation import ANGLE_NOTATIONS, NOTATIONS, rotation
 from pieper.kinematics.pose import checked_pose
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pieper.description.orientation import rpy_of
+from pieper.kinematics.orientation import rpy_of
 
 if TYPE_CHECKING:
     from rich.console import Console

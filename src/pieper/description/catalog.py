@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 from functools import cache
-from typing import TYPE_CHECKING
 
+from pieper.description.dh import Description
+from pieper.description.robotfile import read
 from pieper.errors import InputError
-
-if TYPE_CHECKING:
-    from pieper.description.dh import Description
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "catalog")
 
@@ -21,40 +20,62 @@ def names() -> tuple[str, ...]:
 
 
 def path_of(name: str) -> str:
-    """Return the robot file of a catalogue arm.
+    """Return the robot file of a catalogue arm, called by its name or a part of it; see `full_name`.
 
     Raises:
-        InputError: There is no such arm; the message has the nearest names.
+        InputError: There is no such arm, or the part fits several; the message has the nearest names.
     """
-    if name not in names():
-        raise InputError(_unknown(name), given=name, allowed=names())
-    return os.path.join(FOLDER, f"{name}.toml")
+    return os.path.join(FOLDER, f"{full_name(name)}.toml")
+
+
+def full_name(part: str) -> str:
+    """Return the catalogue name that a part stands for: the only one that has it, or the only one that ends in it.
+
+    Case, blanks, underscores and hyphens do not matter: "Panda" and "UR 5e" are understood; "ur5" is the arm whose name
+    ends so, although "ur5e" has it too.
+
+    Raises:
+        InputError: None has it, or several have; the message lists those, or the nearest names.
+    """
+    if part in names():
+        return part
+    wanted = _squeezed(part)
+    having = [name for name in names() if wanted and wanted in _squeezed(name)]
+    ending = [name for name in having if any(wanted == _squeezed(end) for end in _ends(name))]
+    for found in (ending, having):
+        if len(found) == 1:
+            return found[0]
+    if having:
+        few = ", ".join(having[:8]) + (f" and {len(having) - 8} more" if len(having) > 8 else "")
+        raise InputError(f"{part!r} may be {few}: say which.", given=part, allowed=tuple(having))
+    raise InputError(_unknown(part), given=part, allowed=names())
+
+
+def _squeezed(name: str) -> str:
+    return "".join(c for c in str(name).lower() if c.isalnum())
+
+
+def _ends(name: str) -> list[str]:
+    words = name.split("-")
+    return ["-".join(words[i:]) for i in range(len(words))]
 
 
 def load(name: str) -> Description:
     """Return the description of a catalogue arm.
 
     Args:
-        name: One of `names()`, for example "denso-vp6242".
+        name: One of `names()`, for example "denso-vp6242", or a part of one; see `full_name`.
 
     Raises:
         InputError: There is no such arm; the message has the nearest names.
     """
-    from pieper.description.robotfile import read
-
     return read(path_of(name))
 
 
 def _unknown(name: str) -> str:
-    import difflib
-
     wanted = str(name).strip().lower().replace("_", "-").replace(" ", "-")
-    bare = {other.replace("-", ""): other for other in names()}
-    squeezed = wanted.replace("-", "")
-    near = [wanted] if wanted in names() else []
-    near += [other for key, other in bare.items() if squeezed and squeezed in key]
-    near += difflib.get_close_matches(wanted, names(), n=3, cutoff=0.5)
-    # "ur5" should find "universal-robots-ur5e", whose maker's name hides the likeness
+    near = difflib.get_close_matches(wanted, names(), n=3, cutoff=0.5)
+    # "ur5x" should find "universal-robots-ur5e", whose maker's name hides the likeness
     near += [other for other in names() if difflib.get_close_matches(wanted, [other.split("-")[-1]], n=1, cutoff=0.6)]
     near = list(dict.fromkeys(near))[:5]
     hint = f" Did you mean {', '.join(near)}?" if near else ""

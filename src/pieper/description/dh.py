@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pieper.errors import InputError, PieperWarning
+from pieper.kinematics.pose import checked_pose
 
 CONVENTIONS = ("standard", "modified")
 MAX_JOINTS = 60
@@ -166,8 +167,6 @@ def describe(
     Raises:
         InputError: Something said is impossible; the message names the joint and what is allowed.
     """
-    from pieper.kinematics.pose import checked_pose
-
     if convention not in CONVENTIONS:
         raise InputError(
             f"convention {convention!r} is unknown: say 'standard' (distal DH) or 'modified' (proximal DH, Craig).",

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from pieper.description.dh import Description
 from pieper.description.quantity import UNITS, in_unit
+from pieper.description.robotparse import parse
 from pieper.description.robottext import POSE_STEMS, contents, dumps
 from pieper.errors import InputError
 
@@ -22,8 +23,6 @@ def rewritten(text: str, description: Description, file: str) -> str:
     Raises:
         InputError: tomlkit, which keeps the comments, is not installed.
     """
-    from pieper.description.robotfile import loads
-
     try:
         import tomlkit
     except ImportError:
@@ -32,7 +31,7 @@ def rewritten(text: str, description: Description, file: str) -> str:
             "or write to a new file name.",
             file=file,
         ) from None
-    old_plain = contents(loads(text, file))
+    old_plain = contents(parse(text.encode(), file))
     if _same(old_plain, contents(description)):
         return text
     document = tomlkit.parse(text)
@@ -43,10 +42,8 @@ def rewritten(text: str, description: Description, file: str) -> str:
 
 
 def _says(text: str, description: Description, file: str) -> bool:
-    from pieper.description.robotfile import loads
-
     try:
-        return _same(contents(loads(text, file)), contents(description))
+        return _same(contents(parse(text.encode(), file)), contents(description))
     except (InputError, tomllib.TOMLDecodeError):
         return False
 

@@ -1,47 +1,19 @@
-"""Robot files: an arm in TOML, the unit in every key; reading here, writing in `robottext`."""
+"""Robot files: an arm in TOML, the unit in every key; read, written, and rewritten in place."""
 
 from __future__ import annotations
 
 import difflib
-import math
-import tomllib
-from collections.abc import Iterable
+import os
 from pathlib import Path
 
-import numpy as np
-
-from pieper.description.dh import CONVENTIONS, DH, Actuator, Check, Description, describe
-from pieper.description.orientation import ANGLE_NOTATIONS, NOTATIONS, rotation
-from pieper.description.place import Place, kind_of
-from pieper.description.quantity import UNITS, UNITS_OF, ExpressionError, evaluate
-from pieper.description.robottext import dumps, write
+from pieper.description.dh import Description
+from pieper.description.rewrite import rewritten
+from pieper.description.robotparse import LARGEST_FILE, parse
+from pieper.description.robottext import dumps
+from pieper.description.wholefile import replace_file
 from pieper.errors import InputError
 
 __all__ = ["dumps", "loads", "read", "write"]
-
-#: Larger than any robot file by far; what is larger is not one and is not parsed.
-LARGEST_FILE = 1_000_000
-
-TOP_KEYS = (
-    "name",
-    "manufacturer",
-    "source",
-    "notes",
-    "departures",
-    "convention",
-    "joints",
-    "base",
-    "tool",
-    "postures",
-    "checks",
-)
-KIND = {"a": "length", "alpha": "angle", "d": "length", "theta": "angle"}
-POSE_KEYS = (
-    *("xyz_mm", "xyz_m"),
-    *(f"{name}_{unit}" for name in ANGLE_NOTATIONS for unit in UNITS_OF["angle"]),
-    *(name for name in NOTATIONS if name not in ANGLE_NOTATIONS),
-    *("matrix_mm", "matrix_m"),
-)
 
 
 def read(path: str | Path) -> Description:
@@ -66,292 +38,55 @@ def read(path: str | Path) -> Description:
         raise InputError(f"there is no file {str(path)!r}.{hint}", file=str(path)) from None
     except OSError as error:
         raise InputError(f"{str(path)!r} cannot be read: {error.strerror}.", file=str(path)) from None
-    return _parse(data, str(path))
+    return parse(data, str(path))
 
 
 def loads(text: str | bytes, file: str = "<text>") -> Description:
     """Read an arm from the text of a robot file; `file` is what messages call it."""
-    return _parse(text.encode() if isinstance(text, str) else text, file)
+    return parse(text.encode() if isinstance(text, str) else text, file)
 
 
-def _parse(data: bytes, file: str) -> Description:
-    if len(data) > LARGEST_FILE:
-        raise InputError(f"{file}: larger than {LARGEST_FILE:,} bytes; this is not a robot file.", file=file)
+def write(description: Description, path: str | Path) -> Path:
+    """Write a robot file whole or not at all.
+
+    Where the file exists, it keeps its comments, layout and way of saying every number whose meaning is unchanged.
+
+    Args:
+        description: The arm.
+        path: The .toml file to write.
+
+    Returns:
+        The path.
+
+    Raises:
+        InputError: The folder cannot be written to, or an existing file there is not a robot file.
+    """
+    target = Path(os.path.realpath(path))
+    existing = _existing_text(target)
+    if existing is None:
+        text = dumps(description)
+    else:
+        text = rewritten(existing, description, str(path))
+    replace_file(target, text)
+    return Path(path)
+
+
+def _existing_text(target: Path) -> str | None:
+    """Return the text of the file to be rewritten, None where there is nothing to keep."""
     try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise InputError(
-            f"{file}: not a text in UTF-8 (byte {error.start} is 0x{data[error.start]:02x}); this is not a robot file.",
-            file=file,
-        ) from None
-    try:
-        document = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{file}: not valid TOML: {error}.", file=file) from None
-    except RecursionError:
-        raise InputError(f"{file}: nested too deeply for a robot file.", file=file) from None
-    return _description(document, Place(file, text))
-
-
-def _description(document: dict, top: Place) -> Description:
-    top.only(document, TOP_KEYS)
-    convention = top.text_of(document, "convention")
-    if convention not in CONVENTIONS:
-        top.fail(
-            f'{convention!r} is unknown; say "standard" (distal DH) or "modified" (proximal DH, Craig).',
-            "convention",
-            given=convention,
-            allowed=CONVENTIONS,
-        )
-    joints = _tables(document, "joints", top)
-    if not joints:
-        top.fail("the arm has no joints; each is a table [[joints]] in joint order.", None, missing="joints")
-    names, types, rows, limits, signs, offsets = [], [], [], [], [], []
-    for index, table in enumerate(joints):
-        name = table.get("name", f"joint_{index + 1}")
-        place = top.at("joints", index, name if isinstance(name, str) else None)
-        if place.text_of(table, "name", name) in names:
-            place.fail(f"the name {name!r} is used twice; joint names must differ.", "name")
-        names.append(name)
-        kind, row, bounds, sign, offset = _joint(table, place)
-        types.append(kind)
-        rows.append(row)
-        limits.append(bounds)
-        signs.append(sign)
-        offsets.append(offset)
-    kinds = "".join(types)
-    tool_table = top.table(document.get("tool", {}), "tool")
-    said = {
-        "name": top.text_of(document, "name"),
-        **{key: top.text_of(document, key, "") for key in ("manufacturer", "source", "notes")},
-        "departures": _departures(document, top),
-        "base": _pose(top.table(document.get("base", {}), "base"), top.at("base")),
-        "tool": _pose(tool_table, top.at("tool"), also=("actuator",)),
-        "actuator": _actuator(tool_table, top),
-        "postures": _postures(document, kinds, top),
-        "checks": [
-            _check(table, kinds, top.at("checks", index))
-            for index, table in enumerate(_tables(document, "checks", top))
-        ],
-    }
-    try:
-        return describe(
-            rows,
-            convention=convention,
-            joint_types=kinds,
-            joint_names=names,
-            limits=limits,
-            sign=signs,
-            offset=offsets,
-            **said,
-        )
+        if not target.exists() or target.stat().st_size == 0:
+            return None
+        if target.is_dir():
+            raise InputError(f"{str(target)!r} is a folder; give a file name ending in .toml.", file=str(target))
+        read(target)
+        return target.read_text("utf-8-sig")
     except InputError as error:
         raise InputError(
-            f"{top.file}: {error}", file=top.file, **{k: v for k, v in error.data.items() if k != "file"}
+            f"{str(target)!r} exists and is not a robot file that could be updated; it is left alone. ({error})",
+            file=str(target),
         ) from None
-
-
-def _joint(table: dict, place: Place) -> tuple[str, DH, tuple[float, float], float, float]:
-    """Return type letter, DH row, limits, sign and offset of one joint, SI."""
-    said = place.text_of(table, "type")
-    letter = {"revolute": "R", "r": "R", "prismatic": "P", "p": "P"}.get(said.lower())
-    if letter is None:
-        place.fail(f'{said!r} is not a joint type; say "revolute" or "prismatic" (R or P).', "type", given=said)
-    own = "angle" if letter == "R" else "length"
-    variable = "theta" if letter == "R" else "d"
-    allowed = ["name", "type"]
-    allowed += [f"{column}_{unit}" for column, kind in KIND.items() for unit in UNITS_OF[kind]]
-    allowed += ["sign", *(f"{key}_{unit}" for key in ("offset", "limits") for unit in UNITS_OF[own])]
-    place.only(table, allowed)
-    row = {}
-    for column, kind in KIND.items():
-        row[column] = quantity(table, column, kind, place, default=0.0 if column == variable else None)
-    sign = table.get("sign", 1)
-    if isinstance(sign, bool) or sign not in (1, -1):
-        place.fail(f"must be 1 or -1, got {kind_of(sign)}.", "sign", given=sign)
-    offset = quantity(table, "offset", own, place, default=0.0)
-    return letter, DH(**row), _limits(table, own, place), float(sign), offset
-
-
-def _limits(table: dict, kind: str, place: Place) -> tuple[float, float]:
-    key, unit = one_key(table, "limits", UNITS_OF[kind], place, required=False)
-    if key is None:
-        return -math.inf, math.inf
-    lower, upper = numbers(table[key], unit, 2, place, key, infinite=True)
-    if lower > upper:
-        place.fail(
-            f"the limits are swapped: lower {table[key][0]} is above upper {table[key][1]}.", key, given=table[key]
-        )
-    return lower, upper
-
-
-def quantity(table: dict, stem: str, kind: str, place: Place, default: float | None = None) -> float:
-    """Return a length or angle of a table, SI; without a default one of its keys must be there."""
-    key, unit = one_key(table, stem, UNITS_OF[kind], place, required=default is None)
-    return default if key is None else number(table[key], unit, place, key)
-
-
-def one_key(table: dict, stem: str, units: Iterable[str], place: Place, required: bool) -> tuple[str | None, str]:
-    """Return the key of this stem that the table has, and its unit; two of them, or a missing one, are refused."""
-    keys = {f"{stem}_{unit}": unit for unit in units}
-    present = [key for key in keys if key in table]
-    if len(present) > 1:
-        place.fail(f"{' and '.join(present)} say the same thing twice; keep one.", present[-1], given=present)
-    if present:
-        return present[0], keys[present[0]]
-    if required:
-        place.fail(f"the key for {stem} is missing: give {' or '.join(keys)}.", None, missing=stem, allowed=list(keys))
-    return None, ""
-
-
-def number(value: object, unit: str, place: Place, key: str, *, infinite: bool = False, unknown: bool = False) -> float:
-    """Return one number of a file in SI; unit "" leaves it alone. NaN only where it means unknown."""
-    if isinstance(value, str):
-        try:
-            value = evaluate(value)
-        except ExpressionError as error:
-            place.fail(
-                f"{value!r} is not a number: {error}. Expressions may use numbers, pi, sqrt( ), + - * / ( ).",
-                key,
-                given=value,
-            )
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        place.fail(f"must be a number, got {kind_of(value)}.", key, given=value)
-    try:
-        value = float(value)
-    except OverflowError:
-        place.fail("the number is too large.", key)
-    if math.isnan(value) and not unknown:
-        place.fail("nan is not allowed here; give a number.", key, given=value)
-    if math.isinf(value) and not infinite:
-        place.fail("an infinite number is not allowed here.", key, given=value)
-    return UNITS[unit][1](value) if unit else value
-
-
-def numbers(value: object, unit: str, count: int, place: Place, key: str, **allowed: bool) -> list[float]:
-    """Return a list of `count` numbers in SI."""
-    if not isinstance(value, list) or len(value) != count:
-        place.fail(f"must be a list of {count} numbers, got {kind_of(value)}.", key, given=value)
-    return [number(item, unit, place, key, **allowed) for item in value]
-
-
-def _pose(table: dict, place: Place, *, also: tuple[str, ...] = (), unknown: bool = False) -> np.ndarray:
-    """Return the pose (4, 4) of a table; what is not said is the identity, or NaN where unknown is meaningful."""
-    place.only(table, (*POSE_KEYS, *also))
-    key, unit = one_key(table, "matrix", UNITS_OF["length"], place, required=False)
-    others = [name for name in POSE_KEYS if name in table and name != key]
-    if key is not None:
-        if others:
-            place.fail(f"{key} and {others[0]} say the same thing twice; keep one.", key)
-        return _matrix(table[key], unit, place, key, unknown)
-    T = np.eye(4)
-    if unknown:
-        T[:3, :] = np.nan
-    key, unit = one_key(table, "xyz", UNITS_OF["length"], place, required=False)
-    if key is not None:
-        T[:3, 3] = numbers(table[key], unit, 3, place, key, unknown=unknown)
-    said = [name for name in others if not name.startswith("xyz_")]
-    if len(said) > 1:
-        place.fail(f"{' and '.join(said)} say the rotation twice; keep one.", said[-1], given=said)
-    for name in said:
-        notation = next(n for n in NOTATIONS if name.startswith(n))
-        unit = name.rpartition("_")[2] if notation in ANGLE_NOTATIONS else ""
-        try:
-            T[:3, :3] = rotation(notation, numbers(table[name], unit, NOTATIONS[notation][0], place, name))
-        except ValueError as error:
-            if isinstance(error, InputError):
-                raise
-            place.fail(f"{error}.", name)
-    return T
-
-
-def _matrix(value: object, unit: str, place: Place, key: str, unknown: bool) -> np.ndarray:
-    if not isinstance(value, list) or len(value) != 4 or any(not isinstance(row, list) for row in value):
-        place.fail(f"must be four rows of four numbers, got {kind_of(value)}.", key)
-    T = np.array([numbers(row, "", 4, place, key, unknown=unknown) for row in value])
-    T[:3, 3] = [UNITS[unit][1](float(x)) for x in T[:3, 3]]
-    if not unknown:
-        from pieper.kinematics.pose import checked_pose
-
-        try:
-            checked_pose(T, "the matrix")
-        except InputError as error:
-            place.fail(str(error), key)
-    return T
-
-
-def _departures(document: dict, top: Place) -> tuple[str, ...]:
-    value = document.get("departures", [])
-    if not isinstance(value, list) or any(not isinstance(item, str) for item in value):
-        top.fail(f"must be a list of texts, got {kind_of(value)}.", "departures")
-    return tuple(value)
-
-
-def _actuator(tool: dict, top: Place) -> Actuator | None:
-    if "actuator" not in tool:
-        return None
-    place = top.at("tool.actuator")
-    table = place.table(tool["actuator"], "actuator")
-    place.only(table, ("name", *(f"{key}_{unit}" for key in ("limits", "value") for unit in UNITS)))
-    key, unit = one_key(table, "limits", UNITS, place, required=True)
-    lower, upper = numbers(table[key], unit, 2, place, key)
-    if lower > upper:
-        place.fail(f"the limits are swapped: lower {table[key][0]} is above upper {table[key][1]}.", key)
-    kind, si = UNITS[unit][0], UNITS_OF[UNITS[unit][0]][1]
-    for other in UNITS:
-        if UNITS[other][0] != kind and f"value_{other}" in table:
-            place.fail(f"the value and the limits must both be an {kind} or both a length.", f"value_{other}")
-    value = quantity(table, "value", kind, place, default=lower)
-    if not lower <= value <= upper:
-        place.fail("the value is outside the limits.", "value", given=value)
-    return Actuator(place.text_of(table, "name"), lower, upper, value, si)
-
-
-def q_units(kinds: str) -> tuple[str, ...]:
-    """Return the unit words a joint vector's key may have: deg and rad, mm and m, or both where joints differ."""
-    if "P" not in kinds:
-        return UNITS_OF["angle"]
-    if "R" not in kinds:
-        return UNITS_OF["length"]
-    return ("deg_mm", "rad_m", "deg_m", "rad_mm")
-
-
-def _joint_vector(table: dict, kinds: str, place: Place) -> np.ndarray:
-    key, unit = one_key(table, "q", q_units(kinds), place, required=True)
-    angle, _, length = unit.partition("_")
-    units = [angle if kind == "R" or not length else length for kind in kinds]
-    value = table[key]
-    if not isinstance(value, list) or len(value) != len(kinds):
-        place.fail(f"must be a list of {len(kinds)} numbers, one a joint, got {kind_of(value)}.", key)
-    return np.array([number(item, unit, place, key) for item, unit in zip(value, units, strict=True)])
-
-
-def _postures(document: dict, kinds: str, top: Place) -> dict[str, np.ndarray]:
-    named = {}
-    for name, table in top.table(document.get("postures", {}), "postures").items():
-        place = top.at(f"postures.{name}")
-        place.only(place.table(table, name), [f"q_{unit}" for unit in q_units(kinds)])
-        named[name] = _joint_vector(table, kinds, place)
-    return named
-
-
-def _check(table: dict, kinds: str, place: Place) -> Check:
-    q_keys = [f"q_{unit}" for unit in q_units(kinds)]
-    also = (*q_keys, "source", "tolerance_m", "tolerance_mm")
-    T = _pose(table, place, also=also, unknown=True)
-    if np.all(np.isnan(T[:3])):
-        place.fail("nothing is said of the pose; give a position, a rotation or a matrix.")
-    tolerance = quantity(table, "tolerance", "length", place, default=1e-9)
-    if tolerance <= 0:
-        place.fail("the tolerance must be above zero.", "tolerance_m")
-    return Check(_joint_vector(table, kinds, place), T, place.text_of(table, "source"), tolerance)
-
-
-def _tables(document: dict, key: str, top: Place) -> list[dict]:
-    value = document.get(key, [])
-    if not isinstance(value, list) or any(not isinstance(item, dict) for item in value):
-        top.fail(f"must be an array of tables, each under [[{key}]], got {kind_of(value)}.", key)
-    return value
+    except OSError as error:
+        raise InputError(f"{str(target)!r} cannot be written: {error.strerror}.", file=str(target)) from None
 
 
 def _names_in(folder: Path) -> list[str]:

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import math
-import os
-from contextlib import suppress
-from pathlib import Path
 
 import numpy as np
 
 from pieper.description.dh import Actuator, Check, Description
-from pieper.description.orientation import rotation, rpy_of
 from pieper.description.quantity import best_unit, in_unit, same_bits
-from pieper.errors import InputError
+from pieper.kinematics.orientation import rotation, rpy_of
 
 #: Texts longer than this are folded.
 _LONG_TEXT = 110
@@ -63,89 +59,6 @@ def dumps(description: Description) -> str:
                 if isinstance(table, dict):
                     lines += ["", f"[{key}.{_key(name)}]", *_table(table)]
     return "\n".join(lines) + "\n"
-
-
-def write(description: Description, path: str | Path) -> Path:
-    """Write a robot file whole or not at all.
-
-    Where the file exists, it keeps its comments, layout and way of saying every number whose meaning is unchanged.
-
-    Args:
-        description: The arm.
-        path: The .toml file to write.
-
-    Returns:
-        The path.
-
-    Raises:
-        InputError: The folder cannot be written to, or an existing file there is not a robot file.
-    """
-    target = Path(os.path.realpath(path))
-    existing = _existing_text(target)
-    if existing is None:
-        text = dumps(description)
-    else:
-        from pieper.description.rewrite import rewritten
-
-        text = rewritten(existing, description, str(path))
-    replace_file(target, text)
-    return Path(path)
-
-
-def _existing_text(target: Path) -> str | None:
-    """Return the text of the file to be rewritten, None where there is nothing to keep."""
-    from pieper.description.robotfile import read
-
-    try:
-        if not target.exists() or target.stat().st_size == 0:
-            return None
-        if target.is_dir():
-            raise InputError(f"{str(target)!r} is a folder; give a file name ending in .toml.", file=str(target))
-        read(target)
-        return target.read_text("utf-8-sig")
-    except InputError as error:
-        raise InputError(
-            f"{str(target)!r} exists and is not a robot file that could be updated; it is left alone. ({error})",
-            file=str(target),
-        ) from None
-    except OSError as error:
-        raise InputError(f"{str(target)!r} cannot be written: {error.strerror}.", file=str(target)) from None
-
-
-def replace_file(target: Path, text: str) -> None:
-    """Put text into a file in one step: readers see the old file or the new one, never half of it."""
-    import tempfile
-
-    temporary = None
-    try:
-        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.", suffix=".part")
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-            stream.write(text)
-            stream.flush()
-            os.fsync(stream.fileno())
-        os.chmod(temporary, target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~_umask())
-        os.replace(temporary, target)
-    except OSError as error:
-        _discard(temporary)
-        raise InputError(
-            f"{str(target)!r} cannot be written: {error.strerror}. Choose a folder that exists and is writable.",
-            file=str(target),
-        ) from None
-    except BaseException:  # Ctrl-C included: nothing half written stays behind
-        _discard(temporary)
-        raise
-
-
-def _discard(temporary: str | None) -> None:
-    if temporary is not None:
-        with suppress(OSError):
-            os.unlink(temporary)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
 
 
 def _joint(description: Description, index: int) -> dict:

@@ -11,8 +11,8 @@ import numpy as np
 
 from pieper.description.commonnormal import PARALLEL, standard_table
 from pieper.description.dh import Description, describe
-from pieper.description.orientation import rotation
 from pieper.errors import InputError
+from pieper.kinematics.orientation import rotation
 
 #: Larger than any URDF by far; what is larger is not parsed.
 LARGEST_FILE = 16_000_000

@@ -4,24 +4,33 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import BinaryIO
 
 from pieper.errors import InputError
 
 
-def write_whole(path: str | os.PathLike[str], content: bytes | str) -> Path:
-    """Write a file whole or not at all: into a neighbour first, then renamed over the target.
+@contextmanager
+def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
+    """Open a file that appears whole at the end of the block, or not at all when the block fails.
+
+    Args:
+        path: Where to; what is written goes into a neighbour first, which is then renamed over it.
+
+    Yields:
+        The file, open for writing bytes.
 
     Raises:
         InputError: The folder does not exist or cannot be written; the message names it.
     """
     path = Path(path)
-    data = content.encode() if isinstance(content, str) else content
     name = None
     try:
         handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent or Path("."))
         with os.fdopen(handle, "wb") as file:
-            file.write(data)
+            yield file
         os.chmod(name, 0o666 & ~_umask())
         os.replace(name, path)
         name = None
@@ -33,7 +42,17 @@ def write_whole(path: str | os.PathLike[str], content: bytes | str) -> Path:
     finally:
         if name is not None:
             Path(name).unlink(missing_ok=True)
-    return path
+
+
+def write_whole(path: str | os.PathLike[str], content: bytes | str) -> Path:
+    """Write a file whole or not at all.
+
+    Raises:
+        InputError: The folder does not exist or cannot be written; the message names it.
+    """
+    with whole_file(path) as file:
+        file.write(content.encode() if isinstance(content, str) else content)
+    return Path(path)
 
 
 def write_beside(path: Path, files: dict[str, bytes]) -> list[Path]:

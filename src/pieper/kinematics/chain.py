@@ -8,8 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from pieper import _kernel
-from pieper.description.dh import Description
-from pieper.kinematics.pose import FLIP, inverse, rotation_x, rotation_z, translation
+from pieper.kinematics.pose import FLIP, inverse, rotation_z, translation
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,35 +75,6 @@ class Chain:
         """
         total = sum(float(np.linalg.norm(self.links[i][:3, 3])) for i in range(1, self.n))
         return total if total > 0 else 1.0
-
-    @staticmethod
-    def from_description(description: Description) -> Chain:
-        """Fold a description into a chain."""
-        n = description.n
-        prismatic = np.array([t == "P" for t in description.joint_types])
-        links = np.empty((n + 1, 4, 4))
-        frames_after = np.empty((n, 4, 4))
-        pending = description.base.copy()
-        for i, row in enumerate(description.rows):
-            constant = description.offset[i]
-            if prismatic[i]:
-                before, after = rotation_z(row.theta), translation(z=row.d + constant)
-            else:
-                before, after = rotation_z(row.theta + constant), translation(z=row.d)
-            x_part = rotation_x(row.alpha)
-            x_part[0, 3] = row.a
-            if description.convention == "standard":
-                after = after @ x_part
-            else:
-                pending = pending @ x_part
-            # a reversed sense is the same motion about the axis turned over: Z(-q) = F Z(q) F
-            if description.sign[i] < 0:
-                before, after = before @ FLIP, FLIP @ after
-            links[i] = pending @ before
-            frames_after[i] = after
-            pending = after
-        links[n] = pending @ description.tool
-        return Chain.of(links, prismatic, frames_after)
 
     @staticmethod
     def of(links: np.ndarray, prismatic: np.ndarray, frames_after: np.ndarray | None = None) -> Chain:

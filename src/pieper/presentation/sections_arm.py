@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.description.orientation import rpy_of
 from pieper.document.blocks import Document, Emphasis, Equations, Lines, Note
 from pieper.equations.forward import in_line
 from pieper.errors import PieperError
+from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
 from pieper.presentation.style import MM, picture

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.description.orientation import rpy_of
 from pieper.document.blocks import Document
+from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import configuration_figure, solutions_figure
 from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
 from pieper.presentation.plot_path import path_figure

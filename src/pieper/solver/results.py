@@ -229,6 +229,19 @@ class Solutions:
         rows = np.array(candidates)
         return rows[np.argmin(joint_distance(rows, q_now, self._plan.prismatic, self._plan.chain.length))]
 
+    def nearest_row(self, q_now: object) -> tuple[int, np.ndarray]:
+        """Return which row of q is closest to q_now, and that row (n,) with whole turns resolved inside the limits.
+
+        Raises:
+            NoSolutionError: No solution lies inside the limits; the message says why.
+        """
+        q_now = checked_joints(q_now, self._plan.n, "q_now")
+        if not len(self.q):
+            raise NoSolutionError(f"there is no solution to be near to: {self.why}", status=self.status)
+        rows = unwound(self.q, q_now, self._plan.limits, self._plan.prismatic)
+        row = int(np.argmin(joint_distance(rows, q_now, self._plan.prismatic, self._plan.chain.length)))
+        return row, rows[row]
+
     def __repr__(self) -> str:
         return f"<Solutions: {len(self)} inside the limits of {len(self.all_q)}, {self.status.name}: {self.why}>"
 

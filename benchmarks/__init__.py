@@ -1,0 +1,1 @@
+"""Measurements: `measure` takes them, `results` keeps them, `pages` writes what people read from them."""

@@ -1,0 +1,37 @@
+"""Where measurements and the pages made of them stand, and how they are written: whole or not at all."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+RESULTS = ROOT / "benchmarks" / "results"
+DOCS = ROOT / "docs"
+
+
+def commit() -> str:
+    """Return the commit that is measured."""
+    asked = ["git", "rev-parse", "--short", "HEAD"]
+    return subprocess.run(asked, cwd=ROOT, capture_output=True, text=True).stdout.strip()
+
+
+def read(name: str) -> Any:
+    """Return a result, None where it has not been measured."""
+    path = RESULTS / f"{name}.json"
+    return json.loads(path.read_text()) if path.exists() else None
+
+
+def write(state: dict[str, Any], path: Path, indent: int | None = None) -> None:
+    """Write a result with the commit that was measured last."""
+    state["commit"] = commit()
+    write_text(json.dumps(state, indent=indent) + "\n", path)
+
+
+def write_text(text: str, path: Path) -> None:
+    """Write a file whole or not at all."""
+    part = path.with_suffix(".part")
+    part.write_text(text)
+    part.replace(path)

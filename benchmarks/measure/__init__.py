@@ -1,0 +1,1 @@
+"""What is measured: speed beside peers, recall, completeness, plans, the workbench."""

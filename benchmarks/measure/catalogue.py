@@ -1,0 +1,65 @@
+"""Measure every arm of the catalogue: its plan, how many solutions, recall and speed.
+
+Usage: python -m benchmarks.measure.catalogue [--poses 2000]
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+
+import numpy as np
+
+import pieper
+from benchmarks.kept import RESULTS, write
+
+
+def measured(name: str, count: int) -> dict:
+    """Measure one arm."""
+    arm = pieper.load(name)
+    plan = arm.plan
+    span = np.where(plan.prismatic, plan.chain.length, np.pi)
+    q = span * np.random.default_rng(0).uniform(-1, 1, (count, arm.n))
+    for j in plan.reduction.locked:
+        if j < arm.n:
+            lower, upper = arm.limits[j]
+            q[:, j] = np.clip(0.37 if plan.reduction.at_ends is None else q[:, j], lower, upper)
+    T = arm.fk(q)
+    values = q[:, [j for j in plan.reduction.locked if j < arm.n]] if plan.redundancy else None
+    arm.ik_many(T[:10], threads=1, redundancy=None if values is None else values[:10])
+    start = time.perf_counter()
+    found = arm.ik_many(T, threads=1, redundancy=values)
+    spent = 1e6 * (time.perf_counter() - start) / count
+    gap = np.where(plan.prismatic, found.q - q[:, None], (found.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi)
+    missed = int(np.sum(~((np.abs(gap).max(-1) < 1e-6) & found.valid).any(1)))
+    counts = found.count
+    return {
+        "arm": name,
+        "joints": arm.joint_types,
+        "task": plan.task,
+        "family": plan.family,
+        "spare": list(plan.redundancy),
+        "most": plan.max_solutions,
+        "fewest": int(counts.min()),
+        "largest": int(counts.max()),
+        "mean": round(float(counts.mean()), 2),
+        "missed": missed,
+        "poses": count,
+        "us_a_pose": float(f"{spent:.3g}"),
+    }
+
+
+def main() -> None:
+    """Measure all arms and write the result whole."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--poses", type=int, default=2000)
+    args = parser.parse_args()
+    rows = []
+    for name in pieper.catalog():
+        rows.append(measured(name, args.poses))
+        print(rows[-1], flush=True)
+    write({"rows": rows}, RESULTS / "catalogue.json", indent=1)
+
+
+if __name__ == "__main__":
+    main()

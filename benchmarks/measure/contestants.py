@@ -1,0 +1,86 @@
+"""One adapter a contestant; run inside the contestant's own environment by worker.py."""
+
+import numpy as np
+
+from oracle.arms.tables import TABLES
+
+
+class Pieper:
+    """This package."""
+
+    batch_threads = (1, 2)
+
+    def __init__(self, arm):
+        import pieper
+
+        rows = [pieper.DH(a=a, alpha=alpha, d=d, theta=0) for d, a, alpha in TABLES[arm]]
+        self.arm = pieper.Arm.from_dh(rows, convention="standard")
+        self.arm.ik(self.arm.fk(np.zeros(6)))  # the plan is made on first use
+
+    def single(self, T):
+        return self.arm.ik(T)
+
+    def rows(self, answer):
+        return answer.all_q
+
+    def batch(self, T, threads):
+        return lambda: self.arm.ik_many(T, threads=threads)
+
+    def fk(self, q):
+        return lambda: self.arm.fk(q)
+
+    def jacobian(self, q):
+        return lambda: self.arm.jacobian(q)
+
+
+class Eaik:
+    """EAIK (Ostermeier et al., 2024)."""
+
+    batch_threads = (1, 2)
+
+    def __init__(self, arm):
+        from eaik.IK_DH import DhRobot
+
+        d, a, alpha = map(np.array, zip(*TABLES[arm], strict=True))
+        self.arm = DhRobot(alpha, a, d)
+        if not self.arm.hasKnownDecomposition():
+            raise NotImplementedError(self.arm.getKinematicFamily())
+
+    def single(self, T):
+        return self.arm.IK(T)
+
+    def rows(self, answer):
+        return np.asarray(answer.Q, float).reshape(-1, 6)[~np.asarray(answer.is_LS, bool).reshape(-1)]
+
+    def batch(self, T, threads):
+        poses = [np.ascontiguousarray(t) for t in T]
+        return lambda: self.arm.IK_batched(poses, threads)
+
+
+class Crx:
+    """crx-kinematics, for Fanuc's CRX arms only; in its own joints (the controller's) and poses (millimetres)."""
+
+    batch_threads = ()
+
+    def __init__(self, arm):
+        if arm != "fanuc-crx-10ia":
+            raise NotImplementedError("Fanuc CRX arms only")
+        from crx_kinematics import Crx as Arm
+
+        self.arm = Arm.crx10ia()
+
+    def poses(self, count):
+        """Return joint vectors (count, 6), rad, and their poses (count, 4, 4) as it writes them."""
+        q = np.random.default_rng(3).uniform(-np.pi, np.pi, (count, 6))
+        return q, np.array([self.arm.fk(row) for row in np.degrees(q)])
+
+    def single(self, T):
+        return self.arm.ik(T)
+
+    def rows(self, answer):
+        return np.radians(np.array([list(row) for row in answer], float).reshape(-1, 6))
+
+
+CONTESTANTS = {"pieper": Pieper, "eaik": Eaik, "crx-kinematics": Crx}
+#: What to install for each peer.
+PACKAGES = {"eaik": "eaik", "crx-kinematics": "crx-kinematics"}

@@ -1,0 +1,64 @@
+"""Measure one contestant on one arm, in the environment this runs in; prints one JSON line.
+
+Usage: python -m benchmarks.measure.worker CONTESTANT ARM POSES
+"""
+
+import json
+import sys
+import time
+
+import numpy as np
+
+from benchmarks.measure.contestants import CONTESTANTS
+from oracle.arms.tables import poses
+
+
+def best_of(call, rounds=5, least=0.05):
+    """Return the smallest seconds a call takes over rounds."""
+    call()
+    best = np.inf
+    for _ in range(rounds):
+        start, done = time.perf_counter(), 0
+        while time.perf_counter() - start < least or not done:
+            t = time.perf_counter()
+            call()
+            best = min(best, time.perf_counter() - t)
+            done += 1
+    return best
+
+
+def main(name, arm, count):
+    """Measure and print."""
+    out = {"contestant": name, "arm": arm, "poses": count}
+    try:
+        contestant = CONTESTANTS[name](arm)
+    except NotImplementedError as reason:
+        print(json.dumps(out | {"unsupported": str(reason)}))
+        return
+    q, T = contestant.poses(count) if hasattr(contestant, "poses") else poses(arm, count)
+    few = [np.ascontiguousarray(t) for t in T[:2000]]
+    times = np.empty(len(few))
+    for i, pose in enumerate(few):
+        contestant.single(pose)
+        t = time.perf_counter()
+        contestant.single(pose)
+        times[i] = time.perf_counter() - t
+    out["single_us"] = 1e6 * float(np.median(times))
+    found = missed = 0
+    for i in range(0, len(few), 4):
+        rows = contestant.rows(contestant.single(few[i]))
+        gap = np.abs((rows - q[i] + np.pi) % (2 * np.pi) - np.pi)
+        missed += not (len(rows) and (gap.max(-1) < 1e-6).any())
+        found += len(rows)
+    out["solutions_a_pose"], out["missed"], out["checked"] = found / (len(few) / 4), missed, len(few) // 4
+    for threads in contestant.batch_threads:
+        out[f"batch_ns_{threads}"] = 1e9 * best_of(contestant.batch(T, threads)) / count
+    if hasattr(contestant, "fk"):
+        many = np.tile(q, (max(1, 10**6 // count), 1))
+        out["fk_per_s"] = len(many) / best_of(contestant.fk(many))
+        out["jacobian_per_s"] = len(many) / best_of(contestant.jacobian(many))
+    print(json.dumps(out))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2], int(sys.argv[3]))

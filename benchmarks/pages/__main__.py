@@ -1,0 +1,34 @@
+"""Write every page that is made from results; with --check, say which are out of date instead and fail.
+
+Usage: python -m benchmarks.pages [--check]
+"""
+
+from __future__ import annotations
+
+import sys
+
+from benchmarks import kept
+from benchmarks.pages import arms, benchmarks, completeness, singular_strata
+
+PAGES = {
+    "arms.md": arms,
+    "benchmarks.md": benchmarks,
+    "completeness.md": completeness,
+    "singular_strata.md": singular_strata,
+}
+
+
+def main() -> None:
+    """Write the pages, or compare them."""
+    if "--check" not in sys.argv[1:]:
+        for page, module in PAGES.items():
+            kept.write_text(module.page(), kept.DOCS / page)
+        return
+    stale = [name for name, module in PAGES.items() if (kept.DOCS / name).read_text() != module.page()]
+    if stale:
+        sys.exit(f"out of date, say `make pages`: {', '.join('docs/' + name for name in stale)}")
+    print(f"{len(PAGES)} pages are what the results say")
+
+
+if __name__ == "__main__":
+    main()

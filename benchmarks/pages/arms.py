@@ -1,0 +1,29 @@
+"""Write docs/arms.md: every arm of the catalogue with its plan, number of solutions, recall and speed."""
+
+from __future__ import annotations
+
+from benchmarks.kept import read
+
+HEAD = """\
+# The arms of the catalogue
+
+One line an arm, written by `make pages` from what `python -m benchmarks.measure.catalogue` measured. *Counts*: how many
+solutions random joint vectors' poses have (limits not applied), as smallest to largest and mean. *Missed*: generating
+joint vectors not found again within 1e-6. *us*: time a pose in `ik_many`, one thread, on a shared machine; only the
+ratios between lines mean something. Redundant arms: at the generating value of the spare joint.
+
+| arm | joints | task | family | spare | most | counts (mean) | missed | us |
+|---|---|---|---|---|---|---|---|---|
+"""
+
+
+def row(r: dict) -> str:
+    """Return the line of one arm."""
+    counts = f"{r['fewest']} to {r['largest']} ({r['mean']:.2f})"
+    plan = f"{r['joints']} | {r['task']} | {r['family']} | {', '.join(r['spare'])} | {r['most']}"
+    return f"| {r['arm']} | {plan} | {counts} | {r['missed']} of {r['poses']} | {r['us_a_pose']:.3g} |\n"
+
+
+def page() -> str:
+    """Return the page."""
+    return HEAD + "".join(map(row, read("catalogue")["rows"]))

@@ -1,0 +1,82 @@
+"""Write docs/benchmarks.md from benchmarks/results/speed.json: the measurements as ratios."""
+
+from __future__ import annotations
+
+from benchmarks.kept import read
+
+
+def ratio(theirs: float | None, ours: float | None) -> str:
+    """Return how many times faster ours is, or a dash."""
+    return f"{theirs / ours:.1f}" if theirs and ours else "-"
+
+
+def page() -> str:
+    """Return the page."""
+    result = read("speed")
+    measured = {(m["arm"], m["contestant"]): m for m in result["measured"]}
+    arms = list(dict.fromkeys(m["arm"] for m in result["measured"]))
+    peers = sorted({m["contestant"] for m in result["measured"]} - {"pieper"})
+    lines = [
+        "# Benchmarks",
+        "",
+        "Written by `make pages` from `benchmarks/results/speed.json`, which `make bench` measures: every contestant",
+        "in its own environment and process, rounds interleaved, the best of them counted. Absolute times",
+        "are of one shared machine; the ratios are the result.",
+        "",
+        f"Commit {result['commit']}, {result['cpu']}, instruction set {result['instruction_set']}, "
+        f"Python {result['python']}, NumPy {result['numpy']}.",
+        "",
+        *([result["remeasured"], ""] if "remeasured" in result else []),
+        "## Speed, one thread",
+        "",
+        "| arm | one pose, us | batch, ns a pose | two threads | "
+        + " | ".join(f"one pose: times faster than {p}" for p in peers)
+        + " | "
+        + " | ".join(f"batch: times faster than {p}" for p in peers)
+        + " |",
+        "|---|---|---|---|" + "---|" * (2 * len(peers)),
+    ]
+    for arm in arms:
+        ours = measured.get((arm, "pieper"), {})
+        if "single_us" not in ours:
+            continue
+        theirs = [measured.get((arm, p), {}) for p in peers]
+        cells = [
+            ratio(t.get("single_us"), ours["single_us"]) if "unsupported" not in t else "not taken" for t in theirs
+        ]
+        cells += [
+            ratio(t.get("batch_ns_1"), ours["batch_ns_1"]) if "unsupported" not in t else "not taken" for t in theirs
+        ]
+        threads = f"{ours['batch_ns_1'] / ours['batch_ns_2']:.2f} times" if "batch_ns_2" in ours else "-"
+        lines.append(
+            f"| {arm} | {ours['single_us']:.3g} | {ours['batch_ns_1']:.4g} | {threads} | " + " | ".join(cells) + " |"
+        )
+    best = [m for m in result["measured"] if m["contestant"] == "pieper" and "fk_per_s" in m]
+    lines += [
+        "",
+        f"Forward kinematics: {max(m['fk_per_s'] for m in best) / 1e6:.1f} million a second at best; Jacobians: "
+        f"{max(m['jacobian_per_s'] for m in best) / 1e6:.1f} million a second.",
+        "",
+        "## Recall",
+        "",
+        "Generating joint vectors, uniform over the whole turn, not found again within 1e-6 rad; poses with an odd",
+        "number of solutions; poses marked uncertain; worst residual over the first 50,000 poses.",
+        "",
+        "| arm | family | poses | missed | odd | uncertain | worst, m | worst, rad | us a pose |",
+        "|---|---|---|---|---|---|---|---|---|",
+    ]
+    for r in result["recall"]:
+        lines.append(
+            f"| {r['arm']} | {r['family']} | {r['poses']} | {r['missed']} | {r['odd']} | {r['uncertain']} | "
+            f"{r['worst_m']:.2g} | {r['worst_rad']:.2g} | {r['us_a_pose']:.3g} |"
+        )
+    start = result["start_up"]
+    lines += [
+        "",
+        "## Start-up",
+        "",
+        f"`import pieper` beyond NumPy: {start['import_beyond_numpy_ms']:.0f} ms. "
+        f"Installed size: {start['installed_mb']:.1f} MB. "
+        + (f"`pieper ik` as a whole process: {start['cli_ik_s']:.2f} s." if "cli_ik_s" in start else ""),
+    ]
+    return "\n".join(lines) + "\n"

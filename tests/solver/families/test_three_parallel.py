@@ -1,0 +1,94 @@
+"""Three neighbouring joints of a plane, wherever they stand in the chain."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from oracle.arms.chains import plane_arm
+from oracle.joints import difference, near_singular, random_joints, scaled
+from oracle.native import missed, newton_solutions, solver_of
+from pieper.kinematics.forward import fk
+from pieper.kinematics.geometry import look
+from pieper.solver.families import three_parallel
+
+
+@pytest.mark.parametrize("first", [0, 1, 2, 3])
+@pytest.mark.parametrize("typed", [False, True])
+def test_the_joint_vector_that_made_the_pose_is_found_for_three_parallel_axes(first, typed):
+    rng = np.random.default_rng(10 * first + typed)
+    taken = 0
+    while taken < 6:
+        chain = plane_arm(rng, first, "RRRRRR", typed)
+        if three_parallel.match(chain, look(chain, 1e-9)) is None:
+            continue  # an arm of right angles that cannot reach every direction
+        taken += 1
+        assert len(missed(solver_of(three_parallel, chain), chain, random_joints(chain, rng, 250))) == 0
+
+
+@pytest.mark.parametrize("first", [0, 1, 2, 3])
+def test_slides_in_the_plane_and_beside_it_are_taken_too(first):
+    rng = np.random.default_rng(50 + first)
+    taken = 0
+    while taken < 25:
+        types = "".join(rng.choice(["R", "R", "P"], 6))
+        if types[first : first + 3] == "PPP":
+            continue
+        chain = plane_arm(rng, first, types, typed=False)
+        if three_parallel.match(chain, look(chain, 1e-9)) is None:
+            continue
+        taken += 1
+        assert len(missed(solver_of(three_parallel, chain), chain, random_joints(chain, rng, 60))) == 0
+
+
+@pytest.mark.parametrize("first", [0, 1, 2, 3])
+def test_it_is_found_near_singular_postures_as_well_as_the_pose_tells_them(first):
+    rng = np.random.default_rng(70 + first)
+    lost = total = 0
+    for _ in range(3):
+        chain = plane_arm(rng, first, "RRRRRR", typed=False)
+        solver, Q = solver_of(three_parallel, chain), near_singular(rng, chain, 40)
+        told = np.maximum(1e-6, 1e-14 / np.linalg.svd(scaled(chain, Q), compute_uv=False)[:, -1])
+        lost += sum(len(missed(solver, chain, q[None], t)) for q, t in zip(Q, told, strict=True))
+        total += len(Q)
+    assert total > 60 and lost == 0
+
+
+@pytest.mark.parametrize("first", [0, 1])
+def test_the_set_is_that_of_a_slow_oracle(first):
+    rng = np.random.default_rng(7 + first)
+    chain = plane_arm(rng, first, "RRRRRR", typed=False)
+    solver = solver_of(three_parallel, chain)
+    for T in fk(chain, random_joints(chain, rng, 4)):
+        ours, oracle = solver.one(np.ascontiguousarray(T))[0], newton_solutions(rng, chain, T, 500)
+        assert len(ours) == len(oracle)
+        assert all(difference(chain, oracle, row).min() < 1e-6 for row in ours)
+
+
+def test_a_reversed_chain_has_the_reversed_solutions():
+    rng = np.random.default_rng(2)
+    chain = plane_arm(rng, 1, "RRRRRR", typed=False)
+    back = chain.reversed()
+    there, here = solver_of(three_parallel, back), solver_of(three_parallel, chain)
+    for T in fk(chain, random_joints(chain, rng, 20)):
+        ours = here.one(np.ascontiguousarray(T))[0]
+        other = there.one(np.ascontiguousarray(np.linalg.inv(T)))[0][:, ::-1]
+        assert len(ours) == len(other)
+        assert all(difference(chain, other, row).min() < 1e-6 for row in ours)
+
+
+def test_one_pose_and_a_batch_give_the_same_rows_in_the_same_order():
+    rng = np.random.default_rng(3)
+    chain = plane_arm(rng, 1, "RRRRRR", typed=False)
+    solver, T = solver_of(three_parallel, chain), fk(chain, random_joints(chain, rng, 61))
+    q, valid, _, _ = solver.many(T, 1)
+    for i, pose in enumerate(T):
+        np.testing.assert_allclose(solver.one(np.ascontiguousarray(pose))[0], q[i][valid[i]], atol=1e-7)
+
+
+def test_generic_poses_are_not_sent_to_the_careful_look():
+    rng = np.random.default_rng(31)
+    for first in range(4):
+        chain = plane_arm(rng, first, "RRRRRR", typed=False)
+        _, _, _, flag = solver_of(three_parallel, chain).many(fk(chain, random_joints(chain, rng, 20000)), 1)
+        assert (flag & 1).sum() == 0
