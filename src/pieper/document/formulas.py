@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from pieper.document.blocks import Formula
+from pieper.document.blocks import Equation, Formula, Piece
 
 
 @dataclass(frozen=True)
@@ -49,6 +49,16 @@ def joined(parts: Sequence[Formula], between: Written = NOTHING) -> Written:
 def equals(*sides: Formula) -> Written:
     """Return sides joined by equals signs."""
     return joined(sides, EQUALS)
+
+
+def in_line(equations: Sequence[Equation]) -> tuple[Piece, ...]:
+    """Return equations as pieces of a sentence, semicolons between them."""
+    pieces: list[Piece] = []
+    for row in equations:
+        if pieces:
+            pieces.append("; ")
+        pieces.append(equals(*row.sides))
+    return tuple(pieces)
 
 
 def named(letter: str, index: str = "") -> Written:

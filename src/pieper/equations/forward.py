@@ -13,8 +13,8 @@ from pieper.algebra.expression import Expr, Num, Sym, Trig, angle_symbol
 from pieper.algebra.harmonic import Poly, matmul
 from pieper.description.dh import Description
 from pieper.document import text
-from pieper.document.blocks import Document, Equation, Equations, Piece
-from pieper.document.formulas import equals, matrix, named
+from pieper.document.blocks import Document, Equation, Equations
+from pieper.document.formulas import equals, in_line, matrix, named
 from pieper.document.mathml_fit import displayed
 from pieper.document.readable import Readable
 from pieper.equations.table import SymbolTable, symbol_table
@@ -197,8 +197,13 @@ class ForwardEquations(Readable):
     def motions(self, expression: Expr) -> list[tuple[Expr, str, tuple[tuple[int, int], ...]]]:
         """What of a formula changes with the posture: (symbol, "cos", "sin" or "slide", ((joint, factor), ...))."""
         slides = {self.table.variable(j): ((j, 1),) for j in self.table.prismatic}
-        found = [(a, {"c": "cos", "s": "sin"}[a.kind], a.angle) for a in expression.atoms() if isinstance(a, Trig)]
-        return found + [(a, "slide", slides[a]) for a in expression.atoms() if a in slides]
+        found: list[tuple[Expr, str, tuple[tuple[int, int], ...]]] = []
+        for atom in expression.atoms():
+            if isinstance(atom, Trig):
+                found.append((atom, {"c": "cos", "s": "sin"}[atom.kind], atom.angle))
+            elif atom in slides:
+                found.append((atom, "slide", slides[atom]))
+        return found
 
     # -- everything at once ----------------------------------------------------------------------------------
     @property
@@ -271,11 +276,3 @@ def forward_matrices(description, *, lengths: str = "symbols", angles: str = "th
 
 def _named(name: str, rows: list[list[Poly]]) -> MatrixEquation:
     return MatrixEquation(name, tuple(tuple(p.expr() for p in row) for row in rows[:3]) + ((Num(0),) * 3 + (Num(1),),))
-
-
-def in_line(equations: tuple[Equation, ...]) -> tuple[Piece, ...]:
-    """Return equations as pieces of a sentence, semicolons between them."""
-    pieces: list[Piece] = []
-    for row in equations:
-        pieces += ["; "] * bool(pieces) + [equals(*row.sides)]
-    return tuple(pieces)

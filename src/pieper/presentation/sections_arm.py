@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.document.blocks import Document, Emphasis, Equations, Lines, Note
-from pieper.equations.forward import in_line
+from pieper.document.formulas import in_line
 from pieper.errors import PieperError
 from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import arm_figure, postures_figure

@@ -3,62 +3,52 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
 from typing import Any
 
 import pieper
-from pieper.document import json
-from pieper.document.blocks import Block, Document, Equation, Equations, Note
-from pieper.document.formulas import Written, equals, joined
+from pieper import sections
 
 #: Formulas longer than this are not typeset: the browser would stand still for seconds.
 LONGEST_FORMULA = 30_000
 
 
 def forward_blocks(arm: pieper.Arm, lengths: str) -> list[dict[str, Any]]:
-    """Return A_i, the partial products and the twelve entries of the pose."""
+    """Return the twelve entries of the pose, each with what of it moves, then A_i and the partial products."""
     fk = arm.symbolic.fk(lengths=lengths)
-    page = Document("")
+    page = sections.Document("")
     if fk.relation_equations:
         page.heading("Joint angles of the table")
         page.add(*fk.relation_equations)
     if fk.meaning_equations:
         page.heading("Constants, in metres")
-        page.show(joined([equals(*row.sides) for row in fk.meaning_equations], Written(", ", r",\quad ", "<mo>,</mo>")))
+        page.say(*sections.in_line(fk.meaning_equations))
     page.heading("The pose, entry by entry")
     first = len(page.blocks)
     page.add(*fk.pose.entry_equations.rows)
     page.heading("Link matrices and products")
     page.add(*(matrix.equation for matrix in (*fk.A, *fk.halves)))
-    blocks = _data(page.blocks)
-    for k, (column, row) in enumerate(itertools.product(range(4), range(3))):
-        blocks[first + k] |= {
-            "entry": 4 * row + column,
-            "symbols": [
-                {"latex": symbol.latex(), "is": kind, "joints": joints}
-                for symbol, kind, joints in fk.motions(fk.pose[row, column])
-            ],
-        }
-    return blocks
+    blocks = sections.as_data(page.blocks)
+    for block, (column, row) in zip(blocks[first:], itertools.product(range(4), range(3)), strict=False):
+        moving = fk.motions(fk.pose[row, column])
+        block["entry"] = 4 * row + column
+        block["symbols"] = [{"latex": s.latex(), "is": kind, "joints": joints} for s, kind, joints in moving]
+    return _readable(blocks)
 
 
 def inverse_blocks(arm: pieper.Arm) -> list[dict[str, Any]]:
     """Return the derivation of the inverse, step by step."""
-    return _data(arm.symbolic.ik().page.blocks)
+    return _readable(arm.symbolic.ik().json()["blocks"])
 
 
 def singular_blocks(arm: pieper.Arm) -> list[dict[str, Any]]:
     """Return the determinant's factors and what each means."""
-    return _data(arm.symbolic.singularities().page.blocks)
+    return _readable(arm.symbolic.singularities().json()["blocks"])
 
 
-def _data(blocks: Iterable[Block]) -> list[dict[str, Any]]:
-    out: list[dict[str, Any]] = []
-    for item in blocks:
-        for block in item.rows if isinstance(item, Equations) else (item,):
-            found = json.block(block)
-            if isinstance(block, Equation) and len(found["latex"]) > LONGEST_FORMULA:
-                words = f"(A formula of {len(found['latex']):,} characters is left out here; the library has it.)"
-                found = json.block(Note((words,)))
-            out.append(found)
-    return out
+def _readable(blocks: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return blocks with a note in the place of what is too long to be typeset."""
+    for place, block in enumerate(blocks):
+        if (long := len(block.get("latex", ""))) > LONGEST_FORMULA:
+            words = f"(A formula of {long:,} characters is left out here; the library has it.)"
+            blocks[place] = {"kind": "note", "pieces": [words]}
+    return blocks
