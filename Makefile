@@ -3,15 +3,19 @@
 #   make tour     install, then run the tour and say where its page is
 #   make test     install with the test tools, then every test (fetches Chromium for the browser tests if none is there)
 #   make bench    measure beside other solvers (installed in environments of their own)
-#   make kernel   rebuild the native module in place, for work on the kernels
+#   make kernel   rebuild the native module in place, for work on the kernels, for one instruction set (ISAS="baseline;avx2" for two)
+#   make sanitize build the kernels with the address and undefined-behaviour sanitizers and run their tests
 #   make clean    remove what these targets made
 
 PYTHON ?= python3
 VENV ?= .venv
 BIN = $(abspath $(VENV))/bin
-SOURCES = pyproject.toml CMakeLists.txt $(shell find kernels src -name '*.so' -prune -o -type f -not -path '*/__pycache__/*' -print)
+# The widest instruction set that this machine runs and the kernels are built for.
+ISAS ?= $(shell grep -q ' avx512dq ' /proc/cpuinfo 2> /dev/null && echo avx512 || { grep -q ' avx2 ' /proc/cpuinfo 2> /dev/null && echo avx2 || echo baseline; })
+CCACHE = $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+SOURCES = pyproject.toml CMakeLists.txt $(shell find kernels build_backend src -name '*.so' -prune -o -type f -not -path '*/__pycache__/*' -print)
 
-.PHONY: tour test bench kernel kernel-now clean
+.PHONY: tour test bench kernel kernel-now sanitize clean
 .DELETE_ON_ERROR:
 
 tour: $(VENV)/.installed
@@ -42,9 +46,19 @@ kernel: $(VENV)/.kernel-tools
 	@mkdir -p build; if command -v flock > /dev/null; then flock build/.lock $(MAKE) --no-print-directory kernel-now; else $(MAKE) --no-print-directory kernel-now; fi
 
 kernel-now:
-	PATH="$(BIN):$$PATH" cmake -S . -B build/dev -G Ninja -DPython_EXECUTABLE=$(BIN)/python > /dev/null
+	PATH="$(BIN):$$PATH" cmake -S . -B build/dev -G Ninja -DPython_EXECUTABLE=$(BIN)/python "-DPIEPER_ISAS=$(ISAS)" $(CCACHE) > /dev/null
 	PATH="$(BIN):$$PATH" cmake --build build/dev
 	for so in build/dev/_kernel*.so; do cp $$so src/pieper/.new.so && mv -f src/pieper/.new.so src/pieper/$$(basename $$so); done
+
+# A copy of the package with its own module, so that the one in place stays as it is. The interpreter itself is not built with
+# the sanitizer, so its library is loaded first; what Python and NumPy never free is no leak of ours.
+sanitize: $(VENV)/.installed-for-tests $(VENV)/.kernel-tools
+	PATH="$(BIN):$$PATH" cmake -S . -B build/sanitize -G Ninja -DPython_EXECUTABLE=$(BIN)/python "-DPIEPER_ISAS=$(ISAS)" $(CCACHE) -DPIEPER_SANITIZE=ON > /dev/null
+	PATH="$(BIN):$$PATH" cmake --build build/sanitize
+	rm -rf build/sanitize/src && cp -r src build/sanitize/src && rm -f build/sanitize/src/pieper/_kernel*.so && cp build/sanitize/_kernel*.so build/sanitize/src/pieper/
+	LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libubsan.so)" ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=halt_on_error=1 \
+	  PYTHONPATH=build/sanitize/src $(BIN)/python -m pytest tests/test_kernel_elementary.py tests/test_kernel_solver.py tests/test_kernel_contract.py \
+	  tests/test_kernel_spherical_wrist_parallel.py tests/test_family_*.py tests/test_general_solver.py
 
 $(VENV)/.kernel-tools: | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check cmake ninja nanobind numpy

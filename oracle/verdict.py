@@ -49,7 +49,7 @@ def judge(arm, T, *, rows=None, families=None, task="pose", tolerance=1e-5, m=No
     m = m or machine(arm)
     if rows is None:
         given = arm.ik(T, task=task) if task != "pose" else arm.ik(T)
-        rows, families = given.all_q, given.families
+        rows, families = given.all_q, given.self_motions
     found = search(arm, T, task=task, m=m, **how)
     verdict = Verdict(found=found, theirs=rows)
     pose, code = m.pose(T), {"pose": 0, "position": 1, "position+axis": 2}[task]

@@ -70,7 +70,7 @@ def judged(arm, number: int, task: str, count: int, library) -> dict:
             bad = int((left > 1e-9).sum())
             out["extra"] += bad
             # with more than one spare coordinate the families given are lines on a surface: q need not lie on one
-            lost = len(plan.redundancy) == 1 and not any(f.contains(q[i], 1e-4) for f in sols.families)
+            lost = len(plan.redundancy) == 1 and not any(f.contains(q[i], 1e-4) for f in sols.self_motions)
             out["generating_missed"] += lost
             out["on_families"] += not lost
             if lost or bad or not len(sols.all_q):
@@ -99,11 +99,11 @@ def judged(arm, number: int, task: str, count: int, library) -> dict:
         out["solutions"] += len(found.q)
         out["crowded"] += found.crowded
         missing = [x for x in verdict.missing if x[2] > 1e-5 or not found.crowded]
-        if missing and sols.families:
+        if missing and sols.self_motions:
             full = np.repeat(q[i][None], len(missing), 0)
             full[:, free] = [x[0] for x in missing] if missing else full[:, free]
             missing = [
-                x for x, p in zip(missing, full, strict=True) if not any(f.contains(p, 1e-4) for f in sols.families)
+                x for x, p in zip(missing, full, strict=True) if not any(f.contains(p, 1e-4) for f in sols.self_motions)
             ]
         out["missing"] += len(missing)
         out["extra"] += len(verdict.extra)

@@ -14,7 +14,7 @@ import numpy as np
 
 import pieper
 from pieper import DH, Arm
-from pieper.solver.plan.plan import make_plan
+from pieper.solver.plan.classify import make_plan
 
 TASKS = (None, "pose", "position", "position+axis")
 

@@ -155,7 +155,7 @@ def on_a_family(arm: Arm, T, q, held) -> bool:
         sols = arm.ik(T, redundancy=q[held]) if held else arm.ik(T)
     except ValueError:
         return False
-    return any(family.contains(q, 1e-5) for family in sols.families)
+    return any(family.contains(q, 1e-5) for family in sols.self_motions)
 
 
 def rows(arm: Arm, m: Machine, many, T, free, out) -> None:

@@ -16,7 +16,7 @@ import numpy as np
 
 import pieper
 from pieper.solver import verbs as solve
-from pieper.solver.plan.plan import make_plan
+from pieper.solver.plan.classify import make_plan
 
 VALUES = 128
 COLUMNS = (

@@ -134,7 +134,7 @@ def measure(arm, seed: int) -> dict:
             out["flat"][decade[i]] += 1
             out["told"][decade[i]] += 1
             continue
-        families = () if plan.redundancy else arm.ik(T[i]).families
+        families = () if plan.redundancy else arm.ik(T[i]).self_motions
         if any(f.contains(q[i], FLAT) for f in families):
             out["flat"][decade[i]] += 1
             out["told"][decade[i]] += 1

@@ -65,8 +65,5 @@ def specification(chain: Chain):
 
 
 def solver(chain: Chain, limits: np.ndarray | None = None) -> _kernel.Solver:
-    spec = specification(chain)
     limits = np.tile([-np.inf, np.inf], (6, 1)) if limits is None else np.asarray(limits, float)
-    return _kernel.Solver(
-        spec.kind, 6, spec.max_solutions, spec.params, spec.iparams, limits[:, 0], limits[:, 1], chain.prismatic
-    )
+    return specification(chain).solver(limits, chain.prismatic)

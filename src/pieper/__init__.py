@@ -3,7 +3,7 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from pieper.arm import Arm, catalog, load
+from pieper.arm import Arm, catalog, load, ur_calibrated
 from pieper.description.dh import DH, Actuator
 from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
 from pieper.motion.path import line
@@ -13,20 +13,23 @@ from pieper.solver.results import SolutionBatch, Solutions, Status
 if TYPE_CHECKING:
     from pieper.description.quantity import evaluate
     from pieper.document.writing import whole_file
-    from pieper.judge.claims import check
+    from pieper.judge import Judgement, check
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.motion.sequence import Motion, move, sequence
     from pieper.motion.track import Track
     from pieper.presentation import plot, sections
     from pieper.presentation.report import report, write_report
+    from pieper.solver.singular.self_motion import SelfMotion
 
 __version__ = "0.1.0"
 
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
+    "Judgement": "pieper.judge",
     "Motion": "pieper.motion.sequence",
     "Track": "pieper.motion.track",
-    "check": "pieper.judge.claims",
+    "SelfMotion": "pieper.solver.singular.self_motion",
+    "check": "pieper.judge",
     "evaluate": "pieper.description.quantity",
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
@@ -45,12 +48,14 @@ __all__ = [
     "Actuator",
     "Arm",
     "InputError",
+    "Judgement",
     "Motion",
     "NoSolutionError",
     "PieperError",
     "PieperWarning",
     "Plan",
     "PlanError",
+    "SelfMotion",
     "SolutionBatch",
     "Solutions",
     "Status",
@@ -67,6 +72,7 @@ __all__ = [
     "report",
     "sections",
     "sequence",
+    "ur_calibrated",
     "whole_file",
     "write_report",
 ]

@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.description import change
+from pieper.description.coupling import chain_values
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
+from pieper.description.posture import posture
 from pieper.kinematics import forward
-from pieper.solver import verbs as solve
-from pieper.solver.plan.plan import Plan, make_plan
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
+from pieper.motion.track import Track, follow
+from pieper.solver import verbs
+from pieper.solver.plan.classify import make_plan
+from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant.choice import Redundancy, read_arm_angle
+from pieper.solver.results import SolutionBatch, Solutions
 
 if TYPE_CHECKING:
     from pieper.equations import Symbolic
-    from pieper.motion.track import Track
-    from pieper.solver.results import SolutionBatch, Solutions
 
 
 class Arm:
@@ -44,12 +49,13 @@ class Arm:
         convention: str,
         joint_types: str | None = None,
         limits: Sequence | None = None,
-        base: np.ndarray | None = None,
-        tool: np.ndarray | None = None,
+        base: Array | None = None,
+        tool: Array | None = None,
         name: str = "arm",
         joint_names: Sequence[str] | None = None,
         sign: Sequence[float] | None = None,
         offset: Sequence[float] | None = None,
+        coupling: ArrayLike | None = None,
         snap: float | None = None,
     ) -> Arm:
         """Make an arm of a DH table; see `description.dh.describe` for what each argument means.
@@ -69,8 +75,55 @@ class Arm:
                 joint_names=joint_names,
                 sign=sign,
                 offset=offset,
+                coupling=coupling,
             ),
             snap=snap,
+        )
+
+    @staticmethod
+    def from_axes(
+        axes: ArrayLike,
+        points: ArrayLike,
+        home: object,
+        *,
+        joint_types: str | None = None,
+        limits: Sequence | None = None,
+        name: str = "arm",
+        joint_names: Sequence[str] | None = None,
+        snap: float | None = None,
+    ) -> Arm:
+        """Make an arm of joint axes (n, 3), points on them (n, 3), m, and the tool's pose (4, 4), all joints at zero.
+
+        Raises:
+            InputError: Something said is impossible; see `description.axes.from_axes`.
+        """
+        from pieper.description.axes import from_axes
+
+        said = from_axes(axes, points, home, joint_types=joint_types, limits=limits, name=name, joint_names=joint_names)
+        return Arm(said, snap=snap)
+
+    @staticmethod
+    def from_opw(
+        *,
+        a1: float,
+        a2: float,
+        b: float,
+        c1: float,
+        c2: float,
+        c3: float,
+        c4: float,
+        offsets: Sequence[float] = (0.0,) * 6,
+        signs: Sequence[float] = (1.0,) * 6,
+        limits: Sequence | None = None,
+        name: str = "arm",
+    ) -> Arm:
+        """Make an arm of its OPW parameters (m, rad); see `description.opw.from_opw` for what each means."""
+        from pieper.description.opw import from_opw
+
+        return Arm(
+            from_opw(
+                a1=a1, a2=a2, b=b, c1=c1, c2=c2, c3=c3, c4=c4, offsets=offsets, signs=signs, limits=limits, name=name
+            )
         )
 
     @property
@@ -94,40 +147,87 @@ class Arm:
         return self.description.joint_types
 
     @property
-    def limits(self) -> np.ndarray:
+    def limits(self) -> Array:
         """(n, 2) lower and upper limits, rad or m; infinite where there is none."""
         return self.description.limits
 
     @property
-    def base(self) -> np.ndarray:
+    def coupling(self) -> Array:
+        """(n, n): values of the chain's joints = coupling @ joint values; the identity where no joint is coupled."""
+        return np.eye(self.n) if self.description.coupling is None else self.description.coupling
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was read differently from the file the arm came from, one sentence each; empty if nothing."""
+        return self.description.remarks
+
+    @property
+    def postures(self) -> dict[str, Array]:
+        """Named joint vectors (n,), "zero" among them; wherever a joint vector goes, such a name does."""
+        return {"zero": np.zeros(self.n)} | {name: np.array(q) for name, q in self.description.postures.items()}
+
+    @property
+    def base(self) -> Array:
         """(4, 4) pose of the DH table's first frame."""
         return self.description.base
 
     @property
-    def tool(self) -> np.ndarray:
+    def tool(self) -> Array:
         """(4, 4) pose of the tool in the DH table's last frame."""
         return self.description.tool
 
-    @property
-    def postures(self) -> dict[str, np.ndarray]:
-        """Named joint vectors (n,), rad or m."""
-        return dict(self.description.postures)
-
-    def fk(self, q: object) -> np.ndarray:
-        """Return the tool poses (..., 4, 4) in the base frame of joint vectors q (..., n), rad or m.
+    def fk(self, q: ArrayLike | str) -> Array:
+        """Return the tool poses (..., 4, 4) in the base frame of joint vectors q (..., n), rad or m, or of a posture.
 
         Raises:
-            InputError: q has the wrong shape or is not finite.
+            InputError: q has the wrong shape or is not finite, or the arm has no such posture.
         """
-        return forward.fk(self.chain, q)
+        return forward.fk(self.chain, self._values(q))
 
-    def frames(self, q: object) -> np.ndarray:
+    def frames(self, q: ArrayLike | str) -> Array:
         """Return the frames (..., n + 2, 4, 4) of q (..., n): base, the DH frame after each joint, tool."""
-        return forward.frames(self.chain, q, self.description.base)
+        return forward.frames(self.chain, self._values(q), self.description.base)
 
-    def jacobian(self, q: object) -> np.ndarray:
+    def jacobian(self, q: ArrayLike | str) -> Array:
         """Return the geometric Jacobians (..., 6, n) of q (..., n): tool point, base frame, linear rows first."""
-        return forward.jacobian(self.chain, q)
+        J = forward.jacobian(self.chain, self._values(q))
+        return J if self.description.coupling is None else J @ self.description.coupling
+
+    def _joints(self, q: ArrayLike | str, what: str = "q") -> ArrayLike:
+        """Return the joint vector of a posture that is said by its name, anything else unchanged."""
+        return posture(self.description, q, what) if isinstance(q, str) else q
+
+    def _values(self, q: ArrayLike | str) -> ArrayLike:
+        """Return what the chain's joints are at: coupled ones move with others."""
+        q = self._joints(q)
+        if self.description.coupling is None:
+            return q
+        joints = forward.checked_joints(q, self.n, prismatic=self.chain.prismatic)
+        return chain_values(joints, self.description.coupling)
+
+    def with_tool(self, tool: object) -> Arm:
+        """Return the arm with another tool: a pose in the table's last frame, or the name of one of its tools."""
+        return Arm(change.with_tool(self.description, tool), snap=self._snap)
+
+    def with_base(self, base: object) -> Arm:
+        """Return the arm whose DH table begins at another pose."""
+        return Arm(change.with_base(self.description, base), snap=self._snap)
+
+    def with_limits(self, limits: Mapping[str, Sequence[float | None] | None]) -> Arm:
+        """Return the arm with other limits: joint name -> (lower, upper), rad or m, None for none."""
+        return Arm(change.with_limits(self.description, limits), snap=self._snap)
+
+    def with_joints_locked(self, values: Mapping[str, float]) -> Arm:
+        """Return the arm with some joints held: joint name -> value, rad or m. The others keep their numbers."""
+        return Arm(change.with_joints_locked(self.description, values), snap=self._snap)
+
+    def to(self, convention: str) -> Arm:
+        """Return the same arm with its table in the "standard" or "modified" DH convention."""
+        return Arm(change.to_convention(self.description, convention), snap=self._snap)
+
+    def reversed(self) -> Arm:
+        """Return the arm seen from its tool, joints last to first: its pose is the inverse of this one's."""
+        return Arm(change.reversed_arm(self.description), snap=self._snap)
 
     @property
     def plan(self) -> Plan:
@@ -146,7 +246,7 @@ class Arm:
             self._plans[key] = make_plan(self.chain, self.description, task=task, snap=self._snap)
         return self._plans[key]
 
-    def ik(self, T: object, *, task: str | None = None, redundancy: object = None) -> Solutions:
+    def ik(self, T: ArrayLike, *, task: str | None = None, redundancy: Redundancy = None) -> Solutions:
         """Return every solution of a pose.
 
         Args:
@@ -159,10 +259,10 @@ class Arm:
         Raises:
             InputError: T is not a pose, or the redundancy value is impossible.
         """
-        return solve.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
+        return verbs.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
 
     def ik_many(
-        self, Ts: object, *, threads: int | None = None, task: str | None = None, redundancy: object = None
+        self, Ts: ArrayLike, *, threads: int | None = None, task: str | None = None, redundancy: Redundancy = None
     ) -> SolutionBatch:
         """Return every solution of N poses.
 
@@ -172,9 +272,9 @@ class Arm:
             task: As in `ik`.
             redundancy: As in `ik`, one value or one a pose.
         """
-        return solve.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
+        return verbs.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
 
-    def closest(self, T: object) -> tuple[np.ndarray, float, float]:
+    def closest(self, T: ArrayLike) -> tuple[Array, float, float]:
         """Return the posture (n,) that comes closest to a pose, limits aside, and what is missing, m and rad.
 
         Position gives way before orientation. The search begins at random places: a nearer posture may exist.
@@ -185,7 +285,7 @@ class Arm:
         q, metres, radians = nearest_reachable(self.plan.reduction.full, checked_pose(T))
         return q[: self.n], metres, radians
 
-    def arm_angle(self, q: object) -> tuple[np.ndarray, np.ndarray]:
+    def arm_angle(self, q: ArrayLike) -> tuple[Array, Bools]:
         """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
 
         `ik(T, redundancy={"arm angle": value})` solves for one. An undefined angle is given as zero; where that is so
@@ -194,13 +294,11 @@ class Arm:
         Raises:
             InputError: The arm has no arm angle; the message says why.
         """
-        return solve.read_arm_angle(self.plan_for("pose"), q)
+        return read_arm_angle(self.plan_for("pose"), q)
 
-    def follow(self, path: object, *, start: object) -> Track:
+    def follow(self, path: ArrayLike, *, start: ArrayLike | None = None) -> Track:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
-        from pieper.motion.track import follow
-
-        return follow(self, path, start=start)
+        return follow(self.plan, path, start=start)
 
     @cached_property
     def symbolic(self) -> Symbolic:
@@ -209,33 +307,53 @@ class Arm:
 
         return Symbolic(self)
 
-    def save(self, path: str | os.PathLike) -> None:
-        """Write the arm as a robot file (.toml), whole or not at all; comments of an existing file are kept."""
-        from pieper.description import robotfile
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the arm as a robot file (.toml; comments of an existing one are kept) or .urdf, whole or not at all."""
+        from pieper.description import source
 
-        robotfile.write(self.description, path)
+        source.write(self.description, path)
 
     def __repr__(self) -> str:
         return f"<Arm {self.name}: {self.n} joints {self.joint_types}, {self.description.convention} DH>"
 
 
-def load(source: str | os.PathLike, *, snap: float | None = None) -> Arm:
-    """Load an arm: a catalogue name or a unique part of one, or a path to a robot file (.toml) or a .urdf.
+def load(
+    source: str | os.PathLike[str],
+    base: str | None = None,
+    tip: str | None = None,
+    snap: float | None = None,
+    *,
+    missing_limits: str = "refuse",
+    xacro_args: Mapping[str, str] | None = None,
+) -> Arm:
+    """Load an arm: a catalogue name or a unique part of one, or a file: .toml, .urdf, .xacro, .xml (MJCF).
+
+    Args:
+        source: Name or path.
+        base: Link that is the base; in a robot file one of its named frames.
+        tip: Link that is the tool; in a robot file one of its named tools.
+        snap: As in `Arm`.
+        missing_limits: "refuse" a joint whose range the file does not say, or take it as "unlimited".
+        xacro_args: Values of the arguments of a .xacro file.
 
     Raises:
-        InputError: No such arm or file, or the file says something impossible.
+        InputError: No such arm or file, or the file says something impossible or leaves a choice; the message lists it.
     """
-    from pieper.description import catalog as shelf
-    from pieper.description import robotfile
+    from pieper.description import source as door
 
-    text = os.fspath(source)
-    if text.endswith(".urdf"):
-        from pieper.description import urdf
+    said = door.read(source, base=base, tip=tip, missing_limits=missing_limits, xacro_args=xacro_args)
+    return Arm(said, snap=snap)
 
-        return Arm(urdf.read(Path(text)), snap=snap)
-    if text.endswith(".toml") or os.sep in text:
-        return Arm(robotfile.read(Path(text)), snap=snap)
-    return Arm(shelf.load(text), snap=snap)
+
+def ur_calibrated(path: str | os.PathLike[str]) -> Arm:
+    """Load the arm that a UR controller's factory calibration (.yaml of `ur_calibration`) describes.
+
+    Raises:
+        InputError: The file is missing or no calibration; the message names link and number.
+    """
+    from pieper.description import ur_calibration
+
+    return Arm(ur_calibration.read(os.fspath(path)))
 
 
 def catalog() -> list[str]:

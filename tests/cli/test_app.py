@@ -90,6 +90,7 @@ def test_ik_as_json_is_in_radians_and_closes_under_fk(run):
         ["350 0 400", "0", "90", "0"],
         ["0.35", "0", "0.4", "0", "pi/2", "0", "--length", "m", "--angle", "rad"],
         ["350", "0", "400", "90", "90", "90", "--order", "zyx"],
+        ["350", "0", "400", "90", "90", "90", "--order", "abc"],
         ["350", "0", "400", "sqrt(2)/2", "0", "sqrt(2)/2", "0", "--order", "quaternion_wxyz"],
         ["0 0 1 350  0 1 0 0  -1 0 0 400"],
         ["0 0 1 350  0 1 0 0  -1 0 0 400  0 0 0 1"],
@@ -125,9 +126,11 @@ def test_path_reaches_the_end_and_writes_its_csv(run, tmp_path):
     assert "50 of 50 points reached" in out
     rows = file.read_text().splitlines()
     assert len(rows) == 51
-    assert rows[0].startswith("point,s,joint_1_rad")
+    assert rows[0].startswith("point,s,joint_1_deg") and ",x_mm,y_mm,z_mm,r11," in rows[0]
     q = [float(v) for v in rows[1].split(",")[2:8]]
-    assert np.degrees(q) == pytest.approx([0, 51.492738, -150.638208, 0, 99.14547, 0], abs=1e-6)
+    assert q == pytest.approx([0, 51.492738, -150.638208, 0, 99.14547, 0], abs=1e-6)
+    status, _, _ = run("ik", "denso-vp6242", f"@{file}", "--csv", tmp_path / "back.csv")
+    assert status == 0
 
 
 def test_a_path_that_stops_is_status_one_and_says_where(run):
@@ -155,6 +158,8 @@ def test_a_path_that_stops_is_status_one_and_says_where(run):
         (["check", "/no/such/claims.toml"], ["/no/such/claims.toml"]),
         (["show"], ["ARM"]),
         (["fly"], ["fly"]),
+        (["shwo", "denso-vp6242"], ["shwo", "Did you mean show?"]),
+        (["show", "fanuc"], ["fanuc-cr-7ia", "say which"]),
         (["ik", "denso-vp6242", "1 2 3", "--angle", "turns"], ["turns"]),
     ],
 )
@@ -166,6 +171,49 @@ def test_misuse_is_status_two_and_one_readable_sentence(run, words, nouns):
     assert "Traceback" not in err
     for noun in nouns:
         assert noun in err
+
+
+def test_a_unique_part_of_a_name_is_enough(run):
+    for part, name in (("panda", "franka-panda"), ("ur5e", "universal-robots-ur5e"), ("UR5", "universal-robots-ur5")):
+        _, out, _ = run("show", part, "--json")
+        assert json.loads(out)["name"] == name
+
+
+def test_x_y_z_of_an_arm_that_cannot_hold_r_i_is_a_position_and_says_so(run):
+    status, out, _ = run("ik", "adept-cobra-600", 480, 310, 337)
+    assert status == 0
+    assert "taken as a position" in out and "roll, pitch, yaw" not in out
+    _, out, _ = run("ik", "adept-cobra-600", 480, 310, 337, "--json")
+    data = json.loads(out)
+    assert data["task"] == "position" and "R = I" in data["note"]
+    arm = pieper.load("adept-cobra-600")
+    assert np.allclose([arm.fk(s["q"])[:3, 3] for s in data["solutions"]], [0.48, 0.31, 0.337], atol=1e-9)
+    status, out, _ = run("ik", "adept-cobra-600", 480, 310, 337, 0, 0, 0)
+    assert status == 1 and "taken as a position" not in out
+    status, out, _ = run("path", arm.name, "--from", "480 310 337", "--to", "470 310 337", "-n", 4)
+    assert status == 0 and "taken as positions" in out
+    _, out, _ = run("ik", "denso-vp6242", 350, 0, 400)
+    assert "taken as a position" not in out
+
+
+def test_the_nearest_row_is_marked_and_named_with_its_turns(run):
+    _, out, _ = run("ik", "universal-robots-ur5e", 400, 200, 300, 180, 0, 0, "--near", "0 -90 90 -90 -90 0")
+    marked = [line for line in out.splitlines() if line.split()[1:2] == ["*"]]
+    assert len(marked) == 1
+    row = marked[0].split()[0]
+    assert f"nearest to 0 -90 90 -90 -90 0: solution {row}, at " in out
+    _, data, _ = run("ik", "universal-robots-ur5e", 400, 200, 300, 180, 0, 0, "--near", "0 -90 90 -90 -90 0", "--json")
+    nearest, rows = json.loads(data)["nearest"], json.loads(data)["solutions"]
+    turns = (np.array(rows[int(row) - 1]["q"]) - nearest) / (2 * np.pi)
+    assert np.allclose(turns, np.round(turns), atol=1e-9)
+
+
+def test_ik_writes_the_solutions_of_one_pose_as_csv(run, tmp_path):
+    run("ik", "denso-vp6242", 350, 0, 400, "--all", "--csv", tmp_path / "rows.csv")
+    lines = (tmp_path / "rows.csv").read_text().splitlines()
+    assert len(lines) == 9
+    assert lines[0].split(",")[3] == "joint_1_deg" and lines[0].endswith("in_limits,residual_mm,residual_deg")
+    assert "-0.0" not in [cell for line in lines[1:] for cell in line.split(",")[3:9]]
 
 
 def test_metres_given_as_millimetres_and_degrees_as_radians_are_remarked_upon(run):

@@ -92,14 +92,24 @@ def test_the_seed_003_postures_are_told_in_controller_angles():
 @pytest.mark.parametrize(
     ("typed", "meant"),
     [
-        ("denso-vp6224", "denso-vp6242"),
         ("DENSO VP6242", "denso-vp6242"),
         ("ur5e", "universal-robots-ur5e"),
+        ("ur5", "universal-robots-ur5"),
         ("panda", "franka-panda"),
         ("iiwa", "kuka-lbr-iiwa-14-r820"),
         ("puma560", "unimation-puma-560"),
     ],
 )
+def test_a_part_that_one_arm_alone_has_is_enough(typed, meant):
+    assert catalog.load(typed).name == meant
+
+
+def test_a_part_that_several_arms_have_lists_them():
+    with pytest.raises(InputError, match="abb-irb140, abb-irb2400.*say which"):
+        catalog.load("abb")
+
+
+@pytest.mark.parametrize(("typed", "meant"), [("denso-vp6224", "denso-vp6242"), ("ur5x", "universal-robots-ur5e")])
 def test_an_unknown_name_gets_the_nearest_ones(typed, meant):
     with pytest.raises(InputError, match=f"no arm.*{meant}"):
         catalog.load(typed)

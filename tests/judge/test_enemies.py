@@ -13,11 +13,14 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.algebra.tree import ANGLE, Node, evaluate, mul, negated, num, positions, rebuilt, replaced, sym
+from pieper.algebra.expression import Add, Call, Div, Mul, PiFraction, Sym
+from pieper.algebra.formula import ANGLE, TURNS, Mention, Neg, is_call, number, positions, replaced
+from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
 from pieper.judge.judges.angles import judge_joint
 from pieper.judge.judges.formulas import judge_entry
-from pieper.judge.model import model_from_description, sample
+from pieper.judge.model import model_from_description
+from pieper.judge.samples import sample
 
 ARMS = [
     "denso-vp6242",
@@ -95,7 +98,7 @@ def _sum(terms):
 def _turn(angle):
     """Return cosine and sine of an angle as text, exact for quarter turns."""
     if not any(ANGLE.match(s) for s in angle.symbols()):
-        value = float(evaluate(angle, {"pi": np.pi}))
+        value = float(angle.evaluate({}))
         quarter = round(value / (np.pi / 2))
         if abs(value - quarter * np.pi / 2) < 1e-12:
             return [("1", "0"), ("0", "1"), ("-1", "0"), ("0", "-1")][quarter % 4]
@@ -121,7 +124,7 @@ def wrist_formulas(ev):
         6: [f"atan2({s}sign(S5)({entry[2, 1]}), {t}sign(S5)({entry[2, 0]}))" for s in "+-" for t in "+-"],
     }.items():
         for text in options:
-            if judge_joint(ev, {"id": "try", "joint": joint, "is": text.replace("(+", "(")}).digits:
+            if judge_joint(ev, Claim("try", {"joint": joint, "is": text.replace("(+", "(")})).digits:
                 out[joint] = text.replace("(+", "(").replace(", +", ", ")
                 break
     return out
@@ -156,8 +159,8 @@ def right_formulas():
 def judged(ev, kind, what, text):
     """Judge one formula."""
     if kind == "entry":
-        return judge_entry(ev, {"id": "x", "of": what, "is": text})
-    return judge_joint(ev, {"id": "x", "joint": what, "is": text})
+        return judge_entry(ev, Claim("x", {"of": what, "is": text}))
+    return judge_joint(ev, Claim("x", {"joint": what, "is": text}))
 
 
 def plant(rng, ev, kind, what, tree):
@@ -182,19 +185,19 @@ def plant(rng, ev, kind, what, tree):
         ]
     )
     if slip == "sign":
-        at = pick([k for k, (_, n, p) in enumerate(places) if p is not None and p.op == "add"])
-        return at and (slip, replaced(tree, at[0], negated(at[1])))
+        at = pick([k for k, (_, n, p) in enumerate(places) if isinstance(p, Add)])
+        return at and (slip, replaced(tree, at[0], Neg.of(at[1])))
     if slip == "index":
         at = pick(
             [
                 k
                 for k, (_, n, p) in enumerate(places)
-                if n.op == "sym" and (ANGLE.match(n.value) or n.value in ev.model.values)
+                if isinstance(n, Sym) and (ANGLE.match(n.name) or n.name in ev.model.values)
             ]
         )
         if not at:
             return None
-        name = at[1].value
+        name = at[1].name
         if ANGLE.match(name):
             others = [j for j in range(1, ev.model.n + 1) if f"theta{j}" != name and not ev.model.sliding(j)]
             other = f"theta{rng.choice(others)}"
@@ -203,31 +206,29 @@ def plant(rng, ev, kind, what, tree):
             if not pool:
                 return None
             other = str(rng.choice(pool))
-        return slip, replaced(tree, at[0], sym(other))
+        return slip, replaced(tree, at[0], Mention(other))
     if slip == "missing":
-        at = pick([k for k, (_, n, p) in enumerate(places) if n.op == "mul"])
+        at = pick([k for k, (_, n, p) in enumerate(places) if isinstance(n, Mul)])
         if not at:
             return None
         drop = rng.integers(len(at[1].args))
-        if at[1].args[drop].op not in ("call", "sym"):
+        if not isinstance(at[1].args[drop], (Call, Sym)):
             return None  # a whole bracket is not a factor one loses unseen
-        return slip, replaced(tree, at[0], mul(*[a for k, a in enumerate(at[1].args) if k != drop]))
+        return slip, replaced(tree, at[0], Mul.of(*[a for k, a in enumerate(at[1].args) if k != drop]))
     if slip == "swapped":
-        factors = [
-            k for k, (_, n, p) in enumerate(places) if p is not None and p.op == "mul" and n.op in ("call", "sym")
-        ]
+        factors = [k for k, (_, n, p) in enumerate(places) if isinstance(p, Mul) and isinstance(n, (Call, Sym))]
         at, other = pick(factors), pick(factors)
         return at and (slip, replaced(tree, at[0], other[1]))
     if slip == "sine":
-        at = pick([k for k, (_, n, p) in enumerate(places) if n.op == "call" and n.value in ("sin", "cos")])
-        return at and (slip, replaced(tree, at[0], Node("call", at[1].args, "cos" if at[1].value == "sin" else "sin")))
+        at = pick([k for k, (_, n, p) in enumerate(places) if is_call(n, *TURNS)])
+        return at and (slip, replaced(tree, at[0], Call("cos" if at[1].name == "sin" else "sin", *at[1].args)))
     if slip == "atan":
-        at = pick([k for k, (_, n, p) in enumerate(places) if n.op == "call" and n.value == "atan2"])
-        return at and (slip, replaced(tree, at[0], Node("call", (Node("div", at[1].args),), "atan")))
+        at = pick([k for k, (_, n, p) in enumerate(places) if is_call(n, "atan2")])
+        return at and (slip, replaced(tree, at[0], Call("atan", Div(*at[1].args))))
     if slip == "degrees":
-        return (slip, mul(tree, Node("div", (num(180), sym("pi"))))) if kind == "joint" else None
+        return (slip, Mul.of(tree, Div(number(180), PiFraction(1)))) if kind == "joint" else None
     if slip == "millimetres":
-        return (slip, mul(num(1000), tree)) if kind == "entry" and what[0] == "P" else None
+        return (slip, Mul.of(number(1000), tree)) if kind == "entry" and what[0] == "P" else None
     if kind != "entry":
         return None
     model, n = ev.model, ev.model.n
@@ -240,12 +241,14 @@ def plant(rng, ev, kind, what, tree):
         wrong = replace(model, tool=np.eye(4), base=np.eye(4))
     elif slip == "maker":
         turn = rng.choice(["sense", "zero"])
-        theta = sym(f"theta{joint + 1}")
-        half = Node("div", (sym("pi"), num(2)))
+        theta = f"theta{joint + 1}"
+        half = PiFraction("1/2")
         if model.sliding(joint + 1):
             return None
         old = model.rows[joint].theta
-        wrong = model.with_row(joint, theta=rebuilt(Node("add"), (old, half)) if turn == "zero" else _swap(old, theta))
+        wrong = model.with_row(
+            joint, theta=Add.of(old, half) if turn == "zero" else old.substitute({theta: Neg(Mention(theta))})
+        )
     else:
         turned = np.eye(4)
         turned[:3, :3] = [[0, 1, 0], [0, 0, 1], [1, 0, 0]]
@@ -254,18 +257,12 @@ def plant(rng, ev, kind, what, tree):
     return (slip, made) if made.size() < 400 else None
 
 
-def _swap(tree, theta):
-    if tree is theta or (tree.op == "sym" and tree.value == theta.value):
-        return negated(theta)
-    return rebuilt(tree, tuple(_swap(a, theta) for a in tree.args)) if tree.args else tree
-
-
 def is_identity(ev, kind, what, tree, original):
     """Say whether the planted formula equals the right one at fresh joint vectors."""
     env = sample(ev.model, 64, seed=99).env
     with np.errstate(all="ignore"):
         for branch in (1, -1):
-            a, b = (np.broadcast_to(evaluate(t, env, branch=branch), (64,)) for t in (tree, original))
+            a, b = (np.broadcast_to(t.evaluate(env, branch=branch), (64,)) for t in (tree, original))
             if kind == "joint":
                 if not np.allclose(np.exp(1j * a), np.exp(1j * b), atol=1e-7):
                     return False

@@ -146,9 +146,14 @@ def test_views_lists_and_integers_are_taken_as_they_are_meant():
         solver(chain).one("home")
 
 
-def test_an_unknown_kernel_names_the_known_ones():
-    with pytest.raises(ValueError, match="spherical_wrist_parallel"):
-        _kernel.Solver("none", 6, 8, np.zeros(1), np.zeros(1), np.zeros(6), np.zeros(6), np.zeros(6))
+def test_a_geometry_says_what_it_lacks_what_it_does_not_know_and_which_shape_it_wants():
+    links = np.tile(np.eye(4), (4, 1, 1))
+    with pytest.raises(TypeError, match="position3 needs 'slides'"):
+        _kernel.Position3(length=1.0, links=links)
+    with pytest.raises(TypeError, match="position3 takes length, links, slides"):
+        _kernel.Position3(length=1.0, links=links, slides=(0, 0, 0), kind=1)
+    with pytest.raises(ValueError, match=r"position3.links: must have shape \(4, 4, 4\), got \(7, 4, 4\)"):
+        _kernel.Position3(length=1.0, links=np.zeros((7, 4, 4)), slides=(0, 0, 0))
 
 
 def test_the_interpreter_runs_on_while_many_poses_are_solved():
@@ -228,4 +233,4 @@ def test_an_instruction_set_this_machine_lacks_is_refused_with_the_list():
         env={**os.environ, "PIEPER_ISA": "mmx", "PYTHONPATH": os.pathsep.join(sys.path)},
     )
     assert ended.returncode != 0
-    assert "baseline" in ended.stderr
+    assert _kernel.isa_available in ended.stderr

@@ -137,7 +137,7 @@ def test_the_closed_form_and_the_sweep_agree(name):
     for q in np.random.default_rng(5).uniform(-2.5, 2.5, (3, 7)):
         T, asked = arm.fk(q), float(arm.arm_angle(q)[0])
         rows = arm.ik(T, redundancy={"arm angle": asked}).all_q
-        swept, valid, _ = by_sweep(arm.plan, T[None], np.array([asked]))
+        swept, valid, _ = by_sweep(arm.plan, arm.plan.arm_angle, T[None], np.array([asked]))
         swept = swept[valid]
         assert len(rows) == len(swept)
         assert max(np.abs(turned(rows, other)).max(1).min() for other in swept) < 1e-7

@@ -9,7 +9,7 @@ import pieper
 from pieper import DH, Arm, Status
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.kinematics.pose import rotation_about
-from pieper.solver.singular.selfmotion import trace
+from pieper.solver.singular.trace import trace
 
 POSTURE = np.array([0.4, -0.7, 0.5, 1.1, -0.6, 0.9, 0.3])
 
@@ -94,7 +94,7 @@ def test_a_family_that_lies_between_two_slices_is_found(name, seed):
     assert family.closed
     if seed >= 2:
         assert np.ptp(held) < 2 * np.pi / 20, "this family is not small"
-    found = arm.ik(T).families
+    found = arm.ik(T).self_motions
     assert any(f.contains(q, 1e-4) for f in found)
 
 
@@ -188,7 +188,7 @@ def test_what_the_limits_leave_of_the_families_is_what_slices_leave(name):
     arm = wide(name)
     joint = arm.plan.reduction.locked[0]
     T = arm.fk(POSTURE)
-    families = arm.ik(T).families
+    families = arm.ik(T).self_motions
     for value in (-2.0, -0.6, 0.1, 0.9, 2.3):
         sols = arm.ik(T, redundancy=value)
         points = np.concatenate([f.at_joint(joint, value) for f in families])
@@ -196,7 +196,7 @@ def test_what_the_limits_leave_of_the_families_is_what_slices_leave(name):
             assert np.abs(around(points, row)).max(1).min() < 1e-6
             family = min(families, key=lambda f: f.distance(row))
             near = int(np.argmin(np.abs(around(family.samples, row)).max(1)))
-            s = family.s[near]
+            s = family.u[near]
             inner = any(a + 0.02 < s < b - 0.02 for a, b in family.inside)
             outer = not any(a - 0.02 < s < b + 0.02 for a, b in family.inside)
             assert (ok or not inner) and (not ok or not outer)
@@ -224,7 +224,7 @@ def test_an_arm_on_a_rail_far_from_its_zero_finds_the_rail_s_values():
     sols = arm.ik(T)
     assert sols.status == Status.REDUNDANT and len(sols)
     assert (sols.q[:, 0] >= 8.0 - 1e-9).all() and (sols.q[:, 0] <= 12.0 + 1e-9).all()
-    assert any(family.contains(q, 1e-5) for family in sols.families)
+    assert any(family.contains(q, 1e-5) for family in sols.self_motions)
 
 
 def test_a_chosen_value_without_an_answer_is_told_from_a_pose_out_of_reach():

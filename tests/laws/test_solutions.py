@@ -35,7 +35,7 @@ def missed(arm, q, batch, tolerance):
     hit = ((joint_gap(arm, batch.q, q[:, None]) < tolerance[:, None]) & batch.valid).any(1)
     left = np.flatnonzero(~hit)
     # a pose with a family counts as found where the joint vector lies on it
-    return [i for i in left if not any(f.contains(q[i], 1e-5) for f in arm.ik(arm.fk(q[i])).families)]
+    return [i for i in left if not any(f.contains(q[i], 1e-5) for f in arm.ik(arm.fk(q[i])).self_motions)]
 
 
 def blurred(arm, q, floor=1e-7):
@@ -100,7 +100,7 @@ def test_nothing_is_lost_near_a_singularity(kind, joint):
 
 def near_singular(arm, rng, joint, count):
     """Return joint vectors whose determinant changes sign 1e-10 to 1e-2 away along one joint."""
-    from pieper.solver.plan.cuspidal import determinant
+    from pieper.kinematics.newton import determinant
 
     out = []
     for start in random_joints(arm, rng, 4 * count):

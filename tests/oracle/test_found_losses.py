@@ -54,12 +54,12 @@ def test_a_joint_vector_that_was_once_lost_is_found_again(case):
     # rounding of the pose moves a solution by about this much
     sigma = polish(m, m.pose(T), m.inner(q[None]), rounds=0)[2][0] if len(free) == 6 else 1.0
     wide = 1e-6 + 1e-14 / max(sigma, 1e-300)
-    on_family = not held and any(family.contains(q, 1e-5) for family in one.families)
+    on_family = not held and any(family.contains(q, 1e-5) for family in one.self_motions)
     for rows in (one.all_q, many.q[0][many.valid[0]]):
         near = gap(m, m.inner(rows), m.inner(q)).min() if len(rows) else np.inf
         assert near < wide or on_family, f"lost: {one.status.name}, {one.why}"
     if case["claim"] == "families":
-        assert any(family.contains(q, 1e-5) for family in arm.ik(T).families)
+        assert any(family.contains(q, 1e-5) for family in arm.ik(T).self_motions)
     if case["claim"] == "certain":
         assert one.status.name != "UNCERTAIN", one.why
 

@@ -60,12 +60,12 @@ def test_short_arms_have_the_solutions_of_the_oracle(name, task):
     except pieper.PlanError as error:
         pytest.fail(f"no plan: {error}")
     sols = arm.ik(T, task=task)
-    verdict = judge(arm, T, rows=sols.all_q, families=sols.families, task=task, starts=300, at_most=25)
+    verdict = judge(arm, T, rows=sols.all_q, families=sols.self_motions, task=task, starts=300, at_most=25)
     assert not verdict.wrong
     if redundant:
-        assert sols.status.name == "REDUNDANT" and sols.families and len(sols.all_q)
+        assert sols.status.name == "REDUNDANT" and sols.self_motions and len(sols.all_q)
         if len(redundant) == 1:
-            assert any(f.contains(q, 1e-4) for f in sols.families)
+            assert any(f.contains(q, 1e-4) for f in sols.self_motions)
     else:
         assert not verdict.missing, f"{sols.status.name}: {sols.why} {verdict.missing[:2]}"
         assert len(sols.all_q) == len(verdict.found.q)
@@ -121,8 +121,8 @@ def test_families_of_a_redundant_arm_are_curves_of_exact_solutions_through_the_p
     T = arm.fk(q)
     sols = arm.ik(T)
     assert sols.status.name == "REDUNDANT"
-    assert any(f.contains(q, 1e-5) for f in sols.families)
-    for family in sols.families:
+    assert any(f.contains(q, 1e-5) for f in sols.self_motions)
+    for family in sols.self_motions:
         points = np.stack([family.at(s) for s in np.linspace(0, 1, 11)])
         left = np.linalg.norm(equations(m, m.inner(points), m.pose(T))[0], axis=1)
         assert left.max() < 1e-10
@@ -132,6 +132,6 @@ def test_dependent_joints_are_a_family_with_the_sum_fixed():
     arm = pieper.load("dfrobot-rob0036-as-printed")
     q = np.radians([20.0, 30, 40, 50, 60, 10])
     sols = arm.ik(arm.fk(q))
-    assert arm.plan.redundancy and any(f.contains(q, 1e-5) for f in sols.families)
+    assert arm.plan.redundancy and any(f.contains(q, 1e-5) for f in sols.self_motions)
     for row in sols.all_q:
         assert np.abs(arm.fk(row) - arm.fk(q)).max() < 1e-10

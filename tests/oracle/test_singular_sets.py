@@ -17,13 +17,13 @@ def judged(arm, q, starts=600):
     sols = arm.ik(T)
     inner = m.inner(sols.all_q)
     on_row = len(inner) and gap(m, inner, m.inner(q)).min() < 3e-5
-    assert on_row or any(f.contains(q, 1e-5) for f in sols.families), f"lost: {sols.status.name}, {sols.why}"
-    verdict = judge(arm, T, rows=sols.all_q, families=sols.families, m=m, starts=starts)
+    assert on_row or any(f.contains(q, 1e-5) for f in sols.self_motions), f"lost: {sols.status.name}, {sols.why}"
+    verdict = judge(arm, T, rows=sols.all_q, families=sols.self_motions, m=m, starts=starts)
     assert not verdict.wrong
     assert not [x for x in verdict.missing if x[2] > 1e-6], f"isolated: {verdict.missing[:2]}"
     assert not verdict.missing, f"neither row nor on a family: {verdict.missing[:2]}"
-    assert verdict.found.crowded == bool(sols.families)
-    for family in sols.families:
+    assert verdict.found.crowded == bool(sols.self_motions)
+    for family in sols.self_motions:
         assert np.abs(arm.fk(family.samples[:, : arm.n]) - T).max() < 1e-9
     apart = gap(m, inner[:, None], inner[None]) + 9 * np.eye(len(inner))
     assert len(inner) < 2 or apart.min() > 1e-4, f"one solution twice, {apart.min():.1e} rad apart"
@@ -37,7 +37,7 @@ WRIST = ["denso-vp6242", "fanuc-r2000ic-165f", "unimation-puma-560"]
 def test_wrist_singularity(name):
     q = np.array([0.4, 0.9, -0.3, 0.8, 0.0, -0.5])
     sols, _ = judged(free(name), q)
-    assert sols.status.name == "SINGULAR" and len(sols.families) == 1 and list(sols.in_family).count(-1) == 6
+    assert sols.status.name == "SINGULAR" and len(sols.self_motions) == 1 and list(sols.in_self_motion).count(-1) == 6
 
 
 @pytest.mark.parametrize("name", WRIST[:2])
@@ -80,7 +80,7 @@ def test_shoulder_singularity_of_the_denso():
     q = np.array([0.4, 0.9, -0.7, 0.8, 0.7, -0.5])
     q[1] = root(arm, q, 1, nearest=0.0)
     sols, _ = judged(arm, q)
-    assert sols.status.name == "SINGULAR" and len(sols.families) >= 1
+    assert sols.status.name == "SINGULAR" and len(sols.self_motions) >= 1
 
 
 @pytest.mark.parametrize("name", ["denso-vp6242", "unimation-puma-560", "universal-robots-ur5e", "stanford-arm"])
@@ -131,7 +131,7 @@ def test_nothing_is_lost_near_a_singular_posture(name, distance):
         T = arm.fk(q)
         sols = arm.ik(T)
         on_row = gap(m, m.inner(sols.all_q), m.inner(q)).min() < 3e-5
-        assert on_row or any(f.contains(q, 1e-5) for f in sols.families)
+        assert on_row or any(f.contains(q, 1e-5) for f in sols.self_motions)
         found = search(arm, T, m=m, starts=400, at_most=25)
         clear = found.q[found.sigma > 1e-5]
         for other in clear:
@@ -205,9 +205,9 @@ def test_a_surface_of_solutions_is_told_as_such_and_takes_no_long_search():
     q[1:3] = upright(arm, q)
     sols = arm.ik(arm.fk(q))
     assert sols.status.name == "SINGULAR"
-    surfaces = [f for f in sols.families if f.dimension == 2]
+    surfaces = [f for f in sols.self_motions if f.dimension == 2]
     assert surfaces and "2 degrees of freedom" in sols.why
-    curves = [f for f in sols.families if f.dimension == 1]
+    curves = [f for f in sols.self_motions if f.dimension == 1]
     found = search(arm, arm.fk(q), starts=400)
     for other in found.q:
         rank = np.linalg.svd(six_jacobian(arm.chain, other), compute_uv=False)
@@ -243,9 +243,9 @@ def test_what_merges_and_along_which_direction_is_in_the_result():
     assert np.linalg.norm(way) == pytest.approx(1) and np.linalg.norm(arm.jacobian(q) @ way) < 1e-7
     q = np.array([0.4, 0.9, -0.3, 0.8, 0.0, -0.5])
     sols = arm.ik(arm.fk(q))
-    for row, family, way, labels in zip(sols.q, sols.in_family, sols.direction, sols.merged_labels, strict=True):
+    for row, family, way, labels in zip(sols.q, sols.in_self_motion, sols.direction, sols.merged_labels, strict=True):
         assert labels == ()
         assert bool(way.any()) == (family >= 0)
         if family >= 0:
             assert np.linalg.norm(arm.jacobian(row) @ way) < 1e-9
-            assert abs(way @ sols.families[family].direction) == pytest.approx(1)
+            assert abs(way @ sols.self_motions[family].direction) == pytest.approx(1)

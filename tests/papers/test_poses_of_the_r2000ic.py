@@ -45,6 +45,6 @@ def test_each_set_is_singular_with_its_posture_in_a_family_and_six_isolated_solu
     q = np.radians(SETS["thetas"][k])
     sols = arm.ik(arm.fk(q))
     assert sols.status.name == "SINGULAR"
-    assert [f.contains(q, 1e-6) for f in sols.families].count(True) == 1
+    assert [f.contains(q, 1e-6) for f in sols.self_motions].count(True) == 1
     unlimited = Arm.from_dh(arm.description.rows, convention="standard").ik(arm.fk(q))
-    assert list(unlimited.in_family).count(-1) == 6
+    assert list(unlimited.in_self_motion).count(-1) == 6

@@ -75,4 +75,4 @@ def test_the_inverse_finds_the_postures_of_the_table_again():
         q = np.radians(row["q"])
         sols = arm.ik(arm.fk(q))
         gap = np.abs((sols.all_q - q + np.pi) % (2 * np.pi) - np.pi).max(1)
-        assert gap.min() < 1e-9 or any(f.contains(q, 1e-6) for f in sols.families)
+        assert gap.min() < 1e-9 or any(f.contains(q, 1e-6) for f in sols.self_motions)

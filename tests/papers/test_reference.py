@@ -41,7 +41,7 @@ def test_inverse_kinematics_gives_the_whole_reference_set_and_nothing_else(name,
     gap = same(sols.all_q, expected, slides)
     assert len(sols.all_q) == len(expected), f"{len(sols.all_q)} solutions, not {len(expected)}"
     assert gap.min(0).max() < 1e-9 and gap.min(1).max() < 1e-9
-    assert sols.status.name == "SOLVED" and not sols.families
+    assert sols.status.name == "SOLVED" and not sols.self_motions
 
 
 @pytest.mark.parametrize("name", [n for n, e in INVERSE["robots"].items() if all("pose" in c for c in e["ik"])])

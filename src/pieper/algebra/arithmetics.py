@@ -1,43 +1,61 @@
-"""The arithmetics in which a formula can be evaluated: numpy arrays, many digits, sympy."""
+"""The arithmetics in which a formula can be evaluated: numpy arrays, many digits, sympy.
+
+All three mean the same by every function. A root or an arc of a number that has none is NaN (that branch is not real);
+an arc's argument that rounding pushed past 1 is taken as 1. `sgn` is a branch's choice and never zero, `sign` is.
+"""
 
 from __future__ import annotations
 
+from fractions import Fraction
+from typing import Any
+
 import numpy as np
+
+SETTLED = 1e-12  # by how much rounding may push a sine or cosine past 1
 
 
 class NumpyField:
-    """Double precision, over arrays of any shape; a negative square root is NaN (that branch is not real)."""
+    """Double precision, over arrays of any shape."""
 
     pi = np.pi
+    cos, sin, tan, atan, abs, sign = np.cos, np.sin, np.tan, np.arctan, np.abs, np.sign
+    atan2, hypot = np.arctan2, np.hypot
 
     @staticmethod
-    def rational(value):
-        return value.numerator / value.denominator
-
-    cos, sin, abs = np.cos, np.sin, np.abs
-    atan2 = staticmethod(np.arctan2)
+    def rational(value: Fraction) -> Any:
+        """The nearest double."""
+        return np.float64(value.numerator / value.denominator)
 
     @staticmethod
-    def sqrt(x):
+    def power(x: Any, y: Any) -> Any:
+        """x^y, of whole numbers as of others."""
+        return np.asarray(x, dtype=float) ** y
+
+    @staticmethod
+    def sqrt(x: Any) -> Any:
+        """Square root."""
         with np.errstate(invalid="ignore"):
             return np.sqrt(x)
 
     @staticmethod
-    def acos(x):
+    def acos(x: Any) -> Any:
+        """Arc cosine."""
         with np.errstate(invalid="ignore"):
-            return np.arccos(x)
+            return np.arccos(_settled(x))
 
     @staticmethod
-    def asin(x):
+    def asin(x: Any) -> Any:
+        """Arc sine."""
         with np.errstate(invalid="ignore"):
-            return np.arcsin(x)
+            return np.arcsin(_settled(x))
 
     @staticmethod
-    def sign(x):
+    def sgn(x: Any) -> Any:
+        """-1 for negative numbers, else 1."""
         return np.where(np.asarray(x) < 0, -1.0, 1.0)
 
     @staticmethod
-    def quartic(*arguments):
+    def quartic(*arguments: Any) -> np.ndarray:
         """2 atan(t) for the k-th smallest real root t of e4 t^4 + .. + e0; NaN when there are fewer."""
         *coefficients, number = np.broadcast_arrays(*arguments)
         flat = np.array([c.ravel() for c in coefficients]).T
@@ -55,38 +73,65 @@ class NumpyField:
         return found.reshape(number.shape)
 
 
+def _settled(x: Any) -> Any:
+    x = np.asarray(x, dtype=float)
+    size = np.abs(x)
+    return np.where((size > 1) & (size < 1 + SETTLED), np.sign(x), x)
+
+
 class DigitsField:
     """Many-digit arithmetic by mpmath; the number of digits is that of the enclosing `mpmath.workdps`."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         import mpmath
 
         self._mp = mpmath.mp
-        self.cos, self.sin, self.acos, self.asin, self.abs = (
-            mpmath.cos,
-            mpmath.sin,
-            mpmath.acos,
-            mpmath.asin,
-            mpmath.fabs,
-        )
+        self.cos, self.sin, self.tan, self.atan = mpmath.cos, mpmath.sin, mpmath.tan, mpmath.atan
+        self.hypot, self.abs, self.sign = mpmath.hypot, mpmath.fabs, mpmath.sign
 
     @property
-    def pi(self):
+    def pi(self) -> Any:
+        """Pi to the digits that are in force."""
         return +self._mp.pi
 
-    def rational(self, value):
+    def rational(self, value: Fraction) -> Any:
+        """The number."""
         return self._mp.mpf(value.numerator) / value.denominator
 
-    def sqrt(self, x):
+    def power(self, x: Any, y: Any) -> Any:
+        """x^y; NaN for a fractional power of a negative number."""
+        if self._mp.isint(y):
+            return x ** int(y)
+        return x**y if x >= 0 else self._mp.nan
+
+    def sqrt(self, x: Any) -> Any:
+        """Square root."""
         return self._mp.sqrt(x) if x >= 0 else self._mp.nan
 
-    def atan2(self, y, x):
+    def acos(self, x: Any) -> Any:
+        """Arc cosine."""
+        return self._arc(self._mp.acos, x)
+
+    def asin(self, x: Any) -> Any:
+        """Arc sine."""
+        return self._arc(self._mp.asin, x)
+
+    def _arc(self, function: Any, x: Any) -> Any:
+        beyond = abs(x) - 1
+        if beyond > 0:
+            x = self._mp.sign(x) if beyond < self._mp.mpf(10) ** (5 - self._mp.dps) else self._mp.nan
+        return function(x)
+
+    def atan2(self, y: Any, x: Any) -> Any:
+        """Angle of the point (x, y)."""
         return self._mp.nan if y != y or x != x else self._mp.atan2(y, x)
 
-    def sign(self, x):
+    def sgn(self, x: Any) -> Any:
+        """-1 for negative numbers, else 1."""
         return self._mp.mpf(-1 if x < 0 else 1)
 
-    def quartic(self, *arguments):
+    def quartic(self, *arguments: Any) -> Any:
+        """See `NumpyField.quartic`."""
         *coefficients, number = arguments
         if any(c != c for c in coefficients):
             return self._mp.nan
@@ -98,29 +143,30 @@ class DigitsField:
 class SympyField:
     """Exact symbols; each named quantity becomes a real sympy symbol of the same name."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         import sympy
 
-        self._sympy = sympy
-        self.pi = sympy.pi
-        self.cos, self.sin, self.sqrt, self.acos, self.asin, self.atan2, self.sign, self.abs = (
-            sympy.cos,
-            sympy.sin,
-            sympy.sqrt,
-            sympy.acos,
-            sympy.asin,
-            sympy.atan2,
-            sympy.sign,
-            sympy.Abs,
-        )
+        self.sympy: Any = sympy
+        self.pi: Any = sympy.pi
+        for name in ("cos", "sin", "tan", "sqrt", "acos", "asin", "atan", "atan2", "sign"):
+            setattr(self, name, getattr(sympy, name))
+        self.sgn, self.abs = sympy.sign, sympy.Abs
 
-    def quartic(self, *arguments):
+    def hypot(self, x: Any, y: Any) -> Any:
+        """Length of (x, y)."""
+        return self.sympy.sqrt(x**2 + y**2)
+
+    def power(self, x: Any, y: Any) -> Any:
+        """x^y."""
+        return x**y
+
+    def quartic(self, *arguments: Any) -> Any:
         """2 atan(t) with t as a named root; sympy has no closed form that is useful here."""
-        root = self._sympy.Function("quartic_root")(*arguments)
-        return 2 * self._sympy.atan(root)
+        return 2 * self.sympy.atan(self.sympy.Function("quartic_root")(*arguments))
 
-    def rational(self, value):
-        return self._sympy.Rational(value.numerator, value.denominator)
+    def rational(self, value: Fraction) -> Any:
+        """The exact number."""
+        return self.sympy.Rational(value.numerator, value.denominator)
 
     class _Symbols(dict):
         """A mapping that makes a sympy symbol for every name it is asked for, but never stands in for c1 or s23."""
@@ -128,7 +174,7 @@ class SympyField:
         def __missing__(self, symbol):
             import sympy
 
-            return sympy.Symbol(symbol.name, real=True)
+            return sympy.Symbol(symbol if isinstance(symbol, str) else symbol.name, real=True)
 
         def __contains__(self, symbol):
             return False

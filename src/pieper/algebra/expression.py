@@ -1,110 +1,88 @@
-"""Small immutable expression trees: what a formula is before it is printed, evaluated or handed to sympy.
+"""Small immutable expression trees: what a formula is, whether derived here or typed by somebody.
 
 A computer algebra system rewrites what it is given; the pages written here must keep the form a person would choose
-(Horner order along the chain, one atan2, one branch sign). So formulas are plain trees, and one method, `evaluate`,
-serves floats, numpy arrays, 50-digit arithmetic and sympy alike: the arithmetic is passed in.
+(Horner order along the chain, one atan2, one branch sign), and what somebody typed must be printed back as it was
+typed. So formulas are plain trees, and one method, `evaluate`, serves floats, arrays, 50-digit arithmetic and sympy
+alike: the arithmetic is passed in.
+
+The operators and `add`, `mul`, `div` fold what no reader would write (x*1, x+0); the constructors `Add` and `Mul`
+hold a formula as written (`formula` has what only typed formulas hold). Nodes compare by identity, numbers by value;
+symbols of derived formulas are pooled.
 """
 
 from __future__ import annotations
 
-import functools
 from fractions import Fraction
+from typing import Any
+
+from pieper.algebra.node import Node
 
 
-class Expr:
-    """A node of a formula. Arithmetic builds new nodes and folds only what no reader would write (x*1, x+0)."""
+class Expr(Node):
+    """A node of a formula."""
 
     __slots__ = ()
-    precedence = 9  # printing: 1 sum, 2 product, 3 quotient, 9 atom
 
-    def __add__(self, other):
+    def __add__(self, other) -> Expr:
         return add(self, other)
 
-    def __radd__(self, other):
+    def __radd__(self, other) -> Expr:
         return add(other, self)
 
-    def __sub__(self, other):
+    def __sub__(self, other) -> Expr:
         return add(self, -as_expr(other))
 
-    def __rsub__(self, other):
+    def __rsub__(self, other) -> Expr:
         return add(other, -self)
 
-    def __mul__(self, other):
+    def __mul__(self, other) -> Expr:
         return mul(self, other)
 
-    def __rmul__(self, other):
+    def __rmul__(self, other) -> Expr:
         return mul(other, self)
 
-    def __truediv__(self, other):
+    def __truediv__(self, other) -> Expr:
         return div(self, other)
 
-    def __rtruediv__(self, other):
+    def __rtruediv__(self, other) -> Expr:
         return div(other, self)
 
-    def __neg__(self):
+    def __neg__(self) -> Expr:
         return mul(Num(-1), self)
 
-    def __pow__(self, power: int):
-        return Power(self, power)
+    def __pow__(self, power: int) -> Expr:
+        return Power(self, Num(power))
 
-    def evaluate(self, values, field):
-        """Evaluate with `values` (symbol -> number) in the arithmetic `field` (see `fields.py`)."""
-        raise NotImplementedError
-
-    def atoms(self) -> set:
+    def atoms(self) -> set[Sym | Trig]:
         """Every symbol that occurs, trigonometric symbols included."""
-        found = set()
-        for child in self.children():
-            found |= child.atoms()
-        return found
+        return {node for node in self.walk() if isinstance(node, (Sym, Trig))}
 
-    def children(self) -> tuple:
-        return ()
-
-    def substitute(self, table: dict) -> Expr:
-        """Replace symbols by expressions."""
-        return self
-
-    def text(self) -> str:
-        from pieper.algebra.notation import text
-
-        return text(self)
-
-    def latex(self) -> str:
-        from pieper.algebra.notation import latex
-
-        return latex(self)
-
-    def mathml(self) -> str:
-        from pieper.algebra.notation import mathml
-
-        return mathml(self)
-
-    def sympy(self):
-        """The same formula for sympy: theta1 as a symbol, c23 as cos(theta2 + theta3), exact rationals."""
-        from pieper.algebra.arithmetics import SympyField
-
-        return self.evaluate(SympyField.symbols, SympyField())
-
-    def __repr__(self) -> str:
-        return self.text()
+    def symbols(self) -> set[str]:
+        """The names of all symbols."""
+        return {node.name for node in self.walk() if isinstance(node, Sym)}
 
 
+# -- atoms ---------------------------------------------------------------------------------------------------
 class Num(Expr):
-    """An exact rational number."""
+    """An exact rational number.
 
-    __slots__ = ("value",)
+    Args:
+        value: The number.
+        written: Its digits as somebody typed them, "" for a derived number.
+    """
 
-    def __init__(self, value):
-        self.value = Fraction(value)
+    __slots__ = ("value", "written")
 
-    def evaluate(self, values, field):
+    def __init__(self, value: Any, written: str = "") -> None:
+        self.value, self.written = Fraction(value), written
+
+    def looked_up(self, values, field):
         return field.rational(self.value)
 
-    def __eq__(self, other):
+    def __eq__(self, other) -> bool:
         return isinstance(other, Num) and other.value == self.value
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash(("Num", self.value))
 
 
@@ -113,10 +91,10 @@ class PiFraction(Expr):
 
     __slots__ = ("value",)
 
-    def __init__(self, value):
+    def __init__(self, value: Any) -> None:
         self.value = Fraction(value)
 
-    def evaluate(self, values, field):
+    def looked_up(self, values, field):
         return field.rational(self.value) * field.pi
 
 
@@ -129,34 +107,32 @@ class Sym(Expr):
         rank: place inside a product (numbers 0, lengths 1, constants 2, trigonometry 3, target entries 4).
     """
 
-    __slots__ = ("base", "sub", "rank", "order")
+    __slots__ = ("base", "sub", "rank", "order", "name")
     _pool: dict = {}
+    base: str
+    sub: str
+    rank: int
+    order: tuple
+    name: str  # plain, as sympy and text have it: a2, theta1, n_x
 
     def __new__(cls, base: str, sub: str = "", rank: int = 1):
-        key = (cls, base, sub)
+        key = (cls, base, sub, rank)
         found = cls._pool.get(key)
         if found is None:
             found = cls._pool[key] = object.__new__(cls)
             found.base, found.sub, found.rank = base, sub, rank
-            found.order = (rank, base if rank != 4 else {"p": "0", "w": "0"}.get(base, base), _natural(sub))
+            found.name = base + ("_" if sub and not sub[0].isdigit() else "") + sub
+            found.order = (rank, base if rank != 4 else {"p": "0", "w": "0"}.get(base, base), natural(sub))
         return found
 
-    def evaluate(self, values, field):
+    def looked_up(self, values, field):
         try:
             return values[self]
         except KeyError:
-            raise KeyError(f"no value for the symbol {self.text()}") from None
-
-    def atoms(self):
-        return {self}
+            raise KeyError(f"no value for the symbol {self.name}") from None
 
     def substitute(self, table):
         return table.get(self, self)
-
-    @property
-    def name(self) -> str:
-        """Plain name used by sympy and in text: a2, theta1, n_x."""
-        return self.base + ("_" if self.sub and not self.sub[0].isdigit() else "") + self.sub
 
 
 class Trig(Expr):
@@ -171,8 +147,14 @@ class Trig(Expr):
 
     __slots__ = ("kind", "angle", "group", "letter", "rank", "order")
     _pool: dict = {}
+    kind: str
+    angle: tuple[tuple[int, int], ...]
+    group: int
+    letter: str
+    rank: int
+    order: tuple
 
-    def __new__(cls, kind, angle, group, letter="theta"):
+    def __new__(cls, kind: str, angle: tuple, group: int, letter: str = "theta"):
         key = (kind, angle, group, letter)
         found = cls._pool.get(key)
         if found is None:
@@ -182,9 +164,10 @@ class Trig(Expr):
         return found
 
     def argument(self) -> tuple:
+        """((factor, symbol), ...) of the angle."""
         return tuple((factor, angle_symbol(joint, self.letter)) for joint, factor in self.angle)
 
-    def evaluate(self, values, field):
+    def looked_up(self, values, field):
         if self in values:
             return values[self]
         total = field.rational(Fraction(0))
@@ -192,112 +175,129 @@ class Trig(Expr):
             total = total + field.rational(Fraction(factor)) * symbol.evaluate(values, field)
         return field.cos(total) if self.kind == "c" else field.sin(total)
 
-    def atoms(self):
-        return {self}
-
     def substitute(self, table):
         return table.get(self, self)
 
 
-class Add(Expr):
+# -- operations ----------------------------------------------------------------------------------------------
+class Operation(Expr):
+    """A node with arguments."""
+
+    __slots__ = ("args", "_typed")
+
+    def __init__(self, *args: Expr) -> None:
+        self.args = args
+
+    def rebuilt(self, args):
+        return type(self)(*args)
+
+    def __str__(self) -> str:
+        try:
+            return self._typed
+        except AttributeError:
+            self._typed = super().__str__()
+            return self._typed
+
+
+class Add(Operation):
     """A sum, in the order it is to be read."""
 
-    __slots__ = ("terms",)
+    __slots__ = ()
     precedence = 1
 
-    def __init__(self, terms):
-        self.terms = tuple(terms)
+    @classmethod
+    def of(cls, *terms: Expr) -> Expr:
+        """The sum as written: sums inside it are joined, nothing else is touched."""
+        flat = [t for term in terms for t in (term.args if isinstance(term, Add) else (term,))]
+        return flat[0] if len(flat) == 1 else Add(*flat)
 
-    def children(self):
-        return self.terms
+    def rebuilt(self, args):
+        return Add.of(*args)
 
-    def evaluate(self, values, field):
-        return functools.reduce(lambda x, y: x + y, (t.evaluate(values, field) for t in self.terms))
+    def combined(self, v, field, branch):
+        total = v[0]
+        for x in v[1:]:
+            total = total + x
+        return total
 
-    def substitute(self, table):
-        return add(*(t.substitute(table) for t in self.terms))
 
-
-class Mul(Expr):
+class Mul(Operation):
     """A product, in the order it is to be read."""
 
-    __slots__ = ("factors",)
+    __slots__ = ()
     precedence = 2
 
-    def __init__(self, factors):
-        self.factors = tuple(factors)
+    @classmethod
+    def of(cls, *factors: Expr) -> Expr:
+        """The product as written: products inside it are joined, nothing else is touched."""
+        flat = [f for factor in factors for f in (factor.args if isinstance(factor, Mul) else (factor,))]
+        return flat[0] if len(flat) == 1 else Mul(*flat)
 
-    def children(self):
-        return self.factors
+    def rebuilt(self, args):
+        return Mul.of(*args)
 
-    def evaluate(self, values, field):
-        return functools.reduce(lambda x, y: x * y, (t.evaluate(values, field) for t in self.factors))
+    def combined(self, v, field, branch):
+        total = v[0]
+        for x in v[1:]:
+            total = total * x
+        return total
 
-    def substitute(self, table):
-        return mul(*(t.substitute(table) for t in self.factors))
 
-
-class Div(Expr):
+class Div(Operation):
     """A quotient."""
 
-    __slots__ = ("over", "under")
+    __slots__ = ()
     precedence = 3
 
-    def __init__(self, over, under):
-        self.over, self.under = over, under
-
-    def children(self):
-        return (self.over, self.under)
-
-    def evaluate(self, values, field):
-        return self.over.evaluate(values, field) / self.under.evaluate(values, field)
-
-    def substitute(self, table):
-        return div(self.over.substitute(table), self.under.substitute(table))
+    def combined(self, v, field, branch):
+        return v[0] / v[1]
 
 
-class Power(Expr):
-    """A whole-number power."""
+class Power(Operation):
+    """A power; derived formulas have whole-number powers only."""
 
-    __slots__ = ("base", "power")
+    __slots__ = ()
     precedence = 4
 
-    def __init__(self, base, power):
-        self.base, self.power = as_expr(base), int(power)
+    @property
+    def base(self) -> Expr:
+        """What is raised."""
+        return self.args[0]
 
-    def children(self):
-        return (self.base,)
+    @property
+    def power(self) -> int | Fraction | None:
+        """The exponent where it is a number."""
+        exponent = self.args[1]
+        if not isinstance(exponent, Num):
+            return None
+        return exponent.value.numerator if exponent.value.denominator == 1 else exponent.value
 
-    def evaluate(self, values, field):
-        return self.base.evaluate(values, field) ** self.power
-
-    def substitute(self, table):
-        return Power(self.base.substitute(table), self.power)
-
-
-class Call(Expr):
-    """A function of expressions: sqrt, atan2, acos, sign."""
-
-    __slots__ = ("name", "args")
-    precedence = 9
-
-    def __init__(self, name, *args):
-        self.name, self.args = name, tuple(as_expr(a) for a in args)
-
-    def children(self):
-        return self.args
-
-    def evaluate(self, values, field):
-        return getattr(field, self.name)(*(a.evaluate(values, field) for a in self.args))
-
-    def substitute(self, table):
-        return Call(self.name, *(a.substitute(table) for a in self.args))
+    def combined(self, v, field, branch):
+        return field.power(v[0], self.power if type(self.power) is int else v[1])
 
 
+class Call(Operation):
+    """A function of expressions: sqrt, atan2, acos, sgn."""
+
+    __slots__ = ("name",)
+
+    def __init__(self, name: str, *args: Any) -> None:
+        super().__init__(*map(as_expr, args))
+        self.name = name
+
+    def rebuilt(self, args):
+        return Call(self.name, *args)
+
+    def combined(self, v, field, branch):
+        return getattr(field, self.name)(*v)
+
+
+# -- building ------------------------------------------------------------------------------------------------
 ZERO, ONE = Num(0), Num(1)
 
 
-def as_expr(value) -> Expr:
+def as_expr(value: Any) -> Expr:
+    """The value itself when it is an expression, else the exact number."""
     return value if isinstance(value, Expr) else Num(value)
 
 
@@ -306,28 +306,26 @@ def angle_symbol(joint: int, letter: str = "theta") -> Sym:
     return Sym(letter, str(joint), 1)
 
 
-def add(*terms) -> Expr:
+def add(*terms: Any) -> Expr:
     """Sum of expressions; nested sums are joined, exact zeros dropped."""
-    flat = []
+    flat: list[Expr] = []
     for term in map(as_expr, terms):
-        flat.extend(term.terms if isinstance(term, Add) else (term,))
+        flat.extend(term.args if isinstance(term, Add) else (term,))
     number = sum((t.value for t in flat if isinstance(t, Num)), Fraction(0))
     rest = [t for t in flat if not isinstance(t, Num)]
     if number:
         place = next(i for i, t in enumerate(flat) if isinstance(t, Num))
         rest.insert(min(place, len(rest)), Num(number))
-    if not rest:
-        return ZERO
-    return rest[0] if len(rest) == 1 else Add(rest)
+    return Add.of(*rest) if rest else ZERO
 
 
-def mul(*factors) -> Expr:
+def mul(*factors: Any) -> Expr:
     """Product of expressions; nested products are joined, numbers gathered in front."""
-    flat = []
+    flat: list[Expr] = []
     for factor in map(as_expr, factors):
-        flat.extend(factor.factors if isinstance(factor, Mul) else (factor,))
+        flat.extend(factor.args if isinstance(factor, Mul) else (factor,))
     number = Fraction(1)
-    rest = []
+    rest: list[Expr] = []
     for factor in flat:
         if isinstance(factor, Num):
             number *= factor.value
@@ -338,39 +336,30 @@ def mul(*factors) -> Expr:
     if len(rest) == 1 and isinstance(rest[0], PiFraction):
         return PiFraction(number * rest[0].value)
     if number == -1 and len(rest) == 1 and isinstance(rest[0], Add):
-        return Add([mul(Num(-1), t) for t in rest[0].terms])
+        return Add(*(mul(Num(-1), t) for t in rest[0].args))
     if number != 1:
         rest.insert(0, Num(number))
-    if not rest:
-        return ONE
-    return rest[0] if len(rest) == 1 else Mul(rest)
+    return Mul.of(*rest) if rest else ONE
 
 
-def div(over, under) -> Expr:
+def div(over: Any, under: Any) -> Expr:
+    """Quotient of expressions; a division by a number becomes a product."""
     over, under = as_expr(over), as_expr(under)
     if isinstance(under, Num):
         return mul(Num(1 / under.value), over)
     return over if over == ZERO else Div(over, under)
 
 
-def sqrt(value) -> Expr:
+def sqrt(value: Any) -> Expr:
+    """Square root."""
     return Call("sqrt", value)
 
 
-def atan2(y, x) -> Expr:
+def atan2(y: Any, x: Any) -> Expr:
+    """Angle of the point (x, y)."""
     return Call("atan2", y, x)
 
 
-def negative(expr: Expr) -> bool:
-    """Whether the expression starts with a minus sign when printed."""
-    if isinstance(expr, (Num, PiFraction)):
-        return expr.value < 0
-    if isinstance(expr, Mul):
-        return negative(expr.factors[0])
-    if isinstance(expr, Add):
-        return negative(expr.terms[0])
-    return isinstance(expr, Div) and negative(expr.over)
-
-
-def _natural(sub: str):
+def natural(sub: str) -> tuple[int, int, str]:
+    """Sort key of a subscript: numbers by size, letters after them."""
     return (0, int(sub), "") if sub.isdigit() else (1, 0, sub)

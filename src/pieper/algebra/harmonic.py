@@ -12,7 +12,7 @@ import functools
 from fractions import Fraction
 
 from pieper.algebra.arithmetics import NumpyField
-from pieper.algebra.expression import ONE, ZERO, Expr, Num, Sym, Trig, add, mul
+from pieper.algebra.expression import ONE, ZERO, Expr, Num, Power, Sym, Trig, add, mul
 
 HALF = Fraction(1, 2)
 
@@ -386,4 +386,5 @@ def _product(value: Fraction, atoms: list, body: Expr | None = None) -> Expr:
 
 
 def _operations(expr: Expr) -> int:
-    return len(expr.children()) + sum(_operations(child) for child in expr.children())
+    parts = expr.args[:1] if isinstance(expr, Power) else expr.args
+    return len(parts) + sum(map(_operations, parts))

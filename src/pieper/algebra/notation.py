@@ -1,4 +1,4 @@
-"""The field's notation on paper: text, LaTeX and presentation MathML of an expression.
+"""The field's notation on paper: text (derived and typed), LaTeX and presentation MathML of an expression.
 
 c1, s23, c(2-3) for sines and cosines; a2, d4 for lengths; n_x ... p_z for the target; sigma1 = +1 or -1 for a branch.
 The MathML needs no script and no style sheet.
@@ -6,22 +6,26 @@ The MathML needs no script and no style sheet.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from html import escape
 
 from pieper.algebra.exact import decimal_text
-from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Num, PiFraction, Power, Sym, Trig, mul, negative
+from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Num, PiFraction, Power, Sym, Trig, mul
+from pieper.algebra.formula import Equation, Neg, PlusMinus, turned_joints
 
 GREEK = {"theta": "θ", "alpha": "α", "sigma": "σ", "beta": "β", "gamma": "γ", "phi": "φ", "rho": "ρ", "Delta": "Δ"}
 LATEX_FUNCTION = {
-    "atan2": r"\operatorname{atan2}",
     "acos": r"\arccos",
     "asin": r"\arcsin",
-    "sign": r"\operatorname{sgn}",
+    "atan": r"\arctan",
     "cos": r"\cos",
     "sin": r"\sin",
+    "tan": r"\tan",
 }
-TEXT_FUNCTION = {"sign": "sgn"}
+MATHML_FUNCTION = {"acos": "arccos", "asin": "arcsin", "atan": "arctan"}
+THIN = "<mspace width='0.17em'/>"
+Printer = Callable[[Expr], str]
 
 
 def subscript(angle: tuple) -> tuple[str, bool]:
@@ -38,9 +42,18 @@ def subscript(angle: tuple) -> tuple[str, bool]:
 
 # -- text ----------------------------------------------------------------------------------------------------
 def text(expr: Expr) -> str:
-    """One line of plain text that can be typed back in."""
+    """One line of plain text, products with a star."""
+    return _plain(expr, text, "*")
+
+
+def typed(expr: Expr) -> str:
+    """One line of plain text as papers write it, products side by side; typed formulas come back as they were."""
+    return _plain(expr, typed, " ")
+
+
+def _plain(expr: Expr, printer: Printer, times: str) -> str:
     if isinstance(expr, Num):
-        return _number(expr.value)
+        return expr.written or _number(expr.value)
     if isinstance(expr, PiFraction):
         return _pi_text(expr.value)
     if isinstance(expr, Trig):
@@ -48,26 +61,35 @@ def text(expr: Expr) -> str:
         return f"{expr.kind}{index}" if plain else f"{expr.kind}({index})"
     if isinstance(expr, Sym):
         return expr.name
-    if isinstance(expr, Add):
-        return _sum(expr, text, " + ", " - ")
+    if isinstance(expr, (Add, Neg, PlusMinus)):
+        return _sum(expr, printer)
     if isinstance(expr, Mul):
-        return _signed_product(expr, text, "*", "(", ")")
+        return _product(expr, printer, times)
     if isinstance(expr, Div):
-        return f"{_wrapped(expr.over, text, 2)}/{_wrapped(expr.under, text, 4)}"
+        return f"{_wrapped(expr.args[0], printer, 2)}/{_wrapped(expr.args[1], printer, 4)}"
     if isinstance(expr, Power):
-        return f"{_wrapped(expr.base, text, 9)}^{expr.power}"
+        return f"{_wrapped(expr.args[0], printer, 9)}^{_wrapped(expr.args[1], printer, 9)}"
+    if isinstance(expr, Equation):
+        return " = ".join(map(printer, expr.args))
     if isinstance(expr, Call):
         if expr.name == "quartic":
+            *e, k = map(printer, expr.args)
+            powers = "*t^4", "*t^3", "*t^2", "*t", ""
             return (
-                f"2*atan(t), t real root number {text(expr.args[-1])} of "
-                + " + ".join(
-                    f"{text(e)}*t^{4 - k}" if k < 3 else f"{text(e)}*t" if k == 3 else text(e)
-                    for k, e in enumerate(expr.args[:-1])
-                )
-                + " = 0"
+                f"2*atan(t), t real root number {k} of {' + '.join(a + p for a, p in zip(e, powers, strict=True))} = 0"
             )
-        return f"{TEXT_FUNCTION.get(expr.name, expr.name)}({', '.join(map(text, expr.args))})"
+        return _turn(expr) or f"{expr.name}({', '.join(map(printer, expr.args))})"
     raise TypeError(f"cannot print {type(expr).__name__}")
+
+
+def _turn(expr: Call) -> str:
+    """c23 for cos(theta2 + theta3); "" for other calls."""
+    parts = turned_joints(expr)
+    if parts and all(s > 0 for s, _ in parts):
+        return expr.name[0] + "".join(str(j) for _, j in parts)
+    if parts and len(parts) > 1 and parts[0][0] > 0:
+        return f"{expr.name[0]}({''.join(('+' if s > 0 else '-') + str(j) for s, j in parts)[1:]})"
+    return ""
 
 
 # -- LaTeX ---------------------------------------------------------------------------------------------------
@@ -82,16 +104,16 @@ def latex(expr: Expr) -> str:
     if isinstance(expr, Sym):
         base = expr.base if len(expr.base) == 1 else _latex_base(expr.base)
         return f"{base}_{{{expr.sub}}}" if expr.sub else base
-    if isinstance(expr, Add):
-        return _sum(expr, latex, " + ", " - ")
+    if isinstance(expr, (Add, Neg, PlusMinus)):
+        return _sum(expr, latex)
     if isinstance(expr, Mul):
-        return _signed_product(expr, latex, r" ", r"\left(", r"\right)")
+        return _product(expr, latex, " ")
     if isinstance(expr, Div):
-        return rf"\frac{{{latex(expr.over)}}}{{{latex(expr.under)}}}"
+        return rf"\frac{{{latex(expr.args[0])}}}{{{latex(expr.args[1])}}}"
     if isinstance(expr, Power):
-        if isinstance(expr.base, Trig):
-            return f"{expr.base.kind}_{{{subscript(expr.base.angle)[0]}}}^{{{expr.power}}}"
-        return f"{_wrapped(expr.base, latex, 9, *_BIG)}^{{{expr.power}}}"
+        return f"{_wrapped(expr.args[0], latex, 9)}^{{{latex(expr.args[1])}}}"
+    if isinstance(expr, Equation):
+        return " = ".join(map(latex, expr.args))
     if isinstance(expr, Call):
         if expr.name == "sqrt":
             return rf"\sqrt{{{latex(expr.args[0])}}}"
@@ -100,11 +122,9 @@ def latex(expr: Expr) -> str:
             return rf"2\arctan t_{{{k}}},\quad {e4} t^4 + {e3} t^3 + {e2} t^2 + {e1} t + {e0} = 0"
         if expr.name == "abs":
             return rf"\left|{latex(expr.args[0])}\right|"
-        return rf"{LATEX_FUNCTION[expr.name]}\left({', '.join(map(latex, expr.args))}\right)"
+        name = LATEX_FUNCTION.get(expr.name, rf"\operatorname{{{expr.name}}}")
+        return rf"{name}\left({', '.join(map(latex, expr.args))}\right)"
     raise TypeError(f"cannot print {type(expr).__name__}")
-
-
-_BIG = (r"\left(", r"\right)")
 
 
 # -- MathML --------------------------------------------------------------------------------------------------
@@ -118,16 +138,16 @@ def mathml(expr: Expr) -> str:
         return f"<msub><mi>{expr.kind}</mi><mn>{subscript(expr.angle)[0].replace('-', '−')}</mn></msub>"
     if isinstance(expr, Sym):
         return _symbol_mathml(expr)
-    if isinstance(expr, Add):
-        return f"<mrow>{_sum(expr, mathml, '<mo>+</mo>', '<mo>−</mo>')}</mrow>"
+    if isinstance(expr, (Add, Neg, PlusMinus)):
+        return f"<mrow>{_sum(expr, mathml)}</mrow>"
     if isinstance(expr, Mul):
-        body = _signed_product(expr, mathml, "<mspace width='0.17em'/>", "<mo>(</mo>", "<mo>)</mo>")
-        return f"<mrow>{body}</mrow>"
+        return f"<mrow>{_product(expr, mathml, THIN)}</mrow>"
     if isinstance(expr, Div):
-        return f"<mfrac>{mathml(expr.over)}{mathml(expr.under)}</mfrac>"
+        return f"<mfrac>{mathml(expr.args[0])}{mathml(expr.args[1])}</mfrac>"
     if isinstance(expr, Power):
-        inner = _wrapped(expr.base, mathml, 9, "<mo>(</mo>", "<mo>)</mo>")
-        return f"<msup><mrow>{inner}</mrow><mn>{expr.power}</mn></msup>"
+        return f"<msup><mrow>{_wrapped(expr.args[0], mathml, 9)}</mrow>{mathml(expr.args[1])}</msup>"
+    if isinstance(expr, Equation):
+        return "<mo>=</mo>".join(map(mathml, expr.args))
     if isinstance(expr, Call):
         if expr.name == "sqrt":
             return f"<msqrt>{mathml(expr.args[0])}</msqrt>"
@@ -141,7 +161,7 @@ def mathml(expr: Expr) -> str:
             )
         if expr.name == "abs":
             return f"<mrow><mo>|</mo>{mathml(expr.args[0])}<mo>|</mo></mrow>"
-        name = {"acos": "arccos", "asin": "arcsin", "sign": "sgn"}.get(expr.name, expr.name)
+        name = MATHML_FUNCTION.get(expr.name, expr.name)
         return f"<mrow><mi>{name}</mi><mo>(</mo>{'<mo>,</mo>'.join(map(mathml, expr.args))}<mo>)</mo></mrow>"
     raise TypeError(f"cannot print {type(expr).__name__}")
 
@@ -160,39 +180,66 @@ def equation(left: str | Expr, right: Expr, style: str) -> str:
 
 
 # -- pieces --------------------------------------------------------------------------------------------------
-def _sum(expr: Add, printer, plus: str, minus: str) -> str:
+def negative(expr: Expr) -> bool:
+    """Whether the expression starts with a minus sign when printed (and not with one that stands in brackets)."""
+    if isinstance(expr, (Num, PiFraction)):
+        return expr.value < 0
+    if isinstance(expr, (Mul, Add, Div)):
+        return not isinstance(expr.args[0], Neg) and negative(expr.args[0])
+    return isinstance(expr, Neg)
+
+
+def _sum(expr: Expr, printer: Printer) -> str:
+    """Terms with their signs; a term with a sign of its own is a sum of one."""
+    plus, minus, plus_minus, minus_plus = _SIGNS[printer]
+    terms = expr.args if isinstance(expr, Add) else (expr,)
     parts = []
-    for place, term in enumerate(expr.terms):
-        if place and negative(term):
-            parts.append(minus + _wrapped(mul(-1, term), printer, 2, *_brackets(printer)))
+    for place, term in enumerate(terms):
+        tight = not place and printer in (text, typed, latex)
+        if isinstance(term, PlusMinus):
+            sign = plus_minus if term.sign > 0 else minus_plus
+            parts.append((sign.strip() if tight else sign) + _wrapped(term.args[0], printer, 2))
+        elif isinstance(term, Neg):
+            parts.append((minus.strip() if tight else minus) + _wrapped(term.args[0], printer, 2))
+        elif place and negative(term):
+            parts.append(minus + _wrapped(mul(-1, term), printer, 2))
         else:
             parts.append((plus if place else "") + printer(term))
     return "".join(parts)
 
 
-def _brackets(printer):
-    return {text: ("(", ")"), latex: _BIG}.get(printer, ("<mo>(</mo>", "<mo>)</mo>"))
-
-
-def _wrapped(expr: Expr, printer, least: int, left: str = "(", right: str = ")") -> str:
+def _wrapped(expr: Expr, printer: Printer, least: int) -> str:
+    left, right = _BRACKETS[printer]
     body = printer(expr)
     weak = expr.precedence < least or (least > 2 and isinstance(expr, (Num, PiFraction)) and expr.value < 0)
     return left + body + right if weak else body
 
 
-def _signed_product(expr: Mul, printer, times: str, left: str, right: str) -> str:
-    factors = list(expr.factors)
+def _product(expr: Mul, printer: Printer, times: str) -> str:
+    factors = list(expr.args)
     sign = ""
     if isinstance(factors[0], Num) and factors[0].value < 0:
-        sign = {text: "-", latex: "-"}.get(printer, "<mo>−</mo>")
+        sign = _SIGNS[printer][1].strip()
         factors[0] = Num(-factors[0].value)
         if factors[0].value == 1:
             factors.pop(0)
-    pieces = [_wrapped(f, printer, 2, left, right) for f in factors]
-    if printer is text:
-        return sign + times.join(pieces)
-    # A number before a digit-like piece needs a visible product sign; LaTeX and MathML otherwise use a thin space.
+    # what stands side by side would run into a quotient before it
+    pieces = [_wrapped(f, printer, 4 if place and printer is typed else 2) for place, f in enumerate(factors)]
     return sign + times.join(pieces)
+
+
+_SIGNS = {
+    text: (" + ", " - ", " +- ", " -+ "),
+    typed: (" + ", " - ", " +- ", " -+ "),
+    latex: (" + ", " - ", r" \pm ", r" \mp "),
+    mathml: ("<mo>+</mo>", "<mo>−</mo>", "<mo>±</mo>", "<mo>∓</mo>"),
+}
+_BRACKETS = {
+    text: ("(", ")"),
+    typed: ("(", ")"),
+    latex: (r"\left(", r"\right)"),
+    mathml: ("<mo>(</mo>", "<mo>)</mo>"),
+}
 
 
 def _number(value: Fraction) -> str:

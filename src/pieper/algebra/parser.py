@@ -4,8 +4,7 @@ expression tree.
 Understood: ``C1 s23 c(2-3) S345 cq2q3``, ``cos t1``, ``sin(q2+q3)``, ``atan2(y, x)``, ``tan^-1``, products written
 side by side
 (``2a2a3 C1``), ``+-`` and ``-+`` (all signs of one formula go together), ``90 deg``, ``a_2``, ``theta_4``, ``r12`` and
-names
-the caller allows. Text never reaches Python's evaluator.
+names the caller allows. Text never reaches Python's evaluator.
 """
 
 from __future__ import annotations
@@ -14,14 +13,16 @@ import difflib
 import re
 from collections.abc import Collection
 
-from pieper.algebra.parser_words import FUNCTION_NAMES, INVERSE, JOINT_NAME, SPELLING, TOKEN, TRIG_NAME
-from pieper.algebra.tree import FUNCTIONS, Node, add, angle_sum, call, mul, negated, num, sym
+from pieper.algebra.expression import Add, Call, Div, Expr, Mul, PiFraction, Power
+from pieper.algebra.formula import Mention, Neg, PlusMinus, angle_sum, number
+from pieper.algebra.parser_words import FUNCTION_NAMES, FUNCTIONS, INVERSE, JOINT_NAME, SPELLING, TOKEN, TRIG_NAME
 from pieper.errors import InputError
 
 MAX_CHARACTERS = 200_000  # a page of algebra has 5,000; beyond this it is not a formula
 MAXTOKENS = 60_000
 MAX_DEPTH = 60  # brackets inside brackets
 MAX_TREE_DEPTH = 300
+MAX_EXPONENT = 250  # of a number such as 1e-9; doubles end near 308
 
 
 class FormulaError(InputError):
@@ -94,7 +95,7 @@ class Parser:
         self.at += 1
         return token
 
-    def parse(self) -> Node:
+    def parse(self) -> Expr:
         """Read the whole formula as one expression."""
         node = self._sum()
         kind, text, position = self._peek()
@@ -104,10 +105,9 @@ class Parser:
             raise _fail(self.text, position, f"{text!r} is not expected here{hint}")
         return self._checked(node)
 
-    def _checked(self, node: Node) -> Node:
-        """Refuse trees too deep to walk (a chain of thousands of divisions, say); long sums and products are flat and
-        pass."""
-        depth: dict[Node, int] = {}
+    def _checked(self, node: Expr) -> Expr:
+        """Refuse trees too deep to walk (a chain of divisions, say); long sums and products are flat and pass."""
+        depth: dict[Expr, int] = {}
         for n in node.walk():
             depth[n] = 1 + max((depth[a] for a in n.args), default=0)
         if depth[node] > MAX_TREE_DEPTH:
@@ -117,7 +117,7 @@ class Parser:
             )
         return node
 
-    def parse_equation(self) -> tuple[Node, Node]:
+    def parse_equation(self) -> tuple[Expr, Expr]:
         """Read ``left = right``."""
         left = self._sum()
         kind, text, position = self._take()
@@ -129,34 +129,34 @@ class Parser:
             raise _fail(self.text, position, f"{text!r} is not expected here")
         return self._checked(left), self._checked(right)
 
-    def _sum(self) -> Node:
+    def _sum(self) -> Expr:
         terms = [self._term()]
         while True:
             kind, text, _ = self._peek()
             if kind == "pm":
                 self._take()
-                terms.append(Node("pm", (self._term(),), 1 if text.startswith("+") else -1))
+                terms.append(PlusMinus(self._term(), 1 if text.startswith("+") else -1))
             elif text in ("+", "-") and kind == "op":
                 self._take()
                 term = self._term()
-                terms.append(negated(term) if text == "-" else term)
+                terms.append(Neg.of(term) if text == "-" else term)
             else:
-                return add(*terms)
+                return Add.of(*terms)
 
-    def _term(self) -> Node:
+    def _term(self) -> Expr:
         kind, text, position = self._peek()
         if kind == "op" and text in "+-":
             self._take()
             self._deeper(position)
             inner = self._term()
             self.depth -= 1
-            return negated(inner) if text == "-" else inner
+            return Neg.of(inner) if text == "-" else inner
         if kind == "pm":
             self._take()
             self._deeper(position)
             inner = self._term()
             self.depth -= 1
-            return Node("pm", (inner,), 1 if text.startswith("+") else -1)
+            return PlusMinus(inner, 1 if text.startswith("+") else -1)
         factors = [self._power()]
         while True:
             kind, text, position = self._peek()
@@ -165,33 +165,33 @@ class Parser:
                 factors.append(self._signed_power())
             elif text == "/":
                 self._take()
-                factors = [Node("div", (mul(*factors), self._signed_power()))]
+                factors = [Div(Mul.of(*factors), self._signed_power())]
             elif kind in ("num", "name", "trig") or text in ("(", "[", "{"):
                 if kind == "num" and self.tokens[self.at - 1][0] == "num":
                     raise _fail(self.text, position, "two numbers stand side by side; write * between them")
                 factors.append(self._power())
             else:
-                return mul(*factors)
+                return Mul.of(*factors)
 
-    def _signed_power(self) -> Node:
+    def _signed_power(self) -> Expr:
         if self._peek()[1] in ("-", "+"):
             sign = self._take()[1]
             inner = self._power()
-            return negated(inner) if sign == "-" else inner
+            return Neg.of(inner) if sign == "-" else inner
         return self._power()
 
-    def _power(self) -> Node:
+    def _power(self) -> Expr:
         base = self._primary()
         if self._peek()[1] in ("^", "**"):
             self._take()
-            return Node("pow", (base, self._exponent()))
+            return Power(base, self._exponent())
         return base
 
-    def _exponent(self) -> Node:
+    def _exponent(self) -> Expr:
         kind, text, position = self._peek()
         if text == "-":
             self._take()
-            return negated(self._primary())
+            return Neg.of(self._primary())
         return self._primary()
 
     def _deeper(self, position: int):
@@ -199,10 +199,10 @@ class Parser:
         if self.depth > MAX_DEPTH:
             raise _fail(self.text, position, f"more than {MAX_DEPTH} brackets or signs inside one another")
 
-    def _primary(self) -> Node:
+    def _primary(self) -> Expr:
         kind, text, position = self._take()
         if kind == "num":
-            return num(text)
+            return self._number(text, position)
         if text in ("(", "[", "{"):
             return self._bracket(text, position)
         if kind == "trig":
@@ -215,7 +215,15 @@ class Parser:
             self.text, position, f"{text!r} is not expected here; a symbol, a number or a bracket must stand here"
         )
 
-    def _bracket(self, opened: str, position: int) -> Node:
+    def _number(self, text: str, position: int) -> Expr:
+        _, _, exponent = text.lower().partition("e")
+        if len(text) > MAX_EXPONENT or abs(int(exponent or 0)) > MAX_EXPONENT:
+            raise _fail(
+                self.text, position, f"{text[:40]} is beyond what is read; numbers have at most {MAX_EXPONENT} digits"
+            )
+        return number(text)
+
+    def _bracket(self, opened: str, position: int) -> Expr:
         self._deeper(position)
         inner = self._sum()
         self._close(opened, position)
@@ -234,16 +242,16 @@ class Parser:
                 f"{text!r} is not expected here; {wanted!r} would close the bracket opened at character {position + 1}",
             )
 
-    def _shorthand(self, letter: str, digits: list[str], position: int, signs: list[int] | None = None) -> Node:
+    def _shorthand(self, letter: str, digits: list[str], position: int, signs: list[int] | None = None) -> Expr:
         parts = []
         for k, digit in enumerate(digits):
             joint = int(digit)
             if not 1 <= joint <= self.joints:
                 raise _fail(self.text, position, f"joint {joint} does not exist; the arm has {self.joints} joints")
             parts.append((signs[k] if signs else 1, joint))
-        return call("cos" if letter in "cC" else "sin", angle_sum(tuple(parts)))
+        return Call("cos" if letter in "cC" else "sin", angle_sum(tuple(parts)))
 
-    def _name(self, raw: str, position: int) -> Node:
+    def _name(self, raw: str, position: int) -> Expr:
         text = re.sub(r"[_{}]", "", raw)
         found = self._known(text)
         if found is not None:
@@ -261,24 +269,24 @@ class Parser:
             return joined
         raise self._unknown(raw, text, position)
 
-    def _known(self, text: str) -> Node | None:
-        if text in self.names:
-            return sym(text)
+    def _known(self, text: str) -> Expr | None:
         if text == "pi":
-            return sym("pi")
+            return PiFraction(1)
+        if text in self.names:
+            return Mention(text)
         if text in ("deg", "degrees"):
-            return Node("div", (sym("pi"), num(180)))
+            return Div(PiFraction(1), number(180))
         if text == "rad":
-            return num(1)
+            return number(1)
         joint = JOINT_NAME.match(text)
         if joint and 1 <= int(joint.group(1)) <= self.joints:
-            return sym(f"theta{int(joint.group(1))}")
+            return Mention(f"theta{int(joint.group(1))}")
         trig = TRIG_NAME.match(text)
         if trig and all(1 <= int(d) <= self.joints for d in re.findall(r"\d", trig.group(2))):
             return self._shorthand(trig.group(1), re.findall(r"\d", trig.group(2)), 0)
         return None
 
-    def _split(self, text: str) -> Node | None:
+    def _split(self, text: str) -> Expr | None:
         """Read names that stand without a space, as in a4C34 or axS23, longest first."""
         pieces, rest = [], text
         while rest:
@@ -293,7 +301,7 @@ class Parser:
                     break
             else:
                 return None
-        return mul(*pieces)
+        return Mul.of(*pieces)
 
     def _digit_list(self) -> list[tuple[int, str]] | None:
         """Read the inside of c(2-3) when the bracket holds nothing but joint numbers; otherwise leave it alone."""
@@ -309,12 +317,12 @@ class Parser:
         self.at = k + 1
         return [(-1 if s == "-" else 1, d) for s, d in re.findall(r"([-+]?)(\d)", joined)]
 
-    def _call(self, name: str, position: int) -> Node:
+    def _call(self, name: str, position: int) -> Expr:
         power = None
         if self._peek()[1] in ("^", "**"):
             self._take()
             power = self._exponent()
-            if power.op == "neg" and power.args[0].op == "num" and power.args[0].value == "1" and name in INVERSE:
+            if str(power) == "-1" and name in INVERSE:
                 name, power = INVERSE[name], None
         opened = self._peek()[1]
         if opened in ("(", "[", "{"):
@@ -341,8 +349,8 @@ class Parser:
             raise _fail(
                 self.text, position, f"{name} takes {wanted}, but {len(args)} {'is' if len(args) == 1 else 'are'} given"
             )
-        node = call(name, *args)
-        return Node("pow", (node, power)) if power is not None else node
+        node = Call(name, *args)
+        return Power(node, power) if power is not None else node
 
     def _unknown(self, raw: str, text: str, position: int) -> FormulaError:
         pool = list(self.names) + list(FUNCTIONS) + [f"theta{i + 1}" for i in range(self.joints)]
@@ -362,7 +370,7 @@ class Parser:
         return _fail(self.text, position, message, symbol=text, suggestions=near)
 
 
-def parse(text: str, names: Collection[str] = (), joints: int = 9) -> Node:
+def parse(text: str, names: Collection[str] = (), joints: int = 9) -> Expr:
     """Read a formula.
 
     Args:
@@ -379,6 +387,6 @@ def parse(text: str, names: Collection[str] = (), joints: int = 9) -> Node:
     return Parser(text, names, joints).parse()
 
 
-def parse_equation(text: str, names: Collection[str] = (), joints: int = 9) -> tuple[Node, Node]:
+def parse_equation(text: str, names: Collection[str] = (), joints: int = 9) -> tuple[Expr, Expr]:
     """Read ``left = right``; see `parse`."""
     return Parser(text, names, joints).parse_equation()

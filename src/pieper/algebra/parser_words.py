@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 
-from pieper.algebra.tree import FUNCTIONS
-
+FUNCTIONS = {  # name: how many values it takes
+    **dict.fromkeys(("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "sign", "abs"), 1),
+    **dict.fromkeys(("atan2", "hypot"), 2),
+}
 SPELLING = {
     "\u00b1": "+-",
     "\u2213": "-+",

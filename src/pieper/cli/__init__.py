@@ -19,7 +19,7 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         from pieper.cli.app import app
     except ModuleNotFoundError as missing:
-        if missing.name in ("click", "rich"):
+        if missing.name == "click":
             print(f"pieper: the command line needs {missing.name}: pip install 'pieper[cli]'", file=sys.stderr)
             sys.exit(MISUSE)
         raise

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import io
 import os
 import sys
 import warnings
 from collections.abc import Callable
+from typing import Any
 
+import click
+
+from pieper import PieperError
 from pieper.cli import DONE, INTERRUPTED, MISUSE
-from pieper.errors import PieperError
 
 #: Optional packages and the extra that brings each.
 EXTRAS = {
@@ -22,7 +26,7 @@ EXTRAS = {
 }
 
 
-def guarded(app: Callable, arguments: list[str] | None) -> int:
+def guarded(app: Callable[..., Any], arguments: list[str] | None) -> int:
     """Run a click app and return the exit status.
 
     Args:
@@ -33,52 +37,47 @@ def guarded(app: Callable, arguments: list[str] | None) -> int:
         0 done, 1 no solution, 2 misuse, 130 interrupted.
     """
     warnings.showwarning = _say_warning
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # a terminal that knows no infinity sign still gets the numbers
+        sys.stdout.reconfigure(errors="replace")
     try:
         status = app(arguments, prog_name="pieper", standalone_mode=False)
         sys.stdout.flush()
         return int(status) if isinstance(status, int) else DONE
     except PieperError as error:
-        _say(str(error))
+        return _misuse(str(error))
+    except click.exceptions.NoArgsIsHelpError as error:
+        print(error.format_message())
         return MISUSE
+    except click.ClickException as error:
+        context = error.ctx if isinstance(error, click.UsageError) else None
+        hint = f" See: {context.command_path} --help" if context is not None else ""
+        said = " ".join(error.format_message().split())
+        return _misuse(said + ("" if said[-1:] in ".?!" else ".") + hint)
+    except click.exceptions.Exit as error:
+        return error.exit_code
     except ModuleNotFoundError as missing:
         package = (missing.name or "").split(".")[0]
         if package in EXTRAS:
-            _say(f"this needs {package}: pip install 'pieper[{EXTRAS[package]}]'")
-            return MISUSE
+            return _misuse(f"this needs {package}: pip install 'pieper[{EXTRAS[package]}]'")
         raise
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, click.Abort):
         _say("interrupted; nothing half written was left behind.")
         return INTERRUPTED
     except BrokenPipeError:
         # the reader (head, less) has gone; keep the interpreter from complaining about it at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return DONE
-    except Exception as error:
-        return _of_click(error)
 
 
-def _of_click(error: Exception) -> int:
-    """Treat what the argument parser raises; anything else goes on as the defect it is."""
-    name = type(error).__name__
-    if name == "Abort":
-        _say("interrupted; nothing half written was left behind.")
-        return INTERRUPTED
-    if name == "Exit":
-        return int(error.exit_code)
-    if hasattr(error, "format_message"):
-        context = getattr(error, "ctx", None)
-        if name == "NoArgsIsHelpError":
-            print(error.format_message())
-            return MISUSE
-        hint = f" See: {context.command_path} --help" if context is not None else ""
-        _say(error.format_message().rstrip(".") + "." + hint)
-        return MISUSE
-    raise error
+def _misuse(sentence: str) -> int:
+    _say(sentence)
+    return MISUSE
 
 
 def _say(sentence: str) -> None:
     print(f"pieper: {sentence}", file=sys.stderr)
 
 
-def _say_warning(message, category, filename, lineno, file=None, line=None) -> None:
+def _say_warning(message: Warning | str, *_: object, **__: object) -> None:
     print(f"pieper: note: {message}", file=sys.stderr)

@@ -1,56 +1,54 @@
-"""What people type: arms, joint vectors and poses, in degrees and millimetres unless they say otherwise."""
+"""What people type: joint vectors and poses, in degrees and millimetres unless they say otherwise."""
 
 from __future__ import annotations
 
 import math
 import re
+import sys
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
-from pieper.description.quantity import ExpressionError, evaluate
-from pieper.errors import InputError
-from pieper.kinematics.orientation import ANGLE_NOTATIONS, NOTATIONS, rotation
-from pieper.kinematics.pose import checked_pose
+import pieper
+from pieper import InputError, PieperWarning
+from pieper.cli.units import Units
 
-if TYPE_CHECKING:
-    from pieper.arm import Arm
-
-LENGTHS = {"mm": 1e-3, "m": 1.0}
-ANGLES = {"deg": math.pi / 180, "rad": 1.0}
+#: What may stand for an orientation after x y z: how many numbers, whether they are angles.
+NOTATIONS = {
+    "rpy": (3, True),
+    "abc": (3, True),
+    "wpr": (3, True),
+    "zyz": (3, True),
+    "rotvec": (3, True),
+    "quat_wxyz": (4, False),
+    "quat_xyzw": (4, False),
+}
+#: The same by the names that robot files use.
+ALSO = {
+    "zyx": "abc",
+    "rotation_vector": "rotvec",
+    "quaternion_wxyz": "quat_wxyz",
+    "quaternion_xyzw": "quat_xyzw",
+}
 #: A file of numbers larger than this is not a pose or a joint vector.
 LARGEST_FILE = 5_000_000
 #: A position this small (m) in millimetres was probably meant in metres.
 SUSPICIOUSLY_SMALL = 2.5e-3
 
 
-class Units:
-    """The units a command speaks.
+@dataclass(frozen=True)
+class Target:
+    """A pose that was typed: T (4, 4), m, and whether it was x y z alone, so that R = I is only what is usual."""
 
-    Args:
-        length: "mm" or "m".
-        angle: "deg" or "rad".
-    """
-
-    def __init__(self, length: str = "mm", angle: str = "deg") -> None:
-        if length not in LENGTHS:
-            raise InputError(f"--length {length!r} is unknown: say {' or '.join(LENGTHS)}.", given=length)
-        if angle not in ANGLES:
-            raise InputError(f"--angle {angle!r} is unknown: say {' or '.join(ANGLES)}.", given=angle)
-        self.length, self.angle = length, angle
-        self.metres, self.radians = LENGTHS[length], ANGLES[angle]
-
-    def of_joints(self, arm: Arm) -> np.ndarray:
-        """Return the SI value (n,) of one unit of each joint."""
-        return np.array([self.radians if kind == "R" else self.metres for kind in arm.joint_types])
-
-    def names_of_joints(self, arm: Arm) -> list[str]:
-        """Return the unit of each joint."""
-        return [self.angle if kind == "R" else self.length for kind in arm.joint_types]
+    T: npt.NDArray[np.float64]
+    bare: bool
 
 
-def numbers(words: list[str], what: str) -> list[float]:
+def numbers(words: Sequence[str], what: str) -> list[float]:
     """Return the numbers of words that may hold several, apart by spaces or commas, or name a file as @file.
 
     Args:
@@ -63,23 +61,27 @@ def numbers(words: list[str], what: str) -> list[float]:
     out: list[float] = []
     for word in words:
         if word.startswith("@"):
-            out += _file_numbers(word[1:], what)
+            lines = (line.split("#")[0] for line in read_text(word[1:], what).splitlines())
+            parts = [part for line in lines for part in re.split(r"[\s,;\[\]]+", line)]
+            out += [number(part, f"{what}, file {word[1:]}") for part in parts if part]
             continue
-        for part in re.split(
-            r"[\s,;]+", word.strip("[]() \t\n") if word.count("(") == word.count(")") + 1 else word.strip("[] \t\n")
-        ):
-            if part:
-                out.append(_number(part, what))
+        brackets = "[]() \t\n" if word.count("(") == word.count(")") + 1 else "[] \t\n"
+        out += [number(part, what) for part in re.split(r"[\s,;]+", word.strip(brackets)) if part]
     return out
 
 
-def _number(text: str, what: str) -> float:
+def number(text: str, what: str) -> float:
+    """Return one number or expression.
+
+    Raises:
+        InputError: It is not one, or not finite.
+    """
     try:
         value = float(text)
     except ValueError:
         try:
-            value = evaluate(text)
-        except ExpressionError as error:
+            value = pieper.evaluate(text)
+        except ValueError as error:
             raise InputError(f"{what}: {text!r} is not a number ({error}).", given=text) from None
     if not math.isfinite(value):
         raise InputError(f"{what}: {text!r} is not finite.", given=text)
@@ -87,35 +89,34 @@ def _number(text: str, what: str) -> float:
 
 
 def read_text(name: str, what: str) -> str:
-    """Return the text of a file that holds numbers.
+    """Return the text of a file that holds numbers; `-` is the standard input.
 
     Raises:
         InputError: It cannot be read, is not text, or is far too large.
     """
+    if name == "-":
+        return sys.stdin.read(LARGEST_FILE)
     path = Path(name)
     try:
         if path.stat().st_size > LARGEST_FILE:
-            raise InputError(f"{what}: {path} has {path.stat().st_size:,} bytes; at most {LARGEST_FILE:,} are read.")
-        return path.read_text()
+            raise InputError(
+                f"{what}: {path} has {path.stat().st_size:,} bytes; at most {LARGEST_FILE:,} are read.", path=path
+            )
+        return path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
         raise InputError(f"{what}: {path} is not a text file.", path=path) from None
     except OSError as error:
         raise InputError(f"{what}: cannot read {path}: {error.strerror}.", path=path) from None
 
 
-def _file_numbers(name: str, what: str) -> list[float]:
-    lines = (line.split("#")[0] for line in read_text(name, what).splitlines())
-    return [_number(part, f"{what}, file {name}") for line in lines for part in re.split(r"[\s,;\[\]]+", line) if part]
-
-
-def joints(arm: Arm, words: list[str], units: Units, what: str = "joints") -> np.ndarray:
+def joints(arm: pieper.Arm, words: Sequence[str], units: Units, what: str = "joints") -> npt.NDArray[np.float64]:
     """Return the joint vector (n,), rad and m, that was typed as numbers, @file, or the name of a posture of the arm.
 
     Raises:
         InputError: Not as many numbers as joints, or an unknown posture.
     """
     if len(words) == 1 and re.fullmatch(r"[A-Za-z][\w-]*", words[0]) and words[0] != "pi":
-        known = {"zero": np.zeros(arm.n)} | arm.description.postures
+        known = {"zero": np.zeros(arm.n)} | arm.postures
         if words[0] not in known:
             raise InputError(
                 f"{what}: {arm.name} has no posture {words[0]!r}; it knows {', '.join(known)}.", given=words[0]
@@ -125,78 +126,67 @@ def joints(arm: Arm, words: list[str], units: Units, what: str = "joints") -> np
     if len(values) != arm.n:
         raise InputError(
             f"{what}: {arm.name} has {arm.n} joints ({', '.join(units.names_of_joints(arm))}), "
-            f"got {len(values)} numbers.",
+            f"got {len(values)} number{'s' if len(values) != 1 else ''}.",
             given=values,
         )
     q = np.array(values) * units.of_joints(arm)
     turning = np.array([kind == "R" for kind in arm.joint_types])
     if units.angle == "rad" and np.any(np.abs(q[turning]) > 4 * math.pi):
-        import warnings
-
-        from pieper.errors import PieperWarning
-
         warnings.warn(
             f"{what}: more than two turns; were degrees meant? Then leave --angle rad out.", PieperWarning, stacklevel=2
         )
     return q
 
 
-def pose(words: list[str], units: Units, order: str = "rpy", what: str = "pose") -> np.ndarray:
-    """Return the pose (4, 4), m, that was typed.
+def target(words: Sequence[str], units: Units, order: str = "rpy", what: str = "pose") -> Target:
+    """Return the pose that was typed.
 
     Args:
         words: Three numbers x y z (orientation R = I), x y z and the numbers of the notation, 12 or 16 numbers row by
             row, or @file with any of these.
         units: Of lengths and angles; matrix entries of a rotation have none.
-        order: A notation of `orientation.NOTATIONS`: what the numbers after x y z mean.
+        order: A notation of `NOTATIONS`: what the numbers after x y z mean.
         what: Its name, for messages.
 
     Raises:
-        InputError: Another count of numbers, an unknown notation, not a rotation.
+        InputError: Another count of numbers, not a rotation.
     """
-    if order not in NOTATIONS:
-        raise InputError(f"--order {order!r} is unknown; it may be {', '.join(NOTATIONS)}.", given=order)
-    values = numbers(words, what)
-    count = NOTATIONS[order][0]
-    T = np.eye(4)
-    if len(values) in (12, 16):
-        T[: len(values) // 4] = np.reshape(values, (-1, 4))
-        T[:3, 3] *= units.metres
-    elif len(values) in (3, 3 + count):
-        T[:3, 3] = np.array(values[:3]) * units.metres
-        rest = values[3:]
-        if rest:
-            factor = units.radians if order in ANGLE_NOTATIONS else 1.0
-            try:
-                T[:3, :3] = rotation(order, [v * factor for v in rest])
-            except ValueError as error:
-                raise InputError(f"{what}: {error}.", given=rest) from None
-    else:
-        raise InputError(
-            f"{what}: give x y z, or x y z and {count} numbers for {order}, or the 12 or 16 numbers of a matrix row by "
-            f"row; got {len(values)} numbers.",
-            given=len(values),
-        )
+    T, bare = posed(numbers(words, what), units, order, what)
     far = float(np.linalg.norm(T[:3, 3]))
     if units.length == "mm" and 0 < far < SUSPICIOUSLY_SMALL:
-        import warnings
-
-        from pieper.errors import PieperWarning
-
         warnings.warn(
             f"{what}: the position is {far * 1e3:.3g} mm from the base; were metres meant? Then say --length m.",
             PieperWarning,
             stacklevel=2,
         )
-    return checked_pose(T, what)
+    return Target(T, bare)
 
 
-def arm(name: str) -> Arm:
-    """Return the arm of a catalogue name or a robot file.
+def posed(values: npt.ArrayLike, units: Units, order: str, what: str) -> tuple[npt.NDArray[np.float64], bool]:
+    """Return poses (..., 4, 4), m, of 3, 6, 7, 12 or 16 numbers each, and whether they were x y z alone; see `target`.
 
     Raises:
-        InputError: There is no such arm or file.
+        InputError: Another count of numbers, not a rotation.
     """
-    import pieper
-
-    return pieper.load(name)
+    order = ALSO.get(order, order)
+    count, angles = NOTATIONS[order]
+    v = np.asarray(values, float)
+    size = v.shape[-1]
+    try:
+        if size in (12, 16):
+            M = v.reshape(*v.shape[:-1], size // 4, 4)
+            if np.any(M[..., 3:, :] != (0, 0, 0, 1)):
+                raise InputError("the last row of the matrix must be 0 0 0 1.", given=M)
+            return pieper.pose(*np.moveaxis(M[..., :3, 3], -1, 0) * units.metres, R=M[..., :3, :3]), False
+        if size in (3, 3 + count):
+            p = np.moveaxis(v[..., :3], -1, 0) * units.metres
+            if size == 3:
+                return pieper.pose(*p), True
+            return pieper.pose(*p, **{order: v[..., 3:] * (units.radians if angles else 1.0)}), False
+    except InputError as error:
+        raise InputError(f"{what}: {error}", **error.data) from None
+    raise InputError(
+        f"{what}: give x y z, or x y z and {count} numbers for {order}, or the 12 or 16 numbers of a matrix row by "
+        f"row; got {size} number{'s' if size != 1 else ''}.",
+        given=size,
+    )

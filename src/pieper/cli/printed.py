@@ -1,53 +1,45 @@
-"""What commands print: tables for people, JSON for machines, numbers with units and sensible digits."""
+"""What commands print: numbers with sensible digits, joint vectors and poses with their units, JSON for machines."""
 
 from __future__ import annotations
 
 import json
-import sys
+import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
-from pieper.kinematics.orientation import rpy_of
+import pieper
+from pieper.cli.layout import Column, sentences, table, terminal_width
 
 if TYPE_CHECKING:
-    from rich.console import Console
-    from rich.table import Table
-
-    from pieper.arm import Arm
-    from pieper.cli.given import Units
+    from pieper.cli.units import Units
 
 
-#: Columns that the table of solutions of a six-joint arm needs.
-NARROWEST = 124
+def say(text: str) -> None:
+    """Print sentences, their lines broken to the terminal's width."""
+    print(sentences(text, terminal_width()))
 
 
-def console() -> Console:
-    """Return a console for standard output, never so narrow that numbers would be cut off."""
-    import shutil
-
-    from rich.console import Console
-
-    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else 160
-    return Console(width=max(width, NARROWEST), highlight=False, soft_wrap=False)
-
-
-def table(title: str, *columns: str, left: tuple[int, ...] = ()) -> Table:
-    """Return an empty table whose columns are right-aligned but those named by number in `left`."""
-    from rich import box
-    from rich.table import Table
-
-    made = Table(title=title, box=box.SIMPLE_HEAD, title_justify="left", title_style="bold", pad_edge=False)
-    for i, column in enumerate(columns):
-        made.add_column(column, justify="left" if i in left else "right", no_wrap=i not in left)
-    return made
+def print_table(
+    title: str, columns: Sequence[Column], rows: Sequence[Sequence[str]], *, strong: int | None = None
+) -> None:
+    """Print a table that fits the terminal, and an empty line."""
+    print(table(title, columns, rows, terminal_width(), strong=strong) + "\n")
 
 
 def number(value: float, digits: int = 3) -> str:
     """Return a number with fixed digits and no negative zero."""
-    if not np.isfinite(value):
+    if not math.isfinite(value):
         return "∞" if value > 0 else "-∞"
     return f"{round(float(value), digits) + 0.0:.{digits}f}"
+
+
+def short(value: float, digits: int = 4) -> str:
+    """Return a number with at most so many digits after the point and no zeros at its end."""
+    text = number(value, digits)
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def small(value: float, unit: str) -> str:
@@ -55,9 +47,14 @@ def small(value: float, unit: str) -> str:
     return f"0 {unit}" if value == 0 else f"{value:.1e} {unit}"
 
 
-def as_json(value: Any) -> None:
+def plural(count: int, word: str, many: str = "") -> str:
+    """Return a count and its noun: 1 solution, 2 solutions."""
+    return f"{count:,} {word if count == 1 else many or word + 's'}"
+
+
+def as_json(value: Any, *, indent: int | None = 2) -> None:
     """Print a value as JSON; arrays become lists, infinities null."""
-    print(json.dumps(_plain(value), indent=2, ensure_ascii=False, allow_nan=False))
+    print(json.dumps(_plain(value), indent=indent, ensure_ascii=False, allow_nan=False))
 
 
 def _plain(value: Any) -> Any:
@@ -70,32 +67,39 @@ def _plain(value: Any) -> Any:
     if isinstance(value, np.generic):
         return _plain(value.item())
     if isinstance(value, float):
-        return None if not np.isfinite(value) else value + 0.0
+        return None if not math.isfinite(value) else value + 0.0
     return value
 
 
-def pose_table(T: np.ndarray, units: Units, title: str) -> Table:
-    """Return a pose as its matrix, position and roll, pitch, yaw."""
-    made = table(title, "n", "o", "a", f"p, {units.length}", "", "", left=(4, 5))
-    roll, pitch, yaw = (v / units.radians for v in rpy_of(T[:3, :3]))
+def print_position(T: npt.NDArray[np.float64], units: Units) -> None:
+    """Print the position of a pose."""
     digits = 3 if units.length == "mm" else 6
-    words = (
-        ("position", ", ".join(number(v / units.metres, digits) for v in T[:3, 3]) + f" {units.length}"),
-        ("roll, pitch, yaw", ", ".join(number(v, 4) for v in (roll, pitch, yaw)) + f" {units.angle}"),
-        ("", "about the fixed x, y, z"),
-    )
-    for row, (name, text) in zip(T[:3], words, strict=True):
-        made.add_row(*(number(v, 6) for v in row[:3]), number(row[3] / units.metres, digits), f"   {name}", text)
-    return made
+    say(f"position {', '.join(number(v / units.metres, digits) for v in T[:3, 3])} {units.length}")
 
 
-def joint_columns(arm: Arm, units: Units) -> list[str]:
-    """Return the headings of joint columns, each with its unit."""
-    plain = [f"q{i + 1}" if name == f"joint_{i + 1}" else name for i, name in enumerate(arm.joint_names)]
-    return [f"{name}, {unit}" for name, unit in zip(plain, units.names_of_joints(arm), strict=True)]
+def print_pose(T: npt.NDArray[np.float64], units: Units, title: str) -> None:
+    """Print a pose as its matrix, position, and roll, pitch, yaw."""
+    digits = 3 if units.length == "mm" else 6
+    rows = [[*(number(v, 6) for v in row[:3]), number(row[3] / units.metres, digits)] for row in T[:3]]
+    columns = [Column("n"), Column("o"), Column("a"), Column(f"p, {units.length}")]
+    print(table(title, columns, rows, terminal_width()))
+    angles = pieper.read_pose(T, "rpy")[3:]
+    turned = ", ".join(number(v / units.radians, 4) for v in angles)
+    print_position(T, units)
+    say(f"roll, pitch, yaw {turned} {units.angle} about the fixed x, y, z\n")
 
 
-def joint_cells(arm: Arm, q: np.ndarray, units: Units) -> list[str]:
+def joint_columns(arm: pieper.Arm, units: Units) -> list[Column]:
+    """Return the headings of joint columns, each with its unit; q3 stands for a name that ends in its number, 3."""
+    plain = [f"q{i}" if _number_at_end(name) == str(i) else name for i, name in enumerate(arm.joint_names, 1)]
+    return [Column(f"{name}, {unit}") for name, unit in zip(plain, units.names_of_joints(arm), strict=True)]
+
+
+def _number_at_end(name: str) -> str:
+    return name[len(name.rstrip("0123456789")) :]
+
+
+def joint_cells(arm: pieper.Arm, q: npt.NDArray[np.float64], units: Units) -> list[str]:
     """Return a joint vector (n,) as cells in the units asked for."""
     return [
         number(value / unit, 3 if name in ("deg", "mm") else 6)
@@ -103,6 +107,6 @@ def joint_cells(arm: Arm, q: np.ndarray, units: Units) -> list[str]:
     ]
 
 
-def rpy_text(T: np.ndarray) -> list[float]:
-    """Return roll, pitch, yaw of a pose, rad."""
-    return [float(v) for v in rpy_of(T[:3, :3])]
+def si_units(arm: pieper.Arm) -> list[str]:
+    """Return the SI unit of each joint, for machines."""
+    return ["rad" if kind == "R" else "m" for kind in arm.joint_types]

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+import numpy.typing as npt
+from numpy.typing import ArrayLike
 
+from pieper.description.coupling import checked_coupling
 from pieper.errors import InputError, PieperWarning
 from pieper.kinematics.pose import checked_pose
 
@@ -79,8 +82,9 @@ class Check:
 class Description:
     """Everything that is said about an arm before any mathematics.
 
-    The joint variable is theta_i = row.theta + sign_i q_i + offset_i (revolute) or d_i = row.d + sign_i q_i + offset_i
-    (prismatic): `sign` and `offset` are the maker's sense and zero; limits are limits of q.
+    The joint variable is theta_i = row.theta + sign_i v_i + offset_i (revolute) or d_i = row.d + sign_i v_i + offset_i
+    (prismatic), with v = coupling @ q (v = q where joints are not coupled): `sign` and `offset` are the maker's sense
+    and zero; limits are limits of q.
 
     Args:
         name: Name of the arm.
@@ -94,6 +98,12 @@ class Description:
         base: (4, 4) pose of the DH table's first frame.
         tool: (4, 4) pose of the tool in the table's last frame.
         departures: Where the numbers depart from their source, one sentence each with its reason.
+        postures: Named joint vectors (n,).
+        checks: Known poses.
+        coupling: (n, n), None where every joint moves its own row alone.
+        tools: Named poses (4, 4) of other tools, in the table's last frame as `tool` is.
+        frames: Named poses (4, 4) of places, in the frame in which `base` is.
+        remarks: What was read differently from the file the arm came from, in sentences.
     """
 
     name: str
@@ -113,6 +123,10 @@ class Description:
     departures: tuple[str, ...] = ()
     postures: dict[str, np.ndarray] = field(default_factory=dict)
     checks: tuple[Check, ...] = ()
+    coupling: npt.NDArray[np.float64] | None = None
+    tools: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
+    frames: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
+    remarks: tuple[str, ...] = ()
 
     @property
     def n(self) -> int:
@@ -125,9 +139,9 @@ def describe(
     *,
     convention: str,
     joint_types: str | None = None,
-    limits: Sequence[Sequence[float | None] | None] | np.ndarray | None = None,
-    base: np.ndarray | None = None,
-    tool: np.ndarray | None = None,
+    limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
+    base: object = None,
+    tool: object = None,
     name: str = "arm",
     joint_names: Sequence[str] | None = None,
     sign: Sequence[float] | None = None,
@@ -137,8 +151,12 @@ def describe(
     source: str = "",
     notes: str = "",
     departures: Sequence[str] = (),
-    postures: dict[str, Sequence[float]] | None = None,
+    postures: Mapping[str, ArrayLike] | None = None,
     checks: Sequence[Check] = (),
+    coupling: ArrayLike | None = None,
+    tools: Mapping[str, object] | None = None,
+    frames: Mapping[str, object] | None = None,
+    remarks: Sequence[str] = (),
 ) -> Description:
     """Check what was said about an arm and return it as a Description.
 
@@ -160,6 +178,10 @@ def describe(
         departures: Where the numbers depart from their source and why.
         postures: Named joint vectors.
         checks: Known poses.
+        coupling: (n, n): values of the table's variables = coupling @ joint values, before sign and offset.
+        tools: Named poses of other tools, in the table's last frame.
+        frames: Named poses of places, in the frame of `base`.
+        remarks: What was read differently from a file.
 
     Returns:
         The Description.
@@ -221,6 +243,10 @@ def describe(
         departures=tuple(departures),
         postures=named,
         checks=tuple(checks),
+        coupling=checked_coupling(coupling, names),
+        tools={str(k): _frozen(checked_pose(T, f"tool {k!r}")) for k, T in (tools or {}).items()},
+        frames={str(k): _frozen(checked_pose(T, f"frame {k!r}")) for k, T in (frames or {}).items()},
+        remarks=tuple(remarks),
     )
 
 
@@ -241,7 +267,7 @@ def _row(row: object, index: int) -> DH:
     return DH(*values)
 
 
-def _vector(values: Sequence[float], n: int, what: str) -> np.ndarray:
+def _vector(values: ArrayLike, n: int, what: str) -> np.ndarray:
     try:
         vector = np.array(values, dtype=float)
     except (TypeError, ValueError):

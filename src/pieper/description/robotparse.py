@@ -7,13 +7,14 @@ import tomllib
 
 import numpy as np
 
+from pieper.description.axes import UNIT_SLACK
+from pieper.description.commonnormal import standard_table
 from pieper.description.dh import CONVENTIONS, DH, Actuator, Check, Description, describe
 from pieper.description.fields import number, numbers, one_key, quantity
 from pieper.description.place import Place, kind_of
+from pieper.description.posefield import pose_of
 from pieper.description.quantity import UNITS, UNITS_OF
 from pieper.errors import InputError
-from pieper.kinematics.orientation import ANGLE_NOTATIONS, NOTATIONS, rotation
-from pieper.kinematics.pose import checked_pose
 
 #: Larger than any robot file by far; what is larger is not one and is not parsed.
 LARGEST_FILE = 1_000_000
@@ -28,16 +29,16 @@ TOP_KEYS = (
     "joints",
     "base",
     "tool",
+    "home",
+    "coupling",
+    "tools",
+    "frames",
     "postures",
     "checks",
 )
+#: Ways to say the joints: two kinds of DH table, and axes with points on them.
+WAYS = (*CONVENTIONS, "axes")
 KIND = {"a": "length", "alpha": "angle", "d": "length", "theta": "angle"}
-POSE_KEYS = (
-    *("xyz_mm", "xyz_m"),
-    *(f"{name}_{unit}" for name in ANGLE_NOTATIONS for unit in UNITS_OF["angle"]),
-    *(name for name in NOTATIONS if name not in ANGLE_NOTATIONS),
-    *("matrix_mm", "matrix_m"),
-)
 
 
 def parse(data: bytes, file: str) -> Description:
@@ -63,13 +64,16 @@ def parse(data: bytes, file: str) -> Description:
 def _description(document: dict, top: Place) -> Description:
     top.only(document, TOP_KEYS)
     convention = top.text_of(document, "convention")
-    if convention not in CONVENTIONS:
+    if convention not in WAYS:
         top.fail(
-            f'{convention!r} is unknown; say "standard" (distal DH) or "modified" (proximal DH, Craig).',
+            f'{convention!r} is unknown; say "standard" (distal DH), "modified" (proximal DH, Craig) or "axes" (joint '
+            "axes and points on them, with the tool's pose at zero in [home]).",
             "convention",
             given=convention,
-            allowed=CONVENTIONS,
+            allowed=WAYS,
         )
+    if convention != "axes" and "home" in document:
+        top.fail('belongs to convention = "axes"; a DH table says the tool at zero by itself.', "home")
     joints = _tables(document, "joints", top)
     if not joints:
         top.fail("the arm has no joints; each is a table [[joints]] in joint order.", None, missing="joints")
@@ -80,20 +84,22 @@ def _description(document: dict, top: Place) -> Description:
         if place.text_of(table, "name", name) in names:
             place.fail(f"the name {name!r} is used twice; joint names must differ.", "name")
         names.append(name)
-        kind, row, bounds, sign, offset = _joint(table, place)
+        kind, row, bounds, sign, offset = _joint(table, place, convention)
         types.append(kind)
         rows.append(row)
         limits.append(bounds)
         signs.append(sign)
         offsets.append(offset)
     kinds = "".join(types)
+    base = pose_of(top.table(document.get("base", {}), "base"), top.at("base"))
     tool_table = top.table(document.get("tool", {}), "tool")
     said = {
         "name": top.text_of(document, "name"),
         **{key: top.text_of(document, key, "") for key in ("manufacturer", "source", "notes")},
         "departures": _departures(document, top),
-        "base": _pose(top.table(document.get("base", {}), "base"), top.at("base")),
-        "tool": _pose(tool_table, top.at("tool"), also=("actuator",)),
+        "coupling": _coupling(document, len(names), top),
+        "tools": _poses(document, "tools", top),
+        "frames": _poses(document, "frames", top),
         "actuator": _actuator(tool_table, top),
         "postures": _postures(document, kinds, top),
         "checks": [
@@ -101,10 +107,19 @@ def _description(document: dict, top: Place) -> Description:
             for index, table in enumerate(_tables(document, "checks", top))
         ],
     }
+    tool = pose_of(tool_table, top.at("tool"), also=("actuator",))
+    if convention == "axes":
+        home = pose_of(top.table(document.get("home", {}), "home"), top.at("home"))
+        table = standard_table(np.array([axis for axis, _ in rows]), np.array([point for _, point in rows]), home)
+        # what stands after the last row of the table is part of every tool
+        said["tools"] = {name: table.tool @ T for name, T in said["tools"].items()}
+        rows, base, tool, convention = table.rows, base @ table.base, table.tool @ tool, "standard"
     try:
         return describe(
             rows,
             convention=convention,
+            base=base,
+            tool=tool,
             joint_types=kinds,
             joint_names=names,
             limits=limits,
@@ -118,8 +133,10 @@ def _description(document: dict, top: Place) -> Description:
         ) from None
 
 
-def _joint(table: dict, place: Place) -> tuple[str, DH, tuple[float, float], float, float]:
-    """Return type letter, DH row, limits, sign and offset of one joint, SI."""
+def _joint(
+    table: dict, place: Place, convention: str
+) -> tuple[str, DH | tuple[list[float], list[float]], tuple[float, float], float, float]:
+    """Return type letter, DH row (or axis and point), limits, sign and offset of one joint, SI."""
     said = place.text_of(table, "type")
     letter = {"revolute": "R", "r": "R", "prismatic": "P", "p": "P"}.get(said.lower())
     if letter is None:
@@ -127,17 +144,52 @@ def _joint(table: dict, place: Place) -> tuple[str, DH, tuple[float, float], flo
     own = "angle" if letter == "R" else "length"
     variable = "theta" if letter == "R" else "d"
     allowed = ["name", "type"]
-    allowed += [f"{column}_{unit}" for column, kind in KIND.items() for unit in UNITS_OF[kind]]
+    if convention == "axes":
+        allowed += ["axis", "point_mm", "point_m"]
+    else:
+        allowed += [f"{column}_{unit}" for column, kind in KIND.items() for unit in UNITS_OF[kind]]
     allowed += ["sign", *(f"{key}_{unit}" for key in ("offset", "limits") for unit in UNITS_OF[own])]
     place.only(table, allowed)
-    row = {}
-    for column, kind in KIND.items():
-        row[column] = quantity(table, column, kind, place, default=0.0 if column == variable else None)
+    if convention == "axes":
+        row = _axis(table, place, letter)
+    else:
+        columns = {
+            column: quantity(table, column, kind, place, default=0.0 if column == variable else None)
+            for column, kind in KIND.items()
+        }
+        row = DH(**columns)
     sign = table.get("sign", 1)
     if isinstance(sign, bool) or sign not in (1, -1):
         place.fail(f"must be 1 or -1, got {kind_of(sign)}.", "sign", given=sign)
     offset = quantity(table, "offset", own, place, default=0.0)
-    return letter, DH(**row), _limits(table, own, place), float(sign), offset
+    return letter, row, _limits(table, own, place), float(sign), offset
+
+
+def _axis(table: dict, place: Place, letter: str) -> tuple[list[float], list[float]]:
+    """Return the unit axis and a point on it, m, of a joint that is said that way."""
+    if "axis" not in table:
+        place.fail("the key 'axis' is missing: three numbers, the direction of the joint's axis at zero.", None)
+    axis = numbers(table["axis"], "", 3, place, "axis")
+    length = math.hypot(*axis)
+    if abs(length - 1) > UNIT_SLACK:
+        place.fail(f"must be of length 1 (within {UNIT_SLACK:g}), it is of length {length:.6g}.", "axis", given=axis)
+    key, unit = one_key(table, "point", UNITS_OF["length"], place, required=letter == "R")
+    point = [0.0, 0.0, 0.0] if key is None else numbers(table[key], unit, 3, place, key)
+    return [x / length for x in axis], point
+
+
+def _coupling(document: dict, n: int, top: Place) -> list[list[float]] | None:
+    if "coupling" not in document:
+        return None
+    value = document["coupling"]
+    if not isinstance(value, list) or len(value) != n:
+        top.fail(f"must be {n} rows of {n} numbers, one a joint, got {kind_of(value)}.", "coupling", given=value)
+    return [numbers(row, "", n, top, "coupling") for row in value]
+
+
+def _poses(document: dict, key: str, top: Place) -> dict[str, np.ndarray]:
+    named = top.table(document.get(key, {}), key)
+    return {name: pose_of(top.table(table, name), top.at(f"{key}.{name}")) for name, table in named.items()}
 
 
 def _limits(table: dict, kind: str, place: Place) -> tuple[float, float]:
@@ -150,49 +202,6 @@ def _limits(table: dict, kind: str, place: Place) -> tuple[float, float]:
             f"the limits are swapped: lower {table[key][0]} is above upper {table[key][1]}.", key, given=table[key]
         )
     return lower, upper
-
-
-def _pose(table: dict, place: Place, *, also: tuple[str, ...] = (), unknown: bool = False) -> np.ndarray:
-    """Return the pose (4, 4) of a table; what is not said is the identity, or NaN where unknown is meaningful."""
-    place.only(table, (*POSE_KEYS, *also))
-    key, unit = one_key(table, "matrix", UNITS_OF["length"], place, required=False)
-    others = [name for name in POSE_KEYS if name in table and name != key]
-    if key is not None:
-        if others:
-            place.fail(f"{key} and {others[0]} say the same thing twice; keep one.", key)
-        return _matrix(table[key], unit, place, key, unknown)
-    T = np.eye(4)
-    if unknown:
-        T[:3, :] = np.nan
-    key, unit = one_key(table, "xyz", UNITS_OF["length"], place, required=False)
-    if key is not None:
-        T[:3, 3] = numbers(table[key], unit, 3, place, key, unknown=unknown)
-    said = [name for name in others if not name.startswith("xyz_")]
-    if len(said) > 1:
-        place.fail(f"{' and '.join(said)} say the rotation twice; keep one.", said[-1], given=said)
-    for name in said:
-        notation = next(n for n in NOTATIONS if name.startswith(n))
-        unit = name.rpartition("_")[2] if notation in ANGLE_NOTATIONS else ""
-        try:
-            T[:3, :3] = rotation(notation, numbers(table[name], unit, NOTATIONS[notation][0], place, name))
-        except ValueError as error:
-            if isinstance(error, InputError):
-                raise
-            place.fail(f"{error}.", name)
-    return T
-
-
-def _matrix(value: object, unit: str, place: Place, key: str, unknown: bool) -> np.ndarray:
-    if not isinstance(value, list) or len(value) != 4 or any(not isinstance(row, list) for row in value):
-        place.fail(f"must be four rows of four numbers, got {kind_of(value)}.", key)
-    T = np.array([numbers(row, "", 4, place, key, unknown=unknown) for row in value])
-    T[:3, 3] = [UNITS[unit][1](float(x)) for x in T[:3, 3]]
-    if not unknown:
-        try:
-            checked_pose(T, "the matrix")
-        except InputError as error:
-            place.fail(str(error), key)
-    return T
 
 
 def _departures(document: dict, top: Place) -> tuple[str, ...]:
@@ -253,7 +262,7 @@ def _postures(document: dict, kinds: str, top: Place) -> dict[str, np.ndarray]:
 def _check(table: dict, kinds: str, place: Place) -> Check:
     q_keys = [f"q_{unit}" for unit in q_units(kinds)]
     also = (*q_keys, "source", "tolerance_m", "tolerance_mm")
-    T = _pose(table, place, also=also, unknown=True)
+    T = pose_of(table, place, also=also, unknown=True)
     if np.all(np.isnan(T[:3])):
         place.fail("nothing is said of the pose; give a position, a rotation or a matrix.")
     tolerance = quantity(table, "tolerance", "length", place, default=1e-9)

@@ -33,6 +33,11 @@ def contents(description: Description) -> dict:
         tool["actuator"] = _actuator(description.actuator)
     if tool:
         top["tool"] = tool
+    if description.coupling is not None:
+        top["coupling"] = [[in_unit(float(value), "m") for value in row] for row in description.coupling]
+    for key, poses in (("tools", description.tools), ("frames", description.frames)):
+        if poses:
+            top[key] = {name: pose_keys(T) for name, T in poses.items()}
     if description.postures:
         top["postures"] = {name: _joint_vector(q, description.joint_types) for name, q in description.postures.items()}
     if description.checks:

@@ -369,8 +369,8 @@ def _product(value: Factored) -> Expr:
 
 def _bare(expr: Expr) -> Expr:
     """The factor without a number in front."""
-    if isinstance(expr, Mul) and isinstance(expr.factors[0], Num):
-        return mul(*expr.factors[1:])
+    if isinstance(expr, Mul) and isinstance(expr.args[0], Num):
+        return mul(*expr.args[1:])
     return expr
 
 

@@ -2,27 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
 import numpy as np
 
-from pieper.algebra.tree import HighPrecisionArithmetic, Node, SymbolicArithmetic, evaluate, joint_sum, substitute
-from pieper.judge.model import POSE_NAMES, ArmModel, Samples
+from pieper.algebra.arithmetics import DigitsField, SympyField
+from pieper.algebra.expression import Call, Expr
+from pieper.algebra.formula import TURNS, Equation, has_branch, is_call, joint_sum
+from pieper.judge.model import POSE_NAMES, ArmModel, decimal
+from pieper.judge.samples import Samples
 
 MAX_NODES = 600  # expanding more takes longer than a reader waits
 DIGITS = 50
 
 
-class _Polynomial(SymbolicArithmetic):
+class _Polynomials(SympyField):
     """Symbols for every sine and cosine of one joint; sums of angles are written out, so that equal formulas become
     equal polynomials."""
 
-    def sin(self, x):
-        return self._trig(x)[1]
+    def __init__(self) -> None:
+        super().__init__()
+        self.sin, self.cos = (lambda x: self._turn(x)[1]), (lambda x: self._turn(x)[0])
 
-    def cos(self, x):
-        return self._trig(x)[0]
-
-    def _trig(self, x):
-        sp = self.sp
+    def _turn(self, x: Any) -> tuple[Any, Any]:
+        sp = self.sympy
         c, s = sp.Integer(1), sp.Integer(0)
         for term in sp.Add.make_args(x):
             factor, angle = term.as_coeff_Mul()
@@ -33,91 +38,77 @@ class _Polynomial(SymbolicArithmetic):
             c, s = c * ci - s * si, s * ci + c * si
         return c, s
 
-    def __init__(self):
-        super().__init__()
-        del self.__dict__["sin"], self.__dict__["cos"]
+    def factored(self, total: Any, longest: int) -> str:
+        """The expanded polynomial in factors; "" when it has too many terms to be of use."""
+        total = self.sympy.expand(total)
+        if len(self.sympy.Add.make_args(total)) > longest:
+            return ""
+        return str(self.sympy.factor(total)).replace("**", "^").replace("*", " ")
 
 
-def simplified_difference(printed: Node, right: Node) -> str:
+def simplified_difference(printed: Expr, right: Expr) -> str:
     """Return printed minus right as a factored polynomial in c1, s1, ...; "" when it is not one or takes too long."""
-    if printed.size() + right.size() > MAX_NODES or any(
-        n.op == "pm" or (n.op == "call" and n.value not in ("sin", "cos")) for t in (printed, right) for n in t.walk()
-    ):
+    if printed.size() + right.size() > MAX_NODES or not (_polynomial(printed) and _polynomial(right)):
         return ""
-    if any(
-        n.op == "call" and n.value in ("sin", "cos") and joint_sum(n.args[0]) is None and n.args[0].symbols() - {"pi"}
-        for t in (printed, right)
-        for n in t.walk()
-    ):
-        return ""
-    arithmetic = _Polynomial()
-    sp = arithmetic.sp
+    field = _Polynomials()
 
-    def value(tree):
-        env = {name: sp.Symbol(name) for name in tree.symbols()}
-        env["pi"] = sp.pi
-        return evaluate(tree, env, arithmetic)
+    def value(tree: Expr) -> Any:
+        return tree.evaluate({name: field.sympy.Symbol(name) for name in tree.symbols()}, field)
 
-    if printed.op == "eq" and right.op == "eq":
+    if isinstance(printed, Equation) and isinstance(right, Equation):
         gap = [value(p) - value(r) for p, r in zip(printed.args, right.args, strict=True)]
-        total = gap[1] if gap[1] != 0 else gap[0]
-    else:
-        total = value(printed) - value(right)
-    total = sp.expand(total)
-    if len(sp.Add.make_args(total)) > 60:
-        return ""
-    return str(sp.factor(total)).replace("**", "^").replace("*", " ")
+        return field.factored(gap[1] if gap[1] != 0 else gap[0], 60)
+    return field.factored(value(printed) - value(right), 60)
 
 
-def difference_from_matrix(printed: Node, model: ArmModel, i: int, j: int) -> str:
+def _polynomial(formula: Expr) -> bool:
+    calls = [node for node in formula.walk() if isinstance(node, Call)]
+    angles = [node.args[0] for node in calls if is_call(node, *TURNS)]
+    return (
+        len(angles) == len(calls)
+        and not has_branch(formula)
+        and not any(a.symbols() and not joint_sum(a) for a in angles)
+    )
+
+
+def difference_from_matrix(printed: Expr, model: ArmModel, i: int, j: int) -> str:
     """Return a printed entry minus the entry of T, simplified; "" when that is too long to be of use."""
     if printed.size() > 150 or model.n > 6:
         return ""
-    arithmetic = _Polynomial()
-    sp = arithmetic.sp
-    env = {f"theta{k + 1}": sp.Symbol(f"theta{k + 1}") for k in range(model.n)}
-    env |= {name: sp.Symbol(name) for name in set(model.values) | printed.symbols() if not name.startswith("theta")}
-    env |= {name: sp.Integer(0) for name, value in model.values.items() if value == 0}
-    env["pi"] = sp.pi
-    total = sp.expand(evaluate(printed, env, arithmetic) - model.pose_exact(env, arithmetic)[i][j])
-    if len(sp.Add.make_args(total)) > 12:
-        return ""
-    return str(sp.factor(total)).replace("**", "^").replace("*", " ")
+    field = _Polynomials()
+    names = {*(f"theta{k + 1}" for k in range(model.n)), *model.values, *printed.symbols()}
+    env = {name: field.sympy.Integer(0) if model.values.get(name) == 0 else field.sympy.Symbol(name) for name in names}
+    return field.factored(printed.evaluate(env, field) - model.pose_exact(env, field)[i][j], 12)
 
 
-def exact_environment(model: ArmModel, samples: Samples, k: int, definitions: dict[str, Node], arithmetic) -> dict:
+def _exact_environment(model: ArmModel, samples: Samples, k: int, definitions: dict[str, Expr], field: Any) -> dict:
     """Return every symbol at sample k with 50 digits; joint angles are the tenths of a degree they were drawn as."""
-    env = {"pi": arithmetic.pi}
-    for name in model.values:
-        env[name] = arithmetic.number(repr(float(samples.env[name][k])))
+    env = {name: field.rational(decimal(samples.env[name][k])) for name in model.values}
     for joint in range(1, model.n + 1):
         value = samples.q[k, joint - 1]
         if model.sliding(joint):
-            env[f"theta{joint}"] = arithmetic.number(repr(float(value)))
+            env[f"theta{joint}"] = field.rational(decimal(value))
         else:
-            env[f"theta{joint}"] = arithmetic.number(f"{np.degrees(value):.1f}") * arithmetic.pi / 180
+            env[f"theta{joint}"] = field.rational(Fraction(f"{np.degrees(value):.1f}")) * field.pi / 180
     for alias, target in model.aliases.items():
         env[alias] = env[target]
-    T = model.pose_exact(env, arithmetic)
-    for name, i, j in POSE_NAMES:
-        env[name] = T[i][j]
-    for name in samples.env:
-        if name.endswith("?"):
-            env[name] = arithmetic.number(repr(float(samples.env[name][k])))
+    T = model.pose_exact(env, field)
+    env |= {name: T[i][j] for name, i, j in POSE_NAMES}
+    env |= {name: field.rational(decimal(v[k])) for name, v in samples.env.items() if name.endswith("?")}
     for name, tree in definitions.items():
-        env[name] = evaluate(substitute(tree, definitions), env, arithmetic)
+        env[name] = tree.evaluate(env, field)
     return env
 
 
 def agreeing_digits(
     model: ArmModel,
     samples: Samples,
-    definitions: dict[str, Node],
-    left: Node,
-    right: Node | tuple[int, int],
+    definitions: dict[str, Expr],
+    left: Expr,
+    right: Expr | tuple[int, int],
     *,
     angle: bool = False,
-    at: tuple[int, ...] = (0, 1),
+    at: Sequence[int] = (0, 1),
 ) -> int:
     """Return to how many digits two formulas (or a formula and an entry of T) agree, at 50-digit arithmetic.
 
@@ -127,19 +118,20 @@ def agreeing_digits(
 
     worst = DIGITS - 2
     with mpmath.workdps(DIGITS):
-        arithmetic = HighPrecisionArithmetic()
+        field = DigitsField()
         for k in at:
-            env = exact_environment(model, samples, k, definitions, arithmetic)
-            wanted = (
-                env[f"r{right[0] + 1}{right[1] + 1}"] if isinstance(right, tuple) else evaluate(right, env, arithmetic)
-            )
+            env = _exact_environment(model, samples, k, definitions, field)
+            wanted = right.evaluate(env, field) if isinstance(right, Expr) else env[f"r{right[0] + 1}{right[1] + 1}"]
             gaps = []
             for branch in (1, -1):
-                gap = abs(evaluate(left, env, arithmetic, branch) - wanted)
+                gap = abs(left.evaluate(env, field, branch) - wanted)
                 if angle:
-                    gap = gap % (2 * arithmetic.pi)
-                    gap = min(gap, abs(gap - 2 * arithmetic.pi))
-                gaps.append(gap)
+                    gap = gap % (2 * field.pi)
+                    gap = min(gap, abs(gap - 2 * field.pi))
+                if gap == gap:
+                    gaps.append(gap)
+            if not gaps:
+                return 0
             gap = min(gaps) / (abs(wanted) + mpmath.mpf("1e-6"))
             worst = min(worst, DIGITS - 2 if gap == 0 else int(-mpmath.log10(gap)))
     return max(worst, 0)

@@ -10,15 +10,15 @@ import sys
 from pathlib import Path
 
 from pieper.judge.claims import check
-from pieper.judge.verdict import Report
+from pieper.judge.verdict import Judgement
 
 COMMAND = "python -m pieper.judge.pages examples/claims docs/papers"
 NOTE = "This page is written by `" + COMMAND + "` from `examples/claims/{name}`."
 
 
-def page(path: Path, report: Report | None = None) -> str:
-    """Return the page of one claims file; `report` is its report when it is at hand."""
-    text = (report or check(path)).markdown()
+def page(path: Path, judgement: Judgement | None = None) -> str:
+    """Return the page of one claims file; `judgement` is its judgement when it is at hand."""
+    text = (judgement or check(path)).markdown()
     head, rest = text.split("\n", 1)
     return f"{head}\n\n{NOTE.format(name=path.name)}\n{rest}"
 

@@ -6,9 +6,12 @@ from decimal import Decimal, InvalidOperation
 
 import numpy as np
 
+from pieper.algebra.parser import parse
 from pieper.errors import InputError
+from pieper.judge.claim import Claim
 from pieper.judge.model import ArmModel
 
+BLANK = ("", "*")  # an entry that claims nothing
 UNITS = {"m": 1.0, "mm": 0.001, "cm": 0.01}
 
 
@@ -70,53 +73,45 @@ def misprint(printed, right: float) -> str:
     return ""
 
 
-def read_joints(claim: dict, model: ArmModel, key: str = "q") -> np.ndarray:
-    """Read a joint vector (n,) in rad (or the unit of length) from ``q_deg``, ``q_rad`` or ``q`` with a unit in every
-    entry."""
-    name = claim.get("id", "?")
+def read_joints(claim: Claim, model: ArmModel, key: str = "q") -> np.ndarray:
+    """Read a joint vector (n,), rad or the unit of length, from ``q_deg``, ``q_rad`` or ``q`` with a unit an entry."""
     found = [k for k in (f"{key}_deg", f"{key}_rad", key) if k in claim]
     if len(found) != 1:
-        raise InputError(
-            f'claim {name}: give the joints once, as {key}_deg = [..], {key}_rad = [..] or {key} = ["30 deg", ..]',
-            claim=name,
-        )
+        raise claim.error(f'give the joints once, as {key}_deg = [..], {key}_rad = [..] or {key} = ["30 deg", ..]')
     values = claim[found[0]]
     if not isinstance(values, list) or len(values) != model.n:
-        raise InputError(
-            f"claim {name}: {found[0]} has {len(values) if isinstance(values, list) else 'no'} entries; the "
-            f"arm has {model.n} joints",
-            claim=name,
-        )
+        entries = len(values) if isinstance(values, list) else "no"
+        raise claim.error(f"{found[0]} has {entries} entries; the arm has {model.n} joints")
     out = np.empty(model.n)
     for k, value in enumerate(values):
         if found[0] == key:
             if not isinstance(value, str) or not any(u in value for u in ("deg", "rad", "\u00b0", "pi", "mm", "m")):
-                raise InputError(
-                    f'claim {name}: {key}[{k + 1}] = {value!r} has no unit; write "{value} deg" or "{value} '
-                    f'rad", or use {key}_deg',
-                    claim=name,
+                raise claim.error(
+                    f'{key}[{k + 1}] = {value!r} has no unit; write "{value} deg" or "{value} rad", or use {key}_deg'
                 )
             out[k] = quantity(value)
         elif model.sliding(k + 1):
             out[k] = quantity(value) if isinstance(value, str) else float(value)
         else:
-            angle = (
-                quantity(value) if isinstance(value, str) and any(c in value for c in "pi/*(") else read_number(value)
-            )
+            formula = isinstance(value, str) and any(c in value for c in "pi/*(")
+            angle = quantity(value) if formula else read_number(value)
             out[k] = np.radians(angle) if found[0].endswith("_deg") else angle
     if not np.all(np.isfinite(out)):
-        raise InputError(f"claim {name}: {found[0]} holds a value that is not finite", claim=name)
+        raise claim.error(f"{found[0]} holds a value that is not finite")
     return out
 
 
 def quantity(text: str) -> float:
-    """Evaluate a constant formula with a unit: "180*25/98 deg", "pi/2 rad", "45 mm" (lengths stay in the unit they are
-    written in)."""
-    from pieper.algebra.parser import parse
-    from pieper.algebra.tree import evaluate
+    """Evaluate a constant formula with a unit: "180*25/98 deg", "pi/2 rad"; lengths stay in the unit they have."""
+    return float(parse(text, {"mm", "m"}, 0).evaluate({"mm": 1.0, "m": 1.0}))
 
-    node = parse(text, {"mm", "m"}, 0)
-    return float(evaluate(node, {"pi": np.pi, "mm": 1.0, "m": 1.0}))
+
+def unit_of(claim: Claim, model: ArmModel) -> str:
+    """Return the unit of length of a claim, the arm's own where it says none."""
+    unit = claim.get("unit", model.unit)
+    if unit not in UNITS:
+        raise claim.error(f"unit {unit!r} is not known; use one of {', '.join(UNITS)}")
+    return unit
 
 
 def joint_tolerance(values, degrees: bool) -> np.ndarray:
@@ -127,25 +122,22 @@ def joint_tolerance(values, degrees: bool) -> np.ndarray:
     return np.radians(half) if degrees else half
 
 
-def read_matrix(claim: dict, key: str = "matrix") -> list[list]:
+def read_matrix(claim: Claim, key: str = "matrix") -> list[list]:
     """Read a printed 4 by 4 (or 3 by 4, 3 by 3) matrix of numbers; "" marks an entry that is not claimed."""
     rows = claim.get(key)
-    name = claim.get("id", "?")
     if not isinstance(rows, list) or not all(isinstance(r, list) for r in rows):
-        raise InputError(f"claim {name}: {key} must be a list of rows", claim=name)
+        raise claim.error(f"{key} must be a list of rows")
     shape = (len(rows), len(rows[0]) if rows else 0)
     if shape not in ((4, 4), (3, 4), (3, 3)) or any(len(r) != shape[1] for r in rows):
-        sizes = ", ".join(str(len(r)) for r in rows)
-        raise InputError(
-            f"claim {name}: {key} has {len(rows)} rows of {sizes} entries; a pose is 4 x 4 (or its upper 3 "
-            f"x 4, or a 3 x 3 rotation)",
-            claim=name,
+        raise claim.error(
+            f"{key} has {len(rows)} rows of {', '.join(str(len(r)) for r in rows)} entries; a pose is 4 x 4 (or its "
+            f"upper 3 x 4, or a 3 x 3 rotation)"
         )
     for r, row in enumerate(rows):
         for c, value in enumerate(row):
-            if value not in ("", "*"):
+            if value not in BLANK:
                 try:
                     read_number(value)
                 except InputError as error:
-                    raise InputError(f"claim {name}: {key} entry ({r + 1},{c + 1}): {error}", claim=name) from None
+                    raise claim.error(f"{key} entry ({r + 1},{c + 1}): {error}") from None
     return rows

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.algebra.tree import Node
+from pieper.algebra.expression import Div, Expr
 
 
 def region_features(n: int, env: dict[str, np.ndarray], own: list[str]) -> list[tuple[str, np.ndarray]]:
@@ -53,13 +53,13 @@ def find_region(holds: np.ndarray, features: list[tuple[str, np.ndarray]]) -> st
     return ""
 
 
-def zero_denominators(root: Node, env, evaluate) -> list[str]:
+def zero_denominators(root: Expr, env: dict[str, np.ndarray]) -> list[str]:
     """Return the denominators that vanish at every sample."""
     out = []
     for node in root.walk():
-        if node.op == "div":
+        if isinstance(node, Div):
             with np.errstate(all="ignore"):
-                value = np.asarray(evaluate(node.args[1], env), dtype=float)
+                value = np.asarray(node.args[1].evaluate(env), dtype=float)
             if np.all(np.abs(value) < 1e-12):
                 out.append(str(node.args[1]))
     return out

@@ -1,10 +1,10 @@
-"""A verdict on one claim and a report of many, with their forms for people and machines."""
+"""A verdict on one claim and a judgement of many, with their forms for people and machines."""
 
 from __future__ import annotations
 
 import html
 import json
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 
 HOLDS, PARTLY, WRONG = "holds", "holds only in part", "wrong"
 _MARK = {HOLDS: "holds", PARTLY: "PARTLY", WRONG: "WRONG"}
@@ -21,12 +21,11 @@ class Verdict:
         status: "holds", "holds only in part" or "wrong".
         sentence: the verdict in one sentence, with its number.
         details: further lines, (heading, text): counter-example, difference, nearest right reading, slip, what was
-        tried.
+            tried.
         slip: the kind of the one slip that explains a wrong claim, "" when there is none.
         reading: the nearest right reading as a formula, "" when none was found.
         digits: number of digits to which the claim holds, None where that means nothing.
         right, tried: at how many of how many joint vectors a formula was right, 0 of 0 where that means nothing.
-        difference: printed minus right as a formula, "" when there is none or it takes too long to find.
     """
 
     id: str
@@ -40,7 +39,6 @@ class Verdict:
     digits: int | None = None
     right: int = 0
     tried: int = 0
-    difference: str = ""
 
     @property
     def about(self) -> str:
@@ -52,9 +50,19 @@ class Verdict:
         """Say whether the claim holds without reserve."""
         return self.status == HOLDS
 
+    @property
+    def partly(self) -> bool:
+        """Say whether the claim holds only in part."""
+        return self.status == PARTLY
+
+    @property
+    def wrong(self) -> bool:
+        """Say whether the claim is wrong."""
+        return self.status == WRONG
+
 
 @dataclass(frozen=True)
-class Report:
+class Judgement:
     """The verdicts of one claims file, in its order.
 
     Attributes:
@@ -70,7 +78,6 @@ class Report:
     arms: tuple[str, ...]
     verdicts: tuple[Verdict, ...]
     notes: str = ""
-    settings: dict = field(default_factory=dict)
 
     @property
     def ok(self) -> bool:
@@ -93,7 +100,7 @@ class Report:
         return f"{len(self.verdicts)} claims: {c[HOLDS]} hold, {c[PARTLY]} hold only in part, {c[WRONG]} are wrong."
 
     def text(self) -> str:
-        """Return the report as plain text."""
+        """Return the judgement as plain text."""
         lines = [
             self.title,
             "=" * len(self.title),
@@ -113,7 +120,7 @@ class Report:
         return "\n".join(lines)
 
     def markdown(self) -> str:
-        """Return the report as Markdown, a table of verdicts first and every claim after it."""
+        """Return the judgement as Markdown, a table of verdicts first and every claim after it."""
         lines = [f"# {self.title}", ""]
         lines += [self.source, ""] if self.source else []
         lines += [f"- {a}" for a in self.arms] + [""]
@@ -132,7 +139,7 @@ class Report:
         return "\n".join(lines).rstrip() + "\n"
 
     def html(self) -> str:
-        """Return the report as an HTML fragment."""
+        """Return the judgement as an HTML fragment."""
         e = html.escape
         rows = "".join(
             f'<tr class="{v.status.split()[0]}"><td>{e(v.id)}</td><td>{e(v.about)}</td><td>{e(v.status)}</td></tr>'
@@ -151,7 +158,7 @@ class Report:
         return "".join(parts) + "</section>"
 
     def json(self) -> str:
-        """Return the report as JSON."""
+        """Return the judgement as JSON."""
         return json.dumps(
             {
                 "title": self.title,

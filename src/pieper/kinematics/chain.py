@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from pieper import _kernel
+from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.joints import JointSpace
 from pieper.kinematics.pose import FLIP, inverse, rotation_z, translation
 
 
@@ -24,9 +27,9 @@ class Chain:
         frames_after: (n, 4, 4), what leads from the frame just after joint i to the DH frame i of the description.
     """
 
-    links: np.ndarray
-    prismatic: np.ndarray
-    frames_after: np.ndarray = field(repr=False)
+    links: Array
+    prismatic: Bools
+    frames_after: Array = field(repr=False)
 
     @property
     def n(self) -> int:
@@ -34,7 +37,7 @@ class Chain:
         return len(self.prismatic)
 
     @cached_property
-    def _joint_frames(self) -> np.ndarray:
+    def _joint_frames(self) -> Array:
         frames = np.empty((self.n, 4, 4))
         T = self.links[0]
         for i in range(self.n):
@@ -43,17 +46,17 @@ class Chain:
         return frames
 
     @cached_property
-    def axes(self) -> np.ndarray:
+    def axes(self) -> Array:
         """Unit joint axes (n, 3) in the world frame, all joints at zero."""
         return self._joint_frames[:, :3, 2].copy()
 
     @cached_property
-    def points(self) -> np.ndarray:
+    def points(self) -> Array:
         """A point (n, 3) on each joint axis in the world frame, all joints at zero, m."""
         return self._joint_frames[:, :3, 3].copy()
 
     @cached_property
-    def home(self) -> np.ndarray:
+    def home(self) -> Array:
         """The tool's pose (4, 4) with all joints at zero."""
         return self._joint_frames[-1] @ self.links[-1]
 
@@ -67,6 +70,15 @@ class Chain:
         """The native forward kinematics whose frames stand on the joint axes, z along them."""
         return _kernel.Forward(self.links, self.prismatic, np.tile(np.eye(4), (self.n, 1, 1)))
 
+    def __getstate__(self) -> dict[str, Any]:
+        """What pickle keeps: the links; what was made of them is made again."""
+        return {entry.name: getattr(self, entry.name) for entry in fields(self)}
+
+    @cached_property
+    def joints(self) -> JointSpace:
+        """How its joint vectors are measured."""
+        return JointSpace(self.prismatic, self.length)
+
     @cached_property
     def length(self) -> float:
         """Characteristic length, m: the common normals and offsets between the joint axes, added up; 1 if all vanish.
@@ -77,7 +89,7 @@ class Chain:
         return total if total > 0 else 1.0
 
     @staticmethod
-    def of(links: np.ndarray, prismatic: np.ndarray, frames_after: np.ndarray | None = None) -> Chain:
+    def of(links: Array, prismatic: Bools, frames_after: Array | None = None) -> Chain:
         """Make a chain of links (n + 1, 4, 4) and joint kinds (n,), frozen."""
         links = np.ascontiguousarray(links, float)
         prismatic = np.ascontiguousarray(prismatic, bool)

@@ -2,14 +2,27 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 
-from pieper.errors import InputError
+from pieper.errors import InputError, PieperWarning
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.chain import Chain
 
+#: Angles beyond this (rad) are taken, with a warning: eight turns, and few degrees of a usual posture are below it.
+DEGREES_LIKELY = 50.0
 
-def checked_joints(q: object, n: int, what: str = "q") -> np.ndarray:
-    """Return joint vectors (..., n) as float64 or say what is wrong with them."""
+
+def checked_joints(q: ArrayLike, n: int, what: str = "q", prismatic: Bools | None = None) -> Array:
+    """Return joint vectors (..., n) as float64 or say what is wrong with them.
+
+    Args:
+        q: What was given.
+        n: How many joints there are.
+        what: The name to use in messages.
+        prismatic: (n,) bool; where it is given, revolute joints that look like degrees get a warning.
+    """
     try:
         joints = np.asarray(q, dtype=float)
     except (TypeError, ValueError):
@@ -18,22 +31,36 @@ def checked_joints(q: object, n: int, what: str = "q") -> np.ndarray:
         raise InputError(
             f"{what} must have shape (..., {n}), one number a joint, got {joints.shape}.", given=joints.shape
         )
-    if not np.isfinite(joints).all():
-        index = tuple(int(i) for i in np.argwhere(~np.isfinite(joints))[0])
-        raise InputError(f"{what} must be finite, got {joints[index]} at index {index}.", index=index)
+    # one comparison finds NaN, infinities and degrees
+    if not np.abs(joints).max(initial=0.0) < DEGREES_LIKELY:
+        _look_closer(joints, what, prismatic)
     return joints
 
 
-def fk(chain: Chain, q: object) -> np.ndarray:
+def _look_closer(joints: np.ndarray, what: str, prismatic: np.ndarray | None) -> None:
+    if not np.isfinite(joints).all():
+        index = tuple(int(i) for i in np.argwhere(~np.isfinite(joints))[0])
+        raise InputError(f"{what} must be finite, got {joints[index]} at index {index}.", index=index)
+    if prismatic is not None and np.abs(joints[..., ~prismatic]).max(initial=0.0) >= DEGREES_LIKELY:
+        value = float(np.abs(joints[..., ~prismatic]).max())
+        warnings.warn(
+            f"{what} holds {value:g}, taken as radians; more than {DEGREES_LIKELY:g} rad looks like degrees. Use "
+            "np.radians(...) if degrees were meant.",
+            PieperWarning,
+            stacklevel=5,
+        )
+
+
+def fk(chain: Chain, q: ArrayLike) -> Array:
     """Return the tool poses (..., 4, 4) of joint vectors q (..., n)."""
-    return chain.native.fk(checked_joints(q, chain.n))
+    return chain.native.fk(checked_joints(q, chain.n, prismatic=chain.prismatic))
 
 
-def frames(chain: Chain, q: object, base: np.ndarray) -> np.ndarray:
+def frames(chain: Chain, q: ArrayLike, base: Array) -> Array:
     """Return the frames (..., n + 2, 4, 4): base, the DH frame after each joint, tool."""
-    return chain.native.frames(checked_joints(q, chain.n), base)
+    return chain.native.frames(checked_joints(q, chain.n, prismatic=chain.prismatic), base)
 
 
-def jacobian(chain: Chain, q: object) -> np.ndarray:
+def jacobian(chain: Chain, q: ArrayLike) -> Array:
     """Return the geometric Jacobians (..., 6, n) of the tool point in the base frame, linear rows first."""
-    return chain.native.jacobian(checked_joints(q, chain.n))
+    return chain.native.jacobian(checked_joints(q, chain.n, prismatic=chain.prismatic))

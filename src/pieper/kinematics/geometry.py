@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse
 
@@ -84,7 +85,7 @@ class Geometry:
             relation = "intersecting" if near else "skew"
         return Pair(i, angle, distance, relation)
 
-    def common_point(self, joints: tuple[int, ...]) -> tuple[np.ndarray, float]:
+    def common_point(self, joints: tuple[int, ...]) -> tuple[Array, float]:
         """Return the point (3,) closest to the axes of joints at zero, and the largest distance to them, m."""
         U, P = self.chain.axes[list(joints)], self.chain.points[list(joints)]
         N = np.eye(3) - U[:, :, None] * U[:, None, :]
@@ -172,7 +173,7 @@ def look(chain: Chain, tolerance: float) -> Geometry:
     return Geometry(chain, tolerance)
 
 
-def from_axes(axes: np.ndarray, points: np.ndarray, prismatic: np.ndarray, home: np.ndarray) -> Chain:
+def from_axes(axes: Array, points: Array, prismatic: Bools, home: Array) -> Chain:
     """Make a chain of axes and points (n, 3) at zero and the tool's pose (4, 4) at zero."""
     frames = np.stack([_frame_on(axis, point) for axis, point in zip(axes, points, strict=True)])
     links = [
@@ -240,12 +241,12 @@ def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:
     return from_axes(axes, points, chain.prismatic, chain.home), said, moved
 
 
-def _cross(u: np.ndarray, v: np.ndarray) -> np.ndarray:
+def _cross(u: Array, v: Array) -> Array:
     """Return u x v of vectors (n, 3); NumPy's own is made for any axis and much slower on few vectors."""
     return u[:, [1, 2, 0]] * v[:, [2, 0, 1]] - u[:, [2, 0, 1]] * v[:, [1, 2, 0]]
 
 
-def _frame_on(axis: np.ndarray, point: np.ndarray) -> np.ndarray:
+def _frame_on(axis: Array, point: Array) -> Array:
     z = axis / np.linalg.norm(axis)
     seed = np.eye(3)[np.argmin(np.abs(z))]
     x = seed - (seed @ z) * z
@@ -259,7 +260,7 @@ def _and(words: list[str]) -> str:
     return words[0] if len(words) == 1 else ", ".join(words[:-1]) + " and " + words[-1]
 
 
-def axes_at(chain: Chain, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def axes_at(chain: Chain, q: ArrayLike) -> tuple[Array, Array]:
     """Return the joint axes and a point on each, (..., n, 3), where joint vectors q (..., n) put them, world frame."""
     joints = chain.native_axes.frames(np.asarray(q, float), np.eye(4))[..., 1:-1, :, :]
     return joints[..., :3, 2], joints[..., :3, 3]

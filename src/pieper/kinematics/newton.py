@@ -1,15 +1,24 @@
-"""Newton's method on the pose equation, batched: polish solutions and pull near ones onto the pose."""
+"""The one Newton's method: what misses a pose, its Jacobian without units, and the steps that are taken with them."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
+from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk, jacobian
 from pieper.kinematics.pose import rotation_vector
+from pieper.tolerances import NEWTON_DONE, NEWTON_STALLS, TINY
+
+#: From joint vectors (k, n) and their places in the batch (k,): what is missed (k, r), or its slope (k, r, n).
+Equations = Callable[[Array, Indices], Array]
+#: A step (k, n) without units from a slope (k, r, n) and what is missed (k, r).
+Step = Callable[[Array, Array], Array]
 
 
-def pose_difference(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray:
+def pose_difference(chain: Chain, q: Array, T: Array) -> Array:
     """Return what is missing from fk(q) to T, (..., 6): position per length of the arm, then rotation vector, rad."""
     now = fk(chain, q)
     dR = T[..., :3, :3] @ np.swapaxes(now[..., :3, :3], -1, -2)
@@ -23,29 +32,126 @@ def pose_difference(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray:
     square = np.einsum("...i,...i->...", w, w)
     if np.all((square < 0.25) & (dR[..., 0, 0] + dR[..., 1, 1] + dR[..., 2, 2] > 1.0)):
         # less than 30 degrees: the skew part holds the sine, and that is the angle with its series' correction
-        sine = np.sqrt(np.maximum(square, 1e-300))
+        sine = np.sqrt(np.maximum(square, TINY))
         w *= (np.arcsin(sine) / sine)[..., None]
     else:
         w[...] = rotation_vector(dR)
     return out
 
 
-def scaled_jacobian(chain: Chain, q: np.ndarray) -> np.ndarray:
+def missed(chain: Chain, q: Array, T: Array) -> Array:
+    """Return the size (...) of the pose difference (per length; rad)."""
+    return np.linalg.norm(pose_difference(chain, q, T), axis=-1)
+
+
+def scaled_jacobian(chain: Chain, q: Array) -> Array:
     """Return Jacobians (..., 6, n) without units: lengths per characteristic length, prismatic columns likewise."""
     J = jacobian(chain, q)
     J[..., :3, :] /= chain.length
     return np.where(chain.prismatic, J * chain.length, J)
 
 
+def determinant(chain: Chain, q: Array) -> Array:
+    """Return the determinants (...) of the Jacobian without units at q (..., 6)."""
+    return np.linalg.det(scaled_jacobian(chain, q))
+
+
+def singular_values(chain: Chain, q: Array) -> Array:
+    """Return the singular values (..., min(n, 6)) of the Jacobian without units, largest first."""
+    return np.linalg.svd(scaled_jacobian(chain, q), compute_uv=False)
+
+
+def null_space(chain: Chain, q: Array) -> tuple[Array, Array]:
+    """Return all n singular values (..., n) of the Jacobian without units and their joint directions (..., n, n), rows.
+
+    The last row is the direction that the pose feels least; joints beyond the sixth have the singular value zero.
+    """
+    _, s, Vt = np.linalg.svd(scaled_jacobian(chain, q))
+    spare = chain.n - s.shape[-1]
+    return (np.concatenate([s, np.zeros((*s.shape[:-1], spare))], -1) if spare else s), Vt
+
+
+def bounded(step: Array, longest: float) -> Array:
+    """Return steps (..., n), none longer than `longest`."""
+    return step * np.minimum(1.0, longest / np.maximum(np.linalg.norm(step, axis=-1, keepdims=True), TINY))
+
+
+def shortest(cutoff: float, *, but: int | None = None) -> Step:
+    """Return the step of minimum norm that leaves singular directions below `cutoff` (relative), and `but`, alone."""
+
+    def step(J: Array, e: Array) -> Array:
+        U, s, Vt = np.linalg.svd(J, full_matrices=False)
+        return turned_back(s, Vt, np.einsum("nik,ni->nk", U, e), cutoff, but)
+
+    return step
+
+
+def turned_back(s: Array, Vt: Array, along: Array, cutoff: float, but: int | None = None) -> Array:
+    """Return the minimum-norm step (N, n) from what is missed along the singular directions (N, k)."""
+    gain = np.where(s > cutoff * s[..., :1], 1.0 / np.maximum(s, TINY), 0.0)
+    if but is not None:
+        gain[:, but] = 0.0
+    return np.einsum("nkj,nk->nj", Vt, gain * along)
+
+
+def damped(damping: Array | float) -> Step:
+    """Return the step J^T (J J^T + damping I)^-1 e: of minimum norm, and bounded where J has lost rank."""
+
+    def step(J: Array, e: Array) -> Array:
+        A = J @ np.swapaxes(J, -1, -2) + np.asarray(damping)[..., None, None] * np.eye(J.shape[-2])
+        return np.einsum("bij,bi->bj", J, np.linalg.solve(A, e[..., None])[..., 0])
+
+    return step
+
+
+def settled(
+    miss: Equations, slope: Equations, q: Array, unit: Array, *, steps: int, longest: float, step: Step
+) -> tuple[Array, Array]:
+    """Take Newton steps on any equations until rounding is reached, or what is missed has stopped shrinking there.
+
+    Args:
+        miss: What the equations miss by; infinite where they are not defined, which ends a row.
+        slope: How much that shrinks with the joints, without units.
+        q: (k, n) start, rad or m.
+        unit: (n,) what counts as one of each joint.
+        steps: Most steps.
+        longest: Longest step, rad or characteristic lengths.
+        step: How a step is made of slope and miss.
+
+    Returns:
+        (k, n) joint vectors with the smallest miss met on the way, and that miss (k,).
+    """
+    q = np.array(q, float)
+    best, least = q.copy(), np.full(len(q), np.inf)
+    stalled = np.zeros(len(q), np.int64)
+    going = np.arange(len(q))
+    for taken in range(steps + 1):
+        here = q[going]
+        e = miss(here, going)
+        size = np.linalg.norm(e, axis=-1)
+        stalled[going] = np.where(size > 0.5 * least[going], stalled[going] + 1, 0)
+        better = size < least[going]
+        best[going[better]] = here[better]
+        least[going[better]] = size[better]
+        # rounding is reached, or what is missed has stopped shrinking: at a double root it shrinks by four a step
+        on = (size > NEWTON_DONE) & (size < np.inf) & ((least[going] > NEWTON_STALLS) | (stalled[going] < 3))
+        going, here, e = going[on], here[on], e[on]
+        if not len(going) or taken == steps:
+            break
+        q[going] = here + bounded(step(slope(here, going), e), longest) * unit
+    return best, least
+
+
 def newton(
     chain: Chain,
-    q: np.ndarray,
-    T: np.ndarray,
+    q: Array,
+    T: Array,
     *,
     steps: int = 12,
     cutoff: float = 1e-12,
     max_step: float = 0.5,
-) -> np.ndarray:
+    rows: Array | None = None,
+) -> Array:
     """Move joint vectors q (..., n) towards the pose(s) T (..., 4, 4) by minimum-norm Newton steps.
 
     Singular directions below `cutoff` times the largest singular value are left alone, which lets the iteration settle
@@ -56,34 +162,86 @@ def newton(
         q: Start, rad or m.
         T: Wanted poses.
         steps: Number of steps.
+        cutoff: Relative singular value below which a direction is left alone.
+        max_step: Longest step.
+        rows: (r, 6) what of the pose difference counts; all of it if None.
 
     Returns:
         (..., n) joint vectors with the smallest pose difference met on the way.
     """
-    unit = np.where(chain.prismatic, chain.length, 1.0)
-    q = np.array(q, float)
-    shape = q.shape
-    q = q.reshape(-1, chain.n)
-    T = T if T.ndim == 2 else np.broadcast_to(T, (*shape[:-1], 4, 4)).reshape(-1, 4, 4)
-    best, least = q.copy(), np.full(len(q), np.inf)
-    stalled = np.zeros(len(q), int)
-    going = np.arange(len(q))
-    for step in range(steps + 1):
-        here = q[going]
-        e = pose_difference(chain, here, T if T.ndim == 2 else T[going])
-        size = np.linalg.norm(e, axis=-1)
-        stalled[going] = np.where(size > 0.5 * least[going], stalled[going] + 1, 0)
-        better = size < least[going]
-        best[going[better]] = here[better]
-        least[going[better]] = size[better]
-        # rounding is reached, or what is missed has stopped shrinking: at a double root it shrinks by four a step
-        on = (size > 1e-15) & ((least[going] > 1e-13) | (stalled[going] < 3))
-        going, here, e = going[on], here[on], e[on]
-        if not len(going) or step == steps:
+    q = np.asarray(q, float)
+    poses = T if T.ndim == 2 else np.broadcast_to(T, (*q.shape[:-1], 4, 4)).reshape(-1, 4, 4)
+
+    def miss(at: Array, index: Indices) -> Array:
+        e = pose_difference(chain, at, poses if poses.ndim == 2 else poses[index])
+        return e if rows is None else e @ rows.T
+
+    def slope(at: Array, index: Indices) -> Array:
+        J = scaled_jacobian(chain, at)
+        return J if rows is None else rows @ J
+
+    start = q.reshape(-1, chain.n)
+    step = shortest(cutoff)
+    return settled(miss, slope, start, chain.joints.unit, steps=steps, longest=max_step, step=step)[0].reshape(q.shape)
+
+
+def newton_on_plane(
+    chain: Chain, q: Array, T: Array, direction: Array, *, holds: float, steps: int = 12
+) -> Array | None:
+    """Pull q (n,) onto the pose T within the plane across `direction` (n,); None if it does not get there."""
+    e = pose_difference(chain, q, T)
+    for _ in range(steps):
+        if np.linalg.norm(e) < holds:
+            return q
+        A = np.vstack([scaled_jacobian(chain, q), direction])
+        step = np.linalg.lstsq(A, np.append(e, 0.0), rcond=1e-9)[0]
+        if np.linalg.norm(step) > 1.0:
+            return None
+        q = q + step * chain.joints.unit
+        e = pose_difference(chain, q, T)
+    return q if np.linalg.norm(e) < holds else None
+
+
+def downhill(
+    chain: Chain,
+    q: Array,
+    T: Array,
+    *,
+    steps: int,
+    weights: Array,
+    damping: tuple[float, float, float, float],
+    relative: Callable[[Array, Array], Array],
+) -> tuple[Array, Array]:
+    """Minimise the weighted square of the pose difference from joint vectors q (k, n) (Levenberg-Marquardt).
+
+    Args:
+        chain: The arm.
+        q: Starts, rad or m.
+        T: (4, 4) or (k, 4, 4).
+        steps: How often a posture is tried, the start included.
+        weights: (6,) of the parts of the pose difference.
+        damping: At first; its factor after a step that helped, and after one that did not; the largest, at which a row
+            rests.
+        relative: What damping counts in (k,), from slopes (k, 6, n) and squares (k,).
+
+    Returns:
+        (k, n) and the squares (k,) that are left.
+    """
+    first, shrink, grow, most = damping
+    q = np.array(q)
+    damp, square = np.full(len(q), first), np.full(len(q), np.inf)
+    active, tried = np.arange(len(q)), q.copy()
+    e = np.empty((len(q), 6))
+    for _ in range(steps):
+        missing = pose_difference(chain, tried, T if T.ndim == 2 else T[active]) * weights
+        new = np.einsum("bi,bi->b", missing, missing)
+        better = new < square[active]
+        q[active[better]], square[active[better]], e[active[better]] = tried[better], new[better], missing[better]
+        damp[active] = np.clip(damp[active] * np.where(better, shrink, grow), 1e-12, most)
+        active = active[(square[active] > 1e-24) & (damp[active] < most)]
+        if not len(active):
             break
-        U, s, Vt = np.linalg.svd(scaled_jacobian(chain, here), full_matrices=False)
-        gain = np.where(s > cutoff * s[..., :1], 1.0 / np.maximum(s, 1e-300), 0.0)
-        move = np.einsum("nkj,nk->nj", Vt, gain * np.einsum("nik,ni->nk", U, e))
-        length = np.linalg.norm(move, axis=-1, keepdims=True)
-        q[going] = here + move * np.minimum(1.0, max_step / np.maximum(length, 1e-300)) * unit
-    return best.reshape(shape)
+        J = scaled_jacobian(chain, q[active]) * weights[:, None]
+        step = damped(damp[active] * relative(J, square[active]) + 1e-15)(J, e[active])
+        tried = q[active] + bounded(step, 0.7) * chain.joints.unit
+    return q, square

@@ -1,10 +1,11 @@
-"""The rotation notations a robot file may use, each with its name in the key."""
+"""Rotations as numbers: what each notation means, and the numbers of a rotation in it."""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
+import numpy.typing as npt
 
 #: notation -> (how many numbers, what they are)
 NOTATIONS = {
@@ -17,7 +18,9 @@ NOTATIONS = {
 }
 ANGLE_NOTATIONS = ("rpy", "zyx", "zyz", "rotation_vector")
 #: A quaternion may depart from unit length by this much (typed with four or more digits); it is normalised.
-_QUATERNION_SLACK = 1e-3
+QUATERNION_SLACK = 1e-3
+#: Where the first column of R is closer to z than this, roll and yaw turn about one axis and yaw says it all.
+_POLE = 1e-13
 
 
 def rotation(notation: str, numbers: list[float]) -> np.ndarray:
@@ -41,11 +44,14 @@ def rotation(notation: str, numbers: list[float]) -> np.ndarray:
     if notation == "zyz":
         a, b, c = numbers
         return _about(2, a) @ _about(1, b) @ _about(2, c)
+    if notation == "xyz":
+        x, y, z = numbers
+        return _about(0, x) @ _about(1, y) @ _about(2, z)
     if notation == "rotation_vector":
         return _of_vector(np.array(numbers, float))
     w, x, y, z = numbers if notation == "quaternion_wxyz" else (numbers[3], *numbers[:3])
     length = math.sqrt(w * w + x * x + y * y + z * z)
-    if not abs(length - 1) <= _QUATERNION_SLACK:
+    if not abs(length - 1) <= QUATERNION_SLACK:
         raise ValueError(f"a rotation needs a quaternion of length 1, this one has length {length:.6g}")
     w, x, y, z = w / length, x / length, y / length, z / length
     return np.array(
@@ -57,12 +63,56 @@ def rotation(notation: str, numbers: list[float]) -> np.ndarray:
     )
 
 
-def rpy_of(R: np.ndarray) -> tuple[float, float, float]:
+def rpy_of(R: npt.NDArray[np.float64]) -> tuple[float, float, float]:
     """Return roll, pitch, yaw (rad) of a rotation; roll is zero where pitch is a quarter turn."""
-    pitch = math.atan2(-R[2, 0], math.hypot(R[0, 0], R[1, 0]))
-    if math.hypot(R[0, 0], R[1, 0]) < 1e-9:
+    across = math.hypot(R[0, 0], R[1, 0])
+    pitch = math.atan2(-R[2, 0], across)
+    if across < _POLE:
         return 0.0, pitch, math.atan2(-R[0, 1], R[1, 1])
-    return math.atan2(R[2, 1], R[2, 2]), pitch, math.atan2(R[1, 0], R[0, 0])
+    yaw = math.atan2(R[1, 0], R[0, 0])
+    # what is left of R behind the yaw that was found, so that the three agree however close the pole is
+    c, s = math.cos(yaw), math.sin(yaw)
+    return math.atan2(s * R[0, 2] - c * R[1, 2], c * R[1, 1] - s * R[0, 1]), pitch, yaw
+
+
+def zyz_of(R: npt.NDArray[np.float64]) -> tuple[float, float, float]:
+    """Return a, b, c (rad) with R = Rz(a) Ry(b) Rz(c), b in [0, pi]; a is zero where b is 0 or a half turn."""
+    across = math.hypot(R[0, 2], R[1, 2])
+    b = math.atan2(across, R[2, 2])
+    if across < _POLE:
+        return 0.0, b, math.atan2(R[1, 0], R[1, 1])
+    a = math.atan2(R[1, 2], R[0, 2])
+    c, s = math.cos(a), math.sin(a)
+    return a, b, math.atan2(c * R[1, 0] - s * R[0, 0], c * R[1, 1] - s * R[0, 1])
+
+
+def xyz_of(R: npt.NDArray[np.float64]) -> tuple[float, float, float]:
+    """Return x, y, z (rad) with R = Rx(x) Ry(y) Rz(z); x is zero where y is a quarter turn."""
+    # the transpose is Rz(-z) Ry(-y) Rx(-x)
+    x, y, z = rpy_of(R.T)
+    return 0.0 - x, 0.0 - y, 0.0 - z
+
+
+def quaternion_of(R: npt.NDArray[np.float64]) -> tuple[float, float, float, float]:
+    """Return w, x, y, z of a rotation, w >= 0; of two opposite ones with w = 0 the first other number is positive."""
+    trace = float(np.trace(R))
+    # the largest of the four squares loses no digits
+    squares = [trace, *(2 * float(R[i, i]) - trace for i in range(3))]
+    largest = int(np.argmax(squares))
+    if largest == 0:
+        q = np.array([1 + trace, R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    else:
+        i = largest - 1
+        j, k = (i + 1) % 3, (i + 2) % 3
+        q = np.empty(4)
+        q[0] = R[k, j] - R[j, k]
+        q[1 + i] = 1 + R[i, i] - R[j, j] - R[k, k]
+        q[1 + j] = R[j, i] + R[i, j]
+        q[1 + k] = R[k, i] + R[i, k]
+    q = q / np.linalg.norm(q)
+    first = next(value for value in q if abs(value) > 1e-12)
+    w, x, y, z = (float(value) + 0.0 for value in (q if first > 0 else -q))
+    return w, x, y, z
 
 
 def cos_sin(angle: float) -> tuple[float, float]:

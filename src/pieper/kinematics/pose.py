@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.tolerances import ROTATION_ACCEPTED, ROTATION_EXACT
 
 #: Positions beyond this, m, are refused: their squares would leave the range of doubles' precision.
@@ -12,14 +13,51 @@ FARTHEST = 1e12
 FLIP = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
-def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarray:
+#: How other libraries hand out the matrix of a pose: attribute or method, the first that is there.
+_ACCESSORS = (
+    "as_matrix",
+    "homogeneous",
+    "A",
+    "to_matrix",
+    "matrix",
+    "transformation_matrix",
+    "as_transformation_matrix",
+)
+
+
+def as_pose(T: object) -> object:
+    """Return the matrix of a pose that another library holds, anything else unchanged.
+
+    SciPy's RigidTransform, spatialmath's SE3, Pinocchio's SE3 and whatever else hands out a (4, 4) or (N, 4, 4) by one
+    of the usual names, or a `rotation` (3, 3) and a `translation` (3,); lists of such poses too.
+    """
+    if isinstance(T, (np.ndarray, float, int)) or T is None:
+        return T
+    if isinstance(T, (list, tuple)):
+        # numbers and nested lists are left to NumPy
+        return [as_pose(item) for item in T] if T and not isinstance(T[0], (list, tuple, float, int)) else T
+    for name in _ACCESSORS:
+        found = getattr(T, name, None)
+        if found is not None:
+            matrix = found() if callable(found) else found
+            return np.array(matrix, float) if isinstance(matrix, list) else matrix
+    R, p = getattr(T, "rotation", None), getattr(T, "translation", None)
+    if R is not None and p is not None:
+        R, p = (value() if callable(value) else value for value in (R, p))
+        R = as_pose(R)
+        if np.shape(R) == (3, 3) and np.size(p) == 3:
+            return transform(np.asarray(R, float), np.asarray(p, float).reshape(3))
+    return T
+
+
+def checked_pose(T: ArrayLike, what: str = "T", *, batch: bool = False) -> Array:
     """Return poses as float64 with an exact rotation part, or say what is wrong with them.
 
     Rotation parts that depart from a rotation by up to `ROTATION_ACCEPTED` (a pose rounded to float32, for one) are
     replaced by the nearest rotation (polar decomposition).
 
     Args:
-        T: (4, 4), or (..., 4, 4) when batch.
+        T: (4, 4), or (..., 4, 4) when batch; or another library's pose, see `as_pose`.
         what: The name to use in messages.
         batch: Whether leading axes are allowed.
 
@@ -30,10 +68,10 @@ def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarr
         InputError: Wrong shape, a number that is not finite, a last row other than 0 0 0 1, not a rotation.
     """
     try:
-        given = np.asarray(T)
+        given = np.asarray(as_pose(T))
         if np.iscomplexobj(given):
             raise InputError(f"{what} must be real, got complex numbers.", given=T)
-        pose = np.array(given, dtype=float)
+        pose = np.array(given, dtype=np.float64)
     except InputError:
         raise
     except (TypeError, ValueError):
@@ -86,7 +124,7 @@ def checked_pose(T: object, what: str = "T", *, batch: bool = False) -> np.ndarr
     return pose
 
 
-def _worst(size: np.ndarray) -> tuple[tuple[int, ...], str]:
+def _worst(size: Array) -> tuple[tuple[int, ...], str]:
     """Return the index of the largest entry and words for it; both empty for a single pose."""
     size = np.asarray(size)
     if not size.ndim:
@@ -95,7 +133,7 @@ def _worst(size: np.ndarray) -> tuple[tuple[int, ...], str]:
     return index, f" (at index {index[0] if len(index) == 1 else index})"
 
 
-def inverse(T: np.ndarray) -> np.ndarray:
+def inverse(T: Array) -> Array:
     """Return the inverse poses, (..., 4, 4)."""
     out = np.zeros_like(T, dtype=float)
     Rt = np.swapaxes(T[..., :3, :3], -1, -2)
@@ -105,7 +143,7 @@ def inverse(T: np.ndarray) -> np.ndarray:
     return out
 
 
-def transform(R: np.ndarray | None = None, p: np.ndarray | None = None) -> np.ndarray:
+def transform(R: Array | None = None, p: Array | None = None) -> Array:
     """Return the pose (..., 4, 4) with rotation R (identity if None) and position p (zero if None)."""
     shape = np.shape(p)[:-1] if R is None else np.shape(R)[:-2]
     T = np.zeros((*shape, 4, 4))
@@ -116,7 +154,7 @@ def transform(R: np.ndarray | None = None, p: np.ndarray | None = None) -> np.nd
     return T
 
 
-def rotation_z(angle: np.ndarray | float) -> np.ndarray:
+def rotation_z(angle: ArrayLike) -> Array:
     """Return poses (..., 4, 4) of a rotation about z by angle (...), rad."""
     angle = np.asarray(angle, float)
     T = np.zeros((*angle.shape, 4, 4))
@@ -127,20 +165,20 @@ def rotation_z(angle: np.ndarray | float) -> np.ndarray:
     return T
 
 
-def rotation_x(angle: np.ndarray | float) -> np.ndarray:
+def rotation_x(angle: ArrayLike) -> Array:
     """Return poses (..., 4, 4) of a rotation about x by angle (...), rad."""
     T = rotation_z(angle)
     return T[..., [2, 0, 1, 3], :][..., :, [2, 0, 1, 3]]
 
 
-def translation(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> np.ndarray:
+def translation(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Array:
     """Return the pose (4, 4) of a translation, m."""
     T = np.eye(4)
     T[:3, 3] = x, y, z
     return T
 
 
-def rotation_about(axis: np.ndarray, angle: np.ndarray | float) -> np.ndarray:
+def rotation_about(axis: Array, angle: ArrayLike) -> Array:
     """Return rotations (..., 3, 3) about unit axes (..., 3) by angles (...), rad (Rodrigues)."""
     axis = np.asarray(axis, float)
     angle = np.asarray(angle, float)[..., None, None]
@@ -148,7 +186,7 @@ def rotation_about(axis: np.ndarray, angle: np.ndarray | float) -> np.ndarray:
     return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * (K @ K)
 
 
-def stepped(T: np.ndarray, twists: np.ndarray, length: float) -> np.ndarray:
+def stepped(T: Array, twists: Array, length: float) -> Array:
     """Return poses (N, 4, 4): T turned and moved by twists (N, 6), positions per length (m), world frame."""
     angle = np.linalg.norm(twists[:, 3:], axis=1)
     out = np.array(np.broadcast_to(T, (len(twists), 4, 4)))
@@ -158,7 +196,7 @@ def stepped(T: np.ndarray, twists: np.ndarray, length: float) -> np.ndarray:
     return out
 
 
-def skew(v: np.ndarray) -> np.ndarray:
+def skew(v: Array) -> Array:
     """Return the matrices (..., 3, 3) with skew(v) @ w = v x w."""
     v = np.asarray(v, float)
     K = np.zeros((*v.shape[:-1], 3, 3))
@@ -166,7 +204,7 @@ def skew(v: np.ndarray) -> np.ndarray:
     return K - np.swapaxes(K, -1, -2)
 
 
-def rotation_vector(R: np.ndarray) -> np.ndarray:
+def rotation_vector(R: Array) -> Array:
     """Return the rotation vectors (..., 3), rad, of rotations (..., 3, 3), exact near 0 and near a half turn."""
     R = np.asarray(R, float)
     w = np.stack([R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], -1) / 2
@@ -188,7 +226,7 @@ def rotation_vector(R: np.ndarray) -> np.ndarray:
     return vector
 
 
-def pose_error(T: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+def pose_error(T: Array, wanted: Array) -> Array:
     """Return the distances (..., 2) between poses: metres, and radians of the rotation between them."""
     dp = np.linalg.norm(T[..., :3, 3] - wanted[..., :3, 3], axis=-1)
     # the skew part alone is accurate for small angles; rotation_vector covers the large ones

@@ -6,7 +6,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array
 from pieper.motion.continuation import AGREEMENT, BRIDGE, MET, ROUNDING, Continuation
+from pieper.solver.verbs import ik
 
 #: A reading at a singular point may lie this far (rad, or per length) from where the branch was just before it.
 READING = 5e-2
@@ -27,15 +29,15 @@ class Strand:
         crossings: Where it passed a singularity, in points.
     """
 
-    q: list[np.ndarray]
-    at: np.ndarray
+    q: list[Array]
+    at: Array
     x: float
     end: float | None = None
     unresolved: bool = False
-    crossings: list[float] = field(default_factory=list)
+    crossings: list[float] = field(default_factory=list[float])
 
 
-def strands(way: Continuation, start: np.ndarray) -> list[Strand]:
+def strands(way: Continuation, start: Array) -> list[Strand]:
     """Return every branch of the first pose, carried as far as it goes.
 
     Args:
@@ -57,7 +59,7 @@ def strands(way: Continuation, start: np.ndarray) -> list[Strand]:
     return found
 
 
-def _first(way: Continuation, start: np.ndarray) -> list[Strand]:
+def _first(way: Continuation, start: Array) -> list[Strand]:
     found, special = way.solutions(0)
     if not special and not way.redundant:
         return [Strand([q], q, 0.0) for q in found]
@@ -72,15 +74,15 @@ def _first(way: Continuation, start: np.ndarray) -> list[Strand]:
             return out
     # every pose near by has a continuum too: representatives of it begin a branch each
     if len(found) == 0 or not way.redundant:
-        found = way.arm.ik(way.path[0]).all_q
+        found = ik(way.plan, way.path[0]).all_q
     out = [Strand([q], q, 0.0) for q in found]
     own, ok = way.project(start, 0)
-    if ok and all(np.abs(way.wrapped(own - q)).max() > ROUNDING for q in found):
+    if ok and all(np.abs(way.gap(own, q)).max() > ROUNDING for q in found):
         out.insert(0, Strand([own], own, 0.0))
     return out
 
 
-def _grouped(alive: list[Strand]) -> list[list[Strand]]:
+def _by_place(alive: list[Strand]) -> list[list[Strand]]:
     places: dict[float, list[Strand]] = {}
     for strand in alive:
         places.setdefault(strand.x, []).append(strand)
@@ -104,7 +106,7 @@ def _carry(way: Continuation, group: list[Strand], x: float) -> list[Strand]:
 
 
 def _reach_regular(way: Continuation, alive: list[Strand], k: int) -> None:
-    for group in _grouped(alive):
+    for group in _by_place(alive):
         if group[0].x < k - 1:  # it waits before a singular point and must cross that first
             group = _cross(way, group, k - 1)
         if not group:
@@ -122,7 +124,7 @@ def _cross(way: Continuation, group: list[Strand], k: int) -> list[Strand]:
     for strand in group:
         moved, sure = way.step(strand.at[None], strand.x, k + BRIDGE)
         if not sure[0] and len(found):
-            size = np.sort(np.linalg.norm(way.wrapped(found - strand.at), axis=-1))
+            size = np.sort(np.linalg.norm(way.gap(found, strand.at), axis=-1))
             if size[0] <= MET and (len(size) == 1 or size[1] > 3 * size[0] + ROUNDING):
                 moved, sure = way.step(strand.at[None], strand.x, k + BRIDGE, loose=True)
         if sure[0]:
@@ -144,9 +146,9 @@ def _leave_continuum(way: Continuation, group: list[Strand], k: int) -> list[Str
     out = []
     found, _ = way.solutions(k - 1 + BRIDGE)
     for strand in group:
-        size = np.linalg.norm(way.wrapped(found - strand.at), axis=-1)
+        size = np.linalg.norm(way.gap(found, strand.at), axis=-1)
         if len(found) and size.min() <= MET:
-            moved = strand.at + way.wrapped(found[np.argmin(size)] - strand.at) / way.scale
+            moved = strand.at + way.gap(found[np.argmin(size)], strand.at) * way.unit
             strand.at, strand.x = moved, k - 1 + BRIDGE
             out.append(strand)
         else:
@@ -157,7 +159,7 @@ def _leave_continuum(way: Continuation, group: list[Strand], k: int) -> list[Str
 def _reach_special(way: Continuation, alive: list[Strand], k: int) -> None:
     """Reach a point whose pose is singular or redundant: isolated branches as ever, others by the nearest member."""
     before = k - BRIDGE
-    for group in _grouped(alive):
+    for group in _by_place(alive):
         if group[0].x < k - 1:
             group = _cross(way, group, k - 1)
             if not group:
@@ -186,13 +188,13 @@ def _read(way: Continuation, strand: Strand, k: int) -> None:
     """Read a strand that stands just before the singular point k at that point itself."""
     found, _ = way.solutions(k)
     if len(found):
-        d = way.wrapped(found - strand.at)
+        d = way.gap(found, strand.at)
         best = np.argmin(np.linalg.norm(d, axis=-1))
         if np.linalg.norm(d[best]) <= MET:
-            strand.q.append(strand.at + d[best] / way.scale)
+            strand.q.append(strand.at + d[best] * way.unit)
             return
     q, ok = way.project(strand.at, k)
-    if ok and np.linalg.norm(way.wrapped(q - strand.at)) <= READING:
+    if ok and np.linalg.norm(way.gap(q, strand.at)) <= READING:
         strand.q.append(q)
     else:
         strand.end = float(k)
@@ -207,8 +209,8 @@ def _carry_on_continuum(way: Continuation, strand: Strand, k: int) -> None:
         x_next = min(x + h, float(k))
         predicted = way.predict(q, x, x_next)
         moved, ok = way.project(predicted, x_next)
-        size = np.linalg.norm((moved - q) * way.scale)
-        miss = np.linalg.norm((moved - predicted) * way.scale)
+        size = np.linalg.norm((moved - q) / way.unit)
+        miss = np.linalg.norm((moved - predicted) / way.unit)
         if ok and size <= 0.3 and miss <= AGREEMENT * size + ROUNDING:
             q, x = moved, x_next
         elif h <= smallest:

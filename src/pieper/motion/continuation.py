@@ -9,20 +9,17 @@ apart from a jump to another branch, whatever the spacing of the points.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
-from pieper.kinematics.pose import pose_error, rotation_vector
+from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.newton import newton, pose_difference, scaled_jacobian
+from pieper.kinematics.pose import rotation_vector
 from pieper.motion.path import between
-from pieper.solver.redundant.reduced import solve_reduced
-from pieper.solver.results import DEGENERATE
+from pieper.solver.arm_rows import arm_rows
+from pieper.solver.plan.plan import Plan
+from pieper.solver.rows import Flag, Rows
+from pieper.solver.verbs import ik
 from pieper.tolerances import VERIFIED
-
-if TYPE_CHECKING:
-    from pieper.arm import Arm
-
-TURN = 2 * np.pi
 
 #: A step (rad, or per length) above which it is halved whatever the prediction says.
 LARGEST_STEP = 0.6
@@ -52,29 +49,28 @@ class Continuation:
     """Everything needed to carry solutions of an arm along a path.
 
     Args:
-        arm: The arm.
+        plan: How the arm is solved.
         path: (N, 4, 4) checked poses, m.
     """
 
-    def __init__(self, arm: Arm, path: np.ndarray) -> None:
-        self.arm = arm
+    def __init__(self, plan: Plan, path: Array) -> None:
+        self.plan = plan
         self.path = path
-        self.revolute = ~np.asarray(arm.chain.prismatic)
-        self.length = arm.chain.length
-        #: joint coordinates are compared as q * scale: radians, and lengths per characteristic length
-        self.scale = np.where(self.revolute, 1.0, 1.0 / self.length)
-        self.task = getattr(arm.plan, "task", "pose")
+        self.chain = plan.chain
+        self.revolute = ~plan.prismatic
+        #: what counts as one of each joint: radians, and slides per characteristic length
+        self.unit = plan.chain.joints.unit
         #: whether every pose has a continuum of solutions, so that none of them can be matched
-        self.redundant = bool(getattr(arm.plan, "redundancy", False))
+        self.redundant = bool(plan.redundancy)
         self._rows, self._inside, self._special = self._solve(path)
-        self._solved: dict[float, tuple[np.ndarray, bool]] = {}
+        self._solved: dict[float, tuple[Array, bool]] = {}
         self._why: dict[float, str] = {}
-        self._poses: dict[float, np.ndarray] = {}
+        self._poses: dict[float, Array] = {}
         self._steps = 0
 
     # ------------------------------------------------------------------ what is known at a place on the path
 
-    def pose(self, x: float) -> np.ndarray:
+    def pose(self, x: float) -> Array:
         """Return the pose (4, 4) at x points from the start; between the points lies the straight line."""
         k = int(np.floor(x))
         if k == x:
@@ -83,7 +79,7 @@ class Continuation:
             self._poses[x] = between(self.path[k], self.path[k + 1], x - k)
         return self._poses[x]
 
-    def solutions(self, x: float) -> tuple[np.ndarray, bool]:
+    def solutions(self, x: float) -> tuple[Array, bool]:
         """Return all solutions (m, n) at x, limits not applied, and whether the pose is singular or redundant."""
         if x not in self._solved:
             k = int(np.floor(x))
@@ -91,71 +87,70 @@ class Continuation:
             self._solved[x] = rows[k if k == x else 0], bool(special[k if k == x else 0])
         return self._solved[x]
 
-    def _solve(self, poses: np.ndarray) -> tuple[list[np.ndarray], np.ndarray, np.ndarray]:
+    def _solve(self, poses: Array) -> tuple[list[Array], Bools, Bools]:
         """Return for N poses their solutions (m, n), whether one lies inside the limits (N,), which are special (N,).
 
         The kernel's own rows are enough here: on a singularity they are true solutions, and which of a continuum they
         are does not matter, since a branch that comes to one is carried across it.
         """
-        plan = self.arm.plan
+        plan = self.plan
         if plan.direct:
-            q, valid, inside, flag = plan.solver.many(np.ascontiguousarray(poses), 1)
-            special = (flag & DEGENERATE) > 0
+            rows = Rows(*plan.solver.many(np.ascontiguousarray(poses), 1))
         else:
-            q, valid, inside, flag = solve_reduced(plan, poses, np.tile(plan.defaults, (len(poses), 1)), 1)
-            special = ((flag & DEGENERATE) > 0) | self.redundant
-        return [row[ok] for row, ok in zip(q, valid, strict=True)], inside.any(1), special
+            rows = arm_rows(plan, poses, np.tile(plan.defaults, (len(poses), 1)), 1)
+        special = ((rows.flags & np.uint8(Flag.DEGENERATE)) > 0) | self.redundant
+        return [row[ok] for row, ok in zip(rows.q, rows.valid, strict=True)], rows.inside.any(1), special
 
     @property
-    def reachable(self) -> np.ndarray:
+    def reachable(self) -> Bools:
         """(N,) whether a point has a solution inside the limits, at some value of a spare joint if there is one."""
         if not self.redundant:
             return self._inside
-        plan, reachable = self.arm.plan, self._inside.copy()
+        plan, reachable = self.plan, self._inside.copy()
         lower, upper = plan.full_limits[plan.reduction.locked[0]]
         lower, upper = (lower, upper) if np.isfinite(lower) and np.isfinite(upper) else (-np.pi, np.pi)
         for value in np.linspace(lower, upper, SPARE_VALUES):
             values = np.tile(plan.defaults, (len(self.path), 1))
             values[:, 0] = value
-            reachable |= solve_reduced(plan, self.path, values, 1)[2].any(1)
+            reachable |= arm_rows(plan, self.path, values, 1).inside.any(1)
         return reachable
 
     def why(self, x: float) -> str:
         """Return why the pose at x came out as it did, asked once."""
         if x not in self._why:
-            self._why[x] = self.arm.ik(self.pose(x)).why
+            self._why[x] = ik(self.plan, self.pose(x)).why
         return self._why[x]
 
-    def wrapped(self, dq: np.ndarray) -> np.ndarray:
-        """Return joint differences (..., n), scaled, revolute ones by the shorter way round."""
-        return np.where(self.revolute, dq - TURN * np.round(dq / TURN), dq) * self.scale
+    def gap(self, q: Array, start: Array) -> Array:
+        """Return joint differences q - start (..., n) without units, angles by the shorter way round."""
+        return self.chain.joints.difference(q, start)
 
-    def _task_rows(self, T: np.ndarray) -> np.ndarray:
-        """Return the matrix (r, 6) that picks what the task asks for from a twist, lengths scaled."""
+    def _task_rows(self, T: Array) -> Array:
+        """Return the matrix (r, 6) that picks what the task asks for from a twist, lengths per length of the arm."""
         rows = np.eye(6)
-        rows[:3] /= self.length
-        if self.task == "position":
+        if self.plan.task == "position":
             return rows[:3]
-        if self.task == "position+axis":
+        if self.plan.task == "position+axis":
             rows[3:, 3:] = T[:3, :3].T
             return rows[:5]
         return rows
 
-    def _twist(self, xa: float, xb: float) -> np.ndarray:
+    def _twist(self, xa: float, xb: float) -> Array:
         Ta, Tb = self.pose(xa), self.pose(xb)
-        return np.concatenate([Tb[:3, 3] - Ta[:3, 3], rotation_vector(Tb[:3, :3] @ Ta[:3, :3].T)])
+        move = (Tb[:3, 3] - Ta[:3, 3]) / self.chain.length
+        return np.concatenate([move, rotation_vector(Tb[:3, :3] @ Ta[:3, :3].T)])
 
-    def _jacobian(self, q: np.ndarray, x: float) -> np.ndarray:
+    def _jacobian(self, q: Array, x: float) -> Array:
         """Return the scaled Jacobians (..., r, n) of joint vectors q (..., n) at x, rows as the task asks."""
-        return self._task_rows(self.pose(x)) @ self.arm.jacobian(q) / self.scale
+        return self._task_rows(self.pose(x)) @ scaled_jacobian(self.chain, q)
 
-    def _steps_of(self, J: np.ndarray, xa: float, xb: float) -> np.ndarray:
+    def _steps_of(self, J: Array, xa: float, xb: float) -> Array:
         """Return the scaled joint steps (..., n) that scaled Jacobians predict from xa to xb."""
         return np.linalg.pinv(J, rcond=1e-10) @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
 
     # ------------------------------------------------------------------ steps
 
-    def step(self, q: np.ndarray, xa: float, xb: float, loose: bool = False) -> tuple[np.ndarray, np.ndarray]:
+    def step(self, q: Array, xa: float, xb: float, loose: bool = False) -> tuple[Array, Bools]:
         """Step joint vectors q (B, n) from xa to xb; return where they go and whether that is beyond doubt (B,).
 
         When loose, at the smallest step, the nearest solution within `MET` is taken without asking the Jacobian: it has
@@ -165,12 +160,12 @@ class Continuation:
         found, _ = self.solutions(xb)
         if len(found) == 0:
             return q, np.zeros(len(q), bool)
-        D = self.wrapped(found[None] - q[:, None])
+        D = self.gap(found[None], q[:, None])
         size = np.linalg.norm(D, axis=-1)
         if loose:
             best = np.argmin(size, axis=1)
             d = np.take_along_axis(D, best[:, None, None], 1)[:, 0]
-            return q + d / self.scale, size[np.arange(len(q)), best] <= MET
+            return q + d * self.unit, size[np.arange(len(q)), best] <= MET
         here = self._jacobian(q, xa)
         forward = self._steps_of(here, xa, xb)
         miss = np.linalg.norm(D - forward[:, None], axis=-1)
@@ -190,18 +185,18 @@ class Continuation:
         counts = np.bincount(best, minlength=len(found))
         sure &= counts[best] == 1
         sure &= _side(here) == _side(there)
-        return q + d / self.scale, sure
+        return q + d * self.unit, sure
 
-    def is_singular(self, q: np.ndarray, x: float) -> bool:
+    def is_singular(self, q: Array, x: float) -> bool:
         """Return whether the Jacobian at a joint vector q (n,) has lost rank."""
         sigma = np.linalg.svd(self._jacobian(q, x), compute_uv=False)
         return bool(sigma[-1] < SINGULAR * sigma[0])
 
-    def predict(self, q: np.ndarray, xa: float, xb: float) -> np.ndarray:
+    def predict(self, q: Array, xa: float, xb: float) -> Array:
         """Return where the Jacobian sends a joint vector q (n,) from xa to xb, with the least joint motion."""
-        return q + self._steps_of(self._jacobian(q, xa), xa, xb) / self.scale
+        return q + self._steps_of(self._jacobian(q, xa), xa, xb) * self.unit
 
-    def carry(self, q: np.ndarray, xa: float, xb: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    def carry(self, q: Array, xa: float, xb: float) -> tuple[Array, Array, Array, Bools]:
         """Carry joint vectors q (B, n) from xa to xb.
 
         Returns:
@@ -214,7 +209,9 @@ class Continuation:
         self._carry(q, place, met, unresolved, np.arange(len(q)), xa, xb)
         return q, place, met, unresolved
 
-    def _carry(self, q, place, met, unresolved, group, xa, xb) -> None:
+    def _carry(
+        self, q: Array, place: Array, met: Array, unresolved: Bools, group: Indices, xa: float, xb: float
+    ) -> None:
         stepped, sure = self.step(q[group], xa, xb)
         q[group[sure]] = stepped[sure]
         place[group[sure]] = xb
@@ -239,7 +236,7 @@ class Continuation:
         if len(onward):
             self._carry(q, place, met, unresolved, onward, middle, xb)
 
-    def project(self, q: np.ndarray, x: float) -> tuple[np.ndarray, bool]:
+    def project(self, q: Array, x: float) -> tuple[Array, bool]:
         """Move a joint vector q (n,) onto the solutions at x by the smallest steps (Newton, minimum norm).
 
         This is how a member of a continuous family is chosen: the one nearest to where the arm already is.
@@ -248,36 +245,19 @@ class Continuation:
             (n,) joint vector, and whether forward kinematics confirms it.
         """
         T = self.pose(x)
-        rows = self._task_rows(T)
-        q = q.copy()
-        for _ in range(12):
-            now = self.arm.fk(q)
-            error = np.concatenate([T[:3, 3] - now[:3, 3], rotation_vector(T[:3, :3] @ now[:3, :3].T)])
-            missing = rows @ error
-            if np.linalg.norm(missing) < 1e-14:
-                break
-            J = rows @ self.arm.jacobian(q) / self.scale
-            q = q + np.linalg.lstsq(J, missing, rcond=1e-7)[0] / self.scale
+        q = newton(self.chain, q, T, cutoff=1e-7, max_step=np.inf, rows=self._task_rows(T))
         return q, bool(self.residual(q, x) <= VERIFIED)
 
-    def residual(self, q: np.ndarray, x: float) -> float:
+    def residual(self, q: Array, x: float) -> float:
         """Return how far forward kinematics of q (n,) misses the pose at x, task rows only, per length and rad."""
-        T, now = self.pose(x), self.arm.fk(q)
-        error = np.concatenate([T[:3, 3] - now[:3, 3], rotation_vector(T[:3, :3] @ now[:3, :3].T)])
-        return float(np.abs(self._task_rows(T) @ error).max())
+        T = self.pose(x)
+        return float(np.abs(self._task_rows(T) @ pose_difference(self.chain, q, T)).max())
 
-    def residuals(self, q: np.ndarray) -> np.ndarray:
+    def residuals(self, q: Array) -> Array:
         """Return (k, 2) metres and radians by which q (k, n) misses the first k points, as far as the task asks."""
-        now = self.arm.fk(q)
-        error = pose_error(now, self.path[: len(q)])
-        if self.task == "position":
-            error[:, 1] = 0.0
-        elif self.task == "position+axis":
-            z, wanted = now[:, :3, 2], self.path[: len(q), :3, 2]
-            error[:, 1] = np.arctan2(np.linalg.norm(np.cross(z, wanted), axis=-1), np.sum(z * wanted, -1))
-        return error
+        return self.plan.residual(q, self.path[: len(q)])
 
 
-def _side(J: np.ndarray) -> np.ndarray:
+def _side(J: Array) -> Array:
     """Return on which side (...) of the singularities Jacobians (..., r, n) lie, +1 or -1; 0 when not square."""
     return np.sign(np.linalg.det(J)) if J.shape[-1] == J.shape[-2] else np.zeros(J.shape[:-2])

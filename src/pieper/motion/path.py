@@ -7,13 +7,14 @@ import operator
 import numpy as np
 
 from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.pose import checked_pose, rotation_about, rotation_vector
 
 #: Rotations closer than this (rad) to a half turn have two equally short ways; the axis is then chosen by rule.
 HALF_TURN_MARGIN = 1e-9
 
 
-def line(T0: np.ndarray, T1: np.ndarray, n: int = 50) -> np.ndarray:
+def line(T0: ArrayLike, T1: ArrayLike, n: int = 50) -> Array:
     """Return n poses on the straight line from T0 to T1.
 
     The position moves with constant speed; the orientation turns with constant speed about one axis that is fixed in
@@ -34,18 +35,17 @@ def line(T0: np.ndarray, T1: np.ndarray, n: int = 50) -> np.ndarray:
     Raises:
         InputError: T0 or T1 is not a pose, or n is not a whole number of at least 2.
     """
-    T0 = checked_pose(T0, "T0")
-    T1 = checked_pose(T1, "T1")
+    first, last = checked_pose(T0, "T0"), checked_pose(T1, "T1")
     try:
         n = operator.index(n)
     except TypeError:
         raise InputError(f"n, the number of poses on the line, must be a whole number, got {n!r}.", given=n) from None
     if n < 2:
         raise InputError(f"a line needs at least 2 poses, its two ends; got n = {n}.", given=n)
-    return between(T0, T1, np.linspace(0.0, 1.0, n))
+    return between(first, last, np.linspace(0.0, 1.0, n))
 
 
-def between(T0: np.ndarray, T1: np.ndarray, s: np.ndarray | float) -> np.ndarray:
+def between(T0: Array, T1: Array, s: ArrayLike) -> Array:
     """Return the poses at s on the straight line from T0 (s = 0) to T1 (s = 1).
 
     Args:
@@ -71,7 +71,7 @@ def between(T0: np.ndarray, T1: np.ndarray, s: np.ndarray | float) -> np.ndarray
     return T
 
 
-def shortest_turn(R0: np.ndarray, R1: np.ndarray) -> np.ndarray:
+def shortest_turn(R0: Array, R1: Array) -> Array:
     """Return the rotation vector (3,), rad, in the axes of R0, that turns R0 into R1 by the shorter way.
 
     Equal matrices give exactly zero. Within `HALF_TURN_MARGIN` of half a turn the rounding of the matrices would choose
@@ -86,7 +86,7 @@ def shortest_turn(R0: np.ndarray, R1: np.ndarray) -> np.ndarray:
     return turn
 
 
-def checked_path(path: np.ndarray) -> np.ndarray:
+def checked_path(path: ArrayLike) -> Array:
     """Return a path as an array of exact poses, or say what is wrong with it.
 
     Args:

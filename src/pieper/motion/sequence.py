@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.errors import InputError
+from pieper.kinematics.arrays import Array
 
 #: More samples than this are asked for by mistake (a rate in the wrong unit), not on purpose.
 MAX_SAMPLES = 10_000_000
@@ -25,12 +26,12 @@ class Motion:
         departures: (legs + 1,) when each posture is left again; the last is the end of its hold, s.
     """
 
-    t: np.ndarray
-    q: np.ndarray
-    dq: np.ndarray
-    ddq: np.ndarray
-    arrivals: np.ndarray
-    departures: np.ndarray
+    t: Array
+    q: Array
+    dq: Array
+    ddq: Array
+    arrivals: Array
+    departures: Array
 
     @property
     def duration(self) -> float:
@@ -42,7 +43,7 @@ class Motion:
         return int(np.argmin(np.abs(self.t - time)))
 
 
-def move(q0: np.ndarray, q1: np.ndarray, duration: float, *, rate: float = 100.0) -> Motion:
+def move(q0: Array, q1: Array, duration: float, *, rate: float = 100.0) -> Motion:
     """Return the move from posture q0 to q1, all joints together, at rest at both ends.
 
     Each joint follows the quintic q0 + (q1 - q0) (10 u^3 - 15 u^4 + 6 u^5), u = t / duration: rates and accelerations
@@ -64,9 +65,7 @@ def move(q0: np.ndarray, q1: np.ndarray, duration: float, *, rate: float = 100.0
     return sequence([q0, q1], duration, 0.0, rate=rate)
 
 
-def sequence(
-    postures: np.ndarray, durations: np.ndarray | float, holds: np.ndarray | float = 0.0, *, rate: float = 100.0
-) -> Motion:
+def sequence(postures: Array, durations: Array | float, holds: Array | float = 0.0, *, rate: float = 100.0) -> Motion:
     """Return the motion through postures, at rest in each of them.
 
     Every leg is a `move`; after it the arm holds the posture it has reached. There is no hold before the first leg.
@@ -130,19 +129,19 @@ class Comparison:
 
     names: tuple[str, ...]
     axes: tuple[str, ...]
-    reference: np.ndarray
-    simulated: np.ndarray
-    absolute: np.ndarray
-    relative: np.ndarray
-    defined: np.ndarray
+    reference: Array
+    simulated: Array
+    absolute: Array
+    relative: Array
+    defined: Array
 
     @property
-    def largest_absolute(self) -> np.ndarray:
+    def largest_absolute(self) -> Array:
         """(m,) largest absolute error of each axis, m."""
         return self.absolute.max(0)
 
     @property
-    def largest_relative(self) -> np.ndarray:
+    def largest_relative(self) -> Array:
         """(m,) largest relative error of each axis among the defined ones, percent."""
         return self.relative.max(0)
 
@@ -166,8 +165,8 @@ class Comparison:
 
 
 def compare(
-    reference: np.ndarray,
-    simulated: np.ndarray,
+    reference: Array,
+    simulated: Array,
     *,
     names: tuple[str, ...] | None = None,
     axes: tuple[str, ...] = ("X", "Y", "Z"),
@@ -202,7 +201,7 @@ def compare(
     return Comparison(names, tuple(axes), reference, simulated, absolute, relative, defined)
 
 
-def _matrix(values: object, what: str) -> np.ndarray:
+def _matrix(values: object, what: str) -> Array:
     try:
         array = np.array(values, dtype=float)
     except (TypeError, ValueError):
@@ -217,14 +216,14 @@ def _matrix(values: object, what: str) -> np.ndarray:
     return array
 
 
-def _postures(postures: object) -> np.ndarray:
+def _postures(postures: object) -> Array:
     array = _matrix(postures, "postures")
     if len(array) < 2:
         raise InputError("a sequence needs at least 2 postures, where it begins and where it ends.", given=len(array))
     return array
 
 
-def _times(values: object, count: int, what: str, *, zero_allowed: bool) -> np.ndarray:
+def _times(values: object, count: int, what: str, *, zero_allowed: bool) -> Array:
     try:
         array = np.array(values, dtype=float)
     except (TypeError, ValueError):

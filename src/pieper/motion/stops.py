@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.tolerances import LIMIT_SLACK
-
-if TYPE_CHECKING:
-    from pieper.motion.branches import Strand
-    from pieper.motion.continuation import Continuation
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.joints import TURN, inside
+from pieper.kinematics.newton import null_space
+from pieper.motion.branches import Strand
+from pieper.motion.continuation import SMALLEST_STEP, Continuation
+from pieper.words_by_number import plural
 
 OUT_OF_REACH = "out of reach"
 LIMIT = "limit"
@@ -61,16 +61,16 @@ def _parameter(way: Continuation, x: float) -> float:
     return x / (len(way.path) - 1) if len(way.path) > 1 else 0.0
 
 
-def limit_stop(way: Continuation, q: np.ndarray, k: int) -> Event:
+def limit_stop(way: Continuation, q: Array, k: int) -> Event:
     """Return the event of a curve q (points, n) that is outside a limit at point k for the first time."""
-    lower, upper = way.arm.limits[:, 0], way.arm.limits[:, 1]
+    lower, upper = way.plan.limits[:, 0], way.plan.limits[:, 1]
     beyond = np.maximum(lower - q[k], q[k] - upper)
     where = float(k)
-    joint = int(np.argmax(beyond * way.scale))
+    joint = int(np.argmax(beyond / way.unit))
     if k > 0:
         joint, where = _limit_place(way, q, k)
     side, bound = ("lower", lower[joint]) if q[k][joint] < lower[joint] else ("upper", upper[joint])
-    name = way.arm.joint_names[joint]
+    name = way.plan.names[joint]
     if k == 0:
         detail = f"{name} would begin at {amount(way, joint, q[0][joint])}, beyond its {side} limit of "
         detail += amount(way, joint, bound)
@@ -83,44 +83,42 @@ def limit_stop(way: Continuation, q: np.ndarray, k: int) -> Event:
     return Event(_parameter(way, where), name, LIMIT, True, detail + ".", float(beyond[joint]))
 
 
-def _limit_place(way: Continuation, q: np.ndarray, k: int) -> tuple[int, float]:
+def _limit_place(way: Continuation, q: Array, k: int) -> tuple[int, float]:
     """Return the joint that passes its limit first between points k - 1 and k, and where, by halving."""
-    lower, upper = way.arm.limits[:, 0] - LIMIT_SLACK, way.arm.limits[:, 1] + LIMIT_SLACK
-    inside, outside, at, beyond = k - 1.0, float(k), q[k - 1], q[k]
+    good, outside, at, beyond = k - 1.0, float(k), q[k - 1], q[k]
     if not way.solutions(k - 1)[1]:
         for _ in range(LIMIT_HALVINGS):
-            middle = inside + (outside - inside) / 2
-            carried, place, _, _ = way.carry(at[None], inside, middle)
+            middle = good + (outside - good) / 2
+            carried, place, _, _ = way.carry(at[None], good, middle)
             if place[0] != middle:
                 break
-            if np.any((carried[0] < lower) | (carried[0] > upper)):
+            if not inside(carried[0], way.plan.limits).all():
                 outside, beyond = middle, carried[0]
             else:
-                inside, at = middle, carried[0]
-    past = np.maximum(lower - beyond, beyond - upper) * way.scale
+                good, at = middle, carried[0]
+    past = np.maximum(way.plan.limits[:, 0] - beyond, beyond - way.plan.limits[:, 1]) / way.unit
     return int(np.argmax(past)), outside
 
 
-def _other_turn(way: Continuation, q: np.ndarray, joint: int) -> str:
+def _other_turn(way: Continuation, q: Array, joint: int) -> str:
     """Return which other turn of the start would keep a joint inside all along, in words, or nothing."""
     if not way.revolute[joint]:
         return ""
-    lower, upper = way.arm.limits[joint] + [-LIMIT_SLACK, LIMIT_SLACK]
     for turns in (1, -1, 2, -2):
-        moved = q[:, joint] + turns * 2 * np.pi
-        if moved.min() >= lower and moved.max() <= upper and len(q) == len(way.path):
-            return f"{abs(turns)} turn{'s' if abs(turns) > 1 else ''} {'higher' if turns > 0 else 'lower'}"
+        moved = q[:, joint, None] + turns * TURN
+        if inside(moved, way.plan.limits[joint, None]).all() and len(q) == len(way.path):
+            return f"{plural(abs(turns), 'turn')} {'higher' if turns > 0 else 'lower'}"
     return ""
 
 
-def geometric_stop(way: Continuation, strand: Strand, q: np.ndarray, meets: int | None) -> Event:
+def geometric_stop(way: Continuation, strand: Strand, q: Array, meets: int | None) -> Event:
     """Return the event of a strand that cannot be carried on, its joint curve q (k, n)."""
     x = float(len(q) - 1) if strand.end is None else strand.end
     after = min(float(len(way.path) - 1), max(np.floor(x) + 1, 1.0))
     joint = _stiff_joint(way, strand.at)
-    name = way.arm.joint_names[joint]
+    name = way.plan.names[joint]
     s = _parameter(way, x)
-    just_after = min(x + 2.0**-18, after)
+    just_after = min(x + SMALLEST_STEP, after)
     if strand.unresolved:
         return Event(s, name, JUMP, True, "the branch could not be followed for certain, however small the steps.")
     if len(way.solutions(just_after)[0]) == 0:
@@ -148,25 +146,23 @@ def geometric_stop(way: Continuation, strand: Strand, q: np.ndarray, meets: int 
     )
 
 
-def _gap(way: Continuation, q: np.ndarray, x: float) -> float:
-    found = way.solutions(x)[0]
-    return float(np.abs(way.wrapped(found - q)).max(-1).min())
+def _gap(way: Continuation, q: Array, x: float) -> float:
+    return float(np.abs(way.gap(way.solutions(x)[0], q)).max(-1).min())
 
 
-def _stiff_joint(way: Continuation, q: np.ndarray) -> int:
+def _stiff_joint(way: Continuation, q: Array) -> int:
     """Return the joint that moves most where the Jacobian at q (n,) is weakest: the one a singularity would spin."""
-    J = way.arm.jacobian(q) / way.scale
-    J[:3] /= way.length
-    return int(np.argmax(np.abs(np.linalg.svd(J)[2][-1])))
+    return int(np.argmax(np.abs(null_space(way.chain, q)[1][-1])))
 
 
-def remarks(way: Continuation, q: np.ndarray, crossings: list[float]) -> tuple[Event, ...]:
+def remarks(way: Continuation, q: Array, crossings: list[float]) -> tuple[Event, ...]:
     """Return the remarks on a joint curve q (k, n): singularities it passes, and fast but continuous swings."""
     return (*_passed(way, [x for x in crossings if x <= len(q) - 1]), *_swings(way, q))
 
 
 def _passed(way: Continuation, crossings: list[float]) -> list[Event]:
-    out, runs = [], []
+    out: list[Event] = []
+    runs: list[list[float]] = []
     for x in crossings:
         if runs and x - runs[-1][1] <= 1.0:
             runs[-1][1] = x
@@ -179,18 +175,18 @@ def _passed(way: Continuation, crossings: list[float]) -> list[Event]:
     return out
 
 
-def _swings(way: Continuation, q: np.ndarray) -> list[Event]:
+def _swings(way: Continuation, q: Array) -> list[Event]:
     steps = np.abs(np.diff(q, axis=0))
     if len(steps) < 3:
         return []
-    out = []
+    out: list[Event] = []
     typical = np.median(steps, axis=0)
     for joint in np.flatnonzero(way.revolute):
         k = int(np.argmax(steps[:, joint]))
         size = steps[k, joint]
         if size < SWING or size < SWING_RATIO * typical[joint]:
             continue
-        name = way.arm.joint_names[joint]
+        name = way.plan.names[joint]
         text = f"{name} swings {np.degrees(size):.1f} deg between points {k + 1} and {k + 2}, close to a singularity; "
         out.append(Event(_parameter(way, k), name, SINGULARITY, False, text + "the swing is continuous.", float(size)))
     return out

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.forward import checked_joints
+from pieper.kinematics.joints import TURN, inside
 from pieper.motion.branches import Strand, strands
-from pieper.motion.continuation import BRIDGE, Continuation
+from pieper.motion.continuation import Continuation
 from pieper.motion.path import checked_path
 from pieper.motion.stops import LIMIT, Event, geometric_stop, limit_stop, remarks
-from pieper.tolerances import LIMIT_SLACK, VERIFIED
-
-if TYPE_CHECKING:
-    from pieper.arm import Arm
-
-TURN = 2 * np.pi
+from pieper.solver.plan.plan import Plan
+from pieper.solver.words.labels import posture_words
+from pieper.tolerances import VERIFIED
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +35,7 @@ class Branch:
 
     index: int
     label: str
-    q: np.ndarray
+    q: Array
     s: float
     complete: bool
     stop: Event | None
@@ -69,18 +67,18 @@ class Track:
         prismatic: (n,) bool.
     """
 
-    path: np.ndarray
-    s: np.ndarray
-    q: np.ndarray
+    path: Array
+    s: Array
+    q: Array
     complete: bool
     events: tuple[Event, ...]
     branches: tuple[Branch, ...]
     chosen: int | None
-    start: np.ndarray
-    residual: np.ndarray
-    reachable: np.ndarray
+    start: Array
+    residual: Array
+    reachable: Bools
     joint_names: tuple[str, ...]
-    prismatic: np.ndarray
+    prismatic: Bools
 
     @property
     def stop(self) -> Event | None:
@@ -88,7 +86,7 @@ class Track:
         return next((event for event in self.events if event.stop), None)
 
     @property
-    def largest_step(self) -> np.ndarray:
+    def largest_step(self) -> Array:
         """(n,) largest joint step between neighbouring points, rad or m; zeros when there is no step."""
         return np.abs(np.diff(self.q, axis=0)).max(0) if len(self.q) > 1 else np.zeros(len(self.joint_names))
 
@@ -106,7 +104,7 @@ class Track:
         return "\n".join(text)
 
 
-def follow(arm: Arm, path: np.ndarray, *, start: np.ndarray | None = None) -> Track:
+def follow(plan: Plan, path: ArrayLike, *, start: ArrayLike | None = None) -> Track:
     """Follow a path by the branch whose first solution is nearest to the start posture.
 
     Each branch is carried by continuity, not merely by nearness: steps are compared with what the Jacobian predicts and
@@ -116,7 +114,7 @@ def follow(arm: Arm, path: np.ndarray, *, start: np.ndarray | None = None) -> Tr
     leave it.
 
     Args:
-        arm: The arm.
+        plan: How the arm is solved.
         path: (N, 4, 4) poses, m; one pose is a path too.
         start: (n,) posture the arm is in, rad or m; all joints at zero when left out.
 
@@ -125,21 +123,20 @@ def follow(arm: Arm, path: np.ndarray, *, start: np.ndarray | None = None) -> Tr
 
     Raises:
         InputError: The path is not a stack of poses, or start is not a joint vector.
-        PlanError: The arm is beyond the solver.
     """
-    path = checked_path(path)
-    start = np.zeros(arm.n) if start is None else checked_joints(start, arm.n, "start")
-    if start.ndim != 1:
-        start = start.reshape(-1)[: arm.n] if start.size == arm.n else checked_joints(start.ravel(), arm.n, "start")
-    way = Continuation(arm, path)
-    found = strands(way, start)
-    labels = _labels(arm, found)
-    branches = tuple(_branch(way, i, found, labels[i], start) for i in range(len(found)))
-    N = len(path)
+    poses = checked_path(path)
+    now = np.zeros(plan.n) if start is None else checked_joints(start, plan.n, "start")
+    if now.ndim != 1:
+        now = now.reshape(-1)[: plan.n] if now.size == plan.n else checked_joints(now.ravel(), plan.n, "start")
+    way = Continuation(plan, poses)
+    found = strands(way, now)
+    labels = posture_words(plan, np.array([strand.q[0] for strand in found]))
+    branches = tuple(_branch(way, i, found, labels[i], now) for i in range(len(found)))
+    N = len(poses)
     s = np.linspace(0.0, 1.0, N) if N > 1 else np.zeros(1)
-    chosen = _nearest(way, branches, start)
+    chosen = _nearest(way, branches, now)
     if chosen is None:
-        q, events = np.zeros((0, arm.n)), (_no_start(way, branches, start),)
+        q, events = np.zeros((0, plan.n)), (_no_start(way, branches),)
         complete = False
     else:
         branch = branches[chosen]
@@ -148,52 +145,28 @@ def follow(arm: Arm, path: np.ndarray, *, start: np.ndarray | None = None) -> Tr
         events = tuple(sorted((*events, *([branch.stop] if branch.stop else [])), key=lambda e: (e.s, e.stop)))
     residual = way.residuals(q)
     return Track(
-        path,
+        poses,
         s,
         q,
         complete,
         events,
         branches,
         chosen,
-        start,
+        now,
         residual,
         way.reachable,
-        arm.joint_names,
-        ~way.revolute,
+        plan.names,
+        plan.prismatic,
     )
 
 
-def _labels(arm: Arm, found: list[Strand]) -> list[str]:
-    from pieper.solver.words.labels import posture_words
-
-    return posture_words(arm.plan, np.array([strand.q[0] for strand in found])) if found else []
-
-
-def _turns(way: Continuation, q: np.ndarray, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the whole turns (n,) to add to a curve q (k, n) so that it begins inside the limits, nearest to the start.
-
-    Returns:
-        (n,) turns, zero for prismatic joints, and (n,) whether the joint then begins inside its limits.
-    """
-    lower, upper = way.arm.limits[:, 0], way.arm.limits[:, 1]
-    first = q[0]
-    lowest = np.ceil((lower - LIMIT_SLACK - first) / TURN)
-    highest = np.floor((upper + LIMIT_SLACK - first) / TURN)
-    possible = lowest <= highest
-    wanted = np.round((start - first) / TURN)
-    turns = np.where(possible, np.clip(wanted, lowest, np.maximum(lowest, highest)), wanted)
-    turns = np.where(way.revolute, turns, 0.0)
-    moved = first + TURN * turns
-    return turns, (moved >= lower - LIMIT_SLACK) & (moved <= upper + LIMIT_SLACK)
-
-
-def _branch(way: Continuation, index: int, found: list[Strand], label: str, start: np.ndarray) -> Branch:
+def _branch(way: Continuation, index: int, found: list[Strand], label: str, start: Array) -> Branch:
     strand, N = found[index], len(way.path)
     free = np.array(strand.q)
-    turns, _ = _turns(way, free, start)
-    free = free + TURN * turns
-    outside = (free < way.arm.limits[:, 0] - LIMIT_SLACK) | (free > way.arm.limits[:, 1] + LIMIT_SLACK)
-    wrong = (way.residuals(free) > VERIFIED * np.array([way.length, 1.0])).any(1)
+    # whole turns are added so that the curve begins inside the limits, as near to the start as they allow
+    free = free + TURN * way.chain.joints.turns(free[0], start, way.plan.limits)
+    outside = ~inside(free, way.plan.limits)
+    wrong = (way.residuals(free) > VERIFIED * np.array([way.chain.length, 1.0])).any(1)
     last = len(free)
     if wrong.any():
         last = int(np.argmax(wrong))
@@ -214,29 +187,25 @@ def _partner(way: Continuation, index: int, found: list[Strand]) -> int | None:
     for other, candidate in enumerate(found):
         if other == index or candidate.end is None or strand.end is None:
             continue
-        if abs(candidate.end - strand.end) < 1e-3 and np.abs(way.wrapped(candidate.at - strand.at)).max() < 5e-2:
+        if abs(candidate.end - strand.end) < 1e-3 and np.abs(way.gap(candidate.at, strand.at)).max() < 5e-2:
             return other
     return None
 
 
-def _nearest(way: Continuation, branches: tuple[Branch, ...], start: np.ndarray) -> int | None:
+def _nearest(way: Continuation, branches: tuple[Branch, ...], start: Array) -> int | None:
     best, distance = None, np.inf
     for branch in branches:
         if branch.points:
-            d = float(np.linalg.norm((branch.q[0] - start) * way.scale))
+            d = float(np.linalg.norm((branch.q[0] - start) / way.unit))
             if d < distance - 1e-9:
                 best, distance = branch.index, d
     return best
 
 
-def _no_start(way: Continuation, branches: tuple[Branch, ...], start: np.ndarray) -> Event:
+def _no_start(way: Continuation, branches: tuple[Branch, ...]) -> Event:
     """Return why not even the first pose is reached."""
     if not branches:
         return Event(0.0, None, "out of reach", True, f"The first pose has no solution. {way.why(0.0)}")
-    nearest = min(branches, key=lambda b: b.stop.excess if b.stop else np.inf)
-    return Event(
-        0.0, nearest.stop.joint, LIMIT, True, f"The first pose has no solution inside the limits: {nearest.stop.detail}"
-    )
-
-
-__all__ = ["BRIDGE", "Branch", "Event", "Track", "follow"]
+    stops = [branch.stop for branch in branches if branch.stop is not None]
+    least = min(stops, key=lambda stop: stop.excess)
+    return Event(0.0, least.joint, LIMIT, True, f"The first pose has no solution inside the limits: {least.detail}")

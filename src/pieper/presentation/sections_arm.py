@@ -13,7 +13,7 @@ from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
 from pieper.presentation.style import MM, picture
-from pieper.solver.words.why import FAMILY_WORDS
+from pieper.solver.families import named
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -154,12 +154,13 @@ def add_plan(page: Document, arm: Arm) -> None:
     except PieperError as error:
         page.add(str(error))
         return
-    geometry, words = FAMILY_WORDS.get(plan.family, ("its own geometry", ""))
+    family = named(plan.family)
     page.add("What matters for the inverse is which neighbouring axes are parallel or meet:")
     page.add(Lines(tuple(plan.geometry.sentences(plan.names))))
     spare = f" The arm has joints to spare: {', '.join(plan.redundancy)} is chosen freely." if plan.redundancy else ""
     page.add(
-        f"That makes it an arm with {geometry}. {words} A pose has at most {plan.max_solutions} solutions"
+        f"That makes it an arm with {family.arrangement}. {family.words} "
+        f"A pose has at most {plan.max_solutions} solutions"
         f"{' for a chosen value of the spare joint' if plan.redundancy else ''}.{spare}"
     )
 

@@ -64,10 +64,10 @@ def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "sol
         left=(0, n + 1, n + 2),
         strong=tuple(int(i) for i in np.flatnonzero(inside)) if not inside.all() else (),
     )
-    texts = [str(family) for family in sols.families]
+    texts = [str(motion) for motion in sols.self_motions]
     for text in dict.fromkeys(texts):
         which = [str(i + 1) for i, other in enumerate(texts) if other == text]
-        page.add(f"{'Family' if len(which) == 1 else 'Families'} {', '.join(which)}: {text}.")
+        page.add(f"{'Self-motion' if len(which) == 1 else 'Self-motions'} {', '.join(which)}: {text}.")
     few = rows_q[:16]
     page.add(
         picture(

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper import _kernel
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse
-from pieper.solver.families.spec import KernelSpec
-from pieper.tolerances import LIMIT_SLACK, ROTATION_ACCEPTED, ROTATION_EXACT
+from pieper.solver.families.family import KernelSpec
 
 #: A base or a tool this many lengths of the arm away is taken off the poses before they are solved: beside it the
 #: arm's own coordinates would drown in rounding.
@@ -35,7 +33,7 @@ class SixJointSolver:
         ends: What poses are multiplied with, as `without_far_ends` says.
     """
 
-    __slots__ = ("chain", "many", "one", "spec")
+    __slots__ = ("chain", "ends", "limits", "many", "one", "spec")
 
     def __init__(
         self,
@@ -46,25 +44,18 @@ class SixJointSolver:
     ) -> None:
         self.chain = chain
         self.spec = spec
-        native = _kernel.Solver(
-            spec.kind,
-            chain.n,
-            spec.max_solutions,
-            np.ascontiguousarray(spec.params, np.float64),
-            np.ascontiguousarray(spec.iparams, np.int32),
-            np.ascontiguousarray(limits[:, 0]),
-            np.ascontiguousarray(limits[:, 1]),
-            np.ascontiguousarray(chain.prismatic, bool),
-            LIMIT_SLACK,
-            ROTATION_ACCEPTED,
-            ROTATION_EXACT,
-        )
+        self.limits = limits
+        self.ends = ends
+        native = spec.solver(limits, chain.prismatic)
         self.one = native.one
         self.many = native.many
         if ends is not None:
             before, after = ends
             self.one = lambda T: native.one(before @ np.asarray(T, float) @ after)
             self.many = lambda T, threads: native.many(np.ascontiguousarray(before @ T @ after), threads)
+
+    def __reduce__(self) -> tuple:
+        return SixJointSolver, (self.chain, self.spec, self.limits, self.ends)
 
     def all_rows(self, T: np.ndarray) -> np.ndarray:
         """Return the solutions (m, 6) of all poses T (N, 4, 4) in one heap."""

@@ -6,24 +6,20 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 import pieper
-from pieper.solver.results import joint_distance, unwound
-from pieper.solver.words.closest import nearest_reachable
 from pieper.workbench.messages import MAX_JOINTS, Refused, number, optional, pose, vector, word
 from pieper.workbench.table import arm_from_table, table_from_arm
-
-if TYPE_CHECKING:
-    from pieper.solver.plan.plan import Plan
 
 FIRST_ARM = "denso-vp6242"
 LONGEST_FILE = 200_000
 TASKS = ("pose", "position", "position+axis")
-#: Points of a family that are sent, at most.
-FAMILY_POINTS = 241
+#: Points of a self-motion that are sent, at most.
+MOTION_POINTS = 241
 
 
 def hello(message: dict[str, Any], start: str | None) -> dict[str, Any]:
@@ -68,22 +64,17 @@ def take_arm(message: dict[str, Any]) -> tuple[pieper.Arm, dict[str, Any]]:
     return arm, {
         "plan": {
             "family": plan.family,
-            "title": getattr(plan, "title", None),
-            "max_solutions": _count(plan.max_solutions),
+            "max_solutions": int(plan.max_solutions),
             "explain": explain,
             "solvable": True,
-            "task": getattr(plan, "task", "pose"),
+            "task": plan.task,
             "redundancy": list(plan.redundancy),
         }
     }
 
 
-def _count(value: object) -> int | None:
-    return int(value) if isinstance(value, (int, np.integer)) else None
-
-
 def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
-    """Return every solution of a pose with labels, limits and residuals, its families, and the reason in words."""
+    """Return every solution of a pose with labels, limits and residuals, its self-motions, and the reason in words."""
     began = time.perf_counter()
     solutions = solve(arm, message)
     spent = time.perf_counter() - began
@@ -93,10 +84,10 @@ def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
         # tracing what a redundant arm can do at a pose takes far longer than solving it: the page asks for that apart
         answer["families"] = None
         if not message.get("brief"):
-            answer["spare"] = spare_coordinates(plan)
-            answer["arm_angle"] = _arm_angle(plan, answer["nearest"])
+            answer["spare"] = spare_coordinates(arm, plan)
+            answer["arm_angle"] = _arm_angle(arm, plan, answer["nearest"])
     elif not message.get("brief"):
-        answer["families"] = [family_points(family, arm.n) for family in solutions.families]
+        answer["families"] = [motion_points(motion, arm.n) for motion in solutions.self_motions]
     return answer
 
 
@@ -111,9 +102,9 @@ def solve(arm: pieper.Arm, message: dict[str, Any]) -> pieper.Solutions:
     redundancy = optional(_redundancy, message.get("redundancy"))
     plan, now = arm.plan_for(task), message.get("q")
     if redundancy is None and plan.redundancy and isinstance(now, list) and len(now) == arm.n:
-        held = [joint for joint in plan.reduction.locked if joint < arm.n]
-        q = np.clip(vector(now, arm.n, "q"), *arm.limits.T)
-        solutions = arm.ik(T, task=task, redundancy={plan.names[joint]: float(q[joint]) for joint in held})
+        q = dict(zip(arm.joint_names, np.clip(vector(now, arm.n, "q"), *arm.limits.T), strict=True))
+        held = {name: float(q[name]) for name in plan.redundancy if name in q}
+        solutions = arm.ik(T, task=task, redundancy=held)
         if len(solutions):
             return solutions
     return arm.ik(T, task=task, redundancy=redundancy)
@@ -125,38 +116,38 @@ def _redundancy(value: object) -> dict[str, float]:
     return {word(name, "name of a coordinate"): number(v, f"redundancy, {name[:40]}") for name, v in value.items()}
 
 
-def spare_coordinates(plan: Plan) -> list[dict[str, Any]]:
+def spare_coordinates(arm: pieper.Arm, plan: pieper.Plan) -> list[dict[str, Any]]:
     """Return each coordinate that may be chosen: its name, whether it is a length, and its limits, null for none.
 
     The arm angle, where the arm has one, stands for its redundant joint: one of the two is chosen, not both.
     """
+    lengths = {name for name, kind in zip(arm.joint_names, arm.joint_types, strict=True) if kind == "P"}
     found = []
-    for joint, name in zip(plan.reduction.locked, plan.redundancy, strict=True):
-        lower, upper = (float(v) if np.isfinite(v) else None for v in plan.full_limits[joint])
-        kind = "length" if joint < plan.n and plan.prismatic[joint] else "angle"
+    for name, limits in zip(plan.redundancy, plan.redundancy_limits, strict=True):
+        lower, upper = (float(v) if np.isfinite(v) else None for v in limits)
+        kind = "length" if name in lengths else "angle"
         found.append({"name": name, "kind": kind, "lower": lower, "upper": upper, "instead": False})
-    if "arm angle" in getattr(plan, "choices", ()):
+    if "arm angle" in plan.choices:
         found.append({"name": "arm angle", "kind": "angle", "lower": None, "upper": None, "instead": True})
     return found
 
 
-def _arm_angle(plan: Plan, q: list[float] | None) -> float | None:
+def _arm_angle(arm: pieper.Arm, plan: pieper.Plan, q: list[float] | None) -> float | None:
     """Return the arm angle of a posture where the arm has one and it is defined there."""
-    angle = getattr(plan, "arm_angle", None)
-    if angle is None or q is None:
+    if q is None or "arm angle" not in plan.choices:
         return None
-    value, defined = angle.of(np.asarray(q))
+    value, defined = arm.arm_angle(q)
     return float(value) if np.all(defined) else None
 
 
 def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[str, Any]) -> dict[str, Any]:
     """Return Solutions as JSON: every row of all_q, those outside the limits marked."""
     inside = np.asarray(solutions.in_limits, dtype=bool)
-    # A dragged target asks many times a second: words and families wait for the hand to rest.
+    # A dragged target asks many times a second: words and self-motions wait for the hand to rest.
     brief = bool(message.get("brief"))
     labels = [None] * len(solutions.all_q) if brief else list(solutions.all_labels)
-    families = np.full(len(solutions.all_q), -1)
-    families[inside] = solutions.in_family
+    motions = np.full(len(solutions.all_q), -1)
+    motions[inside] = solutions.in_self_motion
     plan = arm.plan_for(message.get("task"))
     residual = plan.residual(solutions.all_q, solutions.T)
     now = message.get("q")
@@ -170,7 +161,7 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
                 "label": labels[i],
                 "inside": bool(inside[i]),
                 "residual": residual[i].tolist(),
-                "family": int(families[i]),
+                "family": int(motions[i]),
             }
             for i, q in enumerate(solutions.all_q)
         ],
@@ -182,40 +173,35 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
     }
 
 
-def _nearest(plan: Plan, solutions: pieper.Solutions, now: np.ndarray) -> list[float] | None:
+def _nearest(plan: pieper.Plan, solutions: pieper.Solutions, now: npt.NDArray[np.float64]) -> list[float] | None:
     """Return the solution nearest to a posture; of a redundant arm, at the coordinates that the rows are for."""
-    if not plan.redundancy:
-        try:
-            return np.asarray(solutions.nearest(now)).tolist()
-        except pieper.NoSolutionError:
-            return None
-    if not len(solutions):
+    try:
+        near = solutions.nearest_row(now)[1] if plan.redundancy else solutions.nearest(now)
+    except pieper.NoSolutionError:
         return None
-    rows = unwound(solutions.q, now, plan.limits, plan.prismatic)
-    return rows[np.argmin(joint_distance(rows, now, plan.prismatic, plan.chain.length))].tolist()
+    return near.tolist()
 
 
-def family_points(family: Any, n: int) -> dict[str, Any]:
-    """Return a continuous family as joint vectors (n,) along it, in order; between them the page finds its own way."""
-    samples = np.asarray(family.samples)
-    kept = np.unique(np.linspace(0, len(samples) - 1, min(len(samples), FAMILY_POINTS)).round().astype(int))
-    names = list(family.names)
+def motion_points(motion: pieper.SelfMotion, n: int) -> dict[str, Any]:
+    """Return a self-motion as joint vectors (n,) along it, in order; between them the page finds its own way."""
+    samples = np.asarray(motion.samples)
+    kept = np.unique(np.linspace(0, len(samples) - 1, min(len(samples), MOTION_POINTS)).round().astype(int))
+    names = list(motion.names)
     return {
         # a task that fixes less than a pose adds joints at the tool, which are none of the arm's
         "q": samples[kept, :n].tolist(),
-        "s": np.asarray(family.s)[kept].tolist(),
-        "closed": bool(family.closed),
-        "moves": [names[j] for j in family.free if j < n],
-        "inside": [[float(a), float(b)] for a, b in family.inside],
-        "dimension": int(family.dimension),
+        "s": np.asarray(motion.u)[kept].tolist(),
+        "closed": bool(motion.closed),
+        "moves": [names[j] for j in motion.free if j < n],
+        "inside": [[float(a), float(b)] for a, b in motion.inside],
+        "dimension": int(motion.dimension),
     }
 
 
 def nearest_pose(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     """Return the reachable pose nearest to a target that is out of reach, and by how much it misses."""
     T = pose(message.get("T"), "target")
-    q, metres, radians = nearest_reachable(arm.plan.reduction.full, T)
-    q = q[: arm.n]
+    q, metres, radians = arm.closest(T)
     return {"q": q.tolist(), "T": arm.fk(q).ravel().tolist(), "metres": metres, "radians": radians}
 
 

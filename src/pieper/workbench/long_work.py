@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 import pieper
-from pieper.motion.sequence import sequence
 from pieper.workbench import answers, equation_blocks
 from pieper.workbench.messages import (
     MAX_CLOUD,
@@ -76,10 +76,10 @@ def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
 
 
 def families(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
-    """Return the continuous families of a pose of a redundant arm."""
-    found = answers.solve(arm, message).families
+    """Return the self-motions of a pose of a redundant arm."""
+    found = answers.solve(arm, message).self_motions
     _go_on(stop)
-    return {"families": [answers.family_points(family, arm.n) for family in found]}
+    return {"families": [answers.motion_points(motion, arm.n) for motion in found]}
 
 
 def motion(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
@@ -94,7 +94,7 @@ def motion(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     if np.any(seconds <= 0) or np.any(holds < 0) or total > LONGEST_SEQUENCE:
         raise Refused(f"Legs take more than 0 s, rests 0 s or more, and all together at most {LONGEST_SEQUENCE} s.")
     rate = min(number(message.get("rate", 50), "rate", largest=1000), MAX_SAMPLES / total)
-    moved = sequence(postures, seconds, holds, rate=max(rate, 1e-3))
+    moved = pieper.sequence(postures, seconds, holds, rate=max(rate, 1e-3))
     _go_on(stop)
     return {
         "t": moved.t.tolist(),
@@ -128,7 +128,7 @@ def cloud(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: th
     return {"done": done, "of": count}
 
 
-def _ranges(arm: pieper.Arm) -> tuple[np.ndarray, np.ndarray]:
+def _ranges(arm: pieper.Arm) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
     """Return limits with a full turn, or one length of the arm, where there is none."""
     slides = np.array([t == "P" for t in arm.joint_types])
     size = max(sum(abs(r.a) + abs(r.d) for r in arm.description.rows), 0.1)
@@ -138,7 +138,14 @@ def _ranges(arm: pieper.Arm) -> tuple[np.ndarray, np.ndarray]:
     return np.minimum(lower, upper), upper
 
 
-def _values(arm, q: np.ndarray, points: np.ndarray, colour: str, lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
+def _values(
+    arm: pieper.Arm,
+    q: npt.NDArray[np.float64],
+    points: npt.NDArray[np.float64],
+    colour: str,
+    lower: npt.NDArray[np.float64],
+    upper: npt.NDArray[np.float64],
+) -> npt.NDArray[np.float64]:
     if colour == "height":
         return points[:, 2]
     if colour == "limits":
@@ -165,7 +172,7 @@ def equations(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop
             if which == "inverse"
             else equation_blocks.singular_blocks(arm)
         }
-    except (ImportError, AttributeError, NotImplementedError) as missing:
+    except ImportError as missing:
         raise Refused(f"These equations are not available in this installation ({missing}).") from None
 
 
@@ -173,14 +180,13 @@ def report(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     """Return the report of the arm at a posture, as one HTML page."""
     q = vector(message.get("q"), arm.n, "q")
     progress({"note": "Writing the report …"})
-    try:
-        from pieper.presentation.report import write_report
-    except ImportError as missing:
-        raise Refused(f"Reports are not available in this installation ({missing}).") from None
     with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
         _go_on(stop)
         path = Path(folder) / "report.html"
-        write_report(arm, path, pose=arm.fk(q))
+        try:
+            pieper.write_report(arm, path, pose=arm.fk(q))
+        except ImportError as missing:
+            raise Refused(f"Reports are not available in this installation ({missing}).") from None
         return {"html": path.read_text(encoding="utf-8"), "name": f"{_file_name(arm.name)}-report.html"}
 
 

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 MAX_BYTES = 256 * 1024
 MAX_JOINTS = 30
@@ -77,21 +78,21 @@ def word(value: object, what: str, allowed: tuple[str, ...] | None = None) -> st
     return value
 
 
-def vector(value: object, n: int, what: str) -> np.ndarray:
+def vector(value: object, n: int, what: str) -> npt.NDArray[np.float64]:
     """Return n finite numbers."""
     if not isinstance(value, list) or len(value) != n:
         raise Refused(f"{what} must be a list of {n} numbers.")
     return np.array([number(v, f"{what}[{i + 1}]") for i, v in enumerate(value)], dtype=float)
 
 
-def vectors(value: object, n: int, what: str, most: int) -> np.ndarray:
+def vectors(value: object, n: int, what: str, most: int) -> npt.NDArray[np.float64]:
     """Return (k, n) finite numbers, k from 1 to `most`."""
     if not isinstance(value, list) or not 1 <= len(value) <= most:
         raise Refused(f"{what} must be a list of 1 to {most} entries.")
     return np.array([vector(row, n, f"{what} {i + 1}") for i, row in enumerate(value)], dtype=float)
 
 
-def pose(value: object, what: str) -> np.ndarray:
+def pose(value: object, what: str) -> npt.NDArray[np.float64]:
     """Return 16 numbers, row by row, as a (4, 4) array; whether it is a pose is for the library to say."""
     return vector(value, 16, what).reshape(4, 4)
 

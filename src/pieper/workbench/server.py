@@ -16,7 +16,7 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocket
 
-from pieper.errors import InputError
+from pieper import InputError
 from pieper.workbench.session import Session
 
 PAGE = Path(__file__).parent / "page" / "dist"

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
 
 import pieper
-from pieper.description.dh import Actuator
 from pieper.workbench.messages import LONGEST_NAME, MAX_JOINTS, Refused, number, pose, vector, word
 
 
@@ -65,13 +64,13 @@ def _with_notes(arm: pieper.Arm, table: dict[str, Any]) -> pieper.Arm:
     return pieper.Arm(replace(arm.description, postures=named, actuator=gripper, **remarks))
 
 
-def _actuator(given: object) -> Actuator:
+def _actuator(given: object) -> pieper.Actuator:
     if not isinstance(given, dict):
         raise Refused("actuator must be an object.")
     lower, upper, value = (number(given.get(key), f"actuator, {key}") for key in ("lower", "upper", "value"))
     if not lower <= upper:
         raise Refused("actuator: the lower limit is above the upper one.")
-    return Actuator(
+    return pieper.Actuator(
         word(given.get("name"), "actuator, name"), lower, upper, value, word(given.get("unit"), "actuator, unit")
     )
 
@@ -102,10 +101,8 @@ def table_from_arm(arm: pieper.Arm) -> dict[str, Any]:
         ],
         "base": d.base.ravel().tolist(),
         "tool": d.tool.ravel().tolist(),
-        "postures": {name: np.asarray(q).tolist() for name, q in d.postures.items()},
-        "actuator": None
-        if d.actuator is None
-        else {k: getattr(d.actuator, k) for k in ("name", "lower", "upper", "value", "unit")},
+        "postures": {name: np.asarray(q).tolist() for name, q in arm.postures.items()},
+        "actuator": None if d.actuator is None else asdict(d.actuator),
     }
 
 

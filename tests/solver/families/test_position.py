@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from oracle.joints import difference
-from pieper import _kernel
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import rotation_x, rotation_z, translation
@@ -22,10 +21,7 @@ def _dh(*rows) -> Chain:
 
 
 def _solver(spec, chain):
-    free = np.full(chain.n, np.inf)
-    return _kernel.Solver(
-        spec.kind, chain.n, spec.max_solutions, spec.params, spec.iparams, -free, free, chain.prismatic
-    )
+    return spec.solver(np.tile([-np.inf, np.inf], (3, 1)), chain.prismatic)
 
 
 def test_the_3r_arm_has_the_four_solutions_of_its_paper_not_eight():

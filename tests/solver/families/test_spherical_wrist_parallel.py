@@ -26,7 +26,7 @@ def solved(chain, q):
 def found_again(chain, q, found, valid):
     """Return which rows of q are among the solutions, as closely as their conditioning lets a rounded pose tell."""
     J = jacobian(chain, q)
-    J[:, :3] /= specification(chain).params[39]
+    J[:, :3] /= specification(chain).geometry.scale
     smallest = np.linalg.svd(J, compute_uv=False)[:, -1]
     distance = np.where(valid, turns_apart(found, q[:, None]).max(2), np.inf).min(1)
     return distance <= 1e-6 + 1e-14 / np.maximum(smallest, 1e-30)
@@ -38,7 +38,7 @@ def test_a_joint_vector_is_found_again_from_its_pose_and_every_solution_closes(n
     q = np.random.default_rng(3).uniform(-PI, PI, (5000, 6))
     found, valid, _, error = solved(chain, q)
     assert found_again(chain, q, found, valid).all()
-    size = specification(chain).params[39]
+    size = specification(chain).geometry.scale
     assert error[..., 0].max() < 1e-12 * size
     assert error[..., 1].max() < 1e-12
     assert (valid.sum(1) % 2 == 0).all()
@@ -47,8 +47,8 @@ def test_a_joint_vector_is_found_again_from_its_pose_and_every_solution_closes(n
 
 def strata(chain):
     """Yield names and functions that move joint vectors onto a singularity, at a distance d."""
-    p = specification(chain).params
-    a1, L2, L3, offset2, offset3, offset5, sign3 = p[24], p[26], p[27], p[32], p[33], p[35], p[36]
+    p = specification(chain).geometry
+    a1, L2, L3, offset2, offset3, offset5, sign3 = p.a1, p.upper, p.fore, p.offset2, p.offset3, p.offset5, p.sign3
 
     def wrist(q, d, bent):
         q[:, 4] = bent + d - offset5
@@ -100,10 +100,10 @@ def test_on_a_singularity_there_is_an_answer_and_a_flag(name):
 
 def test_a_slot_keeps_its_meaning():
     chain = ARMS["no offsets"]
-    p = specification(chain).params
+    p = specification(chain).geometry
     q = np.random.default_rng(6).uniform(-PI, PI, (3000, 6))
     found, valid, _, _ = solved(chain, q)
-    th3, th5 = p[36] * found[..., 2] + p[33], found[..., 4] + p[35]
+    th3, th5 = p.sign3 * found[..., 2] + p.offset3, found[..., 4] + p.offset5
     for slot in range(8):
         side, elbow, wrist = slot >> 2, slot >> 1 & 1, slot & 1
         ok = valid[:, slot]
@@ -125,8 +125,8 @@ def test_beyond_reach_nothing_is_valid_and_the_flag_says_so():
 
 def test_a_stretched_arm_is_one_root_a_hair_beyond_is_still_the_edge_and_a_micrometre_beyond_is_not():
     chain = ARMS["no offsets"]
-    p = specification(chain).params
-    q = np.array([0.3, 0.4, (0.0 - p[33]) / p[36], 0.5, 0.6, 0.7])
+    p = specification(chain).geometry
+    q = np.array([0.3, 0.4, (0.0 - p.offset3) / p.sign3, 0.5, 0.6, 0.7])
     T = slow_forward.fk(chain, q)
     forearm = T[:3, 3] - 0.07 * T[:3, 2] - np.array([0, 0, 0.125])
     outward = forearm / np.linalg.norm(forearm)

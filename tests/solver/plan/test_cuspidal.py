@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import pieper
-from pieper.solver.plan.cuspidal import determinant
+from pieper.kinematics.newton import determinant
 
 
 def test_an_arm_with_a_wrist_and_parallel_axes_is_never_called_cuspidal():

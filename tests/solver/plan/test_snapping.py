@@ -84,7 +84,7 @@ def test_families_and_arm_angle_of_a_snapped_redundant_arm_are_those_of_the_arm_
     assert arm.plan.snapped and arm.plan.family == "spherical_wrist"
     q = np.array([0.4, -0.7, 0.5, 1.1, -0.6, 0.9, 0.3])
     T = arm.fk(q)
-    family = arm.ik(T, redundancy=q[0]).families[0]
+    family = arm.ik(T, redundancy=q[0]).self_motions[0]
     assert np.abs(arm.fk(family.samples) - T).max() < 1e-9
     asked = float(arm.arm_angle(q)[0])
     rows = arm.ik(T, redundancy={"arm angle": asked}).all_q

@@ -7,7 +7,7 @@ import pytest
 
 from oracle.arms.known import free
 from oracle.joints import random_joints
-from pieper.solver.plan.cuspidal import determinant
+from pieper.kinematics.newton import determinant
 from pieper.solver.words.labels import posture_words
 
 #: Arms whose solutions differ in words: by family and by kind of first joints.

@@ -261,5 +261,5 @@ def sign_expression(poly: Poly, branch_signs: dict) -> Expr:
         sign = Num(1 if number > 0 else -1)
         if not unknown:
             return mul(sign, *known)
-        return mul(sign, *known, Call("sign", mul(*unknown)))
-    return Call("sign", poly.expr())
+        return mul(sign, *known, Call("sgn", mul(*unknown)))
+    return Call("sgn", poly.expr())

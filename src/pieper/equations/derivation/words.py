@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.algebra.expression import Add, Call, Num, Power, Sym, Trig, add, mul, negative
+from pieper.algebra.expression import Add, Call, Num, Power, Sym, Trig, add, mul
+from pieper.algebra.notation import negative
 from pieper.document.blocks import Document, Piece, listed
 from pieper.document.blocks import Step as StepHeading
 from pieper.document.formulas import ZERO, Written, equals
@@ -160,7 +161,7 @@ def _failures(page: Document, step: Step):
         )
     if step.merge is not None:
         inner = step.merge.args[0] if isinstance(step.merge, Call) and step.merge.name == "sqrt" else step.merge
-        real = isinstance(inner, Add) and all(isinstance(t, Power) and t.power == 2 for t in inner.terms)
+        real = isinstance(inner, Add) and all(isinstance(t, Power) and t.power == 2 for t in inner.args)
         page.say(
             "The two branches meet where ",
             equals(inner, ZERO),

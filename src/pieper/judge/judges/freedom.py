@@ -1,14 +1,14 @@
-"""Judges of freedom: how many directions a pose can move in, which joints it cannot tell apart, and whether a joint's
-value can be completed."""
+"""Judge of freedom: in how many directions a pose can move, which joints it leaves free, what can be completed."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from pieper.errors import InputError
+from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
-from pieper.judge.model import ArmModel, evaluate_samples
-from pieper.judge.verdict import HOLDS, WRONG, Verdict
+from pieper.judge.model import ArmModel
+from pieper.judge.samples import pose_of
+from pieper.judge.verdict import Verdict
 
 STEP = 1e-6
 RANK = 1e-7  # relative; singular values below are zero
@@ -22,8 +22,8 @@ def pose_jacobian(model: ArmModel, q: np.ndarray) -> np.ndarray:
     for k in range(n):
         moved[:, k, 0, k] += STEP
         moved[:, k, 1, k] -= STEP
-    T = evaluate_samples(model, moved.reshape(-1, n)).frames["T"].reshape(K, n, 2, 4, 4)
-    here = evaluate_samples(model, q).frames["T"]
+    T = pose_of(model, moved.reshape(-1, n)).reshape(K, n, 2, 4, 4)
+    here = pose_of(model, q)
     dT = (T[:, :, 0] - T[:, :, 1]) / (2 * STEP)
     W = dT[..., :3, :3] @ np.swapaxes(here[:, None, :3, :3], -1, -2)
     spin = np.stack([W[..., 2, 1], W[..., 0, 2], W[..., 1, 0]], axis=-1)
@@ -44,54 +44,34 @@ def undetermined(ev: Evidence) -> list[set[int]]:
     return [joints] if joints else []
 
 
-def judge_freedom(ev: Evidence, claim: dict) -> Verdict:
+def judge_freedom(ev: Evidence, claim: Claim) -> Verdict:
     """Judge how many degrees of freedom the tool has and which joints it leaves free (keys dof, free, at_deg)."""
     ev = ev.holding(claim)
-    dof = claim.get("dof")
-    if not isinstance(dof, int):
-        raise InputError(f"claim {claim['id']}: dof must be a whole number", claim=claim["id"])
+    dof = claim.whole("dof")
     J = pose_jacobian(ev.model, ev.samples.q[ev.samples.nominal][:24])
     values = np.linalg.svd(J, compute_uv=False)
     rank = int(np.max(np.count_nonzero(values > RANK * values[:, :1], axis=1)))
-    text, says = f"the tool has {dof} degrees of freedom", claim.get("says", "")
-    details = [
-        (
-            "singular values",
-            "of the Jacobian at " + ev.at(0) + ": " + ", ".join(f"{v if v > 1e-7 else 0:.3g}" for v in values[0]),
-        )
-    ]
+    shown = ", ".join(f"{v if v > 1e-7 else 0:.3g}" for v in values[0])
+    details = [("singular values", f"of the Jacobian at {ev.at(0)}: {shown}")]
     free = undetermined(ev)
+    names = " and ".join(f"theta{j}" for j in sorted(free[0])) if free else "none"
     if free:
-        names = " and ".join(f"theta{j}" for j in sorted(free[0]))
         details.append(
             (
                 "the slip",
                 f"a pose does not determine {names} one by one: they turn about the same line or move together",
             )
         )
+    text = f"the tool has {dof} degrees of freedom"
     if "free" in claim:
-        text += ", and " + " and ".join(f"theta{j}" for j in claim["free"]) + " are free"
+        claim = claim.reads(text + ", and " + " and ".join(f"theta{j}" for j in claim["free"]) + " are free")
         if set(claim["free"]) != (free[0] if free else set()):
-            names = " and ".join(f"theta{j}" for j in sorted(free[0])) if free else "none"
-            sentence = f"Wrong: the joints a pose leaves free are {names}."
-            return Verdict(claim["id"], text, WRONG, sentence, says, tuple(details), "index", names)
+            return claim.wrong(f"Wrong: the joints a pose leaves free are {names}.", details, "index", names)
+    else:
+        claim = claim.reads(text)
     if rank == dof:
-        return Verdict(
-            claim["id"],
-            text,
-            HOLDS,
-            f"Holds: the Jacobian has rank {rank} at {len(J)} random poses.",
-            says,
-            tuple(details),
-        )
-    return Verdict(
-        claim["id"],
-        text,
-        WRONG,
-        f"Wrong: the Jacobian has rank {rank}, never more, at {len(J)} random poses.",
-        says,
-        tuple(details),
-    )
+        return claim.holds(f"Holds: the Jacobian has rank {rank} at {len(J)} random poses.", details)
+    return claim.wrong(f"Wrong: the Jacobian has rank {rank}, never more, at {len(J)} random poses.", details)
 
 
 def completes(
@@ -120,7 +100,7 @@ def completes(
     size = model.length()
 
     def gap(points):
-        now = evaluate_samples(model, points).frames["T"]
+        now = pose_of(model, points)
         R = T[:3, :3] @ np.swapaxes(now[:, :3, :3], 1, 2)
         spin = 0.5 * np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
         # half turns have no spin of their own; the trace keeps them from passing for solutions

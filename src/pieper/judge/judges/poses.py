@@ -1,25 +1,37 @@
-"""Judges of printed poses and solutions: a matrix for given joints, a set of solutions for a pose, how many solutions
-there are."""
+"""Judge of a printed pose: a matrix of numbers for given joints, and the one slip that explains a wrong one."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.errors import InputError
-from pieper.judge.evidence import Evidence, fresh_samples, number
+from pieper.judge.claim import Claim
+from pieper.judge.evidence import Evidence, number
 from pieper.judge.matrices import Product, parse_product, value_of
 from pieper.judge.model import ArmModel
-from pieper.judge.printed import UNITS, joint_tolerance, last_digit, misprint, read_joints, read_matrix, read_number
+from pieper.judge.printed import (
+    BLANK,
+    UNITS,
+    joint_tolerance,
+    last_digit,
+    misprint,
+    read_joints,
+    read_matrix,
+    read_number,
+    unit_of,
+)
+from pieper.judge.samples import samples_at
 from pieper.judge.slips.arm_slips import arm_slips
-from pieper.judge.verdict import HOLDS, WRONG, Verdict
+from pieper.judge.verdict import Verdict
 
 ROUND_OFF = 1e-12  # printed 6.1E-17 stands for zero
+Place = tuple[int, int]
+Reader = Callable[[ArmModel, np.ndarray], "Reading"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Reading:
     """A printed matrix beside a computed one: which entries agree to the printed digits."""
 
@@ -27,29 +39,34 @@ class Reading:
     right: np.ndarray
     slack: np.ndarray
 
-    def off(self) -> list[tuple[int, int]]:
-        """Return the (row, column), 0-based, of entries that differ by more than rounding."""
-        out = []
-        for i, row in enumerate(self.printed):
-            for j, value in enumerate(row):
-                if value in ("", "*"):
-                    continue
-                allowed = max(0.51 * last_digit(value), ROUND_OFF) + self.slack[i, j]
-                if abs(read_number(value) - self.right[i, j]) > allowed:
-                    out.append((i, j))
-        return out
+    @property
+    def claimed(self) -> list[Place]:
+        """The (row, column), 0-based, of entries that the source prints."""
+        return [(i, j) for i, row in enumerate(self.printed) for j, value in enumerate(row) if value not in BLANK]
 
-    def serious(self) -> list[tuple[int, int]]:
-        """Return entries off by a whole unit of the last digit or more (a cut-off digit is not serious)."""
+    def gap(self, place: Place) -> float:
+        """How far an entry is off."""
+        i, j = place
+        return abs(read_number(self.printed[i][j]) - self.right[i, j])
+
+    def misprint(self, place: Place) -> str:
+        """The one misprint that explains an entry, "" when there is none."""
+        return misprint(self.printed[place[0]][place[1]], self.right[place])
+
+    def off(self) -> list[Place]:
+        """The entries that differ by more than rounding."""
         return [
             (i, j)
-            for i, j in self.off()
-            if abs(read_number(self.printed[i][j]) - self.right[i, j])
-            >= last_digit(self.printed[i][j]) + self.slack[i, j]
+            for i, j in self.claimed
+            if self.gap((i, j)) > max(0.51 * last_digit(self.printed[i][j]), ROUND_OFF) + self.slack[i, j]
         ]
 
+    def serious(self) -> list[Place]:
+        """The entries off by a whole unit of the last digit or more (a cut-off digit is not serious)."""
+        return [(i, j) for i, j in self.off() if self.gap((i, j)) >= last_digit(self.printed[i][j]) + self.slack[i, j]]
 
-def judge_pose(ev: Evidence, claim: dict) -> Verdict:
+
+def judge_pose(ev: Evidence, claim: Claim) -> Verdict:
     """Judge a printed matrix for given joints (keys q_deg, of, matrix or position, unit, rounded)."""
     model = ev.model
     q = read_joints(claim, model)
@@ -59,84 +76,53 @@ def judge_pose(ev: Evidence, claim: dict) -> Verdict:
     slack = _slack(claim, model, q, product, factor)
 
     def reading(arm: ArmModel, joints: np.ndarray) -> Reading:
-        right = value_of(product, fresh_samples(arm, joints).frames)[0].copy()
+        right = _value(product, arm, joints)
         if right.shape == (4, 4):
             right[:3, 3] *= factor
         return Reading(printed, right, slack)
 
     first = reading(model, q)
-    shown = "; ".join(f"{v}" for v in claim.get("q_deg", claim.get("q", claim.get("q_rad"))))
-    text = f"{product} at ({shown})" + (" deg" if "q_deg" in claim else "") + " = " + _matrix_text(printed)
-    count = sum(v not in ("", "*") for r in printed for v in r)
-    says, off, serious = claim.get("says", ""), first.off(), first.serious()
+    given = claim.get("q_deg", claim.get("q", claim.get("q_rad")))
+    unit = " deg" if "q_deg" in claim else ""
+    claim = claim.reads(f"{product} at ({'; '.join(map(str, given))}){unit} = {_matrix_text(printed)}")
+    count, off, serious = len(first.claimed), first.off(), first.serious()
     if not serious:
-        note = tuple(
-            (
-                "printed rounding",
-                f"entry ({i + 1},{j + 1}) {printed[i][j]}: {misprint(printed[i][j], first.right[i, j])}",
-            )
-            for i, j in off
-        )
-        return Verdict(
-            claim["id"],
-            text,
-            HOLDS,
-            f"Holds to the printed digits: {count - len(off)} of {count} entries agree"
-            + (f", {len(off)} differ by the rounding of the last digit." if off else "."),
-            says,
-            note,
-            digits=_digits(printed),
-        )
+        note = [
+            ("printed rounding", f"entry ({i + 1},{j + 1}) {printed[i][j]}: {first.misprint((i, j))}") for i, j in off
+        ]
+        rest = f", {len(off)} differ by the rounding of the last digit." if off else "."
+        sentence = f"Holds to the printed digits: {count - len(off)} of {count} entries agree{rest}"
+        return claim.holds(sentence, note, digits=_digits(printed))
     details = [
         (f"entry ({i + 1},{j + 1})", f"printed {printed[i][j]}, right {number(first.right[i, j])}") for i, j in serious
     ]
     words, kind, tried, corrected = _explain(model, q, reading, first)
-    if words:
-        details.append(("the slip", words))
-    else:
-        details.append(("the slip", "no single slip explains it"))
-    details.append(
-        (
-            "nearest right reading",
-            _matrix_text([[_rounded(v, first.right[i, j]) for j, v in enumerate(r)] for i, r in enumerate(printed)]),
-        )
-    )
-    details.append(("tried", tried))
-    worst = max(serious, key=lambda ij: abs(read_number(printed[ij[0]][ij[1]]) - first.right[ij]))
-    gap = abs(read_number(printed[worst[0]][worst[1]]) - first.right[worst])
-    return Verdict(
-        claim["id"],
-        text,
-        WRONG,
-        f"Wrong in {len(serious)} of {count} entries; the worst, ({worst[0] + 1},{worst[1] + 1}), is off by "
-        f"{number(gap)}.",
-        says,
-        tuple(details),
-        kind,
-        corrected,
-    )
+    right = [[_rounded(v, first.right[i, j]) for j, v in enumerate(r)] for i, r in enumerate(printed)]
+    details += [
+        ("the slip", words or "no single slip explains it"),
+        ("nearest right reading", _matrix_text(right)),
+        ("tried", tried),
+    ]
+    i, j = max(serious, key=first.gap)
+    worst = f"the worst, ({i + 1},{j + 1}), is off by {number(first.gap((i, j)))}."
+    return claim.wrong(f"Wrong in {len(serious)} of {count} entries; {worst}", details, kind, corrected)
 
 
-def unit_of(claim: dict, model: ArmModel) -> str:
-    unit = claim.get("unit", model.unit)
-    if unit not in UNITS:
-        raise InputError(
-            f"claim {claim['id']}: unit {unit!r} is not known; use one of {', '.join(UNITS)}", claim=claim["id"]
-        )
-    return unit
+def _value(product: Product, model: ArmModel, q: np.ndarray) -> np.ndarray:
+    return value_of(product, samples_at(model, q).frames)[0].copy()
 
 
-def _slack(claim: dict, model: ArmModel, q, product: Product, factor: float) -> np.ndarray:
+def _slack(claim: Claim, model: ArmModel, q, product: Product, factor: float) -> np.ndarray:
     """Return how much the rounding of printed joints can move each entry, (4, 4)."""
     slack = np.zeros((4, 4))
     if not claim.get("rounded"):
         return slack
     half = joint_tolerance(claim.get("q_deg", claim.get("q_rad", [])), "q_deg" in claim)
-    base = value_of(product, fresh_samples(model, q).frames)[0]
+    base = _value(product, model, q)
     for k, h in enumerate(half):
         moved = q.copy()
         moved[k] += h
-        slack += np.abs(value_of(product, fresh_samples(model, moved).frames)[0] - base)
+        slack += np.abs(_value(product, model, moved) - base)
     slack[:3, 3] *= factor
     return slack
 
@@ -148,7 +134,7 @@ def _digits(printed) -> int:
 
 
 def _rounded(printed, right: float):
-    if printed in ("", "*"):
+    if printed in BLANK:
         return ""
     decimals = min(12, max(0, round(-np.log10(last_digit(printed)))))
     return f"{right + 0.0:.{max(decimals, 0)}f}"
@@ -182,7 +168,7 @@ def _joint_slips(q: np.ndarray) -> Iterator[tuple[str, str, np.ndarray]]:
     yield "degrees", "radians taken for degrees", np.radians(q)
 
 
-def _explain(model: ArmModel, q, reading, first: Reading) -> tuple[str, str, str, str]:
+def _explain(model: ArmModel, q: np.ndarray, reading: Reader, first: Reading) -> tuple[str, str, str, str]:
     """Look for one slip that explains the printed matrix; return (words, kind, what was tried, corrected)."""
     best = (len(first.serious()), "", "", first)
     variants = [(k, w, arm, q) for k, w, arm in arm_slips(model)] + [
@@ -197,12 +183,11 @@ def _explain(model: ArmModel, q, reading, first: Reading) -> tuple[str, str, str
     tried = f"{len(variants)} other arms and joint vectors ({kinds}), misprints of one number"
     left, kind, words, r = best
     start = len(first.serious())
-    total = sum(v not in ("", "*") for r in first.printed for v in r)
-    prints = {ij: misprint(first.printed[ij[0]][ij[1]], first.right[ij]) for ij in first.serious()}
-    if all(prints.values()) and len(prints) <= max(1, total // 4):
+    prints = {place: first.misprint(place) for place in first.serious()}
+    if all(prints.values()) and len(prints) <= max(1, len(first.claimed) // 4):
         return "; ".join(f"entry ({i + 1},{j + 1}): {w}" for (i, j), w in prints.items()), "misprint", tried, ""
     if kind and (left == 0 or (left <= 2 and left < start / 2)):
-        rest = {ij: misprint(r.printed[ij[0]][ij[1]], r.right[ij]) for ij in r.serious()}
+        rest = {place: r.misprint(place) for place in r.serious()}
         if all(rest.values()):
             more = "".join(f"; besides, entry ({i + 1},{j + 1}) is a misprint: {w}" for (i, j), w in rest.items())
             return f"{words} gives the printed numbers{more}", kind, tried, words
@@ -217,7 +202,7 @@ def _explain(model: ArmModel, q, reading, first: Reading) -> tuple[str, str, str
     return "", "", tried, ""
 
 
-def _joint_that_fits(model: ArmModel, q, joint: int, reading, first: Reading) -> float | None:
+def _joint_that_fits(model: ArmModel, q: np.ndarray, joint: int, reading: Reader, first: Reading) -> float | None:
     """Return the value of a joint with which every printed entry agrees; a pose is linear in its sine and cosine."""
     if model.sliding(joint + 1):
         return None
@@ -228,7 +213,7 @@ def _joint_that_fits(model: ArmModel, q, joint: int, reading, first: Reading) ->
         at.append(reading(model, moved).right)
     middle, cosine = (at[0] + at[2]) / 2, (at[0] - at[2]) / 2
     sine = at[1] - middle
-    cells = [(i, j) for i, r in enumerate(first.printed) for j, v in enumerate(r) if v not in ("", "*")]
+    cells = first.claimed
     scale = {c: 1 / (1 + abs(first.right[c])) for c in cells}
     M = np.array([[cosine[c] * scale[c], sine[c] * scale[c]] for c in cells])
     y = np.array([(read_number(first.printed[c[0]][c[1]]) - middle[c]) * scale[c] for c in cells])

@@ -2,18 +2,20 @@
 top down.
 
 Comparing candidates with this value costs one small evaluation each, where building and evaluating the whole formula
-would
-cost a hundred.
+would cost a hundred.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from pieper.algebra.tree import Node
+from pieper.algebra.expression import Add, Call, Div, Expr, Mul
+from pieper.algebra.formula import Equation, Neg, PlusMinus, has_branch, is_call
+
+ARCS = ("acos", "asin", "atan", "atan2")
 
 
-def required_values(root: Node, wanted: np.ndarray | None, angle: bool, value: dict[Node, np.ndarray]) -> dict:
+def required_values(root: Expr, wanted: np.ndarray | None, angle: bool, value: dict[Expr, np.ndarray]) -> dict:
     """Return path -> (K,) required value of the node there; a path is missing where the operation cannot be undone.
 
     Args:
@@ -26,8 +28,8 @@ def required_values(root: Node, wanted: np.ndarray | None, angle: bool, value: d
         The required values.
     """
     out: dict[tuple[int, ...], np.ndarray] = {}
-    if root.op == "eq":
-        if root.has_branch():
+    if isinstance(root, Equation):
+        if has_branch(root):
             return out
         stack = [((0,), root.args[0], value[root.args[1]], False), ((1,), root.args[1], value[root.args[0]], False)]
     else:
@@ -39,10 +41,10 @@ def required_values(root: Node, wanted: np.ndarray | None, angle: bool, value: d
                 out[path] = need
             for k, child in enumerate(node.args):
                 # an angle is wanted modulo a turn and on either branch; a cosine or a tangent forgets both
-                forgets = node.op == "call" and node.value in ("acos", "asin", "atan", "atan2")
+                forgets = is_call(node, *ARCS)
                 if turning and not forgets:
                     others = [a for a in node.args if a is not child]
-                    if node.op not in ("neg", "pm", "add") or any(a.has_branch() for a in others):
+                    if not isinstance(node, (Neg, PlusMinus, Add)) or any(map(has_branch, others)):
                         continue
                 inner = _undo(node, k, need, value)
                 if inner is not None and np.isfinite(inner).any():
@@ -50,24 +52,20 @@ def required_values(root: Node, wanted: np.ndarray | None, angle: bool, value: d
     return out
 
 
-def _undo(node: Node, k: int, need: np.ndarray, value: dict[Node, np.ndarray]):
-    op = node.op
-    if op not in ("add", "neg", "pm"):
-        others = [value[a] for i, a in enumerate(node.args) if i != k]
-    if op == "neg":
+def _undo(node: Expr, k: int, need: np.ndarray, value: dict[Expr, np.ndarray]) -> np.ndarray | None:
+    if isinstance(node, Neg):
         return -need
-    if op == "pm":
+    if isinstance(node, PlusMinus):
         # either sign may be meant; what follows (acos) does not see the difference, anything else is tried in full
-        return need if node.args[0].op == "call" and node.args[0].value == "acos" else None
-    if op == "add":
+        return need if is_call(node.args[0], "acos") else None
+    if isinstance(node, Add):
         return need - (value[node] - value[node.args[k]])
-    if op == "mul":
+    others = [value[a] for i, a in enumerate(node.args) if i != k]
+    if isinstance(node, Mul):
         return need / np.prod(np.broadcast_arrays(*others), axis=0)
-    if op == "div":
+    if isinstance(node, Div):
         return need * others[0] if k == 0 else others[0] / need
-    if op != "call":
-        return None
-    name = node.value
+    name = node.name if isinstance(node, Call) else ""
     if name == "acos":
         return np.cos(need)
     if name == "asin":

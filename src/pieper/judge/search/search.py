@@ -10,7 +10,9 @@ from functools import cached_property
 
 import numpy as np
 
-from pieper.algebra.tree import NUMPY, Node, evaluate
+from pieper.algebra.arithmetics import NumpyField
+from pieper.algebra.expression import Expr
+from pieper.algebra.formula import Equation, has_branch
 from pieper.judge.search.required import required_values
 from pieper.judge.slips.slip import Slip
 
@@ -21,7 +23,7 @@ VALUE_TOLERANCE = 1e-9  # relative to the size of the numbers compared
 
 
 @dataclass
-class Target:
+class Goal:
     """What a formula should give.
 
     Attributes:
@@ -40,34 +42,30 @@ class Target:
     def _scale(self) -> np.ndarray:
         return np.abs(self.wanted) + np.median(np.abs(self.wanted)) + self.floor
 
-    def restrict(self, rows) -> Target:
+    def restrict(self, rows) -> Goal:
         """Return the same target on some of the samples only."""
         wanted = None if self.wanted is None else self.wanted[rows]
-        return Target({k: v[rows] for k, v in self.env.items()}, wanted, self.angle, self.floor)
+        return Goal({k: v[rows] for k, v in self.env.items()}, wanted, self.angle, self.floor)
 
-    def residual(self, node: Node, branch: int = 1, cache: dict | None = None, learn: bool = True) -> np.ndarray:
+    def residual(self, node: Expr, branch: int = 1, cache: dict | None = None, learn: bool = True) -> np.ndarray:
         """Return how far the formula is off at every sample, in units of the tolerance; inf where it is undefined."""
         with np.errstate(all="ignore"):
-            if node.op == "eq":
-                left = evaluate(node.args[0], self.env, NUMPY, branch, cache, learn)
-                right = evaluate(node.args[1], self.env, NUMPY, branch, cache, learn)
+            if isinstance(node, Equation):
+                left, right = (a.evaluate(self.env, NumpyField, branch, cache, learn) for a in node.args)
                 off = np.abs(left - right) / (VALUE_TOLERANCE * (np.abs(left) + np.abs(right) + self.floor))
-                wanted = left
             else:
-                value = evaluate(node, self.env, NUMPY, branch, cache, learn)
-                wanted = self.wanted
+                gap = node.evaluate(self.env, NumpyField, branch, cache, learn) - self.wanted
                 if self.angle:
-                    off = np.abs((value - wanted + np.pi) % (2 * np.pi) - np.pi) / ANGLE_TOLERANCE
+                    off = np.abs((gap + np.pi) % (2 * np.pi) - np.pi) / ANGLE_TOLERANCE
                 else:
-                    scale = self._scale
-                    off = np.abs(value - wanted) / (VALUE_TOLERANCE * scale)
-        off = np.broadcast_to(np.asarray(off, dtype=float), np.shape(self.env["pi"]))
+                    off = np.abs(gap) / (VALUE_TOLERANCE * self._scale)
+        off = np.broadcast_to(np.asarray(off, dtype=float), np.shape(self.env["theta1"]))
         return np.where(np.isfinite(off), off, np.inf)
 
-    def fits(self, node: Node, cache: dict | None = None, learn: bool = True) -> np.ndarray:
+    def fits(self, node: Expr, cache: dict | None = None, learn: bool = True) -> np.ndarray:
         """Say at which samples the formula is right, on either branch of its +-."""
         good = self.residual(node, 1, cache, learn) < 1
-        if node.has_branch() and not good.all():
+        if has_branch(node) and not good.all():
             good = good | (self.residual(node, -1, None) < 1)
         return good
 
@@ -93,12 +91,18 @@ class Explanation:
         """Return the likeliest explanation, or None."""
         return self.found[0] if self.found else None
 
+    def closest(self, what: str) -> str:
+        """Say which slip comes nearest, of joint vectors or of poses; "" when none comes near."""
+        if not self.nearest:
+            return ""
+        return f"; closest: {self.nearest[0].says} (right at {100 * self.nearest[1]:.0f}% of the {what})"
 
-def search(target: Target, root: Node, candidates: Iterable[Slip], *, seconds: float = 2.0) -> Explanation:
+
+def search(goal: Goal, root: Expr, candidates: Iterable[Slip], *, seconds: float = 2.0) -> Explanation:
     """Try every candidate and keep those that are right at every sample.
 
     Args:
-        target: what the formula should give.
+        goal: what the formula should give.
         root: the formula as printed; its subtrees are evaluated once and shared by the candidates.
         candidates: formulas one slip away.
         seconds: time allowed.
@@ -110,21 +114,21 @@ def search(target: Target, root: Node, candidates: Iterable[Slip], *, seconds: f
     if root.size() > MAX_SEARCHED:
         out.complete = False
         return out
-    probe = target.restrict(np.arange(min(PROBES, len(target.env["pi"]))))
+    probe = goal.restrict(np.arange(min(PROBES, len(goal.env["theta1"]))))
     values: dict = {}
     probe.residual(root, 1, values)
-    needed = required_values(root, probe.wanted, target.angle, values)
+    needed = required_values(root, probe.wanted, goal.angle, values)
     stop = time.thread_time() + seconds
-    best_share = float(np.mean(target.fits(root)))
+    best_share = float(np.mean(goal.fits(root)))
     seen: set[str] = set()
     for k, slip in enumerate(candidates):
         out.tried[slip.kind] = out.tried.get(slip.kind, 0) + 1
         if k % 256 == 0 and time.thread_time() > stop:
             out.complete = False
             break
-        if not _promising(slip, probe, needed, values, target.angle):
+        if not _promising(slip, probe, needed, values, goal.angle):
             continue
-        share = float(np.mean(target.fits(slip.tree)))
+        share = float(np.mean(goal.fits(slip.tree)))
         if share == 1.0:
             text = str(slip.tree)
             if text not in seen:
@@ -137,15 +141,15 @@ def search(target: Target, root: Node, candidates: Iterable[Slip], *, seconds: f
     return out
 
 
-def _promising(slip: Slip, probe: Target, needed: dict, values: dict, angle: bool) -> bool:
+def _promising(slip: Slip, probe: Goal, needed: dict, values: dict, angle: bool) -> bool:
     """Say whether a candidate is right at half of the probes at least, as cheaply as the place allows."""
     need = needed.get(slip.path) if slip.path is not None else None
-    if need is not None and not slip.new.has_branch():
+    if need is not None and not has_branch(slip.new):
         with np.errstate(all="ignore"):
-            value = evaluate(slip.new, probe.env, NUMPY, 1, values, learn=False)
+            value = slip.new.evaluate(probe.env, NumpyField, 1, values, learn=False)
             close = np.abs(value - need) <= 1e-6 * (np.abs(value) + np.abs(need)) + 1e-12
         return 2 * np.count_nonzero(close) >= PROBES
     good = probe.residual(slip.tree, 1, values, learn=False) < 1
-    if angle and slip.tree.has_branch():
+    if angle and has_branch(slip.tree):
         good = good | (probe.residual(slip.tree, -1) < 1)
     return 2 * np.count_nonzero(good) >= PROBES

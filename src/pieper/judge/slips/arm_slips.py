@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 
-from pieper.algebra.tree import Node, add, negated, num, sym
-from pieper.judge.model import ArmModel, renamed
+from pieper.algebra.expression import Add, Expr, PiFraction
+from pieper.algebra.formula import Mention, Neg, number
+from pieper.judge.model import ArmModel
 
 ARM_KINDS = {
     "convention": "standard for modified DH",
@@ -32,25 +34,23 @@ def arm_slips(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
     other = "modified" if model.convention == "standard" else "standard"
     yield "convention", f"{other} for {model.convention} DH", replace(model, convention=other)
     for i, row in enumerate(model.rows):
-        joint, zero = i + 1, num(0)
+        joint, zero = i + 1, number(0)
         if not model.sliding(joint):
             if str(row.a) != str(row.d):
                 yield "row", f"a and d swapped in row {joint}", model.with_row(i, a=row.d, d=row.a)
-            yield "sense", f"joint {joint} turns the other way", _turned(model, i, lambda v: negated(v))
+            yield "sense", f"joint {joint} turns the other way", _turned(model, i, Neg.of)
             for degrees in (90, -90, 180):
-                shift = Node("div", (sym("pi"), num({90: 2, -90: -2, 180: 1}[degrees])))
-                yield (
-                    "zero",
-                    f"joint {joint} has its zero {degrees:+d} deg from there",
-                    _turned(model, i, lambda v, s=shift: add(v, s)),
-                )
-        if _value(model, row.alpha) not in (0.0,) and abs(abs(_value(model, row.alpha)) - np.pi) > 1e-9:
-            yield "twist", f"the twist of row {joint} has the other sign", model.with_row(i, alpha=negated(row.alpha))
+                shift = PiFraction(Fraction(degrees, 180))
+                words = f"joint {joint} has its zero {degrees:+d} deg from there"
+                yield "zero", words, _turned(model, i, lambda v, s=shift: Add.of(v, s))
+        twist = _value(model, row.alpha)
+        if twist and abs(abs(twist) - np.pi) > 1e-9:
+            yield "twist", f"the twist of row {joint} has the other sign", model.with_row(i, alpha=Neg.of(row.alpha))
         for column in ("a", "d"):
             node = getattr(row, column)
             if _value(model, node) and not model.sliding(joint):
                 yield "row", f"{column} of row {joint} left out", model.with_row(i, **{column: zero})
-                yield "row", f"{column} of row {joint} has the other sign", model.with_row(i, **{column: negated(node)})
+                yield "row", f"{column} of row {joint} has the other sign", model.with_row(i, **{column: Neg.of(node)})
     if not np.allclose(model.tool, np.eye(4)):
         yield "tool", "the tool left out", replace(model, tool=np.eye(4))
     if not np.allclose(model.base, np.eye(4)):
@@ -79,13 +79,10 @@ def axis_renamings() -> Iterator[tuple[str, np.ndarray]]:
             yield f"axes renamed{up}: {names}", R
 
 
-def _turned(model: ArmModel, index: int, change) -> ArmModel:
+def _turned(model: ArmModel, index: int, change: Callable[[Expr], Expr]) -> ArmModel:
     name = f"theta{index + 1}"
-    return model.with_row(index, theta=renamed(model.rows[index].theta, {name: change(sym(name))}))
+    return model.with_row(index, theta=model.rows[index].theta.substitute({name: change(Mention(name))}))
 
 
-def _value(model: ArmModel, node: Node) -> float:
-    from pieper.algebra.tree import evaluate
-
-    env = {**model.values, **{f"theta{i + 1}": 0.0 for i in range(model.n)}, "pi": np.pi}
-    return float(evaluate(node, env))
+def _value(model: ArmModel, node: Expr) -> float:
+    return float(node.evaluate(model.at_zero))

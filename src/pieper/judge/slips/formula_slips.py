@@ -1,34 +1,36 @@
 """Every formula one slip away from a given one: the errors people make when they copy, type or derive.
 
 Each slip is a small change of the tree. The change named is the one that was (probably) made; the tree yielded is the
-formula
-with that change *undone*, so the first tree that is right is the nearest right reading.
+formula with that change *undone*, so the first tree that is right is the nearest right reading.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from pieper.algebra.tree import (
+from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Num, PiFraction, Power, Sym
+from pieper.algebra.formula import (
     ANGLE,
-    Node,
-    add,
+    TURNS,
+    Equation,
+    Mention,
+    Neg,
+    PlusMinus,
     angle_sum,
-    call,
-    joint_sum,
-    mul,
-    negated,
-    num,
+    is_call,
+    number,
     positions,
     replaced_everywhere,
-    sym,
+    turned_joints,
 )
 from pieper.judge.slips.angle_slips import angle_slips, unit_slips
 from pieper.judge.slips.slip import Slip
 
+FACTORS = (Sym, Call)  # what people lose or swap as one letter
+
 
 def slips(
-    root: Node, lengths: dict[str, float], joints: int, others: tuple[str, ...] = (), *, angle: bool = False
+    root: Expr, lengths: dict[str, float], joints: int, others: tuple[str, ...] = (), *, angle: bool = False
 ) -> Iterator[Slip]:
     """Yield the formulas that are one slip away, likelier slips first within each position.
 
@@ -42,148 +44,141 @@ def slips(
     Yields:
         Slips with their formulas.
     """
-    pool = _factor_pool(root, lengths, joints) | {name: sym(name) for name in others[:8]}
+    pool = _factor_pool(root, lengths, joints) | {name: Mention(name) for name in others[:8]}
     numbers = _numbers(root, lengths)
     if angle:
         yield from angle_slips(root, joints)
     shared = _shared(root)
-    done: set[Node] = set()
-    inside: set[Node] = set()  # what stands inside a sine or cosine of joints is varied with it, as an index
+    done: set[int] = set()
+    inside: set[int] = set()  # what stands inside a sine or cosine of joints is varied with it, as an index
     for path, node, parent in positions(root):
-        if node in inside:
+        if id(node) in inside:
             continue
-        if node.op == "call" and node.value in ("sin", "cos") and joint_sum(node.args[0]):
-            inside.update(node.args[0].walk())
-        if node in shared:
-            if node in done:
+        if turned_joints(node):
+            inside.update(map(id, node.args[0].walk()))
+        if id(node) in shared:
+            if id(node) in done:
                 continue
-            done.add(node)
+            done.add(id(node))
 
         def slip(kind, says, new, cost=1.0, path=path, node=node):
             words = (says,) if isinstance(says, str) else says
-            if root.op == "eq" and path[:1] == (0,):
+            if isinstance(root, Equation) and path[:1] == (0,):
                 cost += 0.05  # the left side of an equation is what it is about, seldom what is wrong
-            if node in shared:
+            if id(node) in shared:
                 return Slip(kind, words, root, None, new, cost, node)
             return Slip(kind, words, root, path, new, cost)
 
         if _is_term(node, parent):
-            yield slip("sign", ("the sign of {}", node), negated(node), 0.5)
-        if node.op in ("pm",):
-            yield slip("sign", ("the sign of {}", node.args[0]), Node("pm", node.args, -node.value), 0.6)
-        if node.op == "call":
+            yield slip("sign", ("the sign of {}", node), Neg.of(node), 0.5)
+        if isinstance(node, PlusMinus):
+            yield slip("sign", ("the sign of {}", node.args[0]), PlusMinus(node.args[0], -node.sign), 0.6)
+        if isinstance(node, Call):
             yield from _call_slips(node, slip, joints)
-        if node.op == "sym":
+        if isinstance(node, Sym):
             yield from _symbol_slips(node, slip, lengths, others, joints)
-        if node.op == "num":
+        if isinstance(node, Num):
             for value in numbers:
-                if value != node.value:
-                    yield slip("number", ("{} for " + value, node), num(value), 2.0)
-        if node.op == "mul":
+                if value != str(node):
+                    yield slip("number", ("{} for " + value, node), number(value), 2.0)
+        if isinstance(node, Mul):
             yield from _product_slips(node, slip)
-        if node.op == "add":
+        if isinstance(node, Add):
             yield from _sum_slips(node, slip)
-        if node.op == "div":
-            yield slip("fraction", ("{} upside down", node), Node("div", (node.args[1], node.args[0])), 1.5)
-        if node.op == "pow":
+        if isinstance(node, Div):
+            yield slip("fraction", ("{} upside down", node), Div(node.args[1], node.args[0]), 1.5)
+        if isinstance(node, Power):
             yield slip("power", ("the power of {}", node.args[0]), node.args[0], 1.2)
-        elif node.op in ("sym", "call") and (parent is None or parent.op != "pow"):
-            yield slip("power", ("a lost square of {}", node), Node("pow", (node, num(2))), 1.6)
-        if node.op in ("sym", "call") and (str(node) in pool):
+        elif isinstance(node, (*FACTORS, PiFraction)) and not isinstance(parent, Power):
+            yield slip("power", ("a lost square of {}", node), Power(node, number(2)), 1.6)
+        if isinstance(node, FACTORS) and str(node) in pool:
             for text, factor in pool.items():
                 if text != str(node):
                     yield slip("swapped factor", ("{} for {}", node, factor), factor, 1.5)
-        if _is_term(node, parent) or (parent is not None and parent.op in ("neg", "div") and node.op != "add"):
+        if _is_term(node, parent) or (isinstance(parent, (Neg, Div)) and not isinstance(node, Add)):
             for factor in pool.values():
-                yield slip("missing factor", ("{} lost from {}", factor, node), mul(node, factor), 1.3)
-            yield slip("missing factor", ("a factor 2 lost from {}", node), mul(num(2), node), 1.3)
-            yield slip("extra factor", ("a factor 2 too many in {}", node), Node("div", (node, num(2))), 1.8)
+                yield slip("missing factor", ("{} lost from {}", factor, node), Mul.of(node, factor), 1.3)
+            yield slip("missing factor", ("a factor 2 lost from {}", node), Mul.of(number(2), node), 1.3)
+            yield slip("extra factor", ("a factor 2 too many in {}", node), Div(node, number(2)), 1.8)
     yield from _throughout(root, joints)
     yield from unit_slips(root)
 
 
-def _throughout(root: Node, joints: int) -> Iterator[Slip]:
+def _throughout(root: Expr, joints: int) -> Iterator[Slip]:
     """Yield formulas in which one angle is another one everywhere: s2 and c2 for s12 and c12, say."""
-    angles = {}
+    angles: dict[tuple, list[Call]] = {}
     for node in root.walk():
-        if node.op == "call" and node.value in ("sin", "cos"):
-            parts = joint_sum(node.args[0])
-            if parts:
-                angles.setdefault(parts, []).append(node)
+        parts = turned_joints(node)
+        if parts and isinstance(node, Call):
+            angles.setdefault(parts, []).append(node)
     for parts, nodes in angles.items():
         if len(nodes) < 2:
             continue
         for new in _index_variants(parts, joints):
-            tree = replaced_everywhere(root, {node: call(node.value, angle_sum(new)) for node in nodes})
+            tree = replaced_everywhere(root, {id(n): Call(n.name, angle_sum(new)) for n in nodes})
             words = ("{} for {} throughout", angle_sum(parts), angle_sum(new))
             yield Slip("index", words, root, (), tree, 1.0)
 
 
-def _shared(root: Node) -> set[Node]:
-    """Return the nodes that occur more than once: a symbol defined once and used twice carries its slip to both
+def _shared(root: Expr) -> set[int]:
+    """Return the `id` of nodes that occur more than once: a symbol defined once and used twice carries its slip to both
     places."""
-    seen: set[Node] = set()
-    twice: set[Node] = set()
+    seen: set[int] = set()
+    twice: set[int] = set()
     for node in root.walk():
-        (twice if node in seen else seen).add(node)
+        (twice if id(node) in seen else seen).add(id(node))
     return twice
 
 
-def _is_term(node: Node, parent: Node | None) -> bool:
-    if node.op == "eq" or (parent is not None and parent.op == "pm"):
+def _is_term(node: Expr, parent: Expr | None) -> bool:
+    if isinstance(node, Equation) or isinstance(parent, PlusMinus) or (isinstance(node, Num) and not node.value):
         return False
-    if node.op == "num" and float(node.value if "/" not in node.value else 1) == 0:
-        return False
-    return parent is None or parent.op in ("add", "eq", "call")
+    return parent is None or isinstance(parent, (Add, Equation, Call))
 
 
-def _factor_pool(root: Node, lengths: dict[str, float], joints: int) -> dict[str, Node]:
+def _factor_pool(root: Expr, lengths: dict[str, float], joints: int) -> dict[str, Expr]:
     """Return what may have been lost or swapped: sines and cosines of every joint and of the sums that occur, and the
     lengths."""
-    used = {int(ANGLE.match(s).group(1)) for s in root.symbols() if ANGLE.match(s)}
+    used = {int(found.group(1)) for found in map(ANGLE.match, root.symbols()) if found}
     sums = {((1, j),) for j in (used or range(1, joints + 1))}
-    for node in root.walk():
-        if node.op == "call" and node.value in ("sin", "cos"):
-            parts = joint_sum(node.args[0])
-            if parts:
-                sums.add(parts)
-    factors = [call(f, angle_sum(p)) for p in sorted(sums) for f in ("cos", "sin")]
+    sums.update(parts for parts in map(turned_joints, root.walk()) if parts)
+    factors: list[Expr] = [Call(f, angle_sum(p)) for p in sorted(sums) for f in ("cos", "sin")]
     # angles that are shifted by a constant are written out, and lost or swapped like the others
-    factors += [n for n in root.walk() if n.op == "call" and n.value in ("sin", "cos") and not joint_sum(n.args[0])]
-    factors += [sym(name) for name, value in lengths.items() if value or name in root.symbols()]
+    factors += [n for n in root.walk() if is_call(n, *TURNS) and not turned_joints(n)]
+    factors += [Mention(name) for name, value in lengths.items() if value or name in root.symbols()]
     return {str(f): f for f in factors}
 
 
-def _numbers(root: Node, lengths: dict[str, float]) -> list[str]:
-    found = {n.value for n in root.walk() if n.op == "num"}
+def _numbers(root: Expr, lengths: dict[str, float]) -> list[str]:
+    found = {str(n) for n in root.walk() if isinstance(n, Num)}
     if not found:
         return []
     return sorted(found | {f"{abs(v):g}" for v in lengths.values() if v} | {"1", "2"})
 
 
-def _call_slips(node: Node, slip, joints: int) -> Iterator[Slip]:
-    name, args = node.value, node.args
-    if name in ("sin", "cos"):
+def _call_slips(node: Call, slip, joints: int) -> Iterator[Slip]:
+    name, args = node.name, node.args
+    if name in TURNS:
         other = "cos" if name == "sin" else "sin"
-        made = call(other, *args)
+        made = Call(other, *args)
         yield slip("sine for cosine", ("{} for {}", node, made), made, 0.7)
-        parts = joint_sum(args[0])
+        parts = turned_joints(node)
         if parts:
             for new in _index_variants(parts, joints):
-                made = call(name, angle_sum(new))
+                made = Call(name, angle_sum(new))
                 yield slip("index", ("{} for {}", node, made), made, 0.8 if len(new) == len(parts) else 0.9)
     if name in ("asin", "acos"):
         other = "acos" if name == "asin" else "asin"
-        yield slip("inverse function", f"{name} for {other}", call(other, *args), 1.0)
-    if name == "atan" and args[0].op == "div":
+        yield slip("inverse function", f"{name} for {other}", Call(other, *args), 1.0)
+    if name == "atan" and isinstance(args[0], Div):
         y, x = args[0].args
-        yield slip("atan", "atan for atan2", call("atan2", y, x), 0.4)
-        yield slip("atan", "atan for atan2, and both signs", call("atan2", negated(y), negated(x)), 0.9)
+        yield slip("atan", "atan for atan2", Call("atan2", y, x), 0.4)
+        yield slip("atan", "atan for atan2, and both signs", Call("atan2", Neg.of(y), Neg.of(x)), 0.9)
     if name == "atan2":
         y, x = args
-        yield slip("atan", "the arguments of atan2 exchanged", call("atan2", x, y), 0.7)
-        yield slip("branch", "both signs inside atan2", call("atan2", negated(y), negated(x)), 0.6)
-        yield slip("atan", "atan2 for atan", call("atan", Node("div", (y, x))), 1.5)
+        yield slip("atan", "the arguments of atan2 exchanged", Call("atan2", x, y), 0.7)
+        yield slip("branch", "both signs inside atan2", Call("atan2", Neg.of(y), Neg.of(x)), 0.6)
+        yield slip("atan", "atan2 for atan", Call("atan", Div(y, x)), 1.5)
     if name in ("sqrt",):
         yield slip("power", "a root too many", args[0], 1.5)
 
@@ -215,8 +210,8 @@ def _variants(parts, joints: int) -> Iterator[tuple]:
                 yield tuple(sorted(parts + ((-1, other),), key=lambda p: -p[0]))
 
 
-def _symbol_slips(node: Node, slip, lengths, others, joints: int) -> Iterator[Slip]:
-    name = node.value
+def _symbol_slips(node: Sym, slip, lengths, others, joints: int) -> Iterator[Slip]:
+    name = node.name
     angle = ANGLE.match(name)
     family: list[str] = []
     if name in lengths:
@@ -233,42 +228,42 @@ def _symbol_slips(node: Node, slip, lengths, others, joints: int) -> Iterator[Sl
     elif name in others:
         family = [m for m in others if m != name and m[0] == name[0]] + [m for m, v in lengths.items() if v]
     for other in family:
-        yield slip("index", f"{name} for {other}", sym(other), 0.8 if other[0] == name[0] else 1.0)
+        yield slip("index", f"{name} for {other}", Mention(other), 0.8 if other[0] == name[0] else 1.0)
 
 
-def _product_slips(node: Node, slip) -> Iterator[Slip]:
+def _product_slips(node: Expr, slip) -> Iterator[Slip]:
     for k, factor in enumerate(node.args):
         rest = node.args[:k] + node.args[k + 1 :]
         kind = {"1000": "millimetres", "180/pi": "degrees", "pi/180": "degrees"}.get(str(factor), "extra factor")
-        yield slip(kind, ("{} too many in {}", factor, node), mul(*rest), 1.2 if kind == "extra factor" else 1.0)
+        yield slip(kind, ("{} too many in {}", factor, node), Mul.of(*rest), 1.2 if kind == "extra factor" else 1.0)
         if k:
             for sign, word in ((1, "+"), (-1, "-")):
-                right = mul(*node.args[k:]) if sign > 0 else negated(mul(*node.args[k:]))
+                right = Mul.of(*node.args[k:]) if sign > 0 else Neg.of(Mul.of(*node.args[k:]))
                 yield slip(
                     "product",
-                    ("a lost " + word + " between {} and {}", mul(*node.args[:k]), mul(*node.args[k:])),
-                    add(mul(*node.args[:k]), right),
+                    ("a lost " + word + " between {} and {}", Mul.of(*node.args[:k]), Mul.of(*node.args[k:])),
+                    Add.of(Mul.of(*node.args[:k]), right),
                     1.6,
                 )
 
 
-def _sum_slips(node: Node, slip) -> Iterator[Slip]:
+def _sum_slips(node: Expr, slip) -> Iterator[Slip]:
     if len(node.args) <= 8:
         for first in range(len(node.args)):
             for last in range(first + 1, len(node.args)):
-                inside = add(*node.args[first : last + 1])
-                root = Node("pm", (call("sqrt", inside),), 1)
+                inside = Add.of(*node.args[first : last + 1])
+                root = PlusMinus(Call("sqrt", inside))
                 words = ("a lost root over {}", inside)
-                yield slip("power", words, add(*node.args[:first], root, *node.args[last + 1 :]), 1.7)
+                yield slip("power", words, Add.of(*node.args[:first], root, *node.args[last + 1 :]), 1.7)
     for k, term in enumerate(node.args):
         rest = node.args[:k] + node.args[k + 1 :]
-        yield slip("extra term", ("{} too many", term), add(*rest), 1.4)
-        if k and node.args[k - 1].op != "pm" and term.op != "pm":
-            left, right = node.args[k - 1], term.args[0] if term.op == "neg" else term
-            merged = negated(mul(left.args[0], right)) if left.op == "neg" else mul(left, right)
+        yield slip("extra term", ("{} too many", term), Add.of(*rest), 1.4)
+        if k and not isinstance(node.args[k - 1], PlusMinus) and not isinstance(term, PlusMinus):
+            left, right = node.args[k - 1], term.args[0] if isinstance(term, Neg) else term
+            merged = Neg.of(Mul.of(left.args[0], right)) if isinstance(left, Neg) else Mul.of(left, right)
             yield slip(
                 "product",
                 ("a sign between {} and {} where they are multiplied", left, right),
-                add(*node.args[: k - 1], merged, *node.args[k + 1 :]),
+                Add.of(*node.args[: k - 1], merged, *node.args[k + 1 :]),
                 1.1,
             )

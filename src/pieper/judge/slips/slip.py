@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
-from pieper.algebra.tree import Node, replaced, replaced_everywhere
+from pieper.algebra.expression import Expr
+from pieper.algebra.formula import replaced, replaced_everywhere
 
 KINDS = {
     "sign": "a sign",
@@ -43,19 +45,19 @@ class Slip:
     """
 
     kind: str
-    words: tuple
-    root: Node
+    words: tuple[Any, ...]
+    root: Expr
     path: tuple[int, ...] | None
-    new: Node
+    new: Expr
     cost: float
-    old: Node | None = None
+    old: Expr | None = None
 
     @cached_property
-    def tree(self) -> Node:
+    def tree(self) -> Expr:
         """The formula with the slip undone."""
-        if self.path is None:
-            return replaced_everywhere(self.root, {self.old: self.new})
-        return replaced(self.root, self.path, self.new)
+        if self.path is not None:
+            return replaced(self.root, self.path, self.new)
+        return replaced_everywhere(self.root, {id(self.old): self.new})
 
     @property
     def says(self) -> str:
@@ -63,6 +65,6 @@ class Slip:
         return self.words[0].format(*map(_short, self.words[1:]))
 
 
-def _short(node: Node) -> str:
+def _short(node: Expr) -> str:
     text = str(node)
     return text if len(text) <= 48 else text[:45] + "..."

@@ -10,11 +10,9 @@ from pieper import _kernel
 from pieper.errors import PlanError
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
+from pieper.solver.families.family import Family, KernelSpec
 from pieper.solver.families.loop import full_rank
-from pieper.solver.families.spec import KernelSpec
 from pieper.tolerances import GEOMETRY_EXACT
-
-KIND = "general"
 
 #: The kernel's order of trials: six starts of the loop, two directions, two orders of the pair.
 _DIRECTIONS = ("forward", "backward")
@@ -59,11 +57,11 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     """
     slides = int(chain.prismatic.sum())
     links, scale = slid(chain)
-    params, trials, usable = _kernel.general_model(links, chain.prismatic.astype(np.uint8), scale)
-    ways = _ways(trials)
-    if usable == 0 or not full_rank(chain):
-        geometry = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
-        raise PlanError(_reason(chain, slides), geometry=geometry, ways=ways)
+    geometry = _kernel.General(links=links, slides=chain.prismatic, scale=scale)
+    ways = _ways(geometry.trials)
+    if geometry.usable == 0 or not full_rank(chain):
+        found = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
+        raise PlanError(_reason(chain, slides), geometry=found, ways=ways)
     exact = [way for way in ways if way["rank"] == 1]
     if slides == 3:
         best = {"hidden_joint": None, "direction": "closed form", "noise": 0.0}
@@ -72,7 +70,7 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     else:
         best = {"hidden_joint": None, "direction": "a nearby arm's solutions, polished", "noise": 1.0}
     info = {
-        "usable": usable,
+        "usable": geometry.usable,
         "certified": slides == 3 or bool(exact),
         "hidden_joint": best["hidden_joint"],
         "direction": best["direction"],
@@ -81,7 +79,20 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
         "scale": scale,
         "max_solutions": {0: 16, 1: 16, 2: 8}.get(slides, 2),
     }
-    return KernelSpec(kind=KIND, max_solutions=16, params=params, info=info)
+    return KernelSpec(geometry, info)
+
+
+FAMILY = Family(
+    name="general",
+    arrangement="no special arrangement that a closed form could use",
+    words=(
+        "Five of the six joints are eliminated (Raghavan and Roth, 1993); the roots of the remaining "
+        "equation, of degree sixteen at most, are found as eigenvalues, and each gives the other joints."
+    ),
+    match=match,
+    prepare=prepare,
+    eliminating=True,
+)
 
 
 def _ways(trials: np.ndarray) -> tuple[dict, ...]:

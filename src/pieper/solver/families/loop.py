@@ -29,11 +29,6 @@ def centred(chain: Chain, first: int) -> np.ndarray:
     return links
 
 
-def packed(chain: Chain, links: np.ndarray) -> np.ndarray:
-    """Return length, true links and the family's links in one row."""
-    return np.concatenate([[chain.length], np.ravel(chain.links), np.ravel(links)])
-
-
 #: Postures of no special kind (rad, or lengths of the arm): what an arm can do, it can do at one of them.
 _POSTURES = np.array(
     [

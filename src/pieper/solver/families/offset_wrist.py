@@ -6,13 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
-from pieper.solver.families.hidden_angle import general_model, with_head
+from pieper.solver.families.family import Family, KernelSpec
+from pieper.solver.families.hidden_angle import general_model
 from pieper.solver.families.loop import full_rank
-from pieper.solver.families.spec import KernelSpec
-
-KIND = "offset_wrist"
 
 #: Offsets and twists (per length; rad) up to which the two sides of the arm are taken for alike, and from which they
 #: are taken for different. Between the two every root is nearly double: such an arm goes to the general solver.
@@ -56,7 +55,7 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
 
 def _sides(numbers: dict) -> bool | None:
     """Return whether the arm's two sides are alike, None where that is hard to tell."""
-    apart = max(abs(numbers["shoulder"]), abs(numbers["lateral"]), abs(numbers["lean"][1]), abs(numbers["tilt"][1]))
+    apart = max(abs(numbers["shoulder"]), abs(numbers["lateral"]), abs(numbers["lean_s"]), abs(numbers["tilt_s"]))
     if apart <= ALIKE:
         return True
     return False if apart >= DIFFERENT else None
@@ -73,23 +72,17 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     seen = chain.reversed() if found.backward else chain
     numbers = _measured(seen)
     even = bool(_sides(numbers))
-    shoulder = 0.0 if even else numbers["shoulder"]
-    lateral = 0.0 if even else numbers["lateral"]
-    arm = np.concatenate(
-        [
-            [seen.length],
-            *(np.ravel(numbers[name]) for name in ("to_base", "base", "from_tool", "sixth", "lever", "lever_turned")),
-            *(np.ravel(numbers[name]) for name in ("fifth", "axis6")),
-            [shoulder, lateral, numbers["upper"], numbers["fore"]],
-            *(numbers[name] for name in ("elbow", "forearm", "lean", "tilt")),
-            [numbers["bend"], numbers["sense3"]],
-            *(numbers[name] for name in ("axis4", "across4", "over4", "across5", "over5")),
-        ]
-    )
+    if even:
+        numbers.update(shoulder=0.0, lateral=0.0)
     return KernelSpec(
-        kind=f"{KIND}_alike" if even else KIND,
-        max_solutions=16,
-        params=with_head(seen, arm, backward=found.backward, spare=general_model(chain)),
+        _kernel.OffsetWrist(
+            length=seen.length,
+            links=seen.links,
+            backward=found.backward,
+            alike=even,
+            general=general_model(chain),
+            **numbers,
+        ),
         info={
             "degree": 8 if even else 16,
             "two_solutions_a_root": even,
@@ -97,6 +90,21 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
             "meeting_margin_m": found.margin,
         },
     )
+
+
+FAMILY = Family(
+    name="offset_wrist",
+    arrangement="parallel second and third axes and a wrist of which only two neighbouring axes meet",
+    words=(
+        "With the last joint's angle chosen, the point where axes 4 and 5 meet is known, and with it shoulder"
+        " and elbow: two sides, two shapes of the triangle. That axes 4 and 5 meet under their own angle is "
+        "then one equation for the last joint, a trigonometric polynomial, of which every real root is "
+        "isolated."
+    ),
+    match=match,
+    prepare=prepare,
+    eliminating=True,
+)
 
 
 def _measured(chain: Chain) -> dict:
@@ -138,10 +146,14 @@ def _measured(chain: Chain) -> dict:
         "lateral": float(meeting[1]),
         "upper": float(upper),
         "fore": float(fore),
-        "elbow": elbow,
-        "forearm": forearm,
-        "lean": lean,
-        "tilt": tilt,
+        "elbow_c": elbow[0],
+        "elbow_s": elbow[1],
+        "fore_c": forearm[0],
+        "fore_s": forearm[1],
+        "lean_c": lean[0],
+        "lean_s": lean[1],
+        "tilt_c": tilt[0],
+        "tilt_s": tilt[1],
         "bend": float(axes[3] @ axes[4]),
         "sense3": 1.0 if u[2] @ u[1] > 0 else -1.0,
         "axis4": axes[3],

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from pieper.kinematics.chain import Chain
@@ -13,7 +15,29 @@ _POSES = 24
 _RANK_ONE = 1e-11
 
 
-def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tuple[int, int, int]:
+def group(chain: Chain, links: np.ndarray, first: int, plane: bool) -> dict[str, Any]:
+    """Return what the kernels of the two families of groups are told of an arm: the fields of their geometry.
+
+    Args:
+        chain: The arm.
+        links: (7, 4, 4) of the loop, m.
+        first: First joint (0-based) of the wrist or the plane.
+        plane: Whether the group is a plane or a wrist.
+    """
+    hide_c, first_c, apart = pair_order(chain, links, first, plane)
+    return {
+        "length": chain.length,
+        "links": chain.links,
+        "loop": links,
+        "slides": chain.prismatic,
+        "first": first,
+        "hide_c": hide_c,
+        "first_c": first_c,
+        "apart": apart,
+    }
+
+
+def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tuple[bool, bool, bool]:
     """Return (hide_c, first_c, apart) for the pair M f(a) + N f(c) = e that the three joints beside a group obey.
 
     The choice is a vote over random poses; it is one for all poses so that a solution keeps its slot along a path.
@@ -26,7 +50,7 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
 
     Returns:
         Whether the quartic is in c, whether c comes first where the equations fall apart, and whether they do so at
-        every pose (M or N is of rank one, so that a combination of the equations holds one joint alone), as 0 or 1.
+        every pose (M or N is of rank one, so that a combination of the equations holds one joint alone).
     """
     rng = np.random.default_rng(11)
     scaled = np.array(links)
@@ -51,7 +75,7 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
     good_m, good_n = 2 * hide_c >= _POSES, 2 * first_c >= _POSES
     if rank_one.any() and not rank_one.all():
         good_n = rank_one[0]  # M alone falls apart: c can be had first, and the other way round
-    return int(good_m), int(good_n), int(rank_one.any())
+    return bool(good_m), bool(good_n), bool(rank_one.any())
 
 
 def _motion(x: float, slides: bool) -> np.ndarray:

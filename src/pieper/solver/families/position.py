@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import jacobian
 from pieper.kinematics.geometry import Geometry
+from pieper.solver.families.family import KernelSpec
 from pieper.solver.families.loop import rank
-from pieper.solver.families.spec import KernelSpec
 
 
 def match(chain: Chain, geometry: Geometry | None) -> bool | None:
@@ -21,10 +22,9 @@ def match(chain: Chain, geometry: Geometry | None) -> bool | None:
 
 def prepare(chain: Chain, found: bool) -> KernelSpec:
     """Return the numbers of the kernel for Za A Zb B Zc p = g: at most four solutions, by a quartic or quadratics."""
-    params = np.concatenate([[chain.length], np.ravel(chain.links)])
-    return KernelSpec("position3", 4, params, chain.prismatic.astype(np.int32))
+    return KernelSpec(_kernel.Position3(length=chain.length, links=chain.links, slides=chain.prismatic))
 
 
 def prepare_orientation(chain: Chain) -> KernelSpec:
     """Return the numbers of the kernel for three revolute axes' orientation alone: at most two solutions."""
-    return KernelSpec("orientation3", 2, np.concatenate([[1.0], np.ravel(chain.links)]), np.zeros(3, np.int32))
+    return KernelSpec(_kernel.Orientation3(links=chain.links))

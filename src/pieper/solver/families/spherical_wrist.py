@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
+from pieper import _kernel
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
-from pieper.solver.families.loop import centred, packed, positioning_rank
-from pieper.solver.families.pairs import pair_order
-from pieper.solver.families.spec import KernelSpec
-
-KIND = "spherical_wrist"
+from pieper.solver.families.family import Family, KernelSpec
+from pieper.solver.families.loop import centred, positioning_rank
+from pieper.solver.families.pairs import group
 
 
 @dataclass(frozen=True)
@@ -51,11 +48,18 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     """
     links = centred(chain, found.first)
     return KernelSpec(
-        kind=KIND,
-        max_solutions=8,
-        params=packed(chain, links),
-        iparams=np.array(
-            [*chain.prismatic, found.first, 1, 1, 1, *pair_order(chain, links, found.first, False)], np.int32
-        ),
+        _kernel.SphericalWrist(**group(chain, links, found.first, False)),
         info={"wrist": tuple(range(found.first + 1, found.first + 4)), "margin_m": found.margin},
     )
+
+
+FAMILY = Family(
+    name="spherical_wrist",
+    arrangement="three neighbouring axes that meet in one point",
+    words=(
+        "The point where they meet depends on the other three joints alone: a positioning problem with at "
+        "most four solutions. The three meeting axes then turn the tool, in at most two ways each."
+    ),
+    match=match,
+    prepare=prepare,
+)

@@ -6,16 +6,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
-from pieper.solver.families.spec import KernelSpec
-
-KIND = "spherical_wrist_parallel"
+from pieper.solver.families.family import Family, KernelSpec
 
 #: What each slot of the kernel means; the words of a posture are read off its geometry (see inverse/posture.py).
 SLOTS = tuple(
     f"shoulder {side}, elbow {elbow}, wrist {wrist}" for side in "+-" for elbow in ("above", "below") for wrist in "+-"
 )
+
+
+#: Numbers this small beside one, or beside the arm's size, are what rounding left of a zero.
+ZERO = 1e-16
 
 
 @dataclass(frozen=True)
@@ -89,27 +92,47 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     a1, b = (B @ (p[1] - origin))[0], (B @ (center - origin))[1]
     center_in_tool = tool.T @ chain.home[:3, :3].T @ (center - chain.home[:3, 3])
     scale = L2 + L3 + abs(a1) + abs(b) + np.linalg.norm(center_in_tool) + np.linalg.norm(origin)
-    params = np.concatenate(
-        [
-            B.ravel(),
-            tool.ravel(),
-            -B @ origin,
-            center_in_tool,
-            [a1, b, L2, L3],
-            [np.cos(psi), np.sin(psi), np.cos(tau), np.sin(tau)],
-            [offset2, forearm - offset2, offset4, offset5, sign3],
-            [np.cos(offset4), np.sin(offset4), scale],
-        ]
-    )
-    params = np.where(np.abs(params) < 1e-16 * max(1.0, scale), 0.0, params)
+    numbers = {
+        "base": B,
+        "tool": tool,
+        "origin": -B @ origin,
+        "centre": center_in_tool,
+        "a1": a1,
+        "b": b,
+        "upper": L2,
+        "fore": L3,
+        "cos_psi": np.cos(psi),
+        "sin_psi": np.sin(psi),
+        "cos_tau": np.cos(tau),
+        "sin_tau": np.sin(tau),
+        "offset2": offset2,
+        "offset3": forearm - offset2,
+        "offset4": offset4,
+        "offset5": offset5,
+        "sign3": sign3,
+        "cos_offset4": np.cos(offset4),
+        "sin_offset4": np.sin(offset4),
+        "scale": scale,
+    }
+    rounding = ZERO * max(1.0, scale)
+    clean = {name: np.where(np.abs(value) < rounding, 0.0, value) for name, value in numbers.items()}
     return KernelSpec(
-        kind=KIND,
-        max_solutions=8,
-        params=params,
-        iparams=np.array([tilted], np.int32),
+        _kernel.SphericalWristParallel(**clean, tilted=tilted),
         info={"wrist_margin_m": found.margin, "angle_margin_rad": found.angle, "upper_arm_m": L2, "forearm_m": L3},
         slot_labels=SLOTS,
     )
+
+
+FAMILY = Family(
+    name="spherical_wrist_parallel",
+    arrangement="a spherical wrist and parallel second and third axes",
+    words=(
+        "The wrist centre fixes the first three joints: two ways to face it, two ways to bend the elbow. The "
+        "last three then turn the tool, in two ways."
+    ),
+    match=match,
+    prepare=prepare,
+)
 
 
 def _meeting_point(axes: np.ndarray, points: np.ndarray) -> np.ndarray:

@@ -6,14 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
 from pieper.kinematics.newton import scaled_jacobian
-from pieper.solver.families.loop import full_rank, packed, planar, rank
-from pieper.solver.families.pairs import pair_order
-from pieper.solver.families.spec import KernelSpec
-
-KIND = "three_parallel"
+from pieper.solver.families.family import Family, KernelSpec
+from pieper.solver.families.loop import full_rank, planar, rank
+from pieper.solver.families.pairs import group
 
 
 @dataclass(frozen=True)
@@ -72,11 +71,18 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     """
     links, sense = planar(chain, found.first, np.array(found.normal))
     return KernelSpec(
-        kind=KIND,
-        max_solutions=8,
-        params=packed(chain, links),
-        iparams=np.array(
-            [*chain.prismatic, found.first, *sense, *pair_order(chain, links, found.first, True)], np.int32
-        ),
+        _kernel.ThreeParallel(**group(chain, links, found.first, True), sense=sense),
         info={"plane": tuple(range(found.first + 1, found.first + 4)), "margin_rad": found.margin},
     )
+
+
+FAMILY = Family(
+    name="three_parallel",
+    arrangement="three neighbouring parallel axes",
+    words=(
+        "The parallel joints move within a plane; what happens across that plane fixes the other joints, and "
+        "a two-link triangle in it fixes the three."
+    ),
+    match=match,
+    prepare=prepare,
+)

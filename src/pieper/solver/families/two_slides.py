@@ -6,19 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import Geometry
-from pieper.solver.families.hidden_angle import general_model, with_head
+from pieper.solver.families.family import Family, KernelSpec
+from pieper.solver.families.hidden_angle import general_model
 from pieper.solver.families.loop import full_rank
-from pieper.solver.families.spec import KernelSpec
-from pieper.solver.native import SixJointSolver
-
-KIND = "two_slides"
 
 #: Test poses a turning joint is tried on as the hidden one, and the share of them that may stay unclear.
 TRIALS, MOST_UNCLEAR = 48, 0.3
-_UNLIMITED = np.tile([-np.inf, np.inf], (6, 1))
 
 
 @dataclass(frozen=True)
@@ -41,14 +38,14 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
     rng = np.random.default_rng(5)
     made = np.where(chain.prismatic, chain.length, np.pi) * rng.uniform(-1, 1, (TRIALS, 6))
     poses = fk(chain, made)
-    tried = []
+    tried, free = [], np.tile([-np.inf, np.inf], (6, 1))
     for hidden in np.flatnonzero(~chain.prismatic):
-        alone = KernelSpec(kind=KIND, max_solutions=8, params=with_head(chain, _arm(chain, int(hidden))))
-        q, valid, _, flag = SixJointSolver(chain, alone, _UNLIMITED).many(poses, 1)
+        alone = KernelSpec(_geometry(chain, (int(hidden),), None))
+        q, valid, _, flag = alone.solver(free, chain.prismatic).many(poses, 1)
         gap = q - made[:, None]
         gap = np.where(chain.prismatic, gap / chain.length, (gap + np.pi) % (2 * np.pi) - np.pi)
         found = ((np.abs(gap).max(-1) < 1e-6) & valid).any(1)
-        clear = (flag & 2) == 0
+        clear = (flag & _kernel.Flag.UNCERTAIN) == 0
         if np.all(found | ~clear) and np.mean(~clear) <= MOST_UNCLEAR:
             tried.append((float(np.mean(~clear)), int(hidden)))
     tried.sort()
@@ -64,9 +61,7 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     decides is solved by the general solver.
     """
     return KernelSpec(
-        kind=KIND,
-        max_solutions=8,
-        params=with_head(chain, *(_arm(chain, hidden) for hidden in found.hidden), spare=general_model(chain)),
+        _geometry(chain, found.hidden, general_model(chain)),
         info={
             "degree": 8,
             "hidden_joint": found.hidden[0] + 1,
@@ -76,5 +71,21 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     )
 
 
-def _arm(chain: Chain, hidden: int) -> np.ndarray:
-    return np.concatenate([[chain.length, float(hidden)], chain.prismatic.astype(float), np.ravel(chain.links)])
+FAMILY = Family(
+    name="two_slides",
+    arrangement="two sliding joints, which turn nothing, so that the four turning ones alone make the orientation",
+    words=(
+        "With the angle of one turning joint chosen, the other three follow like a wrist, in two ways; the "
+        "slides must undo what is then left along their two directions. That is one equation for the chosen "
+        "angle, a trigonometric polynomial, of which every real root is isolated."
+    ),
+    match=match,
+    prepare=prepare,
+    eliminating=True,
+)
+
+
+def _geometry(chain: Chain, hidden: tuple[int, ...], general: _kernel.General | None) -> _kernel.TwoSlides:
+    return _kernel.TwoSlides(
+        length=chain.length, links=chain.links, slides=chain.prismatic, hidden=hidden, general=general
+    )

@@ -7,16 +7,17 @@ determinants have the same sign and for a path between them on which the determi
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
-from pieper.kinematics.newton import scaled_jacobian
-from pieper.solver.plan.plan import Plan
+from pieper.kinematics.joints import TURN
+from pieper.kinematics.newton import determinant
 from pieper.solver.plan.six_joints import sample_joints
-from pieper.solver.results import TURN
 
 #: Poses tried, shapes of path for each pair of solutions, points first checked on a path, pairs tried at the most.
 POSES, DETOURS, POINTS, PAIRS = 40, 40, 65, 120
@@ -36,7 +37,7 @@ class Cuspidal:
     """
 
     found: bool
-    path: np.ndarray
+    path: Array
     margin: float
     tried: int
 
@@ -52,32 +53,36 @@ class Cuspidal:
         return f"no singularity-free path between two solutions was found in {self.tried} tries"
 
 
-def search(plan: Plan, *, seed: int = 0, poses: int = POSES) -> Cuspidal:
+def never(joints: int) -> Cuspidal:
+    """Return the finding for arms whose det J is a product of a shoulder, an elbow and a wrist factor.
+
+    Each pair of branches differs in the sign of one of them: no search can find what cannot be.
+    """
+    return Cuspidal(False, np.empty((0, joints)), 0.0, 0)
+
+
+def search(
+    chain: Chain, solve: Callable[[Array], tuple[Array, Bools]], *, seed: int = 0, poses: int = POSES
+) -> Cuspidal:
     """Look for a singularity-free path between two solutions of one pose of a six-joint arm.
 
     Args:
-        plan: A plan for six joints and a full pose.
+        chain: An arm of six joints.
+        solve: Maps poses (N, 4, 4) to rows (N, M, 6) and which of them are solutions (N, M).
         seed: Seed of the random poses.
         poses: Number of poses tried.
 
     Returns:
         The finding; `found` False is no proof that there is none.
     """
-    from pieper.solver.verbs import ik_many
-
-    if plan.family == "spherical_wrist_parallel":
-        # det J is a product of a shoulder, an elbow and a wrist factor, and each pair of branches differs in the sign
-        # of one of them: no search can find what cannot be
-        return Cuspidal(False, np.empty((0, plan.n)), 0.0, 0)
-    chain = plan.chain
     q = sample_joints(chain, poses, seed=seed)
     largest = float(np.abs(determinant(chain, sample_joints(chain, 400, seed=seed + 1))).max())
-    batch = ik_many(plan, fk(chain, q), 1)
+    solutions, valid = solve(fk(chain, q))
     rng = np.random.default_rng(seed)
     tried = 0
-    best: tuple[float, np.ndarray] | None = None
+    best: tuple[float, Array] | None = None
     for i in range(poses):
-        rows = batch.q[i][batch.valid[i]]
+        rows = solutions[i][valid[i]]
         signs = np.sign(determinant(chain, rows))
         for a in range(len(rows)):
             for b in range(a):
@@ -90,19 +95,16 @@ def search(plan: Plan, *, seed: int = 0, poses: int = POSES) -> Cuspidal:
         if best is not None or tried >= PAIRS:
             break
     if best is None:
-        return Cuspidal(False, np.empty((0, plan.n)), 0.0, tried)
+        return Cuspidal(False, np.empty((0, chain.n)), 0.0, tried)
     return Cuspidal(True, best[1], best[0], tried)
 
 
-def determinant(chain: Chain, q: np.ndarray) -> np.ndarray:
-    """Return the determinants (...) of the Jacobian without units at q (..., 6)."""
-    return np.linalg.det(scaled_jacobian(chain, q))
-
-
-def _connect(chain, a, b, sign, largest, rng) -> tuple[float, np.ndarray] | None:
+def _connect(
+    chain: Chain, a: Array, b: Array, sign: float, largest: float, rng: np.random.Generator
+) -> tuple[float, Array] | None:
     """Try straight and bent paths, the short way round and the long, for one that keeps the determinant's sign."""
     s = np.linspace(0.0, 1.0, POINTS)[:, None]
-    gap = np.where(chain.prismatic, b - a, (b - a + np.pi) % TURN - np.pi)
+    gap = chain.joints.way(b, a)
     straight = a + s * gap
     bumps = rng.standard_normal((DETOURS, 1, chain.n)) * np.linspace(0.0, 1.6, DETOURS)[:, None, None]
     turns = rng.integers(-1, 2, (DETOURS, 1, chain.n)) * (rng.uniform(size=(DETOURS, 1, chain.n)) < 0.2)

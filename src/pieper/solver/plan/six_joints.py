@@ -8,14 +8,16 @@ come out as zero. An arm that can do more has joints locked at chosen values.
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk, jacobian
-from pieper.kinematics.newton import scaled_jacobian
+from pieper.kinematics.forward import fk
+from pieper.kinematics.newton import scaled_jacobian, singular_values
 from pieper.kinematics.pose import inverse, rotation_about, transform
 
 TASKS = ("pose", "position", "position+axis")
@@ -38,7 +40,7 @@ def with_task_joints(chain: Chain, task: str) -> Chain:
     return chain
 
 
-def appended(chain: Chain, joints: list[tuple[np.ndarray, bool]], last: np.ndarray | None = None) -> Chain:
+def appended(chain: Chain, joints: Sequence[tuple[Array, bool]], last: Array | None = None) -> Chain:
     """Return the chain with virtual joints at the tool; at zero they change nothing but `last`.
 
     Args:
@@ -56,7 +58,7 @@ def appended(chain: Chain, joints: list[tuple[np.ndarray, bool]], last: np.ndarr
     return Chain.of(np.stack(links), np.concatenate([chain.prismatic, [p for _, p in joints]]))
 
 
-def sample_joints(chain: Chain, count: int, seed: int = 1) -> np.ndarray:
+def sample_joints(chain: Chain, count: int, seed: int = 1) -> Array:
     """Return generic joint vectors (count, n): angles over the whole turn, prismatic over the arm's length.
 
     Multiples of square roots of primes (Weyl's sequence) spread evenly and are the same every time, and spare the
@@ -81,7 +83,7 @@ def generic_rank(chain: Chain) -> int:
     """Return how many things the arm can do at once: the rank of its Jacobian away from singular postures."""
     # without base and tool: how far away they are changes the numbers but not the rank
     bare = chain.section(0, chain.n - 1)
-    s = np.linalg.svd(scaled_jacobian(bare, sample_joints(chain, 12)), compute_uv=False)
+    s = singular_values(bare, sample_joints(chain, 12))
     return int(np.max(np.sum(s > RANK * s[:, :1], axis=1)))
 
 
@@ -118,7 +120,7 @@ class Reduction:
     task: str
     full: Chain
     locked: tuple[int, ...]
-    fill: tuple[tuple[np.ndarray, bool], ...]
+    fill: tuple[tuple[Array, bool], ...]
 
     @property
     def trivial(self) -> bool:
@@ -126,7 +128,7 @@ class Reduction:
         return self.full is self.arm and not self.locked and not self.fill
 
     @cached_property
-    def kept(self) -> np.ndarray:
+    def kept(self) -> Indices:
         """Joints of full that are solved for."""
         return np.setdiff1d(np.arange(self.full.n), self.locked)
 
@@ -141,28 +143,28 @@ class Reduction:
             return first, tail
         return None
 
-    def with_locked(self, values: np.ndarray) -> Chain:
+    def with_locked(self, values: Array) -> Chain:
         """Return full with the locked joints held at values (k,), nothing filled."""
         chain = self.full
         for joint, value in sorted(zip(self.locked, values, strict=True), reverse=True):
             chain = chain.locked(joint, float(value))
         return chain
 
-    def six(self, values: np.ndarray) -> Chain:
+    def six(self, values: Array) -> Chain:
         """Return the six-joint chain for locked values (k,); with the locked joints at the ends it is one for all."""
         if self.at_ends is not None and self.locked:
             first, tail = self.at_ends
             links = self.full.links[first : self.full.n - tail + 1].copy()
             return Chain.of(links, self.full.prismatic[self.kept].copy())
         chain = self.with_locked(values)
-        return appended(chain, list(self.fill)) if self.fill else chain
+        return appended(chain, self.fill) if self.fill else chain
 
     @cached_property
-    def _back(self) -> np.ndarray:
+    def _back(self) -> Array:
         """Inverse links (n + 1, 4, 4) of full."""
         return inverse(self.full.links)
 
-    def moved_pose(self, T: np.ndarray, values: np.ndarray) -> np.ndarray:
+    def moved_pose(self, T: Array, values: Array) -> Array:
         """Return the poses (N, 4, 4) the six-joint chain must reach, locked values (N, k) at the ends taken off."""
         if self.at_ends is None or not self.locked:
             return T
@@ -212,7 +214,7 @@ def reduce(chain: Chain, task: str) -> list[Reduction]:
     return out
 
 
-def _choices(full: Chain, arm: Chain, J: np.ndarray, spare: int) -> list[tuple[int, ...]]:
+def _choices(full: Chain, arm: Chain, J: Array, spare: int) -> list[tuple[int, ...]]:
     """Return sets of joints worth locking: all of them for a few joints, a greedy good one for many."""
     if full.n <= 9 and spare <= 3:
         return list(itertools.combinations(range(full.n), spare))
@@ -230,7 +232,7 @@ def _choices(full: Chain, arm: Chain, J: np.ndarray, spare: int) -> list[tuple[i
     return [tuple(j for j in range(full.n) if j not in kept)]
 
 
-def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[np.ndarray, bool], ...]:
+def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[Array, bool], ...]:
     """Choose `count` virtual joints at the tool that make the chain able to do everything, well conditioned.
 
     Behind the virtual joints of a task they are tilted: along the tool's own axes they would be tangent to the arm's
@@ -246,13 +248,11 @@ def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[np.ndarray,
     # about, or slides along, an axis through the tool point
     tried = appended(chain, pool[:1])
     q = sample_joints(tried, 15, seed=2)[:, : chain.n]
-    J = jacobian(chain, q).copy()
-    J[:, :3] /= tried.length
-    J = np.where(chain.prismatic, J * tried.length, J)
+    J = scaled_jacobian(tried, np.pad(q, ((0, 0), (0, 1))))[..., : chain.n]
     axes = fk(chain, q)[:, :3, :3] @ np.array([R[:, 2] for R, _ in pool]).T  # postures, xyz, pool
     slides = np.array([p for _, p in pool])
     columns = np.concatenate([np.where(slides, axes, 0.0), np.where(slides, 0.0, axes)], 1)
-    chosen: list[tuple[np.ndarray, bool]] = []
+    chosen: list[tuple[Array, bool]] = []
     for _ in range(count):
         tables = np.concatenate([np.repeat(J[None], len(pool), 0), np.moveaxis(columns, 2, 0)[..., None]], -1)
         worst = np.sort(np.linalg.svd(tables, compute_uv=False)[..., -1], axis=1)
@@ -268,7 +268,7 @@ def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[np.ndarray,
     return tuple(chosen)
 
 
-def _taken_off(T: np.ndarray, values: np.ndarray, prismatic: bool, *, column: bool = False) -> np.ndarray:
+def _taken_off(T: Array, values: Array, prismatic: bool, *, column: bool = False) -> Array:
     """Return Z(values)^-1 T for poses (N, 4, 4), or Z(values)^T T when `column` (poses handed over transposed)."""
     out = np.array(T, order="K")
     if prismatic:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.armangle import STRETCHED, ArmAngle
-from pieper.kinematics.newton import pose_difference, scaled_jacobian
+from pieper.kinematics.arm_angle import STRETCHED, ArmAngle
+from pieper.kinematics.arrays import Array, Bits, Bools, Indices
+from pieper.kinematics.joints import short_way, wrapped
+from pieper.kinematics.newton import missed, pose_difference, scaled_jacobian, settled
 from pieper.kinematics.pose import rotation_about
-from pieper.solver.plan.nominal import distinct_rows
+from pieper.solver.kernel_rows import without_repeats
 from pieper.solver.plan.plan import Plan
-from pieper.solver.redundant.reduced import CLOSES
-from pieper.solver.redundant.sweep import Sweep, approached, sweep, unknown
-from pieper.solver.results import AT_ARM_ANGLE, NO_ARM_ANGLE, TURN, UNCERTAIN, inside_limits
+from pieper.solver.redundant.approach import from_anywhere
+from pieper.solver.redundant.sweep import Sweep, sweep, unknown
+from pieper.solver.rows import Flag, Rows
+from pieper.tolerances import CLOSES, TINY
 
 #: Newton steps onto pose and arm angle, and the longest of them, rad.
 STEPS, LONGEST = 25, 0.3
@@ -23,30 +26,26 @@ FREE_STARTS, AT_ENDS = 64, 8.0
 TOGETHER = 32
 
 
-def solve_at_arm_angle(
-    plan: Plan, T: np.ndarray, angles: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def rows_at_arm_angle(plan: Plan, angle: ArmAngle, T: Array, angles: Array) -> Rows:
     """Solve poses T (N, 4, 4) with the arm angle at angles (N,), rad.
 
     Returns:
-        q (N, M, 7), valid (N, M), in_limits (N, M), flag (N,), as the native solver's `many`; M is the arm angle's
-        `max_solutions`. Where the angle is undefined at a pose there are no rows, and the flag says so.
+        The rows, the arm angle's `max_solutions` a pose. Where the angle is undefined at a pose there are no rows, and
+        the flags say so.
     """
-    angle = plan.arm_angle
     if angle.spherical and not plan.snapped:
         q, valid, undefined = _closed_form(angle, T, angles)
-        flag = np.where(undefined, UNCERTAIN | NO_ARM_ANGLE, 0).astype(np.uint8)
+        flags = np.where(undefined, Flag.UNCERTAIN | Flag.NO_ARM_ANGLE, 0).astype(np.uint8)
     else:
-        parts = [by_sweep(plan, T[i : i + TOGETHER], angles[i : i + TOGETHER]) for i in range(0, len(T), TOGETHER)] or [
-            by_sweep(plan, T, angles)
-        ]
-        q, valid, flag = (np.concatenate(part) for part in zip(*parts, strict=True))
-    q = np.where(valid[..., None], np.pi - (np.pi - q) % TURN, 0.0)
-    q, inside = inside_limits(q, plan.limits, plan.prismatic)
-    return q, valid, inside & valid, flag | np.uint8(AT_ARM_ANGLE)
+        starts = range(0, max(len(T), 1), TOGETHER)
+        parts = [by_sweep(plan, angle, T[i : i + TOGETHER], angles[i : i + TOGETHER]) for i in starts]
+        q, valid = np.concatenate([part[0] for part in parts]), np.concatenate([part[1] for part in parts])
+        flags = np.concatenate([part[2] for part in parts])
+    q, inside = plan.chain.joints.inside_limits(np.where(valid[..., None], wrapped(q), 0.0), plan.limits)
+    return Rows(q, valid, inside & valid, flags | np.uint8(Flag.AT_ARM_ANGLE))
 
 
-def _closed_form(angle: ArmAngle, T: np.ndarray, angles: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _closed_form(angle: ArmAngle, T: Array, angles: Array) -> tuple[Array, Bools, Bools]:
     """Return rows (N, 8, 7), valid (N, 8) and whether the arm angle is undefined (N,) at poses T.
 
     The distance S-W gives two elbows. For each, the line S-W and the elbow's direction across it say how joints 1 to 3
@@ -78,36 +77,39 @@ def _closed_form(angle: ArmAngle, T: np.ndarray, angles: np.ndarray) -> tuple[np
     good = (ok4 & ~stretched & defined[:, None])[..., None, None] & ok1[..., :, None] & ok5[..., None, :]
     q, good = q.reshape(-1, 8, 7), good.reshape(-1, 8)
     undefined = ~defined | (ok4 & stretched).any(1)
-    return *_closing(angle, q, good, T, angles, x, y), undefined
+    q, good = _closing(angle, q, good, T, angles, x, y)
+    return q, good, undefined
 
 
-def _closing(angle, q, good, T, angles, x, y) -> tuple[np.ndarray, np.ndarray]:
+def _closing(
+    angle: ArmAngle, q: Array, good: Bools, T: Array, angles: Array, x: Array, y: Array
+) -> tuple[Array, Bools]:
     """Polish what does not close to rounding, and drop what does not close at all, and what repeats."""
-    error = np.linalg.norm(pose_difference(angle.chain, q, T[:, None]), axis=-1)
+    error = missed(angle.chain, q, T[:, None])
     pose, row = np.nonzero(good & (error > POLISH))
     if len(pose):
         q[pose, row], error[pose, row] = onto(angle, q[pose, row], T[pose], angles[pose], x[pose], y[pose])
     good = good & (error < CLOSES)
-    return q, distinct_rows(angle.chain, q, good)
+    return q, without_repeats(angle.chain, q, good)
 
 
-def by_sweep(plan: Plan, T: np.ndarray, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def by_sweep(plan: Plan, angle: ArmAngle, T: Array, wanted: Array) -> tuple[Array, Bools, Bits]:
     """Solve poses T (N, 4, 4) at arm angles wanted (N,) by searching each branch over the redundant joint for them.
 
     Returns:
         q (N, M, 7), valid (N, M) and flag bits (N,).
     """
-    angle, chain = plan.arm_angle, plan.chain
+    chain = plan.chain
     x, y, defined = angle.frame(T)
     q = np.zeros((len(T), angle.max_solutions, 7))
     valid, flag = np.zeros(q.shape[:2], bool), np.zeros(len(T), np.uint8)
-    flag[~defined] = UNCERTAIN | NO_ARM_ANGLE
+    flag[~defined] = Flag.UNCERTAIN | Flag.NO_ARM_ANGLE
     starts, of = [np.zeros((0, 7))], [np.zeros(0, int)]
-    free = approached(plan, T, FREE_STARTS)
+    free = from_anywhere(plan, T, FREE_STARTS)
     for i in np.flatnonzero(defined):
-        found, somewhere = _starts(plan, T[i], wanted[i], x[i], y[i], free[i])
+        found, somewhere = _starts(plan, angle, T[i], wanted[i], x[i], y[i], free[i])
         # there are solutions, but on none of them is the elbow off the line
-        flag[i] = 0 if somewhere or not len(found) else UNCERTAIN | NO_ARM_ANGLE
+        flag[i] = 0 if somewhere or not len(found) else Flag.UNCERTAIN | Flag.NO_ARM_ANGLE
         starts.append(found if somewhere else found[:0])
         of.append(np.full(len(starts[-1]), i))
     of = np.concatenate(of)
@@ -115,28 +117,30 @@ def by_sweep(plan: Plan, T: np.ndarray, wanted: np.ndarray) -> tuple[np.ndarray,
     good = (error < CLOSES) & angle.about(rows, x[of], y[of], defined[of])[1]
     for i in np.unique(of[good]):
         own = rows[good & (of == i)]
-        own = own[distinct_rows(chain, own[None], np.ones((1, len(own)), bool))[0]]
-        own = np.pi - (np.pi - own) % TURN
+        own = own[without_repeats(chain, own[None], np.ones((1, len(own)), bool))[0]]
+        own = wrapped(own)
         own = own[np.lexsort(np.round(own, 6).T[::-1])]
-        flag[i] |= UNCERTAIN if len(own) > q.shape[1] else 0
+        flag[i] |= Flag.UNCERTAIN if len(own) > q.shape[1] else 0
         own = own[: q.shape[1]]
         q[i, : len(own)], valid[i, : len(own)] = own, True
     return q, valid, flag
 
 
-def _starts(plan: Plan, T, wanted: float, x: np.ndarray, y: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, bool]:
+def _starts(
+    plan: Plan, angle: ArmAngle, T: Array, wanted: float, x: Array, y: Array, free: Array
+) -> tuple[Array, bool]:
     """Return rows (m, 7) of one pose from which Newton's method is to set out, and whether any has an arm angle."""
     swept = sweep(plan, T, 0, plan.defaults)
-    now, known = plan.arm_angle.about(swept.q, x, y, np.ones((), bool))
-    off = np.where(known, (now - wanted + np.pi) % TURN - np.pi, 0.0)
+    now, known = angle.about(swept.q, x, y, np.ones((), bool))
+    off = np.where(known, short_way(now - wanted), 0.0)
     free = unknown(plan, swept, 0, free)
-    has = plan.arm_angle.about(free, x, y, np.ones((), bool))[1]
+    has = angle.about(free, x, y, np.ones((), bool))[1]
     if not (swept.valid & known).any() and not has.any():
         return np.concatenate([swept.q[swept.valid], free]), False
     return np.concatenate([swept.q[swept.valid & known & _may_cross(swept, off)], free[has]]), True
 
 
-def _may_cross(swept: Sweep, off: np.ndarray) -> np.ndarray:
+def _may_cross(swept: Sweep, off: Array) -> Bools:
     """Return (V, M): rows from which the wanted angle may be reached before the next slice, either way.
 
     That is so where the angle passes the wanted one before the next slice; where it comes near and turns back, which
@@ -145,7 +149,7 @@ def _may_cross(swept: Sweep, off: np.ndarray) -> np.ndarray:
     change = [np.full_like(off, np.nan), np.full_like(off, np.nan)]
     for side, here, there, links in ((0, off[:-1], off[1:], swept.after), (1, off[1:], off[:-1], swept.before)):
         beyond = np.take_along_axis(there, np.maximum(links, 0), 1)
-        step = (beyond - here + np.pi) % TURN - np.pi
+        step = short_way(beyond - here)
         change[side][slice(None, -1) if side == 0 else slice(1, None)] = np.where(links >= 0, step, np.nan)
     ahead, before = change
     passes = off * (off + ahead) <= 0
@@ -156,38 +160,27 @@ def _may_cross(swept: Sweep, off: np.ndarray) -> np.ndarray:
     return passes | turns | ends
 
 
-def onto(
-    angle: ArmAngle, q: np.ndarray, T: np.ndarray, wanted: np.ndarray, x: np.ndarray, y: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def onto(angle: ArmAngle, q: Array, T: Array, wanted: Array, x: Array, y: Array) -> tuple[Array, Array]:
     """Move joint vectors q (m, 7) onto poses T and arm angles (m,) by Newton steps; also return what is left (m,)."""
     chain = angle.chain
-    q = np.array(q)
-    best, least = q.copy(), np.full(len(q), np.inf)
-    active = np.arange(len(q))
-    for _ in range(STEPS):
-        at, Ts, xs, ys = q[active], T[active], x[active], y[active]
-        now, known = angle.about(at, xs, ys, np.ones(len(at), bool))
-        gap = np.where(known, (wanted[active] - now + np.pi) % TURN - np.pi, 1.0)
-        e = np.concatenate([pose_difference(chain, at, Ts), gap[:, None]], -1)
-        size = np.linalg.norm(e, axis=-1)
-        better = size < least[active]
-        best[active[better]], least[active[better]] = at[better], size[better]
-        go = (size > 2e-15) & known
-        # what is at rounding and comes no nearer is done
-        go &= better | (size > 1e-14)
-        active, at, e = active[go], at[go], e[go]
-        if not len(active):
-            break
-        A = np.concatenate([scaled_jacobian(chain, at), angle.gradient(at, xs[go], ys[go])[:, None]], 1)
-        # a millionth of a millionth keeps it solvable where pose and angle do not fix the joints
-        A += 1e-12 * np.eye(7)
-        step = np.linalg.solve(A, e[..., None])[..., 0]
-        length = np.linalg.norm(step, axis=-1, keepdims=True)
-        q[active] = at + step * np.minimum(1.0, LONGEST / np.maximum(length, 1e-300))
-    return best, least
+
+    def miss(at: Array, index: Indices) -> Array:
+        now, known = angle.about(at, x[index], y[index], np.ones(len(at), bool))
+        gap = np.where(known, short_way(wanted[index] - now), np.inf)
+        return np.concatenate([pose_difference(chain, at, T[index]), gap[:, None]], -1)
+
+    def slope(at: Array, index: Indices) -> Array:
+        return np.concatenate([scaled_jacobian(chain, at), angle.gradient(at, x[index], y[index])[:, None]], 1)
+
+    return settled(miss, slope, q, chain.joints.unit, steps=STEPS, longest=LONGEST, step=_square)
 
 
-def _two(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _square(A: Array, e: Array) -> Array:
+    # a millionth of a millionth keeps it solvable where pose and angle do not fix the joints
+    return np.linalg.solve(A + 1e-12 * np.eye(7), e[..., None])[..., 0]
+
+
+def _two(a: Array, b: Array, c: Array) -> tuple[Array, Bools]:
     """Return the two angles (..., 2) with a cos + b sin = c, and whether they are real (..., 2)."""
     size = np.hypot(a, b)
     real = np.abs(c) <= size * (1 + 1e-13)
@@ -196,7 +189,7 @@ def _two(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> tuple[np.ndarray, np.nd
     return np.stack([middle + half, middle - half], -1), np.stack([real & (size > 0)] * 2, -1)
 
 
-def _three_turns(u1: np.ndarray, u2: np.ndarray, u3: np.ndarray, R: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _three_turns(u1: Array, u2: Array, u3: Array, R: Array) -> tuple[Array, Bools]:
     """Return the two ways (..., 2, 3) in which turns about three axes in turn make R, and whether real (..., 2).
 
     Where the outer axes line up, only the sum of their turns counts, and the first is zero.
@@ -220,7 +213,7 @@ def _three_turns(u1: np.ndarray, u2: np.ndarray, u3: np.ndarray, R: np.ndarray) 
     return np.stack([q1, q2, q3], -1), real
 
 
-def _about(axis: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+def _about(axis: Array, start: Array, end: Array) -> Array:
     """Return the angles (...) about an axis that bring start nearest to end (..., 3); zero where both lie along it."""
     # what is across the axis first: it may be small, and differences of products of the whole would lose it
     a, b = np.cross(axis, start), np.cross(axis, end)
@@ -229,14 +222,14 @@ def _about(axis: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
     return np.where(none, 0.0, np.arctan2(np.cross(a, b) @ axis, np.sum(a * b, -1)))
 
 
-def _across(line: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _across(line: Array, v: Array) -> tuple[Array, Array]:
     """Return v's part across lines (..., 3) and its size."""
-    part = v - (line @ v / np.maximum(np.sum(line * line, -1), 1e-300))[..., None] * line
+    part = v - (line @ v / np.maximum(np.sum(line * line, -1), TINY))[..., None] * line
     return part, np.linalg.norm(part, axis=-1)
 
 
-def _frame(line: np.ndarray, across: np.ndarray) -> np.ndarray:
+def _frame(line: Array, across: Array) -> Array:
     """Return rotations (..., 3, 3) whose columns stand along lines, along what is across them, and along the normal."""
-    first = line / np.maximum(np.linalg.norm(line, axis=-1, keepdims=True), 1e-300)
-    second = across / np.maximum(np.linalg.norm(across, axis=-1, keepdims=True), 1e-300)
+    first = line / np.maximum(np.linalg.norm(line, axis=-1, keepdims=True), TINY)
+    second = across / np.maximum(np.linalg.norm(across, axis=-1, keepdims=True), TINY)
     return np.stack([first, second, np.cross(first, second)], -1)

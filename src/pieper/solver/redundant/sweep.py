@@ -6,13 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import pose_difference, scaled_jacobian
+from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.pose import stepped
+from pieper.solver.arm_rows import arm_rows, full_rows
 from pieper.solver.plan.plan import Plan
-from pieper.solver.plan.six_joints import sample_joints
-from pieper.solver.redundant.reduced import full_rows, solve_reduced
-from pieper.solver.results import TURN, inside_limits
+from pieper.solver.redundant.approach import holding, pulled
 
 #: Slices over the range to begin with: many where one prepared kernel serves all values, few where each needs its own.
 SLICES, SLICES_PREPARED = 96, 24
@@ -21,14 +19,14 @@ SLICES, SLICES_PREPARED = 96, 24
 FAR, LOST = 0.3, 2.0
 #: How often an interval is halved at most, and the most new slices in all, for both kinds.
 HALVINGS, MOST_NEW, HALVINGS_PREPARED, MOST_NEW_PREPARED = 5, 400, 2, 40
+#: Rows of a slice that are looked at, at most: no family gives more.
+MOST_ROWS = 16
 #: Steps to either side of a pose (per length; rad), and how many pairs of each.
 SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
 #: Rows of a pose beside this one are known when one of this pose is so near; of the others, so many are followed.
 KNOWN, MOST_FOLLOWED = 0.25, 150
 #: By how much a side step shrinks from stage to stage when it is followed back, and how often.
 FOLLOW_RATIO, FOLLOW_STAGES = 0.3, 13
-#: Most steps of a free approach to a pose, and what its end may miss the pose by (per length; rad).
-PULL_STEPS, HOLDS = 40, 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,13 +40,13 @@ class Sweep:
         after: (V - 1, M) the row of the next slice that continues a row, or -1 where it ends or that is in doubt.
     """
 
-    values: np.ndarray
-    q: np.ndarray
-    valid: np.ndarray
-    after: np.ndarray
+    values: Array
+    q: Array
+    valid: Bools
+    after: Indices
 
     @property
-    def before(self) -> np.ndarray:
+    def before(self) -> Indices:
         """(V - 1, M) the row of slice i that leads to a row of slice i + 1, or -1."""
         out = np.full_like(self.after, -1)
         slices, rows = np.nonzero(self.after >= 0)
@@ -56,7 +54,7 @@ class Sweep:
         return out
 
 
-def sweep(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray) -> Sweep:
+def sweep(plan: Plan, T: Array, coordinate: int, values: Array) -> Sweep:
     """Solve a pose (4, 4) at slices of one redundant coordinate.
 
     A turning coordinate is swept all the way round, a sliding one within its limits; intervals in which solutions
@@ -91,7 +89,7 @@ def sweep(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray) -> Swe
     return Sweep(at, q, valid, after)
 
 
-def best_slice(plan: Plan, T: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def best_slice(plan: Plan, T: Array) -> tuple[Array, Bools, Bools]:
     """Return q (M, n), valid (M,), in_limits (M,) of a pose (4, 4) where most solutions are inside the limits.
 
     The first redundant coordinate takes the values of a sweep's first slices, the others their defaults.
@@ -100,8 +98,9 @@ def best_slice(plan: Plan, T: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nd
     at = np.linspace(lower, upper, SLICES if plan.reduction.at_ends is not None else SLICES_PREPARED)
     held = np.tile(plan.defaults, (len(at), 1))
     held[:, 0] = at
-    q, valid, _, _ = solve_reduced(plan, np.tile(T, (len(at), 1, 1)), held, 1)
-    q, inside = inside_limits(q, plan.limits, plan.prismatic)
+    found = arm_rows(plan, np.tile(T, (len(at), 1, 1)), held, 1)
+    valid = found.valid
+    q, inside = plan.chain.joints.inside_limits(found.q, plan.limits)
     inside &= valid
     best = int(np.argmax(100 * inside.sum(1) + valid.sum(1)))
     return np.where(valid[best][:, None], q[best], 0.0), valid[best], inside[best]
@@ -121,30 +120,25 @@ def span(plan: Plan, joint: int) -> tuple[float, float]:
     return lower, upper if np.isfinite(upper) else max(reach, lower + reach)
 
 
-def _slices(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, at: np.ndarray):
+def _slices(plan: Plan, T: Array, coordinate: int, values: Array, at: Array) -> tuple[Array, Bools]:
     held = np.tile(values, (len(at), 1))
     held[:, coordinate] = at
     most = plan.spec.max_solutions
-    q, valid, _ = full_rows(plan, np.broadcast_to(T, (len(at), 4, 4)), held, 1)
+    found = full_rows(plan, np.broadcast_to(T, (len(at), 4, 4)), held, 1)
+    q, valid = found.q, found.valid
     if q.shape[1] < most:  # kernels prepared for a value may give fewer rows than the plan's own
         q = np.pad(q, ((0, 0), (0, most - q.shape[1]), (0, 0)))
         valid = np.pad(valid, ((0, 0), (0, most - valid.shape[1])))
-    return q[:, :16], valid[:, :16]
+    return q[:, :MOST_ROWS], valid[:, :MOST_ROWS]
 
 
-def _apart(plan: Plan, q: np.ndarray, other: np.ndarray) -> np.ndarray:
+def _apart(plan: Plan, q: Array, other: Array) -> Array:
     """Return the distances (V, M, K) of rows (V, M, n) from others (V, K, n), angles around the circle."""
-    prismatic = plan.exact.full.prismatic
-    gap = q[:, :, None] - other[:, None, :]
-    gap[..., ~prismatic] = np.remainder(gap[..., ~prismatic] + np.pi, TURN) - np.pi
-    if prismatic.any():
-        gap[..., prismatic] /= plan.chain.length
+    gap = plan.exact.full.joints.difference(q[:, :, None], other[:, None, :])
     return np.sqrt(np.einsum("vabn,vabn->vab", gap, gap))
 
 
-def _continued(
-    plan: Plan, q: np.ndarray, valid: np.ndarray, q_next: np.ndarray, valid_next: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def _continued(plan: Plan, q: Array, valid: Bools, q_next: Array, valid_next: Bools) -> tuple[Indices, Bools]:
     """Return for each row of slices its mutually nearest row of the next ones (V, M), or -1, and whether in doubt.
 
     There is doubt (V,) where a row is not continued, or moves far.
@@ -158,7 +152,7 @@ def _continued(
     return np.where(mutual, there, -1), doubt
 
 
-def beside(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, swept: Sweep) -> np.ndarray:
+def beside(plan: Plan, T: Array, coordinate: int, values: Array, swept: Sweep) -> Array:
     """Return points (m, n) of curves that a sweep of the pose passed over, met from poses beside it.
 
     A curve of solutions that lies between two slices is small. As the pose changes it shrinks to a point and is gone,
@@ -185,18 +179,18 @@ def beside(plan: Plan, T: np.ndarray, coordinate: int, values: np.ndarray, swept
     slices, rows = slices[::every], rows[::every]
     q, twists = q[slices, rows], np.repeat(twists, len(at), 0)[slices]
     for k in range(1, FOLLOW_STAGES + 1):
-        q = _newton_steps(full, q, stepped(T, twists * FOLLOW_RATIO**k, full.length), 3)
-    return _arrived(full, _newton_steps(full, q, T, 12), T)
+        q = pulled(full, q, stepped(T, twists * FOLLOW_RATIO**k, full.length), 3)
+    return holding(full, pulled(full, q, T, 12), T)
 
 
-def unknown(plan: Plan, swept: Sweep, coordinate: int, q: np.ndarray) -> np.ndarray:
+def unknown(plan: Plan, swept: Sweep, coordinate: int, q: Array) -> Array:
     """Return the rows (k, n) of q (m, n) that have no neighbour among those of a sweep."""
     at = q[:, plan.reduction.locked[coordinate]]
     here = np.minimum(np.searchsorted(swept.values, at), len(swept.values) - 1)
     return q[~_known(plan, swept, here, q[:, None])[:, 0]]
 
 
-def _known(plan: Plan, swept: Sweep, here: np.ndarray, q: np.ndarray) -> np.ndarray:
+def _known(plan: Plan, swept: Sweep, here: Indices, q: Array) -> Bools:
     """Return (N, M): whether rows q (N, M, n), each at or before slice `here` (N,), have a neighbour in the sweep."""
     known = np.zeros(q.shape[:2], bool)
     # a slice further on counts too: near its ends a branch moves fast
@@ -207,61 +201,8 @@ def _known(plan: Plan, swept: Sweep, here: np.ndarray, q: np.ndarray) -> np.ndar
     return known
 
 
-def _to_either_side() -> np.ndarray:
+def _to_either_side() -> Array:
     """Return small twists (N, 6) in opposite pairs (per length; rad), the same ones every time."""
     rng = np.random.default_rng(12)
     twists = np.concatenate([size * rng.standard_normal((count, 6)) / 6**0.5 for size, count in SIDE_STEPS])
     return np.concatenate([twists, -twists])
-
-
-def _newton_steps(chain: Chain, q: np.ndarray, T: np.ndarray, steps: int) -> np.ndarray:
-    """Return joint vectors (k, n) after so many shortest Newton steps towards poses T, each bounded."""
-    unit = np.where(chain.prismatic, chain.length, 1.0)
-    for _ in range(steps if len(q) else 0):
-        J = scaled_jacobian(chain, q)
-        A = J @ np.swapaxes(J, -1, -2) + 1e-14 * np.eye(6)
-        step = np.einsum("bij,bi->bj", J, np.linalg.solve(A, pose_difference(chain, q, T)[..., None])[..., 0])
-        q = q + step * np.minimum(1.0, 0.2 / np.maximum(np.linalg.norm(step, axis=-1, keepdims=True), 1e-300)) * unit
-    return q
-
-
-def _arrived(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray:
-    """Return the rows (m, n) of q (k, n) that hold the pose T (4, 4), angles in [-pi, pi)."""
-    q = q[np.linalg.norm(pose_difference(chain, q, T), axis=-1) < HOLDS]
-    return np.where(chain.prismatic, q, (q + np.pi) % TURN - np.pi)
-
-
-def approached(plan: Plan, T: np.ndarray, starts: int) -> list[np.ndarray]:
-    """Return for each of poses T (N, 4, 4) points (m, n) of it found from anywhere.
-
-    The distance to the pose is minimised (Levenberg-Marquardt) from so many postures, always the same ones. Where a
-    curve of solutions is about to appear or has just appeared, that distance has a minimum to which a neighbourhood of
-    ordinary size leads.
-    """
-    full = plan.exact.full
-    q = np.tile(sample_joints(full, starts, seed=7), (len(T), 1))
-    q = _downhill(full, q, np.repeat(T, starts, axis=0)).reshape(len(T), starts, full.n)
-    return [_arrived(full, rows, pose) for rows, pose in zip(q, T, strict=True)]
-
-
-def _downhill(chain: Chain, q: np.ndarray, T: np.ndarray) -> np.ndarray:
-    """Return where joint vectors q (k, n) come to when the distance to poses T (k, 4, 4) is minimised."""
-    unit = np.where(chain.prismatic, chain.length, 1.0)
-    damping, size = np.full(len(q), 1e-1), np.full(len(q), np.inf)
-    active, tried = np.arange(len(q)), q.copy()
-    for _ in range(PULL_STEPS):
-        e = pose_difference(chain, tried, T[active])
-        new = np.einsum("bi,bi->b", e, e)
-        better = new < size[active]
-        q[active[better]], size[active[better]] = tried[better], new[better]
-        damping[active] = np.clip(damping[active] * np.where(better, 0.2, 5.0), 1e-12, 1e3)
-        active = active[(size[active] > 1e-24) & (damping[active] < 1e3)]
-        if not len(active):
-            break
-        e = pose_difference(chain, q[active], T[active])
-        J = scaled_jacobian(chain, q[active])
-        A = J @ np.swapaxes(J, -1, -2) + (damping[active] * size[active] + 1e-15)[:, None, None] * np.eye(6)
-        step = np.einsum("bij,bi->bj", J, np.linalg.solve(A, e[..., None])[..., 0])
-        step *= np.minimum(1.0, 0.7 / np.maximum(np.linalg.norm(step, axis=-1, keepdims=True), 1e-300))
-        tried = q[active] + step * unit
-    return q

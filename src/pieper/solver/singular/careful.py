@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.solver.families import ELIMINATING
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.newton import singular_values
+from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
-from pieper.solver.results import TURN
-from pieper.solver.singular.examine import Examined, examine
-from pieper.solver.singular.selfmotion import Family
+from pieper.solver.singular.examine import Examined, examine, side_steps
+from pieper.tolerances import CLEARLY_REGULAR, SAME_AFTER_CUT
 
 
-def near_rows(plan: Plan, poses: np.ndarray) -> np.ndarray:
+def near_rows(plan: Plan, poses: Array) -> Array:
     """Return the joint vectors (m, k) of all solutions of poses (N, 4, 4), the task's virtual joints included.
 
     Virtual joints that must come out as zero may have any value: on a singularity of the six-joint chain they are free.
@@ -19,7 +20,7 @@ def near_rows(plan: Plan, poses: np.ndarray) -> np.ndarray:
     return plan.solver.all_rows(poses)[:, : 6 - len(plan.reduction.fill)]
 
 
-def every_solution(plan: Plan, T: np.ndarray, rows: np.ndarray) -> Examined:
+def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     """Return all there is at a pose, of the arm's own joints.
 
     Args:
@@ -29,7 +30,7 @@ def every_solution(plan: Plan, T: np.ndarray, rows: np.ndarray) -> Examined:
     """
     full = plan.exact.full
     # closed forms lose nothing next to a self-motion: only what an elimination gives is searched for more
-    hiding = plan.family in ELIMINATING
+    hiding = named(plan.family).eliminating
     if full.n == plan.n:
         return examine(full, T, rows, lambda poses: near_rows(plan, poses), plan.limits, plan.names, hiding=hiding)
     # values of the virtual joints are not known of given rows: all are solved for again
@@ -47,16 +48,35 @@ def every_solution(plan: Plan, T: np.ndarray, rows: np.ndarray) -> Examined:
 
 
 def _own(plan: Plan, found: Examined) -> Examined:
-    """Cut the virtual joints off: families that move only those are points, and points that differ in them are one."""
-    moving = [i for i, family in enumerate(found.families) if family.free]
-    families: tuple[Family, ...] = tuple(found.families[i] for i in moving)
-    index = np.array([moving.index(i) if i in moving else -1 for i in found.family], int)
-    keep: list[int] = []
-    for i in range(len(found.q)):
-        gap = found.q[keep, : plan.n] - found.q[i, : plan.n]
-        gap = np.where(plan.prismatic, gap / plan.chain.length, (gap + np.pi) % TURN - np.pi)
-        if not np.any(np.abs(gap).max(-1, initial=0.0) < 1e-6):
-            keep.append(i)
+    """Cut the virtual joints off: curves that move only those are points, and points that differ in them are one."""
+    moving = [i for i, motion in enumerate(found.self_motions) if motion.free]
+    index = np.array([moving.index(i) if i in moving else -1 for i in found.self_motion], np.int64)
+    q = found.q[:, : plan.n]
+    keep = plan.chain.joints.distinct(q, SAME_AFTER_CUT)
     return Examined(
-        found.q[keep, : plan.n], index[keep], found.multiplicity[keep], found.direction[keep, : plan.n], families
+        q[keep],
+        index[keep],
+        found.multiplicity[keep],
+        found.direction[keep, : plan.n],
+        tuple(found.self_motions[i] for i in moving),
     )
+
+
+def clear(plan: Plan, rows: Array) -> bool:
+    """Whether all rows are far enough from singular ones that nothing merges there and no self-motion passes.
+
+    Closed forms mark poses generously. Twins of a root at sigma lie about 2 sigma apart, which they tell apart well
+    above 1e-8; a self-motion needs sigma to vanish. The general kernel marks poses where its elimination itself is
+    nearly singular, and there clear rows say nothing about those that it may have lost; nor do they where a virtual
+    joint that must be zero may be free.
+    """
+    six_alone = plan.task == "pose" and not plan.reduction.fill and not named(plan.family).eliminating
+    if not six_alone or not len(rows) or len(rows) % 2:
+        return False
+    s = singular_values(plan.chain, rows)
+    return bool(np.all(s[:, -1] > CLEARLY_REGULAR * s[:, 0]))
+
+
+def overlooked(plan: Plan, T: Array) -> bool:
+    """Whether a pose without solutions has neighbours with some: it may be singular, or lie at the edge of reach."""
+    return len(near_rows(plan, side_steps(plan.chain, T, (1e-9,)))) > 0

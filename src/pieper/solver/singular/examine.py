@@ -13,25 +13,24 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import newton, pose_difference, scaled_jacobian
+from pieper.kinematics.newton import missed, newton, null_space, singular_values
 from pieper.kinematics.pose import rotation_about
-from pieper.solver.results import TURN
-from pieper.solver.singular import nearcurve
-from pieper.solver.singular.merged_roots import merged, null_direction, told_apart
-from pieper.solver.singular.selfmotion import MOST_STEPS, ON_CURVE, Family, crossings, moved, second_smallest, trace
-from pieper.tolerances import SINGULAR_EXAMINED
+from pieper.solver.singular import near_curve
+from pieper.solver.singular.merged_roots import branches_at, distinct_roots, null_direction
+from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
+from pieper.tolerances import ON_CURVE, SAME_SOLUTION, SINGULAR_EXAMINED, TINY
 
 #: Sizes of the side steps (per length; rad) from which a singular pose is approached, and how many each.
 APPROACHES, APPROACH_SIZES = 6, (1e-4, 1e-7)
-#: Rows of the kernel closer than this are one (rad; per length); a double root is known to about 1e-8.
-SAME = 1e-7
 #: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.
 ON_POLYLINE = 5e-3
 #: The same for curves that nearly hold the pose, whose samples lie 0.2 apart and whose points are less exact.
 ON_NEAR_POLYLINE = 3e-2
 #: Directions tried where curves cross, and the most curves followed at one pose.
-FAN, MOST_FAMILIES = 12, 24
+FAN, MOST_MOTIONS = 12, 24
 #: Where a second direction stays open the solutions form a surface: lines followed on it, and how far each way.
 MOST_LINES, LINE_STEPS, OPEN = 4, 60, 1e-7
 #: How far along the null direction a point is asked whether the pose can be held (rad; per length).
@@ -51,19 +50,19 @@ class Examined:
     """All there is at one pose.
 
     Args:
-        q: (m, n) isolated solutions and one representative a family.
-        family: (m,) index of the family each row represents, or -1.
+        q: (m, n) isolated solutions and one representative a self-motion.
+        self_motion: (m,) index of the self-motion each row represents, or -1.
         multiplicity: (m,) branches that merge in the row.
         direction: (m, n) unit null direction of a row on a singularity, along which branches merge or the arm moves by
             itself; zeros for the others.
-        families: The curves.
+        self_motions: The curves.
     """
 
-    q: np.ndarray
-    family: np.ndarray
-    multiplicity: np.ndarray
-    direction: np.ndarray
-    families: tuple[Family, ...]
+    q: Array
+    self_motion: Indices
+    multiplicity: Indices
+    direction: Array
+    self_motions: tuple[SelfMotion, ...]
 
 
 @dataclass(eq=False)
@@ -71,32 +70,32 @@ class _Curves:
     """What has been followed at the pose so far."""
 
     chain: Chain
-    T: np.ndarray
-    limits: np.ndarray
+    T: Array
+    limits: Array
     names: tuple[str, ...]
     shown: int
     hiding: bool
-    families: list[Family] = field(default_factory=list)
-    open_ended: list[Family] = field(default_factory=list)
-    near: list[Family] = field(default_factory=list)
+    closed: list[SelfMotion] = field(default_factory=list[SelfMotion])
+    open_ended: list[SelfMotion] = field(default_factory=list[SelfMotion])
+    near: list[SelfMotion] = field(default_factory=list[SelfMotion])
     lines: int = 0
 
-    def on_family(self, q: np.ndarray, within: float) -> bool:
-        return any(f.distance(q) < within for f in self.families)
+    def meet(self, q: Array, within: float) -> bool:
+        return any(motion.distance(q) < within for motion in self.closed)
 
 
 def examine(
     chain: Chain,
-    T: np.ndarray,
-    candidates: np.ndarray,
-    solve: Callable[[np.ndarray], np.ndarray],
-    limits: np.ndarray,
+    T: Array,
+    candidates: Array,
+    solve: Callable[[Array], Array],
+    limits: Array,
     names: tuple[str, ...],
     *,
     shown: int | None = None,
     hiding: bool = True,
 ) -> Examined:
-    """Find every isolated solution and every family of a pose.
+    """Find every isolated solution and every self-motion of a pose.
 
     Args:
         chain: The arm, as many joints as task freedoms.
@@ -114,72 +113,66 @@ def examine(
     singular = newton(chain, singular, T, steps=SLOW_STEPS, cutoff=1e-13)
     aside = solve(side_steps(chain, T)).reshape(-1, chain.n)
     pulled = newton(chain, aside, T, steps=30, cutoff=1e-9)
-    good = np.linalg.norm(pose_difference(chain, pulled, T), axis=-1) < HOLDS
-    near_regular, near_singular = _split(chain, pulled[good])
+    near_regular, near_singular = _split(chain, pulled[missed(chain, pulled, T) < HOLDS])
     flat = aside[:0]
     if hiding:
-        found = nearcurve.onto(chain, aside, T, 6)
-        flat = found.q[(found.sigma < NEARLY) & (np.abs(found.miss) < nearcurve.FAR) & (found.rest < 1e-9)]
+        found = near_curve.onto(chain, aside, T, 6)
+        flat = found.q[(found.sigma < NEARLY) & (np.abs(found.miss) < near_curve.FAR) & (found.rest < 1e-9)]
     # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
     starts = np.concatenate([singular, _distinct(chain, np.concatenate([near_singular, flat]), 1e-3)])
     doubles, hidden = _followed(curves, starts, len(singular))
     extra = newton(chain, np.array([*hidden, *near_singular]).reshape(-1, chain.n), T, steps=SLOW_STEPS, cutoff=1e-13)
-    extra = extra[np.linalg.norm(pose_difference(chain, extra, T), axis=-1) < HOLDS_EXACTLY * _size(chain, T)]
+    extra = extra[missed(chain, extra, T) < HOLDS_EXACTLY * _size(chain, T)]
     hidden_regular, hidden_singular = _split(chain, extra)
-    isolated = _distinct(chain, np.concatenate([regular, near_regular, hidden_regular]), SAME)
-    isolated = [q for q in isolated if not curves.on_family(q, 1e-5)]
-    doubles = [q for q in doubles if not curves.on_family(q, 1e-4)]
+    isolated = _distinct(chain, np.concatenate([regular, near_regular, hidden_regular]), SAME_SOLUTION)
+    isolated = [q for q in isolated if not curves.meet(q, 1e-5)]
+    doubles = [q for q in doubles if not curves.meet(q, 1e-4)]
     # closed forms give every merged root themselves: what else nearly holds the pose there is the foot of a fold
-    hidden_singular = _distinct(chain, hidden_singular, SAME) if hiding else []
-    hidden_singular = [q for q in hidden_singular if not curves.on_family(q, ON_POLYLINE)]
+    hidden_singular = _distinct(chain, hidden_singular, SAME_SOLUTION) if hiding else []
+    hidden_singular = [q for q in hidden_singular if not curves.meet(q, ON_POLYLINE)]
     if curves.lines:
         hidden_singular = [q for q in hidden_singular if second_smallest(chain, q) > SINGULAR_EXAMINED]
-    doubles = told_apart(chain, [*doubles, *hidden_singular], T)
+    doubles = distinct_roots(chain, [*doubles, *hidden_singular], T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
     return _told(curves, isolated, doubles)
 
 
-def _told(curves: _Curves, isolated: list[np.ndarray], doubles: list[np.ndarray]) -> Examined:
-    chain, families = curves.chain, curves.families
-    rows = [*isolated, *doubles, *(f._representative for f in families)]
-    family = [-1] * (len(isolated) + len(doubles)) + list(range(len(families)))
-    pairs = [merged(chain, q, curves.T) for q in doubles]
-    multiplicity = [1] * len(isolated) + pairs + [1] * len(families)
+def _told(curves: _Curves, isolated: list[Array], doubles: list[Array]) -> Examined:
+    chain, motions = curves.chain, curves.closed
+    rows = [*isolated, *doubles, *(motion.full_representative for motion in motions)]
+    of = [-1] * (len(isolated) + len(doubles)) + list(range(len(motions)))
+    pairs = [branches_at(chain, q, curves.T) for q in doubles]
+    multiplicity = [1] * len(isolated) + pairs + [1] * len(motions)
     null = [null_direction(chain, q) for q in rows[len(isolated) :]]
     direction = np.array([*np.zeros((len(isolated), chain.n)), *null]).reshape(-1, chain.n)
-    q = np.array(rows).reshape(-1, chain.n)
-    wrapped = np.where(chain.prismatic, q, -((np.pi - q) % TURN) + np.pi)
-    order = np.lexsort(np.round(wrapped, 6).T[::-1]) if len(q) else np.zeros(0, int)
+    q = chain.joints.wrapped(np.array(rows).reshape(-1, chain.n))
+    order = np.lexsort(np.round(q, 6).T[::-1]) if len(q) else np.zeros(0, int)
     return Examined(
-        wrapped[order],
-        np.array(family, int)[order],
-        np.array(multiplicity, int)[order],
-        direction[order],
-        tuple(families),
+        q[order], np.array(of, int)[order], np.array(multiplicity, int)[order], direction[order], tuple(motions)
     )
 
 
-def _followed(curves: _Curves, starts: np.ndarray, own: int) -> tuple[list[np.ndarray], list[np.ndarray]]:
+def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], list[Array]]:
     """Follow every curve through the starts (N, n), of which the first `own` are solutions for certain.
 
     Returns:
-        Solutions on no family, and starts for Newton where a solution hides on a curve that nearly holds the pose.
+        Solutions on no self-motion, and starts for Newton where a solution hides on a curve that nearly holds the pose.
     """
-    doubles: list[np.ndarray] = []
-    hidden: list[np.ndarray] = []
+    doubles: list[Array] = []
+    hidden: list[Array] = []
     miss, several = _probed(curves, starts)
     for index, q in enumerate(starts):
-        on_curve = curves.lines >= MOST_LINES if several[index] else curves.on_family(q, 2e-3)
+        on_curve = curves.lines >= MOST_LINES if several[index] else curves.meet(q, 2e-3)
         if not on_curve and (several[index] or miss[index] < 10 * ON_CURVE):
             on_curve = _grow(curves, q)
-        if curves.hiding and not on_curve and miss[index] < nearcurve.FAR:
+        if curves.hiding and not on_curve and miss[index] < near_curve.FAR:
             hidden += _hiding(curves, q)
         if not on_curve and index < own:
             doubles.append(q)
     return doubles, hidden
 
 
-def _probed(curves: _Curves, starts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _probed(curves: _Curves, starts: Array) -> tuple[Array, Array]:
     """Return how well the pose can be held a little way along each start's null direction (N,), all at once.
 
     And whether two directions vanish there (N,).
@@ -187,37 +180,38 @@ def _probed(curves: _Curves, starts: np.ndarray) -> tuple[np.ndarray, np.ndarray
     chain = curves.chain
     if not len(starts):
         return np.zeros(0), np.zeros(0, bool)
-    _, s, Vt = np.linalg.svd(scaled_jacobian(chain, starts), full_matrices=False)
-    several = s[:, -2] <= SINGULAR_EXAMINED * s[:, 0] if s.shape[1] > 1 else np.zeros(len(starts), bool)
-    step = PROBE * Vt[:, -1] * _unit(chain)
+    s, Vt = null_space(chain, starts)
+    unit, last = chain.joints.unit, min(chain.n, 6) - 1
+    several = s[:, last - 1] <= SINGULAR_EXAMINED * s[:, 0] if last else np.zeros(len(starts), bool)
+    step = PROBE * Vt[:, last] * unit
     probes = np.concatenate([starts + step, starts - step])
-    there = nearcurve.onto(chain, probes, curves.T, 5)
-    gone = np.linalg.norm((there.q - np.concatenate([starts, starts])) / _unit(chain), axis=1)
+    there = near_curve.onto(chain, probes, curves.T, 5)
+    gone = np.linalg.norm((there.q - np.concatenate([starts, starts])) / unit, axis=1)
     held = (gone > 0.5 * PROBE) & (there.rest < np.maximum(1e-2 * np.abs(there.miss), 1e-11))
     miss = np.where(held, np.abs(there.miss), np.inf).reshape(2, -1).min(0)
     return miss, several
 
 
-def _hiding(curves: _Curves, q: np.ndarray) -> list[np.ndarray]:
+def _hiding(curves: _Curves, q: Array) -> list[Array]:
     """Return starts for Newton at the solutions that hide on the curve through q that nearly holds the pose."""
-    if len(curves.near) >= MOST_FAMILIES or any(f.distance(q) < ON_NEAR_POLYLINE for f in curves.near):
+    if len(curves.near) >= MOST_MOTIONS or any(near.distance(q) < ON_NEAR_POLYLINE for near in curves.near):
         return []
-    curve = nearcurve.followed(curves.chain, q, curves.T)
+    curve = near_curve.follow(curves.chain, q, curves.T)
     curves.near.append(
-        Family(curves.chain, curves.T, curve.q, curve.closed, 1, curves.limits, curves.names, curves.shown)
+        SelfMotion(curves.chain, curves.T, curve.q, curve.closed, 1, curves.limits, curves.names, curves.shown)
     )
-    return list(nearcurve.hiding(curves.chain, curves.T, curve))
+    return list(near_curve.hiding(curves.chain, curves.T, curve))
 
 
-def _grow(curves: _Curves, q: np.ndarray) -> bool:
-    """Add every curve through q, and every curve that crosses those, to the families; say whether q lies on one."""
+def _grow(curves: _Curves, q: Array) -> bool:
+    """Add every curve through q, and every curve that crosses those, to the self-motions; say whether q lies on one."""
     chain, T = curves.chain, curves.T
-    found = curves.on_family(q, 2e-3)
+    found = curves.meet(q, 2e-3)
     waiting = [q]
-    while waiting and len(curves.families) < MOST_FAMILIES:
+    while waiting and len(curves.closed) < MOST_MOTIONS:
         point = waiting.pop()
         for direction in _directions(chain, point):
-            further = moved(chain, point, T, direction, PROBE)
+            further = step_along(chain, point, T, direction, PROBE)
             if further is None:
                 continue
             if second_smallest(chain, further) < OPEN:
@@ -225,27 +219,27 @@ def _grow(curves: _Curves, q: np.ndarray) -> bool:
                 found = True
                 if curves.lines < MOST_LINES:
                     curves.lines += 1
-                    curves.families.append(_line(curves, point, further))
+                    curves.closed.append(_line(curves, point, further))
                 break
-            if curves.on_family(further, ON_POLYLINE):
+            if curves.meet(further, ON_POLYLINE):
                 found = True
                 continue
-            if any(f.distance(further) < ON_POLYLINE for f in curves.open_ended):
+            if any(other.distance(further) < ON_POLYLINE for other in curves.open_ended):
                 continue
-            family = _line(curves, point, further, MOST_STEPS)
+            motion = _line(curves, point, further, MOST_STEPS)
             # joint space without sliding joints has no ends: what does not close only came near a singular pose
-            if not family.closed and not chain.prismatic.any():
-                curves.open_ended.append(family)
+            if not motion.closed and not chain.prismatic.any():
+                curves.open_ended.append(motion)
                 continue
             found = True
-            curves.families.append(family)
-            waiting += crossings(family)
+            curves.closed.append(motion)
+            waiting += crossings(motion)
     return found
 
 
-def _line(curves: _Curves, point: np.ndarray, further: np.ndarray, steps: int = LINE_STEPS) -> Family:
+def _line(curves: _Curves, point: Array, further: Array, steps: int = LINE_STEPS) -> SelfMotion:
     """Return the curve through two points that hold the pose."""
-    set_out = (further - point) / _unit(curves.chain)
+    set_out = (further - point) / curves.chain.joints.unit
     set_out /= np.linalg.norm(set_out)
     return trace(
         curves.chain,
@@ -259,11 +253,10 @@ def _line(curves: _Curves, point: np.ndarray, further: np.ndarray, steps: int = 
     )
 
 
-def _directions(chain: Chain, q: np.ndarray) -> list[np.ndarray]:
+def _directions(chain: Chain, q: Array) -> list[Array]:
     """Return directions in which a pose might be held at q; where two vanish at once, a fan of their mixtures."""
-    _, s, Vt = np.linalg.svd(scaled_jacobian(chain, q))
-    s = np.concatenate([s, np.zeros(chain.n - len(s))])
-    null = Vt[s <= max(SINGULAR_EXAMINED * s[0], 1e-300)]
+    s, Vt = null_space(chain, q)
+    null = Vt[s <= max(SINGULAR_EXAMINED * s[0], TINY)]
     if len(null) < 2:
         return list(null)
     angles = np.arange(FAN) * np.pi / FAN
@@ -272,16 +265,12 @@ def _directions(chain: Chain, q: np.ndarray) -> list[np.ndarray]:
     return [*null, *fan]
 
 
-def _unit(chain: Chain) -> np.ndarray:
-    return np.where(chain.prismatic, chain.length, 1.0)
-
-
-def _size(chain: Chain, T: np.ndarray) -> float:
+def _size(chain: Chain, T: Array) -> float:
     """Return how much larger than one the numbers are that forward kinematics rounds."""
     return 1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length
 
 
-def side_steps(chain: Chain, T: np.ndarray, sizes: tuple[float, ...] = APPROACH_SIZES) -> np.ndarray:
+def side_steps(chain: Chain, T: Array, sizes: tuple[float, ...] = APPROACH_SIZES) -> Array:
     """Poses at generic small side steps about T, the same ones every time."""
     rng = np.random.default_rng(20)
     poses = []
@@ -297,33 +286,22 @@ def side_steps(chain: Chain, T: np.ndarray, sizes: tuple[float, ...] = APPROACH_
     return np.array(poses)
 
 
-def _split(chain: Chain, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _split(chain: Chain, q: Array) -> tuple[Array, Array]:
     """Part joint vectors (k, n) into those with a well-conditioned Jacobian and those without."""
     q = np.asarray(q, float).reshape(-1, chain.n)
     if not len(q):
         return q, q
-    s = np.linalg.svd(scaled_jacobian(chain, q), compute_uv=False)
+    s = singular_values(chain, q)
     smallest = s[:, -1] if chain.n <= 6 else np.zeros(len(s))
     poor = smallest <= SINGULAR_EXAMINED * s[:, 0]
     return q[~poor], q[poor]
 
 
-def _distinct(chain: Chain, q: np.ndarray, tolerance: float) -> np.ndarray:
+def _distinct(chain: Chain, q: Array, tolerance: float) -> Array:
     """Return the rows of q (k, n) without those that repeat an earlier one."""
     q = np.asarray(q, float).reshape(-1, chain.n)
-    near = _apart(chain, q[:, None], q[None]) < tolerance
-    keep: list[int] = []
-    for i in range(len(q)):
-        if not near[i, keep].any():
-            keep.append(i)
-    return q[keep]
+    return q[chain.joints.distinct(q, tolerance)]
 
 
-def _any_near(chain: Chain, q: np.ndarray, rows: list[np.ndarray]) -> bool:
-    return bool(len(rows) and (_apart(chain, np.array(rows), q) < SAME).any())
-
-
-def _apart(chain: Chain, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return the largest joint difference (...), angles around the circle, prismatic joints per length."""
-    gap = np.where(chain.prismatic, (a - b) / chain.length, (a - b + np.pi) % TURN - np.pi)
-    return np.max(np.abs(gap), axis=-1)
+def _any_near(chain: Chain, q: Array, rows: list[Array]) -> bool:
+    return bool(len(rows) and (chain.joints.apart(np.array(rows), q) < SAME_SOLUTION).any())

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import pose_difference, scaled_jacobian
-from pieper.solver.results import TURN
-from pieper.solver.singular import nearcurve
+from pieper.kinematics.newton import determinant, missed, null_space, singular_values
+from pieper.solver.singular import near_curve
 
 #: Solutions closer than this (rad; per length) are one.
 SAME = 1e-7
@@ -21,26 +21,25 @@ TWINS = 2e-6
 STEP = 2e-2
 
 
-def null_direction(chain: Chain, q: np.ndarray) -> np.ndarray:
+def null_direction(chain: Chain, q: Array) -> Array:
     """Return the unit joint direction (n,), without units, that the pose feels least; its largest entry is positive."""
-    v = np.linalg.svd(scaled_jacobian(chain, q))[2][min(chain.n, 6) - 1]
+    v = null_space(chain, q)[1][min(chain.n, 6) - 1]
     return v * np.sign(v[np.argmax(np.abs(v))])
 
 
-def merged(chain: Chain, q: np.ndarray, T: np.ndarray) -> int:
+def branches_at(chain: Chain, q: Array, T: Array) -> int:
     """Return how many branches merge at a solution q (n,) of a pose: 1 where its Jacobian is merely poor.
 
     Along the curve on which only the weakest direction misses the pose, what is missed is c0 + c1 t + ... + c4 t^4:
     its roots that lie within what rounding lets one tell of each other are one solution.
     """
-    unit = np.where(chain.prismatic, chain.length, 1.0)
-    here = nearcurve.onto(chain, q[None], T, 0)
+    unit = chain.joints.unit
+    here = near_curve.onto(chain, q[None], T, 0)
     t = STEP * np.array([-2.0, -1.0, 1.0, 2.0])
-    beside = nearcurve.onto(chain, q + t[:, None] * here.null[0] * unit, T, 5)
+    beside = near_curve.onto(chain, q + t[:, None] * here.null[0] * unit, T, 5)
     far, near, near2, far2 = beside.miss * np.sign(beside.left @ here.left[0])
     # to rounding c0 vanishes, and c1 is the singular value; the others by differences
-    s = np.linalg.svd(scaled_jacobian(chain, q), compute_uv=False)
-    c1 = -s[min(chain.n, 6) - 1]
+    c1 = -singular_values(chain, q)[min(chain.n, 6) - 1]
     c4 = ((far + far2) - 4 * (near + near2)) / (24 * STEP**4)
     c3 = ((far2 - far) - 2 * (near2 - near)) / (12 * STEP**3)
     c2 = (near + near2) / (2 * STEP**2) - c4 * STEP**2
@@ -51,7 +50,7 @@ def merged(chain: Chain, q: np.ndarray, T: np.ndarray) -> int:
     return max(1, int(np.sum(np.abs(roots) < max(SAME, 3 * blur))))
 
 
-def told_apart(chain: Chain, rows: list[np.ndarray], T: np.ndarray) -> list[np.ndarray]:
+def distinct_roots(chain: Chain, rows: list[Array], T: Array) -> list[Array]:
     """Return one of each cluster of singular rows that forward kinematics cannot tell apart, the most exact first.
 
     Two rows are one when everything between them holds the pose to rounding as well: the blur of a double root is
@@ -61,22 +60,22 @@ def told_apart(chain: Chain, rows: list[np.ndarray], T: np.ndarray) -> list[np.n
     if not rows:
         return []
     q = np.array(rows)
-    q = q[np.argsort(np.linalg.norm(pose_difference(chain, q, T), axis=-1), kind="stable")]
-    unit = np.where(chain.prismatic, chain.length, 1.0)
-    side = np.sign(np.linalg.det(scaled_jacobian(chain, q))) if chain.n == 6 else np.zeros(len(q))
+    q = q[np.argsort(missed(chain, q, T), kind="stable")]
+    unit = chain.joints.unit
+    side = np.sign(determinant(chain, q)) if chain.n == 6 else np.zeros(len(q))
     size = 1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length
     kept: list[int] = []
     for index, row in enumerate(q):
         for k in kept:
             other = q[k]
-            gap = np.where(chain.prismatic, row - other, (row - other + np.pi) % TURN - np.pi)
+            gap = chain.joints.way(row, other)
             apart = np.max(np.abs(gap / unit))
             if apart < SAME:
                 break
             if apart < (BLUR if side[k] == side[index] else TWINS):
                 # a chord leaves a bent curve: what lies between is moved onto it
                 chord = other + np.array([[0.25], [0.5], [0.75]]) * gap
-                between = nearcurve.onto(chain, chord, T, 3)
+                between = near_curve.onto(chain, chord, T, 3)
                 strayed = np.abs((between.q - chord) / unit).max()
                 told = np.abs(between.miss).max() > ALONG or between.rest.max() > ROUNDING * size
                 if strayed < apart / 4 and not told:

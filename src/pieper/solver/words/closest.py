@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
-from pieper.kinematics.newton import pose_difference, scaled_jacobian
+from pieper.kinematics.newton import downhill
 from pieper.kinematics.pose import pose_error
 from pieper.solver.plan.six_joints import sample_joints
 
 #: Random starts and steps of the search; the answer is the best of them, so it bounds the distance from above.
 STARTS, STEPS = 64, 60
+#: Damping of the descent: at first, its factor where a step helped and where not, and where a row rests.
+DAMPING = (1e-2 / 0.3, 0.3, 4.0, 1e6)
 
 
-def nearest_reachable(chain: Chain, T: np.ndarray, seeds: np.ndarray | None = None) -> tuple[np.ndarray, float, float]:
+def nearest_reachable(chain: Chain, T: Array, seeds: Array | None = None) -> tuple[Array, float, float]:
     """Find a posture whose tool has the orientation of T, if any has, and comes closest in position.
 
     The squared pose difference is minimised (Levenberg-Marquardt from many starts) with the orientation weighted up
@@ -31,28 +34,16 @@ def nearest_reachable(chain: Chain, T: np.ndarray, seeds: np.ndarray | None = No
     q = sample_joints(chain, STARTS, seed=5)
     if seeds is not None and len(seeds):
         q = np.vstack([q, seeds])
-    unit = np.where(chain.prismatic, chain.length, 1.0)
     for weight, steps in ((1.0, STEPS), (30.0, STEPS // 2), (1e3, STEPS // 2)):
-        w = np.array([1.0, 1.0, 1.0, weight, weight, weight])
-        damping = np.full(len(q), 1e-2)
-        e = pose_difference(chain, q, T) * w
-        cost = np.sum(e * e, -1)
-        for _ in range(steps):
-            J = scaled_jacobian(chain, q) * w[:, None]
-            A = np.swapaxes(J, -1, -2) @ J
-            A += damping[:, None, None] * np.eye(chain.n) * np.trace(A, axis1=-2, axis2=-1)[:, None, None] / chain.n
-            step = np.linalg.solve(A, np.einsum("bij,bi->bj", J, e)[..., None])[..., 0]
-            step *= np.minimum(1.0, 0.7 / np.maximum(np.linalg.norm(step, axis=-1, keepdims=True), 1e-300))
-            tried = q + step * unit
-            e_new = pose_difference(chain, tried, T) * w
-            new = np.sum(e_new * e_new, -1)
-            good = new < cost
-            q = np.where(good[:, None], tried, q)
-            e, cost = np.where(good[:, None], e_new, e), np.where(good, new, cost)
-            damping = np.clip(np.where(good, damping * 0.3, damping * 4.0), 1e-12, 1e6)
-        keep = np.argsort(cost)[: max(8, len(q) // 4)]
-        q = q[keep]
+        weights = np.array([1.0, 1.0, 1.0, weight, weight, weight])
+        q, cost = downhill(chain, q, T, steps=steps + 1, weights=weights, damping=DAMPING, relative=_mean_square)
+        q = q[np.argsort(cost)[: max(8, len(q) // 4)]]
     error = pose_error(fk(chain, q), T)
     # orientation first (to a tenth of a degree), then position
     best = np.lexsort((error[:, 0], np.round(error[:, 1] / 2e-3)))[0]
     return q[best], float(error[best, 0]), float(error[best, 1])
+
+
+def _mean_square(J: Array, square: Array) -> Array:
+    """Return the mean (k,) over the joints of what each moves: damping counts in that."""
+    return np.einsum("kij,kij->k", J, J) / J.shape[-1]

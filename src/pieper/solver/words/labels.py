@@ -17,15 +17,17 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import axes_at
-from pieper.kinematics.newton import scaled_jacobian
+from pieper.kinematics.newton import determinant
 from pieper.solver.plan.plan import Plan
 
 #: A bend or an offset smaller than this has no side (per length; sine).
 NO_SIDE = 1e-9
 
 
-def posture_words(plan: Plan, q: np.ndarray) -> list[str]:
+def posture_words(plan: Plan, q: Array) -> list[str]:
     """Return one label a row of q (m, n), such as "front, elbow up, wrist flip"."""
     if not len(q):
         return []
@@ -36,9 +38,9 @@ def posture_words(plan: Plan, q: np.ndarray) -> list[str]:
     return [", ".join(word for word in row if word) or "on a singularity" for row in zip(*columns, strict=True)]
 
 
-def labels_beside(plan: Plan, q: np.ndarray, direction: np.ndarray) -> tuple[str, ...]:
+def labels_beside(plan: Plan, q: Array, direction: Array) -> tuple[str, ...]:
     """Return the labels of the branches that meet in q (n,) along a direction (n,) without units, each once."""
-    step = 1e-3 * direction * np.where(plan.prismatic, plan.chain.length, 1.0)
+    step = 1e-3 * direction * plan.chain.joints.unit
     return tuple(dict.fromkeys(posture_words(plan, np.stack([q + step, q - step]))))
 
 
@@ -58,7 +60,7 @@ def _wrist_joint(plan: Plan) -> int | None:
     return None
 
 
-def _shoulder_and_elbow(plan: Plan, q: np.ndarray) -> list[list[str]]:
+def _shoulder_and_elbow(plan: Plan, q: Array) -> list[list[str]]:
     if not has_elbow(plan):
         return []
     z, o = axes_at(plan.chain, np.vstack([q, np.zeros(plan.n)]))
@@ -103,7 +105,7 @@ def _three_parallel(plan: Plan) -> bool:
     return plan.n >= 4 and not plan.prismatic[3] and plan.geometry.pairs[2].relation == "parallel"
 
 
-def _planar_elbow(plan: Plan, q: np.ndarray) -> list[list[str]]:
+def _planar_elbow(plan: Plan, q: Array) -> list[list[str]]:
     g = plan.geometry
     if plan.n < 3 or plan.prismatic[:2].any() or g.pairs[0].relation != "parallel" or g.pairs[1].angle > 1e-9:
         return []
@@ -119,7 +121,7 @@ def _planar_elbow(plan: Plan, q: np.ndarray) -> list[list[str]]:
     return [[("elbow right" if s > 0 else "elbow left") if abs(s) > NO_SIDE else "elbow straight" for s in side]]
 
 
-def _slide(plan: Plan, q: np.ndarray) -> list[list[str]]:
+def _slide(plan: Plan, q: Array) -> list[list[str]]:
     """Front or rear, and on which side of the second axis, of two turns, a slide across the second and a wrist."""
     g = plan.geometry
     kinds = list(plan.prismatic[:3]) == [False, False, True]
@@ -139,7 +141,7 @@ def _slide(plan: Plan, q: np.ndarray) -> list[list[str]]:
     ]
 
 
-def _seven_joints(plan: Plan, q: np.ndarray) -> list[list[str]]:
+def _seven_joints(plan: Plan, q: Array) -> list[list[str]]:
     groups = {group.joints for group in plan.geometry.spherical}
     if plan.n != 7 or plan.prismatic.any() or not {(0, 1, 2), (4, 5, 6)} <= groups:
         return []
@@ -153,7 +155,7 @@ def _seven_joints(plan: Plan, q: np.ndarray) -> list[list[str]]:
     return columns
 
 
-def _wrist(plan: Plan, q: np.ndarray) -> list[list[str]]:
+def _wrist(plan: Plan, q: Array) -> list[list[str]]:
     if plan.n < 6 or plan.prismatic[-3:].any():
         return []
     pairs = plan.geometry.pairs
@@ -165,14 +167,14 @@ def _wrist(plan: Plan, q: np.ndarray) -> list[list[str]]:
     return [[("wrist no flip" if b > 0 else "wrist flip") if abs(b) > NO_SIDE else "wrist straight" for b in bend]]
 
 
-def _aspect(plan: Plan, q: np.ndarray) -> list[str]:
+def _aspect(plan: Plan, q: Array) -> list[str]:
     if plan.n != 6:
         return [f"solution {i + 1}" for i in range(len(q))]
-    det = np.linalg.det(scaled_jacobian(plan.chain, q))
+    det = determinant(plan.chain, q)
     return [("aspect +" if d > 0 else "aspect -") if abs(d) > 1e-12 else "" for d in det]
 
 
-def _spherical_point(plan: Plan, q: np.ndarray) -> np.ndarray:
+def _spherical_point(plan: Plan, q: Array) -> Array:
     """Return the wrist centre (m + 1, 3) at each row of q and, last, at zero."""
     joint = _wrist_joint(plan)
     z, o = axes_at(plan.chain, np.vstack([q, np.zeros(plan.n)]))
@@ -181,28 +183,26 @@ def _spherical_point(plan: Plan, q: np.ndarray) -> np.ndarray:
     return o[:, joint] + along * z[:, joint]
 
 
-def _meeting(u: np.ndarray, a: np.ndarray, v: np.ndarray, b: np.ndarray) -> np.ndarray:
+def _meeting(u: Array, a: Array, v: Array, b: Array) -> Array:
     """Return where lines (m, 3) through a along u and through b along v meet."""
     cross = np.cross(u, v)
     t = np.sum(np.cross(b - a, v) * cross, -1) / np.sum(cross * cross, -1)
     return a + t[:, None] * u
 
 
-def _tool_points(plan: Plan, q: np.ndarray) -> np.ndarray:
-    from pieper.kinematics.forward import fk
-
+def _tool_points(plan: Plan, q: Array) -> Array:
     return fk(plan.chain, np.vstack([q, np.zeros(plan.n)]))[..., :3, 3]
 
 
-def _upward(plan: Plan, axis: np.ndarray) -> bool:
+def _upward(plan: Plan, axis: Array) -> bool:
     up = plan.chain.links[0][:3, 2] if abs(axis[2]) < 0.5 else np.array([0.0, 0.0, 1.0])
     return bool(axis @ up >= 0)
 
 
-def _along(v: np.ndarray, axis: np.ndarray) -> np.ndarray:
+def _along(v: Array, axis: Array) -> Array:
     return np.sum(v * axis, -1)[..., None] * axis
 
 
-def _perpendicular(v: np.ndarray, axis: np.ndarray) -> np.ndarray:
+def _perpendicular(v: Array, axis: Array) -> Array:
     v = v - _along(v, np.broadcast_to(axis, v.shape))
     return v / np.maximum(np.linalg.norm(v, axis=-1, keepdims=True), 1e-300)

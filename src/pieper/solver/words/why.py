@@ -1,52 +1,16 @@
-"""Why a pose came out as it did, and why an arm is solved as it is: sentences with numbers."""
+"""Why a pose came out as it did: one sentence with a number."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
-from pieper.kinematics.armangle import POLE
-from pieper.solver.results import AT_ARM_ANGLE, COUNT_CHANGES, NO_ARM_ANGLE, OUT_OF_REACH_FLAG, Status
-
-if TYPE_CHECKING:
-    from pieper.solver.plan.plan import Plan
-    from pieper.solver.results import Solutions
-
-FAMILY_WORDS = {
-    "spherical_wrist_parallel": (
-        "a spherical wrist and parallel second and third axes",
-        "The wrist centre fixes the first three joints: two ways to face it, two ways to bend the elbow. The last "
-        "three then turn the tool, in two ways.",
-    ),
-    "spherical_wrist": (
-        "three neighbouring axes that meet in one point",
-        "The point where they meet depends on the other three joints alone: a positioning problem with at most four "
-        "solutions. The three meeting axes then turn the tool, in at most two ways each.",
-    ),
-    "three_parallel": (
-        "three neighbouring parallel axes",
-        "The parallel joints move within a plane; what happens across that plane fixes the other joints, and a "
-        "two-link triangle in it fixes the three.",
-    ),
-    "offset_wrist": (
-        "parallel second and third axes and a wrist of which only two neighbouring axes meet",
-        "With the last joint's angle chosen, the point where axes 4 and 5 meet is known, and with it shoulder and "
-        "elbow: two sides, two shapes of the triangle. That axes 4 and 5 meet under their own angle is then one "
-        "equation for the last joint, a trigonometric polynomial, of which every real root is isolated.",
-    ),
-    "two_slides": (
-        "two sliding joints, which turn nothing, so that the four turning ones alone make the orientation",
-        "With the angle of one turning joint chosen, the other three follow like a wrist, in two ways; the slides must "
-        "undo what is then left along their two directions. That is one equation for the chosen angle, a "
-        "trigonometric polynomial, of which every real root is isolated.",
-    ),
-    "general": (
-        "no special arrangement that a closed form could use",
-        "Five of the six joints are eliminated (Raghavan and Roth, 1993); the roots of the remaining equation, of "
-        "degree sixteen at most, are found as eigenvalues, and each gives the other joints.",
-    ),
-}
+from pieper.kinematics.arm_angle import POLE
+from pieper.kinematics.joints import TURN
+from pieper.solver.plan.plan import Plan
+from pieper.solver.results import Solutions, Status
+from pieper.solver.rows import Flag
+from pieper.solver.words.closest import nearest_reachable
+from pieper.words_by_number import plural
 
 
 def why(plan: Plan, sols: Solutions) -> str:
@@ -56,41 +20,41 @@ def why(plan: Plan, sols: Solutions) -> str:
         return _out_of_reach(plan, sols)
     if status == Status.OUTSIDE_LIMITS:
         return _outside_limits(plan, sols)
-    if status == Status.UNCERTAIN and sols._flag & NO_ARM_ANGLE:
+    if status == Status.UNCERTAIN and sols.flag & Flag.NO_ARM_ANGLE:
         return (
             "The arm angle is undefined at this pose: the line from shoulder to wrist points along the pole of the "
             f"reference or the elbow lies on it, within {POLE:g} rad. Choose {', '.join(plan.redundancy)} instead."
         )
-    if status == Status.UNCERTAIN and sols._flag & COUNT_CHANGES:
+    if status == Status.UNCERTAIN and sols.flag & Flag.COUNT_CHANGES:
+        apart = plan.drift * plan.chain.length * 1e3
         return (
-            f"{k} solution(s) of the arm as described were found and verified, another number than its nominal arm has "
-            f"here: solutions merge or appear within the {plan.drift * plan.chain.length * 1e3:.3g} mm by which the "
-            "two differ."
+            f"{plural(k, 'solution')} of the arm as described {_were(k)} found and verified, another number than its "
+            f"nominal arm has here: solutions merge or appear within the {apart:.3g} mm by which the two differ."
         )
     if status == Status.UNCERTAIN:
-        return f"{k} solution(s) were found and verified, but the check that none is missing failed at this pose."
-    isolated = int(np.sum(sols.in_family < 0))
+        return f"{plural(k, 'solution')} {_were(k)} found and verified, but the check that none is missing failed here."
+    isolated = int(np.sum(sols.in_self_motion < 0))
     if status == Status.SINGULAR:
-        text = "; ".join(str(f) for f in sols.families)
-        count = f"{len(sols.families)} continuous family(ies)"
-        return f"The pose is singular: {count} ({text}) and {isolated} isolated solution(s)."
+        text = "; ".join(str(motion) for motion in sols.self_motions)
+        count = plural(len(sols.self_motions), "self-motion")
+        return f"The pose is singular: {count} ({text}) and {plural(isolated, 'isolated solution')}."
     if status == Status.REDUNDANT:
-        held = _held(plan, sols)
-        return (
-            f"{m} solution(s) at the chosen {held}; the arm has {len(plan.redundancy)} joint(s) to spare for this task."
-        )
+        spare = plural(len(plan.redundancy), "joint")
+        return f"{plural(m, 'solution')} at the chosen {_held(plan, sols)}; the arm has {spare} to spare for this task."
     double = int(np.sum(sols.multiplicity > 1))
     merged = f", {double} of them double (two branches meet there)" if double else ""
-    return f"{m} of {k} solution(s) lie inside the joint limits{merged}."
+    return f"{m} of {plural(k, 'solution')} {'lies' if m == 1 else 'lie'} inside the joint limits{merged}."
+
+
+def _were(count: int) -> str:
+    return "was" if count == 1 else "were"
 
 
 def _held(plan: Plan, sols: Solutions) -> str:
-    return "arm angle" if sols._flag & AT_ARM_ANGLE else ", ".join(plan.redundancy)
+    return "arm angle" if sols.flag & Flag.AT_ARM_ANGLE else ", ".join(plan.redundancy)
 
 
 def _out_of_reach(plan: Plan, sols: Solutions) -> str:
-    from pieper.solver.words.closest import nearest_reachable
-
     _, metres, radians = nearest_reachable(plan.exact.full, sols.T)
     miss = f"misses it by {metres * 1e3:.4g} mm"
     if radians > 5e-3:
@@ -101,72 +65,24 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[
         plan.task
     ]
-    if sols._flag & OUT_OF_REACH_FLAG or radians <= 5e-3:
+    if sols.flag & Flag.OUT_OF_REACH or radians <= 5e-3:
         return f"{what} is out of reach: the nearest one the arm can take {miss}."
     return f"{what} is out of reach: the arm cannot turn the tool this way there; the nearest one it can take {miss}."
 
 
 def _outside_limits(plan: Plan, sols: Solutions) -> str:
-    least, sentence = np.inf, "No solution lies inside the joint limits."
+    least, sentence = float("inf"), "No solution lies inside the joint limits."
     for q in sols.all_q:
         over = np.maximum(plan.limits[:, 0] - q, q - plan.limits[:, 1])
-        turn = 2 * np.pi
         for k in (-1, 1):
-            moved = np.where(plan.prismatic, q, q + k * turn)
+            moved = np.where(plan.prismatic, q, q + k * TURN)
             over = np.minimum(over, np.maximum(plan.limits[:, 0] - moved, moved - plan.limits[:, 1]))
         worst = int(np.argmax(over))
         if over[worst] < least:
-            least = over[worst]
+            least = float(over[worst])
             by = f"{over[worst] * 1e3:.4g} mm" if plan.prismatic[worst] else f"{np.degrees(over[worst]):.4g} deg"
-            sentence = (
-                f"All {len(sols.all_q)} solution(s) break a joint limit; the least offending one exceeds "
-                f"{plan.names[worst]} by {by}."
-            )
+            one = len(sols.all_q) == 1
+            what = "The only solution breaks" if one else f"All {len(sols.all_q)} solutions break"
+            which = "it" if one else "the least offending one"
+            sentence = f"{what} a joint limit; {which} exceeds {plan.names[worst]} by {by}."
     return sentence
-
-
-def explain(plan: Plan) -> str:
-    """Tell how an arm is solved and why, as a teacher would."""
-    geometry, words = FAMILY_WORDS[plan.family]
-    lines = [f"{plan.name}: {plan.n} joints ({''.join('P' if p else 'R' for p in plan.prismatic)}), task: {plan.task}."]
-    lines += ["", "What the axes do:"]
-    lines += [f"  {sentence}" for sentence in plan.geometry.sentences(plan.names)]
-    if plan.snapped:
-        lines += ["", "Made special, because asked to: " + "; ".join(plan.snapped) + "."]
-        lines += ["Each solution of that nominal arm is then refined on the arm as described."]
-    reduction = plan.reduction
-    steps = []
-    if reduction.full.n > plan.n:
-        steps.append(
-            f"the task leaves {reduction.full.n - plan.n} freedom(s) of the tool open, "
-            "which become virtual joints at the tool"
-        )
-    if reduction.locked:
-        values = ", ".join(f"{n} = {v:.4g}" for n, v in zip(plan.redundancy, plan.defaults, strict=True))
-        steps.append(
-            f"more joints than the task needs: {', '.join(plan.redundancy)} held at a chosen value "
-            f"(by default {values})"
-        )
-    if plan.arm_angle:
-        steps.append(f"instead of it the arm angle may be chosen ({plan.arm_angle.words})")
-    if reduction.fill:
-        steps.append(
-            f"the arm can do {6 - len(reduction.fill)} things at once: {len(reduction.fill)} virtual joint(s) are "
-            "added "
-            "that must come out as zero"
-        )
-    if steps:
-        lines += ["", "Made a six-joint problem: " + "; ".join(steps) + "."]
-    lines += ["", f"Solved by: {plan.family.replace('_', ' ')}, for {geometry}.", f"  {words}"]
-    lines += [
-        f"  At most {plan.max_solutions} solutions a pose"
-        + (" and choice of the spare joints." if plan.redundancy else ".")
-    ]
-    if plan.direct and plan.max_solutions > 8:  # more than three pairs of words can tell apart
-        lines += [
-            f"  Posture names: this arm is {plan.cuspidal}." if plan.cuspidal.found else f"  Cuspidal? {plan.cuspidal}."
-        ]
-    for key, value in plan.spec.info.items():
-        if isinstance(value, (str, int, float)):
-            lines.append(f"  {key.replace('_', ' ')}: {value}")
-    return "\n".join(lines)

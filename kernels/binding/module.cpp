@@ -1,0 +1,287 @@
+// The Python module pieper._kernel: forward kinematics of a chain, and the solver that all inverse families share.
+#include <cmath>
+
+#include "binding/fields.hpp"
+#include "dispatch/solver.hpp"
+
+namespace {
+
+using pieper::IsaTable;
+
+// Forward kinematics of one chain.
+class Forward {
+ public:
+  Forward(nb::handle links, nb::handle prismatic, nb::handle after)
+      : isa_(pieper::isa()),
+        links_(to_vector<double>(links, NPY_DOUBLE)),
+        prismatic_(to_vector<std::uint8_t>(prismatic, NPY_UINT8)),
+        after_(to_vector<double>(after, NPY_DOUBLE)),
+        n_(static_cast<int>(prismatic_.size())) {
+    if (links_.size() != 16u * (n_ + 1) || after_.size() != 16u * n_)
+      throw nb::value_error("links must be (n + 1, 4, 4), prismatic (n,) and frames_after (n, 4, 4).");
+  }
+
+  nb::tuple state() const {
+    const npy_intp n = n_;
+    nb::object prismatic = new_array(1, &n, NPY_UINT8);
+    std::copy(prismatic_.begin(), prismatic_.end(), static_cast<std::uint8_t*>(PyArray_DATA(as_array(prismatic))));
+    return nb::make_tuple(shown(links_.data(), {n + 1, 4, 4}), prismatic, shown(after_.data(), {n, 4, 4}));
+  }
+
+  nb::object fk(nb::handle q) const {
+    const npy_intp tail[] = {4, 4};
+    return run(q, tail, 2, [&](const double* in, long count, double* out) {
+      isa_.fk(links_.data(), prismatic_.data(), n_, in, count, out);
+    });
+  }
+  nb::object frames(nb::handle q, nb::handle base) const {
+    const std::vector<double> b = to_vector<double>(base, NPY_DOUBLE);
+    if (b.size() != 16) throw nb::value_error("base must be (4, 4).");
+    const npy_intp tail[] = {n_ + 2, 4, 4};
+    return run(q, tail, 3, [&](const double* in, long count, double* out) {
+      isa_.frames(links_.data(), prismatic_.data(), n_, b.data(), after_.data(), in, count, out);
+    });
+  }
+  nb::object jacobian(nb::handle q) const {
+    const npy_intp tail[] = {6, n_};
+    return run(q, tail, 2, [&](const double* in, long count, double* out) {
+      isa_.jacobian(links_.data(), prismatic_.data(), n_, in, count, out);
+    });
+  }
+
+ private:
+  // q (..., n) -> an array (..., *tail). The caller has checked that q is finite.
+  template <class Work> nb::object run(nb::handle given, const npy_intp* tail, int tail_size, Work work) const {
+    nb::object q = float_array(given, "q");
+    PyArrayObject* array = as_array(q);
+    const int leading = PyArray_NDIM(array) - 1;
+    if (leading < 0 || PyArray_DIM(array, leading) != n_ || leading + tail_size > NPY_MAXDIMS) {
+      nb::dict data;
+      raise_input_error(
+          "q must have shape (..., " + std::to_string(n_) + "), one number a joint, got " + shape_text(array) + ".",
+          data);
+    }
+    npy_intp shape[NPY_MAXDIMS];
+    long count = 1;
+    for (int i = 0; i < leading; ++i) {
+      shape[i] = PyArray_DIM(array, i);
+      count *= shape[i];
+    }
+    for (int i = 0; i < tail_size; ++i) shape[leading + i] = tail[i];
+    nb::object out = new_array(leading + tail_size, shape, NPY_DOUBLE);
+    double* data = static_cast<double*>(PyArray_DATA(as_array(out)));
+    const double* in = doubles(q);
+    if (count < 1000) {
+      work(in, count, data);
+    } else {
+      nb::gil_scoped_release release;
+      work(in, count, data);
+    }
+    return out;
+  }
+
+  const IsaTable& isa_;
+  std::vector<double> links_;
+  std::vector<std::uint8_t> prismatic_;
+  std::vector<double> after_;
+  int n_;
+};
+
+class PySolver {
+ public:
+  PySolver(nb::object geometry, nb::handle lower, nb::handle upper, nb::handle prismatic, double slack, double accepted,
+           double exact)
+      : geometry_(geometry),
+        accepted_(accepted),
+        solver_(*nb::cast<const pieper::Geometry*>(geometry), shifted(lower, -slack), shifted(upper, slack),
+                to_vector<std::uint8_t>(prismatic, NPY_UINT8), accepted, exact) {}
+
+  nb::object geometry() const { return geometry_; }
+
+  nb::tuple many(nb::handle given, int threads) const {
+    nb::object poses = float_array(given, "Ts");
+    PyArrayObject* array = as_array(poses);
+    if (PyArray_NDIM(array) != 3 || PyArray_DIM(array, 1) != 4 || PyArray_DIM(array, 2) != 4) {
+      nb::dict data;
+      raise_input_error("Ts must have shape (N, 4, 4), got " + shape_text(array) + ".", data);
+    }
+    const long count = PyArray_DIM(array, 0);
+    const double* T = doubles(poses);
+    pieper::BadPose bad{};
+    bool proper, exact;
+    {
+      nb::gil_scoped_release release;
+      proper = solver_.check(T, count, bad, exact);
+    }
+    if (!proper) refuse(bad, T, true);
+    const npy_intp shape[] = {count, solver_.slots(), solver_.joints()};
+    nb::object q = new_array(3, shape, NPY_DOUBLE), valid = new_array(2, shape, NPY_BOOL),
+               in_limits = new_array(2, shape, NPY_BOOL), flag = new_array(1, shape, NPY_UINT8);
+    bool finished;
+    {
+      nb::gil_scoped_release release;
+      finished = solver_.solve(T, count, exact, threads, static_cast<double*>(PyArray_DATA(as_array(q))), bytes(valid),
+                               bytes(in_limits), bytes(flag), [] {
+                                 nb::gil_scoped_acquire acquire;
+                                 return PyErr_CheckSignals() == 0;
+                               });
+    }
+    if (!finished) throw nb::python_error();  // KeyboardInterrupt, or whatever the signal handler raised
+    return nb::make_tuple(q, valid, in_limits, flag);
+  }
+
+  nb::tuple one(nb::handle given) const {
+    nb::object pose = float_array(given, "T");
+    PyArrayObject* array = as_array(pose);
+    if (PyArray_NDIM(array) != 2 || PyArray_DIM(array, 0) != 4 || PyArray_DIM(array, 1) != 4) {
+      nb::dict data;
+      raise_input_error("T must be one pose of shape (4, 4), got " + shape_text(array) + "; ik_many takes many.", data);
+    }
+    const int n = solver_.joints(), slots = solver_.slots();
+    double small[8 * 8];
+    std::vector<double> large;
+    double* q = small;
+    if (slots * n > 64) {
+      large.resize(static_cast<std::size_t>(slots) * n);
+      q = large.data();
+    }
+    std::uint8_t valid[256], in_limits[256], flag;
+    pieper::BadPose bad{};
+    if (!solver_.solve_one(doubles(pose), q, valid, in_limits, &flag, bad)) refuse(bad, doubles(pose), false);
+    int m = 0;
+    for (int i = 0; i < slots; ++i) m += valid[i];
+    const npy_intp shape[] = {m, n};
+    nb::object rows = new_array(2, shape, NPY_DOUBLE), which = new_array(1, shape, NPY_UINT8),
+               inside = new_array(1, shape, NPY_BOOL);
+    double* row = static_cast<double*>(PyArray_DATA(as_array(rows)));
+    for (int i = 0, k = 0; i < slots; ++i) {
+      if (!valid[i]) continue;
+      row = std::copy(q + i * n, q + (i + 1) * n, row);
+      bytes(which)[k] = static_cast<std::uint8_t>(i);
+      bytes(inside)[k++] = in_limits[i];
+    }
+    return nb::make_tuple(rows, which, inside, static_cast<int>(flag));
+  }
+
+ private:
+  static std::uint8_t* bytes(const nb::object& o) { return static_cast<std::uint8_t*>(PyArray_DATA(as_array(o))); }
+
+  static std::vector<double> shifted(nb::handle values, double by) {
+    std::vector<double> out = to_vector<double>(values, NPY_DOUBLE);
+    for (double& v : out) v += by;
+    return out;
+  }
+
+  [[noreturn]] void refuse(const pieper::BadPose& bad, const double* T, bool of_many) const {
+    const double* pose = T + 16 * bad.index;
+    char number[32], limit[32];
+    std::snprintf(number, sizeof number, "%.3g", bad.deviation);
+    std::snprintf(limit, sizeof limit, "%.3g", accepted_);
+    std::string which = of_many ? "Ts[" + std::to_string(bad.index) + "]" : "T";
+    bool finite = true;
+    for (int k = 0; k < 16; ++k) finite &= std::isfinite(pose[k]);
+    std::string message;
+    if (!finite) {
+      message = which + " holds NaN or infinity; every entry of a pose must be a finite number.";
+    } else if (bad.deviation >= 2.0 && determinant(pose) < 0) {
+      message = which +
+                " is left-handed (its rotation part has a negative determinant): a mirror, not a pose. Check the signs "
+                "and the order of its columns.";
+    } else {
+      message = which + " is not a pose: its rotation part or last row departs from a rigid motion by " + number +
+                ", and at most " + limit +
+                " is accepted. Check that it is not scaled, sheared or transposed, that angles were in radians and the "
+                "last row is "
+                "0 0 0 1.";
+    }
+    nb::dict data;
+    data["index"] = bad.index;
+    data["deviation"] = bad.deviation;
+    raise_input_error(message, data);
+  }
+
+  static double determinant(const double* T) {
+    return T[0] * (T[5] * T[10] - T[6] * T[9]) - T[1] * (T[4] * T[10] - T[6] * T[8]) +
+           T[2] * (T[4] * T[9] - T[5] * T[8]);
+  }
+
+  nb::object geometry_;
+  double accepted_;
+  pieper::Solver solver_;
+};
+
+nb::object elementary(int what, nb::handle given) {
+  nb::object x = float_array(given, "x");
+  const npy_intp count = PyArray_SIZE(as_array(x)) / (what == 0 ? 1 : 2);
+  const npy_intp shape[] = {count, 2};
+  nb::object out = new_array(what == 0 ? 2 : 1, shape, NPY_DOUBLE);
+  pieper::isa().elementary(what, doubles(x), count, static_cast<double*>(PyArray_DATA(as_array(out))));
+  return out;
+}
+
+int import_numpy() {
+  import_array1(-1);
+  return 0;
+}
+
+}  // namespace
+
+NB_MODULE(_kernel, m) {
+  // arms that live as long as the program (a script's globals, caches) are no leaks
+  nb::set_leak_warnings(false);
+  if (import_numpy() < 0) throw nb::python_error();
+  m.doc() = "The native kernels of pieper: forward kinematics and the inverse families, several poses per instruction.";
+  m.attr("isa") = pieper::isa().name;
+  m.attr("isa_available") = pieper::isa_names();
+  m.attr("lanes") = pieper::isa().lanes;
+  nb::enum_<pieper::Flag>(m, "Flag", nb::is_arithmetic(), nb::is_flag(),
+                          "What a solver says of a pose; bits of `flag`.")
+      .value("DEGENERATE", pieper::Flag::DEGENERATE,
+             "So near a singular pose that self-motions or merged roots are possible.")
+      .value("UNCERTAIN", pieper::Flag::UNCERTAIN, "The family cannot vouch that nothing is missing.")
+      .value("OUT_OF_REACH", pieper::Flag::OUT_OF_REACH, "No solution, for reasons of reach.")
+      .value("ROUNDED", pieper::Flag::ROUNDED, "The rotation was replaced by the nearest exact one.")
+      .value("NO_ARM_ANGLE", pieper::Flag::NO_ARM_ANGLE, "The arm angle is undefined here.")
+      .value("COUNT_CHANGES", pieper::Flag::COUNT_CHANGES,
+             "The arm as described has another number of solutions here than the one solved.")
+      .value("AT_ARM_ANGLE", pieper::Flag::AT_ARM_ANGLE, "Solved at a chosen arm angle.");
+
+  nb::class_<Forward>(m, "Forward",
+                      "Forward kinematics of a chain: links (n + 1, 4, 4), prismatic (n,), frames_after (n, 4, 4).")
+      .def(nb::init<nb::handle, nb::handle, nb::handle>(), nb::arg("links"), nb::arg("prismatic"),
+           nb::arg("frames_after"))
+      .def("__getstate__", &Forward::state)
+      .def("__setstate__", [](Forward& self, nb::tuple s) { new (&self) Forward(s[0], s[1], s[2]); })
+      .def("fk", &Forward::fk, nb::arg("q"), "Poses (..., 4, 4) of q (..., n).")
+      .def("frames", &Forward::frames, nb::arg("q"), nb::arg("base"), "Frames (..., n + 2, 4, 4) of q (..., n).")
+      .def("jacobian", &Forward::jacobian, nb::arg("q"), "Jacobians (..., 6, n) of q (..., n), linear rows first.");
+
+  nb::class_<pieper::Geometry>(
+      m, "Geometry", "What a family is told of an arm: made from keyword arguments, unchangeable, picklable.");
+  int family = 0;
+#define PIEPER_FAMILY(name) [[maybe_unused]] auto name = bind_family<pieper::name>(m, #name, family++);
+#include "families.def"
+#undef PIEPER_FAMILY
+  General
+      .def_prop_ro(
+          "trials", [](const Bound<pieper::General>& self) { return get(self.trials); },
+          "(24, 4): rank, missed, open, noise of every hand-out of roles (shift, direction, swap).")
+      .def_prop_ro(
+          "usable", [](const Bound<pieper::General>& self) { return self.usable; }, "How many ways are of use.");
+
+  nb::class_<PySolver>(m, "Solver", "Every solution of poses by the kernel of one family.")
+      .def(nb::init<nb::object, nb::handle, nb::handle, nb::handle, double, double, double>(), nb::arg("geometry"),
+           nb::kw_only(), nb::arg("lower"), nb::arg("upper"), nb::arg("prismatic"), nb::arg("slack"),
+           nb::arg("accepted"), nb::arg("exact"))
+      .def_prop_ro("geometry", &PySolver::geometry)
+      .def("many", &PySolver::many, nb::arg("Ts"), nb::arg("threads") = 1,
+           "(N, 4, 4) -> q (N, slots, joints), valid, in_limits (N, slots), flag (N,). threads 0: all cores.")
+      .def("one", &PySolver::one, nb::arg("T"),
+           "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
+
+  m.def(
+      "sincos", [](nb::handle x) { return elementary(0, x); }, nb::arg("x"),
+      "(N,) -> (N, 2) sine and cosine, for tests.");
+  m.def(
+      "atan2", [](nb::handle yx) { return elementary(1, yx); }, nb::arg("yx"), "(N, 2) y, x -> (N,), for tests.");
+}

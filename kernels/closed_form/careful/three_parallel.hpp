@@ -1,0 +1,171 @@
+// Six joints, three neighbouring ones of a plane (three parallel axes; or turns about a normal and slides across it),
+// wherever they stand in the chain: the UR arms and their relatives.
+//
+// The loop entered after the plane's joints reads P Pre Za A Zb B Zc C = I. P keeps the plane's normal and its height, so the row
+// (0 0 1 0) passes through it: h Za A Zb B Zc = k with h the third row of Pre and k that of C^-1. The middle joint b drops
+// out of the normal's component along it and of the height, two equations linear in the terms of a and c: a PairSystem
+// (four pairs). Then b, then P is a known motion of the plane (two solutions): eight in all.
+#pragma once
+
+#include "closed_form/careful/group.hpp"
+#include "closed_form/careful/planar.hpp"
+#include "closed_form/careful/position.hpp"
+
+namespace pieper::PIEPER_ISA::closed_form {
+
+inline PlanarLink read_planar(const Rigid& link) { return {{link.t.x, link.t.y}, std::atan2(link.x.y, link.x.x)}; }
+
+// A direction as a function of a joint: a sliding one leaves it alone.
+inline Vec3 direction_at(const Swing& s, double x, bool slides) { return slides ? s.at : swing_at(s, x, false); }
+
+// The normal's component along the middle axis (as the squared part across it, which stays accurate where the normal nearly lies along
+// the axis) and the height, as a pair of separable equations.
+struct PlaneEquations {
+  const Swing &ha, &w, &kc, &u;
+  Vec3 At, Bt;
+  double rise_a, rise_c, climb;
+  bool slides_a, slides_c;
+  void operator()(double a, double c, Separable& flat, Separable& bent) const {
+    Vec3 p = direction_at(w, a, slides_a), r = direction_at(u, c, slides_c), zero = {0, 0, 0};
+    Vec3 dp = zero, ddp = zero, dr = zero, ddr = zero, ph = direction_at(ha, a, slides_a), dph = zero, ddph = zero;
+    if (!slides_a) swing_slopes(w, a, false, dp, ddp), swing_slopes(ha, a, false, dph, ddph);
+    if (!slides_c) swing_slopes(u, c, false, dr, ddr);
+    flat = {climb + dot(ph, At) + dot(r, Bt) + rise_a * a + rise_c * c, dot(dph, At) + rise_a, dot(dr, Bt) + rise_c,
+            dot(ddph, At), dot(ddr, Bt)};
+    if (std::fabs(p.z) < 0.5) {
+      bent = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
+    } else {
+      bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y),
+              -2 * (r.x * dr.x + r.y * dr.y), 2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
+              -2 * (r.x * ddr.x + r.y * ddr.y + dr.x * dr.x + dr.y * dr.y)};
+    }
+    if (flat.a * flat.a + flat.c * flat.c < bent.a * bent.a + bent.c * bent.c) {
+      Separable swap = flat;
+      flat = bent, bent = swap;
+    }
+  }
+};
+
+// The four swings and the pair of equations of the joints around a plane: h in the frames of a and b, k in those of c and b.
+template <class F> struct PlaneProblem {
+  Vec3T<F> h, k, At, Bt;
+  F climb;  // height the three joints have to make up for
+  SwingT<F> ha, w, kc, u;
+  F M[2][2], N[2][2], e[2];
+
+  PIEPER_INLINE PlaneProblem(const LoopRestT<F>& rest, const bool* slides) {
+    const RigidT<F>&A = rest.A, &B = rest.B;
+    const F zero(0.0);
+    const Vec3T<F> none = {zero, zero, zero};
+    h = {rest.pre.x.z, rest.pre.y.z, rest.pre.z.z};
+    k = rest.C.z;
+    At = A.t, Bt = B.t;
+    climb = rest.pre.t.z + dot(k, rest.C.t);
+    // w(a) = A^T Za^T h, u(c) = B Zc k as swings of directions: a sliding joint does not turn them
+    ha = slides[0] ? SwingT<F>{h, none, none} : SwingT<F>{{zero, zero, h.z}, {h.x, h.y, zero}, {h.y, -h.x, zero}};
+    w = {turn_back(A, ha.at), turn_back(A, ha.first), turn_back(A, ha.second)};
+    kc = slides[2] ? SwingT<F>{k, none, none} : SwingT<F>{{zero, zero, k.z}, {k.x, k.y, zero}, {-k.y, k.x, zero}};
+    u = {turn(B, kc.at), turn(B, kc.first), turn(B, kc.second)};
+    if (!slides[1]) {
+      M[0][0] = w.first.z, M[0][1] = w.second.z;
+      N[0][0] = -u.first.z, N[0][1] = -u.second.z;
+      e[0] = u.at.z - w.at.z;
+      M[1][0] = slides[0] ? h.z : dot(ha.first, At), M[1][1] = slides[0] ? zero : dot(ha.second, At);
+      N[1][0] = slides[2] ? k.z : dot(u.first, Bt), N[1][1] = slides[2] ? zero : dot(u.second, Bt);
+      e[1] = -climb - dot(ha.at, At) - dot(u.at, Bt);
+    } else {  // the sliding middle joint leaves both directions alone: w(a) = u(c), one equation for each alone
+      Vec3T<F> along_c = turn(A, B.z), along_a = turn_back(B, Vec3T<F>{A.x.z, A.y.z, A.z.z});
+      M[0][0] = dot(ha.first, along_c), M[0][1] = dot(ha.second, along_c);
+      N[0][0] = N[0][1] = zero;
+      e[0] = k.z - dot(ha.at, along_c);
+      M[1][0] = M[1][1] = zero;
+      N[1][0] = dot(kc.first, along_a), N[1][1] = dot(kc.second, along_a);
+      e[1] = h.z - dot(kc.at, along_a);
+    }
+  }
+};
+
+// The values of joints a, b, c that leave the rest to the plane.
+// `apart`, `first_c`: of PairSystem.
+inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool apart, bool first_c, PositionRoots& out) {
+  const PlaneProblem<double> P(rest, slides);
+  const auto& [h, k, At, Bt, climb, ha, w, kc, u, M, N, e] = P;
+  PairSystem s;
+  s.slides_a = slides[0];
+  s.slides_c = slides[2];
+  s.apart = apart, s.first_c = first_c;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) s.M[i][j] = M[i][j], s.N[i][j] = N[i][j];
+    s.e[i] = e[i];
+  }
+  PairRoots pairs;
+  solve_pair(s, pairs);
+  out.degenerate = pairs.degenerate;
+  const PlaneEquations equations{ha,    w,         kc,       u, At, Bt, slides[0] ? h.z : 0, slides[2] ? k.z : 0,
+                                 climb, slides[0], slides[2]};
+  for (int i = 0; i < pairs.count; ++i) {
+    double refined[2][2] = {{pairs.a[i], pairs.c[i]}, {}};
+    int branches = slides[1] ? 1 : refine_pair(equations, pairs.a[i], pairs.c[i], refined);
+    for (int n = 0; n < branches; ++n) {
+      double a = refined[n][0], c = refined[n][1], middle;
+      Vec3 from = direction_at(u, c, slides[2]), to = direction_at(w, a, slides[0]);
+      bool free = false;
+      if (!slides[1]) {
+        middle = turn_between(from, to, free);
+      } else if (std::fabs(to.z) > 1e-13) {
+        middle = -(climb + dot(direction_at(ha, a, slides[0]), At) + dot(from, Bt) + (slides[0] ? a * h.z : 0) +
+                   (slides[2] ? c * k.z : 0)) /
+                 to.z;
+      } else {  // the slide runs along the plane
+        out.degenerate = true;
+        continue;
+      }
+      out.degenerate |= free;
+      out.add(a, middle, c, free);
+    }
+  }
+}
+
+// One pose.
+inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, const PlanarLink& l2, const double* T,
+                                 double* q, std::uint8_t* valid, std::uint8_t* flag) {
+  constexpr int kSlots = 8;
+  const TrueChain chain = own.chain();
+  const int first = own.first;
+  const bool* slides_in = own.slides + first;
+  Rigid pose = read_rigid(T, chain.length);
+  LoopRest rest(own.links, pose, first);
+  bool slides[3];
+  for (int k = 0; k < 3; ++k) slides[k] = own.slides[rest.joints[k]];
+  double room[kSlots * 6];
+  Found found{6, kSlots, 0, room};
+  // where rows cannot be told from curves the quartic has its say too
+  for (bool apart = own.apart, again = true; again; again = apart && !settled(chain, pose, found), apart = false) {
+    PositionRoots roots;
+    solve_around_plane(rest, slides, apart, own.first_c, roots);
+    found.degenerate |= roots.degenerate;
+    for (int k = 0; k < roots.count; ++k) {
+      double* arm = roots.q[k];
+      const int tries = roots.free[k] ? 16 : 1, before = found.count;
+      for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
+        arm[1] += trial * (2 * kPi / 16);
+        Rigid around = joint(rest.pre, arm[0], slides[0]) * rest.A;
+        around = joint(around, arm[1], slides[1]) * rest.B;
+        around = inverse(joint(around, arm[2], slides[2]) * rest.C);
+        double plane[2][3], candidate[6];
+        int bends = solve_planar(l1, l2, slides_in, std::atan2(around.x.y - around.y.x, around.x.x + around.y.y),
+                                 {around.t.x, around.t.y}, plane);
+        for (int s = 0; s < bends; ++s) {
+          for (int j = 0; j < 3; ++j) {
+            candidate[rest.joints[j]] = arm[j];
+            candidate[first + j] = plane[s][j] * own.sense[j];
+          }
+          offer(chain, pose, candidate, found);
+        }
+      }
+    }
+  }
+  write_out(chain, pose, found, q, valid, flag);
+}
+
+}  // namespace pieper::PIEPER_ISA::closed_form

@@ -1,0 +1,151 @@
+// A group of three joints and the three beside it for many poses at once: the straight road. A lane in which anything is delicate
+// (a root pair about to merge, a wrist about to line up, a residual above the verified one) is handed to the careful scalar road.
+#pragma once
+
+#include "chain/row_order.hpp"
+#include "closed_form/careful/group.hpp"
+#include "closed_form/careful/position.hpp"
+#include "closed_form/lanes/pair.hpp"
+#include "lanes/batch.hpp"
+
+namespace pieper::PIEPER_ISA::closed_form {
+
+template <class F> PIEPER_INLINE RigidT<F> spread(const Rigid& A) {
+  auto v = [](Vec3 a) { return Vec3T<F>{F(a.x), F(a.y), F(a.z)}; };
+  return {v(A.x), v(A.y), v(A.z), v(A.t)};
+}
+template <class F> PIEPER_INLINE Vec3T<F> combined(const RigidT<F>& A, Vec3 b) {
+  return {A.x.x * b.x + (A.y.x * b.y + A.z.x * b.z), A.x.y * b.x + (A.y.y * b.y + A.z.y * b.z),
+          A.x.z * b.x + (A.y.z * b.y + A.z.z * b.z)};
+}
+template <class F> PIEPER_INLINE RigidT<F> times(const RigidT<F>& A, const Rigid& B) {
+  return {combined(A, B.x), combined(A, B.y), combined(A, B.z), combined(A, B.t) + A.t};
+}
+template <class F> PIEPER_INLINE RigidT<F> moved(const RigidT<F>& A, Motion<F> m, bool slides) {
+  if (slides) return {A.x, A.y, A.z, A.t + m.c * A.z};
+  return {m.c * A.x + m.s * A.y, m.c * A.y - m.s * A.x, A.z, A.t};
+}
+
+// What a family computes for a group of poses.
+template <class F> struct LaneSolutions {
+  F q[8][6];  // rad; a slide in lengths of the arm
+  Mask<F> valid[8];
+  Mask<F> unclear;
+};
+
+template <class F> PIEPER_INLINE F largest(Vec3T<F> v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
+
+// The three joints beside a group, at each of the four pairs: the middle joint, and the motion of the loop around the group.
+template <class F> struct Around {
+  const GroupArm& arm;
+  const LoopRestT<F>& rest;
+  const PairLanes<F>& s;
+  RigidT<F> left, right;  // Pre Za A and B Zc C, each kept while its joint stays the same
+
+  PIEPER_INLINE RigidT<F> at(int i, Motion<F> b) {
+    const bool *slides = arm.slides, second = s.apart && i % 2;
+    if (!second || s.first_c) left = moved(rest.pre, s.a[i], slides[arm.order[0]]) * rest.A;
+    if (!second || !s.first_c) right = moved(rest.B, s.c[i], slides[arm.order[2]]) * rest.C;
+    return moved(left, b, slides[arm.order[1]]) * right;
+  }
+};
+
+// The turn about z that takes `from` to `to`.
+template <class F> PIEPER_INLINE Motion<F> turn_between(Vec3T<F> from, Vec3T<F> to, Mask<F>& unclear, Mask<F> found) {
+  unclear = unclear | (found & !((from.x * from.x + from.y * from.y) > kRootsMerge));
+  return unit(to.x * from.x + to.y * from.y, to.y * from.x - to.x * from.y);
+}
+
+template <class F> PIEPER_INLINE void start_pair(const GroupArm& arm, PairLanes<F>& s) {
+  s.slides_a = arm.slides[arm.order[0]], s.slides_c = arm.slides[arm.order[2]];
+  s.hide_c = arm.hide_c, s.first_c = arm.first_c, s.apart = arm.apart;
+}
+
+template <class F> PIEPER_INLINE void put_pair(const GroupArm& arm, const PairLanes<F>& s, int i, F b, F* q) {
+  q[arm.order[0]] = s.angle_a[i], q[arm.order[1]] = b, q[arm.order[2]] = s.angle_c[i];
+}
+
+// Lanes of poses through a family, verified by closing the loop, rows in order; bits of the lanes that need the careful road.
+template <class F, class Family>
+__attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family& family, const double* T, int lanes,
+                                               double* q, std::uint8_t* valid, std::uint8_t* flag) {
+  constexpr int W = width_of<F>;
+  const Pose<F> pose = load_poses<F>(T);
+  const double scale = 1 / arm.length;
+  // the loop closes through links[6] T^-1 links[0]
+  const Vec3T<F> tx = {pose.r[0][0], pose.r[0][1], pose.r[0][2]}, ty = {pose.r[1][0], pose.r[1][1], pose.r[1][2]},
+                 tz = {pose.r[2][0], pose.r[2][1], pose.r[2][2]};
+  const RigidT<F> back = {tx, ty, tz, F(-scale) * (pose.p[0] * tx + pose.p[1] * ty + pose.p[2] * tz)};
+  const RigidT<F> closing = spread<F>(arm.links[6]) * times(back, arm.links[0]);
+  LoopRestT<F> rest;
+  RigidT<F>* place[4] = {&rest.pre, &rest.A, &rest.B, &rest.C};
+  for (int k = 0; k < 4; ++k) {
+    const int link = (arm.first + 3 + k) % 6;
+    const double* constant = &arm.links[link].x.x;
+    F* to = &place[k]->x.x;
+    for (int i = 0; i < 12; ++i) to[i] = link == 0 ? (&closing.x.x)[i] : F(constant[i]);
+  }
+  LaneSolutions<F> out;
+  family.template solve<F>(arm, rest, out);
+  F values[8][6];
+  for (int m = 0; m < 8; ++m)
+    for (int j = 0; j < 6; ++j) values[m][j] = select(out.valid[m], out.q[m][j] * arm.unit[j], F(0.0));
+  Bits<F> rank[8];
+  rank_rows<F, 8, 6>(values, out.valid, arm.slides, rank);
+  // as many different ranks as rows, or the lane's order is left to the careful road
+  Bits<F> seen = {}, count = {};
+  for (int m = 0; m < 8; ++m) {
+    seen |= (Bits<F>{} + 1) << rank[m];
+    count += word_where(out.valid[m], 1);
+  }
+  std::int64_t ranks[8][W], counts[W], all_seen[W];
+  __builtin_memcpy(ranks, rank, sizeof ranks);
+  __builtin_memcpy(counts, &count, sizeof counts);
+  __builtin_memcpy(all_seen, &seen, sizeof all_seen);
+  unsigned unclear = bits_of(out.unclear);
+  double rows[48 * W];
+  store_records<F, 48>(rows, values[0], W);
+  for (int i = 0; i < lanes; ++i) {
+    for (int m = 0; m < 8; ++m) __builtin_memcpy(q + 48 * i + 6 * ranks[m][i], rows + 48 * i + 6 * m, 48);
+    if (all_seen[i] != 255) unclear |= 1u << i;
+    const std::uint64_t ones = 0x0101010101010101u,
+                        word = counts[i] == 8 ? ones : ones & ((1ull << (8 * counts[i])) - 1);
+    __builtin_memcpy(valid + 8 * i, &word, 8);
+    flag[i] = counts[i] ? 0 : kOutOfReach;
+  }
+  return unclear & ((1u << lanes) - 1u);
+}
+
+// A family of groups. `Lanes` is made from a GroupArm, solves poses in lanes, and has `careful`, which takes one pose.
+template <class Geometry, class Lanes_> class GroupKernel {
+ public:
+  static constexpr bool in_order = true;
+  explicit GroupKernel(const Geometry& arm) : arm_(arm), family_(arm_) {}
+
+  void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
+    auto again = [&](unsigned unclear, long first) {
+      for (; unclear; unclear &= unclear - 1) {
+        const long i = __builtin_ctz(unclear), at = first + i;
+        family_.careful(arm_, T + 16 * at, q + 48 * at, valid + 8 * at, flag + at);
+        put_in_order(q + 48 * at, valid + 8 * at, 8, 6, reinterpret_cast<const std::uint8_t*>(arm_.slides));
+      }
+    };
+    if (!arm_.straight || !family_.straight) {
+      for (long i = 0; i < count; ++i) again(1, i);
+    } else if (count == 1) {
+      again(solve_clear<double>(arm_, family_, T, 1, q, valid, flag), 0);
+    } else {
+      in_lanes(T, count, [&](long first, int lanes, const double* poses) {
+        again(solve_clear<Lanes<PIEPER_LANES>>(arm_, family_, poses, lanes, q + 48 * first, valid + 8 * first,
+                                               flag + first),
+              first);
+      });
+    }
+  }
+
+ private:
+  GroupArm arm_;
+  Lanes_ family_;
+};
+
+}  // namespace pieper::PIEPER_ISA::closed_form

@@ -1,0 +1,399 @@
+// Six revolute joints: the first perpendicular to the second, the second and third parallel, a spherical wrist of
+// three mutually perpendicular neighbours at the end. Eight solutions in closed form (Pieper, 1968).
+//
+// In the base frame B (origin on axis 1 at the height of axis 2; z along axis 1, y against axis 2) the arm is
+//     B^-1 T C = Rz(th1) [x = a1 + L2 cos th2 + L3 cos(th2 + th3), y = b, z = L2 sin th2 + L3 sin(th2 + th3)]   wrist centre
+//     rotation = Rz(th1) S(th2 + th3 + psi) X(tau) Rz(th4) Ry(th5) Rz(th6)
+// where S turns x towards z and X(tau) tilts axis 4 out of the arm's plane (zero for every usual arm).
+//
+// Slot = 4 shoulder + 2 elbow + wrist:
+//     shoulder 0: the wrist centre on the positive x side of the turned base frame, 1: on the negative side
+//     elbow    0: sin th3 negative in front (positive behind): the elbow above the line from shoulder to wrist
+//     wrist    0: sin th5 positive, 1: negative
+// At a double root only the slot with the 0 is filled: wrist centre on axis 1 (th1 is free; q1 = 0 stands for it) or at
+// the shoulder's inner reach, arm stretched or folded (th3 double; wrist centre on axis 2: q2 = 0), sin th5 = 0 (th4 and
+// th6 count only as sum or difference; q4 = 0).
+#pragma once
+
+#include "dispatch/geometry.hpp"
+
+namespace pieper {
+
+struct SphericalWristParallel : Geometry {
+  static constexpr const char* name = "spherical_wrist_parallel";
+  static constexpr const char* doc =
+      "Parallel second and third axes, the first across them, a spherical wrist of right angles at the end.";
+  static constexpr int joints = 6, slots = 8;
+  double base[3][3];          // takes world directions to B
+  double tool[3][3];          // C, the end frame of the wrist's angles seen from the tool
+  Vector origin;              // minus B's origin, in B, m
+  Vector centre;              // wrist centre seen from the tool point, in C's frame, m
+  double a1, b, upper, fore;  // m; L2 and L3 above
+  double cos_psi, sin_psi, cos_tau, sin_tau;
+  double offset2, offset3, offset4, offset5;  // rad: th2 = q2 + offset2, th3 = sign3 q3 + offset3, ...
+  double sign3, cos_offset4, sin_offset4;
+  double scale;  // length that positions are compared with, m
+  bool tilted;   // tau is not zero
+
+  template <class Self, class Visit> static void fields(Self& self, Visit visit) {
+    visit("base", self.base), visit("tool", self.tool), visit("origin", self.origin), visit("centre", self.centre);
+    visit("a1", self.a1), visit("b", self.b), visit("upper", self.upper), visit("fore", self.fore);
+    visit("cos_psi", self.cos_psi), visit("sin_psi", self.sin_psi), visit("cos_tau", self.cos_tau),
+        visit("sin_tau", self.sin_tau);
+    visit("offset2", self.offset2), visit("offset3", self.offset3), visit("offset4", self.offset4),
+        visit("offset5", self.offset5);
+    visit("sign3", self.sign3), visit("cos_offset4", self.cos_offset4), visit("sin_offset4", self.sin_offset4);
+    visit("scale", self.scale), visit("tilted", self.tilted);
+  }
+};
+
+}  // namespace pieper
+
+#ifdef PIEPER_ISA
+#include "lanes/batch.hpp"
+#include "lanes/math.hpp"
+
+namespace pieper::PIEPER_ISA {
+
+class SphericalWristParallelKernel {
+ public:
+  static constexpr bool in_order = true;
+  explicit SphericalWristParallelKernel(const SphericalWristParallel& arm) : arm_(arm) {}
+
+  void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
+    if (count == 1) return solve_alone(arm_, load_poses<double>(T), q, valid, flag);
+    solve_batch<SphericalWristParallelKernel>(arm_, T, count, q, valid, flag);
+  }
+
+  // Relative to kScale, or radians. Rounding of a pose made by forward kinematics is a few 1e-16.
+  static constexpr double kOnSingularity = 1e-13;   // closer: one representative stands for the family
+  static constexpr double kNearSingularity = 1e-7;  // closer: flagged, so that the careful path looks at it
+  static constexpr double kRounding = 8 * 2.2e-16;  // a distance from the edge of reach that is nothing but rounding
+  static constexpr double kNearDouble = 1e-6;       // half the angle between two roots below which they are flagged
+  static constexpr double kOvershoot = 5e-13;       // a reach exceeded by no more than this is the edge of reach
+  static constexpr double kEdgeOfElbow = 1e-3;      // sin^2 th3 below which cancellation is avoided
+  static constexpr double kVerified = 1e-11;        // forward kinematics must return the pose this closely
+
+  // All branches of W poses: lanes are poses, the branches follow one another.
+  template <class F>
+  PIEPER_INLINE static void branches(const SphericalWristParallel& P, const Pose<F>& T, Branches<F, 8, 6>& out) {
+    F M[3][3], w[3];
+    into_base(P, T, M, w);
+    Shoulder<F> shoulder = start_shoulder(P, w);
+    Mask<F> none = mask_of<F>(true);
+#pragma GCC unroll 2
+    for (int side = 0; side < 2; ++side) {
+      Arm<F> arm = turn_shoulder(P, M, w, shoulder, F(side ? -1.0 : 1.0));
+      if (side) arm.ok = arm.ok & shoulder.two_sides;
+      Elbow<F> elbow = start_elbow(P, arm);
+#pragma GCC unroll 2
+      for (int e = 0; e < 2; ++e) {
+        Answer<F> answer = bend_and_turn_wrist(P, M, w, arm, elbow, F(side == e ? -1.0 : 1.0));
+        Mask<F> ok = answer.ok;
+        if (e) ok = ok & elbow.two;
+        const int slot = 4 * side + 2 * e;
+        for (int j = 0; j < 6; ++j) out.q[slot][j] = answer.q[j];
+        out.valid[slot] = ok;
+        // the other turn of the wrist: th4 + pi, -th5, th6 + pi, the same rotation exactly
+        for (int j = 0; j < 3; ++j) out.q[slot + 1][j] = answer.q[j];
+        for (int j = 0; j < 3; ++j) out.q[slot + 1][3 + j] = answer.flipped[j];
+        out.valid[slot + 1] = ok & answer.two;
+        shoulder.degenerate = shoulder.degenerate | (answer.degenerate & ok);
+        none = none & !ok;
+      }
+      shoulder.degenerate = shoulder.degenerate | elbow.degenerate;
+    }
+    out.degenerate = shoulder.degenerate;
+    out.uncertain = none & shoulder.degenerate & shoulder.reached;
+    out.out_of_reach = none;
+  }
+
+  // One pose alone: lanes are the four postures of shoulder and elbow.
+  PIEPER_INLINE static void solve_alone(const SphericalWristParallel& P, const Pose<double>& T, double* q,
+                                        std::uint8_t* valid, std::uint8_t* flag) {
+    using F = Lanes<4>;
+    double M1[3][3], w1[3];
+    into_base(P, T, M1, w1);
+    F M[3][3], w[3];
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) M[i][j] = F(M1[i][j]);
+      w[i] = F(w1[i]);
+    }
+    F side, sense;
+    for (int k = 0; k < 4; ++k) {
+      side.v[k] = k < 2 ? 1.0 : -1.0;
+      sense.v[k] = k == 0 || k == 3 ? -1.0 : 1.0;
+    }
+    Shoulder<F> shoulder = start_shoulder(P, w);
+    Arm<F> arm = turn_shoulder(P, M, w, shoulder, side);
+    arm.ok = arm.ok & (shoulder.two_sides | (side > 0.0));
+    Elbow<F> elbow = start_elbow(P, arm);
+    Answer<F> answer = bend_and_turn_wrist(P, M, w, arm, elbow, sense);
+    Mask<F> second = (side * sense) > 0.0;  // slot with elbow 1
+    Mask<F> ok = answer.ok & (elbow.two | !second);
+    const unsigned bits = bits_of(ok), two = bits_of(answer.two);
+    const bool degenerate = any(shoulder.degenerate | elbow.degenerate | (answer.degenerate & ok));
+    for (int k = 0; k < 4; ++k) {
+      const bool first_ok = (bits >> k) & 1u, both_ok = first_ok & ((two >> k) & 1u);
+      valid[2 * k] = first_ok;
+      valid[2 * k + 1] = both_ok;
+      double *a = q + 12 * k, *b = a + 6;
+      for (int j = 0; j < 6; ++j) {
+        a[j] = first_ok ? answer.q[j].v[k] : 0.0;
+        b[j] = both_ok ? (j < 3 ? answer.q[j].v[k] : answer.flipped[j < 3 ? 0 : j - 3].v[k]) : 0.0;
+      }
+    }
+    *flag = static_cast<std::uint8_t>((degenerate ? kDegenerate : 0) | (bits ? 0 : kOutOfReach) |
+                                      (!bits && degenerate && any(shoulder.reached) ? kUncertain : 0));
+  }
+
+ private:
+  template <class F> struct Shoulder {
+    F R2, x2, x, over_R2;
+    Mask<F> reached, two_sides, degenerate;
+    Mask<F> fixed;  // direction given by c, s below, not by x
+    F c, s;
+  };
+  template <class F> struct Arm {  // after the first joint has turned
+    F c, s, q1;
+    F rounded_c, rounded_s;  // of the rounded q1, for the check
+    F ux[3], uy[3];          // the rotation's first two rows, turned back
+    F X, Z;                  // wrist centre in the arm's plane, from axis 2
+    Mask<F> ok;
+  };
+  template <class F> struct Elbow {
+    F D, s3, th3, over_D;
+    F along, forward;  // L2 + L3 cos th3, L3 + L2 cos th3
+    Mask<F> ok, two, centred, degenerate;
+  };
+  template <class F> struct Answer {
+    F q[6], flipped[3];  // flipped: q4, q5, q6 of the wrist's other turn
+    Mask<F> ok, two, degenerate;
+  };
+
+  // The pose seen from B, with the tool taken off: M = B^-1 R C and the wrist centre.
+  template <class F>
+  PIEPER_INLINE static void into_base(const SphericalWristParallel& P, const Pose<F>& T, F (&M)[3][3], F (&w)[3]) {
+    F half[3][3];
+    const double origin[3] = {P.origin.x, P.origin.y, P.origin.z};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        half[i][j] = T.r[i][0] * P.tool[0][j] + (T.r[i][1] * P.tool[1][j] + T.r[i][2] * P.tool[2][j]);
+    for (int i = 0; i < 3; ++i) {
+      const double* row = P.base[i];
+      for (int j = 0; j < 3; ++j) M[i][j] = row[0] * half[0][j] + (row[1] * half[1][j] + row[2] * half[2][j]);
+      F p = origin[i] + (row[0] * T.p[0] + (row[1] * T.p[1] + row[2] * T.p[2]));
+      w[i] = p + (M[i][0] * P.centre.x + (M[i][1] * P.centre.y + M[i][2] * P.centre.z));
+    }
+  }
+
+  // Below this x^2 = wx^2 + wy^2 - b^2 is looked at closely, m^2: x itself small, or the two roots x and -x one direction.
+  PIEPER_INLINE static double shoulder_near(const SphericalWristParallel& P) {
+    const double b = __builtin_fabs(P.b), length = kNearSingularity * P.scale, side = kNearDouble * b;
+    return length * length + side * side + 8 * kRounding * b * P.scale;
+  }
+
+  template <class F> PIEPER_INLINE static Shoulder<F> start_shoulder(const SphericalWristParallel& P, const F (&w)[3]) {
+    Shoulder<F> a;
+    a.R2 = w[0] * w[0] + w[1] * w[1];
+    a.x2 = a.R2 - P.b * P.b;
+    a.x = sqrt(max(a.x2, F(0.0)));
+    a.over_R2 = 1.0 / a.R2;
+    a.reached = a.two_sides = a.x2 >= 0.0;
+    a.degenerate = a.fixed = mask_of<F>(false);
+    a.c = a.s = F(0.0);
+    if (__builtin_expect(any(a.x2 < shoulder_near(P)), 0)) shoulder_edge(P, w, a);
+    return a;
+  }
+
+  // Wrist centre near axis 1, or near the circle around it inside which the lateral offset b keeps the arm.
+  template <class F> __attribute__((noinline)) static void shoulder_edge(const SphericalWristParallel& P,
+                                                                         const F (&w)[3], Shoulder<F>& a) {
+    const double b = P.b, scale = P.scale, here = kOnSingularity * scale;
+    F rho = sqrt(a.R2), gap = rho - __builtin_fabs(b);
+    a.degenerate = a.x2 < shoulder_near(P);
+    Mask<F> edge = (gap < 0.0) & (gap >= -kOvershoot * scale);
+    Mask<F> on_axis = (rho <= here) & mask_of<F>(__builtin_fabs(b) <= here);
+    a.x = sqrt(max(gap * (rho + __builtin_fabs(b)), F(0.0)));
+    a.reached = (gap >= 0.0) | edge | on_axis;
+    // on the axis both sides hold the same families; at the edge they are a double root
+    a.two_sides =
+        (gap > 0.0) & (a.x > here) & ((gap > kRounding * scale) | mask_of<F>(__builtin_fabs(b) <= here)) & !on_axis;
+    // at the edge x = 0 and the direction is that of (b y, -b x), made a unit vector anew; on the axis q1 = 0
+    a.fixed = edge | on_axis;
+    F over = b / (__builtin_fabs(b) * rho);
+    a.c = select(on_axis, F(1.0), w[1] * over);
+    a.s = select(on_axis, F(0.0), -w[0] * over);
+    a.x = select(on_axis, w[0], a.x);
+  }
+
+  template <class F> PIEPER_INLINE static Arm<F> turn_shoulder(const SphericalWristParallel& P, const F (&M)[3][3],
+                                                               const F (&w)[3], const Shoulder<F>& a, F side) {
+    Arm<F> arm;
+    F x = side * a.x;
+    arm.c = (x * w[0] + P.b * w[1]) * a.over_R2;
+    arm.s = (x * w[1] - P.b * w[0]) * a.over_R2;
+    if (__builtin_expect(any(a.fixed), 0)) {
+      arm.c = select(a.fixed, a.c, arm.c);
+      arm.s = select(a.fixed, a.s, arm.s);
+    }
+    arm.q1 = atan2(arm.s, arm.c);
+    sincos_of_turns(arm.q1, arm.rounded_s, arm.rounded_c);
+    for (int k = 0; k < 3; ++k) {
+      arm.ux[k] = arm.c * M[0][k] + arm.s * M[1][k];
+      arm.uy[k] = arm.c * M[1][k] - arm.s * M[0][k];
+    }
+    arm.X = x - P.a1;
+    arm.Z = w[2];
+    arm.ok = a.reached;
+    return arm;
+  }
+
+  // What both elbows of the two-link problem for wrist centre (X, Z) share: |th3|.
+  template <class F> PIEPER_INLINE static Elbow<F> start_elbow(const SphericalWristParallel& P, const Arm<F>& arm) {
+    const double L2 = P.upper, L3 = P.fore;
+    Elbow<F> e;
+    e.D = arm.X * arm.X + arm.Z * arm.Z;
+    F c3 = (e.D - (L2 * L2 + L3 * L3)) * (0.5 / (L2 * L3));
+    F square = (1.0 - c3) * (1.0 + c3);
+    e.s3 = sqrt(max(square, F(0.0)));
+    e.over_D = 1.0 / e.D;
+    e.along = L2 + L3 * c3;
+    e.forward = L3 + L2 * c3;
+    e.two = square >= 0.0;
+    e.ok = arm.ok & e.two;
+    e.centred = e.degenerate = mask_of<F>(false);
+    if (__builtin_expect(any(square < kEdgeOfElbow), 0)) elbow_edge(P, arm, c3, square, e);
+    e.th3 = atan2(e.s3, c3);
+    return e;
+  }
+
+  // Arm nearly stretched or folded: the same quantities from the small distance to the edge of reach, without cancellation.
+  template <class F> __attribute__((noinline)) static void elbow_edge(const SphericalWristParallel& P,
+                                                                      const Arm<F>& arm, F& c3, const F& square,
+                                                                      Elbow<F>& e) {
+    const double L2 = P.upper, L3 = P.fore, scale = P.scale, here = kOnSingularity * scale;
+    const double outer = L2 + L3, inner = __builtin_fabs(L2 - L3), over = 0.5 / (L2 * L3);
+    F r = sqrt(e.D);
+    Mask<F> folded = c3 < 0.0, close = square < kEdgeOfElbow;
+    F gap = select(folded, r - inner, outer - r);
+    // where the shoulder is near its own edge, rounding of x = sqrt(x^2) adds to the overshoot
+    F overshoot = kOvershoot * scale + (2 * kRounding * scale * scale) / max(abs(arm.X + P.a1), F(here));
+    Mask<F> edge = close & (gap < 0.0) & (gap >= -overshoot);
+    // 1 - |cos th3| and what follows from it
+    F rest = select(folded, gap * (r + inner), gap * (outer + r)) * over;
+    rest = max(rest, F(0.0));
+    F cosine = select(folded, rest - 1.0, 1.0 - rest);
+    F sine2 = rest * (2.0 - rest);
+    c3 = select(close, cosine, c3);
+    e.s3 = select(close, sqrt(sine2), e.s3);
+    e.along = select(close, select(folded, (L2 - L3) + L3 * rest, (L2 + L3) - L3 * rest), e.along);
+    e.forward = select(close, select(folded, (L3 - L2) + L2 * rest, (L2 + L3) - L2 * rest), e.forward);
+    Mask<F> within = select(close, gap, square) >= 0.0;
+    e.ok = arm.ok & (within | edge);
+    e.centred = (r <= here) & e.ok;
+    e.two = within & !(close & (gap <= kRounding * scale)) & !e.centred;
+    e.degenerate =
+        e.ok & close & ((sine2 < kNearDouble * kNearDouble) | (gap < overshoot) | (r < kNearSingularity * scale));
+    // beyond the edge D is not |L2 + L3 e^{i th3}|^2, and the forearm's direction must be a unit vector all the same
+    e.over_D = select(edge, 1.0 / (r * select(folded, F(inner), F(outer))), e.over_D);
+    if (any(e.centred)) {
+      c3 = select(e.centred, F(-1.0), c3);
+      e.s3 = select(e.centred, F(0.0), e.s3);
+      e.over_D = select(e.centred, F(1.0), e.over_D);
+    }
+  }
+
+  // One elbow (the sign of th3) and its wrist with sin th5 >= 0, verified.
+  template <class F> PIEPER_INLINE static Answer<F> bend_and_turn_wrist(const SphericalWristParallel& P,
+                                                                        const F (&M)[3][3], const F (&w)[3],
+                                                                        const Arm<F>& arm, const Elbow<F>& e, F sense) {
+    Answer<F> out;
+    // w = e^{i th2} (L2 + L3 e^{i th3}) = e^{i (th2 + th3)} (L3 + L2 e^{-i th3})
+    F sine3 = sense * e.s3, across = P.fore * sine3, sideways = P.upper * sine3;
+    F th2 = atan2_closed(arm.Z * e.along - arm.X * across, arm.X * e.along + arm.Z * across);
+    F c23 = (arm.X * e.forward - arm.Z * sideways) * e.over_D;
+    F s23 = (arm.Z * e.forward + arm.X * sideways) * e.over_D;
+    if (__builtin_expect(any(e.centred), 0)) {  // only when L2 = L3: folded back onto axis 2, th2 is free
+      F c2, s2, th20 = F(P.offset2);
+      sincos_of_turns(th20, s2, c2);
+      th2 = select(e.centred, th20, th2);
+      c23 = select(e.centred, -c2, c23);
+      s23 = select(e.centred, -s2, s23);
+    }
+    out.q[0] = arm.q1;
+    out.q[1] = wrapped(th2 - P.offset2);
+    out.q[2] = wrapped(P.sign3 * (sense * e.th3 - P.offset3));
+
+    F c = c23 * P.cos_psi - s23 * P.sin_psi, s = s23 * P.cos_psi + c23 * P.sin_psi;
+    F mx[3], my[3], mz = c * M[2][2] - s * arm.ux[2];
+    for (int k = 0; k < 3; ++k) {
+      mx[k] = c * arm.ux[k] + s * M[2][k];
+      my[k] = arm.uy[k];
+    }
+    if (P.tilted) {
+      for (int k = 0; k < 2; ++k) my[k] = P.cos_tau * my[k] - P.sin_tau * (c * M[2][k] - s * arm.ux[k]);
+      F y = my[2];
+      my[2] = P.cos_tau * y - P.sin_tau * mz;
+      mz = P.sin_tau * y + P.cos_tau * mz;
+    }
+    F sine = sqrt(mx[2] * mx[2] + my[2] * my[2]);
+    Mask<F> on_singularity = sine < kOnSingularity;
+    out.degenerate = sine < kNearSingularity;
+    F over = 1.0 / select(on_singularity, F(1.0), sine);
+    // the same rounded direction serves th4 and th6, so their sum is right even where each alone is not
+    F c4 = select(on_singularity, F(P.cos_offset4), mx[2] * over);
+    F s4 = select(on_singularity, F(P.sin_offset4), my[2] * over);
+    F th4 = atan2_closed(s4, c4);
+    F th5 = atan2_closed(c4 * mx[2] + s4 * my[2], mz);
+    F q6 = atan2(c4 * my[0] - s4 * mx[0], c4 * my[1] - s4 * mx[1]);
+    out.q[3] = wrapped(th4 - P.offset4);
+    out.q[4] = wrapped(th5 - P.offset5);
+    out.q[5] = q6;
+    out.flipped[0] = select(out.q[3] > 0.0, out.q[3] - kPi, out.q[3] + kPi);
+    out.flipped[1] = wrapped(-th5 - P.offset5);
+    out.flipped[2] = select(q6 > 0.0, q6 - kPi, q6 + kPi);
+    out.two = !on_singularity;
+    out.ok = e.ok & verify(P, M, w, arm.rounded_c, arm.rounded_s, out.q);
+    return out;
+  }
+
+  // Forward kinematics of the rounded answer against the pose. Two columns of a rotation fix the third.
+  template <class F> PIEPER_INLINE static Mask<F> verify(const SphericalWristParallel& P, const F (&M)[3][3],
+                                                         const F (&w)[3], F c1, F s1, const F (&q)[6]) {
+    F c2, s2, c3, s3, c4, s4, c5, s5, c6, s6;
+    sincos_of_turns(q[1] + P.offset2, s2, c2);
+    sincos_of_turns(P.sign3 * q[2] + P.offset3, s3, c3);
+    sincos_of_turns(q[3] + P.offset4, s4, c4);
+    sincos_of_turns(q[4] + P.offset5, s5, c5);
+    sincos_of_turns(q[5], s6, c6);
+    F c23 = c2 * c3 - s2 * s3, s23 = s2 * c3 + c2 * s3;
+    F X = P.a1 + (P.upper * c2 + P.fore * c23), Z = P.upper * s2 + P.fore * s23;
+    // a sum, because NaN survives it
+    F off = abs(c1 * X - s1 * P.b - w[0]) + abs(s1 * X + c1 * P.b - w[1]) + abs(Z - w[2]);
+    off *= 1.0 / P.scale;
+    F c = c23 * P.cos_psi - s23 * P.sin_psi, s = s23 * P.cos_psi + c23 * P.sin_psi;
+    // the first and the last column of Rz(th4) Ry(th5) Rz(th6), then tilt, forearm and first joint
+    F turned_x = c5 * c6;
+    F N[2][3] = {{c4 * turned_x - s4 * s6, s4 * turned_x + c4 * s6, -(s5 * c6)}, {c4 * s5, s4 * s5, c5}};
+    for (int k = 0; k < 2; ++k) {
+      F x = N[k][0], y = N[k][1], z = N[k][2];
+      if (P.tilted) {
+        F turned_y = P.cos_tau * y + P.sin_tau * z;
+        z = P.cos_tau * z - P.sin_tau * y;
+        y = turned_y;
+      }
+      F along = c * x - s * z, up = s * x + c * z;
+      off += abs(c1 * along - s1 * y - M[0][2 * k]);
+      off += abs(s1 * along + c1 * y - M[1][2 * k]);
+      off += abs(up - M[2][2 * k]);
+    }
+    return off <= kVerified;
+  }
+
+ private:
+  const SphericalWristParallel& arm_;
+};
+
+}  // namespace pieper::PIEPER_ISA
+#endif  // PIEPER_ISA

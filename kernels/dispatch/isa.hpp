@@ -1,0 +1,65 @@
+// What one build of the kernels (one instruction set) offers; plain types, no templates, no vector types.
+#pragma once
+
+#include <cstdint>
+
+#include "dispatch/geometry.hpp"
+
+namespace pieper {
+
+struct General;
+
+// A family's kernel for one arm, made once from its geometry, which must outlive it.
+// T: count x 16 row-major, proper rotations. q: count x slots x joints, zeros where not valid. valid: count x slots. flag: count.
+struct FamilyEntry {
+  const char* name;
+  int joints, slots;
+  bool in_order;  // rows come in an order of their own (by branch, or sorted); else the solver sorts them
+  const void* (*make)(const Geometry&);
+  void (*drop)(const void* kernel);
+  void (*solve)(const void* kernel, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag);
+};
+
+struct IsaTable {
+  const char* name;
+  int lanes;
+  const FamilyEntry* const* families;  // in the order of the table
+
+  // links: (n + 1) x 16 row-major; q: count x n. out: count x 16.
+  void (*fk)(const double* links, const std::uint8_t* prismatic, int n, const double* q, long count, double* out);
+  // base: 16; after: n x 16. out: count x (n + 2) x 16.
+  void (*frames)(const double* links, const std::uint8_t* prismatic, int n, const double* base, const double* after,
+                 const double* q, long count, double* out);
+  // out: count x 6 x n, linear rows first.
+  void (*jacobian)(const double* links, const std::uint8_t* prismatic, int n, const double* q, long count, double* out);
+
+  // For each of count poses: how far it is from a rigid motion (max abs of R^T R - 1 and of the last row; 2 when left
+  // handed; NaN when not finite). Returns the largest; NaN counts as largest.
+  double (*deviation)(const double* T, long count, double* out);
+  // The nearest rotation (polar factor) of each pose whose deviation exceeds `exact`; copies the others.
+  void (*straighten)(const double* T, const double* deviation, double exact, long count, double* out);
+  // Whole turns where only they lie inside; in_limits: count x slots, false where not valid.
+  void (*limits)(double* q, const std::uint8_t* valid, long rows, int n, const double* lower, const double* upper,
+                 const std::uint8_t* prismatic, std::uint8_t* in_limits);
+
+  // Moves the valid rows of each of count poses to the front, ordered by their joint values (row_order.hpp).
+  void (*put_in_order)(double* q, std::uint8_t* valid, long count, int slots, int n, const std::uint8_t* prismatic);
+
+  // The general solver's model of an arm (elimination/general.hpp).
+  void (*make_model)(General& arm);
+  void (*drop_model)(General& arm);
+
+  // sin and cos (what = 0: out is count x 2) or atan2 of pairs (what = 1: x is count x 2), for the tests.
+  void (*elementary)(int what, const double* x, long count, double* out);
+};
+
+const IsaTable& isa_baseline();
+const IsaTable& isa_avx2();
+const IsaTable& isa_avx512();
+
+// The build chosen for this processor, or the one that environment variable PIEPER_ISA names.
+const IsaTable& isa();
+// Names of the builds this processor can run, separated by blanks.
+const char* isa_names();
+
+}  // namespace pieper

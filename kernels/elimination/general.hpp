@@ -1,0 +1,223 @@
+// The general solver's entry: every pose solved by the best variant, its certificate checked, and escalation where it fails.
+//
+// A pose is *settled* when the eigenvalues are all there, every real one has a verified solution of its own, no solution moved
+// far from its eigenvalue while being polished, and the solutions, double ones counted twice, are even in number. What is not
+// settled is solved again by other variants (another hidden joint, another direction), then in turned charts, then from
+// perturbed poses, until a settled attempt adds nothing. The work is bounded; what is still open then is flagged.
+#pragma once
+
+#include "elimination/entry.hpp"
+
+#ifdef PIEPER_ISA
+#include "elimination/prepare.hpp"
+
+namespace pieper::PIEPER_ISA {
+
+namespace general {
+
+inline constexpr int kSlots = 16;
+inline constexpr double kDegenerateSigma = 1e-6;
+inline constexpr double kMarked = 1e-12;  // a determinant this much smaller than usual marks the pose for a second look
+inline constexpr double kQuiet =
+    1e-13;  // noise of an elimination, relative, below which no second opinion is asked for
+inline constexpr double kAccurate = 1e-5;  // an eigenvalue farther from its root than this was computed badly
+
+inline bool even(const Found& found) {
+  int n = found.count;
+  for (int i = 0; i < found.count; ++i)
+    if (found.merged[i] || found.sigma[i] < 1e-7) return true;  // multiplicities are beyond counting at a singular pose
+  return n % 2 == 0;
+}
+
+inline bool settled(const Report& report, const Found& found) {
+  return !report.doubtful && report.unresolved == 0 && report.spread < kAccurate && even(found);
+}
+
+// A second opinion that added nothing. Special geometry gives some variants real eigenvalues without a solution, always; there
+// only the agreement counts.
+inline bool agreed(const Variant& v, const Report& report, const Found& found, int before) {
+  if (found.count != before) return false;
+  return settled(report, found) || (v.open > 0 && !report.doubtful && even(found));
+}
+
+// Solutions of a neighbouring pose, polished onto this one.
+inline void polish_onto(const Model& model, const Variant& v, const Pose<double>& pose, const Found& from,
+                        Found& into) {
+  using G = Lanes<PIEPER_LANES>;
+  constexpr int W = PIEPER_LANES;
+  Frame<double> link[6];
+  role_links(model, 0, v.roles, pose, link);
+  Frame<G> wide[6];
+  for (int k = 0; k < 6; ++k) wide[k] = spread<G>(link[k]);
+  for (int first = 0; first < from.count; first += W) {
+    const int used = from.count - first < W ? from.count - first : W;
+    Joints<G> q;
+    for (int k = 0; k < 6; ++k)
+      for (int i = 0; i < W; ++i) {
+        const double x = from.q[first + (i < used ? i : used - 1)][v.roles.joint[k]];
+        set_lane(q.c[k], i, v.roles.prismatic[k] ? x : __builtin_cos(x));
+        set_lane(q.s[k], i, v.roles.prismatic[k] ? 0.0 : __builtin_sin(x));
+      }
+    const Closure<G> end = polish(wide, v.roles, q, 25);
+    for (int i = 0; i < used; ++i) {
+      if (!(lane(end.residual, i) < kVerified)) continue;
+      double values[6];
+      for (int k = 0; k < 6; ++k)
+        values[v.roles.joint[k]] =
+            v.roles.prismatic[k] ? lane(q.c[k], i) : __builtin_atan2(lane(q.s[k], i), lane(q.c[k], i));
+      insert(into, values, lane(end.sigma, i), lane(end.residual, i), model.prismatic);
+    }
+  }
+}
+
+// Everything there is beyond the best variant. True when the pose is settled in the end; `healthy` when by an elimination that is
+// far from singular there, `singular` when only by neighbouring poses.
+inline bool escalate(const Model& model, const Pose<double>& pose, Found& found, bool* singular, bool* healthy) {
+  *singular = *healthy = false;
+  Report report;
+  for (int n = 1; n < model.variants; ++n) {
+    const int before = found.count;
+    solve_variant(model, model.variant[n], pose, 1, &found, &report);
+    // solutions fetched from nearby arms are believed when all of them agree
+    const bool last = n + 1 == model.variants;
+    if (agreed(model.variant[n], report, found, before) && (last || model.variant[0].arm == 0)) {
+      *healthy = model.variant[n].arm == 0 && report.size > kMarked * model.variant[n].typical;
+      return true;
+    }
+  }
+  Random random{7};
+  for (int n = 0; n < 4; ++n) {  // the same elimination in turned charts
+    Variant v = model.variant[n % model.variants];
+    const double a = kTwoPi * random.uniform(), b = kTwoPi * random.uniform();
+    v.chart = {__builtin_cos(a), __builtin_sin(a), __builtin_cos(b), __builtin_sin(b)};
+    fill_constants(model, v);
+    const int before = found.count;
+    solve_variant(model, v, pose, 1, &found, &report);
+    if (agreed(v, report, found, before)) return true;
+  }
+  // The elimination is singular here for every variant: its neighbours need not be. Their solutions move by the size of the
+  // perturbation, or its root where two merge, and Newton brings them back.
+  int quiet = 0;
+  const double sizes[12] = {1e-3, 3e-3, 3e-4, 1e-2, 1e-3, 3e-3, 1e-4, 3e-2, 1e-5, 1e-2, 1e-6, 1e-3};
+  *singular = true;
+  for (int n = 0; n < 12 && quiet < 4; ++n) {
+    const double size = sizes[n];
+    const Variant& v = model.variant[n % (model.variants < 3 ? model.variants : 3)];
+    Found near;
+    near.count = 0;
+    solve_variant(model, v, perturbed(pose, size, model.scale, random), 1, &near, &report);
+    const int before = found.count;
+    polish_onto(model, v, pose, near, found);
+    quiet = agreed(v, report, found, before) ? quiet + 1 : 0;
+  }
+  return quiet >= 4;
+}
+
+// Ascending by joint 1, then 2, ...; joints that agree to 1e-6 count as equal, so that rounding does not change the order.
+inline bool comes_before(const double* a, const double* b) {
+  for (int k = 0; k < 6; ++k)
+    if (__builtin_fabs(a[k] - b[k]) > 1e-6) return a[k] < b[k];
+  return false;
+}
+
+inline void write_pose(const Model& model, const Found& found, bool certain, double* q, std::uint8_t* valid,
+                       std::uint8_t* flag) {
+  int order[kMaxFound];
+  for (int i = 0; i < found.count; ++i) order[i] = i;
+  int count = found.count;
+  *flag = 0;
+  if (count > kSlots) {  // members of a continuous family crowd in: isolated solutions first
+    for (int i = 1; i < count; ++i)
+      for (int j = i; j > 0 && found.sigma[order[j]] > found.sigma[order[j - 1]]; --j) {
+        const int t = order[j];
+        order[j] = order[j - 1];
+        order[j - 1] = t;
+      }
+    count = kSlots;
+    *flag |= kDegenerate;
+  }
+  for (int i = 1; i < count; ++i)
+    for (int j = i; j > 0 && comes_before(found.q[order[j]], found.q[order[j - 1]]); --j) {
+      const int t = order[j];
+      order[j] = order[j - 1];
+      order[j - 1] = t;
+    }
+  for (int i = 0; i < kSlots; ++i) {
+    valid[i] = i < count;
+    for (int k = 0; k < 6; ++k)
+      q[6 * i + k] = i < count ? found.q[order[i]][k] * (model.prismatic[k] ? model.scale : 1.0) : 0.0;
+    if (i < count && (found.merged[order[i]] || found.sigma[order[i]] < kDegenerateSigma)) *flag |= kDegenerate;
+  }
+  if (!certain) *flag |= kUncertain;
+  else if (count == 0) *flag |= kOutOfReach;
+}
+
+}  // namespace general
+
+void make_model(General& arm) {
+  general::Model* model = new general::Model;
+  general::Trial record[general::kTried];
+  general::make_model(arm, *model, record);
+  for (int i = 0; i < general::kTried; ++i) {
+    const general::Trial& t = record[i];
+    const double row[4] = {double(t.rank), double(t.missed), double(t.open), t.noise};
+    for (int k = 0; k < 4; ++k) arm.trials[i][k] = row[k];
+  }
+  arm.model = model;
+  arm.usable = model->variants;
+}
+
+void drop_model(General& arm) { delete static_cast<const general::Model*>(arm.model); }
+
+void solve_general(const General& arm, const double* T, long count, double* q, std::uint8_t* valid,
+                   std::uint8_t* flag) {
+  using namespace general;
+  using G = Lanes<PIEPER_LANES>;
+  const Model& model = *static_cast<const Model*>(arm.model);
+  in_lanes(T, count, [&](long done, int used, const double* poses) {
+    double* rows = q + done * 6 * kSlots;
+    std::uint8_t *good = valid + done * kSlots, *say = flag + done;
+    if (model.prismatic_count == 3) {
+      for (int i = 0; i < used; ++i) {
+        Found found;
+        found.count = 0;
+        const bool isolated = solve_slides(model, load_poses<double>(poses + 16 * i), found);
+        write_pose(model, found, true, rows + i * 6 * kSlots, good + i * kSlots, say + i);
+        if (!isolated) say[i] = kDegenerate;
+      }
+      return;
+    }
+    Found found[PIEPER_LANES];
+    Report report[PIEPER_LANES];
+    for (Found& f : found) f.count = 0;
+    solve_variant(model, model.variant[0], load_poses<G>(poses), used, found, report);
+    for (int i = 0; i < used; ++i) {
+      // an elimination that has lost digits for this arm is not believed on its own word
+      const bool weak = !(report[i].size > kMarked * model.variant[0].typical);
+      bool certain = model.variant[0].noise < kQuiet && !weak && settled(report[i], found[i]);
+      // next to a pose where the elimination is singular, variants may agree on what all of them have lost
+      bool fetched = false, healthy = false;
+      if (!certain) certain = escalate(model, load_poses<double>(poses + 16 * i), found[i], &fetched, &healthy);
+      const bool singular = (weak && !healthy) || fetched;
+      // what only nearby arms vouch for is not certain
+      write_pose(model, found[i], certain && model.variant[0].arm == 0, rows + i * 6 * kSlots, good + i * kSlots,
+                 say + i);
+      if (singular) say[i] |= kDegenerate;
+    }
+  });
+}
+
+class GeneralKernel {
+ public:
+  static constexpr bool in_order = false;
+  explicit GeneralKernel(const General& arm) : arm_(arm) {}
+  void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
+    solve_general(arm_, T, count, q, valid, flag);
+  }
+
+ private:
+  const General& arm_;
+};
+
+}  // namespace pieper::PIEPER_ISA
+#endif  // PIEPER_ISA

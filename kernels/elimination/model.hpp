@@ -1,0 +1,124 @@
+// What a robot is to the general solver: scaled links, and per variant of the elimination the constants that poses share.
+#pragma once
+
+#include "lanes/batch.hpp"
+#include "elimination/entry.hpp"
+#include "elimination/francis.hpp"
+#include "elimination/polish.hpp"
+#include "lanes/math.hpp"
+
+namespace pieper::PIEPER_ISA::general {
+
+inline constexpr int kMaxVariants = 12;
+
+struct Variant {
+  Roles roles;
+  int layout, swap;
+  int arm;  // 0: the arm itself; 1, 2: a nearby arm, whose solutions are polished onto the arm
+  Charts chart;
+  LeftSide<double> left;       // valid unless the pose sits in links 2 to 5
+  RowSpace<double, 12> basis;  // of layout 0
+  RowSpace<double, 6> basis6;  // of layouts 1, 2
+  double noise;                // median over test poses of what should vanish, relative
+  double typical;              // median over test poses of the largest |determinant|
+  double open;                 // eigenvalues a test pose that belong to no solution: roots that special geometry adds
+  int pose_free() const { return roles.pose_link == 0 || roles.pose_link == 5; }
+};
+
+struct Model {
+  double scale;  // one scaled unit of length, m
+  Frame<double>
+      link[3][7];  // L0 .. L6, scaled, origins slid along the axes towards each other; of the arm and two nearby ones
+  bool prismatic[6];
+  int prismatic_count;
+  int variants;
+  int expected;  // largest number of solutions the degree allows
+  Variant variant[kMaxVariants];
+};
+
+inline Frame<double> frame_of(const double* T, double scale) {
+  Frame<double> out;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) out.r[i][j] = T[4 * i + j];
+    out.p[i] = T[4 * i + 3] / scale;
+  }
+  return out;
+}
+
+// The six links of the loop in role order for poses T (lanes): the last loop link is L6 T^-1 L0.
+template <class F>
+void role_links(const Model& model, int arm, const Roles& roles, const Pose<F>& pose, Frame<F>* link) {
+  const Frame<double>* own = model.link[arm];
+  Frame<F> T;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) T.r[i][j] = pose.r[i][j];
+    T.p[i] = pose.p[i] / model.scale;
+  }
+  for (int k = 0; k < 6; ++k) {
+    const int which = roles.loop_link(k);
+    Frame<F> a = which == 5 ? spread<F>(own[6]) * inverse(T) * spread<F>(own[0]) : spread<F>(own[which + 1]);
+    link[k] = roles.reverse ? flipped(inverse(a)) : a;
+  }
+}
+
+template <int N> inline const RowSpace<double, N>& basis_of(const Variant& v) {
+  if constexpr (N == 12) return v.basis;
+  else return v.basis6;
+}
+
+// Everything one variant says about W poses before eigenvalues.
+template <class F> struct Eliminated {
+  Frame<F> link[6], arm_link[6];  // arm_link: of the arm itself, where a nearby one was eliminated
+  RightSide<F> right;
+  Equations<F> eq;
+  F chart_c, chart_s;  // t = infinity lies half a turn away
+  F largest;           // |determinant| there
+};
+
+template <class F, int N> void eliminate_poses(const Model& model, const Variant& v, const Pose<F>& pose,
+                                               Eliminated<F>& out, Compressed<F, N>& matrix) {
+  role_links(model, v.arm, v.roles, pose, out.link);
+  if (v.arm) role_links(model, 0, v.roles, pose, out.arm_link);
+  right_side(out.link, v.roles, out.right);
+  const int yr = v.swap ? 4 : 3, xr = v.swap ? 3 : 4;
+  LeftSide<F> left;
+  RowSpace<F, N> basis;
+  if (v.pose_free()) {
+    for (int m = 0; m < 14; ++m)
+      for (int j = 0; j < 27; ++j) left.feature[m][j] = F(v.left.feature[m][j]);
+    const RowSpace<double, N>& b = basis_of<N>(v);
+    for (int j = 0; j < N; ++j)
+      for (int k = 0; k < 2 * N / 3; ++k) {
+        basis.re[j][k] = F(b.re[j][k]);
+        basis.im[j][k] = F(b.im[j][k]);
+      }
+  } else {
+    left_side(out.link, v.roles, v.chart, v.swap, left);
+    row_space<F, N>(left, v.layout, basis);
+  }
+  eliminate(left, out.right, v.layout, v.roles.prismatic[yr], v.roles.prismatic[xr], out.eq);
+  choose_chart<F, N>(out.eq, v.layout, out.chart_c, out.chart_s, out.largest);
+  compress<F, N>(out.eq, basis, v.layout, out.chart_c, out.chart_s, matrix);
+}
+
+// Hidden angles of one pose: all eigenvalues, as angles with imaginary parts.
+struct Spectrum {
+  int count;
+  double angle[16], imaginary[16];
+};
+
+inline Spectrum spectrum(int count, const double* re, const double* im, double chart_c, double chart_s) {
+  Spectrum out;
+  out.count = count;
+  const double chart = __builtin_atan2(chart_s, chart_c);
+  for (int i = 0; i < out.count; ++i) {
+    // theta = 2 atan(t) for complex t = a + ib
+    const double a = re[i], b = im[i];
+    out.angle[i] = chart + (b == 0 ? 2 * __builtin_atan(a) : __builtin_atan2(2 * a, 1 - a * a - b * b));
+    const double up = a * a + (1 + b) * (1 + b), down = a * a + (1 - b) * (1 - b);
+    out.imaginary[i] = b == 0 ? 0 : 0.5 * __builtin_log(up / (down > 1e-300 ? down : 1e-300));
+  }
+  return out;
+}
+
+}  // namespace pieper::PIEPER_ISA::general

@@ -1,0 +1,223 @@
+// The hidden angle as a real eigenvalue problem of the smallest possible size: 16 x 16, or 8 x 8 with two prismatic joints.
+//
+// With t = tan((theta3 - chart) / 2) the six equations make a quadratic matrix polynomial A t^2 + B t + C of size N (12 or 6), and
+// a companion matrix of size 2N. Its 2N/3 eigenvalues at t = +-i mean nothing (they come from clearing cos, sin), and their
+// invariant subspace is known beforehand: it is { (i u; u) : W u = 0 } where W, the coefficients of the highest power of
+// e^{-i theta3}, has only four independent functions. (i u; u) with complex u fills all of R^2N, so the orthogonal
+// complement is { (i Y a; Y a) } with Y an orthonormal basis of the row space of W, whatever the chart. Compressing the
+// companion matrix to that complement leaves exactly the 4N/3 eigenvalues that matter.
+#pragma once
+
+#include "elimination/elimination.hpp"
+
+namespace pieper::PIEPER_ISA::general {
+
+// The square matrix of one coefficient (or of the equations at one angle): e is [6][9], rows of y^2..1 x x^2..1.
+template <class F, int N> PIEPER_INLINE void arrange(const F (*e)[9], int layout, F (&m)[N][N]) {
+  if constexpr (N == 12) {
+    for (int r = 0; r < 6; ++r)
+      for (int j = 0; j < 12; ++j) {
+        m[r][j] = j >= 3 ? e[r][j - 3] : F(0.0);
+        m[6 + r][j] = j < 9 ? e[r][j] : F(0.0);
+      }
+  } else if (layout == kTwoInPair) {
+    const int monomial[6] = {2, 4, 6, 5, 7, 8};  // y^2 1, y x, 1 x^2, y, x, 1 as cells of the 3 x 3 table
+    for (int r = 0; r < 6; ++r)
+      for (int j = 0; j < 6; ++j) m[r][j] = e[r][monomial[j]];
+  } else {
+    for (int r = 0; r < 6; ++r)
+      for (int j = 0; j < 6; ++j) m[r][j] = r == 3 ? (j < 3 ? e[0][6 + j] : F(0.0)) : e[r][3 + j];
+  }
+}
+
+template <class F> PIEPER_INLINE void at_angle(const Equations<F>& eq, F c, F s, F (*e)[9]) {
+  for (int r = 0; r < 6; ++r)
+    for (int j = 0; j < 9; ++j) e[r][j] = eq.e[r][j] + c * eq.e[r][9 + j] + s * eq.e[r][18 + j];
+}
+
+// Orthonormal basis (columns) of the row space of the leading coefficients.
+template <class F, int N> struct RowSpace { F re[N][2 * N / 3], im[N][2 * N / 3]; };
+
+template <class F, int N> void row_space(const LeftSide<F>& left, int layout, RowSpace<F, N>& out) {
+  constexpr int P = 2 * N / 3;
+  Complex<F> column[P][N];
+  const Complex<F> zero = {F(0.0), F(0.0)};
+  for (int c = 0; c < P; ++c)
+    for (int j = 0; j < N; ++j) column[c][j] = zero;
+  auto put = [](Complex<F>& cell, const Complex<F>& w) { cell = {w.re, 0.0 - w.im}; };
+  for (int m = 0; m < 4; ++m) {
+    const Complex<F>* w = left.leading[m];
+    if constexpr (N == 12) {
+      for (int j = 0; j < 9; ++j) {
+        put(column[2 * m][3 + j], w[j]);
+        put(column[2 * m + 1][j], w[j]);
+      }
+    } else if (layout == kTwoInPair) {
+      const int monomial[6] = {2, 4, 6, 5, 7, 8};
+      for (int j = 0; j < 6; ++j) put(column[m][j], w[monomial[j]]);
+    } else {
+      // p, l, p x l, and y times l in place of the fourth function, which does not occur
+      for (int j = 0; j < 6; ++j)
+        if (m < 3) put(column[m][j], w[3 + j]);
+        else if (j < 3) put(column[m][j], left.leading[1][6 + j]);
+    }
+  }
+  for (int c = 0; c < P; ++c) {
+    reflector(column[c], c);
+    for (int d = c + 1; d < P; ++d) reflect(column[c], column[d], c);
+  }
+  for (int c = 0; c < P; ++c) {
+    Complex<F> q[N];
+    for (int j = 0; j < N; ++j) q[j] = {F(j == c ? 1.0 : 0.0), F(0.0)};
+    for (int k = P - 1; k >= 0; --k) reflect(column[k], q, k);
+    for (int j = 0; j < N; ++j) {
+      out.re[j][c] = q[j].re;
+      out.im[j][c] = q[j].im;
+    }
+  }
+}
+
+// Householder triangulation of the first `columns` columns of m (rows x width), carrying the rest along.
+// Returns the product of the diagonal (the determinant up to sign when square).
+template <class F, int Rows, int Width> F triangulate(F (&m)[Rows][Width], int columns) {
+  F product = 1.0;
+  for (int c = 0; c < columns; ++c) {
+    F tail = 0.0;
+    for (int i = c + 1; i < Rows; ++i) tail += m[i][c] * m[i][c];
+    const F x0 = m[c][c];
+    F norm = sqrt(tail + x0 * x0);
+    norm = select(x0 > 0.0, norm, 0.0 - norm);
+    const F head = x0 + norm, size = norm * head;
+    const F scale = select(size > 1e-290, 1.0 / select(size > 1e-290, size, F(1.0)), F(0.0));
+    for (int j = c + 1; j < Width; ++j) {
+      F w = head * m[c][j];
+      for (int i = c + 1; i < Rows; ++i) w += m[i][c] * m[i][j];
+      w = w * scale;
+      m[c][j] -= w * head;
+      for (int i = c + 1; i < Rows; ++i) m[i][j] -= w * m[i][c];
+    }
+    m[c][c] = 0.0 - norm;
+    product = product * norm;
+  }
+  return product;
+}
+
+// Six by six core of the twelve by twelve matrix [0 A B C; A B C 0]: the columns y^3 and 1 eliminated by orthogonal reflections.
+// Unknowns left: y^2, y times x^2, x, 1. Returns the product of the eliminated pivots.
+template <class F> F core(const F (*e)[9], F (&six)[6][6]) {
+  F front[6][9], back[6][9];
+  for (int r = 0; r < 6; ++r)
+    for (int j = 0; j < 9; ++j) {
+      front[r][j] = e[r][j];
+      back[r][j] = e[r][(j + 6) % 9];
+    }
+  F product = triangulate(front, 3);
+  product = product * triangulate(back, 3);
+  for (int r = 0; r < 3; ++r)
+    for (int j = 0; j < 6; ++j) {
+      six[r][j] = front[3 + r][3 + j];     // B', C': times y^2, y once the y^3 column is gone
+      six[3 + r][j] = back[3 + r][3 + j];  // A', B'
+    }
+  return product;
+}
+
+template <class F, int N> F determinant(const Equations<F>& eq, int layout, F c, F s) {
+  F e[6][9], six[6][6];
+  at_angle(eq, c, s, e);
+  if constexpr (N == 12) {
+    const F pivots = core(e, six);
+    return pivots * triangulate(six, 6);
+  } else {
+    arrange<F, 6>(e, layout, six);
+    return triangulate(six, 6);
+  }
+}
+
+// The angle (of eight) where the matrix polynomial is farthest from singular becomes t = infinity.
+template <class F, int N> void choose_chart(const Equations<F>& eq, int layout, F& c, F& s, F& largest) {
+  const double h = 0.70710678118654752440;
+  const double cs[8] = {1, h, 0, -h, -1, -h, 0, h}, sn[8] = {0, h, 1, h, 0, -h, -1, -h};
+  largest = F(-1.0);
+  c = F(1.0);
+  s = F(0.0);
+  for (int k = 0; k < 8; ++k) {
+    const F d = abs(determinant<F, N>(eq, layout, F(cs[k]), F(sn[k])));
+    const auto better = d > largest;
+    largest = select(better, d, largest);
+    c = select(better, F(-cs[k]), c);  // t is infinite half a turn away from the chart angle
+    s = select(better, F(-sn[k]), s);
+  }
+}
+
+template <class F, int N> struct Compressed {
+  static constexpr int size = 4 * N / 3;
+  F h[size][size];
+};
+
+template <class F, int N>
+void compress(const Equations<F>& eq, const RowSpace<F, N>& y, int layout, F c, F s, Compressed<F, N>& out) {
+  constexpr int P = 2 * N / 3, K = 2 * P;
+  F constant[6][9], cosine[6][9], sine[6][9];
+  for (int r = 0; r < 6; ++r)
+    for (int j = 0; j < 9; ++j) {
+      const F a = eq.e[r][9 + j], b = eq.e[r][18 + j], turned = a * c + b * s;
+      cosine[r][j] = eq.e[r][j] + turned;    // C
+      constant[r][j] = eq.e[r][j] - turned;  // A
+      sine[r][j] = 2.0 * (b * c - a * s);    // B
+    }
+  F work[N][N + K];
+  {
+    F a[N][N], b[N][N], d[N][N];
+    arrange<F, N>(constant, layout, a);
+    arrange<F, N>(sine, layout, b);
+    arrange<F, N>(cosine, layout, d);
+    for (int r = 0; r < N; ++r) {
+      for (int j = 0; j < N; ++j) work[r][j] = a[r][j];
+      for (int k = 0; k < P; ++k) {
+        F v = 0.0, w = 0.0;  // B E + C G for the two real columns of Y_k: E = (-im, -re), G = (re, -im)
+        for (int j = 0; j < N; ++j) {
+          v += d[r][j] * y.re[j][k] - b[r][j] * y.im[j][k];
+          w += d[r][j] * y.im[j][k] + b[r][j] * y.re[j][k];
+        }
+        work[r][N + k] = v;
+        work[r][N + P + k] = 0.0 - w;
+      }
+    }
+  }
+  triangulate(work, N);
+  for (int i = N - 1; i >= 0; --i) {
+    const F d = work[i][i];
+    const F inv = 1.0 / select(abs(d) > 1e-280, d, F(1e-280));
+    for (int k = N; k < N + K; ++k) {
+      F v = work[i][k];
+      for (int j = i + 1; j < N; ++j) v -= work[i][j] * work[j][k];
+      work[i][k] = v * inv;
+    }
+  }
+  for (int a = 0; a < P; ++a) {
+    for (int k = 0; k < K; ++k) {
+      F v = 0.0, w = 0.0;  // -E^T X
+      for (int j = 0; j < N; ++j) {
+        v += y.im[j][a] * work[j][N + k];
+        w += y.re[j][a] * work[j][N + k];
+      }
+      out.h[a][k] = v;
+      out.h[P + a][k] = w;
+    }
+    for (int k = 0; k < P; ++k) {
+      F rr = 0.0, ri = 0.0, ir = 0.0, ii = 0.0;  // G^T E
+      for (int j = 0; j < N; ++j) {
+        rr += y.re[j][a] * y.re[j][k];
+        ri += y.re[j][a] * y.im[j][k];
+        ir += y.im[j][a] * y.re[j][k];
+        ii += y.im[j][a] * y.im[j][k];
+      }
+      out.h[a][k] -= ri;
+      out.h[a][P + k] -= rr;
+      out.h[P + a][k] += ii;
+      out.h[P + a][P + k] += ir;
+    }
+  }
+}
+
+}  // namespace pieper::PIEPER_ISA::general

@@ -1,0 +1,278 @@
+// The road of the families that leave one joint's angle to a trigonometric polynomial: its values at a few angles, its real roots
+// (trigonometric_roots.hpp), the other joints from each root, all of it in lanes, and every solution put back through the chain
+// as described. A pose where anything is delicate is handed to the general solver.
+//
+// A family is a struct with
+//   degree, samples (more than 2 degree + 1), both (whether a root has a solution on either side), slots;
+//   Arm: its constants, doubles only; Target<F>: a pose as the arm sees it, numbers of type F only;
+//   see(arm, pose), polynomial(arm, target, c, s),
+//   complete(arm, target, c, s, side, q): the joints from a root, side +1 or -1, or 0 where it must find out; returns what is not clear.
+#pragma once
+
+#include "closed_form/lanes/group.hpp"
+#include "elimination/entry.hpp"
+#include "hidden_angle/trigonometric_roots.hpp"
+
+namespace pieper::PIEPER_ISA::hidden_angle {
+
+using closed_form::Motion;
+using closed_form::RigidT;
+using closed_form::unit;
+using closed_form::Vec3T;
+
+// x + y r with r^2 known: what is even and what is odd in a square root, also where that is not real.
+template <class F> struct Surd { F x, y, square; };
+template <class F> PIEPER_INLINE Surd<F> operator+(Surd<F> a, Surd<F> b) { return {a.x + b.x, a.y + b.y, a.square}; }
+template <class F> PIEPER_INLINE Surd<F> operator-(Surd<F> a, Surd<F> b) { return {a.x - b.x, a.y - b.y, a.square}; }
+template <class F> PIEPER_INLINE Surd<F> operator*(Surd<F> a, Surd<F> b) {
+  return {a.x * b.x + a.square * (a.y * b.y), a.x * b.y + a.y * b.x, a.square};
+}
+template <class F> PIEPER_INLINE Surd<F> operator+(Surd<F> a, double b) { return {a.x + b, a.y, a.square}; }
+template <class F> PIEPER_INLINE Surd<F> operator*(double k, Surd<F> a) { return {k * a.x, k * a.y, a.square}; }
+template <class F> PIEPER_INLINE Surd<F> operator*(F k, Surd<F> a) { return {k * a.x, k * a.y, a.square}; }
+
+// A value and its derivative by the hidden angle.
+template <class F> struct Dual { F x, d; };
+template <class F> PIEPER_INLINE Dual<F> operator+(Dual<F> a, Dual<F> b) { return {a.x + b.x, a.d + b.d}; }
+template <class F> PIEPER_INLINE Dual<F> operator-(Dual<F> a, Dual<F> b) { return {a.x - b.x, a.d - b.d}; }
+template <class F> PIEPER_INLINE Dual<F> operator*(Dual<F> a, Dual<F> b) { return {a.x * b.x, a.x * b.d + a.d * b.x}; }
+template <class F> PIEPER_INLINE Dual<F> operator+(Dual<F> a, double b) { return {a.x + b, a.d}; }
+template <class F> PIEPER_INLINE Dual<F> operator*(double k, Dual<F> a) { return {k * a.x, k * a.d}; }
+template <class F> PIEPER_INLINE Dual<F> operator*(F k, Dual<F> a) { return {k * a.x, k * a.d}; }
+template <class F> PIEPER_INLINE Dual<F> over(Dual<F> a, Dual<F> b) {
+  const F inv = 1.0 / select(b.x == 0.0, F(1e-300), b.x), x = a.x * inv;
+  return {x, (a.d - x * b.d) * inv};
+}
+template <class F> PIEPER_INLINE Dual<F> root(Dual<F> a) {
+  const F x = sqrt(max(a.x, F(0.0)));
+  return {x, 0.5 * a.d / select(x == 0.0, F(1e-300), x)};
+}
+
+// A small turn, kept of length one.
+template <class F> PIEPER_INLINE Motion<F> advanced(Motion<F> angle, F change) {
+  const Motion<F> t = {angle.c - change * angle.s, angle.s + change * angle.c};
+  const F n = 1.5 - 0.5 * (t.c * t.c + t.s * t.s);
+  return {t.c * n, t.s * n};
+}
+
+// What rounding leaves of the polynomial's coefficients is below this, relative to their sum.
+inline constexpr double kNoise = 3e-14;
+
+template <int Slots> struct Found {
+  int count;
+  double q[Slots][6];
+};
+
+template <class F> PIEPER_INLINE void copy_lane(F& to, int i, const F& from, int j) { set_lane(to, i, lane(from, j)); }
+
+template <class F, class T> PIEPER_INLINE void copy_lanes(T& to, int i, const T& from, int j) {
+  static_assert(sizeof(T) % sizeof(F) == 0);
+  F* into = reinterpret_cast<F*>(&to);
+  const F* of = reinterpret_cast<const F*>(&from);
+  for (unsigned k = 0; k < sizeof(T) / sizeof(F); ++k) copy_lane(into[k], i, of[k], j);
+}
+
+// W candidates of any poses of the group.
+template <class F, class Family> struct Candidates {
+  typename Family::template Target<F> target;
+  RigidT<F> tool;
+  Motion<F> root;
+  F side;
+};
+
+// Candidates completed, checked and entered; the poses of those that are not clear are marked.
+template <class F, class Family> void enter(const HiddenAngle& head, const typename Family::Arm& arm,
+                                            const RigidT<F>* truth, const Candidates<F, Family>& x, const int* pose,
+                                            int used, Found<Family::slots>* found, unsigned& unclear_poses) {
+  Motion<F> q[6];
+  auto unclear = Family::complete(arm, x.target, x.root, x.side, q);
+  RigidT<F> frame = truth[0];
+  F value[6];
+  for (int j = 0; j < 6; ++j) {
+    const bool slides = head.slides[j];
+    frame = closed_form::moved(frame, q[j], slides) * truth[j + 1];
+    value[j] = slides ? q[j].c * head.length : atan2(q[j].s, q[j].c);
+  }
+  auto between = [](Vec3T<F> a, Vec3T<F> b) { return max(abs(a.x - b.x), max(abs(a.y - b.y), abs(a.z - b.z))); };
+  const F miss = max(max(between(frame.x, x.tool.x), between(frame.y, x.tool.y)),
+                     max(between(frame.z, x.tool.z), between(frame.t, x.tool.t)));
+  unclear = unclear | !(miss <= 0.5 * closed_form::kVerified);
+  const unsigned bits = bits_of(unclear);
+  for (int i = 0; i < used; ++i) {
+    Found<Family::slots>& to = found[pose[i]];
+    if (((bits >> i) & 1u) || to.count == Family::slots) {
+      unclear_poses |= 1u << pose[i];
+      continue;
+    }
+    for (int j = 0; j < 6; ++j) to.q[to.count][j] = lane(value[head.backward ? 5 - j : j], i);
+    ++to.count;
+  }
+}
+
+// A group of W poses, `used` of them asked for. Returns the bits of the poses that are not clear.
+template <class F, class Family> unsigned solve_group(const HiddenAngle& head, const typename Family::Arm& arm,
+                                                      const RigidT<F>* truth, const Pose<F>& pose, int used,
+                                                      Found<Family::slots>* found) {
+  constexpr int W = width_of<F>, D = Family::degree, M = Family::samples;
+  const auto target = Family::see(arm, pose);
+  const double scale = 1 / head.length;
+  const RigidT<F> tool = {{pose.r[0][0], pose.r[1][0], pose.r[2][0]},
+                          {pose.r[0][1], pose.r[1][1], pose.r[2][1]},
+                          {pose.r[0][2], pose.r[1][2], pose.r[2][2]},
+                          {pose.p[0] * scale, pose.p[1] * scale, pose.p[2] * scale}};
+  const trigonometric::Circle<M>& angle = trigonometric::circle<M>();
+  F value[M], size;
+  for (int i = 0; i < M; ++i) value[i] = Family::polynomial(arm, target, Motion<F>{F(angle.c[i]), F(angle.s[i])});
+  trigonometric::Series<F, D> series;
+  const F above = trigonometric::series_of<F, D, M>(value, series, size);
+  const F noise = max(kNoise * size, 100.0 * above);
+  unsigned unclear = bits_of(!(above < 1e-12 * size));
+  trigonometric::Sectors<F, D> sectors;
+  sectors_of(series, sectors);
+  trigonometric::Bracket list[W * 2 * D];
+  int count = 0;
+  for (int i = 0; i < used; ++i) {
+    found[i].count = 0;
+    if ((unclear >> i) & 1u) continue;
+    const int before = count;
+    if (!isolate<F, D>(sectors, i, lane(noise, i), list, count)) {
+      unclear |= 1u << i;
+      count = before;
+    }
+  }
+  const trigonometric::Circle<2 * trigonometric::kSectors>& turn = trigonometric::circle<2 * trigonometric::kSectors>();
+  for (int first = 0; first < count; first += W) {
+    const int lanes = count - first < W ? count - first : W;
+    Candidates<F, Family> x;
+    trigonometric::Series<F, D> own;
+    F centre_c, centre_s, low, high, at_low, at_high;
+    int of[W];
+    for (int i = 0; i < W; ++i) {
+      const trigonometric::Bracket& b = list[first + (i < lanes ? i : lanes - 1)];
+      of[i] = b.lane;
+      copy_lanes<F>(own, i, series, b.lane);
+      copy_lanes<F>(x.target, i, target, b.lane);
+      copy_lanes<F>(x.tool, i, tool, b.lane);
+      set_lane(centre_c, i, turn.c[2 * b.sector + 1]);
+      set_lane(centre_s, i, turn.s[2 * b.sector + 1]);
+      set_lane(low, i, b.low);
+      set_lane(high, i, b.high);
+      set_lane(at_low, i, b.at_low);
+      set_lane(at_high, i, b.at_high);
+    }
+    trigonometric::refine(own, centre_c, centre_s, low, high, at_low, at_high, x.root.c, x.root.s);
+    x.side = F(Family::both ? 1.0 : 0.0);
+    enter<F, Family>(head, arm, truth, x, of, lanes, found, unclear);
+    if (!Family::both) continue;
+    x.side = F(-1.0);
+    enter<F, Family>(head, arm, truth, x, of, lanes, found, unclear);
+  }
+  return unclear & ((1u << used) - 1u);
+}
+
+// The pose of base in tool, where the arm was reversed.
+template <class F> PIEPER_INLINE Pose<F> inverse_of(const Pose<F>& a) {
+  Pose<F> out;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) out.r[i][j] = a.r[j][i];
+    out.p[i] = 0.0 - (a.r[0][i] * a.p[0] + a.r[1][i] * a.p[1] + a.r[2][i] * a.p[2]);
+  }
+  return out;
+}
+
+// Largest joint difference of two solutions, lengths in units of the arm.
+inline double apart(const HiddenAngle& head, const double* a, const double* b) {
+  double worst = 0;
+  for (int j = 0; j < 6; ++j) {
+    double d = __builtin_fabs(a[j] - b[j]);
+    if (head.slides[j]) d = d / head.length;
+    else if (d > kPi) d = __builtin_fabs(kTwoPi - d);
+    worst = d > worst ? d : worst;
+  }
+  return worst;
+}
+inline constexpr double kSame = 1e-5;  // of two ways of solving a pose that is not clear
+
+// Adds to n rows those of `more` that are none of them; returns how many there are then.
+template <int Slots> int joined(const HiddenAngle& head, double* rows, int n, const Found<Slots>& more) {
+  const int known = n;
+  for (int k = 0; k < more.count && n < Slots; ++k) {
+    bool again = false;
+    for (int m = 0; m < known && !again; ++m) again = apart(head, rows + 6 * m, more.q[k]) < kSame;
+    if (!again) __builtin_memcpy(rows + 6 * n++, more.q[k], 6 * sizeof(double));
+  }
+  return n;
+}
+
+// Poses that are not clear wait for company: the general solver takes W at a time. What was found and verified here stays.
+template <int Slots> struct Waiting {
+  static constexpr int most = 64, general_slots = 16;
+  int count = 0;
+  long index[most];
+  Found<Slots> own[most];
+  double T[16 * most], q[6 * general_slots * most];
+  std::uint8_t valid[general_slots * most], flag[most];
+
+  void solve(const HiddenAngle& head, double* all_q, std::uint8_t* all_valid, std::uint8_t* all_flag) {
+    if (count == 0) return;
+    solve_general(*head.general, T, count, q, valid, flag);
+    for (int i = 0; i < count; ++i) {
+      double* rows = all_q + 6 * Slots * index[i];
+      std::uint8_t* good = all_valid + Slots * index[i];
+      // valid rows come first
+      __builtin_memcpy(rows, q + 6 * general_slots * i, 6 * Slots * sizeof(double));
+      __builtin_memcpy(good, valid + general_slots * i, Slots);
+      int n = 0;
+      while (n < Slots && good[n]) ++n;
+      n = joined(head, rows, n, own[i]);
+      for (int m = 0; m < n; ++m) good[m] = 1;
+      all_flag[index[i]] = static_cast<std::uint8_t>(n ? flag[i] & ~kOutOfReach : flag[i]);
+    }
+    count = 0;
+  }
+};
+
+// `ways`: the same arm seen in several ways, best first.
+template <class Family> void solve(const HiddenAngle& head, const typename Family::Arm* arm, int ways, const double* T,
+                                   long count, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+  constexpr int M = Family::slots;
+  using F = Lanes<PIEPER_LANES>;
+  RigidT<F> truth[7];
+  for (int k = 0; k < 7; ++k) truth[k] = closed_form::spread<F>(closed_form::read_rigid(head.links[k][0], head.length));
+  Waiting<M> waiting;
+  in_lanes(T, count, [&](long done, int used, const double* poses) {
+    Pose<F> pose = load_poses<F>(poses);
+    if (head.backward) pose = inverse_of(pose);
+    Found<M> found[PIEPER_LANES];
+    unsigned unclear = solve_group<F, Family>(head, arm[0], truth, pose, used, found);
+    for (int way = 1; way < ways && unclear; ++way) {
+      Found<M> other[PIEPER_LANES];
+      const unsigned still = solve_group<F, Family>(head, arm[way], truth, pose, used, other);
+      for (int i = 0; i < used; ++i) {
+        if (!((unclear >> i) & 1u)) continue;
+        if ((still >> i) & 1u) found[i].count = joined(head, found[i].q[0], found[i].count, other[i]);
+        else found[i] = other[i];
+      }
+      unclear &= still;
+    }
+    for (int i = 0; i < used; ++i) {
+      const long at = done + i;
+      const bool doubt = (unclear >> i) & 1u;
+      if (doubt && head.general) {
+        __builtin_memcpy(waiting.T + 16 * waiting.count, T + 16 * at, 16 * sizeof(double));
+        waiting.own[waiting.count] = found[i];
+        waiting.index[waiting.count++] = at;
+        if (waiting.count == Waiting<M>::most) waiting.solve(head, q, valid, flag);
+        continue;
+      }
+      for (int m = 0; m < M; ++m) {
+        valid[M * at + m] = m < found[i].count;
+        for (int j = 0; j < 6; ++j) q[6 * M * at + 6 * m + j] = m < found[i].count ? found[i].q[m][j] : 0.0;
+      }
+      flag[at] = doubt ? kDegenerate | kUncertain : found[i].count ? 0 : kOutOfReach;
+    }
+  });
+  waiting.solve(head, q, valid, flag);
+}
+
+}  // namespace pieper::PIEPER_ISA::hidden_angle

@@ -1,0 +1,295 @@
+// Six turning joints, the second and third parallel, across the first, the fourth and fifth meeting in a point P: the offset
+// wrists of the Motoman EA1400N, the Fanuc CRX, the Kinova Jaco.
+//
+// With the last joint's angle theta chosen, P and the direction of axis 5 are known. P lies in the plane of upper arm and
+// forearm, which fixes joint 1 up to two sides (+u and -u, its distance along the plane), and the triangle shoulder, elbow, P has two
+// shapes. What is left is one condition: axis 4 must meet axis 5 under their constant angle. In the plane, with v from the
+// shoulder to P, d from the elbow to P, and w the part of axis 5 that turns with d, it reads d.w = g beside
+// d.v = K and |d| = l. Eliminating d,
+//
+//   N(u) = l^2 (v x w)^2 - K^2 |w|^2 + 2 K g v.w - g^2 |v|^2 = 0,
+//
+// and N(u) N(-u) rho^4, rho the distance of P from axis 1, is a trigonometric polynomial of degree 8 in theta: at most 16
+// solutions. Where neither an offset nor a twist tells the two sides apart (CRX) N is even in u, N rho^2 has
+// degree 4, and each of its 8 roots gives two solutions. Roots: trigonometric_roots.hpp. A pose where anything
+// is delicate is handed to the general solver.
+#pragma once
+
+#include "dispatch/geometry.hpp"
+
+namespace pieper {
+
+// The arm with its joints at zero, in a frame with z along axis 1, y along axis 2, and axis 2 at height zero; lengths of one.
+struct OffsetWrist : HiddenAngle {
+  static constexpr const char* name = "offset_wrist";
+  static constexpr const char* doc = "Parallel second and third axes across the first, the fourth and fifth meeting.";
+  static constexpr int joints = 6, slots = 16;
+  bool alike;                     // neither an offset nor a twist tells the arm's two sides apart
+  double to_base[3][3], base[3];  // world -> that frame
+  double from_tool[3][3];         // rotation: that frame -> tool, at zero
+  Vector sixth;                   // from the tool's point to the foot of P on axis 6
+  Vector lever, lever_turned;     // from there to P, and axis 6 crossed with it
+  Vector fifth[3];                // axis 5: its part along axis 6, its part across it, axis 6 crossed with that
+  Vector axis6;
+  double shoulder, lateral, upper,
+      fore;  // a1: axis 2 from axis 1; b: P out of axis 1's plane; lengths to and from the elbow
+  double elbow_c, elbow_s, fore_c, fore_s;  // directions of upper arm and forearm in the plane (x, z)
+  double lean_c, lean_s;                    // from the forearm's direction to axis 4's in the plane
+  double tilt_c, tilt_s;                    // of axis 4 out of the plane
+  double bend;                              // cosine of the angle of axes 4 and 5
+  double sense3;                            // -1 where axis 3 points against axis 2
+  Vector axis4, across4, over4;  // axis 4; what of axis 5 lies across it; axis 4 crossed with that (both of length one)
+  Vector across5, over5;         // the same of axis 6 and axis 5
+
+  template <class Self, class Visit> static void fields(Self& self, Visit visit) {
+    HiddenAngle::fields(self, visit);
+    visit("backward", self.backward), visit("alike", self.alike), visit("to_base", self.to_base),
+        visit("base", self.base);
+    visit("from_tool", self.from_tool), visit("sixth", self.sixth), visit("lever", self.lever);
+    visit("lever_turned", self.lever_turned), visit("fifth", self.fifth), visit("axis6", self.axis6);
+    visit("shoulder", self.shoulder), visit("lateral", self.lateral), visit("upper", self.upper),
+        visit("fore", self.fore);
+    visit("elbow_c", self.elbow_c), visit("elbow_s", self.elbow_s), visit("fore_c", self.fore_c),
+        visit("fore_s", self.fore_s);
+    visit("lean_c", self.lean_c), visit("lean_s", self.lean_s), visit("tilt_c", self.tilt_c),
+        visit("tilt_s", self.tilt_s);
+    visit("bend", self.bend), visit("sense3", self.sense3), visit("axis4", self.axis4), visit("across4", self.across4);
+    visit("over4", self.over4), visit("across5", self.across5), visit("over5", self.over5);
+  }
+};
+
+}  // namespace pieper
+
+#ifdef PIEPER_ISA
+#include "hidden_angle/hidden_angle.hpp"
+
+namespace pieper::PIEPER_ISA::offset_wrist {
+
+using namespace hidden_angle;
+using Arm = OffsetWrist;
+
+// A pose as the arm sees it.
+template <class F> struct Target { F at[3], lever[3], lever_turned[3], fifth[3][3], axis6[3]; };
+
+template <class F> PIEPER_INLINE void turned_by(const F (*D)[3], Vector v, F* out) {
+  for (int i = 0; i < 3; ++i) out[i] = D[i][0] * v.x + D[i][1] * v.y + D[i][2] * v.z;
+}
+
+template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const Pose<F>& pose) {
+  F turned[3][3], D[3][3], p[3];
+  for (int i = 0; i < 3; ++i) {
+    const double* b = arm.to_base[i];
+    for (int j = 0; j < 3; ++j) turned[i][j] = b[0] * pose.r[0][j] + b[1] * pose.r[1][j] + b[2] * pose.r[2][j];
+    p[i] = (b[0] * (pose.p[0] - arm.base[0]) + b[1] * (pose.p[1] - arm.base[1]) + b[2] * (pose.p[2] - arm.base[2])) *
+           (1 / arm.length);
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      D[i][j] =
+          turned[i][0] * arm.from_tool[0][j] + turned[i][1] * arm.from_tool[1][j] + turned[i][2] * arm.from_tool[2][j];
+  Target<F> out;
+  turned_by(D, arm.sixth, out.at);
+  for (int i = 0; i < 3; ++i) out.at[i] = out.at[i] + p[i];
+  turned_by(D, arm.lever, out.lever);
+  turned_by(D, arm.lever_turned, out.lever_turned);
+  for (int k = 0; k < 3; ++k) turned_by(D, arm.fifth[k], out.fifth[k]);
+  turned_by(D, arm.axis6, out.axis6);
+  return out;
+}
+
+// The condition N, and the quantities on the way to it. X: a number, a Dual or a Surd.
+template <class X> struct Condition { X v0, v1, w0, w1, K, g, N; };
+
+// u: P's distance along the plane; across, level: u5.r and u5.z; out: u5.n; h: P's height.
+template <class X> PIEPER_INLINE Condition<X> condition(const Arm& arm, X u, X across, X out, X level, X h) {
+  Condition<X> c;
+  const double l2 = arm.fore * arm.fore;
+  c.v0 = u + (-arm.shoulder);
+  c.v1 = h;
+  c.w0 = arm.lean_c * across + arm.lean_s * level;
+  c.w1 = arm.lean_c * level - arm.lean_s * across;
+  const X V = c.v0 * c.v0 + c.v1 * c.v1, s = c.v0 * c.w0 + c.v1 * c.w1, area = c.v0 * c.w1 - c.v1 * c.w0;
+  c.K = 0.5 * (V + (l2 - arm.upper * arm.upper));
+  c.g = (-arm.fore * arm.tilt_s / arm.tilt_c) * out + arm.bend * arm.fore / arm.tilt_c;
+  const X W = (-1.0) * (out * out) + 1.0, kg = c.K * c.g;
+  c.N = l2 * (area * area) - c.K * c.K * W + 2.0 * (kg * s) - c.g * c.g * V;
+  return c;
+}
+
+// P and axis 5 at the angle (c, s) of the last joint.
+template <class F> struct At { F P[3], axis5[3]; };
+template <class F> PIEPER_INLINE At<F> at_angle(const Target<F>& t, F c, F s) {
+  At<F> out;
+  for (int i = 0; i < 3; ++i) {
+    out.P[i] = t.at[i] + c * t.lever[i] - s * t.lever_turned[i];
+    out.axis5[i] = t.fifth[0][i] + c * t.fifth[1][i] - s * t.fifth[2][i];
+  }
+  return out;
+}
+
+// N(u) N(-u) rho^4, or N rho^2 where N is even.
+template <class F, bool Even> F polynomial(const Arm& arm, const Target<F>& t, F c, F s) {
+  const At<F> at = at_angle(t, c, s);
+  const F along = at.P[0] * at.axis5[0] + at.P[1] * at.axis5[1], past = at.P[0] * at.axis5[1] - at.P[1] * at.axis5[0];
+  const F rho2 = at.P[0] * at.P[0] + at.P[1] * at.P[1], inv = 1.0 / max(rho2, F(1e-30));
+  const double b = arm.lateral;
+  const F u2 = rho2 - b * b;
+  const Surd<F> u = {F(0.0), F(1.0), u2}, across = {-b * past * inv, along * inv, u2},
+                out = {b * along * inv, past * inv, u2}, level = {at.axis5[2], F(0.0), u2}, h = {at.P[2], F(0.0), u2};
+  const Surd<F> N = condition(arm, u, across, out, level, h).N;
+  if (Even) return N.x * rho2;
+  return (N.x * N.x - u2 * N.y * N.y) * rho2 * rho2;
+}
+
+// What a root says at one angle: P, axis 5 and the condition, with derivatives by the angle.
+template <class F> struct Evaluated {
+  At<F> at;
+  F rho2;
+  Dual<F> u, across, out, level, h;
+  Condition<Dual<F>> on;
+};
+template <class F>
+PIEPER_INLINE void on_side(const Arm& arm, F side, Dual<F> along, Dual<F> past, Dual<F> rho2, Evaluated<F>& x) {
+  x.u = {side * x.u.x, side * x.u.d};
+  x.across = over(x.u * along - arm.lateral * past, rho2);
+  x.out = over(x.u * past + arm.lateral * along, rho2);
+  x.on = condition(arm, x.u, x.across, x.out, x.level, x.h);
+}
+
+// side 0: the one of +1 and -1 on which the condition is nearer to holding, written to `side`; `apart` tells how much nearer.
+template <class F>
+PIEPER_INLINE Evaluated<F> evaluate(const Arm& arm, const Target<F>& target, Motion<F> theta, F& side, F* apart) {
+  Evaluated<F> x;
+  x.at = at_angle(target, theta.c, theta.s);
+  At<F> rate;
+  for (int i = 0; i < 3; ++i) {
+    rate.P[i] = 0.0 - theta.s * target.lever[i] - theta.c * target.lever_turned[i];
+    rate.axis5[i] = 0.0 - theta.s * target.fifth[1][i] - theta.c * target.fifth[2][i];
+  }
+  const Dual<F> px = {x.at.P[0], rate.P[0]}, py = {x.at.P[1], rate.P[1]};
+  const Dual<F> ax = {x.at.axis5[0], rate.axis5[0]}, ay = {x.at.axis5[1], rate.axis5[1]};
+  const Dual<F> along = px * ax + py * ay, past = px * ay - py * ax, rho2 = px * px + py * py;
+  x.h = {x.at.P[2], rate.P[2]};
+  x.level = {x.at.axis5[2], rate.axis5[2]};
+  x.rho2 = rho2.x;
+  x.u = root(rho2 + (-arm.lateral * arm.lateral));
+  if (apart) {
+    Evaluated<F> plus = x, minus = x;
+    on_side(arm, F(1.0), along, past, rho2, plus);
+    on_side(arm, F(-1.0), along, past, rho2, minus);
+    const F up = abs(plus.on.N.x), down = abs(minus.on.N.x);
+    side = select(side == 0.0, select(up <= down, F(1.0), F(-1.0)), side);
+    apart[0] = min(up, down);
+    apart[1] = max(up, down);
+  }
+  on_side(arm, side, along, past, rho2, x);
+  return x;
+}
+
+// From a root to the joints; lanes where that is not clear are marked in the result.
+template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F side, Motion<F>* q) {
+  const double b = arm.lateral, l = arm.fore, l2 = l * l;
+  F apart[2];
+  const auto open = side == 0.0;
+  Evaluated<F> now = evaluate(arm, target, theta, side, apart);
+  auto size_of = [&](const Evaluated<F>& e) {
+    return l2 * (e.on.v0.x * e.on.v0.x + e.on.v1.x * e.on.v1.x) + e.on.K.x * e.on.K.x;
+  };
+  auto unclear =
+      !(now.u.x * side > 1e-4) | (open & !(apart[1] > 1e-8 * size_of(now))) | (open & !(apart[0] < 1e-2 * apart[1]));
+  // a step of Newton's on N, then one on d.w - g, which is less troubled by rounding: N = -|v|^2 times it times the same of the
+  // triangle's other shape
+  F change = -now.on.N.x / select(now.on.N.d == 0.0, F(1e-300), now.on.N.d);
+  unclear = unclear | !(abs(change) < 1e-3);
+  theta = advanced(theta, change);
+  F V, room, sign(1.0);
+  auto triangle = [&](const Evaluated<F>& e, F& up, F& down) {
+    const auto& c = e.on;
+    V = c.v0.x * c.v0.x + c.v1.x * c.v1.x;
+    room = l2 * V - c.K.x * c.K.x;
+    const F inv = 1.0 / max(V, F(1e-300)), even = c.K.x * (c.v0.x * c.w0.x + c.v1.x * c.w1.x);
+    const F odd = sqrt(max(room, F(0.0))) * (c.v0.x * c.w1.x - c.v1.x * c.w0.x);
+    up = (even + odd) * inv - c.g.x;
+    down = (even - odd) * inv - c.g.x;
+  };
+  now = evaluate<F>(arm, target, theta, side, nullptr);
+  F up, down;
+  triangle(now, up, down);
+  const auto first = abs(up) <= abs(down);
+  const F own = select(first, up, down), other = select(first, down, up), slope = now.on.N.d, size = size_of(now);
+  sign = select(first, F(1.0), F(-1.0));
+  unclear = unclear | !(room > 1e-8 * size) | !(abs(slope) > 1e-6 * size) | !(abs(other) > 1e-6 * l);
+  change = own * V * other / select(slope == 0.0, F(1e-300), slope);
+  unclear = unclear | !(abs(change) < 1e-6);
+  theta = advanced(theta, change);
+  now = evaluate<F>(arm, target, theta, side, nullptr);
+  triangle(now, up, down);
+  const At<F>& at = now.at;
+  const F u = now.u.x, rho2 = now.rho2, across = now.across.x, out = now.out.x, level = now.level.x;
+  const F v0 = now.on.v0.x, v1 = now.on.v1.x, K = now.on.K.x, inv = 1.0 / max(V, F(1e-300)),
+          bent = sign * sqrt(max(room, F(0.0)));
+  const F d0 = (K * v0 - bent * v1) * inv, d1 = (K * v1 + bent * v0) * inv;
+  const Motion<F> elbow = unit(v0 - d0, v1 - d1), fore = unit(d0, d1);
+  const F invr = 1.0 / max(rho2, F(1e-300));
+  const Motion<F> r = {(u * at.P[0] + b * at.P[1]) * invr, (u * at.P[1] - b * at.P[0]) * invr};
+  q[0] = unit(r.c, r.s);
+  // a plane angle grows from x to z, a turn about y the other way
+  q[1] = {arm.elbow_c * elbow.c + arm.elbow_s * elbow.s, arm.elbow_s * elbow.c - arm.elbow_c * elbow.s};
+  const Motion<F> both = {arm.fore_c * fore.c + arm.fore_s * fore.s, arm.fore_s * fore.c - arm.fore_c * fore.s};
+  q[2] = {both.c * q[1].c + both.s * q[1].s, arm.sense3 * (both.s * q[1].c - both.c * q[1].s)};
+  // directions as the forearm saw them at zero
+  auto back = [&](F along, F across_plane, F up_z, F* y) {
+    y[0] = along * both.c - up_z * both.s;
+    y[1] = across_plane;
+    y[2] = along * both.s + up_z * both.c;
+  };
+  auto on = [](const F* y, Vector e) { return y[0] * e.x + y[1] * e.y + y[2] * e.z; };
+  F y[3];
+  back(across, out, level, y);
+  q[3] = unit(on(y, arm.across4), on(y, arm.over4));
+  const F* six = target.axis6;
+  back(six[0] * r.c + six[1] * r.s, six[1] * r.c - six[0] * r.s, six[2], y);
+  const Vector k = arm.axis4;  // and before joint 4 turned (Rodrigues' formula)
+  const F lift = on(y, k) * (1.0 - q[3].c);
+  const F z[3] = {y[0] * q[3].c - (k.y * y[2] - k.z * y[1]) * q[3].s + lift * k.x,
+                  y[1] * q[3].c - (k.z * y[0] - k.x * y[2]) * q[3].s + lift * k.y,
+                  y[2] * q[3].c - (k.x * y[1] - k.y * y[0]) * q[3].s + lift * k.z};
+  q[4] = unit(on(z, arm.across5), on(z, arm.over5));
+  q[5] = theta;
+  return unclear;
+}
+
+template <bool Even> struct Family {
+  static constexpr int degree = Even ? 4 : 8, samples = Even ? 12 : 20, slots = 16;
+  static constexpr bool both = Even;
+  using Arm = offset_wrist::Arm;
+  template <class F> using Target = offset_wrist::Target<F>;
+  template <class F> static Target<F> see(const Arm& arm, const Pose<F>& pose) { return offset_wrist::see(arm, pose); }
+  template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
+    return offset_wrist::polynomial<F, Even>(arm, target, angle.c, angle.s);
+  }
+  template <class F>
+  static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F side, Motion<F>* q) {
+    return offset_wrist::complete(arm, target, root, side, q);
+  }
+};
+
+}  // namespace pieper::PIEPER_ISA::offset_wrist
+
+namespace pieper::PIEPER_ISA {
+
+class OffsetWristKernel {
+ public:
+  static constexpr bool in_order = false;
+  explicit OffsetWristKernel(const OffsetWrist& arm) : arm_(arm) {}
+  void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
+    if (arm_.alike) hidden_angle::solve<offset_wrist::Family<true>>(arm_, &arm_, 1, T, count, q, valid, flag);
+    else hidden_angle::solve<offset_wrist::Family<false>>(arm_, &arm_, 1, T, count, q, valid, flag);
+  }
+
+ private:
+  const OffsetWrist& arm_;
+};
+
+}  // namespace pieper::PIEPER_ISA
+#endif  // PIEPER_ISA

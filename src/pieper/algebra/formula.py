@@ -1,0 +1,146 @@
+"""Formulas that somebody typed: what they hold besides, and how they are looked through and changed at one place."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from pieper.algebra.expression import Add, Call, Expr, Num, Operation, Sym, natural
+
+ANGLE = re.compile(r"theta(\d+)$")
+TURNS = ("sin", "cos")
+
+
+class Mention(Sym):
+    """A symbol at one place of a formula that somebody typed; its values are found by its name.
+
+    It is not pooled: two mentions of a2 are two nodes, so that one of them can be looked at and replaced.
+    """
+
+    __slots__ = ()
+
+    def __new__(cls, name: str):
+        found = object.__new__(cls)
+        found.name = name
+        found.base = name.rstrip("0123456789") or name
+        found.sub, found.rank = name[len(found.base) :], 1
+        found.order = (1, found.base, natural(found.sub))
+        return found
+
+    def looked_up(self, values, field):
+        return values[self.name]
+
+    def substitute(self, table):
+        return table.get(self.name, self)
+
+
+class Neg(Operation):
+    """A minus sign as written; `-x` of a derived formula is a product with -1."""
+
+    __slots__ = ()
+    precedence = 1
+
+    @classmethod
+    def of(cls, x: Expr) -> Expr:
+        """Minus x, without piling up signs."""
+        return x.args[0] if isinstance(x, Neg) else Neg(x)
+
+    def rebuilt(self, args):
+        return Neg.of(*args)
+
+    def combined(self, v, field, branch):
+        return -v[0]
+
+
+class PlusMinus(Operation):
+    """+- (or -+) before a term; all signs of one formula go together."""
+
+    __slots__ = ("sign",)
+    precedence = 1
+
+    def __init__(self, x: Expr, sign: int = 1) -> None:
+        super().__init__(x)
+        self.sign = sign
+
+    def rebuilt(self, args):
+        return PlusMinus(*args, self.sign)
+
+    def combined(self, v, field, branch):
+        return v[0] if branch * self.sign > 0 else -v[0]
+
+
+class Equation(Operation):
+    """left = right; its value is left minus right."""
+
+    __slots__ = ()
+    precedence = 0
+
+    def combined(self, v, field, branch):
+        return v[0] - v[1]
+
+
+# -- building and reading ------------------------------------------------------------------------------------
+def number(text: str | int) -> Num:
+    """A number that keeps its digits as written."""
+    return Num(text, str(text))
+
+
+def is_call(node: Expr | None, *names: str) -> bool:
+    """Whether the node is a call of one of some functions."""
+    return isinstance(node, Call) and node.name in names
+
+
+def joint_sum(node: Expr) -> tuple[tuple[int, int], ...] | None:
+    """Read a node as a signed sum of joint angles: ((sign, joint), ...), or None when it is something else."""
+    parts = []
+    for term in node.args if isinstance(node, Add) else (node,):
+        sign = 1
+        if isinstance(term, Neg):
+            sign, term = -1, term.args[0]
+        found = ANGLE.match(term.name) if isinstance(term, Sym) else None
+        if not found:
+            return None
+        parts.append((sign, int(found.group(1))))
+    return tuple(parts)
+
+
+def turned_joints(node: Expr) -> tuple[tuple[int, int], ...] | None:
+    """The signed sum of joint angles whose sine or cosine the node is, or None."""
+    return joint_sum(node.args[0]) if isinstance(node, Call) and node.name in TURNS else None
+
+
+def angle_sum(parts: tuple[tuple[int, int], ...]) -> Expr:
+    """Build the node of a signed sum of joint angles."""
+    return Add.of(*(Mention(f"theta{j}") if s > 0 else Neg(Mention(f"theta{j}")) for s, j in parts))
+
+
+def has_branch(root: Expr) -> bool:
+    """Whether the formula holds a +-."""
+    return any(isinstance(node, PlusMinus) for node in root.walk())
+
+
+# -- places --------------------------------------------------------------------------------------------------
+def positions(root: Expr) -> Iterator[tuple[tuple[int, ...], Expr, Expr | None]]:
+    """Yield (path, node, parent) for every node, top down; a path is the argument numbers from the root."""
+    stack: list[tuple[tuple[int, ...], Expr, Expr | None]] = [((), root, None)]
+    while stack:
+        path, node, parent = stack.pop()
+        yield path, node, parent
+        stack.extend((path + (k,), child, node) for k, child in reversed(list(enumerate(node.args))))
+
+
+def replaced(root: Expr, path: tuple[int, ...], new: Expr) -> Expr:
+    """Return the formula with the node at `path` replaced; everything else is shared."""
+    if not path:
+        return new
+    args = list(root.args)
+    args[path[0]] = replaced(args[path[0]], path[1:], new)
+    return root.rebuilt(args)
+
+
+def replaced_everywhere(root: Expr, new: Mapping[int, Expr]) -> Expr:
+    """Return the formula with every occurrence of some nodes, named by their `id`, replaced."""
+    if id(root) in new:
+        return new[id(root)]
+    args = [replaced_everywhere(a, new) for a in root.args]
+    return root if all(x is y for x, y in zip(args, root.args, strict=True)) else root.rebuilt(args)

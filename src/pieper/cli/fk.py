@@ -1,0 +1,66 @@
+"""`pieper fk`: from joints to the pose of the tool."""
+
+from __future__ import annotations
+
+import click
+import numpy as np
+import numpy.typing as npt
+
+import pieper
+from pieper.cli import DONE
+from pieper.cli.given import joints as read_joints
+from pieper.cli.options import NUMBERS, as_json, takes_arm, takes_units
+from pieper.cli.printed import as_json as print_json
+from pieper.cli.printed import print_pose, say, short
+from pieper.cli.units import Units
+
+#: A joint may pass its limit by this much (rad or m) without a word.
+SLACK = 1e-9
+
+
+@click.command("fk", context_settings=NUMBERS, short_help="From joints to the pose of the tool.")
+@takes_arm
+@click.argument("joints", nargs=-1, required=True)
+@click.option("--frames", is_flag=True, help="Every frame on the way, not only the tool.")
+@as_json
+@takes_units
+def command(arm: pieper.Arm, joints: tuple[str, ...], frames: bool, json: bool, units: Units) -> int:
+    """Forward kinematics: from joints to the tool's pose.
+
+    JOINTS is one number a joint, a posture's name, or @file.
+
+    Example: pieper fk denso-vp6242 0 51.5 -150.6 0 99.1 0
+    """
+    q = read_joints(arm, joints, units)
+    T = arm.fk(q)
+    beyond = _outside(arm, q, units)
+    every = arm.frames(q) if frames else np.zeros((0, 4, 4))
+    if json:
+        data = {
+            "arm": arm.name,
+            "q": q,
+            "T": T,
+            "position_m": T[:3, 3],
+            "rpy_rad": pieper.read_pose(T, "rpy")[3:],
+            "outside_limits": beyond,
+        }
+        print_json(data | ({"frames": every} if frames else {}))
+        return DONE
+    for i, F in enumerate(every[:-1]):
+        print_pose(F, units, "base" if i == 0 else f"after {arm.joint_names[i - 1]}")
+    print_pose(T, units, f"{arm.name}: tool")
+    for sentence in beyond:
+        say(sentence)
+    return DONE
+
+
+def _outside(arm: pieper.Arm, q: npt.NDArray[np.float64], units: Units) -> list[str]:
+    out = []
+    names = zip(arm.joint_names, units.of_joints(arm), units.names_of_joints(arm), strict=True)
+    for (name, unit, word), value, (lower, upper) in zip(names, q, arm.limits, strict=True):
+        if not lower - SLACK <= value <= upper + SLACK:
+            out.append(
+                f"note: {name} = {short(value / unit)} {word} is outside its limits "
+                f"{short(lower / unit)} to {short(upper / unit)} {word}."
+            )
+    return out

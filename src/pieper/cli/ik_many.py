@@ -1,0 +1,183 @@
+"""A file of poses solved block by block, and solutions written as CSV, in constant memory."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any, BinaryIO
+
+import click
+import numpy as np
+import numpy.typing as npt
+
+import pieper
+from pieper.cli import DONE, NO_SOLUTION
+from pieper.cli.pose_file import PoseFile
+from pieper.cli.printed import as_json, plural, si_units
+from pieper.cli.units import Units
+
+#: Decimals of joint values in a CSV: finer than any unit's rounding noise.
+DECIMALS = 12
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """What is asked of a file of poses; the fields are those of `pieper ik`."""
+
+    arm: pieper.Arm
+    file: str
+    units: Units
+    order: str
+    task: str | None
+    redundancy: Any
+    near: npt.NDArray[np.float64] | None
+    everything: bool
+    csv: str
+    json: bool
+
+
+def solve_file(request: Request) -> int:
+    """Solve every pose of a file; the status is 1 when one of them has no solution inside the limits."""
+    poses = PoseFile(request.file, request.units, request.order)
+    total = without = rows = 0
+    with contextlib.ExitStack() as stack:
+        read = stack.enter_context(_progress(poses.size))
+        out = stack.enter_context(pieper.whole_file(request.csv)) if request.csv else None
+        write = _json_lines if request.json else _csv_block
+        for block in poses.blocks(read):
+            if not total and poses.bare:
+                request = _of_positions(request, block)
+            many = request.arm.ik_many(block, task=request.task, redundancy=request.redundancy)
+            if not total and not request.json:
+                _write(out, head(request.arm, request.units))
+            rows += write(request, many, block, total, out)
+            total += len(block)
+            without += int(np.count_nonzero(~many.in_limits.any(1)))
+    if poses.unused:
+        print(f"pieper: note: not used of {request.file}: {', '.join(poses.unused)}.", file=sys.stderr)
+    said = f"{plural(total, 'pose')}, {without:,} of them without a solution inside the limits; {plural(rows, 'row')}"
+    print(said + (f" written: {request.csv}" if request.csv else "."), file=sys.stderr)
+    return NO_SOLUTION if without else DONE
+
+
+def _of_positions(request: Request, block: npt.NDArray[np.float64]) -> Request:
+    """Return the request for positions alone where the arm cannot hold R = I at any of the first ones; says so."""
+    arm, plan = request.arm, request.arm.plan_for(request.task)
+    if request.task is not None or request.redundancy is not None or plan.task != "pose" or plan.rank >= 6:
+        return request
+    if np.any(arm.ik_many(block).status != pieper.Status.OUT_OF_REACH):
+        return request
+    try:
+        arm.plan_for("position")
+    except pieper.PlanError:
+        return request
+    print(f"pieper: note: x y z were taken as positions: {arm.name} cannot hold R = I there.", file=sys.stderr)
+    return replace(request, task="position")
+
+
+@contextlib.contextmanager
+def _progress(size: int) -> Iterator[Callable[[int], None]]:
+    """Yield what is told of the bytes read: a progress bar on the error stream where that is a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    with click.progressbar(length=size, label="poses", file=sys.stderr, update_min_steps=1 << 18) as bar:
+        yield bar.update
+
+
+def head(arm: pieper.Arm, units: Units) -> str:
+    """Return the first line of a CSV of solutions: names with their units."""
+    joints = [f"{name}_{unit}" for name, unit in zip(arm.joint_names, units.names_of_joints(arm), strict=True)]
+    columns = ["pose", "solution", "status", *joints, "in_limits"]
+    return ",".join([*columns, f"residual_{units.length}", f"residual_{units.angle}"]) + "\n"
+
+
+def write_rows(
+    arm: pieper.Arm,
+    file: str,
+    q: npt.NDArray[np.float64],
+    inside: npt.NDArray[np.bool_],
+    residual: npt.NDArray[np.float64],
+    units: Units,
+    status: str,
+) -> None:
+    """Write the solutions of one pose as CSV, whole or not at all."""
+    with pieper.whole_file(file) as out:
+        _write(out, head(arm, units))
+        values = np.column_stack(
+            [q / units.of_joints(arm), inside.astype(float), residual / [units.metres, units.radians]]
+        )
+        _write(out, _lines(np.ones(len(q), int), np.arange(1, len(q) + 1), [status] * len(q), values))
+
+
+def _write(out: BinaryIO | None, text: str) -> None:
+    if out is None:
+        sys.stdout.write(text)
+    else:
+        out.write(text.encode())
+
+
+def _chosen(
+    request: Request, many: pieper.SolutionBatch
+) -> tuple[npt.NDArray[np.int_], npt.NDArray[np.float64], npt.NDArray[np.bool_]]:
+    """Return the pose (0-based), joints and whether inside the limits, of each row that is asked for."""
+    if request.near is not None:
+        q, found = many.nearest(request.near)
+        return np.flatnonzero(found), q[found], np.ones(np.count_nonzero(found), bool)
+    mask = many.valid if request.everything else many.in_limits
+    return np.nonzero(mask)[0], many.q[mask], many.in_limits[mask]
+
+
+def _csv_block(
+    request: Request, many: pieper.SolutionBatch, T: npt.NDArray[np.float64], before: int, out: BinaryIO | None
+) -> int:
+    arm, units = request.arm, request.units
+    pose, q, inside = _chosen(request, many)
+    residual = arm.plan_for(request.task).residual(q, T[pose]) / [units.metres, units.radians]
+    values = np.column_stack([q / units.of_joints(arm), inside.astype(float), residual])
+    without = np.setdiff1d(np.arange(len(T)), pose)
+    counts = np.bincount(pose, minlength=len(T))
+    solution = np.arange(len(pose)) - np.repeat(np.cumsum(counts) - counts, counts) + 1
+    # a pose without a row gets a line of its own that says why, in its place
+    pose, solution = np.concatenate([pose, without]), np.concatenate([solution, np.zeros(len(without), int)])
+    values = np.vstack([values, np.full((len(without), values.shape[1]), np.nan)])
+    sorted_ = np.argsort(pose, kind="stable")
+    names = {int(s): s.name for s in pieper.Status}
+    status = [names[int(s)] for s in many.status[pose[sorted_]]]
+    _write(out, _lines(pose[sorted_] + before + 1, solution[sorted_], status, values[sorted_]))
+    return len(q)
+
+
+def _lines(
+    pose: npt.NDArray[np.int_], solution: npt.NDArray[np.int_], status: list[str], values: npt.NDArray[np.float64]
+) -> str:
+    """Return lines of CSV, cells empty where there is no solution; what is smaller than rounding is 0."""
+    n = values.shape[1] - 3
+    form = "%d,%d,%s," + "%r," * n + "%d,%.3g,%.3g\n"
+    empty = "%d,0,%s," + "," * n + ",,\n"
+    values[:, :n] = np.round(values[:, :n], DECIMALS) + 0.0
+    rows = values.tolist()
+    return "".join(
+        form % (p, k, s, *row) if k else empty % (p, s)
+        for p, k, s, row in zip(pose.tolist(), solution.tolist(), status, rows, strict=True)
+    )
+
+
+def _json_lines(
+    request: Request, many: pieper.SolutionBatch, T: npt.NDArray[np.float64], before: int, out: BinaryIO | None
+) -> int:
+    """Print one object a pose, in SI units."""
+    pose, q, inside = _chosen(request, many)
+    for i in range(len(T)):
+        mine = pose == i if len(T) < 64 else slice(*np.searchsorted(pose, [i, i + 1]))
+        data = {
+            "pose": before + i + 1,
+            "status": pieper.Status(int(many.status[i])).name,
+            "units": si_units(request.arm),
+            "q": q[mine],
+            "in_limits": inside[mine],
+        }
+        as_json(data, indent=None)
+    return len(q)

@@ -1,0 +1,114 @@
+"""`pieper show`: what is known of one arm, and how it is solved."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+import numpy as np
+
+import pieper
+from pieper.cli import DONE
+from pieper.cli.layout import Column
+from pieper.cli.options import as_json, figure, takes_arm, takes_units
+from pieper.cli.printed import as_json as print_json
+from pieper.cli.printed import (
+    joint_cells,
+    joint_columns,
+    number,
+    plural,
+    print_pose,
+    print_table,
+    say,
+    short,
+    si_units,
+)
+from pieper.cli.units import Units
+
+
+@click.command("show", short_help="Show an arm and how it is solved.")
+@takes_arm
+@figure
+@as_json
+@takes_units
+def command(arm: pieper.Arm, figure: str, json: bool, units: Units) -> int:
+    """Show an arm: its DH table, limits, postures, and how it is solved."""
+    plan, beyond = None, ""
+    try:
+        plan = arm.plan
+    except pieper.PlanError as error:
+        beyond = str(error)
+    if figure:
+        posture = next(iter(arm.postures.values()), np.zeros(arm.n))
+        pieper.plot.save_figure(pieper.plot.arm_figure(arm, posture, title=arm.name), figure)
+    if json:
+        print_json(_as_data(arm, plan, beyond))
+        return DONE
+    d = arm.description
+    _print_dh(arm, units)
+    for what, T in (("base", arm.base), ("tool", arm.tool)):
+        if not np.array_equal(T, np.eye(4)):
+            print_pose(T, units, what)
+    if d.actuator:
+        g = d.actuator
+        say(f"Actuator {g.name}: {g.lower:g} to {g.upper:g} {g.unit}, now {g.value:g}; it moves no frame.\n")
+    if arm.postures:
+        rows = [[name, *joint_cells(arm, q, units)] for name, q in arm.postures.items()]
+        print_table("postures", [Column("name", True), *joint_columns(arm, units)], rows)
+    for text in (plan.explain() if plan else beyond, f"Source: {d.source}" if d.source else "", d.notes):
+        if text:
+            say(text.strip() + "\n")
+    if figure:
+        say(f"figure: {figure}")
+    return DONE
+
+
+def _print_dh(arm: pieper.Arm, units: Units) -> None:
+    d = arm.description
+    length, angle, digits = units.length, units.angle, 3 if units.length == "mm" else 6
+    fine = 3 if angle == "deg" else 6
+    rows = []
+    for i, row in enumerate(d.rows):
+        revolute = arm.joint_types[i] == "R"
+        cells = [
+            number(row.a / units.metres, digits),
+            number(row.alpha / units.radians, fine),
+            number(row.d / units.metres, digits),
+            number(row.theta / units.radians, fine),
+        ]
+        constant = row.theta / units.radians if revolute else row.d / units.metres
+        shown = short(abs(constant), fine if revolute else digits)
+        sign = "+" if constant > 0 else "-"
+        cells[3 if revolute else 2] = f"q{i + 1}" + ("" if shown == "0" else f" {sign} {shown}")
+        unit, places = (units.radians, fine) if revolute else (units.metres, digits)
+        limits = [number(v / unit, max(places - 1, 2)) for v in d.limits[i]]
+        sense = "+" if d.sign[i] > 0 else "-"
+        rows.append([d.joint_names[i], *cells, sense, number(d.offset[i] / unit, max(places - 1, 2)), *limits])
+    kind = "standard (distal)" if d.convention == "standard" else "modified (proximal, Craig)"
+    heads = [f"a, {length}", f"alpha, {angle}", f"d, {length}", f"theta, {angle}", "sense", "zero", "lower", "upper"]
+    title = f"{arm.name}: {plural(arm.n, 'joint')} {arm.joint_types}, {kind} DH"
+    print_table(title, [Column("joint", True), *(Column(head) for head in heads)], rows)
+
+
+def _as_data(arm: pieper.Arm, plan: pieper.Plan | None, beyond: str) -> dict[str, Any]:
+    d = arm.description
+    return {
+        "name": arm.name,
+        "convention": d.convention,
+        "joint_types": arm.joint_types,
+        "joint_names": arm.joint_names,
+        "dh": [{"a_m": r.a, "alpha_rad": r.alpha, "d_m": r.d, "theta_rad": r.theta} for r in d.rows],
+        "sign": d.sign,
+        "offset": d.offset,
+        "limits": d.limits,
+        "units": si_units(arm),
+        "base": arm.base,
+        "tool": arm.tool,
+        "postures": arm.postures,
+        "manufacturer": d.manufacturer,
+        "source": d.source,
+        "notes": d.notes,
+        "plan": {"family": plan.family, "max_solutions": plan.max_solutions, "task": plan.task, "text": plan.explain()}
+        if plan
+        else {"beyond": beyond},
+    }

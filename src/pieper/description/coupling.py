@@ -1,0 +1,57 @@
+"""Coupled joints: what a controller calls the joints against the values of the chain, values = C @ joints."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+from numpy.typing import ArrayLike
+
+from pieper.errors import InputError
+
+#: A coupling whose inverse is larger than this many times its size says that two joints move the same.
+WORST_CONDITION = 1e6
+
+
+def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.NDArray[np.float64] | None:
+    """Return a coupling (n, n), read-only; None where it is the identity.
+
+    Raises:
+        InputError: Not n by n finite numbers, or singular: a joint that moves nothing, or two that move the same.
+    """
+    if coupling is None:
+        return None
+    n = len(names)
+    try:
+        C = np.array(coupling, dtype=float)
+    except (TypeError, ValueError):
+        C = np.empty(0)
+    if C.shape != (n, n) or not np.isfinite(C).all():
+        raise InputError(
+            f"coupling must be {n} rows of {n} finite numbers (chain values = coupling @ joint values), "
+            f"got {'shape ' + str(C.shape) if C.size else repr(coupling)}.",
+            given=coupling,
+        )
+    for i, name in enumerate(names):
+        if not C[:, i].any():
+            raise InputError(f"the coupling is singular: {name} moves nothing (its column is zero).", joint=name)
+    condition = float(np.linalg.cond(C))
+    if not condition < WORST_CONDITION:
+        raise InputError(
+            "the coupling is singular: some joints together move nothing, so no pose says what they are.",
+            condition=condition,
+            given=C,
+        )
+    if np.array_equal(C, np.eye(n)):
+        return None
+    C.setflags(write=False)
+    return C
+
+
+def chain_values(q: npt.NDArray[np.float64], coupling: npt.NDArray[np.float64] | None) -> npt.NDArray[np.float64]:
+    """Return the values (..., n) of the chain's joints at joint vectors q (..., n), rad or m."""
+    return q if coupling is None else q @ coupling.T
+
+
+def joint_values(values: npt.NDArray[np.float64], coupling: npt.NDArray[np.float64] | None) -> npt.NDArray[np.float64]:
+    """Return the joint vectors (..., n) at which the chain's joints have these values (..., n), rad or m."""
+    return values if coupling is None else np.linalg.solve(coupling, values[..., None])[..., 0]

@@ -1,0 +1,144 @@
+"""MJCF: bodies and joints of a MuJoCo model, read by the extra `mujoco`, become links and joints of a tree."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from pieper.description.dh import Description
+from pieper.description.tree import Joint, Mimic, Tree
+from pieper.description.treearm import arm_of
+from pieper.description.urdf import LARGEST_FILE, bytes_of
+from pieper.errors import InputError
+from pieper.kinematics.orientation import rotation
+
+#: What a chain of bodies does not need and whose files are often not at hand.
+_UNNEEDED = (
+    "geoms meshes textures materials hfields skins flexes actuators sensors keys tendons pairs excludes cameras lights"
+).split()
+
+
+def read(
+    path: str | Path, *, base: str | None = None, tip: str | None = None, missing_limits: str = "refuse"
+) -> Description:
+    """Read the chain from one body of an MJCF file to another body or site.
+
+    Args:
+        path: An .xml file that begins with <mujoco>; meshes need not be there.
+        base: Body or site whose frame is the base; the world when left out.
+        tip: Body or site whose frame is the tool; the one end of the arm when left out.
+        missing_limits: Joints without a range are unlimited in MJCF, so this only concerns ranges of 0..0.
+
+    Returns:
+        The arm as a standard DH table; its joint values are those of the model (`qpos`).
+
+    Raises:
+        InputError: The extra is not installed, the file is no model, or holds no such chain.
+    """
+    path = Path(path)
+    bytes_of(path, LARGEST_FILE, "MJCF file")
+    return arm_of(_tree(path), base=base, tip=tip, missing_limits=missing_limits)
+
+
+def _tree(path: Path) -> Tree:
+    try:
+        import mujoco
+    except ImportError:
+        raise InputError(
+            f"{path}: reading MJCF needs an extra: pip install 'pieper[mujoco]'.", file=str(path)
+        ) from None
+    try:
+        spec = mujoco.MjSpec.from_file(str(path))
+        for kind in _UNNEEDED:
+            for element in list(getattr(spec, kind, ())):
+                spec.delete(element)
+        for body in spec.bodies:
+            if body.name != "world":
+                body.mass, body.inertia, body.explicitinertial = 1.0, [1.0, 1.0, 1.0], True
+        model = spec.compile()
+    except (ValueError, RuntimeError, TypeError) as error:
+        reason = " ".join(str(error).split())
+        raise InputError(f"{path}: MuJoCo cannot read this model: {reason[:300]}", file=str(path)) from None
+    return _links(model, mujoco, str(path))
+
+
+def _links(model: Any, mujoco: Any, file: str) -> Tree:
+    """Return the tree of a compiled model; a body with several joints becomes several links."""
+    kinds = {
+        int(mujoco.mjtJoint.mjJNT_HINGE): "revolute",
+        int(mujoco.mjtJoint.mjJNT_SLIDE): "prismatic",
+        int(mujoco.mjtJoint.mjJNT_BALL): "ball",
+        int(mujoco.mjtJoint.mjJNT_FREE): "floating",
+    }
+    bodies = [model.body(i).name or f"body_{i}" for i in range(model.nbody)]
+    mimics = _mimics(model, mujoco)
+    joints: list[Joint] = []
+    frames: dict[str, tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]] = {}
+
+    def add(joint: Joint, T: npt.NDArray[np.float64], axis: npt.NDArray[np.float64]) -> None:
+        joints.append(joint)
+        frames[joint.name] = (T, axis)
+
+    for i in range(1, model.nbody):
+        parent = bodies[model.body_parentid[i]]
+        pending = _pose(model.body_pos[i], model.body_quat[i])
+        first, count = int(model.body_jntadr[i]), int(model.body_jntnum[i])
+        for j in range(first, first + count):
+            name = model.joint(j).name or f"joint_{j}"
+            kind = kinds[int(model.jnt_type[j])]
+            limited = bool(model.jnt_limited[j])
+            at = _pose(model.jnt_pos[j], [1.0, 0.0, 0.0, 0.0])
+            link = f"{bodies[i]}/{name}"
+            lower, upper = (float(v) for v in model.jnt_range[j])
+            add(
+                Joint(
+                    name,
+                    kind if limited or kind != "revolute" else "continuous",
+                    parent=parent,
+                    child=link,
+                    lower=lower if limited else -np.inf,
+                    upper=upper if limited else np.inf,
+                    mimic=mimics.get(j),
+                ),
+                pending @ at,
+                np.array(model.jnt_axis[j], float),
+            )
+            parent, pending = link, _pose(-model.jnt_pos[j], [1.0, 0.0, 0.0, 0.0])
+        add(Joint(f"body {bodies[i]}", "fixed", parent=parent, child=bodies[i]), pending, np.zeros(3))
+    for i in range(model.nsite):
+        site = model.site(i).name
+        if site and site not in bodies:
+            parent = bodies[model.site_bodyid[i]]
+            add(
+                Joint(f"site {site}", "fixed", parent=parent, child=site),
+                _pose(model.site_pos[i], model.site_quat[i]),
+                np.zeros(3),
+            )
+    return Tree(
+        file, model.names[: model.names.find(b"\0")].decode() or "arm", "MJCF", bodies, joints, lambda j: frames[j.name]
+    )
+
+
+def _mimics(model: Any, mujoco: Any) -> dict[int, Mimic]:
+    """Return joint -> the joint it follows, from the model's equality constraints of two joints."""
+    found = {}
+    for e in range(model.neq):
+        if int(model.eq_type[e]) == int(mujoco.mjtEq.mjEQ_JOINT) and model.eq_obj2id[e] >= 0:
+            follower, leader = int(model.eq_obj1id[e]), int(model.eq_obj2id[e])
+            if not np.any(model.eq_data[e][2:5]):
+                # y - y0 = c0 + c1 (x - x0), measured from the joints' reference values
+                name = model.joint(leader).name or f"joint_{leader}"
+                c0, c1 = (float(v) for v in model.eq_data[e][:2])
+                y0, x0 = (float(model.qpos0[model.jnt_qposadr[j]]) for j in (follower, leader))
+                found[follower] = Mimic(name, c1, y0 + c0 - c1 * x0)
+    return found
+
+
+def _pose(position: Any, quaternion: Any) -> npt.NDArray[np.float64]:
+    T = np.eye(4)
+    T[:3, :3] = rotation("quaternion_wxyz", [float(v) for v in quaternion])
+    T[:3, 3] = position
+    return T

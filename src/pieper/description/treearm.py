@@ -1,0 +1,230 @@
+"""The joints between two links of a robot's tree, written as an arm: axes at zero, limits, couplings, remarks."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from pieper.description.axes import described_by_axes
+from pieper.description.dh import Description
+from pieper.description.ends import Ends, find_ends
+from pieper.description.tree import MOVING, Joint, Tree, has_range, some
+from pieper.errors import InputError
+
+#: Limits beyond this (rad or m) are what exporters write for none.
+_NO_LIMIT = 1e5
+#: Axes that depart by no more than this (of a unit vector; m) are one line.
+_SAME_LINE = 1e-9
+MISSING = ("refuse", "unlimited")
+
+
+@dataclass(slots=True, eq=False)
+class _Axis:
+    """A moving joint of the chain: its line at zero, its sense, and what its value is of the joints' numbers."""
+
+    joint: Joint
+    direction: npt.NDArray[np.float64]
+    point: npt.NDArray[np.float64]
+
+
+def arm_of(
+    tree: Tree, *, base: str | None = None, tip: str | None = None, missing_limits: str = "refuse"
+) -> Description:
+    """Return the arm between two links of a robot.
+
+    Args:
+        tree: The robot.
+        base: Link whose frame is the base; the root of the tree when left out.
+        tip: Link whose frame is the tool; the one end of the arm when left out.
+        missing_limits: "refuse" a joint without a range, or take it as "unlimited".
+
+    Raises:
+        InputError: There is no such arm, or more than one; the message lists the choices, or names joint and cure.
+    """
+    if missing_limits not in MISSING:
+        raise InputError(
+            f"missing_limits {missing_limits!r} is unknown: say 'refuse' or 'unlimited'.",
+            given=missing_limits,
+            allowed=MISSING,
+        )
+    ends = find_ends(tree, base, tip)
+    path = tree.path(ends.base, ends.tip)
+    _check_kinds(tree, path, ends)
+    axes, home = _axes(tree, path)
+    if not axes:
+        raise InputError(
+            f"{tree.file}: no moving joint between {ends.base!r} and {ends.tip!r}.", base=ends.base, tip=ends.tip
+        )
+    own, coupling, constants, notes = _coupled(tree, axes)
+    limits, noted = _all_limits(tree, [axis.joint for axis in own], missing_limits)
+    return described_by_axes(
+        np.array([axis.direction for axis in own]),
+        np.array([axis.point for axis in own]),
+        home,
+        joint_types="".join(MOVING[axis.joint.kind] for axis in own),
+        joint_names=[axis.joint.name for axis in own],
+        limits=limits,
+        offset=constants,
+        coupling=coupling,
+        name=tree.name,
+        source=f"{tree.format} {Path(tree.file).name}, from {ends.base} to {ends.tip}",
+        remarks=(*ends.notes, *notes, *noted, *tree.remarks([joint for joint, _ in path])),
+        postures={"zero": np.zeros(len(own))},
+    )
+
+
+def _check_kinds(tree: Tree, path: list[tuple[Joint, bool]], ends: Ends) -> None:
+    for joint, _ in path:
+        if joint.kind not in MOVING and joint.kind != "fixed":
+            tree.fail(
+                f"joint {joint.name!r} is of type {joint.kind!r}; a serial arm may have revolute, continuous, "
+                f"prismatic and fixed joints. Begin after it with base={joint.child!r}, or end before it with "
+                f"tip={joint.parent!r}.",
+                joint,
+                base=ends.base,
+                tip=ends.tip,
+            )
+
+
+def _axes(tree: Tree, path: list[tuple[Joint, bool]]) -> tuple[list[_Axis], npt.NDArray[np.float64]]:
+    """Return the axes of the moving joints and the pose of the tip, all joints at zero, in the base's frame."""
+    T, axes = np.eye(4), []
+    for joint, upward in path:
+        origin, axis = tree.geometry(joint)
+        if not upward:
+            T = T @ origin
+        if joint.moves:
+            axes.append(_Axis(joint, T[:3, :3] @ (-axis if upward else axis), T[:3, 3].copy()))
+        if upward:
+            T = T @ _inverse(origin)
+    return axes, T
+
+
+def _inverse(T: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    out = np.eye(4)
+    out[:3, :3] = T[:3, :3].T
+    out[:3, 3] = -T[:3, :3].T @ T[:3, 3]
+    return out
+
+
+def _coupled(
+    tree: Tree, axes: list[_Axis]
+) -> tuple[list[_Axis], npt.NDArray[np.float64] | None, list[float], list[str]]:
+    """Return the joints that have a number of their own, the coupling, the constants it adds, and sentences.
+
+    A joint that mimics another one is folded into a neighbour on the same line (a slide: in the same direction): there
+    only the sum of the two moves anything.
+    """
+    own = [axis for axis in axes if axis.joint.mimic is None]
+    index = {axis.joint.name: i for i, axis in enumerate(own)}
+    C, constants, notes = np.eye(len(own)), [0.0] * len(own), []
+    for at, axis in enumerate(axes):
+        if axis.joint.mimic is None:
+            continue
+        neighbour = _neighbour(axes, at)
+        master, multiplier, offset = _master(tree, axis.joint)
+        if master not in index or neighbour is None:
+            reason = (
+                f"and {master!r} is not between base and tip"
+                if master not in index
+                else "about an axis of its own, which needs a number of its own in the arm"
+            )
+            tree.fail(
+                f"joint {axis.joint.name!r} mimics {axis.joint.mimic.joint!r} {reason}. "
+                f"End the arm before it with tip={axis.joint.parent!r}, or take the <mimic> out to move it by itself.",
+                axis.joint,
+            )
+        row = index[neighbour.joint.name]
+        sense = 1.0 if axis.direction @ neighbour.direction > 0 else -1.0
+        C[row, index[master]] += sense * multiplier
+        constants[row] += sense * offset
+        notes.append(
+            f"Joint {axis.joint.name!r} mimics {axis.joint.mimic.joint!r} on the axis of {neighbour.joint.name!r}: the "
+            "two are one coupled joint."
+        )
+    return own, (C if notes else None), constants, notes
+
+
+def _neighbour(axes: list[_Axis], at: int) -> _Axis | None:
+    """Return the nearest joint with a number of its own on the same line, all joints between on it too."""
+    for step in (1, -1):
+        i = at + step
+        while 0 <= i < len(axes) and _one_line(axes[at], axes[i]):
+            if axes[i].joint.mimic is None:
+                return axes[i]
+            i += step
+    return None
+
+
+def _one_line(a: _Axis, b: _Axis) -> bool:
+    kinds = MOVING[a.joint.kind], MOVING[b.joint.kind]
+    if kinds[0] != kinds[1] or np.abs(np.cross(a.direction, b.direction)).max() > _SAME_LINE:
+        return False
+    return kinds[0] == "P" or bool(np.abs(np.cross(b.point - a.point, a.direction)).max() <= _SAME_LINE)
+
+
+def _master(tree: Tree, joint: Joint) -> tuple[str, float, float]:
+    """Return the joint with a number of its own that a mimic joint follows, and value = multiplier * it + offset."""
+    by_name = {other.name: other for other in tree.joints}
+    multiplier, offset, name, seen = 1.0, 0.0, joint.name, {joint.name}
+    at = joint
+    while at.mimic is not None:
+        for value, what in ((at.mimic.multiplier, "multiplier"), (at.mimic.offset, "offset")):
+            if not math.isfinite(value):
+                tree.fail(f"the {what} of the mimic joint {at.name!r} is not a finite number.", at)
+        offset += multiplier * at.mimic.offset
+        multiplier *= at.mimic.multiplier
+        name = at.mimic.joint
+        if name in seen or name not in by_name:
+            tree.fail(f"joint {at.name!r} mimics {name!r}, which is not another joint of this file.", at)
+        seen.add(name)
+        at = by_name[name]
+    return name, multiplier, offset
+
+
+def _all_limits(
+    tree: Tree, joints: list[Joint], missing: str
+) -> tuple[list[tuple[float | None, float | None]], list[str]]:
+    limits, silent, endless = [], [], []
+    for joint in joints:
+        if not has_range(joint):
+            if missing == "refuse":
+                said = "needs limits (lower, upper)" if joint.upper is None else "cannot move: its limits are 0 and 0"
+                tree.fail(
+                    f"joint {joint.name!r} is {joint.kind} and {said}. "
+                    "Write its limits into the file, or load it with missing_limits='unlimited'.",
+                    joint,
+                )
+            silent.append(joint.name)
+            limits.append((None, None))
+            continue
+        pair = _limits(tree, joint)
+        limits.append(pair)
+        if joint.kind != "continuous" and any(
+            said is None and math.isfinite(value or 0.0)
+            for said, value in zip(pair, (joint.lower, joint.upper), strict=True)
+        ):
+            endless.append(joint.name)
+    notes = []
+    if silent:
+        notes.append(f"No range is given for {some(silent)}: taken as unlimited.")
+    if endless:
+        notes.append(f"Limits beyond {_NO_LIMIT:g} were taken as none: {some(endless)}.")
+    return limits, notes
+
+
+def _limits(tree: Tree, joint: Joint) -> tuple[float | None, float | None]:
+    if joint.kind == "continuous":
+        return None, None
+    # what a file leaves out on one side is zero there
+    lower, upper = joint.lower or 0.0, joint.upper or 0.0
+    for value in (lower, upper):
+        if math.isnan(value):
+            tree.fail(f"a limit of joint {joint.name!r} is not a number.", joint)
+    if lower > upper:
+        tree.fail(f"the limits of joint {joint.name!r} are swapped: {lower:g} is above {upper:g}.", joint)
+    return (None if lower < -_NO_LIMIT else lower), (None if upper > _NO_LIMIT else upper)

@@ -1,0 +1,118 @@
+"""A UR controller's factory calibration: the six measured joint frames that its driver writes as YAML."""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+
+from pieper.description.axes import described_by_axes
+from pieper.description.dh import Description
+from pieper.description.urdf import bytes_of
+from pieper.errors import InputError
+from pieper.kinematics.orientation import rotation
+
+#: Larger than any such file; it holds 36 numbers.
+LARGEST_FILE = 100_000
+LINKS = ("shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3")
+JOINTS = (
+    *("shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint"),
+    *("wrist_1_joint", "wrist_2_joint", "wrist_3_joint"),
+)
+_NUMBERS = ("x", "y", "z", "roll", "pitch", "yaw")
+
+
+def read(path: str | Path) -> Description:
+    """Read the arm that a UR controller's calibration file describes.
+
+    The base is the controller's base frame, the tool its flange; joints are unlimited to two turns either way, as UR's
+    are (the elbow of most models to half a turn more or less: see `Arm.with_limits`).
+
+    Args:
+        path: The .yaml that `ur_calibration` extracts from a controller, with the key `kinematics`.
+
+    Raises:
+        InputError: The file is missing, or a number of it; the message names link and number.
+    """
+    path = Path(path)
+    data = bytes_of(path, LARGEST_FILE, "calibration file")
+    try:
+        text = data.decode()
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: not a text in UTF-8; a calibration file is YAML.", file=str(path)) from None
+    if "delta_theta" in text:
+        raise InputError(
+            f"{path}: this is calibration.conf, differences to a table that the file does not say; extract the "
+            "calibration with ur_calibration (calibration_correction) and give its .yaml.",
+            file=str(path),
+        )
+    said = _numbers(text, str(path))
+    T, axes, points = np.eye(4), [], []
+    for link in LINKS:
+        missing = [key for key in _NUMBERS if key not in said.get(link, {})]
+        if missing:
+            raise InputError(
+                f"{path}: kinematics, {link}: {missing[0]} is missing; each of {', '.join(LINKS)} needs "
+                f"{', '.join(_NUMBERS)}.",
+                file=str(path),
+                missing=missing[0],
+                link=link,
+            )
+        at = said[link]
+        step = np.eye(4)
+        step[:3, :3] = rotation("rpy", [at["roll"], at["pitch"], at["yaw"]])
+        step[:3, 3] = at["x"], at["y"], at["z"]
+        T = T @ step
+        axes.append(T[:3, 2].copy())
+        points.append(T[:3, 3].copy())
+    return described_by_axes(
+        np.array(axes),
+        np.array(points),
+        T,
+        joint_names=JOINTS,
+        limits=[(-2 * math.pi, 2 * math.pi)] * 6,
+        name="ur-calibrated",
+        manufacturer="Universal Robots",
+        source=f"factory calibration {path.name}",
+        postures={"zero": np.zeros(6)},
+    )
+
+
+def _numbers(text: str, file: str) -> dict[str, dict[str, float]]:
+    """Return link -> name -> number of the two levels under `kinematics:`; in one line each or in a block."""
+    found: dict[str, dict[str, float]] = {}
+    inside, link, level = False, "", 0
+    for number, line in enumerate(text.splitlines(), 1):
+        bare = line.split("#")[0].rstrip()
+        if not bare.strip():
+            continue
+        depth = len(bare) - len(bare.lstrip())
+        match = re.fullmatch(r"\s*([\w-]+)\s*:\s*(.*)", bare)
+        if match is None:
+            continue
+        key, value = match.groups()
+        if depth == 0:
+            inside = key == "kinematics"
+            level = 0
+        elif inside and (not level or depth <= level):
+            level, link = depth, key
+            found[link] = {}
+            for inner, said in re.findall(r"([\w-]+)\s*:\s*([^,{}]+)", value):
+                found[link][inner] = _float(said, f"{file}, line {number}: {link}, {inner}")
+        elif inside and key in _NUMBERS:
+            found[link][key] = _float(value, f"{file}, line {number}: {link}, {key}")
+    if not found:
+        raise InputError(f"{file}: there is no key 'kinematics' with the six links of a calibration.", file=file)
+    return found
+
+
+def _float(text: str, where: str) -> float:
+    try:
+        value = float(text.strip().strip("'\""))
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise InputError(f"{where} holds {text.strip()!r}, which is not a finite number.", given=text)
+    return value

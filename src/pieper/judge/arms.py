@@ -1,0 +1,159 @@
+"""The arms of a claims file: one of the catalogue, a robot file, or a DH table as a source prints it."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Collection
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from pieper.algebra.expression import Expr, Num
+from pieper.algebra.formula import Mention, number
+from pieper.algebra.parser import parse
+from pieper.description.dh import DH, describe
+from pieper.errors import InputError
+from pieper.judge.model import ArmModel, Row, model_from_description
+from pieper.judge.printed import UNITS
+from pieper.judge.solver import Solver, opened
+
+ARM_KEYS = set("name robot file convention length_unit columns rows values base tool limits_deg words".split())
+COLUMNS = {"a", "alpha", "d", "theta"}
+
+
+def only_known(table: Any, allowed: Collection[str], what: str) -> None:
+    """Refuse keys that mean nothing, and what is no table."""
+    if not isinstance(table, dict):
+        raise InputError(f"{what} must be a table of keys and values")
+    for key in table:
+        if key not in allowed:
+            near = difflib.get_close_matches(key, allowed, 1)
+            hint = f"; did you mean {near[0]!r}?" if near else ""
+            keys = ", ".join(sorted(allowed))
+            raise InputError(f"{what}: the key {key!r} is not known{hint} Keys are {keys}.", key=key)
+
+
+def read_arm(place: str, table: dict[str, Any]) -> ArmModel:
+    """Read an [arm] table; `place` names it in messages."""
+    only_known(table, ARM_KEYS, place)
+    if "rows" not in table:
+        source = table.get("robot") or table.get("file") or table.get("name")
+        if not source:
+            raise InputError(
+                f'{place}: name a catalogue arm (robot = "denso-vp6242"), a robot file (file = ..), or give rows'
+            )
+        try:
+            description = opened(source)
+        except InputError as error:
+            raise InputError(f"{place}: {error}") from None
+        return model_from_description(description, Solver.of(description))
+    convention = table.get("convention")
+    if convention not in ("standard", "modified"):
+        raise InputError(f'{place}: convention = {convention!r}; say "standard" or "modified"')
+    unit = table.get("length_unit")
+    if unit not in UNITS:
+        raise InputError(f"{place}: length_unit = {unit!r}; say one of {', '.join(UNITS)}")
+    return _table(place, table, convention, unit)
+
+
+def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> ArmModel:
+    """Read a DH table as printed: cells are numbers, symbols with [values], and angles with their unit."""
+    columns = table.get("columns")
+    if not isinstance(columns, list) or set(columns) != COLUMNS or len(columns) != 4:
+        raise InputError(
+            f'{place}: columns must name the four columns as printed, such as ["theta", "d", "a", "alpha"]; '
+            f"got {columns!r}"
+        )
+    values = {str(k): float(v) for k, v in table.get("values", {}).items()}
+    cells = table["rows"]
+    n = len(cells)
+    variables = {f"{c}{i + 1}" for i in range(n) for c in "dbq"} - set(values)
+    rows, aliases = [], {}
+    for i, cell_row in enumerate(cells):
+        if not isinstance(cell_row, list) or len(cell_row) != 4:
+            raise InputError(f"{place}: row {i + 1} must have four cells, {', '.join(columns)}; got {cell_row!r}")
+        made = {}
+        for column, cell in zip(columns, cell_row, strict=True):
+            made[column] = _cell(f"{place}: row {i + 1}, {column}", column, cell, i, values, variables, n, convention)
+        slides = [s for s in made["d"].symbols() if s in variables]
+        for name in slides:
+            aliases[name] = f"theta{i + 1}"
+            made["d"] = made["d"].substitute({name: Mention(f"theta{i + 1}")})
+        if not slides and f"theta{i + 1}" not in made["theta"].symbols():
+            raise InputError(
+                f"{place}: row {i + 1} has no joint variable; write q{i + 1} under theta, or b{i + 1} under "
+                f"d for a sliding joint"
+            )
+        rows.append(Row(made["a"], made["alpha"], made["d"], made["theta"]))
+    base, tool = (_pose(place, table, key) for key in ("base", "tool"))
+    name = str(table.get("name", "the arm of the file"))
+    model = ArmModel(name, convention, tuple(rows), values, unit, base, tool, None, aliases)
+    return replace(model, solver=_solver(model))
+
+
+def _cell(
+    place: str, column: str, cell: Any, i: int, values: dict[str, float], variables: set[str], n: int, convention: str
+) -> Expr:
+    if isinstance(cell, bool) or not isinstance(cell, (int, float, str)):
+        raise InputError(f"{place}: {cell!r} is neither a number nor a formula")
+    if column in ("alpha", "theta"):
+        bare = InputError(f'{place}: the angle {cell!r} has no unit; write "{cell} deg" or "{cell} rad"')
+        if not isinstance(cell, str):
+            if cell == 0:
+                return number(0)
+            raise bare
+        node = parse(cell, set(values), n)
+        atoms = [x for x in node.walk() if not x.args]
+        if all(isinstance(x, Num) for x in atoms) and "rad" not in cell and any(x.value for x in atoms):
+            raise bare
+        return node
+    if isinstance(cell, str):
+        return parse(cell, set(values) | variables, n)
+    name = f"{column}{i + 1 if convention == 'standard' or column == 'd' else i}"
+    if name in values and values[name] != cell:
+        raise InputError(f"{place}: the number {cell!r} and [values] {name} = {values[name]!r} contradict each other")
+    values[name] = float(cell)
+    variables.discard(name)
+    return number(0) if cell == 0 else Mention(name)
+
+
+def _pose(place: str, table: dict[str, Any], key: str) -> np.ndarray:
+    if key not in table:
+        return np.eye(4)
+    T = np.array(table[key], dtype=float)
+    if T.shape != (4, 4):
+        raise InputError(f"{place}: {key} must be a 4 x 4 matrix, got shape {T.shape}")
+    return T
+
+
+def _solver(model: ArmModel) -> Solver | None:
+    """Make the same arm for the solver, or None when its variables are not plain q, -q or q plus a constant."""
+    zero, one = ({**model.values, **{f"theta{j + 1}": v for j in range(model.n)}} for v in (0.0, 1.0))
+    to_metre = UNITS[model.unit]
+    rows, kinds, sign = [], "", []
+    for i, row in enumerate(model.rows):
+        slides = model.sliding(i + 1)
+        moves = row.d if slides else row.theta
+        step = float(moves.evaluate(one)) - float(moves.evaluate(zero))
+        if abs(abs(step) - 1) > 1e-12:
+            return None
+        sign.append(1 if step > 0 else -1)
+        kinds += "P" if slides else "R"
+        a, alpha, d, theta = (float(c.evaluate(zero)) for c in (row.a, row.alpha, row.d, row.theta))
+        rows.append(DH(a=a * to_metre, alpha=alpha, d=d * to_metre, theta=theta))
+    base, tool = model.base.copy(), model.tool.copy()
+    base[:3, 3] *= to_metre
+    tool[:3, 3] *= to_metre
+    description = describe(
+        rows, convention=model.convention, joint_types=kinds, base=base, tool=tool, sign=sign, name=model.name
+    )
+    return Solver.of(description)
+
+
+def describe_arm(model: ArmModel, words: str = "") -> str:
+    """Say what an arm is, in a line; `words` are the file's own."""
+    shown = ", ".join(f"{k} = {v:g}" for k, v in model.values.items() if v)
+    lengths = f", {shown} ({model.unit})" if shown else ""
+    joints = "1 joint" if model.n == 1 else f"{model.n} joints"
+    return f"{model.name}: {joints}, {model.convention} DH{lengths}.{' ' + words if words else ''}"

@@ -1,0 +1,100 @@
+"""One claim of a claims file: its keys read with messages that name it, and the three verdicts it can get."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from pieper.errors import InputError
+from pieper.judge.verdict import HOLDS, PARTLY, WRONG, Verdict
+
+Details = Iterable[tuple[str, str]]
+
+
+@dataclass(frozen=True, eq=False)
+class Claim:
+    """One claim on its way to a verdict.
+
+    Attributes:
+        id: its name in the file.
+        keys: everything the file says of it.
+        text: the claim as it reads, set by its judge with `reads`.
+    """
+
+    id: str
+    keys: Mapping[str, Any]
+    text: str = ""
+
+    @property
+    def says(self) -> str:
+        """What the claim is about, in the file's words."""
+        return self.keys.get("says", "")
+
+    @property
+    def where(self) -> dict[str, Any]:
+        """Definitions that belong to this claim alone."""
+        return self.keys.get("where") or {}
+
+    def __getitem__(self, key: str) -> Any:
+        return self.keys[key]
+
+    def __contains__(self, key: str) -> bool:
+        return key in self.keys
+
+    def get(self, key: str, default: Any = None) -> Any:
+        """The value of a key, `default` where the file has none."""
+        return self.keys.get(key, default)
+
+    def part(self, name: str, keys: Mapping[str, Any]) -> Claim:
+        """A claim of its own made of one row, step or entry of this one."""
+        return Claim(name, keys)
+
+    def reads(self, text: str) -> Claim:
+        """The same claim with its text."""
+        return replace(self, text=text)
+
+    def error(self, message: str) -> InputError:
+        """The error for a claim that cannot be judged as it stands."""
+        return InputError(f"claim {self.id}: {message}", claim=self.id)
+
+    def joint(self, n: int) -> int:
+        """The joint (1-based) that the claim names, of an arm with n."""
+        joint = self.keys["joint"]
+        if not isinstance(joint, int) or not 1 <= joint <= n:
+            raise self.error(f"joint {joint!r} does not exist; the arm has joints 1 to {n}")
+        return joint
+
+    def whole(self, key: str) -> int:
+        """The whole number under a key."""
+        value = self.keys.get(key)
+        if not isinstance(value, int):
+            raise self.error(f"{key} must be a whole number")
+        return value
+
+    def holds(self, sentence: str, details: Details = (), *, digits: int | None = None) -> Verdict:
+        """The claim holds."""
+        return self._verdict(HOLDS, sentence, details, digits=digits)
+
+    def partly(
+        self, sentence: str, details: Details = (), slip: str = "", reading: str = "", *, digits: int | None = None
+    ) -> Verdict:
+        """The claim holds only in part."""
+        return self._verdict(PARTLY, sentence, details, slip, reading, digits)
+
+    def wrong(self, sentence: str, details: Details = (), slip: str = "", reading: str = "") -> Verdict:
+        """The claim is wrong."""
+        return self._verdict(WRONG, sentence, details, slip, reading)
+
+    def _verdict(self, status, sentence, details, slip="", reading="", digits=None) -> Verdict:
+        return Verdict(
+            id=self.id,
+            claim=self.text,
+            status=status,
+            sentence=sentence,
+            says=self.says,
+            details=tuple(details),
+            slip=slip,
+            reading=reading,
+            digits=digits,
+        )

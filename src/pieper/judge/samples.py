@@ -1,0 +1,79 @@
+"""Joint vectors at which claims are tried, with the value of everything a formula can name."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.judge.model import POSE_NAMES, ArmModel
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """Joint vectors at which claims are tried.
+
+    Attributes:
+        q: (K, n) in rad (or the unit of length), tenths of a degree so that a counter-example can be read and retyped.
+        env: every symbol's values, (K,) each.
+        frames: A1 .. An and T, (K, 4, 4).
+        nominal: (K,) bool, True where the lengths are those of the arm, False where they were varied.
+    """
+
+    q: np.ndarray
+    env: dict[str, np.ndarray]
+    frames: dict[str, np.ndarray]
+    nominal: np.ndarray
+
+
+def sample(model: ArmModel, count: int = 96, *, seed: int = 20_24, vary: bool = True) -> Samples:
+    """Draw joint vectors (and, in the second half, other lengths) and evaluate everything a formula can name.
+
+    Args:
+        model: the arm.
+        count: number of joint vectors.
+        seed: start of the generator; the same claims get the same counter-examples every time.
+        vary: draw other values for the lengths in the second half, so that "identically" means for every arm of this
+            build.
+    """
+    rng = np.random.default_rng(seed)
+    n = model.n
+    degrees = rng.integers(-1799, 1800, size=(count, n))
+    degrees += (degrees % 50 == 0).astype(int)
+    q = np.radians(degrees / 10)
+    scale = model.length() / max(n, 1)
+    for joint in range(1, n + 1):
+        if model.sliding(joint):
+            q[:, joint - 1] = np.round(rng.uniform(0.2, 1.5, count) * scale, 3)
+    return samples_at(model, q, rng=rng if vary else None)
+
+
+def samples_at(model: ArmModel, q: np.ndarray, *, rng: np.random.Generator | None = None) -> Samples:
+    """Evaluate lengths, pose and frames at joint vectors (n,) or (K, n); `rng` varies the lengths."""
+    q = np.atleast_2d(np.asarray(q, dtype=float))
+    count = len(q)
+    nominal = np.ones(count, dtype=bool)
+    env: dict[str, np.ndarray] = {}
+    if rng is not None:
+        nominal[count // 2 :] = False
+    for name, value in model.values.items():
+        env[name] = np.full(count, float(value))
+        if rng is not None:
+            env[name][count // 2 :] *= np.round(rng.uniform(0.7, 1.4, count - count // 2), 3)
+    for joint in range(1, model.n + 1):
+        env[f"theta{joint}"] = q[:, joint - 1]
+    for alias, target in model.aliases.items():
+        env[alias] = env[target]
+    frames = model.frames(env)
+    env.update(pose_symbols(frames["T"]))
+    return Samples(q, env, frames, nominal)
+
+
+def pose_of(model: ArmModel, q: np.ndarray) -> np.ndarray:
+    """The poses (K, 4, 4) of joint vectors (n,) or (K, n), lengths as they are."""
+    return samples_at(model, q).frames["T"]
+
+
+def pose_symbols(T: np.ndarray) -> dict[str, np.ndarray]:
+    """Name the entries of poses (K, 4, 4): nx .. az, px, Px, r11 .. r34."""
+    return {name: T[:, i, j] for name, i, j in POSE_NAMES}

@@ -1,0 +1,112 @@
+"""The one joint metric: differences, distances, whole turns and limits of joint vectors, angles around the circle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, ArrayLike, Bools, Indices
+from pieper.tolerances import LIMIT_SLACK
+
+TURN = 2 * np.pi
+
+
+def short_way(angle: ArrayLike) -> Array:
+    """Return angles (...) a whole number of turns away, in [-pi, pi), rad: differences the short way round."""
+    return np.asarray((np.asarray(angle, float) + np.pi) % TURN - np.pi)
+
+
+def wrapped(angle: ArrayLike) -> Array:
+    """Return angles (...) a whole number of turns away, in (-pi, pi], rad."""
+    return np.asarray(np.pi - (np.pi - np.asarray(angle, float)) % TURN)
+
+
+def inside(q: Array, limits: Array) -> Bools:
+    """Return which entries of q (..., n) lie inside limits (n, 2), up to rounding at a stop."""
+    return (q >= limits[:, 0] - LIMIT_SLACK) & (q <= limits[:, 1] + LIMIT_SLACK)
+
+
+@dataclass(frozen=True, eq=False)
+class JointSpace:
+    """How joint vectors of an arm are measured: angles in radians, slides per characteristic length.
+
+    Args:
+        prismatic: (n,) bool.
+        length: The arm's characteristic length, m.
+    """
+
+    prismatic: Bools
+    length: float
+
+    @cached_property
+    def unit(self) -> Array:
+        """(n,) what counts as one: 1 rad, or the characteristic length, m."""
+        return np.where(self.prismatic, self.length, 1.0)
+
+    @cached_property
+    def _turning(self) -> bool:
+        return not bool(self.prismatic.any())
+
+    def first(self, count: int) -> JointSpace:
+        """Return the space of the first joints alone."""
+        return JointSpace(self.prismatic[:count], self.length)
+
+    def way(self, end: Array, start: Array) -> Array:
+        """Return end - start (..., n), angles the short way round, rad or m."""
+        gap = np.asarray(end - start)
+        return short_way(gap) if self._turning else np.where(self.prismatic, gap, short_way(gap))
+
+    def difference(self, a: Array, b: Array) -> Array:
+        """Return a - b (..., n) without units, angles the short way round."""
+        return self.way(a, b) if self._turning else self.way(a, b) / self.unit
+
+    def apart(self, a: Array, b: Array) -> Array:
+        """Return the largest joint difference (...) without units, angles the short way round."""
+        return np.abs(self.difference(a, b)).max(-1, initial=0.0)
+
+    def straight(self, q: Array, near: Array) -> Array:
+        """Return Euclidean distances (...) without units, whole turns counted: angles are taken as they stand."""
+        gap = q - near if self._turning else (q - near) / self.unit
+        return np.sqrt(np.sum(gap * gap, axis=-1))
+
+    def wrapped(self, q: Array) -> Array:
+        """Return q (..., n) with its angles in (-pi, pi]."""
+        return wrapped(q) if self._turning else np.where(self.prismatic, q, wrapped(q))
+
+    def turns(self, q: Array, near: Array, limits: Array) -> Array:
+        """Return the whole turns (..., n) that bring q as near to `near` as limits (n, 2) allow; zero for slides."""
+        turns = np.round((near - q) / TURN)
+        lowest = np.ceil((limits[:, 0] - LIMIT_SLACK - q) / TURN)
+        highest = np.floor((limits[:, 1] + LIMIT_SLACK - q) / TURN)
+        possible = lowest <= highest
+        turns = np.where(possible, np.clip(turns, lowest, np.maximum(lowest, highest)), turns)
+        return turns if self._turning else np.where(self.prismatic, 0.0, turns)
+
+    def unwound(self, q: Array, near: Array, limits: Array) -> Array:
+        """Return q (..., n) with each angle moved by whole turns as near to `near` as its limits allow."""
+        return q + TURN * self.turns(q, near, limits)
+
+    def inside_limits(self, q: Array, limits: Array) -> tuple[Array, Bools]:
+        """Return q (..., n), a whole turn added where only that lies inside, and whether all are inside (...)."""
+        moved = self.unwound(q, q, limits)
+        ok = inside(moved, limits)
+        return np.where(ok, moved, q), ok.all(-1)
+
+    def distinct(self, q: Array, tolerance: float) -> Indices:
+        """Return the rows of q (k, n) that are no nearer than a tolerance (without units) to one kept before them."""
+        near = self.apart(q[:, None], q[None]) < tolerance
+        keep: list[int] = []
+        for i in range(len(q)):
+            if not near[i, keep].any():
+                keep.append(i)
+        return np.array(keep, np.int64)
+
+    def without_repeats(self, q: Array, valid: Bools, tolerance: float) -> Bools:
+        """Return valid (N, M) without rows of q (N, M, n) that repeat an earlier valid one of their pose."""
+        first = valid.copy()
+        for b in range(1, q.shape[1]):
+            near = self.apart(q[:, b : b + 1], q[:, :b]) < tolerance
+            first[:, b] &= ~(near & first[:, :b]).any(1)
+        return first

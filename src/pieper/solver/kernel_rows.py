@@ -1,0 +1,72 @@
+"""The rows of the six-joint chain that is solved, for poses and locked values, as its kernel gives them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Bits, Bools, Indices
+from pieper.kinematics.chain import Chain
+from pieper.solver.plan.plan import Plan
+from pieper.tolerances import FILLED_ZERO, SAME_ROW
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Solved:
+    """Rows before limits, the task's virtual joints included.
+
+    Args:
+        q: (N, M, joints of the arm and the task), rad or m.
+        valid: (N, M).
+        flags: (N,) bits of `Flag`.
+    """
+
+    q: Array
+    valid: Bools
+    flags: Bits
+
+
+def kernel_rows(plan: Plan, T: Array, values: Array, threads: int) -> Solved:
+    """Solve as `full_rows`, but leave rows as the kernel gives them: of the nominal arm where geometry was snapped."""
+    reduction = plan.reduction
+    if reduction.at_ends is not None:
+        q6, valid, _, flags = plan.solver.many(np.ascontiguousarray(reduction.moved_pose(T, values)), threads)
+    else:
+        q6, valid, flags = _per_value(plan, T, values, threads)
+    full = np.zeros((*q6.shape[:2], reduction.full.n))
+    real = 6 - len(reduction.fill)
+    if reduction.fill:
+        unit = np.array([plan.chain.length if p else 1.0 for _, p in reduction.fill])
+        # a pose of the arm as described is none of the nominal arm: it misses by about as much as was snapped
+        zero = max(FILLED_ZERO, 10 * plan.drift)
+        valid = valid & (np.abs(q6[..., real:] / unit) < zero).all(-1)
+    full[..., reduction.kept] = q6[..., :real]
+    if reduction.locked:
+        full[..., list(reduction.locked)] = values[:, None, :]
+    return Solved(full, valid, flags)
+
+
+def _per_value(plan: Plan, T: Array, values: Array, threads: int) -> tuple[Array, Bools, Bits]:
+    distinct, which = np.unique(values, axis=0, return_inverse=True)
+    if len(distinct) == 1:
+        q, valid, _, flags = plan.solvers.at(tuple(distinct[0])).many(np.ascontiguousarray(T), threads)
+        return q, valid, flags
+    parts: list[tuple[Indices, Array, Bools, Bits]] = []
+    most = 0
+    for i, value in enumerate(distinct):
+        rows = np.flatnonzero(which.reshape(-1) == i)
+        q, valid, _, flags = plan.solvers.at(tuple(value)).many(np.ascontiguousarray(T[rows]), threads)
+        parts.append((rows, q, valid, flags))
+        most = max(most, q.shape[1])
+    out = np.zeros((len(T), most, 6))
+    ok = np.zeros((len(T), most), bool)
+    bits = np.zeros(len(T), np.uint8)
+    for rows, q, valid, flags in parts:
+        out[rows, : q.shape[1]], ok[rows, : q.shape[1]], bits[rows] = q, valid, flags
+    return out, ok, bits
+
+
+def without_repeats(chain: Chain, q: Array, valid: Bools) -> Bools:
+    """Return valid (N, M) without rows that repeat an earlier valid one of their pose, angles around the circle."""
+    return chain.joints.first(q.shape[-1]).without_repeats(q, valid, SAME_ROW)

@@ -1,0 +1,130 @@
+"""Classify an arm once and decide how it is solved; everything per pose happens elsewhere."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.description.dh import Description
+from pieper.errors import InputError, PlanError
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.geometry import look, snapped
+from pieper.solver.families import choose, tier
+from pieper.solver.families.family import KernelSpec
+from pieper.solver.native import without_far_ends
+from pieper.solver.plan.plan import Plan
+from pieper.solver.plan.six_joints import (
+    TASKS,
+    Reduction,
+    default_task,
+    generic_rank,
+    reduce,
+    with_task_joints,
+)
+from pieper.solver.words.explain import explain
+from pieper.tolerances import GEOMETRY_EXACT
+
+#: Ways to lock spare joints that are tried before an arm is refused.
+MOST_WAYS = 24
+
+
+def make_plan(chain: Chain, description: Description, *, task: str | None = None, snap: float | None = None) -> Plan:
+    """Classify a chain and choose how it is solved.
+
+    Args:
+        chain: The arm.
+        description: Its names and limits.
+        task: "pose", "position", "position+axis", or None for the default of the arm.
+        snap: Angles (rad) and distances (per characteristic length) below which axes are made parallel or meeting;
+            None takes the table as exact.
+
+    Raises:
+        InputError: The task is unknown.
+        PlanError: The arm cannot have the task, or no solver takes it; the message names the geometry found.
+    """
+    if task is not None and task not in TASKS:
+        raise InputError(
+            f"task {task!r} is unknown; allowed are {', '.join(map(repr, TASKS))}.", given=task, allowed=TASKS
+        )
+    if snap is not None and not 0 <= snap < 0.5:
+        raise InputError(f"snap must be between 0 and 0.5 (rad, and per length of the arm), got {snap!r}.", given=snap)
+    nominal, moved, _ = (chain, [], 0.0) if snap is None else snapped(chain, snap)
+    tolerance = GEOMETRY_EXACT
+    geometry = look(nominal, tolerance)
+    if generic_rank(chain) == 0:
+        raise PlanError(
+            f"{description.name} cannot move its tool at all: no joint changes the pose.", geometry=geometry
+        )
+    wanted = default_task(nominal) if task is None else task
+    full = with_task_joints(nominal, wanted)
+    ways = reduce(nominal, wanted)
+    if not ways:
+        raise PlanError(f"{description.name}: no choice of locked joints leaves a solvable arm.", geometry=geometry)
+    # the fastest family wins, then locks at the ends (which keep one plan for all values), then conditioning
+    if len(ways) > 1:
+        ways = _ranked(ways, description, tolerance)
+    reduction, defaults, family, spec = _first_solvable(ways, description, tolerance)
+    most = spec.max_solutions
+    if wanted == "position" and reduction.full.n - len(reduction.locked) == 6 and not reduction.fill and chain.n <= 3:
+        most //= 2  # the two turns of the virtual wrist are one position
+    if moved:
+        most = max(most, 16)  # what nearly is special need not be bounded as what is
+    return Plan(
+        name=description.name,
+        chain=chain,
+        nominal=nominal,
+        geometry=geometry,
+        limits=description.limits,
+        names=description.joint_names,
+        task=wanted,
+        family=family,
+        max_solutions=most,
+        reduction=reduction,
+        spec=spec,
+        rank=full.n - len(reduction.locked),
+        snapped=tuple(moved),
+        defaults=defaults,
+        base=description.base,
+        words=explain,
+    )
+
+
+def _first_solvable(
+    ways: list[Reduction], description: Description, tolerance: float
+) -> tuple[Reduction, Array, str, KernelSpec]:
+    """Return the first way that a solver takes, with the values of its locked joints, its family and kernel."""
+    refused: PlanError | None = None
+    for reduction in ways[:MOST_WAYS]:
+        defaults = _defaults(reduction, description)
+        six, _ = without_far_ends(reduction.six(defaults))
+        try:
+            family, spec = choose(six, look(six, tolerance))
+        except PlanError as error:
+            refused = refused or error
+            continue
+        return reduction, defaults, family, spec
+    raise refused or PlanError(f"{description.name}: no way to lock joints was left to try.")
+
+
+def _ranked(ways: list[Reduction], description: Description, tolerance: float) -> list[Reduction]:
+    scored: list[tuple[int, int, bool, int, Reduction]] = []
+    for order, way in enumerate(ways[:MOST_WAYS]):
+        values = np.full(len(way.locked), 0.3719)  # a generic value: zero often looks more special than the arm is
+        six = way.six(values)
+        real = sum(j < way.arm.n for j in way.locked)
+        # an arm of fewer than six joints cannot keep a chosen orientation: its own joints are held, not the task's
+        real = real if way.arm.n >= 6 else -real
+        scored.append((real, tier(six, look(six, tolerance)), way.at_ends is None, order, way))
+    scored.sort(key=lambda entry: entry[:4])
+    return [entry[-1] for entry in scored]
+
+
+def _defaults(reduction: Reduction, description: Description) -> Array:
+    """Return the values locked joints have when nobody chooses: the middle of their limits, or zero."""
+    values: list[float] = []
+    for joint in reduction.locked:
+        lower, upper = description.limits[joint] if joint < reduction.arm.n else (-np.inf, np.inf)
+        values.append(
+            (lower + upper) / 2 if np.isfinite(lower) and np.isfinite(upper) else float(np.clip(0.0, lower, upper))
+        )
+    return np.array(values)

@@ -1,0 +1,110 @@
+"""Redundant arms: every self-motion of a pose, over the whole range of the redundant coordinate."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.newton import missed
+from pieper.solver.arm_rows import full_rows
+from pieper.solver.kernel_rows import Solved
+from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant.approach import from_anywhere
+from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
+from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.trace import MOST_STEPS, trace
+from pieper.tolerances import CLOSES
+
+#: Starts from which the pose is approached freely, besides the sweep.
+STARTS = 96
+#: Draws of several redundant coordinates where the given values have no solution, and the most self-motions traced.
+DRAWS, MOST_MOTIONS = 60, 24
+#: Slides without limits make curves without end: how far these are followed; and the points of all curves together at
+#: which tracing ends.
+ENDLESS_STEPS, MOST_SAMPLES = 250, 12000
+#: Where several coordinates are redundant the solutions form a surface: lines followed on it, and how far.
+MOST_LINES, LINE_STEPS = 8, 60
+#: A seed this near to a traced curve is on it; between this and `DOUBTFUL` it is slid onto the curve to see.
+ON_POLYLINE, DOUBTFUL = 5e-3, 5e-2
+#: A self-motion that takes less than this part of the redundant coordinate's range is small.
+SMALL = 0.05
+#: Seeds whose distances to a curve are taken at once: it bounds the memory.
+CHUNK = 256
+
+
+def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ...]:
+    """Trace every self-motion of a pose of a redundant arm.
+
+    A sweep over the first redundant coordinate (the others stay) meets every curve that reaches over more than a
+    slice's width. A curve that lies between two slices is small in that coordinate; it is met by free approach (see
+    `from_anywhere`). Each point not on a traced curve starts a new one, and where a traced curve is small the pose is
+    solved within its range too: what arms have by symmetry is often small there as well.
+
+    Args:
+        plan: A plan with redundancy.
+        T: (4, 4).
+        values: (k,) the redundant coordinates asked for.
+    """
+    full = plan.exact.full
+    spare = len(plan.redundancy)
+    seeds = _seeds(plan, T, values)
+    motions: list[SelfMotion] = []
+    # a surface (of several spare joints, or of a singular pose) has no list of curves: one line through each solution
+    # shows the way, and `dimension` says the rest
+    endless = bool((full.prismatic & ~np.isfinite(plan.full_limits).all(1)).any())
+    curve_steps = ENDLESS_STEPS if endless else MOST_STEPS
+    most, steps = (MOST_MOTIONS, curve_steps) if spare == 1 else (MOST_LINES, LINE_STEPS)
+    traced = 0
+    while len(seeds) and len(motions) < most and traced < MOST_SAMPLES:
+        motion = trace(full, seeds[0], T, plan.full_limits, plan.full_names, shown=plan.n, most_steps=steps)
+        seeds = seeds[1:]
+        motions.append(motion)
+        traced += len(motion.samples)
+        if motion.dimension > 1:
+            most, steps = MOST_LINES, LINE_STEPS
+        if spare == 1:
+            more = _within(plan, T, motion)
+            for other in motions[:-1]:
+                more = more[~_on(other, more)]
+            seeds = np.concatenate([seeds, more])
+        seeds = seeds[~_on(motion, seeds)]
+    return tuple(motions)
+
+
+def _within(plan: Plan, T: Array, motion: SelfMotion) -> Array:
+    """Return all solutions (m, n) at two values of the redundant coordinate that a small self-motion takes."""
+    column = motion.samples[:, plan.reduction.locked[0]]
+    low, high = column.min(), column.max()
+    lower, upper = span(plan, plan.reduction.locked[0])
+    if high - low > SMALL * (upper - lower):
+        return np.zeros((0, plan.exact.full.n))
+    within = low + np.array([0.38, 0.71]) * (high - low)
+    return _holding(plan, T, full_rows(plan, np.tile(T, (2, 1, 1)), within[:, None], 1))
+
+
+def _seeds(plan: Plan, T: Array, values: Array) -> Array:
+    """Return points (m, n) of the pose, the task's virtual joints included, on every self-motion."""
+    swept = sweep(plan, T, 0, values)
+    found = _holding(plan, T, swept)
+    if not len(found) and len(values) > 1:
+        low, high = np.array([span(plan, joint) for joint in plan.reduction.locked]).T
+        drawn = np.random.default_rng(8).uniform(low, high, (DRAWS, len(values)))
+        found = _holding(plan, T, full_rows(plan, np.tile(T, (DRAWS, 1, 1)), drawn, 1))
+    hidden = beside(plan, T, 0, values, swept) if len(values) == 1 else found[:0]
+    return np.concatenate([found, hidden, from_anywhere(plan, T[None], STARTS)[0]])
+
+
+def _holding(plan: Plan, T: Array, found: Solved | Sweep) -> Array:
+    """Return the valid rows (m, n) that hold the pose T (4, 4) well enough to set out from."""
+    rows = found.q[found.valid]
+    return rows[missed(plan.exact.full, rows, T) < CLOSES]
+
+
+def _on(motion: SelfMotion, seeds: Array) -> Bools:
+    """Return which of the seeds (m, n) lie on a traced curve."""
+    parts = [motion.distances(seeds[i : i + CHUNK]) for i in range(0, len(seeds), CHUNK)]
+    away = np.concatenate(parts) if parts else np.zeros(0)
+    on = away < ON_POLYLINE
+    for i in np.flatnonzero(~on & (away < DOUBTFUL)):
+        on[i] = motion.contains(seeds[i], 1e-5)
+    return on

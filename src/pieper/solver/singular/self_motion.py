@@ -1,0 +1,224 @@
+"""Self-motions: the continuous sets of joint vectors that hold one pose, as curves that can be asked and described."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.joints import TURN, inside, short_way
+from pieper.kinematics.newton import missed, newton, null_space
+from pieper.tolerances import CLOSES, CURVE_STEP, TINY
+
+#: No limits at all, for joints as many as there are.
+FREE = np.array([[-np.inf, np.inf]])
+
+
+@dataclass(frozen=True, eq=False)
+class SelfMotion:
+    """A one-parameter curve of joint vectors that all reach the same pose.
+
+    Attributes:
+        samples: (k, n) points along the curve in order, angles continuous (not wrapped), rad or m.
+        closed: Whether the last point leads back to the first, up to whole turns.
+        dimension: Degrees of freedom of the whole self-motion; above 1 the curve is one line through it.
+        limits: (n, 2) joint limits.
+        names: Joint names.
+        shown: How many of the joints are the arm's own; a partial task adds virtual ones behind them, which are part of
+            `samples` and of nothing that is asked for.
+    """
+
+    chain: Chain
+    T: Array
+    samples: Array
+    closed: bool
+    dimension: int
+    limits: Array
+    names: tuple[str, ...]
+    shown: int
+
+    @property
+    def _virtual(self) -> Array:
+        return np.arange(self.chain.n) >= self.shown
+
+    def _padded(self, q: Array) -> Array:
+        """Return q with the virtual joints added as zeros, where it has the arm's own joints only."""
+        q = np.asarray(q, float)
+        return q if len(q) == self.chain.n else np.append(q, np.zeros(self.chain.n - self.shown))
+
+    def _gaps(self, q: Array, points: Array) -> Array:
+        """Return q - points without units, angles around the circle, virtual joints not counted."""
+        return np.where(self._virtual, 0.0, self.chain.joints.difference(q, points))
+
+    @cached_property
+    def u(self) -> Array:
+        """(k,) parameter of each sample: arc length along the curve, scaled to 0 ... 1."""
+        length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(self._unitless, axis=0), axis=1))])
+        return length / max(length[-1], TINY)
+
+    @property
+    def _unitless(self) -> Array:
+        return self.samples / self.chain.joints.unit
+
+    @cached_property
+    def free(self) -> tuple[int, ...]:
+        """Joints (0-based) that move along the curve; the others stand still."""
+        return tuple(int(j) for j in np.flatnonzero(np.ptp(self._unitless[:, : self.shown], axis=0) > 1e-6))
+
+    @cached_property
+    def direction(self) -> Array:
+        """(n,) unit tangent at the representative: the self-motion a controller would see there."""
+        return null_space(self.chain, self.full_representative)[1][-1, : self.shown]
+
+    def at(self, u: float) -> Array:
+        """Return the joint vector (n,) at the curve parameter u in [0, 1], exactly on the pose."""
+        return self.point(u)[: self.shown]
+
+    def point(self, u: float) -> Array:
+        """Return the same with the task's virtual joints behind."""
+        guess = np.array([np.interp(u, self.u, column) for column in self.samples.T])
+        return newton(self.chain, guess, self.T, steps=6, cutoff=1e-7)
+
+    def at_joint(self, joint: int, value: float) -> Array:
+        """Return the points (m, n) of the curve where a joint (0-based) has a value, whole turns apart from it counted.
+
+        Args:
+            joint: 0-based index of a joint that moves along the curve.
+            value: rad or m.
+        """
+        column = self.samples[:, joint] - value
+        if not self.chain.prismatic[joint]:
+            column = short_way(column)
+        found: list[Array] = []
+        for i in np.flatnonzero((column[:-1] * column[1:] <= 0) & (np.abs(column[1:] - column[:-1]) < np.pi)):
+            part = column[i] / (column[i] - column[i + 1]) if column[i] != column[i + 1] else 0.0
+            point = self.samples[i] + part * (self.samples[i + 1] - self.samples[i])
+            locked = self.chain.locked(joint, value)
+            rest = newton(locked, np.delete(point, joint), self.T, steps=8)
+            turned = (
+                value + TURN * np.round((point[joint] - value) / TURN) if not self.chain.prismatic[joint] else value
+            )
+            point = np.insert(rest, joint, turned)
+            if missed(self.chain, point, self.T) < CLOSES and not any(
+                np.allclose(point, other, atol=1e-7) for other in found
+            ):
+                found.append(point)
+        return np.array(found).reshape(-1, self.chain.n)[:, : self.shown]
+
+    @cached_property
+    def _sample_inside(self) -> Bools:
+        return self.chain.joints.inside_limits(self.samples, self.limits)[1]
+
+    @cached_property
+    def inside(self) -> tuple[tuple[float, float], ...]:
+        """Intervals of u where the curve lies inside the joint limits, to the spacing of the samples."""
+        ok = self._sample_inside
+        edges = np.flatnonzero(np.diff(np.concatenate([[False], ok, [False]]).astype(int)))
+        return tuple((float(self.u[a]), float(self.u[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True))
+
+    @property
+    def representative(self) -> Array:
+        """(n,) one point: inside the limits if any is, and of those the one with the smallest joint values."""
+        return self.full_representative[: self.shown]
+
+    @cached_property
+    def full_representative(self) -> Array:
+        """The same with the task's virtual joints behind."""
+        joints, shown = self.chain.joints, self.shown
+        near = joints.unwound(self.samples, np.zeros(self.chain.n), FREE)
+        near = joints.unwound(near, near, self.limits)
+        cost = joints.first(shown).straight(near[:, :shown], np.zeros(shown))
+        if self._sample_inside.any():
+            cost = np.where(self._sample_inside, cost, np.inf)
+        # rounding makes equal costs unequal: a coarse key first, then the first sample
+        best = int(np.argmin(np.round(cost, 6)))
+        return newton(self.chain, near[best], self.T, steps=6, cutoff=1e-7)
+
+    def nearest(self, q_now: Array) -> Array | None:
+        """Return the point (n,) of the curve inside the limits closest to q_now, or None."""
+        if not self._sample_inside.any():
+            return None
+        q_now = self._padded(q_now)
+        wound = self.chain.joints.unwound(self.samples, q_now, self.limits)
+        away = np.where(self._sample_inside, self._straight(q_now, wound), np.inf)
+        # samples a step apart do not say which of several minima along the curve is the lowest
+        lowest = np.flatnonzero((away <= np.append(away[1:], np.inf)) & (away <= np.append(np.inf, away[:-1])))
+        lowest = lowest[away[lowest] <= away.min() + CURVE_STEP]
+        points = [
+            self._slid(
+                wound[i], lambda p: np.where(self._virtual, 0.0, q_now - p) / self.chain.joints.unit, self.limits
+            )
+            for i in lowest[np.argsort(away[lowest], kind="stable")][:4]
+        ]
+        return points[int(np.argmin([self._straight(q_now, p) for p in points]))][: self.shown]
+
+    def _straight(self, q: Array, points: Array) -> Array:
+        return np.linalg.norm(np.where(self._virtual, 0.0, (q - points) / self.chain.joints.unit), axis=-1)
+
+    def _slid(self, point: Array, gap: Callable[[Array], Array], limits: Array | None) -> Array:
+        """Slide along the curve while the gap shrinks: along the tangent, then back onto the pose."""
+        for _ in range(20):
+            direction = null_space(self.chain, point)[1][-1]
+            weight = np.where(self._virtual, 0.0, direction)
+            along = float(gap(point) @ weight) / max(float(weight @ weight), 1e-12)
+            step = float(np.clip(along, -CURVE_STEP, CURVE_STEP))
+            while abs(step) > 1e-10:  # a step that leaves the limits, or leads away, is too long
+                ahead = point + step * direction * self.chain.joints.unit
+                moved = newton(self.chain, ahead, self.T, steps=5, cutoff=1e-7)
+                if (limits is None or inside(moved, limits).all()) and np.linalg.norm(gap(moved)) < np.linalg.norm(
+                    gap(point)
+                ):
+                    break
+                step /= 2
+            else:
+                break
+            point = moved
+        return point
+
+    def distance(self, q: Array) -> float:
+        """Return how far a joint vector (n,) is from the curve, rad or characteristic lengths, whole turns ignored."""
+        return float(self.distances(self._padded(q)[None])[0])
+
+    def distances(self, q: Array) -> Array:
+        """Return how far joint vectors (m, n), virtual joints included, are from the curve, as `distance`."""
+        difference = self._gaps(q[:, None], self.samples)
+        to_samples = np.min(np.einsum("mkn,mkn->mk", difference, difference), axis=1)
+        if difference.shape[1] == 1:
+            return np.sqrt(to_samples)
+        segment = np.where(self._virtual, 0.0, np.diff(self._unitless, axis=0))
+        inner = np.einsum("mkn,kn->mk", difference[:, :-1], segment) / np.maximum(np.sum(segment * segment, 1), TINY)
+        foot = difference[:, :-1] - np.clip(inner, 0, 1)[..., None] * segment
+        return np.sqrt(np.minimum(to_samples, np.min(np.einsum("mkn,mkn->mk", foot, foot), axis=1)))
+
+    def contains(self, q: Array, tolerance: float = 1e-6) -> bool:
+        """Whether q (n,) lies on the curve within a tolerance (rad)."""
+        q = self._padded(q)
+        if self.distance(q) > 0.05:
+            return False
+        sizes = np.linalg.norm(self._gaps(q, self.samples), axis=1)
+        point = self._slid(self.samples[int(np.argmin(sizes))], lambda p: self._gaps(q, p), None)
+        return bool(np.linalg.norm(self._gaps(q, point)) <= tolerance)
+
+    def __str__(self) -> str:
+        moving = [self.names[j] for j in self.free]
+        relation = self.relation
+        where = "all the way round" if self.closed else "between two ends"
+        text = f"{', '.join(moving)} move together {where}" + (f" with {relation}" if relation else "")
+        return text + (f"; {self.dimension} degrees of freedom in all" if self.dimension > 1 else "")
+
+    @cached_property
+    def relation(self) -> str:
+        """A linear relation in words, such as 'joint_4 + joint_6 = 30 deg', where two revolute joints obey one."""
+        if len(self.free) != 2 or self.chain.prismatic[list(self.free)].any():
+            return ""
+        i, j = self.free
+        for sign, symbol in ((1, "+"), (-1, "-")):
+            total = self.samples[:, i] + sign * self.samples[:, j]
+            if np.ptp(total) < 1e-9:
+                value = np.degrees(short_way(total[0]))
+                return f"{self.names[i]} {symbol} {self.names[j]} = {value:.6g} deg"
+        return ""

@@ -1,0 +1,132 @@
+"""Tracing self-motions: along the null direction of the Jacobian and back onto the pose, until the curve closes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.newton import newton_on_plane, null_space, singular_values
+from pieper.solver.singular.self_motion import FREE, SelfMotion
+from pieper.tolerances import CURVE_STEP, ON_CURVE, TINY
+
+#: The most steps a trace may take, and the cosine by which a step may depart from the tangent it sets out along.
+MOST_STEPS, STRAIGHT = 1500, 0.95
+
+
+def step_along(chain: Chain, q: Array, T: Array, direction: Array, probe: float = 0.05) -> Array | None:
+    """Return a point about `probe` (rad or lengths) from q along `direction` that holds the pose, or None."""
+    unit = chain.joints.unit
+    for side in (probe, -probe):
+        point = newton_on_plane(chain, q + side * direction * unit, T, direction, holds=ON_CURVE)
+        if point is not None and np.linalg.norm((point - q) / unit) > 0.5 * probe:
+            return point
+    return None
+
+
+def trace(
+    chain: Chain,
+    q: Array,
+    T: Array,
+    limits: Array,
+    names: tuple[str, ...],
+    direction: Array | None = None,
+    *,
+    shown: int | None = None,
+    most_steps: int = MOST_STEPS,
+) -> SelfMotion:
+    """Trace the self-motion curve through q both ways until it closes or ends.
+
+    Args:
+        chain: The arm.
+        q: (n,) a joint vector on the pose.
+        T: (4, 4) the pose.
+        limits: (n, 2).
+        names: Joint names.
+        direction: (n,) the direction to set out in; the null vector of the Jacobian if None.
+        shown: Number of joints that are the arm's own; all if None.
+        most_steps: Steps each way at the most.
+
+    Returns:
+        The SelfMotion; bounded by `most_steps`.
+    """
+    set_out = null_space(chain, q)[1][-1] if direction is None else direction
+    forward, closed = _walk(chain, q, T, set_out, most_steps)
+    points = forward
+    if not closed:
+        backward, _ = _walk(chain, q, T, -set_out, most_steps)
+        points = backward[:0:-1] + forward
+    samples = np.array(points)
+    s, _ = null_space(chain, samples[len(samples) // 2])
+    open_ways = int(np.count_nonzero(s <= 1e-7 * max(s[0], TINY)))
+    arm_joints = chain.n if shown is None else shown
+    return SelfMotion(chain, T, samples, closed, max(1, open_ways), limits, names, arm_joints)
+
+
+def crossings(motion: SelfMotion) -> list[Array]:
+    """Return points of a curve where a second self-motion direction opens: other curves cross there."""
+    chain, samples = motion.chain, motion.samples
+    second = second_smallest(chain, samples)
+    found = []
+    last = len(samples) - 1
+    for i in range(len(samples)):
+        # at a crossing the value falls to zero like |s - s0|: less than one and a half times what a step changes
+        around = second[[(i + k) % last if motion.closed else min(max(i + k, 0), last) for k in (-2, -1, 1, 2)]]
+        change = max(abs(around[0] - around[1]), abs(around[3] - around[2]))
+        if second[i] > min(around) or second[i] > 1.5 * change + 1e-9:
+            continue
+        low, high = motion.u[max(i - 1, 0)], motion.u[min(i + 1, last)]
+        for _ in range(30):  # golden section
+            a, b = high - 0.618 * (high - low), low + 0.618 * (high - low)
+            if second_smallest(chain, motion.point(a)) < second_smallest(chain, motion.point(b)):
+                high = b
+            else:
+                low = a
+        point = motion.point((low + high) / 2)
+        if second_smallest(chain, point) < 1e-5:
+            found.append(point)
+    return found
+
+
+def second_smallest(chain: Chain, q: Array) -> Array:
+    """Return the size (...) of the second self-motion direction's singular value, relative to the largest."""
+    s = singular_values(chain, q)
+    # n joints have n singular values, of which those beyond the sixth are zero
+    k = chain.n - 2
+    return (s[..., k] if k < s.shape[-1] else np.zeros(s.shape[:-1])) / s[..., 0]
+
+
+def _walk(chain: Chain, q: Array, T: Array, direction: Array, most_steps: int) -> tuple[list[Array], bool]:
+    unit, joints = chain.joints.unit, chain.joints
+    points, step = [q], CURVE_STEP / 2
+    gone = 0.0
+    while len(points) < most_steps:
+        here = points[-1]
+        ahead = newton_on_plane(chain, here + step * direction * unit, T, direction, holds=ON_CURVE)
+        move = None if ahead is None else (ahead - here) / unit
+        if ahead is None or move is None or float(move @ direction) <= STRAIGHT * np.linalg.norm(move):
+            step /= 2
+            if step < 1e-5:
+                return points, False
+            continue
+        gone += float(np.linalg.norm(move))
+        new = _tangent_near(chain, ahead, direction)
+        points.append(ahead)
+        home = joints.difference(ahead, q)
+        size = float(np.linalg.norm(home))
+        # closed where the curve comes home along itself, not where it crosses itself
+        if gone > 3 * step and size < 0.75 * step and (size < 1e-9 or abs(float(home @ new)) > 0.9 * size):
+            points[-1] = joints.unwound(q, ahead, FREE)
+            return points, True
+        direction = new
+        step = min(CURVE_STEP, step * 1.3)
+    return points, False
+
+
+def _tangent_near(chain: Chain, q: Array, direction: Array) -> Array:
+    """Return the null direction at q closest to the direction of travel: at a crossing of two curves go straight on."""
+    s, Vt = null_space(chain, q)
+    null = Vt[s <= max(1e-7 * s[0], s[-1] * 1.0000001)]
+    projected = null.T @ (null @ direction)
+    size = np.linalg.norm(projected)
+    return projected / size if size > 1e-6 else direction

@@ -1,0 +1,56 @@
+"""How an arm is solved and why, told as a teacher would."""
+
+from __future__ import annotations
+
+from pieper.solver.families import named
+from pieper.solver.plan.plan import Plan
+from pieper.words_by_number import plural
+
+
+def explain(plan: Plan) -> str:
+    """Tell how an arm is solved and why, as a teacher would."""
+    family = named(plan.family)
+    lines = [f"{plan.name}: {plan.n} joints ({''.join('P' if p else 'R' for p in plan.prismatic)}), task: {plan.task}."]
+    lines += ["", "What the axes do:"]
+    lines += [f"  {sentence}" for sentence in plan.geometry.sentences(plan.names)]
+    if plan.snapped:
+        lines += ["", "Made special, because asked to: " + "; ".join(plan.snapped) + "."]
+        lines += ["Each solution of that nominal arm is then refined on the arm as described."]
+    reduction = plan.reduction
+    steps: list[str] = []
+    if reduction.full.n > plan.n:
+        steps.append(
+            f"the task leaves {plural(reduction.full.n - plan.n, 'freedom')} of the tool open, "
+            "which become virtual joints at the tool"
+        )
+    if reduction.locked:
+        values = ", ".join(f"{n} = {v:.4g}" for n, v in zip(plan.redundancy, plan.defaults, strict=True))
+        steps.append(
+            f"more joints than the task needs: {', '.join(plan.redundancy)} held at a chosen value "
+            f"(by default {values})"
+        )
+    if plan.arm_angle:
+        steps.append(f"instead of it the arm angle may be chosen ({plan.arm_angle.words})")
+    if reduction.fill:
+        steps.append(
+            f"the arm can do {plural(6 - len(reduction.fill), 'thing')} at once: "
+            f"{plural(len(reduction.fill), 'virtual joint')} that must come out as zero "
+            f"{'is' if len(reduction.fill) == 1 else 'are'} added"
+        )
+    if steps:
+        lines += ["", "Made a six-joint problem: " + "; ".join(steps) + "."]
+    lines += ["", f"Solved by: {plan.family.replace('_', ' ')}, for {family.arrangement}.", f"  {family.words}"]
+    lines += [
+        f"  At most {plan.max_solutions} solutions a pose"
+        + (" and choice of the spare joints." if plan.redundancy else ".")
+    ]
+    if (
+        plan.direct and plan.max_solutions > 8 and plan.cuspidal is not None
+    ):  # more than three pairs of words can tell apart
+        lines += [
+            f"  Posture names: this arm is {plan.cuspidal}." if plan.cuspidal.found else f"  Cuspidal? {plan.cuspidal}."
+        ]
+    for key, value in plan.spec.info.items():
+        if isinstance(value, (str, int, float)):
+            lines.append(f"  {key.replace('_', ' ')}: {value}")
+    return "\n".join(lines)

@@ -1,0 +1,108 @@
+"""Tables of the command line: at every width every number is there, whole, and nothing is wider than the terminal."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections import Counter
+
+import numpy as np
+import pytest
+
+import pieper
+from pieper.cli import layout, main, printed
+from pieper.cli.layout import Column, table
+
+WIDTHS = (40, 80, 130, 160, 220)
+ARMS = {
+    "three-r": ["300", "100", "100"],
+    "denso-vp6242": ["350", "0", "400"],
+    "franka-panda": ["300", "100", "400", "180", "0", "0"],
+    "rethink-sawyer": ["300", "100", "400", "180", "0", "0"],
+}
+
+
+@pytest.fixture
+def run(capsys, monkeypatch):
+    def call(*words, width=None):
+        for room in (layout, printed):
+            monkeypatch.setattr(room, "terminal_width", lambda: width)
+        with pytest.raises(SystemExit):
+            main([str(w) for w in words])
+        return capsys.readouterr().out
+
+    return call
+
+
+def tokens(text: str) -> Counter[str]:
+    return Counter(text.replace(",", " ").split())
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("name", ARMS)
+def test_every_joint_value_of_the_json_is_in_the_table(run, name, width):
+    data = json.loads(run("ik", name, *ARMS[name], "--all", "--json"))
+    out = run("ik", name, *ARMS[name], "--all", width=width)
+    assert max(len(line) for line in out.splitlines()) <= width
+    expected = Counter(f"{np.degrees(v) + 0.0:.3f}" for row in data["solutions"] for v in row["q"])
+    assert data["solutions"] and not expected - tokens(out)
+    for row in data["solutions"]:
+        assert not tokens(row["label"]) - tokens(out)
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+def test_a_path_and_an_arm_lose_nothing_either(run, width):
+    words = ["path", "denso-vp6242", "--from", "350 0 400", "--to", "700 0 400", "--start", "line-start", "-n", 8]
+    data = json.loads(run(*words, "--json"))
+    out = run(*words, width=width)
+    assert max(len(line) for line in out.splitlines()) <= width
+    assert not Counter(f"{np.degrees(v) + 0.0:.3f}" for row in data["q"] for v in row) - tokens(out)
+    assert not tokens(run(*words)) - tokens(out) - Counter(w for w in tokens(run(*words)) if set(w) == {"─"})
+    assert not Counter(["-150.64", "210.000", "-75.000"][1:]) - tokens(run("show", "denso-vp6242", width=width))
+
+
+def test_a_pipe_gets_one_line_a_row(run):
+    out = run("ik", "franka-panda", *ARMS["franka-panda"], "--all")
+    assert sum(line.split()[:1] == ["3"] and line.count(".") > 7 for line in out.splitlines()) == 1
+
+
+def test_words_are_broken_between_words_and_numbers_never(run):
+    columns = [Column("#"), Column("value"), Column("why", True)]
+    made = table("t", columns, [["1", "123456789012345678901234567890", "one two three four five six seven"]], 20)
+    assert "123456789012345678901234567890" in made
+    assert tokens("one two three four five six seven") - tokens(made) == Counter()
+
+
+def test_wide_characters_keep_columns_straight():
+    made = table("", [Column("关节", True), Column("q")], [["基座", "1.0"], ["ab", "2.0"]], None).splitlines()
+    assert made[-2].index("1.0") == made[-1].index("2.0") - 2
+
+
+@pytest.mark.skipif(not hasattr(os, "openpty"), reason="needs a pseudo terminal")
+def test_a_dumb_terminal_gets_every_number_and_no_escape_codes():
+    import fcntl
+    import struct
+    import termios
+
+    ours, theirs = os.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 50, 80, 0, 0))
+    environment = {k: v for k, v in os.environ.items() if k not in ("COLUMNS", "LINES")} | {"TERM": "dumb"}
+    command = [sys.executable, "-m", "pieper", "ik", "denso-vp6242", "350", "0", "400", "--all"]
+    process = subprocess.Popen(command, stdout=theirs, stderr=theirs, env=environment)
+    os.close(theirs)
+    out = b""
+    while True:
+        try:
+            out += (part := os.read(ours, 65536))
+        except OSError:
+            break
+        if not part:
+            break
+    os.close(ours)
+    assert process.wait() == 0
+    text = out.decode()
+    assert "\x1b" not in text
+    rows = pieper.load("denso-vp6242").ik(pieper.pose(0.35, 0, 0.4)).all_q
+    assert not Counter(f"{np.degrees(v) + 0.0:.3f}" for v in rows.ravel()) - tokens(text)
