@@ -12,11 +12,12 @@ import numpy as np
 from pieper.algebra.expression import Expr, Num
 from pieper.algebra.formula import Mention, number
 from pieper.algebra.parser import parse
+from pieper.description import source as door
 from pieper.description.dh import DH, describe
 from pieper.errors import InputError
 from pieper.judge.model import ArmModel, Row, model_from_description
 from pieper.judge.printed import UNITS
-from pieper.judge.solver import Solver, opened
+from pieper.judge.solver import Solver
 
 ARM_KEYS = set("name robot file convention length_unit columns rows values base tool limits_deg words".split())
 COLUMNS = {"a", "alpha", "d", "theta"}
@@ -44,7 +45,7 @@ def read_arm(place: str, table: dict[str, Any]) -> ArmModel:
                 f'{place}: name a catalogue arm (robot = "denso-vp6242"), a robot file (file = ..), or give rows'
             )
         try:
-            description = opened(source)
+            description = door.read(source)
         except InputError as error:
             raise InputError(f"{place}: {error}") from None
         return model_from_description(description, Solver.of(description))

@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 
-from pieper.description import catalog, robotfile, urdf
 from pieper.description.dh import Description
 from pieper.description.fold import chain_of
 from pieper.solver import verbs
-from pieper.solver.plan.plan import Plan, make_plan
-
-
-def opened(source: str | os.PathLike) -> Description:
-    """Read an arm of the catalogue (by name), or of a robot file (.toml) or a .urdf (by path)."""
-    text = os.fspath(source)
-    if text.endswith(".urdf"):
-        return urdf.read(Path(text))
-    return robotfile.read(Path(text)) if text.endswith(".toml") or os.sep in text else catalog.load(text)
+from pieper.solver.plan.classify import make_plan
+from pieper.solver.plan.plan import Plan
 
 
 class Solver:
