@@ -262,8 +262,8 @@ class ForwardEquations(Readable):
         return Check(
             n,
             worst,
-            f"All twelve entries agree with the numeric pose at {n} of {n} random joint vectors "
-            f"to {worst:.1e} (metres or direction cosines)."
+            f"All twelve entries agree with the numeric pose at {n} of {n} random joint vectors to {worst:.1e} "
+            "(metres or direction cosines)."
             if worst < 1e-9
             else f"The equations differ from the numeric pose by up to {worst:.1e}.",
         )

@@ -139,8 +139,7 @@ def _promising(arm: Arm, joint: int) -> bool:
 def _how(plan: Plan, form: ClosedForm) -> tuple[str, ...]:
     words = {
         "spherical_wrist_parallel": "The last three axes meet in a point, the wrist centre, and axes 2 and 3 are "
-        "parallel: "
-        "the first three joints place the wrist centre, the last three turn the tool.",
+        "parallel: the first three joints place the wrist centre, the last three turn the tool.",
         "spherical_wrist": "Three axes meet in a point: the other joints place that point, these three turn the tool.",
         "three_parallel": "Three neighbouring axes are parallel: what happens across them is solved first, then "
         "their plane.",

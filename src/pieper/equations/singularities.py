@@ -244,8 +244,8 @@ class SingularityEquations(Readable):
         where = f"written at the origin of frame {m}, in frame {k}" if m <= self.n else f"at the tool, in frame {k}"
         if self.minors is None:
             return [
-                "The determinant does not split into blocks and is too long to print; it is checked by its "
-                "numbers only."
+                "The determinant does not split into blocks and is too long to print; it is checked by its numbers "
+                "only."
             ]
         if self.square:
             if not self.minors:
@@ -253,7 +253,7 @@ class SingularityEquations(Readable):
             largest, count = self.minors[0].largest, len(self.minors[0].factors)
             said = [
                 f"The Jacobian, {where}, is block triangular; its determinant is the product of the blocks' "
-                f"determinants."
+                "determinants."
             ]
             if count == 1 and largest > 2:
                 said = [
@@ -345,7 +345,7 @@ class SingularityEquations(Readable):
             worst = float(np.max(np.abs(got - want)) / max(np.max(np.abs(want)), 1e-300))
             said.append(
                 f"The determinant agrees with the numeric one at {n} random joint vectors to {worst:.1e} of its "
-                f"largest value."
+                "largest value."
             )
         count = 0
         for s in self.configurations:

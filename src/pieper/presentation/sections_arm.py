@@ -72,15 +72,13 @@ def add_arm(page: Document, arm: Arm) -> None:
     page.section("The arm")
     page.add(
         f"{arm.name}{maker}, has {arm.n} joints, {' and '.join(counts)}. Its geometry is given by a "
-        "Denavit–Hartenberg table in the "
-        f"{convention} convention: "
+        f"Denavit–Hartenberg table in the {convention} convention: "
         + (
             "frame i follows frame i−1 by a turn θ about z, a shift d along z, a shift a along the new x and a turn "
             "α about it."
             if d.convention == "standard"
             else "frame i follows frame i−1 by a shift a and a turn α along and about x, then a turn θ and a shift d "
-            "about and "
-            "along the new z; row i holds a and α of frame i−1."
+            "about and along the new z; row i holds a and α of frame i−1."
         )
     )
     heads, rows = ["joint", "a, mm", "α, °", "d, mm", "θ, °", "least", "most"], []
@@ -159,9 +157,8 @@ def add_plan(page: Document, arm: Arm) -> None:
     page.add(Lines(tuple(plan.geometry.sentences(plan.names))))
     spare = f" The arm has joints to spare: {', '.join(plan.redundancy)} is chosen freely." if plan.redundancy else ""
     page.add(
-        f"That makes it an arm with {family.arrangement}. {family.words} "
-        f"A pose has at most {plan.max_solutions} solutions"
-        f"{' for a chosen value of the spare joint' if plan.redundancy else ''}.{spare}"
+        f"That makes it an arm with {family.arrangement}. {family.words} A pose has at most {plan.max_solutions} "
+        f"solutions{' for a chosen value of the spare joint' if plan.redundancy else ''}.{spare}"
     )
 
 
@@ -246,15 +243,14 @@ def add_reach(page: Document, arm: Arm) -> None:
     low, high = points[:, 2].min() * MM, points[:, 2].max() * MM
     page.add(
         f"Of {len(points):,} postures drawn evenly inside the joint limits, the tool came as far as "
-        f"{fixed(far * MM, 0)} mm from the "
-        f"foot of the first axis, and its height lay between {fixed(low, 0)} and {fixed(high, 0)} mm."
+        f"{fixed(far * MM, 0)} mm from the foot of the first axis, and its height lay between {fixed(low, 0)} and "
+        f"{fixed(high, 0)} mm."
     )
     page.add(
         picture(
             reach_figure(arm, points=points, q=first_posture(arm)),
             "Where the tool can be, whatever its orientation: darker where more postures end. Left, turned into one "
-            "half plane "
-            "through the first axis, with the arm drawn in; right, a slice from above.",
+            "half plane through the first axis, with the arm drawn in; right, a slice from above.",
             "reach",
         )
     )

@@ -73,8 +73,7 @@ def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "sol
         picture(
             solutions_figure(arm, few, labels=labels[:16]),
             f"The {'first ' if len(rows_q) > 16 else ''}{len(few)} solutions, each with the others as ghosts behind "
-            "it. Postures "
-            "that differ in the wrist alone look alike.",
+            "it. Postures that differ in the wrist alone look alike.",
             name,
             1.0,
         )
@@ -112,9 +111,8 @@ def add_track(page: Document, arm: Arm, track: Track, *, prefix: str = "path") -
         page.table(
             ["point", "x, mm", "y, mm", "z, mm", *joint_heads(arm)],
             rows,
-            f"Some of the points. Over all of them the tool misses the path by at most {scientific(worst[0] * MM)} "
-            "mm and "
-            f"{scientific(np.degrees(worst[1]))}°.",
+            f"Some of the points. Over all of them the tool misses the path by at most {scientific(worst[0] * MM)} mm "
+            f"and {scientific(np.degrees(worst[1]))}°.",
         )
     if track.branches:
         rows = []
@@ -126,8 +124,7 @@ def add_track(page: Document, arm: Arm, track: Track, *, prefix: str = "path") -
             ["", "posture", "points", "without limits", "ends at s", "why"],
             rows,
             "Every branch that starts at the first pose: how many of the points it reaches inside the joint limits, "
-            "how many it "
-            "would reach without them, and what ends it.",
+            "how many it would reach without them, and what ends it.",
             left=(0, 1, 5),
             strong=() if track.chosen is None else (track.chosen,),
         )
@@ -139,7 +136,6 @@ def add_motion(page: Document, arm: Arm, motion: Motion, words: str, *, name: st
     fastest = int(np.argmax(np.where([k == "R" for k in arm.joint_types], peak, 0)))
     page.add(
         f"{words} Every joint follows a quintic in time, at rest at both ends. The fastest is "
-        f"{arm.joint_names[fastest]} with "
-        f"{fixed(np.degrees(peak[fastest]), 1)}°/s."
+        f"{arm.joint_names[fastest]} with {fixed(np.degrees(peak[fastest]), 1)}°/s."
     )
     page.add(picture(time_figure(motion, arm=arm), "Joint positions, rates and accelerations over time.", name, 0.86))

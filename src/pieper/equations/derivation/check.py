@@ -46,9 +46,8 @@ class DerivationCheck:
         """The result in sentences."""
         said = [
             f"At {self.poses} random poses the solver finds {self.solutions} solutions; "
-            f"{_all(self.reproduced, self.solutions)} "
-            f"of them {'is' if self.reproduced == 1 else 'are'} given by one choice of the branch signs, "
-            f"to {self.worst:.1e} rad (or m) at worst."
+            f"{_all(self.reproduced, self.solutions)} of them {'is' if self.reproduced == 1 else 'are'} given by one "
+            f"choice of the branch signs, to {self.worst:.1e} rad (or m) at worst."
         ]
         if self.real:
             said.append(f"Of {self.real} real combinations of signs {_all(self.valid, self.real)} reach the pose.")

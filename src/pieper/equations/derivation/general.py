@@ -50,11 +50,9 @@ class PolynomialCheck:
         if not self.poses:
             return "There is no polynomial to check."
         return (
-            f"At {self.poses} random poses the real roots lead to {self.found} of the solver's "
-            f"{self.solutions} solutions, to "
-            f"{self.worst:.1e} rad at worst, and to {self.extra} more; the joint vector that made the pose "
-            f"came back "
-            f"{self.own} times of {self.poses}."
+            f"At {self.poses} random poses the real roots lead to {self.found} of the solver's {self.solutions} "
+            f"solutions, to {self.worst:.1e} rad at worst, and to {self.extra} more; the joint vector that made the "
+            f"pose came back {self.own} times of {self.poses}."
         )
 
     def __str__(self) -> str:
@@ -110,8 +108,7 @@ class GeneralInverse:
                 meets.append((geometry.common_point((i, i + 1, i + 2))[1], label))
         said = [
             "A six-joint arm has a closed form when three neighbouring axes meet in one point or are parallel "
-            "(Pieper 1968). "
-            "Here none do."
+            "(Pieper 1968). Here none do."
         ]
         if meets:
             miss, label = min(meets)
@@ -139,8 +136,7 @@ class GeneralInverse:
         poly = self.polynomial(T, self.example[list(self.chosen)])
         if poly is None:
             page.say(
-                "All six ways to eliminate joints vanish for this arm's geometry, so no polynomial is "
-                "given here; "
+                "All six ways to eliminate joints vanish for this arm's geometry, so no polynomial is given here; "
                 "the solver finds its solutions numerically and certifies their number."
             )
             return
@@ -154,7 +150,7 @@ class GeneralInverse:
             f"The joints satisfy one polynomial equation of degree {poly.degree} in ",
             half,
             f", so a pose has at most {poly.degree} solutions. Its coefficients depend on the pose; there is no "
-            f"formula for its roots.",
+            "formula for its roots.",
         )
         self._method(page, poly)
         page.heading("The polynomial at one pose")
@@ -168,9 +164,8 @@ class GeneralInverse:
             page.show(*([line, ZERO] if first + TERMS_A_LINE >= len(terms) else [line]))
         roots = ": t = " + ", ".join(f"{x:.6g}" for x in np.tan(poly.angles / 2)) if len(poly.angles) else ""
         page.say(
-            f"Of its {poly.degree} roots {len(poly.solutions)} belong to real postures{roots}. They are, each "
-            f"brought to the pose "
-            "and confirmed there:"
+            f"Of its {poly.degree} roots {len(poly.solutions)} belong to real postures{roots}. They are, each brought "
+            "to the pose and confirmed there:"
         )
         for row in poly.solutions:
             page.say(_degrees(row, 4))
@@ -185,15 +180,13 @@ class GeneralInverse:
         one, two, three, four, five, six = (angle_symbol(j) for j in cut)
         page.heading("How it comes about")
         page.say(
-            f"Close the loop of the arm and the wanted pose and cut it at joint {cut[5]}: the axis l of that "
-            f"joint and the point p on "
-            f"it are reached through joints {cut[2]}, {cut[3]}, {cut[4]} on one side and through {cut[1]}, "
-            f"{cut[0]} on the other."
+            f"Close the loop of the arm and the wanted pose and cut it at joint {cut[5]}: the axis l of that joint "
+            f"and the point p on it are reached through joints {cut[2]}, {cut[3]}, {cut[4]} on one side and through "
+            f"{cut[1]}, {cut[0]} on the other."
         )
         page.say(
-            "Equate p, l, p·p, p·l, p × l and (p·p) l − 2 (p·l) p of both sides: fourteen equations, each linear "
-            "in the "
-            "sine and cosine of every joint (Raghavan and Roth 1990)."
+            "Equate p, l, p·p, p·l, p × l and (p·p) l − 2 (p·l) p of both sides: fourteen equations, each linear in "
+            "the sine and cosine of every joint (Raghavan and Roth 1990)."
         )
         page.say(
             "Six combinations of them are free of ",
@@ -204,8 +197,7 @@ class GeneralInverse:
             four,
             " and ",
             five,
-            ", and each also multiplied by the first, they are twelve equations in twelve "
-            "monomials; the "
+            ", and each also multiplied by the first, they are twelve equations in twelve monomials; the "
             "determinant, which depends on ",
             three,
             " alone, must vanish.",

@@ -21,11 +21,9 @@ WHY = {
     "quadratic of a slide": "This is a quadratic equation; its two roots go with the sign ",
 }
 QUARTIC = (
-    "Both equations are linear in the cosine and sine of one joint; solved for the two expressions that hold "
-    "them, squared and "
-    "added, they lose that joint. What is left is a quartic in the half-angle tangent t, with at most four real "
-    "roots, numbered "
-    "from the smallest by "
+    "Both equations are linear in the cosine and sine of one joint; solved for the two expressions that hold them, "
+    "squared and added, they lose that joint. What is left is a quartic in the half-angle tangent t, with at most "
+    "four real roots, numbered from the smallest by "
 )
 ONCE = {
     "both functions": "Sine and cosine are both known up to one positive factor, so there is one solution:",
@@ -192,7 +190,6 @@ def _summary(page: Document, form: ClosedForm):
             page.say(f"({_entries(list(source.places))} of ", matrix_equation(source.i, source.j, form.n), ").")
     elif form.n - len(form.chosen) < 6 and form.given == "noap":
         page.say(
-            "An arm with fewer than six joints cannot reach every pose: the formulas answer for the "
-            "poses that it "
+            "An arm with fewer than six joints cannot reach every pose: the formulas answer for the poses that it "
             "can reach, and forward kinematics tells whether a given pose is one."
         )
