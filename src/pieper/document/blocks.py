@@ -234,8 +234,3 @@ def listed(pieces: Sequence[Any], word: str = "and") -> tuple[Any, ...]:
             out.append(f" {word} " if place == len(pieces) - 1 else ", ")
         out.append(piece)
     return tuple(out)
-
-
-def counted(count: int, one: str, many: str = "") -> str:
-    """Return a number with its noun: 1 solution, 8 solutions."""
-    return f"{count} {one if count == 1 else many or one + 's'}"

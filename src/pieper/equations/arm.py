@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-import numpy as np
-import numpy.typing as npt
-
 from pieper.description.dh import Description
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions
-
-Array = npt.NDArray[np.float64]
 
 
 class Arm(Protocol):
