@@ -6,6 +6,7 @@ import os
 import warnings
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,6 +26,8 @@ from pieper.solver.results import SolutionBatch, Solutions
 
 #: A pose this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
+if TYPE_CHECKING:
+    from pieper.equations import Symbolic
 
 
 class Arm:
@@ -309,7 +312,7 @@ class Arm:
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 
     @cached_property
-    def symbolic(self):
+    def symbolic(self) -> Symbolic:
         """The arm's equations: `.fk()`, `.jacobian()`, `.singularities()`, `.ik()`."""
         from pieper.equations import Symbolic
 

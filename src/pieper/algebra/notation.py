@@ -148,7 +148,7 @@ def latex(expr: Any) -> str:
 
 # -- MathML --------------------------------------------------------------------------------------------------
 def mathml(expr: Any) -> str:
-    """Presentation MathML without the outer <math> element (see `formula`)."""
+    """Presentation MathML without the outer <math> element."""
     if expr.op == "num":
         return _number_mathml(expr.value)
     if expr.op == "pi":
@@ -183,19 +183,6 @@ def mathml(expr: Any) -> str:
         name = MATHML_FUNCTION.get(expr.name, expr.name)
         return f"<mrow><mi>{name}</mi><mo>(</mo>{'<mo>,</mo>'.join(map(mathml, expr.args))}<mo>)</mo></mrow>"
     raise TypeError(f"cannot print {type(expr).__name__}")
-
-
-def formula(content: str, *, block: bool = False) -> str:
-    """Wrap MathML content in a <math> element that stands on its own."""
-    display = ' display="block"' if block else ""
-    return f'<math xmlns="http://www.w3.org/1998/Math/MathML"{display}>{content}</math>'
-
-
-def equation(left: Any, right: Any, style: str) -> str:
-    """`left = right` in the style "text", "latex" or "mathml" (a string on the left is taken as it is)."""
-    printer = {"text": text, "latex": latex, "mathml": mathml}[style]
-    left = left if isinstance(left, str) else printer(left)
-    return f"{left}<mo>=</mo>{printer(right)}" if style == "mathml" else f"{left} = {printer(right)}"
 
 
 # -- pieces --------------------------------------------------------------------------------------------------

@@ -66,7 +66,8 @@ def judge_equal(
     goal = ev.goal(wanted, frame=frame)
     good, own = goal.residual(node) < 1, ev.samples.nominal
     if good[own].all():
-        return _equal_holds(ev, claim, node, good, product, frame)
+        seen = good if good.all() else good[own]
+        return replace(_equal_holds(ev, claim, node, good, product, frame), right=int(seen.sum()), tried=len(seen))
     rows = own if good[own].any() else np.ones_like(own)
     vanish = zero_denominators(node, goal.env)
     details: list[tuple[str, str]] = []
