@@ -24,10 +24,11 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
 from pieper.solver.results import SolutionBatch, Solutions
 
-#: A pose this many reaches away was probably said in millimetres.
-FAR_AWAY = 100.0
 if TYPE_CHECKING:
     from pieper.equations import Symbolic
+
+#: A pose this many reaches away was probably said in millimetres.
+FAR_AWAY = 100.0
 
 
 class Arm:
