@@ -57,8 +57,7 @@ sanitize: $(VENV)/.installed-for-tests $(VENV)/.kernel-tools
 	PATH="$(BIN):$$PATH" cmake --build build/sanitize
 	rm -rf build/sanitize/src && cp -r src build/sanitize/src && rm -f build/sanitize/src/pieper/_kernel*.so && cp build/sanitize/_kernel*.so build/sanitize/src/pieper/
 	LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libubsan.so)" ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=halt_on_error=1 \
-	  PYTHONPATH=build/sanitize/src $(BIN)/python -m pytest tests/test_kernel_elementary.py tests/test_kernel_solver.py tests/test_kernel_contract.py \
-	  tests/test_kernel_spherical_wrist_parallel.py tests/test_family_*.py tests/test_general_solver.py
+	  PYTHONPATH=build/sanitize/src $(BIN)/python -m pytest tests/kernels tests/solver/families
 
 $(VENV)/.kernel-tools: | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check cmake ninja nanobind numpy

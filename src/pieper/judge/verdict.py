@@ -26,6 +26,7 @@ class Verdict:
         reading: the nearest right reading as a formula, "" when none was found.
         digits: number of digits to which the claim holds, None where that means nothing.
         right, tried: at how many of how many joint vectors a formula was right, 0 of 0 where that means nothing.
+        difference: printed minus right as a formula, "" when there is none or it takes too long to find.
     """
 
     id: str
@@ -39,6 +40,7 @@ class Verdict:
     digits: int | None = None
     right: int = 0
     tried: int = 0
+    difference: str = ""
 
     @property
     def about(self) -> str:
