@@ -143,8 +143,8 @@ def _judged(page: sections.Document) -> None:
                 sections.Code(LOST["right"]),
                 ". The judge finds the slip by itself: ",
                 sections.Emphasis(details.get("the slip", "a factor is missing")),
-                ". In full: ",
-                sections.Code(details.get("difference", "")),
+                ". The printed formula minus the right one is ",
+                sections.Code(judged[LOST["entry"]].difference),
                 ", so it is right only where joint 2 stands at zero or the term vanishes. "
                 f"{_upper(details.get('counter-example', ''))} (m). With C2 restored, P_x "
                 f"{_lower(judged[LOST['entry'] + ' mended'].sentence)}",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -66,8 +66,7 @@ def judge_equal(
     goal = ev.goal(wanted, frame=frame)
     good, own = goal.residual(node) < 1, ev.samples.nominal
     if good[own].all():
-        seen = good if good.all() else good[own]
-        return replace(_equal_holds(ev, claim, node, good, product, frame), right=int(seen.sum()), tried=len(seen))
+        return _equal_holds(ev, claim, node, good, product, frame)
     rows = own if good[own].any() else np.ones_like(own)
     vanish = zero_denominators(node, goal.env)
     details: list[tuple[str, str]] = []
