@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from pieper.judge import Judgement, check
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.kinematics.spoken_many import poses
-    from pieper.motion.sequence import Motion, move, sequence
+    from pieper.motion.limits import Limits
+    from pieper.motion.motion import Motion
+    from pieper.motion.sequence import move, sequence
     from pieper.motion.track import Track
     from pieper.presentation import plot, sections
     from pieper.presentation.report import report, write_report
@@ -27,7 +29,8 @@ __version__ = "0.1.0"
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
     "Judgement": "pieper.judge",
-    "Motion": "pieper.motion.sequence",
+    "Limits": "pieper.motion.limits",
+    "Motion": "pieper.motion.motion",
     "Track": "pieper.motion.track",
     "SelfMotion": "pieper.solver.singular.self_motion",
     "check": "pieper.judge",
@@ -51,6 +54,7 @@ __all__ = [
     "Arm",
     "InputError",
     "Judgement",
+    "Limits",
     "Motion",
     "NoSolutionError",
     "PieperError",
