@@ -16,9 +16,11 @@ if TYPE_CHECKING:
     from pieper.judge import Judgement, check
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.kinematics.spoken_many import poses
+    from pieper.motion.constant_speed import fastest_constant_speed
     from pieper.motion.limits import Limits
     from pieper.motion.motion import Motion
     from pieper.motion.sequence import move, sequence
+    from pieper.motion.time_law import time_law
     from pieper.motion.track import Track
     from pieper.presentation import plot, sections
     from pieper.presentation.report import report, write_report
@@ -35,6 +37,7 @@ _LATER = {
     "SelfMotion": "pieper.solver.singular.self_motion",
     "check": "pieper.judge",
     "evaluate": "pieper.description.quantity",
+    "fastest_constant_speed": "pieper.motion.constant_speed",
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
     "pose": "pieper.kinematics.spoken",
@@ -43,6 +46,7 @@ _LATER = {
     "report": "pieper.presentation.report",
     "sections": "pieper.presentation.sections",
     "sequence": "pieper.motion.sequence",
+    "time_law": "pieper.motion.time_law",
     "whole_file": "pieper.document.writing",
     "write_report": "pieper.presentation.report",
 }
@@ -69,6 +73,7 @@ __all__ = [
     "catalog",
     "check",
     "evaluate",
+    "fastest_constant_speed",
     "line",
     "load",
     "move",
@@ -79,6 +84,7 @@ __all__ = [
     "report",
     "sections",
     "sequence",
+    "time_law",
     "ur_calibrated",
     "whole_file",
     "write_report",

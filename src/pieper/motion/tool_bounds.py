@@ -38,15 +38,15 @@ class ToolCurve:
     fourth: Array
 
 
-def tool_curve(chain: Chain, coupling: Array | None, curve: JointCurve) -> ToolCurve:
+def tool_curve(chain: Chain, curve: JointCurve) -> ToolCurve:
     """Return what the tool does along a curve.
 
     Args:
-        chain: The arm.
-        coupling: (n, n) values of the chain's joints = coupling @ joint values, or None.
+        chain: The arm; coupled joints are looked at as the chain's own.
         curve: The joint curve; each piece is looked at on its own.
     """
-    C = np.eye(chain.n) if coupling is None else coupling
+    C = np.eye(chain.n) if chain.coupling is None else chain.coupling
+    chain = chain.uncoupled
     h = np.diff(curve.s)
     last = [curve.end, *(x[-1] for x in curve.at(curve.s[-1:])[1:])]
     q, d1, d2, d3 = (

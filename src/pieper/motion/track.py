@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -65,6 +65,7 @@ class Track:
         reachable: (N,) bool, whether a pose has any solution inside the limits, on whatever branch.
         joint_names: Names of the joints.
         prismatic: (n,) bool.
+        plan: How the arm is solved.
     """
 
     path: Array
@@ -79,6 +80,7 @@ class Track:
     reachable: Bools
     joint_names: tuple[str, ...]
     prismatic: Bools
+    plan: Plan = field(repr=False)
 
     @property
     def stop(self) -> Event | None:
@@ -157,6 +159,7 @@ def follow(plan: Plan, path: ArrayLike, *, start: ArrayLike | None = None) -> Tr
         way.reachable,
         plan.names,
         plan.prismatic,
+        plan,
     )
 
 
