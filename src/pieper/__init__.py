@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from pieper.motion.constant_speed import fastest_constant_speed
     from pieper.motion.limits import Limits
     from pieper.motion.motion import Motion
+    from pieper.motion.program import Program
     from pieper.motion.sequence import move, sequence
     from pieper.motion.time_law import time_law
     from pieper.motion.track import Track
@@ -34,6 +35,7 @@ _LATER = {
     "Limits": "pieper.motion.limits",
     "Motion": "pieper.motion.motion",
     "Track": "pieper.motion.track",
+    "Program": "pieper.motion.program",
     "SelfMotion": "pieper.solver.singular.self_motion",
     "check": "pieper.judge",
     "evaluate": "pieper.description.quantity",
@@ -65,6 +67,7 @@ __all__ = [
     "PieperWarning",
     "Plan",
     "PlanError",
+    "Program",
     "SelfMotion",
     "SolutionBatch",
     "Solutions",

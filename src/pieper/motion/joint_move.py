@@ -42,7 +42,7 @@ def joint_move(q0: ArrayLike, q1: ArrayLike, limits: Limits, *, rate: float = 50
     q = np.where(s >= 1, start + way, start + way * s)
     q[-1] = start + way
     ends = np.array([0.0, profile.duration])
-    tight = tuple(_tight(profile, binding))
+    tight = tuple(tight_pieces(profile, binding))
     s[-1] = 1.0
     return Motion(t, q, way * v, way * a, ends, ends, way * j, s[:, 0], tight, margin_of_line(way, profile, limits))
 
@@ -102,7 +102,7 @@ def margin_of_line(way: Array, profile: Profile, limits: Limits) -> float:
     return float(max((np.abs(way) * peak / limit).max() for peak, limit in peaks))
 
 
-def _tight(profile: Profile, binding: list[str]) -> list[Tight]:
+def tight_pieces(profile: Profile, binding: list[str]) -> list[Tight]:
     """Return which joint's limit binds on each piece."""
     out: list[Tight] = []
     top = np.abs(profile.c[:, 1]).max()
