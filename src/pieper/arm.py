@@ -26,6 +26,7 @@ from pieper.solver.results import SolutionBatch, Solutions
 
 if TYPE_CHECKING:
     from pieper.equations import Symbolic
+    from pieper.motion.dialects.configuration import Configuration
 
 #: A pose this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
@@ -311,6 +312,12 @@ class Arm:
     def follow(self, path: ArrayLike, *, start: ArrayLike | str | None = None) -> Track:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
+
+    def configuration(self, q: ArrayLike | str, maker: str) -> Configuration:
+        """Return a posture in a maker's configuration words; see `motion.dialects.configuration`."""
+        from pieper.motion.dialects.configuration import configuration
+
+        return configuration(self.plan, self._joints(q), maker)
 
     @cached_property
     def symbolic(self) -> Symbolic:
