@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.kinematics.spoken_many import poses
     from pieper.motion.constant_speed import fastest_constant_speed
+    from pieper.motion.dialects.files import read_program
     from pieper.motion.limits import Limits
     from pieper.motion.motion import Motion
     from pieper.motion.program import Program
@@ -45,6 +46,7 @@ _LATER = {
     "pose": "pieper.kinematics.spoken",
     "poses": "pieper.kinematics.spoken_many",
     "read_pose": "pieper.kinematics.spoken",
+    "read_program": "pieper.motion.dialects.files",
     "report": "pieper.presentation.report",
     "sections": "pieper.presentation.sections",
     "sequence": "pieper.motion.sequence",
@@ -84,6 +86,7 @@ __all__ = [
     "pose",
     "poses",
     "read_pose",
+    "read_program",
     "report",
     "sections",
     "sequence",

@@ -203,20 +203,45 @@ class Program:
         lines.append(f"The largest value over its limit is {motion.margin:.6f}; {kept}.")
         return "\n".join([*lines, *motion.remarks])
 
-    def write(self, path: str | os.PathLike[str], *, dialect: str, name: str | None = None) -> None:
+    def write(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        dialect: str,
+        name: str | None = None,
+        cartesian: bool = False,
+        rate: float = 100.0,
+    ) -> None:
         """Write the program for a controller, whole or not at all.
+
+        Joint moves go to joint values, lines and circles to joint values where the language takes them and to poses
+        with configuration words where not.
 
         Args:
             path: Where to.
             dialect: "rapid", "urscript", "krl", "fanuc-ls", "inform", "pacscript", "ros" or "csv".
             name: Its name; the file's without its ending when left out.
+            cartesian: Whether all moves go to poses with the maker's configuration words.
+            rate: Samples a second of "ros" and "csv".
 
         Raises:
             InputError: The dialect is unknown, the arm is of another maker, or the name is not one the maker takes.
         """
-        from pieper.motion.dialects import text_of
+        from pieper.motion.dialects.dialect import Script
+        from pieper.motion.dialects.files import text_of
 
-        write_whole(path, text_of(self, dialect, os.path.splitext(os.path.basename(path))[0] if name is None else name))
+        called = os.path.splitext(os.path.basename(path))[0] if name is None else name
+        script = Script(
+            called,
+            tuple(self.instructions),
+            self.plan,
+            self.description,
+            self.limits,
+            self.start,
+            cartesian,
+            lambda: self.motion(rate=rate),
+        )
+        write_whole(path, text_of(script, dialect))
 
     @property
     def _number(self) -> int:
