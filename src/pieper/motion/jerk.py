@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import comb
 
 import numpy as np
@@ -18,11 +18,11 @@ from pieper.motion.timed_path import TimedPath
 #: Degree of a joint's speed on a piece: q' of degree 2 in s, s of degree 3 in time, times ds/dt of degree 2.
 DEGREE = 8
 #: Windows that are tried, as parts of the longest time a joint needs to reach its acceleration.
-WINDOWS = (0.35, 0.5, 0.7, 1.0, 1.4, 2.0)
+WINDOWS = (1.0, 1.4, 2.0, 2.8)
 #: Rounds in which the path is slowed down where the evened motion passes a limit.
-ROUNDS = 12
+ROUNDS = 10
 #: Bounds are taken back by this part of what was passed.
-BACK = 0.7
+BACK = 0.5
 #: A round that gains less than this, relative, was the last but one.
 GAIN = 1e-3
 
@@ -77,11 +77,8 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
 
 def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:
     """Return the best of some rounds at one window."""
-    from dataclasses import replace
-
     best: _Tried | None = None
-    share = timed.share.copy()
-    easing = np.ones(len(share))
+    easing = np.ones(len(timed.share))
     for _ in range(ROUNDS):
         slowed = replace(timed, easing=easing)
         x, _, _, _ = slowed.run()
