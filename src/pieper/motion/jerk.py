@@ -83,13 +83,13 @@ def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:
         slowed = replace(timed, easing=easing)
         x, _, _, _ = slowed.run()
         even = averaged(profile_of(timed.curve.s, x), window)
-        profile, ratios = peaks(timed, curve, even)
+        profile, ratios = peaks(timed, curve, even, proved=False)
         need = _need(ratios)
         factor = float(need.max())
         found = _Tried(profile.duration * max(factor, 1.0), max(factor, 1.0), profile, ratios)
         if best is None or found.duration < best.duration * (1 - GAIN):
             best = found
-        elif found.duration > best.duration * 1.05:
+        else:
             break
         if factor <= 1 + GAIN:
             break
@@ -99,8 +99,9 @@ def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:
         last = np.searchsorted(timed.curve.s, profile.at(profile.t[1:])[0])
         low = np.clip(first, 0, len(easing) - 1)
         high = np.clip(last, 1, len(easing))
-        for i in np.flatnonzero(need > 1):
-            worst[low[i] : high[i]] = np.maximum(worst[low[i] : high[i]], need[i])
+        over = np.flatnonzero(need > 1)
+        for i, k, most in zip(low[over], high[over], need[over], strict=True):
+            np.maximum(worst[i:k], most, out=worst[i:k])
         easing = easing / worst**BACK
     assert best is not None
     return best
@@ -157,20 +158,26 @@ def _bernstein() -> Array:
 _COEFFICIENTS = _bernstein()
 
 
-def peaks(timed: TimedPath, curve: JointCurve, profile: Profile) -> tuple[Profile, list[tuple[str, str | None, Array]]]:
-    """Return a profile split where the curve's pieces meet, and bounds of every limit's ratio (k,) on its pieces."""
+def peaks(
+    timed: TimedPath, curve: JointCurve, profile: Profile, *, proved: bool = True
+) -> tuple[Profile, list[tuple[str, str | None, Array]]]:
+    """Return a profile split where the curve's pieces meet, and bounds of every limit's ratio (k,) on its pieces.
+
+    Where they need not be `proved` the largest of three values is taken instead: enough for a search.
+    """
     t = np.union1d(profile.t, crossings(profile, curve.s[1:-1]))
     t = t[np.append(True, np.diff(t) > 1e-12 * profile.duration)]
     t[-1] = profile.duration
     s, v, a, j = profile.at(t[:-1])
     split = Profile(t, np.stack([s, v, a, j], 1))
     h = np.diff(t)
-    tau = h[:, None] * np.linspace(0, 1, DEGREE + 1)
+    tau = h[:, None] * np.linspace(0, 1, DEGREE + 1 if proved else 3)
+    half = tau.shape[1] // 2
     places = s[:, None] + tau * (v[:, None] + tau * (a[:, None] / 2 + tau * j[:, None] / 6))
     rate = v[:, None] + tau * (a[:, None] + tau * j[:, None] / 2)
     bend = a[:, None] + tau * j[:, None]
     # each piece has one piece of the curve, that of its middle, and is looked at beyond its ends if rounding wants it
-    i = curve.piece(places[:, DEGREE // 2])
+    i = curve.piece(places[:, half])
     r = (places - curve.s[i][:, None])[..., None]
     d1, d2, d3 = (x[i][:, None] for x in (curve.d1, curve.d2, curve.d3))
     q2 = d2 + r * d3
@@ -181,7 +188,7 @@ def peaks(timed: TimedPath, curve: JointCurve, profile: Profile) -> tuple[Profil
     jerks = _most(d3 * rate**3 + 3 * q2 * rate * bend + q1 * sharp)
     jerk = timed.bound.jerk
     assert jerk is not None
-    cell = timed.curve.piece(places[:, DEGREE // 2])
+    cell = timed.curve.piece(places[:, half])
     share = timed.share[cell]
     ratios: list[tuple[str, str | None, Array]] = []
     for k, name in enumerate(timed.names):
@@ -189,7 +196,7 @@ def peaks(timed: TimedPath, curve: JointCurve, profile: Profile) -> tuple[Profil
         ratios.append(("acceleration", name, bends[:, k] / timed.bound.acceleration[k]))
         ratios.append(("jerk", name, jerks[:, k] / jerk[k]))
     if timed.tool is not None:
-        fastest = np.abs(rate[..., 0] @ _COEFFICIENTS.T).max(1)
+        fastest = _most(rate)[:, 0]
         first, last = timed.curve.piece(places[:, 0]), timed.curve.piece(places[:, -1])
         speeds = [("tool speed", timed.tool.point, timed.tool.point_strays, timed.tool_speed)]
         if timed.limits.turn_speed is not None:
@@ -205,17 +212,20 @@ def peaks(timed: TimedPath, curve: JointCurve, profile: Profile) -> tuple[Profil
 
 
 def _most(values: Array) -> Array:
-    """Return bounds (k, n) of |polynomials| given at DEGREE + 1 even places (k, DEGREE + 1, n)."""
-    return np.abs(np.einsum("ab,kbn->kan", _COEFFICIENTS, values)).max(1)
+    """Return bounds (k, n) of |polynomials| given at DEGREE + 1 even places; at fewer, the largest."""
+    if values.shape[1] <= DEGREE:
+        return np.abs(values).max(1)
+    return np.abs(_COEFFICIENTS @ values).max(1)
 
 
 def crossings(profile: Profile, s: Array) -> Array:
     """Return the times (m,) at which a profile that never goes back passes s (m,)."""
     starts = np.append(profile.c[:, 0], profile.at(np.array([profile.duration]))[0][0])
     i = np.clip(np.searchsorted(starts, s, side="right") - 1, 0, len(profile.c) - 1)
-    low, high = profile.t[i], profile.t[i + 1]
+    low, high = np.zeros(len(s)), profile.t[i + 1] - profile.t[i]
+    start, v, a, j = profile.c[i].T
     for _ in range(50):
         middle = (low + high) / 2
-        below = profile.at(middle)[0] < s
+        below = start + middle * (v + middle * (a / 2 + middle * j / 6)) < s
         low, high = np.where(below, middle, low), np.where(below, high, middle)
-    return (low + high) / 2
+    return profile.t[i] + (low + high) / 2

@@ -207,7 +207,8 @@ def on_grid(
             "limits of the tool need an arm: give a track or a route instead of points, or say arm=.", given="points"
         )
     bound = limits.of(curve.q.shape[1], names)
-    few = len(curve.q) <= GRID_OF_A_PIECE
+    # with a jerk the profile is evened out anyway
+    few = len(curve.q) <= GRID_OF_A_PIECE and limits.jerk is None
     each = max(-(-GRID // len(curve.q)), min(GRID_OF_A_PIECE, GRID_OF_FEW // len(curve.q)) if few else 1)
     part = np.arange(each) / each
     grid = np.append((curve.s[:-1, None] + np.diff(curve.s)[:, None] * part).ravel(), curve.s[-1])
