@@ -49,8 +49,7 @@ SAME_ROW = 10 * SAME_SOLUTION
 FILLED_ZERO = 1e-6
 #: Points that differ in a task's virtual joints alone are one within this (rad; per length): curves end there.
 SAME_AFTER_CUT = 1e-6
-#: Relative sigma_min above which a pose that a kernel marked is not looked at further: a double root at
-#: 1e-12 stays below.
+#: Relative sigma_min above which a marked pose is not looked at further: kernels tell twins of a root apart above 1e-8.
 CLEARLY_REGULAR = 1.5e-7
 #: Poses on a singularity, or without rows, that `ik_many` looks at one by one in a call: it bounds the work of a call.
 MOST_CAREFUL = 500

@@ -12,6 +12,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools
 from pieper.kinematics.pose import checked_pose
 from pieper.solver.arm_rows import arm_rows
+from pieper.solver.coupled import batch_of, solutions_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.at_arm_angle import rows_at_arm_angle
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice
@@ -26,11 +27,16 @@ from pieper.tolerances import MOST_CAREFUL, MOST_TRACED
 
 WORDS = Words(why, posture_words, labels_beside)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
-_DEGENERATE, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.OUT_OF_REACH)
+_DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
+#: Status codes of a pose without rows, with rows outside the limits alone, and with one inside.
+_PLAIN = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], np.uint8)
+_SPARE = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT], np.uint8)
 
 
 def ik(plan: Plan, T: ArrayLike, redundancy: Redundancy = None) -> Solutions:
     """Return every solution of one pose; see `Arm.ik`."""
+    if plan.uncoupled is not None:
+        return solutions_of(plan, WORDS, ik(plan.uncoupled, T, redundancy))
     if not plan.direct or redundancy is not None:
         return _ik_through(plan, T, redundancy)
     try:
@@ -46,6 +52,8 @@ def ik(plan: Plan, T: ArrayLike, redundancy: Redundancy = None) -> Solutions:
 
 def ik_many(plan: Plan, Ts: ArrayLike, threads: int | None = None, redundancy: Redundancy = None) -> SolutionBatch:
     """Return every solution of N poses; see `Arm.ik_many`."""
+    if plan.uncoupled is not None:
+        return _many_coupled(plan, ik_many(plan.uncoupled, Ts, threads, redundancy), Ts)
     threads, poses, asked = _threads(threads), _plain(plan, Ts, redundancy), None
     try:
         asked = choice(plan, redundancy, len(poses))
@@ -60,8 +68,15 @@ def ik_many(plan: Plan, Ts: ArrayLike, threads: int | None = None, redundancy: R
         status = _status_of_spare(plan, poses, rows, asked)
     else:
         status = _look(plan, poses, rows)
-    status[(rows.flags & Flag.UNCERTAIN) > 0] = Status.UNCERTAIN
+    status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, rows, status)
+
+
+def _many_coupled(plan: Plan, found: SolutionBatch, Ts: ArrayLike) -> SolutionBatch:
+    batch = batch_of(plan, found)
+    for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits))[:MOST_CAREFUL]:
+        batch.status[i] = ik(plan, _checked(Ts)[i]).status
+    return batch
 
 
 # ---------------------------------------------------------------------------------------------- check
@@ -132,8 +147,7 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Array, inside: Bools, flag: 
 def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     """Look with care at the poses that need it, put what is found into this call's rows, and return all statuses."""
     some = _any(rows.valid)
-    codes = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], np.uint8)
-    status = codes[some.astype(np.uint8) + _any(rows.inside)]
+    status = _PLAIN[some.astype(np.uint8) + _any(rows.inside)]
     if some.all() and not rows.flags.any():
         return status
     degenerate = (rows.flags & _DEGENERATE) > 0
@@ -144,7 +158,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
             _put(found, rows, i)
             status[i] = found.status
     # beyond that the kernel's own rows stand, one of each self-motion, and the pose is called singular unread
-    status[marked[MOST_CAREFUL:]] = Status.SINGULAR
+    status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
     return status
 
 
@@ -204,9 +218,8 @@ def _status_of_spare(plan: Plan, poses: Array, rows: Rows, asked: Choice) -> Bit
     Poses that follow each other and are equal, as in a sweep over the values, are looked at once.
     """
     some, inside = _any(rows.valid), _any(rows.inside)
-    codes = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT], np.uint8)
-    status = codes[some.astype(np.uint8) + inside]
-    none = ~some & ((rows.flags & Flag.UNCERTAIN) == 0)
+    status = _SPARE[some.astype(np.uint8) + inside]
+    none = ~some & ((rows.flags & _UNCERTAIN) == 0)
     if asked.free or not none.any():
         return status
     run = np.concatenate([[0], np.cumsum((poses[1:] != poses[:-1]).any((1, 2)))])
@@ -214,5 +227,5 @@ def _status_of_spare(plan: Plan, poses: Array, rows: Rows, asked: Choice) -> Bit
     for k in np.unique(run[none & ~within[run]])[:MOST_CAREFUL]:
         _, found, there = best_slice(plan, checked_pose(poses[np.argmax(run == k)]))
         within[k], anywhere[k] = there.any(), anywhere[k] or found.any()
-    status[none] = codes[anywhere.astype(np.uint8) + within][run[none]]
+    status[none] = _SPARE[anywhere.astype(np.uint8) + within][run[none]]
     return status
