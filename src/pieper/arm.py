@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pieper.description import change
-from pieper.description.coupling import chain_values
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
 from pieper.description.posture import posture
+from pieper.errors import PieperWarning, PlanError
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.motion.track import Track, follow
@@ -21,6 +23,12 @@ from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
 from pieper.solver.results import SolutionBatch, Solutions
+
+if TYPE_CHECKING:
+    from pieper.equations import Symbolic
+
+#: A pose this many reaches away was probably said in millimetres.
+FAR_AWAY = 100.0
 
 
 class Arm:
@@ -178,28 +186,19 @@ class Arm:
         Raises:
             InputError: q has the wrong shape or is not finite, or the arm has no such posture.
         """
-        return forward.fk(self.chain, self._values(q))
+        return forward.fk(self.chain, self._joints(q))
 
     def frames(self, q: ArrayLike | str) -> Array:
         """Return the frames (..., n + 2, 4, 4) of q (..., n): base, the DH frame after each joint, tool."""
-        return forward.frames(self.chain, self._values(q), self.description.base)
+        return forward.frames(self.chain, self._joints(q), self.description.base)
 
     def jacobian(self, q: ArrayLike | str) -> Array:
         """Return the geometric Jacobians (..., 6, n) of q (..., n): tool point, base frame, linear rows first."""
-        J = forward.jacobian(self.chain, self._values(q))
-        return J if self.description.coupling is None else J @ self.description.coupling
+        return forward.jacobian(self.chain, self._joints(q))
 
     def _joints(self, q: ArrayLike | str, what: str = "q") -> ArrayLike:
         """Return the joint vector of a posture that is said by its name, anything else unchanged."""
         return posture(self.description, q, what) if isinstance(q, str) else q
-
-    def _values(self, q: ArrayLike | str) -> ArrayLike:
-        """Return what the chain's joints are at: coupled ones move with others."""
-        q = self._joints(q)
-        if self.description.coupling is None:
-            return q
-        joints = forward.checked_joints(q, self.n, prismatic=self.chain.prismatic)
-        return chain_values(joints, self.description.coupling)
 
     def with_tool(self, tool: object) -> Arm:
         """Return the arm with another tool: a pose in the table's last frame, or the name of one of its tools."""
@@ -255,7 +254,24 @@ class Arm:
         Raises:
             InputError: T is not a pose, or the redundancy value is impossible.
         """
-        return verbs.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
+        sols = verbs.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
+        if not len(sols.all_q):
+            self._remark_far_away(sols.T)
+        return sols
+
+    def _remark_far_away(self, T: Array) -> None:
+        """Warn where a pose without a solution is so far away that millimetres were probably meant."""
+        reach = sum(float(np.linalg.norm(link[:3, 3])) for link in self.chain.links[1:])
+        slides = self.limits[self.chain.prismatic]
+        reach += float(np.abs(slides).sum()) if len(slides) else 0.0
+        away = float(np.linalg.norm(T[:3, 3] - self.chain.links[0][:3, 3]))
+        if away > FAR_AWAY * reach:
+            warnings.warn(
+                f"the pose is {away:.4g} m away and {self.name} reaches {reach:.3g} m; metres are meant. Were these "
+                "millimetres? pieper.pose(..., mm=True) takes them.",
+                PieperWarning,
+                stacklevel=3,
+            )
 
     def ik_many(
         self, Ts: ArrayLike, *, threads: int | None = None, task: str | None = None, redundancy: Redundancy = None
@@ -281,7 +297,7 @@ class Arm:
         q, metres, radians = nearest_reachable(self.plan.reduction.full, checked_pose(T))
         return q[: self.n], metres, radians
 
-    def arm_angle(self, q: ArrayLike) -> tuple[Array, Bools]:
+    def arm_angle(self, q: ArrayLike | str) -> tuple[Array, Bools]:
         """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
 
         `ik(T, redundancy={"arm angle": value})` solves for one. An undefined angle is given as zero; where that is so
@@ -290,16 +306,19 @@ class Arm:
         Raises:
             InputError: The arm has no arm angle; the message says why.
         """
-        return read_arm_angle(self.plan_for("pose"), q)
+        return read_arm_angle(self.plan_for("pose"), self._joints(q))
 
-    def follow(self, path: ArrayLike, *, start: ArrayLike | None = None) -> Track:
+    def follow(self, path: ArrayLike, *, start: ArrayLike | str | None = None) -> Track:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
-        return follow(self.plan, path, start=start)
+        return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 
     @cached_property
-    def symbolic(self):
+    def symbolic(self) -> Symbolic:
         """The arm's equations: `.fk()`, `.jacobian()`, `.singularities()`, `.ik()`."""
         from pieper.equations import Symbolic
+
+        if self.description.coupling is not None:
+            raise PlanError(f"{self.name} has coupled joints; equations are written of the chain's own joints only.")
 
         return Symbolic(self)
 

@@ -11,19 +11,7 @@ from oracle.products import product
 from pieper.description import catalog, robotfile, urdf
 from pieper.description.commonnormal import standard_table
 from pieper.errors import InputError
-
-LIMITS = '<limit lower="-2" upper="2"/>'
-
-
-def joint(name, parent, child, xyz="0 0 0", rpy="0 0 0", axis="0 0 1", kind="revolute", extra=LIMITS):
-    return (
-        f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>'
-        f'<origin xyz="{xyz}" rpy="{rpy}"/><axis xyz="{axis}"/>{extra}</joint>'
-    )
-
-
-def robot(*joints):
-    return f'<?xml version="1.0"?><robot name="test">{"".join(joints)}</robot>'
+from tests.description.urdf_samples import LIMITS, joint, robot
 
 
 def pose_of(xyz, rpy):

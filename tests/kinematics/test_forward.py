@@ -7,7 +7,7 @@ import pytest
 
 import pieper
 from oracle import slow_forward
-from pieper import InputError
+from pieper import InputError, PieperWarning
 
 
 @pytest.mark.parametrize("name", pieper.catalog())
@@ -28,4 +28,20 @@ def test_bad_joint_vectors_say_what_is_wrong():
     with pytest.raises(InputError, match="finite"):
         arm.jacobian([0, 0, np.nan, 0, 0, 0])
     with pytest.raises(InputError, match="numbers"):
-        arm.frames("home")
+        arm.frames(["a"] * 6)
+
+
+def test_a_posture_goes_where_a_joint_vector_goes():
+    arm = pieper.load("universal-robots-ur5e")
+    assert np.array_equal(arm.fk("upright"), arm.fk(arm.postures["upright"]))
+    assert np.array_equal(arm.jacobian("zero"), arm.jacobian(np.zeros(6)))
+    with pytest.raises(InputError, match="no posture 'uprigth'. Did you mean 'upright'"):
+        arm.frames("uprigth")
+
+
+def test_degrees_where_radians_are_meant_get_a_warning_and_metres_of_a_slide_do_not(recwarn):
+    pieper.load("denso-vp6242").fk([7, -7, 7, 40, 0, 0])
+    pieper.load("adept-cobra-600").fk([1, 1, 90.0, 1])
+    assert not recwarn
+    with pytest.warns(PieperWarning, match="looks like degrees"):
+        pieper.load("denso-vp6242").fk([90, 0, 0, 0, 0, 0])

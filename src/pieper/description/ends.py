@@ -66,7 +66,7 @@ def find_ends(tree: Tree, base: str | None, tip: str | None) -> Ends:
     left_out = moving | rolling | fixed_fingers(tree, moving)
     anchor = _anchor(tree, base)
     reach = _reach(tree, anchor, left_out)
-    chains = _longest_chains(reach)
+    chains = _longest_chains(tree, reach)
     if not chains:
         _nothing_moves(tree, base, anchor, left_out)
     candidates = {joint.name: _candidates(tree, reach, joint) for joint in chains}
@@ -166,11 +166,10 @@ def _reach(tree: Tree, anchor: str, left_out: set[str]) -> _Reach:
     return _Reach(last, below, before)
 
 
-def _longest_chains(reach: _Reach) -> list[Joint]:
-    """Return the last moving joint of every chain that is not the beginning of a longer one."""
+def _longest_chains(tree: Tree, reach: _Reach) -> list[Joint]:
+    """Return the last moving joint of every chain that is not the beginning of a longer one, in the file's order."""
     going_on = {joint.name for joint in reach.before.values() if joint is not None}
-    seen = {joint.name: joint for joint in reach.last.values() if joint is not None}
-    return [joint for name, joint in seen.items() if name not in going_on]
+    return [joint for joint in tree.joints if joint.name in reach.before and joint.name not in going_on]
 
 
 def _candidates(tree: Tree, reach: _Reach, joint: Joint) -> list[str]:

@@ -35,4 +35,4 @@ def chain_of(description: Description) -> Chain:
         frames_after[i] = after
         pending = after
     links[n] = pending @ description.tool
-    return Chain.of(links, prismatic, frames_after)
+    return Chain.of(links, prismatic, frames_after, description.coupling)

@@ -9,9 +9,35 @@ from typing import Any
 import numpy as np
 
 from pieper import _kernel
+from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import JointSpace
 from pieper.kinematics.pose import FLIP, inverse, rotation_z, translation
+
+
+@dataclass(frozen=True, eq=False)
+class CoupledForward:
+    """Forward kinematics of coupled joints: asked at q, answered by the chain at coupling @ q.
+
+    Args:
+        plain: Of the chain whose joints move by themselves.
+        coupling: (n, n).
+    """
+
+    plain: _kernel.Forward
+    coupling: Array
+
+    def fk(self, q: Array) -> Array:
+        """Return poses (..., 4, 4)."""
+        return self.plain.fk(q @ self.coupling.T)
+
+    def frames(self, q: Array, base: Array) -> Array:
+        """Return frames (..., n + 2, 4, 4)."""
+        return self.plain.frames(q @ self.coupling.T, base)
+
+    def jacobian(self, q: Array) -> Array:
+        """Return Jacobians (..., 6, n) by the joints' own numbers."""
+        return self.plain.jacobian(q @ self.coupling.T) @ self.coupling
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,11 +51,14 @@ class Chain:
         links: (n + 1, 4, 4), m.
         prismatic: (n,) bool.
         frames_after: (n, 4, 4), what leads from the frame just after joint i to the DH frame i of the description.
+        coupling: (n, n), None where no joint is coupled: the chain is at coupling @ q. Forward kinematics takes q;
+            axes, points and home are those at zero either way.
     """
 
     links: Array
     prismatic: Bools
     frames_after: Array = field(repr=False)
+    coupling: Array | None = None
 
     @property
     def n(self) -> int:
@@ -61,14 +90,35 @@ class Chain:
         return self._joint_frames[-1] @ self.links[-1]
 
     @cached_property
-    def native(self) -> _kernel.Forward:
+    def native(self) -> _kernel.Forward | CoupledForward:
         """The native forward kinematics of this chain."""
-        return _kernel.Forward(self.links, self.prismatic, self.frames_after)
+        return self._forward(self.frames_after)
 
     @cached_property
-    def native_axes(self) -> _kernel.Forward:
+    def native_axes(self) -> _kernel.Forward | CoupledForward:
         """The native forward kinematics whose frames stand on the joint axes, z along them."""
-        return _kernel.Forward(self.links, self.prismatic, np.tile(np.eye(4), (self.n, 1, 1)))
+        return self._forward(np.tile(np.eye(4), (self.n, 1, 1)))
+
+    def _forward(self, frames_after: Array) -> _kernel.Forward | CoupledForward:
+        plain = _kernel.Forward(self.links, self.prismatic, frames_after)
+        return plain if self.coupling is None else CoupledForward(plain, self.coupling)
+
+    @property
+    def uncoupled(self) -> Chain:
+        """The chain whose joints move by themselves; the same object where they do."""
+        return self if self.coupling is None else Chain(self.links, self.prismatic, self.frames_after)
+
+    @property
+    def whole_turns(self) -> bool:
+        """Whether whole turns of the joints are whole turns of the chain, and the other way round."""
+        if self.coupling is None:
+            return True
+        turning = ~self.prismatic
+        for C in (self.coupling, np.linalg.inv(self.coupling)):
+            part = C[np.ix_(turning, turning)]
+            if np.abs(part - np.round(part)).max(initial=0.0) > 1e-12 or C[np.ix_(~turning, turning)].any():
+                return False
+        return True
 
     def __getstate__(self) -> dict[str, Any]:
         """What pickle keeps: the links; what was made of them is made again."""
@@ -89,7 +139,7 @@ class Chain:
         return total if total > 0 else 1.0
 
     @staticmethod
-    def of(links: Array, prismatic: Bools, frames_after: Array | None = None) -> Chain:
+    def of(links: Array, prismatic: Bools, frames_after: Array | None = None, coupling: Array | None = None) -> Chain:
         """Make a chain of links (n + 1, 4, 4) and joint kinds (n,), frozen."""
         links = np.ascontiguousarray(links, float)
         prismatic = np.ascontiguousarray(prismatic, bool)
@@ -97,17 +147,23 @@ class Chain:
             frames_after = np.tile(np.eye(4), (len(prismatic), 1, 1))
         for array in (links, prismatic, frames_after):
             array.setflags(write=False)
-        return Chain(links, prismatic, frames_after)
+        return Chain(links, prismatic, frames_after, coupling)
 
     def reversed(self) -> Chain:
         """Return the chain seen from the tool, joints last to first: its T is the inverse of this one's."""
+        self._not_coupled()
         links = np.stack([FLIP @ inverse(link) @ FLIP for link in self.links[::-1]])
         links[0] = inverse(self.links[-1]) @ FLIP
         links[-1] = FLIP @ inverse(self.links[0])
         return Chain.of(links, self.prismatic[::-1].copy())
 
+    def _not_coupled(self) -> None:
+        if self.coupling is not None:
+            raise InputError("coupled joints cannot be taken apart: what one is told moves others.")
+
     def locked(self, joint: int, value: float) -> Chain:
         """Return the chain with one joint (0-based) held at a value, rad or m, and n - 1 joints left."""
+        self._not_coupled()
         motion = translation(z=value) if self.prismatic[joint] else rotation_z(value)
         merged = self.links[joint] @ motion @ self.links[joint + 1]
         links = np.concatenate([self.links[:joint], merged[None], self.links[joint + 2 :]])
@@ -115,6 +171,7 @@ class Chain:
 
     def section(self, first: int, last: int) -> Chain:
         """Return joints first..last (0-based, inclusive) with their links, link 0 and the last one the identity."""
+        self._not_coupled()
         links = self.links[first : last + 2].copy()
         links[0] = links[-1] = np.eye(4)
         return Chain.of(links, self.prismatic[first : last + 1].copy())

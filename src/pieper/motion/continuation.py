@@ -16,6 +16,7 @@ from pieper.kinematics.newton import newton, pose_difference, scaled_jacobian
 from pieper.kinematics.pose import rotation_vector
 from pieper.motion.path import between
 from pieper.solver.arm_rows import arm_rows
+from pieper.solver.coupled import rows_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.verbs import ik
@@ -94,10 +95,13 @@ class Continuation:
         are does not matter, since a branch that comes to one is carried across it.
         """
         plan = self.plan
-        if plan.direct:
-            rows = Rows(*plan.solver.many(np.ascontiguousarray(poses), 1))
+        chain = plan.uncoupled or plan
+        if chain.direct:
+            rows = Rows(*chain.solver.many(np.ascontiguousarray(poses), 1))
         else:
-            rows = arm_rows(plan, poses, np.tile(plan.defaults, (len(poses), 1)), 1)
+            rows = arm_rows(chain, poses, np.tile(plan.defaults, (len(poses), 1)), 1)
+        if chain is not plan:
+            rows = rows_of(plan, rows)
         special = ((rows.flags & np.uint8(Flag.DEGENERATE)) > 0) | self.redundant
         return [row[ok] for row, ok in zip(rows.q, rows.valid, strict=True)], rows.inside.any(1), special
 

@@ -12,6 +12,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools
 from pieper.kinematics.pose import checked_pose
 from pieper.solver.arm_rows import arm_rows
+from pieper.solver.coupled import batch_of, solutions_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.at_arm_angle import rows_at_arm_angle
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice
@@ -34,6 +35,8 @@ _SPARE = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT]
 
 def ik(plan: Plan, T: ArrayLike, redundancy: Redundancy = None) -> Solutions:
     """Return every solution of one pose; see `Arm.ik`."""
+    if plan.uncoupled is not None:
+        return solutions_of(plan, WORDS, ik(plan.uncoupled, T, redundancy))
     if not plan.direct or redundancy is not None:
         return _ik_through(plan, T, redundancy)
     try:
@@ -49,6 +52,8 @@ def ik(plan: Plan, T: ArrayLike, redundancy: Redundancy = None) -> Solutions:
 
 def ik_many(plan: Plan, Ts: ArrayLike, threads: int | None = None, redundancy: Redundancy = None) -> SolutionBatch:
     """Return every solution of N poses; see `Arm.ik_many`."""
+    if plan.uncoupled is not None:
+        return _many_coupled(plan, ik_many(plan.uncoupled, Ts, threads, redundancy), Ts)
     threads, poses, asked = _threads(threads), _plain(plan, Ts, redundancy), None
     try:
         asked = choice(plan, redundancy, len(poses))
@@ -65,6 +70,13 @@ def ik_many(plan: Plan, Ts: ArrayLike, threads: int | None = None, redundancy: R
         status = _look(plan, poses, rows)
     status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, rows, status)
+
+
+def _many_coupled(plan: Plan, found: SolutionBatch, Ts: ArrayLike) -> SolutionBatch:
+    batch = batch_of(plan, found)
+    for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits))[:MOST_CAREFUL]:
+        batch.status[i] = ik(plan, _checked(Ts)[i]).status
+    return batch
 
 
 # ---------------------------------------------------------------------------------------------- check

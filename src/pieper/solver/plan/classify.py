@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from pieper.description.dh import Description
@@ -48,6 +50,8 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         )
     if snap is not None and not 0 <= snap < 0.5:
         raise InputError(f"snap must be between 0 and 0.5 (rad, and per length of the arm), got {snap!r}.", given=snap)
+    if chain.coupling is not None:
+        return _coupled(chain, description, task, snap)
     nominal, moved, _ = (chain, [], 0.0) if snap is None else snapped(chain, snap)
     tolerance = GEOMETRY_EXACT
     geometry = look(nominal, tolerance)
@@ -86,6 +90,34 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         defaults=defaults,
         base=description.base,
         words=explain,
+    )
+
+
+def _coupled(chain: Chain, description: Description, task: str | None, snap: float | None) -> Plan:
+    """Plan for coupled joints: the chain is solved as if each moved by itself, limits wait for the joints' numbers."""
+    if not chain.whole_turns:
+        raise PlanError(
+            f"{description.name}: by its coupling a whole turn of a joint is none of the chain's (a ratio between "
+            "turning joints that is no whole number, or a slide that moves with a turn); the inverse takes whole turns "
+            "only. Forward kinematics and Jacobian take any coupling.",
+            coupling=chain.coupling,
+        )
+    free = replace(description, coupling=None, limits=np.tile([-np.inf, np.inf], (chain.n, 1)))
+    plain = make_plan(chain.uncoupled, free, task=task, snap=snap)
+    if plain.redundancy:
+        raise PlanError(
+            f"{description.name} has coupled joints and {', '.join(plain.redundancy)} to spare for this task; the "
+            "inverse takes one or the other. Lock a joint (with_joints_locked) or choose another task.",
+            coupling=chain.coupling,
+        )
+    return replace(
+        plain,
+        chain=chain,
+        nominal=chain,
+        geometry=replace(plain.geometry, chain=chain),
+        reduction=replace(plain.reduction, arm=chain, full=with_task_joints(chain, plain.task)),
+        limits=description.limits,
+        uncoupled=plain,
     )
 
 

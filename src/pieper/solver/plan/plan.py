@@ -47,6 +47,7 @@ class Plan:
         defaults: Values (k,) of the locked joints when nobody chooses, rad or m.
         base: (4, 4) the frame the arm's table stands in; the arm angle counts from it.
         words: Tells the plan as a teacher would; handed in, since words read plans.
+        uncoupled: Of coupled joints how the chain itself is solved, its joints free and without limits; else None.
     """
 
     name: str
@@ -65,6 +66,7 @@ class Plan:
     defaults: Array = field(default_factory=lambda: np.zeros(0))
     base: Array = field(default_factory=lambda: np.eye(4))
     words: Callable[[Plan], str] = field(default=repr, repr=False)
+    uncoupled: Plan | None = field(default=None, repr=False)
 
     def __getstate__(self) -> dict[str, Any]:
         """What pickle keeps: what was decided; solvers are prepared again."""
@@ -116,7 +118,7 @@ class Plan:
     @cached_property
     def direct(self) -> bool:
         """Whether the arm itself is the six-joint chain, exactly as described."""
-        return self.reduction.trivial and self.nominal is self.chain
+        return self.reduction.trivial and self.nominal is self.chain and self.uncoupled is None
 
     @cached_property
     def immediate(self) -> bool:

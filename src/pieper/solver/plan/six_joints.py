@@ -55,7 +55,11 @@ def appended(chain: Chain, joints: Sequence[tuple[Array, bool]], last: Array | N
         links.append(inverse(frame))
     if last is not None:
         links[-1] = links[-1] @ last
-    return Chain.of(np.stack(links), np.concatenate([chain.prismatic, [p for _, p in joints]]))
+    coupling = chain.coupling
+    if coupling is not None:
+        coupling = np.eye(chain.n + len(joints))
+        coupling[: chain.n, : chain.n] = chain.coupling
+    return Chain.of(np.stack(links), np.concatenate([chain.prismatic, [p for _, p in joints]]), coupling=coupling)
 
 
 def sample_joints(chain: Chain, count: int, seed: int = 1) -> Array:

@@ -1,0 +1,55 @@
+"""Every arm as a URDF: read back, it is the same arm."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pieper
+from pieper import DH, InputError
+
+
+@pytest.mark.parametrize("name", pieper.catalog())
+def test_an_arm_written_as_urdf_reads_back_the_same(name, tmp_path):
+    arm = pieper.load(name)
+    arm.save(tmp_path / "arm.urdf")
+    back = pieper.load(tmp_path / "arm.urdf")
+    q = np.random.default_rng(0).uniform(-1, 1, (30, arm.n))
+    assert np.abs(back.fk(q) - arm.fk(q)).max() < 1e-12
+    assert back.joint_names == arm.joint_names and back.joint_types == arm.joint_types
+    assert np.array_equal(back.limits, arm.limits)
+
+
+@pytest.mark.parametrize("pitch", [90, -90, 90 - 1e-9, -90 + 1e-7, 89.9999])
+def test_a_pitch_of_a_quarter_turn_loses_no_digit(pitch, tmp_path):
+    arm = pieper.Arm.from_dh(
+        [DH(a=0.3, alpha=0.4), DH(a=0.2)],
+        convention="standard",
+        tool=pieper.pose(0.1, 0.2, 0.3, rpy=(30, pitch, 40), degrees=True),
+        base=pieper.pose(0.1, 0.2, 0.3, rpy=(-30, pitch, 140), degrees=True),
+    )
+    arm.save(tmp_path / "arm.urdf")
+    q = np.random.default_rng(0).uniform(-3, 3, (20, 2))
+    assert np.abs(pieper.load(tmp_path / "arm.urdf").fk(q) - arm.fk(q)).max() < 1e-14
+
+
+def test_names_that_xml_minds_are_written_and_read(tmp_path):
+    arm = pieper.Arm.from_dh(
+        [DH(a=1), DH(a=1)], convention="standard", joint_names=['a "<&> b', "tool_fixed"], name="Größe <1>"
+    )
+    arm.save(tmp_path / "arm.urdf")
+    back = pieper.load(tmp_path / "arm.urdf")
+    assert back.joint_names == arm.joint_names and back.name == arm.name
+
+
+def test_another_format_is_refused_with_the_way_there(tmp_path):
+    with pytest.raises(InputError, match="MuJoCo reads a .urdf"):
+        pieper.load("three-r").save(tmp_path / "arm.xml")
+
+
+def test_mujoco_reads_what_is_written(tmp_path):
+    mujoco = pytest.importorskip("mujoco")
+    arm = pieper.load("denso-vp6242")
+    arm.save(tmp_path / "arm.urdf")
+    spec = mujoco.MjSpec.from_file(str(tmp_path / "arm.urdf"))
+    assert [joint.name for joint in spec.joints] == list(arm.joint_names)

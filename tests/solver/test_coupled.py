@@ -1,0 +1,127 @@
+"""The inverse of coupled joints: in the joints' own numbers, inside the joints' own limits."""
+
+from __future__ import annotations
+
+import pickle
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import pieper
+from pieper import DH, PlanError, Status
+
+ARMS = {
+    "fanuc-lr-mate-200id": [(2, 1, 1)],
+    "abb-irb2400": [(2, 1, -1)],
+    "universal-robots-ur5e": [(2, 1, 1), (3, 1, -1), (3, 2, 1)],
+    "adept-cobra-600": [(1, 0, -1)],
+    "motoman-gp8": [(2, 1, -1), (4, 3, 2), (5, 4, -1)],
+}
+
+
+def coupled(name):
+    plain = pieper.load(name)
+    C = np.eye(plain.n)
+    for i, j, value in ARMS[name]:
+        C[i, j] = value
+    return pieper.Arm(replace(plain.description, coupling=C)), plain, C
+
+
+def joints(arm, count=60):
+    lower, upper = np.clip(arm.limits, -3, 3).T
+    return np.random.default_rng(7).uniform(lower, upper, (count, arm.n))
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_joints_that_made_a_pose_are_found_and_every_row_closes_inside_the_limits(name):
+    arm, plain, C = coupled(name)
+    for q in joints(arm):
+        T = arm.fk(q)
+        assert np.allclose(T, plain.fk(C @ q), atol=1e-13)
+        sols = arm.ik(T)
+        assert np.abs(sols.nearest(q) - q).max() < 1e-7
+        assert sols.residual.max() < 1e-9
+        for rows in (sols.q, sols.windings()):
+            assert (rows >= arm.limits[:, 0] - 1e-9).all() and (rows <= arm.limits[:, 1] + 1e-9).all()
+            assert np.abs(arm.fk(rows) - T).max() < 1e-9
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_there_are_as_many_solutions_as_of_the_chain_and_their_labels_are_its_own(name):
+    arm, plain, C = coupled(name)
+    free = plain.with_limits(dict.fromkeys(plain.joint_names))
+    for q in joints(arm, 20):
+        sols, of_chain = arm.ik(arm.fk(q)), free.ik(arm.fk(q))
+        gap = sols.all_q @ C.T - of_chain.all_q
+        turns = np.where(plain.chain.prismatic, 0.0, 2 * np.pi * np.round(gap / (2 * np.pi)))
+        assert np.abs(gap - turns).max() < 1e-9
+        assert sols.all_labels == of_chain.all_labels
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_many_poses_come_out_as_one_by_one(name):
+    arm, _, _ = coupled(name)
+    Ts = np.concatenate([arm.fk(joints(arm, 20)), arm.fk(np.zeros((1, arm.n))), pieper.pose(30)[None]])
+    many = arm.ik_many(Ts)
+    for i, T in enumerate(Ts):
+        one = arm.ik(T)
+        assert many.status[i] == one.status
+        assert np.allclose(many.q[i][many.in_limits[i]], one.q, atol=1e-9)
+
+
+def test_limits_are_those_of_the_joints_not_of_the_chain():
+    arm, _, _ = coupled("fanuc-lr-mate-200id")
+    q = np.array([0.1, 0.6, 0.5, 0.3, 0.7, 0.2])
+    held = arm.with_limits({arm.joint_names[2]: (0.4, 0.6)})
+    sols = held.ik(arm.fk(q))
+    assert sols.status == Status.SOLVED and np.abs(sols.q - q).max(1).min() < 1e-9
+    assert ((sols.q[:, 2] > 0.4) & (sols.q[:, 2] < 0.6)).all()
+    none = arm.with_limits({arm.joint_names[2]: (1.05, 1.15)}).ik(arm.fk(q))
+    assert none.status == Status.OUTSIDE_LIMITS and arm.joint_names[2] in none.why
+
+
+def test_self_motions_are_curves_of_the_joints():
+    arm, _, _ = coupled("motoman-gp8")
+    sols = arm.ik(arm.fk(np.zeros(6)))
+    assert sols.status == Status.SINGULAR
+    for motion in sols.self_motions:
+        for u in np.linspace(0, 1, 9):
+            assert np.abs(arm.fk(motion.at(u)) - sols.T).max() < 1e-9
+        for lower, upper in motion.inside:
+            assert motion.nearest(motion.at((lower + upper) / 2)) is not None
+        assert motion.contains(motion.at(0.4))
+
+
+def test_a_line_is_followed_in_the_joints_numbers():
+    arm, _, _ = coupled("abb-irb2400")
+    q = np.array([0.1, 0.2, 0.1, 0.3, 0.5, 0.2])
+    path = pieper.line(arm.fk(q), arm.fk(q) @ pieper.pose(0.02, 0.01, 0.03), n=12)
+    track = arm.follow(path, start=q)
+    assert track.complete and np.abs(arm.fk(track.q) - path).max() < 1e-9
+    assert np.abs(track.q[0] - q).max() < 1e-9
+
+
+def test_a_ratio_that_is_no_whole_number_is_refused_when_planned_and_not_before():
+    rows = [DH(alpha=np.pi / 2, d=0.4), DH(a=0.5), DH(a=0.3)]
+    arm = pieper.Arm.from_dh(rows, convention="standard", coupling=[[1, 0, 0], [0, 1, 0], [0, 0.4, 1]])
+    assert arm.fk([0.1, 0.2, 0.3]).shape == (4, 4)
+    with pytest.raises(PlanError, match="whole turn"):
+        _ = arm.plan
+
+
+def test_a_joint_to_spare_beside_coupled_ones_is_refused_by_name():
+    plain = pieper.load("franka-panda")
+    C = np.eye(7)
+    C[3, 1] = 1
+    with pytest.raises(PlanError, match="to spare.*with_joints_locked"):
+        _ = pieper.Arm(replace(plain.description, coupling=C)).plan
+
+
+def test_a_plan_of_coupled_joints_pickles():
+    arm, _, _ = coupled("fanuc-lr-mate-200id")
+    T = arm.fk([0.1, 0.6, 0.5, 0.3, 0.7, 0.2])
+    from pieper.solver import verbs
+
+    assert np.allclose(verbs.ik(pickle.loads(pickle.dumps(arm.plan)), T).q, arm.ik(T).q)
+    assert "coupl" in repr(arm.plan) or arm.plan.explain()
