@@ -1,8 +1,16 @@
 # Needs Python 3.11 or newer and make; everything else is fetched into .venv.
 #   make          the same as `make tour`
 #   make tour     install, then run the tour and say where its page is
-#   make test     install with the test tools, then every test (fetches Chromium for the browser tests if none is there)
+#   make test     install with the test tools, then every test (fetches Chromium for the browser tests if none is there);
+#                 WORKERS=2 for two processes, TESTS='-m "not slow"' for the quick ones
+#   make check    what needs no test run: style, types, formats, pages, the law of the house (tests/tools/check.py)
+#   make house    who imports whom, how long files are, what breaks the law of the house
+#   make format   put Python, kernels and page into their style
+#   make dev      an environment for work in place (.venv-dev), the kernels built for one instruction set
+#   make pages    write the pages of docs/ that are made from benchmarks/results
 #   make bench    measure beside other solvers (installed in environments of their own)
+#   make cover    run the tests and say which lines they reach (out/coverage)
+#   make mutants  change the code in 200 small ways and say which of them no test notices; goes on where it stopped
 #   make kernel   rebuild the native module in place, for work on the kernels, for one instruction set (ISAS="baseline;avx2" for two)
 #   make sanitize build the kernels with the address and undefined-behaviour sanitizers and run their tests
 #   make clean    remove what these targets made
@@ -15,14 +23,50 @@ ISAS ?= $(shell grep -q ' avx512dq ' /proc/cpuinfo 2> /dev/null && echo avx512 |
 CCACHE = $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 SOURCES = pyproject.toml CMakeLists.txt $(shell find kernels build_backend src -name '*.so' -prune -o -type f -not -path '*/__pycache__/*' -print)
 
-.PHONY: tour test bench kernel kernel-now sanitize clean
+WORKERS ?= 0
+TESTS ?=
+PAGE = src/pieper/workbench/page
+
+.PHONY: tour test check house format dev pages bench cover mutants kernel kernel-now sanitize clean
 .DELETE_ON_ERROR:
 
 tour: $(VENV)/.installed
 	$(BIN)/pieper tour
 
 test: $(VENV)/.installed-for-tests
-	CHROMIUM="$$(sh tests/browser/find_chromium.sh)" $(BIN)/python -m pytest
+	CHROMIUM="$$(sh tests/browser/find_chromium.sh)" $(BIN)/python -m pytest -n $(WORKERS) $(TESTS)
+
+check: $(VENV)/.installed-for-checks page-tools
+	PATH="$(BIN):$$PATH" $(BIN)/python -m tests.tools.check
+
+house: $(VENV)/.installed-for-checks
+	$(BIN)/python -m tests.tools.house
+
+format: $(VENV)/.installed-for-checks page-tools
+	$(BIN)/ruff check --fix --quiet . && $(BIN)/ruff format .
+	git ls-files 'kernels/*.hpp' 'kernels/*.cpp' 'oracle/*.cpp' | xargs $(BIN)/clang-format -i
+	if [ -d $(PAGE)/node_modules ]; then cd $(PAGE) && npm run --silent format; fi
+
+# Of Node's packages only the page's formatter and bundler; where there is no Node the checks say that they left them out.
+.PHONY: page-tools
+page-tools:
+	@if command -v npm > /dev/null && [ ! -d $(PAGE)/node_modules ]; then cd $(PAGE) && npm ci --silent --no-audit --no-fund; fi
+
+pages: $(VENV)/.installed-for-checks
+	$(BIN)/python -m benchmarks.pages
+
+cover: $(VENV)/.installed-for-checks
+	CHROMIUM="$$(sh tests/browser/find_chromium.sh)" $(BIN)/python -m coverage run -m pytest $(TESTS)
+	$(BIN)/python -m coverage report --skip-covered --sort=cover
+	$(BIN)/python -m coverage html --quiet
+
+mutants: $(VENV)/.installed-for-checks
+	$(BIN)/python -m tests.tools.mutants
+
+# Its own environment, in which nothing of pieper is installed: a .pth file names src/, the module is built in place.
+dev:
+	$(MAKE) --no-print-directory VENV=.venv-dev .venv-dev/.for-work kernel
+	@echo "say: . .venv-dev/bin/activate; after a change in kernels/: make kernel VENV=.venv-dev"
 
 bench: $(VENV)/.installed-for-tests
 	$(BIN)/python -m benchmarks.measure.speed
@@ -39,6 +83,15 @@ $(VENV)/.installed: $(SOURCES) | $(BIN)/python
 $(VENV)/.installed-for-tests: $(SOURCES) | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check ".[test]"
 	touch $@ $(VENV)/.installed
+
+$(VENV)/.installed-for-checks: $(SOURCES) | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check ".[dev]"
+	touch $@ $(VENV)/.installed-for-tests $(VENV)/.installed
+
+$(VENV)/.for-work: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m tests.tools.requirements dev | xargs $(BIN)/python -m pip install --quiet --disable-pip-version-check
+	$(BIN)/python -c 'import pathlib, sysconfig; pathlib.Path(sysconfig.get_path("purelib"), "pieper-in-place.pth").write_text(str(pathlib.Path("src").resolve()))'
+	touch $@
 
 # In place, without pip: run with PYTHONPATH=src afterwards.
 # One build at a time: two in one folder would write over each other.
@@ -57,14 +110,13 @@ sanitize: $(VENV)/.installed-for-tests $(VENV)/.kernel-tools
 	PATH="$(BIN):$$PATH" cmake --build build/sanitize
 	rm -rf build/sanitize/src && cp -r src build/sanitize/src && rm -f build/sanitize/src/pieper/_kernel*.so && cp build/sanitize/_kernel*.so build/sanitize/src/pieper/
 	LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libubsan.so)" ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=halt_on_error=1 \
-	  PYTHONPATH=build/sanitize/src $(BIN)/python -m pytest tests/test_kernel_elementary.py tests/test_kernel_solver.py tests/test_kernel_contract.py \
-	  tests/test_kernel_spherical_wrist_parallel.py tests/test_family_*.py tests/test_general_solver.py
+	  PYTHONPATH=build/sanitize/src $(BIN)/python -m pytest tests/kernels tests/solver/families
 
 $(VENV)/.kernel-tools: | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check cmake ninja nanobind numpy
 	touch $@
 
 clean:
-	rm -rf $(VENV) build dist .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) .venv-dev build dist out .coverage .pytest_cache .ruff_cache .hypothesis
 	rm -f src/pieper/_kernel*.so
-	find src tests -name __pycache__ -type d -prune -exec rm -rf {} +
+	find src tests oracle benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +

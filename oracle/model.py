@@ -68,11 +68,19 @@ def machine(arm) -> Machine:
         links[-1] = links[-1] @ before
         links.append(after)
     links[-1] = links[-1] @ d.tool
-    links = np.stack(links)
+    return of_links(np.stack(links), slides, np.asarray(d.sign, float), np.asarray(d.offset, float))
+
+
+def machine_of(chain) -> Machine:
+    """Return a chain that no table was written for, from its constant matrices."""
+    return of_links(np.array(chain.links), np.asarray(chain.prismatic, bool), np.ones(chain.n), np.zeros(chain.n))
+
+
+def of_links(links: np.ndarray, slides: np.ndarray, sign: np.ndarray, offset: np.ndarray) -> Machine:
+    """Return the machine of size one of links (n + 1, 4, 4), m."""
     unit = float(sum(np.linalg.norm(L[:3, 3]) for L in links[1:])) or 1.0
     links[:, :3, 3] /= unit
-    offset = np.where(slides, np.asarray(d.offset) / unit, d.offset)
-    return Machine(links, slides, np.asarray(d.sign, float), offset, unit)
+    return Machine(links, slides, sign, np.where(slides, offset / unit, offset), unit)
 
 
 def locked(m: Machine, joint: int, value: float) -> Machine:

@@ -1,10 +1,12 @@
-"""A family's kernel alone, without the careful look behind it: what it misses, held against plain Newton steps."""
+"""A family's kernel alone, without the careful look behind it: what it misses, and what the search finds."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from oracle.joints import difference, random_joints, scaled
+from oracle.joints import difference
+from oracle.model import machine_of
+from oracle.starts import search
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
@@ -32,32 +34,6 @@ def missed(solver: SixJointSolver, chain: Chain, Q: np.ndarray, tolerance=1e-6) 
     return Q[gap > tolerance]
 
 
-def newton_solutions(rng, chain: Chain, T: np.ndarray, starts: int) -> np.ndarray:
-    """Return the distinct solutions (m, n) that damped Newton finds from many starts: slow, and knows no geometry."""
-    q = random_joints(chain, rng, starts, slide=0.6) * np.where(chain.prismatic, 3.0, 1.0)
-    damping = np.full(starts, 1e-2)
-
-    def error(q):
-        F = fk(chain, q)
-        turn = 0.5 * np.cross(F[..., :3, :3], T[:3, :3], axisa=-2, axisb=-2, axisc=-1).sum(-2)
-        return np.concatenate([(T[:3, 3] - F[..., :3, 3]) / chain.length, turn], -1), np.abs(F - T).max((-1, -2))
-
-    e, size = error(q)
-    for _ in range(120):
-        J = scaled(chain, q)
-        A = np.swapaxes(J, -1, -2) @ J + damping[:, None, None] * np.eye(chain.n)
-        step = np.linalg.solve(A, np.swapaxes(J, -1, -2) @ e[..., None])[..., 0]
-        trial = q + np.clip(step, -0.5, 0.5)
-        e2, size2 = error(trial)
-        better = size2 < size
-        q, e, size = (
-            np.where(better[:, None], trial, q),
-            np.where(better[:, None], e2, e),
-            np.where(better, size2, size),
-        )
-        damping = np.clip(np.where(better, damping / 8, damping * 4), 1e-14, 1e3)
-    distinct: list[np.ndarray] = []
-    for row in q[size < 1e-10]:
-        if all(difference(chain, row, other) > 1e-5 for other in distinct):
-            distinct.append(row)
-    return np.array(distinct).reshape(-1, chain.n)
+def newton_solutions(rng: np.random.Generator, chain: Chain, T: np.ndarray, starts: int) -> np.ndarray:
+    """Return the distinct solutions (m, n) that the multi-start search finds: slow, and knows no geometry."""
+    return search(None, T, m=machine_of(chain), starts=starts, rng=rng).q

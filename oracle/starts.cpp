@@ -22,8 +22,15 @@ void sincos(vec x, vec& s, vec& c) {
   for (int l = 0; l < W; ++l) k[l] = __builtin_rint(x[l] * (2 / M_PI));
   vec r = (x - k * 1.5707963267948966) - k * 6.123233995736766e-17;
   vec r2 = r * r;
-  vec sr = r * (1 + r2 * (-1.0 / 6 + r2 * (1.0 / 120 + r2 * (-1.0 / 5040 + r2 * (1.0 / 362880 + r2 * (-1.0 / 39916800 + r2 * (1.0 / 6227020800.0)))))));
-  vec cr = 1 + r2 * (-0.5 + r2 * (1.0 / 24 + r2 * (-1.0 / 720 + r2 * (1.0 / 40320 + r2 * (-1.0 / 3628800 + r2 * (1.0 / 479001600.0 - r2 / 87178291200.0))))));
+  vec sr =
+      r *
+      (1 + r2 * (-1.0 / 6 +
+                 r2 * (1.0 / 120 +
+                       r2 * (-1.0 / 5040 + r2 * (1.0 / 362880 + r2 * (-1.0 / 39916800 + r2 * (1.0 / 6227020800.0)))))));
+  vec cr =
+      1 + r2 * (-0.5 + r2 * (1.0 / 24 + r2 * (-1.0 / 720 +
+                                              r2 * (1.0 / 40320 + r2 * (-1.0 / 3628800 + r2 * (1.0 / 479001600.0 -
+                                                                                               r2 / 87178291200.0))))));
   for (int l = 0; l < W; ++l) {
     int quadrant = int(long(k[l]) & 3);
     double a = sr[l], b = cr[l];
@@ -143,8 +150,8 @@ bool stuck(int n, const Model& m, int w) {
 
 // starts (count, n); out (count, n) receives those whose cost fell below `enough`, or below 1e-20 and then no further.
 // Returns how many.
-extern "C" int search(int n, const double* links, const uint8_t* slides, const double* T, int task, const double* starts, int count,
-                      int iterations, double enough, double* out) {
+extern "C" int search(int n, const double* links, const uint8_t* slides, const double* T, int task,
+                      const double* starts, int count, int iterations, double enough, double* out) {
   Chain ch{n, links, slides};
   vec q[MAXN], damping, trial[MAXN], d[MAXN];
   Model here, there;

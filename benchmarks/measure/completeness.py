@@ -27,15 +27,9 @@ from oracle import DOUBLE, Found, build, compare, locked, machine, polish, whole
 from oracle.arms import tables
 from oracle.arms.chains import plane_arm, wrist_arm
 from oracle.arms.gauge import from_chain
-from oracle.arms.known import free
+from oracle.arms.known import free, tabled
 
 CHUNK = 100
-
-
-def table(name: str):
-    """Return an arm of oracle/arms/tables.py."""
-    rows = [pieper.DH(a=a, alpha=alpha, d=d, theta=0) for d, a, alpha in tables.TABLES[name]]
-    return pieper.Arm.from_dh(rows, convention="standard", name=name)
 
 
 def chained(kind, seed: int, *how):
@@ -45,17 +39,17 @@ def chained(kind, seed: int, *how):
 
 #: name -> how to make the arm. The first group is general, the second closed forms wherever they can stand.
 ARMS = {
-    "motoman-ea1400n": lambda: table("motoman-ea1400n"),
-    "fanuc-crx-10ia": lambda: table("fanuc-crx-10ia"),
-    "random-6r": lambda: table("random-6r"),
-    "ur5e": lambda: table("ur5e"),
-    **{name: (lambda name=name: table(name)) for name in tables.TABLES if "calibrated" in name},
+    "motoman-ea1400n": lambda: tabled("motoman-ea1400n"),
+    "fanuc-crx-10ia": lambda: tabled("fanuc-crx-10ia"),
+    "random-6r": lambda: tabled("random-6r"),
+    "ur5e": lambda: tabled("ur5e"),
+    **{name: (lambda name=name: tabled(name)) for name in tables.TABLES if "calibrated" in name},
     "motoman-hc10": lambda: free("motoman-hc10"),
     "kinova-jaco-j2n6": lambda: free("kinova-jaco-j2n6"),
     "stanford-arm": lambda: free("stanford-arm"),
     "franka-panda, joint 7 held": lambda: free("franka-panda"),
-    "denso-vp6242": lambda: table("denso-vp6242"),
-    "puma-560": lambda: table("puma-560"),
+    "denso-vp6242": lambda: tabled("denso-vp6242"),
+    "puma-560": lambda: tabled("puma-560"),
     "rrp-wrist": lambda: free("rrp-wrist"),
     "wrist at the base, RRR": lambda: chained(wrist_arm, 1, 0, "RRR", False),
     "wrist inside, RRR": lambda: chained(wrist_arm, 2, 2, "RRR", False),

@@ -21,8 +21,8 @@ import numpy as np
 
 from benchmarks.kept import RESULTS
 from benchmarks.measure.fifty_digits import verdict
-from benchmarks.measure.strata_arms import ARMS
 from benchmarks.pages.singular_strata import VERDICTS, table
+from oracle.arms.strata import ARMS
 from pieper.kinematics.newton import scaled_jacobian
 
 CHUNK = 250

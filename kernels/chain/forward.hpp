@@ -1,4 +1,5 @@
 // Forward kinematics of a chain T(q) = L0 Z(q1) L1 ... Z(qn) Ln: poses, frames and Jacobians, W joint vectors at a time.
+// Templates over the number type: one joint vector in doubles, many in lanes.
 #pragma once
 
 #include "lanes/batch.hpp"
@@ -6,71 +7,12 @@
 
 namespace pieper::PIEPER_ISA {
 
-// T <- constant 4x4 (row-major).
-template <class F> PIEPER_INLINE void set_constant(Pose<F>& T, const double* link) {
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) T.r[i][j] = F(link[4 * i + j]);
-    T.p[i] = F(link[4 * i + 3]);
-  }
-}
-
-// The product of a pose and a constant 4x4.
-template <class F> PIEPER_INLINE Pose<F> times_constant(const Pose<F>& T, const double* link) {
-  Pose<F> out;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) out.r[i][j] = T.r[i][0] * link[j] + (T.r[i][1] * link[4 + j] + T.r[i][2] * link[8 + j]);
-    out.p[i] = T.p[i] + (T.r[i][0] * link[3] + (T.r[i][1] * link[7] + T.r[i][2] * link[11]));
-  }
-  return out;
-}
-
-// T <- T Z(q): a turn about, or a slide along, the local z.
-template <class F> PIEPER_INLINE void turn(Pose<F>& T, F s, F c) {
-  for (int i = 0; i < 3; ++i) {
-    F x = T.r[i][0], y = T.r[i][1];
-    T.r[i][0] = x * c + y * s;
-    T.r[i][1] = y * c - x * s;
-  }
-}
-template <class F> PIEPER_INLINE void slide(Pose<F>& T, F d) {
-  for (int i = 0; i < 3; ++i) T.p[i] += T.r[i][2] * d;
-}
-template <class F> PIEPER_INLINE void move(Pose<F>& T, F q, bool prismatic) {
-  if (prismatic) slide(T, q);
-  else {
-    F s, c;
-    sincos(q, s, c);
-    turn(T, s, c);
-  }
-}
-
-// The pose of a chain; for families that verify by the chain itself. links: (n + 1) x 16.
-template <class F>
-PIEPER_INLINE Pose<F> chain_pose(const double* links, const std::uint8_t* prismatic, int n, const F* q) {
-  Pose<F> T;
-  set_constant(T, links);
-  for (int i = 0; i < n; ++i) {
-    move(T, q[i], prismatic[i]);
-    T = times_constant(T, links + 16 * (i + 1));
-  }
-  return T;
-}
-
-// Largest difference of rotation entries, and of positions (m), between two poses.
-template <class F> PIEPER_INLINE void pose_difference(const Pose<F>& a, const Pose<F>& b, F& rotation, F& position) {
-  rotation = position = F(0.0);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) rotation = max(rotation, abs(a.r[i][j] - b.r[i][j]));
-    position = max(position, abs(a.p[i] - b.p[i]));
-  }
-}
-
-template <class F> PIEPER_INLINE void store_pose(double* out, const Pose<F>& T, int lanes, long stride) {
+template <class F> PIEPER_INLINE void store_pose(double* out, const RigidT<F>& T, int lanes, long stride) {
   constexpr int W = width_of<F>;
   F value[16];
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) value[4 * i + j] = T.r[i][j];
-    value[4 * i + 3] = T.p[i];
+    for (int j = 0; j < 3; ++j) value[4 * i + j] = T.r(i, j);
+    value[4 * i + 3] = T.p(i);
   }
   value[12] = value[13] = value[14] = F(0.0);
   value[15] = F(1.0);
@@ -86,7 +28,7 @@ template <class F> PIEPER_INLINE void store_pose(double* out, const Pose<F>& T, 
 }
 
 // Joint `j` of up to W joint vectors; idle lanes repeat the last one.
-template <class F> PIEPER_INLINE F joint(const double* q, int n, int j, int lanes) {
+template <class F> PIEPER_INLINE F joint_of(const double* q, int n, int j, int lanes) {
   constexpr int W = width_of<F>;
   if constexpr (W == 1) return q[j];
   else {
@@ -112,17 +54,24 @@ template <class Group> PIEPER_INLINE void in_groups(long count, Group group) {
   if (done < count) group(Lanes<W>(), done, static_cast<int>(count - done));
 }
 
+// links: (n + 1) x 16 row-major, m. visit(k, frame): of joint k before it moves.
+template <class F, class Visit> PIEPER_INLINE RigidT<F> chain_end(const double* links, const std::uint8_t* prismatic,
+                                                                  int n, const double* q, int lanes, Visit visit) {
+  auto motion = [&](int k) {
+    const F value = joint_of<F>(q, n, k, lanes);
+    return prismatic[k] ? Motion<F>{value, F(0.0)} : turned_by(value);
+  };
+  return walk(
+      n, spread<F>(read_rigid(links, 1)), [&](int k) { return read_rigid(links + 16 * (k + 1), 1); }, motion, prismatic,
+      visit);
+}
+
 inline void forward_fk(const double* links, const std::uint8_t* prismatic, int n, const double* q, long count,
                        double* out) {
   in_groups(count, [&](auto tag, long first, int lanes) {
     using F = decltype(tag);
-    Pose<F> T;
-    set_constant(T, links);
-    for (int i = 0; i < n; ++i) {
-      move(T, joint<F>(q + first * n, n, i, lanes), prismatic[i]);
-      T = times_constant(T, links + 16 * (i + 1));
-    }
-    store_pose(out + 16 * first, T, lanes, 16);
+    const RigidT<F> end = chain_end<F>(links, prismatic, n, q + first * n, lanes, [](int, const RigidT<F>&) {});
+    store_pose(out + 16 * first, end, lanes, 16);
   });
 }
 
@@ -132,14 +81,13 @@ inline void forward_frames(const double* links, const std::uint8_t* prismatic, i
   in_groups(count, [&](auto tag, long first, int lanes) {
     using F = decltype(tag);
     double* record = out + stride * first;
-    Pose<F> T;
-    set_constant(T, base);
-    store_pose(record, T, lanes, stride);
-    set_constant(T, links);
+    store_pose(record, spread<F>(read_rigid(base, 1)), lanes, stride);
+    RigidT<F> T = spread<F>(read_rigid(links, 1));
     for (int i = 0; i < n; ++i) {
-      move(T, joint<F>(q + first * n, n, i, lanes), prismatic[i]);
-      store_pose(record + 16 * (i + 1), times_constant(T, after + 16 * i), lanes, stride);
-      T = times_constant(T, links + 16 * (i + 1));
+      const F value = joint_of<F>(q + first * n, n, i, lanes);
+      T = moved(T, prismatic[i] ? Motion<F>{value, F(0.0)} : turned_by(value), prismatic[i]);
+      store_pose(record + 16 * (i + 1), T * read_rigid(after + 16 * i, 1), lanes, stride);
+      T = T * read_rigid(links + 16 * (i + 1), 1);
     }
     store_pose(record + 16 * (n + 1), T, lanes, stride);
   });
@@ -149,20 +97,13 @@ inline constexpr int kJacobianJoints = 16;  // arms with more joints take their 
 
 template <class F> PIEPER_INLINE void jacobian_group(const double* links, const std::uint8_t* prismatic, int n,
                                                      const double* q, int lanes, double* out, F* axes, F* value) {
-  Pose<F> T;
-  set_constant(T, links);
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      axes[6 * i + k] = T.r[k][2];
-      axes[6 * i + 3 + k] = T.p[k];
-    }
-    move(T, joint<F>(q, n, i, lanes), prismatic[i]);
-    T = times_constant(T, links + 16 * (i + 1));
-  }
+  const RigidT<F> T = chain_end<F>(links, prismatic, n, q, lanes, [&](int i, const RigidT<F>& frame) {
+    for (int k = 0; k < 3; ++k) axes[6 * i + k] = frame.r(k, 2), axes[6 * i + 3 + k] = frame.p(k);
+  });
   for (int i = 0; i < n; ++i) {
     const F* z = axes + 6 * i;
     F d[3];
-    for (int k = 0; k < 3; ++k) d[k] = T.p[k] - z[3 + k];
+    for (int k = 0; k < 3; ++k) d[k] = T.p(k) - z[3 + k];
     for (int k = 0; k < 3; ++k) {
       const int a = (k + 1) % 3, b = (k + 2) % 3;
       value[k * n + i] = prismatic[i] ? z[k] : z[a] * d[b] - z[b] * d[a];

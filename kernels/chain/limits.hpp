@@ -1,4 +1,5 @@
 // Joint limits: is a solution inside, if need be by a whole turn more or less?
+// Lanes for whole groups of rows, and a scalar twin for the rest.
 #pragma once
 
 #include "lanes/math.hpp"

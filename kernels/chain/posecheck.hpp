@@ -1,23 +1,24 @@
 // How far a 4x4 matrix is from a rigid motion, and the rigid motion nearest to it.
+// The check is a template over the number type; straightening, which is rare, is scalar.
 #pragma once
 
 #include "lanes/batch.hpp"
 
 namespace pieper::PIEPER_ISA {
 
-template <class F> PIEPER_INLINE F rotation_deviation(const Pose<F>& T) {
+template <class F> PIEPER_INLINE F rotation_deviation(const RigidT<F>& T) {
   F worst = F(0.0);
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) {
-      F dot = T.r[0][a] * T.r[0][b] + T.r[1][a] * T.r[1][b] + T.r[2][a] * T.r[2][b];
+      F dot = T.r(0, a) * T.r(0, b) + T.r(1, a) * T.r(1, b) + T.r(2, a) * T.r(2, b);
       F off = abs(a == b ? dot - 1.0 : dot);
       worst = select(off <= worst, worst, select(worst == worst, off, worst));  // NaN stays once it is there
     }
-  F determinant = T.r[0][0] * (T.r[1][1] * T.r[2][2] - T.r[1][2] * T.r[2][1]) -
-                  T.r[0][1] * (T.r[1][0] * T.r[2][2] - T.r[1][2] * T.r[2][0]) +
-                  T.r[0][2] * (T.r[1][0] * T.r[2][1] - T.r[1][1] * T.r[2][0]);
+  F determinant = T.r(0, 0) * (T.r(1, 1) * T.r(2, 2) - T.r(1, 2) * T.r(2, 1)) -
+                  T.r(0, 1) * (T.r(1, 0) * T.r(2, 2) - T.r(1, 2) * T.r(2, 0)) +
+                  T.r(0, 2) * (T.r(1, 0) * T.r(2, 1) - T.r(1, 1) * T.r(2, 0));
   worst = select(determinant < 0.0, max(worst, F(2.0)), worst);
-  F finite = (T.p[0] - T.p[0]) + (T.p[1] - T.p[1]) + (T.p[2] - T.p[2]);  // 0, or NaN
+  F finite = (T.p(0) - T.p(0)) + (T.p(1) - T.p(1)) + (T.p(2) - T.p(2));  // 0, or NaN
   return worst + finite;
 }
 

@@ -1,13 +1,12 @@
 // The order of a pose's rows where slots have no meaning of their own: valid rows first, by the first joint, then the
 // second ... Lanes, the single-pose road and the careful road must agree on it.
+// Ranking is a template over the number type; sorting one pose is its scalar twin.
 #pragma once
 
 #include "lanes/lanes.hpp"
+#include "tolerances.hpp"
 
 namespace pieper::PIEPER_ISA {
-
-// Differences of joint values up to here (rad, m) are rounding and do not count.
-inline constexpr double kOneValue = 1e-6;
 
 // A value for ordering: an angle a rounding away from -pi counts as pi, so that it does not change places with its twin.
 template <class F> PIEPER_INLINE F place(F value, bool sliding) {
@@ -18,7 +17,7 @@ template <class F> PIEPER_INLINE F place(F value, bool sliding) {
 inline bool before(const double* a, const double* b, const std::uint8_t* prismatic, int n) {
   for (int j = 0; j < n; ++j) {
     const double x = place(a[j], prismatic[j]), y = place(b[j], prismatic[j]);
-    if (abs(x - y) > kOneValue) return x < y;
+    if (abs(x - y) > kKernelRowOrder) return x < y;
   }
   return false;
 }
@@ -46,7 +45,7 @@ inline void put_in_order(double* q, std::uint8_t* valid, int slots, int n, const
   for (int i = 0; i < slots; ++i) valid[i] = i < m;
 }
 
-// The rank of each of M rows by counting who comes before it; invalid rows come last. Where differences near kOneValue
+// The rank of each of M rows by counting who comes before it; invalid rows come last. Where differences near kKernelRowOrder
 // make a circle two rows get one rank: the caller must look.
 template <class F, int M, int N>
 PIEPER_INLINE void rank_rows(const F (*q)[N], const Mask<F>* valid, const bool* slides, Bits<F>* rank) {
@@ -59,12 +58,12 @@ PIEPER_INLINE void rank_rows(const F (*q)[N], const Mask<F>* valid, const bool* 
 #pragma GCC unroll 1
     for (int a = 0; a < b; ++a) {
       F ahead = first[b] - first[a];
-      Mask<F> tie = abs(ahead) <= kOneValue;
+      Mask<F> tie = abs(ahead) <= kKernelRowOrder;
       for (int j = 1; j < N && any(tie); ++j) {
         ahead = select(tie, place(q[b][j], slides[j]) - place(q[a][j], slides[j]), ahead);
-        tie = abs(ahead) <= kOneValue;
+        tie = abs(ahead) <= kKernelRowOrder;
       }
-      const Bits<F> swap = word_where(ahead < -kOneValue, 1);
+      const Bits<F> swap = word_where(ahead < -kKernelRowOrder, 1);
       rank[a] += swap;
       rank[b] -= swap;
     }

@@ -1,33 +1,25 @@
 // From a hidden angle to a joint vector: null vector, pair, then the eliminated roles and the dropped one.
+// Templates over the number type.
 #pragma once
 
 #include "elimination/pencil.hpp"
 
 namespace pieper::PIEPER_ISA::general {
 
-// Joint values in role order: cosine and sine of a revolute joint; the length (in c) of a prismatic one.
-template <class F> struct Joints { F c[6], s[6]; };
-
 // The two angles' common work: (sn : cn) is a half-angle tangent from the chart, or a length as a ratio.
-template <class F>
-PIEPER_INLINE void pair_value(F sn, F cn, bool prismatic, double chart_c, double chart_s, F& c, F& s) {
-  if (prismatic) {
-    c = sn / select(abs(cn) > 1e-200, cn, F(1e-200));
-    s = F(0.0);
-    return;
-  }
-  const F n = sn * sn + cn * cn, inv = 1.0 / select(n > 1e-300, n, F(1.0));
+template <class F> PIEPER_INLINE Motion<F> pair_value(F sn, F cn, bool prismatic, double chart_c, double chart_s) {
+  if (prismatic) return {sn / select(abs(cn) > kInfiniteLength, cn, F(kInfiniteLength)), F(0.0)};
+  const F n = sn * sn + cn * cn, inv = 1.0 / select(n > kTiny, n, F(1.0));
   const F a = (cn * cn - sn * sn) * inv, b = 2.0 * sn * cn * inv;
-  c = a * chart_c - b * chart_s;
-  s = b * chart_c + a * chart_s;
+  return {a * chart_c - b * chart_s, b * chart_c + a * chart_s};
 }
 
 // Null vector of the triangle left by `triangulate` (one inverse iteration step with the triangle's own right side).
 template <class F> PIEPER_INLINE void null_vector(F (&m)[6][6], const double* start, F* v) {
   F y[6];
-  F largest = 1e-300;
+  F largest = kTiny;
   for (int k = 0; k < 6; ++k) largest = max(largest, abs(m[k][k]));
-  const F floor = largest * 1e-17;
+  const F floor = largest * kNullPivot;
   for (int k = 0; k < 6; ++k) {
     F t = start[k];
     for (int r = 0; r < k; ++r) t -= m[r][k] * y[r];
@@ -35,7 +27,7 @@ template <class F> PIEPER_INLINE void null_vector(F (&m)[6][6], const double* st
     y[k] = t / m[k][k];
   }
   for (int pass = 0; pass < 2; ++pass) {
-    F size = 1e-300;
+    F size = kTiny;
     for (int k = 0; k < 6; ++k) size = max(size, abs(y[k]));
     const F inv = 1.0 / size;
     for (int k = 5; k >= 0; --k) {
@@ -44,7 +36,7 @@ template <class F> PIEPER_INLINE void null_vector(F (&m)[6][6], const double* st
       v[k] = t / m[k][k];
     }
     if (pass == 1) break;
-    size = F(1e-300);
+    size = F(kTiny);
     for (int k = 0; k < 6; ++k) size = max(size, abs(v[k]));
     const F again = 1.0 / size;
     for (int k = 0; k < 6; ++k) {
@@ -55,9 +47,9 @@ template <class F> PIEPER_INLINE void null_vector(F (&m)[6][6], const double* st
   }
 }
 
-template <class F> void complete_candidate(const Equations<F>& eq, const RightSide<F>& right, const Frame<F>* link,
+template <class F> void complete_candidate(const Equations<F>& eq, const RightSide<F>& right, const RigidT<F>* link,
                                            const Roles& roles, const Charts& chart, int layout, bool swap,
-                                           const double* start, F c3, F s3, Joints<F>& out) {
+                                           const double* start, F c3, F s3, Motion<F>* out) {
   F e[6][9], six[6][6], v[6];
   at_angle(eq, c3, s3, e);
   if (layout == kTwelve) core(e, six);
@@ -83,22 +75,15 @@ template <class F> void complete_candidate(const Equations<F>& eq, const RightSi
     xc = select(first, w1, w2);
   }
   const int y_role = swap ? 4 : 3, x_role = swap ? 3 : 4;
-  pair_value(ys, yc, roles.prismatic[y_role], swap ? chart.c5 : chart.c4, swap ? chart.s5 : chart.s4, out.c[y_role],
-             out.s[y_role]);
-  pair_value(xs, xc, roles.prismatic[x_role], swap ? chart.c4 : chart.c5, swap ? chart.s4 : chart.s5, out.c[x_role],
-             out.s[x_role]);
-  out.c[2] = c3;
-  out.s[2] = s3;
+  out[y_role] = pair_value(ys, yc, roles.prismatic[y_role], swap ? chart.c5 : chart.c4, swap ? chart.s5 : chart.s4);
+  out[x_role] = pair_value(xs, xc, roles.prismatic[x_role], swap ? chart.c4 : chart.c5, swap ? chart.s4 : chart.s5);
+  out[2] = {c3, s3};
 
-  Line<F> x;
-  for (int i = 0; i < 3; ++i) {
-    x.p[i] = link[4].p[i];
-    x.l[i] = link[4].r[i][2];
-  }
+  Line<F> x = {link[4].t, link[4].z};
   for (int role = 4; role >= 2; --role) {
-    if (roles.prismatic[role]) x.p[2] += out.c[role];
-    else turn(x, out.c[role], out.s[role]);
-    move(x, link[role - 1]);
+    if (roles.prismatic[role]) x.p.z += out[role].c;
+    else turn(x, out[role].c, out[role].s);
+    x = move(link[role - 1], x);
   }
   F value[14];
   features(x, value);
@@ -127,17 +112,17 @@ template <class F> void complete_candidate(const Equations<F>& eq, const RightSi
   F c1 = b1 * a22 - b2 * a12, s1 = b2 * a11 - b1 * a12;
   if (roles.prismatic[0]) {
     const F det = a11 * a22 - a12 * a12;
-    out.c[0] =
-        select(det > 1e-12 * a11 * a22, c1 / select(det > 1e-300, det, F(1.0)), b1 / select(a11 > 1e-300, a11, F(1.0)));
-    out.s[0] = F(0.0);
-    c1 = out.c[0];
+    out[0].c = select(det > kSlideRole * a11 * a22, c1 / select(det > kTiny, det, F(1.0)),
+                      b1 / select(a11 > kTiny, a11, F(1.0)));
+    out[0].s = F(0.0);
+    c1 = out[0].c;
     s1 = c1 * c1;
   } else {
-    const F n = c1 * c1 + s1 * s1, inv = 1.0 / sqrt(select(n > 1e-300, n, F(1.0)));
-    c1 = select(n > 1e-300, c1 * inv, F(1.0));
-    s1 = select(n > 1e-300, s1 * inv, F(0.0));
-    out.c[0] = c1;
-    out.s[0] = s1;
+    const F n = c1 * c1 + s1 * s1, inv = 1.0 / sqrt(select(n > kTiny, n, F(1.0)));
+    c1 = select(n > kTiny, c1 * inv, F(1.0));
+    s1 = select(n > kTiny, s1 * inv, F(0.0));
+    out[0].c = c1;
+    out[0].s = s1;
   }
   F er = 0.0, ei = 0.0;
   for (int m = 0; m < 4; ++m) {
@@ -147,25 +132,19 @@ template <class F> void complete_candidate(const Equations<F>& eq, const RightSi
     er += t.re;
     ei += t.im;
   }
-  F n = er * er + ei * ei, inv = 1.0 / sqrt(select(n > 1e-300, n, F(1.0)));
-  out.c[1] = select(n > 1e-300, er * inv, F(1.0));
-  out.s[1] = select(n > 1e-300, ei * inv, F(0.0));
+  F n = er * er + ei * ei, inv = 1.0 / sqrt(select(n > kTiny, n, F(1.0)));
+  out[1].c = select(n > kTiny, er * inv, F(1.0));
+  out[1].s = select(n > kTiny, ei * inv, F(0.0));
   // Role 6: carry the first axis of the inverse last link back through the chain.
-  F g[3] = {link[5].r[0][0], link[5].r[0][1], link[5].r[0][2]};
+  Vec3T<F> g = {link[5].x.x, link[5].y.x, link[5].z.x};
   for (int role = 0; role < 5; ++role) {
-    const Frame<F>& a = link[role];
-    if (!roles.prismatic[role]) {
-      const F t = out.c[role] * g[0] + out.s[role] * g[1];
-      g[1] = out.c[role] * g[1] - out.s[role] * g[0];
-      g[0] = t;
-    }
-    const F h[3] = {g[0], g[1], g[2]};
-    for (int i = 0; i < 3; ++i) g[i] = a.r[0][i] * h[0] + a.r[1][i] * h[1] + a.r[2][i] * h[2];
+    const Motion<F> m = out[role];
+    if (!roles.prismatic[role]) g = {m.c * g.x + m.s * g.y, m.c * g.y - m.s * g.x, g.z};
+    g = turn_back(link[role], g);
   }
-  n = g[0] * g[0] + g[1] * g[1];
-  inv = 1.0 / sqrt(select(n > 1e-300, n, F(1.0)));
-  out.c[5] = select(n > 1e-300, g[0] * inv, F(1.0));
-  out.s[5] = select(n > 1e-300, g[1] * inv, F(0.0));
+  n = g.x * g.x + g.y * g.y;
+  inv = 1.0 / sqrt(select(n > kTiny, n, F(1.0)));
+  out[5] = {select(n > kTiny, g.x * inv, F(1.0)), select(n > kTiny, g.y * inv, F(0.0))};
 }
 
 }  // namespace pieper::PIEPER_ISA::general

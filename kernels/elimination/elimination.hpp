@@ -5,6 +5,7 @@
 // three functions of role 1, (1, cos, sin) or (1, d, d^2). Two small null spaces remove role 1 (six real features: four rows)
 // and roles 1 and 2 (four complex features, which role 2 only turns: one complex row). Householder reflections without
 // pivoting give valid rows whatever the rank.
+// Templates over the number type: doubles for what an arm has once and for one pose alone, lanes for many.
 #pragma once
 
 #include "elimination/loop.hpp"
@@ -78,28 +79,24 @@ struct Charts {  // cosine and sine of the chart angles of roles 4 and 5
 };
 
 template <class F> PIEPER_INLINE void sample(Line<F>& x, const JointSamples& joint, int i, bool prismatic) {
-  if (prismatic) x.p[2] = x.p[2] + joint.d[i];
+  if (prismatic) x.p.z = x.p.z + joint.d[i];
   else turn(x, F(joint.c[i]), F(joint.s[i]));
 }
 
 // `swap` stores role 5 as y and role 4 as x.
 template <class F>
-void left_side(const Frame<F>* link, const Roles& roles, const Charts& chart, bool swap, LeftSide<F>& out) {
+void left_side(const RigidT<F>* link, const Roles& roles, const Charts& chart, bool swap, LeftSide<F>& out) {
   const JointSamples j3 = trig_samples();
   const JointSamples j4 = pair_samples(roles.prismatic[3], chart.c4, chart.s4);
   const JointSamples j5 = pair_samples(roles.prismatic[4], chart.c5, chart.s5);
   F at[14][27], inner[8][9];
   for (int i5 = 0; i5 < 3; ++i5)
     for (int i4 = 0; i4 < 3; ++i4) {
-      Line<F> x;
-      for (int i = 0; i < 3; ++i) {
-        x.p[i] = link[4].p[i];
-        x.l[i] = link[4].r[i][2];
-      }
+      Line<F> x = {link[4].t, link[4].z};
       sample(x, j5, i5, roles.prismatic[4]);
-      move(x, link[3]);
+      x = move(link[3], x);
       sample(x, j4, i4, roles.prismatic[3]);
-      move(x, link[2]);
+      x = move(link[2], x);
       const int cell = swap ? i5 * 3 + i4 : i4 * 3 + i5;
       F value[14];
       features(x, value);
@@ -107,7 +104,7 @@ void left_side(const Frame<F>* link, const Roles& roles, const Charts& chart, bo
       for (int i3 = 0; i3 < 3; ++i3) {
         Line<F> y = x;
         turn(y, F(j3.c[i3]), F(j3.s[i3]));
-        move(y, link[1]);
+        y = move(link[1], y);
         features(y, value);
         for (int m = 0; m < 14; ++m) at[m][i3 * 9 + cell] = value[m];
       }
@@ -140,19 +137,15 @@ template <class F> struct RightSide {
   Complex<F> turned[4][3];
 };
 
-template <class F> void right_side(const Frame<F>* link, const Roles& roles, RightSide<F>& out) {
+template <class F> void right_side(const RigidT<F>* link, const Roles& roles, RightSide<F>& out) {
   const JointSamples j1 = roles.prismatic[0] ? length_samples() : trig_samples();
   F value[3][14];
   for (int i = 0; i < 3; ++i) {
-    Line<F> x;
-    const Frame<F>& a = link[5];
-    for (int k = 0; k < 3; ++k) {
-      x.p[k] = 0.0 - (a.r[0][k] * a.p[0] + a.r[1][k] * a.p[1] + a.r[2][k] * a.p[2]);
-      x.l[k] = a.r[2][k];
-    }
-    if (roles.prismatic[0]) x.p[2] = x.p[2] - j1.d[i];
+    const RigidT<F> back = inverse(link[5]);
+    Line<F> x = {back.t, back.z};
+    if (roles.prismatic[0]) x.p.z = x.p.z - j1.d[i];
     else turn(x, F(j1.c[i]), F(-j1.s[i]));
-    move_back(x, link[0]);
+    x = move_back(link[0], x);
     features(x, value[i]);
   }
   for (int k = 0; k < 3; ++k) {
@@ -170,12 +163,12 @@ template <class F, int N> PIEPER_INLINE void reflector(Complex<F> (&v)[N], int k
   for (int i = k + 1; i < N; ++i) tail += v[i].re * v[i].re + v[i].im * v[i].im;
   const F head2 = v[k].re * v[k].re + v[k].im * v[k].im;
   const F norm = sqrt(tail + head2), head = sqrt(head2);
-  const F inv = 1.0 / select(head > 1e-300, head, F(1.0));
-  const F er = select(head > 1e-300, v[k].re * inv, F(1.0)), ei = select(head > 1e-300, v[k].im * inv, F(0.0));
+  const F inv = 1.0 / select(head > kTiny, head, F(1.0));
+  const F er = select(head > kTiny, v[k].re * inv, F(1.0)), ei = select(head > kTiny, v[k].im * inv, F(0.0));
   v[k].re += er * norm;
   v[k].im += ei * norm;
   const F size = norm * (norm + head);  // half of |v|^2
-  const F scale = select(size > 1e-290, 1.0 / sqrt(select(size > 1e-290, size, F(1.0))), F(0.0));
+  const F scale = select(size > kHouseholderZero, 1.0 / sqrt(select(size > kHouseholderZero, size, F(1.0))), F(0.0));
   for (int i = k; i < N; ++i) v[i] = {v[i].re * scale, v[i].im * scale};
   for (int i = 0; i < k; ++i) v[i] = {F(0.0), F(0.0)};
 }
@@ -204,7 +197,7 @@ template <class F, int N, int C> PIEPER_INLINE void left_null_rows(F (&columns)[
     norm = select(x0 > 0.0, norm, 0.0 - norm);
     const F size = norm * (norm + x0);
     columns[c][c] = x0 + norm;
-    scale[c] = select(size > 1e-290, 1.0 / select(size > 1e-290, size, F(1.0)), F(0.0));
+    scale[c] = select(size > kHouseholderZero, 1.0 / select(size > kHouseholderZero, size, F(1.0)), F(0.0));
     for (int d = c + 1; d < C; ++d) {
       F w = 0.0;
       for (int i = c; i < N; ++i) w += columns[c][i] * columns[d][i];

@@ -3,6 +3,7 @@
 // Deflation and shifts are scalar per lane (a few loads); the sweeps, which are nearly all of the work, run in lockstep over the
 // union of the windows. Outside a lane's own window its reflection is the identity, so nothing needs a mask but the
 // reflection's making.
+// A template over the number type.
 #pragma once
 
 #include "elimination/hessenberg.hpp"
@@ -85,7 +86,7 @@ template <class F, int N> void hessenberg_eigenvalues(F (&a)[N][N], double (*re)
     window[i] = {0, N - 1, 0, 0, 0};
     for (int r = 0; r < N; ++r)
       for (int c = r ? r - 1 : 0; c < N; ++c) window[i].norm += __builtin_fabs(lane(a[r][c], i));
-    if (!(window[i].norm < 1e290)) window[i].high = -1;
+    if (!(window[i].norm < kEigenvalueOverflow)) window[i].high = -1;
   }
   for (;;) {
     F p0 = 0.0, q0 = 0.0, r0 = 0.0, begin = 1e9, end = -1.0;

@@ -4,6 +4,7 @@
 // far from its eigenvalue while being polished, and the solutions, double ones counted twice, are even in number. What is not
 // settled is solved again by other variants (another hidden joint, another direction), then in turned charts, then from
 // perturbed poses, until a settled attempt adds nothing. The work is bounded; what is still open then is flagged.
+// Lanes first; what is not settled goes on one pose at a time.
 #pragma once
 
 #include "elimination/entry.hpp"
@@ -16,21 +17,17 @@ namespace pieper::PIEPER_ISA {
 namespace general {
 
 inline constexpr int kSlots = 16;
-inline constexpr double kDegenerateSigma = 1e-6;
-inline constexpr double kMarked = 1e-12;  // a determinant this much smaller than usual marks the pose for a second look
-inline constexpr double kQuiet =
-    1e-13;  // noise of an elimination, relative, below which no second opinion is asked for
-inline constexpr double kAccurate = 1e-5;  // an eigenvalue farther from its root than this was computed badly
 
 inline bool even(const Found& found) {
   int n = found.count;
   for (int i = 0; i < found.count; ++i)
-    if (found.merged[i] || found.sigma[i] < 1e-7) return true;  // multiplicities are beyond counting at a singular pose
+    if (found.merged[i] || found.sigma[i] < kGeneralUncounted)
+      return true;  // multiplicities are beyond counting at a singular pose
   return n % 2 == 0;
 }
 
 inline bool settled(const Report& report, const Found& found) {
-  return !report.doubtful && report.unresolved == 0 && report.spread < kAccurate && even(found);
+  return !report.doubtful && report.unresolved == 0 && report.spread < kGeneralAccurate && even(found);
 }
 
 // A second opinion that added nothing. Special geometry gives some variants real eigenvalues without a solution, always; there
@@ -41,30 +38,28 @@ inline bool agreed(const Variant& v, const Report& report, const Found& found, i
 }
 
 // Solutions of a neighbouring pose, polished onto this one.
-inline void polish_onto(const Model& model, const Variant& v, const Pose<double>& pose, const Found& from,
-                        Found& into) {
+inline void polish_onto(const Model& model, const Variant& v, const Rigid& pose, const Found& from, Found& into) {
   using G = Lanes<PIEPER_LANES>;
   constexpr int W = PIEPER_LANES;
-  Frame<double> link[6];
-  role_links(model, 0, v.roles, pose, link);
-  Frame<G> wide[6];
-  for (int k = 0; k < 6; ++k) wide[k] = spread<G>(link[k]);
+  RigidT<G> wide[6];
+  role_links(model, 0, v.roles, spread<G>(pose), wide);
   for (int first = 0; first < from.count; first += W) {
     const int used = from.count - first < W ? from.count - first : W;
-    Joints<G> q;
+    Motion<G> q[6];
     for (int k = 0; k < 6; ++k)
       for (int i = 0; i < W; ++i) {
         const double x = from.q[first + (i < used ? i : used - 1)][v.roles.joint[k]];
-        set_lane(q.c[k], i, v.roles.prismatic[k] ? x : __builtin_cos(x));
-        set_lane(q.s[k], i, v.roles.prismatic[k] ? 0.0 : __builtin_sin(x));
+        const Motion<double> m = motion_of(x, v.roles.prismatic[k]);
+        set_lane(q[k].c, i, m.c);
+        set_lane(q[k].s, i, m.s);
       }
     const Closure<G> end = polish(wide, v.roles, q, 25);
     for (int i = 0; i < used; ++i) {
-      if (!(lane(end.residual, i) < kVerified)) continue;
+      if (!(lane(end.residual, i) < kGeneralVerified)) continue;
       double values[6];
       for (int k = 0; k < 6; ++k)
         values[v.roles.joint[k]] =
-            v.roles.prismatic[k] ? lane(q.c[k], i) : __builtin_atan2(lane(q.s[k], i), lane(q.c[k], i));
+            v.roles.prismatic[k] ? lane(q[k].c, i) : __builtin_atan2(lane(q[k].s, i), lane(q[k].c, i));
       insert(into, values, lane(end.sigma, i), lane(end.residual, i), model.prismatic);
     }
   }
@@ -72,7 +67,7 @@ inline void polish_onto(const Model& model, const Variant& v, const Pose<double>
 
 // Everything there is beyond the best variant. True when the pose is settled in the end; `healthy` when by an elimination that is
 // far from singular there, `singular` when only by neighbouring poses.
-inline bool escalate(const Model& model, const Pose<double>& pose, Found& found, bool* singular, bool* healthy) {
+inline bool escalate(const Model& model, const Rigid& pose, Found& found, bool* singular, bool* healthy) {
   *singular = *healthy = false;
   Report report;
   for (int n = 1; n < model.variants; ++n) {
@@ -81,7 +76,7 @@ inline bool escalate(const Model& model, const Pose<double>& pose, Found& found,
     // solutions fetched from nearby arms are believed when all of them agree
     const bool last = n + 1 == model.variants;
     if (agreed(model.variant[n], report, found, before) && (last || model.variant[0].arm == 0)) {
-      *healthy = model.variant[n].arm == 0 && report.size > kMarked * model.variant[n].typical;
+      *healthy = model.variant[n].arm == 0 && report.size > kGeneralMarked * model.variant[n].typical;
       return true;
     }
   }
@@ -113,10 +108,10 @@ inline bool escalate(const Model& model, const Pose<double>& pose, Found& found,
   return quiet >= 4;
 }
 
-// Ascending by joint 1, then 2, ...; joints that agree to 1e-6 count as equal, so that rounding does not change the order.
+// Ascending by joint 1, then 2, ...; joints that nearly agree count as equal, so that rounding does not change the order.
 inline bool comes_before(const double* a, const double* b) {
   for (int k = 0; k < 6; ++k)
-    if (__builtin_fabs(a[k] - b[k]) > 1e-6) return a[k] < b[k];
+    if (__builtin_fabs(a[k] - b[k]) > kKernelRowOrder) return a[k] < b[k];
   return false;
 }
 
@@ -146,7 +141,7 @@ inline void write_pose(const Model& model, const Found& found, bool certain, dou
     valid[i] = i < count;
     for (int k = 0; k < 6; ++k)
       q[6 * i + k] = i < count ? found.q[order[i]][k] * (model.prismatic[k] ? model.scale : 1.0) : 0.0;
-    if (i < count && (found.merged[order[i]] || found.sigma[order[i]] < kDegenerateSigma)) *flag |= kDegenerate;
+    if (i < count && (found.merged[order[i]] || found.sigma[order[i]] < kGeneralDegenerate)) *flag |= kDegenerate;
   }
   if (!certain) *flag |= kUncertain;
   else if (count == 0) *flag |= kOutOfReach;
@@ -193,8 +188,8 @@ void solve_general(const General& arm, const double* T, long count, double* q, s
     solve_variant(model, model.variant[0], load_poses<G>(poses), used, found, report);
     for (int i = 0; i < used; ++i) {
       // an elimination that has lost digits for this arm is not believed on its own word
-      const bool weak = !(report[i].size > kMarked * model.variant[0].typical);
-      bool certain = model.variant[0].noise < kQuiet && !weak && settled(report[i], found[i]);
+      const bool weak = !(report[i].size > kGeneralMarked * model.variant[0].typical);
+      bool certain = model.variant[0].noise < kGeneralQuiet && !weak && settled(report[i], found[i]);
       // next to a pose where the elimination is singular, variants may agree on what all of them have lost
       bool fetched = false, healthy = false;
       if (!certain) certain = escalate(model, load_poses<double>(poses + 16 * i), found[i], &fetched, &healthy);

@@ -1,9 +1,11 @@
 // Hessenberg form by Householder's reflections, in lanes: the first half of the eigenvalue problem.
 //
 // LAPACK is not linked: for 16 x 16 its call overhead and blocking cost more than the arithmetic.
+// A template over the number type.
 #pragma once
 
 #include "lanes/lanes.hpp"
+#include "tolerances.hpp"
 
 namespace pieper::PIEPER_ISA::general {
 
@@ -15,7 +17,7 @@ template <class F, int N> void hessenberg(F (&a)[N][N]) {
     F norm = sqrt(tail + x0 * x0);
     norm = select(x0 > 0.0, norm, 0.0 - norm);
     const F head = x0 + norm, size = norm * head;
-    const F scale = select(size > 1e-290, 1.0 / select(size > 1e-290, size, F(1.0)), F(0.0));
+    const F scale = select(size > kHouseholderZero, 1.0 / select(size > kHouseholderZero, size, F(1.0)), F(0.0));
     F v[N];
     v[k + 1] = head;
     for (int i = k + 2; i < N; ++i) v[i] = a[i][k];

@@ -27,8 +27,8 @@ struct Variant {
 
 struct Model {
   double scale;  // one scaled unit of length, m
-  Frame<double>
-      link[3][7];  // L0 .. L6, scaled, origins slid along the axes towards each other; of the arm and two nearby ones
+  // L0 .. L6, scaled, origins slid along the axes towards each other; of the arm and two nearby ones
+  Rigid link[3][7];
   bool prismatic[6];
   int prismatic_count;
   int variants;
@@ -36,27 +36,12 @@ struct Model {
   Variant variant[kMaxVariants];
 };
 
-inline Frame<double> frame_of(const double* T, double scale) {
-  Frame<double> out;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) out.r[i][j] = T[4 * i + j];
-    out.p[i] = T[4 * i + 3] / scale;
-  }
-  return out;
-}
-
 // The six links of the loop in role order for poses T (lanes): the last loop link is L6 T^-1 L0.
 template <class F>
-void role_links(const Model& model, int arm, const Roles& roles, const Pose<F>& pose, Frame<F>* link) {
-  const Frame<double>* own = model.link[arm];
-  Frame<F> T;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) T.r[i][j] = pose.r[i][j];
-    T.p[i] = pose.p[i] / model.scale;
-  }
+void role_links(const Model& model, int arm, const Roles& roles, const RigidT<F>& pose, RigidT<F>* link) {
+  const RigidT<F> closing = closing_link(model.link[arm], in_lengths(pose, model.scale));
   for (int k = 0; k < 6; ++k) {
-    const int which = roles.loop_link(k);
-    Frame<F> a = which == 5 ? spread<F>(own[6]) * inverse(T) * spread<F>(own[0]) : spread<F>(own[which + 1]);
+    const RigidT<F> a = loop_link(model.link[arm], closing, roles.loop_link(k));
     link[k] = roles.reverse ? flipped(inverse(a)) : a;
   }
 }
@@ -68,14 +53,14 @@ template <int N> inline const RowSpace<double, N>& basis_of(const Variant& v) {
 
 // Everything one variant says about W poses before eigenvalues.
 template <class F> struct Eliminated {
-  Frame<F> link[6], arm_link[6];  // arm_link: of the arm itself, where a nearby one was eliminated
+  RigidT<F> link[6], arm_link[6];  // arm_link: of the arm itself, where a nearby one was eliminated
   RightSide<F> right;
   Equations<F> eq;
   F chart_c, chart_s;  // t = infinity lies half a turn away
   F largest;           // |determinant| there
 };
 
-template <class F, int N> void eliminate_poses(const Model& model, const Variant& v, const Pose<F>& pose,
+template <class F, int N> void eliminate_poses(const Model& model, const Variant& v, const RigidT<F>& pose,
                                                Eliminated<F>& out, Compressed<F, N>& matrix) {
   role_links(model, v.arm, v.roles, pose, out.link);
   if (v.arm) role_links(model, 0, v.roles, pose, out.arm_link);
@@ -116,7 +101,7 @@ inline Spectrum spectrum(int count, const double* re, const double* im, double c
     const double a = re[i], b = im[i];
     out.angle[i] = chart + (b == 0 ? 2 * __builtin_atan(a) : __builtin_atan2(2 * a, 1 - a * a - b * b));
     const double up = a * a + (1 + b) * (1 + b), down = a * a + (1 - b) * (1 - b);
-    out.imaginary[i] = b == 0 ? 0 : 0.5 * __builtin_log(up / (down > 1e-300 ? down : 1e-300));
+    out.imaginary[i] = b == 0 ? 0 : 0.5 * __builtin_log(up / (down > kTiny ? down : kTiny));
   }
   return out;
 }

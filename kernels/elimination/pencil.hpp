@@ -6,6 +6,7 @@
 // e^{-i theta3}, has only four independent functions. (i u; u) with complex u fills all of R^2N, so the orthogonal
 // complement is { (i Y a; Y a) } with Y an orthonormal basis of the row space of W, whatever the chart. Compressing the
 // companion matrix to that complement leaves exactly the 4N/3 eigenvalues that matter.
+// Templates over the number type.
 #pragma once
 
 #include "elimination/elimination.hpp"
@@ -88,7 +89,7 @@ template <class F, int Rows, int Width> F triangulate(F (&m)[Rows][Width], int c
     F norm = sqrt(tail + x0 * x0);
     norm = select(x0 > 0.0, norm, 0.0 - norm);
     const F head = x0 + norm, size = norm * head;
-    const F scale = select(size > 1e-290, 1.0 / select(size > 1e-290, size, F(1.0)), F(0.0));
+    const F scale = select(size > kHouseholderZero, 1.0 / select(size > kHouseholderZero, size, F(1.0)), F(0.0));
     for (int j = c + 1; j < Width; ++j) {
       F w = head * m[c][j];
       for (int i = c + 1; i < Rows; ++i) w += m[i][c] * m[i][j];
@@ -187,7 +188,7 @@ void compress(const Equations<F>& eq, const RowSpace<F, N>& y, int layout, F c, 
   triangulate(work, N);
   for (int i = N - 1; i >= 0; --i) {
     const F d = work[i][i];
-    const F inv = 1.0 / select(abs(d) > 1e-280, d, F(1e-280));
+    const F inv = 1.0 / select(abs(d) > kPencilPivot, d, F(kPencilPivot));
     for (int k = N; k < N + K; ++k) {
       F v = work[i][k];
       for (int j = i + 1; j < N; ++j) v -= work[i][j] * work[j][k];

@@ -4,6 +4,7 @@
 // joint is at ease: so all are tried when the arm is made. Two things are measured on random poses: the determinant in the hidden
 // angle must be a trigonometric polynomial of degree 8 (or 4), so what lies above is noise; and the joint vector that made the pose,
 // and every solution that some other variant found, must be found.
+// Scalar, but for the solver it tries.
 #pragma once
 
 #include "elimination/slides.hpp"
@@ -21,46 +22,28 @@ struct Random {  // Steele, Lea and Flood's splitmix64 (2014)
   }
 };
 
-// Forward kinematics in scaled lengths.
-inline Frame<double> forward(const Model& model, const double* q) {
-  Frame<double> at = model.link[0][0];
-  for (int k = 0; k < 6; ++k) {
-    Frame<double> z{};
-    z.r[0][0] = z.r[1][1] = z.r[2][2] = 1;
-    if (model.prismatic[k]) z.p[2] = q[k];
-    else {
-      z.r[0][0] = z.r[1][1] = __builtin_cos(q[k]);
-      z.r[1][0] = __builtin_sin(q[k]);
-      z.r[0][1] = -z.r[1][0];
-    }
-    at = at * z * model.link[0][k + 1];
-  }
-  return at;
-}
-
-inline Pose<double> as_pose(const Frame<double>& a, double scale) {
-  Pose<double> out;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) out.r[i][j] = a.r[i][j];
-    out.p[i] = a.p[i] * scale;
-  }
-  return out;
+// The pose of a scaled joint vector.
+inline Rigid forward(const Model& model, const double* q) {
+  const Rigid end = walk(
+      6, model.link[0][0], [&](int k) -> const Rigid& { return model.link[0][k + 1]; },
+      [&](int k) { return motion_of(q[k], model.prismatic[k]); }, model.prismatic, [](int, const Rigid&) {});
+  return in_lengths(end, 1 / model.scale);
 }
 
 // A pose turned and moved a little.
-inline Pose<double> perturbed(const Pose<double>& pose, double size, double length, Random& random) {
+inline Rigid perturbed(const Rigid& pose, double size, double length, Random& random) {
   double w[3];
   for (double& x : w) x = size * (2 * random.uniform() - 1);
-  Pose<double> out = pose;
+  Rigid out = pose;
   for (int j = 0; j < 3; ++j) {  // exact rotation by the quaternion (1, w / 2)
-    const double x = pose.r[0][j], y = pose.r[1][j], z = pose.r[2][j];
+    const double x = pose.r(0, j), y = pose.r(1, j), z = pose.r(2, j);
     const double a = 0.5 * w[0], b = 0.5 * w[1], c = 0.5 * w[2], s = 2 / (1 + a * a + b * b + c * c);
     const double u = b * z - c * y, v = c * x - a * z, t = a * y - b * x;
-    out.r[0][j] = x + s * (u + b * t - c * v);
-    out.r[1][j] = y + s * (v + c * u - a * t);
-    out.r[2][j] = z + s * (t + a * v - b * u);
+    out.r(0, j) = x + s * (u + b * t - c * v);
+    out.r(1, j) = y + s * (v + c * u - a * t);
+    out.r(2, j) = z + s * (t + a * v - b * u);
   }
-  for (double& p : out.p) p += size * length * (2 * random.uniform() - 1);
+  for (int i = 0; i < 3; ++i) out.p(i) += size * length * (2 * random.uniform() - 1);
   return out;
 }
 
@@ -75,20 +58,18 @@ inline bool layout_of(const Roles& roles, int& layout) {
 }
 
 inline void fill_constants(const Model& model, Variant& v) {
-  Pose<double> any{};
-  any.r[0][0] = any.r[1][1] = any.r[2][2] = 1;
-  Frame<double> link[6];
-  role_links(model, v.arm, v.roles, any, link);
+  Rigid link[6];
+  role_links(model, v.arm, v.roles, kNoMotion, link);
   left_side(link, v.roles, v.chart, v.swap, v.left);
   if (v.layout == kTwelve) row_space<double, 12>(v.left, v.layout, v.basis);
   else row_space<double, 6>(v.left, v.layout, v.basis6);
 }
 
 // What of the determinant lies above its degree, relative to all of it; 1 when it vanishes.
-inline double determinant_noise(const Model& model, const Variant& v, const Pose<double>& pose) {
+inline double determinant_noise(const Model& model, const Variant& v, const Rigid& pose) {
   constexpr int K = 24;
   const int degree = v.layout == kTwelve ? 8 : 4;
-  Frame<double> link[6];
+  Rigid link[6];
   role_links(model, v.arm, v.roles, pose, link);
   RightSide<double> right;
   right_side(link, v.roles, right);
@@ -153,7 +134,7 @@ inline constexpr int kTried = 24;
 // The test poses, and what the variants found for them.
 struct SelfTest {
   static constexpr int groups = (kTestPoses + PIEPER_LANES - 1) / PIEPER_LANES, poses = groups * PIEPER_LANES;
-  Pose<double> pose[poses];
+  Rigid pose[poses];
   Found known[poses];  // by whoever
   Found own[3 * kTried][poses];
   Variant variant[3 * kTried];
@@ -167,7 +148,7 @@ inline void make_test_poses(const Model& model, SelfTest& test) {
     double made[6];
     for (int k = 0; k < 6; ++k)
       made[k] = model.prismatic[k] ? 2 * random.uniform() - 1 : kTwoPi * random.uniform() - kPi;
-    test.pose[i] = as_pose(forward(model, made), model.scale);
+    test.pose[i] = forward(model, made);
     test.known[i].count = 0;
     insert(test.known[i], made, 1, 0, model.prismatic);
   }
@@ -193,18 +174,15 @@ inline void try_variant(const Model& model, SelfTest& test, int arm, int t) {
   double noise[8];
   for (int i = 0; i < 8; ++i) noise[i] = determinant_noise(model, v, test.pose[i]);
   v.noise = trial.noise = median(noise, 8);
-  if (!(trial.noise < 1e-6)) return;
+  if (!(trial.noise < kGeneralNoisiest)) return;
   trial.rank = kTried;
   trial.missed = 0;
   v.typical = 0;
   double size[SelfTest::poses];
   for (int g = 0; g < SelfTest::groups; ++g) {
-    Pose<G> wide;
+    RigidT<G> wide;
     for (int i = 0; i < W; ++i) {
-      for (int r = 0; r < 3; ++r) {
-        for (int k = 0; k < 3; ++k) set_lane(wide.r[r][k], i, test.pose[g * W + i].r[r][k]);
-        set_lane(wide.p[r], i, test.pose[g * W + i].p[r]);
-      }
+      copy_lanes<G, double>(wide, i, test.pose[g * W + i], 0);
       test.own[at][g * W + i].count = 0;
     }
     Report report[W];
@@ -233,7 +211,7 @@ inline void rate(const Model& model, SelfTest& test, int at) {
     trial.missed += f.count - before;
   }
   if (trial.missed > kTestPoses) return;  // of no use even as a second opinion
-  const double noise = trial.noise > 1e-15 ? __builtin_log10(trial.noise / 1e-15) : 0;
+  const double noise = trial.noise > kGeneralPerfect ? __builtin_log10(trial.noise / kGeneralPerfect) : 0;
   const Variant& v = test.variant[at];
   test.score[at] = 1000.0 * trial.missed + 3 * noise + 0.5 * trial.open + (v.pose_free() ? 0 : 2) + (v.arm ? 100 : 0);
 }
@@ -281,11 +259,7 @@ inline void make_nearby(Model& model) {
     for (int k = 0; k < 7; ++k) {
       model.link[arm][k] = model.link[0][k];
       if (k == 0 || k == 6) continue;
-      const Pose<double> moved = perturbed(as_pose(model.link[0][k], 1.0), arm == 1 ? 1e-3 : 3e-4, 1.0, random);
-      for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) model.link[arm][k].r[i][j] = moved.r[i][j];
-        model.link[arm][k].p[i] = moved.p[i];
-      }
+      model.link[arm][k] = perturbed(model.link[0][k], arm == 1 ? kGeneralNearby : kGeneralNearbyToo, 1.0, random);
     }
 }
 
@@ -299,7 +273,7 @@ inline bool slides_work(const Model& model) {
       made[k] = model.prismatic[k] ? 2 * random.uniform() - 1 : kTwoPi * random.uniform() - kPi;
     Found found;
     found.count = 0;
-    if (!solve_slides(model, as_pose(forward(model, made), model.scale), found)) continue;
+    if (!solve_slides(model, forward(model, made), found)) continue;
     const int before = found.count;
     insert(found, made, 1, 0, model.prismatic);
     hits += before > 0 && found.count == before;
@@ -311,7 +285,7 @@ inline bool slides_work(const Model& model) {
 inline bool make_model(const General& arm, Model& model, Trial* trials) {
   __builtin_memset(static_cast<void*>(&model), 0, sizeof(Model));
   model.scale = arm.scale;
-  for (int k = 0; k < 7; ++k) model.link[0][k] = frame_of(arm.links[k][0], arm.scale);
+  for (int k = 0; k < 7; ++k) model.link[0][k] = read_rigid(arm.links[k][0], arm.scale);
   make_nearby(model);
   for (int k = 0; k < 6; ++k) {
     model.prismatic[k] = arm.slides[k];

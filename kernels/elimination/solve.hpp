@@ -1,4 +1,5 @@
 // One variant of the elimination applied to W poses: eigenvalues, candidates in lanes, polished solutions, and what is open.
+// Templates over the number type.
 #pragma once
 
 #include "elimination/model.hpp"
@@ -6,12 +7,6 @@
 namespace pieper::PIEPER_ISA::general {
 
 inline constexpr int kMaxFound = 32;
-inline constexpr double kVerified = 1e-11;  // scaled lengths and radians; what polish leaves is 1e-15 unless singular
-inline constexpr double kSameSolution = 1e-7;  // radians or scaled lengths
-inline constexpr double kNearlyReal = 2e-3;    // imaginary part below which a complex pair is tried as a double root
-
-// Where the determinant is this much smaller than usual at all hidden angles, the elimination itself is singular at the pose.
-inline constexpr double kVanishing = 1e-13;
 
 // Distinct verified solutions of one pose, joints in robot order, lengths scaled.
 struct Found {
@@ -36,8 +31,8 @@ inline int insert(Found& set, const double* q, double sigma, double residual, co
   // what polish can resolve: rounding over the smallest singular value
   for (int i = 0; i < set.count; ++i) {
     const double smaller = sigma < set.sigma[i] ? sigma : set.sigma[i];
-    double same = 3e-15 / (smaller > 1e-12 ? smaller : 1e-12);
-    same = same > 4e-7 ? 4e-7 : same < kSameSolution ? kSameSolution : same;
+    double same = kGeneralResolved / (smaller > kGeneralLeastSigma ? smaller : kGeneralLeastSigma);
+    same = same > kGeneralSameMost ? kGeneralSameMost : same < kGeneralSame ? kGeneralSame : same;
     if (joint_distance(set.q[i], q, prismatic) < same) {
       if (residual < set.residual[i]) {
         for (int k = 0; k < 6; ++k) set.q[i][k] = q[k];
@@ -72,28 +67,6 @@ struct Report {
   double size;     // largest |determinant| met
 };
 
-template <class F> PIEPER_INLINE void copy_lane(F& to, int i, const F& from, int j) { set_lane(to, i, lane(from, j)); }
-
-template <class F, class G> void gather_lane(Eliminated<G>& to, int i, const Eliminated<F>& from, int j, bool nearby) {
-  for (int r = 0; r < 6; ++r)
-    for (int k = 0; k < 27; ++k) set_lane(to.eq.e[r][k], i, lane(from.eq.e[r][k], j));
-  for (int r = 0; r < 6; ++r)
-    for (int k = 0; k < 3; ++k) set_lane(to.right.real[r][k], i, lane(from.right.real[r][k], j));
-  for (int r = 0; r < 4; ++r)
-    for (int k = 0; k < 3; ++k) {
-      set_lane(to.right.turned[r][k].re, i, lane(from.right.turned[r][k].re, j));
-      set_lane(to.right.turned[r][k].im, i, lane(from.right.turned[r][k].im, j));
-    }
-  for (int l = 0; l < 6; ++l)
-    for (int r = 0; r < 3; ++r) {
-      for (int k = 0; k < 3; ++k) set_lane(to.link[l].r[r][k], i, lane(from.link[l].r[r][k], j));
-      set_lane(to.link[l].p[r], i, lane(from.link[l].p[r], j));
-      if (!nearby) continue;
-      for (int k = 0; k < 3; ++k) set_lane(to.arm_link[l].r[r][k], i, lane(from.arm_link[l].r[r][k], j));
-      set_lane(to.arm_link[l].p[r], i, lane(from.arm_link[l].p[r], j));
-    }
-}
-
 inline const double* start_vector(int which) {
   static const double v[3][6] = {
       {1, 0.83, -0.71, 0.93, 1.11, -0.87}, {1, -0.9, 0.8, -1.1, 0.7, 0.95}, {0.6, 1, 1.2, 0.9, -1, -0.8}};
@@ -111,21 +84,24 @@ template <class F> void try_candidates(const Model& model, const Variant& v, con
     G c3(1.0), s3(0.0);
     for (int i = 0; i < W; ++i) {
       const Candidate& c = list[first + (i < used ? i : used - 1)];
-      gather_lane(group, i, poses, c.pose, v.arm != 0);
+      copy_lanes<G, F>(group.eq, i, poses.eq, c.pose);
+      copy_lanes<G, F>(group.right, i, poses.right, c.pose);
+      copy_lanes<G, F>(group.link, i, poses.link, c.pose);
+      if (v.arm) copy_lanes<G, F>(group.arm_link, i, poses.arm_link, c.pose);
       set_lane(c3, i, c.angle);
     }
     sincos(G(c3), s3, c3);
-    Joints<G> q;
+    Motion<G> q[6];
     complete_candidate(group.eq, group.right, group.link, v.roles, v.chart, v.layout, v.swap, start_vector(start), c3,
                        s3, q);
     Closure<G> end = polish(group.link, v.roles, q, v.arm ? 8 : steps);
     if (v.arm) end = polish(group.arm_link, v.roles, q, steps);
     double joint[6][W];
-    for (int k = 0; k < 6; ++k) store(joint[v.roles.joint[k]], v.roles.prismatic[k] ? q.c[k] : atan2(q.s[k], q.c[k]));
+    for (int k = 0; k < 6; ++k) store(joint[v.roles.joint[k]], v.roles.prismatic[k] ? q[k].c : atan2(q[k].s, q[k].c));
     for (int i = 0; i < used; ++i) {
       Candidate& c = list[first + i];
       c.solution = -1;
-      if (!(lane(end.residual, i) < kVerified)) continue;
+      if (!(lane(end.residual, i) < kGeneralVerified)) continue;
       double values[6];
       for (int k = 0; k < 6; ++k) values[k] = joint[k][i];
       c.solution = insert(found[c.pose], values, lane(end.sigma, i), lane(end.residual, i), model.prismatic);
@@ -134,8 +110,8 @@ template <class F> void try_candidates(const Model& model, const Variant& v, con
 }
 
 // All solutions that one variant finds for `used` poses in lanes; adds to `found`, writes one report per pose.
-template <class F, int N>
-void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, int used, Found* found, Report* report) {
+template <class F, int N> void solve_variant(const Model& model, const Variant& v, const RigidT<F>& pose, int used,
+                                             Found* found, Report* report) {
   constexpr int S = 4 * N / 3, W = width_of<F>;
   Eliminated<F> poses;
   Compressed<F, N> matrix;
@@ -149,11 +125,11 @@ void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, in
   for (int i = 0; i < used; ++i) {
     const Spectrum all = spectrum(eigenvalues[i], re[i], im[i], lane(poses.chart_c, i), lane(poses.chart_s, i));
     const double size = lane(poses.largest, i);
-    report[i] = {0, 0, all.count < S || !(size > kVanishing * v.typical), 0, size};
+    report[i] = {0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), 0, size};
     for (int k = 0; k < all.count; ++k) {
       const double im = all.imaginary[k];
       if (im == 0) ++report[i].real;
-      else if (!(__builtin_fabs(im) < kNearlyReal)) continue;
+      else if (!(__builtin_fabs(im) < kGeneralNearlyReal)) continue;
       list[count++] = {i, all.angle[k] + im, im, -1};
     }
   }
@@ -163,7 +139,7 @@ void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, in
     Candidate open[W * 20];
     int index[W * 20], n = 0;
     for (int k = 0; k < count; ++k) {
-      bool again = list[k].solution < 0 && __builtin_fabs(list[k].partner) < 2e-4;
+      bool again = list[k].solution < 0 && __builtin_fabs(list[k].partner) < kGeneralTryAgain;
       for (int j = 0; j < k && !again; ++j)
         again = list[j].pose == list[k].pose && list[k].solution >= 0 && list[j].solution == list[k].solution;
       if (!again) continue;
@@ -184,7 +160,7 @@ void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, in
         d = d > kPi ? __builtin_fabs(kTwoPi - d) : d;
         Found& all = found[list[k].pose];
         // a double root; roots that coincide where the posture is far from singular belong to two solutions, one of them not found
-        if (d < 1e-5 && all.sigma[list[k].solution] < 1e-3) all.merged[list[k].solution] = true;
+        if (d < kGeneralOneRoot && all.sigma[list[k].solution] < kGeneralMerged) all.merged[list[k].solution] = true;
         else if (j < k) own = false;
       }
     Report& r = report[list[k].pose];
@@ -198,8 +174,8 @@ void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, in
   }
 }
 
-template <class F>
-void solve_variant(const Model& model, const Variant& v, const Pose<F>& pose, int used, Found* found, Report* report) {
+template <class F> void solve_variant(const Model& model, const Variant& v, const RigidT<F>& pose, int used,
+                                      Found* found, Report* report) {
   if (v.layout == kTwelve) solve_variant<F, 12>(model, v, pose, used, found, report);
   else solve_variant<F, 6>(model, v, pose, used, found, report);
 }

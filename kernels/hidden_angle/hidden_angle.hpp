@@ -7,6 +7,7 @@
 //   Arm: its constants, doubles only; Target<F>: a pose as the arm sees it, numbers of type F only;
 //   see(arm, pose), polynomial(arm, target, c, s),
 //   complete(arm, target, c, s, side, q): the joints from a root, side +1 or -1, or 0 where it must find out; returns what is not clear.
+// Templates over the number type, used for lanes only; the general solver is the careful road.
 #pragma once
 
 #include "closed_form/lanes/group.hpp"
@@ -14,11 +15,6 @@
 #include "hidden_angle/trigonometric_roots.hpp"
 
 namespace pieper::PIEPER_ISA::hidden_angle {
-
-using closed_form::Motion;
-using closed_form::RigidT;
-using closed_form::unit;
-using closed_form::Vec3T;
 
 // x + y r with r^2 known: what is even and what is odd in a square root, also where that is not real.
 template <class F> struct Surd { F x, y, square; };
@@ -40,12 +36,12 @@ template <class F> PIEPER_INLINE Dual<F> operator+(Dual<F> a, double b) { return
 template <class F> PIEPER_INLINE Dual<F> operator*(double k, Dual<F> a) { return {k * a.x, k * a.d}; }
 template <class F> PIEPER_INLINE Dual<F> operator*(F k, Dual<F> a) { return {k * a.x, k * a.d}; }
 template <class F> PIEPER_INLINE Dual<F> over(Dual<F> a, Dual<F> b) {
-  const F inv = 1.0 / select(b.x == 0.0, F(1e-300), b.x), x = a.x * inv;
+  const F inv = 1.0 / select(b.x == 0.0, F(kTiny), b.x), x = a.x * inv;
   return {x, (a.d - x * b.d) * inv};
 }
 template <class F> PIEPER_INLINE Dual<F> root(Dual<F> a) {
   const F x = sqrt(max(a.x, F(0.0)));
-  return {x, 0.5 * a.d / select(x == 0.0, F(1e-300), x)};
+  return {x, 0.5 * a.d / select(x == 0.0, F(kTiny), x)};
 }
 
 // A small turn, kept of length one.
@@ -55,22 +51,10 @@ template <class F> PIEPER_INLINE Motion<F> advanced(Motion<F> angle, F change) {
   return {t.c * n, t.s * n};
 }
 
-// What rounding leaves of the polynomial's coefficients is below this, relative to their sum.
-inline constexpr double kNoise = 3e-14;
-
 template <int Slots> struct Found {
   int count;
   double q[Slots][6];
 };
-
-template <class F> PIEPER_INLINE void copy_lane(F& to, int i, const F& from, int j) { set_lane(to, i, lane(from, j)); }
-
-template <class F, class T> PIEPER_INLINE void copy_lanes(T& to, int i, const T& from, int j) {
-  static_assert(sizeof(T) % sizeof(F) == 0);
-  F* into = reinterpret_cast<F*>(&to);
-  const F* of = reinterpret_cast<const F*>(&from);
-  for (unsigned k = 0; k < sizeof(T) / sizeof(F); ++k) copy_lane(into[k], i, of[k], j);
-}
 
 // W candidates of any poses of the group.
 template <class F, class Family> struct Candidates {
@@ -86,17 +70,14 @@ template <class F, class Family> void enter(const HiddenAngle& head, const typen
                                             int used, Found<Family::slots>* found, unsigned& unclear_poses) {
   Motion<F> q[6];
   auto unclear = Family::complete(arm, x.target, x.root, x.side, q);
-  RigidT<F> frame = truth[0];
+  const RigidT<F> end = walk(
+      6, truth[0], [&](int j) -> const RigidT<F>& { return truth[j + 1]; }, [&](int j) { return q[j]; }, head.slides,
+      [](int, const RigidT<F>&) {});
   F value[6];
-  for (int j = 0; j < 6; ++j) {
-    const bool slides = head.slides[j];
-    frame = closed_form::moved(frame, q[j], slides) * truth[j + 1];
-    value[j] = slides ? q[j].c * head.length : atan2(q[j].s, q[j].c);
-  }
-  auto between = [](Vec3T<F> a, Vec3T<F> b) { return max(abs(a.x - b.x), max(abs(a.y - b.y), abs(a.z - b.z))); };
-  const F miss = max(max(between(frame.x, x.tool.x), between(frame.y, x.tool.y)),
-                     max(between(frame.z, x.tool.z), between(frame.t, x.tool.t)));
-  unclear = unclear | !(miss <= 0.5 * closed_form::kVerified);
+  for (int j = 0; j < 6; ++j) value[j] = head.slides[j] ? q[j].c * head.length : atan2(q[j].s, q[j].c);
+  const F miss = max(max(largest(end.x - x.tool.x), largest(end.y - x.tool.y)),
+                     max(largest(end.z - x.tool.z), largest(end.t - x.tool.t)));
+  unclear = unclear | !(miss <= 0.5 * kClosedVerified);
   const unsigned bits = bits_of(unclear);
   for (int i = 0; i < used; ++i) {
     Found<Family::slots>& to = found[pose[i]];
@@ -111,22 +92,18 @@ template <class F, class Family> void enter(const HiddenAngle& head, const typen
 
 // A group of W poses, `used` of them asked for. Returns the bits of the poses that are not clear.
 template <class F, class Family> unsigned solve_group(const HiddenAngle& head, const typename Family::Arm& arm,
-                                                      const RigidT<F>* truth, const Pose<F>& pose, int used,
+                                                      const RigidT<F>* truth, const RigidT<F>& pose, int used,
                                                       Found<Family::slots>* found) {
   constexpr int W = width_of<F>, D = Family::degree, M = Family::samples;
   const auto target = Family::see(arm, pose);
-  const double scale = 1 / head.length;
-  const RigidT<F> tool = {{pose.r[0][0], pose.r[1][0], pose.r[2][0]},
-                          {pose.r[0][1], pose.r[1][1], pose.r[2][1]},
-                          {pose.r[0][2], pose.r[1][2], pose.r[2][2]},
-                          {pose.p[0] * scale, pose.p[1] * scale, pose.p[2] * scale}};
+  const RigidT<F> tool = in_lengths(pose, head.length);
   const trigonometric::Circle<M>& angle = trigonometric::circle<M>();
   F value[M], size;
   for (int i = 0; i < M; ++i) value[i] = Family::polynomial(arm, target, Motion<F>{F(angle.c[i]), F(angle.s[i])});
   trigonometric::Series<F, D> series;
   const F above = trigonometric::series_of<F, D, M>(value, series, size);
-  const F noise = max(kNoise * size, 100.0 * above);
-  unsigned unclear = bits_of(!(above < 1e-12 * size));
+  const F noise = max(kHiddenNoise * size, 100.0 * above);
+  unsigned unclear = bits_of(!(above < kHiddenDegree * size));
   trigonometric::Sectors<F, D> sectors;
   sectors_of(series, sectors);
   trigonometric::Bracket list[W * 2 * D];
@@ -150,9 +127,9 @@ template <class F, class Family> unsigned solve_group(const HiddenAngle& head, c
     for (int i = 0; i < W; ++i) {
       const trigonometric::Bracket& b = list[first + (i < lanes ? i : lanes - 1)];
       of[i] = b.lane;
-      copy_lanes<F>(own, i, series, b.lane);
-      copy_lanes<F>(x.target, i, target, b.lane);
-      copy_lanes<F>(x.tool, i, tool, b.lane);
+      copy_lanes<F, F>(own, i, series, b.lane);
+      copy_lanes<F, F>(x.target, i, target, b.lane);
+      copy_lanes<F, F>(x.tool, i, tool, b.lane);
       set_lane(centre_c, i, turn.c[2 * b.sector + 1]);
       set_lane(centre_s, i, turn.s[2 * b.sector + 1]);
       set_lane(low, i, b.low);
@@ -170,16 +147,6 @@ template <class F, class Family> unsigned solve_group(const HiddenAngle& head, c
   return unclear & ((1u << used) - 1u);
 }
 
-// The pose of base in tool, where the arm was reversed.
-template <class F> PIEPER_INLINE Pose<F> inverse_of(const Pose<F>& a) {
-  Pose<F> out;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) out.r[i][j] = a.r[j][i];
-    out.p[i] = 0.0 - (a.r[0][i] * a.p[0] + a.r[1][i] * a.p[1] + a.r[2][i] * a.p[2]);
-  }
-  return out;
-}
-
 // Largest joint difference of two solutions, lengths in units of the arm.
 inline double apart(const HiddenAngle& head, const double* a, const double* b) {
   double worst = 0;
@@ -191,14 +158,13 @@ inline double apart(const HiddenAngle& head, const double* a, const double* b) {
   }
   return worst;
 }
-inline constexpr double kSame = 1e-5;  // of two ways of solving a pose that is not clear
 
 // Adds to n rows those of `more` that are none of them; returns how many there are then.
 template <int Slots> int joined(const HiddenAngle& head, double* rows, int n, const Found<Slots>& more) {
   const int known = n;
   for (int k = 0; k < more.count && n < Slots; ++k) {
     bool again = false;
-    for (int m = 0; m < known && !again; ++m) again = apart(head, rows + 6 * m, more.q[k]) < kSame;
+    for (int m = 0; m < known && !again; ++m) again = apart(head, rows + 6 * m, more.q[k]) < kHiddenSame;
     if (!again) __builtin_memcpy(rows + 6 * n++, more.q[k], 6 * sizeof(double));
   }
   return n;
@@ -238,11 +204,11 @@ template <class Family> void solve(const HiddenAngle& head, const typename Famil
   constexpr int M = Family::slots;
   using F = Lanes<PIEPER_LANES>;
   RigidT<F> truth[7];
-  for (int k = 0; k < 7; ++k) truth[k] = closed_form::spread<F>(closed_form::read_rigid(head.links[k][0], head.length));
+  for (int k = 0; k < 7; ++k) truth[k] = spread<F>(read_rigid(head.links[k][0], head.length));
   Waiting<M> waiting;
   in_lanes(T, count, [&](long done, int used, const double* poses) {
-    Pose<F> pose = load_poses<F>(poses);
-    if (head.backward) pose = inverse_of(pose);
+    RigidT<F> pose = load_poses<F>(poses);
+    if (head.backward) pose = inverse(pose);
     Found<M> found[PIEPER_LANES];
     unsigned unclear = solve_group<F, Family>(head, arm[0], truth, pose, used, found);
     for (int way = 1; way < ways && unclear; ++way) {

@@ -13,6 +13,7 @@
 // solutions. Where neither an offset nor a twist tells the two sides apart (CRX) N is even in u, N rho^2 has
 // degree 4, and each of its 8 roots gives two solutions. Roots: trigonometric_roots.hpp. A pose where anything
 // is delicate is handed to the general solver.
+// Templates over the number type.
 #pragma once
 
 #include "dispatch/geometry.hpp"
@@ -71,16 +72,16 @@ using Arm = OffsetWrist;
 // A pose as the arm sees it.
 template <class F> struct Target { F at[3], lever[3], lever_turned[3], fifth[3][3], axis6[3]; };
 
-template <class F> PIEPER_INLINE void turned_by(const F (*D)[3], Vector v, F* out) {
+template <class F> PIEPER_INLINE void turned_from(const F (*D)[3], Vector v, F* out) {
   for (int i = 0; i < 3; ++i) out[i] = D[i][0] * v.x + D[i][1] * v.y + D[i][2] * v.z;
 }
 
-template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const Pose<F>& pose) {
+template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const RigidT<F>& pose) {
   F turned[3][3], D[3][3], p[3];
   for (int i = 0; i < 3; ++i) {
     const double* b = arm.to_base[i];
-    for (int j = 0; j < 3; ++j) turned[i][j] = b[0] * pose.r[0][j] + b[1] * pose.r[1][j] + b[2] * pose.r[2][j];
-    p[i] = (b[0] * (pose.p[0] - arm.base[0]) + b[1] * (pose.p[1] - arm.base[1]) + b[2] * (pose.p[2] - arm.base[2])) *
+    for (int j = 0; j < 3; ++j) turned[i][j] = b[0] * pose.r(0, j) + b[1] * pose.r(1, j) + b[2] * pose.r(2, j);
+    p[i] = (b[0] * (pose.p(0) - arm.base[0]) + b[1] * (pose.p(1) - arm.base[1]) + b[2] * (pose.p(2) - arm.base[2])) *
            (1 / arm.length);
   }
   for (int i = 0; i < 3; ++i)
@@ -88,12 +89,12 @@ template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const Pose<F>& po
       D[i][j] =
           turned[i][0] * arm.from_tool[0][j] + turned[i][1] * arm.from_tool[1][j] + turned[i][2] * arm.from_tool[2][j];
   Target<F> out;
-  turned_by(D, arm.sixth, out.at);
+  turned_from(D, arm.sixth, out.at);
   for (int i = 0; i < 3; ++i) out.at[i] = out.at[i] + p[i];
-  turned_by(D, arm.lever, out.lever);
-  turned_by(D, arm.lever_turned, out.lever_turned);
-  for (int k = 0; k < 3; ++k) turned_by(D, arm.fifth[k], out.fifth[k]);
-  turned_by(D, arm.axis6, out.axis6);
+  turned_from(D, arm.lever, out.lever);
+  turned_from(D, arm.lever_turned, out.lever_turned);
+  for (int k = 0; k < 3; ++k) turned_from(D, arm.fifth[k], out.fifth[k]);
+  turned_from(D, arm.axis6, out.axis6);
   return out;
 }
 
@@ -131,7 +132,7 @@ template <class F> PIEPER_INLINE At<F> at_angle(const Target<F>& t, F c, F s) {
 template <class F, bool Even> F polynomial(const Arm& arm, const Target<F>& t, F c, F s) {
   const At<F> at = at_angle(t, c, s);
   const F along = at.P[0] * at.axis5[0] + at.P[1] * at.axis5[1], past = at.P[0] * at.axis5[1] - at.P[1] * at.axis5[0];
-  const F rho2 = at.P[0] * at.P[0] + at.P[1] * at.P[1], inv = 1.0 / max(rho2, F(1e-30));
+  const F rho2 = at.P[0] * at.P[0] + at.P[1] * at.P[1], inv = 1.0 / max(rho2, F(kHiddenOnAxis));
   const double b = arm.lateral;
   const F u2 = rho2 - b * b;
   const Surd<F> u = {F(0.0), F(1.0), u2}, across = {-b * past * inv, along * inv, u2},
@@ -195,19 +196,19 @@ template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Mot
   auto size_of = [&](const Evaluated<F>& e) {
     return l2 * (e.on.v0.x * e.on.v0.x + e.on.v1.x * e.on.v1.x) + e.on.K.x * e.on.K.x;
   };
-  auto unclear =
-      !(now.u.x * side > 1e-4) | (open & !(apart[1] > 1e-8 * size_of(now))) | (open & !(apart[0] < 1e-2 * apart[1]));
+  auto unclear = !(now.u.x * side > kHiddenAside) | (open & !(apart[1] > kHiddenRoom * size_of(now))) |
+                 (open & !(apart[0] < kHiddenSide * apart[1]));
   // a step of Newton's on N, then one on d.w - g, which is less troubled by rounding: N = -|v|^2 times it times the same of the
   // triangle's other shape
-  F change = -now.on.N.x / select(now.on.N.d == 0.0, F(1e-300), now.on.N.d);
-  unclear = unclear | !(abs(change) < 1e-3);
+  F change = -now.on.N.x / select(now.on.N.d == 0.0, F(kTiny), now.on.N.d);
+  unclear = unclear | !(abs(change) < kHiddenFirstStep);
   theta = advanced(theta, change);
   F V, room, sign(1.0);
   auto triangle = [&](const Evaluated<F>& e, F& up, F& down) {
     const auto& c = e.on;
     V = c.v0.x * c.v0.x + c.v1.x * c.v1.x;
     room = l2 * V - c.K.x * c.K.x;
-    const F inv = 1.0 / max(V, F(1e-300)), even = c.K.x * (c.v0.x * c.w0.x + c.v1.x * c.w1.x);
+    const F inv = 1.0 / max(V, F(kTiny)), even = c.K.x * (c.v0.x * c.w0.x + c.v1.x * c.w1.x);
     const F odd = sqrt(max(room, F(0.0))) * (c.v0.x * c.w1.x - c.v1.x * c.w0.x);
     up = (even + odd) * inv - c.g.x;
     down = (even - odd) * inv - c.g.x;
@@ -218,19 +219,20 @@ template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Mot
   const auto first = abs(up) <= abs(down);
   const F own = select(first, up, down), other = select(first, down, up), slope = now.on.N.d, size = size_of(now);
   sign = select(first, F(1.0), F(-1.0));
-  unclear = unclear | !(room > 1e-8 * size) | !(abs(slope) > 1e-6 * size) | !(abs(other) > 1e-6 * l);
-  change = own * V * other / select(slope == 0.0, F(1e-300), slope);
-  unclear = unclear | !(abs(change) < 1e-6);
+  unclear =
+      unclear | !(room > kHiddenRoom * size) | !(abs(slope) > kHiddenSlope * size) | !(abs(other) > kHiddenSlope * l);
+  change = own * V * other / select(slope == 0.0, F(kTiny), slope);
+  unclear = unclear | !(abs(change) < kHiddenLastStep);
   theta = advanced(theta, change);
   now = evaluate<F>(arm, target, theta, side, nullptr);
   triangle(now, up, down);
   const At<F>& at = now.at;
   const F u = now.u.x, rho2 = now.rho2, across = now.across.x, out = now.out.x, level = now.level.x;
-  const F v0 = now.on.v0.x, v1 = now.on.v1.x, K = now.on.K.x, inv = 1.0 / max(V, F(1e-300)),
+  const F v0 = now.on.v0.x, v1 = now.on.v1.x, K = now.on.K.x, inv = 1.0 / max(V, F(kTiny)),
           bent = sign * sqrt(max(room, F(0.0)));
   const F d0 = (K * v0 - bent * v1) * inv, d1 = (K * v1 + bent * v0) * inv;
   const Motion<F> elbow = unit(v0 - d0, v1 - d1), fore = unit(d0, d1);
-  const F invr = 1.0 / max(rho2, F(1e-300));
+  const F invr = 1.0 / max(rho2, F(kTiny));
   const Motion<F> r = {(u * at.P[0] + b * at.P[1]) * invr, (u * at.P[1] - b * at.P[0]) * invr};
   q[0] = unit(r.c, r.s);
   // a plane angle grows from x to z, a turn about y the other way
@@ -264,7 +266,9 @@ template <bool Even> struct Family {
   static constexpr bool both = Even;
   using Arm = offset_wrist::Arm;
   template <class F> using Target = offset_wrist::Target<F>;
-  template <class F> static Target<F> see(const Arm& arm, const Pose<F>& pose) { return offset_wrist::see(arm, pose); }
+  template <class F> static Target<F> see(const Arm& arm, const RigidT<F>& pose) {
+    return offset_wrist::see(arm, pose);
+  }
   template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
     return offset_wrist::polynomial<F, Even>(arm, target, angle.c, angle.s);
   }

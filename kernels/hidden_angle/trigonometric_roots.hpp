@@ -5,9 +5,11 @@
 // means no root, one means exactly one, more are halved by de Casteljau's scheme (Descartes' rule in Bernstein's basis;
 // Lane and Riesenfeld, 1981). What is still open in a very narrow sector, a pair of roots about to merge or just gone, is
 // handed back as not clear.
+// Templates over the number type for the polynomials; isolating roots goes lane by lane.
 #pragma once
 
 #include "lanes/lanes.hpp"
+#include "tolerances.hpp"
 
 namespace pieper::PIEPER_ISA::trigonometric {
 
@@ -238,10 +240,10 @@ void refine(const Series<F, D>& p, F centre_c, F centre_s, F low, F high, F at_l
     const auto below = re < 0.0, left = (below & negative) | !(below | negative);
     low = select(left & !done, u, low);
     high = select(!left & !done, u, high);
-    F next = u - re / select(slope == 0.0, F(1e-300), slope);
+    F next = u - re / select(slope == 0.0, F(kTiny), slope);
     const auto inside = (next > low) & (next < high);
     next = select(inside, next, 0.5 * (low + high));
-    const auto small = abs(next - u) < 1e-9;
+    const auto small = abs(next - u) < kHiddenRootStep;
     u = select(done, u, next);
     done = done | small;
   }

@@ -9,6 +9,7 @@
 //
 // and f(S) f(-S) (1 - X33^2), X33 the cosine between the axes of x and z, is a trigonometric polynomial of degree 4 in theta
 // wherever the slides stand: at most eight solutions. Roots: hidden_angle.hpp.
+// Templates over the number type.
 #pragma once
 
 #include "dispatch/geometry.hpp"
@@ -38,14 +39,14 @@ using namespace hidden_angle;
 
 // The arm seen with one of its joints hidden, and the places of the loop counted from there.
 struct Arm {
-  closed_form::Rigid links[7];  // lengths of one
-  double length;                // m
+  Rigid links[7];  // lengths of one
+  double length;   // m
   int hidden;
   bool slides[6];  // by role
   int turning[4];  // roles
   Arm() = default;
   Arm(const TwoSlides& arm, int hides) : length(arm.length), hidden(hides) {
-    closed_form::read_links(arm.links, arm.length, links);
+    read_links(arm.links, arm.length, links);
     for (int role = 0, n = 0; role < 6; ++role) {
       slides[role] = arm.slides[joint(role)];
       if (!slides[role] && n < 4) turning[n++] = role;
@@ -62,18 +63,12 @@ template <class F> struct Target {
 };
 
 template <class F> PIEPER_INLINE RigidT<F> link_of(const Arm& arm, const Target<F>& target, int joint) {
-  if (joint == 5) return target.closing;
-  return closed_form::spread<F>(arm.links[joint + 1]);
+  return loop_link(arm.links, target.closing, joint);
 }
 
-template <class F> Target<F> see(const Arm& arm, const Pose<F>& pose) {
+template <class F> Target<F> see(const Arm& arm, const RigidT<F>& pose) {
   Target<F> out;
-  const double scale = 1 / arm.length;
-  const RigidT<F> T = {{pose.r[0][0], pose.r[1][0], pose.r[2][0]},
-                       {pose.r[0][1], pose.r[1][1], pose.r[2][1]},
-                       {pose.r[0][2], pose.r[1][2], pose.r[2][2]},
-                       {pose.p[0] * scale, pose.p[1] * scale, pose.p[2] * scale}};
-  out.closing = closed_form::spread<F>(arm.links[6]) * inverse(T) * closed_form::spread<F>(arm.links[0]);
+  out.closing = closing_link(arm.links, in_lengths(pose, arm.length));
   Vec3T<F>* const between[4] = {out.first, out.second, out.third, out.fourth};
   for (int k = 0; k < 4; ++k) {
     RigidT<F> R = link_of(arm, out, arm.joint(arm.turning[k]));
@@ -89,7 +84,7 @@ template <class F> struct PlainNumbers {
   F side;
   F lift(F x) const { return x; }
   F root(F a) const { return side * sqrt(max(a, F(0.0))); }
-  F reciprocal(F a) const { return 1.0 / select(a == 0.0, F(1e-300), a); }
+  F reciprocal(F a) const { return 1.0 / select(a == 0.0, F(kTiny), a); }
 };
 template <class F> struct DualNumbers {
   F side;
@@ -104,7 +99,7 @@ template <class F> struct SurdNumbers {
   F square;
   Surd<F> lift(F x) const { return {x, F(0.0), square}; }
   Surd<F> root(Surd<F>) const { return {F(0.0), F(1.0), square}; }
-  Surd<F> reciprocal(Surd<F> a) const { return lift(1.0 / select(a.x == 0.0, F(1e-300), a.x)); }  // of what has no S
+  Surd<F> reciprocal(Surd<F> a) const { return lift(1.0 / select(a.x == 0.0, F(kTiny), a.x)); }  // of what has no S
 };
 
 // All that follows from the hidden angle: the other angles, what is left of the loop, the slides' directions, the condition.
@@ -142,7 +137,7 @@ template <class Numbers, class X, class F> PIEPER_INLINE Evaluated<X> evaluate(c
   const X E = b.cosine * c + b.sine * s + numbers.lift(b.constant);
   out.room = numbers.lift(b.n) - E * E;
   const X S = numbers.root(out.room);
-  const F per = 1.0 / max(b.n, F(1e-300)), ka = b.A * per, kb = b.B * per;
+  const F per = 1.0 / max(b.n, F(kTiny)), ka = b.A * per, kb = b.B * per;
   const X cy = ka * E - kb * S, sy = kb * E + ka * S;
   const X X33 = E + numbers.lift(b.both);
   out.open = numbers.lift(F(1.0)) - X33 * X33;
@@ -206,18 +201,19 @@ template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Mot
   const F up = abs(evaluate(PlainNumbers<F>{F(1.0)}, arm, target, b, theta.c, theta.s).f);
   const F down = abs(evaluate(PlainNumbers<F>{F(-1.0)}, arm, target, b, theta.c, theta.s).f);
   side = select(up <= down, F(1.0), F(-1.0));
-  auto unclear = !(min(up, down) < 1e-2 * max(up, down));
+  auto unclear = !(min(up, down) < kHiddenSide * max(up, down));
   for (int step = 0; step < 2; ++step) {
     const Evaluated<Dual<F>> at =
         evaluate(DualNumbers<F>{side}, arm, target, b, Dual<F>{theta.c, -theta.s}, Dual<F>{theta.s, theta.c});
-    const F slope = at.f.d, change = -at.f.x / select(slope == 0.0, F(1e-300), slope);
+    const F slope = at.f.d, change = -at.f.x / select(slope == 0.0, F(kTiny), slope);
     const F size = 1.0 + abs(at.rest.x.x) + abs(at.rest.y.x) + abs(at.rest.z.x);
-    unclear = unclear | !(abs(change) < (step ? 1e-6 : 1e-3)) | !(abs(slope) > 1e-6 * size);
+    unclear =
+        unclear | !(abs(change) < (step ? kHiddenLastStep : kHiddenFirstStep)) | !(abs(slope) > kHiddenSlope * size);
     theta = advanced(theta, change);
   }
   const Evaluated<F> at = evaluate(PlainNumbers<F>{side}, arm, target, b, theta.c, theta.s);
-  const F size = dot(at.across, at.across), per = 1.0 / max(size, F(1e-300));
-  unclear = unclear | !(at.room > 1e-8 * b.n) | !(at.open > 1e-8) | !(size > 1e-10);
+  const F size = dot(at.across, at.across), per = 1.0 / max(size, F(kTiny));
+  unclear = unclear | !(at.room > kHiddenRoom * b.n) | !(at.open > kHiddenRoom) | !(size > kHiddenParallel);
   int turns = 0, slides = 0;
   for (int role = 0; role < 6; ++role) {
     Motion<F>& out = q[arm.joint(role)];
@@ -239,7 +235,7 @@ struct Family {
   static constexpr bool both = false;
   using Arm = two_slides::Arm;
   template <class F> using Target = two_slides::Target<F>;
-  template <class F> static Target<F> see(const Arm& arm, const Pose<F>& pose) { return two_slides::see(arm, pose); }
+  template <class F> static Target<F> see(const Arm& arm, const RigidT<F>& pose) { return two_slides::see(arm, pose); }
   template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
     return two_slides::polynomial(arm, target, angle);
   }

@@ -1,15 +1,11 @@
 // Poses from memory into lanes, and solutions back to memory; a closed form between the two never sees memory.
+// Templates over the number type.
 #pragma once
 
 #include "dispatch/geometry.hpp"
-#include "lanes/lanes.hpp"
+#include "chain/rigid.hpp"
 
 namespace pieper::PIEPER_ISA {
-
-template <class F> struct Pose {
-  F r[3][3];  // rotation, row by row
-  F p[3];     // position, m
-};
 
 // What a family fills for every pose. Slots of one meaning keep one index, so labels follow from the slot.
 template <class F, int Slots, int Joints> struct Branches {
@@ -21,26 +17,31 @@ template <class F, int Slots, int Joints> struct Branches {
 };
 
 // Poses [0, W) of T (row-major 4x4, 16 doubles each) into lanes.
-template <class F> PIEPER_INLINE Pose<F> load_poses(const double* T) {
+template <class F> PIEPER_INLINE RigidT<F> load_poses(const double* T) {
   constexpr int W = width_of<F>;
-  Pose<F> pose;
-  if constexpr (W == 1) {
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) pose.r[i][j] = T[4 * i + j];
-      pose.p[i] = T[4 * i + 3];
-    }
-  } else {
+  if constexpr (W == 1) return read_rigid(T, 1);
+  else {
     F column[16];
     for (int block = 0; block < 12; block += W) {
       for (int i = 0; i < W; ++i) column[block + i] = load<F>(T + 16 * i + block);
       transpose(column + block);
     }
+    RigidT<F> pose;
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) pose.r[i][j] = column[4 * i + j];
-      pose.p[i] = column[4 * i + 3];
+      for (int j = 0; j < 3; ++j) pose.r(i, j) = column[4 * i + j];
+      pose.p(i) = column[4 * i + 3];
     }
+    return pose;
   }
-  return pose;
+}
+
+// Lane j of `from` becomes lane i of `to`; both are made of nothing but numbers of type F and G.
+template <class G, class F, class To, class From>
+PIEPER_INLINE void copy_lanes(To& to, int i, const From& from, int j) {
+  G* into = reinterpret_cast<G*>(&to);
+  const F* of = reinterpret_cast<const F*>(&from);
+  constexpr unsigned all = sizeof(To), one = sizeof(G);
+  for (unsigned k = 0; k < all / one; ++k) set_lane(into[k], i, lane(of[k], j));
 }
 
 // `values[k]` lane i -> out[i * K + k], for the first `lanes` lanes.

@@ -12,7 +12,7 @@
 #endif
 
 #ifndef PIEPER_ISA
-#error "compile kernels/isa.cpp with -DPIEPER_ISA=<namespace> -DPIEPER_LANES=<width>; see CMakeLists.txt"
+#error "compile kernels/dispatch/*.cpp with -DPIEPER_ISA=<namespace> -DPIEPER_LANES=<width>; see CMakeLists.txt"
 #endif
 
 #define PIEPER_INLINE inline __attribute__((always_inline))

@@ -2,6 +2,7 @@
 //
 // The polynomials are weighted minimax fits made for these kernels (Remez exchange in 60 digits). The reduction by
 // multiples of pi/2 follows Cody and Waite (1980): pi/2 is cut into pieces so short that n times a piece is exact.
+// Templates over the number type, used for double and for lanes.
 #pragma once
 
 #include "lanes/lanes.hpp"

@@ -7,16 +7,23 @@ import numpy as np
 import pieper
 from oracle.arms import kinds
 from oracle.arms.gauge import from_chain
+from oracle.arms.tables import TABLES
 from pieper import DH, Arm
 
 QUARTER = np.pi / 2
 
 
-def free(name: str) -> Arm:
-    """Return an arm of the catalogue without its limits."""
+def free(name: str, *, placed: bool = False) -> Arm:
+    """Return an arm of the catalogue without its limits; without its base and tool too, unless `placed`."""
     d = pieper.load(name).description
     types = "".join(d.joint_types)
-    return Arm.from_dh(d.rows, convention=d.convention, joint_types=types, sign=d.sign, offset=d.offset, name=name)
+    said = {"sign": d.sign, "offset": d.offset, "name": name} | ({"base": d.base, "tool": d.tool} if placed else {})
+    return Arm.from_dh(d.rows, convention=d.convention, joint_types=types, **said)
+
+
+def tabled(name: str) -> Arm:
+    """Return an arm of the speed benchmark."""
+    return Arm.from_dh([DH(a, alpha, d, 0.0) for d, a, alpha in TABLES[name]], convention="standard", name=name)
 
 
 def structured(rng, slides=0.2, n=6) -> Arm:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from pieper.document.writing import whole_file
     from pieper.judge import Judgement, check
     from pieper.kinematics.spoken import pose, read_pose
+    from pieper.kinematics.spoken_many import poses
     from pieper.motion.sequence import Motion, move, sequence
     from pieper.motion.track import Track
     from pieper.presentation import plot, sections
@@ -34,6 +35,7 @@ _LATER = {
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
     "pose": "pieper.kinematics.spoken",
+    "poses": "pieper.kinematics.spoken_many",
     "read_pose": "pieper.kinematics.spoken",
     "report": "pieper.presentation.report",
     "sections": "pieper.presentation.sections",
@@ -68,6 +70,7 @@ __all__ = [
     "move",
     "plot",
     "pose",
+    "poses",
     "read_pose",
     "report",
     "sections",

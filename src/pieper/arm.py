@@ -6,6 +6,7 @@ import os
 import warnings
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,6 +24,9 @@ from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
 from pieper.solver.results import SolutionBatch, Solutions
+
+if TYPE_CHECKING:
+    from pieper.equations import Symbolic
 
 #: A pose this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
@@ -310,7 +314,7 @@ class Arm:
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 
     @cached_property
-    def symbolic(self):
+    def symbolic(self) -> Symbolic:
         """The arm's equations: `.fk()`, `.jacobian()`, `.singularities()`, `.ik()`."""
         from pieper.equations import Symbolic
 

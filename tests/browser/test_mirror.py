@@ -88,7 +88,7 @@ def test_equations_with_the_present_numbers_add_up_to_the_pose(calculator, name)
         if "entry" not in block:
             continue
         latex = calculator.page.evaluate(
-            "([latex, table, q]) => workbench.present(latex, table, q)", [block["latex"], table, q.tolist()]
+            "([block, table, q]) => workbench.present(block, table, q)", [block, table, q.tolist()]
         )
         sum_ = latex.split(" = ", 1)[1].replace(r"\left", "").replace(r"\right", "").replace(r"\cdot", "*")
         assert set(sum_) <= set("0123456789.+-*() "), f"a symbol is left in {latex}"

@@ -190,7 +190,8 @@ def test_x_y_z_of_an_arm_that_cannot_hold_r_i_is_a_position_and_says_so(run):
     assert np.allclose([arm.fk(s["q"])[:3, 3] for s in data["solutions"]], [0.48, 0.31, 0.337], atol=1e-9)
     status, out, _ = run("ik", "adept-cobra-600", 480, 310, 337, 0, 0, 0)
     assert status == 1 and "taken as a position" not in out
-    status, out, _ = run("path", arm.name, "--from", "480 310 337", "--to", "470 310 337", "-n", 4)
+    line = ["--from", "480 310 337", "--to", "470 310 337", "-n", 4, "--start", "17 34 50 0"]
+    status, out, _ = run("path", arm.name, *line)
     assert status == 0 and "taken as positions" in out
     _, out, _ = run("ik", "denso-vp6242", 350, 0, 400)
     assert "taken as a position" not in out

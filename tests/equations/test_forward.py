@@ -1,6 +1,8 @@
 """Forward kinematics as equations: right to 30 digits, gathered, readable, and the same in every notation."""
 
+import gc
 import json
+import weakref
 from pathlib import Path
 
 import mpmath
@@ -106,3 +108,20 @@ def test_a_wrong_index_is_told():
         ForwardEquations(of_paper("threeR_seed002_p4")[0]).T(2, 1)
     with pytest.raises(pieper.InputError, match="lengths"):
         ForwardEquations(of_paper("threeR_seed002_p4")[0], lengths="some")
+
+
+def test_equations_live_no_longer_than_their_arm():
+    arm = pieper.load("denso-vp6242")
+    for made in (arm.symbolic.fk(), arm.symbolic.jacobian(), arm.symbolic.singularities(), arm.symbolic.ik()):
+        assert made.text() and made.markdown() and made.json()["blocks"]
+    gone = weakref.ref(arm)
+    del arm, made
+    gc.collect()
+    assert gone() is None
+
+
+def test_equations_are_made_once():
+    symbolic = pieper.load("three-r").symbolic
+    assert symbolic.fk() is symbolic.fk()
+    assert symbolic.fk(lengths="numbers") is not symbolic.fk()
+    assert symbolic.ik() is symbolic.ik()

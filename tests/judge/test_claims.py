@@ -104,6 +104,19 @@ def test_a_division_by_zero_for_all_joints_is_said():
     assert dict(verdict.details)["undefined"]
 
 
+def test_a_division_of_numbers_by_zero_is_a_wrong_claim_and_no_crash():
+    verdict = judged("kind = 'entry'\nof = 'Px'\nis = '1/0 + a1 C1'")
+    assert verdict.wrong and "divides by zero" in verdict.sentence
+    assert "difference" not in dict(verdict.details)
+
+
+@pytest.mark.parametrize("rounded", ["", "\nrounded = true"])
+def test_a_printed_rotation_is_judged_without_a_position(rounded):
+    matrix = "[['0.26', '-0.97', '0'], ['0.97', '0.1', '0.3'], ['0', '0.5', '1']]"
+    verdict = judged(f"kind = 'pose'\nof = 'R02'\nq_deg = [30, 45]\nmatrix = {matrix}{rounded}")
+    assert verdict.wrong and "3 of 9 entries" in verdict.sentence
+
+
 def test_a_long_sum_is_judged_without_delay_or_heap():
     terms = " + ".join(["a1 C1/10000"] * 10_000)
     tracemalloc.start()

@@ -14,7 +14,8 @@ import pytest
 
 import pieper
 from pieper.algebra.expression import Add, Call, Div, Mul, PiFraction, Sym
-from pieper.algebra.formula import ANGLE, TURNS, Mention, Neg, is_call, number, positions, replaced
+from pieper.algebra.formula import ANGLE, Mention, Neg, is_call, number, positions, replaced
+from pieper.algebra.notation import TURNS
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
 from pieper.judge.judges.angles import judge_joint

@@ -10,7 +10,7 @@ import pytest
 
 import pieper
 from pieper.workbench import messages
-from pieper.workbench.equation_blocks import blocks_of_latex
+from pieper.workbench.equation_blocks import forward_blocks, inverse_blocks, singular_blocks
 from pieper.workbench.messages import Refused
 from pieper.workbench.table import arm_from_table, table_from_arm
 
@@ -85,18 +85,19 @@ def test_every_catalogue_arm_survives_the_way_to_the_page_and_back(name):
     assert set(again.description.postures) == set(arm.description.postures)
 
 
-def test_latex_is_cut_into_sentences_and_formulas():
-    blocks = blocks_of_latex(
-        r"\section*{Step 1} From $p_x$ follows:"
-        "\n"
-        r"\[ \theta_1 = 0 \]"
-        "\n\nThen \\textbf{all}.\n"
-        r"\begin{align*} a &= b \\ c &= d \end{align*}"
-    )
-    assert blocks == [
-        {"heading": "Step 1"},
-        {"text": "From $p_x$ follows:"},
-        {"latex": r"\theta_1 = 0"},
-        {"text": "Then all."},
-        {"latex": r"\begin{aligned} a &= b \\ c &= d \end{aligned}"},
-    ]
+def test_equations_are_blocks_with_their_numbers_as_fields():
+    arm = pieper.load("denso-vp6242")
+    blocks = inverse_blocks(arm)
+    steps = [b for b in blocks if b["kind"] == "step"]
+    assert [b["number"] for b in steps] == [1, 2, 3, 4, 5, 6]
+    assert [b["branches"] for b in steps] == [2, 2, 1, 2, 1, 1]
+    results = [b for b in blocks if b.get("number") == 2 and b["kind"] == "equation"]
+    assert results[0]["text"].startswith("theta3 = atan2(")
+    assert {b["kind"] for b in singular_blocks(arm)} == {"heading", "paragraph", "equation"}
+
+
+def test_entries_of_the_pose_say_where_they_stand_and_what_moves_in_them():
+    entries = [b for b in forward_blocks(pieper.load("adept-cobra-600"), "numbers") if "entry" in b]
+    assert [b["entry"] for b in entries] == [0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11]
+    height = entries[-1]
+    assert height["symbols"] == [{"latex": "d_{3}", "is": "slide", "joints": ((3, 1),)}]

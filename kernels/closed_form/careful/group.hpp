@@ -1,4 +1,5 @@
 // An arm whose joints are solved as a group of three (a wrist, a plane) and the three beside it, made ready once.
+// Scalar; read by the lanes as well.
 #pragma once
 
 #include "closed_form/careful/standing.hpp"
@@ -31,7 +32,7 @@ struct GroupArm {
         else loop = joint(loop, inside ? sense[k - first] * value : value, slides[k]);
         loop = loop * links[k + 1];
       }
-      straight = straight && apart_by(described, loop) <= 0.2 * kVerified;
+      straight = straight && apart_by(described, loop) <= 0.2 * kClosedVerified;
     }
   }
   static double apart_by(const Rigid& A, const Rigid& B) {

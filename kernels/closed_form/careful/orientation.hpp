@@ -4,6 +4,7 @@
 //     R33 = cos(a1) cos(a2) - sin(a1) sin(a2) cos(t2),
 // solved by the half-angle formula in products of sines, which keeps full accuracy at the wrist's singularity. Two solutions; none when the
 // twists cannot reach the direction; where axes 1 and 3 line up only the sum of the outer angles is determined.
+// Scalar.
 #pragma once
 
 #include "closed_form/careful/standing.hpp"
@@ -42,23 +43,22 @@ inline int solve_wrist(const Wrist& w, const Rigid& R, double (*q)[3], bool& lin
   double down = std::sin(0.5 * (tilt + difference)) * std::sin(0.5 * (tilt - difference));
   lined_up = false;
   if (up < 0) {
-    if (up < -1e-9) return 0;
+    if (up < -kWristReach) return 0;
     up = 0;
   }
   if (down < 0) {
-    if (down < -1e-9) return 0;
+    if (down < -kWristReach) return 0;
     down = 0;
   }
   double middle = 2 * std::atan2(std::sqrt(up), std::sqrt(down));
-  lined_up = side < 1e-12;
+  lined_up = side < kWristLinedUp;
   int count = lined_up || middle == 0 || middle >= 2 * kPi ? 1 : 2;
   double s1 = std::sin(w.twist[0]), c1 = std::cos(w.twist[0]), s2 = std::sin(w.twist[1]), c2 = std::cos(w.twist[1]);
   for (int k = 0; k < count; ++k) {
     double t2 = k ? -middle : middle;
     double vx = s2 * std::sin(t2), vy = -c1 * s2 * std::cos(t2) - s1 * c2;
     double t1 = lined_up ? w.before[0] : std::atan2(R.z.y * vx - R.z.x * vy, R.z.x * vx + R.z.y * vy);
-    const Rigid none = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
-    Rigid K = twisted(joint(twisted(joint(none, t1, false), w.twist[0]), t2, false), w.twist[1]);
+    Rigid K = twisted(joint(twisted(joint(kNoMotion, t1, false), w.twist[0]), t2, false), w.twist[1]);
     // K^T R is a turn about z up to rounding
     double t3 = std::atan2(dot(K.y, R.x) - dot(K.x, R.y), dot(K.x, R.x) + dot(K.y, R.y));
     q[k][0] = t1 - w.before[0];

@@ -1,4 +1,5 @@
 // Three revolute axes of which the orientation alone counts; the chain may stand anywhere.
+// Scalar.
 #pragma once
 
 #include "dispatch/geometry.hpp"
@@ -25,7 +26,7 @@ class Orientation3Kernel {
  public:
   static constexpr bool in_order = false;
   explicit Orientation3Kernel(const Orientation3& arm) {
-    closed_form::read_links(arm.links, 1, links_);
+    read_links(arm.links, 1, links_);
     for (auto& link : links_) link.t = {0, 0, 0};
     wrist_ = closed_form::read_wrist(links_[1], links_[2]);
   }
@@ -48,7 +49,7 @@ class Orientation3Kernel {
   }
 
  private:
-  closed_form::Rigid links_[4];
+  Rigid links_[4];
   closed_form::Wrist wrist_;
 };
 

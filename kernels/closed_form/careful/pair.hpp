@@ -3,6 +3,7 @@
 //
 // With M regular, f(a) = M^-1 (e - N f(c)) and the identity that f(a) must keep (cos^2 + sin^2 = 1, or f2 = f1^2) is a
 // quartic form in c (at most four pairs). With M and N both of rank one the equations fall apart: one holds c alone, then one gives a.
+// Scalar: the careful twin of closed_form/lanes/pair.hpp.
 #pragma once
 
 #include "closed_form/careful/standing.hpp"
@@ -23,10 +24,6 @@ struct PairRoots {
   bool degenerate = false;
 };
 
-// Relative determinant under which a 2x2 is taken for rank one; the pair is polished afterwards, so the exact place
-// of the border does not matter.
-inline constexpr double kRankOne = 1e-6;
-
 // b . f(x) = rhs for one joint: at most two values. Touching within rounding gives the double root once.
 inline int one_joint(const double* b, double rhs, bool slides, double* x) {
   if (slides) {  // b0 d + b1 d^2 = rhs, citardauq so that a vanishing b1 is harmless
@@ -34,13 +31,13 @@ inline int one_joint(const double* b, double rhs, bool slides, double* x) {
     if (!(size > 0)) return 0;
     double disc = b[0] * b[0] + 4 * b[1] * rhs;
     if (disc < 0) {
-      if (disc < -1e-10 * (b[0] * b[0] + std::fabs(4 * b[1] * rhs))) return 0;
+      if (disc < -kPairTouching * (b[0] * b[0] + std::fabs(4 * b[1] * rhs))) return 0;
       disc = 0;
     }
     double s = std::sqrt(disc), t = b[0] >= 0 ? b[0] + s : b[0] - s;
     int count = 0;
     if (t != 0) x[count++] = 2 * rhs / t;
-    if (std::fabs(b[1]) > 1e-13 * size && (disc > 0 || count == 0)) x[count++] = -t / (2 * b[1]);
+    if (std::fabs(b[1]) > kPairLinear * size && (disc > 0 || count == 0)) x[count++] = -t / (2 * b[1]);
     return count;
   }
   double size = std::sqrt(b[0] * b[0] + b[1] * b[1]);
@@ -48,7 +45,7 @@ inline int one_joint(const double* b, double rhs, bool slides, double* x) {
   if (!(size > 0)) return 0;
   double middle = std::atan2(b[1], b[0]);
   if (room <= 0) {
-    if (std::fabs(rhs) - size > 1e-10 * size + 1e-13) return 0;
+    if (std::fabs(rhs) - size > kPairTouching * size + kPairLinear) return 0;
     x[0] = rhs > 0 ? middle : middle + kPi;
     return 1;
   }
@@ -87,7 +84,7 @@ inline void polish_pair(const PairSystem& s, double& a, double& c) {
     kept_a = a, kept_c = c;
     double det = J[0][0] * J[1][1] - J[0][1] * J[1][0];
     double scale = J[0][0] * J[0][0] + J[0][1] * J[0][1] + J[1][0] * J[1][0] + J[1][1] * J[1][1];
-    if (size < 1e-16 * scale || std::fabs(det) < 1e-13 * scale) break;
+    if (size < kPairRounding * scale || std::fabs(det) < kPairLinear * scale) break;
     double ea = (r[0] * J[1][1] - r[1] * J[0][1]) / det, ec = (J[0][0] * r[1] - J[1][0] * r[0]) / det;
     if (!(std::fabs(ea) < 0.2 && std::fabs(ec) < 0.2)) break;
     a += ea;
@@ -137,7 +134,7 @@ inline void solve_by_quartic(const PairSystem& s, bool hide_c, double det, PairR
     f[0] = g00 + g01 + g11;
   }
   Direction roots[12];
-  int count = form_directions(f, 1e-14 * scale, roots);
+  int count = form_directions(f, kPairFree * scale, roots);
   if (count < 0) {  // h is free: one representative
     out.degenerate = true;
     roots[0] = {0, 1};
@@ -146,7 +143,7 @@ inline void solve_by_quartic(const PairSystem& s, bool hide_c, double det, PairR
   for (int i = 0; i < count; ++i) {
     double h;
     if (slides_h) {
-      if (std::fabs(roots[i].q) < 1e-6) continue;
+      if (std::fabs(roots[i].q) < kPairFar) continue;
       h = roots[i].p / roots[i].q;
     } else {
       h = 2 * std::atan2(roots[i].p, roots[i].q);
@@ -180,7 +177,7 @@ struct AloneEquation {
     for (int k = 0; k < 2; ++k) b[k] = u[0] * H[0][k] + u[1] * H[1][k];
     size = b[0] * b[0] + b[1] * b[1];
     const double x = u[0] * V[0][0] + u[1] * V[1][0], y = u[0] * V[0][1] + u[1] * V[1][1];
-    wrong = std::sqrt((x * x + y * y) / std::fmax(size, 1e-300));
+    wrong = std::sqrt((x * x + y * y) / std::fmax(size, kTiny));
   }
 };
 
@@ -194,7 +191,8 @@ inline bool solve_apart(const PairSystem& s, bool first_c, PairRoots& out) {
   int count;
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < 2; ++j) size_v += V[k][j] * V[k][j], size_h += H[k][j] * H[k][j];
-  if (alone.size <= 1e-24 * (size_h + size_v + 1e-30)) {  // one equation for two joints: offer points of the family
+  if (alone.size <=
+      kPairVanished * (size_h + size_v + kTiny)) {  // one equation for two joints: offer points of the family
     out.degenerate = true;
     for (count = 0; count < 8; ++count) h[count] = slides_h ? 0.25 * (count - 4) : kPi / 4 * count;
   } else {
@@ -206,7 +204,7 @@ inline bool solve_apart(const PairSystem& s, bool first_c, PairRoots& out) {
     double fh[2], unused[2];
     joint_terms(h[i], slides_h, fh, unused);
     int values = one_joint(V[row], s.e[row] - H[row][0] * fh[0] - H[row][1] * fh[1], slides_v, v);
-    if (std::fmax(r0, r1) <= 1e-24) {
+    if (std::fmax(r0, r1) <= kPairVanished) {
       out.degenerate = true;
       v[0] = 0;
       values = 1;
@@ -216,7 +214,7 @@ inline bool solve_apart(const PairSystem& s, bool first_c, PairRoots& out) {
       else keep_pair(s, out, h[i], v[k]);
     }
   }
-  return alone.size > 1e-4 * size_h;
+  return alone.size > kPairAlone * size_h;
 }
 
 // Every pair (a, c): at most four, touches included more.
@@ -226,12 +224,12 @@ inline void solve_pair(const PairSystem& s, PairRoots& out) {
   double size_m = 0, size_n = 0;
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < 2; ++j) size_m += s.M[k][j] * s.M[k][j], size_n += s.N[k][j] * s.N[k][j];
-  bool good_m = std::fabs(det_m) > kRankOne * size_m, good_n = std::fabs(det_n) > kRankOne * size_n;
+  bool good_m = std::fabs(det_m) > kPairRankOne * size_m, good_n = std::fabs(det_n) > kPairRankOne * size_n;
   if (good_m && (!good_n || std::fabs(det_m) >= std::fabs(det_n))) solve_by_quartic(s, true, det_m, out);
   else if (good_n) solve_by_quartic(s, false, det_n, out);
   else {
     const AloneEquation c(s.M, s.N), a(s.N, s.M);
-    solve_apart(s, std::fmax(c.wrong, a.wrong) > 1e-10 ? c.wrong <= a.wrong : c.size >= a.size, out);
+    solve_apart(s, std::fmax(c.wrong, a.wrong) > kPairNotRankOne ? c.wrong <= a.wrong : c.size >= a.size, out);
   }
 }
 
@@ -253,7 +251,7 @@ template <class Equations> inline int refine_pair(const Equations& at, double a,
       Separable flat, bent;
       at(x, y, flat, bent);
       double n2 = flat.a * flat.a + flat.c * flat.c;
-      if (!(n2 > 1e-24)) break;
+      if (!(n2 > kPairVanished)) break;
       double da = -flat.value * flat.a / n2, dc = -flat.value * flat.c / n2, n = std::sqrt(n2);
       double ta = -flat.c / n, tc = flat.a / n;  // along flat = 0
       double value = bent.value + bent.a * da + bent.c * dc + 0.5 * (bent.aa * da * da + bent.cc * dc * dc);
@@ -278,7 +276,7 @@ template <class Equations> inline int refine_pair(const Equations& at, double a,
       if (!(std::fabs(da) < size_limit && std::fabs(dc) < size_limit)) break;
       x += da;
       y += dc;
-      if (std::fabs(da) + std::fabs(dc) < 4e-16 * (1 + std::fabs(x) + std::fabs(y))) break;
+      if (std::fabs(da) + std::fabs(dc) < 4 * kPairRounding * (1 + std::fabs(x) + std::fabs(y))) break;
     }
     out[branch][0] = x;
     out[branch][1] = y;

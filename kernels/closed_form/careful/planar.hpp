@@ -2,6 +2,7 @@
 //
 // A turn is about the plane's normal, a slide along the local x. With three turns the place gives the law of
 // cosines (two solutions), with one slide a circle meets a line (two), with two slides everything is linear (one).
+// Scalar: the careful twin of closed_form/lanes/planar.hpp.
 #pragma once
 
 #include "closed_form/careful/closing.hpp"
@@ -26,7 +27,7 @@ struct PlanarLink {
 // Half the angle opposite `r` seen from outside: r^2 = a^2 + b^2 + 2 a b cos(angle). False when no triangle closes.
 inline bool triangle(double a, double b, double r, double& angle) {
   double up = (a + b - r) * (a + b + r), down = (r - a + b) * (r + a - b);
-  double slack = 1e-9 * (a + b) * (a + b);
+  double slack = kPlaneReach * (a + b) * (a + b);
   if (up < -slack || down < -slack) return false;
   angle = 2 * std::atan2(std::sqrt(std::fmax(up, 0)), std::sqrt(std::fmax(down, 0)));
   return true;
@@ -36,7 +37,7 @@ inline bool triangle(double a, double b, double r, double& angle) {
 inline int slide_to_circle(Flat v, Flat e, double r, double* d) {
   double along = v.x * e.x + v.y * e.y, off = v.x * e.y - v.y * e.x;
   double room = (r - std::fabs(off)) * (r + std::fabs(off));
-  if (room < -1e-9 * r * r - 1e-15) return 0;
+  if (room < -kPlaneReach * r * r - kPlaneZero) return 0;
   double s = std::sqrt(std::fmax(room, 0));
   d[0] = -along + s;
   d[1] = -along - s;
@@ -111,7 +112,7 @@ inline int solve_planar(const PlanarLink& l1, const PlanarLink& l2, const bool* 
     e1 = {1, 0}, e2 = ahead(l1.angle);
   }
   double det = e1.x * e2.y - e1.y * e2.x;
-  if (!(std::fabs(det) > 1e-14)) return 0;
+  if (!(std::fabs(det) > kPlaneParallel)) return 0;
   double first = (v.x * e2.y - v.y * e2.x) / det, second = (e1.x * v.y - e1.y * v.x) / det;
   if (kind == 6) q[0][0] = sum, q[0][1] = first, q[0][2] = second;
   else if (kind == 5) q[0][0] = first, q[0][1] = sum, q[0][2] = second;

@@ -3,6 +3,7 @@
 //
 // With w(a) = A^-1 Za^-1 g and u(c) = B Zc c the middle joint only turns (slides) u into w: what it cannot change, w.z = u.z and
 // |w|^2 = |u|^2 (or w.x = u.x and w.y = u.y), are two equations linear in the joint terms of a and c: a PairSystem.
+// The equations are templates over the number type, which the lanes use too; solving them here is scalar.
 #pragma once
 
 #include "closed_form/careful/pair.hpp"
@@ -19,14 +20,14 @@ struct PositionRoots {
   void add(double a, double b, double c, bool any_b) {
     if (count == most) return;
     for (int k = 0; k < count; ++k)
-      if (std::fabs(q[k][0] - a) + std::fabs(q[k][1] - b) + std::fabs(q[k][2] - c) < 1e-13) return;
+      if (std::fabs(q[k][0] - a) + std::fabs(q[k][1] - b) + std::fabs(q[k][2] - c) < kOnePoint) return;
     q[count][0] = a, q[count][1] = b, q[count][2] = c, free[count++] = any_b;
   }
 };
 
 // The turn about z that takes `from` to `to`; any will do when both lie on the axis.
 inline double turn_between(Vec3 from, Vec3 to, bool& free) {
-  free = from.x * from.x + from.y * from.y < 1e-26 || to.x * to.x + to.y * to.y < 1e-26;
+  free = from.x * from.x + from.y * from.y < kOnMiddleAxis || to.x * to.x + to.y * to.y < kOnMiddleAxis;
   if (free) return 0;
   return std::atan2(to.y * from.x - to.x * from.y, to.x * from.x + to.y * from.y);
 }

@@ -1,4 +1,5 @@
 // Three joints of any kinds that place the tool's point.
+// Scalar.
 #pragma once
 
 #include "dispatch/geometry.hpp"
@@ -28,7 +29,7 @@ namespace pieper::PIEPER_ISA {
 class Position3Kernel {
  public:
   static constexpr bool in_order = false;
-  explicit Position3Kernel(const Position3& arm) : arm_(arm) { closed_form::read_links(arm.links, arm.length, links_); }
+  explicit Position3Kernel(const Position3& arm) : arm_(arm) { read_links(arm.links, arm.length, links_); }
 
   void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
     using namespace closed_form;
@@ -48,7 +49,7 @@ class Position3Kernel {
 
  private:
   const Position3& arm_;
-  closed_form::Rigid links_[4];
+  Rigid links_[4];
 };
 
 }  // namespace pieper::PIEPER_ISA

@@ -5,17 +5,15 @@
 // in the direction of infinity; every root is then of size about one and the leading coefficient never vanishes.
 // Roots are bracketed by the roots of the derivative (Rolle), so two close ones are never confused with none. An extremum that
 // touches zero within rounding is reported too: it is a double root, or a pair that rounding has pulled apart.
+// Scalar: the careful twin of closed_form/lanes/quartic.hpp.
 #pragma once
 
 #include <cmath>
 
 #include "lanes/lanes.hpp"
+#include "tolerances.hpp"
 
 namespace pieper::PIEPER_ISA::closed_form {
-
-// How far from zero an extremum of a polynomial with coefficients of size one may stay and still be offered as a
-// double root. Offers are checked by forward kinematics, so this may be generous.
-inline constexpr double kTouching = 3e-11;
 
 struct Direction {
   double p, q;
@@ -42,7 +40,7 @@ inline double root_between(const double* c, int degree, double a, double b, doub
     else b = t;
     double next = t - value / slope;
     if (!(next > a && next < b)) next = 0.5 * (a + b);
-    if (std::fabs(next - t) <= 1e-16 * (1 + std::fabs(t))) return next;
+    if (std::fabs(next - t) <= kRootStep * (1 + std::fabs(t))) return next;
     t = next;
   }
   return t;
@@ -63,7 +61,7 @@ inline int roots_from_critical(const double* c, int degree, double bound, const 
     if (k < count && std::fabs(at_right) <= touching) {
       // unless it is the crossing just found
       double near = found ? roots[found - 1] : -2 * bound;
-      if (!(std::fabs(near - right) <= 1e-12)) roots[found++] = right;
+      if (!(std::fabs(near - right) <= kRootTwice)) roots[found++] = right;
     }
     left = right;
     at_left = at_right;
@@ -88,13 +86,13 @@ inline int quartic_roots(const double* c, double* roots) {
     inflection[0] = std::fmin(r1, r2);
     inflection[1] = std::fmax(r1, r2);
     inflections = 2;
-  } else if (disc > -1e-9 * size * size) {
+  } else if (disc > -kRootFlat * size * size) {
     inflection[0] = h / second[2];
     inflections = 1;
   }
   double critical[8];
-  int criticals = roots_from_critical(first, 3, bound, inflection, inflections, 1e-7 * size, critical);
-  return roots_from_critical(c, 4, bound, critical, criticals, kTouching * size, roots);
+  int criticals = roots_from_critical(first, 3, bound, inflection, inflections, kRootTouchingSlope * size, critical);
+  return roots_from_critical(c, 4, bound, critical, criticals, kRootTouching * size, roots);
 }
 
 // Substitute p <- c p - s q, q <- s p + c q in a quartic form.

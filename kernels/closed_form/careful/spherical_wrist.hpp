@@ -3,6 +3,7 @@
 // The loop L0 Z1 L1 ... Z6 L6 T^-1 = I may be entered anywhere: W Pre Za A Zb B Zc C = I with W the three wrist joints.
 // W keeps the wrist's centre, so Za A Zb B Zc (C o) = Pre^-1 o is a positioning problem of three joints (at most four solutions), and W is
 // then a known rotation (two): eight in all. One of Pre, A, B, C holds the pose.
+// Scalar: the careful twin of closed_form/lanes/spherical_wrist.hpp.
 #pragma once
 
 #include "closed_form/careful/group.hpp"

@@ -1,4 +1,5 @@
 // Nearly singular rows of a pose: which stand alone for certain, and which need the careful look at families and merged roots.
+// Scalar.
 #pragma once
 
 #include "closed_form/careful/closing.hpp"
@@ -6,19 +7,13 @@
 
 namespace pieper::PIEPER_ISA::closed_form {
 
-// Twins at least this far apart (rad; lengths of the arm) are two solutions.
-inline constexpr double kTwins = 1.2e-7;
-// Moving along a null direction, a pose missed by more than this (lengths of the arm; rad) is not held: above ON_CURVE of
-// inverse/selfmotion.py, so that what is cleared here could not be traced there.
-inline constexpr double kHeld = 4e-13;
-
 // The null direction of a nearly singular row: how the pose is missed when moving along it.
 struct NullDirection {
   double v[kMaxJoints], u[6];   // unit vectors: J v = sigma u
   double sigma, second, scale;  // the two smallest singular values; the Frobenius norm of J
 
   NullDirection(int n, const double (*J)[6]) {
-    const Normal normal(n, J, 1e-15);
+    const Normal normal(n, J, kClosedDamping);
     scale = std::sqrt(normal.trace);
     double w[kMaxJoints];
     for (int i = 0; i < n; ++i) v[i] = 1 + 0.3 * i, w[i] = 1 - 0.37 * i;
@@ -32,12 +27,12 @@ struct NullDirection {
       normal.solve(w);
     }
     sigma = times(n, J, v, u);
-    for (double& x : u) x /= std::fmax(sigma, 1e-300);
+    for (double& x : u) x /= std::fmax(sigma, kTiny);
   }
   static void make_unit(int n, double* x) {
     double s = 0;
     for (int i = 0; i < n; ++i) s += x[i] * x[i];
-    s = 1 / std::sqrt(std::fmax(s, 1e-300));
+    s = 1 / std::sqrt(std::fmax(s, kTiny));
     for (int i = 0; i < n; ++i) x[i] *= s;
   }
   static double times(int n, const double (*J)[6], const double* x, double* out) {
@@ -68,10 +63,10 @@ inline bool missed_along(const TrueChain& chain, const Rigid& T, const double* q
       for (int k = 0; k < 6; ++k) lean += J[i][k] * d.u[k];
       for (int k = 0; k < 6; ++k) J[i][k] += (d.v[i] - lean) * d.u[k];
     }
-    damped_step(n, error, J, 1e-16, dq);
+    damped_step(n, error, J, kAloneDamping, dq);
     for (int i = 0; i < n; ++i) p[i] += dq[i], largest = std::fmax(largest, std::fabs(dq[i]));
     miss = -along_u;
-    if (largest < 1e-13) return true;
+    if (largest < kAloneSettled) return true;
     if (largest > 1) return false;
   }
   return false;
@@ -83,23 +78,24 @@ inline bool stands_alone(const TrueChain& chain, const Rigid& T, const Found& fo
   const int n = found.n;
   const double* q = found.q + row * n;
   const NullDirection d(n, J);
-  if (!(d.sigma > 1e-14 * d.scale) || d.second < 30 * d.sigma || d.second < 3e-4 * d.scale) return false;
+  if (!(d.sigma > kAloneSigma * d.scale) || d.second < 30 * d.sigma || d.second < kAloneSecond * d.scale) return false;
   // g(t) = sigma t + ... : while it keeps that slope nothing else is near
   double ahead, behind;
-  if (!missed_along(chain, T, q, d, 1e-2, ahead) || !missed_along(chain, T, q, d, -1e-2, behind)) return false;
-  const double least = 0.25e-2 * d.sigma;
-  if (ahead >= least && -behind >= least && least > 1e-14) {
-    if (std::fmax(ahead, -behind) > kHeld) return true;
+  if (!missed_along(chain, T, q, d, kAloneStep, ahead) || !missed_along(chain, T, q, d, -kAloneStep, behind))
+    return false;
+  const double least = 0.25 * kAloneStep * d.sigma;
+  if (ahead >= least && -behind >= least && least > kAloneSigma) {
+    if (std::fmax(ahead, -behind) > kAloneHeld) return true;
     double farther;
-    return (missed_along(chain, T, q, d, 0.3, farther) && std::fabs(farther) > kHeld) ||
-           (missed_along(chain, T, q, d, -0.3, farther) && std::fabs(farther) > kHeld);
+    return (missed_along(chain, T, q, d, kAloneFarther, farther) && std::fabs(farther) > kAloneHeld) ||
+           (missed_along(chain, T, q, d, -kAloneFarther, farther) && std::fabs(farther) > kAloneHeld);
   }
   // a fold: g(t) = sigma t + kappa t^2 / 2 has its other root at -2 sigma / kappa
-  const double kappa = (ahead + behind) / 1e-4;
-  if (!(std::fabs(kappa) > 1e-6 * d.scale)) return false;
+  const double kappa = (ahead + behind) / (kAloneStep * kAloneStep);
+  if (!(std::fabs(kappa) > kAloneBent * d.scale)) return false;
   const double twin = 2 * d.sigma / std::fabs(kappa);
   // apart for a reader, and with a ridge between them that rounding cannot hide
-  if (!(twin > 2 * kTwins && d.sigma * twin > 1.2e-13)) return false;
+  if (!(twin > 2 * kAloneTwins && d.sigma * twin > kAloneRidge)) return false;
   for (int s = 0; s < found.count; ++s) {
     if (s == row) continue;
     double apart = 0;

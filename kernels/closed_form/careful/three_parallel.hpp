@@ -5,6 +5,7 @@
 // (0 0 1 0) passes through it: h Za A Zb B Zc = k with h the third row of Pre and k that of C^-1. The middle joint b drops
 // out of the normal's component along it and of the height, two equations linear in the terms of a and c: a PairSystem
 // (four pairs). Then b, then P is a known motion of the plane (two solutions): eight in all.
+// The equations are templates over the number type; the rest is scalar, the careful twin of closed_form/lanes/three_parallel.hpp.
 #pragma once
 
 #include "closed_form/careful/group.hpp"
@@ -112,7 +113,7 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
       bool free = false;
       if (!slides[1]) {
         middle = turn_between(from, to, free);
-      } else if (std::fabs(to.z) > 1e-13) {
+      } else if (std::fabs(to.z) > kPairLinear) {
         middle = -(climb + dot(direction_at(ha, a, slides[0]), At) + dot(from, Bt) + (slides[0] ? a * h.z : 0) +
                    (slides[2] ? c * k.z : 0)) /
                  to.z;

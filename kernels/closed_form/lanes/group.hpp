@@ -1,5 +1,6 @@
 // A group of three joints and the three beside it for many poses at once: the straight road. A lane in which anything is delicate
 // (a root pair about to merge, a wrist about to line up, a residual above the verified one) is handed to the careful scalar road.
+// A template over the number type: one pose in doubles, many in lanes; its careful twin is scalar.
 #pragma once
 
 #include "chain/row_order.hpp"
@@ -10,30 +11,12 @@
 
 namespace pieper::PIEPER_ISA::closed_form {
 
-template <class F> PIEPER_INLINE RigidT<F> spread(const Rigid& A) {
-  auto v = [](Vec3 a) { return Vec3T<F>{F(a.x), F(a.y), F(a.z)}; };
-  return {v(A.x), v(A.y), v(A.z), v(A.t)};
-}
-template <class F> PIEPER_INLINE Vec3T<F> combined(const RigidT<F>& A, Vec3 b) {
-  return {A.x.x * b.x + (A.y.x * b.y + A.z.x * b.z), A.x.y * b.x + (A.y.y * b.y + A.z.y * b.z),
-          A.x.z * b.x + (A.y.z * b.y + A.z.z * b.z)};
-}
-template <class F> PIEPER_INLINE RigidT<F> times(const RigidT<F>& A, const Rigid& B) {
-  return {combined(A, B.x), combined(A, B.y), combined(A, B.z), combined(A, B.t) + A.t};
-}
-template <class F> PIEPER_INLINE RigidT<F> moved(const RigidT<F>& A, Motion<F> m, bool slides) {
-  if (slides) return {A.x, A.y, A.z, A.t + m.c * A.z};
-  return {m.c * A.x + m.s * A.y, m.c * A.y - m.s * A.x, A.z, A.t};
-}
-
 // What a family computes for a group of poses.
 template <class F> struct LaneSolutions {
   F q[8][6];  // rad; a slide in lengths of the arm
   Mask<F> valid[8];
   Mask<F> unclear;
 };
-
-template <class F> PIEPER_INLINE F largest(Vec3T<F> v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
 // The three joints beside a group, at each of the four pairs: the middle joint, and the motion of the loop around the group.
 template <class F> struct Around {
@@ -70,21 +53,7 @@ template <class F, class Family>
 __attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family& family, const double* T, int lanes,
                                                double* q, std::uint8_t* valid, std::uint8_t* flag) {
   constexpr int W = width_of<F>;
-  const Pose<F> pose = load_poses<F>(T);
-  const double scale = 1 / arm.length;
-  // the loop closes through links[6] T^-1 links[0]
-  const Vec3T<F> tx = {pose.r[0][0], pose.r[0][1], pose.r[0][2]}, ty = {pose.r[1][0], pose.r[1][1], pose.r[1][2]},
-                 tz = {pose.r[2][0], pose.r[2][1], pose.r[2][2]};
-  const RigidT<F> back = {tx, ty, tz, F(-scale) * (pose.p[0] * tx + pose.p[1] * ty + pose.p[2] * tz)};
-  const RigidT<F> closing = spread<F>(arm.links[6]) * times(back, arm.links[0]);
-  LoopRestT<F> rest;
-  RigidT<F>* place[4] = {&rest.pre, &rest.A, &rest.B, &rest.C};
-  for (int k = 0; k < 4; ++k) {
-    const int link = (arm.first + 3 + k) % 6;
-    const double* constant = &arm.links[link].x.x;
-    F* to = &place[k]->x.x;
-    for (int i = 0; i < 12; ++i) to[i] = link == 0 ? (&closing.x.x)[i] : F(constant[i]);
-  }
+  const LoopRestT<F> rest(arm.links, in_lengths(load_poses<F>(T), arm.length), arm.first);
   LaneSolutions<F> out;
   family.template solve<F>(arm, rest, out);
   F values[8][6];

@@ -1,4 +1,5 @@
-// The pair of equations M f(a) + N f(c) = e (see subproblems.hpp) for many poses at once. It answers only where all is clear.
+// The pair of equations M f(a) + N f(c) = e (see closed_form/careful/pair.hpp) for many poses at once. It answers only where all is clear.
+// A template over the number type; the careful scalar twin is closed_form/careful/pair.hpp.
 #pragma once
 
 #include "closed_form/lanes/quartic.hpp"
@@ -6,18 +7,8 @@
 
 namespace pieper::PIEPER_ISA::closed_form {
 
-// The terms of a joint: (cos, sin) of a revolute one, (d, d^2) of a sliding one.
-template <class F> struct Motion { F c, s; };
-template <class F> PIEPER_INLINE Motion<F> unit(F c, F s) {
-  F n = 1.0 / sqrt(max(c * c + s * s, F(1e-300)));
-  return {c * n, s * n};
-}
-
 // The angle of a revolute joint, the way of a sliding one.
 template <class F> PIEPER_INLINE F joint_value(Motion<F> m, bool slides) { return slides ? m.c : atan2(m.s, m.c); }
-
-// A root is not clear when what it is the square root of falls below this (relative): two roots are about to merge.
-inline constexpr double kRootsMerge = 1e-8;
 
 template <class F> struct PairLanes {
   F M[2][2], N[2][2], e[2];
@@ -36,9 +27,9 @@ template <class F>
 PIEPER_INLINE void one_joint(const F* b, F rhs, bool slides, Motion<F>* x, Mask<F>& found, Mask<F>& unclear) {
   if (slides) {
     F disc = b[0] * b[0] + 4.0 * b[1] * rhs, size = b[0] * b[0] + abs(4.0 * b[1] * rhs);
-    Mask<F> linear = abs(b[1]) <= 1e-13 * abs(b[0]);
+    Mask<F> linear = abs(b[1]) <= kPairLinear * abs(b[0]);
     found = disc >= 0.0;
-    unclear = unclear | (abs(disc) <= kRootsMerge * size) | !(size > 1e-20);
+    unclear = unclear | (abs(disc) <= kRootsMerge * size) | !(size > kPairNothing);
     F root = sqrt(max(disc, F(0.0))), t = b[0] + select(b[0] < 0.0, -root, root);
     F near = 2.0 * rhs / select(t == 0.0, F(1.0), t);
     F far = -t / select(linear, F(1.0), 2.0 * b[1]);
@@ -49,7 +40,7 @@ PIEPER_INLINE void one_joint(const F* b, F rhs, bool slides, Motion<F>* x, Mask<
   }
   F size2 = b[0] * b[0] + b[1] * b[1], room = size2 - rhs * rhs;
   found = room > 0.0;
-  unclear = unclear | (abs(room) <= kRootsMerge * size2) | !(size2 > 1e-16);
+  unclear = unclear | (abs(room) <= kRootsMerge * size2) | !(size2 > kPairRounding);
   F k = 1.0 / select(size2 > 0.0, size2, F(1.0)), side = sqrt(max(room, F(0.0)));
   x[0] = {(b[0] * rhs - b[1] * side) * k, (b[1] * rhs + b[0] * side) * k};
   x[1] = {(b[0] * rhs + b[1] * side) * k, (b[1] * rhs - b[0] * side) * k};
@@ -78,14 +69,14 @@ template <class F> __attribute__((noinline)) void solve_apart(PairLanes<F>& s) {
   F b[2] = {u[0] * H[0][0] + u[1] * H[1][0], u[0] * H[0][1] + u[1] * H[1][1]};
   F size_h = H[0][0] * H[0][0] + H[0][1] * H[0][1] + H[1][0] * H[1][0] + H[1][1] * H[1][1];
   // one order for all poses of an arm; it will do unless the equation of h has nearly vanished
-  s.unclear = s.unclear | !((b[0] * b[0] + b[1] * b[1]) > 1e-6 * size_h);
+  s.unclear = s.unclear | !((b[0] * b[0] + b[1] * b[1]) > kPairSharp * size_h);
   Motion<F> h[2], v[2];
   one_joint(b, u[0] * s.e[0] + u[1] * s.e[1], slides_h, h, alone, s.unclear);
   F row[2] = {select(upper, V[0][0], V[1][0]), select(upper, V[0][1], V[1][1])};
   F row_h[2] = {select(upper, H[0][0], H[1][0]), select(upper, H[0][1], H[1][1])},
     row_e = select(upper, s.e[0], s.e[1]);
-  const bool one_v = slides_v && all(abs(row[1]) <= 1e-13 * abs(row[0])),
-             one_h = slides_h && all(abs(b[1]) <= 1e-13 * abs(b[0]));
+  const bool one_v = slides_v && all(abs(row[1]) <= kPairLinear * abs(row[0])),
+             one_h = slides_h && all(abs(b[1]) <= kPairLinear * abs(b[0]));
   for (int i = 0; i < 2; ++i) {
     angle[i] = joint_value(h[i], slides_h);
     Mask<F> found, unclear = mask_of<F>(false);
@@ -114,10 +105,10 @@ template <class F> __attribute__((noinline)) void sharpen(const PairLanes<F>& s,
     jc[k] = s.slides_c ? s.N[k][0] + 2.0 * s.N[k][1] * c.c : s.N[k][1] * c.c - s.N[k][0] * c.s;
   }
   F det = ja[0] * jc[1] - ja[1] * jc[0], scale = ja[0] * ja[0] + ja[1] * ja[1] + jc[0] * jc[0] + jc[1] * jc[1];
-  unclear = unclear | (found & !(abs(det) > 1e-6 * scale));
+  unclear = unclear | (found & !(abs(det) > kPairSharp * scale));
   F k = 1.0 / select(det == 0.0, F(1.0), det);
   F da = (r[0] * jc[1] - r[1] * jc[0]) * k, dc = (ja[0] * r[1] - ja[1] * r[0]) * k;
-  unclear = unclear | (found & !((abs(da) < 1e-4) & (abs(dc) < 1e-4)));
+  unclear = unclear | (found & !((abs(da) < kPairSharpStep) & (abs(dc) < kPairSharpStep)));
   a = s.slides_a ? Motion<F>{a.c + da, (a.c + da) * (a.c + da)} : unit(a.c - a.s * da, a.s + a.c * da);
   c = s.slides_c ? Motion<F>{c.c + dc, (c.c + dc) * (c.c + dc)} : unit(c.c - c.s * dc, c.s + c.c * dc);
 }
@@ -151,19 +142,19 @@ template <class F> __attribute__((noinline)) void solve_by_quartic(PairLanes<F>&
     f[1] = 2.0 * g02 + 2.0 * g12;
     f[0] = g00 + g01 + g11;
   }
-  if (slides_h && all((abs(f[3]) + abs(f[4])) <= 1e-14 * scale)) {  // a quadratic in disguise
+  if (slides_h && all((abs(f[3]) + abs(f[4])) <= kPairFree * scale)) {  // a quadratic in disguise
     Motion<F> x[2];
     one_joint(f + 1, -f[0], true, x, s.found[0], s.unclear);
     for (int i = 0; i < 4; ++i) p[i] = x[i % 2].c, q[i] = F(1.0), s.found[i] = i < 2 ? s.found[0] : mask_of<F>(false);
-    if (all(abs(f[2]) <= 1e-13 * abs(f[1]))) s.found[1] = mask_of<F>(false);
+    if (all(abs(f[2]) <= kPairLinear * abs(f[1]))) s.found[1] = mask_of<F>(false);
   } else {
-    form_directions(f, 1e-12 * scale, p, q, s.found, s.unclear);
+    form_directions(f, kPairFreeUnclear * scale, p, q, s.found, s.unclear);
   }
   F inverse_det = 1.0 / select(det == 0.0, F(1.0), det);
   for (int i = 0; i < 4; ++i) {
     Motion<F> h;
     if (slides_h) {
-      Mask<F> far = abs(q[i]) < 1e-6;
+      Mask<F> far = abs(q[i]) < kPairFar;
       s.found[i] = s.found[i] & !far;
       F x = p[i] / select(far, F(1.0), q[i]);
       h = {x, x * x};
@@ -189,7 +180,7 @@ template <class F> PIEPER_INLINE void solve_pair(PairLanes<F>& s) {
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < 2; ++j) size = size + V[k][j] * V[k][j];
   // one hidden joint for all poses of an arm; where it is badly conditioned the pose is handed back
-  s.unclear = s.unclear | !(abs(det) > 1e-4 * size);
+  s.unclear = s.unclear | !(abs(det) > kPairAlone * size);
   solve_by_quartic(s, det);
 #pragma GCC unroll 1
   for (int i = 0; i < 4; ++i) {

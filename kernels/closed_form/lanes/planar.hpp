@@ -1,4 +1,5 @@
-// Three joints of a plane for many poses at once (see planar.hpp): Z1 l1 Z2 l2 Z3 = (turn, x, y).
+// Three joints of a plane for many poses at once (see closed_form/careful/planar.hpp): Z1 l1 Z2 l2 Z3 = (turn, x, y).
+// A template over the number type; the careful scalar twin is closed_form/careful/planar.hpp.
 #pragma once
 
 #include "closed_form/lanes/pair.hpp"
@@ -30,7 +31,8 @@ struct PlanarLanes {
     along_1 = {std::cos(angle_1), std::sin(angle_1)};
     along_12 = {std::cos(sum), std::sin(sum)};
     det = kind == 6 ? along_1.x * along_12.y - along_1.y * along_12.x : along_1.y;
-    usable = kind != 7 && (kind != 0 || (a > 1e-9 && b > 1e-9)) && ((kind != 6 && kind != 3) || std::fabs(det) > 1e-6);
+    usable = kind != 7 && (kind != 0 || (a > kPlaneShort && b > kPlaneShort)) &&
+             ((kind != 6 && kind != 3) || std::fabs(det) > kPlaneLanesParallel);
     for (int j = 0; j < 3; ++j) sense[j] = senses[j];
   }
 
@@ -106,7 +108,7 @@ struct PlanarLanes {
       case 5: {  // slide, turn, slide
         const Flat arm = flat_turn(-angle_2, l2);
         const F vx = x - l1.x - (c * arm.x - s * arm.y), vy = y - l1.y - (s * arm.x + c * arm.y);
-        unclear = unclear | (wanted & !(abs(s) > 1e-4));
+        unclear = unclear | (wanted & !(abs(s) > kPlaneUnclear));
         q[0][2] = vy / s;
         q[0][0] = vx - q[0][2] * c;
         q[0][1] = rest;

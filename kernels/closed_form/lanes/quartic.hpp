@@ -1,13 +1,12 @@
-// Real roots of a binary quartic form for many poses at once, by the same bracketing as polynomial.hpp. It answers only where all is clear:
+// Real roots of a binary quartic form for many poses at once, by the same bracketing as closed_form/careful/quartic.hpp. It answers only where all is clear:
 // a lane whose curve comes near to touching zero between two roots is handed back as `unclear`.
+// A template over the number type; the careful scalar twin is closed_form/careful/quartic.hpp.
 #pragma once
 
 #include "lanes/math.hpp"
+#include "tolerances.hpp"
 
 namespace pieper::PIEPER_ISA::closed_form {
-
-// An extremum (relative to coefficients of size one) nearer to zero than this is not clear.
-inline constexpr double kUnclear = 1e-7;
 
 template <class F, int Degree> PIEPER_INLINE void value_and_slope(const F* c, F t, F& value, F& slope) {
   value = c[Degree];
@@ -50,7 +49,7 @@ template <class F, int Degree, int Count> __attribute__((noinline)) void bracket
       Mask<F> above = (value * at_low[i]) > 0.0;
       low[i] = select(above, root[i], low[i]);
       high[i] = select(above, high[i], root[i]);
-      F next = root[i] - value / select(slope == 0.0, F(1e-300), slope);
+      F next = root[i] - value / select(slope == 0.0, F(kTiny), slope);
       Mask<F> fine = (next >= low[i]) & (next <= high[i]);
       next = select(fine, next, 0.5 * (low[i] + high[i]));
       moving = moving | (inside[i] & (abs(next - root[i]) > precision));
@@ -72,7 +71,7 @@ __attribute__((noinline)) void form_directions(const F* f, F floor, F* p, F* q, 
     double x = k < 4 ? C[k] : C2[k - 4], y = k < 4 ? S[k] : S2[k - 4];
     double x2 = x * x, y2 = y * y;
     F value = (f[4] * (x2 * x2) + f[3] * (x2 * x * y)) + (f[2] * (x2 * y2) + (f[1] * (x * y2 * y) + f[0] * (y2 * y2)));
-    Mask<F> better = abs(value) > most * (1.0 + 1e-9);  // ties, common by symmetry, go to the first
+    Mask<F> better = abs(value) > most * (1.0 + kRootTie);  // ties, common by symmetry, go to the first
     most = select(better, abs(value), most);
     lead = select(better, value, lead);
     c = select(better, F(x), c);
@@ -103,17 +102,17 @@ __attribute__((noinline)) void form_directions(const F* f, F floor, F* p, F* q, 
   F inner = -0.25 * g[3], disc = inner * inner - g[2] * (1.0 / 6.0), root = sqrt(max(disc, F(0.0)));
   F edges[4] = {F(-8.0), inner - root, inner + root, F(8.0)}, critical[3];
   Mask<F> turning[3];
-  bracketed_roots<F, 3, 3>(slope, edges, 12, 1e-6, critical, turning);
+  bracketed_roots<F, 3, 3>(slope, edges, 12, kRootCriticalPrecision, critical, turning);
   F splits[5] = {F(-8.0), critical[0], critical[1], critical[2], F(8.0)}, t[4];
   for (int i = 0; i < 3; ++i) {
     F value, lean;
     value_and_slope<F, 4>(g, critical[i], value, lean);
-    unclear = unclear | (turning[i] & ((abs(value) < kUnclear * size) | (abs(lean) > 1e-4 * size)));
+    unclear = unclear | (turning[i] & ((abs(value) < kRootUnclear * size) | (abs(lean) > kRootSlopeUnclear * size)));
   }
   for (int i = 1; i < 3; ++i)  // the derivative may touch zero where its own extremum lies
-    unclear = unclear |
-              ((abs(value_of<F, 3>(slope, edges[i])) < 1e-5 * size) & (abs(value_of<F, 4>(g, edges[i])) < 1e-5 * size));
-  bracketed_roots<F, 4, 4>(g, splits, 40, 2e-15, t, found);
+    unclear = unclear | ((abs(value_of<F, 3>(slope, edges[i])) < kRootInflectionUnclear * size) &
+                         (abs(value_of<F, 4>(g, edges[i])) < kRootInflectionUnclear * size));
+  bracketed_roots<F, 4, 4>(g, splits, 40, kRootPrecision, t, found);
   for (int i = 0; i < 4; ++i) {
     F n = 1.0 / sqrt(1.0 + t[i] * t[i]);
     p[i] = (c * t[i] - s) * n;

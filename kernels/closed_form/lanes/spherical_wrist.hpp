@@ -1,4 +1,5 @@
 // A spherical wrist anywhere in the chain (closed_form/careful/spherical_wrist.hpp), many poses at once.
+// A template over the number type; its careful twin is scalar.
 #pragma once
 
 #include "dispatch/geometry.hpp"
@@ -32,7 +33,7 @@ struct SphericalWristLanes {
     shift[0] = one_turn(-w.before[0]), shift[1] = one_turn(-w.after[0] - w.before[1]), shift[2] = one_turn(-w.after[1]);
     cos_sum = std::cos(w.twist[0] + w.twist[1]);
     cos_difference = std::cos(w.twist[0] - w.twist[1]);
-    square = std::fabs(c0) < 1e-15 && std::fabs(c1) < 1e-15;
+    square = std::fabs(c0) < kWristSquare && std::fabs(c1) < kWristSquare;
   }
 
   void careful(const GroupArm& arm, const double* T, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
@@ -68,7 +69,7 @@ struct SphericalWristLanes {
       out.unclear = out.unclear | (exists & !(side > kRootsMerge));
       F ct = (c0 * c1 - rz.z) * scale, st = sqrt(max(up * down, F(0.0))) * scale;
       F vy = -c0 * s1 * ct - s0 * c1, vx = s1 * st, middle = joint_value(Motion<F>{ct, st}, false);
-      const F over = 1.0 / sqrt(max(side * (vx * vx + vy * vy), F(1e-300)));
+      const F over = 1.0 / sqrt(max(side * (vx * vx + vy * vy), F(kTiny)));
 #pragma GCC unroll 1
       for (int n = 0; n < 2; ++n) {
         F* q = out.q[2 * i + n];
@@ -90,7 +91,7 @@ struct SphericalWristLanes {
         Vec3T<F> y3 = F(c1) * y2 + F(s1) * z1;
         Motion<F> t3 = {0.5 * (dot(x2, rx) + dot(y3, ry)), 0.5 * (dot(y3, rx) - dot(x2, ry))};
         F miss = max(largest(t3.c * x2 + t3.s * y3 - rx), largest(t3.c * y3 - t3.s * x2 - ry));
-        out.unclear = out.unclear | (exists & !(max(miss, off) <= 0.5 * kVerified));
+        out.unclear = out.unclear | (exists & !(max(miss, off) <= 0.5 * kClosedVerified));
         q[arm.first] = wrapped(atan2_closed(t1.s, t1.c) + shift[0]);
         q[arm.first + 2] = wrapped(atan2_closed(t3.s, t3.c) + shift[2]);
       }

@@ -65,18 +65,9 @@ class SphericalWristParallelKernel {
     solve_batch<SphericalWristParallelKernel>(arm_, T, count, q, valid, flag);
   }
 
-  // Relative to kScale, or radians. Rounding of a pose made by forward kinematics is a few 1e-16.
-  static constexpr double kOnSingularity = 1e-13;   // closer: one representative stands for the family
-  static constexpr double kNearSingularity = 1e-7;  // closer: flagged, so that the careful path looks at it
-  static constexpr double kRounding = 8 * 2.2e-16;  // a distance from the edge of reach that is nothing but rounding
-  static constexpr double kNearDouble = 1e-6;       // half the angle between two roots below which they are flagged
-  static constexpr double kOvershoot = 5e-13;       // a reach exceeded by no more than this is the edge of reach
-  static constexpr double kEdgeOfElbow = 1e-3;      // sin^2 th3 below which cancellation is avoided
-  static constexpr double kVerified = 1e-11;        // forward kinematics must return the pose this closely
-
   // All branches of W poses: lanes are poses, the branches follow one another.
   template <class F>
-  PIEPER_INLINE static void branches(const SphericalWristParallel& P, const Pose<F>& T, Branches<F, 8, 6>& out) {
+  PIEPER_INLINE static void branches(const SphericalWristParallel& P, const RigidT<F>& T, Branches<F, 8, 6>& out) {
     F M[3][3], w[3];
     into_base(P, T, M, w);
     Shoulder<F> shoulder = start_shoulder(P, w);
@@ -109,8 +100,8 @@ class SphericalWristParallelKernel {
   }
 
   // One pose alone: lanes are the four postures of shoulder and elbow.
-  PIEPER_INLINE static void solve_alone(const SphericalWristParallel& P, const Pose<double>& T, double* q,
-                                        std::uint8_t* valid, std::uint8_t* flag) {
+  PIEPER_INLINE static void solve_alone(const SphericalWristParallel& P, const Rigid& T, double* q, std::uint8_t* valid,
+                                        std::uint8_t* flag) {
     using F = Lanes<4>;
     double M1[3][3], w1[3];
     into_base(P, T, M1, w1);
@@ -173,24 +164,24 @@ class SphericalWristParallelKernel {
 
   // The pose seen from B, with the tool taken off: M = B^-1 R C and the wrist centre.
   template <class F>
-  PIEPER_INLINE static void into_base(const SphericalWristParallel& P, const Pose<F>& T, F (&M)[3][3], F (&w)[3]) {
+  PIEPER_INLINE static void into_base(const SphericalWristParallel& P, const RigidT<F>& T, F (&M)[3][3], F (&w)[3]) {
     F half[3][3];
     const double origin[3] = {P.origin.x, P.origin.y, P.origin.z};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        half[i][j] = T.r[i][0] * P.tool[0][j] + (T.r[i][1] * P.tool[1][j] + T.r[i][2] * P.tool[2][j]);
+        half[i][j] = T.r(i, 0) * P.tool[0][j] + (T.r(i, 1) * P.tool[1][j] + T.r(i, 2) * P.tool[2][j]);
     for (int i = 0; i < 3; ++i) {
       const double* row = P.base[i];
       for (int j = 0; j < 3; ++j) M[i][j] = row[0] * half[0][j] + (row[1] * half[1][j] + row[2] * half[2][j]);
-      F p = origin[i] + (row[0] * T.p[0] + (row[1] * T.p[1] + row[2] * T.p[2]));
+      F p = origin[i] + (row[0] * T.p(0) + (row[1] * T.p(1) + row[2] * T.p(2)));
       w[i] = p + (M[i][0] * P.centre.x + (M[i][1] * P.centre.y + M[i][2] * P.centre.z));
     }
   }
 
   // Below this x^2 = wx^2 + wy^2 - b^2 is looked at closely, m^2: x itself small, or the two roots x and -x one direction.
   PIEPER_INLINE static double shoulder_near(const SphericalWristParallel& P) {
-    const double b = __builtin_fabs(P.b), length = kNearSingularity * P.scale, side = kNearDouble * b;
-    return length * length + side * side + 8 * kRounding * b * P.scale;
+    const double b = __builtin_fabs(P.b), length = kSwpNearSingularity * P.scale, side = kSwpNearDouble * b;
+    return length * length + side * side + 8 * kSwpRounding * b * P.scale;
   }
 
   template <class F> PIEPER_INLINE static Shoulder<F> start_shoulder(const SphericalWristParallel& P, const F (&w)[3]) {
@@ -209,16 +200,16 @@ class SphericalWristParallelKernel {
   // Wrist centre near axis 1, or near the circle around it inside which the lateral offset b keeps the arm.
   template <class F> __attribute__((noinline)) static void shoulder_edge(const SphericalWristParallel& P,
                                                                          const F (&w)[3], Shoulder<F>& a) {
-    const double b = P.b, scale = P.scale, here = kOnSingularity * scale;
+    const double b = P.b, scale = P.scale, here = kSwpOnSingularity * scale;
     F rho = sqrt(a.R2), gap = rho - __builtin_fabs(b);
     a.degenerate = a.x2 < shoulder_near(P);
-    Mask<F> edge = (gap < 0.0) & (gap >= -kOvershoot * scale);
+    Mask<F> edge = (gap < 0.0) & (gap >= -kSwpOvershoot * scale);
     Mask<F> on_axis = (rho <= here) & mask_of<F>(__builtin_fabs(b) <= here);
     a.x = sqrt(max(gap * (rho + __builtin_fabs(b)), F(0.0)));
     a.reached = (gap >= 0.0) | edge | on_axis;
     // on the axis both sides hold the same families; at the edge they are a double root
     a.two_sides =
-        (gap > 0.0) & (a.x > here) & ((gap > kRounding * scale) | mask_of<F>(__builtin_fabs(b) <= here)) & !on_axis;
+        (gap > 0.0) & (a.x > here) & ((gap > kSwpRounding * scale) | mask_of<F>(__builtin_fabs(b) <= here)) & !on_axis;
     // at the edge x = 0 and the direction is that of (b y, -b x), made a unit vector anew; on the axis q1 = 0
     a.fixed = edge | on_axis;
     F over = b / (__builtin_fabs(b) * rho);
@@ -263,7 +254,7 @@ class SphericalWristParallelKernel {
     e.two = square >= 0.0;
     e.ok = arm.ok & e.two;
     e.centred = e.degenerate = mask_of<F>(false);
-    if (__builtin_expect(any(square < kEdgeOfElbow), 0)) elbow_edge(P, arm, c3, square, e);
+    if (__builtin_expect(any(square < kSwpEdgeOfElbow), 0)) elbow_edge(P, arm, c3, square, e);
     e.th3 = atan2(e.s3, c3);
     return e;
   }
@@ -272,13 +263,13 @@ class SphericalWristParallelKernel {
   template <class F> __attribute__((noinline)) static void elbow_edge(const SphericalWristParallel& P,
                                                                       const Arm<F>& arm, F& c3, const F& square,
                                                                       Elbow<F>& e) {
-    const double L2 = P.upper, L3 = P.fore, scale = P.scale, here = kOnSingularity * scale;
+    const double L2 = P.upper, L3 = P.fore, scale = P.scale, here = kSwpOnSingularity * scale;
     const double outer = L2 + L3, inner = __builtin_fabs(L2 - L3), over = 0.5 / (L2 * L3);
     F r = sqrt(e.D);
-    Mask<F> folded = c3 < 0.0, close = square < kEdgeOfElbow;
+    Mask<F> folded = c3 < 0.0, close = square < kSwpEdgeOfElbow;
     F gap = select(folded, r - inner, outer - r);
     // where the shoulder is near its own edge, rounding of x = sqrt(x^2) adds to the overshoot
-    F overshoot = kOvershoot * scale + (2 * kRounding * scale * scale) / max(abs(arm.X + P.a1), F(here));
+    F overshoot = kSwpOvershoot * scale + (2 * kSwpRounding * scale * scale) / max(abs(arm.X + P.a1), F(here));
     Mask<F> edge = close & (gap < 0.0) & (gap >= -overshoot);
     // 1 - |cos th3| and what follows from it
     F rest = select(folded, gap * (r + inner), gap * (outer + r)) * over;
@@ -292,9 +283,9 @@ class SphericalWristParallelKernel {
     Mask<F> within = select(close, gap, square) >= 0.0;
     e.ok = arm.ok & (within | edge);
     e.centred = (r <= here) & e.ok;
-    e.two = within & !(close & (gap <= kRounding * scale)) & !e.centred;
-    e.degenerate =
-        e.ok & close & ((sine2 < kNearDouble * kNearDouble) | (gap < overshoot) | (r < kNearSingularity * scale));
+    e.two = within & !(close & (gap <= kSwpRounding * scale)) & !e.centred;
+    e.degenerate = e.ok & close &
+                   ((sine2 < kSwpNearDouble * kSwpNearDouble) | (gap < overshoot) | (r < kSwpNearSingularity * scale));
     // beyond the edge D is not |L2 + L3 e^{i th3}|^2, and the forearm's direction must be a unit vector all the same
     e.over_D = select(edge, 1.0 / (r * select(folded, F(inner), F(outer))), e.over_D);
     if (any(e.centred)) {
@@ -338,8 +329,8 @@ class SphericalWristParallelKernel {
       mz = P.sin_tau * y + P.cos_tau * mz;
     }
     F sine = sqrt(mx[2] * mx[2] + my[2] * my[2]);
-    Mask<F> on_singularity = sine < kOnSingularity;
-    out.degenerate = sine < kNearSingularity;
+    Mask<F> on_singularity = sine < kSwpOnSingularity;
+    out.degenerate = sine < kSwpNearSingularity;
     F over = 1.0 / select(on_singularity, F(1.0), sine);
     // the same rounded direction serves th4 and th6, so their sum is right even where each alone is not
     F c4 = select(on_singularity, F(P.cos_offset4), mx[2] * over);
@@ -388,7 +379,7 @@ class SphericalWristParallelKernel {
       off += abs(s1 * along + c1 * y - M[1][2 * k]);
       off += abs(up - M[2][2 * k]);
     }
-    return off <= kVerified;
+    return off <= kSwpVerified;
   }
 
  private:

@@ -1,4 +1,5 @@
 // Three joints of a plane anywhere in the chain (closed_form/careful/three_parallel.hpp), many poses at once.
+// A template over the number type; its careful twin is scalar.
 #pragma once
 
 #include "dispatch/geometry.hpp"
@@ -67,7 +68,7 @@ struct ThreeParallelLanes {
         F rise = P.climb + dot(turned_a, P.At) + dot(from, P.Bt);
         if (slides[0]) rise = rise + s.a[i].c * P.h.z;
         if (slides[2]) rise = rise + s.c[i].c * P.k.z;
-        out.unclear = out.unclear | (s.found[i] & !(abs(to.z) > 1e-4));
+        out.unclear = out.unclear | (s.found[i] & !(abs(to.z) > kPlaneUnclear));
         b = {-rise / to.z, F(0.0)};
       }
       // the plane's motion is the inverse of `around`
@@ -75,7 +76,7 @@ struct ThreeParallelLanes {
       const F whole_c = 0.5 * (around.x.x + around.y.y), whole_s = 0.5 * (around.y.x - around.x.y);
       const F tx = -dot(around.x, around.t), ty = -dot(around.y, around.t), tz = dot(around.z, around.t);
       const F lean = max(max(abs(around.z.x), abs(around.z.y)), abs(tz));
-      out.unclear = out.unclear | (s.found[i] & !((lean <= 0.5 * kVerified) & (around.z.z > 0.0)));
+      out.unclear = out.unclear | (s.found[i] & !((lean <= 0.5 * kClosedVerified) & (around.z.z > 0.0)));
       F bent[2][3];
       const Mask<F> exists = plane.solve(whole_c, whole_s, tx, ty, s.found[i], bent, out.unclear);
       const F angle_b = joint_value(b, slides[1]);

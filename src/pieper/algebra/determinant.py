@@ -190,12 +190,10 @@ def _separate(poly: Poly) -> list[Poly] | None:
             table.setdefault(mine, {})[rest] = value
         if len(table) < 2:
             continue
-        first, total = None, Poly()
+        first, total = monomial_content(Poly(next(iter(table.values()))))[1], Poly()
         for mine, terms in table.items():
             content, rest = monomial_content(Poly(terms))
             number = next(iter(rest.terms.values()))
-            if first is None:
-                first = rest
             ratio = Fraction(number) / first.terms.get(next(iter(rest.terms)), number)
             if rest != first * ratio:
                 break

@@ -72,6 +72,7 @@ class Num(Expr):
     """
 
     __slots__ = ("value", "written")
+    op = "num"
 
     def __init__(self, value: Any, written: str = "") -> None:
         self.value, self.written = Fraction(value), written
@@ -90,6 +91,7 @@ class PiFraction(Expr):
     """A rational multiple of pi."""
 
     __slots__ = ("value",)
+    op = "pi"
 
     def __init__(self, value: Any) -> None:
         self.value = Fraction(value)
@@ -108,6 +110,7 @@ class Sym(Expr):
     """
 
     __slots__ = ("base", "sub", "rank", "order", "name")
+    op = "sym"
     _pool: dict = {}
     base: str
     sub: str
@@ -124,6 +127,9 @@ class Sym(Expr):
             found.name = base + ("_" if sub and not sub[0].isdigit() else "") + sub
             found.order = (rank, base if rank != 4 else {"p": "0", "w": "0"}.get(base, base), natural(sub))
         return found
+
+    def __reduce__(self):
+        return Sym, (self.base, self.sub, self.rank)
 
     def looked_up(self, values, field):
         try:
@@ -146,6 +152,7 @@ class Trig(Expr):
     """
 
     __slots__ = ("kind", "angle", "group", "letter", "rank", "order")
+    op = "trig"
     _pool: dict = {}
     kind: str
     angle: tuple[tuple[int, int], ...]
@@ -162,6 +169,9 @@ class Trig(Expr):
             found.kind, found.angle, found.group, found.letter, found.rank = kind, angle, group, letter, 3
             found.order = (3, group, len(angle), angle, kind)
         return found
+
+    def __reduce__(self):
+        return Trig, (self.kind, self.angle, self.group, self.letter)
 
     def argument(self) -> tuple:
         """((factor, symbol), ...) of the angle."""
@@ -183,7 +193,7 @@ class Trig(Expr):
 class Operation(Expr):
     """A node with arguments."""
 
-    __slots__ = ("args", "_typed")
+    __slots__ = ("args",)
 
     def __init__(self, *args: Expr) -> None:
         self.args = args
@@ -191,18 +201,12 @@ class Operation(Expr):
     def rebuilt(self, args):
         return type(self)(*args)
 
-    def __str__(self) -> str:
-        try:
-            return self._typed
-        except AttributeError:
-            self._typed = super().__str__()
-            return self._typed
-
 
 class Add(Operation):
     """A sum, in the order it is to be read."""
 
     __slots__ = ()
+    op = "sum"
     precedence = 1
 
     @classmethod
@@ -225,6 +229,7 @@ class Mul(Operation):
     """A product, in the order it is to be read."""
 
     __slots__ = ()
+    op = "product"
     precedence = 2
 
     @classmethod
@@ -247,6 +252,7 @@ class Div(Operation):
     """A quotient."""
 
     __slots__ = ()
+    op = "quotient"
     precedence = 3
 
     def combined(self, v, field, branch):
@@ -257,6 +263,7 @@ class Power(Operation):
     """A power; derived formulas have whole-number powers only."""
 
     __slots__ = ()
+    op = "power"
     precedence = 4
 
     @property
@@ -280,6 +287,7 @@ class Call(Operation):
     """A function of expressions: sqrt, atan2, acos, sgn."""
 
     __slots__ = ("name",)
+    op = "call"
 
     def __init__(self, name: str, *args: Any) -> None:
         super().__init__(*map(as_expr, args))

@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping
 from pieper.algebra.expression import Add, Call, Expr, Num, Operation, Sym, natural
 
 ANGLE = re.compile(r"theta(\d+)$")
-TURNS = ("sin", "cos")
 
 
 class Mention(Sym):
@@ -27,6 +26,9 @@ class Mention(Sym):
         found.order = (1, found.base, natural(found.sub))
         return found
 
+    def __reduce__(self):
+        return Mention, (self.name,)
+
     def looked_up(self, values, field):
         return values[self.name]
 
@@ -38,6 +40,7 @@ class Neg(Operation):
     """A minus sign as written; `-x` of a derived formula is a product with -1."""
 
     __slots__ = ()
+    op = "minus"
     precedence = 1
 
     @classmethod
@@ -56,6 +59,7 @@ class PlusMinus(Operation):
     """+- (or -+) before a term; all signs of one formula go together."""
 
     __slots__ = ("sign",)
+    op = "plus-minus"
     precedence = 1
 
     def __init__(self, x: Expr, sign: int = 1) -> None:
@@ -63,7 +67,7 @@ class PlusMinus(Operation):
         self.sign = sign
 
     def rebuilt(self, args):
-        return PlusMinus(*args, self.sign)
+        return PlusMinus(next(iter(args)), self.sign)
 
     def combined(self, v, field, branch):
         return v[0] if branch * self.sign > 0 else -v[0]
@@ -73,6 +77,7 @@ class Equation(Operation):
     """left = right; its value is left minus right."""
 
     __slots__ = ()
+    op = "equation"
     precedence = 0
 
     def combined(self, v, field, branch):
@@ -88,25 +93,6 @@ def number(text: str | int) -> Num:
 def is_call(node: Expr | None, *names: str) -> bool:
     """Whether the node is a call of one of some functions."""
     return isinstance(node, Call) and node.name in names
-
-
-def joint_sum(node: Expr) -> tuple[tuple[int, int], ...] | None:
-    """Read a node as a signed sum of joint angles: ((sign, joint), ...), or None when it is something else."""
-    parts = []
-    for term in node.args if isinstance(node, Add) else (node,):
-        sign = 1
-        if isinstance(term, Neg):
-            sign, term = -1, term.args[0]
-        found = ANGLE.match(term.name) if isinstance(term, Sym) else None
-        if not found:
-            return None
-        parts.append((sign, int(found.group(1))))
-    return tuple(parts)
-
-
-def turned_joints(node: Expr) -> tuple[tuple[int, int], ...] | None:
-    """The signed sum of joint angles whose sine or cosine the node is, or None."""
-    return joint_sum(node.args[0]) if isinstance(node, Call) and node.name in TURNS else None
 
 
 def angle_sum(parts: tuple[tuple[int, int], ...]) -> Expr:

@@ -237,7 +237,7 @@ def _merge_symbols(left: tuple, right: tuple) -> tuple:
     return tuple(sorted(powers.items(), key=lambda item: item[0].order))
 
 
-def _merge_trig(left: tuple, right: tuple) -> list[tuple[tuple, Fraction]]:
+def _merge_trig(left: tuple, right: tuple) -> list[tuple[tuple, int | Fraction]]:
     if not left or not right:
         return [(left or right, 1)]
     groups = {t.group: t for t in left}
@@ -373,7 +373,7 @@ def _without(atoms: list, shared: list) -> list:
     return rest
 
 
-def _product(value: Fraction, atoms: list, body: Expr | None = None) -> Expr:
+def _product(value: int | Fraction, atoms: list, body: Expr | None = None) -> Expr:
     ordered = sorted(atoms, key=lambda a: (a.rank, a.order))
     factors, index = [], 0
     while index < len(ordered):

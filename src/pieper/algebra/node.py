@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from pieper.algebra import notation
 from pieper.algebra.arithmetics import NumpyField, SympyField
 
 
@@ -12,6 +13,7 @@ class Node:
     """What every node of an expression tree can do; `expression` has the kinds of nodes."""
 
     __slots__ = ()
+    op = ""  # what the node is, for those who write it
     precedence = 9  # printing: 0 equation, 1 sum, 2 product, 3 quotient, 4 power, 9 atom
     args: tuple[Any, ...] = ()
 
@@ -75,21 +77,15 @@ class Node:
     # -- writing ---------------------------------------------------------------------------------------------
     def text(self) -> str:
         """One line of plain text, products with a star."""
-        from pieper.algebra.notation import text
-
-        return text(self)
+        return notation.text(self)
 
     def latex(self) -> str:
         """LaTeX for math mode."""
-        from pieper.algebra.notation import latex
-
-        return latex(self)
+        return notation.latex(self)
 
     def mathml(self) -> str:
         """Presentation MathML without the outer element."""
-        from pieper.algebra.notation import mathml
-
-        return mathml(self)
+        return notation.mathml(self)
 
     def sympy(self) -> Any:
         """The same formula for sympy: theta1 as a symbol, c23 as cos(theta2 + theta3), exact rationals."""
@@ -99,6 +95,4 @@ class Node:
         return self.text()
 
     def __str__(self) -> str:
-        from pieper.algebra.notation import typed
-
-        return typed(self)
+        return notation.typed(self)

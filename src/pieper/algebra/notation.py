@@ -1,4 +1,4 @@
-"""The field's notation on paper: text (derived and typed), LaTeX and presentation MathML of an expression.
+"""The field's notation on paper: text (derived and typed), LaTeX and presentation MathML of the nodes of a formula.
 
 c1, s23, c(2-3) for sines and cosines; a2, d4 for lengths; n_x ... p_z for the target; sigma1 = +1 or -1 for a branch.
 The MathML needs no script and no style sheet.
@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 from html import escape
+from typing import Any
 
 from pieper.algebra.exact import decimal_text
-from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Num, PiFraction, Power, Sym, Trig, mul
-from pieper.algebra.formula import Equation, Neg, PlusMinus, turned_joints
 
 GREEK = {"theta": "θ", "alpha": "α", "sigma": "σ", "beta": "β", "gamma": "γ", "phi": "φ", "rho": "ρ", "Delta": "Δ"}
 LATEX_FUNCTION = {
@@ -25,7 +24,9 @@ LATEX_FUNCTION = {
 }
 MATHML_FUNCTION = {"acos": "arccos", "asin": "arcsin", "atan": "arctan"}
 THIN = "<mspace width='0.17em'/>"
-Printer = Callable[[Expr], str]
+Printer = Callable[[Any], str]
+TERMS = ("sum", "minus", "plus-minus")
+TURNS = ("sin", "cos")
 
 
 def subscript(angle: tuple) -> tuple[str, bool]:
@@ -41,37 +42,37 @@ def subscript(angle: tuple) -> tuple[str, bool]:
 
 
 # -- text ----------------------------------------------------------------------------------------------------
-def text(expr: Expr) -> str:
+def text(expr: Any) -> str:
     """One line of plain text, products with a star."""
     return _plain(expr, text, "*")
 
 
-def typed(expr: Expr) -> str:
+def typed(expr: Any) -> str:
     """One line of plain text as papers write it, products side by side; typed formulas come back as they were."""
     return _plain(expr, typed, " ")
 
 
-def _plain(expr: Expr, printer: Printer, times: str) -> str:
-    if isinstance(expr, Num):
+def _plain(expr: Any, printer: Printer, times: str) -> str:
+    if expr.op == "num":
         return expr.written or _number(expr.value)
-    if isinstance(expr, PiFraction):
+    if expr.op == "pi":
         return _pi_text(expr.value)
-    if isinstance(expr, Trig):
+    if expr.op == "trig":
         index, plain = subscript(expr.angle)
         return f"{expr.kind}{index}" if plain else f"{expr.kind}({index})"
-    if isinstance(expr, Sym):
+    if expr.op == "sym":
         return expr.name
-    if isinstance(expr, (Add, Neg, PlusMinus)):
+    if expr.op in TERMS:
         return _sum(expr, printer)
-    if isinstance(expr, Mul):
+    if expr.op == "product":
         return _product(expr, printer, times)
-    if isinstance(expr, Div):
+    if expr.op == "quotient":
         return f"{_wrapped(expr.args[0], printer, 2)}/{_wrapped(expr.args[1], printer, 4)}"
-    if isinstance(expr, Power):
+    if expr.op == "power":
         return f"{_wrapped(expr.args[0], printer, 9)}^{_wrapped(expr.args[1], printer, 9)}"
-    if isinstance(expr, Equation):
+    if expr.op == "equation":
         return " = ".join(map(printer, expr.args))
-    if isinstance(expr, Call):
+    if expr.op == "call":
         if expr.name == "quartic":
             *e, k = map(printer, expr.args)
             powers = "*t^4", "*t^3", "*t^2", "*t", ""
@@ -82,7 +83,25 @@ def _plain(expr: Expr, printer: Printer, times: str) -> str:
     raise TypeError(f"cannot print {type(expr).__name__}")
 
 
-def _turn(expr: Call) -> str:
+def joint_sum(node: Any) -> tuple[tuple[int, int], ...] | None:
+    """Read a node as a signed sum of joint angles: ((sign, joint), ...), or None when it is something else."""
+    parts = []
+    for term in node.args if node.op == "sum" else (node,):
+        sign = 1
+        if term.op == "minus":
+            sign, term = -1, term.args[0]
+        if term.op != "sym" or term.base != "theta" or not term.sub.isdigit():
+            return None
+        parts.append((sign, int(term.sub)))
+    return tuple(parts)
+
+
+def turned_joints(node: Any) -> tuple[tuple[int, int], ...] | None:
+    """The signed sum of joint angles whose sine or cosine the node is, or None."""
+    return joint_sum(node.args[0]) if node.op == "call" and node.name in TURNS else None
+
+
+def _turn(expr: Any) -> str:
     """c23 for cos(theta2 + theta3); "" for other calls."""
     parts = turned_joints(expr)
     if parts and all(s > 0 for s, _ in parts):
@@ -93,28 +112,28 @@ def _turn(expr: Call) -> str:
 
 
 # -- LaTeX ---------------------------------------------------------------------------------------------------
-def latex(expr: Expr) -> str:
+def latex(expr: Any) -> str:
     """LaTeX for math mode."""
-    if isinstance(expr, Num):
+    if expr.op == "num":
         return _number_latex(expr.value)
-    if isinstance(expr, PiFraction):
+    if expr.op == "pi":
         return _pi_latex(expr.value)
-    if isinstance(expr, Trig):
+    if expr.op == "trig":
         return f"{expr.kind}_{{{subscript(expr.angle)[0].replace('·', ' ')}}}"
-    if isinstance(expr, Sym):
+    if expr.op == "sym":
         base = expr.base if len(expr.base) == 1 else _latex_base(expr.base)
         return f"{base}_{{{expr.sub}}}" if expr.sub else base
-    if isinstance(expr, (Add, Neg, PlusMinus)):
+    if expr.op in TERMS:
         return _sum(expr, latex)
-    if isinstance(expr, Mul):
+    if expr.op == "product":
         return _product(expr, latex, " ")
-    if isinstance(expr, Div):
+    if expr.op == "quotient":
         return rf"\frac{{{latex(expr.args[0])}}}{{{latex(expr.args[1])}}}"
-    if isinstance(expr, Power):
+    if expr.op == "power":
         return f"{_wrapped(expr.args[0], latex, 9)}^{{{latex(expr.args[1])}}}"
-    if isinstance(expr, Equation):
+    if expr.op == "equation":
         return " = ".join(map(latex, expr.args))
-    if isinstance(expr, Call):
+    if expr.op == "call":
         if expr.name == "sqrt":
             return rf"\sqrt{{{latex(expr.args[0])}}}"
         if expr.name == "quartic":
@@ -128,27 +147,27 @@ def latex(expr: Expr) -> str:
 
 
 # -- MathML --------------------------------------------------------------------------------------------------
-def mathml(expr: Expr) -> str:
-    """Presentation MathML without the outer <math> element (see `formula`)."""
-    if isinstance(expr, Num):
+def mathml(expr: Any) -> str:
+    """Presentation MathML without the outer <math> element."""
+    if expr.op == "num":
         return _number_mathml(expr.value)
-    if isinstance(expr, PiFraction):
+    if expr.op == "pi":
         return _pi_mathml(expr.value)
-    if isinstance(expr, Trig):
+    if expr.op == "trig":
         return f"<msub><mi>{expr.kind}</mi><mn>{subscript(expr.angle)[0].replace('-', '−')}</mn></msub>"
-    if isinstance(expr, Sym):
+    if expr.op == "sym":
         return _symbol_mathml(expr)
-    if isinstance(expr, (Add, Neg, PlusMinus)):
+    if expr.op in TERMS:
         return f"<mrow>{_sum(expr, mathml)}</mrow>"
-    if isinstance(expr, Mul):
+    if expr.op == "product":
         return f"<mrow>{_product(expr, mathml, THIN)}</mrow>"
-    if isinstance(expr, Div):
+    if expr.op == "quotient":
         return f"<mfrac>{mathml(expr.args[0])}{mathml(expr.args[1])}</mfrac>"
-    if isinstance(expr, Power):
+    if expr.op == "power":
         return f"<msup><mrow>{_wrapped(expr.args[0], mathml, 9)}</mrow>{mathml(expr.args[1])}</msup>"
-    if isinstance(expr, Equation):
+    if expr.op == "equation":
         return "<mo>=</mo>".join(map(mathml, expr.args))
-    if isinstance(expr, Call):
+    if expr.op == "call":
         if expr.name == "sqrt":
             return f"<msqrt>{mathml(expr.args[0])}</msqrt>"
         if expr.name == "quartic":
@@ -166,61 +185,48 @@ def mathml(expr: Expr) -> str:
     raise TypeError(f"cannot print {type(expr).__name__}")
 
 
-def formula(content: str, *, block: bool = False) -> str:
-    """Wrap MathML content in a <math> element that stands on its own."""
-    display = ' display="block"' if block else ""
-    return f'<math xmlns="http://www.w3.org/1998/Math/MathML"{display}>{content}</math>'
-
-
-def equation(left: str | Expr, right: Expr, style: str) -> str:
-    """`left = right` in the style "text", "latex" or "mathml" (a string on the left is taken as it is)."""
-    printer = {"text": text, "latex": latex, "mathml": mathml}[style]
-    left = left if isinstance(left, str) else printer(left)
-    return f"{left}<mo>=</mo>{printer(right)}" if style == "mathml" else f"{left} = {printer(right)}"
-
-
 # -- pieces --------------------------------------------------------------------------------------------------
-def negative(expr: Expr) -> bool:
+def negative(expr: Any) -> bool:
     """Whether the expression starts with a minus sign when printed (and not with one that stands in brackets)."""
-    if isinstance(expr, (Num, PiFraction)):
+    if expr.op in ("num", "pi"):
         return expr.value < 0
-    if isinstance(expr, (Mul, Add, Div)):
-        return not isinstance(expr.args[0], Neg) and negative(expr.args[0])
-    return isinstance(expr, Neg)
+    if expr.op in ("product", "sum", "quotient"):
+        return expr.args[0].op != "minus" and negative(expr.args[0])
+    return expr.op == "minus"
 
 
-def _sum(expr: Expr, printer: Printer) -> str:
+def _sum(expr: Any, printer: Printer) -> str:
     """Terms with their signs; a term with a sign of its own is a sum of one."""
     plus, minus, plus_minus, minus_plus = _SIGNS[printer]
-    terms = expr.args if isinstance(expr, Add) else (expr,)
+    terms = expr.args if expr.op == "sum" else (expr,)
     parts = []
     for place, term in enumerate(terms):
         tight = not place and printer in (text, typed, latex)
-        if isinstance(term, PlusMinus):
+        if term.op == "plus-minus":
             sign = plus_minus if term.sign > 0 else minus_plus
             parts.append((sign.strip() if tight else sign) + _wrapped(term.args[0], printer, 2))
-        elif isinstance(term, Neg):
+        elif term.op == "minus":
             parts.append((minus.strip() if tight else minus) + _wrapped(term.args[0], printer, 2))
         elif place and negative(term):
-            parts.append(minus + _wrapped(mul(-1, term), printer, 2))
+            parts.append(minus + _wrapped(-term, printer, 2))
         else:
             parts.append((plus if place else "") + printer(term))
     return "".join(parts)
 
 
-def _wrapped(expr: Expr, printer: Printer, least: int) -> str:
+def _wrapped(expr: Any, printer: Printer, least: int) -> str:
     left, right = _BRACKETS[printer]
     body = printer(expr)
-    weak = expr.precedence < least or (least > 2 and isinstance(expr, (Num, PiFraction)) and expr.value < 0)
+    weak = expr.precedence < least or (least > 2 and expr.op in ("num", "pi") and expr.value < 0)
     return left + body + right if weak else body
 
 
-def _product(expr: Mul, printer: Printer, times: str) -> str:
+def _product(expr: Any, printer: Printer, times: str) -> str:
     factors = list(expr.args)
     sign = ""
-    if isinstance(factors[0], Num) and factors[0].value < 0:
+    if factors[0].op == "num" and factors[0].value < 0:
         sign = _SIGNS[printer][1].strip()
-        factors[0] = Num(-factors[0].value)
+        factors[0] = -factors[0]
         if factors[0].value == 1:
             factors.pop(0)
     # what stands side by side would run into a quotient before it
@@ -228,13 +234,13 @@ def _product(expr: Mul, printer: Printer, times: str) -> str:
     return sign + times.join(pieces)
 
 
-_SIGNS = {
+_SIGNS: dict[Printer, tuple[str, str, str, str]] = {
     text: (" + ", " - ", " +- ", " -+ "),
     typed: (" + ", " - ", " +- ", " -+ "),
     latex: (" + ", " - ", r" \pm ", r" \mp "),
     mathml: ("<mo>+</mo>", "<mo>−</mo>", "<mo>±</mo>", "<mo>∓</mo>"),
 }
-_BRACKETS = {
+_BRACKETS: dict[Printer, tuple[str, str]] = {
     text: ("(", ")"),
     typed: ("(", ")"),
     latex: (r"\left(", r"\right)"),
@@ -290,7 +296,7 @@ def _latex_base(base: str) -> str:
     return rf"\mathrm{{{base}}}"
 
 
-def _symbol_mathml(symbol: Sym) -> str:
+def _symbol_mathml(symbol: Any) -> str:
     base = symbol.base
     if base in GREEK:
         base = GREEK[base]

@@ -157,7 +157,7 @@ class Parser:
             inner = self._term()
             self.depth -= 1
             return PlusMinus(inner, 1 if text.startswith("+") else -1)
-        factors = [self._power()]
+        factors: list[Expr] = [self._power()]
         while True:
             kind, text, position = self._peek()
             if text == "*":
@@ -218,9 +218,7 @@ class Parser:
     def _number(self, text: str, position: int) -> Expr:
         _, _, exponent = text.lower().partition("e")
         if len(text) > MAX_EXPONENT or abs(int(exponent or 0)) > MAX_EXPONENT:
-            raise _fail(
-                self.text, position, f"{text[:40]} is beyond what is read; numbers have at most {MAX_EXPONENT} digits"
-            )
+            raise _fail(self.text, position, f"{text[:40]} is out of range; {MAX_EXPONENT} digits are read")
         return number(text)
 
     def _bracket(self, opened: str, position: int) -> Expr:

@@ -120,12 +120,13 @@ def _forward(page: sections.Document, arm: pieper.Arm) -> None:
 
 def _judged(page: sections.Document) -> None:
     judged = {v.id: v for v in pieper.check(claims()).verdicts}
-    rows = [
-        [entry, f"({number})", judged[entry].sentence, str(judged[entry].digits or "none")]
-        for entry, (number, _) in PRINTED.items()
-    ]
+    rows = []
+    for entry, (number, _) in PRINTED.items():
+        v = judged[entry]
+        words = "holds identically" if v.holds else "wrong"
+        rows.append([entry, f"({number})", words, f"{v.right} of {v.tried}", str(v.digits or "none")])
     page.table(
-        ["entry", "Eq.", "verdict", "digits that agree"],
+        ["entry", "Eq.", "verdict", "right at joint vectors", "digits that agree"],
         rows,
         "The twelve printed entries of the pose, judged.",
         left=(0, 1, 2),
@@ -133,13 +134,23 @@ def _judged(page: sections.Document) -> None:
     )
     details = dict(judged[LOST["entry"]].details)
     page.add(
-        sections.Heading("The lost C2", 2),
-        f"P_x is printed with the term `{LOST['printed']}` where it must be `{LOST['right']}`. The judge finds the "
-        f"slip by itself: *{details.get('the slip', 'a factor is missing')}*. `{details.get('difference', '')}`, so "
-        "it is right only where joint 2 stands at zero or the term vanishes. "
-        f"{_upper(details.get('counter-example', ''))} (m). With C2 restored, P_x "
-        f"{_lower(judged[LOST['entry'] + ' mended'].sentence)}",
-        sections.Code(f"P_x as printed:  {PRINTED['Px'][1]}\nP_x restored:    {_mended()}"),
+        sections.Heading(("The lost C2",), 2),
+        sections.Paragraph(
+            (
+                "P_x is printed with the term ",
+                sections.Code(LOST["printed"]),
+                " where it must be ",
+                sections.Code(LOST["right"]),
+                ". The judge finds the slip by itself: ",
+                sections.Emphasis(details.get("the slip", "a factor is missing")),
+                ". The printed formula minus the right one is ",
+                sections.Code(judged[LOST["entry"]].difference),
+                ", so it is right only where joint 2 stands at zero or the term vanishes. "
+                f"{_upper(details.get('counter-example', ''))} (m). With C2 restored, P_x "
+                f"{_lower(judged[LOST['entry'] + ' mended'].sentence)}",
+            )
+        ),
+        sections.Listing(f"P_x as printed:  {PRINTED['Px'][1]}\nP_x restored:    {_mended()}"),
     )
 
 
@@ -164,7 +175,7 @@ def _inverse(page: sections.Document, arm: pieper.Arm, say: Callable[[str], None
     say(f"  {found['poses']:,} random poses: {found['missed']} missed, worst residual {found['metres'] * MM:.1e} mm")
     missed = "in none of them was it missing" if not found["missed"] else f"in {found['missed']} of them it was missing"
     page.add(
-        sections.Heading("Many poses", 2),
+        sections.Heading(("Many poses",), 2),
         f"Then {found['poses']:,} joint vectors were drawn evenly over whole turns, their poses computed and solved "
         f"again. The joint vector that had made the pose was looked for among the solutions; {missed}. The number of "
         f"solutions was {found['count']}, and all {found['solutions']:,} of them lead back to their pose within "
@@ -203,7 +214,7 @@ def _line(page: sections.Document, arm: pieper.Arm, say: Callable[[str], None]) 
     track = arm.follow(path, start=arm.postures["line-start"])
     say(f"  R = I: {len(track.q)} of {len(path)} points on one branch")
     sections.add_track(page, arm, track, prefix="line")
-    page.add(sections.Heading("Which way the tool may point", 2))
+    page.add(sections.Heading(("Which way the tool may point",), 2))
     rows, remarks = [], []
     for name, R in orientations().items():
         way = line_of_study(R)
@@ -235,7 +246,7 @@ def _line(page: sections.Document, arm: pieper.Arm, say: Callable[[str], None]) 
         left=(0, 5),
     )
     page.add(*remarks)
-    page.add(sections.Heading("The printed limits of joint 3", 2), _literal_limits(arm, track))
+    page.add(sections.Heading(("The printed limits of joint 3",), 2), _literal_limits(arm, track))
     return track
 
 
@@ -279,12 +290,12 @@ def _again(page: sections.Document) -> None:
     page.section("Do it again")
     page.add("Everything on this page can be had from the command line or from Python:")
     page.add(
-        sections.Code(
+        sections.Listing(
             "pieper show denso-vp6242\npieper fk denso-vp6242 line-start\npieper ik denso-vp6242 350 0 400 --all\n"
             'pieper path denso-vp6242 --from "350 0 400" --to "200 100 500" --start line-start --figures figures\n'
             "pieper report denso-vp6242\n"
         ),
-        sections.Code(
+        sections.Listing(
             "import pieper\n\n"
             'arm = pieper.load("denso-vp6242")\n'
             "T = arm.fk(arm.postures['line-start'])\n"

@@ -24,11 +24,17 @@ NOTATIONS = {
     "wpr": (3, True),
     "zyz": (3, True),
     "rotvec": (3, True),
+    "staubli": (3, True),
+    "yaskawa": (3, True),
     "quat_wxyz": (4, False),
     "quat_xyzw": (4, False),
 }
-#: The same by the names that robot files use.
+#: The same by the names of makers, and by those that robot files use.
 ALSO = {
+    "kuka": "abc",
+    "fanuc": "wpr",
+    "ur": "rotvec",
+    "abb": "quat_wxyz",
     "zyx": "abc",
     "rotation_vector": "rotvec",
     "quaternion_wxyz": "quat_wxyz",
@@ -116,7 +122,7 @@ def joints(arm: pieper.Arm, words: Sequence[str], units: Units, what: str = "joi
         InputError: Not as many numbers as joints, or an unknown posture.
     """
     if len(words) == 1 and re.fullmatch(r"[A-Za-z][\w-]*", words[0]) and words[0] != "pi":
-        known = {"zero": np.zeros(arm.n)} | arm.postures
+        known = arm.postures
         if words[0] not in known:
             raise InputError(
                 f"{what}: {arm.name} has no posture {words[0]!r}; it knows {', '.join(known)}.", given=words[0]
@@ -177,12 +183,12 @@ def posed(values: npt.ArrayLike, units: Units, order: str, what: str) -> tuple[n
             M = v.reshape(*v.shape[:-1], size // 4, 4)
             if np.any(M[..., 3:, :] != (0, 0, 0, 1)):
                 raise InputError("the last row of the matrix must be 0 0 0 1.", given=M)
-            return pieper.pose(*np.moveaxis(M[..., :3, 3], -1, 0) * units.metres, R=M[..., :3, :3]), False
-        if size in (3, 3 + count):
-            p = np.moveaxis(v[..., :3], -1, 0) * units.metres
-            if size == 3:
-                return pieper.pose(*p), True
-            return pieper.pose(*p, **{order: v[..., 3:] * (units.radians if angles else 1.0)}), False
+            return pieper.poses(M[..., :3, 3] * units.metres, "R", M[..., :3, :3]), False
+        p = v[..., :3] * units.metres
+        if size == 3:
+            return pieper.poses(p), True
+        if size == 3 + count:
+            return pieper.poses(p, order, v[..., 3:] * (units.radians if angles else 1.0)), False
     except InputError as error:
         raise InputError(f"{what}: {error}", **error.data) from None
     raise InputError(

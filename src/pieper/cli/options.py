@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -29,7 +30,7 @@ order = click.option(
     metavar="NOTATION",
     type=click.Choice([*NOTATIONS, *ALSO]),
     help="What the numbers after x y z mean: rpy (roll, pitch, yaw about the fixed x, y, z), abc (KUKA's A, B, C), "
-    "wpr (Fanuc's W, P, R), zyz, rotvec, quat_wxyz or quat_xyzw.",
+    "wpr (Fanuc's W, P, R), zyz, rotvec (UR's rotation vector), staubli, yaskawa, quat_wxyz (ABB) or quat_xyzw.",
 )
 first = click.option("--from", "first", default="", metavar="POSE", help="First pose, quoted, as for ik; or @file.")
 last = click.option("--to", "last", default="", metavar="POSE", help="Last pose, quoted, as for ik; or @file.")
@@ -45,26 +46,33 @@ start = click.option(
 )
 
 
-def takes_arm(command: Command) -> Command:
-    """Add the argument ARM with --base and --tip; the command is given the arm itself as `arm`."""
+def takes_arm(command: Command, *, default: str | None = None) -> Command:
+    """Add the argument ARM, and where in its file it begins and ends; the command is given the arm itself as `arm`."""
 
     @functools.wraps(command)
-    def with_arm(arm: str, base: str, tip: str, **rest: Any) -> Any:
-        return command(arm=load(arm, base, tip), **rest)
+    def with_arm(arm: str, base: str | None, tip: str | None, missing_limits: str, **rest: Any) -> Any:
+        loaded = pieper.load(arm, base=base, tip=tip, missing_limits=missing_limits)
+        for note in loaded.notes:
+            print(f"pieper: note: {note}", file=sys.stderr)
+        return command(arm=loaded, **rest)
 
-    made = click.argument("arm", metavar="ARM")(with_arm)
-    made = click.option("--tip", default="", metavar="LINK", help="Link of a robot file where the arm ends.")(made)
-    return click.option("--base", default="", metavar="LINK", help="Link of a robot file where the arm begins.")(made)
-
-
-def load(name: str, base: str = "", tip: str = "") -> pieper.Arm:
-    """Return the arm of a catalogue name, a part of one, or a robot file, between two of its links if they are named.
-
-    Raises:
-        InputError: There is no such arm or file, or no such link.
-    """
-    links: dict[str, Any] = {key: link for key, link in (("base", base), ("tip", tip)) if link}
-    return pieper.load(name, **links)
+    made: Command = with_arm
+    for option in (
+        click.option(
+            "--missing-limits",
+            default="refuse",
+            show_default=True,
+            type=click.Choice(["refuse", "unlimited"]),
+            help="What to do where a robot file says no limits of a joint.",
+        ),
+        click.option("--tip", default=None, metavar="LINK", help="Link (or named tool) of a robot file to end at."),
+        click.option("--base", default=None, metavar="LINK", help="Link (or named frame) of a robot file to begin at."),
+        click.argument("arm", metavar="ARM")
+        if default is None
+        else click.argument("arm", metavar="[ARM]", default=default),
+    ):
+        made = option(made)
+    return made
 
 
 def takes_units(command: Command) -> Command:

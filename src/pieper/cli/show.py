@@ -39,7 +39,7 @@ def command(arm: pieper.Arm, figure: str, json: bool, units: Units) -> int:
     except pieper.PlanError as error:
         beyond = str(error)
     if figure:
-        posture = next(iter(arm.postures.values()), np.zeros(arm.n))
+        posture = next((q for name, q in arm.postures.items() if name != "zero"), np.zeros(arm.n))
         pieper.plot.save_figure(pieper.plot.arm_figure(arm, posture, title=arm.name), figure)
     if json:
         print_json(_as_data(arm, plan, beyond))

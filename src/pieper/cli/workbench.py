@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
+import functools
+
 import click
 
+import pieper
 from pieper.cli import DONE
-from pieper.cli.options import load
+from pieper.cli.options import takes_arm
 
 
 @click.command("workbench", short_help="Open the workbench in the browser.")
-@click.argument("arm", default="denso-vp6242")
+@functools.partial(takes_arm, default="denso-vp6242")
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
 @click.option("--port", default=8123, show_default=True, help="Port to listen on; 0 for a free one.")
 @click.option("--browser/--no-browser", default=True, help="Whether to open a browser.")
 @click.option(
     "--open-to-network", is_flag=True, help="Allow an address that other machines reach; there is no password."
 )
-def command(arm: str, host: str, port: int, browser: bool, open_to_network: bool) -> int:
+def command(arm: pieper.Arm, host: str, port: int, browser: bool, open_to_network: bool) -> int:
     """Open the workbench: the arm, its joints, poses and equations, live in the browser."""
-    load(arm)
     from pieper.workbench import serve
 
     serve(host=host, port=port, arm=arm, open_to_network=open_to_network, open_browser=browser)

@@ -1,39 +1,138 @@
-"""A page as data: headings, sentences, tables, figures and formulas in reading order; the look is decided elsewhere."""
+"""A page as data: headings, sentences, formulas, tables, figures in reading order; how they look is decided elsewhere.
+
+Nothing here is markup. A sentence with a formula or a typed word in it is a tuple of pieces; what one may want to count
+with (the number of a step, of its solutions, of an equation) is a field.
+"""
 
 from __future__ import annotations
 
-import html
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import Any, Protocol
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+
+class Formula(Protocol):
+    """Anything that can be set as a formula: an expression, or a `formulas.Written`."""
+
+    def text(self) -> str:
+        """Return one line (a matrix: several) of plain text."""
+        ...
+
+    def latex(self) -> str:
+        """Return LaTeX for math mode."""
+        ...
+
+    def mathml(self) -> str:
+        """Return presentation MathML without the outer <math> element."""
+        ...
+
+
+class Drawing(Protocol):
+    """A figure that can be written as a file."""
+
+    def svg(self) -> str:
+        """Return SVG text."""
+        ...
+
+    def pdf(self) -> bytes:
+        """Return a PDF file."""
+        ...
+
+    def png(self) -> bytes:
+        """Return a PNG file."""
+        ...
+
+
+@dataclass(frozen=True)
+class Code:
+    """Words inside a sentence as they are typed."""
+
+    words: str
+
+
+@dataclass(frozen=True)
+class Emphasis:
+    """Words inside a sentence that are set off."""
+
+    words: str
+
+
+#: What a sentence is made of.
+Piece = str | Code | Emphasis | Formula
 
 
 @dataclass(frozen=True)
 class Heading:
     """A heading; level 1 is a section, 2 a subsection."""
 
-    text: str
+    pieces: tuple[Piece, ...]
     level: int = 1
+    numbered: bool = True
 
 
 @dataclass(frozen=True)
-class Text:
-    """A paragraph. `code` and *emphasis* are marked as here; everything else is plain Unicode."""
+class Step:
+    """The heading of a step of a derivation.
 
-    text: str
+    Attributes:
+        number: 1, 2, ...
+        solves: What it solves for.
+        branches: How many solutions it has.
+    """
+
+    number: int
+    solves: Formula
+    branches: int = 1
+
+    @property
+    def heading(self) -> Heading:
+        """The step as a heading without a number of the page's own."""
+        return Heading((f"Step {self.number}: ", self.solves), level=2, numbered=False)
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """Sentences; a `Formula` among the pieces stands inside the line."""
+
+    pieces: tuple[Piece, ...]
+
+
+@dataclass(frozen=True)
+class Note:
+    """Sentences beside the matter, such as why a part is missing."""
+
+    pieces: tuple[Piece, ...]
 
 
 @dataclass(frozen=True)
 class Lines:
     """A list of short items."""
 
-    items: tuple[str, ...]
+    items: tuple[Piece, ...]
     numbered: bool = False
+
+
+@dataclass(frozen=True)
+class Equation:
+    """A formula on a line of its own.
+
+    Attributes:
+        sides: Joined by equals signs.
+        number: The number by which it is referred to, in brackets at the margin.
+        name: What it is, for programs (`p_x`); never printed.
+    """
+
+    sides: tuple[Formula, ...]
+    number: int | None = None
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Equations:
+    """Several displayed formulas that belong together: below each other, or `beside` each other where they fit."""
+
+    rows: tuple[Equation, ...]
+    beside: bool = False
 
 
 @dataclass(frozen=True)
@@ -42,14 +141,14 @@ class Table:
 
     Attributes:
         head: Column headings, units included.
-        rows: Cells as text.
+        rows: Cells.
         caption: One sentence.
         left: Columns (0-based) aligned left; the others are aligned right.
         strong: Rows (0-based) to be set off.
     """
 
-    head: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
+    head: tuple[Piece, ...]
+    rows: tuple[tuple[Piece, ...], ...]
     caption: str = ""
     left: tuple[int, ...] = (0,)
     strong: tuple[int, ...] = ()
@@ -60,55 +159,35 @@ class Picture:
     """A figure with its caption.
 
     Attributes:
-        figure: A matplotlib figure.
+        drawing: The figure.
         caption: What one sees.
         name: A file name without a suffix.
         width: Share of the text's width, 0 to 1; above 1 it may stand out into the margins.
     """
 
-    figure: Figure
+    drawing: Drawing
     caption: str
     name: str
     width: float = 1.0
 
-    @cached_property
-    def svg(self) -> str:
-        """The figure as SVG text, drawn once."""
-        from pieper.presentation.style import svg
-
-        return svg(self.figure)
-
 
 @dataclass(frozen=True)
-class Formula:
-    """A displayed formula, or several with words between them, in two notations.
-
-    Attributes:
-        mathml: One or more <math> elements; <p> elements between them are allowed.
-        latex: LaTeX source that sets the same, displays included.
-    """
-
-    mathml: str
-    latex: str
-
-
-@dataclass(frozen=True)
-class Formulas:
-    """Several small displayed formulas that may stand side by side."""
-
-    formulas: tuple[Formula, ...]
-
-
-@dataclass(frozen=True)
-class Code:
+class Listing:
     """Lines as they are typed or printed."""
 
-    text: str
+    lines: str
+
+
+Block = Heading | Step | Paragraph | Note | Lines | Equation | Equations | Table | Picture | Listing
+
+
+def _blocks() -> list[Block]:
+    return []
 
 
 @dataclass
 class Document:
-    """A page.
+    """A page in the making.
 
     Attributes:
         title: Its title.
@@ -120,37 +199,38 @@ class Document:
     title: str
     subtitle: str = ""
     summary: str = ""
-    blocks: list[object] = field(default_factory=list)
+    blocks: list[Block] = field(default_factory=_blocks)
 
-    def add(self, *blocks: object) -> None:
+    def add(self, *blocks: Block | str) -> None:
         """Append blocks; a bare string is a paragraph."""
-        self.blocks += [Text(b) if isinstance(b, str) else b for b in blocks]
+        self.blocks += [Paragraph((b,)) if isinstance(b, str) else b for b in blocks]
 
-    def section(self, text: str, *blocks: object) -> None:
+    def section(self, words: str, *blocks: Block | str) -> None:
         """Begin a section."""
-        self.add(Heading(text), *blocks)
+        self.add(Heading((words,)), *blocks)
 
-    def table(self, head: Sequence[str], rows: Sequence[Sequence[str]], caption: str = "", **options: object) -> None:
-        """Append a table."""
+    def heading(self, *pieces: Piece) -> None:
+        """Append a heading inside a section, without a number."""
+        self.add(Heading(pieces, level=2, numbered=False))
+
+    def say(self, *pieces: Piece) -> None:
+        """Append a paragraph of pieces."""
+        self.add(Paragraph(pieces))
+
+    def show(self, *sides: Formula, number: int | None = None) -> None:
+        """Append a displayed formula."""
+        self.add(Equation(sides, number))
+
+    def table(self, head: Sequence[Piece], rows: Sequence[Sequence[Piece]], caption: str = "", **options: Any) -> None:
+        """Append a table; `options` are those of `Table`."""
         self.add(Table(tuple(head), tuple(tuple(r) for r in rows), caption, **options))
 
 
-_MARK = re.compile(r"`([^`]+)`|\*([^*\s][^*]*)\*")
-
-
-def marked(text: str) -> list[tuple[str, str]]:
-    """Return a paragraph as pieces (kind, text), kind "plain", "code" or "emphasis"."""
-    out, at = [], 0
-    for match in _MARK.finditer(text):
-        if match.start() > at:
-            out.append(("plain", text[at : match.start()]))
-        out.append(("code", match.group(1)) if match.group(1) else ("emphasis", match.group(2)))
-        at = match.end()
-    if at < len(text):
-        out.append(("plain", text[at:]))
-    return out
-
-
-def escaped(text: str) -> str:
-    """Return text safe inside HTML elements and attributes."""
-    return html.escape(text, quote=True)
+def listed(pieces: Sequence[Any], word: str = "and") -> tuple[Any, ...]:
+    """Return a, b and c: pieces of a sentence with what stands between them."""
+    out: list[Any] = []
+    for place, piece in enumerate(pieces):
+        if place:
+            out.append(f" {word} " if place == len(pieces) - 1 else ", ")
+        out.append(piece)
+    return tuple(out)

@@ -5,7 +5,6 @@ Browsers do not break lines inside <math>, so a long sum would run out of the pa
 
 from __future__ import annotations
 
-import re
 import xml.etree.ElementTree as ET
 
 #: Visible characters of a formula that fit on one line at full size, measured on formulas of the field in Chromium.
@@ -14,24 +13,50 @@ LINE = 56
 SMALLER, SMALLEST = 0.80, 0.45
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 
-_DISPLAY = re.compile(r"<math\b[^>]*display=\"block\"[^>]*>.*?</math>", re.S)
 #: Elements whose children stand in a row.
 _ROWS = {"math", "mrow", "mstyle"}
 _SIGNS = {"+", "-", "−"}
+_BRACKETS = {"(", ")", "[", "]"}
 _TALL = {"mfrac", "mtable", "msqrt", "mover", "munder"}
 
 
-def fitted(mathml: str) -> str:
-    """Return MathML (and the HTML around it) with every displayed formula fitted to the line."""
-    return _DISPLAY.sub(lambda match: _fit(match[0]), mathml)
+def inline(content: str) -> str:
+    """Return MathML content as a <math> element inside a line."""
+    return f'<math xmlns="{NAMESPACE}">{content}</math>'
+
+
+def displayed(content: str, style: str = "") -> str:
+    """Return MathML content as a <math> element on a line of its own."""
+    look = f' style="{style}"' if style else ""
+    return f'<math xmlns="{NAMESPACE}" display="block"{look}>{content}</math>'
+
+
+def fitted(content: str) -> str:
+    """Return MathML content displayed and fitted to the line: one or more <math> elements; odd content as it is."""
+    try:
+        root = ET.fromstring(f"<math>{content}</math>")
+    except ET.ParseError:
+        return displayed(content)
+    if not any(element.tag in _TALL for element in root.iter()):
+        # brackets around what is one line high need not stretch, and stand closer when they do not
+        _unstretched(list(root.iter()))
+        content = _source(list(root))
+    wide = width(root)
+    if wide <= LINE:
+        return displayed(content)
+    if wide * SMALLER <= LINE:
+        return _smaller(displayed(content), LINE / wide)
+    lines = _lines(_flat(root))
+    if len(lines) == 1:
+        return _smaller(displayed(content), max(SMALLEST, LINE / wide))
+    return "".join(_as_math(line, k > 0) for k, line in enumerate(lines))
 
 
 def width(element: ET.Element) -> float:
     """Return about how many characters wide an element is set; sub- and superscripts count less, fractions once."""
-    tag = element.tag.split("}")[-1]
-    children = list(element)
+    tag, children = element.tag, list(element)
     if not children:
-        text = (element.text or "").strip()
+        text = _sign(element)
         size = sum(1.0 if c not in "()[]{},.;ijlt1" else 0.7 for c in text)
         return size + (1.0 if tag == "mo" and text in (_SIGNS | {"="}) else 0.0)
     if tag in ("msub", "msup", "msubsup", "munder", "mover"):
@@ -44,37 +69,29 @@ def width(element: ET.Element) -> float:
     return sum(width(c) for c in children) + (0.9 if tag == "msqrt" else 0.0)
 
 
-def _fit(source: str) -> str:
-    try:
-        root = ET.fromstring(source)
-    except ET.ParseError:
-        return source
-    if not any(element.tag.split("}")[-1] in _TALL for element in root.iter()):
-        # brackets around what is one line high need not stretch, and stand closer when they do not
-        source = re.sub(r"<mo>([()\[\]])</mo>", r'<mo stretchy="false">\1</mo>', source)
-    wide = width(root)
-    if wide <= LINE:
-        return source
-    if wide * SMALLER <= LINE:
-        return _smaller(source, LINE / wide)
-    lines = _lines(_flat(root))
-    if len(lines) == 1:
-        return _smaller(source, max(SMALLEST, LINE / wide))
-    return "".join(_as_math(line, k > 0) for k, line in enumerate(lines))
+def _sign(element: ET.Element) -> str:
+    return (element.text or "").strip()
 
 
-def _smaller(source: str, share: float) -> str:
-    return f'<div style="font-size:{share:.2f}em">{source}</div>'
+def _source(elements: list[ET.Element]) -> str:
+    return "".join(ET.tostring(element, encoding="unicode") for element in elements)
+
+
+def _unstretched(elements: list[ET.Element]) -> None:
+    for element in elements:
+        if element.tag == "mo" and _sign(element) in _BRACKETS:
+            element.set("stretchy", "false")
+
+
+def _smaller(math: str, share: float) -> str:
+    return f'<div style="font-size:{share:.2f}em">{math}</div>'
 
 
 def _flat(element: ET.Element) -> list[ET.Element]:
     """Return the row of a formula with the rows inside it dissolved, so that it may be broken inside brackets too."""
     out: list[ET.Element] = []
     for child in element:
-        if child.tag.split("}")[-1] in _ROWS:
-            out += _flat(child)
-        else:
-            out.append(child)
+        out += _flat(child) if child.tag in _ROWS else [child]
     return out
 
 
@@ -82,9 +99,8 @@ def _lines(row: list[ET.Element]) -> list[list[ET.Element]]:
     """Break a row before signs, as late as the line allows, but not before a sign that opens a bracket."""
     pieces: list[list[ET.Element]] = [[]]
     for k, element in enumerate(row):
-        text = (element.text or "").strip()
-        before = "(" if k == 0 else (row[k - 1].text or "").strip() if len(row[k - 1]) == 0 else "term"
-        if text in _SIGNS and before not in ("(", "[", ",", "=", "{", ""):
+        before = "(" if k == 0 else _sign(row[k - 1]) if len(row[k - 1]) == 0 else "term"
+        if _sign(element) in _SIGNS and before not in ("(", "[", ",", "=", "{", ""):
             pieces.append([])
         pieces[-1].append(element)
     lines: list[list[ET.Element]] = [[]]
@@ -96,17 +112,11 @@ def _lines(row: list[ET.Element]) -> list[list[ET.Element]]:
 
 
 def _as_math(line: list[ET.Element], continued: bool) -> str:
-    ET.register_namespace("", NAMESPACE)
+    _unstretched(line)  # a bracket whose partner is on another line must not stretch alone
     for k, element in enumerate(line):
-        text = (element.text or "").strip() if element.tag.split("}")[-1] == "mo" else ""
-        if text in ("(", ")", "[", "]"):
-            # a bracket whose partner is on another line must not stretch alone
-            element.set("stretchy", "false")
-        if text in _SIGNS and k and (line[k - 1].text or "").strip() in ("(", "[", ",", "="):
+        if element.tag == "mo" and _sign(element) in _SIGNS and k and _sign(line[k - 1]) in ("(", "[", ",", "="):
             element.set("form", "prefix")
-    body = "".join(ET.tostring(element, encoding="unicode") for element in line)
-    body = body.replace(f' xmlns="{NAMESPACE}"', "")
-    inside = f'<mrow><mspace width="2.5em"/>{body}</mrow>' if continued else f"<mrow>{body}</mrow>"
+    body = ('<mspace width="2.5em"/>' if continued else "") + _source(line)
     share = min(1.0, LINE / max(sum(map(width, line)), 1.0))
-    math = f'<math xmlns="{NAMESPACE}" display="block" style="text-align:left">{inside}</math>'
+    math = displayed(f"<mrow>{body}</mrow>", "text-align:left")
     return math if share == 1.0 else _smaller(math, max(SMALLEST, share))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
@@ -13,7 +13,7 @@ from pieper.errors import InputError
 
 
 @contextmanager
-def whole_file(path: str | os.PathLike) -> Iterator[BinaryIO]:
+def whole_file(path: str | os.PathLike[str]) -> Generator[BinaryIO, None, None]:
     """Open a file that appears whole at the end of the block, or not at all when the block fails.
 
     Args:
@@ -44,7 +44,7 @@ def whole_file(path: str | os.PathLike) -> Iterator[BinaryIO]:
             Path(name).unlink(missing_ok=True)
 
 
-def write_whole(path: str | os.PathLike, content: bytes | str) -> Path:
+def write_whole(path: str | os.PathLike[str], content: bytes | str) -> Path:
     """Write a file whole or not at all.
 
     Raises:
@@ -53,6 +53,19 @@ def write_whole(path: str | os.PathLike, content: bytes | str) -> Path:
     with whole_file(path) as file:
         file.write(content.encode() if isinstance(content, str) else content)
     return Path(path)
+
+
+def write_beside(path: Path, files: dict[str, bytes]) -> list[Path]:
+    """Write the figures of a source beside it, each whole or not at all; return them."""
+    out: list[Path] = []
+    for name, content in files.items():
+        target = path.parent / name
+        try:
+            target.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise InputError(f"cannot make the folder {target.parent}: {error.strerror}.", path=target) from None
+        out.append(write_whole(target, content))
+    return out
 
 
 def _umask() -> int:

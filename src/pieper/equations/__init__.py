@@ -2,50 +2,74 @@
 
 from __future__ import annotations
 
-import functools
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pieper.equations.arm import Arm
+    from pieper.equations.forward import ForwardEquations
+    from pieper.equations.inverse import InverseEquations
+    from pieper.equations.jacobian import JacobianEquations
+    from pieper.equations.singularities import SingularityEquations
 
 __all__ = ["Symbolic"]
 
 
 class Symbolic:
-    """What `arm.symbolic` is: equations of one arm, made on demand and kept.
+    """What `arm.symbolic` is: equations of one arm, made on demand and kept as long as it.
 
     Args:
-        arm: A `pieper.Arm`; its description, plan, fk and ik are used.
+        arm: The arm, such as a `pieper.Arm`.
     """
 
-    def __init__(self, arm):
+    def __init__(self, arm: Arm) -> None:
         self._arm = arm
+        self._forward: dict[tuple[str, str], ForwardEquations] = {}
+        self._jacobian: dict[tuple[str, str], JacobianEquations] = {}
+        self._singularities: dict[str, SingularityEquations] = {}
+        self._inverse: dict[str | None, InverseEquations] = {}
 
-    @functools.cache  # noqa: B019 - lives and dies with the arm
-    def fk(self, *, lengths: str = "symbols", angles: str = "theta"):
-        """Forward kinematics as equations (`ForwardEquations`)."""
-        from pieper.equations.forward import ForwardEquations
+    def fk(self, *, lengths: str = "symbols", angles: str = "theta") -> ForwardEquations:
+        """Return forward kinematics as equations.
 
-        return ForwardEquations(self._arm.description, fk=self._arm.fk, lengths=lengths, angles=angles)
+        Args:
+            lengths: "symbols" or "numbers".
+            angles: "theta" (angles of the DH table) or "q" (the maker's joint coordinates).
+        """
+        if (lengths, angles) not in self._forward:
+            from pieper.equations.forward import ForwardEquations
 
-    @functools.cache  # noqa: B019
-    def jacobian(self, *, lengths: str = "symbols", angles: str = "theta"):
-        """The geometric Jacobian as equations (`JacobianEquations`)."""
-        from pieper.equations.jacobian import JacobianEquations
+            made = ForwardEquations(self._arm.description, fk=self._arm.fk, lengths=lengths, angles=angles)
+            self._forward[lengths, angles] = made
+        return self._forward[lengths, angles]
 
-        return JacobianEquations(self.fk(lengths=lengths, angles=angles), jacobian=self._arm.jacobian)
+    def jacobian(self, *, lengths: str = "symbols", angles: str = "theta") -> JacobianEquations:
+        """Return the geometric Jacobian as equations; the options are those of `fk`."""
+        if (lengths, angles) not in self._jacobian:
+            from pieper.equations.jacobian import JacobianEquations
 
-    @functools.cache  # noqa: B019
-    def singularities(self, *, task: str | None = None):
-        """The factored determinant and the singular configurations (`SingularityEquations`).
+            made = JacobianEquations(self.fk(lengths=lengths, angles=angles), jacobian=self._arm.jacobian)
+            self._jacobian[lengths, angles] = made
+        return self._jacobian[lengths, angles]
+
+    def singularities(self, *, task: str | None = None) -> SingularityEquations:
+        """Return the factored determinant and the singular configurations.
 
         Args:
             task: "pose", "position" or "position+axis"; the plan's task when left out.
         """
-        from pieper.equations.singularities import SingularityEquations
+        task = task or self._arm.plan.task
+        if task not in self._singularities:
+            from pieper.equations.singularities import SingularityEquations
 
-        task = task or getattr(self._arm.plan, "task", "pose")
-        return SingularityEquations(self.jacobian(), numeric=self._arm.jacobian, frames=self._arm.frames, task=task)
+            arm = self._arm
+            made = SingularityEquations(self.jacobian(), numeric=arm.jacobian, frames=arm.frames, task=task)
+            self._singularities[task] = made
+        return self._singularities[task]
 
-    @functools.cache  # noqa: B019
-    def ik(self, *, task: str | None = None):
-        """The derivation of the inverse, or what is true of an arm without a closed form (`InverseEquations`)."""
-        from pieper.equations.inverse import InverseEquations
+    def ik(self, *, task: str | None = None) -> InverseEquations:
+        """Return the derivation of the inverse, or what is true of an arm without a closed form."""
+        if task not in self._inverse:
+            from pieper.equations.inverse import InverseEquations
 
-        return InverseEquations(self._arm, task=task)
+            self._inverse[task] = InverseEquations(self._arm, task=task)
+        return self._inverse[task]

@@ -9,13 +9,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.algebra.arithmetics import DigitsField, NumpyField, SympyField
-from pieper.algebra.expression import Expr, Num
-from pieper.algebra.harmonic import matmul
-from pieper.algebra.notation import equation, formula, latex, mathml, text
+from pieper.algebra.expression import Expr, Num, Sym, Trig, angle_symbol
+from pieper.algebra.harmonic import Poly, matmul
+from pieper.description.dh import Description
+from pieper.document import text
+from pieper.document.blocks import Document, Equation, Equations
+from pieper.document.formulas import equals, in_line, matrix, named
+from pieper.document.mathml_fit import displayed
+from pieper.document.readable import Readable
 from pieper.equations.table import SymbolTable, symbol_table
 from pieper.errors import InputError
 
-ENTRY_NAMES = tuple(tuple(f"{c}_{r}" for c in "noap") for r in "xyz")
+#: Columns of a pose.
+COLUMNS = "noap"
 
 
 @dataclass(frozen=True)
@@ -46,29 +52,40 @@ class MatrixEquation:
     """
 
     name: str
-    entries: tuple
+    entries: tuple[tuple[Expr, ...], ...]
 
-    def __getitem__(self, place) -> Expr:
+    def __getitem__(self, place: tuple[int, int]) -> Expr:
         """Entry at (row, column), 0-based."""
         row, column = place
         return self.entries[row][column]
 
+    @functools.cached_property
+    def equation(self) -> Equation:
+        """The name, an equals sign and the matrix."""
+        return Equation((named(self.name[0], self.name[1:]), matrix(self.entries)), name=self.name)
+
+    @property
+    def entry_equations(self) -> Equations:
+        """The twelve entries as n_x = ..., o_x = ..., column by column."""
+        return Equations(
+            tuple(
+                Equation((Sym(letter, axis, 4), self.entries[row][column]), name=f"{letter}_{axis}")
+                for column, letter in enumerate(COLUMNS)
+                for row, axis in enumerate("xyz")
+            )
+        )
+
     def text(self) -> str:
         """The rows, columns aligned."""
-        cells = [[text(e) for e in row] for row in self.entries]
-        widths = [max(len(row[c]) for row in cells) for c in range(4)]
-        lines = ["[ " + "   ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)) + " ]" for row in cells]
-        margin = " " * (len(self.name) + 3)
-        return f"{self.name} = " + ("\n" + margin).join(lines)
+        return text.equation(*self.equation.sides)
 
     def latex(self) -> str:
-        rows = r" \\ ".join(" & ".join(latex(e) for e in row) for row in self.entries)
-        return rf"{_matrix_name(self.name)} = \begin{{bmatrix}} {rows} \end{{bmatrix}}"
+        """LaTeX for math mode."""
+        return equals(*self.equation.sides).latex()
 
     def mathml(self) -> str:
-        rows = "".join(f"<mtr>{''.join(f'<mtd>{mathml(e)}</mtd>' for e in row)}</mtr>" for row in self.entries)
-        name = f"<msub><mi>{self.name[0]}</mi><mn>{self.name[1:]}</mn></msub>"
-        return formula(f"{name}<mo>=</mo><mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>", block=True)
+        """A <math> element that stands on its own."""
+        return displayed(equals(*self.equation.sides).mathml())
 
     def sympy(self):
         """A sympy Matrix (4, 4) with real symbols theta1, a2, ... inside cos and sin."""
@@ -77,24 +94,15 @@ class MatrixEquation:
         field, symbols = SympyField(), SympyField.symbols
         return sympy.Matrix([[e.evaluate(symbols, field) for e in row] for row in self.entries])
 
-    def equations(self, style: str = "text") -> list[str]:
-        """The twelve entries as n_x = ..., o_x = ..., column by column, in "text", "latex" or "mathml"."""
-        found = []
-        for column, letter in enumerate("noap"):
-            for row, axis in enumerate("xyz"):
-                left = {
-                    "text": f"{letter}_{axis}",
-                    "latex": f"{letter}_{{{axis}}}",
-                    "mathml": f"<msub><mi>{letter}</mi><mi>{axis}</mi></msub>",
-                }[style]
-                found.append(equation(left, self.entries[row][column], style))
-        return found
+    def equations(self) -> list[str]:
+        """The twelve entries as lines of text."""
+        return [text.equation(*row.sides) for row in self.entry_equations.rows]
 
     def evaluate(self, values: dict, field) -> list[list]:
         return [[e.evaluate(values, field) for e in row] for row in self.entries]
 
 
-class ForwardEquations:
+class ForwardEquations(Readable):
     """The forward kinematics of one arm as equations.
 
     Args:
@@ -104,9 +112,18 @@ class ForwardEquations:
         angles: "theta" (angles of the DH table) or "q" (the maker's joint coordinates).
     """
 
-    def __init__(self, description, *, fk: Callable | None = None, lengths: str = "symbols", angles: str = "theta"):
+    def __init__(
+        self,
+        description: Description,
+        *,
+        fk: Callable[[np.ndarray], np.ndarray] | None = None,
+        lengths: str = "symbols",
+        angles: str = "theta",
+    ):
         self.description, self._fk = description, fk
         self.table: SymbolTable = symbol_table(description, lengths=lengths, angles=angles)
+        self._products: dict[tuple[int, int], list[list[Poly]]] = {}
+        self._named: dict[tuple[int, int], MatrixEquation] = {}
 
     @property
     def n(self) -> int:
@@ -117,20 +134,22 @@ class ForwardEquations:
         """The link matrices A1 .. An."""
         return tuple(_named(f"A{i + 1}", m) for i, m in enumerate(self.table.A))
 
-    @functools.cache  # noqa: B019 - one small table per arm, dropped with it
-    def product(self, first: int, last: int) -> list:
+    def product(self, first: int, last: int) -> list[list[Poly]]:
         """A_{first+1} ... A_last as polynomials (0 <= first < last <= n)."""
         if not 0 <= first < last <= self.n:
             raise InputError(f"T needs 0 <= i < j <= {self.n}, got i={first}, j={last}.", first=first, last=last)
         if last - first == 1:
             return self.table.A[first]
-        # Short factors on the left keep a run of parallel axes together, so its angle sums form at once.
-        return matmul(self.table.A[first], self.product(first + 1, last))
+        if (first, last) not in self._products:
+            # Short factors on the left keep a run of parallel axes together, so its angle sums form at once.
+            self._products[first, last] = matmul(self.table.A[first], self.product(first + 1, last))
+        return self._products[first, last]
 
-    @functools.cache  # noqa: B019
     def T(self, first: int, last: int) -> MatrixEquation:
         """The partial product from frame `first` to frame `last`, T(0, 3) for T03."""
-        return _named(f"T{first}{last}", self.product(first, last))
+        if (first, last) not in self._named:
+            self._named[first, last] = _named(f"T{first}{last}", self.product(first, last))
+        return self._named[first, last]
 
     @functools.cached_property
     def pose(self) -> MatrixEquation:
@@ -153,58 +172,64 @@ class ForwardEquations:
         return self.n - 3 if self.n > 4 else max(self.n // 2, 1)
 
     # -- what the symbols mean -------------------------------------------------------------------------------
-    def relations(self, style: str = "text") -> list[str]:
+    @property
+    def relation_equations(self) -> tuple[Equation, ...]:
         """Joint angle of the table against joint coordinate, where they differ: theta2 = q2 + pi/2."""
-        printer = {"text": text, "latex": latex, "mathml": mathml}[style]
-        found = []
-        for symbol, expression in self.table.relation.values():
-            if symbol.base == "theta" and expression is _q(symbol) or symbol.base == "q":
-                continue
-            found.append(equation(printer(symbol), expression, style))
-        return found
+        return tuple(
+            Equation((symbol, expression))
+            for symbol, expression in self.table.relation.values()
+            if symbol.base != "q" and not (symbol.base == "theta" and expression is angle_symbol(int(symbol.sub), "q"))
+        )
 
-    def meanings(self, style: str = "text") -> list[str]:
+    @property
+    def meaning_equations(self) -> tuple[Equation, ...]:
         """What each length and twist symbol stands for: a2 = 0.21 (metres)."""
-        found = []
-        for symbol, expression in self.table.meaning.items():
-            line = equation({"text": text, "latex": latex, "mathml": mathml}[style](symbol), expression, style)
-            found.append(line)
+        return tuple(Equation(item) for item in self.table.meaning.items())
+
+    def relations(self) -> list[str]:
+        """`relation_equations` as lines of text."""
+        return [text.equation(*row.sides) for row in self.relation_equations]
+
+    def meanings(self) -> list[str]:
+        """`meaning_equations` as lines of text."""
+        return [text.equation(*row.sides) for row in self.meaning_equations]
+
+    def motions(self, expression: Expr) -> list[tuple[Expr, str, tuple[tuple[int, int], ...]]]:
+        """What of a formula changes with the posture: (symbol, "cos", "sin" or "slide", ((joint, factor), ...))."""
+        slides = {self.table.variable(j): ((j, 1),) for j in self.table.prismatic}
+        found: list[tuple[Expr, str, tuple[tuple[int, int], ...]]] = []
+        for atom in expression.atoms():
+            if isinstance(atom, Trig):
+                found.append((atom, {"c": "cos", "s": "sin"}[atom.kind], atom.angle))
+            elif atom in slides:
+                found.append((atom, "slide", slides[atom]))
         return found
 
     # -- everything at once ----------------------------------------------------------------------------------
+    @property
+    def halves(self) -> tuple[MatrixEquation, ...]:
+        """The partial products of arm and wrist, where both are products."""
+        return (self.T(0, self.split), self.T(self.split, self.n)) if 0 < self.split < self.n and self.n > 2 else ()
+
     def matrices(self) -> list[MatrixEquation]:
         """What a paper prints: A_i, the two halves, the product, and the pose when there is a base or a tool."""
-        shown = list(self.A)
+        shown = [*self.A, *self.halves]
         if self.n > 1:
-            if 0 < self.split < self.n and self.n > 2:
-                shown += [self.T(0, self.split), self.T(self.split, self.n)]
             shown.append(self.flange)
-        if self.has_base_or_tool:
-            shown.append(self.pose)
-        return shown
+        return [*shown, self.pose] if self.has_base_or_tool else shown
 
-    def text(self) -> str:
-        """Plain text: matrices, then the pose entry by entry."""
-        blocks = [f"Forward kinematics of {self.description.name} ({self.description.convention} DH)"]
-        if self.relations():
-            blocks.append("Joint angles of the table: " + "; ".join(self.relations()))
-        if self.meanings():
-            blocks.append("Constants (m): " + "; ".join(self.meanings()))
-        blocks += [m.text() for m in self.matrices()[: self.n + 2 if self.n > 2 else self.n]]
-        blocks.append("\n".join(self.pose.equations()))
-        return "\n\n".join(blocks) + "\n"
-
-    def latex(self) -> str:
-        r"""LaTeX: display equations, the pose as one aligned block (needs amsmath)."""
-        shown = [rf"\[ {m.latex()} \]" for m in self.matrices()[: self.n + 2 if self.n > 2 else self.n]]
-        rows = " \\\\\n".join(line.replace(" = ", " &= ", 1) for line in self.pose.equations("latex"))
-        return "\n".join(shown) + "\n\\begin{align*}\n" + rows + "\n\\end{align*}\n"
-
-    def mathml(self) -> str:
-        """MathML: one <math> element per matrix and per entry of the pose."""
-        shown = [m.mathml() for m in self.matrices()[: self.n + 2 if self.n > 2 else self.n]]
-        shown += [formula(line, block=True) for line in self.pose.equations("mathml")]
-        return "\n".join(shown)
+    @functools.cached_property
+    def page(self) -> Document:
+        """The symbols, the link matrices, the two halves, then the pose entry by entry."""
+        page = Document(f"Forward kinematics of {self.description.name} ({self.description.convention} DH)")
+        for words, equations in (
+            ("Joint angles of the table: ", self.relation_equations),
+            ("Constants (m): ", self.meaning_equations),
+        ):
+            if equations:
+                page.say(words, *in_line(equations))
+        page.add(*(m.equation for m in (*self.A, *self.halves)), self.pose.entry_equations)
+        return page
 
     def sympy(self):
         """Base-to-tool pose as a sympy Matrix (4, 4)."""
@@ -237,8 +262,8 @@ class ForwardEquations:
         return Check(
             n,
             worst,
-            f"All twelve entries agree with the numeric pose at {n} of {n} random joint vectors "
-            f"to {worst:.1e} (metres or direction cosines)."
+            f"All twelve entries agree with the numeric pose at {n} of {n} random joint vectors to {worst:.1e} "
+            "(metres or direction cosines)."
             if worst < 1e-9
             else f"The equations differ from the numeric pose by up to {worst:.1e}.",
         )
@@ -249,17 +274,5 @@ def forward_matrices(description, *, lengths: str = "symbols", angles: str = "th
     return [m.sympy() for m in ForwardEquations(description, lengths=lengths, angles=angles).A]
 
 
-def _named(name: str, matrix) -> MatrixEquation:
-    return MatrixEquation(
-        name, tuple(tuple(p.expr() for p in row) for row in matrix[:3]) + ((Num(0),) * 3 + (Num(1),),)
-    )
-
-
-def _matrix_name(name: str) -> str:
-    return f"{name[0]}_{{{name[1:]}}}" if len(name) > 1 else name
-
-
-def _q(symbol):
-    from pieper.algebra.expression import angle_symbol
-
-    return angle_symbol(int(symbol.sub), "q")
+def _named(name: str, rows: list[list[Poly]]) -> MatrixEquation:
+    return MatrixEquation(name, tuple(tuple(p.expr() for p in row) for row in rows[:3]) + ((Num(0),) * 3 + (Num(1),),))

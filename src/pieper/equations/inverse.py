@@ -4,21 +4,27 @@ from __future__ import annotations
 
 import functools
 import itertools
+from collections.abc import Iterator
 
 import numpy as np
 
-from pieper.document.page import Page
+from pieper.document.blocks import Document
+from pieper.document.readable import Readable
+from pieper.equations.arm import Arm
+from pieper.equations.derivation.check import DerivationCheck, check
 from pieper.equations.derivation.closed_form import ClosedForm
 from pieper.equations.derivation.elimination import Eliminator
+from pieper.equations.derivation.general import GeneralInverse, PolynomialCheck
 from pieper.equations.derivation.words import write_steps
 from pieper.equations.table import symbol_table
-from pieper.errors import PieperError
+from pieper.errors import PieperError, PlanError
 from pieper.kinematics.geometry import look
+from pieper.solver.plan.plan import Plan
 
 GIVEN = {"pose": "noap", "position": "p", "position+axis": "ap"}
 
 
-class InverseEquations:
+class InverseEquations(Readable):
     """The inverse kinematics of one arm as equations.
 
     Attributes:
@@ -27,20 +33,16 @@ class InverseEquations:
         task: "pose", "position" or "position+axis".
     """
 
-    def __init__(self, arm, *, task: str | None = None):
+    def __init__(self, arm: Arm, *, task: str | None = None) -> None:
         self._arm = arm
         self.plan = _plan(arm, task)
-        self.task = task or getattr(self.plan, "task", None) or "pose"
+        self.task = task or (self.plan.task if self.plan else "pose")
         self.form = _closed_form(arm, self.plan, self.task)
 
     @functools.cached_property
-    def general(self):
+    def general(self) -> GeneralInverse | None:
         """What is true of an arm without a closed form."""
-        if self.form is not None:
-            return None
-        from pieper.equations.derivation.general import GeneralInverse
-
-        return GeneralInverse(self._arm, self.plan)
+        return GeneralInverse(self._arm, self.plan) if self.form is None else None
 
     @property
     def closed(self) -> bool:
@@ -53,29 +55,16 @@ class InverseEquations:
         return self.form.steps if self.form else ()
 
     @functools.cached_property
-    def page(self) -> Page:
+    def page(self) -> Document:
         """Sentences and formulas in reading order."""
-        page = Page()
-        page.title(f"Inverse kinematics of {self._arm.name}")
+        page = Document(f"Inverse kinematics of {self._arm.name}")
         if self.form is not None:
-            if self.plan is not None and getattr(self.plan, "family", ""):
-                page.paragraph(_how(self))
+            if self.plan is not None:
+                page.add(*_how(self.plan, self.form))
             write_steps(page, self.form)
-        else:
+        elif self.general is not None:
             self.general.write(page)
         return page
-
-    def text(self) -> str:
-        """The page as plain text."""
-        return self.page.text()
-
-    def latex(self) -> str:
-        """The page as LaTeX (the inside of a document; amsmath)."""
-        return self.page.latex()
-
-    def mathml(self) -> str:
-        """The page as HTML elements with MathML."""
-        return self.page.mathml()
 
     def sympy(self) -> dict:
         """{name: sympy expression} in the order of evaluation, shorthands included."""
@@ -93,24 +82,22 @@ class InverseEquations:
             raise PieperError(f"{self._arm.name} has no closed form; use arm.ik, or .general.polynomial(T).")
         return self.form.evaluate(T, chosen=chosen)
 
-    def check(self, n: int = 200, *, rng: np.random.Generator | None = None):
+    def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> DerivationCheck | PolynomialCheck:
         """Evaluate the formulas at every solution of `n` random poses, and at 50 digits (`DerivationCheck`)."""
         rng = rng or np.random.default_rng(20263)
-        if self.form is None:
-            return self.general.check(min(n, 20), rng=rng)
-        from pieper.equations.derivation.check import check
-
-        return check(self.form, self._arm, n, rng)
+        if self.form is not None:
+            return check(self.form, self._arm, n, rng)
+        return GeneralInverse(self._arm, self.plan).check(min(n, 20), rng=rng)
 
 
-def _plan(arm, task: str | None):
+def _plan(arm: Arm, task: str | None) -> Plan | None:
     try:
         return arm.plan_for(task)
-    except (PieperError, LookupError, NotImplementedError):
+    except PlanError:
         return None
 
 
-def _closed_form(arm, plan, task: str) -> ClosedForm | None:
+def _closed_form(arm: Arm, plan: Plan | None, task: str) -> ClosedForm | None:
     """The first set of chosen joints with which every joint can be solved; the plan's choice comes first."""
     table = symbol_table(arm.description)
     fold = task != "pose"
@@ -121,7 +108,7 @@ def _closed_form(arm, plan, task: str) -> ClosedForm | None:
     return None
 
 
-def _choices(arm, plan, task: str):
+def _choices(arm: Arm, plan: Plan | None, task: str) -> Iterator[tuple[int, ...]]:
     wanted = {"pose": 6, "position": 3, "position+axis": 5}[task]
     spare = max(arm.n - wanted, 0)
     first = ()
@@ -143,25 +130,25 @@ def _choices(arm, plan, task: str):
         )
 
 
-def _promising(arm, joint: int) -> bool:
+def _promising(arm: Arm, joint: int) -> bool:
     """Whether three neighbouring axes meet or are parallel once this joint (1-based) is held at some value."""
     geometry = look(arm.chain.locked(joint - 1, 0.37), 1e-9)
     return bool(geometry.spherical) or any(len(group.joints) > 2 for group in geometry.parallel)
 
 
-def _how(self: InverseEquations) -> str:
+def _how(plan: Plan, form: ClosedForm) -> tuple[str, ...]:
     words = {
         "spherical_wrist_parallel": "The last three axes meet in a point, the wrist centre, and axes 2 and 3 are "
-        "parallel: "
-        "the first three joints place the wrist centre, the last three turn the tool.",
+        "parallel: the first three joints place the wrist centre, the last three turn the tool.",
         "spherical_wrist": "Three axes meet in a point: the other joints place that point, these three turn the tool.",
         "three_parallel": "Three neighbouring axes are parallel: what happens across them is solved first, then "
         "their plane.",
     }
-    sentence = words.get(self.plan.family, "")
-    if self.plan.snapped:
+    sentence = words.get(plan.family, "")
+    if plan.snapped:
         sentence += (
-            " The formulas are those of the table as it stands; the solver takes " + "; ".join(self.plan.snapped) + "."
+            " The formulas are those of the table as it stands; the solver takes " + "; ".join(plan.snapped) + "."
         )
-    most = f" The solver counts at most {self.plan.max_solutions} solutions." if not self.form.chosen else ""
-    return (sentence + most).strip()
+    most = f" The solver counts at most {plan.max_solutions} solutions." if not form.chosen else ""
+    said = (sentence + most).strip()
+    return (said,) if said else ()

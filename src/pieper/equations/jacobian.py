@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 import functools
+import itertools
+from collections.abc import Callable
 
 import numpy as np
 
 from pieper.algebra.arithmetics import NumpyField, SympyField
 from pieper.algebra.expression import Num
 from pieper.algebra.harmonic import Poly, matmul
-from pieper.algebra.notation import formula, latex, mathml, text
+from pieper.document import text
+from pieper.document.blocks import Document, Equation
+from pieper.document.formulas import matrix, named
+from pieper.document.readable import Readable
 from pieper.equations.forward import Check, ForwardEquations
 from pieper.equations.table import inverse
+from pieper.errors import InputError
 
-ROWS = ("v_x", "v_y", "v_z", "w_x", "w_y", "w_z")
 
-
-class JacobianEquations:
+class JacobianEquations(Readable):
     """The 6 x n geometric Jacobian by the joint coordinates q, linear rows first, tool point, base frame.
 
     Args:
@@ -24,8 +28,9 @@ class JacobianEquations:
         jacobian: The numeric Jacobian q (..., n) -> (..., 6, n) against which `check` measures.
     """
 
-    def __init__(self, forward: ForwardEquations, *, jacobian=None):
+    def __init__(self, forward: ForwardEquations, *, jacobian: Callable[[np.ndarray], np.ndarray] | None = None):
         self.forward, self._jacobian = forward, jacobian
+        self._frames: dict[tuple[int, int], list[list[Poly]]] = {}
 
     @property
     def n(self) -> int:
@@ -72,8 +77,12 @@ class JacobianEquations:
         local = [-arm[1], arm[0]]
         return [rotation[r][0] * local[0] + rotation[r][1] * local[1] for r in range(3)], axis
 
-    @functools.cache  # noqa: B019
     def _between(self, first: int, last: int) -> list[list[Poly]]:
+        if (first, last) not in self._frames:
+            self._frames[first, last] = self._worked_out(first, last)
+        return self._frames[first, last]
+
+    def _worked_out(self, first: int, last: int) -> list[list[Poly]]:
         if first == last:
             return [[Poly.number(int(r == c)) for c in range(4)] for r in range(4)]
         if last == self.n + 1:
@@ -84,20 +93,22 @@ class JacobianEquations:
         return inverse(self._between(last, first))
 
     # -- output ----------------------------------------------------------------------------------------------
+    @functools.cached_property
+    def page(self) -> Document:
+        """The matrix."""
+        return Document(self._title, blocks=[Equation((named("J"), matrix(self.entries)))])
+
+    @property
+    def _title(self) -> str:
+        return f"Jacobian of {self.forward.description.name}: tool point, base frame, linear rows first"
+
     def text(self) -> str:
         """One line an entry, column by column, zeros left out."""
-        lines = [f"Jacobian of {self.forward.description.name}: tool point, base frame, linear rows first"]
-        for c in range(self.n):
-            lines += [f"J{r + 1}{c + 1} = {text(self.entries[r][c])}" for r in range(6) if self.entries[r][c] != Num(0)]
-        return "\n".join(lines) + "\n"
-
-    def latex(self) -> str:
-        rows = r" \\ ".join(" & ".join(latex(e) for e in row) for row in self.entries)
-        return rf"J = \begin{{bmatrix}} {rows} \end{{bmatrix}}"
-
-    def mathml(self) -> str:
-        rows = "".join(f"<mtr>{''.join(f'<mtd>{mathml(e)}</mtd>' for e in row)}</mtr>" for row in self.entries)
-        return formula(f"<mi>J</mi><mo>=</mo><mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>", block=True)
+        page = Document(self._title)
+        for c, r in itertools.product(range(self.n), range(6)):
+            if self.entries[r][c] != Num(0):
+                page.show(named("J", f"{r + 1}{c + 1}"), self.entries[r][c])
+        return text.fragment(page)
 
     def sympy(self):
         """A sympy Matrix (6, n)."""
@@ -116,6 +127,8 @@ class JacobianEquations:
 
     def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> Check:
         """Compare with the numeric Jacobian at `n` random joint vectors."""
+        if self._jacobian is None:
+            raise InputError("These equations were made without an arm; pass jacobian= to check them.")
         rng = rng or np.random.default_rng(20261)
         q = rng.uniform(-np.pi, np.pi, (n, self.n))
         worst = float(np.max(np.abs(self.evaluate(q) - self._jacobian(q))))

@@ -10,6 +10,8 @@ import itertools
 
 import numpy as np
 
+from pieper.document.blocks import listed
+
 ANGLE_TOLERANCE = 1e-6  # rad: samples are roots to 1e-12 or so, square roots of that remain
 SAMPLES = 8
 
@@ -61,7 +63,7 @@ def facts_on(samples: np.ndarray, frames, description) -> list[str]:
 
 def still_joints(samples: np.ndarray, rows) -> str:
     """Which joints can move at once without moving the tool, when it is the same joints at every sample."""
-    moving = None
+    moving: frozenset[int] = frozenset()
     for q in samples:
         _, s, vt = np.linalg.svd(rows(q))
         n = vt.shape[0]
@@ -69,15 +71,13 @@ def still_joints(samples: np.ndarray, rows) -> str:
         if n - rank != 1:
             return ""
         null = np.abs(vt[-1]) / np.max(np.abs(vt[-1]))
-        mine = frozenset(np.flatnonzero(null > 1e-6) + 1)
-        moving = mine if moving is None else moving | mine
+        moving |= {int(j) + 1 for j in np.flatnonzero(null > 1e-6)}
     names = [str(j) for j in sorted(moving)]
     if len(names) == 1:
         return f"Joint {names[0]} alone does not move what the task asks for."
     if len(names) == samples.shape[1] and len(names) > 3:
         return "All joints take part in the motion that, at first order, leaves the tool where it is."
-    listed = f"{', '.join(names[:-1])} and {names[-1]}"
-    return f"Joints {listed} can move together without moving the tool (at first order)."
+    return f"Joints {''.join(listed(names))} can move together without moving the tool (at first order)."
 
 
 def _facts(F: np.ndarray, description) -> set[tuple[int, str]]:

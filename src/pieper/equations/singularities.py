@@ -12,8 +12,9 @@ from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.determinant import Factored, TooLarge, blocks, determinant
 from pieper.algebra.expression import Expr, Mul, Num, Trig, mul
 from pieper.algebra.harmonic import Poly
-from pieper.algebra.notation import text
-from pieper.document.page import Page, Raw
+from pieper.document.blocks import Document, Piece
+from pieper.document.formulas import ZERO, Written
+from pieper.document.readable import Readable
 from pieper.equations.forward import Check
 from pieper.equations.jacobian import JacobianEquations
 from pieper.equations.singular_facts import facts_on, roots_on_factor, still_joints
@@ -51,7 +52,7 @@ class Singularity:
         return len(self.samples) > 0
 
 
-class SingularityEquations:
+class SingularityEquations(Readable):
     """The Jacobian determinant in factors and what follows from each.
 
     Args:
@@ -85,14 +86,12 @@ class SingularityEquations:
                 zeros = sum(not p.terms for row in matrix for p in row)
                 options.append((terms - 2 * zeros, k, k2, m))
         options.sort(key=lambda item: (item[0], item[1], item[2] or 0, item[3]))
-        best = None
+        found = []
         for cost, k, k2, m in options[: 60 if n == 6 else 12]:
             matrix = linear[k, m] + (angular[k2] if k2 is not None else [])
             sizes = [self._size(matrix, rows, cols) for rows, cols in self._minors_of(len(matrix))]
-            key = (max(sizes, default=0), sum(sizes), cost)
-            if best is None or key < best[0]:
-                best = (key, k, k2, m, matrix)
-        return best[1:]
+            found.append(((max(sizes, default=0), sum(sizes), cost), k, k2, m, matrix))
+        return min(found, key=lambda item: item[0])[1:]
 
     def _linear(self, frame: int, point: int) -> list[list[Poly]]:
         columns = [self.jacobian.column(j + 1, frame, point)[0] for j in range(self.n)]
@@ -245,8 +244,8 @@ class SingularityEquations:
         where = f"written at the origin of frame {m}, in frame {k}" if m <= self.n else f"at the tool, in frame {k}"
         if self.minors is None:
             return [
-                "The determinant does not split into blocks and is too long to print; it is checked by its "
-                "numbers only."
+                "The determinant does not split into blocks and is too long to print; it is checked by its numbers "
+                "only."
             ]
         if self.square:
             if not self.minors:
@@ -254,7 +253,7 @@ class SingularityEquations:
             largest, count = self.minors[0].largest, len(self.minors[0].factors)
             said = [
                 f"The Jacobian, {where}, is block triangular; its determinant is the product of the blocks' "
-                f"determinants."
+                "determinants."
             ]
             if count == 1 and largest > 2:
                 said = [
@@ -282,29 +281,28 @@ class SingularityEquations:
         ]
 
     @functools.cached_property
-    def page(self) -> Page:
+    def page(self) -> Document:
         """Sentences and formulas in reading order."""
-        page = Page()
-        page.title(f"Singular configurations of {self.jacobian.forward.description.name}")
+        page = Document(f"Singular configurations of {self.jacobian.forward.description.name}")
         for sentence in self.sentences():
-            page.paragraph(sentence)
+            page.say(sentence)
         if self.determinant is not None and self.minors and len(self.minors[0].poly().terms) <= 200:
-            page.display(Raw("det J", r"\det J", "<mi>det</mi><mi>J</mi>"), self.determinant)
+            page.show(Written("det J", r"\det J", "<mi>det</mi><mi>J</mi>"), self.determinant)
         for s in self.configurations:
             page.heading(NAMES[s.kind])
-            if s.kind == "other" and len(text(s.factor)) > 150:
-                page.paragraph("They are where this determinant vanishes.")
+            if s.kind == "other" and len(s.factor.text()) > 150:
+                page.say("They are where this determinant vanishes.")
             else:
-                page.display(s.factor, Num(0))
-            page.paragraph(" ".join(s.words))
+                page.show(s.factor, ZERO)
+            page.say(" ".join(s.words))
             if s.where:
-                page.paragraph("That is at ", *self._places(s), ".")
+                page.say("That is at ", *self._places(s), ".")
         if not self.square and self.minors:
             for place, minor in enumerate(self._remaining()):
                 if not place:
                     page.heading("Besides" if self.configurations else "Singular configurations")
-                    page.paragraph("Rank is lost where all of these vanish together:")
-                page.display(minor)
+                    page.say("Rank is lost where all of these vanish together:")
+                page.show(minor)
         return page
 
     def _remaining(self) -> list[Expr]:
@@ -316,32 +314,18 @@ class SingularityEquations:
             if not kept:
                 return []
             rest.append(mul(*(p.expr() for p in dict.fromkeys(f.poly for f in kept))))
-        rest = [
-            e for place, e in enumerate(rest) if len(text(e)) < 400 and text(e) not in {text(x) for x in rest[:place]}
-        ]
-        return sorted(rest, key=lambda e: len(text(e)))[:7]
+        once = {e.text(): e for e in reversed(rest)}
+        return [once[words] for words in sorted(once, key=len) if len(words) < 400][:7]
 
-    def _places(self, s: Singularity) -> list:
+    def _places(self, s: Singularity) -> list[Piece]:
         """[theta5, " = 0 deg or ", theta5, " = 180 deg"] for a paragraph."""
         joint = next(iter({j for a in s.factor.atoms() if isinstance(a, Trig) for j, _ in a.angle}), None)
-        parts: list = []
+        parts: list[Piece] = []
         for place, value in enumerate(s.where):
             size = f"{value * 1000:.6g} mm" if joint is None else f"{np.degrees(value):.6g} deg"
             symbol = s.factor if joint is None else self.table.variable(joint)
             parts += [*([" or "] if place else []), symbol, f" = {size}"]
         return parts
-
-    def text(self) -> str:
-        """Plain text."""
-        return self.page.text()
-
-    def latex(self) -> str:
-        """The inside of a LaTeX document (amsmath)."""
-        return self.page.latex()
-
-    def mathml(self) -> str:
-        """HTML elements with MathML."""
-        return self.page.mathml()
 
     def sympy(self):
         """The factored determinant as a sympy expression, or the list of factors when the Jacobian is not square."""
@@ -361,7 +345,7 @@ class SingularityEquations:
             worst = float(np.max(np.abs(got - want)) / max(np.max(np.abs(want)), 1e-300))
             said.append(
                 f"The determinant agrees with the numeric one at {n} random joint vectors to {worst:.1e} of its "
-                f"largest value."
+                "largest value."
             )
         count = 0
         for s in self.configurations:

@@ -138,7 +138,8 @@ class _Reader:
         """Cosine and sine of a constant angle: numbers for quarter turns, otherwise named constants."""
         quarter = quarter_turns(angle)
         if quarter is not None:
-            return tuple(map(Poly.number, QUARTER[quarter]))
+            cosine, sine = QUARTER[quarter]
+            return Poly.number(cosine), Poly.number(sine)
         size, sense = angle_expr(abs(angle)), (1 if angle > 0 else -1)
         key = round(abs(angle), 14)
         if key not in self.twists:
@@ -152,8 +153,8 @@ class _Reader:
         q = angle_symbol(joint, "q")
         if self.letter == "theta":
             self.relation[joint] = (angle_symbol(joint), add(Num(sign) * q, angle_expr(constant)))
-            angle = {joint: 1}
-            return tuple(trig(kind, angle, self.groups[joint - 1]) for kind in "cs")
+            group = self.groups[joint - 1]
+            return trig("c", {joint: 1}, group), trig("s", {joint: 1}, group)
         self.relation[joint] = (q, q)
         cosine, sine = (trig(kind, {joint: sign}, self.groups[joint - 1], "q") for kind in "cs")
         c0, s0 = self._twist(constant, "theta", str(joint))

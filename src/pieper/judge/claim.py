@@ -4,12 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypedDict, Unpack
 
 from pieper.errors import InputError
 from pieper.judge.verdict import HOLDS, PARTLY, WRONG, Verdict
 
 Details = Iterable[tuple[str, str]]
+
+
+class Numbers(TypedDict, total=False):
+    """What a verdict says in numbers, see `Verdict`."""
+
+    digits: int | None
+    right: int
+    tried: int
+    difference: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,29 +81,23 @@ class Claim:
             raise self.error(f"{key} must be a whole number")
         return value
 
-    def holds(self, sentence: str, details: Details = (), *, digits: int | None = None) -> Verdict:
+    def holds(self, sentence: str, details: Details = (), **numbers: Unpack[Numbers]) -> Verdict:
         """The claim holds."""
-        return self._verdict(HOLDS, sentence, details, digits=digits)
+        return self._verdict(HOLDS, sentence, details, "", "", numbers)
 
     def partly(
-        self, sentence: str, details: Details = (), slip: str = "", reading: str = "", *, digits: int | None = None
+        self, sentence: str, details: Details = (), slip: str = "", reading: str = "", **numbers: Unpack[Numbers]
     ) -> Verdict:
         """The claim holds only in part."""
-        return self._verdict(PARTLY, sentence, details, slip, reading, digits)
+        return self._verdict(PARTLY, sentence, details, slip, reading, numbers)
 
-    def wrong(self, sentence: str, details: Details = (), slip: str = "", reading: str = "") -> Verdict:
+    def wrong(
+        self, sentence: str, details: Details = (), slip: str = "", reading: str = "", **numbers: Unpack[Numbers]
+    ) -> Verdict:
         """The claim is wrong."""
-        return self._verdict(WRONG, sentence, details, slip, reading)
+        return self._verdict(WRONG, sentence, details, slip, reading, numbers)
 
-    def _verdict(self, status, sentence, details, slip="", reading="", digits=None) -> Verdict:
-        return Verdict(
-            id=self.id,
-            claim=self.text,
-            status=status,
-            sentence=sentence,
-            says=self.says,
-            details=tuple(details),
-            slip=slip,
-            reading=reading,
-            digits=digits,
-        )
+    def _verdict(
+        self, status: str, sentence: str, details: Details, slip: str, reading: str, numbers: Numbers
+    ) -> Verdict:
+        return Verdict(self.id, self.text, status, sentence, self.says, tuple(details), slip, reading, **numbers)

@@ -10,7 +10,8 @@ import numpy as np
 
 from pieper.algebra.arithmetics import DigitsField, SympyField
 from pieper.algebra.expression import Call, Expr
-from pieper.algebra.formula import TURNS, Equation, has_branch, is_call, joint_sum
+from pieper.algebra.formula import Equation, has_branch, is_call
+from pieper.algebra.notation import TURNS, joint_sum
 from pieper.judge.model import POSE_NAMES, ArmModel, decimal
 from pieper.judge.samples import Samples
 
@@ -39,9 +40,9 @@ class _Polynomials(SympyField):
         return c, s
 
     def factored(self, total: Any, longest: int) -> str:
-        """The expanded polynomial in factors; "" when it has too many terms to be of use."""
+        """The expanded polynomial in factors; "" when it has too many terms to be of use, or no value."""
         total = self.sympy.expand(total)
-        if len(self.sympy.Add.make_args(total)) > longest:
+        if len(self.sympy.Add.make_args(total)) > longest or total.has(self.sympy.zoo, self.sympy.nan):
             return ""
         return str(self.sympy.factor(total)).replace("**", "^").replace("*", " ")
 

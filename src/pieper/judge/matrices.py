@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -40,11 +40,10 @@ class Product:
 
     def __str__(self) -> str:
         text = " + ".join(" ".join(map(str, t)) for t in self.terms)
-        if self.entry:
-            text = (
-                f"({text})" if len(self.terms[0]) > 1 or len(self.terms) > 1 else text
-            ) + f"[{self.entry[0]},{self.entry[1]}]"
-        return text
+        if not self.entry:
+            return text
+        single = len(self.terms) == len(self.terms[0]) == 1
+        return f"{text if single else f'({text})'}[{self.entry[0]},{self.entry[1]}]"
 
 
 def parse_product(text: str, joints: int) -> Product:
@@ -52,9 +51,8 @@ def parse_product(text: str, joints: int) -> Product:
 
     Args:
         text: names A1.. (link), T06, T (base and tool included), R.. (its rotation), P.. (its position), Q1.. and v1..
-        (rotation and
-            position of a link), I; side by side or with ``*``, sums with ``+``, ``^-1``, ``^T``, brackets,
-            ``[row,column]`` at the end.
+            (rotation and position of a link), I; side by side or with ``*``, sums with ``+``, ``^-1``, ``^T``,
+            brackets, ``[row,column]`` at the end.
         joints: number of joints.
 
     Returns:
@@ -66,7 +64,8 @@ def parse_product(text: str, joints: int) -> Product:
         m = _PIECE.match(text, at)
         if not m:
             raise InputError(f"this is no product of matrices:\n  {source}\n  {' ' * at}^", text=source, position=at)
-        pieces.append((m.lastgroup, m.group(m.lastgroup), m.start(m.lastgroup)))
+        kind = m.lastgroup or ""
+        pieces.append((kind, m.group(kind), m.start(kind)))
         at = m.end()
 
     def fail(position: int, message: str):
@@ -74,7 +73,8 @@ def parse_product(text: str, joints: int) -> Product:
 
     entry = None
     if pieces and pieces[-1][0] == "entry":
-        entry = tuple(int(d) for d in re.findall(r"\d", pieces[-1][1]))
+        row, column = re.findall(r"\d", pieces[-1][1])
+        entry = int(row), int(column)
         if not (1 <= entry[0] <= 4 and 1 <= entry[1] <= 4):
             raise fail(pieces[-1][2], f"a pose has rows and columns 1 to 4, not {entry}")
         pieces.pop()
@@ -104,7 +104,7 @@ def parse_product(text: str, joints: int) -> Product:
             elif kind in ("inv", "tr") and out:
                 last = out.pop()
                 out.append(
-                    Factor(last.name, last.inside, last.inverse ^ (kind == "inv"), last.transpose ^ (kind == "tr"))
+                    replace(last, inverse=last.inverse ^ (kind == "inv"), transpose=last.transpose ^ (kind == "tr"))
                 )
             else:
                 raise fail(where, f"{word!r} is not expected here")
@@ -121,7 +121,7 @@ def parse_product(text: str, joints: int) -> Product:
     return Product(tuple(terms), entry)
 
 
-def check_name(word: str, joints: int, fail):
+def check_name(word: str, joints: int, fail: Callable[[str], InputError]) -> None:
     """Refuse names that are no matrix of this arm."""
     m = re.fullmatch(r"(?:[AQv](\d)|[TRP](\d)?(\d)?|I)", word)
     if not m:
@@ -133,10 +133,9 @@ def check_name(word: str, joints: int, fail):
 
 def value_of(product: Product, frames: dict[str, np.ndarray]) -> np.ndarray:
     """Evaluate a product at all samples, (K, 4, 4), (K, 3, 3) or (K, 3); with an entry, (K,)."""
-    total = None
-    for term in product.terms:
-        value = _chain(term, frames)
-        total = value if total is None else total + value
+    total = _chain(product.terms[0], frames)
+    for term in product.terms[1:]:
+        total = total + _chain(term, frames)
     if product.entry is None:
         return total
     row, column = product.entry
@@ -147,8 +146,8 @@ def value_of(product: Product, frames: dict[str, np.ndarray]) -> np.ndarray:
     return total[:, row - 1, column - 1]
 
 
-def _chain(factors: tuple[Factor, ...], frames) -> np.ndarray:
-    out = None
+def _chain(factors: tuple[Factor, ...], frames: dict[str, np.ndarray]) -> np.ndarray:
+    out: np.ndarray | None = None
     for factor in factors:
         M = _named(factor.name, frames) if factor.name else _chain(factor.inside, frames)
         if factor.inverse:
@@ -164,10 +163,11 @@ def _chain(factors: tuple[Factor, ...], frames) -> np.ndarray:
                 raise InputError(
                     f"{' '.join(map(str, factors))}: a {out.shape[1:]} and a {M.shape[1:]} matrix cannot be multiplied"
                 ) from None
+    assert out is not None  # a term has a factor at least
     return out
 
 
-def _named(name: str, frames) -> np.ndarray:
+def _named(name: str, frames: dict[str, np.ndarray]) -> np.ndarray:
     if name == "I":
         return np.broadcast_to(np.eye(4), frames["T"].shape)
     if name[0] in "AQv" and len(name) == 2:
@@ -189,41 +189,31 @@ def _named(name: str, frames) -> np.ndarray:
 def product_slips(product: Product, joints: int) -> Iterator[tuple[str, str, Product]]:
     """Yield (kind, words, product) for products one slip away: another order, an inverse, a factor lost or too many."""
     for k, term in enumerate(product.terms):
+        for kind, words, factors in _term_slips(term, joints):
+            yield kind, words, replace(product, terms=product.terms[:k] + (factors,) + product.terms[k + 1 :])
 
-        def made(factors, k=k):
-            return Product(product.terms[:k] + (tuple(factors),) + product.terms[k + 1 :], product.entry)
 
-        inverses = [i for i, f in enumerate(term) if f.inverse and f.name]
-        if 2 <= len(inverses) <= 5:
-            for order in itertools.permutations(inverses):
-                if list(order) != inverses:
-                    new = list(term)
-                    for place, taken in zip(inverses, order, strict=True):
-                        new[place] = term[taken]
-                    yield "order", "the inverses in the wrong order", made(new)
-        for i in range(len(term) - 1):
-            yield (
-                "order",
-                f"{term[i]} and {term[i + 1]} exchanged",
-                made(term[:i] + (term[i + 1], term[i]) + term[i + 2 :]),
-            )
-        for i, f in enumerate(term):
-            yield (
-                "inverse",
-                f"{f} for its inverse",
-                made(term[:i] + (Factor(f.name, f.inside, not f.inverse, f.transpose),) + term[i + 1 :]),
-            )
-            if f.transpose:
-                yield (
-                    "inverse",
-                    f"{f} transposed",
-                    made(term[:i] + (Factor(f.name, f.inside, f.inverse, False),) + term[i + 1 :]),
-                )
-        for i in range(len(term) + 1):
-            for joint in range(1, joints + 1):
-                for inverse in (False, True):
-                    extra = Factor(f"A{joint}", (), inverse)
-                    yield "missing factor", f"{extra} lost", made(term[:i] + (extra,) + term[i:])
-        for i, f in enumerate(term):
-            if len(term) > 1:
-                yield "extra factor", f"{f} too many", made(term[:i] + term[i + 1 :])
+def _term_slips(term: tuple[Factor, ...], joints: int) -> Iterator[tuple[str, str, tuple[Factor, ...]]]:
+    inverses = [i for i, f in enumerate(term) if f.inverse and f.name]
+    if 2 <= len(inverses) <= 5:
+        for order in itertools.permutations(inverses):
+            if list(order) != inverses:
+                new = list(term)
+                for place, taken in zip(inverses, order, strict=True):
+                    new[place] = term[taken]
+                yield "order", "the inverses in the wrong order", tuple(new)
+    for i, (f, g) in enumerate(itertools.pairwise(term)):
+        yield "order", f"{f} and {g} exchanged", (*term[:i], g, f, *term[i + 2 :])
+    for i, f in enumerate(term):
+        before, after = term[:i], term[i + 1 :]
+        yield "inverse", f"{f} for its inverse", (*before, replace(f, inverse=not f.inverse), *after)
+        if f.transpose:
+            yield "inverse", f"{f} transposed", (*before, replace(f, transpose=False), *after)
+    for i in range(len(term) + 1):
+        for joint in range(1, joints + 1):
+            for inverse in (False, True):
+                extra = Factor(f"A{joint}", (), inverse)
+                yield "missing factor", f"{extra} lost", (*term[:i], extra, *term[i:])
+    for i, f in enumerate(term):
+        if len(term) > 1:
+            yield "extra factor", f"{f} too many", term[:i] + term[i + 1 :]

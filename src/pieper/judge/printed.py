@@ -35,14 +35,19 @@ def last_digit(value) -> float:
     text = as_text(value)
     if isinstance(value, float) and value == int(value):
         return 1.0
-    return float(Decimal(1).scaleb(Decimal(text).as_tuple().exponent))
+    return float(Decimal(1).scaleb(_exponent(text)))
+
+
+def _exponent(text: str) -> int:
+    exponent = Decimal(text).as_tuple().exponent
+    return exponent if isinstance(exponent, int) else 0
 
 
 def misprint(printed, right: float) -> str:
     """Return the one misprint that turns the right number into the printed one, "" when there is none."""
     text = as_text(printed)
     step = last_digit(printed)
-    decimals = max(0, -Decimal(text).as_tuple().exponent)
+    decimals = max(0, -_exponent(text))
     correct = f"{right:.{decimals}f}"
     if abs(read_number(printed) - right) < step:
         return f"last digit cut off or rounded the wrong way ({correct})"

@@ -16,7 +16,7 @@ def region_features(n: int, env: dict[str, np.ndarray], own: list[str]) -> list[
             angle = sum(env[f"theta{j}"] for j in range(first, last + 1))
             name = "+".join(f"theta{j}" for j in range(first, last + 1))
             features += [(f"sin({name})", np.sin(angle)), (f"cos({name})", np.cos(angle))]
-    features += [(name, env[name]) for name in own if np.ndim(env.get(name)) == 1]
+    features += [(name, env[name]) for name in own if name in env and np.ndim(env[name]) == 1]
     features.sort(key=lambda f: (f[0].count("+"), f[0] not in own))
     return features
 

@@ -25,6 +25,8 @@ class Verdict:
         slip: the kind of the one slip that explains a wrong claim, "" when there is none.
         reading: the nearest right reading as a formula, "" when none was found.
         digits: number of digits to which the claim holds, None where that means nothing.
+        right, tried: at how many of how many joint vectors a formula was right, 0 of 0 where that means nothing.
+        difference: printed minus right as a formula, "" when there is none or it takes too long to find.
     """
 
     id: str
@@ -36,6 +38,9 @@ class Verdict:
     slip: str = ""
     reading: str = ""
     digits: int | None = None
+    right: int = 0
+    tried: int = 0
+    difference: str = ""
 
     @property
     def about(self) -> str:

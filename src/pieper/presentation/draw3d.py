@@ -2,33 +2,42 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from pieper.presentation.skeleton import Skeleton
-from pieper.presentation.style import AXES, FAINT, GRID, INK
+from pieper.presentation.style import AXES, FAINT, GRID, INK, MM
 
-MM = 1e3
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 def space_axes(
-    figure, position, centre: np.ndarray, half: float, *, title: str = "", view=(22.0, -58.0), floor: bool = True
+    figure: Figure,
+    position: tuple[int, int, int],
+    centre: np.ndarray,
+    half: float,
+    *,
+    title: str = "",
+    view: tuple[float, float] = (22.0, -58.0),
+    floor: bool = True,
 ):
     """Add 3-D axes in millimetres with equal scales and return them.
 
     Args:
         figure: The figure.
-        position: What `add_subplot` takes.
+        position: Rows, columns and number of the picture, as `add_subplot` takes them.
         centre: (3,) middle of the picture, m.
         half: Half the side of the cube shown, m.
         title: Text above, left.
         view: Elevation and azimuth, deg.
         floor: Whether the lower side is kept at z = 0 when that is near.
     """
-    axes = (
-        figure.add_subplot(position, projection="3d")
-        if not isinstance(position, tuple)
-        else figure.add_subplot(*position, projection="3d")
-    )
+    from matplotlib import rc_context
+
+    with rc_context({"grid.color": GRID, "grid.linewidth": 0.6}):  # 3-D axes read these when they are made
+        axes: Any = figure.add_subplot(*position, projection="3d")
     # the order is ours: a drum lies over its link, a name over everything
     axes.computed_zorder = False
     low, high = (centre - half) * MM, (centre + half) * MM
@@ -42,7 +51,6 @@ def space_axes(
     axes.view_init(*view)
     for axis, name in ((axes.xaxis, "x"), (axes.yaxis, "y"), (axes.zaxis, "z")):
         axis.set_pane_color((0.975, 0.98, 0.985, 1.0))
-        axis._axinfo["grid"].update(color=GRID, linewidth=0.6)
         axis.line.set_color(FAINT)
         axis.set_tick_params(labelsize=8, colors=INK, pad=0)
         axis.set_major_locator(_locator())

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.kinematics.forward import checked_joints
-from pieper.presentation.draw3d import MM, draw_arm, draw_axes_lines, draw_frame, draw_shadow, space_axes
+from pieper.presentation.draw3d import draw_arm, draw_axes_lines, draw_frame, draw_shadow, space_axes
 from pieper.presentation.skeleton import Skeleton, extent, skeleton
-from pieper.presentation.style import AXES, COLOURS, FAINT, INK, new_figure
+from pieper.presentation.style import AXES, COLOURS, FAINT, INK, MM, new_figure
+from pieper.solver.results import Solutions
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from pieper.arm import Arm
     from pieper.motion.track import Track
-    from pieper.solver.results import Solutions
+    from pieper.presentation.arm import Arm
 
 
 def arm_figure(arm: Arm, q: np.ndarray | None = None, *, title: str = "") -> Figure:
@@ -35,7 +35,7 @@ def arm_figure(arm: Arm, q: np.ndarray | None = None, *, title: str = "") -> Fig
     centre, half = extent(parts.polyline, np.zeros((1, 3)))
     size = 2 * half
     figure = new_figure(6.4, 5.8)
-    axes = space_axes(figure, 111, centre, half * 1.12, title=title, view=good_view(parts))
+    axes = space_axes(figure, (1, 1, 1), centre, half * 1.12, title=title, view=good_view(parts))
     draw_shadow(axes, parts)
     draw_arm(axes, parts, size)
     draw_axes_lines(axes, parts, size)
@@ -127,8 +127,8 @@ def solutions_figure(
     Returns:
         The figure.
     """
-    if hasattr(q, "all_q"):
-        labels = q.labels if labels is None else labels
+    if isinstance(q, Solutions):
+        labels = list(q.labels) if labels is None else labels
         q = q.q
     q = np.asarray(q, float)
     labels = [""] * len(q) if labels is None else labels

@@ -7,16 +7,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.motion.path import checked_path
-from pieper.presentation.style import COLOURS, FAINT, INK, curve, legend, new_figure, plain_axes
+from pieper.motion.track import Track
+from pieper.presentation.style import FAINT, INK, MM, curve, legend, new_figure, plain_axes
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from pieper.arm import Arm
     from pieper.motion.sequence import Motion
-    from pieper.motion.track import Track
-
-MM = 1e3
+    from pieper.presentation.arm import Arm
 
 
 def coordinates_figure(path: np.ndarray | Track, *, title: str = "") -> Figure:
@@ -29,7 +28,7 @@ def coordinates_figure(path: np.ndarray | Track, *, title: str = "") -> Figure:
     Returns:
         The figure.
     """
-    poses = checked_path(getattr(path, "path", path))
+    poses = checked_path(path.path if isinstance(path, Track) else path)
     number = np.arange(1, len(poses) + 1)
     figure = new_figure(6.4, 3.7)
     axes = plain_axes(figure.add_subplot(), x="point number", y="tool position, mm", title=title)
@@ -59,8 +58,7 @@ def joints_figure(track: Track, *, title: str = "") -> Figure:
         for joint in columns:
             curve(axes, number, track.q[:, joint] * factor, joint, joint_text(track.joint_names[joint]))
         _point_axis(axes, len(track.path))
-        if not track.complete:
-            stop = track.stop
+        if (stop := track.stop) is not None:
             at = 1 + stop.s * (len(track.path) - 1)
             axes.axvline(at, color=INK, linewidth=1.1, linestyle=(0, (2, 2)))
             axes.axvspan(at, len(track.path), color=FAINT, alpha=0.12, linewidth=0)
@@ -94,7 +92,7 @@ def time_figure(motion: Motion, *, arm: Arm | None = None, title: str = "") -> F
     unit = "deg" if not prismatic.any() else "deg or mm"
     factor = np.where(prismatic, MM, 180 / np.pi)
     figure = new_figure(7.2, 6.6)
-    first = None
+    first: Axes | None = None
     for row, (values, label) in enumerate(
         ((motion.q, f"position, {unit}"), (motion.dq, f"rate, {unit}/s"), (motion.ddq, f"acceleration, {unit}/s²"))
     ):
@@ -106,9 +104,9 @@ def time_figure(motion: Motion, *, arm: Arm | None = None, title: str = "") -> F
         for begin, end in zip(motion.arrivals[1:], motion.departures[1:], strict=True):
             if end > begin:
                 axes.axvspan(begin, end, color=FAINT, alpha=0.13, linewidth=0)
+        axes.set_xlim(0, motion.duration)
         if row == 0:
             legend(axes, loc="center left", bbox_to_anchor=(1.0, 0.5))
-    first.set_xlim(0, motion.duration)
     return figure
 
 
@@ -119,7 +117,7 @@ def joint_text(name: str) -> str:
     return name
 
 
-def _point_axis(axes, n: int) -> None:
+def _point_axis(axes: Axes, n: int) -> None:
     margin = 0.015 * max(n - 1, 1)
     axes.set_xlim(1 - margin, max(n, 2) + margin)
 
@@ -130,6 +128,3 @@ def _groups(prismatic: np.ndarray) -> list[tuple[np.ndarray, float, str]]:
         (np.flatnonzero(prismatic), MM, "joint position, mm"),
     ]
     return [g for g in groups if len(g[0])]
-
-
-__all__ = ["COLOURS", "coordinates_figure", "joint_text", "joints_figure", "time_figure"]

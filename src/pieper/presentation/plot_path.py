@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.motion.path import checked_path
-from pieper.presentation.draw3d import MM, draw_arm, draw_frame, space_axes, text
+from pieper.motion.track import Track
+from pieper.presentation.draw3d import draw_arm, draw_frame, space_axes, text
 from pieper.presentation.skeleton import extent, skeleton
-from pieper.presentation.style import COLOURS, FAINT, INK, legend, new_figure
+from pieper.presentation.style import COLOURS, FAINT, INK, MM, legend, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from pieper.arm import Arm
-    from pieper.motion.track import Track
+    from pieper.presentation.arm import Arm
 
 
 def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str = "") -> Figure:
@@ -29,8 +29,7 @@ def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str 
     Returns:
         The figure.
     """
-    track = path if hasattr(path, "branches") else None
-    poses = checked_path(track.path if track else path)
+    track, poses = (path, path.path) if isinstance(path, Track) else (None, checked_path(path))
     points = poses[:, :3, 3]
     reached = len(track.q) if track else len(poses)
     ghosts = []
@@ -39,7 +38,7 @@ def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str 
         ghosts = [skeleton(arm, track.q[k]) for k in steps]
     centre, half = extent(points, *(g.polyline for g in ghosts))
     figure = new_figure(6.4, 5.6)
-    axes = space_axes(figure, 111, centre, half * (1.0 if ghosts else 1.35), title=title, floor=bool(ghosts))
+    axes = space_axes(figure, (1, 1, 1), centre, half * (1.0 if ghosts else 1.35), title=title, floor=bool(ghosts))
     size = 2 * half
     for k, ghost in enumerate(ghosts):
         strength = 0.25 + 0.6 * k / max(len(ghosts) - 1, 1)

@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.presentation.skeleton import skeleton
-from pieper.presentation.style import COLOURS, FAINT, INK, new_figure, plain_axes
+from pieper.presentation.style import COLOURS, FAINT, INK, MM, new_figure, plain_axes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from pieper.arm import Arm
+    from pieper.presentation.arm import Arm
 
-MM = 1e3
 #: Joint vectors drawn for a picture of the reach.
 SAMPLES = 200_000
 #: Cells along the longer side of a slice.

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.document.blocks import Document
-from pieper.document.html_page import page as html_page
-from pieper.document.writing import write_whole
+from pieper.document.blocks import Document, listed
+from pieper.document.html import page as html_page
+from pieper.document.latex import source as latex_source
+from pieper.document.markdown import source as markdown_source
+from pieper.document.writing import write_beside, write_whole
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.pose import checked_pose
 from pieper.presentation.plot_reach import joint_range
 from pieper.presentation.sections_arm import (
-    MM,
     add_arm,
     add_derivation,
     add_forward,
@@ -23,10 +25,12 @@ from pieper.presentation.sections_arm import (
     add_singularities,
 )
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
+from pieper.presentation.style import MM
 
 if TYPE_CHECKING:
-    from pieper.arm import Arm
     from pieper.motion.track import Track
+    from pieper.presentation.arm import Arm
+    from pieper.solver.results import Solutions
 
 #: Joint vectors from which the pose of the report is chosen.
 CANDIDATES = 200
@@ -41,7 +45,7 @@ def report(arm: Arm, *, pose: np.ndarray | None = None, track: Track | None = No
         track: A path study to include.
 
     Returns:
-        The document, to be written by `html_page.page` or `latex_page.source`.
+        The document, to be written by `document.html.page`, `document.latex.source` or `document.markdown.source`.
 
     Raises:
         InputError: pose is not a pose.
@@ -64,7 +68,13 @@ def report(arm: Arm, *, pose: np.ndarray | None = None, track: Track | None = No
 
 
 def write_report(
-    arm: Arm, out: Path, *, latex: Path | None = None, pose: np.ndarray | None = None, track: Track | None = None
+    arm: Arm,
+    out: Path,
+    *,
+    latex: Path | None = None,
+    markdown: Path | None = None,
+    pose: np.ndarray | None = None,
+    track: Track | None = None,
 ) -> list[Path]:
     """Write the report of an arm, each file whole or not at all.
 
@@ -72,6 +82,7 @@ def write_report(
         arm: The arm.
         out: The HTML page.
         latex: Where to write the same as LaTeX source, its figures in a folder beside it; not written when left out.
+        markdown: Where to write the same as Markdown, its figures in a folder beside it; not written when left out.
         pose: As in `report`.
         track: As in `report`.
 
@@ -83,11 +94,10 @@ def write_report(
     """
     page = report(arm, pose=pose, track=track)
     written = [write_whole(out, html_page(page))]
-    if latex is not None:
-        from pieper.document.latex_page import source, write_beside
-
-        text, figures = source(page, folder=f"{latex.stem}-figures")
-        written += [*write_beside(latex, figures), write_whole(latex, text)]
+    for path, source in ((latex, latex_source), (markdown, markdown_source)):
+        if path is not None:
+            text, figures = source(page, folder=f"{path.stem}-figures")
+            written += [*write_beside(path, figures), write_whole(path, text)]
     return written
 
 
@@ -112,7 +122,7 @@ def good_pose(arm: Arm) -> np.ndarray:
     return T[int(np.argmax(stiff * (1 + 0.15 * many.in_limits.sum(1))))]
 
 
-def _solved(page: Document, arm: Arm, pose: np.ndarray | None):
+def _solved(page: Document, arm: Arm, pose: np.ndarray | None) -> Solutions | None:
     page.section("A pose and all its solutions")
     try:
         T = good_pose(arm) if pose is None else pose
@@ -160,7 +170,7 @@ def add_peculiarities(page: Document, arm: Arm) -> None:
                 "another."
             )
         if plan.redundancy:
-            notes.append(f"It has more joints than the task needs; {_and(list(plan.redundancy))} may be chosen freely.")
+            notes.append(f"It has more joints than the task needs; {_and(plan.redundancy)} may be chosen freely.")
         if plan.snapped:
             notes.append(f"Its geometry was taken as special where it is nearly so: {'; '.join(plan.snapped)}.")
         if plan.direct and plan.max_solutions > 8:  # more than three pairs of words can tell apart
@@ -171,11 +181,11 @@ def add_peculiarities(page: Document, arm: Arm) -> None:
         page.section("What is peculiar about it", *notes)
 
 
-def _and(words: list[str]) -> str:
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+def _and(words: Sequence[str]) -> str:
+    return "".join(listed(words))
 
 
-def _summary(arm: Arm, sols, track: Track | None) -> str:
+def _summary(arm: Arm, sols: Solutions | None, track: Track | None) -> str:
     text = f"The {arm.name} has {arm.n} joints ({arm.joint_types})."
     try:
         text += f" A pose has at most {arm.plan.max_solutions} solutions."

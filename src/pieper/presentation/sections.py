@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pieper.document.blocks import Code, Document, Heading, Picture
-from pieper.document.html_page import page as html_page
+from pieper.document.blocks import Code, Document, Emphasis, Heading, Listing, Paragraph, Picture
+from pieper.document.formulas import in_line
+from pieper.document.html import page as html_page
+from pieper.document.json import blocks as as_data
 from pieper.document.writing import write_whole
 from pieper.presentation.sections_arm import (
-    MM,
     add_arm,
     add_derivation,
     add_forward,
@@ -20,13 +21,16 @@ from pieper.presentation.sections_arm import (
     joint_value,
 )
 from pieper.presentation.sections_motion import add_motion, add_solutions, add_track, scientific
-from pieper.presentation.style import png
+from pieper.presentation.style import MM, picture
 
 __all__ = [
     "MM",
     "Code",
     "Document",
+    "Emphasis",
     "Heading",
+    "Listing",
+    "Paragraph",
     "Picture",
     "add_arm",
     "add_derivation",
@@ -37,9 +41,12 @@ __all__ = [
     "add_singularities",
     "add_solutions",
     "add_track",
+    "as_data",
     "attempt",
     "fixed",
+    "in_line",
     "joint_value",
+    "picture",
     "scientific",
     "write_figures",
     "write_page",
@@ -55,5 +62,5 @@ def write_figures(page: Document, folder: Path) -> list[Path]:
     """Write every figure of a document as .png and .svg into a folder, made when missing; return the files."""
     folder.mkdir(exist_ok=True)
     pictures = [block for block in page.blocks if isinstance(block, Picture)]
-    written = [write_whole(folder / f"{picture.name}.png", png(picture.figure)) for picture in pictures]
-    return written + [write_whole(folder / f"{picture.name}.svg", picture.svg) for picture in pictures]
+    written = [write_whole(folder / f"{one.name}.png", one.drawing.png()) for one in pictures]
+    return written + [write_whole(folder / f"{one.name}.svg", one.drawing.svg()) for one in pictures]

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.document.blocks import Document, Formula, Formulas, Heading, Lines, Picture
+from pieper.document.blocks import Document, Emphasis, Equations, Lines, Note
+from pieper.document.formulas import in_line
 from pieper.errors import PieperError
+from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
+from pieper.presentation.style import MM, picture
+from pieper.solver.families import named
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from pieper.arm import Arm
-
-MM = 1e3
+    from pieper.presentation.arm import Arm
 
 
 def fixed(value: float, digits: int = 3) -> str:
@@ -71,15 +72,13 @@ def add_arm(page: Document, arm: Arm) -> None:
     page.section("The arm")
     page.add(
         f"{arm.name}{maker}, has {arm.n} joints, {' and '.join(counts)}. Its geometry is given by a "
-        "Denavit–Hartenberg table in the "
-        f"{convention} convention: "
+        f"Denavit–Hartenberg table in the {convention} convention: "
         + (
             "frame i follows frame i−1 by a turn θ about z, a shift d along z, a shift a along the new x and a turn "
             "α about it."
             if d.convention == "standard"
             else "frame i follows frame i−1 by a shift a and a turn α along and about x, then a turn θ and a shift d "
-            "about and "
-            "along the new z; row i holds a and α of frame i−1."
+            "about and along the new z; row i holds a and α of frame i−1."
         )
     )
     heads, rows = ["joint", "a, mm", "α, °", "d, mm", "θ, °", "least", "most"], []
@@ -112,7 +111,7 @@ def add_arm(page: Document, arm: Arm) -> None:
         f"{joint_value(arm, i, v, 1)}{'°' if arm.joint_types[i] == 'R' else ' mm'}" for i, v in enumerate(q)
     )
     page.add(
-        Picture(
+        picture(
             arm_figure(arm, q),
             f"{arm.name} at ({values}), with its joint axes and frames. Drums are joints, turning about their own "
             "axis.",
@@ -123,7 +122,7 @@ def add_arm(page: Document, arm: Arm) -> None:
     if d.notes:
         page.add(d.notes.strip())
     if d.source:
-        page.add(f"*Source of the table:* {d.source}")
+        page.say(Emphasis("Source of the table:"), f" {d.source}")
 
 
 def _variable(arm: Arm, i: int) -> str:
@@ -139,8 +138,6 @@ def _variable(arm: Arm, i: int) -> str:
 
 
 def _turned(T: np.ndarray) -> str:
-    from pieper.kinematics.orientation import rpy_of
-
     angles = np.degrees(rpy_of(T[:3, :3]))
     if np.abs(angles).max() < 1e-12:
         return ""
@@ -155,16 +152,13 @@ def add_plan(page: Document, arm: Arm) -> None:
     except PieperError as error:
         page.add(str(error))
         return
-    from pieper.solver.families import named
-
     family = named(plan.family)
     page.add("What matters for the inverse is which neighbouring axes are parallel or meet:")
     page.add(Lines(tuple(plan.geometry.sentences(plan.names))))
     spare = f" The arm has joints to spare: {', '.join(plan.redundancy)} is chosen freely." if plan.redundancy else ""
     page.add(
-        f"That makes it an arm with {family.arrangement}. {family.words} "
-        f"A pose has at most {plan.max_solutions} solutions"
-        f"{' for a chosen value of the spare joint' if plan.redundancy else ''}.{spare}"
+        f"That makes it an arm with {family.arrangement}. {family.words} A pose has at most {plan.max_solutions} "
+        f"solutions{' for a chosen value of the spare joint' if plan.redundancy else ''}.{spare}"
     )
 
 
@@ -173,40 +167,27 @@ def add_forward(page: Document, arm: Arm) -> None:
     page.section("Forward kinematics")
 
     def equations() -> None:
-        from pieper.algebra.notation import formula
-
         forward = arm.symbolic.fk()
-        page.add(
+        known = forward.meaning_equations
+        page.say(
             "Each joint contributes one matrix. c₁ stands for cos θ₁, s₂₃ for sin(θ₂ + θ₃), and so on; the lengths "
-            "keep their "
-            "symbols" + (": " + "; ".join(forward.meanings()) + " (m)." if forward.meanings() else ".")
+            "keep their symbols",
+            *((": ", *in_line(known), " (m).") if known else (".",)),
         )
-        if forward.relations():
-            page.add("The table's angles follow from the joint coordinates: " + "; ".join(forward.relations()) + ".")
-        page.add(Formulas(tuple(_matrix(matrix) for matrix in forward.A)))
-        halves = [m for m in forward.matrices() if m.name.startswith("T") and m.name not in ("T", f"T0{arm.n}")]
-        if halves:
+        if forward.relation_equations:
+            related = in_line(forward.relation_equations)
+            page.say("The table's angles follow from the joint coordinates: ", *related, ".")
+        page.add(Equations(tuple(matrix.equation for matrix in forward.A), beside=True))
+        if forward.halves:
             page.add("Their partial products, sums of parallel joints gathered:")
-            for matrix in halves:
-                page.add(_matrix(matrix))
-        page.add("The pose of the tool, entry by entry; n, o, a are the columns of the rotation and p is the position:")
-        shown = "".join(formula(line, block=True) for line in forward.pose.equations("mathml"))
-        lines = " \\\\\n".join(rf"\fitted{{{line}}}" for line in forward.pose.equations("latex"))
-        page.add(Formula(shown, f"\\begin{{gather*}}\n{lines}\n\\end{{gather*}}"))
-        page.add(str(forward.check()))
+            page.add(*(matrix.equation for matrix in forward.halves))
+        page.add(
+            "The pose of the tool, entry by entry; n, o, a are the columns of the rotation and p is the position:",
+            forward.pose.entry_equations,
+            str(forward.check()),
+        )
 
     attempt(page, "The equations", equations)
-
-
-def _matrix(matrix) -> Formula:
-    return Formula(matrix.mathml(), rf"\[ {matrix.latex()} \]")
-
-
-def _headless(equations) -> Formula:
-    """Return equations without their own first heading: the section's heading says what they are."""
-    mathml = re.sub(r"^\s*<h2>.*?</h2>", "", equations.mathml(), count=1, flags=re.S)
-    latex = re.sub(r"^\s*\\(?:sub)?section\*\{[^}]*\}", "", equations.latex(), count=1)
-    return Formula(mathml, latex)
 
 
 def add_derivation(page: Document, arm: Arm) -> None:
@@ -215,9 +196,7 @@ def add_derivation(page: Document, arm: Arm) -> None:
 
     def derived() -> None:
         inverse = arm.symbolic.ik()
-        page.add(_headless(inverse))
-        if hasattr(inverse, "check"):
-            page.add(str(inverse.check()))
+        page.add(*inverse.page.blocks, str(inverse.check()))
 
     attempt(page, "The derivation", derived)
 
@@ -228,15 +207,14 @@ def add_singularities(page: Document, arm: Arm) -> None:
 
     def found() -> None:
         equations = arm.symbolic.singularities()
-        page.add(_headless(equations))
-        page.add(str(equations.check()))
+        page.add(*equations.page.blocks, str(equations.check()))
         seen = [c for c in equations.configurations if len(c.samples)][:3]
         if seen:
             titles = [f"{chr(97 + k)}) {'singular' if c.kind == 'other' else c.kind}" for k, c in enumerate(seen)]
             words = "; ".join(f"{chr(97 + k)}) {c.words[0].rstrip('.').lower()}" for k, c in enumerate(seen))
             figure = postures_figure(arm, np.array([_tame(arm, c.samples) for c in seen]), titles)
             page.add(
-                Picture(
+                picture(
                     figure,
                     f"The arm in singular configurations: {words}.",
                     "singular",
@@ -265,15 +243,14 @@ def add_reach(page: Document, arm: Arm) -> None:
     low, high = points[:, 2].min() * MM, points[:, 2].max() * MM
     page.add(
         f"Of {len(points):,} postures drawn evenly inside the joint limits, the tool came as far as "
-        f"{fixed(far * MM, 0)} mm from the "
-        f"foot of the first axis, and its height lay between {fixed(low, 0)} and {fixed(high, 0)} mm."
+        f"{fixed(far * MM, 0)} mm from the foot of the first axis, and its height lay between {fixed(low, 0)} and "
+        f"{fixed(high, 0)} mm."
     )
     page.add(
-        Picture(
+        picture(
             reach_figure(arm, points=points, q=first_posture(arm)),
             "Where the tool can be, whatever its orientation: darker where more postures end. Left, turned into one "
-            "half plane "
-            "through the first axis, with the arm drawn in; right, a slice from above.",
+            "half plane through the first axis, with the arm drawn in; right, a slice from above.",
             "reach",
         )
     )
@@ -284,24 +261,6 @@ def attempt(page: Document, what: str, work: Callable[[], None]) -> None:
     length = len(page.blocks)
     try:
         work()
-    except (PieperError, ImportError, NotImplementedError, AttributeError) as error:
+    except (PieperError, ImportError) as error:
         del page.blocks[length:]
-        reason = str(error).strip().rstrip(".") or type(error).__name__
-        page.add(f"{what} cannot be given for this arm: {reason}.")
-
-
-__all__ = [
-    "Heading",
-    "add_arm",
-    "add_derivation",
-    "add_forward",
-    "add_plan",
-    "add_reach",
-    "add_singularities",
-    "attempt",
-    "first_posture",
-    "fixed",
-    "joint_heads",
-    "joint_value",
-    "short_names",
-]
+        page.add(Note((f"{what} cannot be given for this arm: {str(error).strip().rstrip('.')}.",)))

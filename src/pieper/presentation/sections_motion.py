@@ -6,16 +6,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pieper.document.blocks import Document, Picture
+from pieper.document.blocks import Document
+from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import configuration_figure, solutions_figure
 from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
 from pieper.presentation.plot_path import path_figure
-from pieper.presentation.sections_arm import MM, fixed, joint_heads, joint_value
+from pieper.presentation.sections_arm import fixed, joint_heads, joint_value
+from pieper.presentation.style import MM, picture
 
 if TYPE_CHECKING:
-    from pieper.arm import Arm
     from pieper.motion.sequence import Motion
     from pieper.motion.track import Track
+    from pieper.presentation.arm import Arm
     from pieper.solver.results import Solutions
 
 
@@ -30,8 +32,6 @@ def scientific(value: float) -> str:
 
 def pose_words(T: np.ndarray) -> str:
     """Return a pose in words: position in mm and, unless it is the identity, roll, pitch, yaw."""
-    from pieper.kinematics.orientation import rpy_of
-
     p = ", ".join(fixed(v * MM, 2) for v in T[:3, 3])
     if np.allclose(T[:3, :3], np.eye(3), atol=1e-12):
         return f"({p}) mm with the orientation R = I"
@@ -70,11 +70,10 @@ def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "sol
         page.add(f"{'Self-motion' if len(which) == 1 else 'Self-motions'} {', '.join(which)}: {text}.")
     few = rows_q[:16]
     page.add(
-        Picture(
+        picture(
             solutions_figure(arm, few, labels=labels[:16]),
             f"The {'first ' if len(rows_q) > 16 else ''}{len(few)} solutions, each with the others as ghosts behind "
-            "it. Postures "
-            "that differ in the wrist alone look alike.",
+            "it. Postures that differ in the wrist alone look alike.",
             name,
             1.0,
         )
@@ -91,16 +90,16 @@ def add_track(page: Document, arm: Arm, track: Track, *, prefix: str = "path") -
     )
     page.add(" ".join(track.explain().splitlines()))
     page.add(
-        Picture(path_figure(track), "The path in space with the tool's frame along it.", f"{prefix}-space", 0.66),
-        Picture(
+        picture(path_figure(track), "The path in space with the tool's frame along it.", f"{prefix}-space", 0.66),
+        picture(
             coordinates_figure(track), "The tool's coordinates against the point number.", f"{prefix}-coordinates", 0.78
         ),
     )
     if len(track.q):
         page.add(
-            Picture(joints_figure(track), "The joints against the point number.", f"{prefix}-joints", 0.8),
-            Picture(configuration_figure(arm, track), "The arm at the first and at the last point.", f"{prefix}-ends"),
-            Picture(path_figure(track, arm=arm), "The arm on its way, five postures of it.", f"{prefix}-swept", 0.66),
+            picture(joints_figure(track), "The joints against the point number.", f"{prefix}-joints", 0.8),
+            picture(configuration_figure(arm, track), "The arm at the first and at the last point.", f"{prefix}-ends"),
+            picture(path_figure(track, arm=arm), "The arm on its way, five postures of it.", f"{prefix}-swept", 0.66),
         )
         few = sorted(set(np.linspace(0, len(track.q) - 1, min(len(track.q), 9)).round().astype(int).tolist()))
         rows = []
@@ -112,22 +111,20 @@ def add_track(page: Document, arm: Arm, track: Track, *, prefix: str = "path") -
         page.table(
             ["point", "x, mm", "y, mm", "z, mm", *joint_heads(arm)],
             rows,
-            f"Some of the points. Over all of them the tool misses the path by at most {scientific(worst[0] * MM)} "
-            "mm and "
-            f"{scientific(np.degrees(worst[1]))}°.",
+            f"Some of the points. Over all of them the tool misses the path by at most {scientific(worst[0] * MM)} mm "
+            f"and {scientific(np.degrees(worst[1]))}°.",
         )
     if track.branches:
         rows = []
         for b in track.branches:
-            end = "reaches the end" if b.complete else f"{b.stop.cause}, {b.stop.joint or ''}".rstrip(", ")
+            end = "reaches the end" if b.stop is None else ", ".join(filter(None, (b.stop.cause, b.stop.joint)))
             mark = " (followed)" if b.index == track.chosen else ""
             rows.append([str(b.index + 1), b.label + mark, str(b.points), str(b.unlimited_points), fixed(b.s, 4), end])
         page.table(
             ["", "posture", "points", "without limits", "ends at s", "why"],
             rows,
             "Every branch that starts at the first pose: how many of the points it reaches inside the joint limits, "
-            "how many it "
-            "would reach without them, and what ends it.",
+            "how many it would reach without them, and what ends it.",
             left=(0, 1, 5),
             strong=() if track.chosen is None else (track.chosen,),
         )
@@ -139,7 +136,6 @@ def add_motion(page: Document, arm: Arm, motion: Motion, words: str, *, name: st
     fastest = int(np.argmax(np.where([k == "R" for k in arm.joint_types], peak, 0)))
     page.add(
         f"{words} Every joint follows a quintic in time, at rest at both ends. The fastest is "
-        f"{arm.joint_names[fastest]} with "
-        f"{fixed(np.degrees(peak[fastest]), 1)}°/s."
+        f"{arm.joint_names[fastest]} with {fixed(np.degrees(peak[fastest]), 1)}°/s."
     )
-    page.add(Picture(time_figure(motion, arm=arm), "Joint positions, rates and accelerations over time.", name, 0.86))
+    page.add(picture(time_figure(motion, arm=arm), "Joint positions, rates and accelerations over time.", name, 0.86))

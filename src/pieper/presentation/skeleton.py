@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from pieper.arm import Arm
+    from pieper.presentation.arm import Arm
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import io
 import os
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pieper.document.blocks import Picture
 from pieper.document.writing import write_whole
 from pieper.errors import InputError
 
@@ -16,6 +18,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+#: Millimetres a metre.
+MM = 1e3
 #: Okabe and Ito (2008), ordered so that neighbours also differ in lightness; yellow is too pale on white.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")
 #: One line style a curve, in the same order.
@@ -73,7 +77,7 @@ def curve(axes: Axes, x: np.ndarray, y: np.ndarray, number: int, label: str) -> 
     )
 
 
-def legend(axes: Axes, **options: object) -> None:
+def legend(axes: Axes, **options: Any) -> None:
     """Add a legend in the house look."""
     box = axes.legend(fontsize=9, frameon=False, handlelength=3.2, labelcolor=INK, **options)
     box.set_zorder(20)
@@ -81,19 +85,49 @@ def legend(axes: Axes, **options: object) -> None:
 
 def png(figure: Figure, *, dpi: int = 150) -> bytes:
     """Return a figure as PNG."""
-    out = io.BytesIO()
-    figure.savefig(out, format="png", dpi=dpi, facecolor="white")
-    return out.getvalue()
+    return _saved(figure, format="png", dpi=dpi, facecolor="white")
 
 
 def svg(figure: Figure) -> str:
     """Return a figure as SVG text that needs no font and nothing from elsewhere."""
+    return _saved(figure, format="svg", metadata={"Date": None, "Creator": None}, transparent=False).decode()
+
+
+def _saved(figure: Figure, **options: Any) -> bytes:
     out = io.BytesIO()
-    figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None}, transparent=False)
-    return out.getvalue().decode()
+    figure.savefig(out, **options)
+    return out.getvalue()
 
 
-def save_figure(figure: Figure, path: str | os.PathLike) -> Path:
+class Drawn:
+    """A matplotlib figure as a page holds it; its SVG text is made once."""
+
+    def __init__(self, figure: Figure) -> None:
+        self.figure = figure
+
+    @cached_property
+    def _svg(self) -> str:
+        return svg(self.figure)
+
+    def svg(self) -> str:
+        """Return SVG text."""
+        return self._svg
+
+    def pdf(self) -> bytes:
+        """Return a PDF file."""
+        return _saved(self.figure, format="pdf", metadata={"CreationDate": None})
+
+    def png(self) -> bytes:
+        """Return a PNG file."""
+        return png(self.figure)
+
+
+def picture(figure: Figure, caption: str, name: str, width: float = 1.0) -> Picture:
+    """Return a figure as a block of a page; see `document.blocks.Picture`."""
+    return Picture(Drawn(figure), caption, name, width)
+
+
+def save_figure(figure: Figure, path: str | os.PathLike[str]) -> Path:
     """Write a figure as .png, .svg or .pdf, whole or not at all.
 
     Args:
@@ -112,6 +146,4 @@ def save_figure(figure: Figure, path: str | os.PathLike) -> Path:
         raise InputError(
             f"a figure is written as {', '.join(SUFFIXES)}; {path.name!r} ends in {suffix or 'nothing'}.", given=suffix
         )
-    out = io.BytesIO()
-    figure.savefig(out, format=suffix[1:], dpi=150, facecolor="white")
-    return write_whole(path, out.getvalue())
+    return write_whole(path, _saved(figure, format=suffix[1:], dpi=150, facecolor="white"))

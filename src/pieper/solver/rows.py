@@ -3,28 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import IntFlag
 
+from pieper._kernel import Flag
 from pieper.kinematics.arrays import Array, Bits, Bools
 
-
-class Flag(IntFlag):
-    """What is remarked about a pose, one bit each."""
-
-    #: Roots merge or equations vanish here: the pose deserves the careful look.
-    DEGENERATE = 1
-    #: The certificate that nothing is missing failed.
-    UNCERTAIN = 2
-    #: No posture brings the tool so far.
-    OUT_OF_REACH = 4
-    #: The rotation was replaced by the nearest one.
-    ROUNDED = 8
-    #: Beside UNCERTAIN: the arm angle is undefined at this pose.
-    NO_ARM_ANGLE = 16
-    #: Beside UNCERTAIN: the number of solutions of a snapped arm changes here.
-    COUNT_CHANGES = 32
-    #: Solved at an arm angle, not at a value of the redundant joint.
-    AT_ARM_ANGLE = 64
+__all__ = ["Flag", "Rows"]
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -27,7 +27,10 @@ from pieper.tolerances import MOST_CAREFUL, MOST_TRACED
 
 WORDS = Words(why, posture_words, labels_beside)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
-_DEGENERATE, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.OUT_OF_REACH)
+_DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
+#: Status codes of a pose without rows, with rows outside the limits alone, and with one inside.
+_PLAIN = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], np.uint8)
+_SPARE = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT], np.uint8)
 
 
 def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
@@ -65,7 +68,7 @@ def ik_many(plan: Plan, Ts: PoseLike, threads: int | None = None, redundancy: Re
         status = _status_of_spare(plan, poses, rows, asked)
     else:
         status = _look(plan, poses, rows)
-    status[(rows.flags & Flag.UNCERTAIN) > 0] = Status.UNCERTAIN
+    status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, rows, status)
 
 
@@ -144,8 +147,7 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Array, inside: Bools, flag: 
 def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     """Look with care at the poses that need it, put what is found into this call's rows, and return all statuses."""
     some = _any(rows.valid)
-    codes = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], np.uint8)
-    status = codes[some.astype(np.uint8) + _any(rows.inside)]
+    status = _PLAIN[some.astype(np.uint8) + _any(rows.inside)]
     if some.all() and not rows.flags.any():
         return status
     degenerate = (rows.flags & _DEGENERATE) > 0
@@ -156,7 +158,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
             _put(found, rows, i)
             status[i] = found.status
     # beyond that the kernel's own rows stand, one of each self-motion, and the pose is called singular unread
-    status[marked[MOST_CAREFUL:]] = Status.SINGULAR
+    status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
     return status
 
 
@@ -216,9 +218,8 @@ def _status_of_spare(plan: Plan, poses: Array, rows: Rows, asked: Choice) -> Bit
     Poses that follow each other and are equal, as in a sweep over the values, are looked at once.
     """
     some, inside = _any(rows.valid), _any(rows.inside)
-    codes = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT], np.uint8)
-    status = codes[some.astype(np.uint8) + inside]
-    none = ~some & ((rows.flags & Flag.UNCERTAIN) == 0)
+    status = _SPARE[some.astype(np.uint8) + inside]
+    none = ~some & ((rows.flags & _UNCERTAIN) == 0)
     if asked.free or not none.any():
         return status
     run = np.concatenate([[0], np.cumsum((poses[1:] != poses[:-1]).any((1, 2)))])
@@ -226,5 +227,5 @@ def _status_of_spare(plan: Plan, poses: Array, rows: Rows, asked: Choice) -> Bit
     for k in np.unique(run[none & ~within[run]])[:MOST_CAREFUL]:
         _, found, there = best_slice(plan, checked_pose(poses[np.argmax(run == k)]))
         within[k], anywhere[k] = there.any(), anywhere[k] or found.any()
-    status[none] = codes[anywhere.astype(np.uint8) + within][run[none]]
+    status[none] = _SPARE[anywhere.astype(np.uint8) + within][run[none]]
     return status

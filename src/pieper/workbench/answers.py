@@ -22,15 +22,15 @@ TASKS = ("pose", "position", "position+axis")
 MOTION_POINTS = 241
 
 
-def hello(message: dict[str, Any], start: str | None) -> dict[str, Any]:
+def hello(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
     """Return what a new page needs first: the version, the catalogue, and an arm unless it brings its own."""
     out: dict[str, Any] = {"version": pieper.__version__, "catalog": pieper.catalog()}
     if message.get("wants_arm"):
-        out["table"] = table_from_arm(pieper.load(start or FIRST_ARM))
+        out["table"] = table_from_arm(start or pieper.load(FIRST_ARM))
     return out
 
 
-def load(message: dict[str, Any], start: str | None) -> dict[str, Any]:
+def load(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
     """Return the table of a catalogue arm."""
     name = word(message.get("name"), "name")
     if name not in pieper.catalog():
@@ -38,7 +38,7 @@ def load(message: dict[str, Any], start: str | None) -> dict[str, Any]:
     return {"table": table_from_arm(pieper.load(name))}
 
 
-def open_file(message: dict[str, Any], start: str | None) -> dict[str, Any]:
+def open_file(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
     """Return the table of a robot file whose text the page sends."""
     text, name = message.get("text"), word(message.get("name", "robot.toml"), "file name")
     if not isinstance(text, str) or len(text) > LONGEST_FILE:

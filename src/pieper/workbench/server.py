@@ -16,6 +16,7 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocket
 
+import pieper
 from pieper import InputError
 from pieper.workbench.session import Session
 
@@ -88,13 +89,14 @@ def _files() -> dict[str, Path]:
     return found
 
 
-def create_app(*, names: tuple[str, ...] | None = LOOPBACK, start: str | None = None) -> Starlette:
+def create_app(*, names: tuple[str, ...] | None = LOOPBACK, start: pieper.Arm | str | None = None) -> Starlette:
     """Return the workbench as an ASGI application.
 
     Args:
         names: Host names it answers to; None for any (when it is deliberately opened to a network).
-        start: Arm that new pages open with: a catalogue name; None for the page's own choice.
+        start: Arm that new pages open with, or its catalogue name; None for the page's own choice.
     """
+    first = pieper.load(start) if isinstance(start, str) else start
     files = {address: (path.read_bytes(), TYPES[path.suffix]) for address, path in _files().items()}
     pool = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench")
     sessions: set[Session] = set()
@@ -116,7 +118,7 @@ def create_app(*, names: tuple[str, ...] | None = LOOPBACK, start: str | None = 
         if len(sessions) >= MAX_SESSIONS:
             await websocket.close(1013, f"{MAX_SESSIONS} pages are open already; close one")
             return
-        session = Session(websocket, pool, start=start)
+        session = Session(websocket, pool, start=first)
         sessions.add(session)
         try:
             await session.run()
@@ -147,7 +149,7 @@ def serve(
     *,
     host: str = "127.0.0.1",
     port: int = 8123,
-    arm: str | None = None,
+    arm: pieper.Arm | str | None = None,
     open_to_network: bool = False,
     open_browser: bool = True,
 ) -> None:
@@ -156,7 +158,7 @@ def serve(
     Args:
         host: Address to listen on; anything but the loopback address needs `open_to_network`.
         port: Port to listen on; 0 picks a free one.
-        arm: Catalogue name of the arm that new pages open with.
+        arm: Arm that new pages open with, or its catalogue name.
         open_to_network: The caller has understood that everyone who can reach this address can use the server:
             there is no password, and every visitor can make this machine compute.
         open_browser: Open the page in the default browser.

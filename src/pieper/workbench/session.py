@@ -28,10 +28,10 @@ class Session:
     Args:
         websocket: The accepted connection.
         pool: Threads for everything that computes.
-        start: Name of the arm that a new page opens with, or None.
+        start: The arm that a new page opens with, or None.
     """
 
-    def __init__(self, websocket: WebSocket, pool: Executor, *, start: str | None = None) -> None:
+    def __init__(self, websocket: WebSocket, pool: Executor, *, start: pieper.Arm | None = None) -> None:
         self._websocket = websocket
         self._pool = pool
         self._start = start

@@ -101,7 +101,7 @@ def table_from_arm(arm: pieper.Arm) -> dict[str, Any]:
         ],
         "base": d.base.ravel().tolist(),
         "tool": d.tool.ravel().tolist(),
-        "postures": {name: np.asarray(q).tolist() for name, q in arm.postures.items()},
+        "postures": {name: np.asarray(q).tolist() for name, q in d.postures.items()},
         "actuator": None if d.actuator is None else asdict(d.actuator),
     }
 

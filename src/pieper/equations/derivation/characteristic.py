@@ -14,6 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper.kinematics.joints import wrapped
+
 SAMPLES = 32  # more than 2*12 + 1: the determinant has no harmonic above 12
 HARMONIC = 8  # after the factor (1 + t^2)^4 that every such determinant has, 8 harmonics remain
 GRID = (0.0, np.pi / 2, np.pi)
@@ -207,10 +209,10 @@ def _polished(q: np.ndarray, fk, T: np.ndarray) -> np.ndarray | None:
         gap = (T - here)[:3].ravel()
         if np.abs(gap).max() < 1e-13 * scale:
             break
-        q = q + np.linalg.lstsq(J, gap, rcond=1e-12)[0]
+        q = wrapped(q + np.linalg.lstsq(J, gap, rcond=1e-12)[0])
     if np.abs((T - fk(q))[:3]).max() > 1e-9 * scale:
         return None
-    return np.angle(np.exp(1j * q))
+    return wrapped(q)
 
 
 def _fourteen(A: np.ndarray) -> np.ndarray:

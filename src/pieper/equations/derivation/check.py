@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.algebra.arithmetics import NumpyField
+from pieper.algebra.arithmetics import DigitsField, NumpyField
 from pieper.algebra.expression import Sym, angle_symbol
+from pieper.equations.arm import Arm
 from pieper.equations.derivation.closed_form import ClosedForm
 from pieper.equations.derivation.witness import branch_values
 from pieper.errors import PieperError
@@ -45,9 +46,8 @@ class DerivationCheck:
         """The result in sentences."""
         said = [
             f"At {self.poses} random poses the solver finds {self.solutions} solutions; "
-            f"{_all(self.reproduced, self.solutions)} "
-            f"of them {'is' if self.reproduced == 1 else 'are'} given by one choice of the branch signs, "
-            f"to {self.worst:.1e} rad (or m) at worst."
+            f"{_all(self.reproduced, self.solutions)} of them {'is' if self.reproduced == 1 else 'are'} given by one "
+            f"choice of the branch signs, to {self.worst:.1e} rad (or m) at worst."
         ]
         if self.real:
             said.append(f"Of {self.real} real combinations of signs {_all(self.valid, self.real)} reach the pose.")
@@ -64,7 +64,7 @@ class DerivationCheck:
         return self.what
 
 
-def check(form: ClosedForm, arm, n: int, rng: np.random.Generator) -> DerivationCheck:
+def check(form: ClosedForm, arm: Arm, n: int, rng: np.random.Generator) -> DerivationCheck:
     """Compare a closed form with the arm's own solver and forward kinematics at `n` random poses."""
     d = arm.description
     q = rng.uniform(*_range(d, form), (n, form.n))
@@ -94,20 +94,13 @@ def check(form: ClosedForm, arm, n: int, rng: np.random.Generator) -> Derivation
     return DerivationCheck(n, total, reproduced, worst, real, valid, _digits(form, arm, rng), formulas)
 
 
-def _solutions(arm, T, q, form: ClosedForm) -> list[np.ndarray]:
+def _solutions(arm: Arm, T, q, form: ClosedForm) -> list[np.ndarray]:
     """All solutions the solver has for the pose and the chosen joints' values; q alone where there is no solver."""
     found = [q]
     try:
-        if form.chosen:
-            rows = arm.ik(
-                T,
-                redundancy=[float(q[j - 1]) for j in form.chosen]
-                if len(form.chosen) > 1
-                else float(q[form.chosen[0] - 1]),
-            ).all_q
-        else:
-            rows = arm.ik(T).all_q
-    except (PieperError, LookupError, NotImplementedError, TypeError, ValueError, AttributeError):
+        values = [float(q[j - 1]) for j in form.chosen]
+        rows = arm.ik(T, redundancy=values if len(values) > 1 else values[0] if values else None).all_q
+    except PieperError:
         return found
     turning = np.array([kind == "R" for kind in arm.description.joint_types])
     for row in rows:
@@ -144,8 +137,10 @@ def _by_formula(form: ClosedForm, T, solutions: np.ndarray, formulas: dict):
     for step in form.steps:
         for symbol, expression in step.names:
             values[symbol] = expression.evaluate(values, NumpyField)
-        want = truth[step.symbol] if step.symbol in truth else sum(k * truth[angle_symbol(j)] for j, k in step.angle)
-        gaps, signs = [], branch_values(1 if step.sigma is None else 4 if step.sigma.base == "rho" else 2)
+        want = truth.get(step.symbol)
+        if want is None:
+            want = np.sum([k * truth[angle_symbol(j)] for j, k in step.angle], axis=0)
+        gaps, signs = [], branch_values(step.branches)
         for sign in signs:
             if step.sigma is not None:
                 values[step.sigma] = sign
@@ -166,7 +161,7 @@ def _by_formula(form: ClosedForm, T, solutions: np.ndarray, formulas: dict):
         values[step.symbol] = want
 
 
-def _digits(form: ClosedForm, arm, rng: np.random.Generator) -> float | None:
+def _digits(form: ClosedForm, arm: Arm, rng: np.random.Generator) -> float | None:
     """Largest deviation of the branch that is the joint vector the pose was made from, at 50 digits."""
     import mpmath
 
@@ -177,9 +172,9 @@ def _digits(form: ClosedForm, arm, rng: np.random.Generator) -> float | None:
     with mpmath.workdps(60):
         for _ in range(DIGITS_POSES):
             q = [mpmath.mpf(round(x, 6)) for x in rng.uniform(-2.5, 2.5, form.n)]
-            field_values = equations.table.values(q, _field())
+            field_values = equations.table.values(q, DigitsField())
             chain = equations.flange if not form.fold_tool else equations.pose
-            M = chain.evaluate(field_values, _field())
+            M = chain.evaluate(field_values, DigitsField())
             if form.fold_tool and not np.array_equal(arm.description.base, np.eye(4)):
                 return None
             gaps = []
@@ -201,12 +196,6 @@ def _turn(gap, kind: str):
     import mpmath
 
     return abs(gap) if kind == "P" else abs(mpmath.atan2(mpmath.sin(gap), mpmath.cos(gap)))
-
-
-def _field():
-    from pieper.algebra.arithmetics import DigitsField
-
-    return DigitsField()
 
 
 def _range(d, form: ClosedForm) -> tuple[np.ndarray, np.ndarray]:

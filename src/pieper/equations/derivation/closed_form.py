@@ -9,6 +9,7 @@ import numpy as np
 
 from pieper.algebra.arithmetics import DigitsField, NumpyField
 from pieper.algebra.expression import Expr, Num, Sym, Trig, angle_symbol
+from pieper.description.dh import Description
 from pieper.equations.derivation.elimination import Eliminator, Source
 from pieper.equations.derivation.witness import branch_values
 from pieper.equations.table import SymbolTable
@@ -38,7 +39,7 @@ class Step:
 
     number: int
     symbol: Sym
-    angle: tuple
+    angle: tuple[tuple[int, int], ...]
     sources: tuple[Source, ...]
     names: tuple[tuple[Sym, Expr], ...]
     equations: tuple[tuple[Expr, Expr], ...]
@@ -47,6 +48,11 @@ class Step:
     kind: str
     degenerate: tuple[Expr, ...]
     merge: Expr | None
+
+    @property
+    def branches(self) -> int:
+        """How many solutions the step has."""
+        return 1 if self.sigma is None else 4 if self.kind == "quartic" else 2
 
 
 class ClosedForm:
@@ -57,7 +63,7 @@ class ClosedForm:
         chosen: Joints (1-based) whose value is chosen beforehand; then `free`: joints that come out as free.
     """
 
-    def __init__(self, eliminator: Eliminator, description, *, fold_tool: bool):
+    def __init__(self, eliminator: Eliminator, description: Description, *, fold_tool: bool):
         self.table: SymbolTable = eliminator.table
         self.n = self.table.n
         self.description = description
@@ -83,7 +89,7 @@ class ClosedForm:
 
     def _choices(self) -> list[tuple[float, ...]]:
         """All combinations of the branch symbols' values."""
-        return list(itertools.product(*(branch_values(4 if s.base == "rho" else 2) for s in self.sigmas)))
+        return list(itertools.product(*(branch_values(s.branches) for s in self.steps if s.sigma is not None)))
 
     @property
     def formulas(self) -> dict[Sym, Expr]:
@@ -204,8 +210,9 @@ class ClosedForm:
                 values[symbol] = expression.evaluate(values, field)
             value = step.formula.evaluate(values, field)
             values[step.symbol] = value
-            if len(step.angle) > 1 or step.angle[0][1] != 1:
-                group = self.table.groups[step.angle[0][0] - 1]
+            (joint, factor), *others = step.angle
+            if others or factor != 1:
+                group = self.table.groups[joint - 1]
                 values[Trig("c", step.angle, group)] = field.cos(value)
                 values[Trig("s", step.angle, group)] = field.sin(value)
 

@@ -58,7 +58,7 @@ class Move:
     """One unknown solved: what, by which equations, how."""
 
     symbol: Sym
-    angle: tuple
+    angle: tuple[tuple[int, int], ...]
     equations: tuple[Equation, ...]
     solved: Solved
     sigma: Sym | None
@@ -328,7 +328,7 @@ class Eliminator:
             view = self.knowledge.view(equation.left - equation.right)
             found = view.quadratic()
             if found is not None:
-                symbol, *coefficients = found
+                symbol, coefficients = found[0], found[1:]
                 recipe = recognise_slide(*coefficients, sigma)
                 if recipe is not None:
                     joint = next(k for k, s in self.knowledge.prismatic.items() if s is symbol)
@@ -338,8 +338,8 @@ class Eliminator:
             found = view.linear()
             if found is None:
                 continue
-            angle, *coefficients = found
-            linear.setdefault(angle, []).append((equation, tuple(coefficients), place))
+            angle, coefficients = found[0], found[1:]
+            linear.setdefault(angle, []).append((equation, coefficients, place))
             recipe = recognise_single(*coefficients, sigma, name, self.target.column_mates)
             if recipe is not None and not pairs_only:
                 yield self._score(recipe, angle, (equation,), place), angle, (equation,), recipe, coefficients

@@ -6,11 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.algebra.expression import Num, angle_symbol
-from pieper.document.page import Page, Raw
+from pieper.algebra.expression import angle_symbol
+from pieper.document.blocks import Document
+from pieper.document.formulas import NOTHING, ZERO, Written
+from pieper.equations.arm import Arm
 from pieper.equations.derivation.characteristic import CharacteristicPolynomial, characteristic_polynomial
 from pieper.errors import PieperError
 from pieper.kinematics.geometry import look
+from pieper.solver.plan.plan import Plan
 
 CLOSE = 1e-6
 TERMS_A_LINE = 4
@@ -47,11 +50,9 @@ class PolynomialCheck:
         if not self.poses:
             return "There is no polynomial to check."
         return (
-            f"At {self.poses} random poses the real roots lead to {self.found} of the solver's "
-            f"{self.solutions} solutions, to "
-            f"{self.worst:.1e} rad at worst, and to {self.extra} more; the joint vector that made the pose "
-            f"came back "
-            f"{self.own} times of {self.poses}."
+            f"At {self.poses} random poses the real roots lead to {self.found} of the solver's {self.solutions} "
+            f"solutions, to {self.worst:.1e} rad at worst, and to {self.extra} more; the joint vector that made the "
+            f"pose came back {self.own} times of {self.poses}."
         )
 
     def __str__(self) -> str:
@@ -66,7 +67,7 @@ class GeneralInverse:
         example: The joint vector whose pose the page works out.
     """
 
-    def __init__(self, arm, plan):
+    def __init__(self, arm: Arm, plan: Plan | None) -> None:
         self._arm, self.plan = arm, plan
         locked = plan.reduction.locked if plan is not None else ()
         self.chosen = tuple(j for j in locked if j < arm.n)
@@ -107,8 +108,7 @@ class GeneralInverse:
                 meets.append((geometry.common_point((i, i + 1, i + 2))[1], label))
         said = [
             "A six-joint arm has a closed form when three neighbouring axes meet in one point or are parallel "
-            "(Pieper 1968). "
-            "Here none do."
+            "(Pieper 1968). Here none do."
         ]
         if meets:
             miss, label = min(meets)
@@ -123,75 +123,72 @@ class GeneralInverse:
             )
         return said
 
-    def write(self, page: Page):
+    def write(self, page: Document):
         """Write what is true onto a page."""
         arm = self._arm
-        page.paragraph(" ".join(self.why()))
+        page.say(" ".join(self.why()))
         names = [f"theta{j + 1}" for j in self.chosen]
         if names:
-            page.paragraph(
+            page.say(
                 f"The arm has a joint to spare; {', '.join(names)} is chosen first, and what follows is for that value."
             )
         T = arm.fk(self.example)
         poly = self.polynomial(T, self.example[list(self.chosen)])
         if poly is None:
-            page.paragraph(
-                "All six ways to eliminate joints vanish for this arm's geometry, so no polynomial is "
-                "given here; "
+            page.say(
+                "All six ways to eliminate joints vanish for this arm's geometry, so no polynomial is given here; "
                 "the solver finds its solutions numerically and certifies their number."
             )
             return
         unknown = angle_symbol(self._name(poly))
-        half = Raw("t = tan(", r"t = \tan(", "<mi>t</mi><mo>=</mo><mi>tan</mi><mo>(</mo>")
-        closing = Raw(
-            f"{unknown.text()}/2)", rf"{unknown.latex()}/2)", f"{unknown.mathml()}<mo>/</mo><mn>2</mn><mo>)</mo>"
+        half = (
+            Written("t = tan(", r"t = \tan(", "<mi>t</mi><mo>=</mo><mi>tan</mi><mo>(</mo>")
+            + unknown
+            + Written("/2)", "/2)", "<mo>/</mo><mn>2</mn><mo>)</mo>")
         )
-        page.paragraph(
+        page.say(
             f"The joints satisfy one polynomial equation of degree {poly.degree} in ",
-            half + closing,
+            half,
             f", so a pose has at most {poly.degree} solutions. Its coefficients depend on the pose; there is no "
-            f"formula for its roots.",
+            "formula for its roots.",
         )
         self._method(page, poly)
         page.heading("The polynomial at one pose")
-        page.paragraph(
+        page.say(
             "For the pose of the joint vector " + _degrees(self.example) + ", scaled to a largest coefficient of 1:"
         )
         terms = [(c, poly.degree - k) for k, c in enumerate(poly.coefficients)]
         for first in range(0, len(terms), TERMS_A_LINE):
             part = terms[first : first + TERMS_A_LINE]
-            line = Raw(*(_polynomial(part, style, first > 0) for style in ("text", "latex", "mathml")))
-            page.display(*([line, Num(0)] if first + TERMS_A_LINE >= len(terms) else [line]))
+            line = _polynomial(part, goes_on=first > 0)
+            page.show(*([line, ZERO] if first + TERMS_A_LINE >= len(terms) else [line]))
         roots = ": t = " + ", ".join(f"{x:.6g}" for x in np.tan(poly.angles / 2)) if len(poly.angles) else ""
-        page.paragraph(
-            f"Of its {poly.degree} roots {len(poly.solutions)} belong to real postures{roots}. They are, each "
-            f"brought to the pose "
-            "and confirmed there:"
+        page.say(
+            f"Of its {poly.degree} roots {len(poly.solutions)} belong to real postures{roots}. They are, each brought "
+            "to the pose and confirmed there:"
         )
         for row in poly.solutions:
-            page.paragraph(_degrees(row, 4))
-        page.paragraph(f"(The harmonics that must vanish by theory do so to {poly.noise:.0e} of the largest.)")
+            page.say(_degrees(row, 4))
+        page.say(f"(The harmonics that must vanish by theory do so to {poly.noise:.0e} of the largest.)")
 
     def _name(self, poly: CharacteristicPolynomial) -> int:
         return [j + 1 for j in range(self._arm.n) if j not in self.chosen][poly.joint - 1]
 
-    def _method(self, page: Page, poly: CharacteristicPolynomial):
+    def _method(self, page: Document, poly: CharacteristicPolynomial):
         names = [j + 1 for j in range(self._arm.n) if j not in self.chosen]
         cut = [names[(poly.joint - 3 + k) % 6] for k in range(6)]
         one, two, three, four, five, six = (angle_symbol(j) for j in cut)
         page.heading("How it comes about")
-        page.paragraph(
-            f"Close the loop of the arm and the wanted pose and cut it at joint {cut[5]}: the axis l of that "
-            f"joint and the point p on "
-            f"it are reached through joints {cut[2]}, {cut[3]}, {cut[4]} on one side and through {cut[1]}, "
-            f"{cut[0]} on the other."
+        page.say(
+            f"Close the loop of the arm and the wanted pose and cut it at joint {cut[5]}: the axis l of that joint "
+            f"and the point p on it are reached through joints {cut[2]}, {cut[3]}, {cut[4]} on one side and through "
+            f"{cut[1]}, {cut[0]} on the other."
         )
-        page.paragraph(
-            "Equate p, l, p·p, p·l, p × l and (p·p) l − 2 (p·l) p of both sides: fourteen equations, each linear "
-            "in the "
-            "sine and cosine of every joint (Raghavan and Roth 1990)."
+        page.say(
+            "Equate p, l, p·p, p·l, p × l and (p·p) l − 2 (p·l) p of both sides: fourteen equations, each linear in "
+            "the sine and cosine of every joint (Raghavan and Roth 1990)."
         )
-        page.paragraph(
+        page.say(
             "Six combinations of them are free of ",
             one,
             " and ",
@@ -200,13 +197,12 @@ class GeneralInverse:
             four,
             " and ",
             five,
-            ", and each also multiplied by the first, they are twelve equations in twelve "
-            "monomials; the "
+            ", and each also multiplied by the first, they are twelve equations in twelve monomials; the "
             "determinant, which depends on ",
             three,
             " alone, must vanish.",
         )
-        page.paragraph(
+        page.say(
             "At a root the null vector of that matrix gives ",
             four,
             " and ",
@@ -244,10 +240,10 @@ class GeneralInverse:
         return PolynomialCheck(poses, solutions, found, extra, own, worst)
 
 
-def _solver_rows(arm, T, q, chosen) -> list:
+def _solver_rows(arm: Arm, T, q, chosen) -> list:
     try:
         rows = arm.ik(T, redundancy=float(q[chosen[0]])).all_q if chosen else arm.ik(T).all_q
-    except (PieperError, LookupError, NotImplementedError, TypeError, ValueError):
+    except PieperError:
         return [q]
     return [row for row in rows if all(abs(np.angle(np.exp(1j * (row[j] - q[j])))) < 1e-9 for j in chosen)]
 
@@ -262,27 +258,27 @@ def _degrees(q, digits: int = 0) -> str:
     return "(" + ", ".join(f"{x:.{digits}f}" for x in np.degrees(q)) + ") deg"
 
 
-def _polynomial(terms: list[tuple[float, int]], style: str, goes_on: bool) -> str:
+def _polynomial(terms: list[tuple[float, int]], *, goes_on: bool) -> Written:
     """Some terms of a polynomial in t; `goes_on` when they follow others."""
-    pieces = []
+    out = NOTHING
     for place, (value, power) in enumerate(terms):
-        number = f"{abs(value):.6g}"
-        if "e" in number:
-            mantissa, exponent = number.split("e")
-            number = {
-                "text": number,
-                "latex": rf"{mantissa}\cdot 10^{{{int(exponent)}}}",
-                "mathml": f"<mn>{mantissa}</mn><mo>·</mo><msup><mn>10</mn><mn>{int(exponent)}</mn></msup>",
-            }[style]
-        elif style == "mathml":
-            number = f"<mn>{number}</mn>"
-        sign = "-" if value < 0 else "+"
-        lead = sign if place or goes_on or value < 0 else ""
-        if style == "mathml":
-            unknown = "" if not power else "<mi>t</mi>" if power == 1 else f"<msup><mi>t</mi><mn>{power}</mn></msup>"
-            pieces.append((f"<mo>{'−' if lead == '-' else '+'}</mo>" if lead else "") + number + unknown)
-        else:
-            power_sign = f"^{power}" if style == "text" else f"^{{{power}}}"
-            unknown = "" if not power else ("*" if style == "text" else " ") + "t" + (power_sign if power > 1 else "")
-            pieces.append((f" {lead} " if place else f"{lead} " if goes_on else lead) + number + unknown)
-    return "".join(pieces)
+        lead = "-" if value < 0 else "+"
+        around = f" {lead} " if place else f"{lead} " if goes_on else lead
+        if place or goes_on or value < 0:
+            out = out + Written(around, around, f"<mo>{'−' if lead == '-' else '+'}</mo>")
+        out = out + _number(abs(value))
+        if power:
+            raised = f"<msup><mi>t</mi><mn>{power}</mn></msup>" if power > 1 else "<mi>t</mi>"
+            text, latex = (f"t^{power}", f"t^{{{power}}}") if power > 1 else ("t", "t")
+            out = out + Written("*" + text, " " + latex, raised)
+    return out
+
+
+def _number(value: float) -> Written:
+    number = f"{value:.6g}"
+    mantissa, _, exponent = number.partition("e")
+    if not exponent:
+        return Written(number, number, f"<mn>{number}</mn>")
+    power = int(exponent)
+    mathml = f"<mn>{mantissa}</mn><mo>·</mo><msup><mn>10</mn><mn>{power}</mn></msup>"
+    return Written(number, rf"{mantissa}\cdot 10^{{{power}}}", mathml)

@@ -132,12 +132,12 @@ def single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates=None) -> Solv
             {"s" if not B else "c": 1},
         )
     # A cos x + B sin x = -C, divided by what A and B share
-    shared = _shared(A, B)
-    A, B = _divided(A, shared), _divided(B, shared)
+    both = shared(A, B)
+    A, B = divided(A, both), divided(B, both)
     if _negatives(A) + _negatives(B) > (len(A.terms) + len(B.terms)) / 2:
-        A, B, shared = -A, -B, -shared
-    right, definitions = quotient(-C, shared), ()
-    if len(C.terms) > 1 or len(shared.atoms()) > 0:
+        A, B, both = -A, -B, -both
+    right, definitions = quotient(-C, both), ()
+    if len(C.terms) > 1 or len(both.atoms()) > 0:
         right, definitions = name, ((name, right),)
     a, b = A.expr(), B.expr()
     square = A * A + B * B
@@ -205,7 +205,7 @@ def _negatives(poly: Poly) -> int:
     return sum(1 for value in poly.terms.values() if value < 0)
 
 
-def _shared(A: Poly, B: Poly) -> Poly:
+def shared(A: Poly, B: Poly) -> Poly:
     """The number and symbols that every term of A and B has (no functions of angles)."""
     both = Poly({((), ()): Fraction(1)})
     contents = [monomial_content(p)[0] for p in (A, B)]
@@ -216,7 +216,7 @@ def _shared(A: Poly, B: Poly) -> Poly:
     return Poly({(symbols, ()): number}) if symbols or number != 1 else both
 
 
-def _divided(poly: Poly, by: Poly) -> Poly:
+def divided(poly: Poly, by: Poly) -> Poly:
     """The polynomial over a monomial that divides it."""
     (((symbols, _), number),) = by.terms.items()
     powers = dict(symbols)

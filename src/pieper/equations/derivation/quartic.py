@@ -13,7 +13,7 @@ import itertools
 from pieper.algebra.determinant import one_circle
 from pieper.algebra.expression import Call, Expr, Sym, Trig
 from pieper.algebra.harmonic import Poly
-from pieper.equations.derivation.patterns import Recipe, Solved, _divided, _shared
+from pieper.equations.derivation.patterns import Recipe, Solved, divided, shared
 from pieper.equations.derivation.unknowns import Knowledge, View
 
 COEFFICIENTS = tuple(Sym("e", str(k), 4) for k in (4, 3, 2, 1, 0))
@@ -83,9 +83,9 @@ def _eliminated(first: tuple, second: tuple) -> Poly | None:
     (A1, B1, C1), (A2, B2, C2) = first, second
     if not (A1 and B1 and A2 and B2):
         return None
-    alpha, beta = _shared(A1, B1), _shared(A2, B2)
-    k1, k2 = _divided(A1, alpha), _divided(B1, alpha)
-    a2, b2 = _divided(A2, beta), _divided(B2, beta)
+    alpha, beta = shared(A1, B1), shared(A2, B2)
+    k1, k2 = divided(A1, alpha), divided(B1, alpha)
+    a2, b2 = divided(A2, beta), divided(B2, beta)
     if not ((a2 == k2 and b2 == -k1) or (a2 == -k2 and b2 == k1)):
         return None
     return one_circle((beta * C1) ** 2 + (alpha * C2) ** 2 - (alpha * beta) ** 2 * (k1 * k1 + k2 * k2))

@@ -5,8 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.algebra.expression import Add, Call, Num, Power, Sym, Trig, add, mul
-from pieper.document.page import Page, Raw, comma_list, matrix_equation
+from pieper.algebra.notation import negative
+from pieper.document.blocks import Document, Piece, listed
+from pieper.document.blocks import Step as StepHeading
+from pieper.document.formulas import ZERO, Written, equals
 from pieper.equations.derivation.closed_form import ClosedForm, Step
+from pieper.equations.derivation.loop import matrix_equation
 
 WHY = {
     "homogeneous": "Sine and cosine are in a known ratio, so there are two solutions half a turn apart, one for "
@@ -17,11 +21,9 @@ WHY = {
     "quadratic of a slide": "This is a quadratic equation; its two roots go with the sign ",
 }
 QUARTIC = (
-    "Both equations are linear in the cosine and sine of one joint; solved for the two expressions that hold "
-    "them, squared and "
-    "added, they lose that joint. What is left is a quartic in the half-angle tangent t, with at most four real "
-    "roots, numbered "
-    "from the smallest by "
+    "Both equations are linear in the cosine and sine of one joint; solved for the two expressions that hold them, "
+    "squared and added, they lose that joint. What is left is a quartic in the half-angle tangent t, with at most "
+    "four real roots, numbered from the smallest by "
 )
 ONCE = {
     "both functions": "Sine and cosine are both known up to one positive factor, so there is one solution:",
@@ -31,7 +33,7 @@ ONCE = {
 }
 
 
-def write_steps(page: Page, form: ClosedForm):
+def write_steps(page: Document, form: ClosedForm):
     """Write every step and the summary onto a page."""
     _opening(page, form)
     for step in form.steps:
@@ -39,7 +41,7 @@ def write_steps(page: Page, form: ClosedForm):
     _summary(page, form)
 
 
-def _opening(page: Page, form: ClosedForm):
+def _opening(page: Document, form: ClosedForm):
     d = form.description
     plain_base, plain_tool = (np.array_equal(M, np.eye(4)) for M in (d.base, d.tool))
     columns = {
@@ -62,7 +64,7 @@ def _opening(page: Page, form: ClosedForm):
         for t in (left.atoms() | right.atoms())
         if isinstance(t, Trig) and len(t.angle) == 2 and t.kind == "c"
     ]
-    parts: list = [said + "Each step uses entries of one matrix equation"]
+    parts: list[Piece] = [said + "Each step uses entries of one matrix equation"]
     if sums:
         shown = min(sums, key=lambda t: t.order)
         parts += [
@@ -72,51 +74,47 @@ def _opening(page: Page, form: ClosedForm):
             add(*(mul(Num(k), symbol) for k, symbol in shown.argument())),
             ", and so on",
         ]
-    page.paragraph(*parts, ".")
+    page.say(*parts, ".")
     relations = [
         (symbol, expr) for symbol, expr in form.table.relation.values() if expr.atoms() != {expr} and symbol.base != "q"
     ]
     if relations:
-        page.paragraph("The angles and slides of the table belong to the joint coordinates as follows.")
+        page.say("The angles and slides of the table belong to the joint coordinates as follows.")
         for symbol, expr in relations:
-            page.display(symbol, expr)
+            page.show(symbol, expr)
     if form.chosen:
-        names = comma_list([form.table.variable(j) for j in form.chosen])
-        page.paragraph("The arm has a joint to spare: ", *names, " is chosen freely, and the rest follows.")
+        names = listed([form.table.variable(j) for j in form.chosen])
+        page.say("The arm has a joint to spare: ", *names, " is chosen freely, and the rest follows.")
 
 
-def _step(page: Page, form: ClosedForm, step: Step):
-    page.heading(f"Step {step.number}: ", step.symbol)
+def _step(page: Document, form: ClosedForm, step: Step):
+    page.add(StepHeading(step.number, step.symbol, step.branches))
     if step.kind == "sum":
-        page.paragraph("The sum is known, and so are its other members:")
-        page.display(step.symbol, step.formula)
+        page.say("The sum is known, and so are its other members:")
+        page.show(step.symbol, step.formula, number=step.number)
         return
-    page.paragraph(*_source(form, step))
+    page.say(*_source(form, step))
     for left, right in step.equations:
-        page.display(*_ordered(left, right))
+        page.show(left, right)
     if step.names:
-        page.paragraph("with" if len(step.names) > 1 or step.equations else "where")
+        page.say("with" if len(step.names) > 1 or step.equations else "where")
         for symbol, expr in step.names:
-            page.display(symbol, expr)
-    if step.kind == "quartic":
-        page.paragraph(
-            QUARTIC, step.sigma, Raw(" = 1, 2, 3, 4", r" = 1, 2, 3, 4", "<mo>=</mo><mn>1, 2, 3, 4</mn>"), ":"
-        )
-    elif step.sigma is not None:
-        page.paragraph(
-            WHY[step.kind], step.sigma, Raw(" = +1 or -1", r" = \pm 1", "<mo>=</mo><mo>±</mo><mn>1</mn>"), ":"
-        )
+            page.show(symbol, expr)
+    if step.sigma is None:
+        page.say(ONCE[step.kind])
+    elif step.kind == "quartic":
+        page.say(QUARTIC, equals(step.sigma, Written("1, 2, 3, 4", "1, 2, 3, 4", "<mn>1, 2, 3, 4</mn>")), ":")
     else:
-        page.paragraph(ONCE[step.kind])
-    page.display(step.symbol, step.formula)
-    _failures(page, form, step)
+        page.say(WHY[step.kind], equals(step.sigma, Written("+1 or -1", r"\pm 1", "<mo>±</mo><mn>1</mn>")), ":")
+    page.show(step.symbol, step.formula, number=step.number)
+    _failures(page, step)
 
 
-def _source(form: ClosedForm, step: Step) -> list:
+def _source(form: ClosedForm, step: Step) -> list[Piece]:
     first = step.sources[0]
     same = all((s.i, s.j, s.kind) == (first.i, first.j, first.kind) for s in step.sources)
     sources = [first] if same else list(step.sources)
-    parts: list = []
+    parts: list[Piece] = []
     for place, source in enumerate(sources):
         places = [p for s in (step.sources if same else [source]) for p in s.places]
         entries = _entries(places)
@@ -139,31 +137,20 @@ def _source(form: ClosedForm, step: Step) -> list:
     return parts
 
 
-def _entries(places: list) -> str:
+def _entries(places: list[tuple[int, int]]) -> str:
     named = [f"({r + 1},{c + 1})" for r, c in places]
     if len(named) == 1:
         return f"entry {named[0]}"
     return "entries " + ", ".join(named[:-1]) + " and " + named[-1]
 
 
-def _ordered(left, right) -> tuple:
-    """The side with the unknown first, unless the other is a plain number."""
-    return left, right
-
-
-def _failures(page: Page, form: ClosedForm, step: Step):
+def _failures(page: Document, step: Step):
     if step.degenerate:
-        conditions: list = []
-        for place, condition in enumerate(step.degenerate):
-            if place:
-                conditions.append(" and ")
-            bare = (
-                mul(Num(-1), condition)
-                if isinstance(condition, Sym) is False and _leads_negative(condition)
-                else condition
-            )
-            conditions += [bare, Raw(" = 0", " = 0", "<mo>=</mo><mn>0</mn>")]
-        page.paragraph(
+        bare = [mul(Num(-1), c) if not isinstance(c, Sym) and negative(c) else c for c in step.degenerate]
+        conditions: list[Piece] = []
+        for condition in bare:
+            conditions += [" and "] * bool(conditions) + [equals(condition, ZERO)]
+        page.say(
             "It degenerates where ",
             *conditions,
             ": then ",
@@ -173,46 +160,36 @@ def _failures(page: Page, form: ClosedForm, step: Step):
     if step.merge is not None:
         inner = step.merge.args[0] if isinstance(step.merge, Call) and step.merge.name == "sqrt" else step.merge
         real = isinstance(inner, Add) and all(isinstance(t, Power) and t.power == 2 for t in inner.args)
-        page.paragraph(
+        page.say(
             "The two branches meet where ",
-            inner,
-            Raw(" = 0", " = 0", "<mo>=</mo><mn>0</mn>"),
+            equals(inner, ZERO),
             "." if real else "; where it is negative, these branches have no solution.",
         )
 
 
-def _leads_negative(expr) -> bool:
-    from pieper.algebra.notation import negative
-
-    return negative(expr)
-
-
-def _summary(page: Page, form: ClosedForm):
+def _summary(page: Document, form: ClosedForm):
     page.heading("All joints together")
     signs = len(form.sigmas)
     if signs:
-        page.paragraph(
+        page.say(
             f"Evaluated in this order, with each of the {form.branches} combinations of the signs ",
-            *comma_list(list(form.sigmas)),
+            *listed(form.sigmas),
             " held through all formulas:",
         )
     else:
-        page.paragraph("Evaluated in this order:")
+        page.say("Evaluated in this order:")
     for step in form.steps:
-        page.display(step.symbol, step.formula)
+        page.show(step.symbol, step.formula, number=step.number)
     if form.free:
-        free = comma_list([form.table.variable(j) for j in form.free])
-        page.paragraph(
-            *free, " is free: only its sum with the joints about the same line moves anything. Choose it first."
-        )
+        free = listed([form.table.variable(j) for j in form.free])
+        page.say(*free, " is free: only its sum with the joints about the same line moves anything. Choose it first.")
     if form.conditions:
-        page.paragraph("This arm cannot reach every pose. Of the combinations, keep those that also satisfy")
+        page.say("This arm cannot reach every pose. Of the combinations, keep those that also satisfy")
         for left, right, source in form.conditions:
-            page.display(left, right)
-            page.paragraph(f"({_entries(list(source.places))} of ", matrix_equation(source.i, source.j, form.n), ").")
+            page.show(left, right)
+            page.say(f"({_entries(list(source.places))} of ", matrix_equation(source.i, source.j, form.n), ").")
     elif form.n - len(form.chosen) < 6 and form.given == "noap":
-        page.paragraph(
-            "An arm with fewer than six joints cannot reach every pose: the formulas answer for the "
-            "poses that it "
+        page.say(
+            "An arm with fewer than six joints cannot reach every pose: the formulas answer for the poses that it "
             "can reach, and forward kinematics tells whether a given pose is one."
         )

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 
 from pieper.algebra.expression import Expr
@@ -14,7 +17,7 @@ from pieper.judge.evidence import Evidence, number, tried_text
 from pieper.judge.matrices import Product, parse_product, value_of
 from pieper.judge.model import POSE_NAMES
 from pieper.judge.regions import find_region, region_features, zero_denominators
-from pieper.judge.search.search import MAX_SEARCHED, Goal, search
+from pieper.judge.search.search import MAX_SEARCHED, Explanation, Goal, search
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.verdict import Verdict
 
@@ -73,17 +76,24 @@ def judge_equal(
         details.append(("counter-example", _counter_example(ev, node, goal, good, wanted)))
     features = region_features(ev.model.n, goal.env, list(ev.definitions))
     region = find_region(good[rows], [(name, value[rows]) for name, value in features])
-    slip, reading, more = _explanation(ev, node, goal, good, product, frame)
-    details += more
+    found = _explanation(ev, node, goal, good, product, frame)
+    details += found.details
+    said: dict[str, Any] = {
+        "details": details,
+        "slip": found.slip,
+        "reading": found.reading,
+        "difference": found.difference,
+    }
+    said |= {"right": int(good.sum()), "tried": len(good)}
     if region:
-        return claim.partly(f"Holds only where {region}.", details, slip, reading)
+        return claim.partly(f"Holds only where {region}.", **said)
     if good.mean() > 0.1:
         share = f"{100 * good.mean():.0f}% of the joint vectors"
-        return claim.partly(f"Holds at {share} only; no simple region was found.", details, slip, reading)
+        return claim.partly(f"Holds at {share} only; no simple region was found.", **said)
     sentence = f"Wrong: right at {int(good.sum())} of {len(good)} joint vectors."
     if vanish:
         sentence = "Wrong: undefined, because it divides by zero for all joints."
-    return claim.wrong(sentence, details, slip, reading)
+    return claim.wrong(sentence, **said)
 
 
 def _equal_holds(
@@ -95,19 +105,29 @@ def _equal_holds(
         more = f"; at 50-digit arithmetic it agrees to {digits} digits" if digits else ""
         sentence = f"Holds identically: right at {len(good)} of {len(good)} joint vectors{lengths}{more}."
     else:
-        own = ev.samples.nominal.sum()
+        good = good[ev.samples.nominal]
         more = f", to {digits} digits at 50-digit arithmetic" if digits else ""
-        sentence = f"Holds for this arm's lengths: right at {own} of {own} joint vectors{more}."
-    return claim.holds(sentence, digits=digits)
+        sentence = f"Holds for this arm's lengths: right at {len(good)} of {len(good)} joint vectors{more}."
+    return claim.holds(sentence, digits=digits, right=len(good), tried=len(good))
+
+
+@dataclass(frozen=True)
+class _Explained:
+    """The one slip that explains a wrong formula, if there is one, and what to say of it."""
+
+    details: list[tuple[str, str]]
+    slip: str = ""
+    reading: str = ""
+    difference: str = ""
 
 
 def _explanation(
     ev: Evidence, node: Expr, goal: Goal, good: np.ndarray, product: Product | None, frame: Product | None
-) -> tuple[str, str, list[tuple[str, str]]]:
-    """Look for the one slip that explains a wrong formula; return its kind, the right reading, and what to say."""
+) -> _Explained:
+    """Look for the one slip that explains a wrong formula."""
     own, model = ev.samples.nominal, ev.model
 
-    def searched(aim: Goal):
+    def searched(aim: Goal) -> Explanation:
         return search(aim, node, slips(node, model.values, model.n, tuple(ev.definitions)), seconds=ev.seconds)
 
     found = searched(goal)
@@ -122,7 +142,8 @@ def _explanation(
         other = _other_arm(ev, node, goal.wanted, product, frame, arms_tried)
     tried = ("tried", tried_text(found, arms_tried))
     if elsewhere:
-        return "index", elsewhere, [("the slip", f"the formula is right for another entry, {elsewhere}"), tried]
+        says = f"the formula is right for another entry, {elsewhere}"
+        return _Explained([("the slip", says), tried], "index", elsewhere)
     if found.best:
         best, rest = found.best, [s.says for s in found.found[1:4]]
         as_good = "; as good: " + "; ".join(rest) if rest else ""
@@ -131,16 +152,16 @@ def _explanation(
         if gap:
             what = "the sides differ by" if isinstance(node, Equation) else "printed minus right"
             details.append(("difference", f"{what} = {gap}"))
-        return best.kind, str(best.tree), [*details, tried]
+        return _Explained([*details, tried], best.kind, str(best.tree), gap)
     if other:
-        return other[0], "", [("the slip", f"{other[1]}: the formula is right for that arm"), tried]
-    details = []
+        return _Explained([("the slip", f"{other[1]}: the formula is right for that arm"), tried], other[0])
+    details, gap = [], ""
     if product is not None and product.entry and str(Product(product.terms)) in ("T", f"T0{model.n}"):
         gap = difference_from_matrix(node, model, product.entry[0] - 1, product.entry[1] - 1)
         if gap:
             details.append(("difference", f"printed minus right = {gap}"))
     details.append(("the slip", "no single slip explains it" + found.closest("joint vectors")))
-    return "", "", [*details, tried]
+    return _Explained([*details, tried], difference=gap)
 
 
 def _uses_lengths(ev: Evidence, node: Expr) -> bool:

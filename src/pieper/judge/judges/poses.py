@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -112,9 +113,9 @@ def _value(product: Product, model: ArmModel, q: np.ndarray) -> np.ndarray:
     return value_of(product, samples_at(model, q).frames)[0].copy()
 
 
-def _slack(claim: Claim, model: ArmModel, q, product: Product, factor: float) -> np.ndarray:
-    """Return how much the rounding of printed joints can move each entry, (4, 4)."""
-    slack = np.zeros((4, 4))
+def _slack(claim: Claim, model: ArmModel, q: np.ndarray, product: Product, factor: float) -> np.ndarray:
+    """Return how much the rounding of printed joints can move each entry, (4, 4) or (3, 3)."""
+    slack = np.zeros_like(_value(product, model, q))
     if not claim.get("rounded"):
         return slack
     half = joint_tolerance(claim.get("q_deg", claim.get("q_rad", [])), "q_deg" in claim)
@@ -123,24 +124,25 @@ def _slack(claim: Claim, model: ArmModel, q, product: Product, factor: float) ->
         moved = q.copy()
         moved[k] += h
         slack += np.abs(_value(product, model, moved) - base)
-    slack[:3, 3] *= factor
+    if slack.shape == (4, 4):
+        slack[:3, 3] *= factor
     return slack
 
 
-def _digits(printed) -> int:
+def _digits(printed: list[list]) -> int:
     return min(
         (max(0, round(-np.log10(last_digit(v)))) for r in printed for v in r if v not in ("", "*", 0, 1)), default=0
     )
 
 
-def _rounded(printed, right: float):
+def _rounded(printed: Any, right: float) -> str:
     if printed in BLANK:
         return ""
     decimals = min(12, max(0, round(-np.log10(last_digit(printed)))))
     return f"{right + 0.0:.{max(decimals, 0)}f}"
 
 
-def _matrix_text(rows) -> str:
+def _matrix_text(rows: list[list]) -> str:
     return "[" + "; ".join(", ".join(str(v) if str(v) else "." for v in r) for r in rows) + "]"
 
 
@@ -225,5 +227,7 @@ def _joint_that_fits(model: ArmModel, q: np.ndarray, joint: int, reading: Reader
 
 def _scaled(first: Reading, factor: float) -> bool:
     right = first.right.copy()
+    if right.shape != (4, 4):
+        return False  # a rotation has no lengths
     right[:3, 3] *= factor
     return not Reading(first.printed, right, first.slack).serious()

@@ -39,7 +39,9 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
         lines.append((f"solution {k + 1}", f"{words}: {off}{reached}"))
     count, complete = len(solutions), claim.get("complete")
     listed = "; ".join("(" + ", ".join(str(v) for v in r) + ")" for r in solutions)
-    claim = claim.reads(f"{count} solution(s){', said to be all' if complete else ''}: {listed} deg")
+    claim = claim.reads(
+        f"{count} solution{'' if count == 1 else 's'}{', said to be all' if complete else ''}: {listed} deg"
+    )
     if bad:
         return claim.wrong(f"Wrong: {bad} of {count} given joint vectors do not reach the pose.", lines)
     if complete:

@@ -28,11 +28,12 @@ def required_values(root: Expr, wanted: np.ndarray | None, angle: bool, value: d
         The required values.
     """
     out: dict[tuple[int, ...], np.ndarray] = {}
+    stack: list[tuple[tuple[int, ...], Expr, np.ndarray, bool]] = []
     if isinstance(root, Equation):
         if has_branch(root):
             return out
         stack = [((0,), root.args[0], value[root.args[1]], False), ((1,), root.args[1], value[root.args[0]], False)]
-    else:
+    elif wanted is not None:
         stack = [((), root, wanted, angle)]
     with np.errstate(all="ignore"):
         while stack:

@@ -40,7 +40,8 @@ class Goal:
 
     @cached_property
     def _scale(self) -> np.ndarray:
-        return np.abs(self.wanted) + np.median(np.abs(self.wanted)) + self.floor
+        size = np.abs(0.0 if self.wanted is None else self.wanted)
+        return size + np.median(size) + self.floor
 
     def restrict(self, rows) -> Goal:
         """Return the same target on some of the samples only."""
@@ -148,8 +149,8 @@ def _promising(slip: Slip, probe: Goal, needed: dict, values: dict, angle: bool)
         with np.errstate(all="ignore"):
             value = slip.new.evaluate(probe.env, NumpyField, 1, values, learn=False)
             close = np.abs(value - need) <= 1e-6 * (np.abs(value) + np.abs(need)) + 1e-12
-        return 2 * np.count_nonzero(close) >= PROBES
+        return 2 * int(np.count_nonzero(close)) >= PROBES
     good = probe.residual(slip.tree, 1, values, learn=False) < 1
     if angle and has_branch(slip.tree):
         good = good | (probe.residual(slip.tree, -1) < 1)
-    return 2 * np.count_nonzero(good) >= PROBES
+    return 2 * int(np.count_nonzero(good)) >= PROBES

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Num, PiFraction, Power, Sym
 from pieper.algebra.formula import (
     ANGLE,
-    TURNS,
     Equation,
     Mention,
     Neg,
@@ -21,8 +20,8 @@ from pieper.algebra.formula import (
     number,
     positions,
     replaced_everywhere,
-    turned_joints,
 )
+from pieper.algebra.notation import TURNS, turned_joints
 from pieper.judge.slips.angle_slips import angle_slips, unit_slips
 from pieper.judge.slips.slip import Slip
 
@@ -140,7 +139,7 @@ def _factor_pool(root: Expr, lengths: dict[str, float], joints: int) -> dict[str
     """Return what may have been lost or swapped: sines and cosines of every joint and of the sums that occur, and the
     lengths."""
     used = {int(found.group(1)) for found in map(ANGLE.match, root.symbols()) if found}
-    sums = {((1, j),) for j in (used or range(1, joints + 1))}
+    sums: set[tuple[tuple[int, int], ...]] = {((1, j),) for j in (used or range(1, joints + 1))}
     sums.update(parts for parts in map(turned_joints, root.walk()) if parts)
     factors: list[Expr] = [Call(f, angle_sum(p)) for p in sorted(sums) for f in ("cos", "sin")]
     # angles that are shifted by a constant are written out, and lost or swapped like the others

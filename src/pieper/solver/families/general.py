@@ -12,7 +12,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
 from pieper.solver.families.family import Family, KernelSpec
 from pieper.solver.families.loop import full_rank
-from pieper.tolerances import GEOMETRY_EXACT
+from pieper.tolerances import GEOMETRY_EXACT, LENGTHLESS, TINY
 
 #: The kernel's order of trials: six starts of the loop, two directions, two orders of the pair.
 _DIRECTIONS = ("forward", "backward")
@@ -157,6 +157,8 @@ def slid(chain: Chain) -> tuple[np.ndarray, float]:
         links[i + 1][:3, 3] -= step
     scale = float(np.linalg.norm(links[1:6, :3, 3], axis=1).sum()) / 3
     size = float(np.abs(chain.links[1:6, :3, 3]).max())
-    if scale <= 1e-9 * max(size, 1e-300):  # nothing left between the axes: base and tool are all the lengths there are
+    if scale <= LENGTHLESS * max(
+        size, TINY
+    ):  # nothing left between the axes: base and tool are all the lengths there are
         scale = max(float(np.linalg.norm(chain.links[[0, 6], :3, 3], axis=1).max()), size) or 1.0
     return np.ascontiguousarray(links), scale

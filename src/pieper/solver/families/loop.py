@@ -7,6 +7,7 @@ import numpy as np
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.kinematics.pose import translation
+from pieper.tolerances import RANK, TINY
 
 
 def centred(chain: Chain, first: int) -> np.ndarray:
@@ -42,7 +43,7 @@ _POSTURES = np.array(
 def rank(J: np.ndarray) -> int:
     """Return the numerical rank of a matrix."""
     singular = np.linalg.svd(J, compute_uv=False)
-    return int((singular > 1e-7 * max(float(singular[0]), 1e-300)).sum())
+    return int((singular > RANK * max(float(singular[0]), TINY)).sum())
 
 
 def _jacobians(chain: Chain) -> np.ndarray:

@@ -12,12 +12,7 @@ from pieper.kinematics.geometry import Geometry, look
 from pieper.solver.families.family import Family, KernelSpec
 from pieper.solver.families.hidden_angle import general_model
 from pieper.solver.families.loop import full_rank
-
-#: Offsets and twists (per length; rad) up to which the two sides of the arm are taken for alike, and from which they
-#: are taken for different. Between the two every root is nearly double: such an arm goes to the general solver.
-ALIKE, DIFFERENT = 1e-13, 2e-3
-#: Shortest link (per length) and smallest sine between neighbouring axes that the construction can stand on.
-SMALLEST = 1e-3
+from pieper.tolerances import SHORTEST_LINK, SIDES_ALIKE, SIDES_DIFFERENT, TINY
 
 
 @dataclass(frozen=True)
@@ -45,10 +40,10 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
             second.relation == "parallel"
             and np.pi / 2 - first.angle <= geometry.tolerance
             and fourth.relation == "intersecting"
-            and min(third.angle, fourth.angle, fifth.angle) > SMALLEST
+            and min(third.angle, fourth.angle, fifth.angle) > SHORTEST_LINK
         ):
             numbers = _measured(seen)
-            if min(numbers["upper"], numbers["fore"]) > SMALLEST and _sides(numbers) is not None:
+            if min(numbers["upper"], numbers["fore"]) > SHORTEST_LINK and _sides(numbers) is not None:
                 return Match(backward, fourth.distance)
     return None
 
@@ -56,9 +51,9 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
 def _sides(numbers: dict) -> bool | None:
     """Return whether the arm's two sides are alike, None where that is hard to tell."""
     apart = max(abs(numbers["shoulder"]), abs(numbers["lateral"]), abs(numbers["lean_s"]), abs(numbers["tilt_s"]))
-    if apart <= ALIKE:
+    if apart <= SIDES_ALIKE:
         return True
-    return False if apart >= DIFFERENT else None
+    return False if apart >= SIDES_DIFFERENT else None
 
 
 def prepare(chain: Chain, found: Match) -> KernelSpec:
@@ -118,7 +113,7 @@ def _measured(chain: Chain) -> dict:
     axes = u @ to_base.T
     points = (p - base) @ to_base.T / chain.length
     tool = to_base @ (chain.home[:3, 3] - base) / chain.length
-    meeting = to_base @ (look(chain, SMALLEST).common_point((3, 4))[0] - base) / chain.length
+    meeting = to_base @ (look(chain, SHORTEST_LINK).common_point((3, 4))[0] - base) / chain.length
     foot = points[5] + ((meeting - points[5]) @ axes[5]) * axes[5]
     lever = meeting - foot
     plane = [0, 2]
@@ -128,7 +123,7 @@ def _measured(chain: Chain) -> dict:
     in_plane = axes[3][plane]
     tilt = np.array([np.linalg.norm(in_plane), axes[3][1]])
     upper, fore = np.linalg.norm(elbow), np.linalg.norm(forearm)
-    elbow, forearm, along = (v / max(float(np.linalg.norm(v)), 1e-300) for v in (elbow, forearm, in_plane))
+    elbow, forearm, along = (v / max(float(np.linalg.norm(v)), TINY) for v in (elbow, forearm, in_plane))
     lean = np.array([forearm @ along, forearm[0] * along[1] - forearm[1] * along[0]])
     part = (axes[4] @ axes[5]) * axes[5]
     across4 = _unit(axes[4] - (axes[4] @ axes[3]) * axes[3])

@@ -9,10 +9,9 @@ import numpy as np
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import inverse, rotation_z, transform, translation
+from pieper.tolerances import PAIR_ALWAYS_RANK_ONE
 
 _POSES = 24
-#: Relative determinant up to which a 2x2 is of rank one by the arm's geometry rather than by chance.
-_RANK_ONE = 1e-11
 
 
 def group(chain: Chain, links: np.ndarray, first: int, plane: bool) -> dict[str, Any]:
@@ -69,7 +68,7 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
         pre, A, B, C = (closing if k % 6 == 0 else scaled[k % 6] for k in range(first + 3, first + 7))
         left, right = (_around_plane if plane else _positioning)(pre, A, B, C, slides)
         M, N = _terms(left, slides[0]), -_terms(right, slides[2])
-        rank_one &= [abs(np.linalg.det(K)) <= _RANK_ONE * np.sum(K * K) for K in (M, N)]
+        rank_one &= [abs(np.linalg.det(K)) <= PAIR_ALWAYS_RANK_ONE * np.sum(K * K) for K in (M, N)]
         hide_c += abs(np.linalg.det(M)) >= abs(np.linalg.det(N))
         first_c += np.linalg.norm(_null(M) @ N) >= np.linalg.norm(_null(N) @ M)
     good_m, good_n = 2 * hide_c >= _POSES, 2 * first_c >= _POSES

@@ -10,15 +10,12 @@ from pieper import _kernel
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
 from pieper.solver.families.family import Family, KernelSpec
+from pieper.tolerances import SWP_IN_PLANE, SWP_SHORTEST, SWP_TILTED, SWP_ZERO
 
 #: What each slot of the kernel means; the words of a posture are read off its geometry (see inverse/posture.py).
 SLOTS = tuple(
     f"shoulder {side}, elbow {elbow}, wrist {wrist}" for side in "+-" for elbow in ("above", "below") for wrist in "+-"
 )
-
-
-#: Numbers this small beside one, or beside the arm's size, are what rounding left of a zero.
-ZERO = 1e-16
 
 
 @dataclass(frozen=True)
@@ -48,7 +45,7 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
     u = chain.axes[1]
     reach = np.array(wrist[0].point) - chain.points[2]
     forearm = np.linalg.norm(reach - (reach @ u) * u)
-    if forearm <= 1e-6 * chain.length or pairs[1].distance <= 1e-6 * chain.length:
+    if forearm <= SWP_SHORTEST * chain.length or pairs[1].distance <= SWP_SHORTEST * chain.length:
         return None
     return Match(wrist[0].margin, off)
 
@@ -76,9 +73,9 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     # the forearm frame: its z along axis 4 where that lies in the arm's plane, else tilted out of it by tau
     fourth = B @ u[3]
     tau = np.arctan2(fourth[1], np.hypot(fourth[0], fourth[2]))
-    in_plane = np.hypot(fourth[0], fourth[2]) > 1e-9
+    in_plane = np.hypot(fourth[0], fourth[2]) > SWP_IN_PLANE
     direction = np.arctan2(fourth[2], fourth[0]) - np.pi / 2 if in_plane else 0.0
-    tilted = abs(tau) > 1e-12
+    tilted = abs(tau) > SWP_TILTED
     S = _turn_x_to_z(direction) @ (_tilt(tau) if tilted else np.eye(3))
     fifth = S.T @ B @ u[4]
     offset4 = np.arctan2(-fifth[0], fifth[1])
@@ -114,7 +111,7 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
         "sin_offset4": np.sin(offset4),
         "scale": scale,
     }
-    rounding = ZERO * max(1.0, scale)
+    rounding = SWP_ZERO * max(1.0, scale)
     clean = {name: np.where(np.abs(value) < rounding, 0.0, value) for name, value in numbers.items()}
     return KernelSpec(
         _kernel.SphericalWristParallel(**clean, tilted=tilted),

@@ -13,6 +13,7 @@ from pieper.kinematics.geometry import Geometry
 from pieper.solver.families.family import Family, KernelSpec
 from pieper.solver.families.hidden_angle import general_model
 from pieper.solver.families.loop import full_rank
+from pieper.tolerances import HIDDEN_FOUND
 
 #: Test poses a turning joint is tried on as the hidden one, and the share of them that may stay unclear.
 TRIALS, MOST_UNCLEAR = 48, 0.3
@@ -44,7 +45,7 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
         q, valid, _, flag = alone.solver(free, chain.prismatic).many(poses, 1)
         gap = q - made[:, None]
         gap = np.where(chain.prismatic, gap / chain.length, (gap + np.pi) % (2 * np.pi) - np.pi)
-        found = ((np.abs(gap).max(-1) < 1e-6) & valid).any(1)
+        found = ((np.abs(gap).max(-1) < HIDDEN_FOUND) & valid).any(1)
         clear = (flag & _kernel.Flag.UNCERTAIN) == 0
         if np.all(found | ~clear) and np.mean(~clear) <= MOST_UNCLEAR:
             tried.append((float(np.mean(~clear)), int(hidden)))

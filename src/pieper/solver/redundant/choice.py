@@ -40,14 +40,20 @@ class Choice:
     free: bool
 
 
+#: Nothing can be asked for of an arm that is its own six-joint chain.
+NOTHING = Choice(np.zeros((0, 0)), None, None, True)
+
+
 def choice(plan: Plan, redundancy: Redundancy, count: int) -> Choice:
     """Return what was asked for, one row a pose.
 
     Raises:
         InputError: The plan has no such coordinate, or the value is impossible.
     """
-    if plan.direct and redundancy is not None:
-        raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
+    if plan.direct:
+        if redundancy is not None:
+            raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
+        return NOTHING
     if isinstance(redundancy, Mapping) and ARM_ANGLE in redundancy:
         if len(redundancy) > 1:
             raise InputError(f"give either the {ARM_ANGLE} or the redundant joint, not both.", given=redundancy)

@@ -1,7 +1,9 @@
-// Bundle the page into dist/, which ships inside the Python package. Run: npm install && npm run build
+// Bundle the page into dist/, which ships inside the Python package. Run: npm ci && npm run build
+// With --check it bundles elsewhere and fails when dist/ is not what the sources make.
 import { build } from 'esbuild';
-import { readFile, rm, copyFile, readdir, stat } from 'node:fs/promises';
-import { join } from 'node:path';
+import { copyFile, mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, relative } from 'node:path';
 
 /** KaTeX lists each font in three formats; every browser that runs this page reads woff2, so the others stay home. */
 const onlyWoff2 = {
@@ -17,11 +19,20 @@ const onlyWoff2 = {
   },
 };
 
+/** The files of a folder by their place in it. */
+async function filesOf(folder) {
+  const found = (await readdir(folder, { recursive: true, withFileTypes: true })).filter((f) => f.isFile());
+  const read = async (path) => [relative(folder, path), await readFile(path)];
+  return new Map(await Promise.all(found.map((f) => read(join(f.parentPath, f.name)))));
+}
+
 const limit = 2.5e6;
-await rm('dist', { recursive: true, force: true });
+const check = process.argv.includes('--check');
+const out = check ? await mkdtemp(join(tmpdir(), 'pieper-page-')) : 'dist';
+await rm(out, { recursive: true, force: true });
 await build({
   entryPoints: { door: 'src/door.mjs', app: 'src/main.mjs', page: 'src/style/page.css' },
-  outdir: 'dist',
+  outdir: out,
   bundle: true,
   format: 'esm',
   splitting: true,
@@ -34,14 +45,20 @@ await build({
   plugins: [onlyWoff2],
   logLevel: 'warning',
 });
-await copyFile('src/index.html', 'dist/index.html');
-await copyFile('src/icon.svg', 'dist/icon.svg');
+await copyFile('src/index.html', join(out, 'index.html'));
+await copyFile('src/icon.svg', join(out, 'icon.svg'));
 
-const sizes = await Promise.all(
-  (await readdir('dist', { recursive: true, withFileTypes: true }))
-    .filter((f) => f.isFile())
-    .map(async (f) => (await stat(join(f.parentPath, f.name))).size),
-);
-const total = sizes.reduce((a, b) => a + b, 0);
-console.log(`dist: ${sizes.length} files, ${(total / 1e6).toFixed(2)} MB`);
-if (total > limit) throw new Error(`dist weighs ${total} bytes, more than ${limit}`);
+const made = await filesOf(out);
+const total = [...made.values()].reduce((sum, content) => sum + content.length, 0);
+if (total > limit) throw new Error(`the page weighs ${total} bytes, more than ${limit}`);
+if (check) {
+  await rm(out, { recursive: true });
+  const shipped = await filesOf('dist');
+  const names = [...new Set([...made.keys(), ...shipped.keys()])].sort();
+  const stale = names.filter((name) => !made.get(name)?.equals(shipped.get(name) ?? Buffer.alloc(0)));
+  if (stale.length) {
+    console.error(`dist/ is not what the sources make; run npm run build. Different: ${stale.join(', ')}`);
+    process.exit(1);
+  }
+}
+console.log(`dist: ${made.size} files, ${(total / 1e6).toFixed(2)} MB${check ? ', up to date' : ''}`);

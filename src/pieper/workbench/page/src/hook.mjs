@@ -48,6 +48,6 @@ export function expose() {
     forward: (table, q) => frames(table, q),
     convert: (table, to) => convert(table, to),
     read: (text, kind) => read(text, kind),
-    present: (latex, table, q) => withPresentNumbers(latex, table, q),
+    present: (equation, table, q) => withPresentNumbers(equation, table, q),
   });
 }

@@ -12,23 +12,31 @@ async function katex() {
   return typeset;
 }
 
-/** A sentence; what stands between dollars is a formula. */
-function prose(k, text) {
-  return h(
-    'span',
-    {},
-    text.split('$').map((part, i) => {
-      if (i % 2 === 0) return part;
-      const el = h('span');
-      try {
-        k.render(part, el, { throwOnError: true, strict: false, trust: false });
-      } catch {
-        el.textContent = part;
-      }
-      return el;
-    }),
-  );
+/** A formula inside a sentence. */
+function inline(k, formula) {
+  const el = h('span');
+  try {
+    k.render(formula.latex, el, { throwOnError: true, strict: false, trust: false });
+  } catch {
+    el.textContent = formula.text;
+  }
+  return el;
 }
+
+/** The pieces of a sentence: words, formulas, words as they are typed, words set off. */
+function prose(k, pieces) {
+  const kinds = [
+    [(p) => typeof p === 'string', (p) => p],
+    [(p) => 'latex' in p, (p) => inline(k, p)],
+    [(p) => 'code' in p, (p) => h('code', { text: p.code })],
+    [() => true, (p) => h('em', { text: p.emphasis })],
+  ];
+  return pieces.map((piece) => kinds.find(([is]) => is(piece))[1](piece));
+}
+
+/** A sentence for the clipboard, as LaTeX. */
+const sentence = (pieces) =>
+  pieces.map((p) => (typeof p === 'string' ? p : p.latex ? `$${p.latex}$` : (p.code ?? p.emphasis))).join('');
 
 function valueTable(rows) {
   const heads = state.table.joints.map((j, i) =>
@@ -119,9 +127,10 @@ export const equations = {
       body,
     );
 
-    const latexOf = (b) =>
-      which === 'forward' && numbers === 'present' ? withPresentNumbers(b.latex, state.table, state.q) : b.latex;
-    const source = () => blocks.map((b) => (b.latex ? `\\[ ${latexOf(b)} \\]` : (b.text ?? b.heading))).join('\n\n');
+    const latexOf = (b) => (b.symbols && numbers === 'present' ? withPresentNumbers(b, state.table, state.q) : b.latex);
+    const tagOf = (b) => (b.number === undefined ? '' : ` \\tag{${b.number}}`);
+    const source = () =>
+      blocks.map((b) => (b.kind === 'equation' ? `\\[ ${latexOf(b)}${tagOf(b)} \\]` : sentence(b.pieces))).join('\n\n');
     function typesetAll(k) {
       live = [];
       replace(
@@ -157,10 +166,10 @@ export const equations = {
         setText(note, error.message);
       }
     }
-    /** Text, a formula, or a formula whose present value stands beside it. */
+    /** A heading, a sentence, a formula, or a formula with its number or its present value beside it. */
     function block(k, b) {
-      if (b.heading) return h('h3', {}, prose(k, b.heading));
-      if (b.text) return h('p', { class: 'prose' }, prose(k, b.text));
+      if (b.kind === 'heading' || b.kind === 'step') return h('h3', {}, prose(k, b.pieces));
+      if (b.kind !== 'equation') return h('p', { class: 'prose' }, prose(k, b.pieces));
       const el = h('div', { class: 'formula' });
       try {
         k.render(latexOf(b), el, {
@@ -174,6 +183,8 @@ export const equations = {
       } catch {
         el.replaceChildren(h('code', { text: latexOf(b) }));
       }
+      if (b.number !== undefined)
+        return h('div', { class: 'formula-row numbered' }, el, h('span', { class: 'hint', text: `(${b.number})` }));
       if (b.entry === undefined) return el;
       const value = h('output', { class: 'value', 'data-entry': String(b.entry) });
       live.push({ value, entry: b.entry });

@@ -29,6 +29,9 @@ const words = {
   REFUSED: 'Refused',
 };
 
+/** What is said of these begins with the number of solutions. */
+const countedBefore = new Set(['REDUNDANT', 'UNCERTAIN']);
+
 /** Milliseconds between two changes of the numbers while the hand drags the target. */
 const READABLE = 120;
 
@@ -248,17 +251,20 @@ function showVerdict(el, s) {
   const n = s.rows.length,
     inside = s.rows.filter((r) => r.inside).length;
   el.dataset.tone = tones[s.status] ?? 'note';
+  const told = s.status === 'SOLVED' && n ? '' : s.why;
   const head =
     words[s.status] && !inside
       ? words[s.status]
-      : inside === n
-        ? `${n} solution${n === 1 ? '' : 's'}`
-        : `${n} solutions, ${inside} inside the limits`;
+      : countedBefore.has(s.status) && inside === n
+        ? ''
+        : inside === n
+          ? `${n} solution${n === 1 ? '' : 's'}`
+          : `${n} solutions, ${inside} inside the limits`;
   replace(
     el,
     h('strong', { text: head }),
     ' ',
-    h('span', { text: s.status === 'SOLVED' && s.rows.length ? '' : s.why.replace(/^\d+ solution\(s\) /, '') }),
+    h('span', { text: told }),
     s.ms === undefined
       ? null
       : h('span', {

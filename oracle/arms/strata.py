@@ -6,24 +6,10 @@ from functools import partial
 
 import numpy as np
 
-import pieper
-from oracle.arms.tables import TABLES
+from oracle.arms.known import free, tabled
 from pieper import DH, Arm
 
 QUARTER = np.pi / 2
-
-
-def catalogued(name: str) -> Arm:
-    """Return an arm of the catalogue without its limits."""
-    d = pieper.load(name).description
-    types = "".join(d.joint_types)
-    said = {"sign": d.sign, "offset": d.offset, "base": d.base, "tool": d.tool}
-    return Arm.from_dh(d.rows, convention=d.convention, joint_types=types, name=name, **said)
-
-
-def tabled(name: str) -> Arm:
-    """Return an arm of the speed benchmark."""
-    return Arm.from_dh([DH(a, alpha, d, 0.0) for d, a, alpha in TABLES[name]], convention="standard", name=name)
 
 
 def wrist_at(first: int, types: str, seed: int) -> Arm:
@@ -47,7 +33,7 @@ def three_parallel(seed: int) -> Arm:
 #: name -> maker of the arm. The family each is solved by is read off its plan.
 ARMS = {
     **{
-        name: partial(catalogued, name)
+        name: partial(free, name, placed=True)
         for name in (
             "denso-vp6242",
             "fanuc-r2000ic-165f",

@@ -1,0 +1,174 @@
+"""A page as one HTML file that needs nothing else: no scripts, no fetches, figures inline, formulas as MathML."""
+
+from __future__ import annotations
+
+import html
+import re
+from pathlib import Path
+
+from pieper.document.blocks import (
+    Block,
+    Code,
+    Document,
+    Emphasis,
+    Equation,
+    Equations,
+    Heading,
+    Lines,
+    Listing,
+    Note,
+    Paragraph,
+    Picture,
+    Piece,
+    Step,
+    Table,
+)
+from pieper.document.formulas import equals
+from pieper.document.mathml_fit import displayed, fitted, inline
+
+FOOTER = "Made by pieper. Lengths are in millimetres and angles in degrees unless another unit is printed."
+
+#: The look of a page, on screen and on paper.
+STYLE = Path(__file__).with_name("page.css")
+
+
+def page(document: Document) -> str:
+    """Return a document as one self-contained HTML file."""
+    writer = _Writer(fit=True)
+    body = "\n".join(map(writer.block, document.blocks))
+    contents = f"<nav>{''.join(writer.contents)}</nav>" if len(writer.contents) > 3 else ""
+    title = escaped(document.title)
+    summary = f'<div class="summary"><p>{escaped(document.summary)}</p></div>' if document.summary else ""
+    subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>' if document.subtitle else ""
+    policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+    return (
+        '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
+        f"<title>{title}</title>\n<style>\n{STYLE.read_text()}</style>\n</head>\n<body>\n<main>\n"
+        f"<header><h1>{title}</h1>{subtitle}</header>\n{summary}\n{contents}\n{body}\n"
+        f"<footer>{FOOTER}</footer>\n</main>\n</body>\n</html>\n"
+    )
+
+
+def fragment(document: Document) -> str:
+    """Return a document as HTML elements to stand in a page of somebody else's, formulas at their full width."""
+    title = [f"<h2>{escaped(document.title)}</h2>"] if document.title else []
+    return "\n".join([*title, *map(_Writer(fit=False).block, document.blocks)]) + "\n"
+
+
+def escaped(words: str) -> str:
+    """Return words safe inside HTML elements and attributes."""
+    return html.escape(words, quote=True)
+
+
+def line(*pieces: Piece) -> str:
+    """Return pieces of a sentence as HTML."""
+    return "".join(map(_piece, pieces))
+
+
+def _piece(piece: Piece) -> str:
+    match piece:
+        case str():
+            return escaped(piece)
+        case Code():
+            return f"<code>{escaped(piece.words)}</code>"
+        case Emphasis():
+            return f"<em>{escaped(piece.words)}</em>"
+        case _:
+            return inline(piece.mathml())
+
+
+class _Writer:
+    """Writes blocks one after the other and keeps the numbers of sections, figures and tables."""
+
+    def __init__(self, *, fit: bool) -> None:
+        self.fit = fit
+        self.section = self.subsection = self.figures = self.tables = 0
+        self.contents: list[str] = []
+
+    def block(self, item: Block) -> str:
+        match item:
+            case Heading():
+                return self._heading(item)
+            case Step():
+                return self._heading(item.heading)
+            case Paragraph():
+                return f"<p>{line(*item.pieces)}</p>"
+            case Note():
+                return f'<p class="note">{line(*item.pieces)}</p>'
+            case Equation():
+                return self._equation(item)
+            case Equations():
+                rows = "".join(map(self._equation, item.rows))
+                return f'<div class="{"beside" if item.beside else "group"}">{rows}</div>'
+            case Lines():
+                tag = "ol" if item.numbered else "ul"
+                return f"<{tag}>{''.join(f'<li>{line(words)}</li>' for words in item.items)}</{tag}>"
+            case Table():
+                return self._table(item)
+            case Picture():
+                return self._picture(item)
+            case Listing():
+                return f"<pre>{escaped(item.lines)}</pre>"
+
+    def _heading(self, item: Heading) -> str:
+        tag, words = f"h{item.level + 1}", line(*item.pieces)
+        if not item.numbered:
+            return f"<{tag}>{words}</{tag}>"
+        if item.level == 1:
+            self.section, self.subsection = self.section + 1, 0
+            number = str(self.section)
+            self.contents.append(f'<a href="#s{number}"><span class="number">{number}</span>{words}</a>')
+        else:
+            self.subsection += 1
+            number = f"{self.section}.{self.subsection}"
+        return f'<{tag} id="s{number}"><span class="number">{number}</span>{words}</{tag}>'
+
+    def _equation(self, item: Equation) -> str:
+        content = equals(*item.sides).mathml()
+        math = fitted(content) if self.fit else displayed(content)
+        if item.number is None:
+            return f'<div class="formula">{math}</div>'
+        return f'<div class="formula numbered"><div>{math}</div><span>({item.number})</span></div>'
+
+    def _table(self, item: Table) -> str:
+        self.tables += 1
+        side = ["left" if i in item.left else "right" for i in range(len(item.head))]
+        head = "".join(f'<th class="{s}">{line(c)}</th>' for s, c in zip(side, item.head, strict=True))
+        rows: list[str] = []
+        for i, row in enumerate(item.rows):
+            cells = "".join(f'<td class="{s}">{line(c)}</td>' for s, c in zip(side, row, strict=True))
+            rows.append(f"<tr{' class=strong' if i in item.strong else ''}>{cells}</tr>")
+        caption = f"<caption><b>Table {self.tables}.</b> {escaped(item.caption)}</caption>" if item.caption else ""
+        long = (" long" if len(item.rows) > 22 else "") + (" dense" if len(item.head) > 8 else "")
+        return (
+            f'<div class="wide{long}"><table>{caption}<thead><tr>{head}</tr></thead>'
+            f"<tbody>{''.join(rows)}</tbody></table></div>"
+        )
+
+    def _picture(self, item: Picture) -> str:
+        self.figures += 1
+        drawing = inline_svg(item.drawing.svg(), f"f{self.figures}-")
+        return (
+            f'<figure style="width:{100 * item.width:.0f}%">{drawing}'
+            f"<figcaption><b>Figure {self.figures}.</b> {escaped(item.caption)}</figcaption></figure>"
+        )
+
+
+def inline_svg(text: str, prefix: str) -> str:
+    """Return SVG text fit to stand inside HTML: no prologue, no fixed size, identifiers made unique by a prefix."""
+    text = text[text.index("<svg") :]
+    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.S)
+    text = re.sub(r'\bid="([^"]+)"', lambda m: f'id="{prefix}{m[1]}"', text)
+    text = re.sub(r'href="#([^"]+)"', lambda m: f'href="#{prefix}{m[1]}"', text)
+    text = re.sub(r"url\(#([^)]+)\)", lambda m: f"url(#{prefix}{m[1]})", text)
+    head, rest = text.split(">", 1)
+    head = re.sub(r'\s(width|height|xmlns:[a-z]+|version)="[^"]*"', "", head).replace("<svg", '<svg role="img"', 1)
+    # coordinates finer than a hundredth of a point are of no use to anyone; scales of glyphs are
+    rest = re.sub(r'\bd="[^"]*"', lambda m: re.sub(r"-?\d+\.\d{3,}", _shorter, m[0]), rest)
+    return f"{head}>{rest}".replace("xlink:href", "href").strip()
+
+
+def _shorter(number: re.Match[str]) -> str:
+    return f"{float(number[0]):.2f}".rstrip("0").rstrip(".")

@@ -1,0 +1,185 @@
+"""A page as LaTeX: a source that compiles with pdflatex, its figures as PDF files beside it, or the inside of one."""
+
+from __future__ import annotations
+
+from pieper.document.blocks import (
+    Block,
+    Code,
+    Document,
+    Emphasis,
+    Equation,
+    Equations,
+    Heading,
+    Lines,
+    Listing,
+    Note,
+    Paragraph,
+    Picture,
+    Piece,
+    Step,
+    Table,
+)
+from pieper.document.formulas import equals
+from pieper.document.text import plain
+
+HEAD = r"""\documentclass[11pt,a4paper]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{lmodern}
+\usepackage{textcomp}
+\usepackage{amsmath,amssymb}
+\usepackage{graphicx}
+\usepackage{booktabs}
+\usepackage{longtable}
+\usepackage[margin=22mm]{geometry}
+\usepackage[hidelinks]{hyperref}
+\allowdisplaybreaks
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{0.6ex plus 0.2ex}
+\setlength{\tabcolsep}{4pt}
+\setcounter{MaxMatrixCols}{20}
+% a display is set once in a box; wider than the line, it is scaled down to it
+\newsavebox{\formulabox}
+\newcommand{\fitted}[1]{\sbox{\formulabox}{$\displaystyle #1$}%
+  \ifdim\wd\formulabox>\linewidth\resizebox{\linewidth}{!}{\usebox{\formulabox}}\else\usebox{\formulabox}\fi}
+"""
+
+_SPECIAL = {
+    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
+    "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}",
+    "|": r"\textbar{}",
+    "°": r"\textdegree{}", "\u00a0": "~", "±": r"\ensuremath{\pm}", "−": r"\ensuremath{-}", "·": r"\ensuremath{\cdot}",
+    "×": r"\ensuremath{\times}", "²": r"\ensuremath{^2}", "³": r"\ensuremath{^3}", "∞": r"\ensuremath{\infty}",
+    "→": r"\ensuremath{\to}", "≤": r"\ensuremath{\le}", "≥": r"\ensuremath{\ge}", "≈": r"\ensuremath{\approx}",
+    "θ": r"\ensuremath{\theta}", "α": r"\ensuremath{\alpha}", "π": r"\ensuremath{\pi}", "σ": r"\ensuremath{\sigma}",
+    "γ": r"\ensuremath{\gamma}", "β": r"\ensuremath{\beta}", "φ": r"\ensuremath{\varphi}", "√": r"\ensuremath{\surd}",
+    "…": r"\ldots{}", "–": "--", "—": "---", "‘": "`", "’": "'", "“": "``", "”": "''", "½": r"\ensuremath{\frac12}",
+    "⁻": r"\ensuremath{^-}", "¹": r"\ensuremath{^1}", "⁰": r"\ensuremath{^0}",
+} | {chr(0x2080 + k): rf"\ensuremath{{_{k}}}" for k in range(10)}  # fmt: skip
+
+
+def latex_text(words: str) -> str:
+    """Return plain text as LaTeX; characters that pdflatex cannot set become a question mark."""
+    return "".join(_SPECIAL.get(c, c if ord(c) < 0x250 else "?") for c in words)
+
+
+def line(*pieces: Piece) -> str:
+    """Return pieces of a sentence as LaTeX."""
+    return "".join(map(_piece, pieces))
+
+
+def _piece(piece: Piece) -> str:
+    match piece:
+        case str():
+            return latex_text(piece)
+        case Code():
+            return rf"\texttt{{{latex_text(piece.words)}}}"
+        case Emphasis():
+            return rf"\emph{{{latex_text(piece.words)}}}"
+        case _:
+            return f"${piece.latex()}$"
+
+
+def source(document: Document, folder: str = "figures") -> tuple[str, dict[str, bytes]]:
+    """Return a document as LaTeX source and the files it needs.
+
+    Args:
+        document: The page.
+        folder: Name of the folder of figures beside the source.
+
+    Returns:
+        The source, and the figures: relative file name to content.
+    """
+    writer = _Writer(folder, fit=True)
+    title = rf"\title{{{line(document.title)}}}" + "\n"
+    title += rf"\author{{{line(document.subtitle)}}}" + "\n" + r"\date{}" + "\n"
+    parts = [HEAD, title, r"\begin{document}", r"\maketitle"]
+    if document.summary:
+        parts.append(rf"\begin{{quote}}{line(document.summary)}\end{{quote}}")
+    parts += [*map(writer.block, document.blocks), r"\end{document}"]
+    return "\n\n".join(parts) + "\n", writer.files
+
+
+def fragment(document: Document) -> str:
+    """Return the inside of a LaTeX document (needs amsmath), formulas at their full width."""
+    title = [rf"\subsection*{{{line(document.title)}}}"] if document.title else []
+    return "\n\n".join([*title, *map(_Writer("figures", fit=False).block, document.blocks)]) + "\n"
+
+
+class _Writer:
+    """Writes blocks one after the other and keeps the figures for their folder."""
+
+    def __init__(self, folder: str, *, fit: bool) -> None:
+        self.folder, self.fit = folder, fit
+        self.files: dict[str, bytes] = {}
+
+    def block(self, item: Block) -> str:
+        match item:
+            case Heading():
+                command = {True: ("section", "subsection"), False: ("section*", "paragraph")}[item.numbered]
+                return rf"\{command[item.level - 1]}{{{line(*item.pieces)}}}"
+            case Step():
+                return self.block(item.heading)
+            case Paragraph() | Note():
+                return line(*item.pieces)
+            case Equation():
+                number = rf" \tag{{{item.number}}}" if item.number is not None else ""
+                return rf"\[ {self._body(item)}{number} \]"
+            case Equations():
+                return self._equations(item)
+            case Lines():
+                kind = "enumerate" if item.numbered else "itemize"
+                items = "\n".join(rf"\item {line(words)}" for words in item.items)
+                return rf"\begin{{{kind}}}" + "\n" + items + "\n" + rf"\end{{{kind}}}"
+            case Table():
+                return _table(item)
+            case Picture():
+                return self._picture(item)
+            case Listing():
+                rows = ("".join(map(_typed, row)) for row in item.lines.splitlines())
+                return "{\\small\n\\begin{verbatim}\n" + "\n".join(rows) + "\n\\end{verbatim}\n}"
+
+    def _body(self, item: Equation) -> str:
+        body = equals(*item.sides).latex()
+        return rf"\fitted{{{body}}}" if self.fit else body
+
+    def _equations(self, item: Equations) -> str:
+        if item.beside:
+            bodies = [equals(*row.sides).latex() for row in item.rows]
+            rows = [r" \qquad ".join(bodies[k : k + 3]) for k in range(0, len(bodies), 3)]
+            return "\n".join(rf"\[ \fitted{{{row}}} \]" if self.fit else rf"\[ {row} \]" for row in rows)
+        if self.fit:
+            rows, kind = [self._body(row) for row in item.rows], "gather*"
+        else:
+            rows, kind = [" &= ".join(side.latex() for side in row.sides) for row in item.rows], "align*"
+        return rf"\begin{{{kind}}}" + "\n" + " \\\\\n".join(rows) + "\n" + rf"\end{{{kind}}}"
+
+    def _picture(self, item: Picture) -> str:
+        name = f"{self.folder}/{item.name}.pdf"
+        self.files[name] = item.drawing.pdf()
+        return (
+            "\\begin{figure}[!htbp]\n\\centering\n"
+            rf"\includegraphics[width={min(item.width, 1.0):.2f}\linewidth]{{{name}}}"
+            "\n" + rf"\caption{{{line(item.caption)}}}" + "\n\\end{figure}"
+        )
+
+
+def _table(item: Table) -> str:
+    columns = "".join("l" if i in item.left else "r" for i in range(len(item.head)))
+    head = " & ".join(rf"\textbf{{{line(c)}}}" for c in item.head)
+    rows = [" & ".join(line(c) for c in row) + r" \\" for row in item.rows]
+    body = "\n".join([r"\toprule", head + r" \\", r"\midrule", *rows, r"\bottomrule"])
+    caption = rf"\caption{{{line(item.caption)}}}" if item.caption else ""
+    inside = rf"\begin{{tabular}}{{{columns}}}" + "\n" + body + "\n" + r"\end{tabular}"
+    width = sum(max(len(plain(row[i])) for row in (item.head, *item.rows)) + 2 for i in range(len(item.head)))
+    if width > 88:
+        inside = r"\resizebox{\linewidth}{!}{%" + "\n" + inside + "}"
+    return "\\begin{table}[!htbp]\n\\centering\\small\n" + caption + "\n" + inside + "\n\\end{table}"
+
+
+def _typed(character: str) -> str:
+    if ord(character) < 128:
+        return character
+    return {"°": " deg", "θ": "theta", "±": "+-", "−": "-", "²": "^2", "→": "->", "∞": "inf", "·": "*"}.get(
+        character, "?"
+    )

@@ -1,0 +1,44 @@
+"""The joint metric: the short way round, whole turns inside limits, slides per length."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.joints import TURN, JointSpace, inside, short_way, wrapped
+
+SPACE = JointSpace(np.array([False, True, False]), 0.5)
+
+
+def test_half_a_turn_has_one_sign_each_way_of_wrapping():
+    assert short_way(np.pi) == -np.pi and wrapped(-np.pi) == np.pi
+    assert np.allclose(short_way(np.array([3 * np.pi / 2, -0.1 - TURN])), [-np.pi / 2, -0.1])
+
+
+def test_a_slide_counts_per_length_and_is_never_wrapped():
+    a, b = np.array([np.pi - 0.1, 9.0, 0.2]), np.array([-np.pi + 0.1, 1.0, 0.2])
+    assert np.allclose(SPACE.difference(a, b), [-0.2, 16.0, 0.0])
+    assert np.allclose(SPACE.way(a, b), [-0.2, 8.0, 0.0])
+    assert np.isclose(SPACE.apart(a, b), 16.0)
+
+
+def test_distance_counts_whole_turns():
+    assert np.isclose(SPACE.straight(np.array([TURN, 0.3, 0.0]), np.zeros(3)), np.hypot(TURN, 0.6))
+
+
+def test_turns_go_as_near_as_the_limits_allow():
+    limits = np.array([[-np.pi, np.pi], [0.0, 1.0], [-3 * np.pi, 3 * np.pi]])
+    q, near = np.array([3.0, 0.5, 3.0]), np.array([-3.0 - TURN, 5.0, -3.0])
+    assert np.allclose(SPACE.unwound(q, near, limits), [3.0, 0.5, 3.0 - TURN])
+
+
+def test_a_value_outside_its_limits_is_moved_only_where_that_helps():
+    limits = np.array([[4.0, 7.0], [0.0, 1.0], [-1.0, 1.0]])
+    q, ok = SPACE.inside_limits(np.array([[0.0, 0.5, 0.0], [0.0, 2.0, 2.0]]), limits)
+    assert list(ok) == [True, False] and np.allclose(q, [[TURN, 0.5, 0.0], [TURN, 2.0, 2.0]])
+    assert list(inside(np.array([4.0 - 1e-12, 1.1, 0.0]), limits)) == [True, False, True]
+
+
+def test_the_first_of_each_cluster_stays():
+    q = np.array([[0.0, 0.0, np.pi], [0.0, 0.0, -np.pi], [0.0, 1e-9, 0.0], [0.0, 0.1, 0.0]])
+    assert list(SPACE.distinct(q, 1e-6)) == [0, 2, 3]
+    assert list(SPACE.without_repeats(q[None], np.ones((1, 4), bool), 1e-6)[0]) == [True, False, True, True]

@@ -1,0 +1,159 @@
+"""Every check that needs no test run: one line each, what it took, and what is wrong in full.
+
+Usage: python -m tests.tools.check [--only NAME ...]
+
+Where a check does not hold everywhere yet, allowed.json has the number of complaints that stand; it may only shrink,
+and the line says when it can be lowered; null counts only, until a first number is written down. What needs Node says
+so and is left out where there is none.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "src" / "pieper" / "workbench" / "page"
+ALLOWED: dict[str, int | None] = json.loads(Path(__file__).with_name("allowed.json").read_text())
+BIN = Path(sys.executable).parent
+
+
+class LeftOut(Exception):
+    """A check cannot be made here, and why."""
+
+
+def run(*command: str, cwd: Path = ROOT) -> tuple[int, str]:
+    """Run a tool of this environment, or of the machine; return its exit status and what it said."""
+    own = BIN / command[0]
+    line = [str(own) if own.exists() else command[0], *command[1:]]
+    done = subprocess.run(line, cwd=cwd, capture_output=True, text=True)
+    return done.returncode, (done.stdout + done.stderr).strip()
+
+
+def tracked(*patterns: str) -> list[str]:
+    """Return the files of patterns, what git ignores left out."""
+    _, said = run("git", "ls-files", "--cached", "--others", "--exclude-standard", "--", *patterns)
+    return [line for line in said.splitlines() if (ROOT / line).exists()]
+
+
+def complaints(*command: str) -> list[str]:
+    """Return what a tool says, a complaint a line; nothing when it is content."""
+    status, said = run(*command)
+    return said.splitlines() if status else []
+
+
+def style() -> list[str]:
+    return complaints("ruff", "check", "--output-format", "concise", "--quiet", ".")
+
+
+def layout() -> list[str]:
+    return complaints("ruff", "format", "--check", "--quiet", ".")
+
+
+def words_and_types() -> list[str]:
+    """Docstrings (Google's sections) and annotations; tests and what has two underscores go without."""
+    rules = ("--select", "D,ANN", "--ignore", "D105,D107,ANN401", "--output-format", "concise", "--quiet")
+    return complaints("ruff", "check", *rules, "src", "build_backend")
+
+
+def types() -> list[str]:
+    _, said = run("pyright", "--threads", "--pythonpath", sys.executable)
+    if not re.search(r"\d+ errors?,", said):
+        return ["pyright did not run", said]
+    return [line.strip() for line in said.splitlines() if " - error: " in line]
+
+
+def kernels() -> list[str]:
+    sources = tracked("kernels/*.hpp", "kernels/*.cpp", "oracle/*.cpp")
+    _, said = run("clang-format", "--dry-run", "--ferror-limit=1", *sources)
+    return sorted(
+        {line.split(":")[0] for line in said.splitlines() if "warning: code should be clang-formatted" in line}
+    )
+
+
+def node() -> None:
+    """Raise LeftOut where the page's tools are not there."""
+    if shutil.which("node") is None:
+        raise LeftOut("no Node on this machine")
+    if not (PAGE / "node_modules").exists():
+        raise LeftOut("the page's tools are not installed: npm ci in src/pieper/workbench/page")
+
+
+def page_layout() -> list[str]:
+    node()
+    _, said = run(
+        "node", "node_modules/prettier/bin/prettier.cjs", "--list-different", "src/**/*.mjs", "build.mjs", cwd=PAGE
+    )
+    return said.splitlines()
+
+
+def page_shipped() -> list[str]:
+    """Build the page again, beside the shipped one, and compare file by file."""
+    node()
+    status, said = run("node", "build.mjs", "--check", cwd=PAGE)
+    return [said] if status else []
+
+
+def pages() -> list[str]:
+    return complaints(sys.executable, "-m", "benchmarks.pages", "--check")
+
+
+def house() -> list[str]:
+    return complaints(sys.executable, "-m", "tests.tools.house", "--short")
+
+
+CHECKS: dict[str, Callable[[], list[str]]] = {
+    "style (ruff)": style,
+    "layout (ruff)": layout,
+    "docstrings, annotations (ruff)": words_and_types,
+    "types (pyright)": types,
+    "kernels' layout (clang-format)": kernels,
+    "page's layout (prettier)": page_layout,
+    "page as shipped (esbuild)": page_shipped,
+    "pages made of results": pages,
+    "law of the house": house,
+}
+
+
+def told(name: str) -> bool:
+    """Make one check, say how it went, and return whether it holds."""
+    begin, allowed = time.monotonic(), ALLOWED.get(name, 0)
+    try:
+        found = CHECKS[name]()
+    except LeftOut as why:
+        print(f"{name:32} LEFT OUT: {why}", flush=True)
+        return True
+    if allowed is None:
+        print(
+            f"{name:32} {time.monotonic() - begin:5.1f} s  COUNTED, NOT HELD YET: {len(found)} complaints", flush=True
+        )
+        return True
+    verdict = "holds" if len(found) <= allowed else f"FAILS, {len(found)} complaints, {allowed} allowed"
+    if found and len(found) == allowed:
+        verdict = f"holds as before, {allowed} complaints to mend"
+    if len(found) < allowed:
+        verdict = f"holds; lower allowed.json from {allowed} to {len(found)}"
+    print(f"{name:32} {time.monotonic() - begin:5.1f} s  {verdict}", flush=True)
+    if len(found) > allowed:
+        print("\n".join(f"    {line}" for line in found[:200]), flush=True)
+    return len(found) <= allowed
+
+
+def main() -> None:
+    """Make the checks, one after the other, all of them also when one fails."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--only", nargs="*", default=list(CHECKS), help="names, or their beginnings")
+    asked = parser.parse_args().only
+    held = [told(name) for name in CHECKS if any(name.startswith(one) for one in asked)]
+    sys.exit(0 if all(held) else 1)
+
+
+if __name__ == "__main__":
+    main()
