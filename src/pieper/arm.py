@@ -17,6 +17,7 @@ from pieper.description.posture import posture
 from pieper.errors import PieperWarning, PlanError
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
+from pieper.kinematics.pose import PoseLike
 from pieper.motion.track import Track, follow
 from pieper.solver import verbs
 from pieper.solver.plan.classify import make_plan
@@ -53,8 +54,8 @@ class Arm:
         convention: str,
         joint_types: str | None = None,
         limits: Sequence | None = None,
-        base: Array | None = None,
-        tool: Array | None = None,
+        base: PoseLike | None = None,
+        tool: PoseLike | None = None,
         name: str = "arm",
         joint_names: Sequence[str] | None = None,
         sign: Sequence[float] | None = None,
@@ -88,7 +89,7 @@ class Arm:
     def from_axes(
         axes: ArrayLike,
         points: ArrayLike,
-        home: object,
+        home: PoseLike,
         *,
         joint_types: str | None = None,
         limits: Sequence | None = None,
@@ -200,11 +201,11 @@ class Arm:
         """Return the joint vector of a posture that is said by its name, anything else unchanged."""
         return posture(self.description, q, what) if isinstance(q, str) else q
 
-    def with_tool(self, tool: object) -> Arm:
+    def with_tool(self, tool: PoseLike | str) -> Arm:
         """Return the arm with another tool: a pose in the table's last frame, or the name of one of its tools."""
         return Arm(change.with_tool(self.description, tool), snap=self._snap)
 
-    def with_base(self, base: object) -> Arm:
+    def with_base(self, base: PoseLike) -> Arm:
         """Return the arm whose DH table begins at another pose."""
         return Arm(change.with_base(self.description, base), snap=self._snap)
 
@@ -241,7 +242,7 @@ class Arm:
             self._plans[key] = make_plan(self.chain, self.description, task=task, snap=self._snap)
         return self._plans[key]
 
-    def ik(self, T: ArrayLike, *, task: str | None = None, redundancy: Redundancy = None) -> Solutions:
+    def ik(self, T: PoseLike, *, task: str | None = None, redundancy: Redundancy = None) -> Solutions:
         """Return every solution of a pose.
 
         Args:
@@ -274,7 +275,7 @@ class Arm:
             )
 
     def ik_many(
-        self, Ts: ArrayLike, *, threads: int | None = None, task: str | None = None, redundancy: Redundancy = None
+        self, Ts: PoseLike, *, threads: int | None = None, task: str | None = None, redundancy: Redundancy = None
     ) -> SolutionBatch:
         """Return every solution of N poses.
 
@@ -286,7 +287,7 @@ class Arm:
         """
         return verbs.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
 
-    def closest(self, T: ArrayLike) -> tuple[Array, float, float]:
+    def closest(self, T: PoseLike) -> tuple[Array, float, float]:
         """Return the posture (n,) that comes closest to a pose, limits aside, and what is missing, m and rad.
 
         Position gives way before orientation. The search begins at random places: a nearer posture may exist.
@@ -308,7 +309,7 @@ class Arm:
         """
         return read_arm_angle(self.plan_for("pose"), self._joints(q))
 
-    def follow(self, path: ArrayLike, *, start: ArrayLike | str | None = None) -> Track:
+    def follow(self, path: PoseLike, *, start: ArrayLike | str | None = None) -> Track:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 

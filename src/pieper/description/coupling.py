@@ -54,4 +54,6 @@ def chain_values(q: npt.NDArray[np.float64], coupling: npt.NDArray[np.float64] |
 
 def joint_values(values: npt.NDArray[np.float64], coupling: npt.NDArray[np.float64] | None) -> npt.NDArray[np.float64]:
     """Return the joint vectors (..., n) at which the chain's joints have these values (..., n), rad or m."""
-    return values if coupling is None else np.linalg.solve(coupling, values[..., None])[..., 0]
+    if coupling is None:
+        return values
+    return np.asarray(np.linalg.solve(coupling, values[..., None])[..., 0], np.float64)

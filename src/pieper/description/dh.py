@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from pieper.description.coupling import checked_coupling
 from pieper.errors import InputError, PieperWarning
-from pieper.kinematics.pose import checked_pose
+from pieper.kinematics.pose import PoseLike, checked_pose
 
 CONVENTIONS = ("standard", "modified")
 MAX_JOINTS = 60
@@ -140,8 +140,8 @@ def describe(
     convention: str,
     joint_types: str | None = None,
     limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
-    base: object = None,
-    tool: object = None,
+    base: PoseLike | None = None,
+    tool: PoseLike | None = None,
     name: str = "arm",
     joint_names: Sequence[str] | None = None,
     sign: Sequence[float] | None = None,
@@ -154,8 +154,8 @@ def describe(
     postures: Mapping[str, ArrayLike] | None = None,
     checks: Sequence[Check] = (),
     coupling: ArrayLike | None = None,
-    tools: Mapping[str, object] | None = None,
-    frames: Mapping[str, object] | None = None,
+    tools: Mapping[str, PoseLike] | None = None,
+    frames: Mapping[str, PoseLike] | None = None,
     remarks: Sequence[str] = (),
 ) -> Description:
     """Check what was said about an arm and return it as a Description.

@@ -12,7 +12,9 @@ from pieper.description.quantity import UNITS, UNITS_OF, ExpressionError, evalua
 def quantity(table: dict, stem: str, kind: str, place: Place, default: float | None = None) -> float:
     """Return a length or angle of a table, SI; without a default one of its keys must be there."""
     key, unit = one_key(table, stem, UNITS_OF[kind], place, required=default is None)
-    return default if key is None else number(table[key], unit, place, key)
+    if key is None:
+        return 0.0 if default is None else default
+    return number(table[key], unit, place, key)
 
 
 def one_key(table: dict, stem: str, units: Iterable[str], place: Place, required: bool) -> tuple[str | None, str]:
@@ -26,6 +28,12 @@ def one_key(table: dict, stem: str, units: Iterable[str], place: Place, required
     if required:
         place.fail(f"the key for {stem} is missing: give {' or '.join(keys)}.", None, missing=stem, allowed=list(keys))
     return None, ""
+
+
+def needed_key(table: dict, stem: str, units: Iterable[str], place: Place) -> tuple[str, str]:
+    """Return the key of this stem, which must be there, and its unit."""
+    key, unit = one_key(table, stem, units, place, required=True)
+    return key or "", unit
 
 
 def number(value: object, unit: str, place: Place, key: str, *, infinite: bool = False, unknown: bool = False) -> float:

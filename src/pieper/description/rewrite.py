@@ -54,7 +54,7 @@ def _update(table, old: dict, new: dict, section: str, tomlkit) -> None:
         before, after = old.get(key), new.get(key)
         if _same(before, after):
             continue
-        if key == "joints" and _names(before) == _names(after):
+        if key == "joints" and before and after and _names(before) == _names(after):
             for item, old_joint, new_joint in zip(table["joints"], before, after, strict=True):
                 _replace_stems(item, old_joint, new_joint, _stem)
         elif key in ("base", "tool") and isinstance(before, dict) and isinstance(after, dict):

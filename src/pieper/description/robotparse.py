@@ -10,7 +10,7 @@ import numpy as np
 from pieper.description.axes import UNIT_SLACK
 from pieper.description.commonnormal import standard_table
 from pieper.description.dh import CONVENTIONS, DH, Actuator, Check, Description, describe
-from pieper.description.fields import number, numbers, one_key, quantity
+from pieper.description.fields import needed_key, number, numbers, one_key, quantity
 from pieper.description.place import Place, kind_of
 from pieper.description.posefield import pose_of
 from pieper.description.quantity import UNITS, UNITS_OF
@@ -217,7 +217,7 @@ def _actuator(tool: dict, top: Place) -> Actuator | None:
     place = top.at("tool.actuator")
     table = place.table(tool["actuator"], "actuator")
     place.only(table, ("name", *(f"{key}_{unit}" for key in ("limits", "value") for unit in UNITS)))
-    key, unit = one_key(table, "limits", UNITS, place, required=True)
+    key, unit = needed_key(table, "limits", UNITS, place)
     lower, upper = numbers(table[key], unit, 2, place, key)
     if lower > upper:
         place.fail(f"the limits are swapped: lower {table[key][0]} is above upper {table[key][1]}.", key)
@@ -241,7 +241,7 @@ def q_units(kinds: str) -> tuple[str, ...]:
 
 
 def _joint_vector(table: dict, kinds: str, place: Place) -> np.ndarray:
-    key, unit = one_key(table, "q", q_units(kinds), place, required=True)
+    key, unit = needed_key(table, "q", q_units(kinds), place)
     angle, _, length = unit.partition("_")
     units = [angle if kind == "R" or not length else length for kind in kinds]
     value = table[key]

@@ -129,7 +129,8 @@ def _actuator(actuator: Actuator) -> dict:
 
 
 def _joint_vector(q: np.ndarray, kinds: str) -> dict:
-    words, said = [], [0.0] * len(kinds)
+    words: list[str] = []
+    said: list[float | int | None] = [0.0] * len(kinds)
     for letter, kind in (("R", "angle"), ("P", "length")):
         joints = [i for i, other in enumerate(kinds) if other == letter]
         if joints:

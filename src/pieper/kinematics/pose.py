@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any, Protocol, TypeAlias
+
 import numpy as np
 
 from pieper.errors import InputError
@@ -25,7 +28,44 @@ _ACCESSORS = (
 )
 
 
-def as_pose(T: object) -> object:
+class HasAsMatrix(Protocol):
+    """A pose such as SciPy's RigidTransform."""
+
+    def as_matrix(self) -> Any:
+        """Return (..., 4, 4)."""
+        ...
+
+
+class HasHomogeneous(Protocol):
+    """A pose such as Pinocchio's SE3."""
+
+    @property
+    def homogeneous(self) -> Any:
+        """(4, 4)."""
+        ...
+
+
+class HasA(Protocol):
+    """A pose such as spatialmath's SE3."""
+
+    @property
+    def A(self) -> Any:
+        """(4, 4), or a list of them."""
+        ...
+
+
+class HasParts(Protocol):
+    """A pose that hands out its rotation (3, 3) and its translation (3,)."""
+
+    rotation: Any
+    translation: Any
+
+
+#: What goes wherever a pose goes.
+PoseLike: TypeAlias = ArrayLike | HasAsMatrix | HasHomogeneous | HasA | HasParts | Sequence[Any]
+
+
+def as_pose(T: object) -> Any:
     """Return the matrix of a pose that another library holds, anything else unchanged.
 
     SciPy's RigidTransform, spatialmath's SE3, Pinocchio's SE3 and whatever else hands out a (4, 4) or (N, 4, 4) by one
@@ -50,7 +90,7 @@ def as_pose(T: object) -> object:
     return T
 
 
-def checked_pose(T: ArrayLike, what: str = "T", *, batch: bool = False) -> Array:
+def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
     """Return poses as float64 with an exact rotation part, or say what is wrong with them.
 
     Rotation parts that depart from a rotation by up to `ROTATION_ACCEPTED` (a pose rounded to float32, for one) are
@@ -145,7 +185,7 @@ def inverse(T: Array) -> Array:
 
 def transform(R: Array | None = None, p: Array | None = None) -> Array:
     """Return the pose (..., 4, 4) with rotation R (identity if None) and position p (zero if None)."""
-    shape = np.shape(p)[:-1] if R is None else np.shape(R)[:-2]
+    shape = np.shape(R)[:-2] if R is not None else () if p is None else np.shape(p)[:-1]
     T = np.zeros((*shape, 4, 4))
     T[..., :3, :3] = np.eye(3) if R is None else R
     if p is not None:

@@ -9,6 +9,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.joints import TURN, inside
+from pieper.kinematics.pose import PoseLike
 from pieper.motion.branches import Strand, strands
 from pieper.motion.continuation import Continuation
 from pieper.motion.path import checked_path
@@ -104,7 +105,7 @@ class Track:
         return "\n".join(text)
 
 
-def follow(plan: Plan, path: ArrayLike, *, start: ArrayLike | None = None) -> Track:
+def follow(plan: Plan, path: PoseLike, *, start: ArrayLike | None = None) -> Track:
     """Follow a path by the branch whose first solution is nearest to the start posture.
 
     Each branch is carried by continuity, not merely by nearness: steps are compared with what the Jacobian predicts and

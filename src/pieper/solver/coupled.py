@@ -48,8 +48,9 @@ def in_joints(plan: Plan, values: Array) -> tuple[Array, Bools]:
 
 def _joints_at(chain: Chain, values: Array) -> Array:
     """Return the joint vectors (..., k) at which the first joints of a chain have these values."""
-    assert chain.coupling is not None
-    return np.linalg.solve(chain.coupling, values[..., None])[..., 0]
+    if chain.coupling is None:
+        return values
+    return np.asarray(np.linalg.solve(chain.coupling, values[..., None])[..., 0], np.float64)
 
 
 def _motion(plan: Plan, motion: SelfMotion) -> SelfMotion:

@@ -9,8 +9,8 @@ from functools import partial
 import numpy as np
 
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools
-from pieper.kinematics.pose import checked_pose
+from pieper.kinematics.arrays import Array, Bits, Bools
+from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
 from pieper.solver.arm_rows import arm_rows
 from pieper.solver.coupled import batch_of, solutions_of
 from pieper.solver.plan.plan import Plan
@@ -33,7 +33,7 @@ _PLAIN = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], n
 _SPARE = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT], np.uint8)
 
 
-def ik(plan: Plan, T: ArrayLike, redundancy: Redundancy = None) -> Solutions:
+def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
     """Return every solution of one pose; see `Arm.ik`."""
     if plan.uncoupled is not None:
         return solutions_of(plan, WORDS, ik(plan.uncoupled, T, redundancy))
@@ -50,7 +50,7 @@ def ik(plan: Plan, T: ArrayLike, redundancy: Redundancy = None) -> Solutions:
     return Solutions(plan, WORDS, T, q, slots, inside, flag)
 
 
-def ik_many(plan: Plan, Ts: ArrayLike, threads: int | None = None, redundancy: Redundancy = None) -> SolutionBatch:
+def ik_many(plan: Plan, Ts: PoseLike, threads: int | None = None, redundancy: Redundancy = None) -> SolutionBatch:
     """Return every solution of N poses; see `Arm.ik_many`."""
     if plan.uncoupled is not None:
         return _many_coupled(plan, ik_many(plan.uncoupled, Ts, threads, redundancy), Ts)
@@ -72,7 +72,7 @@ def ik_many(plan: Plan, Ts: ArrayLike, threads: int | None = None, redundancy: R
     return SolutionBatch(plan, rows, status)
 
 
-def _many_coupled(plan: Plan, found: SolutionBatch, Ts: ArrayLike) -> SolutionBatch:
+def _many_coupled(plan: Plan, found: SolutionBatch, Ts: PoseLike) -> SolutionBatch:
     batch = batch_of(plan, found)
     for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits))[:MOST_CAREFUL]:
         batch.status[i] = ik(plan, _checked(Ts)[i]).status
@@ -82,7 +82,7 @@ def _many_coupled(plan: Plan, found: SolutionBatch, Ts: ArrayLike) -> SolutionBa
 # ---------------------------------------------------------------------------------------------- check
 
 
-def _plain(plan: Plan, Ts: ArrayLike, redundancy: Redundancy) -> Array:
+def _plain(plan: Plan, Ts: PoseLike, redundancy: Redundancy) -> Array:
     """Return poses (N, 4, 4) as the solver takes them, unchecked where it looks at them itself."""
     by_value = not (isinstance(redundancy, Mapping) and ARM_ANGLE in redundancy)
     if isinstance(Ts, np.ndarray) and (plan.direct or (plan.immediate and by_value)):
@@ -92,7 +92,7 @@ def _plain(plan: Plan, Ts: ArrayLike, redundancy: Redundancy) -> Array:
     return _checked(Ts)
 
 
-def _checked(Ts: ArrayLike) -> Array:
+def _checked(Ts: PoseLike) -> Array:
     poses = checked_pose(Ts, "Ts", batch=True)
     if poses.ndim != 3:
         raise InputError(f"Ts must have shape (N, 4, 4), got {poses.shape}.", given=poses.shape)
@@ -176,12 +176,12 @@ def _put(found: Solutions, rows: Rows, i: int) -> None:
 # ---------------------------------------------------------------------------------------------- spare coordinates
 
 
-def _ik_through(plan: Plan, given: ArrayLike, redundancy: Redundancy) -> Solutions:
+def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solutions:
     """Solve a pose that the arm itself is no six-joint chain for."""
     T = checked_pose(given)
     asked = choice(plan, redundancy, 1)
     q, slots, inside, flag = _rows(plan, T[None], asked, 1).of(0)
-    if not np.array_equal(T, np.asarray(given, float)):
+    if not np.array_equal(T, np.asarray(as_pose(given), float)):
         flag |= Flag.ROUNDED
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))

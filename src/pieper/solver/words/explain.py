@@ -18,6 +18,11 @@ def explain(plan: Plan) -> str:
         lines += ["Each solution of that nominal arm is then refined on the arm as described."]
     reduction = plan.reduction
     steps: list[str] = []
+    if plan.chain.coupling is not None:
+        steps.append(
+            "coupled joints: the axes' own angles are solved for, and the joints' numbers, to which limits apply, "
+            "follow from them by the inverse of the coupling"
+        )
     if reduction.full.n > plan.n:
         steps.append(
             f"the task leaves {plural(reduction.full.n - plan.n, 'freedom')} of the tool open, "
