@@ -24,6 +24,7 @@ from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
 from pieper.solver.results import SolutionBatch, Solutions
+from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from pieper.equations import Symbolic
@@ -330,7 +331,7 @@ class Arm:
         source.write(self.description, path)
 
     def __repr__(self) -> str:
-        return f"<Arm {self.name}: {self.n} joints {self.joint_types}, {self.description.convention} DH>"
+        return f"<Arm {self.name}: {plural(self.n, 'joint')} {self.joint_types}, {self.description.convention} DH>"
 
 
 def load(

@@ -237,7 +237,7 @@ def stepped(T: Array, twists: Array, length: float) -> Array:
 
 
 def skew(v: Array) -> Array:
-    """Return the matrices (..., 3, 3) with skew(v) @ w = v x w."""
+    """Return the matrices (..., 3, 3) that take w to the cross product v x w."""
     v = np.asarray(v, float)
     K = np.zeros((*v.shape[:-1], 3, 3))
     K[..., 2, 1], K[..., 0, 2], K[..., 1, 0] = v[..., 0], v[..., 1], v[..., 2]

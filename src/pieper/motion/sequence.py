@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
+from pieper.words_by_number import plural
 
 #: More samples than this are asked for by mistake (a rate in the wrong unit), not on purpose.
 MAX_SAMPLES = 10_000_000
@@ -194,7 +195,9 @@ def compare(
         )
     names = tuple(f"P{i}" for i in range(len(reference))) if names is None else tuple(names)
     if len(names) != len(reference):
-        raise InputError(f"{len(names)} names were given for {len(reference)} rows.", given=names)
+        raise InputError(
+            f"{plural(len(names), 'name was', 'names were')} given for {plural(len(reference), 'row')}.", given=names
+        )
     absolute = np.abs(simulated - reference)
     defined = reference != 0
     relative = np.where(defined, 100 * absolute / np.where(defined, np.abs(reference), 1.0), 0.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -72,7 +72,7 @@ def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str 
     return figure
 
 
-def _ends(axes, points: np.ndarray) -> None:
+def _ends(axes: Any, points: np.ndarray) -> None:
     for point, name in ((points[0], "first"), (points[-1], "last")):
         axes.plot(*point[:, None], color=INK, marker="o", markersize=6, markerfacecolor="white", zorder=11)
         words = f"   {name} ({point[0]:.0f}, {point[1]:.0f}, {point[2]:.0f})"

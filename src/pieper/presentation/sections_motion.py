@@ -72,8 +72,10 @@ def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "sol
     page.add(
         picture(
             solutions_figure(arm, few, labels=labels[:16]),
-            f"The {'first ' if len(rows_q) > 16 else ''}{len(few)} solutions, each with the others as ghosts behind "
-            "it. Postures that differ in the wrist alone look alike.",
+            "The one solution."
+            if len(few) == 1
+            else f"The {'first ' if len(rows_q) > 16 else ''}{len(few)} solutions, each with the others as ghosts "
+            "behind it. Postures that differ in the wrist alone look alike.",
             name,
             1.0,
         )

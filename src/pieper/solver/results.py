@@ -18,6 +18,7 @@ from pieper.solver.rows import Flag, Rows
 from pieper.solver.singular.examine import Examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import LIMIT_SLACK
+from pieper.words_by_number import plural
 
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _UNCERTAIN, _ROUNDED = int(Flag.UNCERTAIN), int(Flag.ROUNDED)
@@ -311,4 +312,4 @@ class SolutionBatch:
 
     def __repr__(self) -> str:
         counts = {s.name: int(c) for s in Status if (c := np.count_nonzero(self.status == s))}
-        return f"<SolutionBatch of {len(self)} poses: {counts}>"
+        return f"<SolutionBatch of {plural(len(self), 'pose')}: {counts}>"

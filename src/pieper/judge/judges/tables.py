@@ -165,4 +165,4 @@ def judge_range(ev: Evidence, claim: Claim) -> Verdict:
     claim = claim.reads(f"joint {claim['joint']} at {shown} deg is in {low:g} .. {high:g} deg")
     if outside:
         return claim.wrong(f"Wrong: {', '.join(outside)} deg outside the printed range.")
-    return claim.holds(f"Holds: all {len(values)} values.")
+    return claim.holds(f"Holds: all {len(values)} values." if len(values) > 1 else "Holds.")
