@@ -10,11 +10,6 @@
 #include "chain/row_order.hpp"
 #include "elimination/entry.hpp"
 
-#define PIEPER_TEXT2(x) #x
-#define PIEPER_TEXT(x) PIEPER_TEXT2(x)
-#define PIEPER_JOIN2(a, b) a##b
-#define PIEPER_JOIN(a, b) PIEPER_JOIN2(a, b)
-
 namespace pieper {
 namespace PIEPER_ISA {
 

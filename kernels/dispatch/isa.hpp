@@ -5,6 +5,11 @@
 
 #include "dispatch/geometry.hpp"
 
+#define PIEPER_TEXT2(x) #x
+#define PIEPER_TEXT(x) PIEPER_TEXT2(x)
+#define PIEPER_JOIN2(a, b) a##b
+#define PIEPER_JOIN(a, b) PIEPER_JOIN2(a, b)
+
 namespace pieper {
 
 struct General;

@@ -3,8 +3,7 @@
 // The chain closes on itself, Z1 L1 Z2 L2 ... Z6 L6 = 1, with the pose inside one of the links. Starting the loop at another
 // joint, or walking it backwards, renames the joints: twelve ways to hand out the same six *roles*
 //   1, 2 eliminated by linear algebra; 3 hidden (the one unknown of the eigenvalue problem); 4, 5 the pair whose monomials
-//   are the unknown vector; 6 dropped (the features are those of the line of its axis).
-// Templates over the number type.
+//   are the unknown vector; 6 dropped (the features are those of the line of its axis). Templates over the number type.
 #pragma once
 
 #include "chain/rigid.hpp"

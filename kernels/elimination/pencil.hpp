@@ -5,8 +5,7 @@
 // invariant subspace is known beforehand: it is { (i u; u) : W u = 0 } where W, the coefficients of the highest power of
 // e^{-i theta3}, has only four independent functions. (i u; u) with complex u fills all of R^2N, so the orthogonal
 // complement is { (i Y a; Y a) } with Y an orthonormal basis of the row space of W, whatever the chart. Compressing the
-// companion matrix to that complement leaves exactly the 4N/3 eigenvalues that matter.
-// Templates over the number type.
+// companion matrix to that complement leaves exactly the 4N/3 eigenvalues that matter. Templates over the number type.
 #pragma once
 
 #include "elimination/elimination.hpp"

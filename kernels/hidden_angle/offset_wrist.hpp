@@ -12,8 +12,7 @@
 // and N(u) N(-u) rho^4, rho the distance of P from axis 1, is a trigonometric polynomial of degree 8 in theta: at most 16
 // solutions. Where neither an offset nor a twist tells the two sides apart (CRX) N is even in u, N rho^2 has
 // degree 4, and each of its 8 roots gives two solutions. Roots: trigonometric_roots.hpp. A pose where anything
-// is delicate is handed to the general solver.
-// Templates over the number type.
+// is delicate is handed to the general solver. Templates over the number type.
 #pragma once
 
 #include "dispatch/geometry.hpp"

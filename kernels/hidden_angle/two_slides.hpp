@@ -8,8 +8,7 @@
 //   f(S) = p . (s1 x s2) = 0,
 //
 // and f(S) f(-S) (1 - X33^2), X33 the cosine between the axes of x and z, is a trigonometric polynomial of degree 4 in theta
-// wherever the slides stand: at most eight solutions. Roots: hidden_angle.hpp.
-// Templates over the number type.
+// wherever the slides stand: at most eight solutions. Roots: hidden_angle.hpp. Templates over the number type.
 #pragma once
 
 #include "dispatch/geometry.hpp"

@@ -297,16 +297,6 @@ template <int W> PIEPER_INLINE double lane(Lanes<W> x, int i) { return x.v[i]; }
 PIEPER_INLINE void set_lane(double& x, int, double value) { x = value; }
 template <int W> PIEPER_INLINE void set_lane(Lanes<W>& x, int i, double value) { x.v[i] = value; }
 
-// Element `k` of W records that start `stride` doubles apart; lane i holds record i.
-template <class F> PIEPER_INLINE F gather(const double* p, long stride) {
-  if constexpr (width_of<F> == 1) return *p;
-  else {
-    F r;
-    for (int i = 0; i < width_of<F>; ++i) r.v[i] = p[i * stride];
-    return r;
-  }
-}
-
 // Transpose a W x W block held in W registers: afterwards r[i] lane j is what r[j] lane i was.
 PIEPER_INLINE void transpose(double*) {}
 template <int W> PIEPER_INLINE void transpose(Lanes<W>* r) {
