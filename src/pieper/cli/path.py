@@ -10,8 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.cli import DONE, NO_SOLUTION
-from pieper.cli.given import Target, joints, target
+from pieper.cli.arguments import Target, joints, target
 from pieper.cli.layout import Column
 from pieper.cli.options import (
     NUMBERS,
@@ -25,8 +24,9 @@ from pieper.cli.options import (
     takes_arm,
     takes_units,
 )
-from pieper.cli.printed import as_json as print_json
-from pieper.cli.printed import joint_cells, joint_columns, number, print_table, say, si_units, small
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import joint_cells, joint_columns, number, print_table, say, si_units, small
+from pieper.cli.status import DONE, NO_SOLUTION
 from pieper.cli.units import Units
 
 #: Decimals in a CSV: finer than rounding noise.

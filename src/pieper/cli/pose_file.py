@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pieper import InputError
-from pieper.cli.given import ALSO, NOTATIONS, number, posed
+from pieper.cli.arguments import ALSO, NOTATIONS, number, posed
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
 #: Poses that are read, solved and written at once.

@@ -16,7 +16,7 @@ from pieper.description import source as door
 from pieper.description.dh import DH, describe
 from pieper.errors import InputError
 from pieper.judge.model import ArmModel, Row, model_from_description
-from pieper.judge.printed import UNITS
+from pieper.judge.numbers import UNITS
 from pieper.judge.solver import Solver
 
 ARM_KEYS = set("name robot file convention length_unit columns rows values base tool limits_deg words".split())

@@ -15,7 +15,7 @@ from pieper.errors import InputError, PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.matrices import Product, value_of
 from pieper.judge.model import ArmModel
-from pieper.judge.printed import UNITS
+from pieper.judge.numbers import UNITS
 from pieper.judge.samples import Samples, pose_of, pose_symbols, sample, samples_at
 from pieper.judge.search.search import Explanation, Goal
 from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips

@@ -17,7 +17,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import axes_at, look
 from pieper.kinematics.newton import null_space
 from pieper.kinematics.pose import inverse
@@ -62,7 +61,7 @@ class ArmAngle:
 
         An angle that is undefined (the elbow on the line S-W, the line along the pole, or W on S) is given as zero.
         """
-        x, y, defined = self.frame(fk(self.chain, q))
+        x, y, defined = self.frame(self.chain.native.fk(q))
         return self.about(q, x, y, defined)
 
     def about(self, q: Array, x: Array, y: Array, defined: Bools) -> tuple[Array, Bools]:
@@ -155,7 +154,7 @@ def _moves(angle: ArmAngle) -> bool:
     """Whether the arm angle is defined, and changes along the self-motion, at postures of no special kind."""
     steps = np.sqrt(np.array([2, 3, 5, 7, 11, 13, 17.0]))
     q = np.pi * (2 * (np.arange(1, 9)[:, None] * steps % 1.0) - 1)
-    x, y, defined = angle.frame(fk(angle.chain, q))
+    x, y, defined = angle.frame(angle.chain.native.fk(q))
     _, defined = angle.about(q, x, y, defined)
     null = null_space(angle.chain, q)[1][:, -1]
     change = np.abs(np.sum(angle.gradient(q, x, y) * null, -1))

@@ -81,9 +81,7 @@ class GeneralInverse:
         chain = self._six(np.zeros(len(self.chosen)) if chosen is None else np.atleast_1d(chosen))
         if chain.n != 6 or chain.prismatic.any():
             return None
-        from pieper.kinematics.forward import fk
-
-        return characteristic_polynomial(np.array(chain.links), np.asarray(T, float), lambda q: fk(chain, q))
+        return characteristic_polynomial(np.array(chain.links), np.asarray(T, float), chain.native.fk)
 
     def _six(self, values):
         chain = self._arm.chain

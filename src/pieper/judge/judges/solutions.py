@@ -7,7 +7,7 @@ import numpy as np
 from pieper.errors import PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
-from pieper.judge.printed import UNITS, joint_tolerance, last_digit, read_joints, read_matrix, read_number, unit_of
+from pieper.judge.numbers import UNITS, joint_tolerance, last_digit, read_joints, read_matrix, read_number, unit_of
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
 

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import inverse, rotation_z, transform, translation
 from pieper.tolerances import PAIR_ALWAYS_RANK_ONE
 
@@ -61,7 +60,7 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
     )
     hide_c = first_c = 0
     rank_one = np.ones(2, bool)
-    for T in fk(chain, Q):
+    for T in chain.native.fk(Q):
         T = T.copy()
         T[:3, 3] /= chain.length
         closing = scaled[6] @ inverse(T) @ scaled[0]

@@ -18,7 +18,6 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.kinematics.arrays import Array
-from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import axes_at
 from pieper.kinematics.newton import determinant
 from pieper.solver.plan.plan import Plan
@@ -191,7 +190,7 @@ def _meeting(u: Array, a: Array, v: Array, b: Array) -> Array:
 
 
 def _tool_points(plan: Plan, q: Array) -> Array:
-    return fk(plan.chain, np.vstack([q, np.zeros(plan.n)]))[..., :3, 3]
+    return plan.chain.native.fk(np.vstack([q, np.zeros(plan.n)]))[..., :3, 3]
 
 
 def _upward(plan: Plan, axis: Array) -> bool:
