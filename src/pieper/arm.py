@@ -54,7 +54,7 @@ class Arm:
         *,
         convention: str,
         joint_types: str | None = None,
-        limits: Sequence | None = None,
+        limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
         base: PoseLike | None = None,
         tool: PoseLike | None = None,
         name: str = "arm",
@@ -93,7 +93,7 @@ class Arm:
         home: PoseLike,
         *,
         joint_types: str | None = None,
-        limits: Sequence | None = None,
+        limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
         name: str = "arm",
         joint_names: Sequence[str] | None = None,
         snap: float | None = None,
@@ -120,7 +120,7 @@ class Arm:
         c4: float,
         offsets: Sequence[float] = (0.0,) * 6,
         signs: Sequence[float] = (1.0,) * 6,
-        limits: Sequence | None = None,
+        limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
         name: str = "arm",
     ) -> Arm:
         """Make an arm of its OPW parameters (m, rad); see `description.opw.from_opw` for what each means."""
