@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -66,7 +67,9 @@ def move(q0: Array, q1: Array, duration: float, *, rate: float = 100.0) -> Motio
     return sequence([q0, q1], duration, 0.0, rate=rate)
 
 
-def sequence(postures: Array, durations: Array | float, holds: Array | float = 0.0, *, rate: float = 100.0) -> Motion:
+def sequence(
+    postures: Array | Sequence[Array], durations: Array | float, holds: Array | float = 0.0, *, rate: float = 100.0
+) -> Motion:
     """Return the motion through postures, at rest in each of them.
 
     Every leg is a `move`; after it the arm holds the posture it has reached. There is no hold before the first leg.

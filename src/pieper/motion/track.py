@@ -143,7 +143,8 @@ def follow(plan: Plan, path: PoseLike, *, start: ArrayLike | None = None) -> Tra
         branch = branches[chosen]
         q, complete = branch.q, branch.complete
         events = remarks(way, q, found[chosen].crossings)
-        events = tuple(sorted((*events, *([branch.stop] if branch.stop else [])), key=lambda e: (e.s, e.stop)))
+        every = [*events, branch.stop] if branch.stop else list(events)
+        events = tuple(sorted(every, key=lambda e: (e.s, e.stop)))
     residual = way.residuals(q)
     return Track(
         poses,

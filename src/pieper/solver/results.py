@@ -10,7 +10,7 @@ from enum import IntEnum
 import numpy as np
 
 from pieper.errors import NoSolutionError
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.joints import TURN
 from pieper.solver.plan.plan import Plan
@@ -70,7 +70,7 @@ class Solutions:
         words: Words,
         T: Array,
         all_q: Array,
-        slots: Indices,
+        slots: Slots,
         in_limits: Bools,
         flag: int,
         found: Examined | None = None,
@@ -286,7 +286,7 @@ class SolutionBatch:
         now = np.broadcast_to(checked_joints(q_now, n, "q_now"), (len(self.q), n))[:, None]
         wound = joints.unwound(self.q, now, self.plan.limits)
         best = np.argmin(np.where(self.in_limits, joints.straight(wound, now), np.inf), axis=1)
-        found = self.in_limits.any(1)
+        found: Bools = np.logical_or.reduce(self.in_limits, axis=1)
         chosen = np.take_along_axis(wound, best[:, None, None], axis=1)[:, 0]
         return np.where(found[:, None], chosen, 0.0), found
 
@@ -302,7 +302,8 @@ class SolutionBatch:
             (N, n) joint vectors and (N,) bool; a pose without a solution keeps the joint vector before it.
         """
         joints, now = self.plan.chain.joints, checked_joints(q_start, self.plan.n, "q_start")
-        chosen, found = np.empty((len(self.q), self.plan.n)), self.in_limits.any(1)
+        chosen = np.empty((len(self.q), self.plan.n))
+        found: Bools = np.logical_or.reduce(self.in_limits, axis=1)
         for i in range(len(self.q)):
             if found[i]:
                 rows = joints.unwound(self.q[i][self.in_limits[i]], now, self.plan.limits)

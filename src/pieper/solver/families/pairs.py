@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse, rotation_z, transform, translation
 from pieper.tolerances import PAIR_ALWAYS_RANK_ONE
@@ -83,15 +83,15 @@ def _motion(x: float, slides: bool) -> np.ndarray:
 
 
 def _positioning(
-    pre: Any, A: Any, B: Any, C: Any, slides: Any
-) -> tuple[Callable[[Any], Array], Callable[[Any], Array]]:
+    pre: Array, A: Array, B: Array, C: Array, slides: Bools
+) -> tuple[Callable[[float], Array], Callable[[float], Array]]:
     g = inverse(pre)[:3, 3]
 
-    def left(x: Any) -> Array:
+    def left(x: float) -> Array:
         w = (inverse(A) @ inverse(_motion(x, slides[0])) @ [*g, 1])[:3]
         return w[:2] if slides[1] else np.array([w[2], w @ w])
 
-    def right(x: Any) -> Array:
+    def right(x: float) -> Array:
         u = (B @ _motion(x, slides[2]) @ [*C[:3, 3], 1])[:3]
         return u[:2] if slides[1] else np.array([u[2], u @ u])
 
@@ -99,22 +99,22 @@ def _positioning(
 
 
 def _around_plane(
-    pre: Any, A: Any, B: Any, C: Any, slides: Any
-) -> tuple[Callable[[Any], Array], Callable[[Any], Array]]:
+    pre: Array, A: Array, B: Array, C: Array, slides: Bools
+) -> tuple[Callable[[float], Array], Callable[[float], Array]]:
     h, k = pre[2, :3], C[:3, 2]
 
-    def left(x: Any) -> Array:
+    def left(x: float) -> Array:
         turned = h if slides[0] else _motion(x, False)[:3, :3].T @ h
         return np.array([(A[:3, :3].T @ turned)[2], turned @ A[:3, 3] + (x * h[2] if slides[0] else 0.0)])
 
-    def right(x: Any) -> Array:
+    def right(x: float) -> Array:
         u = B[:3, :3] @ (k if slides[2] else _motion(x, False)[:3, :3] @ k)
         return np.array([u[2], -(u @ B[:3, 3]) - (x * k[2] if slides[2] else 0.0)])
 
     return left, right
 
 
-def _terms(side: Any, slides: bool) -> np.ndarray:
+def _terms(side: Callable[[float], Array], slides: bool) -> np.ndarray:
     """Return the coefficients (2, 2) of (cos, sin) or (d, d^2) of two equations, from three values of the joint."""
     zero, other, opposite = side(0.0), side(1.0 if slides else np.pi / 2), side(-1.0 if slides else np.pi)
     if slides:

@@ -38,7 +38,8 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
     rng = np.random.default_rng(5)
     made = np.where(chain.prismatic, chain.length, np.pi) * rng.uniform(-1, 1, (TRIALS, 6))
     poses = chain.native.fk(made)
-    tried, free = [], np.tile([-np.inf, np.inf], (6, 1))
+    tried: list[tuple[float, int]] = []
+    free = np.tile([-np.inf, np.inf], (6, 1))
     for hidden in np.flatnonzero(~chain.prismatic):
         alone = KernelSpec(_geometry(chain, (int(hidden),), None))
         q, valid, _, flag = alone.solver(free, chain.prismatic).many(poses, 1)

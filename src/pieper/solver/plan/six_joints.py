@@ -69,7 +69,7 @@ def sample_joints(chain: Chain, count: int, seed: int = 1) -> Array:
     """
     steps = np.sqrt(np.array(_primes(chain.n), float))
     spread = (np.arange(1, count + 1)[:, None] + 1009.0 * seed) * steps % 1.0
-    return np.where(chain.prismatic, chain.length, np.pi) * (2 * spread - 1)
+    return np.asarray(np.where(chain.prismatic, chain.length, np.pi) * (2 * spread - 1), np.float64)
 
 
 def _primes(count: int) -> list[int]:
@@ -206,7 +206,7 @@ def reduce(chain: Chain, task: str) -> list[Reduction]:
     smallest = np.median(s[..., rank - 1] / s[..., 0], axis=1)
     ways = [(float(value), locked) for value, locked in zip(smallest, choices, strict=True) if value > RANK]
     ways.sort(key=lambda way: -way[0])
-    out = []
+    out: list[Reduction] = []
     # filling takes time: where it is needed, only the best few ways are made ready
     for _, locked in ways if rank == 6 else ways[:6]:
         way = Reduction(chain, task, full, tuple(locked), ())

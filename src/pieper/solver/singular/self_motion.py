@@ -42,7 +42,7 @@ class SelfMotion:
     shown: int
 
     @property
-    def _virtual(self) -> Array:
+    def _virtual(self) -> Bools:
         return np.arange(self.chain.n) >= self.shown
 
     def _padded(self, q: Array) -> Array:

@@ -145,7 +145,7 @@ def _seven_joints(plan: Plan, q: Array) -> list[list[str]]:
     if plan.n != 7 or plan.prismatic.any() or not {(0, 1, 2), (4, 5, 6)} <= groups:
         return []
     z, _ = axes_at(plan.chain, q)
-    columns = []
+    columns: list[list[str]] = []
     for name, middle in (("shoulder", 1), ("elbow", 3)):
         bend = np.sum(np.cross(z[:, middle - 1], z[:, middle + 1]) * z[:, middle], -1)
         columns.append(
