@@ -314,9 +314,13 @@ class Arm:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 
-    @cached_property
+    @property
     def symbolic(self) -> Symbolic:
         """The arm's equations: `.fk()`, `.jacobian()`, `.singularities()`, `.ik()`."""
+        return self._symbolic
+
+    @cached_property
+    def _symbolic(self) -> Symbolic:
         from pieper.equations import Symbolic
 
         if self.description.coupling is not None:
