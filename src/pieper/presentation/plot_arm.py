@@ -68,7 +68,7 @@ def configuration_figure(
     Returns:
         The figure.
     """
-    ends = [skeleton(arm, track.q[0]), skeleton(arm, track.q[-1])]
+    ends = [skeleton(arm, track.followed[0]), skeleton(arm, track.followed[-1])]
     centre, half = extent(*(p.polyline for p in ends), track.path[:, :3, 3])
     figure = new_figure(9.6, 4.9)
     for k, (parts, title) in enumerate(zip(ends, titles, strict=True)):

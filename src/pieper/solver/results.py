@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import overload
 
 import numpy as np
 
@@ -41,17 +42,34 @@ class Words:
 
     Args:
         why: One sentence, with a number, on how a pose came out.
+        table: The solutions inside the limits as lines of text.
         labels: One posture label a row of q (m, n).
         beside: Labels of the branches that meet in q (n,) along a direction (n,).
     """
 
     why: Callable[[Plan, Solutions], str]
+    table: Callable[[Plan, Solutions], str]
     labels: Callable[[Plan, Array], list[str]]
     beside: Callable[[Plan, Array, Array], tuple[str, ...]]
 
 
-class Solutions:
-    """Every solution of one pose.
+@dataclass(frozen=True, eq=False, slots=True)
+class Solution:
+    """One solution of a pose.
+
+    Attributes:
+        q: (n,) joint vector, rad or m.
+        label: Its posture label.
+        residual: (2,) metres and radians by which forward kinematics misses the pose.
+    """
+
+    q: Array
+    label: str
+    residual: Array
+
+
+class Solutions(Sequence[Solution]):
+    """Every solution of one pose: a sequence of those inside the limits.
 
     Attributes:
         T: The pose (4, 4) that was solved.
@@ -99,8 +117,23 @@ class Solutions:
     def __len__(self) -> int:
         return len(self.q)
 
-    def __iter__(self) -> Iterator[Array]:
-        return iter(self.q)
+    @overload
+    def __getitem__(self, index: int) -> Solution: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Solution]: ...
+    def __getitem__(self, index: int | slice) -> Solution | list[Solution]:
+        """One solution inside the limits, or several; the rows of q."""
+        if isinstance(index, slice):
+            return [self[i] for i in range(len(self))[index]]
+        q = self.q[index]  # says what is wrong with an index beyond the last
+        return Solution(q, self._words.labels(self._plan, q[None])[0], self._plan.residual(q[None], self.T)[0])
+
+    def table(self) -> str:
+        """Return the solutions inside the limits as lines of text: joints in deg or mm, label, residual; then why."""
+        return self._words.table(self._plan, self)
+
+    def __str__(self) -> str:
+        return self.table()
 
     @property
     def self_motions(self) -> tuple[SelfMotion, ...]:

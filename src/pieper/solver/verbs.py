@@ -23,10 +23,11 @@ from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.singular.careful import clear, every_solution, overlooked
 from pieper.solver.words.labels import labels_beside, posture_words
+from pieper.solver.words.table import table
 from pieper.solver.words.why import why
 from pieper.tolerances import MOST_CAREFUL, MOST_TRACED
 
-WORDS = Words(why, posture_words, labels_beside)
+WORDS = Words(why, table, posture_words, labels_beside)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
 #: Status codes of a pose without rows, with rows outside the limits alone, and with one inside.

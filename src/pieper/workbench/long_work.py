@@ -52,7 +52,7 @@ def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     track = arm.follow(path, start=start)
     return {
         "path": path.reshape(n, 16).tolist(),
-        "q": np.asarray(track.q).tolist(),
+        "q": np.asarray(track.followed).tolist(),
         "complete": bool(track.complete),
         "chosen": track.chosen,
         "explain": track.explain(),
