@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "binding/fields.hpp"
+#include "binding/time_law.hpp"
 #include "dispatch/solver.hpp"
 
 namespace {
@@ -279,6 +280,7 @@ NB_MODULE(_kernel, m) {
       .def("one", &PySolver::one, nb::arg("T"),
            "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 
+  bind_time_law(m);
   m.def(
       "sincos", [](nb::handle x) { return elementary(0, x); }, nb::arg("x"),
       "(N,) -> (N, 2) sine and cosine, for tests.");

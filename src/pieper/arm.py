@@ -28,6 +28,7 @@ from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from pieper.equations import Symbolic
+    from pieper.motion.dialects.configuration import Configuration
 
 #: A pose this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
@@ -313,6 +314,12 @@ class Arm:
     def follow(self, path: PoseLike, *, start: ArrayLike | str | None = None) -> Track:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
+
+    def configuration(self, q: ArrayLike | str, maker: str) -> Configuration:
+        """Return a posture in a maker's configuration words; see `motion.dialects.configuration`."""
+        from pieper.motion.dialects.configuration import configuration
+
+        return configuration(self.plan, self._joints(q), maker)
 
     @property
     def symbolic(self) -> Symbolic:

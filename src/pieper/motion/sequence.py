@@ -9,40 +9,8 @@ import numpy as np
 
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
+from pieper.motion.motion import MAX_SAMPLES, Motion
 from pieper.words_by_number import plural
-
-#: More samples than this are asked for by mistake (a rate in the wrong unit), not on purpose.
-MAX_SAMPLES = 10_000_000
-
-
-@dataclass(frozen=True, eq=False)
-class Motion:
-    """Joint curves over time.
-
-    Attributes:
-        t: (k,) time, s.
-        q: (k, n) joint positions, rad or m.
-        dq: (k, n) joint rates, rad/s or m/s.
-        ddq: (k, n) joint accelerations, rad/s^2 or m/s^2.
-        arrivals: (legs + 1,) when each posture is reached; the first is 0, s.
-        departures: (legs + 1,) when each posture is left again; the last is the end of its hold, s.
-    """
-
-    t: Array
-    q: Array
-    dq: Array
-    ddq: Array
-    arrivals: Array
-    departures: Array
-
-    @property
-    def duration(self) -> float:
-        """Total time, s."""
-        return float(self.t[-1])
-
-    def at(self, time: float) -> int:
-        """Return the index of the sample nearest to a time, s."""
-        return int(np.argmin(np.abs(self.t - time)))
 
 
 def move(q0: Array, q1: Array, duration: float, *, rate: float = 100.0) -> Motion:
@@ -114,7 +82,8 @@ def sequence(
     q = np.where(u == 1.0, postures[leg + 1], q0 + step * shape)
     dq = step * (30 * u**2 * (1 - u) ** 2) / time
     ddq = step * (60 * u * (1 - u) * (1 - 2 * u)) / time**2
-    return Motion(t, q, dq, ddq, arrivals, departures)
+    dddq = step * (60 - 360 * u * (1 - u)) / time**3 * (u < 1.0)
+    return Motion(t, q, dq, ddq, arrivals, departures, dddq, (leg + shape[:, 0]) / legs)
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -68,6 +68,7 @@ class Track:
         reachable: (N,) bool, whether a pose has any solution inside the limits, on whatever branch.
         joint_names: Names of the joints.
         prismatic: (n,) bool.
+        plan: How the arm is solved.
     """
 
     path: Array
@@ -83,6 +84,7 @@ class Track:
     reachable: Bools
     joint_names: tuple[str, ...]
     prismatic: Bools
+    plan: Plan = field(repr=False)
 
     @property
     def points(self) -> int:
@@ -174,6 +176,7 @@ def follow(plan: Plan, path: PoseLike, *, start: ArrayLike | None = None) -> Tra
         way.reachable,
         plan.names,
         plan.prismatic,
+        plan,
     )
 
 
