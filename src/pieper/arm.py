@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.at_scale import AtScale
 from pieper.description import change
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 FAR_AWAY = 100.0
 
 
-class Arm:
+class Arm(AtScale):
     """A serial arm, made by `pieper.load` or `Arm.from_dh`.
 
     Args:

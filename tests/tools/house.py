@@ -36,6 +36,7 @@ FLOORS = (
     ("judge",),
     ("maps", "calibration", "code"),
     ("presentation",),
+    ("at_scale",),
     ("arm",),
     ("__init__",),
     ("cli", "workbench"),
