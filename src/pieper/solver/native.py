@@ -33,7 +33,7 @@ class SixJointSolver:
         ends: What poses are multiplied with, as `without_far_ends` says.
     """
 
-    __slots__ = ("chain", "ends", "limits", "many", "one", "spec")
+    __slots__ = ("chain", "ends", "into", "limits", "many", "one", "spec")
 
     def __init__(
         self,
@@ -49,10 +49,12 @@ class SixJointSolver:
         native = spec.solver(limits, chain.prismatic)
         self.one = native.one
         self.many = native.many
+        self.into = native.into
         if ends is not None:
             before, after = ends
             self.one = lambda T: native.one(before @ np.asarray(T, float) @ after)
             self.many = lambda T, threads: native.many(np.ascontiguousarray(before @ T @ after), threads)
+            self.into = lambda T, *rest: native.into(np.ascontiguousarray(before @ T @ after), *rest)
 
     def __reduce__(self) -> tuple:
         return SixJointSolver, (self.chain, self.spec, self.limits, self.ends)
