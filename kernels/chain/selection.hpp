@@ -10,10 +10,11 @@
 
 namespace pieper::PIEPER_ISA {
 
-// A number rounded to the nearest integer, halves to even; infinities stay.
+// A number rounded to an integer, halves to even; where doubles are no finer than integers it stays about what it is, and so do
+// infinities.
 template <class F> PIEPER_INLINE F nearest_integer(F x) {
   constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52
-  return select(abs(x) < 1e15, (x + to_integer) - to_integer, x);
+  return (x + to_integer) - to_integer;
 }
 
 // q moved by whole turns towards `near`, as far as [low, high] lets it, where q itself lies inside.
@@ -48,40 +49,40 @@ class Selector {
   bool operator()(const double* q, const std::uint8_t* inside, const double* near, double* chosen) const {
     const int n = by_.n;
     int best = -1, m = 0;
-    double least = 0;
+    double least = __builtin_inf();
     if (lanes_) {
-      double pattern[kLimitPattern], square[kLimitPattern];
-      for (int i = 0; i < W; ++i)
-        for (int j = 0; j < n; ++j) pattern[i * n + j] = near[j];
+      using V = Lanes<W>;
+      double around[kLimitPattern + W], square[kLimitPattern];  // `near` and its beginning again
+      for (int j = 0; j < n + W; ++j) around[j] = near[j % n];
       for (; m + W <= slots_; m += W) {
-        if (!any_of(inside + m)) continue;
-        for (int k = 0; k < n; ++k) {
-          using V = Lanes<W>;
-          const int at = k * W;
+        for (int k = 0, at = 0, turn = 0; k < n; ++k, at += W) {
           V v = load<V>(q + m * n + at);
-          const V to = load<V>(pattern + at);
-          if ((turning_ >> at) & ((1u << W) - 1)) {
-            const auto turns = mask_of_bits<V>((turning_ >> at) & ((1u << W) - 1));
-            v = select(turns, unwound(v, to, load<V>(low_ + at), load<V>(high_ + at)), v);
+          const V to = load<V>(around + turn);
+          if (const unsigned here = (turning_ >> at) & ((1u << W) - 1)) {
+            const V moved = unwound(v, to, load<V>(low_ + at), load<V>(high_ + at));
+            v = select(mask_of_bits<V>(here), moved, v);
           }
           const V gap = v - to;
           store(square + at, gap * gap * load<V>(weight_ + at));
+          turn += W;
+          while (turn >= n) turn -= n;
         }
         for (int i = 0; i < W; ++i) {
           double sum = 0;
           for (int j = 0; j < n; ++j) sum += square[i * n + j];
-          if (inside[m + i] && (best < 0 || sum < least)) best = m + i, least = sum;
+          const bool better = inside[m + i] & (sum < least);
+          least = better ? sum : least;
+          best = better ? m + i : best;
         }
       }
     }
     for (; m < slots_; ++m) {
-      if (!inside[m]) continue;
       double sum = 0;
       for (int j = 0; j < n; ++j) {
         const double gap = place(q[m * n + j], near[j], j) - near[j];
         sum += by_.weight[j] * (gap * gap);
       }
-      if (best < 0 || sum < least) best = m, least = sum;
+      if (inside[m] && sum < least) best = m, least = sum;
     }
     if (best < 0) return false;
     for (int j = 0; j < n; ++j) chosen[j] = place(q[best * n + j], near[j], j);
@@ -93,12 +94,6 @@ class Selector {
     const bool turns = !by_.prismatic[j] && by_.upper[j] - by_.lower[j] >= kTwoPi;
     return turns ? unwound(v, near, by_.lower[j], by_.upper[j]) : v;
   }
-  static PIEPER_INLINE bool any_of(const std::uint8_t* inside) {
-    unsigned some = 0;
-    for (int i = 0; i < W; ++i) some |= inside[i];
-    return some;
-  }
-
   const Selection& by_;
   int slots_;
   bool lanes_;
