@@ -29,8 +29,8 @@ template <class F> PIEPER_INLINE F unwound(F q, F near, F low, F high) {
   return q + turns * kTwoPi;
 }
 
-// What selecting needs of the joints, laid out with the period of W rows.
-class Selector {
+// What selecting needs of the joints, laid out with the period of W rows. N: how many there are, 0 where that is not known here.
+template <int N> class Selector {
  public:
   static constexpr int W = PIEPER_LANES;
 
@@ -47,13 +47,14 @@ class Selector {
 
   // One pose: q slots x n, inside: slots. Returns whether there is a row; `chosen` (n) may be `near` itself.
   bool operator()(const double* q, const std::uint8_t* inside, const double* near, double* chosen) const {
-    const int n = by_.n;
+    const int n = N ? N : by_.n;
     int best = -1, m = 0;
     double least = __builtin_inf();
     if (lanes_) {
       using V = Lanes<W>;
       double around[kLimitPattern + W], square[kLimitPattern];  // `near` and its beginning again
-      for (int j = 0; j < n + W; ++j) around[j] = near[j % n];
+      for (int j = 0; j < n; ++j) around[j] = near[j];
+      for (int j = 0; j < W; ++j) around[n + j] = around[j];
       for (; m + W <= slots_; m += W) {
         for (int k = 0, at = 0, turn = 0; k < n; ++k, at += W) {
           V v = load<V>(q + m * n + at);
@@ -101,39 +102,50 @@ class Selector {
   double low_[kLimitPattern], high_[kLimitPattern], weight_[kLimitPattern];
 };
 
+// Calls work(selector) with one that knows the number of joints, where that is a usual one.
+template <class Work> PIEPER_INLINE void with_selector(const Selection& by, int slots, Work work) {
+  switch (by.n) {
+    case 6: return work(Selector<6>(by, slots));
+    case 7: return work(Selector<7>(by, slots));
+    default: return work(Selector<0>(by, slots));
+  }
+}
+
 // Each pose for itself, nearest to near + i * stride; zeros where there is no row.
 inline void choose(const Selection& by, const double* q, const std::uint8_t* inside, long count, int slots,
                    const double* near, int stride, double* chosen, std::uint8_t* has) {
-  const Selector select_row(by, slots);
   const long n = by.n, record = n * slots;
-  for (long i = 0; i < count; ++i) {
-    has[i] = select_row(q + i * record, inside + i * slots, near + i * stride, chosen + i * n);
-    if (!has[i])
-      for (int j = 0; j < n; ++j) chosen[i * n + j] = 0.0;
-  }
+  with_selector(by, slots, [&](const auto& select_row) {
+    for (long i = 0; i < count; ++i) {
+      has[i] = select_row(q + i * record, inside + i * slots, near + i * stride, chosen + i * n);
+      if (!has[i])
+        for (int j = 0; j < n; ++j) chosen[i * n + j] = 0.0;
+    }
+  });
 }
 
 // Each pose nearest to what was chosen for the one before it; `now` (n) is where that is, if `started`, and is kept up to
 // date. Until then the first row inside counts. A pose without a row keeps the joint vector before it, or zeros.
 inline void choose_in_turn(const Selection& by, const double* q, const std::uint8_t* inside, long count, int slots,
                            double* now, bool* started, double* chosen, std::uint8_t* has) {
-  const Selector select_row(by, slots);
   const long n = by.n, record = n * slots;
-  for (long i = 0; i < count; ++i) {
-    const std::uint8_t* in = inside + i * slots;
-    const double* rows = q + i * record;
-    has[i] = 0;
-    if (*started) {
-      has[i] = select_row(rows, in, now, now);
-    } else {
-      for (int m = 0; m < slots && !has[i]; ++m)
-        if (in[m]) {
-          for (int j = 0; j < n; ++j) now[j] = rows[m * n + j];
-          has[i] = *started = true;
-        }
+  with_selector(by, slots, [&](const auto& select_row) {
+    for (long i = 0; i < count; ++i) {
+      const std::uint8_t* in = inside + i * slots;
+      const double* rows = q + i * record;
+      has[i] = 0;
+      if (*started) {
+        has[i] = select_row(rows, in, now, now);
+      } else {
+        for (int m = 0; m < slots && !has[i]; ++m)
+          if (in[m]) {
+            for (int j = 0; j < n; ++j) now[j] = rows[m * n + j];
+            has[i] = *started = true;
+          }
+      }
+      for (int j = 0; j < n; ++j) chosen[i * n + j] = now[j];
     }
-    for (int j = 0; j < n; ++j) chosen[i * n + j] = now[j];
-  }
+  });
 }
 
 // What is known of each pose: 0 no rows, 1 rows outside the limits alone, 2 a row inside.

@@ -79,4 +79,4 @@ def test_the_arctangent_misses_no_angle_by_more_than_the_bound_that_verification
             float(abs(mpmath.mpf(float(f)) - mpmath.atan2(mpmath.mpf(float(y)), mpmath.mpf(float(x)))))
             for f, (y, x) in zip(found, yx, strict=True)
         )
-    assert missed < 4.5e-16
+    assert missed < 8e-16
