@@ -6,6 +6,7 @@ import numpy as np
 
 from pieper.description.dh import Description
 from pieper.kinematics.chain import Chain
+from pieper.kinematics.geometry import near_feet
 from pieper.kinematics.pose import FLIP, rotation_x, rotation_z, translation
 
 
@@ -35,4 +36,5 @@ def chain_of(description: Description) -> Chain:
         frames_after[i] = after
         pending = after
     links[n] = pending @ description.tool
+    links, frames_after = near_feet(links, frames_after)
     return Chain.of(links, prismatic, frames_after, description.coupling)

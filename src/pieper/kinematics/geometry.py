@@ -6,10 +6,15 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import numpy.typing as npt
 
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse
+
+#: Frames are slid to neighbouring feet where that makes the links together so many times shorter: ordinary tables,
+#: whose frames stand a link or two away from the feet, keep theirs.
+FAR_FEET = 8.0
 
 
 @dataclass(frozen=True)
@@ -182,6 +187,39 @@ def from_axes(axes: Array, points: Array, prismatic: Bools, home: Array) -> Chai
         inverse(frames[-1]) @ home,
     ]
     return Chain.of(np.stack(links), np.array(prismatic, bool))
+
+
+def near_feet(links: Array, frames_after: Array) -> tuple[Array, Array]:
+    """Return links whose frames stand where neighbouring axes are near each other, for tables whose frames do not.
+
+    A table of nearly parallel axes puts its frames where these almost meet, kilometres away, and takes that back in the
+    next row. A joint's frame may be slid along its axis without any change of the arm: each is slid to the foot of the
+    frame before it. Frames that are as near already stay as they are, to the last bit.
+
+    Args:
+        links: (n + 1, 4, 4) as in `Chain`.
+        frames_after: (n, 4, 4) likewise.
+    """
+    n = len(frames_after)
+    inner = np.asarray(links, np.longdouble)
+    slid, slide = inner.copy(), np.zeros(n, np.longdouble)
+    for i in range(1, n):
+        here = slid[i]  # the frame before it already stands where it is to stand
+        slide[i] = -(here[:3, 2] @ here[:3, 3])
+        slid[i] = here @ _along_z(slide[i])
+        slid[i + 1] = _along_z(-slide[i]) @ slid[i + 1]
+    before = float(np.linalg.norm(links[1:n, :3, 3], axis=1).sum())
+    after = float(np.linalg.norm(slid[1:n, :3, 3].astype(np.float64), axis=1).sum())
+    if not before > FAR_FEET * after:
+        return links, frames_after
+    moved = np.stack([_along_z(-s) @ frame for s, frame in zip(slide, frames_after, strict=True)])
+    return slid.astype(np.float64), moved.astype(np.float64)
+
+
+def _along_z(way: float | np.longdouble) -> npt.NDArray[np.longdouble]:
+    T = np.eye(4, dtype=np.longdouble)
+    T[2, 3] = way
+    return T
 
 
 def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:

@@ -56,16 +56,22 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
             kind[first[new]], q[first[new]] = what, rows[of][at[new]]
         left = left[kind[left] < INSIDE]
 
-    for count in (1, STARTS):
-        starts = spread(full, limits, count)
+    def descend(count: int) -> None:
         pose = np.repeat(left, count)
-        rows, held = descended(full, np.tile(starts, (len(left), 1)), T[pose], low, high)
+        starts = np.tile(spread(full, limits, count), (len(left), 1))
+        rows, held = descended(full, starts, T[pose], low, high)
         keep(pose[held], rows[held], np.ones(int(held.sum()), bool))
-        if not len(left):
-            break
-        if count == 1:
-            at = stops(plan, T[left], threads)
-            keep(left[at.pose], at.q, at.inside)
+
+    def stand() -> None:
+        at = stops(plan, T[left], threads)
+        keep(left[at.pose], at.q, at.inside)
+
+    ways = [lambda: descend(1), stand, lambda: descend(STARTS)]
+    if len(plan.redundancy) > 1:  # pairs of limits are many, and a surface is easily met
+        ways[1], ways[2] = ways[2], ways[1]
+    for way in ways:
+        if len(left):
+            way()
     for i in left:
         rows = met(plan, T[i], plan.defaults)
         if len(rows):
