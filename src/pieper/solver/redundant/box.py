@@ -8,7 +8,7 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import bounded, damped, pose_difference, scaled_jacobian
 from pieper.solver.plan.six_joints import RANK, sample_joints
-from pieper.tolerances import LIMIT_SLACK
+from pieper.tolerances import CLOSES, LIMIT_SLACK
 
 #: How often a posture is tried, and the longest step (rad; per length).
 STEPS, LONGEST = 60, 0.5
@@ -16,7 +16,9 @@ STEPS, LONGEST = 60, 0.5
 MADE_AGAIN = 3
 #: Damping at first, its factors where a step helped and where not, and where a row rests.
 DAMPING = (1e-4, 0.1, 10.0, 1e4)
-#: What is missed (per length; rad) below which a row is on the pose.
+#: Least damping: directions that the joints hardly move (1e-7 of the others) carry no step.
+LEAST_DAMPING = 1e-14
+#: What is missed (per length; rad) below which a row goes on no longer.
 ON_POSE = 1e-12
 #: A row rests after so many steps in turn that left more than this of the square that is missed: it is at a minimum.
 IDLE, LEFT = 5, 0.9
@@ -65,7 +67,7 @@ def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tupl
         if not len(active):
             break
         at, J = q[active], scaled_jacobian(chain, q[active])
-        rate = damp[active] * np.minimum(square[active], 1.0) + 1e-15
+        rate = damp[active] * np.minimum(square[active], 1.0) + LEAST_DAMPING
         free = np.ones(at.shape, bool)
         for _ in range(MADE_AGAIN):
             step = bounded(damped(rate)(J * free[:, None], e[active]), LONGEST) * unit
@@ -74,7 +76,7 @@ def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tupl
                 break
             free &= ~stopped
         tried = np.clip(at + np.where(free, step, 0.0), low[active], high[active])
-    return q, square <= (10 * ON_POSE) ** 2
+    return q, square <= CLOSES**2
 
 
 def well_inside(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
