@@ -6,15 +6,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse
-
-#: Frames are slid to neighbouring feet where that makes the links together so many times shorter: ordinary tables,
-#: whose frames stand a link or two away from the feet, keep theirs.
-FAR_FEET = 8.0
 
 
 @dataclass(frozen=True)
@@ -75,7 +70,7 @@ class Geometry:
         across = w - np.sum(w * u, 1)[:, None] * u
         apart = np.sqrt(np.sum(across * across, 1))
         skew = np.abs(np.sum(w * cross, 1)) / np.where(parallel, 1.0, sine)
-        distance = np.where(parallel, apart, skew)
+        distance: Array = np.where(parallel, apart, skew)
         return tuple(self._pair(i, float(angle[i]), float(distance[i])) for i in range(self.chain.n - 1))
 
     def _pair(self, i: int, angle: float, distance: float) -> Pair:
@@ -94,14 +89,14 @@ class Geometry:
         """Return the point (3,) closest to the axes of joints at zero, and the largest distance to them, m."""
         U, P = self.chain.axes[list(joints)], self.chain.points[list(joints)]
         N = np.eye(3) - U[:, :, None] * U[:, None, :]
-        point = np.linalg.lstsq(N.sum(0), (N @ P[:, :, None])[..., 0].sum(0), rcond=None)[0]
+        point: Array = np.linalg.lstsq(N.sum(0), (N @ P[:, :, None])[..., 0].sum(0), rcond=None)[0]
         off = np.linalg.norm((N @ (point - P)[:, :, None])[..., 0], axis=1)
         return point, float(off.max())
 
     @cached_property
     def spherical(self) -> tuple[Group, ...]:
         """Every three neighbouring revolute axes that meet in one point and do not lie along two lines only."""
-        found = []
+        found: list[Group] = []
         for i in range(self.chain.n - 2):
             joints = (i, i + 1, i + 2)
             if self.chain.prismatic[list(joints)].any():
@@ -120,7 +115,8 @@ class Geometry:
     @cached_property
     def parallel(self) -> tuple[Group, ...]:
         """Maximal runs of two or more neighbouring revolute axes that are parallel and not all coincident."""
-        found, i, n = [], 0, self.chain.n
+        found: list[Group] = []
+        i, n = 0, self.chain.n
         while i < n - 1:
             j = i
             while (
@@ -143,7 +139,7 @@ class Geometry:
 
     def sentences(self, names: tuple[str, ...]) -> list[str]:
         """Say the arrangement in words, one sentence a fact, with margins."""
-        said = []
+        said: list[str] = []
         for pair in self.pairs:
             a, b = names[pair.first], names[pair.first + 1]
             if pair.relation == "coincident":
@@ -187,39 +183,6 @@ def from_axes(axes: Array, points: Array, prismatic: Bools, home: Array) -> Chai
         inverse(frames[-1]) @ home,
     ]
     return Chain.of(np.stack(links), np.array(prismatic, bool))
-
-
-def near_feet(links: Array, frames_after: Array) -> tuple[Array, Array]:
-    """Return links whose frames stand where neighbouring axes are near each other, for tables whose frames do not.
-
-    A table of nearly parallel axes puts its frames where these almost meet, kilometres away, and takes that back in the
-    next row. A joint's frame may be slid along its axis without any change of the arm: each is slid to the foot of the
-    frame before it. Frames that are as near already stay as they are, to the last bit.
-
-    Args:
-        links: (n + 1, 4, 4) as in `Chain`.
-        frames_after: (n, 4, 4) likewise.
-    """
-    n = len(frames_after)
-    inner = np.asarray(links, np.longdouble)
-    slid, slide = inner.copy(), np.zeros(n, np.longdouble)
-    for i in range(1, n):
-        here = slid[i]  # the frame before it already stands where it is to stand
-        slide[i] = -(here[:3, 2] @ here[:3, 3])
-        slid[i] = here @ _along_z(slide[i])
-        slid[i + 1] = _along_z(-slide[i]) @ slid[i + 1]
-    before = float(np.linalg.norm(links[1:n, :3, 3], axis=1).sum())
-    after = float(np.linalg.norm(slid[1:n, :3, 3].astype(np.float64), axis=1).sum())
-    if not before > FAR_FEET * after:
-        return links, frames_after
-    moved = np.stack([_along_z(-s) @ frame for s, frame in zip(slide, frames_after, strict=True)])
-    return slid.astype(np.float64), moved.astype(np.float64)
-
-
-def _along_z(way: float | np.longdouble) -> npt.NDArray[np.longdouble]:
-    T = np.eye(4, dtype=np.longdouble)
-    T[2, 3] = way
-    return T
 
 
 def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import overload
 
 import numpy as np
 
 from pieper.errors import NoSolutionError
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.joints import TURN
 from pieper.solver.plan.plan import Plan
@@ -18,6 +19,7 @@ from pieper.solver.rows import Flag, Rows
 from pieper.solver.singular.examine import Examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import LIMIT_SLACK
+from pieper.words_by_number import plural
 
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _UNCERTAIN, _ROUNDED = int(Flag.UNCERTAIN), int(Flag.ROUNDED)
@@ -40,17 +42,34 @@ class Words:
 
     Args:
         why: One sentence, with a number, on how a pose came out.
+        table: The solutions inside the limits as lines of text.
         labels: One posture label a row of q (m, n).
         beside: Labels of the branches that meet in q (n,) along a direction (n,).
     """
 
     why: Callable[[Plan, Solutions], str]
+    table: Callable[[Plan, Solutions], str]
     labels: Callable[[Plan, Array], list[str]]
     beside: Callable[[Plan, Array, Array], tuple[str, ...]]
 
 
-class Solutions:
-    """Every solution of one pose.
+@dataclass(frozen=True, eq=False, slots=True)
+class Solution:
+    """One solution of a pose.
+
+    Attributes:
+        q: (n,) joint vector, rad or m.
+        label: Its posture label.
+        residual: (2,) metres and radians by which forward kinematics misses the pose.
+    """
+
+    q: Array
+    label: str
+    residual: Array
+
+
+class Solutions(Sequence[Solution]):
+    """Every solution of one pose: a sequence of those inside the limits.
 
     Attributes:
         T: The pose (4, 4) that was solved.
@@ -69,7 +88,7 @@ class Solutions:
         words: Words,
         T: Array,
         all_q: Array,
-        slots: Indices,
+        slots: Slots,
         in_limits: Bools,
         flag: int,
         found: Examined | None = None,
@@ -98,8 +117,23 @@ class Solutions:
     def __len__(self) -> int:
         return len(self.q)
 
-    def __iter__(self) -> Iterator[Array]:
-        return iter(self.q)
+    @overload
+    def __getitem__(self, index: int) -> Solution: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Solution]: ...
+    def __getitem__(self, index: int | slice) -> Solution | list[Solution]:
+        """One solution inside the limits, or several; the rows of q."""
+        if isinstance(index, slice):
+            return [self[i] for i in range(len(self))[index]]
+        q = self.q[index]  # says what is wrong with an index beyond the last
+        return Solution(q, self._words.labels(self._plan, q[None])[0], self._plan.residual(q[None], self.T)[0])
+
+    def table(self) -> str:
+        """Return the solutions inside the limits as lines of text: joints in deg or mm, label, residual; then why."""
+        return self._words.table(self._plan, self)
+
+    def __str__(self) -> str:
+        return self.table()
 
     @property
     def self_motions(self) -> tuple[SelfMotion, ...]:
@@ -285,7 +319,7 @@ class SolutionBatch:
         now = np.broadcast_to(checked_joints(q_now, n, "q_now"), (len(self.q), n))[:, None]
         wound = joints.unwound(self.q, now, self.plan.limits)
         best = np.argmin(np.where(self.in_limits, joints.straight(wound, now), np.inf), axis=1)
-        found = self.in_limits.any(1)
+        found: Bools = np.logical_or.reduce(self.in_limits, axis=1)
         chosen = np.take_along_axis(wound, best[:, None, None], axis=1)[:, 0]
         return np.where(found[:, None], chosen, 0.0), found
 
@@ -301,7 +335,8 @@ class SolutionBatch:
             (N, n) joint vectors and (N,) bool; a pose without a solution keeps the joint vector before it.
         """
         joints, now = self.plan.chain.joints, checked_joints(q_start, self.plan.n, "q_start")
-        chosen, found = np.empty((len(self.q), self.plan.n)), self.in_limits.any(1)
+        chosen = np.empty((len(self.q), self.plan.n))
+        found: Bools = np.logical_or.reduce(self.in_limits, axis=1)
         for i in range(len(self.q)):
             if found[i]:
                 rows = joints.unwound(self.q[i][self.in_limits[i]], now, self.plan.limits)
@@ -311,4 +346,4 @@ class SolutionBatch:
 
     def __repr__(self) -> str:
         counts = {s.name: int(c) for s in Status if (c := np.count_nonzero(self.status == s))}
-        return f"<SolutionBatch of {len(self)} poses: {counts}>"
+        return f"<SolutionBatch of {plural(len(self), 'pose')}: {counts}>"

@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from functools import partial
+from typing import Any
 
 import numpy as np
 
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array, Bits, Bools
+from pieper.kinematics.arrays import Array, Bits, Bools, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
 from pieper.solver.arm_rows import arm_rows
 from pieper.solver.coupled import batch_of, solutions_of
@@ -24,10 +25,11 @@ from pieper.solver.rows import Flag, Rows
 from pieper.solver.singular.careful import clear, every_solution, overlooked
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.words.labels import labels_beside, posture_words
+from pieper.solver.words.table import table
 from pieper.solver.words.why import why
 from pieper.tolerances import MOST_CAREFUL
 
-WORDS = Words(why, posture_words, labels_beside)
+WORDS = Words(why, table, posture_words, labels_beside)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
 #: Status codes of a pose without rows, with rows outside the limits alone, and with one inside.
@@ -41,15 +43,16 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         return solutions_of(plan, WORDS, ik(plan.uncoupled, T, redundancy))
     if not plan.direct or redundancy is not None:
         return _ik_through(plan, T, redundancy)
+    pose: Any = T
     try:
-        q, slots, inside, flag = plan.solver.one(T)  # looks at its pose itself
+        q, slots, inside, flag = plan.solver.one(pose)  # looks at its pose itself
     except (TypeError, ValueError):
         # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
-        T = checked_pose(T)
-        q, slots, inside, flag = plan.solver.one(T)
+        pose = checked_pose(T)
+        q, slots, inside, flag = plan.solver.one(pose)
     if flag & _DEGENERATE or not len(q):
-        return _careful(plan, checked_pose(T), q, slots, inside, flag)
-    return Solutions(plan, WORDS, T, q, slots, inside, flag)
+        return _careful(plan, checked_pose(pose), q, slots, inside, flag)
+    return Solutions(plan, WORDS, pose, q, slots, inside, flag)
 
 
 def ik_many(plan: Plan, Ts: PoseLike, threads: int | None = None, redundancy: Redundancy = None) -> SolutionBatch:
@@ -87,7 +90,7 @@ def _plain(plan: Plan, Ts: PoseLike, redundancy: Redundancy) -> Array:
     """Return poses (N, 4, 4) as the solver takes them, unchecked where it looks at them itself."""
     by_value = not (isinstance(redundancy, Mapping) and ARM_ANGLE in redundancy)
     if isinstance(Ts, np.ndarray) and (plan.direct or (plan.immediate and by_value)):
-        poses = np.ascontiguousarray(Ts, dtype=np.float64)
+        poses = np.ascontiguousarray(np.asarray(Ts), dtype=np.float64)
         if poses.ndim == 3 and poses.shape[1:] == (4, 4):
             return poses
     return _checked(Ts)
@@ -100,7 +103,7 @@ def _checked(Ts: PoseLike) -> Array:
     return np.ascontiguousarray(poses)
 
 
-def _threads(threads: int | None) -> int:
+def _threads(threads: object) -> int:
     if threads is None:
         return os.cpu_count() or 1
     if not isinstance(threads, (int, np.integer)) or threads < 1:
@@ -124,14 +127,14 @@ def _rows(plan: Plan, poses: Array, asked: Choice, threads: int) -> Rows:
 def _any(rows: Bools) -> Bools:
     """Return rows.any(1) of bools (N, M), eight at a time where that is possible: this runs once a pose."""
     if rows.shape[1] != 8 or not rows.flags.c_contiguous:
-        return rows.any(1)
+        return np.logical_or.reduce(rows, axis=1)
     return rows.view(np.uint64)[:, 0] != 0
 
 
 # ---------------------------------------------------------------------------------------------- careful look
 
 
-def _careful(plan: Plan, T: Array, q: Array, slots: Array, inside: Bools, flag: int) -> Solutions:
+def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: int) -> Solutions:
     """Look again at a pose that has no rows, or was marked: self-motions, merged roots, what a kernel overlooked."""
     if not flag & _DEGENERATE and (len(q) or not overlooked(plan, T)):
         return Solutions(plan, WORDS, T, q, slots, inside, flag)

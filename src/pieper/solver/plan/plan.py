@@ -13,7 +13,6 @@ from pieper.errors import PlanError
 from pieper.kinematics.arm_angle import ArmAngle, arm_angle
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import Geometry
 from pieper.kinematics.newton import missed
 from pieper.kinematics.pose import pose_error
@@ -146,7 +145,7 @@ class Plan:
         if self.nominal is self.chain:
             return 0.0
         q = sample_joints(self.chain, 64)
-        return float(missed(self.chain, q, fk(self.nominal, q)).max())
+        return float(missed(self.chain, q, self.nominal.native.fk(q)).max())
 
     @cached_property
     def solver(self) -> SixJointSolver:
@@ -172,7 +171,7 @@ class Plan:
 
     def residual(self, q: Array, T: Array) -> Array:
         """Return (..., 2): metres and radians by which q misses T, of what the task asks for."""
-        now = fk(self.chain, q)
+        now = self.chain.native.fk(q)
         error = pose_error(now, T)
         if self.task == "position":
             error[..., 1] = 0.0

@@ -16,7 +16,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.newton import scaled_jacobian, singular_values
 from pieper.kinematics.pose import inverse, rotation_about, transform
 
@@ -70,7 +69,7 @@ def sample_joints(chain: Chain, count: int, seed: int = 1) -> Array:
     """
     steps = np.sqrt(np.array(_primes(chain.n), float))
     spread = (np.arange(1, count + 1)[:, None] + 1009.0 * seed) * steps % 1.0
-    return np.where(chain.prismatic, chain.length, np.pi) * (2 * spread - 1)
+    return np.asarray(np.where(chain.prismatic, chain.length, np.pi) * (2 * spread - 1), np.float64)
 
 
 def _primes(count: int) -> list[int]:
@@ -269,7 +268,7 @@ def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[Array, bool
     tried = appended(chain, pool[:1])
     q = sample_joints(tried, 15, seed=2)[:, : chain.n]
     J = scaled_jacobian(tried, np.pad(q, ((0, 0), (0, 1))))[..., : chain.n]
-    axes = fk(chain, q)[:, :3, :3] @ np.array([R[:, 2] for R, _ in pool]).T  # postures, xyz, pool
+    axes = chain.native.fk(q)[:, :3, :3] @ np.array([R[:, 2] for R, _ in pool]).T  # postures, xyz, pool
     slides = np.array([p for _, p in pool])
     columns = np.concatenate([np.where(slides, axes, 0.0), np.where(slides, 0.0, axes)], 1)
     chosen: list[tuple[Array, bool]] = []

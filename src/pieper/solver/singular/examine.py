@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Indices
+from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space, singular_values
 from pieper.kinematics.pose import rotation_about
@@ -128,11 +128,11 @@ def examine(
     isolated = [q for q in isolated if not curves.meet(q, 1e-5)]
     doubles = [q for q in doubles if not curves.meet(q, 1e-4)]
     # closed forms give every merged root themselves: what else nearly holds the pose there is the foot of a fold
-    hidden_singular = _distinct(chain, hidden_singular, SAME_SOLUTION) if hiding else []
-    hidden_singular = [q for q in hidden_singular if not curves.meet(q, ON_POLYLINE)]
+    merged = list(_distinct(chain, hidden_singular, SAME_SOLUTION)) if hiding else []
+    merged = [q for q in merged if not curves.meet(q, ON_POLYLINE)]
     if curves.lines:
-        hidden_singular = [q for q in hidden_singular if second_smallest(chain, q) > SINGULAR_EXAMINED]
-    doubles = distinct_roots(chain, [*doubles, *hidden_singular], T)
+        merged = [q for q in merged if second_smallest(chain, q) > SINGULAR_EXAMINED]
+    doubles = distinct_roots(chain, [*doubles, *merged], T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
     return _told(curves, isolated, doubles)
 
@@ -172,7 +172,7 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
     return doubles, hidden
 
 
-def _probed(curves: _Curves, starts: Array) -> tuple[Array, Array]:
+def _probed(curves: _Curves, starts: Array) -> tuple[Array, Bools]:
     """Return how well the pose can be held a little way along each start's null direction (N,), all at once.
 
     And whether two directions vanish there (N,).
@@ -273,7 +273,7 @@ def _size(chain: Chain, T: Array) -> float:
 def side_steps(chain: Chain, T: Array, sizes: tuple[float, ...] = APPROACH_SIZES) -> Array:
     """Poses at generic small side steps about T, the same ones every time."""
     rng = np.random.default_rng(20)
-    poses = []
+    poses: list[Array] = []
     for size in sizes:
         for _ in range(APPROACHES):
             twist = rng.standard_normal(6)
