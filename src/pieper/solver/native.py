@@ -39,7 +39,7 @@ def _many_between(
     return native.many(np.ascontiguousarray(before @ T @ after), threads)
 
 
-def _into_between(native: Solver, before: Array, after: Array, T: Array, *rest: Any) -> None:
+def _into_between(native: _kernel.Solver, before: Array, after: Array, T: Array, *rest: Any) -> None:
     native.into(np.ascontiguousarray(before @ T @ after), *rest)
 
 

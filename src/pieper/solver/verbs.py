@@ -28,17 +28,19 @@ from pieper.solver.batches import (
 )
 from pieper.solver.coupled import batch_of, solutions_of
 from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant.anywhere import anywhere
 from pieper.solver.redundant.at_arm_angle import rows_at_arm_angle
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice
+from pieper.solver.redundant.elsewhere import choose_elsewhere
 from pieper.solver.redundant.self_motions import self_motions_of
-from pieper.solver.redundant.sweep import best_slice
 from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.singular.careful import clear, every_solution, overlooked
+from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.words.labels import labels_beside, posture_words
 from pieper.solver.words.table import table
 from pieper.solver.words.why import why
-from pieper.tolerances import MOST_CAREFUL, MOST_TRACED
+from pieper.tolerances import MOST_CAREFUL
 
 WORDS = Words(why, table, posture_words, labels_beside)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
@@ -159,8 +161,7 @@ def _through(plan: Plan, poses: Array, asked: Choice, threads: int) -> SolutionB
     """Solve poses of an arm or a task that became a six-joint chain."""
     rows = _rows(plan, poses, asked, threads)
     if plan.redundancy:
-        _choose_elsewhere(plan, poses, rows, asked)
-        status = _status_of_spare(plan, poses, rows, asked)
+        rows, status = _spare(plan, poses, rows, asked, threads)
     else:
         status = _look(plan, poses, rows)
     status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
@@ -218,7 +219,7 @@ def _threads(threads: object) -> int:
 def _rows(plan: Plan, poses: Array, asked: Choice, threads: int) -> Rows:
     if asked.angle is not None and asked.angles is not None:
         return rows_at_arm_angle(plan, asked.angle, poses, asked.angles)
-    return arm_rows(plan, poses, asked.values, threads)
+    return arm_rows(asked.plan, poses, asked.values, threads)
 
 
 def _any(rows: Bools) -> Bools:
@@ -281,52 +282,37 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
     """Solve a pose that the arm itself is no six-joint chain for."""
     T = checked_pose(given)
     asked = choice(plan, redundancy, 1)
-    q, slots, inside, flag = _rows(plan, T[None], asked, 1).of(0)
+    rows = _rows(plan, T[None], asked, 1)
+    q, slots, inside, flag = rows.of(0)
     if not np.array_equal(T, np.asarray(as_pose(given), float)):
         flag |= Flag.ROUNDED
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))
-    motions = partial(self_motions_of, plan, T, asked.values[0])
+    motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults)
     if asked.free and not inside.any():
-        # nobody chose the spare coordinate: any value will do that has an answer
-        others, ok, there = best_slice(plan, T)
-        if there.any() or (ok.any() and not len(q)):
-            q, slots, inside = others[ok], np.flatnonzero(ok), there[ok]
-        elif (len(plan.redundancy) > 1 or not ok.any()) and (motions := motions()):
-            q = np.array([motion.representative for motion in motions])
-            q, inside = plan.chain.joints.inside_limits(q, plan.limits)
-            slots = np.arange(len(q))
+        rows, kind = choose_elsewhere(plan, T[None], rows, 1)
+        q, slots, inside, _ = rows.of(0)
+        motions = motions if kind[0] else ()
     return Solutions(plan, WORDS, T, q, slots, inside, int(flag) & ~_DEGENERATE, self_motions=motions)
 
 
-def _choose_elsewhere(plan: Plan, poses: Array, rows: Rows, asked: Choice) -> None:
-    """Choose another value of the spare coordinate where its default, which nobody chose, gives nothing inside."""
-    if not asked.free:
-        return
-    traced, several = 0, len(plan.redundancy) > 1
-    for i in np.flatnonzero(~_any(rows.inside))[:MOST_CAREFUL]:
-        q, ok, within = best_slice(plan, checked_pose(poses[i]))
-        if within.any() or (ok.any() and not rows.valid[i].any()):
-            rows.q[i], rows.valid[i], rows.inside[i] = q, ok, within
-        elif (several or not ok.any()) and traced < MOST_TRACED:
-            traced += 1
-            _put(_ik_through(plan, poses[i], None), rows, i)
+def _spare(plan: Plan, poses: Array, rows: Rows, asked: Choice, threads: int) -> tuple[Rows, Bits]:
+    """Choose another value of the spare coordinates where nobody chose, and return statuses.
 
-
-def _status_of_spare(plan: Plan, poses: Array, rows: Rows, asked: Choice) -> Bits:
-    """Return statuses; of poses without rows at the value that was asked for, whether other values have some.
-
-    Poses that follow each other and are equal, as in a sweep over the values, are looked at once.
+    Of poses without rows at a value that was asked for it is said whether other values have some; poses that follow
+    each other and are equal, as in a sweep over the values, are looked at once.
     """
-    some, inside = _any(rows.valid), _any(rows.inside)
-    status = _SPARE[some.astype(np.uint8) + inside]
+    if asked.free:
+        none = np.flatnonzero(~_any(rows.inside))
+        if len(none):
+            rows, _ = choose_elsewhere(plan, _checked(poses), rows, threads)
+        return rows, _SPARE[_any(rows.valid).astype(np.uint8) + _any(rows.inside)]
+    some, within = _any(rows.valid), _any(rows.inside)
+    status = _SPARE[some.astype(np.uint8) + within]
     none = ~some & ((rows.flags & _UNCERTAIN) == 0)
-    if asked.free or not none.any():
-        return status
-    run = np.concatenate([[0], np.cumsum((poses[1:] != poses[:-1]).any((1, 2)))])
-    within, anywhere = np.bincount(run, weights=inside) > 0, np.bincount(run, weights=some) > 0
-    for k in np.unique(run[none & ~within[run]])[:MOST_CAREFUL]:
-        _, found, there = best_slice(plan, checked_pose(poses[np.argmax(run == k)]))
-        within[k], anywhere[k] = there.any(), anywhere[k] or found.any()
-    status[none] = _SPARE[anywhere.astype(np.uint8) + within][run[none]]
-    return status
+    if none.any():
+        run = np.concatenate([[0], np.cumsum((poses[1:] != poses[:-1]).any((1, 2)))])
+        first, of = np.unique(run[none], return_inverse=True)
+        starts = np.searchsorted(run, first)
+        status[none] = _SPARE[anywhere(plan, _checked(poses[starts]), threads).kind[of]]
+    return rows, status
