@@ -41,6 +41,19 @@ CLOSES = 1e-9
 #: A point of a self-motion must hold the pose this well (per length; rad). A pose 1e-12 away from a singular one moves
 #: farther along its null direction.
 ON_CURVE = 2e-13
+#: Two axes are one line, four are parallel or meet, when they miss by no more than this (rad; per length): what turning
+#: about them would move the pose by, as `ON_CURVE`.
+IN_ONE_LINE = 2e-13
+#: Parts of a unit null direction below this stand still.
+LOOP_MOVES = 1e-7
+#: A linkage within this of letting its joint just pass a dead centre (cosine; per length) is where two curves cross.
+LOOP_CRITICAL = 1e-9
+#: Relative size of the second smallest singular value above which a singular row has one null direction only.
+ONE_WAY_FREE = 1e-5
+#: A row beside a self-motion is isolated where its singular value is at least this part of what its axes miss by.
+NEARLY_IN_LINE = 0.03
+#: What a merged root misses to second order (per rad^2) above which higher orders do not count.
+CLEAR_FOLD = 1e-3
 #: Longest step along a self-motion (rad; per length): joints turn visibly, and chords cut corners by about 2e-3.
 CURVE_STEP = 0.12
 #: Rows of a kernel closer than this (rad; per length) are one: a double root is known to ten times `SAME_SOLUTION`.

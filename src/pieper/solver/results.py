@@ -15,7 +15,7 @@ from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.joints import TURN
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag, Rows
-from pieper.solver.singular.examine import Examined
+from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import LIMIT_SLACK
 
