@@ -44,8 +44,10 @@ ON_CURVE = 2e-13
 #: Two axes are one line, four are parallel or meet, when they miss by no more than this (rad; per length): what turning
 #: about them would move the pose by, as `ON_CURVE`.
 IN_ONE_LINE = 2e-13
-#: Parts of a unit null direction below this stand still.
-LOOP_MOVES = 1e-7
+#: Parts of a unit null direction below this stand still, or would on the self-motion next to the pose.
+LOOP_MOVES = 1e-4
+#: Axes that miss being a linkage by less than this are next to a self-motion.
+NEXT_TO_LINKAGE = 1e-5
 #: A linkage within this of letting its joint just pass a dead centre (cosine; per length) is where two curves cross.
 LOOP_CRITICAL = 1e-9
 #: Relative size of the second smallest singular value above which a singular row has one null direction only.

@@ -55,4 +55,4 @@ def _motion(plan: Plan, motion: SelfMotion) -> SelfMotion:
     chain = plan.reduction.full
     free = np.tile([-np.inf, np.inf], (chain.n - plan.n, 1))
     limits, points = np.vstack([plan.limits, free]), _joints_at(chain, motion.samples)
-    return TracedMotion(chain, motion.T, limits, motion.names, motion.shown, points, motion.closed, motion.dimension)
+    return TracedMotion(chain, motion.T, points, motion.closed, motion.dimension, limits, motion.names, motion.shown)

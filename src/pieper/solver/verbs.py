@@ -28,6 +28,7 @@ from pieper.tolerances import MOST_CAREFUL, MOST_TRACED
 WORDS = Words(why, posture_words, labels_beside)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
+_ROUNDED = int(Flag.ROUNDED)
 #: Status codes of a pose without rows, with rows outside the limits alone, and with one inside.
 _PLAIN = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], np.uint8)
 #: Poses without rows that are asked for their neighbours in one call of the kernel: it bounds memory alone.
@@ -162,8 +163,10 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         part = none[first : first + LOOKED_AT_ONCE]
         marked[part] = overlooked(plan, poses[part])
     for i in np.flatnonzero(marked):
-        q, _, _, flag = rows.of(i)
-        found = _with_care(plan, checked_pose(poses[i]), q, flag)
+        # the same road as `ik`, so that both start from the same digits
+        T = checked_pose(poses[i])
+        q, _, _, flag = plan.solver.one(T) if plan.direct else rows.of(i)
+        found = _with_care(plan, T, q, int(flag) | (int(rows.flags[i]) & _ROUNDED))
         _put(found, rows, i)
         status[i] = found.status
     return status

@@ -165,7 +165,7 @@ def _hiding(curves: _Curves, q: Array) -> list[Array]:
         return []
     curve = near_curve.follow(curves.chain, q, curves.T)
     curves.near.append(
-        TracedMotion(curves.chain, curves.T, curves.limits, curves.names, curves.shown, curve.q, curve.closed, 1)
+        TracedMotion(curves.chain, curves.T, curve.q, curve.closed, 1, curves.limits, curves.names, curves.shown)
     )
     return list(near_curve.hiding(curves.chain, curves.T, curve))
 

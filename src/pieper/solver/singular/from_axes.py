@@ -18,19 +18,24 @@ from pieper.kinematics.newton import missed, scaled_jacobian
 from pieper.solver.singular.examined import Examined, told
 from pieper.solver.singular.in_one_line import LineMotion
 from pieper.solver.singular.linkage_motion import LinkageMotion
-from pieper.solver.singular.loop import four_bar, line_gap
+from pieper.solver.singular.loop import FourBar, four_bar, line_gap
 from pieper.solver.singular.merged_roots import BLUR, ROUNDING, SAME, branches_at, distinct_roots
+from pieper.solver.singular.near_curve import onto
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import (
     CLEAR_FOLD,
     IN_ONE_LINE,
     LOOP_MOVES,
     NEARLY_IN_LINE,
+    NEXT_TO_LINKAGE,
     ON_CURVE,
     ONE_WAY_FREE,
     SAME_SOLUTION,
     SINGULAR_EXAMINED,
 )
+
+#: Said of an isolated solution next to a self-motion.
+BESIDE = 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +85,7 @@ def from_axes(asked: Asked, rows: Array) -> Examined | None:
         if isinstance(said, SelfMotion):
             motions.append(said)
             continue
-        count = said or _merged(J[k], null, left[k, :, 5], float(s[k, 5]))
+        count = 1 if said == BESIDE else _merged(J[k], null, left[k, :, 5], float(s[k, 5]))
         if not count:
             # too flat to be told by its second order: what a step along it misses tells
             count = branches_at(chain, rows[k], asked.T)
@@ -106,28 +111,34 @@ def _holds(motion: SelfMotion, q: Array) -> bool:
 
 
 def _free(asked: Asked, q: Array, z: Array, o: Array, null: Array, sigma: float) -> SelfMotion | int | None:
-    """Return the self-motion through a row (n,), 1 if it is an isolated solution beside one, 0 if neither, None if unread."""
+    """Return the self-motion through a row (n,), BESIDE if it is an isolated solution next to one, else 0.
+
+    None where a linkage is met that cannot be read off.
+    """
     chain = asked.chain
-    moving = np.flatnonzero(np.abs(null) > LOOP_MOVES)
-    # next to a self-motion the null direction is off by what the pair misses
-    pair = np.sort(np.argsort(np.abs(null))[-2:])
+    rounding = IN_ONE_LINE * (1 + np.abs(o).max() / chain.length)
+    order = np.argsort(-np.abs(null))
+    pair = np.sort(order[:2])
     i, j = int(pair[0]), int(pair[1])
-    if not chain.prismatic[pair].any():
+    if np.abs(null[order[2]]) < LOOP_MOVES and not chain.prismatic[pair].any():
         gap = line_gap(z, o, i, j, chain.length)
-        if gap <= IN_ONE_LINE * (1 + np.abs(o[pair]).max() / chain.length):
+        if gap <= rounding:
             given = asked.chain, asked.T, asked.limits, asked.names, asked.shown
             return LineMotion(*given, through=q, pair=(i, j), sense=1.0 if z[i] @ z[j] > 0 else -1.0)
-        if gap < 1e-5 and sigma > NEARLY_IN_LINE * gap:
-            return 1
-    if len(moving) < 3:
+    else:
+        found = four_bar(chain, z, o, null)
+        if found is None:
+            return 0
+        linkage, gap = found
+        if gap <= rounding:
+            return _linkage(asked, q, linkage)
+    if gap > NEXT_TO_LINKAGE:
         return 0
-    linkage = four_bar(chain, z, o, null)
-    if linkage is None:
-        return 0
-    return _linkage(asked, q, linkage)
+    # a joint outside the linkage may make up for what it misses: then only a second look tells
+    return BESIDE if sigma > NEARLY_IN_LINE * gap else 0
 
 
-def _linkage(asked: Asked, q: Array, linkage) -> LinkageMotion | None:
+def _linkage(asked: Asked, q: Array, linkage: FourBar) -> LinkageMotion | None:
     whole: LinkageMotion | None = None
     for lead in range(4):
         span = linkage.range(lead)
@@ -139,8 +150,16 @@ def _linkage(asked: Asked, q: Array, linkage) -> LinkageMotion | None:
             return None
         if whole is None or (round_ and not whole.side):
             whole = LinkageMotion(
-                asked.chain, asked.T, asked.limits, asked.names, asked.shown,
-                through=q, linkage=linkage, lead=lead, span=span, side=float(np.sign(across)) if round_ else 0.0,
+                asked.chain,
+                asked.T,
+                asked.limits,
+                asked.names,
+                asked.shown,
+                through=q,
+                linkage=linkage,
+                lead=lead,
+                span=span,
+                side=float(np.sign(across)) if round_ else 0.0,
             )
     if whole is None or missed(asked.chain, whole.points(np.linspace(0, 1, 7)), asked.T).max() > 10 * ON_CURVE:
         return None
@@ -167,8 +186,6 @@ def _merged(J: Array, null: Array, left: Array, sigma: float) -> int:
 
 def _held_aside(asked: Asked, q: Array, null: Array) -> bool:
     """Whether the pose can be held a little way along the null direction, all but exactly."""
-    from pieper.solver.singular.near_curve import onto
-
     step = 0.05 * null * asked.chain.joints.unit
     there = onto(asked.chain, np.stack([q + step, q - step]), asked.T, 5)
     return bool(np.abs(there.miss).min() < 10 * ON_CURVE)

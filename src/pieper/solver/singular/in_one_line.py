@@ -8,7 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Indices
+from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
 from pieper.solver.singular.self_motion import FREE, SelfMotion
 from pieper.tolerances import CURVE_STEP, LIMIT_SLACK
@@ -27,9 +28,16 @@ class LineMotion(SelfMotion):
         sense: 1 where the axes point the same way, else -1.
     """
 
+    chain: Chain
+    T: Array
+    limits: Array
+    names: tuple[str, ...]
+    shown: int
     through: Array
     pair: tuple[int, int]
     sense: float
+    closed: bool = True
+    dimension: int = 1
 
     @cached_property
     def total(self) -> float:
@@ -64,7 +72,7 @@ class LineMotion(SelfMotion):
         way[list(self.pair)] = np.sqrt(0.5), -self.sense * np.sqrt(0.5)
         return way
 
-    @property
+    @cached_property
     def direction(self) -> Array:
         """(n,) unit tangent."""
         return self.full_direction[: self.shown]
@@ -93,7 +101,7 @@ class LineMotion(SelfMotion):
             spans = sorted(s for s in spans if s[0] <= s[1])
         return spans
 
-    def _limits_of(self, joints: Array) -> Array:
+    def _limits_of(self, joints: Indices) -> Array:
         limits = np.tile(FREE, (self.chain.n, 1))
         limits[joints] = self.limits[joints]
         return limits
@@ -127,7 +135,9 @@ class LineMotion(SelfMotion):
         # x = q_i, q_j = sense (total - x) + turns
         best, least = None, np.inf
         for turns in self._turns(q_now, limits):
-            a, b = sorted((self.total - self.sense * (low_j - TURN * turns), self.total - self.sense * (high_j - TURN * turns)))
+            a, b = sorted(
+                (self.total - self.sense * (low_j - TURN * turns), self.total - self.sense * (high_j - TURN * turns))
+            )
             low, high = max(a, low_i), min(b, high_i)
             if low > high + 2 * LIMIT_SLACK:
                 continue
@@ -166,7 +176,7 @@ class LineMotion(SelfMotion):
         """Whether q (n,) lies on the curve within a tolerance (rad)."""
         return self.distance(q) <= tolerance
 
-    @property
+    @cached_property
     def relation(self) -> str:
         """The relation in words, such as 'joint_4 + joint_6 = 30 deg'."""
         if len(self.free) != 2:

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
 from pieper.kinematics.newton import null_space
 from pieper.solver.singular.loop import FourBar
@@ -32,11 +33,18 @@ class LinkageMotion(SelfMotion):
         side: Where it goes all the way round, on which side of its phase the joint opposite is; else 0.
     """
 
+    chain: Chain
+    T: Array
+    limits: Array
+    names: tuple[str, ...]
+    shown: int
     through: Array
     linkage: FourBar
     lead: int
     span: tuple[float, float]
     side: float
+    closed: bool = True
+    dimension: int = 1
 
     @property
     def _middle(self) -> float:

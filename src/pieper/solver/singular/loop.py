@@ -15,7 +15,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import short_way
-from pieper.tolerances import IN_ONE_LINE, LOOP_CRITICAL, LOOP_MOVES
+from pieper.tolerances import LOOP_CRITICAL, LOOP_MOVES
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,18 +61,18 @@ class FourBar:
         i1, i2, i3, i4 = _from(lead)
         if self.points is None:
             z1, z2, z3, z4 = self.axes[[i1, i2, i3, i4]]
-            both = []
+            both: list[Harmonic] = []
             for z, sense in ((z1, -1.0), (z3, 1.0)):
                 constant = float((z @ z2) * (z @ z4))
                 both.append(Harmonic.of(constant, float(z2 @ z4) - constant, sense * float(z2 @ np.cross(z, z4))))
             return both[0], both[1]
         p1, p2, p3, p4 = self.points[[i1, i2, i3, i4]]
-        both = []
+        flat: list[Harmonic] = []
         for p, sense in ((p1, -self.senses[i1]), (p3, self.senses[i3])):
             m = 2 * np.conj(p - p2) * (p4 - p)
             constant = float(abs(p - p2) ** 2 + abs(p4 - p) ** 2)
-            both.append(Harmonic.of(constant, float(m.real), float(-sense * m.imag)))
-        return both[0], both[1]
+            flat.append(Harmonic.of(constant, float(m.real), float(-sense * m.imag)))
+        return flat[0], flat[1]
 
     def turned(self, lead: int, angle: Array, side: Array) -> tuple[Array, Bools]:
         """Return the four angles (k, 4) that a leading angle (k,) asks for, and whether it can go there (k,).
@@ -148,39 +148,43 @@ def line_gap(z: Array, o: Array, i: int, j: int, length: float) -> float:
     return float(np.linalg.norm(np.cross(z[i], z[j])) + np.linalg.norm(np.cross(o[j] - o[i], z[i])) / length)
 
 
-def four_bar(chain: Chain, z: Array, o: Array, null: Array) -> FourBar | None:
-    """Return the four-bar that a null direction (n,) of the Jacobian moves, if its axes z, o (n, 3) make one.
+def four_bar(chain: Chain, z: Array, o: Array, null: Array) -> tuple[FourBar, float] | None:
+    """Return the four-bar that a null direction (n,) of the Jacobian moves, and by how much its axes miss being one.
+
+    None where the direction moves other than turning joints, or more than four of them.
 
     Args:
         chain: The arm.
-        z: Unit axes at the solution.
-        o: A point on each.
-        null: The joint direction without units that the pose does not feel.
+        z: Unit axes (n, 3) at the solution.
+        o: A point on each, (n, 3).
+        null: The joint direction without units that the pose feels least.
     """
-    moving = np.flatnonzero(np.abs(null) > LOOP_MOVES)
-    if not 3 <= len(moving) <= 4 or chain.prismatic[moving].any():
+    size = np.abs(null)
+    order = np.argsort(-size)
+    moving = np.sort(order[:4])
+    if size[order[4:]].max(initial=0.0) > LOOP_MOVES or chain.prismatic[moving].any():
         return None
-    if len(moving) == 4:
+    if size[order[3]] > LOOP_MOVES:
         return _closed_by(chain, z, o, moving)
     # one of the four may stand still for a moment, where it turns back
-    for j in np.flatnonzero(~chain.prismatic):
-        if j not in moving and (found := _closed_by(chain, z, o, np.sort(np.append(moving, j)))) is not None:
-            return found
-    return None
+    three = order[:3]
+    others = [j for j in np.flatnonzero(~chain.prismatic) if j not in three]
+    found = [_closed_by(chain, z, o, np.sort(np.append(three, j))) for j in others]
+    return min(found, key=lambda pair: pair[1], default=None)
 
 
-def _closed_by(chain: Chain, z: Array, o: Array, joints: Indices) -> FourBar | None:
+def _closed_by(chain: Chain, z: Array, o: Array, joints: Indices) -> tuple[FourBar, float]:
+    """Return four joints as a linkage, and by how much (rad and lengths, added up) their axes miss being one."""
     axes, points = z[joints], o[joints] / chain.length
-    allowed = IN_ONE_LINE * (1 + np.abs(points).max())
     n = axes[0]
-    if np.linalg.norm(np.cross(axes, n), axis=1).max() <= allowed:
-        x = np.cross(n, np.eye(3)[np.argmin(np.abs(n))])
-        x /= np.linalg.norm(x)
-        y = np.cross(n, x)
-        flat = (points - points[0]) @ x + 1j * ((points - points[0]) @ y)
-        return FourBar(joints, axes, flat, np.sign(axes @ n))
+    tilt = float(np.linalg.norm(np.cross(axes, n), axis=1).max())
     across = np.eye(3) - axes[:, :, None] * axes[:, None, :]
     point = np.linalg.lstsq(across.sum(0), np.einsum("kij,kj->i", across, points), rcond=None)[0]
-    if np.linalg.norm(np.cross(points - point, axes), axis=1).max() <= allowed:
-        return FourBar(joints, axes, None, np.ones(4))
-    return None
+    apart = float(np.linalg.norm(np.cross(points - point, axes), axis=1).max())
+    if tilt > apart:
+        return FourBar(joints, axes, None, np.ones(4)), apart
+    x = np.cross(n, np.eye(3)[np.argmin(np.abs(n))])
+    x /= np.linalg.norm(x)
+    y = np.cross(n, x)
+    flat = (points - points[0]) @ x + 1j * ((points - points[0]) @ y)
+    return FourBar(joints, axes, flat, np.sign(axes @ n)), tilt

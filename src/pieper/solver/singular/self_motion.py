@@ -18,13 +18,15 @@ from pieper.tolerances import CLOSES, CURVE_STEP, TINY
 FREE = np.array([[-np.inf, np.inf]])
 
 
-@dataclass(frozen=True, eq=False)
 class SelfMotion:
-    """A one-parameter curve of joint vectors that all reach the same pose.
+    """A one-parameter curve of joint vectors that all reach the same pose: traced, or known in closed form.
 
     Attributes:
         chain: The arm, a task's virtual joints behind its own.
         T: (4, 4) the pose.
+        samples: (k, n) points along the curve in order, angles continuous (not wrapped), rad or m.
+        closed: Whether the last point leads back to the first, up to whole turns.
+        dimension: Degrees of freedom of the whole self-motion; above 1 the curve is one line through it.
         limits: (n, 2) joint limits.
         names: Joint names.
         shown: How many of the joints are the arm's own; a partial task adds virtual ones behind them, which are part of
@@ -36,21 +38,13 @@ class SelfMotion:
     limits: Array
     names: tuple[str, ...]
     shown: int
+    closed: bool
+    dimension: int
 
     @cached_property
     def samples(self) -> Array:
         """(k, n) points along the curve in order, angles continuous (not wrapped), rad or m."""
         raise NotImplementedError
-
-    @property
-    def closed(self) -> bool:
-        """Whether the last point leads back to the first, up to whole turns."""
-        return True
-
-    @property
-    def dimension(self) -> int:
-        """Degrees of freedom of the whole self-motion; above 1 the curve is one line through it."""
-        return 1
 
     @property
     def _virtual(self) -> Array:
@@ -237,29 +231,18 @@ class SelfMotion:
 
 @dataclass(frozen=True, eq=False)
 class TracedMotion(SelfMotion):
-    """A self-motion that was followed step by step.
+    """A self-motion that was followed step by step; see SelfMotion for its attributes."""
 
-    Attributes:
-        points: (k, n) its samples.
-        ends_where_it_began: Whether it is closed.
-        ways: Its dimension.
-    """
-
-    points: Array
-    ends_where_it_began: bool
-    ways: int
+    chain: Chain
+    T: Array
+    traced: Array
+    closed: bool
+    dimension: int
+    limits: Array
+    names: tuple[str, ...]
+    shown: int
 
     @cached_property
     def samples(self) -> Array:
-        """(k, n) as followed."""
-        return self.points
-
-    @property
-    def closed(self) -> bool:
-        """Whether the last point leads back to the first, up to whole turns."""
-        return self.ends_where_it_began
-
-    @property
-    def dimension(self) -> int:
-        """Degrees of freedom of the whole self-motion; above 1 the curve is one line through it."""
-        return self.ways
+        """(k, n) the points that were followed."""
+        return self.traced

@@ -60,7 +60,7 @@ def trace(
     s, _ = null_space(chain, samples[len(samples) // 2])
     open_ways = int(np.count_nonzero(s <= 1e-7 * max(s[0], TINY)))
     arm_joints = chain.n if shown is None else shown
-    return TracedMotion(chain, T, limits, names, arm_joints, samples, closed, max(1, open_ways))
+    return TracedMotion(chain, T, samples, closed, max(1, open_ways), limits, names, arm_joints)
 
 
 def crossings(motion: SelfMotion) -> list[Array]:
