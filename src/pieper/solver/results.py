@@ -17,7 +17,7 @@ from pieper.kinematics.joints import TURN
 from pieper.kinematics.pose import reason_against
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Chosen, Flag, Refused, Rows
-from pieper.solver.singular.examine import Examined
+from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import LIMIT_SLACK
 from pieper.words_by_number import plural

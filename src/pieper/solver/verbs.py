@@ -40,13 +40,15 @@ from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.words.labels import labels_beside, posture_words
 from pieper.solver.words.table import table
 from pieper.solver.words.why import why
-from pieper.tolerances import MOST_CAREFUL
 
 WORDS = Words(why, table, posture_words, labels_beside)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
+_ROUNDED = int(Flag.ROUNDED)
 #: Status codes of a pose without rows, with rows outside the limits alone, and with one inside.
 _PLAIN = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], np.uint8)
+#: Poses without rows that are asked for their neighbours in one call of the kernel: it bounds memory alone.
+LOOKED_AT_ONCE = 4096
 _SPARE = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT], np.uint8)
 
 
@@ -170,7 +172,7 @@ def _through(plan: Plan, poses: Array, asked: Choice, threads: int) -> SolutionB
 
 def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBatch:
     batch = batch_of(plan, found)
-    for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits))[:MOST_CAREFUL]:
+    for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits)):
         batch.status[i] = ik(plan, checked_pose(poses[i])).status
     return batch
 
@@ -234,9 +236,13 @@ def _any(rows: Bools) -> Bools:
 
 def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: int) -> Solutions:
     """Look again at a pose that has no rows, or was marked: self-motions, merged roots, what a kernel overlooked."""
-    if not flag & _DEGENERATE and (len(q) or not overlooked(plan, T)):
+    if not flag & _DEGENERATE and (len(q) or not overlooked(plan, T[None])[0]):
         return Solutions(plan, WORDS, T, q, slots, inside, flag)
-    flag &= ~_DEGENERATE
+    return _with_care(plan, T, q, flag)
+
+
+def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
+    """Return all there is at a pose that may be singular, of which rows q (m, n) are known."""
     found = None if clear(plan, q) else every_solution(plan, T, q)
     q, inside = plan.chain.joints.inside_limits(q if found is None else found.q, plan.limits)
     if found is None:
@@ -247,27 +253,30 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: 
 
 
 def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
-    """Look with care at the poses that need it, put what is found into this call's rows, and return all statuses."""
+    """Look with care at every pose that needs it, put what is found into this call's rows, and return all statuses."""
     some = _any(rows.valid)
     status = _PLAIN[some.astype(np.uint8) + _any(rows.inside)]
     if some.all() and not rows.flags.any():
         return status
-    degenerate = (rows.flags & _DEGENERATE) > 0
-    none, marked = np.flatnonzero(~some & ~degenerate)[:MOST_CAREFUL], np.flatnonzero(degenerate)
-    for i in [*none, *marked[:MOST_CAREFUL]]:
-        found = _careful(plan, checked_pose(poses[i]), *rows.of(i))
-        if degenerate[i] or len(found.all_q) or found.self_motions:
-            _put(found, rows, i)
-            status[i] = found.status
-    # beyond that the kernel's own rows stand, one of each self-motion, and the pose is called singular unread
-    status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
+    marked = (rows.flags & _DEGENERATE) > 0
+    none = np.flatnonzero(~some & ~marked)
+    for first in range(0, len(none), LOOKED_AT_ONCE):
+        part = none[first : first + LOOKED_AT_ONCE]
+        marked[part] = overlooked(plan, poses[part])
+    for i in np.flatnonzero(marked):
+        # the same road as `ik`, so that both start from the same digits
+        T = checked_pose(poses[i])
+        q, _, _, flag = plan.solver.one(T) if plan.direct else rows.of(i)
+        found = _with_care(plan, T, q, int(flag) | (int(rows.flags[i]) & _ROUNDED))
+        _put(found, rows, i)
+        status[i] = found.status
     return status
 
 
 def _put(found: Solutions, rows: Rows, i: int) -> None:
     """Write one pose's Solutions into this call's rows."""
     count = min(len(found.all_q), rows.q.shape[1])
-    rows.q[i], rows.valid[i], rows.inside[i] = 0.0, False, False
+    rows.q[i], rows.valid[i], rows.inside[i], rows.flags[i] = 0.0, False, False, found.flag
     rows.q[i, :count], rows.valid[i, :count], rows.inside[i, :count] = (
         found.all_q[:count],
         True,
