@@ -4,11 +4,6 @@
 // To add a family: write its header with a struct <Name> (dispatch/geometry.hpp) and, in namespace pieper::PIEPER_ISA, a class
 // <Name>Kernel that is made from it and has `in_order` and `solve` (FamilyEntry in dispatch/isa.hpp); add its line to the table in
 // CMakeLists.txt; write its Python file in solver/families.
-#define PIEPER_TEXT2(x) #x
-#define PIEPER_TEXT(x) PIEPER_TEXT2(x)
-#define PIEPER_JOIN2(a, b) a##b
-#define PIEPER_JOIN(a, b) PIEPER_JOIN2(a, b)
-
 #include "dispatch/isa.hpp"
 #include PIEPER_TEXT(PIEPER_HEADER)
 

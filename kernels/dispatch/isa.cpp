@@ -8,12 +8,9 @@
 #include "chain/limits.hpp"
 #include "chain/posecheck.hpp"
 #include "chain/row_order.hpp"
+#include "chain/selection.hpp"
 #include "elimination/entry.hpp"
-
-#define PIEPER_TEXT2(x) #x
-#define PIEPER_TEXT(x) PIEPER_TEXT2(x)
-#define PIEPER_JOIN2(a, b) a##b
-#define PIEPER_JOIN(a, b) PIEPER_JOIN2(a, b)
+#include "lanes/stream.hpp"
 
 namespace pieper {
 namespace PIEPER_ISA {
@@ -64,6 +61,10 @@ const IsaTable& PIEPER_JOIN(isa_, PIEPER_ISA)() {
                                  &pose_straighten,
                                  &apply_limits,
                                  &order_rows,
+                                 &choose,
+                                 &choose_in_turn,
+                                 &outcomes,
+                                 &copy_past_cache,
                                  &make_model,
                                  &drop_model,
                                  &elementary};

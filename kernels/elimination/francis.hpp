@@ -2,8 +2,7 @@
 //
 // Deflation and shifts are scalar per lane (a few loads); the sweeps, which are nearly all of the work, run in lockstep over the
 // union of the windows. Outside a lane's own window its reflection is the identity, so nothing needs a mask but the
-// reflection's making.
-// A template over the number type.
+// reflection's making. A template over the number type.
 #pragma once
 
 #include "elimination/hessenberg.hpp"

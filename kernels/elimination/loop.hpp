@@ -3,15 +3,16 @@
 // The chain closes on itself, Z1 L1 Z2 L2 ... Z6 L6 = 1, with the pose inside one of the links. Starting the loop at another
 // joint, or walking it backwards, renames the joints: twelve ways to hand out the same six *roles*
 //   1, 2 eliminated by linear algebra; 3 hidden (the one unknown of the eigenvalue problem); 4, 5 the pair whose monomials
-//   are the unknown vector; 6 dropped (the features are those of the line of its axis).
-// Templates over the number type.
+//   are the unknown vector; 6 dropped (the features are those of the line of its axis). Templates over the number type.
 #pragma once
 
 #include "chain/rigid.hpp"
 
 namespace pieper::PIEPER_ISA::general {
 
-template <class F> struct Complex { F re, im; };
+template <class F> struct Complex {
+  F re, im;
+};
 template <class F> PIEPER_INLINE Complex<F> operator*(Complex<F> a, Complex<F> b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
@@ -50,7 +51,9 @@ struct Roles {
 };
 
 // The line of an axis: a point on it and its direction, moved along by links and joints.
-template <class F> struct Line { Vec3T<F> p, l; };
+template <class F> struct Line {
+  Vec3T<F> p, l;
+};
 template <class F> PIEPER_INLINE Line<F> move(const RigidT<F>& a, const Line<F>& x) {
   return {pieper::PIEPER_ISA::move(a, x.p), turn(a, x.l)};
 }

@@ -32,7 +32,6 @@ struct Model {
   bool prismatic[6];
   int prismatic_count;
   int variants;
-  int expected;  // largest number of solutions the degree allows
   Variant variant[kMaxVariants];
 };
 

@@ -5,8 +5,7 @@
 // invariant subspace is known beforehand: it is { (i u; u) : W u = 0 } where W, the coefficients of the highest power of
 // e^{-i theta3}, has only four independent functions. (i u; u) with complex u fills all of R^2N, so the orthogonal
 // complement is { (i Y a; Y a) } with Y an orthonormal basis of the row space of W, whatever the chart. Compressing the
-// companion matrix to that complement leaves exactly the 4N/3 eigenvalues that matter.
-// Templates over the number type.
+// companion matrix to that complement leaves exactly the 4N/3 eigenvalues that matter. Templates over the number type.
 #pragma once
 
 #include "elimination/elimination.hpp"
@@ -37,7 +36,9 @@ template <class F> PIEPER_INLINE void at_angle(const Equations<F>& eq, F c, F s,
 }
 
 // Orthonormal basis (columns) of the row space of the leading coefficients.
-template <class F, int N> struct RowSpace { F re[N][2 * N / 3], im[N][2 * N / 3]; };
+template <class F, int N> struct RowSpace {
+  F re[N][2 * N / 3], im[N][2 * N / 3];
+};
 
 template <class F, int N> void row_space(const LeftSide<F>& left, int layout, RowSpace<F, N>& out) {
   constexpr int P = 2 * N / 3;

@@ -3,8 +3,7 @@
 // Special geometry (parallel or meeting axes) makes some variants vanish identically and others ill-conditioned, while another hidden
 // joint is at ease: so all are tried when the arm is made. Two things are measured on random poses: the determinant in the hidden
 // angle must be a trigonometric polynomial of degree 8 (or 4), so what lies above is noise; and the joint vector that made the pose,
-// and every solution that some other variant found, must be found.
-// Scalar, but for the solver it tries.
+// and every solution that some other variant found, must be found. Scalar, but for the solver it tries.
 #pragma once
 
 #include "elimination/slides.hpp"
@@ -291,7 +290,6 @@ inline bool make_model(const General& arm, Model& model, Trial* trials) {
     model.prismatic[k] = arm.slides[k];
     model.prismatic_count += model.prismatic[k];
   }
-  model.expected = model.prismatic_count < 2 ? 16 : model.prismatic_count == 2 ? 8 : 2;
   if (model.prismatic_count == 3) {
     for (int t = 0; t < kTried; ++t) trials[t] = {0, 0, 0, 1.0};
     model.variants = slides_work(model);

@@ -8,8 +8,7 @@
 //   f(S) = p . (s1 x s2) = 0,
 //
 // and f(S) f(-S) (1 - X33^2), X33 the cosine between the axes of x and z, is a trigonometric polynomial of degree 4 in theta
-// wherever the slides stand: at most eight solutions. Roots: hidden_angle.hpp.
-// Templates over the number type.
+// wherever the slides stand: at most eight solutions. Roots: hidden_angle.hpp. Templates over the number type.
 #pragma once
 
 #include "dispatch/geometry.hpp"
@@ -115,7 +114,9 @@ PIEPER_INLINE Vec3T<X> mixed(const Vec3T<X>& x, const Vec3T<X>& y, const Vec3T<X
 }
 
 // cos(y) = (A E - B S) / n, sin(y) = (B E + A S) / n with E of degree one in theta.
-template <class F> struct Bend { F A, B, n, cosine, sine, constant, both; };
+template <class F> struct Bend {
+  F A, B, n, cosine, sine, constant, both;
+};
 template <class F> PIEPER_INLINE Bend<F> bend_of(const Target<F>& t) {
   const Vec3T<F> row = {t.second[0].z, t.second[1].z, t.second[2].z}, column = t.third[2];
   const Vec3T<F> u = t.first[2], w = {t.fourth[0].z, t.fourth[1].z, t.fourth[2].z};

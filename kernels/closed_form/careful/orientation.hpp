@@ -3,8 +3,7 @@
 // With M = Rz(before) Rx(twist) Rz(after) the middle angle obeys the spherical law of cosines
 //     R33 = cos(a1) cos(a2) - sin(a1) sin(a2) cos(t2),
 // solved by the half-angle formula in products of sines, which keeps full accuracy at the wrist's singularity. Two solutions; none when the
-// twists cannot reach the direction; where axes 1 and 3 line up only the sum of the outer angles is determined.
-// Scalar.
+// twists cannot reach the direction; where axes 1 and 3 line up only the sum of the outer angles is determined. Scalar.
 #pragma once
 
 #include "closed_form/careful/standing.hpp"

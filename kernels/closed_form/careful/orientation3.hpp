@@ -1,5 +1,4 @@
-// Three revolute axes of which the orientation alone counts; the chain may stand anywhere.
-// Scalar.
+// Three revolute axes of which the orientation alone counts; the chain may stand anywhere. Scalar.
 #pragma once
 
 #include "dispatch/geometry.hpp"

@@ -1,5 +1,4 @@
-// Three joints of any kinds that place the tool's point.
-// Scalar.
+// Three joints of any kinds that place the tool's point. Scalar.
 #pragma once
 
 #include "dispatch/geometry.hpp"

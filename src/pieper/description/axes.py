@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from pieper.description.commonnormal import PARALLEL, standard_table
 from pieper.description.dh import Actuator, Description, describe
 from pieper.errors import InputError
-from pieper.kinematics.pose import checked_pose
+from pieper.kinematics.pose import PoseLike, checked_pose
 
 #: An axis may depart from unit length by this much (four typed digits); it is normalised.
 UNIT_SLACK = 1e-3
@@ -19,7 +19,7 @@ UNIT_SLACK = 1e-3
 def from_axes(
     axes: ArrayLike,
     points: ArrayLike,
-    home: object,
+    home: PoseLike,
     *,
     joint_types: str | None = None,
     limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
@@ -124,6 +124,6 @@ def _vectors(given: ArrayLike, what: str) -> np.ndarray:
         array = np.array(given, dtype=float)
     except (TypeError, ValueError):
         array = np.empty(0)
-    if array.ndim != 2 or array.shape[1] != 3 or not np.isfinite(array).all():
+    if array.ndim != 2 or array.shape[-1] != 3 or not np.isfinite(array).all():
         raise InputError(f"{what} must be (n, 3) finite numbers, one row a joint.", given=given)
     return array

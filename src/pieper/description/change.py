@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -13,10 +14,12 @@ from pieper.description.commonnormal import standard_table
 from pieper.description.dh import CONVENTIONS, DH, Check, Description, describe
 from pieper.description.fold import chain_of
 from pieper.errors import InputError
-from pieper.kinematics.pose import checked_pose, inverse, rotation_x
+from pieper.kinematics.pose import PoseLike, checked_pose, inverse, rotation_x
+
+_T = TypeVar("_T")
 
 
-def with_tool(arm: Description, tool: object) -> Description:
+def with_tool(arm: Description, tool: PoseLike | str) -> Description:
     """Return the arm with another tool: a pose in the table's last frame, or the name of one of the arm's tools."""
     if isinstance(tool, str):
         if tool not in arm.tools:
@@ -27,7 +30,7 @@ def with_tool(arm: Description, tool: object) -> Description:
     return replace(arm, tool=_frozen(checked_pose(tool, "tool")), checks=())
 
 
-def with_base(arm: Description, base: object) -> Description:
+def with_base(arm: Description, base: PoseLike) -> Description:
     """Return the arm whose table begins at another pose of the world."""
     return replace(arm, base=_frozen(checked_pose(base, "base")), checks=())
 
@@ -82,8 +85,8 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
         joint_types="".join(arm.joint_types[i] for i in free),
         joint_names=[arm.joint_names[i] for i in free],
         limits=arm.limits[free],
-        sign=arm.sign[free],
-        offset=arm.offset[free] + arm.sign[free] * constants[free],
+        sign=arm.sign[free].tolist(),
+        offset=(arm.offset[free] + arm.sign[free] * constants[free]).tolist(),
         base=table.base,
         tool=table.tool,
         coupling=C[np.ix_(free, free)],
@@ -167,7 +170,7 @@ def _described_anew(arm: Description, **changes: object) -> Description:
     return replace(arm, limits=checked.limits)
 
 
-def _by_joint(arm: Description, said: Mapping[str, object], what: str) -> dict[int, object]:
+def _by_joint(arm: Description, said: Mapping[str, _T], what: str) -> dict[int, _T]:
     """Return what was said by joint name, by the joints' indices."""
     if not isinstance(said, Mapping):
         raise InputError(f"{what} must be a dict from joint names, got {type(said).__name__}.", given=said)

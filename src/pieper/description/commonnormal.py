@@ -54,13 +54,13 @@ def standard_table(axes: np.ndarray, points: np.ndarray, home: np.ndarray) -> Ta
     """
     axes = np.asarray(axes, float) / np.linalg.norm(axes, axis=1, keepdims=True)
     size = max(float(np.abs(points).max(initial=0.0)), float(np.abs(home[:3, 3]).max()), 1e-3)
-    lines = [*zip(axes, points, strict=True), (home[:3, 2], home[:3, 3])]
-    base = _first_frame(*lines[0])
+    directions, places = [*axes, home[:3, 2]], [*points, home[:3, 3]]
+    base = _first_frame(directions[0], places[0])
     rows, turn = [], 0.0
     T = base.copy()
     for i in range(len(axes)):
         last = i == len(axes) - 1
-        row, off = _row(T, *lines[i + 1], size, home[:3, 0] if last else None)
+        row, off = _row(T, directions[i + 1], places[i + 1], size, home[:3, 0] if last else None)
         rows.append(row)
         turn = max(turn, off)
         T = T @ _row_pose(row)

@@ -7,12 +7,15 @@ from collections.abc import Iterable
 
 from pieper.description.place import Place, kind_of
 from pieper.description.quantity import UNITS, UNITS_OF, ExpressionError, evaluate
+from pieper.words_by_number import plural
 
 
 def quantity(table: dict, stem: str, kind: str, place: Place, default: float | None = None) -> float:
     """Return a length or angle of a table, SI; without a default one of its keys must be there."""
     key, unit = one_key(table, stem, UNITS_OF[kind], place, required=default is None)
-    return default if key is None else number(table[key], unit, place, key)
+    if key is None:
+        return 0.0 if default is None else default
+    return number(table[key], unit, place, key)
 
 
 def one_key(table: dict, stem: str, units: Iterable[str], place: Place, required: bool) -> tuple[str | None, str]:
@@ -26,6 +29,12 @@ def one_key(table: dict, stem: str, units: Iterable[str], place: Place, required
     if required:
         place.fail(f"the key for {stem} is missing: give {' or '.join(keys)}.", None, missing=stem, allowed=list(keys))
     return None, ""
+
+
+def needed_key(table: dict, stem: str, units: Iterable[str], place: Place) -> tuple[str, str]:
+    """Return the key of this stem, which must be there, and its unit."""
+    key, unit = one_key(table, stem, units, place, required=True)
+    return key or "", unit
 
 
 def number(value: object, unit: str, place: Place, key: str, *, infinite: bool = False, unknown: bool = False) -> float:
@@ -55,5 +64,5 @@ def number(value: object, unit: str, place: Place, key: str, *, infinite: bool =
 def numbers(value: object, unit: str, count: int, place: Place, key: str, **allowed: bool) -> list[float]:
     """Return a list of `count` numbers in SI."""
     if not isinstance(value, list) or len(value) != count:
-        place.fail(f"must be a list of {count} numbers, got {kind_of(value)}.", key, given=value)
+        place.fail(f"must be a list of {plural(count, 'number')}, got {kind_of(value)}.", key, given=value)
     return [number(item, unit, place, key, **allowed) for item in value]

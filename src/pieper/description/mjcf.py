@@ -51,7 +51,7 @@ def _tree(path: Path) -> Tree:
             f"{path}: reading MJCF needs an extra: pip install 'pieper[mujoco]'.", file=str(path)
         ) from None
     try:
-        spec = mujoco.MjSpec.from_file(str(path))
+        spec: Any = mujoco.MjSpec.from_file(str(path))  # pyright: ignore[reportAttributeAccessIssue]
         for kind in _UNNEEDED:
             for element in list(getattr(spec, kind, ())):
                 spec.delete(element)

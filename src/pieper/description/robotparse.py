@@ -10,11 +10,12 @@ import numpy as np
 from pieper.description.axes import UNIT_SLACK
 from pieper.description.commonnormal import standard_table
 from pieper.description.dh import CONVENTIONS, DH, Actuator, Check, Description, describe
-from pieper.description.fields import number, numbers, one_key, quantity
+from pieper.description.fields import needed_key, number, numbers, one_key, quantity
 from pieper.description.place import Place, kind_of
 from pieper.description.posefield import pose_of
 from pieper.description.quantity import UNITS, UNITS_OF
 from pieper.errors import InputError
+from pieper.words_by_number import plural
 
 #: Larger than any robot file by far; what is larger is not one and is not parsed.
 LARGEST_FILE = 1_000_000
@@ -183,7 +184,11 @@ def _coupling(document: dict, n: int, top: Place) -> list[list[float]] | None:
         return None
     value = document["coupling"]
     if not isinstance(value, list) or len(value) != n:
-        top.fail(f"must be {n} rows of {n} numbers, one a joint, got {kind_of(value)}.", "coupling", given=value)
+        top.fail(
+            f"must be {plural(n, 'row')} of {plural(n, 'number')}, one a joint, got {kind_of(value)}.",
+            "coupling",
+            given=value,
+        )
     return [numbers(row, "", n, top, "coupling") for row in value]
 
 
@@ -217,7 +222,7 @@ def _actuator(tool: dict, top: Place) -> Actuator | None:
     place = top.at("tool.actuator")
     table = place.table(tool["actuator"], "actuator")
     place.only(table, ("name", *(f"{key}_{unit}" for key in ("limits", "value") for unit in UNITS)))
-    key, unit = one_key(table, "limits", UNITS, place, required=True)
+    key, unit = needed_key(table, "limits", UNITS, place)
     lower, upper = numbers(table[key], unit, 2, place, key)
     if lower > upper:
         place.fail(f"the limits are swapped: lower {table[key][0]} is above upper {table[key][1]}.", key)
@@ -241,12 +246,12 @@ def q_units(kinds: str) -> tuple[str, ...]:
 
 
 def _joint_vector(table: dict, kinds: str, place: Place) -> np.ndarray:
-    key, unit = one_key(table, "q", q_units(kinds), place, required=True)
+    key, unit = needed_key(table, "q", q_units(kinds), place)
     angle, _, length = unit.partition("_")
     units = [angle if kind == "R" or not length else length for kind in kinds]
     value = table[key]
     if not isinstance(value, list) or len(value) != len(kinds):
-        place.fail(f"must be a list of {len(kinds)} numbers, one a joint, got {kind_of(value)}.", key)
+        place.fail(f"must be a list of {plural(len(kinds), 'number')}, one a joint, got {kind_of(value)}.", key)
     return np.array([number(item, unit, place, key) for item, unit in zip(value, units, strict=True)])
 
 

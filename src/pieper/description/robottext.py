@@ -47,7 +47,11 @@ def contents(description: Description) -> dict:
 
 def dumps(description: Description) -> str:
     """Return the text of a robot file; reading it gives every number back to the last bit."""
-    top = contents(description)
+    return text_of(contents(description))
+
+
+def text_of(top: dict) -> str:
+    """Return the tables of a robot file as its text."""
     lines: list[str] = []
     for key, value in top.items():
         if not isinstance(value, dict) and not _is_tables(value):
@@ -129,7 +133,8 @@ def _actuator(actuator: Actuator) -> dict:
 
 
 def _joint_vector(q: np.ndarray, kinds: str) -> dict:
-    words, said = [], [0.0] * len(kinds)
+    words: list[str] = []
+    said: list[float | int | None] = [0.0] * len(kinds)
     for letter, kind in (("R", "angle"), ("P", "length")):
         joints = [i for i, other in enumerate(kinds) if other == letter]
         if joints:

@@ -62,17 +62,16 @@ def read(
         return _chosen(catalog.load(text), base, tip)
     if ending in _REFUSED:
         raise InputError(f"{text}: {_REFUSED[ending]}", file=text)
-    said = {"base": base, "tip": tip, "missing_limits": missing_limits}
     if ending == ".urdf":
-        return _urdf(path, said, xacro_args)
+        return _urdf(path, base, tip, missing_limits, xacro_args)
     if ending == ".xacro":
-        return xacro.read(path, **said, arguments=xacro_args)
+        return xacro.read(path, base=base, tip=tip, missing_limits=missing_limits, arguments=xacro_args)
     if ending in (".xml", ".mjcf"):
         first = urdf.first_element(urdf.bytes_of(path, urdf.LARGEST_FILE, "robot file"), text)
         if first == "mujoco":
-            return mjcf.read(path, **said)
+            return mjcf.read(path, base=base, tip=tip, missing_limits=missing_limits)
         if first == "robot":
-            return _urdf(path, said, xacro_args)
+            return _urdf(path, base, tip, missing_limits, xacro_args)
         if f".{first}" in _REFUSED:
             raise InputError(f"{text}: {_REFUSED[f'.{first}']}", file=text)
         raise InputError(
@@ -81,11 +80,13 @@ def read(
     return _chosen(robotfile.read(path), base, tip)
 
 
-def _urdf(path: Path, said: dict[str, str | None], xacro_args: Mapping[str, str] | None) -> Description:
+def _urdf(
+    path: Path, base: str | None, tip: str | None, missing_limits: str, xacro_args: Mapping[str, str] | None
+) -> Description:
     try:
-        return urdf.read(path, **said)
+        return urdf.read(path, base=base, tip=tip, missing_limits=missing_limits)
     except urdf.NotExpanded:
-        return xacro.read(path, **said, arguments=xacro_args)
+        return xacro.read(path, base=base, tip=tip, missing_limits=missing_limits, arguments=xacro_args)
 
 
 def _chosen(arm: Description, base: str | None, tip: str | None) -> Description:

@@ -8,7 +8,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk, jacobian
 from pieper.kinematics.pose import rotation_vector
 from pieper.tolerances import NEWTON_DONE, NEWTON_STALLS, TINY
 
@@ -20,7 +19,8 @@ Step = Callable[[Array, Array], Array]
 
 def pose_difference(chain: Chain, q: Array, T: Array) -> Array:
     """Return what is missing from fk(q) to T, (..., 6): position per length of the arm, then rotation vector, rad."""
-    now = fk(chain, q)
+    # the solver's own joint vectors: not checked, and curves of slides and turns may lead far
+    now = chain.native.fk(q)
     dR = T[..., :3, :3] @ np.swapaxes(now[..., :3, :3], -1, -2)
     out = np.empty((*dR.shape[:-2], 6))
     out[..., :3] = (T[..., :3, 3] - now[..., :3, 3]) / chain.length
@@ -41,12 +41,12 @@ def pose_difference(chain: Chain, q: Array, T: Array) -> Array:
 
 def missed(chain: Chain, q: Array, T: Array) -> Array:
     """Return the size (...) of the pose difference (per length; rad)."""
-    return np.linalg.norm(pose_difference(chain, q, T), axis=-1)
+    return np.asarray(np.linalg.norm(pose_difference(chain, q, T), axis=-1), np.float64)
 
 
 def scaled_jacobian(chain: Chain, q: Array) -> Array:
     """Return Jacobians (..., 6, n) without units: lengths per characteristic length, prismatic columns likewise."""
-    J = jacobian(chain, q)
+    J = chain.native.jacobian(q)
     J[..., :3, :] /= chain.length
     return np.where(chain.prismatic, J * chain.length, J)
 

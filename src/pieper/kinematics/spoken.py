@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from pieper.errors import InputError
 from pieper.kinematics.orientation import quaternion_of, rotation, rpy_of, xyz_of, zyz_of
-from pieper.kinematics.pose import checked_pose, rotation_vector, transform
+from pieper.kinematics.pose import PoseLike, checked_pose, rotation_vector, transform
 
 #: How an orientation may be said -> (how many numbers, whether they are angles, what they mean)
 SPOKEN = {
@@ -102,7 +102,7 @@ def pose(
     return checked_pose(transform(matrix, position), "the pose")
 
 
-def read_pose(T: object, notation: str = "rpy", *, degrees: bool = False, mm: bool = False) -> tuple[float, ...]:
+def read_pose(T: PoseLike, notation: str = "rpy", *, degrees: bool = False, mm: bool = False) -> tuple[float, ...]:
     """Return x, y, z and the numbers of an orientation: what `pose` makes the same pose of.
 
     Where an orientation has several names (roll and yaw about one axis), one of its angles is zero.
@@ -116,7 +116,7 @@ def read_pose(T: object, notation: str = "rpy", *, degrees: bool = False, mm: bo
     Raises:
         InputError: T is not a pose, or the notation is unknown.
     """
-    name = MAKERS.get(notation, notation) if isinstance(notation, str) else ""
+    name = MAKERS.get(notation, notation)
     if name not in SPOKEN:
         raise InputError(
             f"notation {notation!r} is unknown; say one of {', '.join([*SPOKEN, *MAKERS])}.",

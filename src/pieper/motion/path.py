@@ -8,13 +8,13 @@ import numpy as np
 
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
-from pieper.kinematics.pose import checked_pose, rotation_about, rotation_vector
+from pieper.kinematics.pose import PoseLike, checked_pose, rotation_about, rotation_vector
 
 #: Rotations closer than this (rad) to a half turn have two equally short ways; the axis is then chosen by rule.
 HALF_TURN_MARGIN = 1e-9
 
 
-def line(T0: ArrayLike, T1: ArrayLike, n: int = 50) -> Array:
+def line(T0: PoseLike, T1: PoseLike, n: int = 50) -> Array:
     """Return n poses on the straight line from T0 to T1.
 
     The position moves with constant speed; the orientation turns with constant speed about one axis that is fixed in
@@ -86,7 +86,7 @@ def shortest_turn(R0: Array, R1: Array) -> Array:
     return turn
 
 
-def checked_path(path: ArrayLike) -> Array:
+def checked_path(path: PoseLike) -> Array:
     """Return a path as an array of exact poses, or say what is wrong with it.
 
     Args:

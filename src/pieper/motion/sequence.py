@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.motion.motion import MAX_SAMPLES, Motion
+from pieper.words_by_number import plural
 
 
 def move(q0: Array, q1: Array, duration: float, *, rate: float = 100.0) -> Motion:
@@ -33,7 +35,9 @@ def move(q0: Array, q1: Array, duration: float, *, rate: float = 100.0) -> Motio
     return sequence([q0, q1], duration, 0.0, rate=rate)
 
 
-def sequence(postures: Array, durations: Array | float, holds: Array | float = 0.0, *, rate: float = 100.0) -> Motion:
+def sequence(
+    postures: Array | Sequence[Array], durations: Array | float, holds: Array | float = 0.0, *, rate: float = 100.0
+) -> Motion:
     """Return the motion through postures, at rest in each of them.
 
     Every leg is a `move`; after it the arm holds the posture it has reached. There is no hold before the first leg.
@@ -163,7 +167,9 @@ def compare(
         )
     names = tuple(f"P{i}" for i in range(len(reference))) if names is None else tuple(names)
     if len(names) != len(reference):
-        raise InputError(f"{len(names)} names were given for {len(reference)} rows.", given=names)
+        raise InputError(
+            f"{plural(len(names), 'name was', 'names were')} given for {plural(len(reference), 'row')}.", given=names
+        )
     absolute = np.abs(simulated - reference)
     defined = reference != 0
     relative = np.where(defined, 100 * absolute / np.where(defined, np.abs(reference), 1.0), 0.0)
