@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 import pieper
 from pieper import InputError
-from pieper.cli import DONE
+from pieper.cli.status import DONE
 from pieper.cli.given import number, read_text
 from pieper.cli.options import as_json, order, takes_arm, takes_units
 from pieper.cli.pose_file import PoseFile
