@@ -21,6 +21,7 @@ from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.pose import PoseLike
 from pieper.motion.track import Track, follow
 from pieper.solver import verbs
+from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
@@ -278,17 +279,54 @@ class Arm(AtScale):
             )
 
     def ik_many(
-        self, Ts: PoseLike, *, threads: int | None = None, task: str | None = None, redundancy: Redundancy = None
+        self,
+        Ts: PoseLike,
+        threads: int | None = None,
+        near: ArrayLike | str | None = None,
+        start: ArrayLike | str | None = None,
+        weights: ArrayLike | None = None,
+        invalid: str = "raise",
+        out: SolutionBatch | None = None,
+        *,
+        task: str | None = None,
+        redundancy: Redundancy = None,
+        progress: Progress | None = None,
     ) -> SolutionBatch:
-        """Return every solution of N poses.
+        """Return every solution of N poses and, where `near` says near what, one chosen row of each.
 
         Args:
             Ts: (N, 4, 4), base to tool.
             threads: Number of threads; None for all cores.
+            near: Choose the row inside the limits nearest to a joint vector (n,), to one a pose (N, n), whole turns
+                resolved; or "previous", nearest to the one chosen for the pose before. See `SolutionBatch.nearest`.
+            start: Where "previous" begins, (n,); None to begin with the first row inside the limits.
+            weights: (n,) what the squared differences of the joints count in the distance; None for one each. Sliding
+                joints are measured in the arm's characteristic length.
+            invalid: "raise" when one of Ts is no pose, or "mark" it with Status.INVALID (`SolutionBatch.reasons`).
+            out: An earlier answer of this arm to as many poses: its arrays are written over and handed back, which
+                saves the pages of new ones.
             task: As in `ik`.
             redundancy: As in `ik`, one value or one a pose.
+            progress: Called now and then with how many poses are done and how many there are.
+
+        Raises:
+            InputError: Something given is impossible; the message says what, what is allowed and how to cure it.
         """
-        return verbs.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
+        return verbs.ik_many(
+            self.plan if task is None else self.plan_for(task),
+            Ts,
+            threads,
+            redundancy,
+            near=near if isinstance(near, str) and near == PREVIOUS else self._where(near, "near"),
+            start=self._where(start, "start"),
+            weights=weights,
+            invalid=invalid,
+            out=out,
+            progress=progress,
+        )
+
+    def _where(self, q: ArrayLike | str | None, what: str) -> ArrayLike | None:
+        return None if q is None else self._joints(q, what)
 
     def closest(self, T: PoseLike) -> tuple[Array, float, float]:
         """Return the posture (n,) that comes closest to a pose, limits aside, and what is missing, m and rad.

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pieper.errors import PlanError
 from pieper.kinematics.arm_angle import ArmAngle, arm_angle
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
@@ -93,8 +94,14 @@ class Plan:
 
     @property
     def choices(self) -> tuple[str, ...]:
-        """Names that `redundancy` may be given for: the redundant coordinates, and the arm angle where there is one."""
-        return (*self.redundancy, *(("arm angle",) if self.arm_angle else ()))
+        """Names that `redundancy` may be given for: any joint, what the task leaves, the arm angle where there is one.
+
+        The redundant coordinates, which are held when nobody chooses, come first.
+        """
+        if not self.redundancy:
+            return ()
+        others = (name for name in self.full_names if name not in self.redundancy)
+        return (*self.redundancy, *others, *(("arm angle",) if self.arm_angle else ()))
 
     def _joint_name(self, joint: int) -> str:
         if joint < self.n:
@@ -156,6 +163,11 @@ class Plan:
     def exact_solvers(self) -> Prepared:
         """The same of the arm as described, where geometry was snapped."""
         return Prepared(self.exact.six, MOST_EXACT_SOLVERS)
+
+    @cached_property
+    def held(self) -> dict[tuple[int, ...], Plan | PlanError]:
+        """What `holding` made of this plan, by the joints that are held."""
+        return {}
 
     def residual(self, q: Array, T: Array) -> Array:
         """Return (..., 2): metres and radians by which q misses T, of what the task asks for."""

@@ -15,7 +15,7 @@ def explain(plan: Plan) -> str:
     lines += ["", "What the axes do:"]
     lines += [f"  {sentence}" for sentence in plan.geometry.sentences(plan.names)]
     if plan.snapped:
-        lines += ["", "Made special, because asked to: " + "; ".join(plan.snapped) + "."]
+        lines += ["", "Made special to be solved: " + "; ".join(plan.snapped) + "."]
         lines += ["Each solution of that nominal arm is then refined on the arm as described."]
     reduction = plan.reduction
     steps: list[str] = []
