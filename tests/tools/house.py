@@ -38,6 +38,7 @@ FLOORS = (
     ("presentation",),
     ("at_scale",),
     ("arm",),
+    ("arms",),
     ("__init__",),
     ("cli", "workbench"),
     ("__main__",),
@@ -53,7 +54,7 @@ PUBLIC_ONLY = ("cli", "workbench")
 DOOR = "pieper.workbench"
 LONGEST, MEDIAN = 400, 150
 #: Names that begin with an underscore and are not ours to make public.
-FOREIGN = {"_kernel", "_axinfo"}
+FOREIGN = {"_kernel", "_axinfo", "_fields"}
 #: Names that say nothing about the room, and participles that say nothing about the thing.
 FOSSIL_ROOMS = {"utils", "helpers", "common", "core", "manager", "misc"}
 FOSSIL_ROOMS |= {"failing", "given", "judged", "looked", "made", "printed", "shown", "told"}
