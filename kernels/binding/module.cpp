@@ -3,6 +3,7 @@
 
 #include "binding/fields.hpp"
 #include "binding/selection.hpp"
+#include "binding/time_law.hpp"
 #include "dispatch/solver.hpp"
 
 namespace {
@@ -337,11 +338,11 @@ NB_MODULE(_kernel, m) {
       .def("one", &PySolver::one, nb::arg("T"),
            "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 
+  bind_time_law(m);
   m.def("deviations", &deviations, nb::arg("Ts"),
         "(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite.");
   m.def(
       "sincos", [](nb::handle x) { return elementary(0, x); }, nb::arg("x"),
       "(N,) -> (N, 2) sine and cosine, for tests.");
-  m.def(
-      "atan2", [](nb::handle yx) { return elementary(1, yx); }, nb::arg("yx"), "(N, 2) y, x -> (N,), for tests.");
+  m.def("atan2", [](nb::handle yx) { return elementary(1, yx); }, nb::arg("yx"), "(N, 2) y, x -> (N,), for tests.");
 }

@@ -419,6 +419,27 @@ class Solver:
     def one(self, T: npt.ArrayLike) -> tuple[Array, npt.NDArray[np.uint8], npt.NDArray[np.bool_], int]:
         """(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag."""
 
+def spline(s: npt.ArrayLike, q: npt.ArrayLike) -> Array:
+    """(N,), (N, n) -> (N, n) second derivatives of the cubic spline through points."""
+
+def fastest(
+    *,
+    s: npt.ArrayLike,
+    d1: npt.ArrayLike,
+    d2: npt.ArrayLike,
+    d3: npt.ArrayLike,
+    speed: npt.ArrayLike,
+    acceleration: npt.ArrayLike,
+    a: npt.ArrayLike,
+    b: npt.ArrayLike,
+    c: npt.ArrayLike,
+    most: npt.ArrayLike,
+    wanted: npt.ArrayLike,
+    start: float,
+    end: float,
+) -> tuple[Array, Array, bool, int]:
+    """x (N,), upper ends of the controllable sets (N,), whether it can be done, where not (-1: at the start)."""
+
 def deviations(Ts: npt.ArrayLike) -> Array:
     """(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite."""
 

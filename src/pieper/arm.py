@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.at_scale import AtScale
 from pieper.description import change
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
@@ -25,15 +26,17 @@ from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
 from pieper.solver.results import SolutionBatch, Solutions
+from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from pieper.equations import Symbolic
+    from pieper.motion.dialects.configuration import Configuration
 
 #: A pose this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
 
 
-class Arm:
+class Arm(AtScale):
     """A serial arm, made by `pieper.load` or `Arm.from_dh`.
 
     Args:
@@ -54,7 +57,7 @@ class Arm:
         *,
         convention: str,
         joint_types: str | None = None,
-        limits: Sequence | None = None,
+        limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
         base: PoseLike | None = None,
         tool: PoseLike | None = None,
         name: str = "arm",
@@ -93,7 +96,7 @@ class Arm:
         home: PoseLike,
         *,
         joint_types: str | None = None,
-        limits: Sequence | None = None,
+        limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
         name: str = "arm",
         joint_names: Sequence[str] | None = None,
         snap: float | None = None,
@@ -120,7 +123,7 @@ class Arm:
         c4: float,
         offsets: Sequence[float] = (0.0,) * 6,
         signs: Sequence[float] = (1.0,) * 6,
-        limits: Sequence | None = None,
+        limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
         name: str = "arm",
     ) -> Arm:
         """Make an arm of its OPW parameters (m, rad); see `description.opw.from_opw` for what each means."""
@@ -351,9 +354,19 @@ class Arm:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 
-    @cached_property
+    def configuration(self, q: ArrayLike | str, maker: str) -> Configuration:
+        """Return a posture in a maker's configuration words; see `motion.dialects.configuration`."""
+        from pieper.motion.dialects.configuration import configuration
+
+        return configuration(self.plan, self._joints(q), maker)
+
+    @property
     def symbolic(self) -> Symbolic:
         """The arm's equations: `.fk()`, `.jacobian()`, `.singularities()`, `.ik()`."""
+        return self._symbolic
+
+    @cached_property
+    def _symbolic(self) -> Symbolic:
         from pieper.equations import Symbolic
 
         if self.description.coupling is not None:
@@ -368,7 +381,7 @@ class Arm:
         source.write(self.description, path)
 
     def __repr__(self) -> str:
-        return f"<Arm {self.name}: {self.n} joints {self.joint_types}, {self.description.convention} DH>"
+        return f"<Arm {self.name}: {plural(self.n, 'joint')} {self.joint_types}, {self.description.convention} DH>"
 
 
 def load(

@@ -70,7 +70,9 @@ def test_arctangent_lies_in_minus_pi_exclusive_to_pi_and_keeps_nan():
 def test_the_arctangent_misses_no_angle_by_more_than_the_bound_that_verification_rests_on():
     # kAngleError in kernels/lanes/math.hpp, 8e-16 rad; where the folds at tan(pi/8), 1 and 0 meet it is largest
     rng = np.random.default_rng(2)
-    angle = np.concatenate([rng.uniform(-np.pi, np.pi, 6000), rng.normal(0, 1e-3, 6000) + np.pi / 8 * rng.integers(-8, 9, 6000)])
+    angle = np.concatenate(
+        [rng.uniform(-np.pi, np.pi, 6000), rng.normal(0, 1e-3, 6000) + np.pi / 8 * rng.integers(-8, 9, 6000)]
+    )
     yx = np.stack([np.sin(angle), np.cos(angle)], axis=1) * (1 + rng.uniform(-1e-12, 1e-12, (12000, 1)))
     yx[::3] *= rng.uniform(1e-6, 1e3, (4000, 1))
     found = _kernel.atan2(yx)

@@ -13,9 +13,9 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.cli import DONE, NO_SOLUTION
+from pieper.cli.output import as_json, plural, si_units
 from pieper.cli.pose_file import PoseFile
-from pieper.cli.printed import as_json, plural, si_units
+from pieper.cli.status import DONE, NO_SOLUTION
 from pieper.cli.units import Units
 
 #: Decimals of joint values in a CSV: finer than any unit's rounding noise.

@@ -95,7 +95,9 @@ def near_what(
             )
         return Near(select, None, None if start is None else _joints(start, plan.n, "start", ((plan.n,),)))
     if start is not None:
-        raise InputError(f'start= is for near="{PREVIOUS}"; leave it out, near= says where each is near to.', given=start)
+        raise InputError(
+            f'start= is for near="{PREVIOUS}"; leave it out, near= says where each is near to.', given=start
+        )
     return Near(select, _joints(near, plan.n, "near", ((plan.n,), (count, plan.n))), None)
 
 
@@ -173,9 +175,7 @@ def arrays_of(plan: Plan, out: SolutionBatch | None, count: int, slots: int, nea
     shape = (count, slots, plan.n)
     chosen = None
     if out is None:
-        rows = Rows(
-            np.empty(shape), np.empty(shape[:2], bool), np.empty(shape[:2], bool), np.empty(count, np.uint8)
-        )
+        rows = Rows(np.empty(shape), np.empty(shape[:2], bool), np.empty(shape[:2], bool), np.empty(count, np.uint8))
         status = np.empty(count, np.uint8)
     else:
         if not isinstance(out, SolutionBatch):
@@ -207,7 +207,9 @@ def _writable(array: npt.NDArray[np.generic], name: str, shape: tuple[int, ...],
             given=got,
         )
     if not (array.flags.c_contiguous and array.flags.writeable and array.flags.aligned):
-        raise InputError(f"out.{name} cannot be written to: it must be writable and in C order. Give a copy.", given=name)
+        raise InputError(
+            f"out.{name} cannot be written to: it must be writable and in C order. Give a copy.", given=name
+        )
 
 
 def joined(plan: Plan, parts: Sequence[SolutionBatch], out: SolutionBatch | None, near: Near | None) -> SolutionBatch:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
@@ -11,8 +9,8 @@ from pieper.kinematics.chain import Chain
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Rows
-from pieper.solver.singular.examine import Examined
-from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.examined import Examined
+from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 
 
 def solutions_of(plan: Plan, words: Words, found: Solutions) -> Solutions:
@@ -56,9 +54,5 @@ def _joints_at(chain: Chain, values: Array) -> Array:
 def _motion(plan: Plan, motion: SelfMotion) -> SelfMotion:
     chain = plan.reduction.full
     free = np.tile([-np.inf, np.inf], (chain.n - plan.n, 1))
-    return replace(
-        motion,
-        chain=chain,
-        samples=_joints_at(chain, motion.samples),
-        limits=np.vstack([plan.limits, free]),
-    )
+    limits, points = np.vstack([plan.limits, free]), _joints_at(chain, motion.samples)
+    return TracedMotion(chain, motion.T, points, motion.closed, motion.dimension, limits, motion.names, motion.shown)

@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
 import numpy as np
 
+from pieper import _kernel
+from pieper.kinematics.arrays import Array, Bits, Bools, Slots
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse
 from pieper.solver.families.family import KernelSpec
@@ -21,6 +27,20 @@ def without_far_ends(chain: Chain) -> tuple[Chain, tuple[np.ndarray, np.ndarray]
     if max(np.linalg.norm(chain.links[i][:3, 3]) for i in (0, -1)) <= FAR * chain.length:
         return chain, None
     return chain.section(0, chain.n - 1), (inverse(chain.links[0]), inverse(chain.links[-1]))
+
+
+def _one_between(native: _kernel.Solver, before: Array, after: Array, T: Any) -> tuple[Array, Slots, Bools, int]:
+    return native.one(before @ np.asarray(T, float) @ after)
+
+
+def _many_between(
+    native: _kernel.Solver, before: Array, after: Array, T: Array, threads: int
+) -> tuple[Array, Bools, Bools, Bits]:
+    return native.many(np.ascontiguousarray(before @ T @ after), threads)
+
+
+def _into_between(native: _kernel.Solver, before: Array, after: Array, T: Array, *rest: Any) -> None:
+    native.into(np.ascontiguousarray(before @ T @ after), *rest)
 
 
 class SixJointSolver:
@@ -47,16 +67,15 @@ class SixJointSolver:
         self.limits = limits
         self.ends = ends
         native = spec.solver(limits, chain.prismatic)
-        self.one = native.one
-        self.many = native.many
-        self.into = native.into
+        self.one: Callable[[Any], tuple[Array, Slots, Bools, int]] = native.one
+        self.many: Callable[[Array, int], tuple[Array, Bools, Bools, Bits]] = native.many
+        self.into: Callable[..., Any] = native.into
         if ends is not None:
-            before, after = ends
-            self.one = lambda T: native.one(before @ np.asarray(T, float) @ after)
-            self.many = lambda T, threads: native.many(np.ascontiguousarray(before @ T @ after), threads)
-            self.into = lambda T, *rest: native.into(np.ascontiguousarray(before @ T @ after), *rest)
+            self.one = partial(_one_between, native, *ends)
+            self.many = partial(_many_between, native, *ends)
+            self.into = partial(_into_between, native, *ends)
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[Any, ...]:
         return SixJointSolver, (self.chain, self.spec, self.limits, self.ends)
 
     def all_rows(self, T: np.ndarray) -> np.ndarray:

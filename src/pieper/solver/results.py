@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import overload
 
 import numpy as np
 
 from pieper.errors import InputError, NoSolutionError
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.joints import TURN
 from pieper.kinematics.pose import reason_against
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Chosen, Flag, Refused, Rows
-from pieper.solver.singular.examine import Examined
+from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import LIMIT_SLACK
+from pieper.words_by_number import plural
 
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _UNCERTAIN, _ROUNDED = int(Flag.UNCERTAIN), int(Flag.ROUNDED)
@@ -42,17 +44,34 @@ class Words:
 
     Args:
         why: One sentence, with a number, on how a pose came out.
+        table: The solutions inside the limits as lines of text.
         labels: One posture label a row of q (m, n).
         beside: Labels of the branches that meet in q (n,) along a direction (n,).
     """
 
     why: Callable[[Plan, Solutions], str]
+    table: Callable[[Plan, Solutions], str]
     labels: Callable[[Plan, Array], list[str]]
     beside: Callable[[Plan, Array, Array], tuple[str, ...]]
 
 
-class Solutions:
-    """Every solution of one pose.
+@dataclass(frozen=True, eq=False, slots=True)
+class Solution:
+    """One solution of a pose.
+
+    Attributes:
+        q: (n,) joint vector, rad or m.
+        label: Its posture label.
+        residual: (2,) metres and radians by which forward kinematics misses the pose.
+    """
+
+    q: Array
+    label: str
+    residual: Array
+
+
+class Solutions(Sequence[Solution]):
+    """Every solution of one pose: a sequence of those inside the limits.
 
     Attributes:
         T: The pose (4, 4) that was solved.
@@ -71,7 +90,7 @@ class Solutions:
         words: Words,
         T: Array,
         all_q: Array,
-        slots: Indices,
+        slots: Slots,
         in_limits: Bools,
         flag: int,
         found: Examined | None = None,
@@ -100,8 +119,23 @@ class Solutions:
     def __len__(self) -> int:
         return len(self.q)
 
-    def __iter__(self) -> Iterator[Array]:
-        return iter(self.q)
+    @overload
+    def __getitem__(self, index: int) -> Solution: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Solution]: ...
+    def __getitem__(self, index: int | slice) -> Solution | list[Solution]:
+        """One solution inside the limits, or several; the rows of q."""
+        if isinstance(index, slice):
+            return [self[i] for i in range(len(self))[index]]
+        q = self.q[index]  # says what is wrong with an index beyond the last
+        return Solution(q, self._words.labels(self._plan, q[None])[0], self._plan.residual(q[None], self.T)[0])
+
+    def table(self) -> str:
+        """Return the solutions inside the limits as lines of text: joints in deg or mm, label, residual; then why."""
+        return self._words.table(self._plan, self)
+
+    def __str__(self) -> str:
+        return self.table()
 
     @property
     def self_motions(self) -> tuple[SelfMotion, ...]:
@@ -315,4 +349,4 @@ class SolutionBatch:
 
     def __repr__(self) -> str:
         counts = {s.name: int(c) for s in Status if (c := np.count_nonzero(self.status == s))}
-        return f"<SolutionBatch of {len(self)} poses: {counts}>"
+        return f"<SolutionBatch of {plural(len(self), 'pose')}: {counts}>"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from pieper._kernel import Flag
-from pieper.kinematics.arrays import Array, Bits, Bools, Indices
+from pieper.kinematics.arrays import Array, Bits, Bools, Indices, Slots
 
 __all__ = ["Chosen", "Flag", "Refused", "Rows"]
 
@@ -26,7 +26,7 @@ class Rows:
     inside: Bools
     flags: Bits
 
-    def of(self, index: int) -> tuple[Array, Bools, Bools, int]:
+    def of(self, index: int) -> tuple[Array, Slots, Bools, int]:
         """Return one pose's valid rows (m, n), their slots (m,), whether they are inside (m,), and its flags."""
         valid = self.valid[index]
         return self.q[index][valid], valid.nonzero()[0], self.inside[index][valid], int(self.flags[index])

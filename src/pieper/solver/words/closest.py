@@ -6,7 +6,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.newton import downhill
 from pieper.kinematics.pose import pose_error
 from pieper.solver.plan.six_joints import sample_joints
@@ -38,7 +37,7 @@ def nearest_reachable(chain: Chain, T: Array, seeds: Array | None = None) -> tup
         weights = np.array([1.0, 1.0, 1.0, weight, weight, weight])
         q, cost = downhill(chain, q, T, steps=steps + 1, weights=weights, damping=DAMPING, relative=_mean_square)
         q = q[np.argsort(cost)[: max(8, len(q) // 4)]]
-    error = pose_error(fk(chain, q), T)
+    error = pose_error(chain.native.fk(q), T)
     # orientation first (to a tenth of a degree), then position
     best = np.lexsort((error[:, 0], np.round(error[:, 1] / 2e-3)))[0]
     return q[best], float(error[best, 0]), float(error[best, 1])
