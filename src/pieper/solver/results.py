@@ -34,6 +34,23 @@ class Status(IntEnum):
     UNCERTAIN = 5
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Closest:
+    """The posture inside the limits that comes nearest to a pose.
+
+    Attributes:
+        q: (n,) rad or m.
+        metres: How far its tool is from the pose.
+        radians: How far it is turned from it, of what the task asks for.
+        T: (4, 4) where its tool is.
+    """
+
+    q: Array
+    metres: float
+    radians: float
+    T: Array
+
+
 @dataclass(frozen=True, slots=True)
 class Words:
     """Who puts results into words; handed in, since words read results.
@@ -42,11 +59,13 @@ class Words:
         why: One sentence, with a number, on how a pose came out.
         labels: One posture label a row of q (m, n).
         beside: Labels of the branches that meet in q (n,) along a direction (n,).
+        closest: The posture that comes nearest to the pose.
     """
 
     why: Callable[[Plan, Solutions], str]
     labels: Callable[[Plan, Array], list[str]]
     beside: Callable[[Plan, Array, Array], tuple[str, ...]]
+    closest: Callable[[Plan, Solutions], Closest]
 
 
 class Solutions:
@@ -61,7 +80,20 @@ class Solutions:
         flag: Bits of `Flag`.
     """
 
-    __slots__ = ("T", "_found", "_plan", "_q", "_self_motions", "_why", "_words", "all_q", "flag", "in_limits", "slots")
+    __slots__ = (
+        "T",
+        "_closest",
+        "_found",
+        "_plan",
+        "_q",
+        "_self_motions",
+        "_why",
+        "_words",
+        "all_q",
+        "flag",
+        "in_limits",
+        "slots",
+    )
 
     def __init__(
         self,
@@ -86,6 +118,7 @@ class Solutions:
         self._self_motions = self_motions
         self._q: Array | None = None
         self._why: str | None = None
+        self._closest: Closest | None = None
 
     @property
     def q(self) -> Array:
@@ -155,6 +188,16 @@ class Solutions:
         if self._why is None:
             self._why = self._words.why(self._plan, self)
         return self._why
+
+    @property
+    def closest(self) -> Closest:
+        """The posture inside the limits that comes nearest, position first; a solution where there is one.
+
+        Worked out when first asked for, by descent from many postures: a nearer one is unlikely, but not excluded.
+        """
+        if self._closest is None:
+            self._closest = self._words.closest(self._plan, self)
+        return self._closest
 
     @property
     def labels(self) -> list[str]:

@@ -21,11 +21,12 @@ from pieper.solver.redundant.sweep import best_slice
 from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.singular.careful import clear, every_solution, overlooked
+from pieper.solver.words.closest import closest_to
 from pieper.solver.words.labels import labels_beside, posture_words
 from pieper.solver.words.why import why
 from pieper.tolerances import MOST_CAREFUL, MOST_TRACED
 
-WORDS = Words(why, posture_words, labels_beside)
+WORDS = Words(why, posture_words, labels_beside, closest_to)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
 _ROUNDED = int(Flag.ROUNDED)
