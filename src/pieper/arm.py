@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.at_scale import AtScale
 from pieper.description import change
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
@@ -20,19 +21,22 @@ from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.pose import PoseLike
 from pieper.motion.track import Track, follow
 from pieper.solver import verbs
+from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
 from pieper.solver.results import Closest, SolutionBatch, Solutions
+from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from pieper.equations import Symbolic
+    from pieper.motion.dialects.configuration import Configuration
 
 #: A pose this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
 
 
-class Arm:
+class Arm(AtScale):
     """A serial arm, made by `pieper.load` or `Arm.from_dh`.
 
     Args:
@@ -53,7 +57,7 @@ class Arm:
         *,
         convention: str,
         joint_types: str | None = None,
-        limits: Sequence | None = None,
+        limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
         base: PoseLike | None = None,
         tool: PoseLike | None = None,
         name: str = "arm",
@@ -92,7 +96,7 @@ class Arm:
         home: PoseLike,
         *,
         joint_types: str | None = None,
-        limits: Sequence | None = None,
+        limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
         name: str = "arm",
         joint_names: Sequence[str] | None = None,
         snap: float | None = None,
@@ -119,7 +123,7 @@ class Arm:
         c4: float,
         offsets: Sequence[float] = (0.0,) * 6,
         signs: Sequence[float] = (1.0,) * 6,
-        limits: Sequence | None = None,
+        limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
         name: str = "arm",
     ) -> Arm:
         """Make an arm of its OPW parameters (m, rad); see `description.opw.from_opw` for what each means."""
@@ -275,17 +279,54 @@ class Arm:
             )
 
     def ik_many(
-        self, Ts: PoseLike, *, threads: int | None = None, task: str | None = None, redundancy: Redundancy = None
+        self,
+        Ts: PoseLike,
+        threads: int | None = None,
+        near: ArrayLike | str | None = None,
+        start: ArrayLike | str | None = None,
+        weights: ArrayLike | None = None,
+        invalid: str = "raise",
+        out: SolutionBatch | None = None,
+        *,
+        task: str | None = None,
+        redundancy: Redundancy = None,
+        progress: Progress | None = None,
     ) -> SolutionBatch:
-        """Return every solution of N poses.
+        """Return every solution of N poses and, where `near` says near what, one chosen row of each.
 
         Args:
             Ts: (N, 4, 4), base to tool.
             threads: Number of threads; None for all cores.
+            near: Choose the row inside the limits nearest to a joint vector (n,), to one a pose (N, n), whole turns
+                resolved; or "previous", nearest to the one chosen for the pose before. See `SolutionBatch.nearest`.
+            start: Where "previous" begins, (n,); None to begin with the first row inside the limits.
+            weights: (n,) what the squared differences of the joints count in the distance; None for one each. Sliding
+                joints are measured in the arm's characteristic length.
+            invalid: "raise" when one of Ts is no pose, or "mark" it with Status.INVALID (`SolutionBatch.reasons`).
+            out: An earlier answer of this arm to as many poses: its arrays are written over and handed back, which
+                saves the pages of new ones.
             task: As in `ik`.
             redundancy: As in `ik`, one value or one a pose.
+            progress: Called now and then with how many poses are done and how many there are.
+
+        Raises:
+            InputError: Something given is impossible; the message says what, what is allowed and how to cure it.
         """
-        return verbs.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
+        return verbs.ik_many(
+            self.plan if task is None else self.plan_for(task),
+            Ts,
+            threads,
+            redundancy,
+            near=near if isinstance(near, str) and near == PREVIOUS else self._where(near, "near"),
+            start=self._where(start, "start"),
+            weights=weights,
+            invalid=invalid,
+            out=out,
+            progress=progress,
+        )
+
+    def _where(self, q: ArrayLike | str | None, what: str) -> ArrayLike | None:
+        return None if q is None else self._joints(q, what)
 
     def closest(self, T: PoseLike, *, task: str | None = None, weights: ArrayLike | None = None) -> Closest:
         """Return the posture inside the limits that comes nearest to a pose: its q, metres, radians and T.
@@ -315,9 +356,19 @@ class Arm:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 
-    @cached_property
+    def configuration(self, q: ArrayLike | str, maker: str) -> Configuration:
+        """Return a posture in a maker's configuration words; see `motion.dialects.configuration`."""
+        from pieper.motion.dialects.configuration import configuration
+
+        return configuration(self.plan, self._joints(q), maker)
+
+    @property
     def symbolic(self) -> Symbolic:
         """The arm's equations: `.fk()`, `.jacobian()`, `.singularities()`, `.ik()`."""
+        return self._symbolic
+
+    @cached_property
+    def _symbolic(self) -> Symbolic:
         from pieper.equations import Symbolic
 
         if self.description.coupling is not None:
@@ -332,7 +383,7 @@ class Arm:
         source.write(self.description, path)
 
     def __repr__(self) -> str:
-        return f"<Arm {self.name}: {self.n} joints {self.joint_types}, {self.description.convention} DH>"
+        return f"<Arm {self.name}: {plural(self.n, 'joint')} {self.joint_types}, {self.description.convention} DH>"
 
 
 def load(

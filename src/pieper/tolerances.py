@@ -66,10 +66,6 @@ FILLED_ZERO = 1e-6
 SAME_AFTER_CUT = 1e-6
 #: Relative sigma_min above which a marked pose is not looked at further: kernels tell twins of a root apart above 1e-8.
 CLEARLY_REGULAR = 1.5e-7
-#: Poses on a singularity, or without rows, that `ik_many` looks at one by one in a call: it bounds the work of a call.
-MOST_CAREFUL = 500
-#: Poses of a redundant arm in a call of `ik_many` whose self-motions are traced because no slice through them was met.
-MOST_TRACED = 20
 
 # ---- kernels: of all kernels ----
 #: Joint values this close (rad, m) are rounding and do not order rows.
@@ -334,3 +330,22 @@ SWP_TILTED = 1e-12
 SWP_IN_PLANE = 1e-9
 #: Inner links that are together shorter than this part of the largest are no measure of length.
 LENGTHLESS = 1e-9
+
+# ---- calibration ----
+#: By how much an axis of a built arm plausibly departs from the nominal one (rad; per length of the arm): a few
+#: millimetres a metre. What, so large, changes all measurements together by less than their noise, is not seen.
+PLAUSIBLE_DEPARTURE = 2e-3
+#: The same of a gear's ratio and of what couples two joints.
+PLAUSIBLE_GEAR = 1e-3
+#: A measurement this many times its noise off is no noise: of 1e8 Gaussian ones not one is.
+OUTLIER = 6.0
+#: Huber's threshold, in noises: 95 % efficient where there are no outliers (Huber, 1981).
+HUBER = 1.345
+#: A fit is done when no number moves by more than this part of its plausible size,
+CALIBRATED = 1e-9
+#: or after so many steps; from millimetres away three to five are usual.
+CALIBRATION_STEPS = 60
+#: A wrong reading of the data (degrees, millimetres, a joint's sense) is named when it leaves this part of the misfit.
+MISREAD = 0.2
+#: Data that miss the nominal arm by less than this part of its length are not suspected of a wrong reading.
+SUSPICIOUS = 0.03

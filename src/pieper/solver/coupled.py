@@ -26,7 +26,7 @@ def solutions_of(plan: Plan, words: Words, found: Solutions) -> Solutions:
 
 def batch_of(plan: Plan, found: SolutionBatch) -> SolutionBatch:
     """Return the same of many poses; a pose of which only a self-motion may lie inside keeps its status."""
-    rows = rows_of(plan, found.rows)
+    rows = rows_of(plan, found.found)
     status = found.status.copy()
     status[(status == Status.SOLVED) & ~rows.inside.any(1)] = Status.OUTSIDE_LIMITS
     return SolutionBatch(plan, rows, status)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space, singular_values
 from pieper.kinematics.pose import rotation_about
@@ -109,11 +109,11 @@ def examine(
     isolated = [q for q in isolated if not curves.meet(q, 1e-5)]
     doubles = [q for q in doubles if not curves.meet(q, 1e-4)]
     # closed forms give every merged root themselves: what else nearly holds the pose there is the foot of a fold
-    hidden_singular = _distinct(chain, hidden_singular, SAME_SOLUTION) if hiding else []
-    hidden_singular = [q for q in hidden_singular if not curves.meet(q, ON_POLYLINE)]
+    merged = list(_distinct(chain, hidden_singular, SAME_SOLUTION)) if hiding else []
+    merged = [q for q in merged if not curves.meet(q, ON_POLYLINE)]
     if curves.lines:
-        hidden_singular = [q for q in hidden_singular if second_smallest(chain, q) > SINGULAR_EXAMINED]
-    doubles = distinct_roots(chain, [*doubles, *hidden_singular], T)
+        merged = [q for q in merged if second_smallest(chain, q) > SINGULAR_EXAMINED]
+    doubles = distinct_roots(chain, [*doubles, *merged], T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
     pairs = [branches_at(chain, q, T) for q in doubles]
     return told(chain, isolated, doubles, pairs, curves.closed)
@@ -139,7 +139,7 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
     return doubles, hidden
 
 
-def _probed(curves: _Curves, starts: Array) -> tuple[Array, Array]:
+def _probed(curves: _Curves, starts: Array) -> tuple[Array, Bools]:
     """Return how well the pose can be held a little way along each start's null direction (N,), all at once.
 
     And whether two directions vanish there (N,).

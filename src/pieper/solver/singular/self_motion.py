@@ -47,7 +47,7 @@ class SelfMotion:
         raise NotImplementedError
 
     @property
-    def _virtual(self) -> Array:
+    def _virtual(self) -> Bools:
         return np.arange(self.chain.n) >= self.shown
 
     def padded(self, q: Array) -> Array:
@@ -212,7 +212,9 @@ class SelfMotion:
         moving = [self.names[j] for j in self.free]
         relation = self.relation
         where = "all the way round" if self.closed else "between two ends"
-        text = f"{', '.join(moving)} move together {where}" + (f" with {relation}" if relation else "")
+        text = f"{', '.join(moving)} {'moves' if len(moving) == 1 else 'move together'} {where}" + (
+            f" with {relation}" if relation else ""
+        )
         return text + (f"; {self.dimension} degrees of freedom in all" if self.dimension > 1 else "")
 
     @cached_property

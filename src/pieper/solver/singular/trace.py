@@ -67,7 +67,7 @@ def crossings(motion: SelfMotion) -> list[Array]:
     """Return points of a curve where a second self-motion direction opens: other curves cross there."""
     chain, samples = motion.chain, motion.samples
     second = second_smallest(chain, samples)
-    found = []
+    found: list[Array] = []
     last = len(samples) - 1
     for i in range(len(samples)):
         # at a crossing the value falls to zero like |s - s0|: less than one and a half times what a step changes

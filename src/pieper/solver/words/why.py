@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.kinematics.arm_angle import POLE
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.joints import TURN
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status
@@ -74,7 +75,7 @@ def _outside_limits(plan: Plan, sols: Solutions) -> str:
     for q in sols.all_q:
         over = np.maximum(plan.limits[:, 0] - q, q - plan.limits[:, 1])
         for k in (-1, 1):
-            moved = np.where(plan.prismatic, q, q + k * TURN)
+            moved: Array = np.where(plan.prismatic, q, q + k * TURN)
             over = np.minimum(over, np.maximum(plan.limits[:, 0] - moved, moved - plan.limits[:, 1]))
         worst = int(np.argmax(over))
         if over[worst] < least:
