@@ -25,7 +25,7 @@ from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
-from pieper.solver.results import SolutionBatch, Solutions
+from pieper.solver.results import Closest, SolutionBatch, Solutions
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
@@ -328,16 +328,18 @@ class Arm(AtScale):
     def _where(self, q: ArrayLike | str | None, what: str) -> ArrayLike | None:
         return None if q is None else self._joints(q, what)
 
-    def closest(self, T: PoseLike) -> tuple[Array, float, float]:
-        """Return the posture (n,) that comes closest to a pose, limits aside, and what is missing, m and rad.
+    def closest(self, T: PoseLike, *, task: str | None = None, weights: ArrayLike | None = None) -> Closest:
+        """Return the posture inside the limits that comes nearest to a pose: its q, metres, radians and T.
 
-        Position gives way before orientation. The search begins at random places: a nearer posture may exist.
+        Args:
+            T: (4, 4), base to tool.
+            task: As in `ik`; only what it asks for counts.
+            weights: (2,) what a metre and a radian count; None for position first, and then orientation.
         """
         from pieper.kinematics.pose import checked_pose
-        from pieper.solver.words.closest import nearest_reachable
+        from pieper.solver.words.closest import closest
 
-        q, metres, radians = nearest_reachable(self.plan.reduction.full, checked_pose(T))
-        return q[: self.n], metres, radians
+        return closest(self.plan if task is None else self.plan_for(task), checked_pose(T), weights=weights)
 
     def arm_angle(self, q: ArrayLike | str) -> tuple[Array, Bools]:
         """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
