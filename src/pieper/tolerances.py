@@ -53,8 +53,6 @@ SAME_AFTER_CUT = 1e-6
 CLEARLY_REGULAR = 1.5e-7
 #: Poses on a singularity, or without rows, that `ik_many` looks at one by one in a call: it bounds the work of a call.
 MOST_CAREFUL = 500
-#: Poses of a redundant arm in a call of `ik_many` whose self-motions are traced because no slice through them was met.
-MOST_TRACED = 20
 
 # ---- kernels: of all kernels ----
 #: Joint values this close (rad, m) are rounding and do not order rows.

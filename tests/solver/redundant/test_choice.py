@@ -1,4 +1,4 @@
-"""Held joints: any joint that moves along the self-motions can be chosen, and what cannot be is refused with a reason."""
+"""Held joints: any that moves along the self-motions can be chosen, and what cannot be is refused with a reason."""
 
 from __future__ import annotations
 
