@@ -253,8 +253,8 @@ class Arm(AtScale):
             T: (4, 4), base to tool.
             task: "pose", "position" or "position+axis"; the plan states the default.
             redundancy: Value of the redundant coordinate of an arm that has one, rad or m; one a coordinate, in the
-                order of `plan.redundancy`; or by name, such as `{"joint_1": 0.3}` or `{"arm angle": 0.3}`, one of
-                `plan.choices`.
+                order of `plan.redundancy`; or by name, such as `{"joint_3": 0.3}` or `{"arm angle": 0.3}`, of
+                `plan.choices`, as many as the arm has to spare.
 
         Raises:
             InputError: T is not a pose, or the redundancy value is impossible.
