@@ -11,6 +11,9 @@ from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
 from pieper.motion.instructions import Gripper, Move, Output, Wait
 
+#: A comment has no more characters.
+_COMMENT = 32
+
 
 def write(script: Script) -> str:
     """Return the text of a job. Positions of one RCONF stand together under it."""
@@ -42,7 +45,7 @@ def write(script: Script) -> str:
     count = sum(line.startswith("C") for line in positions)
     head = ["/JOB", f"//NAME {script.name.upper()}", "//POS", f"///NPOS {count},0,0,0,0,0", "///TOOL 0"]
     head += ["///POSTYPE ROBOT", "///RECTAN", *positions, "//INST", "///ATTR SC,RW,RJ", "///GROUP1 RB1", "NOP"]
-    return "\n".join([*head, *script.head("'"), *lines, "END", ""])
+    return "\n".join([*head, *script.head("'", _COMMENT), *lines, "END", ""])
 
 
 def _move(move: Move, place: Callable[[Array, Array], int]) -> list[str]:
