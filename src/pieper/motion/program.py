@@ -30,9 +30,14 @@ class ProgramArm(Protocol):
     """What a program needs of an arm."""
 
     @property
-    def plan(self) -> Plan: ...
+    def plan(self) -> Plan:
+        """How it is solved."""
+        ...
+
     @property
-    def description(self) -> Description: ...
+    def description(self) -> Description:
+        """What it is."""
+        ...
 
 
 class Program:

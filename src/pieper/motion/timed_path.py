@@ -35,11 +35,19 @@ class JointPath(Protocol):
     """A joint path of an arm: points q (N, n) at s (N,) and how the arm is solved."""
 
     @property
-    def q(self) -> Array: ...
+    def q(self) -> Array:
+        """(N, n), rad or m."""
+        ...
+
     @property
-    def s(self) -> Array: ...
+    def s(self) -> Array:
+        """(N,) from 0 to 1."""
+        ...
+
     @property
-    def plan(self) -> Plan: ...
+    def plan(self) -> Plan:
+        """How the arm is solved."""
+        ...
 
 
 @runtime_checkable
@@ -47,7 +55,9 @@ class Planned(Protocol):
     """Whatever has a plan: an arm."""
 
     @property
-    def plan(self) -> Plan: ...
+    def plan(self) -> Plan:
+        """How it is solved."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 import numpy as np
 
@@ -49,7 +50,7 @@ def write(script: Script) -> str:
     return "\n".join([*text, "/POS", *places, "/END", ""])
 
 
-def _move(move: Move, place) -> list[str]:
+def _move(move: Move, place: Callable[[Array, Array], int]) -> list[str]:
     # a percentage of the corner, not a radius: the controller rounds by speed
     stop = f"CNT{min(100, max(1, round(move.blend * 1e3)))}" if move.blend else "FINE"
     if move.kind == "move_j":
