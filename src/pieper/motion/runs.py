@@ -104,9 +104,11 @@ def _straight(plan: Plan, limits: Limits, way: Segment, rate: float) -> Motion:
     return Motion(t, q, dq, ddq, ends, ends, dddq, s, tight, margin_of_line(step, profile, slower))
 
 
-def _joined(plan: Plan, ways: list[Segment], corners: list[Blend]) -> tuple[JointCurve, Array, list[float]]:
+def _joined(plan: Plan, ways: list[Segment], corners: list[Blend]) -> tuple[JointCurve, list[int], list[float]]:
     """Return one curve through ways with their corners cut, whose move each piece belongs to, and s of the corners."""
-    points, owner, middle_at = [], [], []
+    points: list[Array] = []
+    owner: list[int] = []
+    middle_at: list[int] = []
     begins = 0.0
     for k, way in enumerate(ways):
         ends = corners[k].leaves if k < len(corners) else 1.0
@@ -133,4 +135,4 @@ def _joined(plan: Plan, ways: list[Segment], corners: list[Blend]) -> tuple[Join
     else:
         s = np.concatenate([[0.0], np.cumsum(length)]) / length.sum()
     s[-1] = 1.0
-    return JointCurve.through(s, q), np.array(owner), [float(s[i]) for i in middle_at]
+    return JointCurve.through(s, q), owner, [float(s[i]) for i in middle_at]
