@@ -19,9 +19,9 @@ def centred(chain: Chain, first: int) -> np.ndarray:
     """
     joints = range(first, first + 3)
     normals = np.eye(3) - chain.axes[joints, :, None] * chain.axes[joints, None, :]
-    centre: Array = np.linalg.lstsq(
-        normals.sum(0), (normals @ chain.points[joints, :, None])[..., 0].sum(0), rcond=None
-    )[0]
+    normal: Array = normals.sum(0)
+    side: Array = (normals @ chain.points[joints, :, None])[..., 0].sum(0)
+    centre = np.linalg.lstsq(normal, side, rcond=None)[0]
     links = np.array(chain.links)
     for j in joints:
         # the axis in the chain at zero; its frame moves by s along its own z
