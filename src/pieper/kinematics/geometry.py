@@ -91,7 +91,7 @@ class Geometry:
         N = np.eye(3) - U[:, :, None] * U[:, None, :]
         normal: Array = N.sum(0)
         side: Array = (N @ P[:, :, None])[..., 0].sum(0)
-        point = np.linalg.lstsq(normal, side, rcond=None)[0]
+        point = np.asarray(np.linalg.lstsq(normal, side, rcond=None)[0], np.float64)
         off = np.linalg.norm((N @ (point - P)[:, :, None])[..., 0], axis=1)
         return point, float(off.max())
 

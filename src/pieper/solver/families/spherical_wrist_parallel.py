@@ -138,7 +138,7 @@ def _meeting_point(axes: np.ndarray, points: np.ndarray) -> np.ndarray:
     N = np.eye(3) - axes[:, :, None] * axes[:, None, :]
     normal: Array = N.sum(0)
     side: Array = (N @ points[:, :, None])[..., 0].sum(0)
-    return np.linalg.lstsq(normal, side, rcond=None)[0]
+    return np.asarray(np.linalg.lstsq(normal, side, rcond=None)[0], np.float64)
 
 
 def _unit(v: np.ndarray) -> np.ndarray:

@@ -44,8 +44,9 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
     for hidden in np.flatnonzero(~chain.prismatic):
         alone = KernelSpec(_geometry(chain, (int(hidden),), None))
         q, valid, _, flag = alone.solver(free, chain.prismatic).many(poses, 1)
-        gap = q - made[:, None]
-        gap: Array = np.where(chain.prismatic, gap / chain.length, (gap + np.pi) % (2 * np.pi) - np.pi)
+        gap: Array = q - made[:, None]
+        turned: Array = (gap + np.pi) % (2 * np.pi) - np.pi
+        gap = np.where(chain.prismatic, gap / chain.length, turned)
         found = ((np.abs(gap).max(-1) < HIDDEN_FOUND) & valid).any(1)
         clear = (flag & _kernel.Flag.UNCERTAIN) == 0
         if np.all(found | ~clear) and np.mean(~clear) <= MOST_UNCLEAR:

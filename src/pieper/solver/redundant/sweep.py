@@ -145,12 +145,13 @@ def _continued(plan: Plan, q: Array, valid: Bools, q_next: Array, valid_next: Bo
     """
     distance = _apart(plan, q, q_next)
     distance[~(valid[:, :, None] & valid_next[:, None, :])] = np.inf
-    there, back = distance.argmin(2), distance.argmin(1)
+    there: Indices = distance.argmin(2)
+    back: Indices = distance.argmin(1)
     nearest: Array = np.take_along_axis(distance, there[..., None], 2)[..., 0]
     mutual: Bools = (np.take_along_axis(back, there, 1) == np.arange(q.shape[1])) & (nearest < LOST)
-    doubt: Bools = (
-        (mutual.sum(1) != valid.sum(1)) | (mutual.sum(1) != valid_next.sum(1)) | (mutual & (nearest > FAR)).any(1)
-    )
+    kept: Indices = mutual.sum(1)
+    far: Bools = np.logical_or.reduce(mutual & (nearest > FAR), axis=1)
+    doubt = (kept != valid.sum(1)) | (kept != valid_next.sum(1)) | far
     return np.where(mutual, there, -1), doubt
 
 
