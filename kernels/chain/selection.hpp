@@ -119,9 +119,12 @@ template <int N> class Selector {
 // Calls work(selector) with one that knows the number of joints, where that is a usual one.
 template <class Work> PIEPER_INLINE void with_selector(const Selection& by, int slots, Work work) {
   switch (by.n) {
-    case 6: return work(Selector<6>(by, slots));
-    case 7: return work(Selector<7>(by, slots));
-    default: return work(Selector<0>(by, slots));
+    case 6:
+      return work(Selector<6>(by, slots));
+    case 7:
+      return work(Selector<7>(by, slots));
+    default:
+      return work(Selector<0>(by, slots));
   }
 }
 

@@ -25,7 +25,7 @@ from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
-from pieper.solver.results import SolutionBatch, Solutions
+from pieper.solver.results import Closest, SolutionBatch, Solutions
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
@@ -253,8 +253,8 @@ class Arm(AtScale):
             T: (4, 4), base to tool.
             task: "pose", "position" or "position+axis"; the plan states the default.
             redundancy: Value of the redundant coordinate of an arm that has one, rad or m; one a coordinate, in the
-                order of `plan.redundancy`; or by name, such as `{"joint_1": 0.3}` or `{"arm angle": 0.3}`, one of
-                `plan.choices`.
+                order of `plan.redundancy`; or by name, such as `{"joint_3": 0.3}` or `{"arm angle": 0.3}`, of
+                `plan.choices`, as many as the arm has to spare.
 
         Raises:
             InputError: T is not a pose, or the redundancy value is impossible.
@@ -328,16 +328,18 @@ class Arm(AtScale):
     def _where(self, q: ArrayLike | str | None, what: str) -> ArrayLike | None:
         return None if q is None else self._joints(q, what)
 
-    def closest(self, T: PoseLike) -> tuple[Array, float, float]:
-        """Return the posture (n,) that comes closest to a pose, limits aside, and what is missing, m and rad.
+    def closest(self, T: PoseLike, *, task: str | None = None, weights: ArrayLike | None = None) -> Closest:
+        """Return the posture inside the limits that comes nearest to a pose: its q, metres, radians and T.
 
-        Position gives way before orientation. The search begins at random places: a nearer posture may exist.
+        Args:
+            T: (4, 4), base to tool.
+            task: As in `ik`; only what it asks for counts.
+            weights: (2,) what a metre and a radian count; None for position first, and then orientation.
         """
         from pieper.kinematics.pose import checked_pose
-        from pieper.solver.words.closest import nearest_reachable
+        from pieper.solver.words.closest import closest
 
-        q, metres, radians = nearest_reachable(self.plan.reduction.full, checked_pose(T))
-        return q[: self.n], metres, radians
+        return closest(self.plan if task is None else self.plan_for(task), checked_pose(T), weights=weights)
 
     def arm_angle(self, q: ArrayLike | str) -> tuple[Array, Bools]:
         """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
@@ -382,49 +384,3 @@ class Arm(AtScale):
 
     def __repr__(self) -> str:
         return f"<Arm {self.name}: {plural(self.n, 'joint')} {self.joint_types}, {self.description.convention} DH>"
-
-
-def load(
-    source: str | os.PathLike[str],
-    base: str | None = None,
-    tip: str | None = None,
-    snap: float | None = None,
-    *,
-    missing_limits: str = "refuse",
-    xacro_args: Mapping[str, str] | None = None,
-) -> Arm:
-    """Load an arm: a catalogue name or a unique part of one, or a file: .toml, .urdf, .xacro, .xml (MJCF).
-
-    Args:
-        source: Name or path.
-        base: Link that is the base; in a robot file one of its named frames.
-        tip: Link that is the tool; in a robot file one of its named tools.
-        snap: As in `Arm`.
-        missing_limits: "refuse" a joint whose range the file does not say, or take it as "unlimited".
-        xacro_args: Values of the arguments of a .xacro file.
-
-    Raises:
-        InputError: No such arm or file, or the file says something impossible or leaves a choice; the message lists it.
-    """
-    from pieper.description import source as door
-
-    said = door.read(source, base=base, tip=tip, missing_limits=missing_limits, xacro_args=xacro_args)
-    return Arm(said, snap=snap)
-
-
-def ur_calibrated(path: str | os.PathLike[str]) -> Arm:
-    """Load the arm that a UR controller's factory calibration (.yaml of `ur_calibration`) describes.
-
-    Raises:
-        InputError: The file is missing or no calibration; the message names link and number.
-    """
-    from pieper.description import ur_calibration
-
-    return Arm(ur_calibration.read(os.fspath(path)))
-
-
-def catalog() -> list[str]:
-    """Return the names of the arms that ship."""
-    from pieper.description import catalog as shelf
-
-    return list(shelf.names())

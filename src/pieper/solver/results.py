@@ -38,6 +38,23 @@ class Status(IntEnum):
     INVALID = 6  # of batches alone: what was given is no pose
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Closest:
+    """The posture inside the limits that comes nearest to a pose.
+
+    Attributes:
+        q: (n,) rad or m.
+        metres: How far its tool is from the pose.
+        radians: How far it is turned from it, of what the task asks for.
+        T: (4, 4) where its tool is.
+    """
+
+    q: Array
+    metres: float
+    radians: float
+    T: Array
+
+
 @dataclass(frozen=True, slots=True)
 class Words:
     """Who puts results into words; handed in, since words read results.
@@ -47,12 +64,14 @@ class Words:
         table: The solutions inside the limits as lines of text.
         labels: One posture label a row of q (m, n).
         beside: Labels of the branches that meet in q (n,) along a direction (n,).
+        closest: The posture that comes nearest to the pose.
     """
 
     why: Callable[[Plan, Solutions], str]
     table: Callable[[Plan, Solutions], str]
     labels: Callable[[Plan, Array], list[str]]
     beside: Callable[[Plan, Array, Array], tuple[str, ...]]
+    closest: Callable[[Plan, Solutions], Closest]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -82,7 +101,20 @@ class Solutions(Sequence[Solution]):
         flag: Bits of `Flag`.
     """
 
-    __slots__ = ("T", "_found", "_plan", "_q", "_self_motions", "_why", "_words", "all_q", "flag", "in_limits", "slots")
+    __slots__ = (
+        "T",
+        "_closest",
+        "_found",
+        "_plan",
+        "_q",
+        "_self_motions",
+        "_why",
+        "_words",
+        "all_q",
+        "flag",
+        "in_limits",
+        "slots",
+    )
 
     def __init__(
         self,
@@ -107,6 +139,7 @@ class Solutions(Sequence[Solution]):
         self._self_motions = self_motions
         self._q: Array | None = None
         self._why: str | None = None
+        self._closest: Closest | None = None
 
     @property
     def q(self) -> Array:
@@ -191,6 +224,16 @@ class Solutions(Sequence[Solution]):
         if self._why is None:
             self._why = self._words.why(self._plan, self)
         return self._why
+
+    @property
+    def closest(self) -> Closest:
+        """The posture inside the limits that comes nearest, position first; a solution where there is one.
+
+        Worked out when first asked for, by descent from many postures: a nearer one is unlikely, but not excluded.
+        """
+        if self._closest is None:
+            self._closest = self._words.closest(self._plan, self)
+        return self._closest
 
     @property
     def labels(self) -> list[str]:

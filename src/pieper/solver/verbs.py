@@ -37,11 +37,12 @@ from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.singular.careful import clear, every_solution, overlooked
 from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.words.closest import closest_to
 from pieper.solver.words.labels import labels_beside, posture_words
 from pieper.solver.words.table import table
 from pieper.solver.words.why import why
 
-WORDS = Words(why, table, posture_words, labels_beside)
+WORDS = Words(why, table, posture_words, labels_beside, closest_to)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
 _ROUNDED = int(Flag.ROUNDED)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
-from pieper.kinematics.newton import singular_values
+from pieper.kinematics.newton import missed, newton, singular_values
 from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
-from pieper.solver.singular.examine import examine, side_steps
+from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.from_axes import Asked, from_axes
 from pieper.tolerances import CLEARLY_REGULAR, SAME_AFTER_CUT
@@ -43,7 +43,7 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     found = examine(
         full,
         T,
-        near_rows(plan, T[None]),
+        _holding(plan, T),
         lambda poses: near_rows(plan, poses),
         plan.full_limits,
         plan.full_names,
@@ -51,6 +51,15 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
         hiding=hiding,
     )
     return _own(plan, found)
+
+
+def _holding(plan: Plan, T: Array) -> Array:
+    """Return what of the rows at a pose holds it: virtual joints that must be zero are put there, the others follow."""
+    full, rows = plan.exact.full, near_rows(plan, T[None])
+    if plan.reduction.fill:
+        rows = newton(full, rows, T, steps=SLOW_STEPS, cutoff=1e-9)
+        rows = rows[missed(full, rows, T) < HOLDS]
+    return rows
 
 
 def _own(plan: Plan, found: Examined) -> Examined:
