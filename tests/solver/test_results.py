@@ -47,7 +47,11 @@ def test_arms_plans_solutions_and_batches_pickle_and_copy(name):
 def test_printing_an_unreachable_pose_solves_nothing(monkeypatch):
     asked = []
     words = results.Words(
-        lambda plan, sols: asked.append(sols) or "why", verbs.table, verbs.posture_words, verbs.labels_beside
+        lambda plan, sols: asked.append(sols) or "why",
+        verbs.table,
+        verbs.posture_words,
+        verbs.labels_beside,
+        verbs.closest_to,
     )
     monkeypatch.setattr(verbs, "WORDS", words)
     arm = pieper.load("denso-vs6577")

@@ -32,6 +32,7 @@ from pieper.tolerances import (
     ONE_WAY_FREE,
     SAME_SOLUTION,
     SINGULAR_EXAMINED,
+    UNNOTICED,
 )
 
 #: Said of an isolated solution next to a self-motion.
@@ -79,7 +80,7 @@ def from_axes(asked: Asked, rows: Array) -> Examined | None:
         if any(_holds(motion, rows[k]) for motion in motions):
             continue
         null = Vt[k, 5]
-        said = _free(asked, rows[k], axes[k], points[k], null, float(s[k, 5]))
+        said = _free(asked, rows[k], axes[k], points[k], null, s[k])
         if said is None:
             return None
         if isinstance(said, SelfMotion):
@@ -110,7 +111,7 @@ def _holds(motion: SelfMotion, q: Array) -> bool:
     return motion.holds(q, 1e-9) if isinstance(motion, LinkageMotion) else motion.distance(q) < 1e-9
 
 
-def _free(asked: Asked, q: Array, z: Array, o: Array, null: Array, sigma: float) -> SelfMotion | int | None:
+def _free(asked: Asked, q: Array, z: Array, o: Array, null: Array, s: Array) -> SelfMotion | int | None:
     """Return the self-motion through a row (n,), BESIDE if it is an isolated solution next to one, else 0.
 
     None where a linkage is met that cannot be read off.
@@ -134,8 +135,8 @@ def _free(asked: Asked, q: Array, z: Array, o: Array, null: Array, sigma: float)
             return _linkage(asked, q, linkage)
     if gap > NEXT_TO_LINKAGE:
         return 0
-    # a joint outside the linkage may make up for what it misses: then only a second look tells
-    return BESIDE if sigma > NEARLY_IN_LINE * gap else 0
+    # joints outside the linkage may make up for what it misses, or move it by so much unnoticed: a second look tells
+    return BESIDE if s[5] > NEARLY_IN_LINE * gap and gap * s[4] > UNNOTICED * s[0] else 0
 
 
 def _linkage(asked: Asked, q: Array, linkage: FourBar) -> LinkageMotion | None:
