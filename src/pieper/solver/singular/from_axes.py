@@ -14,7 +14,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import axes_at
-from pieper.kinematics.newton import missed, scaled_jacobian
+from pieper.kinematics.newton import missed, newton, scaled_jacobian
 from pieper.solver.singular.examined import Examined, told
 from pieper.solver.singular.in_one_line import LineMotion
 from pieper.solver.singular.linkage_motion import LinkageMotion
@@ -35,6 +35,12 @@ from pieper.tolerances import (
     UNNOTICED,
 )
 
+#: Relative singular values below which kernels may give one point for two solutions beside a self-motion.
+ROOTS_APART = 1e-11
+#: Solutions beside a self-motion are known to rounding over the singular value: nearer than this they are one (rad).
+SAME_ALONG = 0.03
+#: What they may miss the pose by (per length; rad), and Newton steps on the way.
+HOLDS_TO_ROUNDING, SLOW_STEPS = 1e-14, 40
 #: Said of an isolated solution next to a self-motion.
 BESIDE = 1
 
@@ -92,6 +98,14 @@ def from_axes(asked: Asked, rows: Array) -> Examined | None:
             count = branches_at(chain, rows[k], asked.T)
             if _held_aside(asked, rows[k], null):
                 return None
+        if said == BESIDE and s[k, 5] < ROOTS_APART * size[k]:
+            if np.count_nonzero(np.abs(null) > LOOP_MOVES) > 2:
+                return None
+            for q in _settled(asked, rows[k], null):
+                if not any(chain.joints.apart(q, other) < SAME_ALONG for other in alone):
+                    alone.append(q)
+                    multiplicity.append(1)
+            continue
         alone.append(rows[k])
         multiplicity.append(count)
     if len(alone) > 1:
@@ -105,6 +119,20 @@ def from_axes(asked: Asked, rows: Array) -> Examined | None:
     if (len(isolated) + sum(multiplicity)) % 2:
         return None
     return told(chain, list(isolated), alone, multiplicity, motions)
+
+
+def _settled(asked: Asked, q: Array, null: Array) -> Array:
+    """Return the solutions (m, n) beside a self-motion all but in place: kernels give one point of such a line.
+
+    What is missed along the line changes sign twice in a turn. Newton's method from four points of it ends at both.
+    """
+    chain = asked.chain
+    starts = q + np.array([0.0, 0.5, 1.0, 1.5])[:, None] * np.pi * np.sqrt(2) * null * chain.joints.unit
+    there = newton(chain, starts, asked.T, steps=SLOW_STEPS, cutoff=1e-15)
+    miss = missed(chain, there, asked.T)
+    there = there[np.argsort(miss, kind="stable")][: np.count_nonzero(miss < HOLDS_TO_ROUNDING)]
+    there = there[chain.joints.distinct(there, SAME_ALONG)]
+    return there if len(there) == 2 else q[None]
 
 
 def _holds(motion: SelfMotion, q: Array) -> bool:
