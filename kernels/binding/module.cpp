@@ -124,8 +124,8 @@ class PySolver {
     nb::object q = new_array(3, shape, NPY_DOUBLE), valid = new_array(2, shape, NPY_BOOL),
                in_limits = new_array(2, shape, NPY_BOOL), flag = new_array(1, shape, NPY_UINT8),
                outcome = new_array(1, shape, NPY_UINT8);
-    run(poses, threads, {static_cast<double*>(PyArray_DATA(as_array(q))), bytes(valid), bytes(in_limits), bytes(flag),
-                         bytes(outcome)},
+    run(poses, threads,
+        {static_cast<double*>(PyArray_DATA(as_array(q))), bytes(valid), bytes(in_limits), bytes(flag), bytes(outcome)},
         {}, nb::none());
     return nb::make_tuple(q, valid, in_limits, flag);
   }
@@ -145,8 +145,7 @@ class PySolver {
       const PySelection& by = *nb::cast<const PySelection*>(selection);
       if (by.plain().n != n) throw nb::value_error("the selection is of another number of joints.");
       at = float_array(near, "near");
-      choice = {&by.plain(), doubles(at), by.stride(at, count),
-                target<double>(chosen, NPY_DOUBLE, count * n, "chosen"),
+      choice = {&by.plain(), doubles(at), by.stride(at, count), target<double>(chosen, NPY_DOUBLE, count * n, "chosen"),
                 target<std::uint8_t>(has, NPY_BOOL, count, "has")};
     }
     run(poses, threads, to, choice, progress);
@@ -315,8 +314,8 @@ NB_MODULE(_kernel, m) {
           "usable", [](const Bound<pieper::General>& self) { return self.usable; }, "How many ways are of use.");
 
   nb::class_<PySelection>(m, "Selection", "How rows are compared with a joint vector: limits, weights, whole turns.")
-      .def(nb::init<nb::handle, nb::handle, nb::handle, nb::handle>(), nb::kw_only(), nb::arg("lower"), nb::arg("upper"),
-           nb::arg("weight"), nb::arg("prismatic"))
+      .def(nb::init<nb::handle, nb::handle, nb::handle, nb::handle>(), nb::kw_only(), nb::arg("lower"),
+           nb::arg("upper"), nb::arg("weight"), nb::arg("prismatic"))
       .def("choose", &PySelection::choose, nb::arg("q"), nb::arg("inside"), nb::arg("near"), nb::arg("chosen"),
            nb::arg("has"), "Writes the row (N, n) nearest to `near`, (n,) or (N, n), and whether there is one (N,).")
       .def("in_turn", &PySelection::in_turn, nb::arg("q"), nb::arg("inside"), nb::arg("start").none(),

@@ -12,7 +12,8 @@ template <class T> T* target(nb::handle given, int type, npy_intp size, const ch
   PyArrayObject* array = reinterpret_cast<PyArrayObject*>(given.ptr());
   if (PyArray_TYPE(array) != type || PyArray_SIZE(array) != size || !PyArray_ISCARRAY(array))
     throw nb::value_error((std::string(what) + " must hold " + std::to_string(size) +
-                           " entries of the right type, in C order and writable; its shape is " + shape_text(array) + ".")
+                           " entries of the right type, in C order and writable; its shape is " + shape_text(array) +
+                           ".")
                               .c_str());
   return static_cast<T*>(PyArray_DATA(array));
 }

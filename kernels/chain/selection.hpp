@@ -34,80 +34,97 @@ template <int N> class Selector {
  public:
   static constexpr int W = PIEPER_LANES;
 
-  Selector(const Selection& by, int slots) : by_(by), slots_(slots), lanes_(by.n * W <= kLimitPattern) {
-    if (!lanes_) return;
-    turning_ = 0;
+  Selector(const Selection& by, int slots)
+      : by_(by), slots_(slots), whole_(by.n * W <= kLimitPattern ? slots / W * W : 0) {
+    if (!whole_) return;
     for (int k = 0; k < by.n * W; ++k) {
       const int j = k % by.n;
       low_[k] = by.lower[j], high_[k] = by.upper[j], weight_[k] = by.weight[j];
       // a row inside has one place alone in a range of less than a turn
-      turning_ |= static_cast<std::uint64_t>(!by.prismatic[j] && by.upper[j] - by.lower[j] >= kTwoPi) << k;
+      turn_[k] = turns(j) ? kTwoPi : 0.0;
     }
   }
 
   // One pose: q slots x n, inside: slots. Returns whether there is a row; `chosen` (n) may be `near` itself.
   bool operator()(const double* q, const std::uint8_t* inside, const double* near, double* chosen) const {
+    using V = Lanes<W>;
     const int n = N ? N : by_.n;
-    int best = -1, m = 0;
+    double around[kLimitPattern + W];  // `near` and its beginning again
+    double row[kLimitPattern], square[kLimitPattern], nearest[kLimitPattern];
+    int best = -1;
     double least = __builtin_inf();
-    if (lanes_) {
-      using V = Lanes<W>;
-      double around[kLimitPattern + W], square[kLimitPattern];  // `near` and its beginning again
+    if (whole_) {
       for (int j = 0; j < n; ++j) around[j] = near[j];
       for (int j = 0; j < W; ++j) around[n + j] = around[j];
-      for (; m + W <= slots_; m += W) {
-        for (int k = 0, at = 0, turn = 0; k < n; ++k, at += W) {
-          V v = load<V>(q + m * n + at);
-          const V to = load<V>(around + turn);
-          if (const unsigned here = (turning_ >> at) & ((1u << W) - 1)) {
-            const V moved = unwound(v, to, load<V>(low_ + at), load<V>(high_ + at));
-            v = select(mask_of_bits<V>(here), moved, v);
-          }
-          const V gap = v - to;
-          store(square + at, gap * gap * load<V>(weight_ + at));
-          turn += W;
-          while (turn >= n) turn -= n;
-        }
-        for (int i = 0; i < W; ++i) {
-          double sum = 0;
-          for (int j = 0; j < n; ++j) sum += square[i * n + j];
-          const bool better = inside[m + i] & (sum < least);
-          least = better ? sum : least;
-          best = better ? m + i : best;
-        }
-      }
     }
-    for (; m < slots_; ++m) {
+    for (int m = 0; m < whole_; m += W) {
+      for (int k = 0, turn = 0; k < n; ++k) {
+        const int at = k * W;
+        const V here = load<V>(q + m * n + at), to = load<V>(around + turn), low = load<V>(low_ + at),
+                high = load<V>(high_ + at), period = load<V>(turn_ + at);
+        V v = here + nearest_integer((to - here) * (1 / kTwoPi)) * period;
+        const Mask<V> beyond = (period > 0.0) & ((v < low) | (v > high));
+        if (any(beyond)) v = select(beyond, unwound(here, to, low, high), v);
+        const V gap = v - to;
+        store(row + at, v);
+        store(square + at, gap * gap * load<V>(weight_ + at));
+        turn += W;
+        while (turn >= n) turn -= n;
+      }
+      double sum[W];
+      constexpr double penalty[] = {__builtin_inf(), 0.0};
+      for (int i = 0; i < W; ++i) {
+        double even = penalty[inside[m + i]], odd = 0;
+        for (int j = 0; j + 1 < n; j += 2) even += square[i * n + j], odd += square[i * n + j + 1];
+        if (n % 2) odd += square[i * n + n - 1];
+        sum[i] = even + odd;
+      }
+      double smallest = sum[0];
+      for (int i = 1; i < W; ++i) smallest = min(sum[i], smallest);
+      if (!(smallest < least)) continue;
+      least = smallest;
+      const int i = __builtin_ctz(bits_of(load<V>(sum) == smallest));
+      best = m + i;
+      for (int j = 0; j < n; ++j) nearest[j] = row[i * n + j];
+    }
+    // what does not fill the lanes, or is so far away that squares overflow
+    for (int m = best < 0 ? 0 : whole_; m < slots_; ++m) {
+      if (!inside[m]) continue;
       double sum = 0;
       for (int j = 0; j < n; ++j) {
         const double gap = place(q[m * n + j], near[j], j) - near[j];
         sum += by_.weight[j] * (gap * gap);
       }
-      if (inside[m] && sum < least) best = m, least = sum;
+      if (best < 0 || sum < least) best = m, least = sum;
     }
     if (best < 0) return false;
-    for (int j = 0; j < n; ++j) chosen[j] = place(q[best * n + j], near[j], j);
+    if (best < whole_ && least < __builtin_inf())
+      for (int j = 0; j < n; ++j) chosen[j] = nearest[j];
+    else
+      for (int j = 0; j < n; ++j) chosen[j] = place(q[best * n + j], near[j], j);
     return true;
   }
 
  private:
+  PIEPER_INLINE bool turns(int j) const { return !by_.prismatic[j] && by_.upper[j] - by_.lower[j] >= kTwoPi; }
   PIEPER_INLINE double place(double v, double near, int j) const {
-    const bool turns = !by_.prismatic[j] && by_.upper[j] - by_.lower[j] >= kTwoPi;
-    return turns ? unwound(v, near, by_.lower[j], by_.upper[j]) : v;
+    return turns(j) ? unwound(v, near, by_.lower[j], by_.upper[j]) : v;
   }
+
   const Selection& by_;
-  int slots_;
-  bool lanes_;
-  std::uint64_t turning_ = 0;
-  double low_[kLimitPattern], high_[kLimitPattern], weight_[kLimitPattern];
+  int slots_, whole_;  // whole_: slots that fill the lanes
+  double low_[kLimitPattern], high_[kLimitPattern], weight_[kLimitPattern], turn_[kLimitPattern];
 };
 
 // Calls work(selector) with one that knows the number of joints, where that is a usual one.
 template <class Work> PIEPER_INLINE void with_selector(const Selection& by, int slots, Work work) {
   switch (by.n) {
-    case 6: return work(Selector<6>(by, slots));
-    case 7: return work(Selector<7>(by, slots));
-    default: return work(Selector<0>(by, slots));
+    case 6:
+      return work(Selector<6>(by, slots));
+    case 7:
+      return work(Selector<7>(by, slots));
+    default:
+      return work(Selector<0>(by, slots));
   }
 }
 

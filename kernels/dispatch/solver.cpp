@@ -77,7 +77,8 @@ Outcome Solver::solve(const double* T, long count, int threads, const Answers& t
   const long record = static_cast<long>(slots()) * joints(), bytes = record * static_cast<long>(sizeof(double));
   // answers larger than the cache are made in a scratch that stays in it and then copied past it
   const bool streams = count * bytes > cache_size();
-  const long block = streams ? std::clamp(kScratch / bytes / kSmallestBlock * kSmallestBlock, kSmallestBlock, kBlock) : kBlock;
+  const long block =
+      streams ? std::clamp(kScratch / bytes / kSmallestBlock * kSmallestBlock, kSmallestBlock, kBlock) : kBlock;
   std::atomic<long> next{0}, done{0}, first_bad{count};
   std::atomic<bool> stop{false};
   std::mutex of_bad;
@@ -102,8 +103,8 @@ Outcome Solver::solve(const double* T, long count, int threads, const Answers& t
         return;
       }
       if (chosen.by)
-        isa_.choose(*chosen.by, part.q, part.in_limits, here, slots(), chosen.near + first * chosen.stride, chosen.stride,
-                    chosen.chosen + first * joints(), chosen.has + first);
+        isa_.choose(*chosen.by, part.q, part.in_limits, here, slots(), chosen.near + first * chosen.stride,
+                    chosen.stride, chosen.chosen + first * joints(), chosen.has + first);
       if (streams) isa_.stream(q, scratch.get(), record * here);
       done.fetch_add(here, std::memory_order_relaxed);
       after_block();

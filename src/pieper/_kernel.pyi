@@ -366,7 +366,7 @@ class Selection:
         chosen: Array,
         has: npt.NDArray[np.bool_],
     ) -> None:
-        """q (N, slots, n), near (n,) or (N, n): writes chosen (N, n), has (N,)."""
+        """Of q (N, slots, n) and near (n,) or (N, n): writes chosen (N, n), has (N,)."""
 
     def in_turn(
         self,
@@ -438,7 +438,7 @@ def fastest(
     start: float,
     end: float,
 ) -> tuple[Array, Array, bool, int]:
-    """x (N,), upper ends of the controllable sets (N,), whether it can be done, where not (-1: at the start)."""
+    """Values x (N,), upper ends of the controllable sets (N,), whether it can be done, where not (-1: at the start)."""
 
 def deviations(Ts: npt.ArrayLike) -> Array:
     """(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite."""

@@ -253,8 +253,8 @@ class Arm(AtScale):
             T: (4, 4), base to tool.
             task: "pose", "position" or "position+axis"; the plan states the default.
             redundancy: Value of the redundant coordinate of an arm that has one, rad or m; one a coordinate, in the
-                order of `plan.redundancy`; or by name, such as `{"joint_1": 0.3}` or `{"arm angle": 0.3}`, one of
-                `plan.choices`.
+                order of `plan.redundancy`; or by name, such as `{"joint_3": 0.3}` or `{"arm angle": 0.3}`, of
+                `plan.choices`, as many as the arm has to spare.
 
         Raises:
             InputError: T is not a pose, or the redundancy value is impossible.
@@ -384,49 +384,3 @@ class Arm(AtScale):
 
     def __repr__(self) -> str:
         return f"<Arm {self.name}: {plural(self.n, 'joint')} {self.joint_types}, {self.description.convention} DH>"
-
-
-def load(
-    source: str | os.PathLike[str],
-    base: str | None = None,
-    tip: str | None = None,
-    snap: float | None = None,
-    *,
-    missing_limits: str = "refuse",
-    xacro_args: Mapping[str, str] | None = None,
-) -> Arm:
-    """Load an arm: a catalogue name or a unique part of one, or a file: .toml, .urdf, .xacro, .xml (MJCF).
-
-    Args:
-        source: Name or path.
-        base: Link that is the base; in a robot file one of its named frames.
-        tip: Link that is the tool; in a robot file one of its named tools.
-        snap: As in `Arm`.
-        missing_limits: "refuse" a joint whose range the file does not say, or take it as "unlimited".
-        xacro_args: Values of the arguments of a .xacro file.
-
-    Raises:
-        InputError: No such arm or file, or the file says something impossible or leaves a choice; the message lists it.
-    """
-    from pieper.description import source as door
-
-    said = door.read(source, base=base, tip=tip, missing_limits=missing_limits, xacro_args=xacro_args)
-    return Arm(said, snap=snap)
-
-
-def ur_calibrated(path: str | os.PathLike[str]) -> Arm:
-    """Load the arm that a UR controller's factory calibration (.yaml of `ur_calibration`) describes.
-
-    Raises:
-        InputError: The file is missing or no calibration; the message names link and number.
-    """
-    from pieper.description import ur_calibration
-
-    return Arm(ur_calibration.read(os.fspath(path)))
-
-
-def catalog() -> list[str]:
-    """Return the names of the arms that ship."""
-    from pieper.description import catalog as shelf
-
-    return list(shelf.names())

@@ -195,7 +195,7 @@ def test_a_redundancy_value_outside_the_limits_is_said(arm):
 @pytest.mark.parametrize(
     ("value", "word"),
     [
-        ({"elbow": 0.1}, "joint_1, arm angle"),
+        ({"elbow": 0.1}, "joint_1, joint_2"),
         ({"joint_1": np.nan}, "finite"),
         ({"joint_1": "a"}, "finite"),
         ({"joint_1": 3.1}, "limits"),

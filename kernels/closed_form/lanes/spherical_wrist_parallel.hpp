@@ -147,9 +147,9 @@ class SphericalWristParallelKernel {
   };
   template <class F> struct Arm {  // after the first joint has turned
     F c, s, q1;
-    F ux[3], uy[3];          // the rotation's first two rows, turned back
-    F X, Z;                  // wrist centre in the arm's plane, from axis 2
-    F off;                   // by how much of what is held so far the pose is missed, see `held`
+    F ux[3], uy[3];  // the rotation's first two rows, turned back
+    F X, Z;          // wrist centre in the arm's plane, from axis 2
+    F off;           // by how much of what is held so far the pose is missed, see `held`
     Mask<F> ok;
   };
   template <class F> struct Elbow {
@@ -299,7 +299,8 @@ class SphericalWristParallelKernel {
 
   // One elbow (the sign of th3) and its wrist with sin th5 >= 0, verified.
   template <class F> PIEPER_INLINE static Answer<F> bend_and_turn_wrist(const SphericalWristParallel& P,
-                                                                        const F (&M)[3][3], const Arm<F>& arm, const Elbow<F>& e, F sense) {
+                                                                        const F (&M)[3][3], const Arm<F>& arm,
+                                                                        const Elbow<F>& e, F sense) {
     Answer<F> out;
     // w = e^{i th2} (L2 + L3 e^{i th3}) = e^{i (th2 + th3)} (L3 + L2 e^{-i th3})
     F sine3 = sense * e.s3, across = P.fore * sine3, sideways = P.upper * sine3;

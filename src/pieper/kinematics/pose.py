@@ -165,7 +165,7 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
 
 
 def unsound(poses: Array, deviation: Array) -> Array:
-    """Return which (N,) of poses (N, 4, 4) `checked_pose` refuses, bool; deviation (N,) is the kernels' from a rotation."""
+    """Return which (N,) of poses (N, 4, 4) `checked_pose` refuses; deviation (N,) is the kernels' from a rotation."""
     last = np.abs(poses[:, 3] - [0.0, 0.0, 0.0, 1.0]).max(-1)
     far = np.abs(poses[:, :3, 3]).max(-1)
     return ~((deviation <= ROTATION_ACCEPTED) & (last <= ROTATION_EXACT) & (far <= FARTHEST))

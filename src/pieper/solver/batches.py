@@ -202,8 +202,8 @@ def _writable(array: npt.NDArray[np.generic], name: str, shape: tuple[int, ...],
     if not isinstance(array, np.ndarray) or array.shape != shape or array.dtype != kind:
         got = f"{array.shape} of {array.dtype}" if isinstance(array, np.ndarray) else type(array).__name__
         raise InputError(
-            f"out.{name} must have shape {shape} of {np.dtype(kind)} for these poses and this arm, got {got}. Leave out= "
-            "away, or give the answer to as many poses of the same arm.",
+            f"out.{name} must have shape {shape} of {np.dtype(kind)} for these poses and this arm, got {got}. Leave "
+            "out= away, or give the answer to as many poses of the same arm.",
             given=got,
         )
     if not (array.flags.c_contiguous and array.flags.writeable and array.flags.aligned):

@@ -26,8 +26,8 @@ from pieper.solver.plan.six_joints import (
 from pieper.solver.words.explain import explain
 from pieper.tolerances import GEOMETRY_EXACT
 
-#: How near to a special arrangement an arm is tried as one, the nearest first, where no elimination is certain (rad; per
-#: length): beyond the last of them eliminations are certain again.
+#: How near to a special arrangement an arm is tried as one, the nearest first, where no elimination is certain (rad;
+#: per length): beyond the last of them eliminations are certain again.
 NEARLY = (1e-10, 1e-8, 1e-6, 2e-5)
 #: Ways to lock spare joints that are tried before an arm is refused.
 MOST_WAYS = 24
@@ -64,8 +64,8 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
 def _by_nearly(plan: Plan, chain: Chain, description: Description) -> Plan:
     """Return a plan through the special arm that this one nearly is, where it can only be solved so with certainty.
 
-    So near to a special arrangement (an angle typed with nine digits, for one) every elimination drowns in rounding. The
-    special arm's solutions are refined on the arm as described, and counted (see `snap_count`).
+    So near to a special arrangement (an angle typed with nine digits, for one) every elimination drowns in rounding.
+    The special arm's solutions are refined on the arm as described, and counted (see `snap_count`).
     """
     for near in NEARLY:
         if not snapped(chain, near)[1]:

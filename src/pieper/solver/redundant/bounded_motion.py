@@ -36,6 +36,12 @@ class BoundedMotion(TracedMotion):
 
     marks: Indices = field(default_factory=lambda: np.zeros(0, np.int64))
 
+    def at(self, u: float) -> Array:
+        """Return the joint vector (n,) at u in [0, 1], exactly on the pose; whole turns as the limits want them."""
+        point = self.points(np.array([u]))[0]
+        moved, ok = self.chain.joints.inside_limits(point, self.limits)
+        return (moved if ok else point)[: self.shown]
+
     def points(self, u: Array) -> Array:
         """Return the points (k, n) at parameters (k,), the task's virtual joints behind."""
         guess = np.stack([np.interp(u, self.u, column) for column in self.samples.T], -1)

@@ -162,7 +162,9 @@ class SelfMotion:
         return points[int(np.argmin([self.straight(q_now, p) for p in points]))][: self.shown]
 
     def straight(self, q: Array, points: Array) -> Array:
-        return np.linalg.norm(np.where(self._virtual, 0.0, (q - points) / self.chain.joints.unit), axis=-1)
+        """Return the distances (...) of points (..., n) from q without units, the arm's own joints counted alone."""
+        gap = np.where(self._virtual, 0.0, (q - points) / self.chain.joints.unit)
+        return np.asarray(np.linalg.norm(gap, axis=-1), np.float64)
 
     def _slid(self, point: Array, gap: Callable[[Array], Array], limits: Array | None) -> Array:
         """Slide along the curve while the gap shrinks: along the tangent, then back onto the pose."""
