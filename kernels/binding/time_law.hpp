@@ -31,12 +31,23 @@ nb::tuple fastest(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3, nb:
   const npy_intp joints = PyArray_DIM(as_array(held[1]), 1), extra = PyArray_DIM(as_array(held[6]), 1);
   for (int k = 1; k < 11; ++k) {
     const npy_intp size = k < 6 ? cells * joints : k < 9 ? cells * extra : points;
-    if (PyArray_SIZE(as_array(held[k])) != size) throw nb::value_error((std::string(names[k]) + " has a wrong size.").c_str());
+    if (PyArray_SIZE(as_array(held[k])) != size)
+      throw nb::value_error((std::string(names[k]) + " has a wrong size.").c_str());
   }
-  const pieper::TimedPath path{cells,          static_cast<int>(joints), static_cast<int>(extra), doubles(held[0]),
-                               doubles(held[1]), doubles(held[2]),         doubles(held[3]),        doubles(held[4]),
-                               doubles(held[5]), doubles(held[6]),         doubles(held[7]),        doubles(held[8]),
-                               doubles(held[9]), doubles(held[10])};
+  const pieper::TimedPath path{cells,
+                               static_cast<int>(joints),
+                               static_cast<int>(extra),
+                               doubles(held[0]),
+                               doubles(held[1]),
+                               doubles(held[2]),
+                               doubles(held[3]),
+                               doubles(held[4]),
+                               doubles(held[5]),
+                               doubles(held[6]),
+                               doubles(held[7]),
+                               doubles(held[8]),
+                               doubles(held[9]),
+                               doubles(held[10])};
   nb::object x = new_array(1, &points, NPY_DOUBLE), highest = new_array(1, &points, NPY_DOUBLE);
   double* out = static_cast<double*>(PyArray_DATA(as_array(x)));
   double* sets = static_cast<double*>(PyArray_DATA(as_array(highest)));
@@ -52,7 +63,8 @@ nb::tuple fastest(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3, nb:
 }
 
 void bind_time_law(nb::module_& m) {
-  m.def("spline", &spline, nb::arg("s"), nb::arg("q"), "(N,), (N, n) -> (N, n) second derivatives of the cubic spline.");
+  m.def("spline", &spline, nb::arg("s"), nb::arg("q"),
+        "(N,), (N, n) -> (N, n) second derivatives of the cubic spline.");
   m.def("fastest", &fastest, nb::kw_only(), nb::arg("s"), nb::arg("d1"), nb::arg("d2"), nb::arg("d3"), nb::arg("speed"),
         nb::arg("acceleration"), nb::arg("a"), nb::arg("b"), nb::arg("c"), nb::arg("most"), nb::arg("wanted"),
         nb::arg("start"), nb::arg("end"),

@@ -15,19 +15,19 @@ namespace pieper {
 
 struct TimedPath {
   long cells;
-  int joints, extra;            // extra rows a cell: |a u + b x| <= c
-  const double* s;              // cells + 1
-  const double *d1, *d2, *d3;   // cells x joints, derivatives of q at a cell's beginning
+  int joints, extra;                   // extra rows a cell: |a u + b x| <= c
+  const double* s;                     // cells + 1
+  const double *d1, *d2, *d3;          // cells x joints, derivatives of q at a cell's beginning
   const double *speed, *acceleration;  // cells x joints
-  const double *a, *b, *c;      // cells x extra
-  const double* most;           // cells + 1, further bounds of x; may be infinite
-  const double* wanted;         // cells + 1, x that must be had; NaN where free
+  const double *a, *b, *c;             // cells x extra
+  const double* most;                  // cells + 1, further bounds of x; may be infinite
+  const double* wanted;                // cells + 1, x that must be had; NaN where free
 };
 
 struct Timing {
   bool done;
-  long where;   // the cell or point where it is impossible
-  double* x;    // cells + 1
+  long where;       // the cell or point where it is impossible
+  double* x;        // cells + 1
   double* highest;  // cells + 1, the controllable sets' upper ends
 };
 
@@ -95,8 +95,7 @@ class FastestPass {
         const double r2 = r0 + h * (p_.d2[i * m + j] + h / 2 * p_.d3[i * m + j]), v = p_.speed[i * m + j];
         const double sq[5] = {r0 * r0, std::max(r0 * r1, 0.0), std::max((r0 * r2 + 2 * r1 * r1) / 3, 0.0),
                               std::max(r1 * r2, 0.0), r2 * r2};
-        for (int k = 1; k <= 4; ++k)
-          worst = std::max(worst, ((5 - k) * sq[k] * x0 + k * sq[k - 1] * x1) / (5 * v * v));
+        for (int k = 1; k <= 4; ++k) worst = std::max(worst, ((5 - k) * sq[k] * x0 + k * sq[k - 1] * x1) / (5 * v * v));
       }
       shrink[i] = std::max(shrink[i], worst);
       shrink[i + 1] = std::max(shrink[i + 1], worst);
@@ -125,8 +124,7 @@ class FastestPass {
       row(d1 + 1.5 * h * d2, d2 + h / 2 * d3, c);
       row(d1 + h * (d2 + h / 2 * d3) + 2 * h * e2, e2, c);
     }
-    for (int j = 0; j < p_.extra; ++j)
-      row(p_.a[i * p_.extra + j], p_.b[i * p_.extra + j], p_.c[i * p_.extra + j]);
+    for (int j = 0; j < p_.extra; ++j) row(p_.a[i * p_.extra + j], p_.b[i * p_.extra + j], p_.c[i * p_.extra + j]);
     used_ = k;
     next_ = 1 / (2 * h);
     low_ = low * next_;

@@ -32,8 +32,7 @@ inline void spline_second_derivatives(const double* s, const double* q, long cou
     if (i == last - 1) middle += right * (1 + end), left -= right * end, right = 0;
     const double pivot = i == 1 ? middle : middle - left * above[i - 1];
     above[i] = right / pivot;
-    for (int j = 0; j < n; ++j)
-      out[i * n + j] = (bend(i, j) - (i == 1 ? 0.0 : left * out[(i - 1) * n + j])) / pivot;
+    for (int j = 0; j < n; ++j) out[i * n + j] = (bend(i, j) - (i == 1 ? 0.0 : left * out[(i - 1) * n + j])) / pivot;
   }
   for (long i = last - 2; i >= 1; --i)
     for (int j = 0; j < n; ++j) out[i * n + j] -= above[i] * out[(i + 1) * n + j];

@@ -3,7 +3,8 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from pieper.arm import Arm, catalog, load, ur_calibrated
+from pieper.arm import Arm
+from pieper.arms import catalog, load, ur_calibrated
 from pieper.description.dh import DH, Actuator
 from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
 from pieper.motion.path import line

@@ -1,14 +1,17 @@
-"""The part of Arm that goes beyond one pose: calibrated arms. Its methods delegate."""
+"""The part of Arm that goes beyond one pose: calibrated arms, solvers in other languages. Its methods delegate."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pieper.description.dh import Description
 from pieper.kinematics.arrays import ArrayLike, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import PoseLike
+from pieper.solver.plan.plan import Plan
 
 if TYPE_CHECKING:
     from pieper.calibration.fit import Fit
@@ -19,6 +22,11 @@ class AtScale:
 
     description: Description
     chain: Chain
+
+    @property
+    def plan(self) -> Plan:
+        """How the arm is solved for its default task."""
+        raise NotImplementedError
 
     def calibrate(
         self,
@@ -71,3 +79,19 @@ class AtScale:
         from pieper.calibration.choose import choose_poses
 
         return choose_poses(self, k, candidates, kind=kind, sigma=sigma)
+
+    def code(self, language: str, path: str | os.PathLike[str], name: str = "arm") -> Path:
+        """Write the arm's solver in another language, to be used without pieper; see docs/code.md.
+
+        Args:
+            language: "c", "c++", "python" (NumPy alone) or "javascript".
+            path: The file; written whole or not at all. A .mjs is a module, any other JavaScript a script.
+            name: What C's functions begin with: NAME_ik, NAME_fk.
+
+        Raises:
+            InputError: An unknown language, or a name that is no word.
+            PlanError: The arm has no closed form that can be written down; the message says why.
+        """
+        from pieper.code.export import write
+
+        return write(self, language, path, name)

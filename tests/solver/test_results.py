@@ -32,7 +32,7 @@ def test_arms_plans_solutions_and_batches_pickle_and_copy(name):
     arm = pieper.load(name)
     q = np.full(arm.n, 0.3)
     T = arm.fk(q)
-    sols, many = arm.ik(T), arm.ik_many(T[None])
+    sols, many = arm.ik(T), arm.ik_many(T[None], near=q)
     for twin in (pickle.loads(pickle.dumps(arm)), copy.deepcopy(arm), copy.copy(arm)):
         assert np.array_equal(twin.ik(T).q, sols.q)
     plan = pickle.loads(pickle.dumps(arm.plan))
@@ -41,7 +41,7 @@ def test_arms_plans_solutions_and_batches_pickle_and_copy(name):
     assert (twin.status, twin.why, twin.labels) == (sols.status, sols.why, sols.labels)
     assert np.array_equal(twin.nearest(q), sols.nearest(q))
     batch = pickle.loads(pickle.dumps(many))
-    assert np.array_equal(batch.q, many.q) and np.array_equal(batch.nearest(q)[0], many.nearest(q)[0])
+    assert np.array_equal(batch.q, many.q) and np.array_equal(batch.nearest, many.nearest)
 
 
 def test_printing_an_unreachable_pose_solves_nothing(monkeypatch):

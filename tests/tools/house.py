@@ -25,7 +25,7 @@ SOURCE = ROOT / "src" / "pieper"
 FLOORS = (
     ("errors", "words_by_number"),
     ("tolerances",),
-    ("_kernel",),
+    ("_kernel", "_code"),
     ("document", "kinematics"),
     ("description",),
     ("solver",),
@@ -38,6 +38,7 @@ FLOORS = (
     ("presentation",),
     ("at_scale",),
     ("arm",),
+    ("arms",),
     ("__init__",),
     ("cli", "workbench"),
     ("__main__",),
@@ -53,7 +54,7 @@ PUBLIC_ONLY = ("cli", "workbench")
 DOOR = "pieper.workbench"
 LONGEST, MEDIAN = 400, 150
 #: Names that begin with an underscore and are not ours to make public.
-FOREIGN = {"_kernel", "_axinfo"}
+FOREIGN = {"_kernel", "_code", "_axinfo", "_fields"}
 #: Names that say nothing about the room, and participles that say nothing about the thing.
 FOSSIL_ROOMS = {"utils", "helpers", "common", "core", "manager", "misc"}
 FOSSIL_ROOMS |= {"failing", "given", "judged", "looked", "made", "printed", "shown", "told"}
@@ -152,7 +153,7 @@ def read(room: Room) -> None:
             module = absolute(room, node)
             if module.split(".")[0] == "pieper":
                 room.imports += [(module, name.name) for name in node.names]
-                room.strange += [f"{module}.{n.name}" for n in node.names if private(n.name) and n.name != "_kernel"]
+                room.strange += [f"{module}.{n.name}" for n in node.names if private(n.name) and n.name not in FOREIGN]
         elif isinstance(node, ast.Call):
             called = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
             if called in ("import_module", "__import__") and node.args:
@@ -198,7 +199,8 @@ def named(argument: ast.expr) -> list[str]:
 def is_module(name: str) -> bool:
     """Return whether a dotted name is a file or folder of the package."""
     path = ROOT / "src" / Path(*name.split("."))
-    return path.with_suffix(".py").exists() or (path / "__init__.py").exists() or name == "pieper._kernel"
+    native = name in ("pieper._kernel", "pieper._code")
+    return native or path.with_suffix(".py").exists() or (path / "__init__.py").exists()
 
 
 def targets(room: Room) -> Iterator[str]:

@@ -87,8 +87,8 @@ def read_joints(claim: Claim, model: ArmModel, key: str = "q") -> np.ndarray:
         raise claim.error(f'give the joints once, as {key}_deg = [..], {key}_rad = [..] or {key} = ["30 deg", ..]')
     values = claim[found[0]]
     if not isinstance(values, list) or len(values) != model.n:
-        entries = len(values) if isinstance(values, list) else "no"
-        raise claim.error(f"{found[0]} has {entries} entries; the arm has {plural(model.n, 'joint')}")
+        entries = plural(len(values), "entry", "entries") if isinstance(values, list) else "no entries"
+        raise claim.error(f"{found[0]} has {entries}; the arm has {plural(model.n, 'joint')}")
     out = np.empty(model.n)
     for k, value in enumerate(values):
         if found[0] == key:

@@ -30,9 +30,14 @@ class ProgramArm(Protocol):
     """What a program needs of an arm."""
 
     @property
-    def plan(self) -> Plan: ...
+    def plan(self) -> Plan:
+        """How it is solved."""
+        ...
+
     @property
-    def description(self) -> Description: ...
+    def description(self) -> Description:
+        """What it is."""
+        ...
 
 
 class Program:
@@ -55,6 +60,7 @@ class Program:
         self.instructions: list[Instruction] = []
         self._q, self._T = q, fk(self.plan.chain, q)
         self._segments: list[Segment] = []
+        self._known: tuple[int, float, Motion] | None = None
 
     def move_j(self, target: ArrayLike | str, *, speed: float | None = None, blend: float = 0.0) -> Program:
         """Move all joints in proportion to a posture (n,), or to the solution of a pose (4, 4) nearest to the last one.
@@ -141,6 +147,11 @@ class Program:
         Args:
             rate: Samples a second.
         """
+        if self._known is None or self._known[:2] != (len(self.instructions), rate):
+            self._known = len(self.instructions), rate, self._motion(rate)
+        return self._known[2]
+
+    def _motion(self, rate: float) -> Motion:
         pieces: list[Motion] = []
         events: list[tuple[float, str, object]] = []
         remarks: list[str] = []
@@ -182,7 +193,8 @@ class Program:
 
     def explain(self) -> str:
         """Return the program as sentences: each move with its time, and what is not as asked."""
-        motion = self.motion()
+        known = self._known
+        motion = known[2] if known is not None and known[0] == len(self.instructions) else self.motion()
         lines = [f"{len(self.moves)} moves of {self.plan.name}, {motion.duration:.3f} s in all."]
         words = {"move_j": "joints to", "move_l": "line to", "move_c": "circle to"}
         number = 0
@@ -267,7 +279,8 @@ class Program:
         move = replace(move, q=q, q_via=None if via is None else middle)
         self._segments.append(replace(way, move=move))
         self.instructions.append(move)
-        self._q, self._T = q, T
+        # an arm that holds a part of a pose alone is where its joints are
+        self._q, self._T = q, T if self.plan.task == "pose" else fk(self.plan.chain, q)
         return self
 
     def _posture(self, q: ArrayLike | str, what: str) -> Array:

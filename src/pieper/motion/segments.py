@@ -52,7 +52,7 @@ def segment(plan: Plan, number: int, q0: Array, T0: Array, move: Move) -> Segmen
             raise InputError(f"move {number} has no length: the arm is there already. Leave it out.", move=number)
         s = np.linspace(0.0, 1.0, STRAIGHT_POINTS)
         return Segment(move, JointCurve.through(s, q0 + s[:, None] * (move.q - q0)), 0.0)
-    if (pose_error(T0, move.T) < 1e-9).all():
+    if (_missed(plan, T0[None], move.T[None]) < 1e-9).all():
         raise InputError(f"move {number} has no length: the tool is there already. Leave it out.", move=number)
     points = POINTS
     while True:
@@ -66,10 +66,20 @@ def segment(plan: Plan, number: int, q0: Array, T0: Array, move: Move) -> Segmen
             )
         curve = JointCurve.through(s, track.q)
         middle = (s[1:] + s[:-1]) / 2
-        off = pose_error(fk(plan.chain, curve.at(middle)[0]), _poses(T0, move, middle))
+        off = _missed(plan, fk(plan.chain, curve.at(middle)[0]), _poses(T0, move, middle))
         if off.max() <= STRAYS or points >= MOST_POINTS:
             return Segment(move, curve, float(off[:, 0].max()))
         points = 2 * points - 1
+
+
+def _missed(plan: Plan, T: Array, wanted: Array) -> Array:
+    """Return what poses (k, 4, 4) miss of what the arm's task asks for, (k, 2): m and rad."""
+    off = pose_error(T, wanted)
+    if plan.task == "position":
+        off[:, 1] = 0.0
+    elif plan.task == "position+axis":
+        off[:, 1] = np.linalg.norm(T[:, :3, 2] - wanted[:, :3, 2], axis=1)
+    return off
 
 
 def _poses(T0: Array, move: Move, s: Array) -> Array:

@@ -35,11 +35,19 @@ class JointPath(Protocol):
     """A joint path of an arm: points q (N, n) at s (N,) and how the arm is solved."""
 
     @property
-    def q(self) -> Array: ...
+    def q(self) -> Array:
+        """(N, n), rad or m."""
+        ...
+
     @property
-    def s(self) -> Array: ...
+    def s(self) -> Array:
+        """(N,) from 0 to 1."""
+        ...
+
     @property
-    def plan(self) -> Plan: ...
+    def plan(self) -> Plan:
+        """How the arm is solved."""
+        ...
 
 
 @runtime_checkable
@@ -47,7 +55,9 @@ class Planned(Protocol):
     """Whatever has a plan: an arm."""
 
     @property
-    def plan(self) -> Plan: ...
+    def plan(self) -> Plan:
+        """How it is solved."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +73,7 @@ class TimedPath:
         tool_speed: (k,) largest speed of the tool's point on each piece, m/s; infinite where there is none.
         names: Joint names.
         plan: How the arm is solved, or None.
+        easing: (k,) part of the speed, and squared of the acceleration, that is used on each piece; None for all.
     """
 
     curve: JointCurve
@@ -73,6 +84,7 @@ class TimedPath:
     tool_speed: Array
     names: tuple[str, ...]
     plan: Plan | None = None
+    easing: Array | None = None
 
     @property
     def chain(self) -> Chain:
@@ -124,13 +136,14 @@ class TimedPath:
         """Return x (k + 1,), upper ends of the controllable sets (k + 1,), whether it can be done, and where not."""
         a, b, c = self.rows()
         k, n = self.curve.d1.shape
+        eased = np.ones((k, 1)) if self.easing is None else self.easing[:, None]
         return _kernel.fastest(
             s=self.curve.s,
             d1=self.curve.d1,
             d2=self.curve.d2,
             d3=self.curve.d3,
-            speed=np.ascontiguousarray(self.bound.speed * self.share[:, None]),
-            acceleration=np.ascontiguousarray(np.broadcast_to(self.bound.acceleration, (k, n))),
+            speed=np.ascontiguousarray(self.bound.speed * self.share[:, None] * eased),
+            acceleration=np.ascontiguousarray(np.broadcast_to(self.bound.acceleration * eased**2, (k, n))),
             a=a,
             b=b,
             c=c,
@@ -204,7 +217,8 @@ def on_grid(
             "limits of the tool need an arm: give a track or a route instead of points, or say arm=.", given="points"
         )
     bound = limits.of(curve.q.shape[1], names)
-    few = len(curve.q) <= GRID_OF_A_PIECE
+    # with a jerk the profile is evened out anyway
+    few = len(curve.q) <= GRID_OF_A_PIECE and limits.jerk is None
     each = max(-(-GRID // len(curve.q)), min(GRID_OF_A_PIECE, GRID_OF_FEW // len(curve.q)) if few else 1)
     part = np.arange(each) / each
     grid = np.append((curve.s[:-1, None] + np.diff(curve.s)[:, None] * part).ravel(), curve.s[-1])

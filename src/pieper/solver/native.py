@@ -39,6 +39,10 @@ def _many_between(
     return native.many(np.ascontiguousarray(before @ T @ after), threads)
 
 
+def _into_between(native: _kernel.Solver, before: Array, after: Array, T: Array, *rest: Any) -> None:
+    native.into(np.ascontiguousarray(before @ T @ after), *rest)
+
+
 class SixJointSolver:
     """A prepared kernel with limits.
 
@@ -49,7 +53,7 @@ class SixJointSolver:
         ends: What poses are multiplied with, as `without_far_ends` says.
     """
 
-    __slots__ = ("chain", "ends", "limits", "many", "one", "spec")
+    __slots__ = ("chain", "ends", "into", "limits", "many", "one", "spec")
 
     def __init__(
         self,
@@ -65,9 +69,11 @@ class SixJointSolver:
         native = spec.solver(limits, chain.prismatic)
         self.one: Callable[[Any], tuple[Array, Slots, Bools, int]] = native.one
         self.many: Callable[[Array, int], tuple[Array, Bools, Bools, Bits]] = native.many
+        self.into: Callable[..., Any] = native.into
         if ends is not None:
             self.one = partial(_one_between, native, *ends)
             self.many = partial(_many_between, native, *ends)
+            self.into = partial(_into_between, native, *ends)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return SixJointSolver, (self.chain, self.spec, self.limits, self.ends)

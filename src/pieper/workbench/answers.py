@@ -201,8 +201,8 @@ def motion_points(motion: pieper.SelfMotion, n: int) -> dict[str, Any]:
 def nearest_pose(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     """Return the reachable pose nearest to a target that is out of reach, and by how much it misses."""
     T = pose(message.get("T"), "target")
-    q, metres, radians = arm.closest(T)
-    return {"q": q.tolist(), "T": arm.fk(q).ravel().tolist(), "metres": metres, "radians": radians}
+    near = arm.closest(T)
+    return {"q": near.q.tolist(), "T": near.T.ravel().tolist(), "metres": near.metres, "radians": near.radians}
 
 
 def formulas(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from textwrap import wrap
 
 import numpy as np
 
@@ -74,15 +75,16 @@ class Script:
         """Return joint values as controllers take them: degrees, and millimetres of a slide."""
         return [float(v) for v in np.where(self.plan.prismatic, q * 1e3, np.degrees(q))]
 
-    def head(self, mark: str) -> list[str]:
-        """Return what a reader must know, as comments."""
+    def head(self, mark: str, width: int = 110) -> list[str]:
+        """Return what a reader must know, as comments of at most `width` characters."""
         tool = read_pose(self.description.tool, "rpy", degrees=True, mm=True)
-        return [
-            f"{mark} {self.plan.name}, {len(self.moves)} moves; joints as in its robot file.",
-            f"{mark} Tool in the last frame of its table: x y z {numbers(tool[:3], 3)} mm, "
-            f"rpy {numbers(tool[3:], 4)} deg; set the same on the controller.",
-            f"{mark} Not confirmed on a controller.",
+        said = [
+            f"{self.plan.name}, {len(self.moves)} moves; joints as in its robot file.",
+            f"Tool in the last frame of its table: x y z {numbers(tool[:3], 3)} mm, rpy {numbers(tool[3:], 4)} deg; "
+            "set the same on the controller.",
+            "Not confirmed on a controller.",
         ]
+        return [f"{mark} {line}" for text in said for line in wrap(text, width - len(mark) - 1)]
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 import numpy as np
 
@@ -15,7 +16,9 @@ from pieper.motion.instructions import Gripper, Move, Output, Wait
 _JOINTS = ("J1", "J2", "J3", "J4", "J5", "J6")
 _POSE = ("X", "Y", "Z", "W", "P", "R")
 #: FANUC counts J3 from the level, whatever J2 does; robot files count joint 3 from the lower arm.
-_COUPLED = "J3 is counted from the level: joint 3 - joint 2"
+_COUPLED = "J3 = joint 3 - joint 2"
+#: A remark has no more characters.
+_REMARK = 32
 
 
 def write(script: Script) -> str:
@@ -29,7 +32,7 @@ def write(script: Script) -> str:
         places.append(_place(script, index, q, T, coupled))
         return index
 
-    for line in script.head("!"):
+    for line in script.head("!", _REMARK):
         lines.append(line)
     if coupled:
         lines.append(f"! {_COUPLED}")
@@ -47,7 +50,7 @@ def write(script: Script) -> str:
     return "\n".join([*text, "/POS", *places, "/END", ""])
 
 
-def _move(move: Move, place) -> list[str]:
+def _move(move: Move, place: Callable[[Array, Array], int]) -> list[str]:
     # a percentage of the corner, not a radius: the controller rounds by speed
     stop = f"CNT{min(100, max(1, round(move.blend * 1e3)))}" if move.blend else "FINE"
     if move.kind == "move_j":

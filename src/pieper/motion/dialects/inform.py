@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
 from pieper.motion.instructions import Gripper, Move, Output, Wait
+
+#: A comment has no more characters.
+_COMMENT = 32
 
 
 def write(script: Script) -> str:
@@ -41,10 +45,10 @@ def write(script: Script) -> str:
     count = sum(line.startswith("C") for line in positions)
     head = ["/JOB", f"//NAME {script.name.upper()}", "//POS", f"///NPOS {count},0,0,0,0,0", "///TOOL 0"]
     head += ["///POSTYPE ROBOT", "///RECTAN", *positions, "//INST", "///ATTR SC,RW,RJ", "///GROUP1 RB1", "NOP"]
-    return "\n".join([*head, *script.head("'"), *lines, "END", ""])
+    return "\n".join([*head, *script.head("'", _COMMENT), *lines, "END", ""])
 
 
-def _move(move: Move, place) -> list[str]:
+def _move(move: Move, place: Callable[[Array, Array], int]) -> list[str]:
     # PL is a level of positioning, not a radius
     stop = f" PL={min(8, 1 + round(move.blend * 100))}" if move.blend else " PL=0"
     if move.kind == "move_j":

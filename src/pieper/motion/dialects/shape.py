@@ -11,6 +11,10 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import axes_at
 from pieper.solver.plan.plan import Plan
 
+#: A wrist centre this near to axis 1 at zero (lengths of the arm) stands over it.
+UPRIGHT = 1e-3
+_LEANING = np.array([0.0, 0.1, 0.0, 0.0, 0.0, 0.0])
+
 
 @dataclass(frozen=True)
 class Shape:
@@ -53,10 +57,13 @@ def shape(plan: Plan, q: Array, what: str) -> Shape:
             f"{what} are words for six turning joints with a shoulder, an elbow and three wrist axes that meet; "
             f"{plan.name} is another kind of arm. Write joint targets for it."
         )
-    axes, points = axes_at(plan.chain, np.stack([q, np.zeros(6)]))
+    axes, points = axes_at(plan.chain, np.stack([q, np.zeros(6), _LEANING]))
     here, zero = _signs(plan, axes[0], points[0]), _signs(plan, axes[1], points[1])
-    # the front is where the wrist centre is with all joints at zero
-    front = np.sign(zero[0]) or 1.0
+    # the front is where the wrist centre is with all joints at zero, or goes to where joint 2 turns on from there
+    front = zero[0]
+    if abs(front) < UPRIGHT * plan.chain.length:
+        front = _signs(plan, *(x[2] for x in (axes, points)))[0]
+    front = float(np.sign(front)) or 1.0
     ahead, over, sine, bend = here
     return Shape(
         rear=bool(ahead * front < 0),

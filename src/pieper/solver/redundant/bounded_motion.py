@@ -11,7 +11,7 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.joints import TURN
 from pieper.kinematics.newton import newton
 from pieper.solver.redundant.box import closest
-from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 from pieper.tolerances import CLOSES
 
 #: A point this near to the polyline of a curve may lie on the curve, and is slid onto it to see.
@@ -27,7 +27,7 @@ PARTS, ROUNDS, PRECISE = 4, 12, 1e-4
 
 
 @dataclass(frozen=True, eq=False)
-class BoundedMotion(SelfMotion):
+class BoundedMotion(TracedMotion):
     """A self-motion whose samples hold the points where it meets limits.
 
     Attributes:
@@ -146,8 +146,10 @@ def bounded_motion(motion: SelfMotion, ends: Array) -> BoundedMotion:
     samples, marks = _with_points(motion, ends)
     if motion.closed and len(marks):
         samples, marks = _turned(motion, samples, marks)
-    entries = {entry.name: getattr(motion, entry.name) for entry in fields(SelfMotion)}
-    return BoundedMotion(**{**entries, "samples": samples}, marks=marks)
+    limits, names = motion.limits, motion.names
+    return BoundedMotion(
+        motion.chain, motion.T, samples, motion.closed, motion.dimension, limits, names, motion.shown, marks=marks
+    )
 
 
 def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:

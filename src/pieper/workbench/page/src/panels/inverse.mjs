@@ -257,9 +257,7 @@ function showVerdict(el, s) {
       ? words[s.status]
       : countedBefore.has(s.status) && inside === n
         ? ''
-        : inside === n
-          ? `${n} solution${n === 1 ? '' : 's'}`
-          : `${n} solutions, ${inside} inside the limits`;
+        : `${n} solution${n === 1 ? '' : 's'}${inside === n ? '' : `, ${inside} inside the limits`}`;
   replace(
     el,
     h('strong', { text: head }),
