@@ -47,8 +47,8 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
     """Look for solutions of poses T (N, 4, 4) inside the limits, cheap ways first, for all that are left together.
 
     A point inside the limits is its own proof. What lies inside is bounded by stops, unless a whole self-motion does:
-    where neither descent nor stops show a point, the pose is sliced and approached freely; and where the limits leave it
-    nearly held, every self-motion is met as for tracing, since one that is small and inside may be there.
+    where neither descent nor stops show a point, the pose is sliced and approached freely; and where the limits leave
+    it nearly held, every self-motion is met as for tracing, since one that is small and inside may be there.
     """
     full, limits = plan.exact.full, plan.full_limits
     low, high = box(full, limits)
