@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.pose import stepped
-from pieper.solver.arm_rows import arm_rows, full_rows
+from pieper.solver.arm_rows import full_rows
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import holding, pulled
 
@@ -89,21 +89,18 @@ def sweep(plan: Plan, T: Array, coordinate: int, values: Array) -> Sweep:
     return Sweep(at, q, valid, after)
 
 
-def best_slice(plan: Plan, T: Array) -> tuple[Array, Bools, Bools]:
-    """Return q (M, n), valid (M,), in_limits (M,) of a pose (4, 4) where most solutions are inside the limits.
+def slices(plan: Plan, T: Array, threads: int) -> tuple[Indices, Array]:
+    """Return the pose index (m,) and the rows (m, n) of poses (N, 4, 4) at a sweep's first slices.
 
-    The first redundant coordinate takes the values of a sweep's first slices, the others their defaults.
+    The first redundant coordinate takes the values, the others their defaults.
     """
     lower, upper = span(plan, plan.reduction.locked[0])
     at = np.linspace(lower, upper, SLICES if plan.reduction.at_ends is not None else SLICES_PREPARED)
-    held = np.tile(plan.defaults, (len(at), 1))
-    held[:, 0] = at
-    found = arm_rows(plan, np.tile(T, (len(at), 1, 1)), held, 1)
-    valid = found.valid
-    q, inside = plan.chain.joints.inside_limits(found.q, plan.limits)
-    inside &= valid
-    best = int(np.argmax(100 * inside.sum(1) + valid.sum(1)))
-    return np.where(valid[best][:, None], q[best], 0.0), valid[best], inside[best]
+    held = np.tile(plan.defaults, (len(at) * len(T), 1))
+    held[:, 0] = np.repeat(at, len(T))
+    found = full_rows(plan, np.tile(T, (len(at), 1, 1)), held, threads)
+    case, row = np.nonzero(found.valid)
+    return case % len(T), found.q[case, row]
 
 
 def span(plan: Plan, joint: int) -> tuple[float, float]:
