@@ -10,7 +10,7 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.motion.curve import JointCurve
-from pieper.motion.from_profile import ROUNDING, binding, profile_of, sampled
+from pieper.motion.in_time import ROUNDING, binding, profile_of, sampled
 from pieper.motion.motion import Motion
 from pieper.motion.profile import Profile
 from pieper.motion.timed_path import TimedPath

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from pieper.errors import InputError
-from pieper.kinematics.arrays import ArrayLike
+from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.motion.certificate import joint_peaks, tool_acceleration_peaks, vector_peaks
 from pieper.motion.constant_speed import checked_sections, section_grid, why_not
-from pieper.motion.from_profile import motion_of
+from pieper.motion.in_time import ROUNDING, binding, profile_of, sampled
+from pieper.motion.jerk import smooth_motion
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
-from pieper.motion.timed_path import JointPath, Planned, timed_path
+from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
 
 
 def time_law(
@@ -49,8 +53,6 @@ def time_law(
     asked = checked_sections(constant_speed)
     timed, curve = timed_path(path, limits, arm, at=[s for section in asked for s in section[:2]])
     if limits.jerk is not None:
-        from pieper.motion.jerk import smooth_motion
-
         if asked:
             raise InputError("a section of constant speed and a jerk limit at once are not planned; leave one out.")
         return smooth_motion(timed, curve, rate)
@@ -61,3 +63,38 @@ def time_law(
     if not done:
         raise why_not(timed, asked)
     return motion_of(timed, x, curve.between_points(), rate)
+
+
+def motion_of(timed: TimedPath, x: Array, deviation: float, rate: float) -> Motion:
+    """Return the motion of a profile x (k + 1,), slowed down where it passes a limit."""
+    ratios = peak_ratios(timed, x)
+    margin = max(float(r.max()) for _, _, r in ratios)
+    while margin > 1:
+        x = x / (margin * (1 + ROUNDING)) ** 2
+        ratios = peak_ratios(timed, x)
+        margin = max(float(r.max()) for _, _, r in ratios)
+    profile = profile_of(timed.curve.s, x)
+    motion = sampled(timed.curve, profile, rate)
+    ends = np.array([0.0, profile.duration])
+    return Motion(*motion[:4], ends, ends, *motion[4:], tuple(binding(profile.t, ratios)), margin, deviation=deviation)
+
+
+def peak_ratios(timed: TimedPath, x: Array) -> list[tuple[str, str | None, Array]]:
+    """Return each limit's name, joint and largest value over it (k,) on each piece."""
+    rates, bends = joint_peaks(timed.curve, x)
+    speed = timed.bound.speed * timed.share[:, None]
+    out: list[tuple[str, str | None, Array]] = []
+    for j, name in enumerate(timed.names):
+        out.append(("speed", name, rates[:, j] / speed[:, j]))
+        out.append(("acceleration", name, bends[:, j] / timed.bound.acceleration[j]))
+    tool, limits = timed.tool, timed.limits
+    if tool is None:
+        return out
+    if np.isfinite(timed.tool_speed).any():
+        out.append(("tool speed", None, vector_peaks(tool.point, tool.point_strays, x) / timed.tool_speed))
+    if limits.turn_speed is not None:
+        most = limits.turn_speed * timed.share
+        out.append(("turn speed", None, vector_peaks(tool.turn, tool.turn_strays, x) / most))
+    if limits.tool_acceleration is not None:
+        out.append(("tool acceleration", None, tool_acceleration_peaks(tool, timed.h, x) / limits.tool_acceleration))
+    return out
