@@ -57,6 +57,10 @@ class HeldOut(NamedTuple):
     count: int
     of: int
 
+    def as_dict(self) -> dict[str, float | int | None]:
+        """Return the numbers by their names."""
+        return self._asdict()
+
 
 @dataclass(frozen=True, eq=False)
 class Fit:
