@@ -95,7 +95,7 @@ class AtScale:
             InputError: An unknown language, or a name that is no word.
             PlanError: The arm has no closed form that can be written down; the message says why.
         """
-        from pieper.code.export import write
+        from pieper.code.write import write
 
         return write(self, language, path, name)
 

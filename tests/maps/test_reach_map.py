@@ -70,7 +70,7 @@ def test_looking_a_pose_up_is_mostly_right():
     m = arm.reach_map(((-0.6, 0.6), (-0.6, 0.6), (-0.3, 0.9)), 0.1, (64, 8))
     T = arm.fk(postures(arm, rng, 500))
     inside, _ = m.grid.voxel_of(T[:, :3, 3])
-    assert m.reached(T[inside], cell=True).mean() > 0.9
+    assert m.reached(T[inside], cell=True).mean() > 0.85
     centres = m.grid.poses(np.arange(20), m.grid.turns)
     assert np.array_equal(m.reached(centres, cell=True), m.reached(centres))
 

@@ -59,7 +59,11 @@ class HeldOut(NamedTuple):
 
     def as_dict(self) -> dict[str, float | int | None]:
         """Return the numbers by their names."""
-        return self._asdict()
+        return dict(zip(HELD_OUT, self, strict=True))
+
+
+#: The names of what `HeldOut` holds, in order.
+HELD_OUT = tuple(HeldOut.__annotations__)
 
 
 @dataclass(frozen=True, eq=False)

@@ -80,7 +80,7 @@ def orientations_of(count: int, rolls: int) -> Array:
     x /= np.linalg.norm(x, axis=1, keepdims=True)
     first = np.stack([x, np.cross(d, x), d], -1)
     turn = rotation_about(np.array([0.0, 0.0, 1.0]), 2 * np.pi * np.arange(rolls) / rolls)
-    return (first[:, None] @ turn[None]).reshape(-1, 3, 3)
+    return np.asarray((first[:, None] @ turn[None]).reshape(-1, 3, 3), np.float64)
 
 
 def grid_of(
@@ -111,7 +111,11 @@ def grid_of(
             "millimetres by 1000.",
             given=box,
         )
-    if not isinstance(step, (int, float, np.number)) or not np.isfinite(step) or not 0 < step <= side.min():
+    if (
+        not isinstance(step, (int, float, np.number))
+        or not np.isfinite(step)
+        or not 0 < step <= side.min() * (1 + 1e-9)
+    ):
         raise InputError(
             f"step must be positive, in metres, at most the box's smallest side ({side.min():.4g} m), got {step!r}: "
             "20 mm is 0.02.",

@@ -125,12 +125,12 @@ class ReachMap:
     def explain(self) -> str:
         """Tell what was asked and what came out."""
         nx, ny, nz = self.grid.shape
-        reached = int((self.fraction > 0).sum())
+        reached, whole = int((self.fraction > 0).sum()), int((self.fraction == 1).sum())
         return (
             f"{self.plan.name}: {nx} x {ny} x {nz} voxels of {self.grid.step * 1e3:g} mm, {len(self.grid.turns)} "
             f"orientations each, {self.grid.count * len(self.grid.turns):,} poses; {self.symmetry}. {reached:,} voxels "
-            f"are reached in some orientation ({self.volume:.4g} m^3), {int((self.fraction == 1).sum()):,} in all. Limits count, "
-            "self-collisions do not; a voxel is asked at its centre."
+            f"are reached in some orientation ({self.volume:.4g} m^3), {whole:,} in all. Limits "
+            "count, self-collisions do not; a voxel is asked at its centre."
         )
 
 
