@@ -191,6 +191,11 @@ def test_a_calibrated_ur_is_the_product_of_its_six_frames(tmp_path):
             T = T @ step @ exponential([0, 0, 1], np.zeros(3), value, "R")
         assert np.abs(arm.fk(q) - T).max() < 1e-11
     assert arm.joint_names[2] == "elbow_joint"
+    # the common normals of its nearly parallel axes lie hundreds of metres away; the arm is no longer for that
+    assert max(abs(row.d) for row in arm.description.rows) > 100 and arm.chain.length < 2
+    q = np.array([0.3, -1, 1.2, 0.4, 0.8, 0.1])
+    assert np.abs(arm.ik(arm.fk(q)).q - q).max(1).min() < 1e-12
+    assert "joints 2, 3 and 4 made parallel" in pieper.Arm(arm.description, snap=1e-2).plan.explain()
 
 
 @pytest.mark.parametrize(

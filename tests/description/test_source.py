@@ -132,6 +132,9 @@ def test_a_xacro_that_needs_an_argument_or_a_package_says_so(tmp_path):
     )
     with pytest.raises(InputError, match="nowhere"):
         pieper.load(tmp_path / "away.xacro")
+    (tmp_path / "macros.xacro").write_text('<robot name="x" xmlns:xacro="http://www.ros.org/wiki/xacro"/>')
+    with pytest.raises(InputError, match="may only define macros"):
+        pieper.load(tmp_path / "macros.xacro")
 
 
 def test_without_its_package_a_xacro_says_what_to_install(tmp_path, monkeypatch):

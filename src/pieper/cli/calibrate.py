@@ -10,12 +10,12 @@ import numpy.typing as npt
 
 import pieper
 from pieper import InputError
-from pieper.cli import DONE
-from pieper.cli.given import number, read_text
+from pieper.cli.arguments import number, read_text
 from pieper.cli.options import as_json, order, takes_arm, takes_units
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import say
 from pieper.cli.pose_file import PoseFile
-from pieper.cli.printed import as_json as print_json
-from pieper.cli.printed import say
+from pieper.cli.status import DONE
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
 #: The column of what is one number a row.

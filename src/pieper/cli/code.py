@@ -5,8 +5,8 @@ from __future__ import annotations
 import click
 
 import pieper
-from pieper.cli import DONE
 from pieper.cli.options import takes_arm
+from pieper.cli.status import DONE
 
 #: Language -> the ending of its files.
 ENDINGS = {"c": "c", "c++": "cpp", "python": "py", "javascript": "mjs"}

@@ -9,11 +9,11 @@ import click
 
 import pieper
 from pieper import InputError
-from pieper.cli import DONE
-from pieper.cli.given import numbers
+from pieper.cli.arguments import numbers
 from pieper.cli.options import NUMBERS, as_json, takes_arm, takes_units
-from pieper.cli.printed import as_json as print_json
-from pieper.cli.printed import say
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import say
+from pieper.cli.status import DONE
 from pieper.cli.units import Units
 
 

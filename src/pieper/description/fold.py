@@ -5,8 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.description.dh import Description
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.pose import FLIP, rotation_x, rotation_z, translation
+from pieper.kinematics.pose import FLIP, inverse, rotation_x, rotation_z, translation
+
+#: Links that come out this many times shorter are taken; others stay as the table has them, to the last bit.
+FAR_LONGER = 10.0
 
 
 def chain_of(description: Description) -> Chain:
@@ -35,4 +39,23 @@ def chain_of(description: Description) -> Chain:
         frames_after[i] = after
         pending = after
     links[n] = pending @ description.tool
+    _shortened(links, frames_after)
     return Chain.of(links, prismatic, frames_after, description.coupling)
+
+
+def _shortened(links: Array, frames_after: Array) -> None:
+    """Slide the frames along their axes where a table's offsets are far longer than the arm.
+
+    The common normal of nearly parallel axes lies far away: the table of a calibrated arm goes there by hundreds of
+    metres and comes back in the next row. Both offsets lie along axes, along which a frame may slide.
+    """
+    n = len(links) - 1
+    slid = np.linalg.norm(links[1:n, :3, 3], axis=1).sum()
+    short, after = links.copy(), frames_after.copy()
+    for i in range(1, n):
+        back = translation(z=-float(short[i, :3, 3] @ short[i, :3, 2]))
+        short[i] = short[i] @ back
+        short[i + 1] = inverse(back) @ short[i + 1]
+        after[i] = inverse(back) @ after[i]
+    if np.linalg.norm(short[1:n, :3, 3], axis=1).sum() * FAR_LONGER < slid:
+        links[:], frames_after[:] = short, after

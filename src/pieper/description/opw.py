@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pieper.description.axes import described_by_axes
 from pieper.description.dh import Description
@@ -22,7 +23,7 @@ def from_opw(
     c4: float,
     offsets: Sequence[float] = (0.0,) * 6,
     signs: Sequence[float] = (1.0,) * 6,
-    limits: Sequence[Sequence[float | None] | None] | None = None,
+    limits: Sequence[Sequence[float | None] | None] | ArrayLike | None = None,
     name: str = "arm",
     joint_names: Sequence[str] | None = None,
 ) -> Description:

@@ -35,6 +35,11 @@ def read(
     path = Path(path)
     urdf.bytes_of(path, urdf.LARGEST_FILE, "xacro")
     text = expanded(path, arguments or {})
+    if "<joint" not in text:
+        raise InputError(
+            f"{path}: this xacro expands to no joint; it may only define macros. Load the file that uses them.",
+            file=str(path),
+        )
     return urdf.loads(text, file=str(path), base=base, tip=tip, missing_limits=missing_limits)
 
 

@@ -16,8 +16,9 @@ from pieper.description import source as door
 from pieper.description.dh import DH, describe
 from pieper.errors import InputError
 from pieper.judge.model import ArmModel, Row, model_from_description
-from pieper.judge.printed import UNITS
+from pieper.judge.numbers import UNITS
 from pieper.judge.solver import Solver
+from pieper.words_by_number import plural
 
 ARM_KEYS = set("name robot file convention length_unit columns rows values base tool limits_deg words".split())
 COLUMNS = {"a", "alpha", "d", "theta"}
@@ -156,5 +157,4 @@ def describe_arm(model: ArmModel, words: str = "") -> str:
     """Say what an arm is, in a line; `words` are the file's own."""
     shown = ", ".join(f"{k} = {v:g}" for k, v in model.values.items() if v)
     lengths = f", {shown} ({model.unit})" if shown else ""
-    joints = "1 joint" if model.n == 1 else f"{model.n} joints"
-    return f"{model.name}: {joints}, {model.convention} DH{lengths}.{' ' + words if words else ''}"
+    return f"{model.name}: {plural(model.n, 'joint')}, {model.convention} DH{lengths}.{' ' + words if words else ''}"

@@ -20,8 +20,10 @@ DIGITS = 50
 
 
 class _Polynomials(SympyField):
-    """Symbols for every sine and cosine of one joint; sums of angles are written out, so that equal formulas become
-    equal polynomials."""
+    """Symbols for every sine and cosine of one joint.
+
+    Sums of angles are written out, so that equal formulas become equal polynomials.
+    """
 
     def __init__(self) -> None:
         super().__init__()

@@ -15,7 +15,7 @@ from pieper.errors import InputError, PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.matrices import Product, value_of
 from pieper.judge.model import ArmModel
-from pieper.judge.printed import UNITS
+from pieper.judge.numbers import UNITS
 from pieper.judge.samples import Samples, pose_of, pose_symbols, sample, samples_at
 from pieper.judge.search.search import Explanation, Goal
 from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips
@@ -39,7 +39,7 @@ class Evidence:
     seconds: float = 2.0
     unknown: list[str] = field(default_factory=list)
 
-    def define(self, name: str, text: str):
+    def define(self, name: str, text: str) -> None:
         """Add a symbol of the file; "?" marks one that the source uses and never defines."""
         name = plain(name)
         if name in self.model.names():
@@ -72,8 +72,7 @@ class Evidence:
         return out
 
     def holding(self, claim: Claim) -> Evidence:
-        """Return evidence in which some joints are held, as the claim's at_deg = { theta5 = 0 } says; itself without
-        that key."""
+        """Return evidence in which joints are held as the claim's at_deg = { theta5 = 0 } says; itself without it."""
         held = claim.get("at_deg")
         if not held:
             return self
@@ -89,7 +88,7 @@ class Evidence:
         out.__dict__["samples"] = fixed
         return out
 
-    def fill(self, env: dict):
+    def fill(self, env: dict) -> None:
         """Add the file's symbols to an environment."""
         rng = np.random.default_rng(11)
         shape = env["theta1"].shape

@@ -65,7 +65,7 @@ class HasParts(Protocol):
 PoseLike: TypeAlias = ArrayLike | HasAsMatrix | HasHomogeneous | HasA | HasParts | Sequence[Any]
 
 
-def as_pose(T: object) -> Any:
+def as_pose(T: Any) -> Any:
     """Return the matrix of a pose that another library holds, anything else unchanged.
 
     SciPy's RigidTransform, spatialmath's SE3, Pinocchio's SE3 and whatever else hands out a (4, 4) or (N, 4, 4) by one
@@ -81,12 +81,12 @@ def as_pose(T: object) -> Any:
         if found is not None:
             matrix = found() if callable(found) else found
             return np.array(matrix, float) if isinstance(matrix, list) else matrix
-    R, p = getattr(T, "rotation", None), getattr(T, "translation", None)
-    if R is not None and p is not None:
-        R, p = (value() if callable(value) else value for value in (R, p))
-        R = as_pose(R)
-        if np.shape(R) == (3, 3) and np.size(p) == 3:
-            return transform(np.asarray(R, float), np.asarray(p, float).reshape(3))
+    turn, place = getattr(T, "rotation", None), getattr(T, "translation", None)
+    if turn is not None and place is not None:
+        turn, place = (part() if callable(part) else part for part in (turn, place))
+        turn = as_pose(turn)
+        if np.shape(turn) == (3, 3) and np.size(place) == 3:
+            return transform(np.asarray(turn, float), np.asarray(place, float).reshape(3))
     return T
 
 
@@ -164,6 +164,22 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
     return pose
 
 
+def unsound(poses: Array, deviation: Array) -> Array:
+    """Return which (N,) of poses (N, 4, 4) `checked_pose` refuses; deviation (N,) is the kernels' from a rotation."""
+    last = np.abs(poses[:, 3] - [0.0, 0.0, 0.0, 1.0]).max(-1)
+    far = np.abs(poses[:, :3, 3]).max(-1)
+    return ~((deviation <= ROTATION_ACCEPTED) & (last <= ROTATION_EXACT) & (far <= FARTHEST))
+
+
+def reason_against(pose: Array, what: str) -> str:
+    """Return why a matrix (4, 4) is no pose, in the words of `checked_pose`; empty where it is one."""
+    try:
+        checked_pose(pose, what)
+    except InputError as error:
+        return str(error)
+    return ""
+
+
 def _worst(size: Array) -> tuple[tuple[int, ...], str]:
     """Return the index of the largest entry and words for it; both empty for a single pose."""
     size = np.asarray(size)
@@ -237,7 +253,7 @@ def stepped(T: Array, twists: Array, length: float) -> Array:
 
 
 def skew(v: Array) -> Array:
-    """Return the matrices (..., 3, 3) with skew(v) @ w = v x w."""
+    """Return the matrices (..., 3, 3) that take w to the cross product v x w."""
     v = np.asarray(v, float)
     K = np.zeros((*v.shape[:-1], 3, 3))
     K[..., 2, 1], K[..., 0, 2], K[..., 1, 0] = v[..., 0], v[..., 1], v[..., 2]

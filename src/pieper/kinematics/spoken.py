@@ -116,7 +116,7 @@ def read_pose(T: PoseLike, notation: str = "rpy", *, degrees: bool = False, mm: 
     Raises:
         InputError: T is not a pose, or the notation is unknown.
     """
-    name = MAKERS.get(notation, notation) if isinstance(notation, str) else ""
+    name = MAKERS.get(notation, notation)
     if name not in SPOKEN:
         raise InputError(
             f"notation {notation!r} is unknown; say one of {', '.join([*SPOKEN, *MAKERS])}.",

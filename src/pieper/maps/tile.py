@@ -16,7 +16,7 @@ from pieper.solver import verbs
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Status
 from pieper.solver.rows import Flag
-from pieper.tolerances import GEOMETRY_EXACT, MOST_CAREFUL
+from pieper.tolerances import GEOMETRY_EXACT
 
 #: Poses that are solved at once: what is held in memory, whatever the tile's size.
 AT_ONCE = 32_768
@@ -75,8 +75,7 @@ def solved(question: Question, which: Indices, threads: int | None) -> Tile:
     """Return the tile of voxels by their numbers."""
     grid = question.grid
     ask = grid.turns[:: grid.rolls] if question.rolls_by_last else grid.turns
-    # of an arm with joints to spare `ik_many` looks for other values at so many poses of a call
-    each = max(1, (MOST_CAREFUL if question.plan.redundancy else AT_ONCE) // len(ask))
+    each = max(1, AT_ONCE // len(ask))
     reached, count = [], []
     for first in range(0, len(which), each):
         some = which[first : first + each]
@@ -90,8 +89,8 @@ def solved(question: Question, which: Indices, threads: int | None) -> Tile:
 def _rows(plan: Plan, T: Array, threads: int | None) -> tuple[Array, Bools, Bools, Bools]:
     """Return rows (N, M, n), which hold and which lie inside limits (N, M), which poses need a look of their own (N,).
 
-    An arm that is its own six-joint chain is asked without the careful look that `ik_many` gives to a bounded number of
-    poses in a call: what a pose answers here does not depend on its neighbours.
+    An arm that is its own six-joint chain is asked without the careful look that `ik_many` gives to poses out of reach,
+    which most poses of a box are.
     """
     if plan.direct:
         q, valid, inside, flags = plan.solver.many(np.ascontiguousarray(T), threads or os.cpu_count() or 1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from pieper.equations.derivation.elimination import Eliminator, Source
 from pieper.equations.derivation.witness import branch_values
 from pieper.equations.table import SymbolTable
 from pieper.equations.target import pretty_names
+from pieper.kinematics.arrays import Array
 
 #: By how much a side condition may be missed and still hold, per unit of the pose's entries.
 CONDITION = 1e-6
@@ -63,7 +65,7 @@ class ClosedForm:
         chosen: Joints (1-based) whose value is chosen beforehand; then `free`: joints that come out as free.
     """
 
-    def __init__(self, eliminator: Eliminator, description: Description, *, fold_tool: bool):
+    def __init__(self, eliminator: Eliminator, description: Description, *, fold_tool: bool) -> None:
         self.table: SymbolTable = eliminator.table
         self.n = self.table.n
         self.description = description
@@ -97,7 +99,7 @@ class ClosedForm:
         return {s.symbol: s.formula for s in self.steps}
 
     # -- evaluation ------------------------------------------------------------------------------------------
-    def evaluate(self, T, *, chosen=None) -> np.ndarray:
+    def evaluate(self, T: Array, *, chosen: Any = None) -> np.ndarray:
         """Every branch at poses T.
 
         Args:
@@ -163,7 +165,7 @@ class ClosedForm:
                 wrong = wrong & ~(gap > 1e-4)
         return tuple(chosen)
 
-    def _values(self, T, q) -> dict:
+    def _values(self, T: Array, q: Array) -> dict:
         signs = np.array(self._choices()).reshape(self.branches, -1)
         values = self.table.constants(NumpyField)
         values |= dict(zip(self.sigmas, (s[:, None] for s in signs.T), strict=True))
@@ -173,12 +175,13 @@ class ClosedForm:
         values |= {Sym(c, x, 4): M[:, r, k] for k, c in enumerate("noap") for r, x in enumerate("xyz")}
         return values | self._given_joints(q.T, NumpyField)
 
-    def evaluate_digits(self, M, *, chosen=None, digits: int = 50) -> list[list]:
+    def evaluate_digits(self, M: Any, *, chosen: Any = None, digits: int = 50) -> list[list]:
         """Every branch at one pose in many-digit arithmetic.
 
         Args:
             M: 4x4 nested lists of mpmath numbers, the pose in the table's frames (base and tool taken off).
             chosen: Values of chosen and free joints, one a joint of the arm.
+            digits: How many digits the answers are to have.
 
         Returns:
             One list of n mpmath numbers (nan where not real) a branch.
@@ -197,14 +200,14 @@ class ClosedForm:
                 found.append([self._joint(values, j, field) for j in range(1, self.n + 1)])
         return found
 
-    def _given_joints(self, q, field) -> dict:
+    def _given_joints(self, q: Array, field: Any) -> dict:
         values = {}
         for joint in (*self.chosen, *self.free):
             symbol, expression = self.table.relation[joint]
             values[symbol] = expression.evaluate({angle_symbol(joint, "q"): q[joint - 1]}, field)
         return values
 
-    def _run(self, values: dict, field, steps=None):
+    def _run(self, values: dict, field: Any, steps: Any = None) -> None:
         for step in self.steps if steps is None else steps:
             for symbol, expression in step.names:
                 values[symbol] = expression.evaluate(values, field)
@@ -216,8 +219,8 @@ class ClosedForm:
                 values[Trig("c", step.angle, group)] = field.cos(value)
                 values[Trig("s", step.angle, group)] = field.sin(value)
 
-    def _joint(self, values: dict, joint: int, field):
-        """q of a joint from its table variable: theta = sign q + constant."""
+    def _joint(self, values: dict, joint: int, field: Any) -> Any:
+        """The q of a joint from its table variable: theta = sign q + constant."""
         symbol, expression = self.table.relation[joint]
         q = angle_symbol(joint, "q")
         zero = field.rational(Num(0).value)

@@ -33,7 +33,7 @@ ONCE = {
 }
 
 
-def write_steps(page: Document, form: ClosedForm):
+def write_steps(page: Document, form: ClosedForm) -> None:
     """Write every step and the summary onto a page."""
     _opening(page, form)
     for step in form.steps:
@@ -41,7 +41,7 @@ def write_steps(page: Document, form: ClosedForm):
     _summary(page, form)
 
 
-def _opening(page: Document, form: ClosedForm):
+def _opening(page: Document, form: ClosedForm) -> None:
     d = form.description
     plain_base, plain_tool = (np.array_equal(M, np.eye(4)) for M in (d.base, d.tool))
     columns = {
@@ -87,7 +87,7 @@ def _opening(page: Document, form: ClosedForm):
         page.say("The arm has a joint to spare: ", *names, " is chosen freely, and the rest follows.")
 
 
-def _step(page: Document, form: ClosedForm, step: Step):
+def _step(page: Document, form: ClosedForm, step: Step) -> None:
     page.add(StepHeading(step.number, step.symbol, step.branches))
     if step.kind == "sum":
         page.say("The sum is known, and so are its other members:")
@@ -144,7 +144,7 @@ def _entries(places: list[tuple[int, int]]) -> str:
     return "entries " + ", ".join(named[:-1]) + " and " + named[-1]
 
 
-def _failures(page: Document, step: Step):
+def _failures(page: Document, step: Step) -> None:
     if step.degenerate:
         bare = [mul(Num(-1), c) if not isinstance(c, Sym) and negative(c) else c for c in step.degenerate]
         conditions: list[Piece] = []
@@ -167,7 +167,7 @@ def _failures(page: Document, step: Step):
         )
 
 
-def _summary(page: Document, form: ClosedForm):
+def _summary(page: Document, form: ClosedForm) -> None:
     page.heading("All joints together")
     signs = len(form.sigmas)
     if signs:

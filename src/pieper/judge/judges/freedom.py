@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from pieper.judge.claim import Claim
@@ -9,14 +11,14 @@ from pieper.judge.evidence import Evidence
 from pieper.judge.model import ArmModel
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
+from pieper.kinematics.arrays import Array
 
 STEP = 1e-6
 RANK = 1e-7  # relative; singular values below are zero
 
 
 def pose_jacobian(model: ArmModel, q: np.ndarray) -> np.ndarray:
-    """Return (K, 6, n) derivatives of the pose by central differences: position over the arm's length, then rotation
-    (rad)."""
+    """Return derivatives (K, 6, n) of the pose by central differences: position per length, then rotation, rad."""
     K, n = q.shape
     moved = np.repeat(np.repeat(q[:, None, None], n, axis=1), 2, axis=2)
     for k in range(n):
@@ -99,7 +101,7 @@ def completes(
         x[:, joint - 1] = value
     size = model.length()
 
-    def gap(points):
+    def gap(points: Any) -> Array:
         now = pose_of(model, points)
         R = T[:3, :3] @ np.swapaxes(now[:, :3, :3], 1, 2)
         spin = 0.5 * np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
