@@ -137,3 +137,11 @@ def nested(value: Any, brackets: str, number: Callable[[float], str]) -> str:
 def finite_or(infinity: str) -> Callable[[float], str]:
     """Return how a number is said where infinity has a name of its own."""
     return lambda x: repr(x) if np.isfinite(x) else infinity if x > 0 else f"-{infinity}"
+
+
+def filled(frame: str, parts: dict[str, str], export: Export) -> str:
+    """Return a frame with its @WORDS@, its count of joints and its NAME_ in place; no part is looked into."""
+    parts = parts | {"TESTS": str(len(export.q))}
+    own = re.sub(r"\bN\b", str(export.n), re.sub(r"\bN1\b", str(export.n + 1), frame))
+    own = own.replace("NAME_", f"{export.name}_")
+    return re.sub(r"@([A-Z_]+)@", lambda found: parts[found[1]].replace("NAME_", f"{export.name}_"), own)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from pieper.code.c import filled
-from pieper.code.export import Export, finite_or, nested
+from pieper.code.export import Export, filled, finite_or, nested
 from pieper.code.program import statements
 
 WORDS = {

@@ -1,4 +1,4 @@
-"""The languages an arm's solver is written in, and the file it is written to."""
+"""An arm's solver, written in a language into a file."""
 
 from __future__ import annotations
 
