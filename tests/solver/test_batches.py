@@ -112,7 +112,7 @@ def test_in_turn_each_row_is_the_nearest_to_the_one_before(name, started):
 @pytest.mark.parametrize("near", [None, "previous", 0.3])
 def test_no_answer_depends_on_threads_progress_or_reused_arrays(name, near):
     arm = wide(name)
-    count = 300 if arm.n == 6 else 30
+    count = 300 if arm.plan.family in ("spherical_wrist_parallel", "three_parallel") else 30
     T = poses(arm, count, seed=3)
     near = np.full(arm.n, near) if isinstance(near, float) else near
     plain = arm.ik_many(T, threads=1, near=near)

@@ -10,9 +10,9 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.motion.curve import JointCurve
+from pieper.motion.in_time import ROUNDING, binding, profile_of, sampled
 from pieper.motion.motion import Motion
 from pieper.motion.profile import Profile
-from pieper.motion.time_law import ROUNDING, binding, profile_of, sampled
 from pieper.motion.timed_path import TimedPath
 
 #: Degree of a joint's speed on a piece: q' of degree 2 in s, s of degree 3 in time, times ds/dt of degree 2.

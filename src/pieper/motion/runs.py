@@ -9,11 +9,13 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.motion.blend import Blend, blend, blended_points
 from pieper.motion.curve import JointCurve
+from pieper.motion.in_time import sampled
+from pieper.motion.jerk import smooth_motion
 from pieper.motion.joint_move import margin_of_line, straight_profile, tight_pieces
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
 from pieper.motion.segments import Segment
-from pieper.motion.time_law import motion_of, sampled
+from pieper.motion.time_law import motion_of
 from pieper.motion.timed_path import on_grid
 from pieper.solver.plan.plan import Plan
 
@@ -74,8 +76,6 @@ def _timed(
         x, _, _, _ = timed.run()
         motion = motion_of(timed, x, deviation, rate)
     else:
-        from pieper.motion.jerk import smooth_motion
-
         motion = smooth_motion(timed, curve, rate)
     return motion, [*np.interp(middles, motion.s, motion.t).tolist(), motion.duration]
 

@@ -242,8 +242,8 @@ def _whole(path: JointPath) -> Array:
     """Return the points of a path that reaches its end."""
     if isinstance(path, Track) and not path.complete:
         raise InputError(
-            f"the track stops at point {len(path.q)} of {len(path.path)}; a motion is timed to its end. "
-            f"{path.explain().splitlines()[1] if path.stop else ''} Time track.q up to there, or follow another way.",
-            reached=len(path.q),
+            f"the track stops at point {len(path.followed)} of {len(path.path)}; a motion is timed to its end. "
+            f"{path.explain().splitlines()[1] if path.stop else ''} Time track.followed, or follow another way.",
+            reached=len(path.followed),
         )
     return checked_points(path.q, "the path")

@@ -200,7 +200,7 @@ class ClosedForm:
                 found.append([self._joint(values, j, field) for j in range(1, self.n + 1)])
         return found
 
-    def _given_joints(self, q: Array, field: Any) -> dict:
+    def _given_joints(self, q: Any, field: Any) -> dict:
         values = {}
         for joint in (*self.chosen, *self.free):
             symbol, expression = self.table.relation[joint]

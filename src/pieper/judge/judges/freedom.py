@@ -11,7 +11,6 @@ from pieper.judge.evidence import Evidence
 from pieper.judge.model import ArmModel
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
-from pieper.kinematics.arrays import Array
 
 STEP = 1e-6
 RANK = 1e-7  # relative; singular values below are zero
@@ -101,7 +100,7 @@ def completes(
         x[:, joint - 1] = value
     size = model.length()
 
-    def gap(points: Any) -> Array:
+    def gap(points: Any) -> tuple[Any, Any]:
         now = pose_of(model, points)
         R = T[:3, :3] @ np.swapaxes(now[:, :3, :3], 1, 2)
         spin = 0.5 * np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
