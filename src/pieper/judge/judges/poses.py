@@ -89,7 +89,7 @@ def judge_pose(ev: Evidence, claim: Claim) -> Verdict:
         return Reading(printed, right, slack)
 
     shape = _value(product, model, q).shape
-    if len(printed) > shape[0] or (len(shape) < 2) or len(printed[0]) > shape[1]:
+    if len(shape) < 2 or len(printed) > shape[0] or len(printed[0]) > shape[1]:
         raise claim.error(f"{product} has the shape {shape}; the {len(printed)} rows printed do not fit it")
     first = reading(model, q)
     given = claim.get("q_deg", claim.get("q", claim.get("q_rad")))
