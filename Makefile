@@ -101,14 +101,14 @@ kernel: $(VENV)/.kernel-tools
 kernel-now:
 	PATH="$(BIN):$$PATH" cmake -S . -B build/dev -G Ninja -DPython_EXECUTABLE=$(BIN)/python "-DPIEPER_ISAS=$(ISAS)" $(CCACHE) > /dev/null
 	PATH="$(BIN):$$PATH" cmake --build build/dev
-	for so in build/dev/_kernel*.so; do cp $$so src/pieper/.new.so && mv -f src/pieper/.new.so src/pieper/$$(basename $$so); done
+	for so in build/dev/_kernel*.so build/dev/_code*.so; do cp $$so src/pieper/.new.so && mv -f src/pieper/.new.so src/pieper/$$(basename $$so); done
 
 # A copy of the package with its own module, so that the one in place stays as it is. The interpreter itself is not built with
 # the sanitizer, so its library is loaded first; what Python and NumPy never free is no leak of ours.
 sanitize: $(VENV)/.installed-for-tests $(VENV)/.kernel-tools
 	PATH="$(BIN):$$PATH" cmake -S . -B build/sanitize -G Ninja -DPython_EXECUTABLE=$(BIN)/python "-DPIEPER_ISAS=$(ISAS)" $(CCACHE) -DPIEPER_SANITIZE=ON > /dev/null
 	PATH="$(BIN):$$PATH" cmake --build build/sanitize
-	rm -rf build/sanitize/src && cp -r src build/sanitize/src && rm -f build/sanitize/src/pieper/_kernel*.so && cp build/sanitize/_kernel*.so build/sanitize/src/pieper/
+	rm -rf build/sanitize/src && cp -r src build/sanitize/src && rm -f build/sanitize/src/pieper/_kernel*.so build/sanitize/src/pieper/_code*.so && cp build/sanitize/_kernel*.so build/sanitize/_code*.so build/sanitize/src/pieper/
 	LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libubsan.so)" ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=halt_on_error=1 \
 	  PYTHONPATH=build/sanitize/src $(BIN)/python -m pytest tests/kernels tests/solver/families
 
@@ -118,5 +118,5 @@ $(VENV)/.kernel-tools: | $(BIN)/python
 
 clean:
 	rm -rf $(VENV) .venv-dev build dist out .coverage .pytest_cache .ruff_cache .hypothesis
-	rm -f src/pieper/_kernel*.so
+	rm -f src/pieper/_kernel*.so src/pieper/_code*.so
 	find src tests oracle benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +

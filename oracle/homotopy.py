@@ -114,12 +114,12 @@ def follow(line: Line, x, which, careful=1.0, steps=4000):
             lc = (now - ta) * (now - tb) / ((t - ta) * (t - tb))
             guess = la[:, None] * xa + lb[:, None] * xb + lc[:, None] * x
             p, goal = line.at(now, which[alive])
-            first = None
-            for _ in range(3):
+            d, left = newton(p, goal, guess)
+            guess, first = guess + d, np.abs(d).max(1)
+            for _ in range(2):
                 d, left = newton(p, goal, guess)
                 guess = guess + d
-                size = np.abs(d).max(1)
-                first = size if first is None else first
+            size = np.abs(d).max(1)
             good = np.isfinite(size) & (first < 0.05 * careful) & (size < 1e-8 + 1e-3 * first) & (left < 1e-4)
             past = [
                 (np.where(good, tb, ta), np.where(good[:, None], xb, xa)),

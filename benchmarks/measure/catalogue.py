@@ -51,7 +51,7 @@ def measured(name: str, count: int) -> dict:
 
 def main() -> None:
     """Measure all arms and write the result whole."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--poses", type=int, default=2000)
     args = parser.parse_args()
     rows = []

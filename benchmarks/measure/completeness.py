@@ -17,6 +17,7 @@ import tempfile
 import time
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -108,7 +109,7 @@ def chunk(arm, name: str, state: dict, count: int, starts: int, library) -> None
             )
             state["ik_differs"] += not same
         rows = rows[:, free_joints]
-        how = {"library": library, "rng": np.random.default_rng([first + i, 1]), "least": starts}
+        how: dict[str, Any] = {"library": library, "rng": np.random.default_rng([first + i, 1]), "least": starts}
         found = whole_set(rest, T[i], **how)
         verdict = compare(rest, T[i], rows, found)
         if verdict.unseen:  # the search was too short: begin again, and longer
@@ -153,7 +154,7 @@ def generating(m, T, q):
 
 def main() -> None:
     """Go on from the file, or begin."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--poses", type=int, default=2000)
     parser.add_argument("--starts", type=int, default=1500)
     parser.add_argument("--arms", nargs="*", default=list(ARMS))

@@ -39,7 +39,7 @@ class Eaik:
     batch_threads = (1, 2)
 
     def __init__(self, arm):
-        from eaik.IK_DH import DhRobot
+        from eaik.IK_DH import DhRobot  # pyright: ignore[reportMissingImports]
 
         d, a, alpha = map(np.array, zip(*TABLES[arm], strict=True))
         self.arm = DhRobot(alpha, a, d)
@@ -65,7 +65,7 @@ class Crx:
     def __init__(self, arm):
         if arm != "fanuc-crx-10ia":
             raise NotImplementedError("Fanuc CRX arms only")
-        from crx_kinematics import Crx as Arm
+        from crx_kinematics import Crx as Arm  # pyright: ignore[reportMissingImports]
 
         self.arm = Arm.crx10ia()
 

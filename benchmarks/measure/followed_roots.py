@@ -58,7 +58,7 @@ def held_against(name: str, count: int, begin) -> dict:
 
 def main() -> None:
     """Judge each arm and write the file."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--poses", type=int, default=200)
     parser.add_argument("--arms", nargs="*", default=NAMES)
     parser.add_argument("--out", type=Path, default=RESULTS / "followed_roots.json")

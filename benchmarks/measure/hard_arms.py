@@ -12,6 +12,7 @@ import json
 import tempfile
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -42,7 +43,7 @@ def changed(name: str, *, joint=None, scale=1.0, base=None, tool=None, **more) -
     if joint is not None:
         rows[joint] = replace(rows[joint], **{key: getattr(rows[joint], key) + value for key, value in more.items()})
     types = "".join(d.joint_types)
-    place = {"base": d.base if base is None else base, "tool": d.tool if tool is None else tool}
+    place: dict[str, Any] = {"base": d.base if base is None else base, "tool": d.tool if tool is None else tool}
     offset = np.where(np.array(list(types)) == "P", np.asarray(d.offset) * scale, d.offset)
     return Arm.from_dh(rows, convention=d.convention, joint_types=types, sign=d.sign, offset=offset, name=name, **place)
 
@@ -92,7 +93,7 @@ def noisy(arm: Arm, size: float) -> Arm:
     d = arm.description
     errors = size * np.random.default_rng(11).uniform(-1, 1, (arm.n, 3))
     rows = [replace(r, a=r.a + e[0], d=r.d + e[1], alpha=r.alpha + e[2]) for r, e in zip(d.rows, errors, strict=True)]
-    place = {"base": d.base, "tool": d.tool, "sign": d.sign, "offset": d.offset}
+    place: dict[str, Any] = {"base": d.base, "tool": d.tool, "sign": d.sign, "offset": d.offset}
     return Arm.from_dh(rows, convention=d.convention, joint_types="".join(d.joint_types), name=arm.name, **place)
 
 
@@ -125,7 +126,7 @@ def searched(arm: Arm, count: int, library, out: dict) -> None:
 
 def main() -> None:
     """Judge every case and write the file."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--poses", type=int, default=300)
     parser.add_argument("--searched", type=int, default=10)
     parser.add_argument("--out", type=Path, default=RESULTS / "hard_arms.json")

@@ -16,6 +16,7 @@ import tempfile
 import time
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -84,7 +85,7 @@ def judged(arm, number: int, task: str, count: int, library) -> dict:
         if not free:  # every joint is to spare: the chosen values are the answer
             out["generating_missed"] += len(sols.all_q) != 1
             continue
-        how = {
+        how: dict[str, Any] = {
             "library": library,
             "rng": np.random.default_rng([number, i]),
             "task": task,
@@ -115,7 +116,7 @@ def judged(arm, number: int, task: str, count: int, library) -> dict:
 
 def main() -> None:
     """Go on from the file, or begin."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--arms", type=int, default=60)
     parser.add_argument("--poses", type=int, default=3)
     parser.add_argument("--joints", type=int, nargs="*", default=[1, 2, 3, 4, 5, 7, 8])

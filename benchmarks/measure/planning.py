@@ -42,7 +42,7 @@ def timed(arm: Arm, task: str | None) -> float | None:
 
 def main() -> None:
     """Plan them all and print the slowest."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--arms", type=int, default=4)
     args = parser.parse_args()
@@ -54,7 +54,8 @@ def main() -> None:
         for arm in arms[:3]:
             timed(arm, None)  # modules that load on first use are not the arm's doing
         spent = [(timed(arm, task), arm.name, task) for arm in arms for task in TASKS]
-        done = sorted((entry for entry in spent if entry[0] is not None), key=lambda entry: -entry[0])
+        done = [(seconds, name, task) for seconds, name, task in spent if seconds is not None]
+        done.sort(key=lambda entry: -entry[0])
         times = 1e3 * np.array([entry[0] for entry in done])
         print(f"{what}: {len(done)} plans, {len(spent) - len(done)} refused, median {np.median(times):.1f} ms")
         for seconds, name, task in done[:5]:

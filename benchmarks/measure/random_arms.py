@@ -17,6 +17,7 @@ import sys
 import time
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -123,7 +124,7 @@ def judged(arm: Arm, number: int, count: int) -> dict:
     if held:  # a solver is prepared for each value: a few values, several poses each
         q[:, held] = q[np.arange(count) // VALUES * VALUES][:, held]
         T = poses(m, q)
-    chosen = {"redundancy": q[:, held]} if held else {}
+    chosen: dict[str, Any] = {"redundancy": q[:, held]} if held else {}
     begin = time.process_time()
     many = arm.ik_many(T, threads=1, **chosen)
     out["us_a_pose"] = 1e6 * (time.process_time() - begin) / count
@@ -260,7 +261,7 @@ def fresh(args) -> dict:
 
 def main() -> None:
     """Go on from the file, or begin, and stop where asked."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--arms", type=int, default=5000)
     parser.add_argument("--poses", type=int, default=100)
     parser.add_argument("--joints", type=int, default=6)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import time
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
@@ -49,16 +50,17 @@ def row(name: str, rounds: int) -> str:
     plan, reduction = arm.plan, arm.plan.reduction
     joint = reduction.locked[0]
     T = arm.fk(np.random.default_rng(0).uniform(-1, 1, 7))
-    values = np.linspace(*np.clip(arm.limits[joint], -np.pi, np.pi), VALUES)
+    low, high = np.clip(arm.limits[joint], -np.pi, np.pi)
+    values = np.linspace(low, high, VALUES)
     poses = np.tile(T, (VALUES, 1, 1))
     found = arm.ik_many(poses, threads=1, redundancy=values)
     # out of reach a six-joint arm is looked at with care, which is not what is compared
     reached = np.flatnonzero(found.valid.any(1))
     six_poses = np.ascontiguousarray(reduction.moved_pose(poses, values[:, None])[np.resize(reached, VALUES)])
     names = tuple(f"joint_{k}" for k in range(6))
-    described = SimpleNamespace(name=name, limits=arm.limits[reduction.kept], joint_names=names, base=np.eye(4))
+    described: Any = SimpleNamespace(name=name, limits=arm.limits[reduction.kept], joint_names=names, base=np.eye(4))
     six = make_plan(reduction.six(plan.defaults), described)
-    few = 1 if plan.arm_angle.spherical else 16
+    few = 1 if plan.arm_angle is not None and plan.arm_angle.spherical else 16
     angles = np.linspace(-3, 3, VALUES)[::few]
     one, many, swept = fastest(
         [
@@ -80,7 +82,7 @@ def row(name: str, rounds: int) -> str:
 
 def main() -> None:
     """Measure every seven-joint arm of the catalogue."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--rounds", type=int, default=25)
     args = parser.parse_args()
     print(f"| {' | '.join(COLUMNS)} |\n|{'---|' * len(COLUMNS)}", flush=True)

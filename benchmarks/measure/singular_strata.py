@@ -157,7 +157,7 @@ def measure(arm, seed: int) -> dict:
 
 def main() -> None:
     """Measure what is not measured yet, chunk by chunk, and print the table."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--poses", type=int, default=2000)
     parser.add_argument("--arm", action="append", choices=list(ARMS))
     parser.add_argument("--again", action="store_true", help="forget what was measured of these arms")

@@ -139,7 +139,7 @@ def start_up() -> dict:
 
 def main() -> None:
     """Measure everything asked for and write benchmarks/results/speed.json."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--poses", type=int, default=100_000)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--recall", type=int, default=100_000)

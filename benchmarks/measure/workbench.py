@@ -234,6 +234,7 @@ def measure_restart(page, served: Served) -> dict:
 
 async def _person(port: int, k: int, updates: int) -> dict:
     from websockets.asyncio.client import connect
+    from websockets.typing import Origin
 
     from pieper.workbench.table import table_from_arm
 
@@ -241,7 +242,7 @@ async def _person(port: int, k: int, updates: int) -> dict:
     arm, rng = pieper.load(names[k % len(names)]), np.random.default_rng(k)
     found = {"lost": 0, "foreign": 0, "late": [], "ms": []}
     url, origin = f"ws://localhost:{port}/session", f"http://localhost:{port}"
-    async with connect(url, origin=origin, open_timeout=60) as socket_:
+    async with connect(url, origin=Origin(origin), open_timeout=60) as socket_:
         await socket_.send(json.dumps({"op": "arm", "seq": 1, "table": table_from_arm(arm)}))
         await socket_.recv()
         await asyncio.sleep(rng.uniform(0, 0.1))

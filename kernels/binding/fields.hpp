@@ -135,8 +135,7 @@ nb::class_<Bound<Own>, pieper::Geometry> bind_family(nb::module_& m, const char*
   c.def("__setstate__", [family](B& self, nb::dict given) { new (&self) B(family, given); });
   // nothing can change it: a copy is the same
   c.def("__copy__", [](nb::object self) { return self; });
-  c.def(
-      "__deepcopy__", [](nb::object self, nb::handle) { return self; }, nb::arg("memo"));
+  c.def("__deepcopy__", [](nb::object self, nb::handle) { return self; }, nb::arg("memo"));
   c.attr("name") = Own::name;
   c.attr("joints") = Own::joints;
   c.attr("slots") = Own::slots;

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "binding/fields.hpp"
+#include "binding/selection.hpp"
+#include "binding/time_law.hpp"
 #include "dispatch/solver.hpp"
 
 namespace {
@@ -87,6 +89,24 @@ class Forward {
   int n_;
 };
 
+nb::object poses_in(nb::handle given) {
+  nb::object poses = float_array(given, "Ts");
+  PyArrayObject* array = as_array(poses);
+  if (PyArray_NDIM(array) != 3 || PyArray_DIM(array, 1) != 4 || PyArray_DIM(array, 2) != 4) {
+    nb::dict data;
+    raise_input_error("Ts must have shape (N, 4, 4), got " + shape_text(array) + ".", data);
+  }
+  return poses;
+}
+
+nb::object deviations(nb::handle given) {
+  nb::object poses = poses_in(given);
+  const npy_intp count = PyArray_DIM(as_array(poses), 0);
+  nb::object out = new_array(1, &count, NPY_DOUBLE);
+  pieper::isa().deviation(doubles(poses), count, static_cast<double*>(PyArray_DATA(as_array(out))));
+  return out;
+}
+
 class PySolver {
  public:
   PySolver(nb::object geometry, nb::handle lower, nb::handle upper, nb::handle prismatic, double slack, double accepted,
@@ -99,35 +119,36 @@ class PySolver {
   nb::object geometry() const { return geometry_; }
 
   nb::tuple many(nb::handle given, int threads) const {
-    nb::object poses = float_array(given, "Ts");
-    PyArrayObject* array = as_array(poses);
-    if (PyArray_NDIM(array) != 3 || PyArray_DIM(array, 1) != 4 || PyArray_DIM(array, 2) != 4) {
-      nb::dict data;
-      raise_input_error("Ts must have shape (N, 4, 4), got " + shape_text(array) + ".", data);
-    }
-    const long count = PyArray_DIM(array, 0);
-    const double* T = doubles(poses);
-    pieper::BadPose bad{};
-    bool proper, exact;
-    {
-      nb::gil_scoped_release release;
-      proper = solver_.check(T, count, bad, exact);
-    }
-    if (!proper) refuse(bad, T, true);
-    const npy_intp shape[] = {count, solver_.slots(), solver_.joints()};
+    nb::object poses = poses_in(given);
+    const npy_intp shape[] = {PyArray_DIM(as_array(poses), 0), solver_.slots(), solver_.joints()};
     nb::object q = new_array(3, shape, NPY_DOUBLE), valid = new_array(2, shape, NPY_BOOL),
-               in_limits = new_array(2, shape, NPY_BOOL), flag = new_array(1, shape, NPY_UINT8);
-    bool finished;
-    {
-      nb::gil_scoped_release release;
-      finished = solver_.solve(T, count, exact, threads, static_cast<double*>(PyArray_DATA(as_array(q))), bytes(valid),
-                               bytes(in_limits), bytes(flag), [] {
-                                 nb::gil_scoped_acquire acquire;
-                                 return PyErr_CheckSignals() == 0;
-                               });
-    }
-    if (!finished) throw nb::python_error();  // KeyboardInterrupt, or whatever the signal handler raised
+               in_limits = new_array(2, shape, NPY_BOOL), flag = new_array(1, shape, NPY_UINT8),
+               outcome = new_array(1, shape, NPY_UINT8);
+    run(poses, threads,
+        {static_cast<double*>(PyArray_DATA(as_array(q))), bytes(valid), bytes(in_limits), bytes(flag), bytes(outcome)},
+        {}, nb::none());
     return nb::make_tuple(q, valid, in_limits, flag);
+  }
+
+  void into(nb::handle given, int threads, nb::handle q, nb::handle valid, nb::handle in_limits, nb::handle flag,
+            nb::handle outcome, nb::handle selection, nb::handle near, nb::handle chosen, nb::handle has,
+            nb::handle progress) const {
+    nb::object poses = poses_in(given), at;
+    const npy_intp count = PyArray_DIM(as_array(poses), 0), n = solver_.joints(), rows = count * solver_.slots();
+    const pieper::Answers to = {target<double>(q, NPY_DOUBLE, rows * n, "q"),
+                                target<std::uint8_t>(valid, NPY_BOOL, rows, "valid"),
+                                target<std::uint8_t>(in_limits, NPY_BOOL, rows, "in_limits"),
+                                target<std::uint8_t>(flag, NPY_UINT8, count, "flag"),
+                                target<std::uint8_t>(outcome, NPY_UINT8, count, "outcome")};
+    pieper::Chosen choice;
+    if (!selection.is_none()) {
+      const PySelection& by = *nb::cast<const PySelection*>(selection);
+      if (by.plain().n != n) throw nb::value_error("the selection is of another number of joints.");
+      at = float_array(near, "near");
+      choice = {&by.plain(), doubles(at), by.stride(at, count), target<double>(chosen, NPY_DOUBLE, count * n, "chosen"),
+                target<std::uint8_t>(has, NPY_BOOL, count, "has")};
+    }
+    run(poses, threads, to, choice, progress);
   }
 
   nb::tuple one(nb::handle given) const {
@@ -164,6 +185,29 @@ class PySolver {
   }
 
  private:
+  // progress: called with the number of poses that are done, or None.
+  void run(const nb::object& poses, int threads, const pieper::Answers& to, const pieper::Chosen& chosen,
+           nb::handle progress) const {
+    const long count = PyArray_DIM(as_array(poses), 0);
+    const double* T = doubles(poses);
+    pieper::BadPose bad{};
+    pieper::Outcome outcome;
+    {
+      nb::gil_scoped_release release;
+      outcome = solver_.solve(T, count, threads, to, chosen, bad, [&](long done) {
+        nb::gil_scoped_acquire acquire;
+        if (PyErr_CheckSignals() != 0) return false;
+        if (progress.is_none()) return true;
+        PyObject* said = PyObject_CallFunction(progress.ptr(), "l", done);
+        Py_XDECREF(said);
+        return said != nullptr;
+      });
+    }
+    // KeyboardInterrupt, whatever the signal handler raised, or what `progress` did
+    if (outcome == pieper::Outcome::STOPPED) throw nb::python_error();
+    if (outcome == pieper::Outcome::BAD_POSE) refuse(bad, T, true);
+  }
+
   static std::uint8_t* bytes(const nb::object& o) { return static_cast<std::uint8_t*>(PyArray_DATA(as_array(o))); }
 
   static std::vector<double> shifted(nb::handle values, double by) {
@@ -269,6 +313,14 @@ NB_MODULE(_kernel, m) {
       .def_prop_ro(
           "usable", [](const Bound<pieper::General>& self) { return self.usable; }, "How many ways are of use.");
 
+  nb::class_<PySelection>(m, "Selection", "How rows are compared with a joint vector: limits, weights, whole turns.")
+      .def(nb::init<nb::handle, nb::handle, nb::handle, nb::handle>(), nb::kw_only(), nb::arg("lower"),
+           nb::arg("upper"), nb::arg("weight"), nb::arg("prismatic"))
+      .def("choose", &PySelection::choose, nb::arg("q"), nb::arg("inside"), nb::arg("near"), nb::arg("chosen"),
+           nb::arg("has"), "Writes the row (N, n) nearest to `near`, (n,) or (N, n), and whether there is one (N,).")
+      .def("in_turn", &PySelection::in_turn, nb::arg("q"), nb::arg("inside"), nb::arg("start").none(),
+           nb::arg("chosen"), nb::arg("has"), "The same, each near to the one chosen before it.");
+
   nb::class_<PySolver>(m, "Solver", "Every solution of poses by the kernel of one family.")
       .def(nb::init<nb::object, nb::handle, nb::handle, nb::handle, double, double, double>(), nb::arg("geometry"),
            nb::kw_only(), nb::arg("lower"), nb::arg("upper"), nb::arg("prismatic"), nb::arg("slack"),
@@ -276,12 +328,20 @@ NB_MODULE(_kernel, m) {
       .def_prop_ro("geometry", &PySolver::geometry)
       .def("many", &PySolver::many, nb::arg("Ts"), nb::arg("threads") = 1,
            "(N, 4, 4) -> q (N, slots, joints), valid, in_limits (N, slots), flag (N,). threads 0: all cores.")
+      .def("into", &PySolver::into, nb::arg("Ts"), nb::arg("threads"), nb::arg("q"), nb::arg("valid"),
+           nb::arg("in_limits"), nb::arg("flag"), nb::arg("outcome"), nb::arg("selection") = nb::none(),
+           nb::arg("near") = nb::none(), nb::arg("chosen") = nb::none(), nb::arg("has") = nb::none(),
+           nb::arg("progress") = nb::none(),
+           "The same written into arrays of the caller's, with an outcome (N,) and, near joint vectors, a chosen row a "
+           "pose (N, joints).")
       .def("one", &PySolver::one, nb::arg("T"),
            "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 
+  bind_time_law(m);
+  m.def("deviations", &deviations, nb::arg("Ts"),
+        "(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite.");
   m.def(
       "sincos", [](nb::handle x) { return elementary(0, x); }, nb::arg("x"),
       "(N,) -> (N, 2) sine and cosine, for tests.");
-  m.def(
-      "atan2", [](nb::handle yx) { return elementary(1, yx); }, nb::arg("yx"), "(N, 2) y, x -> (N,), for tests.");
+  m.def("atan2", [](nb::handle yx) { return elementary(1, yx); }, nb::arg("yx"), "(N, 2) y, x -> (N,), for tests.");
 }

@@ -8,7 +8,9 @@
 
 namespace pieper::PIEPER_ISA {
 
-template <class F> struct Vec3T { F x, y, z; };
+template <class F> struct Vec3T {
+  F x, y, z;
+};
 using Vec3 = Vec3T<double>;
 template <class F> PIEPER_INLINE Vec3T<F> operator+(Vec3T<F> a, Vec3T<F> b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -70,7 +72,9 @@ template <int N> void read_links(const double (&from)[N][4][4], double length, R
 }
 
 // The motion of a joint about or along its z: cosine and sine of a turn, or the way of a slide in c.
-template <class F> struct Motion { F c, s; };
+template <class F> struct Motion {
+  F c, s;
+};
 template <class F> PIEPER_INLINE Motion<F> turned_by(F angle) {
   Motion<F> m;
   sincos(angle, m.s, m.c);

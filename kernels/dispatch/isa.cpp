@@ -8,7 +8,9 @@
 #include "chain/limits.hpp"
 #include "chain/posecheck.hpp"
 #include "chain/row_order.hpp"
+#include "chain/selection.hpp"
 #include "elimination/entry.hpp"
+#include "lanes/stream.hpp"
 
 namespace pieper {
 namespace PIEPER_ISA {
@@ -59,6 +61,10 @@ const IsaTable& PIEPER_JOIN(isa_, PIEPER_ISA)() {
                                  &pose_straighten,
                                  &apply_limits,
                                  &order_rows,
+                                 &choose,
+                                 &choose_in_turn,
+                                 &outcomes,
+                                 &copy_past_cache,
                                  &make_model,
                                  &drop_model,
                                  &elementary};

@@ -25,6 +25,14 @@ struct FamilyEntry {
   void (*solve)(const void* kernel, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag);
 };
 
+// How rows of a pose are compared with a joint vector (chain/selection.hpp). lower, upper: of q, slack included, rad or m;
+// weight: of the squared differences, the units of sliding joints in it.
+struct Selection {
+  int n;
+  const double *lower, *upper, *weight;
+  const std::uint8_t* prismatic;
+};
+
 struct IsaTable {
   const char* name;
   int lanes;
@@ -49,6 +57,15 @@ struct IsaTable {
 
   // Moves the valid rows of each of count poses to the front, ordered by their joint values (row_order.hpp).
   void (*put_in_order)(double* q, std::uint8_t* valid, long count, int slots, int n, const std::uint8_t* prismatic);
+
+  // Rows chosen near joint vectors, or near the one chosen before; and what is known of each pose (chain/selection.hpp).
+  void (*choose)(const Selection& by, const double* q, const std::uint8_t* inside, long count, int slots,
+                 const double* near, int stride, double* chosen, std::uint8_t* has);
+  void (*choose_in_turn)(const Selection& by, const double* q, const std::uint8_t* inside, long count, int slots,
+                         double* now, bool* started, double* chosen, std::uint8_t* has);
+  void (*outcomes)(const std::uint8_t* valid, const std::uint8_t* inside, long count, int slots, std::uint8_t* out);
+  // Copies past the cache.
+  void (*stream)(double* to, const double* from, long count);
 
   // The general solver's model of an arm (elimination/general.hpp).
   void (*make_model)(General& arm);

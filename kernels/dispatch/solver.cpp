@@ -6,16 +6,34 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#endif
+
 namespace pieper {
 namespace {
 
-constexpr long kBlock = 256;         // poses; about 100 kB of answers for eight solutions of six joints
-constexpr long kSerialBelow = 2000;  // starting a thread costs as much as this many closed-form poses
+constexpr long kBlock = 256;            // poses at most; about 100 kB of answers for eight solutions of six joints
+constexpr long kScratch = 24 * 1024;    // bytes of answers that stay in the first cache until they are copied past it
+constexpr long kSmallestBlock = 16;     // poses; a multiple of every width of lanes
+constexpr long kUsualCache = 8L << 20;  // bytes, where the processor does not tell
+constexpr long kSerialBelow = 2000;     // starting a thread costs as much as this many closed-form poses
 constexpr auto kAskEvery = std::chrono::milliseconds(20);
+
+// Bytes of the cache that all cores share.
+long cache_size() {
+#if defined(_SC_LEVEL3_CACHE_SIZE)
+  static const long found = sysconf(_SC_LEVEL3_CACHE_SIZE);
+  if (found > 0) return found;
+#endif
+  return kUsualCache;
+}
 
 }  // namespace
 
@@ -36,73 +54,81 @@ Solver::Solver(const Geometry& geometry, std::vector<double> lower, std::vector<
   kernel_ = family_.make(geometry);
 }
 
-bool Solver::check(const double* T, long count, BadPose& bad, bool& exact) const {
-  double deviation[kBlock];
-  exact = true;
-  for (long first = 0; first < count; first += kBlock) {
-    const long block = std::min(kBlock, count - first);
-    const double largest = isa_.deviation(T + 16 * first, block, deviation);
-    exact &= largest <= exact_;
-    if (largest <= accepted_) continue;
-    for (long i = 0; i < block; ++i)
-      if (!(deviation[i] <= accepted_)) {
-        bad = {first + i, deviation[i]};
-        return false;
-      }
-  }
-  return true;
-}
-
-void Solver::solve_block(const double* T, long count, bool exact, double* q, std::uint8_t* valid,
-                         std::uint8_t* in_limits, std::uint8_t* flag) const {
-  double deviation[kBlock], straight[16 * kBlock];
-  const bool rounded = !exact && isa_.deviation(T, count, deviation) > exact_;
+long Solver::solve_block(const double* T, long count, double* deviation, double* straight, const Answers& to) const {
+  const double largest = isa_.deviation(T, count, deviation);
+  if (!(largest <= accepted_))
+    return std::find_if(deviation, deviation + count, [&](double d) { return !(d <= accepted_); }) - deviation;
+  const bool rounded = largest > exact_;
   if (rounded) {
     isa_.straighten(T, deviation, exact_, count, straight);
     T = straight;
   }
-  family_.solve(kernel_, T, count, q, valid, flag);
-  if (!family_.in_order) isa_.put_in_order(q, valid, count, slots(), joints(), prismatic_.data());
+  family_.solve(kernel_, T, count, to.q, to.valid, to.flag);
+  if (!family_.in_order) isa_.put_in_order(to.q, to.valid, count, slots(), joints(), prismatic_.data());
   if (rounded)
-    for (long i = 0; i < count; ++i) flag[i] |= deviation[i] > exact_ ? kRounded : 0;
-  isa_.limits(q, valid, count * slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(), in_limits);
+    for (long i = 0; i < count; ++i) to.flag[i] |= deviation[i] > exact_ ? kRounded : 0;
+  isa_.limits(to.q, to.valid, count * slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(), to.in_limits);
+  isa_.outcomes(to.valid, to.in_limits, count, slots(), to.outcome);
+  return count;
 }
 
-bool Solver::solve(const double* T, long count, bool exact, int threads, double* q, std::uint8_t* valid,
-                   std::uint8_t* in_limits, std::uint8_t* flag, const std::function<bool()>& keep_going) const {
-  std::atomic<long> next{0};
+Outcome Solver::solve(const double* T, long count, int threads, const Answers& to, const Chosen& chosen, BadPose& bad,
+                      const std::function<bool(long)>& keep_going) const {
+  const long record = static_cast<long>(slots()) * joints(), bytes = record * static_cast<long>(sizeof(double));
+  // answers larger than the cache are made in a scratch that stays in it and then copied past it
+  const bool streams = count * bytes > cache_size();
+  const long block =
+      streams ? std::clamp(kScratch / bytes / kSmallestBlock * kSmallestBlock, kSmallestBlock, kBlock) : kBlock;
+  std::atomic<long> next{0}, done{0}, first_bad{count};
   std::atomic<bool> stop{false};
-  auto take_block = [&]() {
-    const long first = next.fetch_add(kBlock);
-    if (first >= count || stop.load(std::memory_order_relaxed)) return false;
-    const long record = static_cast<long>(slots()) * joints();
-    solve_block(T + 16 * first, std::min(kBlock, count - first), exact, q + record * first, valid + slots() * first,
-                in_limits + slots() * first, flag + first);
-    return true;
+  std::mutex of_bad;
+  auto work = [&](auto after_block) {
+    double deviation[kBlock], straight[16 * kBlock];
+    const std::unique_ptr<double[]> scratch(streams ? new double[record * block] : nullptr);
+    for (;;) {
+      const long first = next.fetch_add(block);
+      if (first >= count || stop.load(std::memory_order_relaxed) || first > first_bad.load()) return;
+      const long here = std::min(block, count - first);
+      double* const q = to.q + record * first;
+      const Answers part = {streams ? scratch.get() : q, to.valid + slots() * first, to.in_limits + slots() * first,
+                            to.flag + first, to.outcome + first};
+      const long good = solve_block(T + 16 * first, here, deviation, straight, part);
+      if (good < here) {
+        // blocks are handed out in order: those before this one are being looked at, and may hold an earlier one
+        const std::lock_guard lock(of_bad);
+        if (first + good < first_bad) {
+          first_bad = first + good;
+          bad = {first + good, deviation[good]};
+        }
+        return;
+      }
+      if (chosen.by)
+        isa_.choose(*chosen.by, part.q, part.in_limits, here, slots(), chosen.near + first * chosen.stride,
+                    chosen.stride, chosen.chosen + first * joints(), chosen.has + first);
+      if (streams) isa_.stream(q, scratch.get(), record * here);
+      done.fetch_add(here, std::memory_order_relaxed);
+      after_block();
+    }
   };
   if (threads <= 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  threads = static_cast<int>(std::min<long>(threads, (count + kBlock - 1) / kBlock));
+  threads = static_cast<int>(std::min<long>(threads, (count + block - 1) / block));
   std::vector<std::thread> helpers;
   if (count >= kSerialBelow) {
     try {
-      for (int i = 1; i < threads; ++i)
-        helpers.emplace_back([&] {
-          while (take_block()) {
-          }
-        });
+      for (int i = 1; i < threads; ++i) helpers.emplace_back([&] { work([] {}); });
     } catch (const std::system_error&) {
       // no more threads to be had: the ones we have do the work
     }
   }
   auto asked = std::chrono::steady_clock::now();
-  while (take_block()) {
+  work([&] {
     const auto now = std::chrono::steady_clock::now();
-    if (now - asked < kAskEvery) continue;
+    if (now - asked < kAskEvery) return;
     asked = now;
-    if (!keep_going()) stop = true;
-  }
+    if (!keep_going(done.load(std::memory_order_relaxed))) stop = true;
+  });
   for (auto& helper : helpers) helper.join();
-  return !stop;
+  return stop ? Outcome::STOPPED : first_bad < count ? Outcome::BAD_POSE : Outcome::FINISHED;
 }
 
 bool Solver::solve_one(const double* T, double* q, std::uint8_t* valid, std::uint8_t* in_limits, std::uint8_t* flag,

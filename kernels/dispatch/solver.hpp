@@ -16,6 +16,25 @@ struct BadPose {
       deviation;  // max abs of R^T R - 1 and of the last row against 0 0 0 1; 2 when left handed; NaN when not finite
 };
 
+// Where answers go: q count x slots x n, valid and in_limits count x slots, flag and outcome count (0 no rows, 1 rows outside the
+// limits alone, 2 a row inside).
+struct Answers {
+  double* q;
+  std::uint8_t *valid, *in_limits, *flag, *outcome;
+};
+
+// A row chosen for each pose while it is at hand: near + i * stride is what pose i is to be near to; chosen count x n, has count.
+// `by` null: none is.
+struct Chosen {
+  const Selection* by = nullptr;
+  const double* near = nullptr;
+  int stride = 0;
+  double* chosen = nullptr;
+  std::uint8_t* has = nullptr;
+};
+
+enum class Outcome { FINISHED, STOPPED, BAD_POSE };
+
 class Solver {
  public:
   // geometry: kept by the caller as long as this lives. lower, upper: limits of q (rad, m; infinite where there is none), slack
@@ -29,24 +48,19 @@ class Solver {
   int joints() const { return family_.joints; }
   int slots() const { return family_.slots; }
 
-  // Whether all poses are rigid motions; if not, `bad` is the first that is none. Nothing is solved yet. `exact` tells
-  // whether none of them needs straightening.
-  bool check(const double* T, long count, BadPose& bad, bool& exact) const;
-
-  // Solves count poses (16 doubles each). q: count x slots x n, valid and in_limits: count x slots, flag: count.
-  // `exact`: no pose needs straightening, as `check` found out.
-
-  // `keep_going` is asked between blocks on the calling thread; false stops the work and is returned.
-  bool solve(const double* T, long count, bool exact, int threads, double* q, std::uint8_t* valid,
-             std::uint8_t* in_limits, std::uint8_t* flag, const std::function<bool()>& keep_going) const;
+  // Solves count poses (16 doubles each), each block checked, solved, limited and chosen from while it is in the cache. At a pose
+  // that is no rigid motion the work ends, and `bad` is the first such; what has been written then is of no meaning.
+  // `keep_going` is told now and then how many poses are done, on the calling thread; false stops the work.
+  Outcome solve(const double* T, long count, int threads, const Answers& to, const Chosen& chosen, BadPose& bad,
+                const std::function<bool(long)>& keep_going) const;
 
   // One pose, checked here; returns false and fills `bad` when it is not a rigid motion.
   bool solve_one(const double* T, double* q, std::uint8_t* valid, std::uint8_t* in_limits, std::uint8_t* flag,
                  BadPose& bad) const;
 
  private:
-  void solve_block(const double* T, long count, bool exact, double* q, std::uint8_t* valid, std::uint8_t* in_limits,
-                   std::uint8_t* flag) const;
+  // Returns the block's first pose that is no rigid motion, or count.
+  long solve_block(const double* T, long count, double* deviation, double* straight, const Answers& to) const;
 
   const IsaTable& isa_;
   const FamilyEntry& family_;

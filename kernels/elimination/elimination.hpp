@@ -109,8 +109,8 @@ void left_side(const RigidT<F>* link, const Roles& roles, const Charts& chart, b
         for (int m = 0; m < 14; ++m) at[m][i3 * 9 + cell] = value[m];
       }
     }
-  const double(*ky)[3] = swap ? j5.to_coefficients : j4.to_coefficients;
-  const double(*kx)[3] = swap ? j4.to_coefficients : j5.to_coefficients;
+  const double (*ky)[3] = swap ? j5.to_coefficients : j4.to_coefficients;
+  const double (*kx)[3] = swap ? j4.to_coefficients : j5.to_coefficients;
   auto pair_coefficients = [&](F* v) {  // 9 samples -> 9 coefficients, in place
     F t[9];
     for (int a = 0; a < 3; ++a)
@@ -229,7 +229,9 @@ PIEPER_INLINE void complex_null_row(Complex<F> (&columns)[C][N], Complex<F> (&ro
 }
 
 // Six equations: [row][hidden 1, c, s][y^2, y, 1][x^2, x, 1]. In layout 2 row 0 is l_z and row 3 is not used.
-template <class F> struct Equations { F e[6][27]; };
+template <class F> struct Equations {
+  F e[6][27];
+};
 
 template <class F> void eliminate(const LeftSide<F>& left, const RightSide<F>& right, int layout, bool y_prismatic,
                                   bool x_prismatic, Equations<F>& out) {

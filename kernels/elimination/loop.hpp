@@ -10,7 +10,9 @@
 
 namespace pieper::PIEPER_ISA::general {
 
-template <class F> struct Complex { F re, im; };
+template <class F> struct Complex {
+  F re, im;
+};
 template <class F> PIEPER_INLINE Complex<F> operator*(Complex<F> a, Complex<F> b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
@@ -49,7 +51,9 @@ struct Roles {
 };
 
 // The line of an axis: a point on it and its direction, moved along by links and joints.
-template <class F> struct Line { Vec3T<F> p, l; };
+template <class F> struct Line {
+  Vec3T<F> p, l;
+};
 template <class F> PIEPER_INLINE Line<F> move(const RigidT<F>& a, const Line<F>& x) {
   return {pieper::PIEPER_ISA::move(a, x.p), turn(a, x.l)};
 }

@@ -36,7 +36,9 @@ template <class F> PIEPER_INLINE void at_angle(const Equations<F>& eq, F c, F s,
 }
 
 // Orthonormal basis (columns) of the row space of the leading coefficients.
-template <class F, int N> struct RowSpace { F re[N][2 * N / 3], im[N][2 * N / 3]; };
+template <class F, int N> struct RowSpace {
+  F re[N][2 * N / 3], im[N][2 * N / 3];
+};
 
 template <class F, int N> void row_space(const LeftSide<F>& left, int layout, RowSpace<F, N>& out) {
   constexpr int P = 2 * N / 3;

@@ -17,7 +17,9 @@
 namespace pieper::PIEPER_ISA::hidden_angle {
 
 // x + y r with r^2 known: what is even and what is odd in a square root, also where that is not real.
-template <class F> struct Surd { F x, y, square; };
+template <class F> struct Surd {
+  F x, y, square;
+};
 template <class F> PIEPER_INLINE Surd<F> operator+(Surd<F> a, Surd<F> b) { return {a.x + b.x, a.y + b.y, a.square}; }
 template <class F> PIEPER_INLINE Surd<F> operator-(Surd<F> a, Surd<F> b) { return {a.x - b.x, a.y - b.y, a.square}; }
 template <class F> PIEPER_INLINE Surd<F> operator*(Surd<F> a, Surd<F> b) {
@@ -28,7 +30,9 @@ template <class F> PIEPER_INLINE Surd<F> operator*(double k, Surd<F> a) { return
 template <class F> PIEPER_INLINE Surd<F> operator*(F k, Surd<F> a) { return {k * a.x, k * a.y, a.square}; }
 
 // A value and its derivative by the hidden angle.
-template <class F> struct Dual { F x, d; };
+template <class F> struct Dual {
+  F x, d;
+};
 template <class F> PIEPER_INLINE Dual<F> operator+(Dual<F> a, Dual<F> b) { return {a.x + b.x, a.d + b.d}; }
 template <class F> PIEPER_INLINE Dual<F> operator-(Dual<F> a, Dual<F> b) { return {a.x - b.x, a.d - b.d}; }
 template <class F> PIEPER_INLINE Dual<F> operator*(Dual<F> a, Dual<F> b) { return {a.x * b.x, a.x * b.d + a.d * b.x}; }

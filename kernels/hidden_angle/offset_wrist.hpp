@@ -69,7 +69,9 @@ using namespace hidden_angle;
 using Arm = OffsetWrist;
 
 // A pose as the arm sees it.
-template <class F> struct Target { F at[3], lever[3], lever_turned[3], fifth[3][3], axis6[3]; };
+template <class F> struct Target {
+  F at[3], lever[3], lever_turned[3], fifth[3][3], axis6[3];
+};
 
 template <class F> PIEPER_INLINE void turned_from(const F (*D)[3], Vector v, F* out) {
   for (int i = 0; i < 3; ++i) out[i] = D[i][0] * v.x + D[i][1] * v.y + D[i][2] * v.z;
@@ -98,7 +100,9 @@ template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const RigidT<F>& 
 }
 
 // The condition N, and the quantities on the way to it. X: a number, a Dual or a Surd.
-template <class X> struct Condition { X v0, v1, w0, w1, K, g, N; };
+template <class X> struct Condition {
+  X v0, v1, w0, w1, K, g, N;
+};
 
 // u: P's distance along the plane; across, level: u5.r and u5.z; out: u5.n; h: P's height.
 template <class X> PIEPER_INLINE Condition<X> condition(const Arm& arm, X u, X across, X out, X level, X h) {
@@ -117,7 +121,9 @@ template <class X> PIEPER_INLINE Condition<X> condition(const Arm& arm, X u, X a
 }
 
 // P and axis 5 at the angle (c, s) of the last joint.
-template <class F> struct At { F P[3], axis5[3]; };
+template <class F> struct At {
+  F P[3], axis5[3];
+};
 template <class F> PIEPER_INLINE At<F> at_angle(const Target<F>& t, F c, F s) {
   At<F> out;
   for (int i = 0; i < 3; ++i) {

@@ -114,7 +114,9 @@ PIEPER_INLINE Vec3T<X> mixed(const Vec3T<X>& x, const Vec3T<X>& y, const Vec3T<X
 }
 
 // cos(y) = (A E - B S) / n, sin(y) = (B E + A S) / n with E of degree one in theta.
-template <class F> struct Bend { F A, B, n, cosine, sine, constant, both; };
+template <class F> struct Bend {
+  F A, B, n, cosine, sine, constant, both;
+};
 template <class F> PIEPER_INLINE Bend<F> bend_of(const Target<F>& t) {
   const Vec3T<F> row = {t.second[0].z, t.second[1].z, t.second[2].z}, column = t.third[2];
   const Vec3T<F> u = t.first[2], w = {t.fourth[0].z, t.fourth[1].z, t.fourth[2].z};

@@ -80,11 +80,11 @@ template <class F> using Mask = typename NumberTraits<F>::Mask;
   template <int W> PIEPER_INLINE Lanes<W> operator op(Lanes<W> a, Lanes<W> b) { return a.v op b.v; }         \
   template <int W> PIEPER_INLINE Lanes<W> operator op(Lanes<W> a, double b) { return a.v op Lanes<W>(b).v; } \
   template <int W> PIEPER_INLINE Lanes<W> operator op(double a, Lanes<W> b) { return Lanes<W>(a).v op b.v; } \
-  template <int W> PIEPER_INLINE Lanes<W>& operator op##=(Lanes<W>& a, Lanes<W> b) {                         \
+  template <int W> PIEPER_INLINE Lanes<W>& operator op## = (Lanes<W> & a, Lanes<W> b) {                      \
     a.v = a.v op b.v;                                                                                        \
     return a;                                                                                                \
   }                                                                                                          \
-  template <int W> PIEPER_INLINE Lanes<W>& operator op##=(Lanes<W>& a, double b) {                           \
+  template <int W> PIEPER_INLINE Lanes<W>& operator op## = (Lanes<W> & a, double b) {                        \
     a.v = a.v op Lanes<W>(b).v;                                                                              \
     return a;                                                                                                \
   }
@@ -242,8 +242,12 @@ PIEPER_EXTREME(min, <)
 #undef PIEPER_IF_512
 
 // ---- the bits of a number, for signs ------------------------------------------------------------------------------
-template <class F> struct BitsOf { using type = std::int64_t; };
-template <int W> struct BitsOf<Lanes<W>> { using type = typename LaneTypes<W>::Bits; };
+template <class F> struct BitsOf {
+  using type = std::int64_t;
+};
+template <int W> struct BitsOf<Lanes<W>> {
+  using type = typename LaneTypes<W>::Bits;
+};
 template <class F> using Bits = typename BitsOf<F>::type;
 
 PIEPER_INLINE std::int64_t bits_in(double x) { return __builtin_bit_cast(std::int64_t, x); }

@@ -42,7 +42,7 @@ def modified_rows(chain: Chain):
                 foot = o[i]
         else:
             x, foot = _any_normal(z[i]), o[i]
-        frames.append(transform(np.stack([x, np.cross(z[i], x), z[i]], 1), foot))
+        frames.append(transform(np.stack([x, np.asarray(np.cross(z[i], x), float), z[i]], 1), foot))
     rows, offsets = [], []
     base = frames[0]
     for i in range(chain.n):

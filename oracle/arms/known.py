@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 import pieper
@@ -17,7 +19,9 @@ def free(name: str, *, placed: bool = False) -> Arm:
     """Return an arm of the catalogue without its limits; without its base and tool too, unless `placed`."""
     d = pieper.load(name).description
     types = "".join(d.joint_types)
-    said = {"sign": d.sign, "offset": d.offset, "name": name} | ({"base": d.base, "tool": d.tool} if placed else {})
+    said: dict[str, Any] = {"sign": d.sign, "offset": d.offset, "name": name} | (
+        {"base": d.base, "tool": d.tool} if placed else {}
+    )
     return Arm.from_dh(d.rows, convention=d.convention, joint_types=types, **said)
 
 

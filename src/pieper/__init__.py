@@ -3,7 +3,8 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from pieper.arm import Arm, catalog, load, ur_calibrated
+from pieper.arm import Arm
+from pieper.arms import catalog, load, ur_calibrated
 from pieper.description.dh import DH, Actuator
 from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
 from pieper.motion.path import line
@@ -16,7 +17,13 @@ if TYPE_CHECKING:
     from pieper.judge import Judgement, check
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.kinematics.spoken_many import poses
-    from pieper.motion.sequence import Motion, move, sequence
+    from pieper.motion.constant_speed import fastest_constant_speed
+    from pieper.motion.dialects.files import read_program
+    from pieper.motion.limits import Limits
+    from pieper.motion.motion import Motion
+    from pieper.motion.program import Program
+    from pieper.motion.sequence import move, sequence
+    from pieper.motion.time_law import time_law
     from pieper.motion.track import Track
     from pieper.presentation import plot, sections
     from pieper.presentation.report import report, write_report
@@ -27,19 +34,24 @@ __version__ = "0.1.0"
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
     "Judgement": "pieper.judge",
-    "Motion": "pieper.motion.sequence",
+    "Limits": "pieper.motion.limits",
+    "Motion": "pieper.motion.motion",
     "Track": "pieper.motion.track",
+    "Program": "pieper.motion.program",
     "SelfMotion": "pieper.solver.singular.self_motion",
     "check": "pieper.judge",
     "evaluate": "pieper.description.quantity",
+    "fastest_constant_speed": "pieper.motion.constant_speed",
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
     "pose": "pieper.kinematics.spoken",
     "poses": "pieper.kinematics.spoken_many",
     "read_pose": "pieper.kinematics.spoken",
+    "read_program": "pieper.motion.dialects.files",
     "report": "pieper.presentation.report",
     "sections": "pieper.presentation.sections",
     "sequence": "pieper.motion.sequence",
+    "time_law": "pieper.motion.time_law",
     "whole_file": "pieper.document.writing",
     "write_report": "pieper.presentation.report",
 }
@@ -51,12 +63,14 @@ __all__ = [
     "Arm",
     "InputError",
     "Judgement",
+    "Limits",
     "Motion",
     "NoSolutionError",
     "PieperError",
     "PieperWarning",
     "Plan",
     "PlanError",
+    "Program",
     "SelfMotion",
     "SolutionBatch",
     "Solutions",
@@ -65,6 +79,7 @@ __all__ = [
     "catalog",
     "check",
     "evaluate",
+    "fastest_constant_speed",
     "line",
     "load",
     "move",
@@ -72,9 +87,11 @@ __all__ = [
     "pose",
     "poses",
     "read_pose",
+    "read_program",
     "report",
     "sections",
     "sequence",
+    "time_law",
     "ur_calibrated",
     "whole_file",
     "write_report",

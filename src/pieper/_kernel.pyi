@@ -1,6 +1,6 @@
 """The native kernels: forward kinematics, and the inverse of every family, several poses per instruction."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from enum import IntFlag
 
 import numpy as np
@@ -352,6 +352,32 @@ class General(Geometry):
     @property
     def usable(self) -> int: ...
 
+class Selection:
+    """How rows are compared with a joint vector: limits, weights, whole turns."""
+
+    def __init__(
+        self, *, lower: npt.ArrayLike, upper: npt.ArrayLike, weight: npt.ArrayLike, prismatic: npt.ArrayLike
+    ) -> None: ...
+    def choose(
+        self,
+        q: Array,
+        inside: npt.NDArray[np.bool_],
+        near: npt.ArrayLike,
+        chosen: Array,
+        has: npt.NDArray[np.bool_],
+    ) -> None:
+        """Of q (N, slots, n) and near (n,) or (N, n): writes chosen (N, n), has (N,)."""
+
+    def in_turn(
+        self,
+        q: Array,
+        inside: npt.NDArray[np.bool_],
+        start: npt.ArrayLike | None,
+        chosen: Array,
+        has: npt.NDArray[np.bool_],
+    ) -> None:
+        """The same, each near to the one chosen before it."""
+
 class Solver:
     """Every solution of poses by the kernel of one family."""
 
@@ -373,8 +399,49 @@ class Solver:
     ) -> tuple[Array, npt.NDArray[np.bool_], npt.NDArray[np.bool_], npt.NDArray[np.uint8]]:
         """(N, 4, 4) -> q (N, slots, joints), valid, in_limits (N, slots), flag (N,). threads 0: all cores."""
 
+    def into(
+        self,
+        Ts: npt.ArrayLike,
+        threads: int,
+        q: Array,
+        valid: npt.NDArray[np.bool_],
+        in_limits: npt.NDArray[np.bool_],
+        flag: npt.NDArray[np.uint8],
+        outcome: npt.NDArray[np.uint8],
+        selection: Selection | None = None,
+        near: npt.ArrayLike | None = None,
+        chosen: Array | None = None,
+        has: npt.NDArray[np.bool_] | None = None,
+        progress: Callable[[int], object] | None = None,
+    ) -> None:
+        """The same written into the caller's arrays; outcome (N,): 0 no rows, 1 outside the limits alone, 2 inside."""
+
     def one(self, T: npt.ArrayLike) -> tuple[Array, npt.NDArray[np.uint8], npt.NDArray[np.bool_], int]:
         """(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag."""
+
+def spline(s: npt.ArrayLike, q: npt.ArrayLike) -> Array:
+    """(N,), (N, n) -> (N, n) second derivatives of the cubic spline through points."""
+
+def fastest(
+    *,
+    s: npt.ArrayLike,
+    d1: npt.ArrayLike,
+    d2: npt.ArrayLike,
+    d3: npt.ArrayLike,
+    speed: npt.ArrayLike,
+    acceleration: npt.ArrayLike,
+    a: npt.ArrayLike,
+    b: npt.ArrayLike,
+    c: npt.ArrayLike,
+    most: npt.ArrayLike,
+    wanted: npt.ArrayLike,
+    start: float,
+    end: float,
+) -> tuple[Array, Array, bool, int]:
+    """Values x (N,), upper ends of the controllable sets (N,), whether it can be done, where not (-1: at the start)."""
+
+def deviations(Ts: npt.ArrayLike) -> Array:
+    """(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite."""
 
 def sincos(x: npt.ArrayLike) -> Array: ...
 def atan2(yx: npt.ArrayLike) -> Array: ...

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.at_scale import AtScale
 from pieper.description import change
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
@@ -20,19 +21,22 @@ from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.pose import PoseLike
 from pieper.motion.track import Track, follow
 from pieper.solver import verbs
+from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
-from pieper.solver.results import SolutionBatch, Solutions
+from pieper.solver.results import Closest, SolutionBatch, Solutions
+from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from pieper.equations import Symbolic
+    from pieper.motion.dialects.configuration import Configuration
 
 #: A pose this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
 
 
-class Arm:
+class Arm(AtScale):
     """A serial arm, made by `pieper.load` or `Arm.from_dh`.
 
     Args:
@@ -249,8 +253,8 @@ class Arm:
             T: (4, 4), base to tool.
             task: "pose", "position" or "position+axis"; the plan states the default.
             redundancy: Value of the redundant coordinate of an arm that has one, rad or m; one a coordinate, in the
-                order of `plan.redundancy`; or by name, such as `{"joint_1": 0.3}` or `{"arm angle": 0.3}`, one of
-                `plan.choices`.
+                order of `plan.redundancy`; or by name, such as `{"joint_3": 0.3}` or `{"arm angle": 0.3}`, of
+                `plan.choices`, as many as the arm has to spare.
 
         Raises:
             InputError: T is not a pose, or the redundancy value is impossible.
@@ -275,28 +279,67 @@ class Arm:
             )
 
     def ik_many(
-        self, Ts: PoseLike, *, threads: int | None = None, task: str | None = None, redundancy: Redundancy = None
+        self,
+        Ts: PoseLike,
+        threads: int | None = None,
+        near: ArrayLike | str | None = None,
+        start: ArrayLike | str | None = None,
+        weights: ArrayLike | None = None,
+        invalid: str = "raise",
+        out: SolutionBatch | None = None,
+        *,
+        task: str | None = None,
+        redundancy: Redundancy = None,
+        progress: Progress | None = None,
     ) -> SolutionBatch:
-        """Return every solution of N poses.
+        """Return every solution of N poses and, where `near` says near what, one chosen row of each.
 
         Args:
             Ts: (N, 4, 4), base to tool.
             threads: Number of threads; None for all cores.
+            near: Choose the row inside the limits nearest to a joint vector (n,), to one a pose (N, n), whole turns
+                resolved; or "previous", nearest to the one chosen for the pose before. See `SolutionBatch.nearest`.
+            start: Where "previous" begins, (n,); None to begin with the first row inside the limits.
+            weights: (n,) what the squared differences of the joints count in the distance; None for one each. Sliding
+                joints are measured in the arm's characteristic length.
+            invalid: "raise" when one of Ts is no pose, or "mark" it with Status.INVALID (`SolutionBatch.reasons`).
+            out: An earlier answer of this arm to as many poses: its arrays are written over and handed back, which
+                saves the pages of new ones.
             task: As in `ik`.
             redundancy: As in `ik`, one value or one a pose.
+            progress: Called now and then with how many poses are done and how many there are.
+
+        Raises:
+            InputError: Something given is impossible; the message says what, what is allowed and how to cure it.
         """
-        return verbs.ik_many(self.plan if task is None else self.plan_for(task), Ts, threads, redundancy)
+        return verbs.ik_many(
+            self.plan if task is None else self.plan_for(task),
+            Ts,
+            threads,
+            redundancy,
+            near=near if isinstance(near, str) and near == PREVIOUS else self._where(near, "near"),
+            start=self._where(start, "start"),
+            weights=weights,
+            invalid=invalid,
+            out=out,
+            progress=progress,
+        )
 
-    def closest(self, T: PoseLike) -> tuple[Array, float, float]:
-        """Return the posture (n,) that comes closest to a pose, limits aside, and what is missing, m and rad.
+    def _where(self, q: ArrayLike | str | None, what: str) -> ArrayLike | None:
+        return None if q is None else self._joints(q, what)
 
-        Position gives way before orientation. The search begins at random places: a nearer posture may exist.
+    def closest(self, T: PoseLike, *, task: str | None = None, weights: ArrayLike | None = None) -> Closest:
+        """Return the posture inside the limits that comes nearest to a pose: its q, metres, radians and T.
+
+        Args:
+            T: (4, 4), base to tool.
+            task: As in `ik`; only what it asks for counts.
+            weights: (2,) what a metre and a radian count; None for position first, and then orientation.
         """
         from pieper.kinematics.pose import checked_pose
-        from pieper.solver.words.closest import nearest_reachable
+        from pieper.solver.words.closest import closest
 
-        q, metres, radians = nearest_reachable(self.plan.reduction.full, checked_pose(T))
-        return q[: self.n], metres, radians
+        return closest(self.plan if task is None else self.plan_for(task), checked_pose(T), weights=weights)
 
     def arm_angle(self, q: ArrayLike | str) -> tuple[Array, Bools]:
         """Return the arm angles (...), rad in (-pi, pi], of joint vectors q (..., 7), and whether each is defined.
@@ -313,9 +356,19 @@ class Arm:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 
-    @cached_property
+    def configuration(self, q: ArrayLike | str, maker: str) -> Configuration:
+        """Return a posture in a maker's configuration words; see `motion.dialects.configuration`."""
+        from pieper.motion.dialects.configuration import configuration
+
+        return configuration(self.plan, self._joints(q), maker)
+
+    @property
     def symbolic(self) -> Symbolic:
         """The arm's equations: `.fk()`, `.jacobian()`, `.singularities()`, `.ik()`."""
+        return self._symbolic
+
+    @cached_property
+    def _symbolic(self) -> Symbolic:
         from pieper.equations import Symbolic
 
         if self.description.coupling is not None:
@@ -330,50 +383,4 @@ class Arm:
         source.write(self.description, path)
 
     def __repr__(self) -> str:
-        return f"<Arm {self.name}: {self.n} joints {self.joint_types}, {self.description.convention} DH>"
-
-
-def load(
-    source: str | os.PathLike[str],
-    base: str | None = None,
-    tip: str | None = None,
-    snap: float | None = None,
-    *,
-    missing_limits: str = "refuse",
-    xacro_args: Mapping[str, str] | None = None,
-) -> Arm:
-    """Load an arm: a catalogue name or a unique part of one, or a file: .toml, .urdf, .xacro, .xml (MJCF).
-
-    Args:
-        source: Name or path.
-        base: Link that is the base; in a robot file one of its named frames.
-        tip: Link that is the tool; in a robot file one of its named tools.
-        snap: As in `Arm`.
-        missing_limits: "refuse" a joint whose range the file does not say, or take it as "unlimited".
-        xacro_args: Values of the arguments of a .xacro file.
-
-    Raises:
-        InputError: No such arm or file, or the file says something impossible or leaves a choice; the message lists it.
-    """
-    from pieper.description import source as door
-
-    said = door.read(source, base=base, tip=tip, missing_limits=missing_limits, xacro_args=xacro_args)
-    return Arm(said, snap=snap)
-
-
-def ur_calibrated(path: str | os.PathLike[str]) -> Arm:
-    """Load the arm that a UR controller's factory calibration (.yaml of `ur_calibration`) describes.
-
-    Raises:
-        InputError: The file is missing or no calibration; the message names link and number.
-    """
-    from pieper.description import ur_calibration
-
-    return Arm(ur_calibration.read(os.fspath(path)))
-
-
-def catalog() -> list[str]:
-    """Return the names of the arms that ship."""
-    from pieper.description import catalog as shelf
-
-    return list(shelf.names())
+        return f"<Arm {self.name}: {plural(self.n, 'joint')} {self.joint_types}, {self.description.convention} DH>"

@@ -41,6 +41,21 @@ CLOSES = 1e-9
 #: A point of a self-motion must hold the pose this well (per length; rad). A pose 1e-12 away from a singular one moves
 #: farther along its null direction.
 ON_CURVE = 2e-13
+#: Two axes are one line, four are parallel or meet, when they miss by no more than this (rad; per length): what turning
+#: about them would move the pose by, as `ON_CURVE`.
+IN_ONE_LINE = 2e-13
+#: Parts of a unit null direction below this stand still, or would on the self-motion next to the pose.
+LOOP_MOVES = 1e-4
+#: Axes that miss being a linkage by less than this are next to a self-motion.
+NEXT_TO_LINKAGE = 1e-5
+#: A linkage within this of letting its joint just pass a dead centre (cosine; per length) is where two curves cross.
+LOOP_CRITICAL = 1e-9
+#: Relative size of the second smallest singular value above which a singular row has one null direction only.
+ONE_WAY_FREE = 1e-5
+#: A row beside a self-motion is isolated where its singular value is at least this part of what its axes miss by.
+NEARLY_IN_LINE = 0.03
+#: What a merged root misses to second order (per rad^2) above which higher orders do not count.
+CLEAR_FOLD = 1e-3
 #: Longest step along a self-motion (rad; per length): joints turn visibly, and chords cut corners by about 2e-3.
 CURVE_STEP = 0.12
 #: Rows of a kernel closer than this (rad; per length) are one: a double root is known to ten times `SAME_SOLUTION`.
@@ -51,10 +66,6 @@ FILLED_ZERO = 1e-6
 SAME_AFTER_CUT = 1e-6
 #: Relative sigma_min above which a marked pose is not looked at further: kernels tell twins of a root apart above 1e-8.
 CLEARLY_REGULAR = 1.5e-7
-#: Poses on a singularity, or without rows, that `ik_many` looks at one by one in a call: it bounds the work of a call.
-MOST_CAREFUL = 500
-#: Poses of a redundant arm in a call of `ik_many` whose self-motions are traced because no slice through them was met.
-MOST_TRACED = 20
 
 # ---- kernels: of all kernels ----
 #: Joint values this close (rad, m) are rounding and do not order rows.
@@ -319,3 +330,22 @@ SWP_TILTED = 1e-12
 SWP_IN_PLANE = 1e-9
 #: Inner links that are together shorter than this part of the largest are no measure of length.
 LENGTHLESS = 1e-9
+
+# ---- calibration ----
+#: By how much an axis of a built arm plausibly departs from the nominal one (rad; per length of the arm): a few
+#: millimetres a metre. What, so large, changes all measurements together by less than their noise, is not seen.
+PLAUSIBLE_DEPARTURE = 2e-3
+#: The same of a gear's ratio and of what couples two joints.
+PLAUSIBLE_GEAR = 1e-3
+#: A measurement this many times its noise off is no noise: of 1e8 Gaussian ones not one is.
+OUTLIER = 6.0
+#: Huber's threshold, in noises: 95 % efficient where there are no outliers (Huber, 1981).
+HUBER = 1.345
+#: A fit is done when no number moves by more than this part of its plausible size,
+CALIBRATED = 1e-9
+#: or after so many steps; from millimetres away three to five are usual.
+CALIBRATION_STEPS = 60
+#: A wrong reading of the data (degrees, millimetres, a joint's sense) is named when it leaves this part of the misfit.
+MISREAD = 0.2
+#: Data that miss the nominal arm by less than this part of its length are not suspected of a wrong reading.
+SUSPICIOUS = 0.03

@@ -1,4 +1,4 @@
-"""Arms with joints to spare: each redundant coordinate by name, chosen or free, and the families of a pose."""
+"""Arms with joints to spare: each redundant coordinate by name, chosen or free, and the self-motions of a pose."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_two_redundant_joints_are_held_by_slider_and_by_field(bench, eight, tmp_
     rows = np.array([row["q"] for row in bench.value("workbench.solutions.rows")])
     assert len(rows) == 8 and np.allclose(rows[:, 0], np.radians(15)) and np.allclose(rows[:, 7], np.radians(20))
     assert np.allclose(eight.fk(rows), np.reshape(target, (4, 4)), atol=1e-9)
-    page.get_by_test_id("families").get_by_role("slider").first.wait_for()
+    page.get_by_test_id("self-motions").get_by_role("slider").first.wait_for()
     bench.shot("redundant-eight", both=True)
     field = chosen(page).get_by_label("Value of joint_8")
     field.fill("120")
@@ -74,22 +74,22 @@ def test_the_spare_turns_of_a_position_task(bench):
     bench.until("n => workbench.answers > n && workbench.solutions.rows.length > 0", answers)
     for row in bench.value("workbench.solutions.rows"):
         assert np.allclose(pieper.load("denso-vp6242").fk(row["q"])[:3, 3], point, atol=1e-9)
-    page.get_by_test_id("families").get_by_text("the tool point stands still").first.wait_for()
-    family = page.get_by_test_id("families").get_by_role("slider").first
-    family.focus()
+    page.get_by_test_id("self-motions").get_by_text("the tool point stands still").first.wait_for()
+    slider = page.get_by_test_id("self-motions").get_by_role("slider").first
+    slider.focus()
     before = np.array(bench.value("workbench.q"))
-    family.press("PageUp")
+    slider.press("PageUp")
     assert len(bench.value("workbench.q")) == 6
     assert np.abs(np.array(bench.value("workbench.q")) - before).max() > 1e-3
     bench.shot("redundant-position")
 
 
-def test_a_seven_joint_arm_slides_along_its_family(bench):
+def test_a_seven_joint_arm_slides_along_its_self_motion(bench):
     page = bench.page
     bench.arm("kuka-lbr-iiwa-14-r820")
     bench.joints([15, 40, 10, -70, 20, 50, 30])
     bench.tab("Inverse")
-    slider = page.get_by_test_id("families").get_by_role("slider").first
+    slider = page.get_by_test_id("self-motions").get_by_role("slider").first
     slider.wait_for()
     target, start = np.array(bench.value("workbench.target")), np.array(bench.value("workbench.q"))
     slider.focus()

@@ -121,7 +121,7 @@ def test_seed_001_the_panel_with_its_worked_example(bench):
     assert "157.96" in angles
     bench.shot("seed-001-matrices", both=True)
     bench.tab("Inverse")
-    bench.page.get_by_test_id("families").get_by_role("slider").first.wait_for()
+    bench.page.get_by_test_id("self-motions").get_by_role("slider").first.wait_for()
     rows = np.array([row["q"] for row in bench.value("workbench.solutions.rows")])
     sums = np.degrees(np.column_stack([rows[:, 0] + rows[:, 1], rows[:, 2:]]))
     for wanted in (
@@ -157,10 +157,10 @@ def test_building_the_ea1400n_from_an_empty_table(bench):
     assert np.allclose(again.fk(np.radians(q)), arm.fk(np.radians(q)), atol=1e-12)
 
 
-def test_a_wrist_singularity_scrubbed_along_its_family(bench):
+def test_a_wrist_singularity_scrubbed_along_its_self_motion(bench):
     bench.joints([20, 60, -150, 10, 0, 25])
     bench.tab("Inverse")
-    slider = bench.page.get_by_test_id("families").get_by_role("slider").first
+    slider = bench.page.get_by_test_id("self-motions").get_by_role("slider").first
     slider.wait_for()
     assert bench.value("workbench.solutions.status") == "SINGULAR"
     target, start = np.array(bench.value("workbench.target")), bench.value("workbench.q")
@@ -173,7 +173,7 @@ def test_a_wrist_singularity_scrubbed_along_its_family(bench):
         assert np.abs(tool - target).max() < 1e-6, "the arm moves, the tool stands still"
         moved = max(moved, abs(bench.value("workbench.q")[3] - start[3]))
     assert moved > 0.5
-    bench.shot("wrist-family", both=True)
+    bench.shot("wrist-self-motion", both=True)
 
 
 def test_a_line_that_fails_on_the_way_and_why(bench):

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.cli import layout, main, printed
+from pieper.cli import layout, main, output
 from pieper.cli.layout import Column, table
 
 WIDTHS = (40, 80, 130, 160, 220)
@@ -27,7 +27,7 @@ ARMS = {
 @pytest.fixture
 def run(capsys, monkeypatch):
     def call(*words, width=None):
-        for room in (layout, printed):
+        for room in (layout, output):
             monkeypatch.setattr(room, "terminal_width", lambda: width)
         with pytest.raises(SystemExit):
             main([str(w) for w in words])

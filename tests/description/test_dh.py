@@ -45,7 +45,7 @@ def test_limits_may_be_missing_one_sided_and_wider_than_a_turn():
         ({"limits": [None, None]}, "2 entries for 3 joints"),
         ({"limits": [1, 2, 3]}, "joint_1 must be"),
         ({"joint_names": ["a", "b", "a"]}, "'a' is used twice"),
-        ({"joint_names": ["a"]}, "1 names for 3 joints"),
+        ({"joint_names": ["a"]}, "1 name for 3 joints"),
         ({"sign": [1, 1, 0]}, r"sign must be \+1 or -1"),
         ({"offset": [0, math.nan, 0]}, "offset must be 3 finite"),
         ({"postures": {"home": [0, 0]}}, "posture 'home' must be 3"),

@@ -199,7 +199,7 @@ def test_a_bad_file_is_refused_and_the_place_named(text, words):
     ("claim", "words"),
     [
         ("kind = 'pose'\nq = [30, 45]\nposition = [1, 2, 3]", ["q[1]", "no unit", "30 deg"]),
-        ("kind = 'pose'\nq_deg = [30]\nposition = [1, 2, 3]", ["1 entries", "2 joints"]),
+        ("kind = 'pose'\nq_deg = [30]\nposition = [1, 2, 3]", ["1 entry", "2 joints"]),
         ("kind = 'pose'\nposition = [1, 2, 3]", ["q_deg"]),
         ("kind = 'pose'\nq_deg = [0, 0]\nmatrix = [[1, 0], [0, 1]]", ["2 rows", "4 x 4"]),
         ("kind = 'pose'\nq_deg = [0, 0]\nmatrix = [[1,0,0,0],[0,1,0,0],[0,0,'one',0],[0,0,0,1]]", ["(3,3)", "one"]),

@@ -65,3 +65,20 @@ def test_arctangent_lies_in_minus_pi_exclusive_to_pi_and_keeps_nan():
     expected = [0.0, np.pi, np.pi, np.pi, np.pi / 2, -np.pi / 2, -3 * np.pi / 4]
     np.testing.assert_allclose(_kernel.atan2(y_x), expected, rtol=1e-15)
     assert np.isnan(_kernel.atan2(np.array([[np.nan, 1.0], [1.0, np.nan], [np.nan, np.nan]]))).all()
+
+
+def test_the_arctangent_misses_no_angle_by_more_than_the_bound_that_verification_rests_on():
+    # kAngleError in kernels/lanes/math.hpp, 8e-16 rad; where the folds at tan(pi/8), 1 and 0 meet it is largest
+    rng = np.random.default_rng(2)
+    angle = np.concatenate(
+        [rng.uniform(-np.pi, np.pi, 6000), rng.normal(0, 1e-3, 6000) + np.pi / 8 * rng.integers(-8, 9, 6000)]
+    )
+    yx = np.stack([np.sin(angle), np.cos(angle)], axis=1) * (1 + rng.uniform(-1e-12, 1e-12, (12000, 1)))
+    yx[::3] *= rng.uniform(1e-6, 1e3, (4000, 1))
+    found = _kernel.atan2(yx)
+    with mpmath.workdps(50):
+        missed = max(
+            float(abs(mpmath.mpf(float(f)) - mpmath.atan2(mpmath.mpf(float(y)), mpmath.mpf(float(x)))))
+            for f, (y, x) in zip(found, yx, strict=True)
+        )
+    assert missed < 8e-16

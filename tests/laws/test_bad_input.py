@@ -195,7 +195,7 @@ def test_a_redundancy_value_outside_the_limits_is_said(arm):
 @pytest.mark.parametrize(
     ("value", "word"),
     [
-        ({"elbow": 0.1}, "joint_1, arm angle"),
+        ({"elbow": 0.1}, "joint_1, joint_2"),
         ({"joint_1": np.nan}, "finite"),
         ({"joint_1": "a"}, "finite"),
         ({"joint_1": 3.1}, "limits"),
@@ -388,7 +388,7 @@ def test_paths_of_no_length_and_of_one_point_are_followed(arm):
     for path in (pieper.line(T, T, n=5), T[None]):
         with within(10):
             track = arm.follow(path, start=start)
-        assert track.complete and np.abs(track.q - start).max() < 1e-9
+        assert track.complete and np.abs(track.followed - start).max() < 1e-9
 
 
 @pytest.mark.parametrize("where", [0, 2])

@@ -146,9 +146,9 @@ def test_limits_turns_and_nearest_of_a_batch_are_those_of_the_oracle(name):
     joint = arm.plan.reduction.locked[0]
     q = rng.uniform(-2.5, 2.5, (3, 7))
     T = arm.fk(q)
-    many = arm.ik_many(T, threads=1, redundancy=q[:, joint])
     now = rng.uniform(-3, 3, 7)
-    nearest, there = many.nearest(now)
+    many = arm.ik_many(T, threads=1, near=now, redundancy=q[:, joint])
+    nearest, there = many.nearest, many.has_nearest
     for i in range(3):
         found = on_the_slice(arm, T[i], joint, q[i, joint], 1500, rng)
         rows = many.q[i][many.valid[i]]
@@ -178,8 +178,8 @@ def test_the_nearest_point_of_the_families_is_not_beaten_on_any_slice(name):
     assert np.abs(arm.fk(nearest) - T).max() < 1e-9
     assert (nearest >= arm.limits[:, 0] - 1e-8).all() and (nearest <= arm.limits[:, 1] + 1e-8).all()
     values = np.linspace(*np.clip(arm.limits[joint], -np.pi, np.pi), 721)
-    many = arm.ik_many(np.tile(T, (len(values), 1, 1)), threads=1, redundancy=values)
-    rows, there = many.nearest(now)
+    many = arm.ik_many(np.tile(T, (len(values), 1, 1)), threads=1, near=now, redundancy=values)
+    rows, there = many.nearest, many.has_nearest
     assert np.linalg.norm(nearest - now) < np.linalg.norm(rows[there] - now, axis=1).min() + 1e-3
 
 

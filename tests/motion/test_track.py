@@ -46,7 +46,7 @@ def line(R, first=FIRST, last=LAST, n=50):
 def unbroken(track):
     """Every point put back, and no step that the path does not ask for."""
     assert track.residual.max() < 1e-12
-    return np.abs(np.diff(track.q, axis=0)).max()
+    return np.abs(np.diff(track.followed, axis=0)).max()
 
 
 @pytest.mark.parametrize(("R", "expected"), [(UP, BRANCH_UP), (FORWARD, BRANCH_FORWARD)], ids=["up", "forward"])
@@ -54,7 +54,7 @@ def test_the_line_of_the_study_is_followed_by_the_one_branch_inside_the_limits(R
     track = DENSO.follow(line(R), start=np.radians(expected[0]))
     assert track.complete
     for k, q in expected.items():
-        assert np.degrees(track.q[k]) == pytest.approx(q, abs=2e-6)
+        assert np.degrees(track.followed[k]) == pytest.approx(q, abs=2e-6)
     assert sum(b.complete for b in track.branches) == 1
     unbroken(track)
 
@@ -62,8 +62,8 @@ def test_the_line_of_the_study_is_followed_by_the_one_branch_inside_the_limits(R
 def test_all_eight_branches_pass_when_there_are_no_limits():
     track = FREE.follow(line(UP), start=np.zeros(6))
     assert [b.points for b in track.branches] == [50] * 8
-    assert np.degrees(track.q[0]) == pytest.approx((0, 9.2235, -68.6694, 0, 59.4459, 0), abs=1e-4)
-    assert np.degrees(track.q[-1]) == pytest.approx((26.5651, 23.6397, -51.344, 0, 27.7043, -26.5651), abs=1e-4)
+    assert np.degrees(track.followed[0]) == pytest.approx((0, 9.2235, -68.6694, 0, 59.4459, 0), abs=1e-4)
+    assert np.degrees(track.followed[-1]) == pytest.approx((26.5651, 23.6397, -51.344, 0, 27.7043, -26.5651), abs=1e-4)
     assert unbroken(track) < np.radians(2)
 
 
@@ -83,7 +83,7 @@ def test_a_fast_swing_near_the_wrist_singularity_is_a_remark_and_not_a_stop():
 
 def test_out_of_reach_is_found_between_the_points_and_the_branches_that_meet_there_are_named():
     track = FREE.follow(line(SIDEWAYS, LAST, FIRST), start=np.zeros(6))
-    assert len(track.q) == 35
+    assert track.points == 35
     assert track.stop.cause == "out of reach"
     assert track.stop.s == pytest.approx(1 - 0.304405, abs=2e-6)
     assert track.stop.joint == "joint_3"
@@ -94,7 +94,7 @@ def test_out_of_reach_is_found_between_the_points_and_the_branches_that_meet_the
 
 def test_a_first_pose_without_solution_is_a_stop_at_zero():
     track = FREE.follow(line(DOWN), start=np.zeros(6))
-    assert track.q.shape == (0, 6)
+    assert track.followed.shape == (0, 6)
     assert (track.stop.s, track.stop.cause) == (0.0, "out of reach")
     assert not track.branches
 
@@ -104,7 +104,7 @@ def test_printed_limits_taken_literally_forbid_the_first_pose_and_the_joint_is_n
     limits[2] = np.radians([20, 160])
     literal = pieper.Arm.from_dh(DENSO.description.rows, convention="standard", limits=limits)
     track = literal.follow(line(UP), start=np.zeros(6))
-    assert (len(track.q), track.stop.cause, track.stop.joint) == (0, "limit", "joint_3")
+    assert (track.points, track.stop.cause, track.stop.joint) == (0, "limit", "joint_3")
     assert [b.unlimited_points for b in track.branches] == [50] * 8
 
 
@@ -136,7 +136,9 @@ def test_the_wrist_may_pass_exactly_over_the_first_axis_without_turning_it(n):
 def test_beside_the_first_axis_it_must_turn_however_near_it_passes(offset):
     track = FREE.follow(line(UP, (-0.1, offset, 0.45), (0.1, offset, 0.45)), start=np.zeros(6))
     assert track.complete
-    assert abs(track.q[-1, 0] - track.q[0, 0]) == pytest.approx(np.pi - 2 * np.arctan2(offset, 0.1), abs=1e-6)
+    assert abs(track.followed[-1, 0] - track.followed[0, 0]) == pytest.approx(
+        np.pi - 2 * np.arctan2(offset, 0.1), abs=1e-6
+    )
 
 
 def test_a_corner_on_the_wrist_singularity_stops_only_the_branches_that_would_jump():
@@ -145,7 +147,7 @@ def test_a_corner_on_the_wrist_singularity_stops_only_the_branches_that_would_ju
     after = FREE.fk(np.array([0.3, 0.8, -2.2, 1.6, 0.5, -1.0]))
     path = np.concatenate([pieper.line(before, corner, 11), pieper.line(corner, after, 11)[1:]])
     track = FREE.follow(path, start=q - [0, 0, 0, 0, 0.5, 0])
-    assert (len(track.q), track.stop.cause) == (11, "singularity")
+    assert (track.points, track.stop.cause) == (11, "singularity")
     assert track.stop.s == pytest.approx(0.5)
     assert sum(b.complete for b in track.branches) == 6
 
@@ -208,3 +210,15 @@ def test_a_track_explains_itself():
     text = FREE.follow(line(SIDEWAYS, LAST, FIRST), start=np.zeros(6)).explain()
     assert "35 of 50" in text
     assert "out of reach" in text
+
+
+def test_a_track_has_one_row_a_point_and_says_which_were_reached():
+    arm = pieper.load("denso-vp6242")
+    path = pieper.line(pieper.pose(0.35, 0, 0.4), pieper.pose(0.2, 0.1, 0.9), n=10)
+    track = arm.follow(path, start="line-start")
+    assert not track.complete and 0 < track.points < 10
+    assert track.q.shape == (10, 6) and track.reached.shape == track.s.shape == (10,)
+    assert not track.reached[track.points :].any() and np.isfinite(track.q).all()
+    # a point that was not reached holds the last posture that was
+    assert (track.q[track.points :] == track.followed[-1]).all()
+    assert np.abs(arm.fk(track.followed) - path[: track.points]).max() < 1e-9

@@ -67,10 +67,10 @@ def unlimited(arm):
 def test_each_branch_is_followed_from_end_to_end(arm, case, branch):
     expected = np.radians(case["branches"][branch])
     track = unlimited(arm).follow(path(case), start=expected[0])
-    assert track.complete and len(track.q) == LINE["n"]
-    here = track.q[LINE["branch_points"]]
+    assert track.complete and track.points == LINE["n"]
+    here = track.followed[LINE["branch_points"]]
     assert np.diagonal(same(here, expected, REVOLUTE)).max() < 1e-8
-    assert np.abs(np.diff(track.q, axis=0)).max() < np.radians(60)
+    assert np.abs(np.diff(track.followed, axis=0)).max() < np.radians(60)
 
 
 @pytest.mark.parametrize("case", cases(nearest_to_zeros=True))
@@ -93,7 +93,7 @@ def test_one_branch_stays_inside_the_limits(arm, case):
 @pytest.mark.parametrize("case", [c for c in cases() if not 0 < c.values[0]["reachable"] == LINE["n"]])
 def test_a_line_out_of_reach_stops_with_an_event_not_an_answer(arm, case):
     track = unlimited(arm).follow(path(case), start=np.zeros(6))
-    assert not track.complete and len(track.q) < LINE["n"]
+    assert not track.complete and track.points < LINE["n"]
     assert track.events, "a stop has a cause"
     assert "reach" in str(track.events[0].cause).lower().replace("_", " ")
 

@@ -71,7 +71,7 @@ def test_curves_differ_in_colour_line_and_marker(track):
 def test_the_joint_curves_show_the_numbers_of_the_track(track):
     lines = plot.joints_figure(track).axes[0].lines[:6]
     for joint, line in enumerate(lines):
-        assert np.allclose(line.get_ydata(), np.degrees(track.q[:, joint]))
+        assert np.allclose(line.get_ydata(), np.degrees(track.followed[:, joint]))
 
 
 def test_a_stop_is_drawn_where_it_is(track):

@@ -98,8 +98,8 @@ def test_a_line_is_followed_in_the_joints_numbers():
     q = np.array([0.1, 0.2, 0.1, 0.3, 0.5, 0.2])
     path = pieper.line(arm.fk(q), arm.fk(q) @ pieper.pose(0.02, 0.01, 0.03), n=12)
     track = arm.follow(path, start=q)
-    assert track.complete and np.abs(arm.fk(track.q) - path).max() < 1e-9
-    assert np.abs(track.q[0] - q).max() < 1e-9
+    assert track.complete and np.abs(arm.fk(track.followed) - path).max() < 1e-9
+    assert np.abs(track.followed[0] - q).max() < 1e-9
 
 
 def test_a_ratio_that_is_no_whole_number_is_refused_when_planned_and_not_before():

@@ -32,7 +32,7 @@ def test_arms_plans_solutions_and_batches_pickle_and_copy(name):
     arm = pieper.load(name)
     q = np.full(arm.n, 0.3)
     T = arm.fk(q)
-    sols, many = arm.ik(T), arm.ik_many(T[None])
+    sols, many = arm.ik(T), arm.ik_many(T[None], near=q)
     for twin in (pickle.loads(pickle.dumps(arm)), copy.deepcopy(arm), copy.copy(arm)):
         assert np.array_equal(twin.ik(T).q, sols.q)
     plan = pickle.loads(pickle.dumps(arm.plan))
@@ -41,12 +41,14 @@ def test_arms_plans_solutions_and_batches_pickle_and_copy(name):
     assert (twin.status, twin.why, twin.labels) == (sols.status, sols.why, sols.labels)
     assert np.array_equal(twin.nearest(q), sols.nearest(q))
     batch = pickle.loads(pickle.dumps(many))
-    assert np.array_equal(batch.q, many.q) and np.array_equal(batch.nearest(q)[0], many.nearest(q)[0])
+    assert np.array_equal(batch.q, many.q) and np.array_equal(batch.nearest, many.nearest)
 
 
 def test_printing_an_unreachable_pose_solves_nothing(monkeypatch):
     asked = []
-    words = results.Words(lambda plan, sols: asked.append(sols) or "why", *[verbs.posture_words, verbs.labels_beside])
+    words = results.Words(
+        lambda plan, sols: asked.append(sols) or "why", verbs.table, verbs.posture_words, verbs.labels_beside
+    )
     monkeypatch.setattr(verbs, "WORDS", words)
     arm = pieper.load("denso-vs6577")
     T = arm.fk(np.zeros(6))
@@ -69,3 +71,24 @@ def test_printing_a_redundant_arms_empty_answer_traces_nothing():
 def test_words_follow_their_number():
     assert plural(1, "solution") == "1 solution" and plural(0, "solution") == "0 solutions"
     assert plural(2, "family", "families") == "2 families"
+
+
+def test_solutions_are_a_sequence_of_what_one_says_of_each():
+    arm = pieper.load("denso-vp6242")
+    sols = arm.with_limits(dict.fromkeys(arm.joint_names)).ik(arm.fk([0.1, 0.9, -2.6, 0.2, 1.7, 0]))
+    assert len(list(sols)) == len(sols) == 8
+    for one, q, label, residual in zip(sols, sols.q, sols.labels, sols.residual, strict=True):
+        assert np.array_equal(one.q, q) and one.label == label and np.array_equal(one.residual, residual)
+    assert sols[-1].label == sols.labels[-1] and [one.label for one in sols[1:3]] == sols.labels[1:3]
+    with pytest.raises(IndexError):
+        sols[8]
+
+
+def test_a_table_shows_every_joint_value_in_degrees_and_the_reason():
+    arm = pieper.load("denso-vp6242")
+    sols = arm.ik(arm.fk([0.1, 0.9, -2.6, 0.2, 1.7, 0]))
+    lines = str(sols).splitlines()
+    assert len(lines) == 2 + len(sols) and lines[-1] == sols.why
+    assert all(f"{np.degrees(v):.3f}" in lines[1] for v in sols.q[0, :5]) and "-0.000" not in lines[1]
+    far = arm.ik(pieper.pose(3, 0, 0))
+    assert far.table() == far.why

@@ -148,7 +148,7 @@ def told(name: str) -> bool:
 
 def main() -> None:
     """Make the checks, one after the other, all of them also when one fails."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--only", nargs="*", default=list(CHECKS), help="names, or their beginnings")
     asked = parser.parse_args().only
     held = [told(name) for name in CHECKS if any(name.startswith(one) for one in asked)]

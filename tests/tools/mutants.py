@@ -172,7 +172,7 @@ def keep(state: dict[str, Any]) -> None:
 
 def main() -> None:
     """Try what has not been tried, say how far it is, and print the survivors."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--wings", nargs="*", default=list(TESTS), choices=list(TESTS))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import dataclasses
 import http.client
 import json
 import random
@@ -193,7 +194,7 @@ def random_message(rng: random.Random, seq: int) -> str | bytes:
         "nearest",
         "save",
         "follow",
-        "families",
+        "self_motions",
         "motion",
         "cloud",
         "equations",
@@ -324,7 +325,7 @@ def test_a_closed_page_stops_its_long_work(served):
     talk(story())
 
 
-def test_a_redundant_arm_answers_at_once_and_sends_its_families_after(served):
+def test_a_redundant_arm_answers_at_once_and_sends_its_self_motions_after(served):
     arm = pieper.load("kuka-lbr-iiwa-14-r820")
     q = np.radians([15, 40, 10, -70, 20, 50, 30])
     asked = {"T": arm.fk(q).ravel().tolist(), "q": q.tolist()}
@@ -334,12 +335,12 @@ def test_a_redundant_arm_answers_at_once_and_sends_its_families_after(served):
             page = Page(socket)
             await page.ask("arm", table=table_from_arm(arm))
             free = await page.ask("ik", **asked)
-            assert free["families"] is None and np.allclose(free["nearest"], q, atol=1e-9)
+            assert free["self_motions"] is None and np.allclose(free["nearest"], q, atol=1e-9)
             assert [c["name"] for c in free["spare"]][:1] == ["joint_1"]
             held = await page.ask("ik", **asked, redundancy={"joint_1": 0.5})
             assert held["rows"] and all(row["q"][0] == pytest.approx(0.5, abs=1e-12) for row in held["rows"])
-            families = (await page.ask("families", **asked))["families"]
-            assert families and all(len(point) == 7 for family in families for point in family["q"])
+            motions = (await page.ask("self_motions", **asked))["self_motions"]
+            assert motions and all(len(point) == 7 for motion in motions for point in motion["q"])
             refused = await page.ask("ik", **asked, redundancy={"joint_2": 0.5})
             assert not refused["ok"] and "joint_2" in refused["error"]
 
@@ -360,3 +361,21 @@ def test_long_work_can_be_cancelled(served):
             assert last["stopped"]
 
     talk(story())
+
+
+def test_an_arm_with_coupled_joints_is_refused_with_the_reason(served, tmp_path):
+    plain = pieper.load("denso-vp6242").description
+    C = np.eye(6)
+    C[2, 1] = 1.0
+    arm = pieper.Arm(dataclasses.replace(plain, name="coupled-arm", coupling=C))
+    with pytest.raises(pieper.InputError, match="coupled-arm has coupled joints"):
+        room.create_app(start=arm)
+    arm.save(tmp_path / "coupled.toml")
+    text = (tmp_path / "coupled.toml").read_text()
+
+    async def story():
+        async with connect(served[0]) as socket:
+            return await Page(socket).ask("open", text=text, name="coupled.toml")
+
+    answer = talk(story())
+    assert not answer["ok"] and "coupled joints" in answer["error"]

@@ -33,7 +33,9 @@ inline double turn_between(Vec3 from, Vec3 to, bool& free) {
 }
 
 // An affine function of one joint's terms: at + first * f1 (+ second * f2), f2 absent for a sliding joint.
-template <class F> struct SwingT { Vec3T<F> at, first, second; };
+template <class F> struct SwingT {
+  Vec3T<F> at, first, second;
+};
 using Swing = SwingT<double>;
 
 inline Vec3 swing_at(const Swing& s, double x, bool slides) {

@@ -79,7 +79,7 @@ class SphericalWristParallelKernel {
       Elbow<F> elbow = start_elbow(P, arm);
 #pragma GCC unroll 2
       for (int e = 0; e < 2; ++e) {
-        Answer<F> answer = bend_and_turn_wrist(P, M, w, arm, elbow, F(side == e ? -1.0 : 1.0));
+        Answer<F> answer = bend_and_turn_wrist(P, M, arm, elbow, F(side == e ? -1.0 : 1.0));
         Mask<F> ok = answer.ok;
         if (e) ok = ok & elbow.two;
         const int slot = 4 * side + 2 * e;
@@ -119,7 +119,7 @@ class SphericalWristParallelKernel {
     Arm<F> arm = turn_shoulder(P, M, w, shoulder, side);
     arm.ok = arm.ok & (shoulder.two_sides | (side > 0.0));
     Elbow<F> elbow = start_elbow(P, arm);
-    Answer<F> answer = bend_and_turn_wrist(P, M, w, arm, elbow, sense);
+    Answer<F> answer = bend_and_turn_wrist(P, M, arm, elbow, sense);
     Mask<F> second = (side * sense) > 0.0;  // slot with elbow 1
     Mask<F> ok = answer.ok & (elbow.two | !second);
     const unsigned bits = bits_of(ok), two = bits_of(answer.two);
@@ -147,13 +147,13 @@ class SphericalWristParallelKernel {
   };
   template <class F> struct Arm {  // after the first joint has turned
     F c, s, q1;
-    F rounded_c, rounded_s;  // of the rounded q1, for the check
-    F ux[3], uy[3];          // the rotation's first two rows, turned back
-    F X, Z;                  // wrist centre in the arm's plane, from axis 2
+    F ux[3], uy[3];  // the rotation's first two rows, turned back
+    F X, Z;          // wrist centre in the arm's plane, from axis 2
+    F off;           // by how much of what is held so far the pose is missed, see `held`
     Mask<F> ok;
   };
   template <class F> struct Elbow {
-    F D, s3, th3, over_D;
+    F D, c3, s3, th3, over_D;
     F along, forward;  // L2 + L3 cos th3, L3 + L2 cos th3
     Mask<F> ok, two, centred, degenerate;
   };
@@ -229,7 +229,8 @@ class SphericalWristParallelKernel {
       arm.s = select(a.fixed, a.s, arm.s);
     }
     arm.q1 = atan2(arm.s, arm.c);
-    sincos_of_turns(arm.q1, arm.rounded_s, arm.rounded_c);
+    arm.off = (abs(arm.c * x - arm.s * P.b - w[0]) + abs(arm.s * x + arm.c * P.b - w[1])) * (1.0 / P.scale) +
+              lever(P) * abs((arm.c * arm.c - 1.0) + arm.s * arm.s);
     for (int k = 0; k < 3; ++k) {
       arm.ux[k] = arm.c * M[0][k] + arm.s * M[1][k];
       arm.uy[k] = arm.c * M[1][k] - arm.s * M[0][k];
@@ -255,6 +256,7 @@ class SphericalWristParallelKernel {
     e.ok = arm.ok & e.two;
     e.centred = e.degenerate = mask_of<F>(false);
     if (__builtin_expect(any(square < kSwpEdgeOfElbow), 0)) elbow_edge(P, arm, c3, square, e);
+    e.c3 = c3;
     e.th3 = atan2(e.s3, c3);
     return e;
   }
@@ -297,36 +299,42 @@ class SphericalWristParallelKernel {
 
   // One elbow (the sign of th3) and its wrist with sin th5 >= 0, verified.
   template <class F> PIEPER_INLINE static Answer<F> bend_and_turn_wrist(const SphericalWristParallel& P,
-                                                                        const F (&M)[3][3], const F (&w)[3],
-                                                                        const Arm<F>& arm, const Elbow<F>& e, F sense) {
+                                                                        const F (&M)[3][3], const Arm<F>& arm,
+                                                                        const Elbow<F>& e, F sense) {
     Answer<F> out;
     // w = e^{i th2} (L2 + L3 e^{i th3}) = e^{i (th2 + th3)} (L3 + L2 e^{-i th3})
     F sine3 = sense * e.s3, across = P.fore * sine3, sideways = P.upper * sine3;
-    F th2 = atan2_closed(arm.Z * e.along - arm.X * across, arm.X * e.along + arm.Z * across);
+    F s2 = arm.Z * e.along - arm.X * across, c2 = arm.X * e.along + arm.Z * across;
+    F th2 = atan2_closed(s2, c2);
+    s2 *= e.over_D, c2 *= e.over_D;
     F c23 = (arm.X * e.forward - arm.Z * sideways) * e.over_D;
     F s23 = (arm.Z * e.forward + arm.X * sideways) * e.over_D;
     if (__builtin_expect(any(e.centred), 0)) {  // only when L2 = L3: folded back onto axis 2, th2 is free
-      F c2, s2, th20 = F(P.offset2);
-      sincos_of_turns(th20, s2, c2);
+      F c20, s20, th20 = F(P.offset2);
+      sincos_of_turns(th20, s20, c20);
       th2 = select(e.centred, th20, th2);
-      c23 = select(e.centred, -c2, c23);
-      s23 = select(e.centred, -s2, s23);
+      c2 = select(e.centred, c20, c2);
+      s2 = select(e.centred, s20, s2);
+      c23 = select(e.centred, -c20, c23);
+      s23 = select(e.centred, -s20, s23);
     }
     out.q[0] = arm.q1;
     out.q[1] = wrapped(th2 - P.offset2);
     out.q[2] = wrapped(P.sign3 * (sense * e.th3 - P.offset3));
 
     F c = c23 * P.cos_psi - s23 * P.sin_psi, s = s23 * P.cos_psi + c23 * P.sin_psi;
-    F mx[3], my[3], mz = c * M[2][2] - s * arm.ux[2];
+    F mx[3], my[3], mz = c * M[2][2] - s * arm.ux[2], mz0 = c * M[2][0] - s * arm.ux[0];
     for (int k = 0; k < 3; ++k) {
       mx[k] = c * arm.ux[k] + s * M[2][k];
       my[k] = arm.uy[k];
     }
     if (P.tilted) {
-      for (int k = 0; k < 2; ++k) my[k] = P.cos_tau * my[k] - P.sin_tau * (c * M[2][k] - s * arm.ux[k]);
-      F y = my[2];
+      my[1] = P.cos_tau * my[1] - P.sin_tau * (c * M[2][1] - s * arm.ux[1]);
+      F y = my[2], y0 = my[0];
       my[2] = P.cos_tau * y - P.sin_tau * mz;
       mz = P.sin_tau * y + P.cos_tau * mz;
+      my[0] = P.cos_tau * y0 - P.sin_tau * mz0;
+      mz0 = P.sin_tau * y0 + P.cos_tau * mz0;
     }
     F sine = sqrt(mx[2] * mx[2] + my[2] * my[2]);
     Mask<F> on_singularity = sine < kSwpOnSingularity;
@@ -336,8 +344,8 @@ class SphericalWristParallelKernel {
     F c4 = select(on_singularity, F(P.cos_offset4), mx[2] * over);
     F s4 = select(on_singularity, F(P.sin_offset4), my[2] * over);
     F th4 = atan2_closed(s4, c4);
-    F th5 = atan2_closed(c4 * mx[2] + s4 * my[2], mz);
-    F q6 = atan2(c4 * my[0] - s4 * mx[0], c4 * my[1] - s4 * mx[1]);
+    F s5 = c4 * mx[2] + s4 * my[2], th5 = atan2_closed(s5, mz);
+    F s6 = c4 * my[0] - s4 * mx[0], c6 = c4 * my[1] - s4 * mx[1], q6 = atan2(s6, c6);
     out.q[3] = wrapped(th4 - P.offset4);
     out.q[4] = wrapped(th5 - P.offset5);
     out.q[5] = q6;
@@ -345,41 +353,39 @@ class SphericalWristParallelKernel {
     out.flipped[1] = wrapped(-th5 - P.offset5);
     out.flipped[2] = select(q6 > 0.0, q6 - kPi, q6 + kPi);
     out.two = !on_singularity;
-    out.ok = e.ok & verify(P, M, w, arm.rounded_c, arm.rounded_s, out.q);
+    // the arm's plane: the wrist centre, and the forearm's direction as it was used against that of joints 2 and 3
+    F off = (abs(P.upper * c2 + P.fore * c23 - arm.X) + abs(P.upper * s2 + P.fore * s23 - arm.Z)) * (1.0 / P.scale);
+    off += lever(P) * (abs(c2 * e.c3 - s2 * sine3 - c23) + abs(s2 * e.c3 + c2 * sine3 - s23) +
+                       abs((c2 * c2 - 1.0) + s2 * s2) + abs((c23 * c23 - 1.0) + s23 * s23));
+    // the first and the last column of Rz(th4) Ry(th5) Rz(th6), seen from the forearm
+    F turned_x = mz * c6;
+    off += abs(c4 * turned_x - s4 * s6 - mx[0]) + abs(s4 * turned_x + c4 * s6 - my[0]) + abs(s5 * c6 + mz0);
+    off += abs(c4 * s5 - mx[2]) + abs(s4 * s5 - my[2]);
+    off += kTwoColumns * (abs((s5 * s5 - 1.0) + mz * mz) + abs((s6 * s6 - 1.0) + c6 * c6));
+    out.ok = e.ok & (arm.off + off <= verified_within(P));
     return out;
   }
 
-  // Forward kinematics of the rounded answer against the pose. Two columns of a rotation fix the third.
-  template <class F> PIEPER_INLINE static Mask<F> verify(const SphericalWristParallel& P, const F (&M)[3][3],
-                                                         const F (&w)[3], F c1, F s1, const F (&q)[6]) {
-    F c2, s2, c3, s3, c4, s4, c5, s5, c6, s6;
-    sincos_of_turns(q[1] + P.offset2, s2, c2);
-    sincos_of_turns(P.sign3 * q[2] + P.offset3, s3, c3);
-    sincos_of_turns(q[3] + P.offset4, s4, c4);
-    sincos_of_turns(q[4] + P.offset5, s5, c5);
-    sincos_of_turns(q[5], s6, c6);
-    F c23 = c2 * c3 - s2 * s3, s23 = s2 * c3 + c2 * s3;
-    F X = P.a1 + (P.upper * c2 + P.fore * c23), Z = P.upper * s2 + P.fore * s23;
-    // a sum, because NaN survives it
-    F off = abs(c1 * X - s1 * P.b - w[0]) + abs(s1 * X + c1 * P.b - w[1]) + abs(Z - w[2]);
-    off *= 1.0 / P.scale;
-    F c = c23 * P.cos_psi - s23 * P.sin_psi, s = s23 * P.cos_psi + c23 * P.sin_psi;
-    // the first and the last column of Rz(th4) Ry(th5) Rz(th6), then tilt, forearm and first joint
-    F turned_x = c5 * c6;
-    F N[2][3] = {{c4 * turned_x - s4 * s6, s4 * turned_x + c4 * s6, -(s5 * c6)}, {c4 * s5, s4 * s5, c5}};
-    for (int k = 0; k < 2; ++k) {
-      F x = N[k][0], y = N[k][1], z = N[k][2];
-      if (P.tilted) {
-        F turned_y = P.cos_tau * y + P.sin_tau * z;
-        z = P.cos_tau * z - P.sin_tau * y;
-        y = turned_y;
-      }
-      F along = c * x - s * z, up = s * x + c * z;
-      off += abs(c1 * along - s1 * y - M[0][2 * k]);
-      off += abs(s1 * along + c1 * y - M[1][2 * k]);
-      off += abs(up - M[2][2 * k]);
-    }
-    return off <= kSwpVerified;
+  // Verification. An answer is the rounded angles of pairs (c, s) that are held; forward kinematics of the angles is that of the
+  // pairs, but for three things, each of which has a bound:
+  //   - a pair is not of length one: |c^2 + s^2 - 1| = d turns nothing, and scales what the joint carries by at most d / 2 (1 + d);
+  //   - atan2 misses the pair's angle by at most kAngleError (lanes/math.hpp), and taking off the joint's offset, the change of
+  //     sense, whole turns and the other turn of the wrist round four more times below 2 pi: kJointError together;
+  //   - a joint that is turned by delta moves the wrist centre, in lengths of the scale, and each of the two columns that are
+  //     compared by at most delta times its lever, sqrt(3) times that in the sum of absolute values.
+  // So the sum of what the pairs miss, of what their lengths miss times the levers and of the levers times kJointError, joint for
+  // joint, is no smaller than what forward kinematics of the rounded angles misses: it must stay below kSwpVerified. Two columns of
+  // a rotation fix the third. A sum, because NaN survives it.
+  static constexpr double kSqrt3 = 1.7320508075688773, kTwoColumns = 2 * kSqrt3;
+  static constexpr double kJointError = kAngleError + 4 * 8.9e-16;
+
+  // Of joints 1, 2 and 3: they carry the wrist centre and both columns.
+  PIEPER_INLINE static double lever(const SphericalWristParallel& P) {
+    const double reach = __builtin_fabs(P.a1) + __builtin_fabs(P.b) + __builtin_fabs(P.upper) + __builtin_fabs(P.fore);
+    return kTwoColumns + kSqrt3 * reach / P.scale;
+  }
+  PIEPER_INLINE static double verified_within(const SphericalWristParallel& P) {
+    return kSwpVerified - kJointError * 3 * (lever(P) + kTwoColumns);
   }
 
  private:

@@ -171,12 +171,12 @@ class SympyField:
     class _Symbols(dict):
         """A mapping that makes a sympy symbol for every name it is asked for, but never stands in for c1 or s23."""
 
-        def __missing__(self, symbol):
+        def __missing__(self, symbol: Any) -> Any:
             import sympy
 
             return sympy.Symbol(symbol if isinstance(symbol, str) else symbol.name, real=True)
 
-        def __contains__(self, symbol):
+        def __contains__(self, symbol: Any) -> bool:
             return False
 
     symbols = _Symbols()

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from pieper.algebra.expression import Sym, Trig
 from pieper.algebra.harmonic import Poly
@@ -52,6 +53,7 @@ class Factored:
 
     @property
     def zero(self) -> bool:
+        """Whether the value is zero."""
         return not self.scale
 
 
@@ -223,7 +225,7 @@ def _single_function(poly: Poly) -> list[Poly] | None:
     return None
 
 
-def _plain_symbols(poly: Poly):
+def _plain_symbols(poly: Poly) -> list[Any]:
     return sorted({s for symbols, _ in poly.terms for s, _ in symbols}, key=lambda s: s.order)
 
 

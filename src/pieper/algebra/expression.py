@@ -12,6 +12,7 @@ symbols of derived formulas are pooled.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -23,28 +24,28 @@ class Expr(Node):
 
     __slots__ = ()
 
-    def __add__(self, other) -> Expr:
+    def __add__(self, other: Any) -> Expr:
         return add(self, other)
 
-    def __radd__(self, other) -> Expr:
+    def __radd__(self, other: Any) -> Expr:
         return add(other, self)
 
-    def __sub__(self, other) -> Expr:
+    def __sub__(self, other: Any) -> Expr:
         return add(self, -as_expr(other))
 
-    def __rsub__(self, other) -> Expr:
+    def __rsub__(self, other: Any) -> Expr:
         return add(other, -self)
 
-    def __mul__(self, other) -> Expr:
+    def __mul__(self, other: Any) -> Expr:
         return mul(self, other)
 
-    def __rmul__(self, other) -> Expr:
+    def __rmul__(self, other: Any) -> Expr:
         return mul(other, self)
 
-    def __truediv__(self, other) -> Expr:
+    def __truediv__(self, other: Any) -> Expr:
         return div(self, other)
 
-    def __rtruediv__(self, other) -> Expr:
+    def __rtruediv__(self, other: Any) -> Expr:
         return div(other, self)
 
     def __neg__(self) -> Expr:
@@ -77,10 +78,10 @@ class Num(Expr):
     def __init__(self, value: Any, written: str = "") -> None:
         self.value, self.written = Fraction(value), written
 
-    def looked_up(self, values, field):
+    def _looked_up(self, values: Mapping[Any, Any], field: Any) -> Any:
         return field.rational(self.value)
 
-    def __eq__(self, other) -> bool:
+    def __eq__(self, other: Any) -> bool:
         return isinstance(other, Num) and other.value == self.value
 
     def __hash__(self) -> int:
@@ -96,7 +97,7 @@ class PiFraction(Expr):
     def __init__(self, value: Any) -> None:
         self.value = Fraction(value)
 
-    def looked_up(self, values, field):
+    def _looked_up(self, values: Mapping[Any, Any], field: Any) -> Any:
         return field.rational(self.value) * field.pi
 
 
@@ -118,7 +119,8 @@ class Sym(Expr):
     order: tuple
     name: str  # plain, as sympy and text have it: a2, theta1, n_x
 
-    def __new__(cls, base: str, sub: str = "", rank: int = 1):
+    def __new__(cls, base: str, sub: str = "", rank: int = 1) -> Sym:
+        """Return the one symbol of this name and place."""
         key = (cls, base, sub, rank)
         found = cls._pool.get(key)
         if found is None:
@@ -128,16 +130,17 @@ class Sym(Expr):
             found.order = (rank, base if rank != 4 else {"p": "0", "w": "0"}.get(base, base), natural(sub))
         return found
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return Sym, (self.base, self.sub, self.rank)
 
-    def looked_up(self, values, field):
+    def _looked_up(self, values: Mapping[Any, Any], field: Any) -> Any:
         try:
             return values[self]
         except KeyError:
             raise KeyError(f"no value for the symbol {self.name}") from None
 
-    def substitute(self, table):
+    def substitute(self, table: Mapping[Any, Any]) -> Any:
+        """What the table has for this symbol."""
         return table.get(self, self)
 
 
@@ -161,7 +164,8 @@ class Trig(Expr):
     rank: int
     order: tuple
 
-    def __new__(cls, kind: str, angle: tuple, group: int, letter: str = "theta"):
+    def __new__(cls, kind: str, angle: tuple, group: int, letter: str = "theta") -> Trig:
+        """Return the one function of this angle."""
         key = (kind, angle, group, letter)
         found = cls._pool.get(key)
         if found is None:
@@ -170,14 +174,14 @@ class Trig(Expr):
             found.order = (3, group, len(angle), angle, kind)
         return found
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return Trig, (self.kind, self.angle, self.group, self.letter)
 
     def argument(self) -> tuple:
         """((factor, symbol), ...) of the angle."""
         return tuple((factor, angle_symbol(joint, self.letter)) for joint, factor in self.angle)
 
-    def looked_up(self, values, field):
+    def _looked_up(self, values: Mapping[Any, Any], field: Any) -> Any:
         if self in values:
             return values[self]
         total = field.rational(Fraction(0))
@@ -185,7 +189,8 @@ class Trig(Expr):
             total = total + field.rational(Fraction(factor)) * symbol.evaluate(values, field)
         return field.cos(total) if self.kind == "c" else field.sin(total)
 
-    def substitute(self, table):
+    def substitute(self, table: Mapping[Any, Any]) -> Any:
+        """What the table has for this symbol."""
         return table.get(self, self)
 
 
@@ -198,7 +203,7 @@ class Operation(Expr):
     def __init__(self, *args: Expr) -> None:
         self.args = args
 
-    def rebuilt(self, args):
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return type(self)(*args)
 
 
@@ -215,10 +220,10 @@ class Add(Operation):
         flat = [t for term in terms for t in (term.args if isinstance(term, Add) else (term,))]
         return flat[0] if len(flat) == 1 else Add(*flat)
 
-    def rebuilt(self, args):
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return Add.of(*args)
 
-    def combined(self, v, field, branch):
+    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
         total = v[0]
         for x in v[1:]:
             total = total + x
@@ -238,10 +243,10 @@ class Mul(Operation):
         flat = [f for factor in factors for f in (factor.args if isinstance(factor, Mul) else (factor,))]
         return flat[0] if len(flat) == 1 else Mul(*flat)
 
-    def rebuilt(self, args):
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return Mul.of(*args)
 
-    def combined(self, v, field, branch):
+    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
         total = v[0]
         for x in v[1:]:
             total = total * x
@@ -255,7 +260,7 @@ class Div(Operation):
     op = "quotient"
     precedence = 3
 
-    def combined(self, v, field, branch):
+    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
         return v[0] / v[1]
 
 
@@ -279,7 +284,7 @@ class Power(Operation):
             return None
         return exponent.value.numerator if exponent.value.denominator == 1 else exponent.value
 
-    def combined(self, v, field, branch):
+    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
         return field.power(v[0], self.power if type(self.power) is int else v[1])
 
 
@@ -293,10 +298,10 @@ class Call(Operation):
         super().__init__(*map(as_expr, args))
         self.name = name
 
-    def rebuilt(self, args):
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return Call(self.name, *args)
 
-    def combined(self, v, field, branch):
+    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
         return getattr(field, self.name)(*v)
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from pieper.algebra.expression import Add, Call, Expr, Num, Operation, Sym, natural
 
@@ -18,7 +19,8 @@ class Mention(Sym):
 
     __slots__ = ()
 
-    def __new__(cls, name: str):
+    def __new__(cls, name: str) -> Mention:
+        """Return a new mention of the name."""
         found = object.__new__(cls)
         found.name = name
         found.base = name.rstrip("0123456789") or name
@@ -26,13 +28,14 @@ class Mention(Sym):
         found.order = (1, found.base, natural(found.sub))
         return found
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return Mention, (self.name,)
 
-    def looked_up(self, values, field):
+    def _looked_up(self, values: Mapping[Any, Any], field: Any) -> Any:
         return values[self.name]
 
-    def substitute(self, table):
+    def substitute(self, table: Mapping[Any, Any]) -> Any:
+        """What the table has for this name."""
         return table.get(self.name, self)
 
 
@@ -48,10 +51,10 @@ class Neg(Operation):
         """Minus x, without piling up signs."""
         return x.args[0] if isinstance(x, Neg) else Neg(x)
 
-    def rebuilt(self, args):
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return Neg.of(*args)
 
-    def combined(self, v, field, branch):
+    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
         return -v[0]
 
 
@@ -66,10 +69,10 @@ class PlusMinus(Operation):
         super().__init__(x)
         self.sign = sign
 
-    def rebuilt(self, args):
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return PlusMinus(next(iter(args)), self.sign)
 
-    def combined(self, v, field, branch):
+    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
         return v[0] if branch * self.sign > 0 else -v[0]
 
 
@@ -80,7 +83,7 @@ class Equation(Operation):
     op = "equation"
     precedence = 0
 
-    def combined(self, v, field, branch):
+    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
         return v[0] - v[1]
 
 
@@ -121,7 +124,7 @@ def replaced(root: Expr, path: tuple[int, ...], new: Expr) -> Expr:
         return new
     args = list(root.args)
     args[path[0]] = replaced(args[path[0]], path[1:], new)
-    return root.rebuilt(args)
+    return root._rebuilt(args)
 
 
 def replaced_everywhere(root: Expr, new: Mapping[int, Expr]) -> Expr:
@@ -129,4 +132,4 @@ def replaced_everywhere(root: Expr, new: Mapping[int, Expr]) -> Expr:
     if id(root) in new:
         return new[id(root)]
     args = [replaced_everywhere(a, new) for a in root.args]
-    return root if all(x is y for x, y in zip(args, root.args, strict=True)) else root.rebuilt(args)
+    return root if all(x is y for x, y in zip(args, root.args, strict=True)) else root._rebuilt(args)

@@ -9,7 +9,9 @@ independent (Fourier), therefore two polynomials are equal exactly when their te
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
 from fractions import Fraction
+from typing import Any
 
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import ONE, ZERO, Expr, Num, Power, Sym, Trig, add, mul
@@ -25,29 +27,31 @@ class Poly:
 
     __slots__ = ("terms",)
 
-    def __init__(self, terms: dict | None = None):
+    def __init__(self, terms: dict | None = None) -> None:
         self.terms = terms or {}
 
     @classmethod
-    def number(cls, value) -> Poly:
+    def number(cls, value: Any) -> Poly:
+        """The polynomial that is a number."""
         value = _whole(Fraction(value))
         return cls({((), ()): value} if value else {})
 
     @classmethod
-    def symbol(cls, atom: Sym | Trig, coefficient=1) -> Poly:
+    def symbol(cls, atom: Sym | Trig, coefficient: int | Fraction = 1) -> Poly:
+        """The polynomial that is a multiple of one symbol or function."""
         key = ((), (atom,)) if isinstance(atom, Trig) else (((atom, 1),), ())
         return cls({key: coefficient})
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return bool(self.terms)
 
-    def __eq__(self, other):
+    def __eq__(self, other: Any) -> bool:
         return isinstance(other, Poly) and self.terms == other.terms
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash(frozenset(self.terms.items()))
 
-    def __add__(self, other):
+    def __add__(self, other: Any) -> Poly:
         other = as_poly(other)
         terms = dict(self.terms)
         for key, value in other.terms.items():
@@ -56,16 +60,16 @@ class Poly:
 
     __radd__ = __add__
 
-    def __neg__(self):
+    def __neg__(self) -> Poly:
         return Poly({key: -value for key, value in self.terms.items()})
 
-    def __sub__(self, other):
+    def __sub__(self, other: Any) -> Poly:
         return self + (-as_poly(other))
 
-    def __rsub__(self, other):
+    def __rsub__(self, other: Any) -> Poly:
         return as_poly(other) - self
 
-    def __mul__(self, other):
+    def __mul__(self, other: Any) -> Poly:
         other = as_poly(other)
         terms: dict = {}
         for (sym1, trig1), c1 in self.terms.items():
@@ -77,7 +81,7 @@ class Poly:
 
     __rmul__ = __mul__
 
-    def __pow__(self, power: int):
+    def __pow__(self, power: int) -> Poly:
         result = Poly.number(1)
         for _ in range(power):
             result = result * self
@@ -85,6 +89,7 @@ class Poly:
 
     # -- looking inside --------------------------------------------------------------------------------------
     def atoms(self) -> set:
+        """The symbols and functions that occur."""
         return {a for symbols, trig in self.terms for a in (*trig, *(s for s, _ in symbols))}
 
     def joints(self) -> set[int]:
@@ -114,7 +119,7 @@ class Poly:
                 terms[(tuple(s for s in symbols if s[0] is not atom), trig)] = value
         return Poly(terms)
 
-    def without(self, *atoms) -> Poly:
+    def without(self, *atoms: Sym | Trig) -> Poly:
         """The terms in which none of the atoms occurs."""
         return Poly(
             {
@@ -150,7 +155,7 @@ class Poly:
                     total = total + Poly({key: value * factor * (-1 if t.kind == "c" else 1)})
         return total
 
-    def evaluate(self, values: dict):
+    def evaluate(self, values: dict) -> Any:
         """The value in double precision, for numbers or arrays."""
         total = 0.0
         for (symbols, functions), value in self.terms.items():
@@ -179,7 +184,8 @@ class Poly:
         return mul(Num(content), min(forms, key=_operations))
 
 
-def as_poly(value) -> Poly:
+def as_poly(value: Any) -> Poly:
+    """The value itself when it is a polynomial, else the polynomial that is this number, symbol or function."""
     if isinstance(value, Poly):
         return value
     if isinstance(value, (Sym, Trig)):
@@ -190,7 +196,7 @@ def as_poly(value) -> Poly:
 
 
 def trig(kind: str, angle: dict[int, int], group: int, letter: str = "theta") -> Poly:
-    """sin or cos of an angle combination, with the first factor made positive."""
+    """Sine or cosine of an angle combination, with the first factor made positive."""
     items = tuple(sorted((j, k) for j, k in angle.items() if k))
     if not items:
         return Poly.number(1 if kind == "c" else 0)
@@ -207,7 +213,7 @@ def matmul(left: list[list[Poly]], right: list[list[Poly]]) -> list[list[Poly]]:
     return [[_dot(row, column) for column in columns] for row in left]
 
 
-def _dot(row, column) -> Poly:
+def _dot(row: Any, column: Any) -> Poly:
     total = Poly()
     for x, y in zip(row, column, strict=True):
         if x.terms and y.terms:
@@ -215,12 +221,12 @@ def _dot(row, column) -> Poly:
     return total
 
 
-def _whole(value):
+def _whole(value: Any) -> int | Fraction:
     """Integers as int: sums of them are many times faster than of fractions."""
     return value.numerator if value.denominator == 1 else value
 
 
-def _gather(terms: dict, key, value):
+def _gather(terms: dict, key: Any, value: Any) -> None:
     total = terms.get(key, 0) + value
     if total:
         terms[key] = total if type(total) is int else _whole(total)
@@ -302,19 +308,19 @@ def _without_double_angles(poly: Poly) -> Poly:
 
 
 # -- nesting -------------------------------------------------------------------------------------------------
-def _first_joint_first(atom, count):
+def _first_joint_first(atom: Sym | Trig, count: int) -> tuple[Any, ...]:
     return (atom.rank != 3, atom.order)
 
 
-def _most_common_first(atom, count):
+def _most_common_first(atom: Sym | Trig, count: int) -> tuple[Any, ...]:
     return (-count, atom.rank != 3, atom.order)
 
 
-def _last_joint_first(atom, count):
+def _last_joint_first(atom: Sym | Trig, count: int) -> tuple[Any, ...]:
     return (atom.rank != 3, -atom.group if atom.rank == 3 else 0, atom.order)
 
 
-def _nest(rows: list, order) -> Expr:
+def _nest(rows: list, order: Callable[[Any, int], Any]) -> Expr:
     if len(rows) == 1:
         value, atoms = rows[0]
         return _product(value, atoms)
@@ -352,7 +358,7 @@ def _nest(rows: list, order) -> Expr:
     return add(*(part for _, part in sorted(parts, key=lambda item: item[0])))
 
 
-def _reading_order(row):
+def _reading_order(row: Any) -> tuple[Any, ...]:
     """Lengths without angles first, then along the chain, cosine before sine."""
     _, atoms = row
     functions = [a for a in atoms if a.rank == 3]

@@ -35,30 +35,30 @@ class Node:
             if found is not None:
                 return found
         if self.args:
-            found = self.combined([a.evaluate(values, field, branch, cache, learn) for a in self.args], field, branch)
+            found = self._combined([a.evaluate(values, field, branch, cache, learn) for a in self.args], field, branch)
         else:
-            found = self.looked_up(values, field)
+            found = self._looked_up(values, field)
         if cache is not None and learn:
             cache[self] = found
         return found
 
-    def combined(self, v: list, field: Any, branch: int) -> Any:
+    def _combined(self, v: list, field: Any, branch: int) -> Any:
         """Value of the node from those of its arguments."""
         raise TypeError(f"a {type(self).__name__} has no arguments")
 
-    def looked_up(self, values: Mapping, field: Any) -> Any:
+    def _looked_up(self, values: Mapping, field: Any) -> Any:
         """Value of a node without arguments."""
         raise TypeError(f"a {type(self).__name__} is no atom")
 
     # -- structure -------------------------------------------------------------------------------------------
-    def rebuilt(self, args: Iterable[Any]) -> Any:
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         """The same operation on other arguments; sums and products inside one another are joined."""
         return self
 
     def substitute(self, table: Mapping) -> Any:
         """Replace symbols by expressions (the keys are pooled symbols, or the names of mentions)."""
         args = [a.substitute(table) for a in self.args]
-        return self if all(x is y for x, y in zip(args, self.args, strict=True)) else self.rebuilt(args)
+        return self if all(x is y for x, y in zip(args, self.args, strict=True)) else self._rebuilt(args)
 
     def walk(self) -> Iterator[Any]:
         """Every node, arguments before what holds them, without recursion."""

@@ -1,5 +1,4 @@
-"""The formula language: the papers' own notation, read by a tokenizer and a recursive-descent parser into an
-expression tree.
+"""The formula language: the papers' own notation, read by a recursive-descent parser into an expression tree.
 
 Understood: ``C1 s23 c(2-3) S345 cq2q3``, ``cos t1``, ``sin(q2+q3)``, ``atan2(y, x)``, ``tan^-1``, products written
 side by side
@@ -29,7 +28,7 @@ class FormulaError(InputError):
     """A formula that cannot be read; the message shows the line with a caret under the place."""
 
 
-def _fail(text: str, at: int, message: str, **data) -> FormulaError:
+def _fail(text: str, at: int, message: str, **data: object) -> FormulaError:
     start = max(0, at - 60)
     shown = text[start : at + 60].replace("\n", " ")
     if start:
@@ -47,7 +46,7 @@ class Parser:
         joints: number of joints; theta1 .. theta<joints> and their sines and cosines are allowed.
     """
 
-    def __init__(self, text: str, names: Collection[str], joints: int):
+    def __init__(self, text: str, names: Collection[str], joints: int) -> None:
         if not isinstance(text, str):
             raise FormulaError(f"a formula is text in quotes, but this is {text!r} ({type(text).__name__})")
         for fancy, plain in SPELLING.items():
@@ -194,7 +193,7 @@ class Parser:
             return Neg.of(self._primary())
         return self._primary()
 
-    def _deeper(self, position: int):
+    def _deeper(self, position: int) -> None:
         self.depth += 1
         if self.depth > MAX_DEPTH:
             raise _fail(self.text, position, f"more than {MAX_DEPTH} brackets or signs inside one another")
@@ -228,7 +227,7 @@ class Parser:
         self.depth -= 1
         return inner
 
-    def _close(self, opened: str, position: int):
+    def _close(self, opened: str, position: int) -> None:
         wanted = {"(": ")", "[": "]", "{": "}"}[opened]
         kind, text, at = self._take()
         if text != wanted:

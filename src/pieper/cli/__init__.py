@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-DONE, NO_SOLUTION, MISUSE, INTERRUPTED = 0, 1, 2, 130
+from pieper.cli.status import MISUSE
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -23,6 +23,6 @@ def main(arguments: list[str] | None = None) -> int:
             print(f"pieper: the command line needs {missing.name}: pip install 'pieper[cli]'", file=sys.stderr)
             sys.exit(MISUSE)
         raise
-    from pieper.cli.failing import guarded
+    from pieper.cli.failure import guarded
 
     sys.exit(guarded(app, arguments))

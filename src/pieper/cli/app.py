@@ -15,6 +15,8 @@ COMMANDS = {
     "ik": "From a pose, or a file of poses, to every solution.",
     "path": "Follow straight lines with one branch.",
     "report": "Write everything about an arm on one page.",
+    "calibrate": "Fit an arm to what was measured.",
+    "code": "Write an arm's solver in another language.",
     "check": "Judge the claims someone makes about an arm.",
     "workbench": "Open the workbench in the browser.",
     "tour": "Run a whole study and write it up.",

@@ -8,11 +8,11 @@ from pathlib import Path
 import click
 
 import pieper
-from pieper.cli import DONE, NO_SOLUTION
 from pieper.cli.layout import Column
 from pieper.cli.options import as_json
-from pieper.cli.printed import as_json as print_json
-from pieper.cli.printed import print_table, say
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import print_table, say
+from pieper.cli.status import DONE, NO_SOLUTION
 
 
 @click.command("check", short_help="Judge the claims someone makes about an arm.")

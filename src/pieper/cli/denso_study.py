@@ -88,7 +88,7 @@ def run(out: Path, *, say: Callable[[str], None] = print) -> tuple[Path, bool]:
         "Of the twelve forward equations that the source paper prints, eleven hold and P_x has lost a factor C2. "
         f"Every one of {recall['poses']:,} random poses has {count} solutions, all of them found and put back to "
         f"within {sections.scientific(recall['metres'] * MM)} mm. The straight line from (350, 0, 400) to (200, 100, "
-        f"500) mm is followed by one continuous branch over {len(track.q)} of {len(track.path)} points, with no "
+        f"500) mm is followed by one continuous branch over {track.points} of {len(track.path)} points, with no "
         f"joint step larger than {sections.fixed(np.degrees(track.largest_step.max()), 2)}°."
     )
     written = sections.write_figures(page, out / "figures")
@@ -212,20 +212,20 @@ def _line(page: sections.Document, arm: pieper.Arm, say: Callable[[str], None]) 
     page.section("The straight line")
     path = line_of_study(np.eye(3))
     track = arm.follow(path, start=arm.postures["line-start"])
-    say(f"  R = I: {len(track.q)} of {len(path)} points on one branch")
+    say(f"  R = I: {track.points} of {len(path)} points on one branch")
     sections.add_track(page, arm, track, prefix="line")
     page.add(sections.Heading(("Which way the tool may point",), 2))
     rows, remarks = [], []
     for name, R in orientations().items():
         way = line_of_study(R)
         reached = int(arm.ik_many(way).valid.any(1).sum())
-        attempt_ = arm.follow(way, start=track.q[0])
+        attempt_ = arm.follow(way, start=track.followed[0])
         stop = attempt_.stop
         swing = [e for e in attempt_.events if not e.stop]
         passing = sum(b.complete for b in attempt_.branches)
-        biggest = sections.fixed(np.degrees(attempt_.largest_step.max()), 1) + "°" if len(attempt_.q) > 1 else "none"
+        biggest = sections.fixed(np.degrees(attempt_.largest_step.max()), 1) + "°" if attempt_.points > 1 else "none"
         rows.append(
-            [name, str(reached), str(len(attempt_.q)), str(passing), biggest, stop.cause if stop else "reaches the end"]
+            [name, str(reached), str(attempt_.points), str(passing), biggest, stop.cause if stop else "reaches the end"]
         )
         remarks += [f"With the {name}: {e.detail}" for e in swing[:1]]
         if stop and stop.cause == "out of reach":
@@ -270,7 +270,7 @@ def _literal_limits(arm: pieper.Arm, track: pieper.Track) -> str:
 
 def _joint_move(page: sections.Document, arm: pieper.Arm, track: pieper.Track) -> None:
     page.section("The same two postures, joint by joint")
-    motion = pieper.move(track.q[0], track.q[-1], 3.0, rate=100)
+    motion = pieper.move(track.followed[0], track.followed[-1], 3.0, rate=100)
     tool = arm.fk(motion.q)[:, :3, 3]
     p0, p1 = track.path[0, :3, 3], track.path[-1, :3, 3]
     along = (p1 - p0) / np.linalg.norm(p1 - p0)

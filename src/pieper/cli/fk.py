@@ -7,11 +7,11 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.cli import DONE
-from pieper.cli.given import joints as read_joints
+from pieper.cli.arguments import joints as read_joints
 from pieper.cli.options import NUMBERS, as_json, takes_arm, takes_units
-from pieper.cli.printed import as_json as print_json
-from pieper.cli.printed import print_pose, say, short
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import print_pose, say, short
+from pieper.cli.status import DONE
 from pieper.cli.units import Units
 
 #: A joint may pass its limit by this much (rad or m) without a word.

@@ -11,12 +11,11 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.cli import DONE, NO_SOLUTION
-from pieper.cli.given import Target, joints, numbers, target
+from pieper.cli.arguments import Target, joints, numbers, target
 from pieper.cli.layout import Column
 from pieper.cli.options import NUMBERS, as_csv, as_json, figure, order, takes_arm, takes_units
-from pieper.cli.printed import as_json as print_json
-from pieper.cli.printed import (
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import (
     joint_cells,
     joint_columns,
     plural,
@@ -27,6 +26,7 @@ from pieper.cli.printed import (
     si_units,
     small,
 )
+from pieper.cli.status import DONE, NO_SOLUTION
 from pieper.cli.units import Units
 
 

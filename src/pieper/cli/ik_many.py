@@ -13,9 +13,9 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.cli import DONE, NO_SOLUTION
+from pieper.cli.output import as_json, plural, si_units
 from pieper.cli.pose_file import PoseFile
-from pieper.cli.printed import as_json, plural, si_units
+from pieper.cli.status import DONE, NO_SOLUTION
 from pieper.cli.units import Units
 
 #: Decimals of joint values in a CSV: finer than any unit's rounding noise.
@@ -49,7 +49,7 @@ def solve_file(request: Request) -> int:
         for block in poses.blocks(read):
             if not total and poses.bare:
                 request = _of_positions(request, block)
-            many = request.arm.ik_many(block, task=request.task, redundancy=request.redundancy)
+            many = request.arm.ik_many(block, near=request.near, task=request.task, redundancy=request.redundancy)
             if not total and not request.json:
                 _write(out, head(request.arm, request.units))
             rows += write(request, many, block, total, out)
@@ -124,8 +124,8 @@ def _chosen(
 ) -> tuple[npt.NDArray[np.int_], npt.NDArray[np.float64], npt.NDArray[np.bool_]]:
     """Return the pose (0-based), joints and whether inside the limits, of each row that is asked for."""
     if request.near is not None:
-        q, found = many.nearest(request.near)
-        return np.flatnonzero(found), q[found], np.ones(np.count_nonzero(found), bool)
+        found = many.has_nearest
+        return np.flatnonzero(found), many.nearest[found], np.ones(np.count_nonzero(found), bool)
     mask = many.valid if request.everything else many.in_limits
     return np.nonzero(mask)[0], many.q[mask], many.in_limits[mask]
 

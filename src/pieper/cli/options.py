@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 import pieper
-from pieper.cli.given import ALSO, NOTATIONS
+from pieper.cli.arguments import ALSO, NOTATIONS
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
 #: For commands that take numbers: a negative one is a number, not an option.

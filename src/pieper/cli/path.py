@@ -10,8 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.cli import DONE, NO_SOLUTION
-from pieper.cli.given import Target, joints, target
+from pieper.cli.arguments import Target, joints, target
 from pieper.cli.layout import Column
 from pieper.cli.options import (
     NUMBERS,
@@ -25,8 +24,9 @@ from pieper.cli.options import (
     takes_arm,
     takes_units,
 )
-from pieper.cli.printed import as_json as print_json
-from pieper.cli.printed import joint_cells, joint_columns, number, print_table, say, si_units, small
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import joint_cells, joint_columns, number, print_table, say, si_units, small
+from pieper.cli.status import DONE, NO_SOLUTION
 from pieper.cli.units import Units
 
 #: Decimals in a CSV: finer than rounding noise.
@@ -117,17 +117,19 @@ def held(
 
 
 def _print_points(arm: pieper.Arm, track: pieper.Track, units: Units) -> None:
-    if not len(track.q):
+    if not track.points:
         return
     columns = [Column("point"), Column("s"), *(Column(f"{axis}, {units.length}") for axis in "xyz")]
     columns += [*joint_columns(arm, units), Column(f"residual, {units.length}")]
     rows = []
-    for k in _few(len(track.q)):
+    for k in _few(track.points):
         position = [number(v / units.metres, 2 if units.length == "mm" else 5) for v in track.path[k, :3, 3]]
         residual = small(track.residual[k, 0] / units.metres, "").strip()
-        rows.append([str(k + 1), number(track.s[k], 4), *position, *joint_cells(arm, track.q[k], units), residual])
-    shown = f"; {len(rows)} of them shown" if len(rows) < len(track.q) else ""
-    title = f"{arm.name}: {len(track.q)} of {len(track.path)} points reached{shown}"
+        rows.append(
+            [str(k + 1), number(track.s[k], 4), *position, *joint_cells(arm, track.followed[k], units), residual]
+        )
+    shown = f"; {len(rows)} of them shown" if len(rows) < track.points else ""
+    title = f"{arm.name}: {track.points} of {len(track.path)} points reached{shown}"
     print_table(title, columns, rows)
 
 
@@ -154,7 +156,7 @@ def write_csv(arm: pieper.Arm, track: pieper.Track, file: str, units: Units) -> 
     head += [f"r{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
     with pieper.whole_file(file) as out:
         out.write((",".join(head) + "\n").encode())
-        for k, q in enumerate(track.q):
+        for k, q in enumerate(track.followed):
             T = track.path[k]
             values = [track.s[k], *(q / units.of_joints(arm)), *(T[:3, 3] / units.metres), *T[:3, :3].ravel()]
             out.write(
@@ -170,7 +172,7 @@ def write_figures(arm: pieper.Arm, track: pieper.Track, folder: str) -> list[Pat
     except OSError as error:
         raise pieper.InputError(f"cannot make the folder {place}: {error.strerror}.", path=place) from None
     made = {"path": plot.path_figure(track, arm=arm), "coordinates": plot.coordinates_figure(track)}
-    if len(track.q):
+    if track.points:
         made["joints"] = plot.joints_figure(track)
         made["configurations"] = plot.configuration_figure(arm, track)
     return [
@@ -189,7 +191,7 @@ def _as_data(arm: pieper.Arm, track: pieper.Track, written: list[Path], note: st
         "complete": track.complete,
         "points": len(track.path),
         "s": track.s,
-        "q": track.q,
+        "q": track.followed,
         "path": track.path,
         "residual_m": track.residual[:, 0],
         "residual_rad": track.residual[:, 1],

@@ -14,7 +14,8 @@ import numpy as np
 import numpy.typing as npt
 
 from pieper import InputError
-from pieper.cli.given import ALSO, NOTATIONS, number, posed
+from pieper.cli.arguments import ALSO, NOTATIONS, number, posed
+from pieper.cli.output import plural
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
 #: Poses that are read, solved and written at once.
@@ -140,7 +141,7 @@ class PoseFile:
         cells = self._cells(line, form.delimiter)
         what = f"{self.name}, line {at}"
         if len(cells) != form.width:
-            said = f"{what}: {len(cells)} cells where the first line has {form.width}."
+            said = f"{what}: {plural(len(cells), 'cell')} where the first line has {form.width}."
             raise InputError(said, path=self.name, line=at)
         values = [number(cells[j], what) for j in form.pick]
         return posed(values * form.factors, self.units, form.order, what)[0]

@@ -7,9 +7,9 @@ from pathlib import Path
 import click
 
 import pieper
-from pieper.cli import DONE
-from pieper.cli.given import joints, target
+from pieper.cli.arguments import joints, target
 from pieper.cli.options import NUMBERS, first, last, order, points, start, takes_arm, takes_units
+from pieper.cli.status import DONE
 from pieper.cli.units import Units
 
 

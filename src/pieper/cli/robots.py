@@ -5,11 +5,11 @@ from __future__ import annotations
 import click
 
 import pieper
-from pieper.cli import DONE
 from pieper.cli.layout import Column
 from pieper.cli.options import as_json
-from pieper.cli.printed import as_json as print_json
-from pieper.cli.printed import plural, print_table
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import plural, print_table
+from pieper.cli.status import DONE
 
 KEYS = ("name", "joints", "joint_types", "convention", "manufacturer", "source")
 

@@ -8,11 +8,10 @@ import click
 import numpy as np
 
 import pieper
-from pieper.cli import DONE
 from pieper.cli.layout import Column
 from pieper.cli.options import as_json, figure, takes_arm, takes_units
-from pieper.cli.printed import as_json as print_json
-from pieper.cli.printed import (
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import (
     joint_cells,
     joint_columns,
     number,
@@ -23,6 +22,7 @@ from pieper.cli.printed import (
     short,
     si_units,
 )
+from pieper.cli.status import DONE
 from pieper.cli.units import Units
 
 

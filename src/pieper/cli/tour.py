@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from pieper.cli import DONE, NO_SOLUTION
+from pieper.cli.status import DONE, NO_SOLUTION
 
 
 @click.command("tour", short_help="Run a whole study and write it up.")

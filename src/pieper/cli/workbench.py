@@ -7,8 +7,8 @@ import functools
 import click
 
 import pieper
-from pieper.cli import DONE
 from pieper.cli.options import takes_arm
+from pieper.cli.status import DONE
 
 
 @click.command("workbench", short_help="Open the workbench in the browser.")

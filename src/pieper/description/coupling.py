@@ -7,6 +7,7 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from pieper.errors import InputError
+from pieper.words_by_number import plural
 
 #: A coupling whose inverse is larger than this many times its size says that two joints move the same.
 WORST_CONDITION = 1e6
@@ -27,8 +28,8 @@ def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.
         C = np.empty(0)
     if C.shape != (n, n) or not np.isfinite(C).all():
         raise InputError(
-            f"coupling must be {n} rows of {n} finite numbers (chain values = coupling @ joint values), "
-            f"got {'shape ' + str(C.shape) if C.size else repr(coupling)}.",
+            f"coupling must be {plural(n, 'row')} of {plural(n, 'finite number')} (chain values = coupling @ "
+            f"joint values), got {'shape ' + str(C.shape) if C.size else repr(coupling)}.",
             given=coupling,
         )
     for i, name in enumerate(names):

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from pieper.description.coupling import checked_coupling
 from pieper.errors import InputError, PieperWarning
 from pieper.kinematics.pose import PoseLike, checked_pose
+from pieper.words_by_number import plural
 
 CONVENTIONS = ("standard", "modified")
 MAX_JOINTS = 60
@@ -202,12 +203,12 @@ def describe(
     types = ("R" * n if joint_types is None else str(joint_types)).upper()
     if len(types) != n or set(types) - {"R", "P"}:
         raise InputError(
-            f"joint_types {joint_types!r} must be {n} letters, one a DH row: R revolute, P prismatic.",
+            f"joint_types {joint_types!r} must be {plural(n, 'letter')}, one a DH row: R revolute, P prismatic.",
             given=joint_types,
         )
     names = tuple(f"joint_{i + 1}" for i in range(n)) if joint_names is None else tuple(str(s) for s in joint_names)
     if len(names) != n:
-        raise InputError(f"joint_names has {len(names)} names for {n} joints.", given=names)
+        raise InputError(f"joint_names has {plural(len(names), 'name')} for {plural(n, 'joint')}.", given=names)
     twice = sorted({s for s in names if names.count(s) > 1})
     if twice:
         raise InputError(f"joint name {twice[0]!r} is used twice; names must differ.", joint=twice[0])
@@ -285,7 +286,9 @@ def _limits(limits: object, names: tuple[str, ...], types: str) -> np.ndarray:
     pairs = list(limits)  # type: ignore[call-overload]
     if len(pairs) != n:
         raise InputError(
-            f"limits has {len(pairs)} entries for {n} joints; give one (lower, upper) or None a joint.", given=limits
+            f"limits has {plural(len(pairs), 'entry', 'entries')} for {plural(n, 'joint')}; give one "
+            "(lower, upper) or None a joint.",
+            given=limits,
         )
     for i, pair in enumerate(pairs):
         if pair is None:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 from pieper.description.place import Place, kind_of
 from pieper.description.quantity import UNITS, UNITS_OF, ExpressionError, evaluate
+from pieper.words_by_number import plural
 
 
 def quantity(table: dict, stem: str, kind: str, place: Place, default: float | None = None) -> float:
@@ -63,5 +64,5 @@ def number(value: object, unit: str, place: Place, key: str, *, infinite: bool =
 def numbers(value: object, unit: str, count: int, place: Place, key: str, **allowed: bool) -> list[float]:
     """Return a list of `count` numbers in SI."""
     if not isinstance(value, list) or len(value) != count:
-        place.fail(f"must be a list of {count} numbers, got {kind_of(value)}.", key, given=value)
+        place.fail(f"must be a list of {plural(count, 'number')}, got {kind_of(value)}.", key, given=value)
     return [number(item, unit, place, key, **allowed) for item in value]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 from pieper.description.tree import Joint, Tree, span
 
@@ -78,7 +79,7 @@ def fixed_fingers(tree: Tree, moving: set[str]) -> set[str]:
     return found
 
 
-def _ends(tree: Tree, is_end) -> set[str]:
+def _ends(tree: Tree, is_end: Any) -> set[str]:
     """Return the moving joints that satisfy a test and from which only joints hang that do."""
     found: set[str] = set()
     blocked: set[str] = set()  # links from which an arm joint hangs

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Callable
+from typing import Any
 
 from pieper.description.dh import Description
 from pieper.description.quantity import UNITS, in_unit
@@ -48,7 +49,7 @@ def _says(text: str, description: Description, file: str) -> bool:
         return False
 
 
-def _update(table, old: dict, new: dict, section: str, tomlkit) -> None:
+def _update(table: Any, old: dict, new: dict, section: str, tomlkit: Any) -> None:
     """Change a tomlkit table from what it says (old, in standard form) to what it should say (new)."""
     for key in _ordered(old, new):
         before, after = old.get(key), new.get(key)
@@ -69,7 +70,7 @@ def _update(table, old: dict, new: dict, section: str, tomlkit) -> None:
             _put(table, key, after, tomlkit)
 
 
-def _replace_stems(item, old: dict, new: dict, stem: Callable[[str], str]) -> None:
+def _replace_stems(item: Any, old: dict, new: dict, stem: Callable[[str], str]) -> None:
     """Replace in a tomlkit table the keys of every stem whose meaning differs between old and new."""
     changed = {stem(k) for k in (*old, *new) if not _same(_of(old, stem, stem(k)), _of(new, stem, stem(k)))}
     for name in changed:
@@ -128,7 +129,7 @@ def _ordered(old: dict, new: dict) -> list[str]:
     return [*old, *(key for key in new if key not in old)]
 
 
-def _put(table, key: str, value: object, tomlkit) -> None:
+def _put(table: Any, key: str, value: object, tomlkit: Any) -> None:
     """Set, replace or remove a key of a tomlkit table."""
     if value is None:
         if key in table:
@@ -146,7 +147,7 @@ def _put(table, key: str, value: object, tomlkit) -> None:
     table[key] = value
 
 
-def _as_table(content: dict, tomlkit):
+def _as_table(content: dict, tomlkit: Any) -> Any:
     table = tomlkit.table()
     for key, value in content.items():
         table[key] = _as_table(value, tomlkit) if isinstance(value, dict) else value

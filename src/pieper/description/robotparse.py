@@ -15,6 +15,7 @@ from pieper.description.place import Place, kind_of
 from pieper.description.posefield import pose_of
 from pieper.description.quantity import UNITS, UNITS_OF
 from pieper.errors import InputError
+from pieper.words_by_number import plural
 
 #: Larger than any robot file by far; what is larger is not one and is not parsed.
 LARGEST_FILE = 1_000_000
@@ -183,7 +184,11 @@ def _coupling(document: dict, n: int, top: Place) -> list[list[float]] | None:
         return None
     value = document["coupling"]
     if not isinstance(value, list) or len(value) != n:
-        top.fail(f"must be {n} rows of {n} numbers, one a joint, got {kind_of(value)}.", "coupling", given=value)
+        top.fail(
+            f"must be {plural(n, 'row')} of {plural(n, 'number')}, one a joint, got {kind_of(value)}.",
+            "coupling",
+            given=value,
+        )
     return [numbers(row, "", n, top, "coupling") for row in value]
 
 
@@ -246,7 +251,7 @@ def _joint_vector(table: dict, kinds: str, place: Place) -> np.ndarray:
     units = [angle if kind == "R" or not length else length for kind in kinds]
     value = table[key]
     if not isinstance(value, list) or len(value) != len(kinds):
-        place.fail(f"must be a list of {len(kinds)} numbers, one a joint, got {kind_of(value)}.", key)
+        place.fail(f"must be a list of {plural(len(kinds), 'number')}, one a joint, got {kind_of(value)}.", key)
     return np.array([number(item, unit, place, key) for item, unit in zip(value, units, strict=True)])
 
 

@@ -47,7 +47,11 @@ def contents(description: Description) -> dict:
 
 def dumps(description: Description) -> str:
     """Return the text of a robot file; reading it gives every number back to the last bit."""
-    top = contents(description)
+    return text_of(contents(description))
+
+
+def text_of(top: dict) -> str:
+    """Return the tables of a robot file as its text."""
     lines: list[str] = []
     for key, value in top.items():
         if not isinstance(value, dict) and not _is_tables(value):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from pieper.document.mathml_fit import displayed
 from pieper.document.readable import Readable
 from pieper.equations.table import SymbolTable, symbol_table
 from pieper.errors import InputError
+from pieper.kinematics.arrays import Array
 
 #: Columns of a pose.
 COLUMNS = "noap"
@@ -87,7 +89,7 @@ class MatrixEquation:
         """A <math> element that stands on its own."""
         return displayed(equals(*self.equation.sides).mathml())
 
-    def sympy(self):
+    def sympy(self) -> Any:
         """A sympy Matrix (4, 4) with real symbols theta1, a2, ... inside cos and sin."""
         import sympy
 
@@ -98,7 +100,8 @@ class MatrixEquation:
         """The twelve entries as lines of text."""
         return [text.equation(*row.sides) for row in self.entry_equations.rows]
 
-    def evaluate(self, values: dict, field) -> list[list]:
+    def evaluate(self, values: dict, field: Any) -> list[list]:
+        """The entries in an arithmetic, see `algebra.arithmetics`."""
         return [[e.evaluate(values, field) for e in row] for row in self.entries]
 
 
@@ -119,7 +122,7 @@ class ForwardEquations(Readable):
         fk: Callable[[np.ndarray], np.ndarray] | None = None,
         lengths: str = "symbols",
         angles: str = "theta",
-    ):
+    ) -> None:
         self.description, self._fk = description, fk
         self.table: SymbolTable = symbol_table(description, lengths=lengths, angles=angles)
         self._products: dict[tuple[int, int], list[list[Poly]]] = {}
@@ -127,6 +130,7 @@ class ForwardEquations(Readable):
 
     @property
     def n(self) -> int:
+        """Number of joints."""
         return self.table.n
 
     @functools.cached_property
@@ -146,7 +150,7 @@ class ForwardEquations(Readable):
         return self._products[first, last]
 
     def T(self, first: int, last: int) -> MatrixEquation:
-        """The partial product from frame `first` to frame `last`, T(0, 3) for T03."""
+        """The partial product from frame `first` to frame `last`; 0 and 3 for T03."""
         if (first, last) not in self._named:
             self._named[first, last] = _named(f"T{first}{last}", self.product(first, last))
         return self._named[first, last]
@@ -163,6 +167,7 @@ class ForwardEquations(Readable):
 
     @property
     def has_base_or_tool(self) -> bool:
+        """Whether the arm has a base or a tool that is not the identity."""
         d = self.description
         return not (np.array_equal(d.base, np.eye(4)) and np.array_equal(d.tool, np.eye(4)))
 
@@ -231,12 +236,12 @@ class ForwardEquations(Readable):
         page.add(*(m.equation for m in (*self.A, *self.halves)), self.pose.entry_equations)
         return page
 
-    def sympy(self):
+    def sympy(self) -> Any:
         """Base-to-tool pose as a sympy Matrix (4, 4)."""
         return self.pose.sympy()
 
     # -- numbers that check ----------------------------------------------------------------------------------
-    def evaluate(self, q) -> np.ndarray:
+    def evaluate(self, q: Array) -> np.ndarray:
         """The pose by these equations, q (..., n) -> (..., 4, 4)."""
         q = np.asarray(q, float)
         values = self.table.values(np.moveaxis(q, -1, 0), NumpyField)
@@ -244,7 +249,7 @@ class ForwardEquations(Readable):
         shape = q.shape[:-1]
         return np.moveaxis(np.array([[np.broadcast_to(e, shape) for e in row] for row in entries]), (0, 1), (-2, -1))
 
-    def evaluate_digits(self, q, digits: int = 50) -> list[list]:
+    def evaluate_digits(self, q: Array, digits: int = 50) -> list[list]:
         """The pose as 4x4 nested lists of mpmath numbers; q may hold mpmath numbers or strings."""
         import mpmath
 
@@ -269,7 +274,7 @@ class ForwardEquations(Readable):
         )
 
 
-def forward_matrices(description, *, lengths: str = "symbols", angles: str = "theta") -> list:
+def forward_matrices(description: Description, *, lengths: str = "symbols", angles: str = "theta") -> list:
     """The link matrices A1 .. An as sympy matrices in the field's symbols (theta1, a2, d4; d3 for a sliding joint)."""
     return [m.sympy() for m in ForwardEquations(description, lengths=lengths, angles=angles).A]
 

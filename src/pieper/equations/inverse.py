@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import itertools
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from pieper.equations.derivation.general import GeneralInverse, PolynomialCheck
 from pieper.equations.derivation.words import write_steps
 from pieper.equations.table import symbol_table
 from pieper.errors import PieperError, PlanError
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import look
 from pieper.solver.plan.plan import Plan
 
@@ -82,7 +84,7 @@ class InverseEquations(Readable):
                 found[symbol.name] = expr.sympy()
         return found
 
-    def evaluate(self, T, *, chosen=None) -> np.ndarray:
+    def evaluate(self, T: Array, *, chosen: Any = None) -> np.ndarray:
         """Every branch at poses T (N, 4, 4) -> (branches, N, n), NaN where not real."""
         if self.form is None:
             raise PieperError(f"{self._arm.name} has no closed form; use arm.ik, or .general.polynomial(T).")

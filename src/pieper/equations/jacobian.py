@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import itertools
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from pieper.document.readable import Readable
 from pieper.equations.forward import Check, ForwardEquations
 from pieper.equations.table import inverse
 from pieper.errors import InputError
+from pieper.kinematics.arrays import Array
 
 
 class JacobianEquations(Readable):
@@ -28,12 +30,15 @@ class JacobianEquations(Readable):
         jacobian: The numeric Jacobian q (..., n) -> (..., 6, n) against which `check` measures.
     """
 
-    def __init__(self, forward: ForwardEquations, *, jacobian: Callable[[np.ndarray], np.ndarray] | None = None):
+    def __init__(
+        self, forward: ForwardEquations, *, jacobian: Callable[[np.ndarray], np.ndarray] | None = None
+    ) -> None:
         self.forward, self._jacobian = forward, jacobian
         self._frames: dict[tuple[int, int], list[list[Poly]]] = {}
 
     @property
     def n(self) -> int:
+        """Number of joints."""
         return self.forward.n
 
     @functools.cached_property
@@ -110,15 +115,15 @@ class JacobianEquations(Readable):
                 page.show(named("J", f"{r + 1}{c + 1}"), self.entries[r][c])
         return text.fragment(page)
 
-    def sympy(self):
+    def sympy(self) -> Any:
         """A sympy Matrix (6, n)."""
         import sympy
 
         field, symbols = SympyField(), SympyField.symbols
         return sympy.Matrix([[e.evaluate(symbols, field) for e in row] for row in self.entries])
 
-    def evaluate(self, q) -> np.ndarray:
-        """q (..., n) -> (..., 6, n) by these equations."""
+    def evaluate(self, q: Array) -> np.ndarray:
+        """The Jacobians (..., 6, n) of joint vectors q (..., n) by these equations."""
         q = np.asarray(q, float)
         values = self.forward.table.values(np.moveaxis(q, -1, 0), NumpyField)
         shape = q.shape[:-1]

@@ -7,21 +7,27 @@ arm at hand whatever its table looks like.
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
+from pieper.description.dh import Description
 from pieper.document.blocks import listed
+from pieper.kinematics.arrays import Array
 
 ANGLE_TOLERANCE = 1e-6  # rad: samples are roots to 1e-12 or so, square roots of that remain
 SAMPLES = 8
 
 
-def roots_on_factor(value, joints: list[int], n: int, description) -> np.ndarray:
+def roots_on_factor(value: Any, joints: list[int], n: int, description: Description) -> np.ndarray:
     """Joint vectors (k, n) at which `value(q)` vanishes, the joints it does not mention drawn at random.
 
     Args:
         value: q (..., n) -> (...).
         joints: 1-based joints on which it depends.
+        n: How many joints the arm has.
+        description: The arm.
     """
     rng = np.random.default_rng(7)
     reach = 1.5 * sum(abs(row.a) + abs(row.d) for row in description.rows) + 0.5
@@ -51,7 +57,7 @@ def roots_on_factor(value, joints: list[int], n: int, description) -> np.ndarray
     return np.array(found).reshape(-1, n)
 
 
-def facts_on(samples: np.ndarray, frames, description) -> list[str]:
+def facts_on(samples: np.ndarray, frames: Callable[..., Array], description: Description) -> list[str]:
     """Sentences that hold at every sample and not at a random posture."""
     rng = np.random.default_rng(8)
     generic = [_facts(frames(q), description) for q in rng.uniform(-1, 1, (3, samples.shape[1]))]
@@ -61,7 +67,7 @@ def facts_on(samples: np.ndarray, frames, description) -> list[str]:
     return [sentence for rank, sentence in sorted(special) if rank == best][:2]
 
 
-def still_joints(samples: np.ndarray, rows) -> str:
+def still_joints(samples: np.ndarray, rows: Any) -> str:
     """Which joints can move at once without moving the tool, when it is the same joints at every sample."""
     moving: frozenset[int] = frozenset()
     for q in samples:
@@ -80,7 +86,7 @@ def still_joints(samples: np.ndarray, rows) -> str:
     return f"Joints {''.join(listed(names))} can move together without moving the tool (at first order)."
 
 
-def _facts(F: np.ndarray, description) -> set[tuple[int, str]]:
+def _facts(F: np.ndarray, description: Description) -> set[tuple[int, str]]:
     """(priority, sentence) facts of one posture from its frames (n + 2, 4, 4)."""
     modified = description.convention == "modified"
     n = len(description.rows)
@@ -130,7 +136,7 @@ def _facts(F: np.ndarray, description) -> set[tuple[int, str]]:
     return facts
 
 
-def _wrist_centre(axes, points, turning, size):
+def _wrist_centre(axes: Array, points: Array, turning: Any, size: float) -> tuple[str, Array] | None:
     """(name, point) where the last three turning axes meet, or the last two."""
     for count, name in ((3, "The wrist centre"), (2, "The point where the last two axes meet")):
         if len(turning) < count + 1:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import functools
 import itertools
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +20,7 @@ from pieper.document.readable import Readable
 from pieper.equations.forward import Check
 from pieper.equations.jacobian import JacobianEquations
 from pieper.equations.singular_facts import facts_on, roots_on_factor, still_joints
+from pieper.kinematics.arrays import Array
 
 NAMES = {
     "shoulder": "Shoulder singularity",
@@ -62,7 +65,14 @@ class SingularityEquations(Readable):
         task: "pose", "position" or "position+axis": which rows of the Jacobian count.
     """
 
-    def __init__(self, jacobian: JacobianEquations, *, numeric, frames, task: str = "pose"):
+    def __init__(
+        self,
+        jacobian: JacobianEquations,
+        *,
+        numeric: Callable[..., Array],
+        frames: Callable[..., Array],
+        task: str = "pose",
+    ) -> None:
         self.jacobian, self.numeric, self.frames, self.task = jacobian, numeric, frames, task
         self.table = jacobian.forward.table
         self.n = jacobian.n
@@ -70,7 +80,7 @@ class SingularityEquations(Readable):
 
     # -- the determinant -------------------------------------------------------------------------------------
     @functools.cached_property
-    def _choice(self):
+    def _choice(self) -> Any:
         """(linear frame, angular frame, point, rows of polynomials) with the smallest blocks, then the fewest terms."""
         n = self.n
         # The outermost frames never give more zeros than their neighbours; a long arm is looked at from its middle.
@@ -111,7 +121,7 @@ class SingularityEquations(Readable):
         ]
 
     @staticmethod
-    def _size(matrix, rows, columns) -> int:
+    def _size(matrix: Any, rows: Any, columns: Any) -> int:
         parts = blocks([[matrix[r][c] for c in columns] for r in rows])
         return 0 if parts is None else max(len(c) for _, c in parts) ** 2
 
@@ -187,7 +197,7 @@ class SingularityEquations(Readable):
             words.append("This factor never vanishes with the lengths of this arm.")
         return Singularity(self._kind(poly, columns, words), _bare(expr), self._where(poly), tuple(words), samples)
 
-    def _rows(self, q) -> np.ndarray:
+    def _rows(self, q: Array) -> np.ndarray:
         """The rows of the numeric Jacobian that count for the task, (..., r, n)."""
         J = self.numeric(q)
         if self.task == "position":
@@ -198,7 +208,7 @@ class SingularityEquations(Readable):
             return np.concatenate([J[..., :3, :], turned[..., :2, :]], axis=-2)
         return J
 
-    def _value_of(self, expr: Expr):
+    def _value_of(self, expr: Expr) -> Callable[[Array], Any]:
         return lambda q: expr.evaluate(
             self.table.values(np.moveaxis(np.asarray(q, float), -1, 0), NumpyField), NumpyField
         )
@@ -327,7 +337,7 @@ class SingularityEquations(Readable):
             parts += [*([" or "] if place else []), symbol, f" = {size}"]
         return parts
 
-    def sympy(self):
+    def sympy(self) -> Any:
         """The factored determinant as a sympy expression, or the list of factors when the Jacobian is not square."""
         if self.determinant is not None:
             return self.determinant.sympy()
@@ -374,7 +384,7 @@ def _bare(expr: Expr) -> Expr:
     return expr
 
 
-def _first_harmonic(expr: Expr, symbol, constants: dict) -> tuple[float, float, float]:
+def _first_harmonic(expr: Expr, symbol: Any, constants: dict) -> tuple[float, float, float]:
     """a, b, c of a cos x + b sin x + c."""
     x = np.arange(8) * np.pi / 4
     y = np.broadcast_to(expr.evaluate(constants | {symbol: x}, NumpyField), x.shape)

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
 from pieper.algebra.exact import pi_fraction, quarter_turns, rational
 from pieper.algebra.expression import Call, Expr, Num, PiFraction, Sym, add, angle_symbol
 from pieper.algebra.harmonic import Poly, matmul, trig
+from pieper.description.dh import Description
 from pieper.errors import InputError
+from pieper.kinematics.arrays import Array
 
 LENGTHS = ("symbols", "numbers")
 ANGLES = ("theta", "q")
@@ -43,20 +46,21 @@ class SymbolTable:
 
     @property
     def n(self) -> int:
+        """Number of joints."""
         return len(self.A)
 
     def variable(self, joint: int) -> Sym:
         """The symbol that stands for a joint in the equations: theta2, d3 or q2 (1-based joint)."""
         return self.relation[joint][0]
 
-    def values(self, q, field) -> dict:
+    def values(self, q: Array, field: Any) -> dict:
         """Numbers for every symbol at the joint vector `q` (sequence over joints, each of any shape)."""
         values = {angle_symbol(i + 1, "q"): q[i] for i in range(self.n)}
         for symbol, expression in self.relation.values():
             values[symbol] = expression.evaluate(values, field)
         return self.constants(field) | values
 
-    def constants(self, field) -> dict:
+    def constants(self, field: Any) -> dict:
         """Numbers for the lengths and twists alone."""
         return {symbol: expression.evaluate({}, field) for symbol, expression in self.meaning.items()}
 
@@ -67,7 +71,7 @@ def angle_expr(angle: float) -> Expr:
     return Num(rational(angle)) if multiple is None else (PiFraction(multiple) if multiple else Num(0))
 
 
-def symbol_table(description, *, lengths: str = "symbols", angles: str = "theta") -> SymbolTable:
+def symbol_table(description: Description, *, lengths: str = "symbols", angles: str = "theta") -> SymbolTable:
     """Read a Description into symbols.
 
     Args:
@@ -83,7 +87,7 @@ def symbol_table(description, *, lengths: str = "symbols", angles: str = "theta"
 
 
 class _Reader:
-    def __init__(self, description, keep: bool, letter: str):
+    def __init__(self, description: Description, keep: bool, letter: str) -> None:
         self.d, self.keep, self.letter = description, keep, letter
         self.modified = description.convention == "modified"
         self.meaning: dict = {}
@@ -169,7 +173,7 @@ class _Reader:
         self.relation[joint] = (q, q)
         return Poly.symbol(q, sign) + self._length("l", str(joint), constant)
 
-    def _constant(self, base: str, T) -> Matrix:
+    def _constant(self, base: str, T: Array) -> Matrix:
         """A constant pose; entries that are 0 or 1 within rounding stay so, others are named (or put in)."""
         T = np.asarray(T, float)
         rows = []

@@ -6,6 +6,8 @@ in terms of the entries before, so that no later formula has to repeat them.
 
 from __future__ import annotations
 
+from typing import Any
+
 from pieper.algebra.expression import Sym
 from pieper.algebra.harmonic import Poly
 from pieper.equations.derivation.unknowns import Knowledge
@@ -26,7 +28,7 @@ class Target:
         given: Columns of T that the task gives, a subset of "noap".
     """
 
-    def __init__(self, product, n: int, knowledge: Knowledge, given: str = COLUMNS):
+    def __init__(self, product: Any, n: int, knowledge: Knowledge, given: str = COLUMNS) -> None:
         self.product, self.n, self.knowledge, self.given = product, n, knowledge, given
         self.definitions: dict[Sym, Poly] = {}
         self.shown: set[Sym] = set()
@@ -118,7 +120,7 @@ class Target:
         column = self._columns[place[0]]
         return [p for r, p in enumerate(column) if r != place[1]]
 
-    def show(self, polys) -> list[Sym]:
+    def show(self, polys: Any) -> list[Sym]:
         """Names that the polynomials rest on and that were not shown before, in the order of evaluation."""
         wanted, queue = set(), [a for p in polys for a in p.atoms()]
         while queue:
@@ -135,7 +137,7 @@ class Target:
         return new
 
 
-def pretty_names(symbols) -> dict[Sym, Sym]:
+def pretty_names(symbols: Any) -> dict[Sym, Sym]:
     """Short names for named entries, a letter a matrix, in the order given."""
     letters: dict[str, str] = {}
     pools = {True: iter(ROTATION_LETTERS), False: iter(POSITION_LETTERS)}

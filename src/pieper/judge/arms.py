@@ -17,6 +17,7 @@ from pieper.judge.evidence import under
 from pieper.judge.keys import ARM, MAX_SIZE, UNITS, look, only_known
 from pieper.judge.model import ArmModel, Row, model_from_description
 from pieper.judge.solver import Solver
+from pieper.words_by_number import plural
 
 COLUMNS = {"a", "alpha", "d", "theta"}
 
@@ -169,5 +170,4 @@ def describe_arm(model: ArmModel, words: str = "") -> str:
     """Say what an arm is, in a line; `words` are the file's own."""
     shown = ", ".join(f"{k} = {v:g}" for k, v in model.values.items() if v)
     lengths = f", {shown} ({model.unit})" if shown else ""
-    joints = "1 joint" if model.n == 1 else f"{model.n} joints"
-    return f"{model.name}: {joints}, {model.convention} DH{lengths}.{' ' + words if words else ''}"
+    return f"{model.name}: {plural(model.n, 'joint')}, {model.convention} DH{lengths}.{' ' + words if words else ''}"

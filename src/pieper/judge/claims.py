@@ -102,7 +102,7 @@ JUDGES = {
 ALWAYS = {"id", "kind", "says", "arm"}
 
 
-def check(path_or_text: str | os.PathLike, arm: Described | None = None) -> Judgement:
+def check(path_or_text: str | os.PathLike[str], arm: Described | None = None) -> Judgement:
     """Judge every claim of a claims file.
 
     Args:
@@ -187,7 +187,7 @@ def _judged(name: str, claim: Claim, benches: dict[str, Evidence]) -> Verdict:
         raise InputError(f"{name}: {place}{message}", claim=claim.id) from None
 
 
-def _read(source: str | os.PathLike) -> tuple[str, str]:
+def _read(source: str | os.PathLike[str]) -> tuple[str, str]:
     if isinstance(source, str) and ("\n" in source or ("=" in source and not os.path.isfile(source))):
         return "claims", source
     path = Path(source)

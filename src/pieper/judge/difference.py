@@ -24,8 +24,10 @@ MAX_POWER = 8  # higher ones are multiplied out into more terms than a reader ca
 
 
 class _Polynomials(SympyField):
-    """Symbols for every sine and cosine of one joint; sums of angles are written out, so that equal formulas become
-    equal polynomials."""
+    """Symbols for every sine and cosine of one joint.
+
+    Sums of angles are written out, so that equal formulas become equal polynomials.
+    """
 
     def __init__(self) -> None:
         super().__init__()

@@ -48,7 +48,7 @@ class Evidence:
     held: Mapping[int, float] = field(default_factory=dict)
     when: tuple[Condition, ...] = ()
 
-    def define(self, name: str, text: str):
+    def define(self, name: str, text: str) -> None:
         """Add a symbol of the file; "?" marks one that the source uses and never defines."""
         name = plain(name)
         if name in self.model.names():
@@ -146,7 +146,7 @@ class Evidence:
         conditions = read_conditions(str(when), lambda text: self.parse(text, claim.where, "when")) if when else ()
         return replace(self, held=held, when=conditions)
 
-    def fill(self, env: dict):
+    def fill(self, env: dict) -> None:
         """Add the file's symbols to an environment."""
         rng = np.random.default_rng(11)
         shape = env["theta1"].shape

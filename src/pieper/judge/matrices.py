@@ -1,5 +1,7 @@
-"""Products of matrices as papers write them: ``A1 A2^-1 T06``, ``(A1 A2 A3)^-1 T``, ``R03^T R06``, ``v1 + Q1 v2`` and
-entries ``T06[1,4]``."""
+"""Products of matrices as papers write them.
+
+For example ``A1 A2^-1 T06``, ``(A1 A2 A3)^-1 T``, ``R03^T R06``, ``v1 + Q1 v2``, and entries ``T06[1,4]``.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pieper.errors import InputError
+from pieper.words_by_number import plural
 
 _PIECE = re.compile(
     r"\s*(?:(?P<name>[A-Za-z]\w*)|(?P<inv>\^\s*(?:-1|\(-1\)|\{-1\}))|(?P<tr>\^T|')|(?P<op>[()+*=-])|(?P<entry>\[\s*\d\s*,\s*\d\s*\]\s*$))"
@@ -68,7 +71,7 @@ def parse_product(text: str, joints: int) -> Product:
         pieces.append((kind, m.group(kind), m.start(kind)))
         at = m.end()
 
-    def fail(position: int, message: str):
+    def fail(position: int, message: str) -> InputError:
         return InputError(f"{message}\n  {source}\n  {' ' * position}^", text=source, position=position)
 
     entry = None
@@ -142,7 +145,9 @@ def value_of(product: Product, frames: dict[str, np.ndarray]) -> np.ndarray:
     if total.ndim == 2:
         return total[:, row - 1]
     if row > total.shape[1] or column > total.shape[2]:
-        raise InputError(f"{product}: this matrix has {total.shape[1]} rows and {total.shape[2]} columns")
+        raise InputError(
+            f"{product}: this matrix has {plural(total.shape[1], 'row')} and {plural(total.shape[2], 'column')}"
+        )
     return total[:, row - 1, column - 1]
 
 

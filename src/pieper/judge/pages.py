@@ -1,5 +1,4 @@
-"""Write the pages of verdicts: one Markdown page per claims file, so that what is published is what the judge says
-today.
+"""Write the pages of verdicts, one Markdown page a claims file: what is published is what the judge says today.
 
 Run as ``python -m pieper.judge.pages examples/claims docs/papers``.
 """

@@ -17,8 +17,10 @@ ENOUGH = 20  # of them that must lie in it
 
 
 def region_features(n: int, env: dict[str, np.ndarray], own: list[str]) -> list[tuple[str, np.ndarray]]:
-    """Return (words, value) whose signs may bound a region: sines and cosines of joints and of runs of joints, and the
-    file's symbols."""
+    """Return (words, value) whose signs may bound a region.
+
+    They are sines and cosines of joints and of runs of joints, and the file's symbols.
+    """
     features = []
     for first in range(1, n + 1):
         for last in range(first, min(n, first + 2) + 1):

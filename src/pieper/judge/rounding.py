@@ -16,7 +16,7 @@ from pieper.algebra.expression import Expr, Num
 from pieper.algebra.formula import Mention, replaced_everywhere
 from pieper.judge.evidence import Evidence
 from pieper.judge.lengths import decimals
-from pieper.judge.printed import last_digit
+from pieper.judge.numbers import last_digit
 from pieper.judge.verdict import Verdict
 
 HALF = 0.51  # of a unit of the last digit: rounding either way, and a little for binary numbers

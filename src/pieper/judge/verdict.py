@@ -6,6 +6,8 @@ import html
 import json
 from dataclasses import asdict, dataclass
 
+from pieper.words_by_number import plural
+
 HOLDS, PARTLY, WRONG = "holds", "holds only in part", "wrong"
 _MARK = {HOLDS: "holds", PARTLY: "PARTLY", WRONG: "WRONG"}
 
@@ -98,8 +100,13 @@ class Judgement:
 
     def summary(self) -> str:
         """Return the count of verdicts as a sentence."""
-        c = self.counts()
-        return f"{len(self.verdicts)} claims: {c[HOLDS]} hold, {c[PARTLY]} hold only in part, {c[WRONG]} are wrong."
+        verbs = {
+            HOLDS: ("holds", "hold"),
+            PARTLY: ("holds only in part", "hold only in part"),
+            WRONG: ("is wrong", "are wrong"),
+        }
+        told = (plural(count, *verbs[status]) for status, count in self.counts().items())
+        return f"{plural(len(self.verdicts), 'claim')}: {', '.join(told)}."
 
     def text(self) -> str:
         """Return the judgement as plain text."""

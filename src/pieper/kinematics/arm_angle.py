@@ -17,7 +17,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import axes_at, look
 from pieper.kinematics.newton import null_space
 from pieper.kinematics.pose import inverse
@@ -62,7 +61,7 @@ class ArmAngle:
 
         An angle that is undefined (the elbow on the line S-W, the line along the pole, or W on S) is given as zero.
         """
-        x, y, defined = self.frame(fk(self.chain, q))
+        x, y, defined = self.frame(self.chain.native.fk(q))
         return self.about(q, x, y, defined)
 
     def about(self, q: Array, x: Array, y: Array, defined: Bools) -> tuple[Array, Bools]:
@@ -125,7 +124,8 @@ def arm_angle(chain: Chain, base: Array) -> ArmAngle | str:
         return "an arm angle needs seven revolute joints"
     geometry = look(chain, GEOMETRY_EXACT)
     joined = {group.joints: np.array(group.point) for group in geometry.spherical}
-    shoulder, wrist = joined.get((0, 1, 2)), joined.get((4, 5, 6))
+    shoulder: Array | None = joined.get((0, 1, 2))
+    wrist: Array | None = joined.get((4, 5, 6))
     spherical = shoulder is not None and wrist is not None
     words = ["S where joints 1, 2 and 3 meet", "", "W where joints 5, 6 and 7 meet"]
     if shoulder is None:
@@ -135,9 +135,9 @@ def arm_angle(chain: Chain, base: Array) -> ArmAngle | str:
     elbow, words[1] = _foot(chain, 3, 2), "E on axis 4 where axis 3 comes nearest"
     if elbow is None:
         elbow, words[1] = _foot(chain, 3, 4), "E on axis 4 where axis 5 comes nearest"
-    for point, a, b, what in ((shoulder, 1, 2, "shoulder"), (elbow, 3, 4, "elbow"), (wrist, 6, 7, "wrist")):
-        if point is None:
-            return f"joints {a} and {b} are parallel, so that no point stands out as the {what}"
+    if shoulder is None or elbow is None or wrist is None:
+        a, b, what = (1, 2, "shoulder") if shoulder is None else (3, 4, "elbow") if elbow is None else (6, 7, "wrist")
+        return f"joints {a} and {b} are parallel, so that no point stands out as the {what}"
     found = ArmAngle(
         chain=chain,
         shoulder=shoulder,
@@ -154,8 +154,8 @@ def arm_angle(chain: Chain, base: Array) -> ArmAngle | str:
 def _moves(angle: ArmAngle) -> bool:
     """Whether the arm angle is defined, and changes along the self-motion, at postures of no special kind."""
     steps = np.sqrt(np.array([2, 3, 5, 7, 11, 13, 17.0]))
-    q = np.pi * (2 * (np.arange(1, 9)[:, None] * steps % 1.0) - 1)
-    x, y, defined = angle.frame(fk(angle.chain, q))
+    q = np.asarray(np.pi * (2 * (np.arange(1, 9)[:, None] * steps % 1.0) - 1), np.float64)
+    x, y, defined = angle.frame(angle.chain.native.fk(q))
     _, defined = angle.about(q, x, y, defined)
     null = null_space(angle.chain, q)[1][:, -1]
     change = np.abs(np.sum(angle.gradient(q, x, y) * null, -1))

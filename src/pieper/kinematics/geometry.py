@@ -70,7 +70,7 @@ class Geometry:
         across = w - np.sum(w * u, 1)[:, None] * u
         apart = np.sqrt(np.sum(across * across, 1))
         skew = np.abs(np.sum(w * cross, 1)) / np.where(parallel, 1.0, sine)
-        distance = np.where(parallel, apart, skew)
+        distance: Array = np.where(parallel, apart, skew)
         return tuple(self._pair(i, float(angle[i]), float(distance[i])) for i in range(self.chain.n - 1))
 
     def _pair(self, i: int, angle: float, distance: float) -> Pair:
@@ -89,14 +89,14 @@ class Geometry:
         """Return the point (3,) closest to the axes of joints at zero, and the largest distance to them, m."""
         U, P = self.chain.axes[list(joints)], self.chain.points[list(joints)]
         N = np.eye(3) - U[:, :, None] * U[:, None, :]
-        point = np.linalg.lstsq(N.sum(0), (N @ P[:, :, None])[..., 0].sum(0), rcond=None)[0]
+        point: Array = np.linalg.lstsq(N.sum(0), (N @ P[:, :, None])[..., 0].sum(0), rcond=None)[0]
         off = np.linalg.norm((N @ (point - P)[:, :, None])[..., 0], axis=1)
         return point, float(off.max())
 
     @cached_property
     def spherical(self) -> tuple[Group, ...]:
         """Every three neighbouring revolute axes that meet in one point and do not lie along two lines only."""
-        found = []
+        found: list[Group] = []
         for i in range(self.chain.n - 2):
             joints = (i, i + 1, i + 2)
             if self.chain.prismatic[list(joints)].any():
@@ -115,7 +115,8 @@ class Geometry:
     @cached_property
     def parallel(self) -> tuple[Group, ...]:
         """Maximal runs of two or more neighbouring revolute axes that are parallel and not all coincident."""
-        found, i, n = [], 0, self.chain.n
+        found: list[Group] = []
+        i, n = 0, self.chain.n
         while i < n - 1:
             j = i
             while (
@@ -138,7 +139,7 @@ class Geometry:
 
     def sentences(self, names: tuple[str, ...]) -> list[str]:
         """Say the arrangement in words, one sentence a fact, with margins."""
-        said = []
+        said: list[str] = []
         for pair in self.pairs:
             a, b = names[pair.first], names[pair.first + 1]
             if pair.relation == "coincident":

@@ -92,7 +92,7 @@ class JointSpace:
         """Return q (..., n), a whole turn added where only that lies inside, and whether all are inside (...)."""
         moved = self.unwound(q, q, limits)
         ok = inside(moved, limits)
-        return np.where(ok, moved, q), ok.all(-1)
+        return np.where(ok, moved, q), np.logical_and.reduce(ok, axis=-1)
 
     def distinct(self, q: Array, tolerance: float) -> Indices:
         """Return the rows of q (k, n) that are no nearer than a tolerance (without units) to one kept before them."""

@@ -41,7 +41,7 @@ def pose_difference(chain: Chain, q: Array, T: Array) -> Array:
 
 def missed(chain: Chain, q: Array, T: Array) -> Array:
     """Return the size (...) of the pose difference (per length; rad)."""
-    return np.linalg.norm(pose_difference(chain, q, T), axis=-1)
+    return np.asarray(np.linalg.norm(pose_difference(chain, q, T), axis=-1), np.float64)
 
 
 def scaled_jacobian(chain: Chain, q: Array) -> Array:

@@ -164,6 +164,22 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
     return pose
 
 
+def unsound(poses: Array, deviation: Array) -> Array:
+    """Return which (N,) of poses (N, 4, 4) `checked_pose` refuses; deviation (N,) is the kernels' from a rotation."""
+    last = np.abs(poses[:, 3] - [0.0, 0.0, 0.0, 1.0]).max(-1)
+    far = np.abs(poses[:, :3, 3]).max(-1)
+    return ~((deviation <= ROTATION_ACCEPTED) & (last <= ROTATION_EXACT) & (far <= FARTHEST))
+
+
+def reason_against(pose: Array, what: str) -> str:
+    """Return why a matrix (4, 4) is no pose, in the words of `checked_pose`; empty where it is one."""
+    try:
+        checked_pose(pose, what)
+    except InputError as error:
+        return str(error)
+    return ""
+
+
 def _worst(size: Array) -> tuple[tuple[int, ...], str]:
     """Return the index of the largest entry and words for it; both empty for a single pose."""
     size = np.asarray(size)
@@ -237,7 +253,7 @@ def stepped(T: Array, twists: Array, length: float) -> Array:
 
 
 def skew(v: Array) -> Array:
-    """Return the matrices (..., 3, 3) with skew(v) @ w = v x w."""
+    """Return the matrices (..., 3, 3) that take w to the cross product v x w."""
     v = np.asarray(v, float)
     K = np.zeros((*v.shape[:-1], 3, 3))
     K[..., 2, 1], K[..., 0, 2], K[..., 1, 0] = v[..., 0], v[..., 1], v[..., 2]

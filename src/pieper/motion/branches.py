@@ -65,7 +65,7 @@ def _first(way: Continuation, start: Array) -> list[Strand]:
         return [Strand([q], q, 0.0) for q in found]
     if len(way.path) > 1 and not way.redundant and not way.solutions(BRIDGE)[1]:
         # just after a singular first pose the branches are apart; each is read back to where it comes from
-        out = []
+        out: list[Strand] = []
         for q in way.solutions(BRIDGE)[0]:
             first, ok = way.project(q, 0)
             if ok:
@@ -92,7 +92,7 @@ def _by_place(alive: list[Strand]) -> list[list[Strand]]:
 def _carry(way: Continuation, group: list[Strand], x: float) -> list[Strand]:
     """Carry strands that stand at one place to x; end those that do not arrive; return those that do."""
     q, place, met, unresolved = way.carry(np.array([s.at for s in group]), group[0].x, x)
-    arrived = []
+    arrived: list[Strand] = []
     for i, strand in enumerate(group):
         if met[i] >= 0:
             strand.crossings.append(float(met[i]))
@@ -119,7 +119,7 @@ def _reach_regular(way: Continuation, alive: list[Strand], k: int) -> None:
 
 def _cross(way: Continuation, group: list[Strand], k: int) -> list[Strand]:
     """Take strands that stand just before the singular point k to just after it; the way may have a corner there."""
-    out = []
+    out: list[Strand] = []
     found, _ = way.solutions(k + BRIDGE)
     for strand in group:
         moved, sure = way.step(strand.at[None], strand.x, k + BRIDGE)
@@ -143,7 +143,7 @@ def _regroup(group: list[Strand]) -> list[Strand]:
 
 def _leave_continuum(way: Continuation, group: list[Strand], k: int) -> list[Strand]:
     """Start strands that stand on a continuum of solutions at k - 1 into the regular stretch before k."""
-    out = []
+    out: list[Strand] = []
     found, _ = way.solutions(k - 1 + BRIDGE)
     for strand in group:
         size = np.linalg.norm(way.gap(found, strand.at), axis=-1)
@@ -164,7 +164,7 @@ def _reach_special(way: Continuation, alive: list[Strand], k: int) -> None:
             group = _cross(way, group, k - 1)
             if not group:
                 continue
-        rest = []
+        rest: list[Strand] = []
         moved, sure = way.step(np.array([s.at for s in group]), group[0].x, k)
         for i, strand in enumerate(group):
             if sure[i] and not way.is_singular(moved[i], k):

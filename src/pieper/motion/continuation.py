@@ -103,7 +103,11 @@ class Continuation:
         if chain is not plan:
             rows = rows_of(plan, rows)
         special = ((rows.flags & np.uint8(Flag.DEGENERATE)) > 0) | self.redundant
-        return [row[ok] for row, ok in zip(rows.q, rows.valid, strict=True)], rows.inside.any(1), special
+        return (
+            [row[ok] for row, ok in zip(rows.q, rows.valid, strict=True)],
+            np.logical_or.reduce(rows.inside, axis=1),
+            special,
+        )
 
     @property
     def reachable(self) -> Bools:

@@ -86,7 +86,7 @@ def shortest_turn(R0: Array, R1: Array) -> Array:
     return turn
 
 
-def checked_path(path: ArrayLike) -> Array:
+def checked_path(path: PoseLike) -> Array:
     """Return a path as an array of exact poses, or say what is wrong with it.
 
     Args:

@@ -2,45 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
-
-#: More samples than this are asked for by mistake (a rate in the wrong unit), not on purpose.
-MAX_SAMPLES = 10_000_000
-
-
-@dataclass(frozen=True, eq=False)
-class Motion:
-    """Joint curves over time.
-
-    Attributes:
-        t: (k,) time, s.
-        q: (k, n) joint positions, rad or m.
-        dq: (k, n) joint rates, rad/s or m/s.
-        ddq: (k, n) joint accelerations, rad/s^2 or m/s^2.
-        arrivals: (legs + 1,) when each posture is reached; the first is 0, s.
-        departures: (legs + 1,) when each posture is left again; the last is the end of its hold, s.
-    """
-
-    t: Array
-    q: Array
-    dq: Array
-    ddq: Array
-    arrivals: Array
-    departures: Array
-
-    @property
-    def duration(self) -> float:
-        """Total time, s."""
-        return float(self.t[-1])
-
-    def at(self, time: float) -> int:
-        """Return the index of the sample nearest to a time, s."""
-        return int(np.argmin(np.abs(self.t - time)))
+from pieper.motion.motion import MAX_SAMPLES, Motion
+from pieper.words_by_number import plural
 
 
 def move(q0: Array, q1: Array, duration: float, *, rate: float = 100.0) -> Motion:
@@ -65,7 +35,9 @@ def move(q0: Array, q1: Array, duration: float, *, rate: float = 100.0) -> Motio
     return sequence([q0, q1], duration, 0.0, rate=rate)
 
 
-def sequence(postures: Array, durations: Array | float, holds: Array | float = 0.0, *, rate: float = 100.0) -> Motion:
+def sequence(
+    postures: Array | Sequence[Array], durations: Array | float, holds: Array | float = 0.0, *, rate: float = 100.0
+) -> Motion:
     """Return the motion through postures, at rest in each of them.
 
     Every leg is a `move`; after it the arm holds the posture it has reached. There is no hold before the first leg.
@@ -110,7 +82,8 @@ def sequence(postures: Array, durations: Array | float, holds: Array | float = 0
     q = np.where(u == 1.0, postures[leg + 1], q0 + step * shape)
     dq = step * (30 * u**2 * (1 - u) ** 2) / time
     ddq = step * (60 * u * (1 - u) * (1 - 2 * u)) / time**2
-    return Motion(t, q, dq, ddq, arrivals, departures)
+    dddq = step * (60 - 360 * u * (1 - u)) / time**3 * (u < 1.0)
+    return Motion(t, q, dq, ddq, arrivals, departures, dddq, (leg + shape[:, 0]) / legs)
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,7 +167,9 @@ def compare(
         )
     names = tuple(f"P{i}" for i in range(len(reference))) if names is None else tuple(names)
     if len(names) != len(reference):
-        raise InputError(f"{len(names)} names were given for {len(reference)} rows.", given=names)
+        raise InputError(
+            f"{plural(len(names), 'name was', 'names were')} given for {plural(len(reference), 'row')}.", given=names
+        )
     absolute = np.abs(simulated - reference)
     defined = reference != 0
     relative = np.where(defined, 100 * absolute / np.where(defined, np.abs(reference), 1.0), 0.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -56,21 +56,25 @@ class Track:
     Attributes:
         path: (N, 4, 4) the poses asked for, m.
         s: (N,) path parameter of the points, 0 to 1.
-        q: (k, n) joint vectors up to the end or the first stop, rad or m.
+        q: (N, n) joint vectors, one a point, rad or m; where a point was not reached, the last posture that was (the
+            start, where none was).
+        reached: (N,) bool: which points were reached; all up to the end or the first stop.
         complete: Whether all N points were reached.
         events: What happened, in order of s: at most one stop, and remarks (a fast swing, a singularity passed).
         branches: Every branch that starts at the first pose and how far it goes.
         chosen: Number of the branch that was followed, or None when there was none.
         start: (n,) the posture the arm was in.
-        residual: (k, 2) how far forward kinematics misses each pose, metres and radians.
+        residual: (k, 2) how far forward kinematics misses the poses that were reached, metres and radians.
         reachable: (N,) bool, whether a pose has any solution inside the limits, on whatever branch.
         joint_names: Names of the joints.
         prismatic: (n,) bool.
+        plan: How the arm is solved.
     """
 
     path: Array
     s: Array
     q: Array
+    reached: Bools
     complete: bool
     events: tuple[Event, ...]
     branches: tuple[Branch, ...]
@@ -80,6 +84,17 @@ class Track:
     reachable: Bools
     joint_names: tuple[str, ...]
     prismatic: Bools
+    plan: Plan = field(repr=False)
+
+    @property
+    def points(self) -> int:
+        """How many points were reached."""
+        return int(np.count_nonzero(self.reached))
+
+    @property
+    def followed(self) -> Array:
+        """The joint vectors (k, n) of the points that were reached, rad or m."""
+        return self.q[self.reached]
 
     @property
     def stop(self) -> Event | None:
@@ -89,11 +104,11 @@ class Track:
     @property
     def largest_step(self) -> Array:
         """(n,) largest joint step between neighbouring points, rad or m; zeros when there is no step."""
-        return np.abs(np.diff(self.q, axis=0)).max(0) if len(self.q) > 1 else np.zeros(len(self.joint_names))
+        return np.abs(np.diff(self.followed, axis=0)).max(0) if self.points > 1 else np.zeros(len(self.joint_names))
 
     def explain(self) -> str:
         """Return what happened as a few sentences."""
-        n, N = len(self.q), len(self.path)
+        n, N = self.points, len(self.path)
         text = [f"All {N} points were reached." if self.complete else f"{n} of {N} points were reached."]
         text += [str(event) for event in self.events]
         passing = [b for b in self.branches if b.complete and b.index != self.chosen]
@@ -143,12 +158,15 @@ def follow(plan: Plan, path: PoseLike, *, start: ArrayLike | None = None) -> Tra
         branch = branches[chosen]
         q, complete = branch.q, branch.complete
         events = remarks(way, q, found[chosen].crossings)
-        events = tuple(sorted((*events, *([branch.stop] if branch.stop else [])), key=lambda e: (e.s, e.stop)))
+        every = [*events, branch.stop] if branch.stop else list(events)
+        events = tuple(sorted(every, key=lambda e: (e.s, e.stop)))
     residual = way.residuals(q)
+    standing = np.repeat((q[-1] if len(q) else now)[None], N - len(q), axis=0)
     return Track(
         poses,
         s,
-        q,
+        np.concatenate([q, standing]),
+        np.arange(N) < len(q),
         complete,
         events,
         branches,
@@ -158,6 +176,7 @@ def follow(plan: Plan, path: PoseLike, *, start: ArrayLike | None = None) -> Tra
         way.reachable,
         plan.names,
         plan.prismatic,
+        plan,
     )
 
 

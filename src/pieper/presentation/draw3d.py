@@ -22,7 +22,7 @@ def space_axes(
     title: str = "",
     view: tuple[float, float] = (22.0, -58.0),
     floor: bool = True,
-):
+) -> Any:
     """Add 3-D axes in millimetres with equal scales and return them.
 
     Args:
@@ -60,14 +60,14 @@ def space_axes(
     return axes
 
 
-def _locator():
+def _locator() -> Any:
     from matplotlib.ticker import MaxNLocator
 
     return MaxNLocator(nbins=5, steps=[1, 2, 2.5, 5, 10])
 
 
 def draw_arm(
-    axes,
+    axes: Any,
     parts: Skeleton,
     size: float,
     *,
@@ -75,7 +75,7 @@ def draw_arm(
     alpha: float = 1.0,
     solid: bool = True,
     order: float = 5,
-):
+) -> None:
     """Draw an arm.
 
     Args:
@@ -113,7 +113,7 @@ def draw_arm(
             _drum(axes, centre * MM, direction, 0.030 * size * MM, 0.078 * size * MM, alpha, order + 0.3)
 
 
-def _drum(axes, centre, direction, radius, length, alpha, order) -> None:
+def _drum(axes: Any, centre: Any, direction: Any, radius: float, length: float, alpha: float, order: float) -> None:
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     side = np.cross(direction, [1.0, 0, 0] if abs(direction[0]) < 0.8 else [0, 1.0, 0])
@@ -132,7 +132,7 @@ def _drum(axes, centre, direction, radius, length, alpha, order) -> None:
     axes.add_collection3d(Poly3DCollection(faces, facecolors=colours, edgecolors=edge, linewidths=0.5, zorder=order))
 
 
-def draw_axes_lines(axes, parts: Skeleton, size: float) -> None:
+def draw_axes_lines(axes: Any, parts: Skeleton, size: float) -> None:
     """Draw the joint axes as dash-dotted centre lines with their names z1, z2 ..."""
     reach = 0.11 * size
     placed: list[np.ndarray] = []
@@ -160,8 +160,15 @@ def _on_segment(point: np.ndarray, a: np.ndarray, b: np.ndarray, near: float) ->
 
 
 def draw_frame(
-    axes, T: np.ndarray, length: float, *, names: bool = False, width: float = 1.8, alpha: float = 1.0, order: float = 9
-):
+    axes: Any,
+    T: np.ndarray,
+    length: float,
+    *,
+    names: bool = False,
+    width: float = 1.8,
+    alpha: float = 1.0,
+    order: float = 9,
+) -> None:
     """Draw a frame (4, 4) as three arrows, length in m, with the letters x, y, z when named."""
     origin = T[:3, 3] * MM
     for k, (colour, name) in enumerate(zip(AXES, "xyz", strict=True)):
@@ -174,7 +181,7 @@ def draw_frame(
             text(axes, at, f"${name}$", colour)
 
 
-def text(axes, at: np.ndarray, words: str, colour: str = INK, **options) -> None:
+def text(axes: Any, at: np.ndarray, words: str, colour: str = INK, **options: Any) -> None:
     """Write words at a point (3,), mm, with a white halo so that they stay readable over lines."""
     from matplotlib.patheffects import withStroke
 
@@ -183,7 +190,7 @@ def text(axes, at: np.ndarray, words: str, colour: str = INK, **options) -> None
     axes.text(*at, words, color=colour, zorder=30, path_effects=halo, **options)
 
 
-def draw_shadow(axes, parts: Skeleton) -> None:
+def draw_shadow(axes: Any, parts: Skeleton) -> None:
     """Draw the arm's shadow on the lower side of the picture."""
     line = parts.polyline * MM
     low = axes.get_zlim()[0]

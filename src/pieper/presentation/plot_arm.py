@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -47,7 +47,7 @@ def arm_figure(arm: Arm, q: np.ndarray | None = None, *, title: str = "") -> Fig
     return figure
 
 
-def _axes_legend(axes) -> None:
+def _axes_legend(axes: Any) -> None:
     from matplotlib.lines import Line2D
 
     handles = [Line2D([], [], color=c, linewidth=2, label=f"frame {n}") for c, n in zip(AXES, "xyz", strict=True)]
@@ -68,7 +68,7 @@ def configuration_figure(
     Returns:
         The figure.
     """
-    ends = [skeleton(arm, track.q[0]), skeleton(arm, track.q[-1])]
+    ends = [skeleton(arm, track.followed[0]), skeleton(arm, track.followed[-1])]
     centre, half = extent(*(p.polyline for p in ends), track.path[:, :3, 3])
     figure = new_figure(9.6, 4.9)
     for k, (parts, title) in enumerate(zip(ends, titles, strict=True)):

@@ -49,14 +49,14 @@ def joints_figure(track: Track, *, title: str = "") -> Figure:
     Returns:
         The figure: revolute joints in degrees, prismatic joints below them in millimetres.
     """
-    number = np.arange(1, len(track.q) + 1)
+    number = np.arange(1, track.points + 1)
     groups = _groups(track.prismatic)
     figure = new_figure(6.4, 4.1 if len(groups) == 1 else 5.8)
     for row, (columns, factor, label) in enumerate(groups):
         axes = figure.add_subplot(len(groups), 1, row + 1)
         plain_axes(axes, x="point number", y=label, title=title if row == 0 else "")
         for joint in columns:
-            curve(axes, number, track.q[:, joint] * factor, joint, joint_text(track.joint_names[joint]))
+            curve(axes, number, track.followed[:, joint] * factor, joint, joint_text(track.joint_names[joint]))
         _point_axis(axes, len(track.path))
         if (stop := track.stop) is not None:
             at = 1 + stop.s * (len(track.path) - 1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -31,11 +31,11 @@ def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str 
     """
     track, poses = (path, path.path) if isinstance(path, Track) else (None, checked_path(path))
     points = poses[:, :3, 3]
-    reached = len(track.q) if track else len(poses)
+    reached = track.points if track else len(poses)
     ghosts = []
     if arm is not None and track is not None and reached:
         steps = np.unique(np.linspace(0, reached - 1, 5).round().astype(int))
-        ghosts = [skeleton(arm, track.q[k]) for k in steps]
+        ghosts = [skeleton(arm, track.followed[k]) for k in steps]
     centre, half = extent(points, *(g.polyline for g in ghosts))
     figure = new_figure(6.4, 5.6)
     axes = space_axes(figure, (1, 1, 1), centre, half * (1.0 if ghosts else 1.35), title=title, floor=bool(ghosts))
@@ -72,7 +72,7 @@ def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str 
     return figure
 
 
-def _ends(axes, points: np.ndarray) -> None:
+def _ends(axes: Any, points: np.ndarray) -> None:
     for point, name in ((points[0], "first"), (points[-1], "last")):
         axes.plot(*point[:, None], color=INK, marker="o", markersize=6, markerfacecolor="white", zorder=11)
         words = f"   {name} ({point[0]:.0f}, {point[1]:.0f}, {point[2]:.0f})"

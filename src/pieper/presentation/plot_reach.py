@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -102,7 +102,7 @@ def _swept(arm: Arm, cloud: np.ndarray, foot: np.ndarray) -> np.ndarray:
     return np.stack([c * few[:, 0] - s * few[:, 1], s * few[:, 0] + c * few[:, 1]], 1) + foot
 
 
-def _slice(axes, cloud: np.ndarray, line: np.ndarray | None, labels: tuple[str, str], title: str) -> None:
+def _slice(axes: Any, cloud: np.ndarray, line: np.ndarray | None, labels: tuple[str, str], title: str) -> None:
     from matplotlib.colors import LinearSegmentedColormap, LogNorm
 
     plain_axes(axes, x=labels[0], y=labels[1], title=title)

@@ -26,6 +26,7 @@ from pieper.presentation.sections_arm import (
 )
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
 from pieper.presentation.style import MM
+from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from pieper.motion.track import Track
@@ -157,8 +158,8 @@ def add_peculiarities(page: Document, arm: Arm) -> None:
     if plan is not None:
         if arm.n < 6 and plan.task == "pose":
             notes.append(
-                f"With {arm.n} joints the arm cannot take an arbitrary pose: a pose is solved when it lies in what "
-                "the arm can do."
+                f"With {plural(arm.n, 'joint')} the arm cannot take an arbitrary pose: a pose is solved when it lies "
+                "in what the arm can do."
             )
         if plan.task != "pose":
             notes.append(
@@ -166,8 +167,8 @@ def add_peculiarities(page: Document, arm: Arm) -> None:
             )
         if plan.rank < min(arm.n, 6):
             notes.append(
-                f"Although it has {arm.n} joints it can do only {plan.rank} things at once: some joints repeat one "
-                "another."
+                f"Although it has {arm.n} joints it can do only {plural(plan.rank, 'thing')} at once: some joints "
+                "repeat one another."
             )
         if plan.redundancy:
             notes.append(f"It has more joints than the task needs; {_and(plan.redundancy)} may be chosen freely.")
@@ -186,9 +187,9 @@ def _and(words: Sequence[str]) -> str:
 
 
 def _summary(arm: Arm, sols: Solutions | None, track: Track | None) -> str:
-    text = f"The {arm.name} has {arm.n} joints ({arm.joint_types})."
+    text = f"The {arm.name} has {plural(arm.n, 'joint')} ({arm.joint_types})."
     try:
-        text += f" A pose has at most {arm.plan.max_solutions} solutions."
+        text += f" A pose has at most {plural(arm.plan.max_solutions, 'solution')}."
     except PieperError:
         text += " It is beyond the solver; its geometry and forward kinematics are given."
     if sols is not None:
@@ -197,5 +198,5 @@ def _summary(arm: Arm, sols: Solutions | None, track: Track | None) -> str:
             text += f", put back to within {scientific(sols.residual[:, 0].max() * MM)} mm"
         text += "."
     if track is not None:
-        text += f" The path is followed over {len(track.q)} of its {len(track.path)} points."
+        text += f" The path is followed over {track.points} of its {len(track.path)} points."
     return text

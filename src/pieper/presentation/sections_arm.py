@@ -14,6 +14,7 @@ from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
 from pieper.presentation.style import MM, picture
 from pieper.solver.families import named
+from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -71,7 +72,7 @@ def add_arm(page: Document, arm: Arm) -> None:
     convention = "standard (distal)" if d.convention == "standard" else "modified (proximal, Craig)"
     page.section("The arm")
     page.add(
-        f"{arm.name}{maker}, has {arm.n} joints, {' and '.join(counts)}. Its geometry is given by a "
+        f"{arm.name}{maker}, has {plural(arm.n, 'joint')}, {' and '.join(counts)}. Its geometry is given by a "
         f"Denavit–Hartenberg table in the {convention} convention: "
         + (
             "frame i follows frame i−1 by a turn θ about z, a shift d along z, a shift a along the new x and a turn "

@@ -72,8 +72,10 @@ def add_solutions(page: Document, arm: Arm, sols: Solutions, *, name: str = "sol
     page.add(
         picture(
             solutions_figure(arm, few, labels=labels[:16]),
-            f"The {'first ' if len(rows_q) > 16 else ''}{len(few)} solutions, each with the others as ghosts behind "
-            "it. Postures that differ in the wrist alone look alike.",
+            "The one solution."
+            if len(few) == 1
+            else f"The {'first ' if len(rows_q) > 16 else ''}{len(few)} solutions, each with the others as ghosts "
+            "behind it. Postures that differ in the wrist alone look alike.",
             name,
             1.0,
         )
@@ -95,17 +97,17 @@ def add_track(page: Document, arm: Arm, track: Track, *, prefix: str = "path") -
             coordinates_figure(track), "The tool's coordinates against the point number.", f"{prefix}-coordinates", 0.78
         ),
     )
-    if len(track.q):
+    if track.points:
         page.add(
             picture(joints_figure(track), "The joints against the point number.", f"{prefix}-joints", 0.8),
             picture(configuration_figure(arm, track), "The arm at the first and at the last point.", f"{prefix}-ends"),
             picture(path_figure(track, arm=arm), "The arm on its way, five postures of it.", f"{prefix}-swept", 0.66),
         )
-        few = sorted(set(np.linspace(0, len(track.q) - 1, min(len(track.q), 9)).round().astype(int).tolist()))
+        few = sorted(set(np.linspace(0, track.points - 1, min(track.points, 9)).round().astype(int).tolist()))
         rows = []
         for k in few:
             p = [fixed(v * MM, 2) for v in track.path[k, :3, 3]]
-            q = [joint_value(arm, j, v, 3) for j, v in enumerate(track.q[k])]
+            q = [joint_value(arm, j, v, 3) for j, v in enumerate(track.followed[k])]
             rows.append([str(k + 1), *p, *q])
         worst = track.residual.max(0)
         page.table(

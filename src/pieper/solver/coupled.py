@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
@@ -11,8 +9,8 @@ from pieper.kinematics.chain import Chain
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Rows
-from pieper.solver.singular.examine import Examined
-from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.examined import Examined
+from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 
 
 def solutions_of(plan: Plan, words: Words, found: Solutions) -> Solutions:
@@ -28,7 +26,7 @@ def solutions_of(plan: Plan, words: Words, found: Solutions) -> Solutions:
 
 def batch_of(plan: Plan, found: SolutionBatch) -> SolutionBatch:
     """Return the same of many poses; a pose of which only a self-motion may lie inside keeps its status."""
-    rows = rows_of(plan, found.rows)
+    rows = rows_of(plan, found.found)
     status = found.status.copy()
     status[(status == Status.SOLVED) & ~rows.inside.any(1)] = Status.OUTSIDE_LIMITS
     return SolutionBatch(plan, rows, status)
@@ -56,9 +54,5 @@ def _joints_at(chain: Chain, values: Array) -> Array:
 def _motion(plan: Plan, motion: SelfMotion) -> SelfMotion:
     chain = plan.reduction.full
     free = np.tile([-np.inf, np.inf], (chain.n - plan.n, 1))
-    return replace(
-        motion,
-        chain=chain,
-        samples=_joints_at(chain, motion.samples),
-        limits=np.vstack([plan.limits, free]),
-    )
+    limits, points = np.vstack([plan.limits, free]), _joints_at(chain, motion.samples)
+    return TracedMotion(chain, motion.T, points, motion.closed, motion.dimension, limits, motion.names, motion.shown)

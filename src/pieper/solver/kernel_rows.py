@@ -6,10 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, Bits, Bools, Indices
 from pieper.kinematics.chain import Chain
+from pieper.kinematics.newton import missed, newton
 from pieper.solver.plan.plan import Plan
-from pieper.tolerances import FILLED_ZERO, SAME_ROW
+from pieper.tolerances import CLOSES, FILLED_ZERO, SAME_ROW
+
+#: How far beside a value at which what is left of the arm is solved by no family it is solved instead (rad; lengths).
+BESIDE = (1e-4, -1e-4, 1e-3)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -50,13 +55,12 @@ def kernel_rows(plan: Plan, T: Array, values: Array, threads: int) -> Solved:
 def _per_value(plan: Plan, T: Array, values: Array, threads: int) -> tuple[Array, Bools, Bits]:
     distinct, which = np.unique(values, axis=0, return_inverse=True)
     if len(distinct) == 1:
-        q, valid, _, flags = plan.solvers.at(tuple(distinct[0])).many(np.ascontiguousarray(T), threads)
-        return q, valid, flags
+        return _at_value(plan, T, distinct[0], threads)
     parts: list[tuple[Indices, Array, Bools, Bits]] = []
     most = 0
     for i, value in enumerate(distinct):
         rows = np.flatnonzero(which.reshape(-1) == i)
-        q, valid, _, flags = plan.solvers.at(tuple(value)).many(np.ascontiguousarray(T[rows]), threads)
+        q, valid, flags = _at_value(plan, T[rows], value, threads)
         parts.append((rows, q, valid, flags))
         most = max(most, q.shape[1])
     out = np.zeros((len(T), most, 6))
@@ -65,6 +69,37 @@ def _per_value(plan: Plan, T: Array, values: Array, threads: int) -> tuple[Array
     for rows, q, valid, flags in parts:
         out[rows, : q.shape[1]], ok[rows, : q.shape[1]], bits[rows] = q, valid, flags
     return out, ok, bits
+
+
+def _at_value(plan: Plan, T: Array, value: Array, threads: int) -> tuple[Array, Bools, Bits]:
+    T = np.ascontiguousarray(T)
+    try:
+        q, valid, _, flags = plan.solvers.at(tuple(value)).many(T, threads)
+    except PlanError as refused:
+        return _beside_special(plan, T, value, threads, refused)
+    return q, valid, flags
+
+
+def _beside_special(plan: Plan, T: Array, value: Array, threads: int, refused: PlanError) -> tuple[Array, Bools, Bits]:
+    """Solve where two axes come to coincide, for one: from rows a little beside that value, brought onto it.
+
+    What is left of the arm there loses a freedom. A pose in general has no solution at that value then, and one that
+    was made there has a continuous set, of which some points are given.
+    """
+    six = plan.reduction.six(value)
+    for step in BESIDE:
+        beside = value + step * np.where(plan.reduction.full.prismatic[list(plan.reduction.locked)], six.length, 1.0)
+        try:
+            q, valid, _, flags = plan.solvers.at(tuple(beside)).many(T, threads)
+        except PlanError:
+            continue
+        pose, slot = np.nonzero(valid)
+        q, valid = q.copy(), np.zeros_like(valid)
+        moved = newton(six, q[pose, slot], T[pose], steps=20, cutoff=1e-7)
+        q[pose, slot] = six.joints.wrapped(moved)
+        valid[pose, slot] = missed(six, moved, T[pose]) < CLOSES
+        return q, without_repeats(six, q, valid), flags
+    raise refused
 
 
 def without_repeats(chain: Chain, q: Array, valid: Bools) -> Bools:

@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
 import numpy as np
 
+from pieper import _kernel
+from pieper.kinematics.arrays import Array, Bits, Bools, Slots
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse
 from pieper.solver.families.family import KernelSpec
@@ -23,6 +29,20 @@ def without_far_ends(chain: Chain) -> tuple[Chain, tuple[np.ndarray, np.ndarray]
     return chain.section(0, chain.n - 1), (inverse(chain.links[0]), inverse(chain.links[-1]))
 
 
+def _one_between(native: _kernel.Solver, before: Array, after: Array, T: Any) -> tuple[Array, Slots, Bools, int]:
+    return native.one(before @ np.asarray(T, float) @ after)
+
+
+def _many_between(
+    native: _kernel.Solver, before: Array, after: Array, T: Array, threads: int
+) -> tuple[Array, Bools, Bools, Bits]:
+    return native.many(np.ascontiguousarray(before @ T @ after), threads)
+
+
+def _into_between(native: _kernel.Solver, before: Array, after: Array, T: Array, *rest: Any) -> None:
+    native.into(np.ascontiguousarray(before @ T @ after), *rest)
+
+
 class SixJointSolver:
     """A prepared kernel with limits.
 
@@ -33,7 +53,7 @@ class SixJointSolver:
         ends: What poses are multiplied with, as `without_far_ends` says.
     """
 
-    __slots__ = ("chain", "ends", "limits", "many", "one", "spec")
+    __slots__ = ("chain", "ends", "into", "limits", "many", "one", "spec")
 
     def __init__(
         self,
@@ -47,14 +67,15 @@ class SixJointSolver:
         self.limits = limits
         self.ends = ends
         native = spec.solver(limits, chain.prismatic)
-        self.one = native.one
-        self.many = native.many
+        self.one: Callable[[Any], tuple[Array, Slots, Bools, int]] = native.one
+        self.many: Callable[[Array, int], tuple[Array, Bools, Bools, Bits]] = native.many
+        self.into: Callable[..., Any] = native.into
         if ends is not None:
-            before, after = ends
-            self.one = lambda T: native.one(before @ np.asarray(T, float) @ after)
-            self.many = lambda T, threads: native.many(np.ascontiguousarray(before @ T @ after), threads)
+            self.one = partial(_one_between, native, *ends)
+            self.many = partial(_many_between, native, *ends)
+            self.into = partial(_into_between, native, *ends)
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[Any, ...]:
         return SixJointSolver, (self.chain, self.spec, self.limits, self.ends)
 
     def all_rows(self, T: np.ndarray) -> np.ndarray:

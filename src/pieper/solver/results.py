@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import overload
 
 import numpy as np
 
-from pieper.errors import NoSolutionError
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
+from pieper.errors import InputError, NoSolutionError
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.joints import TURN
+from pieper.kinematics.pose import reason_against
 from pieper.solver.plan.plan import Plan
-from pieper.solver.rows import Flag, Rows
-from pieper.solver.singular.examine import Examined
+from pieper.solver.rows import Chosen, Flag, Refused, Rows
+from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import LIMIT_SLACK
+from pieper.words_by_number import plural
 
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _UNCERTAIN, _ROUNDED = int(Flag.UNCERTAIN), int(Flag.ROUNDED)
@@ -32,6 +35,24 @@ class Status(IntEnum):
     OUT_OF_REACH = 3
     OUTSIDE_LIMITS = 4
     UNCERTAIN = 5
+    INVALID = 6  # of batches alone: what was given is no pose
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Closest:
+    """The posture inside the limits that comes nearest to a pose.
+
+    Attributes:
+        q: (n,) rad or m.
+        metres: How far its tool is from the pose.
+        radians: How far it is turned from it, of what the task asks for.
+        T: (4, 4) where its tool is.
+    """
+
+    q: Array
+    metres: float
+    radians: float
+    T: Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,17 +61,36 @@ class Words:
 
     Args:
         why: One sentence, with a number, on how a pose came out.
+        table: The solutions inside the limits as lines of text.
         labels: One posture label a row of q (m, n).
         beside: Labels of the branches that meet in q (n,) along a direction (n,).
+        closest: The posture that comes nearest to the pose.
     """
 
     why: Callable[[Plan, Solutions], str]
+    table: Callable[[Plan, Solutions], str]
     labels: Callable[[Plan, Array], list[str]]
     beside: Callable[[Plan, Array, Array], tuple[str, ...]]
+    closest: Callable[[Plan, Solutions], Closest]
 
 
-class Solutions:
-    """Every solution of one pose.
+@dataclass(frozen=True, eq=False, slots=True)
+class Solution:
+    """One solution of a pose.
+
+    Attributes:
+        q: (n,) joint vector, rad or m.
+        label: Its posture label.
+        residual: (2,) metres and radians by which forward kinematics misses the pose.
+    """
+
+    q: Array
+    label: str
+    residual: Array
+
+
+class Solutions(Sequence[Solution]):
+    """Every solution of one pose: a sequence of those inside the limits.
 
     Attributes:
         T: The pose (4, 4) that was solved.
@@ -61,7 +101,20 @@ class Solutions:
         flag: Bits of `Flag`.
     """
 
-    __slots__ = ("T", "_found", "_plan", "_q", "_self_motions", "_why", "_words", "all_q", "flag", "in_limits", "slots")
+    __slots__ = (
+        "T",
+        "_closest",
+        "_found",
+        "_plan",
+        "_q",
+        "_self_motions",
+        "_why",
+        "_words",
+        "all_q",
+        "flag",
+        "in_limits",
+        "slots",
+    )
 
     def __init__(
         self,
@@ -69,7 +122,7 @@ class Solutions:
         words: Words,
         T: Array,
         all_q: Array,
-        slots: Indices,
+        slots: Slots,
         in_limits: Bools,
         flag: int,
         found: Examined | None = None,
@@ -86,6 +139,7 @@ class Solutions:
         self._self_motions = self_motions
         self._q: Array | None = None
         self._why: str | None = None
+        self._closest: Closest | None = None
 
     @property
     def q(self) -> Array:
@@ -98,8 +152,23 @@ class Solutions:
     def __len__(self) -> int:
         return len(self.q)
 
-    def __iter__(self) -> Iterator[Array]:
-        return iter(self.q)
+    @overload
+    def __getitem__(self, index: int) -> Solution: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Solution]: ...
+    def __getitem__(self, index: int | slice) -> Solution | list[Solution]:
+        """One solution inside the limits, or several; the rows of q."""
+        if isinstance(index, slice):
+            return [self[i] for i in range(len(self))[index]]
+        q = self.q[index]  # says what is wrong with an index beyond the last
+        return Solution(q, self._words.labels(self._plan, q[None])[0], self._plan.residual(q[None], self.T)[0])
+
+    def table(self) -> str:
+        """Return the solutions inside the limits as lines of text: joints in deg or mm, label, residual; then why."""
+        return self._words.table(self._plan, self)
+
+    def __str__(self) -> str:
+        return self.table()
 
     @property
     def self_motions(self) -> tuple[SelfMotion, ...]:
@@ -155,6 +224,16 @@ class Solutions:
         if self._why is None:
             self._why = self._words.why(self._plan, self)
         return self._why
+
+    @property
+    def closest(self) -> Closest:
+        """The posture inside the limits that comes nearest, position first; a solution where there is one.
+
+        Worked out when first asked for, by descent from many postures: a nearer one is unlikely, but not excluded.
+        """
+        if self._closest is None:
+            self._closest = self._words.closest(self._plan, self)
+        return self._closest
 
     @property
     def labels(self) -> list[str]:
@@ -236,79 +315,81 @@ class SolutionBatch:
 
     Attributes:
         plan: How the arm was solved.
-        rows: The solutions, as below.
+        found: The solutions, as below.
         status: (N,) Status codes.
+        chosen: The row of each pose near what `near=` gave; None where nothing was given.
+        refused: What of the batch was no pose; None where everything was.
     """
 
     plan: Plan
-    rows: Rows
+    found: Rows
     status: Bits
+    chosen: Chosen | None = None
+    refused: Refused | None = None
 
     @property
     def q(self) -> Array:
         """(N, max_solutions, n), rad or m; zeros where not valid."""
-        return self.rows.q
+        return self.found.q
 
     @property
     def valid(self) -> Bools:
         """(N, max_solutions) true solutions, limits not applied."""
-        return self.rows.valid
+        return self.found.valid
 
     @property
     def in_limits(self) -> Bools:
         """(N, max_solutions) those inside the limits."""
-        return self.rows.inside
+        return self.found.inside
 
     @property
     def flag(self) -> Bits:
         """(N,) bits of `pieper.solver.rows.Flag`."""
-        return self.rows.flags
+        return self.found.flags
 
     def __len__(self) -> int:
         return len(self.q)
+
+    def part(self, at: slice) -> SolutionBatch:
+        """Return the answers to some of the poses; they share this batch's arrays. What was refused is not told."""
+        chosen = None if self.chosen is None else self.chosen.part(at)
+        return SolutionBatch(self.plan, self.found.part(at), self.status[at], chosen)
 
     @property
     def count(self) -> Indices:
         """(N,) number of true solutions of each pose."""
         return self.valid.sum(1)
 
-    def nearest(self, q_now: ArrayLike) -> tuple[Array, Bools]:
-        """Return for each pose the solution inside the limits closest to q_now, whole turns resolved.
+    def rows(self) -> tuple[Indices, Array]:
+        """Return the valid rows one after the other: the pose each belongs to (M,), and the rows (M, n), rad or m."""
+        return np.nonzero(self.valid)[0], self.q[self.valid]
 
-        Args:
-            q_now: (n,) or (N, n), rad or m.
+    @property
+    def nearest(self) -> Array:
+        """(N, n) the row inside the limits nearest to what `near=` gave, whole turns resolved; see `has_nearest`.
 
-        Returns:
-            (N, n) joint vectors, zeros where there is none, and (N,) bool that says where there is one.
+        A pose without one has zeros or, where each is near the one before (`near="previous"`), the joint vector before.
         """
-        joints, n = self.plan.chain.joints, self.plan.n
-        now = np.broadcast_to(checked_joints(q_now, n, "q_now"), (len(self.q), n))[:, None]
-        wound = joints.unwound(self.q, now, self.plan.limits)
-        best = np.argmin(np.where(self.in_limits, joints.straight(wound, now), np.inf), axis=1)
-        found = self.in_limits.any(1)
-        chosen = np.take_along_axis(wound, best[:, None, None], axis=1)[:, 0]
-        return np.where(found[:, None], chosen, 0.0), found
+        return self._near().q
 
-    def nearest_in_turn(self, q_start: ArrayLike) -> tuple[Array, Bools]:
-        """Return for each pose the solution closest to the one chosen for the pose before it, whole turns resolved.
+    @property
+    def has_nearest(self) -> Bools:
+        """(N,) whether a pose has a row inside the limits, which `nearest` then says."""
+        return self._near().found
 
-        This is the papers' rule; it can jump from branch to branch without a word. `Arm.follow` does not.
+    def _near(self) -> Chosen:
+        if self.chosen is None:
+            raise InputError('nothing was chosen: say near=, one joint vector, one a pose or "previous", in ik_many.')
+        return self.chosen
 
-        Args:
-            q_start: (n,) where to begin, rad or m.
-
-        Returns:
-            (N, n) joint vectors and (N,) bool; a pose without a solution keeps the joint vector before it.
-        """
-        joints, now = self.plan.chain.joints, checked_joints(q_start, self.plan.n, "q_start")
-        chosen, found = np.empty((len(self.q), self.plan.n)), self.in_limits.any(1)
-        for i in range(len(self.q)):
-            if found[i]:
-                rows = joints.unwound(self.q[i][self.in_limits[i]], now, self.plan.limits)
-                now = rows[np.argmin(joints.straight(rows, now))]
-            chosen[i] = now
-        return chosen, found
+    @property
+    def reasons(self) -> dict[int, str]:
+        """Why each pose whose status is INVALID is none, by its index; empty where all are poses."""
+        if self.refused is None:
+            return {}
+        given = zip(self.refused.index, self.refused.poses, strict=True)
+        return {int(index): reason_against(pose, f"Ts[{index}]") for index, pose in given}
 
     def __repr__(self) -> str:
         counts = {s.name: int(c) for s in Status if (c := np.count_nonzero(self.status == s))}
-        return f"<SolutionBatch of {len(self)} poses: {counts}>"
+        return f"<SolutionBatch of {plural(len(self), 'pose')}: {counts}>"

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from pieper._kernel import Flag
-from pieper.kinematics.arrays import Array, Bits, Bools
+from pieper.kinematics.arrays import Array, Bits, Bools, Indices, Slots
 
-__all__ = ["Flag", "Rows"]
+__all__ = ["Chosen", "Flag", "Refused", "Rows"]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -26,7 +26,41 @@ class Rows:
     inside: Bools
     flags: Bits
 
-    def of(self, index: int) -> tuple[Array, Bools, Bools, int]:
+    def of(self, index: int) -> tuple[Array, Slots, Bools, int]:
         """Return one pose's valid rows (m, n), their slots (m,), whether they are inside (m,), and its flags."""
         valid = self.valid[index]
         return self.q[index][valid], valid.nonzero()[0], self.inside[index][valid], int(self.flags[index])
+
+    def part(self, at: slice) -> Rows:
+        """Return the rows of some of the poses; what is written there is written here."""
+        return Rows(self.q[at], self.valid[at], self.inside[at], self.flags[at])
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Chosen:
+    """A row a pose, chosen near a joint vector.
+
+    Args:
+        q: (N, n), rad or m; finite everywhere.
+        found: (N,) whether there is a row inside the limits to be chosen.
+    """
+
+    q: Array
+    found: Bools
+
+    def part(self, at: slice) -> Chosen:
+        """Return those of some of the poses; what is written there is written here."""
+        return Chosen(self.q[at], self.found[at])
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Refused:
+    """What of a batch was no pose.
+
+    Args:
+        index: (k,) which of the batch.
+        poses: (k, 4, 4) what was given.
+    """
+
+    index: Indices
+    poses: Array

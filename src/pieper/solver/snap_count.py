@@ -15,6 +15,8 @@ from pieper.tolerances import FILLED_ZERO
 #: How far from the pose the nominal arm's count is looked at, in multiples of how far the two arms differ: a double
 #: cross of twelve poses so far away encloses the ball that the difference may lead to.
 MARGIN = 3.0
+#: Arms that differ by no more (per length; rad) have none where the nominal one has none, neither here nor around.
+NO_MORE_THAN_TYPED = 1e-4
 #: Poses whose surroundings are looked at in one go: it bounds the memory.
 CHUNK = 4096
 
@@ -75,7 +77,9 @@ def counted(plan: Plan, T: Array, values: Array, polished: Solved, nominal: Indi
         # the nominal arm's rows are those that come near to filling with zero: only the refined ones can be counted
         nominal, doubt = valid.sum(1), np.ones(len(T), bool)
     else:
-        doubt = (valid.sum(1) != nominal) | (nominal == 0) | in_doubt(plan, T, values, nominal)
+        doubt = (valid.sum(1) != nominal) | in_doubt(plan, T, values, nominal)
+        if plan.drift > NO_MORE_THAN_TYPED:
+            doubt |= nominal == 0
     for i in np.flatnonzero(doubt):
         rows, certain = exact_rows(plan, T[i], values[i])
         both = np.concatenate([full[i][valid[i]], rows])

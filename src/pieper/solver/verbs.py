@@ -3,33 +3,53 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array, Bits, Bools
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
 from pieper.solver.arm_rows import arm_rows
+from pieper.solver.batches import (
+    BLOCK,
+    LARGE_BLOCK,
+    Near,
+    Progress,
+    arrays_of,
+    finished,
+    joined,
+    marking,
+    near_what,
+    without_refused,
+)
 from pieper.solver.coupled import batch_of, solutions_of
 from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant.anywhere import anywhere
 from pieper.solver.redundant.at_arm_angle import rows_at_arm_angle
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice
+from pieper.solver.redundant.elsewhere import choose_elsewhere
 from pieper.solver.redundant.self_motions import self_motions_of
-from pieper.solver.redundant.sweep import best_slice
 from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.singular.careful import clear, every_solution, overlooked
+from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.words.closest import closest_to
 from pieper.solver.words.labels import labels_beside, posture_words
+from pieper.solver.words.table import table
 from pieper.solver.words.why import why
-from pieper.tolerances import MOST_CAREFUL, MOST_TRACED
 
-WORDS = Words(why, posture_words, labels_beside)
+WORDS = Words(why, table, posture_words, labels_beside, closest_to)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
+_ROUNDED = int(Flag.ROUNDED)
 #: Status codes of a pose without rows, with rows outside the limits alone, and with one inside.
 _PLAIN = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], np.uint8)
+#: Poses without rows that are asked for their neighbours in one call of the kernel: it bounds memory alone.
+LOOKED_AT_ONCE = 4096
 _SPARE = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT], np.uint8)
 
 
@@ -39,44 +59,131 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         return solutions_of(plan, WORDS, ik(plan.uncoupled, T, redundancy))
     if not plan.direct or redundancy is not None:
         return _ik_through(plan, T, redundancy)
+    pose: Any = T
     try:
-        q, slots, inside, flag = plan.solver.one(T)  # looks at its pose itself
+        q, slots, inside, flag = plan.solver.one(pose)  # looks at its pose itself
     except (TypeError, ValueError):
         # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
-        T = checked_pose(T)
-        q, slots, inside, flag = plan.solver.one(T)
+        pose = checked_pose(T)
+        q, slots, inside, flag = plan.solver.one(pose)
     if flag & _DEGENERATE or not len(q):
-        return _careful(plan, checked_pose(T), q, slots, inside, flag)
-    return Solutions(plan, WORDS, T, q, slots, inside, flag)
+        return _careful(plan, checked_pose(pose), q, slots, inside, flag)
+    return Solutions(plan, WORDS, pose, q, slots, inside, flag)
 
 
-def ik_many(plan: Plan, Ts: PoseLike, threads: int | None = None, redundancy: Redundancy = None) -> SolutionBatch:
+def ik_many(
+    plan: Plan,
+    Ts: PoseLike,
+    threads: int | None = None,
+    redundancy: Redundancy = None,
+    *,
+    near: ArrayLike | str | None = None,
+    start: ArrayLike | None = None,
+    weights: ArrayLike | None = None,
+    invalid: str = "raise",
+    out: SolutionBatch | None = None,
+    progress: Progress | None = None,
+) -> SolutionBatch:
     """Return every solution of N poses; see `Arm.ik_many`."""
-    if plan.uncoupled is not None:
-        return _many_coupled(plan, ik_many(plan.uncoupled, Ts, threads, redundancy), Ts)
-    threads, poses, asked = _threads(threads), _plain(plan, Ts, redundancy), None
+    threads = _threads(threads)
+    poses, refused = without_refused(Ts) if marking(invalid) else (_plain(plan, Ts, redundancy), None)
+    near_by = near_what(plan, near, start, weights, len(poses))
+    told = None if progress is None else partial(_tell, progress, len(poses))
+    solve = partial(_solved, plan, threads=threads, redundancy=redundancy, near=near_by, out=out, told=told)
     try:
-        asked = choice(plan, redundancy, len(poses))
-        rows = _rows(plan, poses, asked, threads)
-    except ValueError:
-        if asked is None:
-            raise
-        poses = _checked(poses)
-        rows = _rows(plan, poses, asked, threads)
+        found = solve(poses)
+    except InputError:
+        # the checked road's words for what is no pose; or it is one, but for rounding
+        found = solve(_checked(poses))
+    if told is not None:
+        told(len(poses))
+    return finished(found, near_by, refused)
+
+
+def _solved(
+    plan: Plan,
+    poses: Array,
+    *,
+    threads: int,
+    redundancy: Redundancy,
+    near: Near | None,
+    out: SolutionBatch | None,
+    told: Callable[[int], None] | None,
+) -> SolutionBatch:
+    if plan.uncoupled is not None:
+        found = _many_coupled(plan, ik_many(plan.uncoupled, poses, threads, redundancy), poses)
+        return joined(plan, [found], out, near)
+    asked = choice(plan, redundancy, len(poses))
+    if plan.direct:
+        whole = arrays_of(plan, out, len(poses), plan.max_solutions, near)
+        size = max(len(poses), 1) if told is None else LARGE_BLOCK
+        for first in range(0, len(poses), size):
+            at = slice(first, first + size)
+            by = None if near is None else near.part(at)
+            _into(plan, poses[at], threads, whole.part(at), by, None if told is None else partial(_after, told, first))
+        return whole
+    if isinstance(out, SolutionBatch):
+        arrays_of(plan, out, len(poses), out.q.shape[-2], near)  # what is wrong with it is said before the work
+    parts: list[SolutionBatch] = []
+    for first in range(0, max(len(poses), 1), BLOCK):
+        at = slice(first, first + BLOCK)
+        angles = None if asked.angles is None else asked.angles[at]
+        parts.append(_through(plan, poses[at], replace(asked, values=asked.values[at], angles=angles), threads))
+        if told is not None:
+            told(min(first + BLOCK, len(poses)))
+    return joined(plan, parts, out, near)
+
+
+def _into(
+    plan: Plan,
+    poses: Array,
+    threads: int,
+    into: SolutionBatch,
+    near: Near | None,
+    told: Callable[[int], None] | None,
+) -> None:
+    """Solve poses of an arm that is its own six-joint chain; rows are chosen while the kernel has them at hand."""
+    rows, outcome, chosen = into.found, np.empty(len(poses), np.uint8), None if near is None else into.chosen
+    by = (
+        (None,) * 4
+        if near is None or chosen is None or near.to is None
+        else (near.select, near.to, chosen.q, chosen.found)
+    )
+    plan.solver.into(poses, threads, rows.q, rows.valid, rows.inside, rows.flags, outcome, *by, told)
+    if outcome.all() and not rows.flags.any():
+        into.status[:] = _PLAIN[outcome]
+        return
+    unclear = np.flatnonzero((rows.flags != 0) | (outcome == 0))
+    into.status[:] = _look(plan, poses, rows)
+    into.status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
+    if near is not None and chosen is not None:
+        near.choose_again(rows, unclear, chosen)
+
+
+def _through(plan: Plan, poses: Array, asked: Choice, threads: int) -> SolutionBatch:
+    """Solve poses of an arm or a task that became a six-joint chain."""
+    rows = _rows(plan, poses, asked, threads)
     if plan.redundancy:
-        _choose_elsewhere(plan, poses, rows, asked)
-        status = _status_of_spare(plan, poses, rows, asked)
+        rows, status = _spare(plan, poses, rows, asked, threads)
     else:
         status = _look(plan, poses, rows)
     status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     return SolutionBatch(plan, rows, status)
 
 
-def _many_coupled(plan: Plan, found: SolutionBatch, Ts: PoseLike) -> SolutionBatch:
+def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBatch:
     batch = batch_of(plan, found)
-    for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits))[:MOST_CAREFUL]:
-        batch.status[i] = ik(plan, _checked(Ts)[i]).status
+    for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits)):
+        batch.status[i] = ik(plan, checked_pose(poses[i])).status
     return batch
+
+
+def _tell(progress: Progress, count: int, done: int) -> None:
+    progress(done, count)
+
+
+def _after(told: Callable[[int], None], before: int, done: int) -> None:
+    told(before + done)
 
 
 # ---------------------------------------------------------------------------------------------- check
@@ -86,7 +193,7 @@ def _plain(plan: Plan, Ts: PoseLike, redundancy: Redundancy) -> Array:
     """Return poses (N, 4, 4) as the solver takes them, unchecked where it looks at them itself."""
     by_value = not (isinstance(redundancy, Mapping) and ARM_ANGLE in redundancy)
     if isinstance(Ts, np.ndarray) and (plan.direct or (plan.immediate and by_value)):
-        poses = np.ascontiguousarray(Ts, dtype=np.float64)
+        poses = np.ascontiguousarray(np.asarray(Ts), dtype=np.float64)
         if poses.ndim == 3 and poses.shape[1:] == (4, 4):
             return poses
     return _checked(Ts)
@@ -99,7 +206,7 @@ def _checked(Ts: PoseLike) -> Array:
     return np.ascontiguousarray(poses)
 
 
-def _threads(threads: int | None) -> int:
+def _threads(threads: object) -> int:
     if threads is None:
         return os.cpu_count() or 1
     if not isinstance(threads, (int, np.integer)) or threads < 1:
@@ -113,28 +220,30 @@ def _threads(threads: int | None) -> int:
 
 
 def _rows(plan: Plan, poses: Array, asked: Choice, threads: int) -> Rows:
-    if plan.direct:
-        return Rows(*plan.solver.many(poses, threads))
     if asked.angle is not None and asked.angles is not None:
         return rows_at_arm_angle(plan, asked.angle, poses, asked.angles)
-    return arm_rows(plan, poses, asked.values, threads)
+    return arm_rows(asked.plan, poses, asked.values, threads)
 
 
 def _any(rows: Bools) -> Bools:
     """Return rows.any(1) of bools (N, M), eight at a time where that is possible: this runs once a pose."""
     if rows.shape[1] != 8 or not rows.flags.c_contiguous:
-        return rows.any(1)
+        return np.logical_or.reduce(rows, axis=1)
     return rows.view(np.uint64)[:, 0] != 0
 
 
 # ---------------------------------------------------------------------------------------------- careful look
 
 
-def _careful(plan: Plan, T: Array, q: Array, slots: Array, inside: Bools, flag: int) -> Solutions:
+def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: int) -> Solutions:
     """Look again at a pose that has no rows, or was marked: self-motions, merged roots, what a kernel overlooked."""
-    if not flag & _DEGENERATE and (len(q) or not overlooked(plan, T)):
+    if not flag & _DEGENERATE and (len(q) or not overlooked(plan, T[None])[0]):
         return Solutions(plan, WORDS, T, q, slots, inside, flag)
-    flag &= ~_DEGENERATE
+    return _with_care(plan, T, q, flag)
+
+
+def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
+    """Return all there is at a pose that may be singular, of which rows q (m, n) are known."""
     found = None if clear(plan, q) else every_solution(plan, T, q)
     q, inside = plan.chain.joints.inside_limits(q if found is None else found.q, plan.limits)
     if found is None:
@@ -145,27 +254,30 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Array, inside: Bools, flag: 
 
 
 def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
-    """Look with care at the poses that need it, put what is found into this call's rows, and return all statuses."""
+    """Look with care at every pose that needs it, put what is found into this call's rows, and return all statuses."""
     some = _any(rows.valid)
     status = _PLAIN[some.astype(np.uint8) + _any(rows.inside)]
     if some.all() and not rows.flags.any():
         return status
-    degenerate = (rows.flags & _DEGENERATE) > 0
-    none, marked = np.flatnonzero(~some & ~degenerate)[:MOST_CAREFUL], np.flatnonzero(degenerate)
-    for i in [*none, *marked[:MOST_CAREFUL]]:
-        found = _careful(plan, checked_pose(poses[i]), *rows.of(i))
-        if degenerate[i] or len(found.all_q) or found.self_motions:
-            _put(found, rows, i)
-            status[i] = found.status
-    # beyond that the kernel's own rows stand, one of each self-motion, and the pose is called singular unread
-    status[marked[MOST_CAREFUL:]] = np.uint8(Status.SINGULAR)
+    marked = (rows.flags & _DEGENERATE) > 0
+    none = np.flatnonzero(~some & ~marked)
+    for first in range(0, len(none), LOOKED_AT_ONCE):
+        part = none[first : first + LOOKED_AT_ONCE]
+        marked[part] = overlooked(plan, poses[part])
+    for i in np.flatnonzero(marked):
+        # the same road as `ik`, so that both start from the same digits
+        T = checked_pose(poses[i])
+        q, _, _, flag = plan.solver.one(T) if plan.direct else rows.of(i)
+        found = _with_care(plan, T, q, int(flag) | (int(rows.flags[i]) & _ROUNDED))
+        _put(found, rows, i)
+        status[i] = found.status
     return status
 
 
 def _put(found: Solutions, rows: Rows, i: int) -> None:
     """Write one pose's Solutions into this call's rows."""
     count = min(len(found.all_q), rows.q.shape[1])
-    rows.q[i], rows.valid[i], rows.inside[i] = 0.0, False, False
+    rows.q[i], rows.valid[i], rows.inside[i], rows.flags[i] = 0.0, False, False, found.flag
     rows.q[i, :count], rows.valid[i, :count], rows.inside[i, :count] = (
         found.all_q[:count],
         True,
@@ -180,52 +292,37 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
     """Solve a pose that the arm itself is no six-joint chain for."""
     T = checked_pose(given)
     asked = choice(plan, redundancy, 1)
-    q, slots, inside, flag = _rows(plan, T[None], asked, 1).of(0)
+    rows = _rows(plan, T[None], asked, 1)
+    q, slots, inside, flag = rows.of(0)
     if not np.array_equal(T, np.asarray(as_pose(given), float)):
         flag |= Flag.ROUNDED
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))
-    motions = partial(self_motions_of, plan, T, asked.values[0])
+    motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults)
     if asked.free and not inside.any():
-        # nobody chose the spare coordinate: any value will do that has an answer
-        others, ok, there = best_slice(plan, T)
-        if there.any() or (ok.any() and not len(q)):
-            q, slots, inside = others[ok], np.flatnonzero(ok), there[ok]
-        elif (len(plan.redundancy) > 1 or not ok.any()) and (motions := motions()):
-            q = np.array([motion.representative for motion in motions])
-            q, inside = plan.chain.joints.inside_limits(q, plan.limits)
-            slots = np.arange(len(q))
+        rows, kind = choose_elsewhere(plan, T[None], rows, 1)
+        q, slots, inside, _ = rows.of(0)
+        motions = motions if kind[0] else ()
     return Solutions(plan, WORDS, T, q, slots, inside, int(flag) & ~_DEGENERATE, self_motions=motions)
 
 
-def _choose_elsewhere(plan: Plan, poses: Array, rows: Rows, asked: Choice) -> None:
-    """Choose another value of the spare coordinate where its default, which nobody chose, gives nothing inside."""
-    if not asked.free:
-        return
-    traced, several = 0, len(plan.redundancy) > 1
-    for i in np.flatnonzero(~_any(rows.inside))[:MOST_CAREFUL]:
-        q, ok, within = best_slice(plan, checked_pose(poses[i]))
-        if within.any() or (ok.any() and not rows.valid[i].any()):
-            rows.q[i], rows.valid[i], rows.inside[i] = q, ok, within
-        elif (several or not ok.any()) and traced < MOST_TRACED:
-            traced += 1
-            _put(_ik_through(plan, poses[i], None), rows, i)
+def _spare(plan: Plan, poses: Array, rows: Rows, asked: Choice, threads: int) -> tuple[Rows, Bits]:
+    """Choose another value of the spare coordinates where nobody chose, and return statuses.
 
-
-def _status_of_spare(plan: Plan, poses: Array, rows: Rows, asked: Choice) -> Bits:
-    """Return statuses; of poses without rows at the value that was asked for, whether other values have some.
-
-    Poses that follow each other and are equal, as in a sweep over the values, are looked at once.
+    Of poses without rows at a value that was asked for it is said whether other values have some; poses that follow
+    each other and are equal, as in a sweep over the values, are looked at once.
     """
-    some, inside = _any(rows.valid), _any(rows.inside)
-    status = _SPARE[some.astype(np.uint8) + inside]
+    if asked.free:
+        none = np.flatnonzero(~_any(rows.inside))
+        if len(none):
+            rows, _ = choose_elsewhere(plan, _checked(poses), rows, threads)
+        return rows, _SPARE[_any(rows.valid).astype(np.uint8) + _any(rows.inside)]
+    some, within = _any(rows.valid), _any(rows.inside)
+    status = _SPARE[some.astype(np.uint8) + within]
     none = ~some & ((rows.flags & _UNCERTAIN) == 0)
-    if asked.free or not none.any():
-        return status
-    run = np.concatenate([[0], np.cumsum((poses[1:] != poses[:-1]).any((1, 2)))])
-    within, anywhere = np.bincount(run, weights=inside) > 0, np.bincount(run, weights=some) > 0
-    for k in np.unique(run[none & ~within[run]])[:MOST_CAREFUL]:
-        _, found, there = best_slice(plan, checked_pose(poses[np.argmax(run == k)]))
-        within[k], anywhere[k] = there.any(), anywhere[k] or found.any()
-    status[none] = _SPARE[anywhere.astype(np.uint8) + within][run[none]]
-    return status
+    if none.any():
+        run = np.concatenate([[0], np.cumsum((poses[1:] != poses[:-1]).any((1, 2)))])
+        first, of = np.unique(run[none], return_inverse=True)
+        starts = np.searchsorted(run, first)
+        status[none] = _SPARE[anywhere(plan, _checked(poses[starts]), threads).kind[of]]
+    return rows, status

@@ -82,12 +82,12 @@ def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     answer = {**solution_rows(arm, solutions, message), "ms": 1e3 * spent}
     if plan.redundancy:
         # tracing what a redundant arm can do at a pose takes far longer than solving it: the page asks for that apart
-        answer["families"] = None
+        answer["self_motions"] = None
         if not message.get("brief"):
             answer["spare"] = spare_coordinates(arm, plan)
             answer["arm_angle"] = _arm_angle(arm, plan, answer["nearest"])
     elif not message.get("brief"):
-        answer["families"] = [motion_points(motion, arm.n) for motion in solutions.self_motions]
+        answer["self_motions"] = [motion_points(motion, arm.n) for motion in solutions.self_motions]
     return answer
 
 
@@ -161,7 +161,7 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
                 "label": labels[i],
                 "inside": bool(inside[i]),
                 "residual": residual[i].tolist(),
-                "family": int(motions[i]),
+                "self_motion": int(motions[i]),
             }
             for i, q in enumerate(solutions.all_q)
         ],
@@ -169,7 +169,7 @@ def solution_rows(arm: pieper.Arm, solutions: pieper.Solutions, message: dict[st
         "why": solutions.why,
         "rounded": bool(solutions.rounded),
         "nearest": near,
-        "families": [],
+        "self_motions": [],
     }
 
 
@@ -201,8 +201,8 @@ def motion_points(motion: pieper.SelfMotion, n: int) -> dict[str, Any]:
 def nearest_pose(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     """Return the reachable pose nearest to a target that is out of reach, and by how much it misses."""
     T = pose(message.get("T"), "target")
-    q, metres, radians = arm.closest(T)
-    return {"q": q.tolist(), "T": arm.fk(q).ravel().tolist(), "metres": metres, "radians": radians}
+    near = arm.closest(T)
+    return {"q": near.q.tolist(), "T": near.T.ravel().tolist(), "metres": near.metres, "radians": near.radians}
 
 
 def formulas(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:

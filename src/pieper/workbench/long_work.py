@@ -52,7 +52,7 @@ def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     track = arm.follow(path, start=start)
     return {
         "path": path.reshape(n, 16).tolist(),
-        "q": np.asarray(track.q).tolist(),
+        "q": np.asarray(track.followed).tolist(),
         "complete": bool(track.complete),
         "chosen": track.chosen,
         "explain": track.explain(),
@@ -75,11 +75,11 @@ def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     }
 
 
-def families(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
+def self_motions(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
     """Return the self-motions of a pose of a redundant arm."""
     found = answers.solve(arm, message).self_motions
     _go_on(stop)
-    return {"families": [answers.motion_points(motion, arm.n) for motion in found]}
+    return {"self_motions": [answers.motion_points(motion, arm.n) for motion in found]}
 
 
 def motion(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
@@ -196,7 +196,7 @@ def _file_name(name: str) -> str:
 
 KINDS: dict[str, Callable] = {
     "follow": follow,
-    "families": families,
+    "self_motions": self_motions,
     "motion": motion,
     "cloud": cloud,
     "equations": equations,

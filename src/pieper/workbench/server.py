@@ -5,6 +5,7 @@ from __future__ import annotations
 import ipaddress
 import sys
 import webbrowser
+from collections.abc import AsyncIterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -19,6 +20,7 @@ from starlette.websockets import WebSocket
 import pieper
 from pieper import InputError
 from pieper.workbench.session import Session
+from pieper.workbench.table import table_from_arm
 
 PAGE = Path(__file__).parent / "page" / "dist"
 TYPES = {
@@ -95,8 +97,13 @@ def create_app(*, names: tuple[str, ...] | None = LOOPBACK, start: pieper.Arm | 
     Args:
         names: Host names it answers to; None for any (when it is deliberately opened to a network).
         start: Arm that new pages open with, or its catalogue name; None for the page's own choice.
+
+    Raises:
+        InputError: The arm cannot be shown: its joints are coupled.
     """
     first = pieper.load(start) if isinstance(start, str) else start
+    if first is not None:
+        table_from_arm(first)
     files = {address: (path.read_bytes(), TYPES[path.suffix]) for address, path in _files().items()}
     pool = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench")
     sessions: set[Session] = set()
@@ -126,7 +133,7 @@ def create_app(*, names: tuple[str, ...] | None = LOOPBACK, start: pieper.Arm | 
             sessions.discard(session)
 
     @asynccontextmanager
-    async def lifespan(app: Starlette):
+    async def lifespan(app: Starlette) -> AsyncIterator[None]:
         yield
         pool.shutdown(wait=False, cancel_futures=True)
 
@@ -164,7 +171,8 @@ def serve(
         open_browser: Open the page in the default browser.
 
     Raises:
-        InputError: A foreign address without `open_to_network`, or the page's bundle is missing.
+        InputError: A foreign address without `open_to_network`, the page's bundle is missing, or the arm's joints are
+            coupled.
     """
     import uvicorn
 

@@ -108,7 +108,7 @@ class Session:
             raise Refused("There is no arm yet: send one first.")
         return self._arm
 
-    async def _in_pool(self, work, *args: object) -> Any:
+    async def _in_pool(self, work: Any, *args: object) -> Any:
         return await asyncio.get_running_loop().run_in_executor(self._pool, work, *args)
 
     def _begin(self, kind: str, seq: int, arm: pieper.Arm, message: dict[str, Any]) -> None:

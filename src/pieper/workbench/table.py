@@ -76,8 +76,18 @@ def _actuator(given: object) -> pieper.Actuator:
 
 
 def table_from_arm(arm: pieper.Arm) -> dict[str, Any]:
-    """Return the page's table of an arm."""
+    """Return the page's table of an arm.
+
+    Raises:
+        InputError: Its joints are coupled, which a table of one joint a row cannot say.
+    """
     d = arm.description
+    if d.coupling is not None:
+        raise pieper.InputError(
+            f"{d.name} has coupled joints, and in the workbench every joint moves its own row alone. "
+            "Python and the other commands take coupled arms.",
+            given=d.name,
+        )
     return {
         "name": d.name,
         "convention": d.convention,

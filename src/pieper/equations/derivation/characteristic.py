@@ -10,10 +10,12 @@ transformed, which is exact for such a polynomial.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.joints import wrapped
 
 SAMPLES = 32  # more than 2*12 + 1: the determinant has no harmonic above 12
@@ -51,7 +53,9 @@ class CharacteristicPolynomial:
     noise: float
 
 
-def characteristic_polynomial(links: np.ndarray, T: np.ndarray, fk) -> CharacteristicPolynomial | None:
+def characteristic_polynomial(
+    links: np.ndarray, T: np.ndarray, fk: Callable[[Array], Array]
+) -> CharacteristicPolynomial | None:
     """Eliminate all but one joint of a six-revolute chain at a pose.
 
     Args:
@@ -92,7 +96,7 @@ def characteristic_polynomial(links: np.ndarray, T: np.ndarray, fk) -> Character
 class _Cut:
     """One way to cut the loop Z1 m1 Z2 m2 .. Z6 m6 = I."""
 
-    def __init__(self, m: list[np.ndarray], shift: int):
+    def __init__(self, m: list[np.ndarray], shift: int) -> None:
         self.m, self.shift = m, shift
         back = [np.linalg.inv(x) for x in m]
         right = np.zeros((14, 3, 3))
@@ -147,7 +151,7 @@ class _Cut:
         return np.roll([t1, t2, t3, t4, t5, t6], self.shift)
 
 
-def _finish(ways: list, fk, T: np.ndarray) -> CharacteristicPolynomial:
+def _finish(ways: list, fk: Callable[[Array], Array], T: np.ndarray) -> CharacteristicPolynomial:
     noise, cut, harmonics = ways[0]
     joint = (2 + cut.shift) % 6 + 1
     t = np.zeros(1, complex)
@@ -189,7 +193,7 @@ def _trimmed(harmonics: np.ndarray) -> np.ndarray:
 
 
 def _ratio(v: np.ndarray, axis: int) -> tuple[float, float]:
-    """x as (over, under) from a null vector of powers: the pair of neighbouring powers with the largest entries."""
+    """The value (over, under) of a null vector of powers: the neighbouring powers with the largest entries."""
     if axis == 0:
         upper, lower = v[:-1].ravel(), v[1:].ravel()
     else:
@@ -199,7 +203,7 @@ def _ratio(v: np.ndarray, axis: int) -> tuple[float, float]:
     return sign * upper[place], sign * lower[place]
 
 
-def _polished(q: np.ndarray, fk, T: np.ndarray) -> np.ndarray | None:
+def _polished(q: np.ndarray, fk: Callable[[Array], Array], T: np.ndarray) -> np.ndarray | None:
     """Newton steps on the pose; None when they do not arrive."""
     scale = max(1.0, float(np.abs(T[:3, 3]).max()))
     for _ in range(12):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from pieper.equations.arm import Arm
 from pieper.equations.derivation.closed_form import ClosedForm
 from pieper.equations.derivation.witness import branch_values
 from pieper.errors import PieperError
+from pieper.kinematics.arrays import Array
 
 CLOSE = 1e-6  # rad or m: a branch is the solution; half the digits remain beside a singular pose
 DIGITS_POSES = 3
@@ -94,7 +96,7 @@ def check(form: ClosedForm, arm: Arm, n: int, rng: np.random.Generator) -> Deriv
     return DerivationCheck(n, total, reproduced, worst, real, valid, _digits(form, arm, rng), formulas)
 
 
-def _solutions(arm: Arm, T, q, form: ClosedForm) -> list[np.ndarray]:
+def _solutions(arm: Arm, T: Array, q: Array, form: ClosedForm) -> list[np.ndarray]:
     """All solutions the solver has for the pose and the chosen joints' values; q alone where there is no solver."""
     found = [q]
     try:
@@ -110,7 +112,7 @@ def _solutions(arm: Arm, T, q, form: ClosedForm) -> list[np.ndarray]:
     return found
 
 
-def _same_choice(found, q, form: ClosedForm) -> list:
+def _same_choice(found: Any, q: Array, form: ClosedForm) -> list:
     """Solutions with the same values of the chosen and free joints (formulas cannot give others)."""
     fixed = [j - 1 for j in (*form.chosen, *form.free)]
     return [row for row in found if all(abs(np.angle(np.exp(1j * (row[j] - q[j])))) < 1e-9 for j in fixed)]
@@ -128,7 +130,7 @@ def _asked(T: np.ndarray, form: ClosedForm) -> np.ndarray:
     return T[..., :3, columns].reshape(*T.shape[:-2], -1)
 
 
-def _by_formula(form: ClosedForm, T, solutions: np.ndarray, formulas: dict):
+def _by_formula(form: ClosedForm, T: Array, solutions: np.ndarray, formulas: dict) -> None:
     """Evaluate each formula with everything before it taken from the solver's solutions."""
     d = form.description
     M = np.linalg.inv(d.base) @ T @ (np.eye(4) if form.fold_tool else np.linalg.inv(d.tool))
@@ -193,13 +195,13 @@ def _digits(form: ClosedForm, arm: Arm, rng: np.random.Generator) -> float | Non
         return float(worst)
 
 
-def _turn(gap, kind: str):
+def _turn(gap: Any, kind: str) -> Any:
     import mpmath
 
     return abs(gap) if kind == "P" else abs(mpmath.atan2(mpmath.sin(gap), mpmath.cos(gap)))
 
 
-def _range(d, form: ClosedForm) -> tuple[np.ndarray, np.ndarray]:
+def _range(d: Any, form: ClosedForm) -> tuple[np.ndarray, np.ndarray]:
     """Lower and upper ends to draw joints from: a whole turn, but the limits of slides and of chosen joints."""
     slides = np.array([kind == "P" for kind in d.joint_types])
     reach = np.where(slides, sum(abs(r.a) + abs(r.d) for r in d.rows) + 0.1, np.pi)

@@ -48,7 +48,7 @@ class ClosedForm:
         chosen: Joints (1-based) whose value is chosen beforehand; then `free`: joints that come out as free.
     """
 
-    def __init__(self, eliminator: Eliminator, description: Description, *, fold_tool: bool):
+    def __init__(self, eliminator: Eliminator, description: Description, *, fold_tool: bool) -> None:
         self.table: SymbolTable = eliminator.table
         self.n = self.table.n
         self.description = description
@@ -83,7 +83,7 @@ class ClosedForm:
         return {s.symbol: s.formula for s in self.steps}
 
     # -- evaluation ------------------------------------------------------------------------------------------
-    def evaluate(self, T, *, chosen=None) -> np.ndarray:
+    def evaluate(self, T: Array, *, chosen: Any = None) -> np.ndarray:
         """Every branch at poses T.
 
         Args:
@@ -151,7 +151,7 @@ class ClosedForm:
         return tuple(chosen)
 
     @property
-    def moves(self):
+    def moves(self) -> list[Move]:
         """The moves that the steps were made of."""
         return self._eliminator.moves
 
@@ -207,7 +207,7 @@ class ClosedForm:
         values = self._values(self.poses(q), q)
         return values | self.table.values(q.T, NumpyField)
 
-    def _values(self, T, q) -> dict:
+    def _values(self, T: Array, q: Array) -> dict:
         signs = np.array(self._choices()).reshape(self.branches, -1)
         values = self.table.constants(NumpyField)
         values |= dict(zip(self.sigmas, (s[:, None] for s in signs.T), strict=True))
@@ -217,12 +217,13 @@ class ClosedForm:
         values |= {Sym(c, x, 4): M[:, r, k] for k, c in enumerate("noap") for r, x in enumerate("xyz")}
         return values | self._given_joints(q.T, NumpyField)
 
-    def evaluate_digits(self, M, *, chosen=None, digits: int = 50) -> list[list]:
+    def evaluate_digits(self, M: Any, *, chosen: Any = None, digits: int = 50) -> list[list]:
         """Every branch at one pose in many-digit arithmetic.
 
         Args:
             M: 4x4 nested lists of mpmath numbers, the pose in the table's frames (base and tool taken off).
             chosen: Values of chosen and free joints, one a joint of the arm.
+            digits: How many digits the answers are to have.
 
         Returns:
             One list of n mpmath numbers (nan where not real) a branch.
@@ -241,14 +242,14 @@ class ClosedForm:
                 found.append([self._joint(values, j, field) for j in range(1, self.n + 1)])
         return found
 
-    def _given_joints(self, q, field) -> dict:
+    def _given_joints(self, q: Array, field: Any) -> dict:
         values = {}
         for joint in (*self.chosen, *self.free):
             symbol, expression = self.table.relation[joint]
             values[symbol] = expression.evaluate({angle_symbol(joint, "q"): q[joint - 1]}, field)
         return values
 
-    def _run(self, values: dict, field, chosen=None):
+    def _run(self, values: dict, field: Any, chosen: Array | None = None) -> None:
         for step in self.steps:
             for symbol, expression in step.names:
                 values[symbol] = expression.evaluate(values, field)
@@ -262,7 +263,7 @@ class ClosedForm:
                 values[Trig("c", step.angle, group)] = field.cos(value)
                 values[Trig("s", step.angle, group)] = field.sin(value)
 
-    def _where_degenerate(self, step: Step, value, values: dict, chosen: Array):
+    def _where_degenerate(self, step: Step, value: Any, values: dict, chosen: Array) -> Array:
         """The value of a step, where it degenerates that of the step which decides instead, or the chosen one."""
         sizes = [np.abs(c.evaluate(values, NumpyField)) for c in step.degenerate]
         gone = np.max(np.broadcast_arrays(*sizes), axis=0) < NOISE
@@ -282,7 +283,7 @@ class ClosedForm:
         free = here[group] if len(step.angle) == 1 else sum(k * here[angle_symbol(j)] for j, k in step.angle)
         return np.where(gone, free, value)
 
-    def _joint(self, values: dict, joint: int, field):
+    def _joint(self, values: dict, joint: int, field: Any) -> Any:
         """q of a joint from its table variable: theta = sign q + constant."""
         symbol, expression = self.table.relation[joint]
         q = angle_symbol(joint, "q")

@@ -10,6 +10,7 @@ it (Pieper 1968). The order is fixed: one solution before two, outer joints befo
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from pieper.algebra.determinant import one_circle
@@ -77,7 +78,7 @@ class Eliminator:
 
     def __init__(
         self, table: SymbolTable, *, given: str = "noap", chosen: tuple[int, ...] = (), fold_tool: bool = False
-    ):
+    ) -> None:
         self.table, self.n, self.chosen = table, table.n, chosen
         self.links = list(table.A)
         if fold_tool:
@@ -127,7 +128,7 @@ class Eliminator:
             j -= 1
         return i, j
 
-    def take(self, move: Move):
+    def take(self, move: Move) -> None:
         self.moves.append(move)
         joint = single_joint(move.angle)
         if joint is not None:
@@ -142,7 +143,7 @@ class Eliminator:
                 self.branch_signs[Trig(function, move.angle, group)] = mul(Num(factor), move.sigma)
         self.follow_sums()
 
-    def follow_sums(self):
+    def follow_sums(self) -> None:
         """theta4 = theta234 - theta2 - theta3, as soon as all but one joint of a known sum are known."""
         again = True
         while again:
@@ -175,7 +176,7 @@ class Eliminator:
         return True
 
     # -- equations -------------------------------------------------------------------------------------------
-    def tiers(self):
+    def tiers(self) -> Iterator[Iterator[Equation]]:
         """Generators of equations, the plain ones first; a later tier is looked at when the earlier have nothing."""
         i, j = self.outer
         seen: set = set()
@@ -185,7 +186,7 @@ class Eliminator:
         yield self._sums_of_squares(i, j, seen)
         yield self._inverse_positions(i, j, seen)
 
-    def _quartics(self, rho: Sym):
+    def _quartics(self, rho: Sym) -> Iterator[tuple]:
         """Options of the last resort: two equations in two unknowns that leave a quartic."""
         i, j = self.outer
         seen: set = set()
@@ -201,7 +202,7 @@ class Eliminator:
         ):
             yield self._score(recipe, y, used, place), y, used, recipe, polys
 
-    def spare_equations(self):
+    def spare_equations(self) -> Iterator[Equation]:
         """Entries of every split in T's own entries: what a finished derivation can still be held against."""
         for a in range(self.n):
             left = self.target.matrix(0, self.n)
@@ -213,7 +214,7 @@ class Eliminator:
                 if total and len(total.terms) <= LONGEST and self.target.usable(total):
                     yield Equation(left[r][c], right[r][c], Source(a, self.n, ((r, c),)))
 
-    def _plain(self, i: int, j: int, seen: set):
+    def _plain(self, i: int, j: int, seen: set) -> Iterator[Equation]:
         yield from self._entries(i, j, i, j, seen)
         if j - i > 1:
             yield from self._entries(i, j, i + 1, j, seen)
@@ -222,11 +223,11 @@ class Eliminator:
             for r in range(3):
                 yield from self._equation(left[r], right[r], Source(a, b, ((r, 3),)), seen)
 
-    def _sums_of_squares(self, i: int, j: int, seen: set):
+    def _sums_of_squares(self, i: int, j: int, seen: set) -> Iterator[Equation]:
         for a, b, left, right in self._positions(i):
             yield from self._squares(left, right, a, b, "squares", seen)
 
-    def _entries(self, i: int, j: int, a: int, b: int, seen: set):
+    def _entries(self, i: int, j: int, a: int, b: int, seen: set) -> Iterator[Equation]:
         F = self.target.matrix(i, j)
         left = F
         if a > i:
@@ -238,7 +239,7 @@ class Eliminator:
             for r in range(3):
                 yield from self._equation(left[r][c], right[r][c], Source(a, b, ((r, c),)), seen)
 
-    def _positions(self, i: int):
+    def _positions(self, i: int) -> Iterator[tuple[int, int, list[Poly], list[Poly]]]:
         """(a, b, left, right): positions of the two sides, for every split whose position needs no later joint."""
         for b in range(self.n, i, -1):
             if not self.target.position_is_known(b):
@@ -252,7 +253,7 @@ class Eliminator:
                         left = [sum((back[r][k] * w[k] for k in range(3)), back[r][3]) for r in range(3)]
                     yield a, b, left, [self.product(a, b)[r][3] for r in range(3)]
 
-    def _inverse_positions(self, i: int, j: int, seen: set):
+    def _inverse_positions(self, i: int, j: int, seen: set) -> Iterator[Equation]:
         for a in range(i, j):
             here = [self.product(0, a)[r][3] if a else Poly() for r in range(3)]
             if not all(self.knowledge.knows(p) for p in here):
@@ -270,7 +271,9 @@ class Eliminator:
                     yield from self._equation(left[r], right[r], Source(a, b, ((r, 3),), "inverse"), seen)
                 yield from self._squares(left, right, a, b, "inverse squares", seen)
 
-    def _equation(self, left: Poly, right: Poly, source: Source, seen: set, longest: int = LONGEST):
+    def _equation(
+        self, left: Poly, right: Poly, source: Source, seen: set, longest: int = LONGEST
+    ) -> Iterator[Equation]:
         total = left - right
         if not total or len(total.terms) > longest or total in seen or -total in seen:
             return
@@ -281,7 +284,7 @@ class Eliminator:
 
     def _squares(
         self, left: list[Poly], right: list[Poly], a: int, b: int, kind: str, seen: set, longest: int = LONGEST_SQUARES
-    ):
+    ) -> Iterator[Equation]:
         # One joint can drop out on each side; with more than one besides them nothing single can be left.
         unknown = {j for p in (*left, *right) for j in p.joints() if j not in self.knowledge.joints}
         if sum(len(p.terms) for p in (*left, *right)) > longest or len(unknown) > 3:
@@ -319,7 +322,7 @@ class Eliminator:
                     return Move(self.symbol(angle), angle, used, solved, mark if solved.branches > 1 else None, names)
         return None
 
-    def options(self, equations, sigma: Sym, name: Sym):
+    def options(self, equations: Iterable[Equation], sigma: Sym, name: Sym) -> Iterator[tuple]:
         """(score, angle, equations, recipe, coefficients) for everything that can be solved now."""
         linear: dict[tuple, list] = {}
         # what a quartic leaves is the pair of equations it came from, and only the pair is unique
@@ -359,9 +362,9 @@ class Eliminator:
     def _sign(self, poly: Poly) -> Expr:
         return sign_expression(poly, self.branch_signs)
 
-    def _score(self, recipe: Recipe, angle: tuple, equations: tuple, place: int):
+    def _score(self, recipe: Recipe, angle: tuple, equations: tuple, place: int) -> tuple:
         i, j = self.outer
-        joint = single_joint(angle)
+        joint, outermost = single_joint(angle), self.outer == (0, self.n)
         left = {j for e in equations for j in e.left.joints() if j not in self.knowledge.joints}
         kinds = (
             "both functions",
@@ -383,9 +386,7 @@ class Eliminator:
             recipe.may_fail,
             len({(e.source.i, e.source.j, e.source.kind) for e in equations}) > 1,
             joint is None or joint not in (i + 1, j),
-            recipe.branches > 1
-            and any(c != 3 for e in equations for _, c in e.source.places)
-            and (i, j) == (0, self.n),
+            recipe.branches > 1 and outermost and any(c != 3 for e in equations for _, c in e.source.places),
             kinds.index(recipe.kind),
             sum(a.rank == 1 for e in equations for a in e.right.atoms() if recipe.may_fail),
             sum(len(e.left.terms) + len(e.right.terms) for e in equations),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from pieper.document.formulas import NOTHING, ZERO, Written
 from pieper.equations.arm import Arm
 from pieper.equations.derivation.characteristic import CharacteristicPolynomial, characteristic_polynomial
 from pieper.errors import PieperError
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import look
 from pieper.solver.plan.plan import Plan
 
@@ -77,16 +79,14 @@ class GeneralInverse:
         middle = np.random.default_rng(4).uniform(-1.2, 1.2, arm.n)
         self.example = np.radians(np.round(np.degrees(middle)))
 
-    def polynomial(self, T, chosen=None) -> CharacteristicPolynomial | None:
+    def polynomial(self, T: Array, chosen: Any = None) -> CharacteristicPolynomial | None:
         """The characteristic polynomial at a pose (4, 4); `chosen` are the values of the spare joints, rad."""
         chain = self._six(np.zeros(len(self.chosen)) if chosen is None else np.atleast_1d(chosen))
         if chain.n != 6 or chain.prismatic.any():
             return None
-        from pieper.kinematics.forward import fk
+        return characteristic_polynomial(np.array(chain.links), np.asarray(T, float), chain.native.fk)
 
-        return characteristic_polynomial(np.array(chain.links), np.asarray(T, float), lambda q: fk(chain, q))
-
-    def _six(self, values):
+    def _six(self, values: Any) -> Any:
         chain = self._arm.chain
         for joint, value in sorted(zip(self.chosen, values, strict=True), reverse=True):
             chain = chain.locked(joint, float(value))
@@ -133,7 +133,7 @@ class GeneralInverse:
             )
         return said
 
-    def write(self, page: Document):
+    def write(self, page: Document) -> None:
         """Write what is true onto a page."""
         arm = self._arm
         page.say(" ".join(self.why()))
@@ -184,7 +184,7 @@ class GeneralInverse:
     def _name(self, poly: CharacteristicPolynomial) -> int:
         return [j + 1 for j in range(self._arm.n) if j not in self.chosen][poly.joint - 1]
 
-    def _method(self, page: Document, poly: CharacteristicPolynomial):
+    def _method(self, page: Document, poly: CharacteristicPolynomial) -> None:
         names = [j + 1 for j in range(self._arm.n) if j not in self.chosen]
         cut = [names[(poly.joint - 3 + k) % 6] for k in range(6)]
         one, two, three, four, five, six = (angle_symbol(j) for j in cut)
@@ -250,7 +250,7 @@ class GeneralInverse:
         return PolynomialCheck(poses, solutions, found, extra, own, worst)
 
 
-def _solver_rows(arm: Arm, T, q, chosen) -> list:
+def _solver_rows(arm: Arm, T: Array, q: Array, chosen: Any) -> list:
     try:
         rows = arm.ik(T, redundancy=float(q[chosen[0]])).all_q if chosen else arm.ik(T).all_q
     except PieperError:
@@ -258,13 +258,13 @@ def _solver_rows(arm: Arm, T, q, chosen) -> list:
     return [row for row in rows if all(abs(np.angle(np.exp(1j * (row[j] - q[j])))) < 1e-9 for j in chosen)]
 
 
-def _among(q, rows) -> float:
+def _among(q: Array, rows: Any) -> float:
     if not len(rows):
         return np.inf
     return float(np.abs(np.angle(np.exp(1j * (rows - q)))).max(axis=1).min())
 
 
-def _degrees(q, digits: int = 0) -> str:
+def _degrees(q: Array, digits: int = 0) -> str:
     return "(" + ", ".join(f"{x:.{digits}f}" for x in np.degrees(q)) + ") deg"
 
 

@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Any
 
 from pieper.algebra.determinant import monomial_content
 from pieper.algebra.expression import Call, Expr, Num, Sym, add, atan2, mul, sqrt
@@ -55,7 +56,7 @@ class Recipe:
     build: Callable[[], Solved | None]
 
 
-def recognise_single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates=None) -> Recipe | None:
+def recognise_single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates: Any = None) -> Recipe | None:
     """A cos x + B sin x + C = 0, before it is written out."""
     if not A and not B:
         return None
@@ -63,7 +64,7 @@ def recognise_single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates=Non
     return Recipe(kind, 2, False, lambda: single(A, B, C, sigma, name, mates))
 
 
-def recognise_double(first: tuple, second: tuple, signs) -> Recipe | None:
+def recognise_double(first: tuple, second: tuple, signs: Any) -> Recipe | None:
     """Two such equations, before they are written out."""
     (A1, B1, _), (A2, B2, _) = first, second
     if not A2 and B2 and not B1 and A1 or not A1 and B1 and not B2 and A2:
@@ -88,7 +89,7 @@ def recognise_slide(A: Poly, B: Poly, C: Poly, sigma: Sym) -> Recipe | None:
 
 
 def quotient(over: Poly, under: Poly) -> Expr:
-    """over / under, with numbers and a common minus sign worked in."""
+    """Quotient over / under, with numbers and a common minus sign worked in."""
     value = under.constant()
     if value is not None:
         return (over * (1 / Fraction(value))).expr()
@@ -97,10 +98,14 @@ def quotient(over: Poly, under: Poly) -> Expr:
     return over.expr() / under.expr()
 
 
-def single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates=None) -> Solved | None:
+def single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates: Any = None) -> Solved | None:
     """A cos x + B sin x + C = 0 alone: two branches.
 
     Args:
+        A: Factor of the cosine.
+        B: Factor of the sine.
+        C: The rest.
+        sigma: Sign of the branch.
         name: Symbol for the right-hand side where it is long.
         mates: symbol -> the other two entries of its column, when it is an entry of a rotation matrix.
     """
@@ -148,7 +153,7 @@ def single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates=None) -> Solv
     return Solved(formula, 2, (a, b), root, "two functions", definitions)
 
 
-def double(first: tuple[Poly, Poly, Poly], second: tuple[Poly, Poly, Poly], signs) -> Solved | None:
+def double(first: tuple[Poly, Poly, Poly], second: tuple[Poly, Poly, Poly], signs: Any) -> Solved | None:
     """Two equations A cos x + B sin x + C = 0 with the same x: one solution."""
     (A1, B1, C1), (A2, B2, C2) = first, second
     if not A2 and B2 and not B1 and A1 or not A1 and B1 and not B2 and A2:
@@ -228,7 +233,7 @@ def divided(poly: Poly, by: Poly) -> Poly:
     )
 
 
-def _complement(C: Poly, one: Poly, mates) -> Expr | None:
+def _complement(C: Poly, one: Poly, mates: Any) -> Expr | None:
     """sqrt(1 - u33^2) as sqrt(u13^2 + u23^2): the same, and exact where u33 is close to 1."""
     if mates is None or one.constant() not in (1, -1) or len(C.terms) != 1:
         return None
@@ -246,6 +251,7 @@ def sign_expression(poly: Poly, branch_signs: dict) -> Expr:
     """The sign of a known factor: a number, the branch sign that it is, or sgn(...).
 
     Args:
+        poly: The factor.
         branch_signs: {Trig or slide symbol: branch sign} of unknowns solved with a square root.
     """
     value = poly.constant()

@@ -9,6 +9,8 @@ theta3.
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
+from typing import Any
 
 from pieper.algebra.determinant import one_circle
 from pieper.algebra.expression import Call, Expr, Sym, Trig
@@ -19,7 +21,7 @@ from pieper.equations.derivation.unknowns import Knowledge, View
 COEFFICIENTS = tuple(Sym("e", str(k), 4) for k in (4, 3, 2, 1, 0))
 
 
-def recognise_quartics(equations: list, knowledge: Knowledge, groups: tuple, rho: Sym):
+def recognise_quartics(equations: list, knowledge: Knowledge, groups: tuple, rho: Sym) -> Iterator[Any]:
     """(angle, recipe, (equation, equation), polynomials) for every pair that leaves a quartic in one joint's angle.
 
     Args:

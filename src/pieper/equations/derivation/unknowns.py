@@ -76,7 +76,7 @@ class Knowledge:
 
     @staticmethod
     def _expanded(t: Trig, rest: tuple) -> list[tuple[Poly, tuple[str, tuple]]]:
-        """cos or sin of (unknown + known) as [(known coefficient, (kind, unknown angle))], unknown angle leading +."""
+        """A cos or sin of (unknown + known) as [(known coefficient, (kind, unknown angle))], the unknown with +."""
         flip = -1 if rest[0][1] < 0 else 1
         unknown = tuple((j, flip * k) for j, k in rest)
         known = {j: k for j, k in t.angle if (j, k) not in rest}

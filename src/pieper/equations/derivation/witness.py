@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from pieper.algebra.arithmetics import NumpyField
@@ -12,11 +14,11 @@ from pieper.equations.derivation.patterns import Solved
 class _Values(dict):
     """Numbers for symbols; those of named entries are worked out when first asked for."""
 
-    def __init__(self, witness: Witness, values: dict):
+    def __init__(self, witness: Witness, values: dict) -> None:
         super().__init__(values)
         self.witness = witness
 
-    def __missing__(self, symbol):
+    def __missing__(self, symbol: Any) -> Any:
         self[symbol] = value = self.witness.eliminator.target.definitions[symbol].evaluate(self)
         return value
 
@@ -28,7 +30,7 @@ class Witness:
     it from a useful one, and they also guard every formula against a wrong sign.
     """
 
-    def __init__(self, eliminator, count: int = 3):
+    def __init__(self, eliminator: Any, count: int = 3) -> None:
         self.eliminator = eliminator
         table = eliminator.table
         q = np.random.default_rng(5).uniform(-2.5, 2.5, (table.n, count))
@@ -79,4 +81,5 @@ def branch_values(branches: int) -> tuple[float, ...]:
 
 
 def single_joint(angle: tuple) -> int | None:
+    """The joint whose angle this is, None for a sum or a multiple."""
     return angle[0][0] if len(angle) == 1 and angle[0][1] == 1 else None

@@ -35,7 +35,7 @@ ONCE = {
 }
 
 
-def write_steps(page: Document, form: ClosedForm):
+def write_steps(page: Document, form: ClosedForm) -> None:
     """Write every step and the summary onto a page."""
     _opening(page, form)
     for step in form.steps:
@@ -43,7 +43,7 @@ def write_steps(page: Document, form: ClosedForm):
     _summary(page, form)
 
 
-def _opening(page: Document, form: ClosedForm):
+def _opening(page: Document, form: ClosedForm) -> None:
     d = form.description
     plain_base, plain_tool = (np.array_equal(M, np.eye(4)) for M in (d.base, d.tool))
     columns = {
@@ -89,7 +89,7 @@ def _opening(page: Document, form: ClosedForm):
         page.say("The arm has a joint to spare: ", *names, " is chosen freely, and the rest follows.")
 
 
-def _step(page: Document, form: ClosedForm, step: Step):
+def _step(page: Document, form: ClosedForm, step: Step) -> None:
     page.add(StepHeading(step.number, step.symbol, step.branches))
     if step.kind == "sum":
         page.say("The sum is known, and so are its other members:")
@@ -146,7 +146,7 @@ def _entries(places: list[tuple[int, int]]) -> str:
     return "entries " + ", ".join(named[:-1]) + " and " + named[-1]
 
 
-def _failures(page: Document, form: ClosedForm, step: Step):
+def _failures(page: Document, form: ClosedForm, step: Step) -> None:
     if step.degenerate:
         _degenerate(page, form, step)
     if step.merge is not None:
@@ -159,7 +159,7 @@ def _failures(page: Document, form: ClosedForm, step: Step):
         )
 
 
-def _degenerate(page: Document, form: ClosedForm, step: Step):
+def _degenerate(page: Document, form: ClosedForm, step: Step) -> None:
     bare = [mul(Num(-1), c) if not isinstance(c, Sym) and negative(c) else c for c in step.degenerate]
     conditions: list[Piece] = []
     for condition in bare:
@@ -185,7 +185,7 @@ def _degenerate(page: Document, form: ClosedForm, step: Step):
         _decided(page, form, step, case, conditions)
 
 
-def _decided(page: Document, form: ClosedForm, step: Step, case: Case, conditions: list[Piece]):
+def _decided(page: Document, form: ClosedForm, step: Step, case: Case, conditions: list[Piece]) -> None:
     page.say("It degenerates where ", *conditions, ": then it says nothing of ", step.symbol, ".")
     other = form.instead(step)
     if case.kind == MIXED:
@@ -206,7 +206,7 @@ def _decided(page: Document, form: ClosedForm, step: Step, case: Case, condition
         page.say("The two branches of ", other.sigma, ", which meet in the step that brought it, are told apart here.")
 
 
-def _summary(page: Document, form: ClosedForm):
+def _summary(page: Document, form: ClosedForm) -> None:
     page.heading("All joints together")
     signs = len(form.sigmas)
     if signs:

@@ -17,8 +17,7 @@ RANK = 1e-7  # relative; singular values below are zero
 
 
 def pose_jacobian(model: ArmModel, q: np.ndarray) -> np.ndarray:
-    """Return (K, 6, n) derivatives of the pose by central differences: position over the arm's length, then rotation
-    (rad)."""
+    """Return derivatives (K, 6, n) of the pose by central differences: position per length, then rotation, rad."""
     K, n = q.shape
     moved = np.repeat(np.repeat(q[:, None, None], n, axis=1), 2, axis=2)
     for k in range(n):

@@ -8,7 +8,7 @@ from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
 from pieper.judge.judges.tables import ZEROS
 from pieper.judge.model import ArmModel
-from pieper.judge.printed import UNITS, unit_of
+from pieper.judge.numbers import UNITS, unit_of
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
 

@@ -45,7 +45,10 @@ def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
     count = len(nodes)
     claim = claim.reads(f"{claim['of']} = [" + "; ".join(", ".join(map(str, r)) for r in given) + "]")
     if not wrong:
-        return claim.holds(f"Holds identically: all {count} entries that are given.")
+        return claim.holds(
+            "Holds identically: "
+            + (f"all {count} entries that are given." if count > 1 else "the one entry that is given.")
+        )
     details = [
         (f"entry ({i},{j})", f"{v.claim}: {v.sentence}" + "".join(f"\n{h}: {b}" for h, b in v.details if h != "tried"))
         for i, j, v in wrong

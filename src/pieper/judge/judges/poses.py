@@ -12,7 +12,7 @@ from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, number
 from pieper.judge.matrices import Product, value_of
 from pieper.judge.model import ArmModel
-from pieper.judge.printed import (
+from pieper.judge.numbers import (
     BLANK,
     UNITS,
     cut_off,

@@ -11,6 +11,7 @@ from pieper.judge.evidence import Evidence, wrapped
 from pieper.judge.judges.angles import branch_values, read_angle
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
+from pieper.words_by_number import plural
 
 MAX_COMBINATIONS = 512
 
@@ -47,7 +48,7 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
         if len(candidates) > MAX_COMBINATIONS:
             raise claim.error(f"more than {MAX_COMBINATIONS} combinations of branches")
     if any(len(c) != n for c in candidates):
-        raise claim.error(f"the steps give {len(candidates[0])} of {n} joints")
+        raise claim.error(f"the steps give {len(candidates[0])} of {plural(n, 'joint')}")
     claim = claim.reads("; ".join(lines))
     found, truth = _closing(ev, rows, candidates), _existing(ev, rows)
     spread = ", ".join(f"{v} at {100 * np.mean(found == v):.0f}%" for v in sorted(set(found.tolist())))
@@ -55,15 +56,14 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
     details = [
         (
             "candidates",
-            f"{len(candidates)} combinations of branches at {len(rows)} poses: {int(found.sum())} of "
+            f"{plural(len(candidates), 'combination')} of branches at {len(rows)} poses: {int(found.sum())} of "
             f"{len(rows) * len(candidates)} close under forward kinematics",
         ),
         ("solutions", f"found {spread} of the poses; {there}"),
     ]
     if truth is not None and np.array_equal(found, truth):
-        return claim.holds(
-            f"Holds: finds all {int(truth.max())} solutions at {len(rows)} of {len(rows)} poses.", details
-        )
+        every = f"all {int(truth.max())} solutions" if truth.max() > 1 else "the one solution"
+        return claim.holds(f"Holds: finds {every} at {len(rows)} of {len(rows)} poses.", details)
     if not found.any():
         return claim.wrong(f"Wrong: finds no solution at any of {len(rows)} poses.", details)
     none = np.mean(found == 0)

@@ -7,9 +7,10 @@ import numpy as np
 from pieper.errors import PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
-from pieper.judge.printed import UNITS, joint_tolerance, last_digit, read_joints, read_matrix, read_number, unit_of
+from pieper.judge.numbers import UNITS, joint_tolerance, last_digit, read_joints, read_matrix, read_number, unit_of
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
+from pieper.words_by_number import plural
 
 
 def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
@@ -110,7 +111,7 @@ def judge_count(ev: Evidence, claim: Claim) -> Verdict:
     count = claim.whole("count")
     if ev.model.solver is None:
         raise claim.error("this arm's table cannot be given to the solver, so its solutions cannot be counted")
-    claim = claim.reads(f"a pose has {count} solutions")
+    claim = claim.reads(f"a pose has {plural(count, 'solution')}")
     counts = []
     for k in np.flatnonzero(ev.samples.nominal)[:40]:
         try:
@@ -121,7 +122,9 @@ def judge_count(ev: Evidence, claim: Claim) -> Verdict:
     spread = ", ".join(f"{c} at {100 * m / len(counts):.0f}%" for c, m in found.items())
     details = [("solutions found", f"{spread} of {len(counts)} random poses")]
     if set(found) == {count}:
-        return claim.holds(f"Holds: {count} solutions at {len(counts)} of {len(counts)} random poses.", details)
+        return claim.holds(
+            f"Holds: {plural(count, 'solution')} at {len(counts)} of {len(counts)} random poses.", details
+        )
     if max(found) == count:
         return claim.partly(f"Holds as the largest number only; there are {spread} of the poses.", details)
     never = "" if count in found else f", never {count}"

@@ -9,7 +9,7 @@ import numpy as np
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
 from pieper.judge.model import ArmModel
-from pieper.judge.printed import UNITS, as_text, cut_off, last_digit, misprint, read_joints, read_number, unit_of
+from pieper.judge.numbers import UNITS, as_text, cut_off, last_digit, misprint, read_joints, read_number, unit_of
 from pieper.judge.samples import pose_of, samples_at
 from pieper.judge.slips.arm_slips import axis_renamings
 from pieper.judge.verdict import Verdict
@@ -168,4 +168,4 @@ def judge_range(ev: Evidence, claim: Claim) -> Verdict:
     claim = claim.reads(f"joint {claim['joint']} at {shown} deg is in {low:g} .. {high:g} deg")
     if outside:
         return claim.wrong(f"Wrong: {', '.join(outside)} deg outside the printed range.")
-    return claim.holds(f"Holds: all {len(values)} values.")
+    return claim.holds(f"Holds: all {len(values)} values." if len(values) > 1 else "Holds.")

@@ -1,5 +1,6 @@
-"""What would have to stand at a place of a formula for the whole to be right, found by undoing the operations from the
-top down.
+"""What would have to stand at a place of a formula for the whole to be right.
+
+It is found by undoing the operations from the top down.
 
 Comparing candidates with this value costs one small evaluation each, where building and evaluating the whole formula
 would cost a hundred.

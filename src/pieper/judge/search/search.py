@@ -1,5 +1,7 @@
-"""The search for the one slip that explains a wrong formula: try every near formula and every near arm, keep what is
-right everywhere."""
+"""The search for the one slip that explains a wrong formula.
+
+Every near formula and every near arm is tried, and what is right everywhere is kept.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +9,7 @@ import time
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -43,7 +46,7 @@ class Goal:
         size = np.abs(0.0 if self.wanted is None else self.wanted)
         return size + np.median(size) + self.floor
 
-    def restrict(self, rows) -> Goal:
+    def restrict(self, rows: Any) -> Goal:
         """Return the same target on some of the samples only."""
         wanted = None if self.wanted is None else self.wanted[rows]
         return Goal({k: v[rows] for k, v in self.env.items()}, wanted, self.angle, self.floor)

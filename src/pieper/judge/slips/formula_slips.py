@@ -7,6 +7,7 @@ formula with that change *undone*, so the first tree that is right is the neares
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Num, PiFraction, Power, Sym
 from pieper.algebra.formula import (
@@ -60,7 +61,7 @@ def slips(
                 continue
             done.add(id(node))
 
-        def slip(kind, says, new, cost=1.0, path=path, node=node):
+        def slip(kind: str, says: Any, new: Any, cost: float = 1.0, path: Any = path, node: Any = node) -> Slip:
             words = (says,) if isinstance(says, str) else says
             if isinstance(root, Equation) and path[:1] == (0,):
                 cost += 0.05  # the left side of an equation is what it is about, seldom what is wrong
@@ -120,8 +121,10 @@ def _throughout(root: Expr, joints: int) -> Iterator[Slip]:
 
 
 def _shared(root: Expr) -> set[int]:
-    """Return the `id` of nodes that occur more than once: a symbol defined once and used twice carries its slip to both
-    places."""
+    """Return the `id` of nodes that occur more than once.
+
+    A symbol defined once and used twice carries its slip to both places.
+    """
     seen: set[int] = set()
     twice: set[int] = set()
     for node in root.walk():
@@ -136,8 +139,10 @@ def _is_term(node: Expr, parent: Expr | None) -> bool:
 
 
 def _factor_pool(root: Expr, lengths: dict[str, float], joints: int) -> dict[str, Expr]:
-    """Return what may have been lost or swapped: sines and cosines of every joint and of the sums that occur, and the
-    lengths."""
+    """Return what may have been lost or swapped.
+
+    That is sines and cosines of every joint and of the sums that occur, and the lengths.
+    """
     used = {int(found.group(1)) for found in map(ANGLE.match, root.symbols()) if found}
     sums: set[tuple[tuple[int, int], ...]] = {((1, j),) for j in (used or range(1, joints + 1))}
     sums.update(parts for parts in map(turned_joints, root.walk()) if parts)
@@ -155,7 +160,7 @@ def _numbers(root: Expr, lengths: dict[str, float]) -> list[str]:
     return sorted(found | {f"{abs(v):g}" for v in lengths.values() if v} | {"1", "2"})
 
 
-def _call_slips(node: Call, slip, joints: int) -> Iterator[Slip]:
+def _call_slips(node: Call, slip: Any, joints: int) -> Iterator[Slip]:
     name, args = node.name, node.args
     if name in TURNS:
         other = "cos" if name == "sin" else "sin"
@@ -182,7 +187,7 @@ def _call_slips(node: Call, slip, joints: int) -> Iterator[Slip]:
         yield slip("power", "a root too many", args[0], 1.5)
 
 
-def _index_variants(parts, joints: int) -> Iterator[tuple]:
+def _index_variants(parts: Any, joints: int) -> Iterator[tuple]:
     """Yield the sums of joints that differ in one index, added ones in rising order as they are written."""
     seen = {parts}
     for new in _variants(parts, joints):
@@ -192,7 +197,7 @@ def _index_variants(parts, joints: int) -> Iterator[tuple]:
             yield new
 
 
-def _variants(parts, joints: int) -> Iterator[tuple]:
+def _variants(parts: Any, joints: int) -> Iterator[tuple]:
     used = {j for _, j in parts}
     for k, (s, j) in enumerate(parts):
         for other in range(1, joints + 1):
@@ -209,7 +214,7 @@ def _variants(parts, joints: int) -> Iterator[tuple]:
                 yield tuple(sorted(parts + ((-1, other),), key=lambda p: -p[0]))
 
 
-def _symbol_slips(node: Sym, slip, lengths, others, joints: int) -> Iterator[Slip]:
+def _symbol_slips(node: Sym, slip: Any, lengths: Any, others: Any, joints: int) -> Iterator[Slip]:
     name = node.name
     angle = ANGLE.match(name)
     family: list[str] = []
@@ -230,7 +235,7 @@ def _symbol_slips(node: Sym, slip, lengths, others, joints: int) -> Iterator[Sli
         yield slip("index", f"{name} for {other}", Mention(other), 0.8 if other[0] == name[0] else 1.0)
 
 
-def _product_slips(node: Expr, slip) -> Iterator[Slip]:
+def _product_slips(node: Expr, slip: Any) -> Iterator[Slip]:
     for k, factor in enumerate(node.args):
         rest = node.args[:k] + node.args[k + 1 :]
         kind = {"1000": "millimetres", "180/pi": "degrees", "pi/180": "degrees"}.get(str(factor), "extra factor")
@@ -246,7 +251,7 @@ def _product_slips(node: Expr, slip) -> Iterator[Slip]:
                 )
 
 
-def _sum_slips(node: Expr, slip) -> Iterator[Slip]:
+def _sum_slips(node: Expr, slip: Any) -> Iterator[Slip]:
     if len(node.args) <= 8:
         for first in range(len(node.args)):
             for last in range(first + 1, len(node.args)):

@@ -26,7 +26,7 @@ class KernelSpec:
     """
 
     geometry: _kernel.Geometry
-    info: dict[str, Any] = field(default_factory=dict)
+    info: dict[str, Any] = field(default_factory=dict[str, Any])
     slot_labels: tuple[str, ...] | None = None
 
     @property

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from pieper import _kernel
 from pieper.errors import PlanError
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
 from pieper.solver.families.family import Family, KernelSpec
@@ -63,13 +65,14 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
         found = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
         raise PlanError(_reason(chain, slides), geometry=found, ways=ways)
     exact = [way for way in ways if way["rank"] == 1]
+    best: dict[str, Any]
     if slides == 3:
         best = {"hidden_joint": None, "direction": "closed form", "noise": 0.0}
     elif exact:
         best = exact[0]
     else:
         best = {"hidden_joint": None, "direction": "a nearby arm's solutions, polished", "noise": 1.0}
-    info = {
+    info: dict[str, Any] = {
         "usable": geometry.usable,
         "certified": slides == 3 or bool(exact),
         "hidden_joint": best["hidden_joint"],
@@ -95,9 +98,9 @@ FAMILY = Family(
 )
 
 
-def _ways(trials: np.ndarray) -> tuple[dict, ...]:
+def _ways(trials: Array) -> tuple[dict[str, Any], ...]:
     """Turn the kernel's record (24, 4) into words, best first."""
-    out = []
+    out: list[dict[str, Any]] = []
     for index, (rank, missed, left_open, noise) in enumerate(trials):
         if not rank:
             continue

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import cast
+
 from pieper import _kernel
 from pieper.errors import PlanError
 from pieper.kinematics.chain import Chain
@@ -11,6 +13,6 @@ from pieper.solver.families import general
 def general_model(chain: Chain) -> _kernel.General | None:
     """Return the general solver's model of an arm, or None where it has no way to solve it."""
     try:
-        return general.prepare(chain).geometry
+        return cast(_kernel.General, general.prepare(chain).geometry)
     except PlanError:
         return None

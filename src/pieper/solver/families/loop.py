@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.kinematics.pose import translation
@@ -18,7 +19,9 @@ def centred(chain: Chain, first: int) -> np.ndarray:
     """
     joints = range(first, first + 3)
     normals = np.eye(3) - chain.axes[joints, :, None] * chain.axes[joints, None, :]
-    centre = np.linalg.lstsq(normals.sum(0), (normals @ chain.points[joints, :, None])[..., 0].sum(0), rcond=None)[0]
+    centre: Array = np.linalg.lstsq(
+        normals.sum(0), (normals @ chain.points[joints, :, None])[..., 0].sum(0), rcond=None
+    )[0]
     links = np.array(chain.links)
     for j in joints:
         # the axis in the chain at zero; its frame moves by s along its own z

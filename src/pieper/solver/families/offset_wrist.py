@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -48,7 +49,7 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
     return None
 
 
-def _sides(numbers: dict) -> bool | None:
+def _sides(numbers: dict[str, Any]) -> bool | None:
     """Return whether the arm's two sides are alike, None where that is hard to tell."""
     apart = max(abs(numbers["shoulder"]), abs(numbers["lateral"]), abs(numbers["lean_s"]), abs(numbers["tilt_s"]))
     if apart <= SIDES_ALIKE:
@@ -102,7 +103,7 @@ FAMILY = Family(
 )
 
 
-def _measured(chain: Chain) -> dict:
+def _measured(chain: Chain) -> dict[str, Any]:
     """Return the arm at zero, seen from axes 1 and 2, lengths per characteristic length (see offset_wrist.hpp)."""
     u, p = chain.axes, chain.points
     z, y = _unit(u[0]), u[1] - (u[1] @ u[0]) * u[0]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import inverse, rotation_z, transform, translation
 from pieper.tolerances import PAIR_ALWAYS_RANK_ONE
 
@@ -61,7 +62,7 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
     )
     hide_c = first_c = 0
     rank_one = np.ones(2, bool)
-    for T in fk(chain, Q):
+    for T in chain.native.fk(Q):
         T = T.copy()
         T[:3, 3] /= chain.length
         closing = scaled[6] @ inverse(T) @ scaled[0]
@@ -81,35 +82,39 @@ def _motion(x: float, slides: bool) -> np.ndarray:
     return translation(z=x) if slides else transform(rotation_z(x)[:3, :3])
 
 
-def _positioning(pre, A, B, C, slides):
+def _positioning(
+    pre: Array, A: Array, B: Array, C: Array, slides: Bools
+) -> tuple[Callable[[float], Array], Callable[[float], Array]]:
     g = inverse(pre)[:3, 3]
 
-    def left(x):
+    def left(x: float) -> Array:
         w = (inverse(A) @ inverse(_motion(x, slides[0])) @ [*g, 1])[:3]
         return w[:2] if slides[1] else np.array([w[2], w @ w])
 
-    def right(x):
+    def right(x: float) -> Array:
         u = (B @ _motion(x, slides[2]) @ [*C[:3, 3], 1])[:3]
         return u[:2] if slides[1] else np.array([u[2], u @ u])
 
     return left, right
 
 
-def _around_plane(pre, A, B, C, slides):
+def _around_plane(
+    pre: Array, A: Array, B: Array, C: Array, slides: Bools
+) -> tuple[Callable[[float], Array], Callable[[float], Array]]:
     h, k = pre[2, :3], C[:3, 2]
 
-    def left(x):
+    def left(x: float) -> Array:
         turned = h if slides[0] else _motion(x, False)[:3, :3].T @ h
         return np.array([(A[:3, :3].T @ turned)[2], turned @ A[:3, 3] + (x * h[2] if slides[0] else 0.0)])
 
-    def right(x):
+    def right(x: float) -> Array:
         u = B[:3, :3] @ (k if slides[2] else _motion(x, False)[:3, :3] @ k)
         return np.array([u[2], -(u @ B[:3, 3]) - (x * k[2] if slides[2] else 0.0)])
 
     return left, right
 
 
-def _terms(side, slides: bool) -> np.ndarray:
+def _terms(side: Callable[[float], Array], slides: bool) -> np.ndarray:
     """Return the coefficients (2, 2) of (cos, sin) or (d, d^2) of two equations, from three values of the joint."""
     zero, other, opposite = side(0.0), side(1.0 if slides else np.pi / 2), side(-1.0 if slides else np.pi)
     if slides:

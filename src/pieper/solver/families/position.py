@@ -6,7 +6,6 @@ import numpy as np
 
 from pieper import _kernel
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import jacobian
 from pieper.kinematics.geometry import Geometry
 from pieper.solver.families.family import KernelSpec
 from pieper.solver.families.loop import rank
@@ -17,7 +16,7 @@ def match(chain: Chain, geometry: Geometry | None) -> bool | None:
     if chain.n != 3:
         return None
     q = np.array([0.37, -1.13, 0.91]) * np.where(chain.prismatic, chain.length, 1.0)
-    return True if rank(jacobian(chain, q)[:3]) == 3 else None
+    return True if rank(chain.native.jacobian(q)[:3]) == 3 else None
 
 
 def prepare(chain: Chain, found: bool) -> KernelSpec:

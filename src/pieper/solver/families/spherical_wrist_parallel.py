@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from pieper import _kernel
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
 from pieper.solver.families.family import Family, KernelSpec
@@ -89,7 +91,7 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     a1, b = (B @ (p[1] - origin))[0], (B @ (center - origin))[1]
     center_in_tool = tool.T @ chain.home[:3, :3].T @ (center - chain.home[:3, 3])
     scale = L2 + L3 + abs(a1) + abs(b) + np.linalg.norm(center_in_tool) + np.linalg.norm(origin)
-    numbers = {
+    numbers: dict[str, Any] = {
         "base": B,
         "tool": tool,
         "origin": -B @ origin,
@@ -112,7 +114,7 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
         "scale": scale,
     }
     rounding = SWP_ZERO * max(1.0, scale)
-    clean = {name: np.where(np.abs(value) < rounding, 0.0, value) for name, value in numbers.items()}
+    clean: dict[str, Any] = {name: np.where(np.abs(value) < rounding, 0.0, value) for name, value in numbers.items()}
     return KernelSpec(
         _kernel.SphericalWristParallel(**clean, tilted=tilted),
         info={"wrist_margin_m": found.margin, "angle_margin_rad": found.angle, "upper_arm_m": L2, "forearm_m": L3},
@@ -134,7 +136,8 @@ FAMILY = Family(
 
 def _meeting_point(axes: np.ndarray, points: np.ndarray) -> np.ndarray:
     N = np.eye(3) - axes[:, :, None] * axes[:, None, :]
-    return np.linalg.lstsq(N.sum(0), (N @ points[:, :, None])[..., 0].sum(0), rcond=None)[0]
+    point: Array = np.linalg.lstsq(N.sum(0), (N @ points[:, :, None])[..., 0].sum(0), rcond=None)[0]
+    return point
 
 
 def _unit(v: np.ndarray) -> np.ndarray:

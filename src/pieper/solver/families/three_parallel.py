@@ -37,7 +37,7 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
     """
     if chain.n != 6 or not full_rank(chain):
         return None
-    found = []
+    found: list[tuple[Match, int]] = []
     for first in range(4):
         joints = np.arange(first, first + 3)
         turning = joints[~chain.prismatic[joints]]
@@ -52,7 +52,7 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
         if out_of_plane.max() <= geometry.tolerance and _spans_plane(chain, joints):
             found.append((Match(first, tuple(normal), float(out_of_plane.max())), int(chain.prismatic[joints].sum())))
     # slides last: three turns are the common case; then an outer place, where links do not hold the pose
-    return min(found, key=lambda entry: (entry[1], entry[0].first in (1, 2)), default=(None, 0))[0]
+    return min(found, key=lambda entry: (entry[1], entry[0].first in (1, 2)))[0] if found else None
 
 
 def _spans_plane(chain: Chain, joints: np.ndarray) -> bool:

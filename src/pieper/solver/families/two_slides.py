@@ -8,7 +8,6 @@ import numpy as np
 
 from pieper import _kernel
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import Geometry
 from pieper.solver.families.family import Family, KernelSpec
 from pieper.solver.families.hidden_angle import general_model
@@ -38,8 +37,9 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
         return None
     rng = np.random.default_rng(5)
     made = np.where(chain.prismatic, chain.length, np.pi) * rng.uniform(-1, 1, (TRIALS, 6))
-    poses = fk(chain, made)
-    tried, free = [], np.tile([-np.inf, np.inf], (6, 1))
+    poses = chain.native.fk(made)
+    tried: list[tuple[float, int]] = []
+    free = np.tile([-np.inf, np.inf], (6, 1))
     for hidden in np.flatnonzero(~chain.prismatic):
         alone = KernelSpec(_geometry(chain, (int(hidden),), None))
         q, valid, _, flag = alone.solver(free, chain.prismatic).many(poses, 1)

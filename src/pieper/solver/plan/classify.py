@@ -26,6 +26,9 @@ from pieper.solver.plan.six_joints import (
 from pieper.solver.words.explain import explain
 from pieper.tolerances import GEOMETRY_EXACT
 
+#: How near to a special arrangement an arm is tried as one, the nearest first, where no elimination is certain (rad;
+#: per length): beyond the last of them eliminations are certain again.
+NEARLY = (1e-10, 1e-8, 1e-6, 2e-5)
 #: Ways to lock spare joints that are tried before an arm is refused.
 MOST_WAYS = 24
 
@@ -52,6 +55,29 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         raise InputError(f"snap must be between 0 and 0.5 (rad, and per length of the arm), got {snap!r}.", given=snap)
     if chain.coupling is not None:
         return _coupled(chain, description, task, snap)
+    plan = _as_told(chain, description, task, snap)
+    if snap is None and not plan.spec.info.get("certified", True):
+        return _by_nearly(plan, chain, description)
+    return plan
+
+
+def _by_nearly(plan: Plan, chain: Chain, description: Description) -> Plan:
+    """Return a plan through the special arm that this one nearly is, where it can only be solved so with certainty.
+
+    So near to a special arrangement (an angle typed with nine digits, for one) every elimination drowns in rounding.
+    The special arm's solutions are refined on the arm as described, and counted (see `snap_count`).
+    """
+    for near in NEARLY:
+        if not snapped(chain, near)[1]:
+            continue
+        other = _as_told(chain, description, plan.task, near)
+        if other.spec.info.get("certified", True):
+            return other
+    return plan
+
+
+def _as_told(chain: Chain, description: Description, task: str | None, snap: float | None) -> Plan:
+    """Plan for the chain itself, or for the one that it becomes when what is near is made special."""
     nominal, moved, _ = (chain, [], 0.0) if snap is None else snapped(chain, snap)
     tolerance = GEOMETRY_EXACT
     geometry = look(nominal, tolerance)

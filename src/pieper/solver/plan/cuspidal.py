@@ -14,7 +14,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.joints import TURN
 from pieper.kinematics.newton import determinant
 from pieper.solver.plan.six_joints import sample_joints
@@ -77,7 +76,7 @@ def search(
     """
     q = sample_joints(chain, poses, seed=seed)
     largest = float(np.abs(determinant(chain, sample_joints(chain, 400, seed=seed + 1))).max())
-    solutions, valid = solve(fk(chain, q))
+    solutions, valid = solve(chain.native.fk(q))
     rng = np.random.default_rng(seed)
     tried = 0
     best: tuple[float, Array] | None = None

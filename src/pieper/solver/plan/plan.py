@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from pieper.errors import PlanError
 from pieper.kinematics.arm_angle import ArmAngle, arm_angle
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import Geometry
 from pieper.kinematics.newton import missed
 from pieper.kinematics.pose import pose_error
@@ -94,8 +94,14 @@ class Plan:
 
     @property
     def choices(self) -> tuple[str, ...]:
-        """Names that `redundancy` may be given for: the redundant coordinates, and the arm angle where there is one."""
-        return (*self.redundancy, *(("arm angle",) if self.arm_angle else ()))
+        """Names that `redundancy` may be given for: any joint, what the task leaves, the arm angle where there is one.
+
+        The redundant coordinates, which are held when nobody chooses, come first.
+        """
+        if not self.redundancy:
+            return ()
+        others = (name for name in self.full_names if name not in self.redundancy)
+        return (*self.redundancy, *others, *(("arm angle",) if self.arm_angle else ()))
 
     def _joint_name(self, joint: int) -> str:
         if joint < self.n:
@@ -139,7 +145,7 @@ class Plan:
         if self.nominal is self.chain:
             return 0.0
         q = sample_joints(self.chain, 64)
-        return float(missed(self.chain, q, fk(self.nominal, q)).max())
+        return float(missed(self.chain, q, self.nominal.native.fk(q)).max())
 
     @cached_property
     def solver(self) -> SixJointSolver:
@@ -158,9 +164,14 @@ class Plan:
         """The same of the arm as described, where geometry was snapped."""
         return Prepared(self.exact.six, MOST_EXACT_SOLVERS)
 
+    @cached_property
+    def held(self) -> dict[tuple[int, ...], Plan | PlanError]:
+        """What `holding` made of this plan, by the joints that are held."""
+        return {}
+
     def residual(self, q: Array, T: Array) -> Array:
         """Return (..., 2): metres and radians by which q misses T, of what the task asks for."""
-        now = fk(self.chain, q)
+        now = self.chain.native.fk(q)
         error = pose_error(now, T)
         if self.task == "position":
             error[..., 1] = 0.0

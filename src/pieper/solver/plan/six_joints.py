@@ -9,14 +9,13 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.forward import fk
 from pieper.kinematics.newton import scaled_jacobian, singular_values
 from pieper.kinematics.pose import inverse, rotation_about, transform
 
@@ -70,7 +69,7 @@ def sample_joints(chain: Chain, count: int, seed: int = 1) -> Array:
     """
     steps = np.sqrt(np.array(_primes(chain.n), float))
     spread = (np.arange(1, count + 1)[:, None] + 1009.0 * seed) * steps % 1.0
-    return np.where(chain.prismatic, chain.length, np.pi) * (2 * spread - 1)
+    return np.asarray(np.where(chain.prismatic, chain.length, np.pi) * (2 * spread - 1), np.float64)
 
 
 def _primes(count: int) -> list[int]:
@@ -207,15 +206,31 @@ def reduce(chain: Chain, task: str) -> list[Reduction]:
     smallest = np.median(s[..., rank - 1] / s[..., 0], axis=1)
     ways = [(float(value), locked) for value, locked in zip(smallest, choices, strict=True) if value > RANK]
     ways.sort(key=lambda way: -way[0])
-    out = []
     # filling takes time: where it is needed, only the best few ways are made ready
-    for _, locked in ways if rank == 6 else ways[:6]:
-        way = Reduction(chain, task, full, tuple(locked), ())
-        if rank < 6:
-            held = way.with_locked(np.full(len(locked), 0.37))
-            way = Reduction(chain, task, full, tuple(locked), _filling(held, 6 - rank, full.n > chain.n))
-        out.append(way)
-    return out
+    return [_way(chain, task, full, locked, rank) for _, locked in (ways if rank == 6 else ways[:6])]
+
+
+def holding(way: Reduction, locked: tuple[int, ...]) -> Reduction | None:
+    """Return the same arm and task with other joints locked; None where the pose alone decides what these are.
+
+    Args:
+        way: Any way to make the arm and task a six-joint chain.
+        locked: As many joints (0-based, virtual ones included), ascending.
+    """
+    full, rank = way.full, way.full.n - len(way.locked)
+    kept = [j for j in range(full.n) if j not in locked]
+    s = np.linalg.svd(scaled_jacobian(full, sample_joints(full, 12))[:, :, kept], compute_uv=False)
+    if np.median(s[:, rank - 1] / s[:, 0]) <= RANK:
+        return None
+    return _way(way.arm, way.task, full, locked, rank)
+
+
+def _way(chain: Chain, task: str, full: Chain, locked: tuple[int, ...], rank: int) -> Reduction:
+    way = Reduction(chain, task, full, tuple(locked), ())
+    if rank == 6:
+        return way
+    held = way.with_locked(np.full(len(locked), 0.37))
+    return replace(way, fill=_filling(held, 6 - rank, full.n > chain.n))
 
 
 def _choices(full: Chain, arm: Chain, J: Array, spare: int) -> list[tuple[int, ...]]:
@@ -253,7 +268,7 @@ def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[Array, bool
     tried = appended(chain, pool[:1])
     q = sample_joints(tried, 15, seed=2)[:, : chain.n]
     J = scaled_jacobian(tried, np.pad(q, ((0, 0), (0, 1))))[..., : chain.n]
-    axes = fk(chain, q)[:, :3, :3] @ np.array([R[:, 2] for R, _ in pool]).T  # postures, xyz, pool
+    axes = chain.native.fk(q)[:, :3, :3] @ np.array([R[:, 2] for R, _ in pool]).T  # postures, xyz, pool
     slides = np.array([p for _, p in pool])
     columns = np.concatenate([np.where(slides, axes, 0.0), np.where(slides, 0.0, axes)], 1)
     chosen: list[tuple[Array, bool]] = []

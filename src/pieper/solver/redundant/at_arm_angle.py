@@ -177,7 +177,7 @@ def onto(angle: ArmAngle, q: Array, T: Array, wanted: Array, x: Array, y: Array)
 
 def _square(A: Array, e: Array) -> Array:
     # a millionth of a millionth keeps it solvable where pose and angle do not fix the joints
-    return np.linalg.solve(A + 1e-12 * np.eye(7), e[..., None])[..., 0]
+    return np.asarray(np.linalg.solve(A + 1e-12 * np.eye(7), e[..., None])[..., 0], np.float64)
 
 
 def _two(a: Array, b: Array, c: Array) -> tuple[Array, Bools]:
@@ -208,7 +208,7 @@ def _three_turns(u1: Array, u2: Array, u3: Array, R: Array) -> tuple[Array, Bool
     third = turned @ u3
     q1 = _about(u1, third, end[..., None, :])
     left = np.swapaxes(rotation_about(u1, q1) @ turned, -1, -2) @ R[..., None, :, :]
-    across = np.cross(u3, np.eye(3)[np.argmin(np.abs(u3))])
+    across = np.asarray(np.cross(u3, np.eye(3)[np.argmin(np.abs(u3))]), np.float64)
     q3 = _about(u3, np.broadcast_to(across, third.shape), left @ across)
     return np.stack([q1, q2, q3], -1), real
 

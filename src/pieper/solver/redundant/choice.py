@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 
-from pieper.errors import InputError
+from pieper.errors import InputError, PlanError
 from pieper.kinematics.arm_angle import ArmAngle
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.forward import checked_joints
+from pieper.solver.plan.holding import holding
 from pieper.solver.plan.plan import Plan
 from pieper.tolerances import LIMIT_SLACK
 from pieper.words_by_number import plural
@@ -28,20 +30,18 @@ class Choice:
     """What the spare coordinates are to be.
 
     Args:
-        values: (N, k) of the redundant coordinates; their defaults where something else was asked for, or nothing.
+        plan: The plan that holds the coordinates that were asked for.
+        values: (N, k) of its redundant coordinates; their defaults where something else was asked for, or nothing.
         angles: (N,) arm angles, rad, where these were asked for, and of what.
         angle: The arm angle they are values of.
         free: Whether nobody chose: any value will do that has an answer.
     """
 
+    plan: Plan
     values: Array
     angles: Array | None
     angle: ArmAngle | None
     free: bool
-
-
-#: Nothing can be asked for of an arm that is its own six-joint chain.
-NOTHING = Choice(np.zeros((0, 0)), None, None, True)
 
 
 def choice(plan: Plan, redundancy: Redundancy, count: int) -> Choice:
@@ -50,16 +50,85 @@ def choice(plan: Plan, redundancy: Redundancy, count: int) -> Choice:
     Raises:
         InputError: The plan has no such coordinate, or the value is impossible.
     """
-    if plan.direct:
-        if redundancy is not None:
-            raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
-        return NOTHING
-    if isinstance(redundancy, Mapping) and ARM_ANGLE in redundancy:
+    if redundancy is None:
+        return Choice(plan, np.tile(plan.defaults, (count, 1)), None, None, True)
+    if not plan.redundancy:
+        raise InputError(
+            f"{plan.name} has no redundant coordinate for the task {plan.task!r}: its joints are all needed.",
+            given=redundancy,
+        )
+    if not isinstance(redundancy, Mapping):
+        return Choice(plan, _values(plan, redundancy, redundancy, count), None, None, False)
+    if ARM_ANGLE in redundancy:
         if len(redundancy) > 1:
-            raise InputError(f"give either the {ARM_ANGLE} or the redundant joint, not both.", given=redundancy)
+            raise InputError(
+                f"give either the {ARM_ANGLE} or {plural(len(redundancy) - 1, 'joint')}, not both: one more thing held "
+                f"than {plan.name} has to spare.",
+                given=redundancy,
+            )
         angles = _arm_angles(redundancy[ARM_ANGLE], redundancy, count, _the_arm_angle(plan, given=redundancy))
-        return Choice(np.tile(plan.defaults, (count, 1)), *angles, False)
-    return Choice(_values(plan, redundancy, count), None, None, redundancy is None)
+        return Choice(plan, np.tile(plan.defaults, (count, 1)), *angles, False)
+    return _by_name(plan, redundancy, count)
+
+
+def _by_name(plan: Plan, redundancy: Mapping[str, Any], count: int) -> Choice:
+    """Return the choice of coordinates given by name: any joints of the arm, or what the task leaves."""
+    names, spare = plan.full_names, len(plan.redundancy)
+    unknown = [name for name in redundancy if name not in names]
+    if unknown:
+        raise InputError(
+            f"{unknown[0]!r} is no joint of {plan.name}, nor anything else that can be held; those are "
+            f"{', '.join(plan.choices)}.",
+            given=redundancy,
+            allowed=plan.choices,
+        )
+    if len(redundancy) > spare:
+        raise InputError(
+            f"{plan.name} has {plural(spare, 'coordinate')} to spare for the task {plan.task!r}, got values for "
+            f"{len(redundancy)}: {', '.join(redundancy)}. Leave out {len(redundancy) - spare}.",
+            given=redundancy,
+        )
+    held = _holding(plan, tuple(names.index(name) for name in redundancy), redundancy)
+    columns = [redundancy.get(name, held.defaults[i]) for i, name in enumerate(held.redundancy)]
+    shapes = {np.shape(column) for column in columns} - {()}
+    if shapes - {(1,), (count,)}:
+        raise InputError(
+            f"a value must be one number, or one a pose ({count}), got shape {max(shapes, key=len)}.", given=redundancy
+        )
+    values = [_finite(column) for column in columns]
+    if any(value is None for value in values):
+        raise InputError(f"redundancy must be finite numbers, got {dict(redundancy)!r}.", given=redundancy)
+    rows = np.stack([np.broadcast_to(np.ravel(value), (count,)) for value in values if value is not None], -1)
+    return Choice(held, _values(held, rows, redundancy, count), None, None, False)
+
+
+def _holding(plan: Plan, joints: tuple[int, ...], redundancy: Mapping[str, Any]) -> Plan:
+    """Return the plan in which these joints are held, and as many others beside them as the arm has to spare."""
+    spare = len(plan.redundancy) - len(joints)
+    others = [j for j in (*plan.reduction.locked, *range(plan.reduction.full.n)) if j not in joints]
+    refused: PlanError | None = None
+    for beside in itertools.combinations(dict.fromkeys(others), spare):
+        try:
+            return holding(plan, (*joints, *beside))
+        except PlanError as error:
+            refused = refused or error
+    movable = [name for j, name in enumerate(plan.full_names) if _moves(plan, j)] if spare == 0 else []
+    raise InputError(
+        f"{refused}{' Choose ' + ', '.join(movable) + ' instead.' if movable else ''}",
+        given=redundancy,
+        allowed=tuple(movable),
+    )
+
+
+def _moves(plan: Plan, joint: int) -> bool:
+    """Whether a joint alone can be held."""
+    if len(plan.redundancy) > 1:
+        return True
+    try:
+        holding(plan, (joint,))
+    except PlanError:
+        return False
+    return True
 
 
 def read_arm_angle(plan: Plan, q: ArrayLike) -> tuple[Array, Bools]:
@@ -93,22 +162,10 @@ def _arm_angles(given: Any, redundancy: Any, count: int, angle: ArmAngle) -> tup
     return np.broadcast_to(angles, (count,)), angle
 
 
-def _values(plan: Plan, redundancy: Redundancy, count: int) -> Array:
-    """Return the values (count, k) of the redundant coordinates: a number, one a coordinate, one a pose, or by name."""
+def _values(plan: Plan, given: Any, redundancy: Redundancy, count: int) -> Array:
+    """Return the values (count, k) of the redundant coordinates: a number, one a coordinate, or one such row a pose."""
     names = plan.redundancy
-    if redundancy is None:
-        return np.tile(plan.defaults, (count, 1))
-    if not names:
-        raise InputError(f"{plan.name} has no redundant coordinate for the task {plan.task!r}.", given=redundancy)
-    if isinstance(redundancy, Mapping):
-        unknown = [name for name in redundancy if name not in names]
-        if unknown:
-            raise InputError(
-                f"{unknown[0]!r} is no redundant coordinate of this plan; they are {', '.join(plan.choices)}.",
-                given=redundancy,
-            )
-        redundancy = [redundancy.get(name, plan.defaults[i]) for i, name in enumerate(names)]
-    values = _finite(redundancy)
+    values = _finite(given)
     if values is None:
         raise InputError(f"redundancy must be finite numbers, got {redundancy!r}.", given=redundancy)
     k = len(names)

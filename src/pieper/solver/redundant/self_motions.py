@@ -10,6 +10,8 @@ from pieper.solver.arm_rows import full_rows
 from pieper.solver.kernel_rows import Solved
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import from_anywhere
+from pieper.solver.redundant.bounded_motion import bounded_motion
+from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
@@ -47,7 +49,9 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
     """
     full = plan.exact.full
     spare = len(plan.redundancy)
-    seeds = _seeds(plan, T, values)
+    at = stops(plan, T[None], every_turn=True)
+    ends = at.q[at.inside]
+    seeds = np.concatenate([ends, met(plan, T, values)])
     motions: list[SelfMotion] = []
     # a surface (of several spare joints, or of a singular pose) has no list of curves: one line through each solution
     # shows the way, and `dimension` says the rest
@@ -68,7 +72,7 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
                 more = more[~_on(other, more)]
             seeds = np.concatenate([seeds, more])
         seeds = seeds[~_on(motion, seeds)]
-    return tuple(motions)
+    return tuple(bounded_motion(motion, ends) for motion in motions)
 
 
 def _within(plan: Plan, T: Array, motion: SelfMotion) -> Array:
@@ -82,7 +86,7 @@ def _within(plan: Plan, T: Array, motion: SelfMotion) -> Array:
     return _holding(plan, T, full_rows(plan, np.tile(T, (2, 1, 1)), within[:, None], 1))
 
 
-def _seeds(plan: Plan, T: Array, values: Array) -> Array:
+def met(plan: Plan, T: Array, values: Array) -> Array:
     """Return points (m, n) of the pose, the task's virtual joints included, on every self-motion."""
     swept = sweep(plan, T, 0, values)
     found = _holding(plan, T, swept)

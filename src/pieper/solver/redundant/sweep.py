@@ -146,9 +146,11 @@ def _continued(plan: Plan, q: Array, valid: Bools, q_next: Array, valid_next: Bo
     distance = _apart(plan, q, q_next)
     distance[~(valid[:, :, None] & valid_next[:, None, :])] = np.inf
     there, back = distance.argmin(2), distance.argmin(1)
-    nearest = np.take_along_axis(distance, there[..., None], 2)[..., 0]
-    mutual = (np.take_along_axis(back, there, 1) == np.arange(q.shape[1])) & (nearest < LOST)
-    doubt = (mutual.sum(1) != valid.sum(1)) | (mutual.sum(1) != valid_next.sum(1)) | (mutual & (nearest > FAR)).any(1)
+    nearest: Array = np.take_along_axis(distance, there[..., None], 2)[..., 0]
+    mutual: Bools = (np.take_along_axis(back, there, 1) == np.arange(q.shape[1])) & (nearest < LOST)
+    doubt: Bools = (
+        (mutual.sum(1) != valid.sum(1)) | (mutual.sum(1) != valid_next.sum(1)) | (mutual & (nearest > FAR)).any(1)
+    )
     return np.where(mutual, there, -1), doubt
 
 

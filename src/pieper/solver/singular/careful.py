@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array
-from pieper.kinematics.newton import singular_values
+from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.newton import missed, newton, singular_values
 from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
-from pieper.solver.singular.examine import Examined, examine, side_steps
+from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
+from pieper.solver.singular.examined import Examined
+from pieper.solver.singular.from_axes import Asked, from_axes
 from pieper.tolerances import CLEARLY_REGULAR, SAME_AFTER_CUT
 
 
@@ -32,12 +34,16 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     # closed forms lose nothing next to a self-motion: only what an elimination gives is searched for more
     hiding = named(plan.family).eliminating
     if full.n == plan.n:
+        if full.n == 6 and not hiding and not plan.snapped:
+            found = from_axes(Asked(full, T, plan.limits, plan.names, plan.n), rows)
+            if found is not None:
+                return found
         return examine(full, T, rows, lambda poses: near_rows(plan, poses), plan.limits, plan.names, hiding=hiding)
     # values of the virtual joints are not known of given rows: all are solved for again
     found = examine(
         full,
         T,
-        near_rows(plan, T[None]),
+        _holding(plan, T),
         lambda poses: near_rows(plan, poses),
         plan.full_limits,
         plan.full_names,
@@ -45,6 +51,15 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
         hiding=hiding,
     )
     return _own(plan, found)
+
+
+def _holding(plan: Plan, T: Array) -> Array:
+    """Return what of the rows at a pose holds it: virtual joints that must be zero are put there, the others follow."""
+    full, rows = plan.exact.full, near_rows(plan, T[None])
+    if plan.reduction.fill:
+        rows = newton(full, rows, T, steps=SLOW_STEPS, cutoff=1e-9)
+        rows = rows[missed(full, rows, T) < HOLDS]
+    return rows
 
 
 def _own(plan: Plan, found: Examined) -> Examined:
@@ -77,6 +92,12 @@ def clear(plan: Plan, rows: Array) -> bool:
     return bool(np.all(s[:, -1] > CLEARLY_REGULAR * s[:, 0]))
 
 
-def overlooked(plan: Plan, T: Array) -> bool:
-    """Whether a pose without solutions has neighbours with some: it may be singular, or lie at the edge of reach."""
-    return len(near_rows(plan, side_steps(plan.chain, T, (1e-9,)))) > 0
+def overlooked(plan: Plan, poses: Array) -> Bools:
+    """Return which poses (N, 4, 4) without solutions have neighbours with some (N,).
+
+    They may be singular, or lie at the edge of reach.
+    """
+    aside = side_steps(plan.chain, poses, (1e-9,))
+    count = aside.shape[1]
+    valid = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[1]
+    return valid.reshape(len(poses), count, -1).any((1, 2))

@@ -13,13 +13,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Indices
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space, singular_values
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.singular import near_curve
-from pieper.solver.singular.merged_roots import branches_at, distinct_roots, null_direction
-from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.examined import Examined, told
+from pieper.solver.singular.merged_roots import branches_at, distinct_roots
+from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
 from pieper.tolerances import ON_CURVE, SAME_SOLUTION, SINGULAR_EXAMINED, TINY
 
@@ -43,26 +44,6 @@ SLOW_STEPS = 40
 HOLDS = 1e-11
 #: A solution that the kernel did not give must hold it this well, so that poses just out of reach get none.
 HOLDS_EXACTLY = 2e-15
-
-
-@dataclass(frozen=True, eq=False)
-class Examined:
-    """All there is at one pose.
-
-    Args:
-        q: (m, n) isolated solutions and one representative a self-motion.
-        self_motion: (m,) index of the self-motion each row represents, or -1.
-        multiplicity: (m,) branches that merge in the row.
-        direction: (m, n) unit null direction of a row on a singularity, along which branches merge or the arm moves by
-            itself; zeros for the others.
-        self_motions: The curves.
-    """
-
-    q: Array
-    self_motion: Indices
-    multiplicity: Indices
-    direction: Array
-    self_motions: tuple[SelfMotion, ...]
 
 
 @dataclass(eq=False)
@@ -128,28 +109,14 @@ def examine(
     isolated = [q for q in isolated if not curves.meet(q, 1e-5)]
     doubles = [q for q in doubles if not curves.meet(q, 1e-4)]
     # closed forms give every merged root themselves: what else nearly holds the pose there is the foot of a fold
-    hidden_singular = _distinct(chain, hidden_singular, SAME_SOLUTION) if hiding else []
-    hidden_singular = [q for q in hidden_singular if not curves.meet(q, ON_POLYLINE)]
+    merged = list(_distinct(chain, hidden_singular, SAME_SOLUTION)) if hiding else []
+    merged = [q for q in merged if not curves.meet(q, ON_POLYLINE)]
     if curves.lines:
-        hidden_singular = [q for q in hidden_singular if second_smallest(chain, q) > SINGULAR_EXAMINED]
-    doubles = distinct_roots(chain, [*doubles, *hidden_singular], T)
+        merged = [q for q in merged if second_smallest(chain, q) > SINGULAR_EXAMINED]
+    doubles = distinct_roots(chain, [*doubles, *merged], T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
-    return _told(curves, isolated, doubles)
-
-
-def _told(curves: _Curves, isolated: list[Array], doubles: list[Array]) -> Examined:
-    chain, motions = curves.chain, curves.closed
-    rows = [*isolated, *doubles, *(motion.full_representative for motion in motions)]
-    of = [-1] * (len(isolated) + len(doubles)) + list(range(len(motions)))
-    pairs = [branches_at(chain, q, curves.T) for q in doubles]
-    multiplicity = [1] * len(isolated) + pairs + [1] * len(motions)
-    null = [null_direction(chain, q) for q in rows[len(isolated) :]]
-    direction = np.array([*np.zeros((len(isolated), chain.n)), *null]).reshape(-1, chain.n)
-    q = chain.joints.wrapped(np.array(rows).reshape(-1, chain.n))
-    order = np.lexsort(np.round(q, 6).T[::-1]) if len(q) else np.zeros(0, int)
-    return Examined(
-        q[order], np.array(of, int)[order], np.array(multiplicity, int)[order], direction[order], tuple(motions)
-    )
+    pairs = [branches_at(chain, q, T) for q in doubles]
+    return told(chain, isolated, doubles, pairs, curves.closed)
 
 
 def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], list[Array]]:
@@ -172,7 +139,7 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
     return doubles, hidden
 
 
-def _probed(curves: _Curves, starts: Array) -> tuple[Array, Array]:
+def _probed(curves: _Curves, starts: Array) -> tuple[Array, Bools]:
     """Return how well the pose can be held a little way along each start's null direction (N,), all at once.
 
     And whether two directions vanish there (N,).
@@ -198,7 +165,7 @@ def _hiding(curves: _Curves, q: Array) -> list[Array]:
         return []
     curve = near_curve.follow(curves.chain, q, curves.T)
     curves.near.append(
-        SelfMotion(curves.chain, curves.T, curve.q, curve.closed, 1, curves.limits, curves.names, curves.shown)
+        TracedMotion(curves.chain, curves.T, curve.q, curve.closed, 1, curves.limits, curves.names, curves.shown)
     )
     return list(near_curve.hiding(curves.chain, curves.T, curve))
 
@@ -271,19 +238,18 @@ def _size(chain: Chain, T: Array) -> float:
 
 
 def side_steps(chain: Chain, T: Array, sizes: tuple[float, ...] = APPROACH_SIZES) -> Array:
-    """Poses at generic small side steps about T, the same ones every time."""
+    """Return poses (..., k, 4, 4) at generic small side steps about T (..., 4, 4), the same ones every time."""
     rng = np.random.default_rng(20)
-    poses = []
-    for size in sizes:
-        for _ in range(APPROACHES):
-            twist = rng.standard_normal(6)
-            twist *= size / np.linalg.norm(twist)
-            moved = T.copy()
-            angle = float(np.linalg.norm(twist[3:]))
-            moved[:3, :3] = rotation_about(twist[3:] / angle, angle) @ T[:3, :3]
-            moved[:3, 3] += twist[:3] * chain.length
-            poses.append(moved)
-    return np.array(poses)
+    turns, ways = np.empty((len(sizes) * APPROACHES, 3, 3)), np.empty((len(sizes) * APPROACHES, 3))
+    for k in range(len(ways)):
+        twist = rng.standard_normal(6)
+        twist *= sizes[k // APPROACHES] / np.linalg.norm(twist)
+        angle = float(np.linalg.norm(twist[3:]))
+        turns[k], ways[k] = rotation_about(twist[3:] / angle, angle), twist[:3] * chain.length
+    moved = np.repeat(T[..., None, :, :], len(ways), axis=-3)
+    moved[..., :3, :3] = turns @ T[..., None, :3, :3]
+    moved[..., :3, 3] += ways
+    return moved
 
 
 def _split(chain: Chain, q: Array) -> tuple[Array, Array]:

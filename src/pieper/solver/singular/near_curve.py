@@ -50,13 +50,16 @@ class Points:
 def onto(chain: Chain, q: Array, T: Array, steps: int = 4) -> Points:
     """Move joint vectors q (N, n) onto such curves by Newton steps in all but the weakest direction."""
     weakest = min(chain.n, 6) - 1
-    for step in range(steps + 1):
+
+    def seen(q: Array) -> tuple[Array, Array, Array, Array, Array]:
         e = pose_difference(chain, q, T)
         U, s, Vt = np.linalg.svd(scaled_jacobian(chain, q), full_matrices=False)
-        along = np.einsum("nik,ni->nk", U, e)
-        if step == steps:
-            break
+        return e, U, s, Vt, np.einsum("nik,ni->nk", U, e)
+
+    e, U, s, Vt, along = seen(q)
+    for _ in range(steps):
         q = q + bounded(turned_back(s, Vt, along, WEAK, weakest), 0.3) * chain.joints.unit
+        e, U, s, Vt, along = seen(q)
     miss = along[:, weakest]
     left, null = U[:, :, weakest], Vt[:, weakest]
     rest = np.linalg.norm(e - miss[:, None] * left, axis=1)
@@ -86,7 +89,8 @@ def follow(chain: Chain, q: Array, T: Array) -> NearCurve:
     points, closed = _walk(chain, start, T, 1.0)
     if not closed:
         points = _walk(chain, start, T, -1.0)[0][:0:-1] + points
-    return NearCurve(*(np.array(column) for column in zip(*points, strict=True)), closed)
+    q, miss, left = (np.array(column) for column in zip(*points, strict=True))
+    return NearCurve(q, miss, left, closed)
 
 
 def _walk(chain: Chain, start: Points, T: Array, sense: float) -> tuple[list[tuple[Array, float, Array]], bool]:
@@ -145,9 +149,10 @@ def hiding(chain: Chain, T: Array, curve: NearCurve) -> Array:
             other = _ends(q, miss, left, turns[over] + side)
             a = tuple(np.concatenate([x, y]) for x, y in zip(a, (tip[over], value[over], sense[over]), strict=True))
             b = tuple(np.concatenate([x, y]) for x, y in zip(b, other, strict=True))
+    if not len(a[0]):
+        return tips
+    middle = a
     for _ in range(12):
-        if not len(a[0]):
-            break
         gap = b[1] - a[1]
         part = np.clip(np.where(gap == 0, 0.5, -a[1] / np.where(gap == 0, 1.0, gap)), 0.02, 0.98)[:, None]
         middle = _valued(chain, a[0] + part * (b[0] - a[0]), T, a[2])
@@ -156,7 +161,7 @@ def hiding(chain: Chain, T: Array, curve: NearCurve) -> Array:
         weight_a, weight_b = np.where(on_a[:, 0], middle[1], a[1] / 2), np.where(on_a[:, 0], b[1] / 2, middle[1])
         a = (np.where(on_a, middle[0], a[0]), weight_a, np.where(on_a, middle[2], a[2]))
         b = (np.where(on_a, b[0], middle[0]), weight_b, np.where(on_a, b[2], middle[2]))
-    return np.concatenate([middle[0], tips]) if len(a[0]) else tips
+    return np.concatenate([middle[0], tips])
 
 
 def _ends(q: Array, miss: Array, left: Array, index: Indices) -> tuple[Array, Array, Array]:

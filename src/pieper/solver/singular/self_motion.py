@@ -18,11 +18,12 @@ from pieper.tolerances import CLOSES, CURVE_STEP, TINY
 FREE = np.array([[-np.inf, np.inf]])
 
 
-@dataclass(frozen=True, eq=False)
 class SelfMotion:
-    """A one-parameter curve of joint vectors that all reach the same pose.
+    """A one-parameter curve of joint vectors that all reach the same pose: traced, or known in closed form.
 
     Attributes:
+        chain: The arm, a task's virtual joints behind its own.
+        T: (4, 4) the pose.
         samples: (k, n) points along the curve in order, angles continuous (not wrapped), rad or m.
         closed: Whether the last point leads back to the first, up to whole turns.
         dimension: Degrees of freedom of the whole self-motion; above 1 the curve is one line through it.
@@ -34,23 +35,27 @@ class SelfMotion:
 
     chain: Chain
     T: Array
-    samples: Array
-    closed: bool
-    dimension: int
     limits: Array
     names: tuple[str, ...]
     shown: int
+    closed: bool
+    dimension: int
+
+    @cached_property
+    def samples(self) -> Array:
+        """(k, n) points along the curve in order, angles continuous (not wrapped), rad or m."""
+        raise NotImplementedError
 
     @property
-    def _virtual(self) -> Array:
+    def _virtual(self) -> Bools:
         return np.arange(self.chain.n) >= self.shown
 
-    def _padded(self, q: Array) -> Array:
+    def padded(self, q: Array) -> Array:
         """Return q with the virtual joints added as zeros, where it has the arm's own joints only."""
         q = np.asarray(q, float)
         return q if len(q) == self.chain.n else np.append(q, np.zeros(self.chain.n - self.shown))
 
-    def _gaps(self, q: Array, points: Array) -> Array:
+    def gaps(self, q: Array, points: Array) -> Array:
         """Return q - points without units, angles around the circle, virtual joints not counted."""
         return np.where(self._virtual, 0.0, self.chain.joints.difference(q, points))
 
@@ -142,9 +147,9 @@ class SelfMotion:
         """Return the point (n,) of the curve inside the limits closest to q_now, or None."""
         if not self._sample_inside.any():
             return None
-        q_now = self._padded(q_now)
+        q_now = self.padded(q_now)
         wound = self.chain.joints.unwound(self.samples, q_now, self.limits)
-        away = np.where(self._sample_inside, self._straight(q_now, wound), np.inf)
+        away = np.where(self._sample_inside, self.straight(q_now, wound), np.inf)
         # samples a step apart do not say which of several minima along the curve is the lowest
         lowest = np.flatnonzero((away <= np.append(away[1:], np.inf)) & (away <= np.append(np.inf, away[:-1])))
         lowest = lowest[away[lowest] <= away.min() + CURVE_STEP]
@@ -154,10 +159,12 @@ class SelfMotion:
             )
             for i in lowest[np.argsort(away[lowest], kind="stable")][:4]
         ]
-        return points[int(np.argmin([self._straight(q_now, p) for p in points]))][: self.shown]
+        return points[int(np.argmin([self.straight(q_now, p) for p in points]))][: self.shown]
 
-    def _straight(self, q: Array, points: Array) -> Array:
-        return np.linalg.norm(np.where(self._virtual, 0.0, (q - points) / self.chain.joints.unit), axis=-1)
+    def straight(self, q: Array, points: Array) -> Array:
+        """Return the distances (...) of points (..., n) from q without units, the arm's own joints counted alone."""
+        gap = np.where(self._virtual, 0.0, (q - points) / self.chain.joints.unit)
+        return np.asarray(np.linalg.norm(gap, axis=-1), np.float64)
 
     def _slid(self, point: Array, gap: Callable[[Array], Array], limits: Array | None) -> Array:
         """Slide along the curve while the gap shrinks: along the tangent, then back onto the pose."""
@@ -181,11 +188,11 @@ class SelfMotion:
 
     def distance(self, q: Array) -> float:
         """Return how far a joint vector (n,) is from the curve, rad or characteristic lengths, whole turns ignored."""
-        return float(self.distances(self._padded(q)[None])[0])
+        return float(self.distances(self.padded(q)[None])[0])
 
     def distances(self, q: Array) -> Array:
         """Return how far joint vectors (m, n), virtual joints included, are from the curve, as `distance`."""
-        difference = self._gaps(q[:, None], self.samples)
+        difference = self.gaps(q[:, None], self.samples)
         to_samples = np.min(np.einsum("mkn,mkn->mk", difference, difference), axis=1)
         if difference.shape[1] == 1:
             return np.sqrt(to_samples)
@@ -196,18 +203,20 @@ class SelfMotion:
 
     def contains(self, q: Array, tolerance: float = 1e-6) -> bool:
         """Whether q (n,) lies on the curve within a tolerance (rad)."""
-        q = self._padded(q)
+        q = self.padded(q)
         if self.distance(q) > 0.05:
             return False
-        sizes = np.linalg.norm(self._gaps(q, self.samples), axis=1)
-        point = self._slid(self.samples[int(np.argmin(sizes))], lambda p: self._gaps(q, p), None)
-        return bool(np.linalg.norm(self._gaps(q, point)) <= tolerance)
+        sizes = np.linalg.norm(self.gaps(q, self.samples), axis=1)
+        point = self._slid(self.samples[int(np.argmin(sizes))], lambda p: self.gaps(q, p), None)
+        return bool(np.linalg.norm(self.gaps(q, point)) <= tolerance)
 
     def __str__(self) -> str:
         moving = [self.names[j] for j in self.free]
         relation = self.relation
         where = "all the way round" if self.closed else "between two ends"
-        text = f"{', '.join(moving)} move together {where}" + (f" with {relation}" if relation else "")
+        text = f"{', '.join(moving)} {'moves' if len(moving) == 1 else 'move together'} {where}" + (
+            f" with {relation}" if relation else ""
+        )
         return text + (f"; {self.dimension} degrees of freedom in all" if self.dimension > 1 else "")
 
     @cached_property
@@ -222,3 +231,22 @@ class SelfMotion:
                 value = np.degrees(short_way(total[0]))
                 return f"{self.names[i]} {symbol} {self.names[j]} = {value:.6g} deg"
         return ""
+
+
+@dataclass(frozen=True, eq=False)
+class TracedMotion(SelfMotion):
+    """A self-motion that was followed step by step; see SelfMotion for its attributes."""
+
+    chain: Chain
+    T: Array
+    traced: Array
+    closed: bool
+    dimension: int
+    limits: Array
+    names: tuple[str, ...]
+    shown: int
+
+    @cached_property
+    def samples(self) -> Array:
+        """(k, n) the points that were followed."""
+        return self.traced

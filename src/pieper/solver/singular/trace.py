@@ -7,7 +7,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import newton_on_plane, null_space, singular_values
-from pieper.solver.singular.self_motion import FREE, SelfMotion
+from pieper.solver.singular.self_motion import FREE, SelfMotion, TracedMotion
 from pieper.tolerances import CURVE_STEP, ON_CURVE, TINY
 
 #: The most steps a trace may take, and the cosine by which a step may depart from the tangent it sets out along.
@@ -60,14 +60,14 @@ def trace(
     s, _ = null_space(chain, samples[len(samples) // 2])
     open_ways = int(np.count_nonzero(s <= 1e-7 * max(s[0], TINY)))
     arm_joints = chain.n if shown is None else shown
-    return SelfMotion(chain, T, samples, closed, max(1, open_ways), limits, names, arm_joints)
+    return TracedMotion(chain, T, samples, closed, max(1, open_ways), limits, names, arm_joints)
 
 
 def crossings(motion: SelfMotion) -> list[Array]:
     """Return points of a curve where a second self-motion direction opens: other curves cross there."""
     chain, samples = motion.chain, motion.samples
     second = second_smallest(chain, samples)
-    found = []
+    found: list[Array] = []
     last = len(samples) - 1
     for i in range(len(samples)):
         # at a crossing the value falls to zero like |s - s0|: less than one and a half times what a step changes

@@ -1,49 +1,115 @@
-"""How far an unreachable pose is out of reach, and the nearest place that can be reached."""
+"""The posture inside the limits that comes nearest to a pose the arm cannot take: position first, then orientation."""
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
-from pieper.kinematics.arrays import Array
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.bounded import nearer
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
-from pieper.kinematics.newton import downhill
 from pieper.kinematics.pose import pose_error
+from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
+from pieper.solver.results import Closest, Solutions
 
-#: Random starts and steps of the search; the answer is the best of them, so it bounds the distance from above.
-STARTS, STEPS = 64, 60
-#: Damping of the descent: at first, its factor where a step helped and where not, and where a row rests.
-DAMPING = (1e-2 / 0.3, 0.3, 4.0, 1e6)
+#: Postures looked at first; the best of them are where the descent begins. The answer bounds the distance from above.
+LOOKED_AT, STARTS = 512, 12
+#: What a turn counts beside the position, stage by stage, steps, and how many postures are kept.
+STAGES = ((1.0, 6, 8), (1e-3, 14, 4), (1e-8, 10, 4))
+#: Half of the postures go for the position from the first.
+POSITION = 0.03
+#: Positions that are as near as this (per length) are alike, and the orientation decides.
+ALIKE = 1e-7
 
 
-def nearest_reachable(chain: Chain, T: Array, seeds: Array | None = None) -> tuple[Array, float, float]:
-    """Find a posture whose tool has the orientation of T, if any has, and comes closest in position.
+def closest_to(plan: Plan, sols: Solutions) -> Closest:
+    """Return the posture that comes nearest to the pose of some solutions; the first of them where there are any."""
+    if len(sols.q):
+        metres, radians = sols.residual[0]
+        return Closest(sols.q[0], float(metres), float(radians), fk(plan.chain, sols.q[0]))
+    seeds = np.clip(sols.all_q, plan.limits[:, 0], plan.limits[:, 1])
+    return closest(plan, sols.T, seeds=seeds)
 
-    The squared pose difference is minimised (Levenberg-Marquardt from many starts) with the orientation weighted up
-    in stages, so that position gives way and orientation does not.
+
+def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Array | None = None) -> Closest:
+    """Return the posture inside the limits that comes nearest to a pose, by what the task asks for.
+
+    Newton's method from many postures, joints held at the limits they meet; first with orientation, then without.
 
     Args:
-        chain: The arm, or the arm with its task's virtual joints.
+        plan: How the arm is solved, and for which task.
         T: (4, 4).
-        seeds: (k, n) further starts.
+        weights: (2,) what a metre and a radian count, whose squares are added up; None for position first, to rounding,
+            and then orientation.
+        seeds: (k, n) further postures to begin at.
 
-    Returns:
-        The joint vector (n,), the remaining distance in metres, and the remaining angle in radians.
+    Raises:
+        InputError: The weights are not two finite numbers, or negative, or both zero.
     """
-    q = sample_joints(chain, STARTS, seed=5)
+    turning = plan.task != "position"
+    chain = plan.exact.full if turning else plan.chain
+    limits = plan.full_limits if turning else plan.limits
+    stages = _stages(plan, weights)
+    q = _spread(chain, limits)
+    value, angle = _distances(chain, q, T)
+    chosen: list[int] = []
+    for turning_first in (stages[0][0], min(stages[0][0], POSITION)):
+        cost = value**2 / 2 + turning_first * (1 - np.cos(angle)) if np.isfinite(turning_first) else angle
+        chosen += [int(k) for k in np.argsort(cost, kind="stable")[:STARTS] if int(k) not in chosen][: STARTS // 2]
+    q = q[chosen]
     if seeds is not None and len(seeds):
-        q = np.vstack([q, seeds])
-    for weight, steps in ((1.0, STEPS), (30.0, STEPS // 2), (1e3, STEPS // 2)):
-        weights = np.array([1.0, 1.0, 1.0, weight, weight, weight])
-        q, cost = downhill(chain, q, T, steps=steps + 1, weights=weights, damping=DAMPING, relative=_mean_square)
-        q = q[np.argsort(cost)[: max(8, len(q) // 4)]]
-    error = pose_error(fk(chain, q), T)
-    # orientation first (to a tenth of a degree), then position
-    best = np.lexsort((error[:, 0], np.round(error[:, 1] / 2e-3)))[0]
-    return q[best], float(error[best, 0]), float(error[best, 1])
+        q = np.vstack([q, np.pad(seeds, ((0, 0), (0, chain.n - plan.n)))])
+    for stage, (turn, steps, keep) in enumerate(stages):
+        by = np.full(len(q), turn)
+        if stage == 0 and len(stages) > 1:
+            by[1::2] = np.minimum(turn, POSITION)
+        q, left = nearer(chain, q, T, limits, by, steps)
+        value, angle = _distances(chain, q, T)
+        later = stages[min(stage + 1, len(stages) - 1)][0]
+        order = left if len(stages) == 1 else value**2 / 2 + later * (1 - np.cos(angle))
+        q = q[np.argsort(order, kind="stable")[:keep]]
+    value, angle = _distances(chain, q, T)
+    best = 0 if weights is not None else int(np.lexsort((angle * turning, np.round(value / ALIKE)))[0])
+    own = q[best, : plan.n]
+    miss = plan.residual(own, T)
+    return Closest(own, float(miss[0]), float(miss[1]), fk(plan.chain, own))
 
 
-def _mean_square(J: Array, square: Array) -> Array:
-    """Return the mean (k,) over the joints of what each moves: damping counts in that."""
-    return np.einsum("kij,kij->k", J, J) / J.shape[-1]
+def _stages(plan: Plan, weights: ArrayLike | None) -> list[tuple[float, int, int]]:
+    """Return what a turn counts beside a length of the arm, stage by stage, the steps, and how many are kept."""
+    turning = plan.task != "position"
+    if weights is None:
+        return [(turn * turning, steps, keep) for turn, steps, keep in STAGES]
+    given = np.asarray(weights, float)
+    if given.shape != (2,) or not np.isfinite(given).all() or (given < 0).any() or not given.any():
+        raise InputError(
+            f"weights must be two numbers of at least 0, not both 0: what a metre and a radian count; got {weights!r}.",
+            given=weights,
+        )
+    metre, radian = float(given[0]) * plan.chain.length, float(given[1]) * turning
+    return [((radian / metre) ** 2 if metre else np.inf, sum(steps for _, steps, _ in STAGES), 1)]
+
+
+def _distances(chain: Chain, q: Array, T: Array) -> tuple[Array, Array]:
+    """Return how far tools are from the pose (k,), per length, and how far turned (k,), rad."""
+    error = pose_error(chain.native.fk(q), T)
+    return error[:, 0] / chain.length, error[:, 1]
+
+
+@lru_cache(maxsize=64)
+def _unit_spread(chain: Chain) -> Array:
+    unit = np.where(chain.prismatic, chain.length, np.pi)
+    return sample_joints(chain, LOOKED_AT, seed=5) / unit
+
+
+def _spread(chain: Chain, limits: Array) -> Array:
+    """Return postures (k, n) spread evenly over the limits; else over a turn, or two lengths."""
+    reach = np.where(chain.prismatic, chain.length, np.pi)
+    low, high = np.isfinite(limits[:, 0]), np.isfinite(limits[:, 1])
+    lower = np.where(low, limits[:, 0], np.where(high, limits[:, 1] - 2 * reach, -reach))
+    upper = np.where(high, limits[:, 1], lower + 2 * reach)
+    return lower + (upper - lower) * (_unit_spread(chain) + 1) / 2

@@ -10,11 +10,12 @@ from pieper.words_by_number import plural
 def explain(plan: Plan) -> str:
     """Tell how an arm is solved and why, as a teacher would."""
     family = named(plan.family)
-    lines = [f"{plan.name}: {plan.n} joints ({''.join('P' if p else 'R' for p in plan.prismatic)}), task: {plan.task}."]
+    kinds = "".join("P" if p else "R" for p in plan.prismatic)
+    lines = [f"{plan.name}: {plural(plan.n, 'joint')} ({kinds}), task: {plan.task}."]
     lines += ["", "What the axes do:"]
     lines += [f"  {sentence}" for sentence in plan.geometry.sentences(plan.names)]
     if plan.snapped:
-        lines += ["", "Made special, because asked to: " + "; ".join(plan.snapped) + "."]
+        lines += ["", "Made special to be solved: " + "; ".join(plan.snapped) + "."]
         lines += ["Each solution of that nominal arm is then refined on the arm as described."]
     reduction = plan.reduction
     steps: list[str] = []

@@ -18,7 +18,6 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.kinematics.arrays import Array
-from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import axes_at
 from pieper.kinematics.newton import determinant
 from pieper.solver.plan.plan import Plan
@@ -146,7 +145,7 @@ def _seven_joints(plan: Plan, q: Array) -> list[list[str]]:
     if plan.n != 7 or plan.prismatic.any() or not {(0, 1, 2), (4, 5, 6)} <= groups:
         return []
     z, _ = axes_at(plan.chain, q)
-    columns = []
+    columns: list[list[str]] = []
     for name, middle in (("shoulder", 1), ("elbow", 3)):
         bend = np.sum(np.cross(z[:, middle - 1], z[:, middle + 1]) * z[:, middle], -1)
         columns.append(
@@ -191,7 +190,7 @@ def _meeting(u: Array, a: Array, v: Array, b: Array) -> Array:
 
 
 def _tool_points(plan: Plan, q: Array) -> Array:
-    return fk(plan.chain, np.vstack([q, np.zeros(plan.n)]))[..., :3, 3]
+    return plan.chain.native.fk(np.vstack([q, np.zeros(plan.n)]))[..., :3, 3]
 
 
 def _upward(plan: Plan, axis: Array) -> bool:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.kinematics.arm_angle import POLE
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.joints import TURN
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status
 from pieper.solver.rows import Flag
-from pieper.solver.words.closest import nearest_reachable
 from pieper.words_by_number import plural
 
 
@@ -55,19 +55,19 @@ def _held(plan: Plan, sols: Solutions) -> str:
 
 
 def _out_of_reach(plan: Plan, sols: Solutions) -> str:
-    _, metres, radians = nearest_reachable(plan.exact.full, sols.T)
-    miss = f"misses it by {metres * 1e3:.4g} mm"
-    if radians > 5e-3:
-        miss += f" and {np.degrees(radians):.3g} deg"
+    near = sols.closest
+    metres, radians = near.metres, near.radians
     if plan.redundancy and metres < 1e-7 * plan.chain.length and radians < 1e-7:
         held = _held(plan, sols)
         return f"No solution at the chosen {held}, though the arm can take the pose with other values."
     what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[
         plan.task
     ]
-    if sols.flag & Flag.OUT_OF_REACH or radians <= 5e-3:
-        return f"{what} is out of reach: the nearest one the arm can take {miss}."
-    return f"{what} is out of reach: the arm cannot turn the tool this way there; the nearest one it can take {miss}."
+    turned = f"{np.degrees(radians):.3g} deg"
+    if metres <= 1e-6 * plan.chain.length and radians > 1e-6:
+        return f"{what} is out of reach: the arm gets there, but not turned this way; at best {turned} are missing."
+    also = f" and {turned}" if radians > 1e-6 else ""
+    return f"{what} is out of reach: the nearest one the arm can take misses it by {metres * 1e3:.4g} mm{also}."
 
 
 def _outside_limits(plan: Plan, sols: Solutions) -> str:
@@ -75,7 +75,7 @@ def _outside_limits(plan: Plan, sols: Solutions) -> str:
     for q in sols.all_q:
         over = np.maximum(plan.limits[:, 0] - q, q - plan.limits[:, 1])
         for k in (-1, 1):
-            moved = np.where(plan.prismatic, q, q + k * TURN)
+            moved: Array = np.where(plan.prismatic, q, q + k * TURN)
             over = np.minimum(over, np.maximum(plan.limits[:, 0] - moved, moved - plan.limits[:, 1]))
         worst = int(np.argmax(over))
         if over[worst] < least:

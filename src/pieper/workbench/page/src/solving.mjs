@@ -22,10 +22,10 @@ const ask = newestOnly(async () => {
     drawGhosts();
     tell('solutions');
     if (answer.status === 'OUT_OF_REACH' && !brief) findNearest(T);
-    if (answer.families === null && !brief) findFamilies(state.solutions);
+    if (answer.self_motions === null && !brief) findSelfMotions(state.solutions);
   } catch (error) {
     if (error instanceof Offline) return;
-    state.solutions = { rows: [], families: [], status: 'REFUSED', why: error.message, nearest: null };
+    state.solutions = { rows: [], self_motions: [], status: 'REFUSED', why: error.message, nearest: null };
     drawGhosts();
     tell('solutions');
   }
@@ -42,13 +42,13 @@ export function solve() {
   ask();
 }
 
-/** The families of a redundant arm take longer than its solutions, which are shown meanwhile. */
-const findFamilies = newestOnly(async (asked) => {
+/** The self-motions of a redundant arm take longer than its solutions, which are shown meanwhile. */
+const findSelfMotions = newestOnly(async (asked) => {
   try {
     const body = { T: asked.T, q: state.q, task: options.task, redundancy: options.redundancy };
-    const { families } = await askArm('families', body);
-    if (state.solutions !== asked || !families) return;
-    asked.families = families;
+    const { self_motions } = await askArm('self_motions', body);
+    if (state.solutions !== asked || !self_motions) return;
+    asked.self_motions = self_motions;
     tell('solutions');
   } catch {
     /* the solutions stand without them */

@@ -9,7 +9,7 @@ import { showBeside } from '../scene/arm.mjs';
 import * as gizmo from '../scene/gizmo.mjs';
 import { poseEditor, readMatrix } from './pose_editor.mjs';
 import { matrixText } from './grid.mjs';
-import { showFamilies } from './families.mjs';
+import { showSelfMotions } from './self_motions.mjs';
 import { spareCoordinates } from './spare.mjs';
 import { solutionTable } from './solution_table.mjs';
 
@@ -81,9 +81,9 @@ export const inverse = {
     root.append(numbers, matrix, controls());
     const verdict = h('p', { class: 'verdict', 'data-testid': 'ik-verdict', role: 'status' });
     const near = h('div', { class: 'near', 'data-testid': 'ik-nearest' });
-    const families = h('div', { class: 'families', 'data-testid': 'families' });
+    const motions = h('div', { class: 'self-motions', 'data-testid': 'self-motions' });
     const list = solutionTable();
-    root.append(spareCoordinates(), verdict, near, families, list.el);
+    root.append(spareCoordinates(), verdict, near, motions, list.el);
 
     // The picture follows the hand with every answer; numbers that change more often than this cannot be read anyway.
     const showTarget = atMostEvery(READABLE, () => {
@@ -95,7 +95,7 @@ export const inverse = {
       const s = state.solutions;
       showVerdict(verdict, s);
       showNear(near, s);
-      showFamilies(families, s);
+      showSelfMotions(motions, s);
       list.show(s);
     });
     const mark = atMostEvery(READABLE, () => list.mark());
@@ -257,9 +257,7 @@ function showVerdict(el, s) {
       ? words[s.status]
       : countedBefore.has(s.status) && inside === n
         ? ''
-        : inside === n
-          ? `${n} solution${n === 1 ? '' : 's'}`
-          : `${n} solutions, ${inside} inside the limits`;
+        : `${n} solution${n === 1 ? '' : 's'}${inside === n ? '' : `, ${inside} inside the limits`}`;
   replace(
     el,
     h('strong', { text: head }),

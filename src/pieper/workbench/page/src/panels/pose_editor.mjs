@@ -90,7 +90,9 @@ const rounded = (v, kind) =>
 export function readMatrix(text) {
   const numbers = (text.replaceAll('−', '-').match(/[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?/g) ?? []).map(Number);
   if (numbers.length !== 16 && numbers.length !== 12)
-    throw new Error(`${numbers.length} numbers were found; a pose has 16 (four rows) or 12 (three rows)`);
+    throw new Error(
+      `${numbers.length === 1 ? '1 number was' : `${numbers.length} numbers were`} found; a pose has 16 (four rows) or 12 (three rows)`,
+    );
   const T = numbers.length === 16 ? numbers : [...numbers, 0, 0, 0, 1];
   if (Math.abs(T[12]) + Math.abs(T[13]) + Math.abs(T[14]) + Math.abs(T[15] - 1) > 1e-9)
     throw new Error('the last row must be 0 0 0 1');

@@ -101,7 +101,7 @@ export function solutionTable() {
         if (!data) return;
         r.tr.classList.toggle('beyond', !data.inside);
         // an answer on the way brings no words: the branches keep their order, so the ones that stand there stay
-        if (data.label !== null) setText(r.label, `${data.label}${data.family >= 0 ? ' (of a family)' : ''}`);
+        if (data.label !== null) setText(r.label, `${data.label}${data.self_motion >= 0 ? ' (of a self-motion)' : ''}`);
         setText(r.beyond, data.inside ? '' : ', outside the limits');
         setText(r.residual, data.residual ? `${tiny(data.residual[0] * 1000)} mm` : '');
         r.residual.title = data.residual

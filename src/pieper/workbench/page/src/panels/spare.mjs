@@ -132,7 +132,7 @@ export function spareCoordinates() {
       note,
       options.redundancy
         ? 'Held at these values; what is left has separate solutions.'
-        : 'Free: the solutions form families; the table has those at these values. Slide one to hold it.',
+        : 'Free: the solutions form self-motions; the table has those at these values. Slide one to hold it.',
     );
     for (const r of rows) r.show();
   }

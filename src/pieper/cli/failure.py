@@ -12,7 +12,7 @@ from typing import Any
 import click
 
 from pieper import PieperError
-from pieper.cli import DONE, INTERRUPTED, MISUSE
+from pieper.cli.status import DONE, INTERRUPTED, MISUSE
 
 #: Optional packages and the extra that brings each.
 EXTRAS = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from decimal import Decimal, InvalidOperation
+from typing import Any
 
 import numpy as np
 
@@ -11,18 +12,19 @@ from pieper.errors import InputError
 from pieper.judge.claim import Claim
 from pieper.judge.keys import UNITS
 from pieper.judge.model import ArmModel
+from pieper.words_by_number import plural
 
 BLANK = ("", "*")  # an entry that claims nothing
 
 
-def as_text(value) -> str:
+def as_text(value: Any) -> str:
     """Return a number of a claims file as it was written (TOML floats keep their shortest form)."""
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
         raise InputError(f'{value!r} is not a number; write a number, or text to keep trailing zeros as in "0.5370"')
     return repr(value) if not isinstance(value, str) else value.strip().replace("\u2212", "-")
 
 
-def read_number(value) -> float:
+def read_number(value: Any) -> float:
     """Read a printed number."""
     try:
         return float(Decimal(as_text(value)))
@@ -30,7 +32,7 @@ def read_number(value) -> float:
         raise InputError(f"{value!r} is not a number") from None
 
 
-def last_digit(value) -> float:
+def last_digit(value: Any) -> float:
     """Return the size of one unit in the last printed digit: 0.01 for "2.06", 1 for "790"."""
     text = as_text(value)
     if isinstance(value, float) and value == int(value):
@@ -43,13 +45,13 @@ def _exponent(text: str) -> int:
     return exponent if isinstance(exponent, int) else 0
 
 
-def cut_off(printed, right: float) -> bool:
+def cut_off(printed: Any, right: float) -> bool:
     """Whether every printed digit is one of the right number, the rest cut off and not rounded."""
     step, value = last_digit(printed), read_number(printed)
     return 0 <= (abs(right) - abs(value)) / step < 1 and (value * right > 0 or not value)
 
 
-def misprint(printed, right: float) -> str:
+def misprint(printed: Any, right: float) -> str:
     """Return the one misprint that turns the right number into the printed one, "" when there is none."""
     text = as_text(printed)
     step = last_digit(printed)
@@ -93,8 +95,8 @@ def read_joints(claim: Claim, model: ArmModel, key: str = "q") -> np.ndarray:
         raise claim.error(f'give the joints once, as {key}_deg = [..], {key}_rad = [..] or {key} = ["30 deg", ..]')
     values = claim[found[0]]
     if not isinstance(values, list) or len(values) != model.n:
-        entries = len(values) if isinstance(values, list) else "no"
-        raise claim.error(f"{found[0]} has {entries} entries; the arm has {model.n} joints")
+        entries = plural(len(values), "entry", "entries") if isinstance(values, list) else "no entries"
+        raise claim.error(f"{found[0]} has {entries}; the arm has {plural(model.n, 'joint')}")
     out = np.empty(model.n)
     for k, value in enumerate(values):
         if found[0] == key:
@@ -127,7 +129,7 @@ def unit_of(claim: Claim, model: ArmModel) -> str:
     return unit
 
 
-def joint_tolerance(values, degrees: bool) -> np.ndarray:
+def joint_tolerance(values: Any, degrees: bool) -> np.ndarray:
     """Return half a unit of the last printed digit of each joint, in rad."""
     half = np.array(
         [0.51 * last_digit(v) if not (isinstance(v, str) and any(c.isalpha() for c in v)) else 0.0 for v in values]

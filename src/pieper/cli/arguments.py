@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 import pieper
 from pieper import InputError, PieperWarning
+from pieper.cli.output import plural
 from pieper.cli.units import Units
 
 #: What may stand for an orientation after x y z: how many numbers, whether they are angles.
@@ -131,7 +132,7 @@ def joints(arm: pieper.Arm, words: Sequence[str], units: Units, what: str = "joi
     values = numbers(words, what)
     if len(values) != arm.n:
         raise InputError(
-            f"{what}: {arm.name} has {arm.n} joints ({', '.join(units.names_of_joints(arm))}), "
+            f"{what}: {arm.name} has {plural(arm.n, 'joint')} ({', '.join(units.names_of_joints(arm))}), "
             f"got {len(values)} number{'s' if len(values) != 1 else ''}.",
             given=values,
         )

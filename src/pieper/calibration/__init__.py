@@ -1,0 +1,1 @@
+"""Calibration: the arm as it is, from joint vectors and what was measured at them."""

@@ -1,0 +1,188 @@
+"""From joint vectors and measurements to the arm as it is, judged on poses that were held out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from pieper.calibration.fit import Fit, HeldOut
+from pieper.calibration.least_squares import Fitted, fit, linearised, outlying, sizes_of
+from pieper.calibration.measurements import BLIND, SETUP, WIDTH, Measurements, measured_as, noise_of
+from pieper.calibration.misreadings import refuse_misreadings
+from pieper.calibration.model import AxesModel
+from pieper.calibration.parameters import Parameters, parameters_of
+from pieper.calibration.unseen import in_words
+from pieper.description.dh import Description
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import checked_joints
+from pieper.kinematics.pose import PoseLike
+
+LOSSES = ("linear", "huber")
+#: The noise (m, rad) that a fit begins with where none is said, and how often it is then estimated.
+FIRST_NOISE, ESTIMATES = (1e-4, 2e-4), 3
+#: Noise (m, rad) below which there is none: rounding.
+LEAST_NOISE = 1e-12
+#: Joint vectors this near (rad or m) are one and the same pose.
+SAME_POSE = 1e-6
+
+
+class NominalArm(Protocol):
+    """What calibration needs of an arm."""
+
+    description: Description
+    chain: Chain
+
+
+def calibrate(
+    arm: NominalArm,
+    q: ArrayLike,
+    measured: PoseLike | None,
+    *,
+    kind: str = "pose",
+    sigma: Sequence[float] | float | None = None,
+    hold: Sequence[str] = (),
+    joint_terms: Sequence[str] = (),
+    loss: str = "linear",
+    holdout: float = 0.25,
+    make: Callable[[Description], Any],
+) -> Fit:
+    """Fit an arm; see `pieper.Arm.calibrate`, which hands in how an arm is made of a description.
+
+    Raises:
+        InputError: Shapes, names, too few or identical poses, or data that must have been meant otherwise.
+    """
+    chain = arm.chain
+    joints = checked_joints(q, chain.n)
+    if joints.ndim != 2:
+        raise InputError(f"q must have shape (N, {chain.n}), one row a pose, got {joints.shape}.", given=joints.shape)
+    if loss not in LOSSES:
+        raise InputError(f"loss is {loss!r}; it may be {' or '.join(LOSSES)}.", given=loss, allowed=LOSSES)
+    data, noise = measured_as(kind, measured, len(joints)), noise_of(sigma)
+    parameters = parameters_of(chain, arm.description.joint_names, hold, joint_terms)
+    nominal = AxesModel.of(chain)
+    tested = _held_out(len(joints), holdout)
+    fitted_on = np.setdiff1d(np.arange(len(joints)), tested)
+    _refuse_too_few(joints[fitted_on], parameters, data, len(tested))
+    refuse_misreadings(nominal, joints, data, arm.description.joint_names, chain.length)
+    start = data.rows(fitted_on).placed(nominal.fk(joints[fitted_on])[:, :3, 3])
+    sizes = sizes_of(parameters, data, chain.length)
+    found, used = _fitted(nominal, parameters, joints[fitted_on], start, noise, sizes, loss)
+    # noise that was said too small would make the prediction too good
+    covariance = (found.seen.T / found.strength**2) @ found.seen * max(1.0, found.spread) ** 2
+    free = sizes * np.concatenate([parameters.free, np.ones(SETUP[kind], bool)])
+    covariance *= free[:, None] * free
+    held = replace(found.data, values=data.values[tested])
+    begun = replace(start, values=data.values[tested])
+    error = None
+    if len(tested):
+        error = _judged(nominal, begun, found, parameters, joints[tested], held, covariance, used, sizes, loss)
+    return Fit(
+        nominal=arm.description,
+        model=found.model,
+        parameters=parameters,
+        covariance=covariance[: parameters.count, : parameters.count],
+        unobservable=in_words(found.model, parameters, found.unseen, sizes),
+        held_out=error,
+        sigma=used,
+        spread=found.spread,
+        outliers=tuple(int(i) for i in fitted_on[found.outliers]),
+        rows=(len(fitted_on), len(tested)),
+        kind=kind,
+        set_up=found.data,
+        steps=found.steps,
+        make=make,
+    )
+
+
+def _held_out(count: int, holdout: float) -> npt.NDArray[np.int64]:
+    """Return the rows that are held out, evenly spread."""
+    if not 0 <= holdout < 1:
+        raise InputError(f"holdout is a part of the poses, from 0 to below 1, got {holdout!r}.", given=holdout)
+    held = round(holdout * count)
+    return ((np.arange(held) + 0.5) * count / max(held, 1)).astype(np.int64)
+
+
+def _refuse_too_few(q: Array, parameters: Parameters, data: Measurements, held: int) -> None:
+    unknown = max(int(parameters.free.sum()) + SETUP[data.kind] - BLIND[data.kind], 1)
+    needed = -(-unknown // WIDTH[data.kind])
+    distinct = len(np.unique(np.round(q / SAME_POSE), axis=0)) if len(q) else 0
+    if distinct >= needed:
+        return
+    beside = f" ({held} more are held out)" if held else ""
+    few = (
+        f"{len(q)} poses to fit{beside}"
+        if distinct == len(q)
+        else f"{len(q)} poses to fit{beside}, of which only {distinct} are different"
+    )
+    raise InputError(
+        f"{few}; {unknown} numbers are unknown and a {data.kind} gives {WIDTH[data.kind]} a pose: at least {needed} "
+        "different poses are needed, twice as many for an answer worth having. Measure more, hold= what is known, or "
+        "fit fewer joint_terms.",
+        distinct=distinct,
+        needed=needed,
+    )
+
+
+def _fitted(
+    nominal: AxesModel,
+    parameters: Parameters,
+    q: Array,
+    data: Measurements,
+    noise: tuple[float, float] | None,
+    sizes: Array,
+    loss: str,
+) -> tuple[Fitted, tuple[float, float]]:
+    """Return the fit and the noise it was weighted with: what was said, or what the residuals show."""
+    if noise is not None:
+        return fit(nominal, parameters, q, data, noise, sizes, loss), noise
+    used, model = FIRST_NOISE, nominal
+    for _ in range(ESTIMATES):
+        found = fit(model, parameters, q, data, used, sizes, loss)
+        residuals, _ = linearised(found.model, parameters, q, found.data, used, sizes)
+        kept = ~found.outliers
+        rows = int(kept.sum()) * sum(part.shape[1] for part in residuals)
+        freedom = max(rows - len(found.seen), 1) / rows
+        sizes_now = [float(np.sqrt(np.mean(part[kept] ** 2) / freedom)) for part in residuals]
+        used = max(used[0] * sizes_now[0], LEAST_NOISE), max(used[1] * sizes_now[-1], LEAST_NOISE)
+    return fit(nominal, parameters, q, data, used, sizes, loss), used
+
+
+def _judged(
+    nominal: AxesModel,
+    begun: Measurements,
+    found: Fitted,
+    parameters: Parameters,
+    q: Array,
+    held: Measurements,
+    covariance: Array,
+    sigma: tuple[float, float],
+    sizes: Array,
+    loss: str,
+) -> HeldOut:
+    """Return the error on held-out rows, and what the covariance predicts for it (Cramer and Rao)."""
+    residuals, slopes = linearised(found.model, parameters, q, held, sigma, sizes)
+    kept = ~outlying(residuals) if loss == "huber" else np.ones(len(q), bool)
+    before = begun.misses(nominal.fk(q))
+    scaled = covariance / np.outer(sizes, sizes)
+    spread, said = max(1.0, found.spread), []
+    for part, J, unit, first in zip(residuals, slopes, sigma, before, strict=False):
+        size = np.linalg.norm(part[kept] * unit, axis=1)
+        own = np.einsum("nik,kl,nil->n", J[kept], scaled, J[kept]) + part.shape[1] * spread**2
+        said.append(
+            (
+                float(np.sqrt(np.mean(size**2))),
+                float(size.max()),
+                float(np.sqrt(np.mean(own))) * unit,
+                float(np.sqrt(np.mean(np.sum(first[kept] ** 2, axis=1)))),
+            )
+        )
+    turns = said[1] if len(said) > 1 else (None,) * 4
+    return HeldOut(
+        said[0][0], turns[0], said[0][1], turns[1], said[0][2], turns[2], said[0][3], turns[3], int(kept.sum()), len(q)
+    )

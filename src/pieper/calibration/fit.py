@@ -1,0 +1,251 @@
+"""What a calibration gives back: the arm, how sure it is, what could not be seen, and the error on held-out poses."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from pieper.calibration.axes_file import text_of_axes
+from pieper.calibration.measurements import Measurements
+from pieper.calibration.model import AxesModel
+from pieper.calibration.parameters import Parameters
+from pieper.description.axes import described_by_axes
+from pieper.description.dh import Description
+from pieper.document.writing import whole_file
+from pieper.errors import PlanError
+from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.joints import TURN, inside
+from pieper.kinematics.pose import PoseLike
+
+PI = np.pi
+#: By how much (rad, m) joint terms change a value at most: farther outside its limits a chain's value is not tried.
+SLACK_OF_TERMS = 0.5
+#: Steps of Newton's method for a joint's number behind its harmonics: a contraction by the harmonic's size each.
+_INVERSIONS = 12
+
+
+class HeldOut(NamedTuple):
+    """The error on poses that the fit has not seen, root mean square and largest; None where nothing was measured.
+
+    Attributes:
+        metres: Of positions, distances or heights.
+        radians: Of orientations.
+        worst_metres: The largest.
+        worst_radians: The largest.
+        predicted_metres: What covariance and noise together predict for `metres` (Cramer and Rao).
+        predicted_radians: The same of `radians`.
+        nominal_metres: The same error of the arm as it was described.
+        nominal_radians: The same.
+        count: Rows that were judged.
+        of: Rows that were held out; those beyond `count` were outliers.
+    """
+
+    metres: float
+    radians: float | None
+    worst_metres: float
+    worst_radians: float | None
+    predicted_metres: float
+    predicted_radians: float | None
+    nominal_metres: float
+    nominal_radians: float | None
+    count: int
+    of: int
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """A calibrated arm.
+
+    Attributes:
+        nominal: The arm as it was described.
+        model: The fitted axes, tool and joint terms.
+        parameters: Names, units and plausible sizes of the fitted numbers.
+        covariance: (k, k) of the fitted numbers, in their units; zero along what could not be seen or was held.
+        unobservable: What the measurements cannot see, in words; it stays as the nominal arm has it.
+        held_out: The error on held-out poses; None where none were.
+        sigma: The noise (m, rad) that was said, or else estimated.
+        spread: Residuals over noise: far above 1 something else than these numbers is at work.
+        outliers: Rows that were left out as no noise (loss "huber").
+        rows: How many poses were fitted and how many held out.
+        kind: What was measured.
+        set_up: Measurements with their set-up as fitted: fixed point, or plane.
+        steps: Gauss-Newton steps.
+        make: Makes an arm of a description.
+    """
+
+    nominal: Description
+    model: AxesModel
+    parameters: Parameters
+    covariance: Array
+    unobservable: tuple[str, ...]
+    held_out: HeldOut | None
+    sigma: tuple[float, float]
+    spread: float
+    outliers: tuple[int, ...]
+    rows: tuple[int, int]
+    kind: str
+    set_up: Measurements = field(repr=False)
+    steps: int
+    make: Callable[[Description], Any] = field(repr=False)
+
+    @cached_property
+    def arm(self) -> Any:
+        """The calibrated arm, made of its axes; an arm as any other.
+
+        With gains or couplings its plan refuses to invert, since a whole turn of a joint is none of its axis: `ik` of
+        this fit does.
+
+        Raises:
+            PlanError: Harmonics were fitted: an arm's joints are linear in what moves them; see `ik` and `geometry`.
+        """
+        if self.model.harmonics.any():
+            raise PlanError(
+                f"{self.nominal.name} was fitted with harmonics, which no robot file and no solver of joints says. "
+                "fit.ik(T) inverts them; fit.geometry is the same arm by its chain's values, and fit.chain_values(q) "
+                "and fit.joint_values(values) lead there and back.",
+                harmonics=self.model.harmonics,
+            )
+        return self.make(self._described(self.model.gears, self.nominal.limits))
+
+    @cached_property
+    def geometry(self) -> Any:
+        """The calibrated arm by the values of its chain, joint terms left to `chain_values` and `joint_values`."""
+        ends = self.chain_values(np.where(np.isfinite(self.nominal.limits), self.nominal.limits, 0.0).T).T
+        limits = np.where(np.isfinite(self.nominal.limits), np.sort(ends, axis=1), self.nominal.limits)
+        plain = np.eye(self.nominal.n)
+        coupled = np.abs(self.model.gears - np.diag(np.diag(self.model.gears))).any()
+        # limits of coupled joints are no limits of single values
+        return self.make(self._described(plain, np.tile([-np.inf, np.inf], (len(ends), 1)) if coupled else limits))
+
+    def chain_values(self, q: ArrayLike) -> Array:
+        """Return the values (..., n) of the chain's joints at joint vectors q (..., n), rad or m."""
+        return self.model.values(np.array(q, dtype=np.float64))
+
+    def joint_values(self, values: ArrayLike) -> Array:
+        """Return the joint vectors (..., n) at which the chain's joints have these values (..., n), rad or m."""
+        wanted = np.array(values, dtype=np.float64)
+        gears = np.asarray(np.linalg.inv(self.model.gears), np.float64)
+        q: Array = wanted @ gears.T
+        for _ in range(_INVERSIONS):
+            q += (wanted - self.model.values(q)) @ gears.T
+        return np.asarray(q, np.float64)
+
+    def ik(self, T: PoseLike) -> Array:
+        """Return every joint vector (m, n) inside the limits that reaches a pose, joint terms inverted.
+
+        The chain is solved completely; then each of its values is tried with the whole turns that the limits leave room
+        for. A joint without limits is given in (-pi, pi].
+
+        Args:
+            T: (4, 4), base to tool, m.
+        """
+        limits, turning = self.nominal.limits, ~self.model.prismatic
+        rows = self.geometry.ik(T).all_q
+        bounded = turning & np.isfinite(limits).all(1)
+        most = np.where(bounded, np.ceil((np.abs(limits).max(1, initial=0.0, where=np.isfinite(limits)) + 1) / TURN), 1)
+        choices = [
+            TURN * np.arange(-m, m + 1) if turns else np.zeros(1) for m, turns in zip(most, turning, strict=True)
+        ]
+        found = [np.zeros((0, self.nominal.n))]
+        for values in rows:
+            # one joint after the other: what cannot come inside by any turn is dropped before the next
+            near = [v + t for v, t in zip(values, choices, strict=True)]
+            near = [
+                v[(v > lo - SLACK_OF_TERMS) & (v < hi + SLACK_OF_TERMS)]
+                for v, (lo, hi) in zip(
+                    near, np.where(bounded[:, None] | ~turning[:, None], limits, [-PI, PI]), strict=True
+                )
+            ]
+            q = self.joint_values(np.stack(np.meshgrid(*near, indexing="ij"), -1).reshape(-1, self.nominal.n))
+            ok = inside(q, limits)
+            ok[:, turning & ~bounded] &= (q > -PI)[:, turning & ~bounded] & (q <= PI)[:, turning & ~bounded]
+            found.append(q[ok.all(1)])
+        return np.concatenate(found)
+
+    def _described(self, gears: Array, limits: Array) -> Description:
+        same = np.array_equal(gears, np.eye(self.nominal.n))
+        return described_by_axes(
+            self.model.axes,
+            self.model.points,
+            self.model.home,
+            joint_types=self.nominal.joint_types,
+            joint_names=self.nominal.joint_names,
+            limits=limits,
+            coupling=None if same else gears,
+            name=f"{self.nominal.name}-calibrated",
+            manufacturer=self.nominal.manufacturer,
+            source=f"Calibrated: {self.headline()}",
+            postures=self.nominal.postures,
+        )
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Write the calibrated arm as a robot file that keeps its axes, whole or not at all; not with harmonics."""
+        description = self.arm.description
+        text = text_of_axes(description, self.model)
+        with whole_file(path) as file:
+            file.write(text.encode())
+        return Path(path)
+
+    def headline(self) -> str:
+        """Return the error on held-out poses in one sentence."""
+        if self.held_out is None:
+            return "no pose was held out, so nothing is known of its accuracy."
+        held = self.held_out
+        error = f"{_mm(held.metres)}" + ("" if held.radians is None else f" and {_mrad(held.radians)}")
+        return (
+            f"on {held.count} held-out poses the error is {error} (root mean square), where the noise and "
+            f"{self.rows[0]} fitted poses let one expect {_mm(held.predicted_metres)}"
+            + ("" if held.predicted_radians is None else f" and {_mrad(held.predicted_radians)}")
+            + f"; the nominal arm misses by {_mm(held.nominal_metres)}."
+        )
+
+    def explain(self) -> str:
+        """Tell what was fitted, how well, and what was not seen."""
+        used, held = self.rows
+        headline = self.headline()
+        lines = [
+            f"{self.nominal.name}: {headline[0].upper()}{headline[1:]}",
+            f"{int(self.parameters.free.sum())} numbers were fitted to {used} poses ({self.kind}), {held} more were "
+            f"held out; {self.steps} steps. Noise: {_mm(self.sigma[0])}"
+            + (f", {_mrad(self.sigma[1])}." if self.kind == "pose" else "."),
+        ]
+        if self.spread > 1.5:
+            lines.append(
+                f"What is left is {self.spread:.1f} times the noise: these numbers do not say all that this arm does "
+                "(bending, play, joint terms), or the noise is larger than was said. The covariance counts it as noise."
+            )
+        if self.outliers:
+            rows = ", ".join(str(i) for i in self.outliers)
+            lines.append(f"Left out as no noise: row{'s' if len(self.outliers) > 1 else ''} {rows} (counted from 0).")
+        if held and self.held_out is not None and self.held_out.count < self.held_out.of:
+            lines.append(
+                f"{self.held_out.of - self.held_out.count} held-out rows are outliers too and were not judged."
+            )
+        if self.unobservable:
+            lines.append(
+                "These measurements cannot see, and the fit left as it was: " + "; ".join(self.unobservable) + "."
+            )
+        largest = np.argsort(-np.sqrt(np.diag(self.covariance)) / self.parameters.sizes)[:3]
+        sure = "; ".join(
+            f"{self.parameters.names[k]} to {np.sqrt(self.covariance[k, k]):.1e} {self.parameters.units[k]}"
+            for k in largest
+        )
+        lines.append(f"Least sure among what was seen: {sure}.")
+        return "\n".join(lines)
+
+    def __repr__(self) -> str:
+        return f"<Fit of {self.nominal.name}: {self.headline()}>"
+
+
+def _mm(metres: float) -> str:
+    return f"{metres * 1e3:.3g} mm"
+
+
+def _mrad(radians: float) -> str:
+    return f"{radians * 1e3:.3g} mrad"

@@ -1,0 +1,185 @@
+"""Data that cannot be meant as they are read: degrees, millimetres, a mirror, a joint's sense, shuffled rows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pieper.calibration.measurements import Measurements
+from pieper.calibration.model import AxesModel
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.pose import inverse
+from pieper.tolerances import MISREAD, SUSPICIOUS
+
+#: Rows by which joints and measurements may be out of step.
+LAGS = (1, -1, 2, -2, 3, -3, 4, -4, 5, -5)
+#: A reading that aligned a frame first must be this many times better than one that did not.
+ALIGNED = 3.0
+#: Rows that are compared each with each when they may be shuffled.
+COMPARED = 400
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """One way to read the data.
+
+    Args:
+        words: What would be wrong with them.
+        cure: What to do about it.
+        q: (N, n) joint vectors.
+        data: Measurements.
+        facts: Attributes of the error.
+        freedom: How much better it must be than others, having numbers of its own to fit.
+    """
+
+    words: str
+    cure: str
+    q: Array
+    data: Measurements
+    facts: dict[str, object]
+    freedom: float = 1.0
+
+
+def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tuple[str, ...], length: float) -> None:
+    """Raise where another reading of the data explains them and the one that was said does not.
+
+    Args:
+        model: The nominal arm.
+        q: (N, n) joint vectors as given.
+        data: Measurements as given.
+        names: Joint names.
+        length: The arm's length, m.
+
+    Raises:
+        InputError: The message says what was probably meant, and how to say it.
+    """
+    now = misfit(model, q, data, length)
+    if not now > SUSPICIOUS:
+        return
+    best, least = None, min(MISREAD * now, SUSPICIOUS)
+    for reading in _readings(model, q, data, names):
+        left = misfit(model, reading.q, reading.data, length)
+        if left * reading.freedom < least:
+            best, least = reading, left
+    if best is not None:
+        raise InputError(
+            f"the data miss the nominal arm by {now * length:.3g} m (median), and by {least * length:.2g} m if "
+            f"{best.words}. {best.cure}",
+            misfit=now * length,
+            left=least * length,
+            **best.facts,
+        )
+
+
+def misfit(model: AxesModel, q: Array, data: Measurements, length: float) -> float:
+    """Return the median miss of the nominal arm, per length of the arm; of poses the turns (rad) are added."""
+    T = model.fk(q)
+    way, turn = data.placed(T[:, :3, 3]).misses(T)
+    size = float(np.median(np.linalg.norm(way, axis=1))) / length
+    return size + float(np.median(np.linalg.norm(turn, axis=1))) if turn.shape[1] else size
+
+
+def _readings(model: AxesModel, q: Array, data: Measurements, names: tuple[str, ...]) -> Iterator[Reading]:
+    turning = ~model.prismatic
+    radians, metres = np.where(turning, np.radians(q), q), _shorter(data)
+    in_degrees = "Give radians: numpy.radians(q)."
+    in_metres = "Give metres: divide the measured lengths by 1000."
+    yield Reading("the joint angles are in degrees", in_degrees, radians, data, {"unit": "deg"})
+    yield Reading("what was measured is in millimetres", in_metres, q, metres, {"unit": "mm"})
+    both = "the joint angles are in degrees and what was measured is in millimetres"
+    yield Reading(both, f"{in_degrees} {in_metres}", radians, metres, {"unit": "deg, mm"})
+    if not turning.all():
+        slides = np.where(turning, q, q / 1000)
+        yield Reading(
+            "the slides are in millimetres", "Give metres: divide them by 1000.", slides, data, {"unit": "mm"}
+        )
+    for i, name in enumerate(names):
+        other = q.copy()
+        other[:, i] = -other[:, i]
+        yield Reading(
+            f"{name} turns the other way" if turning[i] else f"{name} slides the other way",
+            f"Give its values with the other sign, or describe the arm with sign = -1 for {name}.",
+            other,
+            data,
+            {"joint": name},
+        )
+    for lag in LAGS:
+        if len(q) > 4 * abs(lag):
+            yield Reading(
+                f"joints and measurements are {abs(lag)} row{'s' if abs(lag) > 1 else ''} out of step",
+                "Pair each measurement with the joints it was taken at.",
+                q[max(lag, 0) : len(q) + min(lag, 0)],
+                data.rows(np.arange(max(-lag, 0), len(q) + min(-lag, 0))),
+                {"lag": lag},
+            )
+    if data.kind in ("pose", "position"):
+        yield from _readings_of_places(model, q, data)
+
+
+def _shorter(data: Measurements) -> Measurements:
+    values = data.values / 1000
+    if data.kind == "pose":
+        values = data.values.copy()
+        values[:, :3, 3] /= 1000
+    return replace(data, values=values)
+
+
+def _readings_of_places(model: AxesModel, q: Array, data: Measurements) -> Iterator[Reading]:
+    T = model.fk(q)
+    if (order := _matched(T[:, :3, 3], data.positions)) is not None:
+        yield Reading(
+            "the rows are shuffled",
+            "Pair each measurement with the joints it was taken at.",
+            q[: len(order)],
+            data.rows(order),
+            {},
+        )
+    if data.kind == "pose":
+        back = replace(data, values=inverse(data.values))
+        yield Reading("the poses are of the base seen from the tool", "Give their inverses.", q, back, {})
+        turned = data.values.copy()
+        turned[:, :3, :3] = np.swapaxes(turned[:, :3, :3], 1, 2)
+        transposed = replace(data, values=turned)
+        yield Reading("the rotations are transposed", "Transpose their 3 by 3 parts.", q, transposed, {})
+    for mirrored in (False, True):
+        X = _aligned(T[:, :3, 3], data.positions, mirrored)
+        if mirrored:
+            words = "they are said in a left-handed frame"
+            cure = "Turn one axis of the measuring frame over."
+        else:
+            words, cure = (
+                "they are measured in another frame",
+                "Calibrate arm.with_base(error.frame @ arm.base): error.frame is the base in the measuring frame.",
+            )
+        places = (data.positions - X[:3, 3]) @ X[:3, :3]
+        if data.kind == "pose":
+            values = data.values.copy()
+            values[:, :3, 3] = places
+            # what a mirror does to orientations depends on who made them: positions alone must say it
+            values[:, :3, :3] = T[:, :3, :3] if mirrored else X[:3, :3].T @ data.values[:, :3, :3]
+        else:
+            values = places
+        yield Reading(words, cure, q, replace(data, values=values), {} if mirrored else {"frame": X}, ALIGNED)
+
+
+def _aligned(a: Array, b: Array, mirrored: bool) -> Array:
+    """Return the motion (4, 4) that takes points a (N, 3) nearest to b; a mirror as well where asked (Kabsch, 1976)."""
+    A, B = a - a.mean(0), b - b.mean(0)
+    U, _, V = np.linalg.svd(B.T @ A)
+    sense = np.sign(np.linalg.det(U @ V)) * (-1 if mirrored else 1)
+    X = np.eye(4)
+    X[:3, :3] = U @ np.diag([1, 1, sense]) @ V
+    X[:3, 3] = b.mean(0) - X[:3, :3] @ a.mean(0)
+    return X
+
+
+def _matched(expected: Array, measured: Array) -> np.ndarray | None:
+    """Return the order (N,) in which measured positions are nearest to the expected ones, one to one; None if not."""
+    if len(expected) > COMPARED:
+        expected, measured = expected[:COMPARED], measured[:COMPARED]
+    gap = np.linalg.norm(expected[:, None] - measured[None], axis=2)
+    order = np.argmin(gap, axis=1)
+    return order if len(np.unique(order)) > 0.8 * len(order) else None

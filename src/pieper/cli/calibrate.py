@@ -1,0 +1,168 @@
+"""`pieper calibrate`: from a table of joints and measurements to the arm as it is."""
+
+from __future__ import annotations
+
+import csv
+
+import click
+import numpy as np
+import numpy.typing as npt
+
+import pieper
+from pieper import InputError
+from pieper.cli.arguments import number, read_text
+from pieper.cli.options import as_json, order, takes_arm, takes_units
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import say
+from pieper.cli.pose_file import PoseFile
+from pieper.cli.status import DONE
+from pieper.cli.units import ANGLES, LENGTHS, Units
+
+#: The column of what is one number a row.
+COLUMN = {"distance": "distance", "plane": "height"}
+
+Numbers = npt.NDArray[np.float64]
+
+
+@click.command("calibrate", short_help="Fit an arm to what was measured.")
+@takes_arm
+@click.argument("data", metavar="DATA.csv")
+@click.option("--out", "-o", default="", metavar="FILE", help="Write the calibrated arm into this robot file (.toml).")
+@click.option(
+    "--kind",
+    default="pose",
+    show_default=True,
+    type=click.Choice(["pose", "position", "distance", "plane"]),
+    help="What was measured: x y z and an orientation, x y z, a distance from one unknown fixed point (column "
+    "distance), or a height over one unknown plane (column height; none when it was touched).",
+)
+@click.option(
+    "--sigma", default="", metavar="NOISE", help='Noise of one number, such as "0.05 0.01"; estimated without.'
+)
+@click.option("--hold", multiple=True, metavar="NAME", help="A joint, or tool, that stays as it is; may be repeated.")
+@click.option("--terms", default="", metavar="LIST", help="gain, coupling, harmonic, apart by commas.")
+@click.option(
+    "--loss", default="linear", show_default=True, type=click.Choice(["linear", "huber"]), help="huber: outliers."
+)
+@click.option("--holdout", default=0.25, show_default=True, help="Part of the rows that only judges.")
+@order
+@as_json
+@takes_units
+def command(
+    arm: pieper.Arm,
+    data: str,
+    out: str,
+    kind: str,
+    sigma: str,
+    hold: tuple[str, ...],
+    terms: str,
+    loss: str,
+    holdout: float,
+    order: str,
+    json: bool,
+    units: Units,
+) -> int:
+    """Calibrate an arm: fit it to measurements, and judge it on those that were held out.
+
+    DATA.csv has one row a pose: the joints by name (joint_1_deg or q1_deg, ...), and what was measured (x_mm, y_mm,
+    z_mm, roll_deg, ...). Columns without a unit are in --angle and --length.
+
+    Example: pieper calibrate denso-vp6242 measured.csv --out my-denso.toml
+    """
+    rows = _rows(data)
+    q = _joints(arm, rows, units, data)
+    if kind in COLUMN:
+        measured = _column(rows, COLUMN[kind], LENGTHS, units.metres, data, required=kind == "distance")
+    else:
+        poses = np.concatenate(list(PoseFile(data, units, order).blocks()))
+        measured = poses if kind == "pose" else poses[:, :3, 3]
+    fit = arm.calibrate(
+        q,
+        measured,
+        kind=kind,
+        sigma=_noise(sigma, units),
+        hold=hold,
+        joint_terms=tuple(term for term in terms.replace(",", " ").split() if term),
+        loss=loss,
+        holdout=holdout,
+    )
+    if out:
+        fit.save(out)
+    if json:
+        held = None if fit.held_out is None else dict(zip(fit.held_out._fields, fit.held_out, strict=True))
+        print_json(
+            {
+                "arm": arm.name,
+                "held_out": held,
+                "unobservable": fit.unobservable,
+                "outliers": fit.outliers,
+                "sigma": fit.sigma,
+                "spread": fit.spread,
+                "axes": fit.model.axes,
+                "points_m": fit.model.points,
+                "home_m": fit.model.home,
+            }
+        )
+        return DONE
+    for line in fit.explain().splitlines():
+        say(line)
+    if out:
+        print(out)
+    return DONE
+
+
+def _rows(name: str) -> list[list[str]]:
+    text = read_text(name, "DATA.csv")
+    lines = [line for line in (raw.split("#")[0].strip() for raw in text.splitlines()) if line]
+    if len(lines) < 2:
+        raise InputError(f"{name} needs a line of column names and a line a pose.", path=name)
+    mark = max(",;\t", key=lines[0].count)
+    return [[cell.strip() for cell in row] for row in csv.reader(lines, delimiter=mark)]
+
+
+def _joints(arm: pieper.Arm, rows: list[list[str]], units: Units, name: str) -> Numbers:
+    columns = []
+    for i, (joint, kind) in enumerate(zip(arm.joint_names, arm.joint_types, strict=True)):
+        sizes, own = (ANGLES, units.radians) if kind == "R" else (LENGTHS, units.metres)
+        found = _column(rows, joint, sizes, own, name, required=False)
+        if found is None:
+            found = _column(rows, f"q{i + 1}", sizes, own, name, required=False)
+        if found is None:
+            raise InputError(
+                f"{name}: there is no column for {joint}: call it {joint}_{next(iter(sizes))}, or q{i + 1}. "
+                f"It has {', '.join(rows[0])}.",
+                path=name,
+                missing=joint,
+            )
+        columns.append(found)
+    return np.stack(columns, 1)
+
+
+def _column(
+    rows: list[list[str]], stem: str, sizes: dict[str, float], own: float, name: str, *, required: bool
+) -> Numbers | None:
+    """Return a column (N,), SI, by its name with or without a unit."""
+    for at, head in enumerate(rows[0]):
+        said = head.lower()
+        unit = said.removeprefix(f"{stem.lower()}_")
+        if said != stem.lower() and not (said.startswith(f"{stem.lower()}_") and unit in sizes):
+            continue
+        factor = own if said == stem.lower() else sizes[unit]
+        values = []
+        for line, row in enumerate(rows[1:], 2):
+            if len(row) != len(rows[0]):
+                raise InputError(f"{name}, row {line}: {len(row)} cells, the first has {len(rows[0])}.", path=name)
+            values.append(number(row[at], f"{name}, row {line}"))
+        return np.array(values) * factor
+    if required:
+        raise InputError(f"{name}: there is no column {stem}; it has {', '.join(rows[0])}.", path=name, missing=stem)
+    return None
+
+
+def _noise(text: str, units: Units) -> tuple[float, float] | None:
+    if not text:
+        return None
+    said = [number(word, "--sigma") for word in text.replace(",", " ").split()]
+    if len(said) not in (1, 2):
+        raise InputError(f"--sigma takes one or two numbers ({units.length}, {units.angle}), got {text!r}.", given=text)
+    return said[0] * units.metres, said[-1] * units.radians

@@ -1,0 +1,1 @@
+"""Solvers to take away: an arm's closed form and forward kinematics, written in other languages."""

@@ -1,0 +1,170 @@
+"""What every exported file holds beside the program: links, limits, self-test, provenance; and how it is written."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+
+from pieper.code.program import Program, recorded
+from pieper.description.dh import Description
+from pieper.document.writing import whole_file
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import fk
+from pieper.solver.plan.plan import Plan
+from pieper.solver.rows import Flag
+from pieper.tolerances import LIMIT_SLACK
+
+TESTS = 20
+_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+LICENCE = "MIT licence; as generated code it may be used under the terms of the arm's owner alone."
+
+
+class ExportedArm(Protocol):
+    """What an export needs of an arm."""
+
+    description: Description
+    chain: Chain
+
+    @property
+    def plan(self) -> Plan:
+        """How it is solved."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class Export:
+    """Everything that a printer writes.
+
+    Args:
+        name: The prefix of functions, where a language needs one.
+        program: From pose to rows.
+        links: (n + 1, 3, 4) constant links of the chain, m.
+        slides: (n,) which joints slide.
+        lower: (n,) limits, rad or m, a rounding wider than said; infinite where there is none.
+        upper: (n,) the same.
+        q: (20, n) joint vectors of the self-test.
+        T: (20, 4, 4) their poses.
+        counts: (20,) how many rows lie inside the limits there.
+        header: Lines of provenance.
+        verified: By how much a row may miss its pose, largest entry, where the program is unsure.
+    """
+
+    name: str
+    program: Program
+    links: Array
+    slides: tuple[bool, ...]
+    lower: Array
+    upper: Array
+    q: Array
+    T: Array
+    counts: tuple[int, ...]
+    header: tuple[str, ...]
+    verified: float
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return len(self.slides)
+
+
+def export(arm: ExportedArm, name: str) -> Export:
+    """Return what is written of an arm.
+
+    Raises:
+        InputError: The name is none a language takes.
+        PlanError: The arm cannot be exported.
+    """
+    if not isinstance(name, str) or not _WORD.fullmatch(name):
+        raise InputError(f"name must be a word of letters, digits and _, got {name!r}.", given=name)
+    plan = arm.plan
+    program = recorded(plan)
+    q = _postures(plan)
+    T = fk(plan.chain, q)
+    _, _, inside, _ = plan.solver.many(np.ascontiguousarray(T), 1)
+    try:
+        made_by = f"pieper {version('pieper')}"
+    except PackageNotFoundError:
+        made_by = "pieper"
+    said = np.ascontiguousarray(np.concatenate([plan.chain.links.ravel(), plan.limits.ravel()]))
+    header = (
+        f"Inverse and forward kinematics of {plan.name}: every solution of a pose in closed form.",
+        f"Written by {made_by} from its own kernel, family {plan.family}; do not edit.",
+        f"Links and limits: sha256 {hashlib.sha256(said.tobytes()).hexdigest()[:16]}. Metres and radians.",
+        f"Source of the numbers: {' '.join((arm.description.source or 'not said').split())}",
+        LICENCE,
+    )
+    return Export(
+        name,
+        program,
+        plan.chain.links[:, :3],
+        tuple(bool(s) for s in plan.prismatic),
+        plan.limits[:, 0] - LIMIT_SLACK,
+        plan.limits[:, 1] + LIMIT_SLACK,
+        q,
+        T,
+        tuple(int(k) for k in inside.sum(1)),
+        header,
+        1e-9 * max(1.0, plan.chain.length),
+    )
+
+
+def _postures(plan: Plan) -> Array:
+    """Return joint vectors (20, n) inside the limits at poses that are clear of singular ones, always the same."""
+    rng = np.random.default_rng(20)
+    reach = np.where(plan.prismatic, plan.chain.length, np.pi)[:, None] * [-1.0, 1.0]
+    limits = np.where(np.isfinite(plan.limits), plan.limits, reach)
+    q = rng.uniform(limits[:, 0], limits[:, 1], (40 * TESTS, plan.n))
+    _, _, inside, flags = plan.solver.many(np.ascontiguousarray(fk(plan.chain, q)), 1)
+    clear = (flags & int(Flag.DEGENERATE | Flag.UNCERTAIN)) == 0
+    return q[clear & inside.any(1)][:TESTS]
+
+
+Printer = Callable[[Export], str]
+
+
+def write(arm: ExportedArm, language: str, path: str | os.PathLike[str], name: str = "arm") -> Path:
+    """Write an arm's solver in a language; see `pieper.Arm.code`.
+
+    Raises:
+        InputError: An unknown language, a name that is no word, a place that cannot be written.
+        PlanError: The arm cannot be exported; the message says why.
+    """
+    from pieper.code import c, javascript, python
+
+    printers: dict[str, Printer] = {
+        "c": c.text,
+        "c++": c.text,
+        "python": python.text,
+        "javascript": javascript.text_for(Path(path).suffix),
+    }
+    if language not in printers:
+        raise InputError(
+            f"language is {language!r}; it may be {', '.join(printers)}.", given=language, allowed=tuple(printers)
+        )
+    text = printers[language](export(arm, name))
+    with whole_file(path) as file:
+        file.write(text.encode())
+    return Path(path)
+
+
+def nested(value: Any, brackets: str, number: Callable[[float], str]) -> str:
+    """Return numbers as nested literals between a language's brackets."""
+    if isinstance(value, (list, tuple, np.ndarray)):
+        items: Sequence[Any] = list(value)
+        return brackets[0] + ", ".join(nested(v, brackets, number) for v in items) + brackets[1]
+    return number(float(value))
+
+
+def finite_or(infinity: str) -> Callable[[float], str]:
+    """Return how a number is said where infinity has a name of its own."""
+    return lambda x: repr(x) if np.isfinite(x) else infinity if x > 0 else f"-{infinity}"

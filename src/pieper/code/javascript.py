@@ -1,0 +1,185 @@
+"""The printer of JavaScript: a module (.mjs), or a script that serves Node and pages alike."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from pieper.code.c import filled
+from pieper.code.export import Export, finite_or, nested
+from pieper.code.program import statements
+
+WORDS = {
+    "add": "{0} + {1}",
+    "sub": "{0} - {1}",
+    "mul": "{0} * {1}",
+    "div": "{0} / {1}",
+    "neg": "-{0}",
+    "abs": "Math.abs({0})",
+    "sqrt": "Math.sqrt({0})",
+    "sin": "Math.sin({0})",
+    "cos": "Math.cos({0})",
+    "atan2": "Math.atan2({0}, {1})",
+    "angle": "angle({0}, {1})",
+    "select": "{0} ? {1} : {2}",
+    "lt": "{0} < {1}",
+    "le": "{0} <= {1}",
+    "gt": "{0} > {1}",
+    "ge": "{0} >= {1}",
+    "eq": "{0} === {1}",
+    "ne": "{0} !== {1}",
+    "and": "{0} && {1}",
+    "or": "{0} || {1}",
+    "not": "!{0}",
+    "true": "true",
+    "false": "false",
+}
+
+FRAME = """/*
+@HEADER@
+
+ik(T): every joint vector inside the limits that reaches a pose, an array of arrays; T as 16 numbers row by row, or as 4
+rows of 4. ikAll(T): {rows, unclear} before limits; unclear at and next to singular poses, where a row may stand for many
+and rows may be missing. fk(q): the pose as 4 rows of 4. jacobian(q): 6 rows, linear ones first.
+*/
+const LOWER = @LOWER_NUMBERS@;
+const UPPER = @UPPER_NUMBERS@;
+const SLIDES = @SLIDES_NUMBERS@;
+const LINKS = @LINKS_NUMBERS@;
+const TURN = 6.28318530717958647693;
+
+// An angle that rounds to -pi is said as pi.
+function angle(y, x) {
+  const r = Math.atan2(y, x);
+  return r <= -Math.PI ? Math.PI : r;
+}
+
+function walk(q, visit) {
+  const T = LINKS[0].slice();
+  for (let i = 0; i < N; ++i) {
+    const c = Math.cos(q[i]), s = Math.sin(q[i]), L = LINKS[i + 1];
+    if (visit) visit(i, T);
+    for (let k = 0; k < 12; k += 4) {
+      let x = T[k], y = T[k + 1], z = T[k + 2], p = T[k + 3];
+      if (SLIDES[i]) p += q[i] * z;
+      else [x, y] = [c * x + s * y, c * y - s * x];
+      for (let j = 0; j < 4; ++j) T[k + j] = x * L[j] + y * L[4 + j] + z * L[8 + j];
+      T[k + 3] += p;
+    }
+  }
+  return T;
+}
+
+function fk(q) {
+  const T = walk(q);
+  return [T.slice(0, 4), T.slice(4, 8), T.slice(8, 12), [0, 0, 0, 1]];
+}
+
+function jacobian(q) {
+  const z = [], p = [];
+  const T = walk(q, (i, F) => {
+    z.push([F[2], F[6], F[10]]);
+    p.push([F[3], F[7], F[11]]);
+  });
+  const J = [[], [], [], [], [], []];
+  for (let i = 0; i < N; ++i)
+    for (let k = 0; k < 3; ++k) {
+      const a = (k + 1) % 3, b = (k + 2) % 3;
+      J[k].push(SLIDES[i] ? z[i][k] : z[i][a] * (T[4 * b + 3] - p[i][b]) - z[i][b] * (T[4 * a + 3] - p[i][a]));
+      J[3 + k].push(SLIDES[i] ? 0 : z[i][k]);
+    }
+  return J;
+}
+
+function same(a, b, most) {
+  for (let j = 0; j < N; ++j) {
+    let d = Math.abs(a[j] - b[j]);
+    if (!SLIDES[j]) d = Math.abs(d - TURN * Math.round(d / TURN));
+    if (!(d < most)) return false;
+  }
+  return true;
+}
+
+function ikAll(pose) {
+  const T = pose.length === 16 ? pose : [].concat(...Array.from(pose, (row) => Array.from(row)));
+@PROGRAM@
+  const rows = [@ROWS@];
+  const valid = [@VALID@];
+  const unclear = @UNCLEAR@;
+  const kept = [];
+  for (let m = 0; m < 8; ++m) {
+    if (!valid[m] || kept.some((row) => same(row, rows[m], 1e-9))) continue;
+    if (unclear && !walk(rows[m]).every((x, k) => Math.abs(x - T[k]) < @VERIFIED@)) continue;
+    kept.push(rows[m]);
+  }
+  return { rows: kept, unclear };
+}
+
+function ik(pose) {
+  const found = [];
+  for (const row of ikAll(pose).rows) {
+    let inside = true;
+    for (let j = 0; j < N; ++j) {
+      let v = row[j];
+      if (!SLIDES[j] && v < LOWER[j]) v += TURN * Math.ceil((LOWER[j] - v) / TURN);
+      else if (!SLIDES[j] && v > UPPER[j]) v -= TURN * Math.ceil((v - UPPER[j]) / TURN);
+      inside = inside && v >= LOWER[j] && v <= UPPER[j];
+      row[j] = v;
+    }
+    if (inside) found.push(row);
+  }
+  return found;
+}
+
+// How many of @TESTS@ stored poses fail: 0.
+function selfTest() {
+  const Q = @TEST_Q@;
+  const T = @TEST_T@;
+  const counts = @COUNTS@;
+  let failed = 0;
+  for (let i = 0; i < Q.length; ++i) {
+    const back = [].concat(...fk(Q[i])), rows = ik(T[i]);
+    const ok = back.every((x, k) => Math.abs(x - T[i][k]) < @VERIFIED@);
+    if (!(ok && rows.length === counts[i] && rows.some((row) => same(row, Q[i], 1e-7)))) ++failed;
+  }
+  return failed;
+}
+"""
+
+MODULE = "\nexport { ik, ikAll, fk, jacobian, selfTest };\n"
+SCRIPT = """
+if (typeof module !== "undefined") module.exports = { ik, ikAll, fk, jacobian, selfTest };
+else globalThis.NAME_solver = { ik, ikAll, fk, jacobian, selfTest };
+"""
+
+
+def text_for(suffix: str) -> Callable[[Export], str]:
+    """Return the printer for a file's suffix: a module for .mjs, else a script."""
+    return lambda export: text(export, FRAME + (MODULE if suffix == ".mjs" else SCRIPT))
+
+
+def text(export: Export, frame: str) -> str:
+    """Return the file's text."""
+    lines, said = statements(
+        export.program,
+        WORDS,
+        lambda k: f"T[{k}]",
+        lambda name, _, expression: f"  const {name} = {expression};",
+    )
+    number, program, n = finite_or("Infinity"), export.program, export.n
+    rows = ", ".join("[" + ", ".join(said(i) for i in program.q[n * m : n * m + n]) + "]" for m in range(8))
+    parts = {
+        "HEADER": "\n".join(export.header).replace("*/", "* /"),
+        "LOWER_NUMBERS": nested(export.lower, "[]", number),
+        "UPPER_NUMBERS": nested(export.upper, "[]", number),
+        "SLIDES_NUMBERS": "[" + ", ".join(str(s).lower() for s in export.slides) + "]",
+        "LINKS_NUMBERS": nested(export.links.reshape(n + 1, 12), "[]", number),
+        "PROGRAM": "\n".join(lines),
+        "ROWS": rows,
+        "VALID": ", ".join(said(i) for i in program.valid),
+        "UNCLEAR": said(program.unclear),
+        "VERIFIED": repr(export.verified),
+        "TEST_Q": nested(export.q, "[]", number),
+        "TEST_T": nested(export.T.reshape(-1, 16), "[]", number),
+        "COUNTS": "[" + ", ".join(str(k) for k in export.counts) + "]",
+    }
+    return filled(frame, parts, export)

@@ -1,0 +1,73 @@
+"""The largest value over its limit on the whole continuous curve: exact for the joints, a proven bound for the tool."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.motion.curve import JointCurve
+from pieper.motion.tool_bounds import ToolCurve
+
+
+def joint_peaks(curve: JointCurve, x: Array) -> tuple[Array, Array]:
+    """Return the largest speeds and accelerations (k, n) of each piece, x = (ds/dt)^2 linear on it.
+
+    The acceleration q' u + q'' x is a quadratic of s: it peaks at an end or where its derivative vanishes. The speed
+    q' sqrt(x) has the acceleration over sqrt(x) as its derivative: it peaks at an end or where that vanishes. Both are
+    computed at all of these places, so that nothing lies between.
+
+    Args:
+        curve: The joint curve, k pieces.
+        x: (k + 1,) 1/s^2.
+    """
+    h = np.diff(curve.s)[:, None]
+    x0, x1 = x[:-1, None], x[1:, None]
+    u = (x1 - x0) / (2 * h)
+    q1, q2, q3 = curve.d1, curve.d2, curve.d3
+    # acceleration = A + B r + C r^2 at r behind the piece's beginning
+    A, B, C = q1 * u + q2 * x0, 3 * q2 * u + q3 * x0, 2.5 * q3 * u
+
+    def speed(r: Array) -> Array:
+        return np.abs(q1 + r * (q2 + r * q3 / 2)) * np.sqrt(np.maximum(x0 + 2 * u * r, 0.0))
+
+    with np.errstate(divide="ignore", invalid="ignore"):
+        vertex = np.clip(np.nan_to_num(-B / (2 * C)), 0.0, h)
+        root = np.sqrt(np.maximum(B * B - 4 * A * C, 0.0))
+        # without cancellation: one root from the larger half, the other from the product
+        half = -(B + np.copysign(root, B)) / 2
+        places = [np.clip(np.nan_to_num(half / C), 0.0, h), np.clip(np.nan_to_num(A / half), 0.0, h)]
+    bends = np.maximum(np.maximum(np.abs(A), np.abs(A + h * (B + h * C))), np.abs(A + vertex * (B + vertex * C)))
+    rates = np.maximum(speed(np.zeros_like(h)), speed(h))
+    for place in places:
+        rates = np.maximum(rates, speed(place))
+    return rates, bends
+
+
+def vector_peaks(value: Array, strays: Array, x: Array) -> Array:
+    """Return a bound (k,) of |f(s)| sqrt(x) on each piece, f within `strays` of the line between its ends' values.
+
+    Args:
+        value: (k + 1, 3) f at the pieces' ends.
+        strays: (k,) how far f may be from the line between.
+        x: (k + 1,) linear on each piece.
+    """
+    a, b = value[:-1], value[1:]
+    aa, ab, bb = (a * a).sum(1), (a * b).sum(1), (b * b).sum(1)
+    x0, x1 = x[:-1], x[1:]
+    # Bernstein coefficients of |line|^2 x, a cubic
+    top = np.max([aa * x0, (2 * ab * x0 + aa * x1) / 3, (bb * x0 + 2 * ab * x1) / 3, bb * x1], axis=0)
+    return np.sqrt(np.maximum(top, 0.0)) + strays * np.sqrt(np.maximum(x0, x1))
+
+
+def tool_acceleration_peaks(tool: ToolCurve, h: Array, x: Array) -> Array:
+    """Return a bound (k,) of the tool point's acceleration p' u + p'' x on each piece.
+
+    Its second derivative by s is 5 u p''' + x p'''', whose bounds say how far it departs from the larger of its ends.
+    """
+    u = np.diff(x) / (2 * h)
+    ends = [np.linalg.norm(tool.point[k] * u[:, None] + tool.bend[k] * x[k][:, None], axis=1) for k in _ENDS]
+    bent = 5 * np.abs(u) * tool.third + np.maximum(x[:-1], x[1:]) * tool.fourth
+    return np.maximum(*ends) + h**2 / 8 * bent
+
+
+_ENDS = (slice(None, -1), slice(1, None))

@@ -1,0 +1,99 @@
+"""A joint path as cubic pieces: the spline through points, its derivatives, and how far it strays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper import _kernel
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike
+
+
+@dataclass(frozen=True, eq=False)
+class JointCurve:
+    """q(s) in pieces of third degree, each derivative given at the piece's beginning.
+
+    Attributes:
+        s: (k + 1,) where pieces begin and end.
+        q: (k, n) rad or m.
+        d1: (k, n) dq/ds.
+        d2: (k, n) d2q/ds2.
+        d3: (k, n) d3q/ds3.
+    """
+
+    s: Array
+    q: Array
+    d1: Array
+    d2: Array
+    d3: Array
+
+    @staticmethod
+    def through(s: Array, q: Array) -> JointCurve:
+        """Return the spline through points q (N, n) at s (N,), twice continuously differentiable."""
+        bend = _kernel.spline(s, q)
+        h = np.diff(s)[:, None]
+        d3 = np.diff(bend, axis=0) / h
+        d1 = np.diff(q, axis=0) / h - h * (bend[1:] + 2 * bend[:-1]) / 6
+        return JointCurve(s, q[:-1], d1, bend[:-1], d3)
+
+    @property
+    def end(self) -> Array:
+        """(n,) where it ends."""
+        h = self.s[-1] - self.s[-2]
+        return self.q[-1] + h * (self.d1[-1] + h * (self.d2[-1] / 2 + h * self.d3[-1] / 6))
+
+    def piece(self, s: Array) -> Array:
+        """Return the number of the piece at s (...)."""
+        return np.clip(np.searchsorted(self.s, s, side="right") - 1, 0, len(self.q) - 1)
+
+    def at(self, s: Array) -> tuple[Array, Array, Array, Array]:
+        """Return q and its first three derivatives by s (..., n) at s (...)."""
+        i = self.piece(s)
+        h = (np.asarray(s) - self.s[i])[..., None]
+        q, d1, d2, d3 = self.q[i], self.d1[i], self.d2[i], self.d3[i]
+        return q + h * (d1 + h * (d2 / 2 + h * d3 / 6)), d1 + h * (d2 + h * d3 / 2), d2 + h * d3, d3
+
+    def split(self, s: Array) -> JointCurve:
+        """Return the same curve whose pieces begin and end at s (k + 1,), which holds all of its own."""
+        i = self.piece(s[:-1])
+        h = (s[:-1] - self.s[i])[:, None]
+        q, d1, d2, d3 = self.q[i], self.d1[i], self.d2[i], self.d3[i]
+        return JointCurve(s, q + h * (d1 + h * (d2 / 2 + h * d3 / 6)), d1 + h * (d2 + h * d3 / 2), d2 + h * d3, d3)
+
+    def between_points(self) -> float:
+        """Return how far the pieces stray from their own chords, the largest of all joints: rad, or m of a slide."""
+        h = np.diff(self.s)[:, None]
+        # a cubic minus its chord is u (1 - u) times a line, and u (1 - u) is at most 1/4
+        left, right = h**2 * (self.d2 / 2 + h * self.d3 / 6), h**2 * (self.d2 / 2 + h * self.d3 / 3)
+        return float(np.maximum(np.abs(left), np.abs(right)).max() / 4)
+
+
+def checked_points(q: ArrayLike, what: str = "q") -> Array:
+    """Return joint points (N, n) that a curve can go through, or say what is wrong with them.
+
+    Raises:
+        InputError: Wrong shape, fewer than two points, numbers that are not finite, or a point given twice running.
+    """
+    try:
+        points = np.array(q, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{what} must be joint points (N, n), got {type(q).__name__}.", given=type(q)) from None
+    if points.ndim != 2 or not points.shape[1]:
+        raise InputError(f"{what} must be joint points (N, n), got shape {points.shape}.", given=points.shape)
+    if len(points) < 2:
+        raise InputError(f"a motion needs at least 2 points, {what} has {len(points)}.", given=len(points))
+    bad = ~np.isfinite(points)
+    if bad.any():
+        i, j = (int(k) for k in np.argwhere(bad)[0])
+        raise InputError(f"{what} must be finite, got {points[i, j]} at point {i + 1}, joint {j + 1}.", index=(i, j))
+    same = ~np.diff(points, axis=0).any(1)
+    if same.any():
+        i = int(np.argmax(same))
+        raise InputError(
+            f"points {i + 1} and {i + 2} of {what} are the same: a stretch of no length has no direction. Leave one "
+            "out; a rest is a wait of a Program.",
+            index=i + 1,
+        )
+    return points

@@ -1,0 +1,152 @@
+"""A posture in a maker's configuration words, with the rule they follow and where it is from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.description.dh import Description
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.forward import checked_joints
+from pieper.kinematics.joints import TURN
+from pieper.motion.dialects.shape import Shape, shape
+from pieper.solver.plan.plan import Plan
+from pieper.tolerances import LIMIT_SLACK
+
+_OPEN = " Not confirmed on a controller."
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """A posture as a maker says it.
+
+    Attributes:
+        words: What says which of the solutions of a pose it is, without its turns, such as ("N", "U", "T").
+        turns: Numbers that say which whole turns of the joints, in the maker's order.
+        rule: How they were found, with the source.
+        clear: How far the posture is from where a word changes, without units; near zero the words are open.
+        untold: Joints with another whole turn inside the limits that the words and turns do not tell apart.
+    """
+
+    words: tuple[str, ...]
+    turns: tuple[int, ...]
+    rule: str
+    clear: float
+    untold: tuple[str, ...] = ()
+
+
+def _abb(s: Shape, q: Array) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    cfx = 4 * s.rear + 2 * s.behind_lower_arm + (s.bend < 0)
+    return (str(cfx),), tuple(int(np.floor(q[j] / (np.pi / 2))) for j in (0, 3, 5))
+
+
+def _kuka(s: Shape, q: Array) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    status = int(s.rear) + 2 * int(not s.behind_lower_arm) + 4 * int(s.bend > 0)
+    return (str(status),), (int(sum(1 << j for j in range(6) if q[j] < 0)),)
+
+
+def _fanuc(s: Shape, q: Array) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    words = "F" if s.bend > 0 else "N", "U" if s.above else "D", "B" if s.rear else "T"
+    return words, tuple(int(np.floor((q[j] + np.pi) / (2 * np.pi))) for j in (0, 3, 5))
+
+
+def _yaskawa(s: Shape, q: Array) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    words = str(int(s.bend < 0)), str(int(not s.above)), str(int(s.rear))
+    return words, tuple(int(not -np.pi < q[j] <= np.pi) for j in (3, 5, 0))
+
+
+def _denso(s: Shape, q: Array) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    figure = int(s.rear) + 2 * int(not s.above) + 4 * int(s.bend < 0)
+    double = [int(not -np.pi < q[j] <= np.pi) for j in (5, 3)]
+    return (str(figure + 8 * double[0] + 16 * double[1]),), (double[1], double[0])
+
+
+#: maker -> (words of its name in a robot file, what the words are called, the words, the rule)
+MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...], tuple[int, ...]]], str]] = {
+    "abb": (
+        "abb",
+        "cf1, cf4, cf6, cfx",
+        _abb,
+        "cf1, cf4, cf6: the quarter turn floor(angle / 90 deg) of axes 1, 4, 6. cfx: 4 if the wrist centre is behind "
+        "axis 1, plus 2 if it is behind the lower arm, plus 1 if axis 5 is negative (RAPID reference, data type "
+        "confdata, table for serial link arms).",
+    ),
+    "kuka": (
+        "kuka",
+        "S and T",
+        _kuka,
+        "S: 1 if the wrist root point has a negative x in the frame that turns with A1 (overhead area), plus 2 if A3 "
+        "is past the angle at which the arm is stretched, plus 4 if A5 is positive. T: bit i - 1 is set where Ai is "
+        "negative (KUKA System Software, status and turn). LIN and CIRC ignore both.",
+    ),
+    "fanuc": (
+        "fanuc",
+        "CONFIG",
+        _fanuc,
+        "N or F: the wrist is not flipped or flipped, taken as J5 negative or positive; published pages contradict "
+        "each other on this sign. U or D: the elbow is above or below the line from shoulder to wrist. T or B: the "
+        "wrist is before or behind axis 1. Turns of J1, J4, J6: 0 from -180 to 180 deg (FANUC operator's manual, "
+        "configuration).",
+    ),
+    "yaskawa": (
+        "motoman",
+        "RCONF",
+        _yaskawa,
+        "Flip (0, B positive) or no flip (1), upper (0) or lower (1) arm, front (0) or rear (1), then R, T and S: 0 "
+        "from -180 to 180 deg, 1 beyond (INFORM manual, RCONF).",
+    ),
+    "denso": (
+        "denso",
+        "figure",
+        _denso,
+        "1 if lefty, taken as the wrist behind axis 1, plus 2 if the elbow is below, plus 4 if the wrist is not "
+        "flipped, taken as J5 negative, plus 8 if J6 and 16 if J4 is beyond -180 to 180 deg (DENSO programmer's "
+        "manual, figures).",
+    ),
+}
+
+
+def configuration(plan: Plan, q: ArrayLike, maker: str) -> Configuration:
+    """Return a posture in a maker's configuration words.
+
+    Args:
+        plan: How the arm is solved.
+        q: (n,) joint vector, rad.
+        maker: "abb", "kuka", "fanuc", "yaskawa" or "denso".
+
+    Raises:
+        InputError: The maker is unknown or has no such words, or the arm is not of the kind they are defined for.
+    """
+    key = str(maker).lower()
+    if key not in MAKERS:
+        raise InputError(
+            f"maker {maker!r} has no configuration words here; those of {', '.join(MAKERS)} are known. Universal "
+            "Robots has none: its poses are solved near the posture the arm is in.",
+            given=maker,
+            allowed=list(MAKERS),
+        )
+    joints = checked_joints(q, plan.n)
+    if joints.ndim != 1:
+        raise InputError(f"q must be one joint vector ({plan.n},), got {joints.shape}.", given=joints.shape)
+    _, named, words_of, rule = MAKERS[key]
+    s = shape(plan, joints, f"{key}'s {named}")
+    words, turns = words_of(s, joints)
+    untold: list[str] = []
+    for j in range(6):
+        low, high = plan.limits[j]
+        for turn in (-2, -1, 1, 2):
+            other = joints.copy()
+            other[j] += turn * TURN
+            if low - LIMIT_SLACK <= other[j] <= high + LIMIT_SLACK and words_of(s, other) == (words, turns):
+                untold.append(plan.names[j])
+                break
+    return Configuration(words, turns, rule + _OPEN, s.nearest, tuple(untold))
+
+
+def is_of(description: Description, maker: str) -> bool:
+    """Whether an arm is of a maker, or of none that is known."""
+    said = description.manufacturer.lower()
+    return not said or MAKERS[maker][0] in said

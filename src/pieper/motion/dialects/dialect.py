@@ -1,0 +1,154 @@
+"""What every dialect shares: the script it is handed, the targets it reads back, numbers and names."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from textwrap import wrap
+
+import numpy as np
+
+from pieper.description.dh import Description
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.spoken import read_pose
+from pieper.motion.instructions import Instruction, Move
+from pieper.motion.limits import Limits
+from pieper.motion.motion import Motion
+from pieper.solver.plan.plan import Plan
+
+#: Tool speed that is written where none was said, mm/s; turns are written in proportion.
+USUAL_SPEED = 250.0
+NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+
+
+@dataclass(frozen=True, eq=False)
+class Target:
+    """What is read back.
+
+    Attributes:
+        kind: "move_j", "move_l", "move_c", or "point" of a trajectory.
+        q: (n,) joint values, rad or m, where the file has them.
+        T: (4, 4) pose, m, where the file has it.
+        via: (4, 4) pose that a circle passes, where the file has it.
+        q_via: (n,) joint values there, where the file has them.
+    """
+
+    kind: str
+    q: Array | None = None
+    T: Array | None = None
+    via: Array | None = None
+    q_via: Array | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Script:
+    """A program as a writer sees it.
+
+    Attributes:
+        name: Its name, as the maker takes names.
+        instructions: In order.
+        plan: How the arm is solved.
+        description: What is known of the arm.
+        limits: What its motion keeps.
+        start: (n,) posture it begins in.
+        cartesian: Whether joint moves go to poses with configuration words rather than to joint values.
+        motion: The timed motion, made when it is asked for.
+    """
+
+    name: str
+    instructions: Sequence[Instruction]
+    plan: Plan
+    description: Description
+    limits: Limits
+    start: Array
+    cartesian: bool
+    motion: Callable[[], Motion]
+
+    @property
+    def moves(self) -> list[Move]:
+        """The moves alone."""
+        return [item for item in self.instructions if isinstance(item, Move)]
+
+    def degrees(self, q: Array) -> list[float]:
+        """Return joint values as controllers take them: degrees, and millimetres of a slide."""
+        return [float(v) for v in np.where(self.plan.prismatic, q * 1e3, np.degrees(q))]
+
+    def head(self, mark: str, width: int = 110) -> list[str]:
+        """Return what a reader must know, as comments of at most `width` characters."""
+        tool = read_pose(self.description.tool, "rpy", degrees=True, mm=True)
+        said = [
+            f"{self.plan.name}, {len(self.moves)} moves; joints as in its robot file.",
+            f"Tool in the last frame of its table: x y z {numbers(tool[:3], 3)} mm, rpy {numbers(tool[3:], 4)} deg; "
+            "set the same on the controller.",
+            "Not confirmed on a controller.",
+        ]
+        return [f"{mark} {line}" for text in said for line in wrap(text, width - len(mark) - 1)]
+
+
+@dataclass(frozen=True)
+class Dialect:
+    """A controller's language.
+
+    Attributes:
+        name: What it is called here.
+        suffixes: Endings of its files, the first one usual.
+        maker: Whose arms it is for, a key of the configuration words, "ur", or None for any.
+        longest: Most characters of a program's name.
+        write: The text of a script.
+        read: The targets of a text.
+    """
+
+    name: str
+    suffixes: tuple[str, ...]
+    maker: str | None
+    longest: int
+    write: Callable[[Script], str]
+    read: Callable[[str], list[Target]]
+
+
+def numbers(values: Sequence[float], digits: int, between: str = " ") -> str:
+    """Return numbers with a fixed count of decimals, zero without a sign."""
+    return between.join(fixed(v, digits) for v in values)
+
+
+def fixed(value: float, digits: int) -> str:
+    """Return a number with a fixed count of decimals, zero without a sign."""
+    text = f"{value:.{digits}f}"
+    return text[1:] if text.startswith("-") and not float(text) else text
+
+
+def found(text: str, count: int, pattern: str = NUMBER) -> list[float]:
+    """Return the first numbers of a text."""
+    return [float(v) for v in re.findall(pattern, text)[:count]]
+
+
+def named(text: str, names: Sequence[str]) -> list[float] | None:
+    """Return the numbers that follow names such as X or A1 in a text, None where one is missing."""
+    out: list[float] = []
+    for name in names:
+        hit = re.search(rf"(?<![A-Za-z0-9]){re.escape(name)}\s*=?\s*({NUMBER})", text)
+        if hit is None:
+            return None
+        out.append(float(hit[1]))
+    return out
+
+
+def checked_name(name: str, dialect: Dialect) -> str:
+    """Return a program's name, or say why the maker does not take it."""
+    if not name.isascii():
+        raise InputError(f"a {dialect.name} program's name must be ASCII, got {name!r}.", given=name)
+    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name):
+        raise InputError(
+            f"a {dialect.name} program's name begins with a letter and has letters, digits and _ alone, got {name!r}; "
+            "say another with name=.",
+            given=name,
+        )
+    if len(name) > dialect.longest:
+        raise InputError(
+            f"a {dialect.name} program's name has at most {dialect.longest} characters, {name!r} has {len(name)}; say "
+            "another with name=.",
+            given=name,
+        )
+    return name

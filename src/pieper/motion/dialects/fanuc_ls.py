@@ -1,0 +1,105 @@
+"""FANUC LS: positions in joint values, or as poses with CONFIG."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.spoken import pose, read_pose
+from pieper.motion.dialects.configuration import configuration
+from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, named
+from pieper.motion.instructions import Gripper, Move, Output, Wait
+
+_JOINTS = ("J1", "J2", "J3", "J4", "J5", "J6")
+_POSE = ("X", "Y", "Z", "W", "P", "R")
+#: FANUC counts J3 from the level, whatever J2 does; robot files count joint 3 from the lower arm.
+_COUPLED = "J3 = joint 3 - joint 2"
+#: A remark has no more characters.
+_REMARK = 32
+
+
+def write(script: Script) -> str:
+    """Return the text of a program."""
+    lines: list[str] = []
+    places: list[str] = []
+    coupled = "fanuc" in script.description.manufacturer.lower() and not script.cartesian
+
+    def place(q: Array, T: Array) -> int:
+        index = len(places) + 1
+        places.append(_place(script, index, q, T, coupled))
+        return index
+
+    for line in script.head("!", _REMARK):
+        lines.append(line)
+    if coupled:
+        lines.append(f"! {_COUPLED}")
+    for item in script.instructions:
+        if isinstance(item, Wait):
+            lines.append(f"WAIT {item.seconds:6.2f}(sec)")
+        elif isinstance(item, Output):
+            lines.append(f"DO[{item.port}]={'ON' if item.value else 'OFF'}")
+        elif isinstance(item, Gripper):
+            lines.append(f"! gripper {item.value:g}")
+        else:
+            lines += _move(item, place)
+    text = [f"/PROG  {script.name.upper()}", "/ATTR", 'COMMENT = "pieper";', "DEFAULT_GROUP = 1,*,*,*,*;", "/MN"]
+    text += [f"{number:4d}:{line}    ;" for number, line in enumerate(lines, 1)]
+    return "\n".join([*text, "/POS", *places, "/END", ""])
+
+
+def _move(move: Move, place: Callable[[Array, Array], int]) -> list[str]:
+    # a percentage of the corner, not a radius: the controller rounds by speed
+    stop = f"CNT{min(100, max(1, round(move.blend * 1e3)))}" if move.blend else "FINE"
+    if move.kind == "move_j":
+        share = 100 if move.speed is None else max(1, round(100 * move.speed))
+        return [f"J P[{place(move.q, move.T)}] {share}% {stop}"]
+    speed = f"{fixed(USUAL_SPEED if move.speed is None else move.speed * 1e3, 1)}mm/sec {stop}"
+    if move.via is not None and move.q_via is not None:
+        via = place(move.q_via, move.via)
+        return [f"C P[{via}] P[{place(move.q, move.T)}] {speed}"]
+    return [f"L P[{place(move.q, move.T)}] {speed}"]
+
+
+def _place(script: Script, index: int, q: Array, T: Array, coupled: bool) -> str:
+    if not script.cartesian:
+        values = script.degrees(q)
+        if coupled:
+            values[2] -= values[1]
+        said = ",\n  ".join(f"{n}= {fixed(v, 5)} deg" for n, v in zip(_JOINTS, values, strict=True))
+        return f"P[{index}]{{\n  GP1:\n  UF : 0, UT : 1,\n  {said}\n}};"
+    words = configuration(script.plan, q, "fanuc")
+    config = f"'{' '.join(words.words)}, {', '.join(str(t) for t in words.turns)}'"
+    values = read_pose(T, "wpr", degrees=True, mm=True)
+    units = ["mm"] * 3 + ["deg"] * 3
+    said = ",\n  ".join(f"{n}= {fixed(v, 5)} {u}" for n, v, u in zip(_POSE, values, units, strict=True))
+    return f"P[{index}]{{\n  GP1:\n  UF : 0, UT : 1, CONFIG : {config},\n  {said}\n}};"
+
+
+def read(text: str) -> list[Target]:
+    """Return the targets of a program, in the order of its moves."""
+    coupled = _COUPLED in text
+    places: dict[int, tuple[Array | None, Array | None]] = {}
+    for m in re.finditer(r"P\[(\d+)[^\]]*\]\s*\{(.*?)\}", text, re.S):
+        joints, values = named(m[2], _JOINTS), named(re.sub(r"CONFIG.*?'.*?'", "", m[2]), _POSE)
+        if joints is not None:
+            if coupled:
+                joints[2] += joints[1]
+            places[int(m[1])] = np.radians(joints), None
+        elif values is not None:
+            places[int(m[1])] = None, pose(*values[:3], wpr=values[3:], degrees=True, mm=True)
+    out: list[Target] = []
+    for m in re.finditer(r"^\s*\d+:\s*([JLC])\s+P\[(\d+)[^\]]*\](?:\s*P\[(\d+)[^\]]*\])?", text, re.M):
+        kind = {"J": "move_j", "L": "move_l", "C": "move_c"}[m[1]]
+        if m[3]:
+            q_via, via = places[int(m[2])]
+            q, T = places[int(m[3])]
+            out.append(Target(kind, q, T, via, q_via))
+        else:
+            out.append(Target(kind, *places[int(m[2])]))
+    return out
+
+
+DIALECT = Dialect("fanuc-ls", (".ls",), "fanuc", 36, write, read)

@@ -1,0 +1,89 @@
+"""Which dialect a program is written in or read from, and what is refused before a line is written."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from pieper.errors import InputError
+from pieper.motion.dialects import fanuc_ls, inform, krl, pacscript, rapid, trajectory, urscript
+from pieper.motion.dialects.configuration import is_of
+from pieper.motion.dialects.dialect import Dialect, Script, Target, checked_name
+
+DIALECTS: dict[str, Dialect] = {
+    d.name: d
+    for d in (
+        rapid.DIALECT,
+        urscript.DIALECT,
+        krl.DIALECT,
+        fanuc_ls.DIALECT,
+        inform.DIALECT,
+        pacscript.DIALECT,
+        trajectory.ROS,
+        trajectory.CSV,
+    )
+}
+
+
+def text_of(script: Script, dialect: str) -> str:
+    """Return a script in a dialect.
+
+    Raises:
+        InputError: No such dialect, an arm of another maker or with other axes, or a name the maker does not take.
+    """
+    if dialect not in DIALECTS:
+        raise InputError(
+            f"dialect {dialect!r} is unknown; there are {', '.join(DIALECTS)}.", given=dialect, allowed=list(DIALECTS)
+        )
+    found = DIALECTS[dialect]
+    said = script.description.manufacturer
+    if found.maker is not None:
+        mine = (
+            not said or "universal" in said.lower() if found.maker == "ur" else is_of(script.description, found.maker)
+        )
+        if not mine:
+            raise InputError(
+                f"{script.plan.name} is made by {said}; {dialect} is for another maker's controllers. Choose its own "
+                "dialect, or ros or csv.",
+                given=dialect,
+                maker=said,
+            )
+        if script.plan.n != 6:
+            raise InputError(
+                f"{dialect} is written for six axes; {script.plan.name} has {script.plan.n}.", given=dialect
+            )
+        checked_name(script.name, found)
+    return found.write(script)
+
+
+def read_program(path: str | os.PathLike[str]) -> list[Target]:
+    """Return the targets of a program file in order; its dialect follows from the file's ending.
+
+    Args:
+        path: A file of `Program.write`, or one of the same form.
+
+    Returns:
+        Targets with .kind and .q (n,) in rad or m, or .T (4, 4) in m, whichever the file has.
+
+    Raises:
+        InputError: No such file, an unknown ending, or text that is not of the dialect.
+    """
+    file = Path(path)
+    kind = next((d for d in DIALECTS.values() if file.suffix.lower() in d.suffixes), None)
+    if kind is None:
+        endings = ", ".join(s for d in DIALECTS.values() for s in d.suffixes)
+        raise InputError(f"{file.name} has no ending of a known dialect: {endings}.", given=str(path))
+    try:
+        text = file.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"cannot read {path}: {error}.", path=path) from None
+    try:
+        return kind.read(text)
+    except InputError:
+        raise
+    except (KeyError, IndexError, ValueError, TypeError) as error:
+        raise InputError(
+            f"{file.name} is not {kind.name} as it is written here: a move names a target that is not there, or a "
+            f"number is missing ({error}).",
+            path=path,
+        ) from None

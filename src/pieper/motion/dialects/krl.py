@@ -1,0 +1,87 @@
+"""KUKA KRL: axis values for joint moves, poses for lines and circles, status and turn for joint moves to poses."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.spoken import pose, read_pose
+from pieper.motion.dialects.configuration import configuration
+from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, named, numbers
+from pieper.motion.instructions import Gripper, Move, Output, Wait
+
+_AXES = ("A1", "A2", "A3", "A4", "A5", "A6")
+_POSE = ("X", "Y", "Z", "A", "B", "C")
+
+
+def write(script: Script) -> str:
+    """Return the text of a source file."""
+    body = [f"$TOOL={{{_words(_POSE, read_pose(script.description.tool, 'abc', degrees=True, mm=True))}}}"]
+    body.append("$BASE=$NULLFRAME")
+    for item in script.instructions:
+        if isinstance(item, Wait):
+            body.append(f"WAIT SEC {fixed(item.seconds, 3)}")
+        elif isinstance(item, Output):
+            body.append(f"$OUT[{item.port}]={'TRUE' if item.value else 'FALSE'}")
+        elif isinstance(item, Gripper):
+            body.append(f"; gripper {item.value:g}")
+        else:
+            body += _move(script, item)
+    lines = ["&ACCESS RVP", f"DEF {script.name}()", *script.head(";"), "BAS(#INITMOV,0)", *body, "END", ""]
+    return "\n".join(lines)
+
+
+def _move(script: Script, move: Move) -> list[str]:
+    out: list[str] = []
+    if move.blend:
+        out.append(f"$APO.CDIS={fixed(move.blend * 1e3, 3)}")
+    if move.kind == "move_j":
+        share = 100 if move.speed is None else max(1, round(100 * move.speed))
+        out.append(f"BAS(#VEL_PTP,{share})")
+        target = f"{{{_words(_AXES, script.degrees(move.q))}}}"
+        if script.cartesian:
+            said = configuration(script.plan, move.q, "kuka")
+            target = f"{{{_place(move.T)},S {said.words[0]},T {said.turns[0]}}}"
+        out.append(f"PTP {target}{' C_DIS' if move.blend else ''}")
+        return out
+    if move.speed is not None:
+        out.append(f"$VEL.CP={fixed(move.speed, 5)}")
+    way = f"CIRC {{{_place(move.via)}}},{{{_place(move.T)}}}" if move.via is not None else f"LIN {{{_place(move.T)}}}"
+    out.append(way + (" C_DIS" if move.blend else ""))
+    return out
+
+
+def _place(T: Array) -> str:
+    return _words(_POSE, read_pose(T, "abc", degrees=True, mm=True))
+
+
+def _words(names: tuple[str, ...], values: list[float] | tuple[float, ...]) -> str:
+    return ",".join(f"{name} {numbers([value], 5)}" for name, value in zip(names, values, strict=True))
+
+
+def read(text: str) -> list[Target]:
+    """Return the targets of a source file, in the order of its moves."""
+    text = re.sub(r";.*", "", text)
+    out: list[Target] = []
+    for m in re.finditer(r"^\s*(PTP|LIN|CIRC)\s+(.*)$", text, re.M):
+        braces = re.findall(r"\{([^}]*)\}", m[2])
+        axes = named(braces[0], _AXES) if m[1] == "PTP" else None
+        if axes is not None:
+            out.append(Target("move_j", q=np.radians(axes)))
+            continue
+        places = [_read_pose(brace) for brace in braces]
+        if m[1] == "CIRC":
+            out.append(Target("move_c", T=places[1], via=places[0]))
+        else:
+            out.append(Target("move_j" if m[1] == "PTP" else "move_l", T=places[0]))
+    return out
+
+
+def _read_pose(brace: str) -> Array | None:
+    values = named(brace, _POSE)
+    return None if values is None else pose(*values[:3], abc=values[3:], degrees=True, mm=True)
+
+
+DIALECT = Dialect("krl", (".src",), "kuka", 24, write, read)

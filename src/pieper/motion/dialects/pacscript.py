@@ -1,0 +1,71 @@
+"""Denso PacScript: joint values for joint moves, poses with a figure for lines and circles."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.spoken import pose, read_pose
+from pieper.motion.dialects.configuration import configuration
+from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, numbers
+from pieper.motion.instructions import Gripper, Move, Output, Wait
+
+
+def write(script: Script) -> str:
+    """Return the text of a program."""
+    body: list[str] = []
+    for item in script.instructions:
+        if isinstance(item, Wait):
+            body.append(f"Delay {round(item.seconds * 1e3)}")
+        elif isinstance(item, Output):
+            body.append(f"{'Set' if item.value else 'Reset'} IO[{item.port}]")
+        elif isinstance(item, Gripper):
+            body.append(f"' gripper {item.value:g}")
+        else:
+            body.append(_move(script, item))
+    lines = [*script.head("'"), f"Sub {script.name}", "  TakeArm Keep = 0", *("  " + line for line in body)]
+    return "\n".join([*lines, "  GiveArm", "End Sub", ""])
+
+
+def _move(script: Script, move: Move) -> str:
+    stop = f"@{fixed(move.blend * 1e3, 3)}" if move.blend else "@0"
+    if move.kind == "move_j":
+        share = 100.0 if move.speed is None else 100 * move.speed
+        target = f"J({numbers(script.degrees(move.q), 5, ', ')})"
+        if script.cartesian:
+            target = _place(script, move.T, move.q)
+        return f"Move P, {stop} {target}, Speed = {fixed(share, 1)}"
+    said = "" if move.speed is None else f" ' {fixed(move.speed * 1e3, 1)} mm/s"
+    target = _place(script, move.T, move.q)
+    if move.via is not None and move.q_via is not None:
+        return f"Move C, {_place(script, move.via, move.q_via)}, {stop} {target}{said}"
+    return f"Move L, {stop} {target}{said}"
+
+
+def _place(script: Script, T: Array, q: Array) -> str:
+    figure = configuration(script.plan, q, "denso").words[0]
+    values = read_pose(T, "rpy", degrees=True, mm=True)
+    return f"P({numbers(values[:3], 4, ', ')}, {numbers(values[3:], 5, ', ')}, {figure})"
+
+
+def read(text: str) -> list[Target]:
+    """Return the targets of a program, in the order of its moves."""
+    text = re.sub(r"'.*", "", text)
+    out: list[Target] = []
+    for m in re.finditer(r"^\s*Move\s+([PLC])\s*,(.*)$", text, re.M | re.I):
+        said = [(mark, found(v, 6)) for mark, v in re.findall(r"\b([PJ])\(([^)]*)\)", m[2])]
+        kind = {"P": "move_j", "L": "move_l", "C": "move_c"}[m[1].upper()]
+        places = [
+            (np.radians(v), None) if mark == "J" else (None, pose(*v[:3], rpy=v[3:], degrees=True, mm=True))
+            for mark, v in said
+        ]
+        if kind == "move_c":
+            out.append(Target(kind, *places[1], via=places[0][1], q_via=places[0][0]))
+        else:
+            out.append(Target(kind, *places[0]))
+    return out
+
+
+DIALECT = Dialect("pacscript", (".pcs",), "denso", 64, write, read)

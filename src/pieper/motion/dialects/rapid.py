@@ -1,0 +1,105 @@
+"""ABB RAPID: joint targets for joint moves, robtargets with confdata for lines and circles."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.spoken import pose, read_pose
+from pieper.motion.dialects.configuration import configuration
+from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
+from pieper.motion.instructions import Gripper, Move, Output, Wait
+
+_NO_AXES = "[9E9,9E9,9E9,9E9,9E9,9E9]"
+
+
+def write(script: Script) -> str:
+    """Return the text of a module."""
+    data: list[str] = []
+    body: list[str] = []
+    for number, move in enumerate(script.moves, 1):
+        data += _data(script, number, move)
+    number = 0
+    for item in script.instructions:
+        if isinstance(item, Move):
+            number += 1
+            zone = f"zp{number}" if item.blend else "fine"
+            if item.kind == "move_j" and not script.cartesian:
+                body.append(f"MoveAbsJ jp{number},vp{number},{zone},tPieper;")
+            elif item.kind == "move_c":
+                body.append(f"MoveC pv{number},p{number},vp{number},{zone},tPieper;")
+            else:
+                body.append(f"{'MoveJ' if item.kind == 'move_j' else 'MoveL'} p{number},vp{number},{zone},tPieper;")
+        elif isinstance(item, Wait):
+            body.append(f"WaitTime {fixed(item.seconds, 3)};")
+        elif isinstance(item, Output):
+            body.append(f"SetDO do{item.port},{int(item.value)};")
+        else:
+            assert isinstance(item, Gripper)
+            body.append(f"! gripper {item.value:g}")
+    lines = [f"MODULE {script.name}", *("  " + line for line in script.head("!"))]
+    lines += [f"  PERS tooldata tPieper:=[TRUE,{_frame(script.description.tool)},[1,[0,0,1],[1,0,0,0],0,0,0]];"]
+    lines += [f"  {line}" for line in data]
+    lines += [f"  PROC {'main' if script.name.lower() != 'main' else 'run'}()"]
+    # singular lines and configurations that the words leave open are the controller's to refuse
+    lines += [f"    {line}" for line in body]
+    return "\n".join([*lines, "  ENDPROC", "ENDMODULE", ""])
+
+
+def _data(script: Script, number: int, move: Move) -> list[str]:
+    out: list[str] = []
+    if move.kind == "move_j" and not script.cartesian:
+        axes = numbers(script.degrees(move.q), 5, ",")
+        out.append(f"CONST jointtarget jp{number}:=[[{axes}],{_NO_AXES}];")
+    else:
+        out.append(f"CONST robtarget p{number}:={_robtarget(script, move.T, move.q)};")
+    if move.via is not None and move.q_via is not None:
+        out.append(f"CONST robtarget pv{number}:={_robtarget(script, move.via, move.q_via)};")
+    speed = USUAL_SPEED if move.speed is None else move.speed * (1000.0 if move.kind != "move_j" else 7000.0)
+    out.append(f"CONST speeddata vp{number}:=[{fixed(speed, 3)},500,5000,1000];")
+    if move.blend:
+        r = move.blend * 1e3
+        out.append(
+            f"CONST zonedata zp{number}:=[FALSE,{numbers([r, 1.5 * r, 1.5 * r, 0.15 * r, 1.5 * r, 0.15 * r], 3, ',')}];"
+        )
+    return out
+
+
+def _robtarget(script: Script, T: Array, q: Array) -> str:
+    said = configuration(script.plan, q, "abb")
+    words = ",".join(str(turn) for turn in said.turns)
+    return f"[{_position(T)},[{words},{said.words[0]}],{_NO_AXES}]"
+
+
+def _position(T: Array) -> str:
+    x, y, z, *quaternion = read_pose(T, "quat_wxyz", mm=True)
+    return f"[{numbers([x, y, z], 4, ',')}],[{numbers(quaternion, 9, ',')}]"
+
+
+def _frame(T: Array) -> str:
+    return f"[{_position(T)}]"
+
+
+def read(text: str) -> list[Target]:
+    """Return the targets of a module, in the order of its moves."""
+    text = re.sub(r"!.*", "", text)
+    joints = {m[1]: np.radians(found(m[2], 6)) for m in re.finditer(r"jointtarget\s+(\w+)\s*:=\s*(\[[^;]*)", text)}
+    poses: dict[str, Array] = {}
+    for m in re.finditer(r"robtarget\s+(\w+)\s*:=\s*(\[[^;]*)", text):
+        v = found(m[2], 7)
+        poses[m[1]] = pose(*v[:3], quat_wxyz=v[3:], mm=True)
+    out: list[Target] = []
+    for m in re.finditer(r"\b(MoveAbsJ|MoveJ|MoveL|MoveC)\s+([^;]*);", text):
+        args = [a.strip() for a in m[2].split(",")]
+        if m[1] == "MoveAbsJ":
+            out.append(Target("move_j", q=joints[args[0]]))
+        elif m[1] == "MoveC":
+            out.append(Target("move_c", T=poses[args[1]], via=poses[args[0]]))
+        else:
+            out.append(Target("move_j" if m[1] == "MoveJ" else "move_l", T=poses[args[0]]))
+    return out
+
+
+DIALECT = Dialect("rapid", (".mod", ".prg"), "abb", 32, write, read)

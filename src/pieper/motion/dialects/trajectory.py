@@ -1,0 +1,65 @@
+"""The timed motion itself: as a ROS JointTrajectory (YAML), and as a table (CSV)."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from pieper.errors import InputError
+from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, numbers
+
+
+def write_ros(script: Script) -> str:
+    """Return a trajectory_msgs/JointTrajectory in YAML: rad, m and s."""
+    motion = script.motion()
+    lines = [f"# {script.plan.name}: {script.name}; events are not part of a trajectory.", "header:"]
+    lines += ["  frame_id: ''", "joint_names:", *(f"- {name}" for name in script.plan.names), "points:"]
+    for t, q, dq, ddq in zip(motion.t, motion.q, motion.dq, motion.ddq, strict=True):
+        seconds, nano = divmod(round(float(t) * 1e9), 10**9)
+        for word, values in (("- positions", q), ("  velocities", dq), ("  accelerations", ddq)):
+            lines.append(f"{word}: [{numbers([float(v) for v in values], 9, ', ')}]")
+        lines += ["  time_from_start:", f"    sec: {seconds}", f"    nanosec: {nano}"]
+    return "\n".join([*lines, ""])
+
+
+def read_ros(text: str) -> list[Target]:
+    """Return the points of a trajectory."""
+    rows = re.findall(r"positions:\s*\[([^\]]*)\]", text)
+    return [Target("point", q=np.array([float(v) for v in row.split(",")])) for row in rows]
+
+
+def write_csv(script: Script) -> str:
+    """Return a table: time, s, joint values, rates and accelerations in degrees (millimetres of a slide)."""
+    motion = script.motion()
+    units = np.where(script.plan.prismatic, "mm", "deg")
+    scale = np.where(script.plan.prismatic, 1e3, 180 / np.pi)
+    head = ["t_s"]
+    for what in ("", "_per_s", "_per_s2"):
+        head += [f"{name}_{unit}{what}" for name, unit in zip(script.plan.names, units, strict=True)]
+    lines = [",".join(head)]
+    for t, *rows in zip(motion.t, motion.q, motion.dq, motion.ddq, strict=True):
+        values = np.concatenate([row * scale for row in rows])
+        lines.append(f"{fixed(float(t), 9)},{numbers([float(v) for v in values], 7, ',')}")
+    return "\n".join([*lines, ""])
+
+
+def read_csv(text: str) -> list[Target]:
+    """Return the points of a table."""
+    head, *rows = text.strip().splitlines()
+    columns = [
+        (i, np.pi / 180 if name.endswith("_deg") else 1e-3)
+        for i, name in enumerate(head.split(","))
+        if name.endswith(("_deg", "_mm"))
+    ]
+    if not columns:
+        raise InputError("the table has no joint columns: their names end in _deg or _mm.", given=head)
+    out: list[Target] = []
+    for row in rows:
+        cells = row.split(",")
+        out.append(Target("point", q=np.array([float(cells[i]) * scale for i, scale in columns])))
+    return out
+
+
+ROS = Dialect("ros", (".yaml", ".yml"), None, 200, write_ros, read_ros)
+CSV = Dialect("csv", (".csv",), None, 200, write_csv, read_csv)

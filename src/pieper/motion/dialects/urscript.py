@@ -1,0 +1,81 @@
+"""Universal Robots' URScript: joint values for every move, or poses."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.spoken import pose, read_pose
+from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
+from pieper.motion.instructions import Gripper, Output, Wait
+
+#: Acceleration of the tool that is written where none is limited, m/s^2: the language's own default.
+_TOOL_ACCELERATION = 1.2
+
+
+def write(script: Script) -> str:
+    """Return the text of a script with one function and its call."""
+    bound = script.limits.of(script.plan.n, script.plan.names)
+    tool = script.limits.tool_acceleration or _TOOL_ACCELERATION
+    body = [f"set_tcp({_pose(script.description.tool)})"]
+    for item in script.instructions:
+        if isinstance(item, Wait):
+            body.append(f"sleep({fixed(item.seconds, 3)})")
+        elif isinstance(item, Output):
+            body.append(f"set_standard_digital_out({item.port}, {item.value})")
+        elif isinstance(item, Gripper):
+            body.append(f"# gripper {item.value:g}")
+        elif item.kind == "move_j":
+            v = float(bound.speed.min()) * (1.0 if item.speed is None else item.speed)
+            a = float(bound.acceleration.min())
+            target = _near(item.T, item.q) if script.cartesian else _joints(item.q)
+            body.append(f"movej({target}, a={fixed(a, 4)}, v={fixed(v, 4)}, r={fixed(item.blend, 5)})")
+        else:
+            v = USUAL_SPEED / 1e3 if item.speed is None else item.speed
+            said = f"a={fixed(tool, 4)}, v={fixed(v, 4)}, r={fixed(item.blend, 5)})"
+            target = _pose(item.T) if script.cartesian else _joints(item.q)
+            if item.via is not None and item.q_via is not None:
+                via = _pose(item.via) if script.cartesian else _joints(item.q_via)
+                body.append(f"movec({via}, {target}, {said}")
+            else:
+                body.append(f"movel({target}, {said}")
+    lines = [f"def {script.name}():", *("  " + line for line in script.head("#")), *("  " + line for line in body)]
+    return "\n".join([*lines, "end", f"{script.name}()", ""])
+
+
+def _joints(q: Array) -> str:
+    return f"[{numbers([float(v) for v in q], 8, ', ')}]"
+
+
+def _pose(T: Array) -> str:
+    return f"p[{numbers(read_pose(T, 'rotvec'), 8, ', ')}]"
+
+
+def _near(T: Array, q: Array) -> str:
+    return f"get_inverse_kin({_pose(T)}, qnear={_joints(q)})"
+
+
+def read(text: str) -> list[Target]:
+    """Return the targets of a script, in the order of its moves."""
+    text = re.sub(r"#.*", "", text)
+    out: list[Target] = []
+    for m in re.finditer(r"\b(movej|movel|movec)\((.*)\)", text):
+        said = re.findall(r"(p?)\[([^\]]*)\]", m[2])
+        values = [(mark, found(numbers_, 6)) for mark, numbers_ in said]
+        kind = {"movej": "move_j", "movel": "move_l", "movec": "move_c"}[m[1]]
+        places = [_place(mark, v) for mark, v in values]
+        if kind == "move_c":
+            (q_via, via), (q, T) = places[:2]
+            out.append(Target(kind, q, T, via, q_via))
+        else:
+            out.append(Target(kind, *places[0]))
+    return out
+
+
+def _place(mark: str, v: list[float]) -> tuple[Array | None, Array | None]:
+    return (None, pose(*v[:3], rotvec=v[3:])) if mark else (np.array(v), None)
+
+
+DIALECT = Dialect("urscript", (".script", ".urscript"), "ur", 64, write, read)

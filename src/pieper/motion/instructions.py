@@ -1,0 +1,55 @@
+"""What a program is made of: moves to targets, waits, outputs and the gripper."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pieper.kinematics.arrays import Array
+
+
+@dataclass(frozen=True, eq=False)
+class Move:
+    """A move to a target.
+
+    Attributes:
+        kind: "move_j" (joints in proportion), "move_l" (straight line) or "move_c" (circle).
+        q: (n,) posture at the target, rad or m.
+        T: (4, 4) pose of the target, base to tool, m.
+        speed: Part of the joints' speed limits for move_j; the tool's speed for the others, m/s. None: the limits' own.
+        blend: Radius round the target within which the corner is cut, m; 0 stops there.
+        via: (4, 4) pose on the way of a circle, or None.
+        q_via: (n,) posture there, or None.
+    """
+
+    kind: str
+    q: Array
+    T: Array
+    speed: float | None = None
+    blend: float = 0.0
+    via: Array | None = None
+    q_via: Array | None = None
+
+
+@dataclass(frozen=True)
+class Wait:
+    """A rest, s."""
+
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Output:
+    """A digital output set to a value."""
+
+    port: int
+    value: bool
+
+
+@dataclass(frozen=True)
+class Gripper:
+    """The gripper set to a value: 0 open to 1 closed."""
+
+    value: float
+
+
+Instruction = Move | Wait | Output | Gripper

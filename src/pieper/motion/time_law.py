@@ -1,0 +1,137 @@
+"""The fastest motion along a joint path within limits, certified on the whole continuous curve."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.motion.certificate import joint_peaks, tool_acceleration_peaks, vector_peaks
+from pieper.motion.constant_speed import checked_sections, section_grid, why_not
+from pieper.motion.curve import JointCurve
+from pieper.motion.limits import Limits
+from pieper.motion.motion import Motion, Tight, sample_times
+from pieper.motion.profile import Profile
+from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
+
+#: A limit binds where its value comes this near to it, relative: a little more than the tool's polygon takes away.
+BINDS = 2e-3
+#: What is passed by rounding is taken back with this much more, relative.
+ROUNDING = 1e-13
+
+
+def time_law(
+    path: JointPath | ArrayLike,
+    limits: Limits,
+    *,
+    constant_speed: Sequence[tuple[float, float, float]] = (),
+    rate: float = 500.0,
+    arm: Planned | None = None,
+) -> Motion:
+    """Return the fastest motion along a path, at rest at both ends.
+
+    The path is the cubic spline through the points, twice continuously differentiable in s, which is uniform for points
+    and their own for a track or a route; `motion.deviation` says how far it strays from the straight joint lines
+    between them. Its parameter runs with a constant second derivative on each of 1000 cells or more; speed and
+    acceleration are kept on all of each cell, not at its ends alone.
+
+    Args:
+        path: A route or a track that reaches its end, or joint points (N, n), rad or m.
+        limits: What to keep. With a jerk the motion is within all limits, but not proved to be the fastest one.
+        constant_speed: Sections (s0, s1, v) of constant speed v of the tool's point, m/s.
+        rate: Samples a second; the end is always a sample.
+        arm: Whose tool it is, where the path is points alone.
+
+    Returns:
+        The Motion; its margin is the largest value over its limit on the continuous curve, at most 1.
+
+    Raises:
+        InputError: Fewer than two points, repeated ones, numbers that are not finite, limits for another arm; a section
+            that cannot be: the message says where, because of which joint, and the speed that would do.
+
+    Source:
+        Pham and Pham (2018), A new approach to time-optimal path parameterization based on reachability analysis; the
+        rows that hold on all of a cell are this package's.
+    """
+    asked = checked_sections(constant_speed)
+    timed, curve = timed_path(path, limits, arm, at=[s for section in asked for s in section[:2]])
+    if limits.jerk is not None:
+        from pieper.motion.jerk import smooth_motion
+
+        if asked:
+            raise InputError("a section of constant speed and a jerk limit at once are not planned; leave one out.")
+        return smooth_motion(timed, curve, rate)
+    wanted = None
+    if asked:
+        timed, wanted = section_grid(timed, curve, asked)
+    x, _, done, _ = timed.run(wanted)
+    if not done:
+        raise why_not(timed, asked)
+    return motion_of(timed, x, curve.between_points(), rate)
+
+
+def motion_of(timed: TimedPath, x: Array, deviation: float, rate: float) -> Motion:
+    """Return the motion of a profile x (k + 1,), slowed down where it passes a limit."""
+    ratios = peak_ratios(timed, x)
+    margin = max(float(r.max()) for _, _, r in ratios)
+    while margin > 1:
+        x = x / (margin * (1 + ROUNDING)) ** 2
+        ratios = peak_ratios(timed, x)
+        margin = max(float(r.max()) for _, _, r in ratios)
+    profile = profile_of(timed.curve.s, x)
+    motion = sampled(timed.curve, profile, rate)
+    ends = np.array([0.0, profile.duration])
+    return Motion(*motion[:4], ends, ends, *motion[4:], tuple(binding(profile.t, ratios)), margin, deviation=deviation)
+
+
+def profile_of(s: Array, x: Array) -> Profile:
+    """Return s(t) where x = (ds/dt)^2 is linear between the points s (k + 1,)."""
+    h, v = np.diff(s), np.sqrt(x)
+    t = np.concatenate([[0.0], np.cumsum(2 * h / (v[1:] + v[:-1]))])
+    return Profile(t, np.stack([s[:-1], v[:-1], np.diff(x) / (2 * h), np.zeros(len(h))], 1))
+
+
+def sampled(curve: JointCurve, profile: Profile, rate: float) -> tuple[Array, Array, Array, Array, Array, Array]:
+    """Return t, q, dq, ddq, dddq and s of a curve under a profile."""
+    t = sample_times(profile.duration, rate)
+    s, v, a, j = profile.at(t)
+    s[-1] = curve.s[-1]
+    q, d1, d2, d3 = curve.at(s)
+    v, a, j = v[:, None], a[:, None], j[:, None]
+    return t, q, d1 * v, d2 * v**2 + d1 * a, d3 * v**3 + 3 * d2 * v * a + d1 * j, s
+
+
+def peak_ratios(timed: TimedPath, x: Array) -> list[tuple[str, str | None, Array]]:
+    """Return each limit's name, joint and largest value over it (k,) on each piece."""
+    rates, bends = joint_peaks(timed.curve, x)
+    speed = timed.bound.speed * timed.share[:, None]
+    out: list[tuple[str, str | None, Array]] = []
+    for j, name in enumerate(timed.names):
+        out.append(("speed", name, rates[:, j] / speed[:, j]))
+        out.append(("acceleration", name, bends[:, j] / timed.bound.acceleration[j]))
+    tool, limits = timed.tool, timed.limits
+    if tool is None:
+        return out
+    if np.isfinite(timed.tool_speed).any():
+        out.append(("tool speed", None, vector_peaks(tool.point, tool.point_strays, x) / timed.tool_speed))
+    if limits.turn_speed is not None:
+        most = limits.turn_speed * timed.share
+        out.append(("turn speed", None, vector_peaks(tool.turn, tool.turn_strays, x) / most))
+    if limits.tool_acceleration is not None:
+        out.append(("tool acceleration", None, tool_acceleration_peaks(tool, timed.h, x) / limits.tool_acceleration))
+    return out
+
+
+def binding(t: Array, ratios: list[tuple[str, str | None, Array]]) -> list[Tight]:
+    """Return which limit binds when, neighbouring pieces together."""
+    values = np.stack([r for _, _, r in ratios])
+    which = np.where(values.max(0) >= 1 - BINDS, values.argmax(0), -1)
+    edges = np.flatnonzero(np.diff(which)) + 1
+    starts, ends = np.concatenate([[0], edges]), np.append(edges, len(which))
+    return [
+        Tight(float(t[a]), float(t[b]), *ratios[which[a]][:2])
+        for a, b in zip(starts, ends, strict=True)
+        if which[a] >= 0
+    ]

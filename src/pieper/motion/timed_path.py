@@ -1,0 +1,249 @@
+"""What a time law is asked for: a joint curve on a grid, what the tool does along it, and every bound on the way."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+
+from pieper import _kernel
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.chain import Chain
+from pieper.motion.certificate import vector_peaks
+from pieper.motion.curve import JointCurve, checked_points
+from pieper.motion.limits import JointLimits, Limits
+from pieper.motion.tool_bounds import ToolCurve, tool_curve
+from pieper.motion.track import Track
+from pieper.solver.plan.plan import Plan
+
+#: Pieces of the grid on which a profile is made, at least; a curve through few points bends more on each of its pieces,
+GRID = 1000
+#: which get this many where they are few,
+GRID_OF_A_PIECE = 100
+#: and no more than this in all.
+GRID_OF_FEW = 4000
+#: Directions on a half circle in which the tool's acceleration is kept; between them it is kept by their polygon, which
+#: lies within the circle and takes away up to 1 - cos(pi / 64), 0.12 percent.
+DIRECTIONS = 32
+
+
+@runtime_checkable
+class JointPath(Protocol):
+    """A joint path of an arm: points q (N, n) at s (N,) and how the arm is solved."""
+
+    @property
+    def q(self) -> Array:
+        """(N, n), rad or m."""
+        ...
+
+    @property
+    def s(self) -> Array:
+        """(N,) from 0 to 1."""
+        ...
+
+    @property
+    def plan(self) -> Plan:
+        """How the arm is solved."""
+        ...
+
+
+@runtime_checkable
+class Planned(Protocol):
+    """Whatever has a plan: an arm."""
+
+    @property
+    def plan(self) -> Plan:
+        """How it is solved."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class TimedPath:
+    """A joint curve on a grid with its bounds.
+
+    Attributes:
+        curve: The curve, one piece a cell of the grid.
+        tool: What the tool does, or None where no arm is known.
+        bound: Limits of the joints.
+        limits: The limits as given.
+        share: (k,) part of the speed limits that is used on each piece.
+        tool_speed: (k,) largest speed of the tool's point on each piece, m/s; infinite where there is none.
+        names: Joint names.
+        plan: How the arm is solved, or None.
+        easing: (k,) part of the speed, and squared of the acceleration, that is used on each piece; None for all.
+    """
+
+    curve: JointCurve
+    tool: ToolCurve | None
+    bound: JointLimits
+    limits: Limits
+    share: Array
+    tool_speed: Array
+    names: tuple[str, ...]
+    plan: Plan | None = None
+    easing: Array | None = None
+
+    @property
+    def chain(self) -> Chain:
+        """The arm's chain, where there is one."""
+        assert self.plan is not None
+        return self.plan.chain
+
+    @property
+    def h(self) -> Array:
+        """(k,) lengths of the pieces."""
+        return np.diff(self.curve.s)
+
+    def most(self) -> Array:
+        """Return bounds (k + 1,) of x = (ds/dt)^2 that keep the tool's speeds; infinite where there are none."""
+        out = np.full(len(self.curve.s), np.inf)
+        if self.tool is None:
+            return out
+        turn = np.full(len(self.share), np.inf if self.limits.turn_speed is None else self.limits.turn_speed)
+        for value, strays, most in (
+            (self.tool.point, self.tool.point_strays, self.tool_speed),
+            (self.tool.turn, self.tool.turn_strays, turn * self.share),
+        ):
+            out = np.minimum(out, _caps(value, strays, most))
+        return out
+
+    def rows(self) -> tuple[Array, Array, Array]:
+        """Return a, b, c (k, rows) of |a u + b x| <= c that keep the tool's acceleration at both ends of each piece."""
+        k, most = len(self.share), self.limits.tool_acceleration
+        if most is None or self.tool is None:
+            empty = np.zeros((k, 0))
+            return empty, empty, empty
+        angle = np.arange(DIRECTIONS) * np.pi / DIRECTIONS
+        a, b = [], []
+        for end in (0, 1):
+            p, d = self.tool.point[end : k + end], self.tool.bend[end : k + end]
+            # the plane that both lie in
+            e1 = p / np.maximum(np.linalg.norm(p, axis=1, keepdims=True), 1e-300)
+            across = d - (d * e1).sum(1, keepdims=True) * e1
+            e2 = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
+            way = np.cos(angle)[:, None, None] * e1 + np.sin(angle)[:, None, None] * e2
+            along, bent = (way * p).sum(-1).T, (way * d).sum(-1).T
+            # u and x at the piece's beginning; x at its end is x + 2 h u
+            a.append(along + 2 * self.h[:, None] * bent * end)
+            b.append(bent)
+        rows = np.hstack(a), np.hstack(b)
+        return *rows, np.full(rows[0].shape, most * np.cos(np.pi / (2 * DIRECTIONS)))
+
+    def run(self, wanted: Array | None = None, start: float = 0.0, end: float = 0.0) -> tuple[Array, Array, bool, int]:
+        """Return x (k + 1,), upper ends of the controllable sets (k + 1,), whether it can be done, and where not."""
+        a, b, c = self.rows()
+        k, n = self.curve.d1.shape
+        eased = np.ones((k, 1)) if self.easing is None else self.easing[:, None]
+        return _kernel.fastest(
+            s=self.curve.s,
+            d1=self.curve.d1,
+            d2=self.curve.d2,
+            d3=self.curve.d3,
+            speed=np.ascontiguousarray(self.bound.speed * self.share[:, None] * eased),
+            acceleration=np.ascontiguousarray(np.broadcast_to(self.bound.acceleration * eased**2, (k, n))),
+            a=a,
+            b=b,
+            c=c,
+            most=self.most(),
+            wanted=np.full(k + 1, np.nan) if wanted is None else wanted,
+            start=start,
+            end=end,
+        )
+
+
+def _caps(value: Array, strays: Array, most: Array) -> Array:
+    """Return x (k + 1,) so low that |f| sqrt(x) stays within `most` (k,) on each piece, whatever smaller x is taken."""
+    size = np.linalg.norm(value, axis=1)
+    inner = np.minimum(np.append(most, np.inf), np.append(np.inf, most))
+    with np.errstate(divide="ignore"):
+        x = np.where(np.isinf(inner), np.inf, (inner / np.maximum(size, 1e-150)) ** 2)
+    bounded = np.isfinite(most)
+    if not bounded.any():
+        return x
+    finite = np.where(np.isfinite(x), x, 0.0)
+    peaks = vector_peaks(value, strays, finite)
+    shrink = np.where(bounded, np.maximum(peaks / np.where(bounded, most, 1.0), 1.0), 1.0)
+    return x / np.maximum(np.append(shrink, 1.0), np.append(1.0, shrink)) ** 2
+
+
+def timed_path(
+    path: JointPath | ArrayLike,
+    limits: Limits,
+    arm: Planned | None = None,
+    at: Sequence[float] = (),
+) -> tuple[TimedPath, JointCurve]:
+    """Return a path on its grid, and the curve through its own points.
+
+    Args:
+        path: A route or a track, or points (N, n).
+        limits: What must be kept.
+        arm: Whose tool it is, for points alone.
+        at: Values of s that the grid must hold.
+
+    Raises:
+        InputError: No points that a curve can go through, limits for another arm, or limits of a tool nobody knows.
+    """
+    plan = None if arm is None else arm.plan
+    if isinstance(path, JointPath):
+        points, plan = _whole(path), path.plan
+        s = np.asarray(path.s, float)[: len(points)]
+    else:
+        points = checked_points(path)
+        s = np.linspace(0.0, 1.0, len(points))
+    n = points.shape[1]
+    if plan is not None and plan.n != n:
+        raise InputError(f"the points have {n} joints, {plan.name} has {plan.n}.", given=n)
+    names = tuple(f"joint {j + 1}" for j in range(n)) if plan is None else plan.names
+    curve = JointCurve.through(s, points)
+    return on_grid(curve, limits, names, plan, at=at), curve
+
+
+def on_grid(
+    curve: JointCurve,
+    limits: Limits,
+    names: tuple[str, ...],
+    plan: Plan | None,
+    *,
+    at: Sequence[float] = (),
+    share: Array | None = None,
+    tool_speed: Array | None = None,
+) -> TimedPath:
+    """Return a curve split into `GRID` pieces or more; `share` and `tool_speed` are one number a piece of the curve."""
+    if limits.of_the_tool and plan is None:
+        raise InputError(
+            "limits of the tool need an arm: give a track or a route instead of points, or say arm=.", given="points"
+        )
+    bound = limits.of(curve.q.shape[1], names)
+    # with a jerk the profile is evened out anyway
+    few = len(curve.q) <= GRID_OF_A_PIECE and limits.jerk is None
+    each = max(-(-GRID // len(curve.q)), min(GRID_OF_A_PIECE, GRID_OF_FEW // len(curve.q)) if few else 1)
+    part = np.arange(each) / each
+    grid = np.append((curve.s[:-1, None] + np.diff(curve.s)[:, None] * part).ravel(), curve.s[-1])
+    if len(at):
+        grid = np.union1d(grid, np.asarray(at, float))
+        # a grid point next to one that must be there makes a cell of no length
+        must = np.union1d(curve.s, at)
+        gap = np.abs(grid[:, None] - must[None]).min(1)
+        grid = grid[(gap == 0) | (gap > 1e-9)]
+    i = curve.piece(grid[:-1])
+    split = curve.split(grid)
+    shares = np.ones(len(i)) if share is None else share[i]
+    most = np.full(len(i), np.inf if limits.tool_speed is None else limits.tool_speed)
+    if tool_speed is not None:
+        most = np.minimum(most, tool_speed[i])
+    tool = None if plan is None else tool_curve(plan.chain, split)
+    return TimedPath(split, tool, bound, limits, shares, most, names, plan)
+
+
+def _whole(path: JointPath) -> Array:
+    """Return the points of a path that reaches its end."""
+    if isinstance(path, Track) and not path.complete:
+        raise InputError(
+            f"the track stops at point {len(path.q)} of {len(path.path)}; a motion is timed to its end. "
+            f"{path.explain().splitlines()[1] if path.stop else ''} Time track.q up to there, or follow another way.",
+            reached=len(path.q),
+        )
+    return checked_points(path.q, "the path")

@@ -1,0 +1,63 @@
+"""A plan with other joints held than it chose: any joint that moves along the self-motions can be the spare one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from pieper.errors import PlanError
+from pieper.kinematics.geometry import look
+from pieper.solver.families import choose
+from pieper.solver.native import without_far_ends
+from pieper.solver.plan import six_joints
+from pieper.solver.plan.plan import Plan
+from pieper.tolerances import GEOMETRY_EXACT
+
+#: Values at which a joint is tried when its family is chosen: of no special kind, so that an arrangement that holds at
+#: one of them holds at all, and more than one, since any of them may happen to be special.
+TRIED = (0.3719, -0.7134, 1.1937)
+
+
+def holding(plan: Plan, joints: tuple[int, ...]) -> Plan:
+    """Return a plan for the same arm and task in which other joints are held; made once and kept with the plan.
+
+    Args:
+        plan: A plan with redundancy.
+        joints: As many joints (0-based, the task's virtual ones included) as the plan has redundant coordinates.
+
+    Raises:
+        PlanError: The pose alone decides what these joints are, or no family takes the arm while they are held.
+    """
+    joints = tuple(sorted(joints))
+    if joints == plan.reduction.locked:
+        return plan
+    if joints not in plan.held:
+        try:
+            plan.held[joints] = _made(plan, joints)
+        except PlanError as refused:
+            plan.held[joints] = refused.with_traceback(None)
+    found = plan.held[joints]
+    if isinstance(found, PlanError):
+        raise PlanError(str(found), **found.data)
+    return found
+
+
+def _made(plan: Plan, joints: tuple[int, ...]) -> Plan:
+    names = ", ".join(plan.full_names[joint] for joint in joints)
+    reduction = six_joints.holding(plan.reduction, joints)
+    if reduction is None:
+        raise PlanError(f"{plan.name}: the pose alone decides {names}, which cannot be chosen.", joints=joints)
+    refused = None
+    for value in TRIED:
+        six, _ = without_far_ends(reduction.six(np.full(len(joints), value)))
+        try:
+            family, spec = choose(six, look(six, GEOMETRY_EXACT))
+        except PlanError as error:
+            refused = error
+            continue
+        limits = plan.full_limits[list(joints)]
+        middle = np.where(np.isfinite(limits).all(1), np.nan_to_num(limits).mean(1), np.clip(0.0, *limits.T))
+        most = max(spec.max_solutions, 16 if plan.snapped else 0)
+        return replace(plan, reduction=reduction, defaults=middle, family=family, spec=spec, max_solutions=most)
+    raise refused or PlanError(f"{plan.name}: no family takes the arm with {names} held.", joints=joints)

@@ -1,0 +1,101 @@
+"""Whether a pose has solutions inside the limits at any value of the spare coordinates, and one to show for it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.joints import short_way
+from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant.box import box, descended, spread, well_inside
+from pieper.solver.redundant.self_motions import met
+from pieper.solver.redundant.stops import stops
+
+#: Starts of the descent inside the limits, first from the middle alone, then where that and the stops show nothing.
+STARTS = 8
+#: What a pose has: no solution at all, solutions outside the limits alone, or some inside.
+NONE, OUTSIDE, INSIDE = 0, 1, 2
+#: A pose is out of reach for certain where it is this much farther away than the links laid end to end.
+BEYOND = 1 + 1e-9
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Anywhere:
+    """What poses have at any value of the spare coordinates.
+
+    Args:
+        kind: (N,) NONE, OUTSIDE or INSIDE.
+        q: (N, n) a solution of each pose that has one, the task's virtual joints included: inside the limits where
+            that is possible, and then clear of them where that is.
+    """
+
+    kind: Indices
+    q: Array
+
+
+def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
+    """Look for solutions of poses T (N, 4, 4) inside the limits, cheap ways first; every way runs until it is through.
+
+    A point inside the limits is its own proof. What lies inside is bounded by stops, unless a whole self-motion does:
+    where neither descent nor stops show a point, every self-motion of the pose is met as for tracing.
+    """
+    full, limits = plan.exact.full, plan.full_limits
+    low, high = box(full, limits)
+    kind, q = np.full(len(T), NONE), np.zeros((len(T), full.n))
+    left = np.flatnonzero(~_beyond(full, limits, T))
+
+    def keep(pose: Indices, rows: Array, within: Bools) -> None:
+        """Keep the first row of each pose, the first inside before any other."""
+        nonlocal left
+        for what, of in ((INSIDE, within), (OUTSIDE, ~within)):
+            first, at = np.unique(pose[of], return_index=True)
+            new = kind[first] < what
+            kind[first[new]], q[first[new]] = what, rows[of][at[new]]
+        left = left[kind[left] < INSIDE]
+
+    def descend(count: int) -> None:
+        pose = np.repeat(left, count)
+        starts = np.tile(spread(full, limits, count), (len(left), 1))
+        rows, held = descended(full, starts, T[pose], low, high)
+        keep(pose[held], rows[held], np.ones(int(held.sum()), bool))
+
+    def stand() -> None:
+        at = stops(plan, T[left], threads)
+        keep(left[at.pose], at.q, at.inside)
+
+    ways = [lambda: descend(1), stand, lambda: descend(STARTS)]
+    if len(plan.redundancy) > 1:  # pairs of limits are many, and a surface is easily met
+        ways[1], ways[2] = ways[2], ways[1]
+    for way in ways:
+        if len(left):
+            way()
+    for i in left:
+        rows = met(plan, T[i], plan.defaults)
+        if len(rows):
+            rows, within = full.joints.inside_limits(rows, limits)
+            keep(np.full(len(rows), i), rows, within)
+            near, held = descended(full, np.clip(rows, low, high), np.tile(T[i], (len(rows), 1, 1)), low, high)
+            keep(np.full(int(held.sum()), i), near[held], np.ones(int(held.sum()), bool))
+    found = np.flatnonzero(kind == INSIDE)
+    q[found] = well_inside(full, q[found], T[found], limits)
+    return Anywhere(kind, q)
+
+
+def _beyond(chain: Chain, limits: Array, T: Array) -> Bools:
+    """Return which poses (N,) lie farther from the first axis's frame than the links could reach laid end to end."""
+    links = np.linalg.norm(chain.links[1:, :3, 3], axis=1).sum()
+    slides = np.abs(np.where(chain.prismatic[:, None], limits, 0.0)).max(1).sum()
+    return np.linalg.norm(T[:, :3, 3] - chain.links[0][:3, 3], axis=1) > BEYOND * (links + slides)
+
+
+def spare_values(plan: Plan, q: Array) -> Array:
+    """Return the values (..., k) of the redundant coordinates at joint vectors (..., n), angles as limits want them."""
+    locked = list(plan.reduction.locked)
+    values = q[..., locked]
+    lower, upper = plan.full_limits[locked].T
+    turned = short_way(values)
+    keep = plan.exact.full.prismatic[locked] | (turned < lower) | (turned > upper)
+    return np.where(keep, np.clip(values, lower, upper), turned)

@@ -1,0 +1,207 @@
+"""A self-motion of a redundant arm that has the points at which it meets limits among its samples: exact intervals."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from functools import cached_property
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.joints import TURN
+from pieper.kinematics.newton import newton
+from pieper.solver.redundant.box import closest
+from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
+from pieper.tolerances import CLOSES
+
+#: A point this near to the polyline of a curve may lie on the curve, and is slid onto it to see.
+NEAR_POLYLINE = 2e-2
+#: How near it must then come (rad; per length).
+ON_CURVE = 1e-6
+#: Halvings that place where a curve leaves the limits between two samples: from 0.12 rad to rounding.
+HALVINGS = 48
+#: An arc is at most this much longer than its chord, which bounds how near to a posture it can come.
+ARC = 1.05
+#: Parts into which a stretch of the curve is cut that may hold the nearest point, how often, and the precision (rad).
+PARTS, ROUNDS, PRECISE = 4, 12, 1e-4
+
+
+@dataclass(frozen=True, eq=False)
+class BoundedMotion(TracedMotion):
+    """A self-motion whose samples hold the points where it meets limits.
+
+    Attributes:
+        marks: (e,) indices of the samples at which a limit is met, ascending.
+    """
+
+    marks: Indices = field(default_factory=lambda: np.zeros(0, np.int64))
+
+    def at(self, u: float) -> Array:
+        """Return the joint vector (n,) at u in [0, 1], exactly on the pose; whole turns as the limits want them."""
+        point = self.points(np.array([u]))[0]
+        moved, ok = self.chain.joints.inside_limits(point, self.limits)
+        return (moved if ok else point)[: self.shown]
+
+    def points(self, u: Array) -> Array:
+        """Return the points (k, n) at parameters (k,), the task's virtual joints behind."""
+        guess = np.stack([np.interp(u, self.u, column) for column in self.samples.T], -1)
+        return newton(self.chain, guess, self.T, steps=6, cutoff=1e-7)
+
+    @cached_property
+    def _weights(self) -> Array:
+        """(n,) what a joint counts in a distance: nothing where it is virtual."""
+        return np.where(np.arange(self.chain.n) < self.shown, 1.0 / self.chain.joints.unit, 0.0)
+
+    def _within(self, points: Array) -> Bools:
+        return self.chain.joints.inside_limits(points, self.limits)[1]
+
+    @cached_property
+    def _stretches(self) -> tuple[tuple[float, float], ...]:
+        """Intervals of u inside the limits, ends included; a touch from outside is one of no length."""
+        u, n = self.u, len(self.u)
+        known = np.zeros(n, bool)
+        known[self.marks] = True
+        ok = self._within(self.samples)
+        # between neighbours: inside where the middle is; where samples change without a stop, halving places it
+        middle = self._within(self.points((u[:-1] + u[1:]) / 2)) if n > 1 else np.zeros(0, bool)
+        pieces: list[tuple[float, float]] = []
+        for i in range(n - 1):
+            a, b, mid = u[i], u[i + 1], (u[i] + u[i + 1]) / 2
+            if middle[i]:
+                pieces.append((a if ok[i] else self._edge(mid, a), b if ok[i + 1] else self._edge(mid, b)))
+                continue
+            if ok[i]:
+                pieces.append((a, a if known[i] else self._edge(a, mid)))
+            if ok[i + 1]:
+                pieces.append((b if known[i + 1] else self._edge(b, mid), b))
+        if n == 1 and ok[0]:
+            pieces.append((u[0], u[0]))
+        joined = _joined(pieces)
+        # where a closed curve begins is where it ends: a touch there is the end of the last interval
+        if self.closed and len(joined) > 1 and joined[0] == (u[0], u[0]) and joined[-1][1] == u[-1]:
+            joined = joined[1:]
+        return joined
+
+    def _edge(self, within: float, without: float) -> float:
+        """Return the last parameter inside between one that is and one that is not."""
+        for _ in range(HALVINGS):
+            middle = (within + without) / 2
+            if self._within(self.points(np.array([middle])))[0]:
+                within = middle
+            else:
+                without = middle
+        return within
+
+    @cached_property
+    def inside(self) -> tuple[tuple[float, float], ...]:
+        """Every interval of u in which the curve lies inside the joint limits, however short, to rounding."""
+        return tuple((float(a), float(b)) for a, b in self._stretches)
+
+    def nearest(self, q_now: Array) -> Array | None:
+        """Return the point (n,) of the curve inside the limits closest to q_now, whole turns resolved, or None.
+
+        A distance changes no faster than the curve is long, so a stretch that cannot come nearer than what was found is
+        done with, and the others are cut until none is left. Of a surface the whole of it counts, from this line on.
+        """
+        if not self._stretches:
+            return None
+        now = np.zeros(self.chain.n)
+        now[: len(q_now)] = q_now
+        steps = np.diff(self.samples, axis=0) / self.chain.joints.unit
+        length = float(np.linalg.norm(steps, axis=1).sum()) * ARC
+        edges = [np.unique(np.concatenate([[a, b], self.u[(self.u > a) & (self.u < b)]])) for a, b in self._stretches]
+        low = np.concatenate([e[:-1] if len(e) > 1 else e for e in edges])
+        high = np.concatenate([e[1:] if len(e) > 1 else e for e in edges])
+        best, least = np.zeros(self.chain.n), np.inf
+        for _ in range(ROUNDS):
+            both, which = np.unique(np.concatenate([low, high]), return_inverse=True)
+            points = self.chain.joints.unwound(self.points(both), now, self.limits)
+            away = np.linalg.norm((points - now) * self._weights, axis=1)
+            if away.min() < least:
+                least, best = float(away.min()), points[int(np.argmin(away))]
+            a, b = away[which[: len(low)]], away[which[len(low) :]]
+            span = (high - low) * length
+            open_ = ((a + b - span) / 2 < least - 1e-12) & (span > PRECISE)
+            if not open_.any():
+                break
+            cuts = np.linspace(low[open_], high[open_], PARTS + 1)
+            low, high = cuts[:-1].ravel(), cuts[1:].ravel()
+        return self._settled(best, now)[: self.shown]
+
+    def _settled(self, point: Array, now: Array) -> Array:
+        """Return the nearest point that descent reaches from one that is inside the limits."""
+        weights = (np.arange(self.chain.n) < self.shown).astype(np.float64)
+        return closest(self.chain, point[None], self.T, self.limits, now, weights)
+
+    def __getstate__(self) -> dict[str, object]:
+        """What pickle keeps."""
+        return {entry.name: getattr(self, entry.name) for entry in fields(self)}
+
+
+def bounded_motion(motion: SelfMotion, ends: Array) -> BoundedMotion:
+    """Return a traced self-motion with those of the points (m, n) that lie on it put among its samples.
+
+    A closed curve begins at such a point, so that no interval inside the limits is cut where it begins.
+    """
+    samples, marks = _with_points(motion, ends)
+    if motion.closed and len(marks):
+        samples, marks = _turned(motion, samples, marks)
+    limits, names = motion.limits, motion.names
+    return BoundedMotion(
+        motion.chain, motion.T, samples, motion.closed, motion.dimension, limits, names, motion.shown, marks=marks
+    )
+
+
+def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
+    samples, joints = motion.samples, motion.chain.joints
+    if not len(ends) or len(samples) < 2 or motion.dimension > 1:
+        return samples, np.zeros(0, np.int64)
+    near = np.flatnonzero(motion.distances(ends) < NEAR_POLYLINE)
+    placed: list[tuple[float, Array]] = []
+    for q in ends[near]:
+        if not motion.contains(q, ON_CURVE):
+            continue
+        gap = joints.difference(q, samples[:-1])
+        along = np.diff(motion.samples / joints.unit, axis=0)
+        part = np.clip(
+            np.einsum("kn,kn->k", gap, along) / np.maximum(np.einsum("kn,kn->k", along, along), 1e-300), 0, 1
+        )
+        foot = samples[:-1] + (part[:, None] * along) * joints.unit
+        i = int(np.argmin(np.linalg.norm(joints.difference(q, foot), axis=1)))
+        turned = q + np.where(motion.chain.prismatic, 0.0, TURN * np.round((foot[i] - q) / TURN))
+        placed.append((i + float(part[i]), turned))
+    placed.sort(key=lambda entry: entry[0])
+    out, marks, previous = [samples[0]], [], 0
+    for place, point in [*placed, (float(len(samples) - 1), samples[-1])]:
+        whole = int(np.ceil(place))
+        out.extend(samples[max(previous, 1) : whole])
+        previous = max(previous, whole)
+        if place < len(samples) - 1 or point is not samples[-1]:
+            marks.append(len(out))
+            out.append(point)
+    out.append(samples[-1])
+    return np.array(out), np.array(marks, np.int64)
+
+
+def _turned(motion: SelfMotion, samples: Array, marks: Indices) -> tuple[Array, Indices]:
+    """Let a closed curve begin at a point on a limit after which it runs outside, so that no interval is cut there."""
+    ahead = samples[marks] + (samples[np.minimum(marks + 1, len(samples) - 1)] - samples[marks]) / 2
+    ahead = newton(motion.chain, ahead, motion.T, steps=6, cutoff=1e-7)
+    leaving = marks[~motion.chain.joints.inside_limits(ahead, motion.limits)[1]]
+    first = int(leaving[0]) if len(leaving) else int(marks[0])
+    shift = samples[-1] - samples[0]
+    shift = np.where(motion.chain.prismatic, 0.0, TURN * np.round(shift / TURN))
+    out = np.concatenate([samples[first:-1], samples[: first + 1] + shift])
+    at = (marks - first) % (len(samples) - 1)
+    return out, np.unique(np.concatenate([at, [0, len(out) - 1]]))
+
+
+def _joined(pieces: list[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
+    """Return pieces in order with those that touch made one."""
+    out: list[tuple[float, float]] = []
+    for a, b in sorted(pieces):
+        if out and a <= out[-1][1] + CLOSES * CLOSES:
+            out[-1] = (out[-1][0], max(out[-1][1], b))
+        else:
+            out.append((a, b))
+    return tuple(out)

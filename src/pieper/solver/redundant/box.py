@@ -1,0 +1,169 @@
+"""Points of a pose inside a box of joint limits, met by descent: steps that stop at a limit and go on along it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.newton import bounded, damped, pose_difference, scaled_jacobian
+from pieper.solver.plan.six_joints import RANK, sample_joints
+from pieper.tolerances import CLOSES, LIMIT_SLACK
+
+#: How often a posture is tried, and the longest step (rad; per length).
+STEPS, LONGEST = 60, 0.5
+#: A step is made again at most so often, each time without the joints that it would carry through a limit.
+MADE_AGAIN = 3
+#: Damping at first, its factors where a step helped and where not, and where a row rests.
+DAMPING = (1e-4, 0.1, 10.0, 1e4)
+#: Least damping: directions that the joints hardly move (1e-7 of the others) carry no step.
+LEAST_DAMPING = 1e-14
+#: What is missed (per length; rad) below which a row goes on no longer.
+ON_POSE = 1e-12
+#: A row rests after so many steps in turn that left more than this of the square that is missed: it is at a minimum.
+IDLE, LEFT = 5, 0.9
+#: Parts of the box's width that are kept free on either side, the widest first, in looking for a point well inside.
+ROOM = (0.1, 0.01, 1e-4)
+#: Steps of the way to the nearest point, and the step (rad; per length) at which it is reached.
+NEARING, SETTLED = 60, 1e-10
+
+
+def spread(chain: Chain, limits: Array, count: int, seed: int = 5) -> Array:
+    """Return postures (count, n) spread evenly over the box, the first one its middle; the same ones every time."""
+    low, high = _finite(chain, limits)
+    unit = np.where(chain.prismatic, chain.length, np.pi)
+    part = (sample_joints(chain, count, seed=seed) / unit + 1) / 2
+    part[0] = 0.5
+    return low + part * (high - low)
+
+
+def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tuple[Array, Bools]:
+    """Move joint vectors inside boxes towards poses, never out of the box.
+
+    Args:
+        chain: The arm, the task's virtual joints included.
+        q: (k, n) starts, inside their boxes.
+        T: (k, 4, 4) poses.
+        low: (k, n) or (n,) lower ends of the boxes, rad or m.
+        high: Upper ends likewise.
+
+    Returns:
+        (k, n), and whether the pose is held (k,).
+    """
+    unit = chain.joints.unit
+    first, shrink, grow, most = DAMPING
+    low, high = np.broadcast_to(low, q.shape), np.broadcast_to(high, q.shape)
+    q, square = np.array(q), np.full(len(q), np.inf)
+    damp, tried, active = np.full(len(q), first), q.copy(), np.arange(len(q))
+    e, idle = np.empty((len(q), 6)), np.zeros(len(q), np.int64)
+    for _ in range(STEPS):
+        missing = pose_difference(chain, tried, T[active])
+        new = np.einsum("bi,bi->b", missing, missing)
+        better = new < square[active]
+        idle[active] = np.where(better & (new < LEFT * square[active]), 0, idle[active] + 1)
+        q[active[better]], square[active[better]], e[active[better]] = tried[better], new[better], missing[better]
+        damp[active] = np.clip(damp[active] * np.where(better, shrink, grow), 1e-14, most)
+        active = active[(square[active] > ON_POSE**2) & (damp[active] < most) & (idle[active] < IDLE)]
+        if not len(active):
+            break
+        at, J = q[active], scaled_jacobian(chain, q[active])
+        rate = damp[active] * np.minimum(square[active], 1.0) + LEAST_DAMPING
+        free = np.ones(at.shape, bool)
+        for _ in range(MADE_AGAIN):
+            step = bounded(damped(rate)(J * free[:, None], e[active]), LONGEST) * unit
+            stopped = free & (((at <= low[active]) & (step < 0)) | ((at >= high[active]) & (step > 0)))
+            if not stopped.any():
+                break
+            free &= ~stopped
+        tried = np.clip(at + np.where(free, step, 0.0), low[active], high[active])
+    return q, square <= CLOSES**2
+
+
+def well_inside(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
+    """Return for points (k, n) of poses (k, 4, 4) inside the limits others near them, clear of these if possible.
+
+    The box is made narrower by the same part of its width on every side; of the widths tried the narrowest counts in
+    which the pose is still held.
+    """
+    low, high = _finite(chain, limits)
+    out, left = np.array(q), np.arange(len(q))
+    for part in ROOM:
+        margin = part * np.minimum(high - low, np.where(chain.prismatic, chain.length, np.pi))
+        inner = low + margin, high - margin
+        moved, held = descended(chain, np.clip(q[left], *inner), T[left], *inner)
+        out[left[held]] = moved[held]
+        left = left[~held]
+        if not len(left):
+            break
+    return out
+
+
+def _finite(chain: Chain, limits: Array) -> tuple[Array, Array]:
+    """Return the box: limits where there are some, else a turn about zero, or twice the arm's length each way."""
+    reach = np.where(chain.prismatic, 2 * chain.length, np.pi)
+    low, high = np.isfinite(limits[:, 0]), np.isfinite(limits[:, 1])
+    lower = np.where(low, limits[:, 0], np.where(high, np.minimum(-reach, limits[:, 1] - 2 * reach), -reach))
+    return lower, np.where(high, limits[:, 1], np.where(low, np.maximum(reach, limits[:, 0] + 2 * reach), reach))
+
+
+def box(chain: Chain, limits: Array) -> tuple[Array, Array]:
+    """Return the lower and upper ends (n,) of the box that is searched: the limits, a turn where there are none."""
+    return _finite(chain, limits)
+
+
+def closest(chain: Chain, q: Array, T: Array, limits: Array, now: Array, weights: Array) -> Array:
+    """Return the point (n,) of a pose inside the limits closest to a posture, of those that descent reaches.
+
+    The projected gradient: along what the pose leaves free, joints that would be carried through a limit held, then
+    back onto the pose inside the box; steps that do not come nearer are shortened.
+
+    Args:
+        chain: The arm, the task's virtual joints included.
+        q: (k, n) starts on the pose and inside the limits, whole turns as they are to stay.
+        T: (4, 4).
+        limits: (n, 2).
+        now: (n,) the posture.
+        weights: (n,) how much each joint counts.
+    """
+    low, high = limits[:, 0] - LIMIT_SLACK, limits[:, 1] + LIMIT_SLACK
+    unit, q = chain.joints.unit, np.array(q)
+    root = np.sqrt(weights)
+
+    def away(at: Array) -> Array:
+        return np.linalg.norm((at - now) / unit * root, axis=-1)
+
+    least, longest = away(q), np.full(len(q), LONGEST)
+    going = np.arange(len(q))
+    for _ in range(NEARING):
+        at = q[going]
+        step = _towards(scaled_jacobian(chain, at), (now - at) / unit, weights, at <= low, at >= high)
+        size = np.linalg.norm(step, axis=1)
+        step *= np.minimum(1.0, longest[going] / np.maximum(size, 1e-300))[:, None]
+        start = np.clip(at + step * unit, low, high)
+        moved, held = descended(chain, start, np.broadcast_to(T, (len(at), 4, 4)), low, high)
+        new = away(moved)
+        better = held & (new < least[going] - 1e-14)
+        q[going[better]], least[going[better]] = moved[better], new[better]
+        longest[going] = np.where(better, 2 * longest[going], np.minimum(size, longest[going]) / 4)
+        going = going[(longest[going] > SETTLED) & (size > SETTLED)]
+        if not len(going):
+            break
+    return q[int(np.argmin(least))]
+
+
+def _towards(J: Array, gap: Array, weights: Array, low: Bools, high: Bools) -> Array:
+    """Return steps (k, n) within the null space of J (k, 6, n) that close the weighted gap (k, n) the most."""
+    free = np.ones(gap.shape, bool)
+    step = np.zeros(gap.shape)
+    for _ in range(MADE_AGAIN):
+        _, s, Vt = np.linalg.svd(J * free[:, None])
+        rank = np.concatenate([s, np.zeros((len(s), gap.shape[1] - s.shape[1]))], 1) > RANK * s[:, :1]
+        N = np.where(rank[..., None], 0.0, Vt) * free[:, None]  # rows that span what is free, held joints taken out
+        A = np.einsum("kin,n,kjn->kij", N, weights, N) + 1e-12 * np.eye(gap.shape[1])
+        b = np.einsum("kin,n,kn->ki", N, weights, gap)
+        step = np.einsum("kin,ki->kn", N, np.linalg.solve(A, b[..., None])[..., 0])
+        stopped = free & ((low & (step < 0)) | (high & (step > 0)))
+        if not stopped.any():
+            break
+        free &= ~stopped
+    return np.where(free, step, 0.0)

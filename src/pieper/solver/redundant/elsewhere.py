@@ -1,0 +1,101 @@
+"""Rows at another value of the spare coordinates, where the one that nobody chose has nothing inside the limits."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.errors import PlanError
+from pieper.kinematics.arrays import Array, Indices
+from pieper.solver.arm_rows import arm_rows
+from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant.anywhere import INSIDE, anywhere, spare_values
+from pieper.solver.rows import Rows
+
+#: A row of the chosen value is the point it was chosen for when it is this near (rad; per length).
+SAME_POINT = 1e-6
+
+
+def choose_elsewhere(plan: Plan, T: Array, rows: Rows, threads: int) -> tuple[Rows, Indices]:
+    """Choose another value for each pose without a row inside the limits.
+
+    Args:
+        plan: A plan with redundancy.
+        T: (N, 4, 4) poses.
+        rows: Rows of all of them at a value that nobody chose.
+        threads: For the kernels.
+
+    Returns:
+        Rows with those of the chosen values in their places, and (N,) whether a pose has no solution at all, solutions
+        outside the limits alone, or some inside (as `Anywhere.kind`).
+    """
+    kind = np.full(len(T), INSIDE)
+    left = np.flatnonzero(~rows.inside.any(1))
+    if not len(left):
+        return rows, kind
+    found = anywhere(plan, T[left], threads)
+    kind[left] = np.maximum(found.kind, rows.valid[left].any(1))
+    # solutions at the value that nobody chose are as good as others outside the limits
+    moved = found.kind > 0
+    moved &= (found.kind == INSIDE) | ~rows.valid[left].any(1)
+    if not moved.any():
+        return rows, kind
+    at, points = left[moved], found.q[moved]
+    there = _rows_through(plan, T[at], points, threads)
+    rows = _widened(rows, there.q.shape[1])
+    q, valid, inside = rows.q.copy(), rows.valid.copy(), rows.inside.copy()
+    q[at], valid[at], inside[at] = 0.0, False, False
+    most = there.q.shape[1]
+    q[at, :most], valid[at, :most], inside[at, :most] = there.q, there.valid, there.inside
+    flags = rows.flags.copy()
+    flags[at] = there.flags
+    return Rows(q, valid, inside, flags), kind
+
+
+def _rows_through(plan: Plan, T: Array, points: Array, threads: int) -> Rows:
+    """Return all rows of poses at the spare values of points (N, n) of theirs, these points among them."""
+    values = spare_values(plan, points)
+    most = plan.max_solutions
+    try:
+        rows = arm_rows(plan, T, values, threads)
+    except PlanError:  # at one of the values two axes coincide: that pose keeps its point alone
+        rows = Rows(*_one_by_one(plan, T, values))
+    rows = _widened(rows, most)
+    own, within = plan.chain.joints.inside_limits(points[:, : plan.n], plan.limits)
+    gap = plan.chain.joints.difference(rows.q, own[:, None])
+    met = ((np.abs(gap).max(-1) < SAME_POINT) & rows.valid & (rows.inside | ~within[:, None])).any(1)
+    q, valid, inside = rows.q.copy(), rows.valid.copy(), rows.inside.copy()
+    for i in np.flatnonzero(~met):
+        near = np.abs(gap[i]).max(-1) < SAME_POINT
+        slot = int(np.argmax(near & valid[i])) if (near & valid[i]).any() else int(np.argmin(valid[i]))
+        if valid[i].all() and not near.any():
+            slot = most - 1
+        q[i, slot], valid[i, slot], inside[i, slot] = own[i], True, within[i]
+    return Rows(q, valid, inside, rows.flags)
+
+
+def _one_by_one(plan: Plan, T: Array, values: Array) -> tuple[Array, Array, Array, Array]:
+    most = plan.max_solutions
+    q, valid = np.zeros((len(T), most, plan.n)), np.zeros((len(T), most), bool)
+    inside, flags = valid.copy(), np.zeros(len(T), np.uint8)
+    for i in range(len(T)):
+        try:
+            rows = arm_rows(plan, T[i : i + 1], values[i : i + 1], 1)
+        except PlanError:
+            continue
+        count = min(most, rows.q.shape[1])
+        q[i, :count], valid[i, :count], inside[i, :count] = (
+            rows.q[0, :count],
+            rows.valid[0, :count],
+            rows.inside[0, :count],
+        )
+        flags[i] = rows.flags[0]
+    return q, valid, inside, flags
+
+
+def _widened(rows: Rows, most: int) -> Rows:
+    """Return rows with at least so many slots a pose."""
+    more = most - rows.q.shape[1]
+    if more <= 0:
+        return rows
+    pad = ((0, 0), (0, more))
+    return Rows(np.pad(rows.q, (*pad, (0, 0))), np.pad(rows.valid, pad), np.pad(rows.inside, pad), rows.flags)

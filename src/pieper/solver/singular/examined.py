@@ -1,0 +1,63 @@
+"""All there is at one pose: isolated solutions, merged roots and one representative of each self-motion, in order."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Indices
+from pieper.kinematics.chain import Chain
+from pieper.solver.singular.merged_roots import null_direction
+from pieper.solver.singular.self_motion import SelfMotion
+
+
+@dataclass(frozen=True, eq=False)
+class Examined:
+    """All there is at one pose.
+
+    Args:
+        q: (m, n) isolated solutions and one representative a self-motion.
+        self_motion: (m,) index of the self-motion each row represents, or -1.
+        multiplicity: (m,) branches that merge in the row.
+        direction: (m, n) unit null direction of a row on a singularity, along which branches merge or the arm moves by
+            itself; zeros for the others.
+        self_motions: The curves.
+    """
+
+    q: Array
+    self_motion: Indices
+    multiplicity: Indices
+    direction: Array
+    self_motions: tuple[SelfMotion, ...]
+
+
+def told(
+    chain: Chain,
+    isolated: Sequence[Array],
+    singular: Sequence[Array],
+    multiplicity: Sequence[int],
+    motions: Sequence[SelfMotion],
+) -> Examined:
+    """Put together what was found, rows in the order of their joint values.
+
+    Args:
+        chain: The arm.
+        isolated: Solutions with a well-conditioned Jacobian.
+        singular: Isolated solutions without.
+        multiplicity: How many branches merge in each of the latter.
+        motions: The self-motions.
+    """
+    rows = [*isolated, *singular, *(motion.full_representative for motion in motions)]
+    plain = len(isolated)
+    direction = np.zeros((len(rows), chain.n))
+    for k in range(plain, len(rows)):
+        direction[k] = null_direction(chain, rows[k])
+    of = np.full(len(rows), -1)
+    of[plain + len(singular) :] = np.arange(len(motions))
+    count = np.ones(len(rows), np.int64)
+    count[plain : plain + len(singular)] = multiplicity
+    q = chain.joints.wrapped(np.array(rows).reshape(-1, chain.n))
+    order = np.lexsort(np.round(q, 6).T[::-1]) if len(q) else np.zeros(0, int)
+    return Examined(q[order], of[order], count[order], direction[order], tuple(motions))

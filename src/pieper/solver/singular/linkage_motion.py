@@ -1,0 +1,182 @@
+"""The self-motion of four joints that are a linkage: parametrised in closed form, exact at its limits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.joints import TURN, short_way
+from pieper.kinematics.newton import null_space
+from pieper.solver.singular.loop import FourBar
+from pieper.solver.singular.self_motion import FREE, SelfMotion
+from pieper.tolerances import TINY
+
+#: Samples once round: at most 0.12 rad or so of every joint.
+SAMPLES = 241
+
+
+@dataclass(frozen=True, eq=False)
+class LinkageMotion(SelfMotion):
+    """Four joints move by themselves, one of them leads.
+
+    Where the leading joint goes all the way round, u is its angle; where it turns back, u counts once there and back.
+
+    Attributes:
+        through: (n,) a joint vector on it, from which the linkage counts its angles.
+        linkage: The four joints.
+        lead: Which of the four leads.
+        span: From where to where it can go, rad from `through`.
+        side: Where it goes all the way round, on which side of its phase the joint opposite is; else 0.
+    """
+
+    chain: Chain
+    T: Array
+    limits: Array
+    names: tuple[str, ...]
+    shown: int
+    through: Array
+    linkage: FourBar
+    lead: int
+    span: tuple[float, float]
+    side: float
+    closed: bool = True
+    dimension: int = 1
+
+    @property
+    def _middle(self) -> float:
+        return (self.span[0] + self.span[1]) / 2
+
+    @property
+    def _half(self) -> float:
+        return (self.span[1] - self.span[0]) / 2
+
+    @property
+    def _start(self) -> float:
+        """Where the leading angle begins its round, rad from `through`: the joint at minus half a turn."""
+        return -np.pi - float(self.through[self.linkage.joints[self.lead]])
+
+    def points(self, u: Array) -> Array:
+        """Return joint vectors (k, n) at u (k,), each angle the short way round from `through`."""
+        if self.side:
+            angle, side = self._start + TURN * u, np.full(len(u), self.side)
+        else:
+            angle, side = self._middle - self._half * np.cos(TURN * u), np.where(u % 1.0 < 0.5, 1.0, -1.0)
+        q = np.tile(self.through, (len(u), 1))
+        q[:, self.linkage.joints] += short_way(self.linkage.turned(self.lead, angle, side)[0])
+        return q
+
+    def places(self, turned: Array) -> tuple[Array, Bools]:
+        """Return u (k,) of angles (k, 4) of the linkage, and which are on this piece of the curve (k,)."""
+        angle = turned[:, self.lead]
+        opposite = short_way(turned[:, (self.lead + 2) % 4] - self.linkage.sides(self.lead)[1].phase)
+        side = np.where(opposite >= 0, 1.0, -1.0)
+        if self.side:
+            return ((angle - self._start) / TURN) % 1.0, side == self.side
+        off = short_way(angle - self._middle)
+        u = np.arccos(np.clip(-off / self._half, -1.0, 1.0)) / TURN
+        return np.where(side > 0, u, 1.0 - u) % 1.0, np.abs(off) <= self._half * (1 + 1e-9) + 1e-12
+
+    @cached_property
+    def samples(self) -> Array:
+        """(k, n) points once round, angles continuous."""
+        q = self.points(np.linspace(0.0, 1.0, SAMPLES))
+        first = self.chain.joints.wrapped(q[0])
+        q = np.where(self.chain.prismatic, q, np.unwrap(q, axis=0))
+        return q + (first - q[0])
+
+    @cached_property
+    def u(self) -> Array:
+        """(k,) parameter of each sample."""
+        return np.linspace(0.0, 1.0, SAMPLES)
+
+    def point(self, u: float) -> Array:
+        """Return the point (n,) at u in [0, 1], a task's virtual joints included."""
+        near = np.array([np.interp(u, self.u, column) for column in self.samples.T])
+        return self.chain.joints.unwound(self.points(np.array([u]))[0], near, np.tile(FREE, (self.chain.n, 1)))
+
+    def holds(self, q: Array, tolerance: float) -> bool:
+        """Whether a solution q (n,) of the pose lies on this curve: by its leading angle, then by all."""
+        gap = self.chain.joints.way(q, self.through)
+        turned = gap[self.linkage.joints][None]
+        still = np.delete(gap / self.chain.joints.unit, self.linkage.joints)
+        if np.abs(still).max(initial=0.0) > tolerance:
+            return False
+        u, here = self.places(turned)
+        if not here[0]:
+            return False
+        return bool(self.chain.joints.apart(self.points(u), q).min() < np.sqrt(tolerance))
+
+    @cached_property
+    def _crossings(self) -> Array:
+        """Values of u where a joint meets a limit, the ends of [0, 1] included; any joint of a linkage may lead."""
+        found = [np.array([0.0, 1.0])]
+        for k, joint in enumerate(self.linkage.joints):
+            values = self.limits[joint][np.isfinite(self.limits[joint])]
+            if len(values) == 0 or np.ptp(self.limits[joint]) >= TURN:
+                continue
+            angle = np.repeat(short_way(values - self.through[joint]), 2)
+            turned, reached = self.linkage.turned(k, angle, np.tile([1.0, -1.0], len(values)))
+            u, here = self.places(turned[reached])
+            found.append(u[here])
+        return np.unique(np.concatenate(found))
+
+    @cached_property
+    def inside(self) -> tuple[tuple[float, float], ...]:
+        """Intervals of u where the curve lies inside the joint limits, exactly."""
+        ends = self._crossings
+        ok = self.chain.joints.inside_limits(self.points((ends[:-1] + ends[1:]) / 2), self.limits)[1]
+        edges = np.flatnonzero(np.diff(np.concatenate([[False], ok, [False]]).astype(int)))
+        return tuple((float(ends[a]), float(ends[b])) for a, b in zip(edges[::2], edges[1::2], strict=True))
+
+    @cached_property
+    def _candidates(self) -> tuple[Array, Array]:
+        """Points (k, n) inside the limits, spread along the curve, and their u (k,)."""
+        u = [np.linspace(a, b, max(3, 1 + int(np.ceil((b - a) * (SAMPLES - 1))))) for a, b in self.inside]
+        every = np.concatenate([*u, np.zeros(0)])
+        return self.points(every), every
+
+    @cached_property
+    def full_representative(self) -> Array:
+        """The point with the smallest joint values of those inside the limits, or of all, among even steps of u."""
+        joints, shown = self.chain.joints, self.shown
+        q = self._candidates[0] if self.inside else self.samples
+        near = joints.unwound(q, np.zeros(self.chain.n), self.limits)
+        cost = joints.first(shown).straight(near[:, :shown], np.zeros(shown))
+        # rounding makes equal costs unequal: a coarse key first, then the first sample
+        return near[int(np.argmin(np.round(cost, 6)))]
+
+    def nearest(self, q_now: Array) -> Array | None:
+        """Return the point (n,) of the curve inside the limits closest to q_now, or None."""
+        if not self.inside:
+            return None
+        q_now = self.padded(q_now)
+        joints = self.chain.joints
+
+        def wound(u: Array) -> tuple[Array, Array]:
+            q = joints.unwound(self.points(u), q_now, self.limits)
+            return q, self.straight(q_now, q)
+
+        best: tuple[float, Array] | None = None
+        for low, high in self.inside:
+            u = np.linspace(low, high, max(5, 1 + int(np.ceil((high - low) * (SAMPLES - 1)))))
+            away = wound(u)[1]
+            for k in np.argsort(away)[:3]:
+                a, b = u[max(k - 1, 0)], u[min(k + 1, len(u) - 1)]
+                while b - a > 1e-12:
+                    some = np.linspace(a, b, 9)
+                    m = int(np.argmin(wound(some)[1]))
+                    a, b = some[max(m - 1, 0)], some[min(m + 1, 8)]
+                q, d = wound(np.array([(a + b) / 2]))
+                if best is None or d[0] < best[0]:
+                    best = float(d[0]), q[0]
+        return None if best is None else best[1][: self.shown]
+
+    @cached_property
+    def direction(self) -> Array:
+        """(n,) unit tangent at the representative."""
+        way = null_space(self.chain, self.full_representative)[1][-1]
+        return way[: self.shown] / max(float(np.linalg.norm(way)), TINY)

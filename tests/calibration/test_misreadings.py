@@ -1,0 +1,121 @@
+"""Data that were meant otherwise are recognised by how far they are off, and the message says what to do."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+import pytest
+
+import pieper
+from tests.calibration.planted import NOISE, noisy, planted, postures
+
+MIRROR = np.array([1.0, -1.0, 1.0])
+
+
+def case(name, seed=5):
+    arm, rng = pieper.load(name), np.random.default_rng(seed)
+    q = postures(arm, rng, 67)
+    return arm, q, noisy(planted(arm, rng).fk(q), rng), rng
+
+
+def scaled(Y):
+    out = Y.copy()
+    out[:, :3, 3] *= 1e3
+    return out
+
+
+def flipped(q):
+    out = q.copy()
+    out[:, 2] *= -1
+    return out
+
+
+SPOILT = {
+    "in degrees": lambda q, Y, rng: (np.degrees(q), Y),
+    "in millimetres": lambda q, Y, rng: (q, scaled(Y)),
+    "in degrees and what was measured is in millimetres": lambda q, Y, rng: (np.degrees(q), scaled(Y)),
+    "the other way": lambda q, Y, rng: (flipped(q), Y),
+    "shuffled": lambda q, Y, rng: (q[rng.permutation(len(q))], Y),
+    "out of step|shuffled": lambda q, Y, rng: (np.roll(q, 2, 0), Y),
+    "another frame": lambda q, Y, rng: (q, pieper.pose(1.0, 2.0, 0.5, rpy=(0.3, 0.5, 1.2)) @ Y),
+    "seen from the tool": lambda q, Y, rng: (q, np.linalg.inv(Y)),
+}
+
+
+@pytest.mark.parametrize("words", SPOILT)
+@pytest.mark.parametrize("name", ["universal-robots-ur5e", "denso-vp6242", "puma-560", "kuka-lbr-iiwa-14-r820"])
+def test_a_wrong_reading_is_named(name, words):
+    arm, q, Y, rng = case(name)
+    q, Y = SPOILT[words](q, Y, rng)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", pieper.PieperWarning)
+        with pytest.raises(pieper.InputError, match=words):
+            arm.calibrate(q, Y, sigma=NOISE)
+
+
+@pytest.mark.parametrize("joint", range(6))
+def test_the_joint_whose_sense_is_wrong_is_named(joint):
+    arm, q, Y, _ = case("universal-robots-ur5e")
+    q[:, joint] *= -1
+    with pytest.raises(pieper.InputError, match="the other way") as refused:
+        arm.calibrate(q, Y, sigma=NOISE)
+    assert refused.value.joint == arm.joint_names[joint]
+
+
+def test_a_mirror_is_named_where_positions_or_rotations_show_it():
+    arm, q, Y, _ = case("denso-vp6242")
+    with pytest.raises(pieper.InputError, match="left-handed"):
+        arm.calibrate(q, Y[:, :3, 3] * MIRROR, kind="position")
+    with pytest.raises(pieper.InputError, match="left-handed"):
+        arm.calibrate(q, Y @ np.diag([1.0, 1.0, -1.0, 1.0]))
+
+
+def test_another_frame_is_handed_over_and_cures():
+    arm, q, Y, _ = case("denso-vp6242")
+    X = pieper.pose(1.0, 2.0, 0.5, rpy=(0.3, 0.5, 1.2))
+    with pytest.raises(pieper.InputError, match="another frame") as refused:
+        arm.calibrate(q, X @ Y, sigma=NOISE)
+    fit = arm.with_base(refused.value.frame @ arm.base).calibrate(q, X @ Y, sigma=NOISE)
+    assert fit.held_out.metres < 2e-4
+
+
+def test_too_few_and_identical_poses_say_how_many_are_needed():
+    arm, q, Y, _ = case("denso-vp6242")
+    with pytest.raises(pieper.InputError, match="at least 5 different poses"):
+        arm.calibrate(q[:5], Y[:5])
+    with pytest.raises(pieper.InputError, match="only 1 are different"):
+        arm.calibrate(np.repeat(q[:1], 40, 0), np.repeat(Y[:1], 40, 0))
+
+
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        ({"kind": "angle"}, "it may be pose"),
+        ({"loss": "cauchy"}, "it may be linear or huber"),
+        ({"joint_terms": ("bending",)}, "it may name 'gain'"),
+        ({"hold": ("joint_9",)}, "it may name 'joint_1'"),
+        ({"sigma": (0.0, 1e-4)}, "positive noise"),
+        ({"sigma": "small"}, "positive noise"),
+        ({"holdout": 1.0}, "below 1"),
+        ({"kind": "position"}, "shape"),
+    ],
+)
+def test_impossible_words_are_refused(said, words):
+    arm, q, Y, _ = case("denso-vp6242")
+    with pytest.raises(pieper.InputError, match=words):
+        arm.calibrate(q, Y, **said)
+
+
+def test_numbers_that_are_none_are_refused():
+    arm, q, Y, _ = case("denso-vp6242")
+    with pytest.raises(pieper.InputError, match="finite"):
+        arm.calibrate(q, np.full((67, 3), np.nan), kind="position")
+    with pytest.raises(pieper.InputError, match="67 joint vectors"):
+        arm.calibrate(q, Y[:60])
+    with pytest.raises(pieper.InputError, match="positive"):
+        arm.calibrate(q, -np.ones(67), kind="distance")
+    with pytest.raises(pieper.InputError, match="one row a pose"):
+        arm.calibrate(q[0], Y[:1])
+    with pytest.raises(pieper.InputError, match="candidates"):
+        arm.choose_poses(100, q)

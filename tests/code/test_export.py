@@ -1,0 +1,179 @@
+"""Exported solvers give what the native one gives, in C, Python and JavaScript."""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.util
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pieper
+
+PAGE = Path(__file__).parents[2] / "docs" / "code.md"
+#: Every family and kind that is exported: tilted, offset, slides, wrist inside, UR.
+ARMS = (
+    "denso-vp6242",
+    "universal-robots-ur5e",
+    "universal-robots-ur10e",
+    "stanford-arm",
+    "rrp-wrist",
+    "abb-irb4400l-30-243",
+    "fanuc-r2000ic-165f",
+    "kuka-kr3-r540",
+    "motoman-hc20",
+    "unimation-puma-560",
+)
+POSES = 10_000
+needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="no node")
+
+
+def poses(arm, count=POSES, seed=3):
+    rng = np.random.default_rng(seed)
+    reach = np.where(arm.chain.prismatic, 1.0, np.pi)[:, None] * [-1.0, 1.0]
+    limits = np.clip(np.where(np.isfinite(arm.limits), arm.limits, reach), reach[:, :1], reach[:, 1:])
+    q = rng.uniform(limits[:, 0], limits[:, 1], (count, arm.n))
+    return q, np.ascontiguousarray(arm.fk(q))
+
+
+def differing(arm, T, rows, unclear, inside=False):
+    """Return at how many poses rows are not the native ones; unclear poses may lack some, but add none."""
+    many = arm.ik_many(T, threads=1)
+    known = many.in_limits if inside else many.valid
+    out = 0
+    for i, found in enumerate(rows):
+        wanted = many.q[i][known[i]]
+        gap = arm.chain.joints.apart(np.reshape(found, (-1, 1, arm.n)), wanted[None])
+        every = len(found) == len(wanted) or (unclear[i] and len(found) < len(wanted))
+        out += not (every and (len(found) == 0 or (gap.min(1, initial=np.inf) < 1e-7).all()))
+    return out
+
+
+def loaded(path):
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@needs_gcc
+@pytest.mark.parametrize("name", ARMS)
+def test_c_gives_the_native_rows(name, tmp_path):
+    arm = pieper.load(name)
+    source, library = arm.code("c", tmp_path / "arm.c", "one"), tmp_path / "arm.so"
+    strict = ["gcc", "-std=c99", "-O2", "-Wall", "-Wextra", "-Werror"]
+    subprocess.run([*strict, "-shared", "-fPIC", "-o", library, source, "-lm"], check=True)
+    subprocess.run([*strict, "-Done_MAIN", "-o", tmp_path / "arm", source, "-lm"], check=True)
+    assert (
+        "0 of 20 poses failed" in subprocess.run([tmp_path / "arm"], capture_output=True, text=True, check=True).stdout
+    )
+    solver, numbers = ctypes.CDLL(str(library)), ctypes.POINTER(ctypes.c_double)
+    q, T = poses(arm)
+    rows, inside, unclear = [], [], []
+    room, flag = np.zeros((8, 6)), ctypes.c_int()
+    for pose in T:
+        at = pose.ctypes.data_as(numbers)
+        count = solver.one_ik_all(at, room.ctypes.data_as(numbers), ctypes.byref(flag))
+        rows.append(room[:count].copy())
+        unclear.append(bool(flag.value))
+        inside.append(room[: solver.one_ik(at, room.ctypes.data_as(numbers))].copy())
+    assert np.mean(unclear) < 0.01
+    assert differing(arm, T, rows, unclear) == 0
+    assert differing(arm, T, inside, unclear, inside=True) == 0
+    J = np.zeros((6, 6))
+    solver.one_jacobian(q[0].ctypes.data_as(numbers), J.ctypes.data_as(numbers))
+    assert np.abs(J - arm.jacobian(q[0])).max() < 1e-13
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_numpy_gives_the_native_rows(name, tmp_path):
+    arm = pieper.load(name)
+    text = (path := arm.code("python", tmp_path / "solver.py")).read_text()
+    assert set(re.findall(r"^(?:import|from) (\w+)", text, re.M)) == {"numpy"}
+    solver = loaded(path)
+    q, T = poses(arm)
+    rows, valid, unclear = solver.ik_all(T)
+    assert differing(arm, T, [r[v] for r, v in zip(rows, valid, strict=True)], unclear) == 0
+    assert solver.self_test() == 0
+    assert np.abs(solver.fk(q) - T).max() < 1e-12
+    assert np.abs(solver.jacobian(q[:50]) - arm.jacobian(q[:50])).max() < 1e-12
+    assert differing(arm, T[:50], [solver.ik(pose) for pose in T[:50]], unclear, inside=True) == 0
+
+
+@needs_node
+@pytest.mark.parametrize("name", ARMS)
+def test_javascript_gives_the_native_rows(name, tmp_path):
+    arm = pieper.load(name)
+    arm.code("javascript", tmp_path / "solver.mjs")
+    arm.code("javascript", tmp_path / "solver.js")
+    _, T = poses(arm)
+    (tmp_path / "poses.bin").write_bytes(T.tobytes())
+    (tmp_path / "run.mjs").write_text(
+        "import fs from 'fs';\nimport { ikAll, ik, fk, selfTest } from './solver.mjs';\n"
+        "const b = fs.readFileSync('poses.bin'), out = [];\n"
+        "const t = new Float64Array(b.buffer, b.byteOffset, b.length / 8);\n"
+        "for (let i = 0; i < t.length; i += 16) out.push(ikAll(t.subarray(i, i + 16)));\n"
+        "const T = fk(out[0].rows[0]);\n"
+        "console.log(JSON.stringify({ out, failed: selfTest(), rows: ik(T).length, flat: ik(T.flat()).length }));\n"
+    )
+    ran = subprocess.run(["node", "run.mjs"], cwd=tmp_path, capture_output=True, text=True, check=True)
+    said = json.loads(ran.stdout)
+    assert said["failed"] == 0
+    assert said["rows"] == said["flat"]
+    assert differing(arm, T, [r["rows"] for r in said["out"]], [r["unclear"] for r in said["out"]]) == 0
+    script = "console.log(require('./solver.js').selfTest())"
+    assert subprocess.run(["node", "-e", script], cwd=tmp_path, capture_output=True, text=True).stdout.strip() == "0"
+
+
+@pytest.mark.parametrize("name", ["denso-vp6242", "universal-robots-ur5e", "stanford-arm"])
+def test_rows_at_singular_poses_hold_and_the_pose_is_said_to_be_unclear(name, tmp_path):
+    arm = pieper.load(name)
+    solver = loaded(arm.code("python", tmp_path / "solver.py"))
+    q = np.random.default_rng(2).uniform(-1, 1, (200, 6))
+    q[:, 4] = 0.0
+    T = arm.fk(q)
+    singular = np.linalg.svd(arm.jacobian(q), compute_uv=False)[:, -1] < 1e-9
+    rows, valid, unclear = solver.ik_all(T)
+    assert unclear[singular].all()
+    assert np.abs(solver.fk(rows[valid]) - np.repeat(T, valid.sum(1), 0)).max() < 1e-8
+
+
+@pytest.mark.parametrize("name", pieper.catalog())
+def test_an_arm_is_exported_or_refused_with_its_reason(name, tmp_path):
+    arm = pieper.load(name)
+    try:
+        path = arm.code("python", tmp_path / "solver.py")
+    except pieper.PlanError as refused:
+        assert name in str(refused) and len(str(refused)) > 60
+        assert not (tmp_path / "solver.py").exists()
+    else:
+        assert loaded(path).self_test() == 0
+
+
+def test_other_words_are_refused(tmp_path):
+    arm = pieper.load("denso-vp6242")
+    with pytest.raises(pieper.InputError, match="it may be c, "):
+        arm.code("cobol", tmp_path / "x")
+    with pytest.raises(pieper.InputError, match="a word"):
+        arm.code("c", tmp_path / "x.c", "two words")
+    with pytest.raises(pieper.InputError):
+        arm.code("c", tmp_path / "none" / "x.c")
+
+
+def test_the_head_says_where_it_comes_from(tmp_path):
+    arm = pieper.load("denso-vp6242")
+    for language, ending in (("c", "c"), ("python", "py"), ("javascript", "mjs")):
+        head = arm.code(language, tmp_path / f"a.{ending}").read_text()[:900]
+        assert "denso-vp6242" in head and "sha256" in head and "licence" in head and "Written by pieper" in head
+
+
+def test_the_example_of_the_page_runs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for block in re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.S):
+        exec(compile(block, str(PAGE), "exec"), {})

@@ -1,0 +1,156 @@
+"""Laws of redundant arms inside tight limits: statuses, the nearest point and the exact ends of what is inside."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import pieper
+from oracle import slow_forward
+from pieper import DH, Arm, Status
+
+SEVEN = ["franka-panda", "kuka-lbr-iiwa-14-r820", "rethink-sawyer", "kinova-gen3-7dof", "random"]
+WIDTHS = [1.0, 0.5, 0.2, 0.05]
+
+
+def some(name, rng) -> Arm:
+    """Return a catalogue arm, or one of no special kind with as many joints as its name says."""
+    if not name.startswith("random"):
+        return pieper.load(name)
+    joints = 8 if name.endswith("eight") else 7
+    rows = [DH(rng.uniform(-0.5, 0.5), rng.uniform(-3, 3), rng.uniform(-0.5, 0.5), 0.0) for _ in range(joints)]
+    return Arm.from_dh(rows, convention="standard", name=name)
+
+
+def tight(name, width, seed, count):
+    """Return an arm with limits of one width about a posture, joint vectors inside them, and their poses."""
+    rng = np.random.default_rng(seed)
+    arm = some(name, rng)
+    centre = rng.uniform(-1.5, 1.5, arm.n)
+    arm = Arm(replace(arm.description, limits=np.c_[centre - width, centre + width]))
+    q = centre + rng.uniform(-width, width, (count, arm.n))
+    return arm, q, arm.fk(q)
+
+
+def inside(arm, q):
+    return ((q >= arm.limits[:, 0] - 1e-8) & (q <= arm.limits[:, 1] + 1e-8)).all(-1)
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("name", [*SEVEN, "random eight"])
+def test_a_pose_made_inside_the_limits_is_redundant_with_a_row_inside(name, width):
+    arm, _, T = tight(name, width, 1, 20 if name == "random eight" else 100)
+    many = arm.ik_many(T, threads=1)
+    assert (many.status == Status.REDUNDANT).all()
+    assert many.in_limits.any(1).all()
+    rows, pose = many.q[many.in_limits], np.nonzero(many.in_limits)[0]
+    assert inside(arm, rows).all()
+    assert np.abs(slow_forward.fk(arm.chain, rows) - T[pose]).max() < 1e-9
+    back = np.random.default_rng(0).permutation(len(T))[:15]
+    again = arm.ik_many(T[back], threads=1)
+    np.testing.assert_allclose(again.q, many.q[back], atol=1e-9)
+    one = arm.ik(T[0])
+    assert one.status == Status.REDUNDANT
+    np.testing.assert_allclose(one.all_q, many.q[0][many.valid[0]], atol=1e-9)
+
+
+@pytest.mark.parametrize("width", [0.8, 0.1])
+@pytest.mark.parametrize("name", ["franka-panda", "rethink-sawyer", "random", "random eight"])
+def test_the_nearest_point_to_a_posture_that_holds_the_pose_is_that_posture(name, width):
+    arm, q, T = tight(name, width, 2, 1)
+    nearest = arm.ik(T[0]).nearest(q[0])
+    assert np.abs(nearest - q[0]).max() < 1e-6
+
+
+def followed(arm, q, T, way):
+    """Return where the self-motion through q leaves the limits: tiny steps along the null direction, then halving.
+
+    Forward kinematics and Jacobian are the oracle's, Newton's method is written here.
+    """
+    chain, length = arm.chain, 1e-3
+    old = None
+    for _ in range(8000):
+        null = np.linalg.svd(slow_forward.jacobian(chain, q))[2][-1]
+        null = null * (np.sign(null @ old) if old is not None else way)
+        step = length
+        ahead = onto(chain, q + step * null, T)
+        if not inside_exactly(arm, ahead):
+            while step > 1e-12:
+                step /= 2
+                ahead = onto(chain, q + step * null, T)
+                if inside_exactly(arm, ahead):
+                    q = ahead
+            return q
+        q, old = ahead, null
+    return None
+
+
+def onto(chain, q, T):
+    for _ in range(4):
+        now = slow_forward.fk(chain, q)
+        R = T[:3, :3] @ now[:3, :3].T
+        turn = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
+        e = np.concatenate([T[:3, 3] - now[:3, 3], turn])
+        q = q + np.linalg.lstsq(slow_forward.jacobian(chain, q), e, rcond=None)[0]
+    return q
+
+
+def inside_exactly(arm, q):
+    return bool(((q >= arm.limits[:, 0]) & (q <= arm.limits[:, 1])).all())
+
+
+@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("name", ["franka-panda", "kuka-lbr-iiwa-14-r820", "random"])
+def test_intervals_inside_end_where_small_steps_leave_the_limits(name, seed):
+    arm, q, T = tight(name, (0.4, 0.06)[seed], 3 + seed, 1)
+    q, T = q[0], T[0]
+    ends = [followed(arm, q, T, way) for way in (1.0, -1.0)]
+    assert all(end is not None for end in ends), "the self-motion does not leave the limits"
+    motion = next(m for m in arm.ik(T).self_motions if m.contains(q, 1e-6))
+    found = np.array([motion.at(u) for interval in motion.inside for u in interval])
+    for end in ends:
+        assert np.abs(found - end).max(1).min() < 1e-6
+    for low, high in motion.inside:
+        points = np.array([motion.at(u) for u in np.linspace(low, high, 5)])
+        assert inside(arm, points).all()
+    assert all(b < c for (_, b), (c, _) in zip(motion.inside, motion.inside[1:], strict=False))
+
+
+def test_a_joint_with_more_than_a_turn_is_resolved_to_the_nearest_winding():
+    arm = pieper.load("kuka-lbr-iiwa-14-r820")
+    limits = np.tile([-2.9, 2.9], (7, 1))
+    limits[2], limits[4], limits[6] = (-4.5, 4.5), (-0.5, 4.0), (-7.0, 5.0)
+    arm = Arm(replace(arm.description, limits=limits))
+    q = np.array([0.4, -0.7, 3.9, 1.1, 2.6, 0.9, -6.3])
+    assert np.abs(arm.ik(arm.fk(q)).nearest(q) - q).max() < 1e-6
+
+
+def test_four_thousand_poses_made_inside_are_redundant_in_one_call():
+    arm = pieper.load("franka-panda")
+    q = np.random.default_rng(0).uniform(*arm.limits.T, (4000, 7))
+    many = arm.ik_many(arm.fk(q))
+    assert (many.status == Status.REDUNDANT).all() and many.in_limits.any(1).all()
+
+
+BRAVO = [
+    DH(0.046, -np.pi / 2, -0.0554),
+    DH(0.29, 0.0, 0.0),
+    DH(-0.0408, np.pi / 2, 0.0),
+    DH(0.0408, -np.pi / 2, -0.16),
+    DH(0.0408, np.pi / 2, 0.0),
+    DH(0.033, -np.pi / 2, 0.28),
+    DH(0.0, np.pi, 0.0),
+]
+
+
+def test_values_at_which_two_axes_come_to_coincide_are_stepped_over():
+    arm = Arm.from_dh(BRAVO, convention="standard", limits=[(0, 1.5)] * 7)
+    q = 1.5 * np.random.default_rng(0).random((30, 7))
+    T = arm.fk(q)
+    many = arm.ik_many(T, threads=1)
+    assert (many.status == Status.REDUNDANT).all()
+    assert all(arm.ik(T[i]).status == Status.REDUNDANT for i in range(5))
+    middle = arm.fk(np.full(7, 0.5))
+    assert any(m.contains(np.full(7, 0.5), 1e-5) for m in arm.ik(middle, redundancy=0.5).self_motions)

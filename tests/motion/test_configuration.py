@@ -1,0 +1,94 @@
+"""Configuration words: they tell every solution of a pose from the others, whole turns included."""
+
+import numpy as np
+import pytest
+
+import pieper
+from pieper.errors import InputError
+from pieper.motion.dialects.configuration import MAKERS
+from pieper.motion.dialects.shape import has_shape
+
+ARMS = [
+    (name, maker)
+    for name in pieper.catalog()
+    for maker, (said, *_) in MAKERS.items()
+    if said in pieper.load(name).description.manufacturer.lower()
+]
+#: Wrists that do not meet in a point, or seven joints: the makers' words are not defined for them here.
+WITHOUT = {
+    "fanuc-crx-10ia",
+    "kuka-lbr-iiwa-14-r820",
+    "kuka-lwr-4-plus",
+    "motoman-ea1400n",
+    "motoman-hc10",
+    "motoman-sia10d",
+    "motoman-sia20d",
+}
+
+
+@pytest.mark.parametrize("name, maker", ARMS)
+def test_words_and_turns_select_exactly_one_solution(name, maker):
+    arm = pieper.load(name)
+    if not has_shape(arm.plan):
+        with pytest.raises(InputError, match="another kind of arm"):
+            arm.configuration(np.zeros(arm.n), maker)
+        return
+    rng = np.random.default_rng(1)
+    open_ended = {
+        arm.joint_names[j]: (-3.1, 3.1) if j in (1, 2, 4) else (-6.1, 6.1)
+        for j in range(6)
+        if np.isinf(arm.limits[j]).any()
+    }
+    arm = arm.with_limits(open_ended) if open_ended else arm
+    low, high = arm.limits.T
+    several = told = 0
+    for _ in range(25):
+        q = rng.uniform(low, high)
+        rows = arm.ik(arm.fk(q)).windings()
+        said = [arm.configuration(row, maker) for row in rows]
+        if min(c.clear for c in said) < 1e-6:
+            continue
+        mine = arm.configuration(q, maker)
+        same = rows[[(c.words, c.turns) == (mine.words, mine.turns) for c in said]]
+        # whole turns of a joint for which the maker has no word, and which is said to be so
+        joints = [arm.joint_names.index(name) for name in mine.untold]
+        alike = same[(np.abs(np.delete(same - q, joints, 1)) < 1e-6).all(1)]
+        assert len(alike) == len(same) and (len(same) == 1 or joints)
+        told += not joints
+        several += len(rows) > 1
+    assert several > 5
+    assert told > 0
+
+
+def test_the_arms_without_words_are_few_and_known():
+    without = {name for name, _ in ARMS if not has_shape(pieper.load(name).plan)}
+    assert without == WITHOUT
+
+
+def test_words_at_postures_that_manuals_show():
+    abb = pieper.load("abb-irb2400").configuration(np.radians([10, 0, 0, -20, 30, 100]), "abb")
+    assert (abb.words, abb.turns) == (("0",), (0, -1, 1))
+    assert "confdata" in abb.rule and "Not confirmed on a controller" in abb.rule
+    kuka = pieper.load("kuka-kr6-r900-sixx").configuration(np.radians([-10, -90, 90, 0, 45, 0]), "kuka")
+    assert (kuka.words, kuka.turns) == (("6",), (3,))
+    fanuc = pieper.load("fanuc-lr-mate-200id").configuration(np.radians([0, 0, 0, 0, -90, 0]), "fanuc")
+    assert (fanuc.words, fanuc.turns) == (("N", "U", "T"), (0, 0, 0))
+    yaskawa = pieper.load("motoman-gp7").configuration(np.radians([0, 0, 0, 0, -90, 0]), "yaskawa")
+    assert (yaskawa.words, yaskawa.turns) == (("1", "0", "0"), (0, 0, 0))
+
+
+def test_the_words_do_not_change_with_the_place_the_arm_stands_in():
+    arm = pieper.load("fanuc-m-20ia")
+    moved = arm.with_base(pieper.pose(1, 2, 3, rpy=(0.3, 2.9, -1)) @ arm.base)
+    q = np.radians([20, 10, -20, 30, 40, 50])
+    ours, theirs = moved.configuration(q, "fanuc"), arm.configuration(q, "fanuc")
+    assert (ours.words, ours.turns) == (theirs.words, theirs.turns)
+
+
+@pytest.mark.parametrize(
+    "maker, q, word",
+    [("siemens", np.zeros(6), "abb, kuka"), ("abb", np.zeros(5), "shape"), ("abb", np.zeros((2, 6)), "one joint")],
+)
+def test_impossible_questions_are_refused(maker, q, word):
+    with pytest.raises(InputError, match=word):
+        pieper.load("abb-irb2400").configuration(q, maker)

@@ -1,0 +1,153 @@
+"""Programs for controllers: read back they are the same targets, and what a maker does not take is refused."""
+
+import numpy as np
+import pytest
+
+import pieper
+from pieper.errors import InputError
+from pieper.kinematics.pose import pose_error
+from pieper.motion.dialects.files import DIALECTS
+from pieper.motion.instructions import Move
+
+#: dialect -> an arm of its maker, a posture where lines and circles are at home
+AT_HOME = {
+    "rapid": ("abb-irb2400", [5, 10, 5, 10, 30, 15]),
+    "urscript": ("universal-robots-ur10e", [10, -70, 90, -60, -80, 20]),
+    "krl": ("kuka-kr6-r900-sixx", [-10, -80, 95, 10, 40, -20]),
+    "fanuc-ls": ("fanuc-lr-mate-200id", [10, 20, -10, 15, -60, 200]),
+    "inform": ("motoman-gp7", [10, 10, -10, 15, -60, 20]),
+    "pacscript": ("denso-vs060", [10, 10, 80, 15, 40, 20]),
+    "ros": ("kinova-gen3-7dof", [10, 20, 10, 60, 15, 40, 20]),
+    "csv": ("stanford-arm", [10, 50, 0.6, 20, 40, 15]),
+}
+TOOL = pieper.pose(0.03, -0.02, 0.15, rpy=(0.1, 0.5, -0.3))
+
+
+def built(dialect, tool=True):
+    name, degrees = AT_HOME[dialect]
+    arm = pieper.load(name)
+    arm = arm.with_tool(arm.tool @ TOOL) if tool else arm
+    q = np.where([kind == "P" for kind in arm.joint_types], degrees, np.radians(degrees))
+    p = pieper.Program(arm, pieper.Limits(2.0, 8.0), start=q)
+    T = arm.fk(q)
+    other = T.copy()
+    other[:3, 3] += [0.02, 0.05, -0.03]
+    via = other.copy()
+    via[:3, 3] += [0.03, -0.03, 0.01]
+    p.move_l(other, speed=0.2, blend=0.01).output(2, True).move_c(via, T).wait(0.5)
+    p.move_j(q + 0.05, speed=0.4).gripper(1.0).move_j(T)
+    return arm, p
+
+
+def same(target, move, T_via=True):
+    if target.q is not None:
+        assert np.abs(target.q - move.q).max() < np.radians(1e-3) / 10
+    if target.T is not None:
+        off = pose_error(target.T, move.T)
+        assert off[0] < 1e-6 and off[1] < np.radians(1e-3)
+
+
+@pytest.mark.parametrize("cartesian", [False, True])
+@pytest.mark.parametrize("dialect", [d for d, found in DIALECTS.items() if found.maker])
+def test_what_is_written_is_read_back(dialect, cartesian, tmp_path):
+    arm, p = built(dialect)
+    file = tmp_path / f"weld_1{DIALECTS[dialect].suffixes[0]}"
+    p.write(file, dialect=dialect, cartesian=cartesian)
+    targets = pieper.read_program(file)
+    moves = [item for item in p.instructions if isinstance(item, Move)]
+    assert [t.kind for t in targets] == [m.kind for m in moves]
+    for target, move in zip(targets, moves, strict=True):
+        assert (target.q is None) != (target.T is None)
+        same(target, move)
+        if move.via is not None:
+            assert target.via is not None or target.q_via is not None
+            if target.via is not None:
+                assert np.abs(target.via[:3, 3] - move.via[:3, 3]).max() < 1e-6
+            else:
+                assert np.abs(arm.fk(target.q_via)[:3, 3] - move.via[:3, 3]).max() < 2e-4
+    joint_moves = [t for t in targets if t.kind == "move_j"]
+    if dialect != "inform":
+        assert all((t.q is None) == cartesian for t in joint_moves)
+    text = file.read_text()
+    assert text.isascii() and "Not confirmed on a controller" in text
+
+
+@pytest.mark.parametrize("dialect", ["ros", "csv"])
+def test_trajectories_are_read_back(dialect, tmp_path):
+    _, p = built(dialect, tool=False)
+    file = tmp_path / f"weld{DIALECTS[dialect].suffixes[0]}"
+    p.write(file, dialect=dialect, rate=50.0)
+    targets = pieper.read_program(file)
+    motion = p.motion(rate=50.0)
+    q = np.array([t.q for t in targets])
+    assert q.shape == motion.q.shape
+    assert np.abs(q - motion.q).max() < 2e-9 and {t.kind for t in targets} == {"point"}
+
+
+def test_yaml_of_ros_is_yaml(tmp_path):
+    yaml = pytest.importorskip("yaml")
+    _, p = built("ros", tool=False)
+    p.write(tmp_path / "a.yaml", dialect="ros", rate=20.0)
+    found = yaml.safe_load((tmp_path / "a.yaml").read_text())
+    assert len(found["joint_names"]) == 7 and found["points"][0]["time_from_start"] == {"sec": 0, "nanosec": 0}
+
+
+def test_every_arm_of_a_maker_can_be_written_for_it(tmp_path):
+    from pieper.motion.dialects.configuration import MAKERS
+    from pieper.motion.dialects.shape import has_shape
+
+    dialects = {"abb": "rapid", "kuka": "krl", "fanuc": "fanuc-ls", "yaskawa": "inform", "denso": "pacscript"}
+    count = 0
+    for name in pieper.catalog():
+        arm = pieper.load(name)
+        for maker, (said, *_) in MAKERS.items():
+            if said not in arm.description.manufacturer.lower() or not has_shape(arm.plan):
+                continue
+            low, high = np.clip(arm.limits, -3, 3).T
+            q = low + 0.6 * (high - low)
+            p = pieper.Program(arm, pieper.Limits(1.0, 1.0), start=q).move_j(q - 0.1 * (high - low))
+            file = tmp_path / f"p{DIALECTS[dialects[maker]].suffixes[0]}"
+            for cartesian in (False, True):
+                p.write(file, dialect=dialects[maker], cartesian=cartesian)
+                (target,) = pieper.read_program(file)
+                same(target, p.moves[0])
+            count += 1
+    assert count > 35
+
+
+def test_fanuc_counts_joint_3_from_the_level(tmp_path):
+    _, p = built("fanuc-ls")
+    p.write(tmp_path / "a.ls", dialect="fanuc-ls")
+    text = (tmp_path / "a.ls").read_text()
+    q = np.degrees(p.moves[-2].q)
+    assert f"J3= {q[2] - q[1]:.5f} deg" in text
+
+
+@pytest.mark.parametrize(
+    "dialect, arm_dialect, name, word",
+    [
+        ("fortran", "rapid", None, "rapid, urscript, krl"),
+        ("krl", "rapid", None, "another maker"),
+        ("urscript", "fanuc-ls", None, "another maker"),
+        ("krl", "krl", "a" * 25, "24 characters"),
+        ("rapid", "rapid", "pièce", "ASCII"),
+        ("rapid", "rapid", "2nd", "begins with a letter"),
+        ("rapid", "ros", None, "another maker"),
+    ],
+)
+def test_what_a_maker_does_not_take_is_refused_and_nothing_is_written(dialect, arm_dialect, name, word, tmp_path):
+    _, p = built(arm_dialect, tool=False)
+    file = tmp_path / "weld.txt"
+    with pytest.raises(InputError, match=word):
+        p.write(file, dialect=dialect, name=name)
+    assert not file.exists()
+
+
+def test_files_that_are_no_programs_are_refused(tmp_path):
+    with pytest.raises(InputError, match="ending"):
+        pieper.read_program(tmp_path / "a.xyz")
+    with pytest.raises(InputError, match="cannot read"):
+        pieper.read_program(tmp_path / "a.mod")
+    (tmp_path / "b.mod").write_text("MODULE b\n PROC main()\n MoveAbsJ p9,v100,fine,tool0;\n ENDPROC\nENDMODULE\n")
+    with pytest.raises(InputError, match="not rapid"):
+        pieper.read_program(tmp_path / "b.mod")
