@@ -23,7 +23,7 @@ from pieper.tolerances import LIMIT_SLACK
 
 TESTS = 20
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-LICENCE = "MIT licence; as generated code it may be used under the terms of the arm's owner alone."
+LICENCE = "MIT licence, as pieper itself."
 
 
 class ExportedArm(Protocol):
