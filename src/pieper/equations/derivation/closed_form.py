@@ -155,7 +155,7 @@ class ClosedForm:
         """The moves that the steps were made of."""
         return self._eliminator.moves
 
-    @functools.cached_property
+    @property
     def constants(self) -> dict:
         """Numbers for the lengths and twists."""
         return self.table.constants(NumpyField)

@@ -44,9 +44,10 @@ class Form(Protocol):
     n: int
     steps: tuple[Step, ...]
     chosen: tuple[int, ...]
-    given: str
     table: SymbolTable
     description: Description
+
+    given: str
 
     @property
     def moves(self) -> list[Move]:
@@ -178,9 +179,10 @@ def _free(form: Form, step: Step, postures: Array, rng: np.random.Generator) -> 
     x, others = q.copy(), np.arange(len(q)) % (OTHER_STARTS + 1) > 0
     scatter = rng.uniform(-np.pi, np.pi, (int(others.sum()), form.n))
     scatter[:, sliding] *= size / np.pi
-    x[np.ix_(others, moving)] += scatter[:, moving]
+    x[np.ix_(others, np.array(moving))] += scatter[:, moving]
     reached = _reached(form, form.poses(q), x, moving, A, target, size)
-    return reached.reshape(len(postures), len(MOVES), -1).any(axis=2).all(axis=1)
+    some = reached.reshape(len(postures), len(MOVES), -1).any(axis=2)
+    return np.asarray(np.all(some, axis=1), dtype=bool)
 
 
 def _row(form: Form, angle: tuple) -> Array:
@@ -217,7 +219,7 @@ def _reached(
         JT = np.swapaxes(J, 1, 2)
         damp = (1e-3 * (here**2).sum(1) + 1e-13)[:, None, None] * np.eye(many)
         move = np.linalg.solve(JT @ J + damp, JT @ here[..., None])[..., 0]
-        x[np.ix_(rows, moving)] -= np.clip(move, -0.6, 0.6)
+        x[np.ix_(rows, np.array(moving))] -= np.clip(move, -0.6, 0.6)
     return done
 
 
