@@ -109,6 +109,7 @@ nb::object record(const std::string& family, nb::dict fields) {
 NB_MODULE(_code, m) {
   m.doc() = "Closed forms as lists of operations.";
   m.def("record", &record, nb::arg("family"), nb::arg("fields"),
-        "The operations of a family's closed form for one arm: nodes (operation, a, b, c, value), rows, valid, unclear; None "
+        "The operations of a family's closed form for one arm: nodes (operation, a, b, c, value), rows, valid, "
+        "unclear; None "
         "where the straight road is closed.");
 }

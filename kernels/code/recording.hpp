@@ -70,17 +70,16 @@ inline Recorded operator-(Recorded a) {
   return Recorded::of(tape->add("neg", a.i));
 }
 
-#define PIEPER_RECORD(op, name, ...)                                               \
-  inline Recorded operator op(Recorded a, Recorded b) {                            \
-    if (tape->constant(a.i) && tape->constant(b.i))                                \
-      return Recorded(tape->value(a.i) op tape->value(b.i));                       \
-    __VA_ARGS__                                                                    \
-    return Recorded::of(tape->add(name, a.i, b.i));                                \
-  }                                                                                \
-  inline Recorded operator op(Recorded a, double b) { return a op Recorded(b); }   \
-  inline Recorded operator op(double a, Recorded b) { return Recorded(a) op b; }   \
-  inline Recorded& operator op##=(Recorded& a, Recorded b) { return a = a op b; }  \
-  inline Recorded& operator op##=(Recorded& a, double b) { return a = a op Recorded(b); }
+#define PIEPER_RECORD(op, name, ...)                                                                       \
+  inline Recorded operator op(Recorded a, Recorded b) {                                                    \
+    if (tape->constant(a.i) && tape->constant(b.i)) return Recorded(tape->value(a.i) op tape->value(b.i)); \
+    __VA_ARGS__                                                                                            \
+    return Recorded::of(tape->add(name, a.i, b.i));                                                        \
+  }                                                                                                        \
+  inline Recorded operator op(Recorded a, double b) { return a op Recorded(b); }                           \
+  inline Recorded operator op(double a, Recorded b) { return Recorded(a) op b; }                           \
+  inline Recorded& operator op## = (Recorded & a, Recorded b) { return a = a op b; }                       \
+  inline Recorded& operator op## = (Recorded & a, double b) { return a = a op Recorded(b); }
 PIEPER_RECORD(+, "add", if (tape->is(a.i, 0.0)) return b; if (tape->is(b.i, 0.0)) return a;)
 PIEPER_RECORD(-, "sub", if (tape->is(a.i, 0.0)) return -b; if (tape->is(b.i, 0.0)) return a;)
 PIEPER_RECORD(*, "mul", if (tape->is(a.i, 0.0) || tape->is(b.i, 0.0)) return Recorded(0.0);
@@ -89,13 +88,12 @@ PIEPER_RECORD(*, "mul", if (tape->is(a.i, 0.0) || tape->is(b.i, 0.0)) return Rec
 PIEPER_RECORD(/, "div", if (tape->is(b.i, 1.0)) return a;)
 #undef PIEPER_RECORD
 
-#define PIEPER_RECORD(op, name)                                                       \
-  inline RecordedMask operator op(Recorded a, Recorded b) {                           \
-    if (tape->constant(a.i) && tape->constant(b.i))                                   \
-      return RecordedMask(tape->value(a.i) op tape->value(b.i));                      \
-    return RecordedMask::of(tape->add(name, a.i, b.i));                               \
-  }                                                                                   \
-  inline RecordedMask operator op(Recorded a, double b) { return a op Recorded(b); }  \
+#define PIEPER_RECORD(op, name)                                                                                \
+  inline RecordedMask operator op(Recorded a, Recorded b) {                                                    \
+    if (tape->constant(a.i) && tape->constant(b.i)) return RecordedMask(tape->value(a.i) op tape->value(b.i)); \
+    return RecordedMask::of(tape->add(name, a.i, b.i));                                                        \
+  }                                                                                                            \
+  inline RecordedMask operator op(Recorded a, double b) { return a op Recorded(b); }                           \
   inline RecordedMask operator op(double a, Recorded b) { return Recorded(a) op b; }
 PIEPER_RECORD(<, "lt")
 PIEPER_RECORD(<=, "le")

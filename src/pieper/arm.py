@@ -62,8 +62,8 @@ class Arm(AtScale):
         tool: PoseLike | None = None,
         name: str = "arm",
         joint_names: Sequence[str] | None = None,
-        sign: Sequence[float] | None = None,
-        offset: Sequence[float] | None = None,
+        sign: ArrayLike | None = None,
+        offset: ArrayLike | None = None,
         coupling: ArrayLike | None = None,
         snap: float | None = None,
     ) -> Arm:

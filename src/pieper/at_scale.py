@@ -1,4 +1,4 @@
-"""The part of Arm that goes beyond one pose: calibrated arms, solvers in other languages. Its methods delegate."""
+"""The part of Arm that goes beyond one pose: reach maps, calibration, solvers in other languages; it delegates."""
 
 from __future__ import annotations
 
@@ -8,13 +8,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pieper.description.dh import Description
-from pieper.kinematics.arrays import ArrayLike, Indices
+from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import PoseLike
 from pieper.solver.plan.plan import Plan
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from pieper.calibration.fit import Fit
+    from pieper.maps.reach_map import ReachMap
 
 
 class AtScale:
@@ -92,6 +95,41 @@ class AtScale:
             InputError: An unknown language, or a name that is no word.
             PlanError: The arm has no closed form that can be written down; the message says why.
         """
-        from pieper.code.export import write
+        from pieper.code.write import write
 
         return write(self, language, path, name)
+
+    def reach_map(
+        self,
+        box: Sequence[Sequence[float]],
+        step: float,
+        orientations: Sequence[int] | ArrayLike = (128, 16),
+        symmetry: str = "auto",
+        store: str | os.PathLike[str] | None = None,
+        executor: Executor | None = None,
+    ) -> ReachMap:
+        """Fill a box with answers: where the tool gets inside the limits, in which orientations; see docs/maps.md.
+
+        Args:
+            box: ((x0, x1), (y0, y1), (z0, z1)), m, base frame.
+            step: Side of a voxel, m.
+            orientations: (directions of the tool's z axis, rolls about it), or rotations (k, 3, 3).
+            symmetry: "auto" uses that the last joint rolls the tool, where it does, limits kept; "none" solves all.
+            store: A folder that keeps finished tiles: asked again, the same map goes on where it stopped.
+            executor: Any `concurrent.futures` executor; all cores of this machine without one.
+
+        Raises:
+            InputError: A box or step that is none or in millimetres, a store of another map, a map too large to hold.
+        """
+        from pieper.maps.reach_map import reach_map
+
+        return reach_map(self.plan, box, step, orientations, symmetry, store, executor)
+
+    def base_places(self, Ts: PoseLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, yaw: ArrayLike) -> Array:
+        """Return the share (nx, ny, nz, nyaw) of poses Ts (N, 4, 4) reached from each base at x, y, z, m, yaw, rad.
+
+        Poses are in the world; the base stands upright, and the arm's own base pose counts from there.
+        """
+        from pieper.maps.reach_map import base_places
+
+        return base_places(self.plan, Ts, x, y, z, yaw)

@@ -54,6 +54,8 @@ LOOP_CRITICAL = 1e-9
 ONE_WAY_FREE = 1e-5
 #: A row beside a self-motion is isolated where its singular value is at least this part of what its axes miss by.
 NEARLY_IN_LINE = 0.03
+#: Axes that a motion of the other joints brings into place, at the cost of less than this to the pose, are in place.
+UNNOTICED = 2e-14
 #: What a merged root misses to second order (per rad^2) above which higher orders do not count.
 CLEAR_FOLD = 1e-3
 #: Longest step along a self-motion (rad; per length): joints turn visibly, and chords cut corners by about 2e-3.

@@ -101,5 +101,5 @@ def test_the_papers_table_has_its_errors_and_zero_has_none_in_percent():
 def test_tables_of_different_shape_cannot_be_compared():
     with pytest.raises(InputError, match="reference and simulated"):
         compare(REFERENCE, SIMULATED[:3])
-    with pytest.raises(InputError, match="names"):
+    with pytest.raises(InputError, match="1 name was given"):
         compare(REFERENCE, SIMULATED, names=("one",))

@@ -87,7 +87,8 @@ def test_out_of_reach_is_found_between_the_points_and_the_branches_that_meet_the
     assert track.stop.cause == "out of reach"
     assert track.stop.s == pytest.approx(1 - 0.304405, abs=2e-6)
     assert track.stop.joint == "joint_3"
-    assert "mm" in track.stop.detail
+    # position comes first: the arm gets there, turned another way
+    assert "0.69 deg are missing" in track.stop.detail
     for branch in track.branches:
         assert track.branches[branch.meets].meets == branch.index
 

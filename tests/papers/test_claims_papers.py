@@ -76,6 +76,7 @@ EXPECTED = {
             "Fig. 5, A3": "misprint",
             "Fig. 5, A5": "misprint",
             "example, theta3": "",
+            "example, theta6": "misprint",
             "example, angles of the text": "joint value",
             "Fig. 6, pose as scanned": "misprint",
             "Fig. 6, solution": "",

@@ -317,7 +317,7 @@ def _most_common_first(atom: Sym | Trig, count: int) -> tuple[Any, ...]:
 
 
 def _last_joint_first(atom: Sym | Trig, count: int) -> tuple[Any, ...]:
-    return (atom.rank != 3, -atom.group if atom.rank == 3 else 0, atom.order)
+    return (atom.rank != 3, -atom.group if isinstance(atom, Trig) else 0, atom.order)
 
 
 def _nest(rows: list, order: Callable[[Any, int], Any]) -> Expr:

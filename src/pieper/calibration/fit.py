@@ -57,6 +57,14 @@ class HeldOut(NamedTuple):
     count: int
     of: int
 
+    def as_dict(self) -> dict[str, float | int | None]:
+        """Return the numbers by their names."""
+        return dict(zip(HELD_OUT, self, strict=True))
+
+
+#: The names of what `HeldOut` holds, in order.
+HELD_OUT = tuple(HeldOut.__annotations__)
+
 
 @dataclass(frozen=True, eq=False)
 class Fit:

@@ -15,6 +15,7 @@ COMMANDS = {
     "ik": "From a pose, or a file of poses, to every solution.",
     "path": "Follow straight lines with one branch.",
     "report": "Write everything about an arm on one page.",
+    "map": "Fill a box with answers: what the arm reaches.",
     "calibrate": "Fit an arm to what was measured.",
     "code": "Write an arm's solver in another language.",
     "check": "Judge the claims someone makes about an arm.",

@@ -89,7 +89,7 @@ def command(
     if out:
         fit.save(out)
     if json:
-        held = None if fit.held_out is None else dict(zip(fit.held_out._fields, fit.held_out, strict=True))
+        held = None if fit.held_out is None else fit.held_out.as_dict()
         print_json(
             {
                 "arm": arm.name,

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
-
-from pieper.code.export import Export, finite_or, nested
+from pieper.code.export import Export, filled, finite_or, nested
 from pieper.code.program import statements
 
 WORDS = {
@@ -209,11 +207,3 @@ def text(export: Export) -> str:
         "COUNTS": "{" + ", ".join(str(k) for k in export.counts) + "}",
     }
     return filled(FRAME, parts, export)
-
-
-def filled(frame: str, parts: dict[str, str], export: Export) -> str:
-    """Return a frame with its @WORDS@, its count of joints and its NAME_ in place; no part is looked into."""
-    parts = parts | {"TESTS": str(len(export.q))}
-    own = re.sub(r"\bN\b", str(export.n), re.sub(r"\bN1\b", str(export.n + 1), frame))
-    own = own.replace("NAME_", f"{export.name}_")
-    return re.sub(r"@([A-Z_]+)@", lambda found: parts[found[1]].replace("NAME_", f"{export.name}_"), own)

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import hashlib
-import os
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
-from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
 
 from pieper.code.program import Program, recorded
 from pieper.description.dh import Description
-from pieper.document.writing import whole_file
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
@@ -26,7 +23,7 @@ from pieper.tolerances import LIMIT_SLACK
 
 TESTS = 20
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-LICENCE = "MIT licence; as generated code it may be used under the terms of the arm's owner alone."
+LICENCE = "MIT licence, as pieper itself."
 
 
 class ExportedArm(Protocol):
@@ -129,34 +126,6 @@ def _postures(plan: Plan) -> Array:
     return q[clear & inside.any(1)][:TESTS]
 
 
-Printer = Callable[[Export], str]
-
-
-def write(arm: ExportedArm, language: str, path: str | os.PathLike[str], name: str = "arm") -> Path:
-    """Write an arm's solver in a language; see `pieper.Arm.code`.
-
-    Raises:
-        InputError: An unknown language, a name that is no word, a place that cannot be written.
-        PlanError: The arm cannot be exported; the message says why.
-    """
-    from pieper.code import c, javascript, python
-
-    printers: dict[str, Printer] = {
-        "c": c.text,
-        "c++": c.text,
-        "python": python.text,
-        "javascript": javascript.text_for(Path(path).suffix),
-    }
-    if language not in printers:
-        raise InputError(
-            f"language is {language!r}; it may be {', '.join(printers)}.", given=language, allowed=tuple(printers)
-        )
-    text = printers[language](export(arm, name))
-    with whole_file(path) as file:
-        file.write(text.encode())
-    return Path(path)
-
-
 def nested(value: Any, brackets: str, number: Callable[[float], str]) -> str:
     """Return numbers as nested literals between a language's brackets."""
     if isinstance(value, (list, tuple, np.ndarray)):
@@ -168,3 +137,11 @@ def nested(value: Any, brackets: str, number: Callable[[float], str]) -> str:
 def finite_or(infinity: str) -> Callable[[float], str]:
     """Return how a number is said where infinity has a name of its own."""
     return lambda x: repr(x) if np.isfinite(x) else infinity if x > 0 else f"-{infinity}"
+
+
+def filled(frame: str, parts: dict[str, str], export: Export) -> str:
+    """Return a frame with its @WORDS@, its count of joints and its NAME_ in place; no part is looked into."""
+    parts = parts | {"TESTS": str(len(export.q))}
+    own = re.sub(r"\bN\b", str(export.n), re.sub(r"\bN1\b", str(export.n + 1), frame))
+    own = own.replace("NAME_", f"{export.name}_")
+    return re.sub(r"@([A-Z_]+)@", lambda found: parts[found[1]].replace("NAME_", f"{export.name}_"), own)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from pieper.code.c import filled
-from pieper.code.export import Export, finite_or, nested
+from pieper.code.export import Export, filled, finite_or, nested
 from pieper.code.program import statements
 
 WORDS = {
@@ -38,8 +37,8 @@ FRAME = """/*
 @HEADER@
 
 ik(T): every joint vector inside the limits that reaches a pose, an array of arrays; T as 16 numbers row by row, or as 4
-rows of 4. ikAll(T): {rows, unclear} before limits; unclear at and next to singular poses, where a row may stand for many
-and rows may be missing. fk(q): the pose as 4 rows of 4. jacobian(q): 6 rows, linear ones first.
+rows of 4. ikAll(T): {rows, unclear} before limits; unclear at and next to singular poses, where a row may stand for
+many and rows may be missing. fk(q): the pose as 4 rows of 4. jacobian(q): 6 rows, linear ones first.
 */
 const LOWER = @LOWER_NUMBERS@;
 const UPPER = @UPPER_NUMBERS@;

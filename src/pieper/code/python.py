@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from pieper.code.c import filled
-from pieper.code.export import Export, finite_or, nested
+from pieper.code.export import Export, filled, finite_or, nested
 from pieper.code.program import statements
 
 WORDS = {

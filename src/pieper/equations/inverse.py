@@ -23,6 +23,8 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import look
 from pieper.solver.plan.plan import Plan
 
+#: Axes closer than this are parallel or meet, rad and m: the numbers of tables have nine digits.
+ALIGNED = 1e-9
 GIVEN = {"pose": "noap", "position": "p", "position+axis": "ap"}
 
 
@@ -40,6 +42,10 @@ class InverseEquations(Readable):
         self.plan = _plan(arm, task)
         self.task = task or (self.plan.task if self.plan else "pose")
         self.form = _closed_form(arm, self.plan, self.task)
+        if self.form is None and task is None and self.task != "pose" and arm.n < 6:
+            # the whole pose says more than the task asks for, and an arm with few joints needs it all the same
+            self.form = _closed_form(arm, self.plan, "pose")
+            self.task = "pose" if self.form is not None else self.task
 
     @functools.cached_property
     def general(self) -> GeneralInverse | None:
@@ -62,7 +68,7 @@ class InverseEquations(Readable):
         page = Document(f"Inverse kinematics of {self._arm.name}")
         if self.form is not None:
             if self.plan is not None:
-                page.add(*_how(self.plan, self.form))
+                page.add(*_how(self._arm, self.plan, self.form))
             write_steps(page, self.form)
         elif self.general is not None:
             self.general.write(page)
@@ -138,7 +144,7 @@ def _promising(arm: Arm, joint: int) -> bool:
     return bool(geometry.spherical) or any(len(group.joints) > 2 for group in geometry.parallel)
 
 
-def _how(plan: Plan, form: ClosedForm) -> tuple[str, ...]:
+def _how(arm: Arm, plan: Plan, form: ClosedForm) -> tuple[str, ...]:
     words = {
         "spherical_wrist_parallel": "The last three axes meet in a point, the wrist centre, and axes 2 and 3 are "
         "parallel: the first three joints place the wrist centre, the last three turn the tool.",
@@ -146,11 +152,55 @@ def _how(plan: Plan, form: ClosedForm) -> tuple[str, ...]:
         "three_parallel": "Three neighbouring axes are parallel: what happens across them is solved first, then "
         "their plane.",
     }
-    sentence = words.get(plan.family, "")
+    # an arm with few joints is solved as one with six; what is said is said of the arm itself
+    sentence = words.get(plan.family, "") if arm.n >= 6 else _short_arm(arm)
     if plan.snapped:
         sentence += (
             " The formulas are those of the table as it stands; the solver takes " + "; ".join(plan.snapped) + "."
         )
-    most = f" The solver counts at most {plan.max_solutions} solutions." if not form.chosen else ""
-    said = (sentence + most).strip()
+    most = min(plan.max_solutions, form.branches)
+    counted = f" A pose has at most {most} solution{'s' * (most != 1)}." if not form.chosen else ""
+    said = (sentence + counted).strip()
     return (said,) if said else ()
+
+
+def _short_arm(arm: Arm) -> str:
+    """What makes an arm with fewer than six joints solvable, in a sentence; "" where nothing does at a glance."""
+    chain = arm.chain
+    slides = [j + 1 for j in range(arm.n) if chain.prismatic[j]]
+    turns = [j + 1 for j in range(arm.n) if not chain.prismatic[j]]
+    if not turns:
+        return "The arm only slides: every slide follows from the position."
+    axes = _axes(arm)
+    if len(turns) > 1 and all(np.linalg.norm(np.cross(axes[t - 1], axes[turns[0] - 1])) < ALIGNED for t in turns):
+        along = [s for s in slides if np.linalg.norm(np.cross(axes[s - 1], axes[turns[0] - 1])) < ALIGNED]
+        if slides and along == slides:
+            height = "the slide sets" if len(slides) == 1 else "the slides set"
+            return f"All axes are parallel: the turning joints place the tool across them, {height} the height."
+        return "All turning axes are parallel: the arm moves its tool in a plane." if not slides else ""
+    geometry = look(chain, ALIGNED)
+    parallel = [group.joints for group in geometry.parallel if len(group.joints) > 2]
+    if parallel:
+        names = ", ".join(str(j + 1) for j in parallel[0])
+        return f"Axes {names} are parallel: what happens across them is solved first, then their plane."
+    if arm.n > 3 and not slides:
+        for i in range(arm.n - 2):
+            if min(geometry.pairs[i].angle, geometry.pairs[i + 1].angle) < ALIGNED:
+                continue
+            if geometry.common_point((i, i + 1, i + 2))[1] < ALIGNED:
+                return (
+                    f"Axes {i + 1}, {i + 2} and {i + 3} meet in a point: the other joints place that point, these "
+                    "three turn the tool."
+                )
+    return ""
+
+
+def _axes(arm: Arm) -> list[np.ndarray]:
+    """The direction of every joint's axis at a posture, found by moving the joint a little."""
+    q = np.full(arm.n, 0.3)
+    found = []
+    for j, kind in enumerate(arm.joint_types):
+        column = arm.jacobian(q)[:, j]
+        axis = column[3:] if kind == "R" else column[:3]
+        found.append(axis / np.linalg.norm(axis))
+    return found

@@ -7,7 +7,7 @@ arm at hand whatever its table looks like.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -136,7 +136,7 @@ def _facts(F: np.ndarray, description: Description) -> set[tuple[int, str]]:
     return facts
 
 
-def _wrist_centre(axes: Array, points: Array, turning: Any, size: float) -> tuple[str, Array] | None:
+def _wrist_centre(axes: Sequence[Any], points: Sequence[Any], turning: Any, size: float) -> tuple[str, Any] | None:
     """(name, point) where the last three turning axes meet, or the last two."""
     for count, name in ((3, "The wrist centre"), (2, "The point where the last two axes meet")):
         if len(turning) < count + 1:

@@ -53,7 +53,7 @@ class SymbolTable:
         """The symbol that stands for a joint in the equations: theta2, d3 or q2 (1-based joint)."""
         return self.relation[joint][0]
 
-    def values(self, q: Array, field: Any) -> dict:
+    def values(self, q: Any, field: Any) -> dict:
         """Numbers for every symbol at the joint vector `q` (sequence over joints, each of any shape)."""
         values = {angle_symbol(i + 1, "q"): q[i] for i in range(self.n)}
         for symbol, expression in self.relation.values():

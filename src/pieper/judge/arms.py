@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Collection
 from dataclasses import replace
 from typing import Any
 
@@ -15,30 +13,19 @@ from pieper.algebra.parser import parse
 from pieper.description import source as door
 from pieper.description.dh import DH, describe
 from pieper.errors import InputError
+from pieper.judge.evidence import under
+from pieper.judge.keys import ARM, MAX_SIZE, UNITS, look, only_known
 from pieper.judge.model import ArmModel, Row, model_from_description
-from pieper.judge.numbers import UNITS
 from pieper.judge.solver import Solver
 from pieper.words_by_number import plural
 
-ARM_KEYS = set("name robot file convention length_unit columns rows values base tool limits_deg words".split())
 COLUMNS = {"a", "alpha", "d", "theta"}
-
-
-def only_known(table: Any, allowed: Collection[str], what: str) -> None:
-    """Refuse keys that mean nothing, and what is no table."""
-    if not isinstance(table, dict):
-        raise InputError(f"{what} must be a table of keys and values")
-    for key in table:
-        if key not in allowed:
-            near = difflib.get_close_matches(key, allowed, 1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
-            keys = ", ".join(sorted(allowed))
-            raise InputError(f"{what}: the key {key!r} is not known{hint} Keys are {keys}.", key=key)
 
 
 def read_arm(place: str, table: dict[str, Any]) -> ArmModel:
     """Read an [arm] table; `place` names it in messages."""
-    only_known(table, ARM_KEYS, place)
+    only_known(table, ARM, place)
+    look(table, ARM, place)
     if "rows" not in table:
         source = table.get("robot") or table.get("file") or table.get("name")
         if not source:
@@ -62,7 +49,7 @@ def read_arm(place: str, table: dict[str, Any]) -> ArmModel:
 def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> ArmModel:
     """Read a DH table as printed: cells are numbers, symbols with [values], and angles with their unit."""
     columns = table.get("columns")
-    if not isinstance(columns, list) or set(columns) != COLUMNS or len(columns) != 4:
+    if columns is None or set(columns) != COLUMNS:
         raise InputError(
             f'{place}: columns must name the four columns as printed, such as ["theta", "d", "a", "alpha"]; '
             f"got {columns!r}"
@@ -77,7 +64,10 @@ def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> Arm
             raise InputError(f"{place}: row {i + 1} must have four cells, {', '.join(columns)}; got {cell_row!r}")
         made = {}
         for column, cell in zip(columns, cell_row, strict=True):
-            made[column] = _cell(f"{place}: row {i + 1}, {column}", column, cell, i, values, variables, n, convention)
+            with under(f"{place}: row {i + 1}, {column}"):
+                made[column] = _cell(column, cell, i, values, variables, n, convention)
+                _look_at_value(made[column], values, n, variables)
+        _look_at_variables(f"{place}: row {i + 1}", made, i, variables)
         slides = [s for s in made["d"].symbols() if s in variables]
         for name in slides:
             aliases[name] = f"theta{i + 1}"
@@ -95,12 +85,12 @@ def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> Arm
 
 
 def _cell(
-    place: str, column: str, cell: Any, i: int, values: dict[str, float], variables: set[str], n: int, convention: str
+    column: str, cell: Any, i: int, values: dict[str, float], variables: set[str], n: int, convention: str
 ) -> Expr:
     if isinstance(cell, bool) or not isinstance(cell, (int, float, str)):
-        raise InputError(f"{place}: {cell!r} is neither a number nor a formula")
+        raise InputError(f"{cell!r} is neither a number nor a formula")
     if column in ("alpha", "theta"):
-        bare = InputError(f'{place}: the angle {cell!r} has no unit; write "{cell} deg" or "{cell} rad"')
+        bare = InputError(f'the angle {cell!r} has no unit; write "{cell} deg" or "{cell} rad"')
         if not isinstance(cell, str):
             if cell == 0:
                 return number(0)
@@ -114,10 +104,32 @@ def _cell(
         return parse(cell, set(values) | variables, n)
     name = f"{column}{i + 1 if convention == 'standard' or column == 'd' else i}"
     if name in values and values[name] != cell:
-        raise InputError(f"{place}: the number {cell!r} and [values] {name} = {values[name]!r} contradict each other")
+        raise InputError(f"the number {cell!r} and [values] {name} = {values[name]!r} contradict each other")
     values[name] = float(cell)
     variables.discard(name)
     return number(0) if cell == 0 else Mention(name)
+
+
+def _look_at_variables(place: str, made: dict[str, Expr], i: int, variables: set[str]) -> None:
+    """Refuse a variable where none can stand, and a row with two."""
+    joints = {f"theta{j + 1}" for j in range(len(variables))}
+    for column in ("a", "alpha"):
+        moving = made[column].symbols() & (variables | joints)
+        if moving:
+            raise InputError(f"{place}, {column}: {moving.pop()} moves, but {column} is constant in a DH table")
+    slides = made["d"].symbols() & (variables | joints)
+    if slides - {f"{c}{i + 1}" for c in "dbq"} or len(slides) > 1:
+        raise InputError(f"{place}, d: a slide of this row is called b{i + 1} or d{i + 1}, not {', '.join(slides)}")
+    if slides and made["theta"].symbols() & joints:
+        raise InputError(f"{place}: theta and d both move; a row has one variable")
+
+
+def _look_at_value(cell: Expr, values: dict[str, float], n: int, variables: set[str]) -> None:
+    """Refuse a cell that has no finite value, such as 1/0 or the root of a negative number."""
+    at = {**dict.fromkeys(variables, 0.3), **{f"theta{j + 1}": 0.3 for j in range(n)}, **values}
+    value = float(cell.evaluate(at))
+    if not np.isfinite(value) or abs(value) > MAX_SIZE:
+        raise InputError(f"{str(cell)[:80]!r} has no value that a length or an angle could have; it is {value}")
 
 
 def _pose(place: str, table: dict[str, Any], key: str) -> np.ndarray:
@@ -138,7 +150,8 @@ def _solver(model: ArmModel) -> Solver | None:
         slides = model.sliding(i + 1)
         moves = row.d if slides else row.theta
         step = float(moves.evaluate(one)) - float(moves.evaluate(zero))
-        if abs(abs(step) - 1) > 1e-12:
+        others = moves.symbols() & {f"theta{j + 1}" for j in range(model.n) if j != i}
+        if abs(abs(step) - 1) > 1e-12 or others:
             return None
         sign.append(1 if step > 0 else -1)
         kinds += "P" if slides else "R"

@@ -9,15 +9,18 @@ from __future__ import annotations
 import difflib
 import os
 import tomllib
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
+
+import numpy as np
 
 from pieper.algebra.parser import FormulaError
 from pieper.description.dh import Description
 from pieper.errors import InputError
-from pieper.judge.arms import describe_arm, only_known, read_arm
+from pieper.judge import keys
+from pieper.judge.arms import describe_arm, read_arm
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
 from pieper.judge.judges.angles import judge_joint, judge_together
@@ -58,20 +61,24 @@ class Judge:
         judge: makes the verdict.
         needs: keys that the claim must have.
         may: keys that it may have besides.
+        own: what keys that differ from kind to kind may hold here.
     """
 
     judge: Callable[[Evidence, Claim], Verdict]
     needs: set[str]
     may: set[str]
+    own: Mapping[str, keys.Check] = field(default_factory=dict)
 
 
 JUDGES = {
-    "entry": Judge(judge_entry, {"of", "is"}, {"where"}),
-    "matrix": Judge(judge_matrix, {"of", "is"}, {"where"}),
-    "equation": Judge(judge_equation, {"is"}, {"where", "frame", "at_deg"}),
-    "product": Judge(judge_product, {"is"}, set()),
-    "joint": Judge(judge_joint, {"is"}, {"joint", "for", "where", "frame", "at_deg", "task"}),
-    "together": Judge(judge_together, {"is"}, {"where", "frame"}),
+    "entry": Judge(judge_entry, {"of", "is"}, {"where", "at_deg", "when"}, {"is": keys.formula}),
+    "matrix": Judge(judge_matrix, {"of", "is"}, {"where"}, {"is": keys.ANY_MATRIX}),
+    "equation": Judge(judge_equation, {"is"}, {"where", "frame", "at_deg", "when"}, {"is": keys.text}),
+    "product": Judge(judge_product, {"is"}, set(), {"is": keys.text}),
+    "joint": Judge(
+        judge_joint, {"is"}, {"joint", "for", "where", "frame", "at_deg", "when", "task"}, {"is": keys.formula}
+    ),
+    "together": Judge(judge_together, {"is"}, {"where", "frame", "at_deg", "when"}, {"is": keys.TOGETHER}),
     "procedure": Judge(judge_procedure, {"steps"}, {"where"}),
     "pose": Judge(judge_pose, set(), {"q", "q_deg", "q_rad", "of", "matrix", "position", "unit", "rounded"}),
     "solutions": Judge(
@@ -81,14 +88,18 @@ JUDGES = {
     ),
     "count": Judge(judge_count, {"count"}, {"task"}),
     "freedom": Judge(judge_freedom, {"dof"}, {"free", "at_deg"}),
-    "errors": Judge(judge_errors, {"rows", "percent"}, set()),
-    "table": Judge(judge_table, {"rows"}, {"unit", "within", "search_zeros"}),
+    "errors": Judge(judge_errors, {"rows", "percent"}, set(), {"rows": keys.ERROR_ROWS}),
+    "table": Judge(judge_table, {"rows"}, {"unit", "within", "search_zeros"}, {"rows": keys.POSITION_ROWS}),
     "limit": Judge(judge_limit, {"joint", "range_deg"}, {"path", "unit"}),
     "range": Judge(judge_range, {"joint", "range_deg", "values_deg"}, set()),
-    "number": Judge(judge_number, {"is", "value"}, {"q", "q_deg", "q_rad", "unit", "where"}),
+    "number": Judge(
+        judge_number,
+        {"is", "value"},
+        {"q", "q_deg", "q_rad", "unit", "where"},
+        {"is": keys.formula, "unit": keys.NUMBER_UNIT},
+    ),
 }
 ALWAYS = {"id", "kind", "says", "arm"}
-FILE_KEYS = {"title", "source", "notes", "arm", "arms", "symbols", "claim", "seconds"}
 
 
 def check(path_or_text: str | os.PathLike[str], arm: Described | None = None) -> Judgement:
@@ -109,11 +120,18 @@ def check(path_or_text: str | os.PathLike[str], arm: Described | None = None) ->
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{name}: this is not TOML: {error}") from None
-    only_known(data, FILE_KEYS, f"{name}: the file")
-    arms = _arms(name, data, arm)
+    with np.errstate(all="ignore"):  # a division by zero is a finding, and the judges look for it
+        return judge_tables(name, data, arm)
+
+
+def judge_tables(name: str, data: dict[str, Any], arm: Described | None = None) -> Judgement:
+    """Judge the tables of a claims file that has been read; `name` is the file's, for messages."""
+    keys.only_known(data, keys.FILE, f"{name}: the file")
     tables = data.get("claim", [])
-    if not isinstance(tables, list) or not tables:
+    if tables == []:
         raise InputError(f"{name}: there is no claim; write at least one [[claim]] table")
+    keys.look(data, keys.FILE, f"{name}: the file")
+    arms = _arms(name, data, arm)
     benches = {}
     for key, model in arms.items():
         benches[key] = Evidence(model, seconds=float(data.get("seconds", 2.0)))
@@ -124,6 +142,7 @@ def check(path_or_text: str | os.PathLike[str], arm: Described | None = None) ->
                 raise InputError(f"{name}: [symbols] {symbol}: {error}") from None
     verdicts: dict[str, Verdict] = {}
     for position, table in enumerate(tables, 1):
+        keys.look(table, {"id": keys.CLAIM["id"]}, f"{name}: claim {position}", str(position))
         claim = Claim(str(table.get("id", position)), table)
         if claim.id in verdicts:
             raise InputError(f"{name}: two claims are called {claim.id!r}; every id stands once", claim=claim.id)
@@ -135,25 +154,28 @@ def check(path_or_text: str | os.PathLike[str], arm: Described | None = None) ->
 
 def _judged(name: str, claim: Claim, benches: dict[str, Evidence]) -> Verdict:
     kind = claim.get("kind")
-    if kind not in JUDGES:
+    if not isinstance(kind, str) or kind not in JUDGES:
         near = difflib.get_close_matches(str(kind), JUDGES, 1)
-        hint = f"; did you mean {near[0]!r}?" if near else ""
+        hint = f"; did you mean {near[0]!r}?" if near else "."
         raise InputError(
-            f"{name}: claim {claim.id}: kind = {kind!r} is not known{hint} Kinds are {', '.join(JUDGES)}.",
+            f"{name}: claim {claim.id}: kind = {keys.shown(kind)} is not known{hint} Kinds are {', '.join(JUDGES)}.",
             claim=claim.id,
         )
     judge = JUDGES[kind]
-    only_known(claim.keys, ALWAYS | judge.needs | judge.may, f"{name}: claim {claim.id} ({kind})")
+    place = f"{name}: claim {claim.id} ({kind})"
+    keys.only_known(claim.keys, ALWAYS | judge.needs | judge.may, place)
     for key in judge.needs:
         if key not in claim:
             raise InputError(
                 f"{name}: claim {claim.id} ({kind}) lacks the key {key!r}; it needs {', '.join(sorted(judge.needs))}",
                 claim=claim.id,
             )
+    keys.look(claim.keys, {**keys.CLAIM, **judge.own}, place, claim.id)
     which = claim.get("arm", next(iter(benches)))
     if which not in benches:
         raise InputError(
-            f"{name}: claim {claim.id} names the arm {which!r}; the file has {', '.join(benches)}", claim=claim.id
+            f"{name}: claim {claim.id} names the arm {keys.shown(which)}; the file has {', '.join(benches)}",
+            claim=claim.id,
         )
     try:
         return judge.judge(benches[which], claim)
@@ -170,6 +192,8 @@ def _read(source: str | os.PathLike[str]) -> tuple[str, str]:
         return "claims", source
     path = Path(source)
     try:
+        if path.is_dir():
+            raise InputError(f"{path}: this is a folder; name a claims file")
         if path.stat().st_size > MAX_BYTES:
             raise InputError(f"{path}: {path.stat().st_size:,} bytes; a claims file has at most {MAX_BYTES:,}")
         return path.name, path.read_text(encoding="utf-8")

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pieper.algebra.arithmetics import DigitsField, SympyField
-from pieper.algebra.expression import Call, Expr
+from pieper.algebra.expression import Call, Expr, Num, Power
 from pieper.algebra.formula import Equation, has_branch, is_call
 from pieper.algebra.notation import TURNS, joint_sum
 from pieper.judge.model import POSE_NAMES, ArmModel, decimal
@@ -17,6 +17,10 @@ from pieper.judge.samples import Samples
 
 MAX_NODES = 600  # expanding more takes longer than a reader waits
 DIGITS = 50
+IDENTICAL = 30  # digits; equal formulas agree to all but the last few
+FEW = 11  # where numbers of the arm are rounded to doubles
+LONG = 10**10  # a decimal with more digits than this is a rounded one
+MAX_POWER = 8  # higher ones are multiplied out into more terms than a reader can use
 
 
 class _Polynomials(SympyField):
@@ -67,8 +71,10 @@ def simplified_difference(printed: Expr, right: Expr) -> str:
 def _polynomial(formula: Expr) -> bool:
     calls = [node for node in formula.walk() if isinstance(node, Call)]
     angles = [node.args[0] for node in calls if is_call(node, *TURNS)]
+    powers = [node.power for node in formula.walk() if isinstance(node, Power)]
     return (
-        len(angles) == len(calls)
+        all(type(p) is int and abs(p) <= MAX_POWER for p in powers)
+        and len(angles) == len(calls)
         and not has_branch(formula)
         and not any(a.symbols() and not joint_sum(a) for a in angles)
     )
@@ -76,7 +82,7 @@ def _polynomial(formula: Expr) -> bool:
 
 def difference_from_matrix(printed: Expr, model: ArmModel, i: int, j: int) -> str:
     """Return a printed entry minus the entry of T, simplified; "" when that is too long to be of use."""
-    if printed.size() > 150 or model.n > 6:
+    if printed.size() > 150 or model.n > 6 or not _polynomial(printed):
         return ""
     field = _Polynomials()
     names = {*(f"theta{k + 1}" for k in range(model.n)), *model.values, *printed.symbols()}
@@ -101,6 +107,23 @@ def _exact_environment(model: ArmModel, samples: Samples, k: int, definitions: d
     for name, tree in definitions.items():
         env[name] = tree.evaluate(env, field)
     return env
+
+
+def digits_wanted(model: ArmModel, node: Expr) -> int:
+    """To how many digits a formula that is right agrees at 50-digit arithmetic.
+
+    All of them, unless the arm or the formula holds numbers that are themselves rounded to double precision.
+    """
+    ends = np.concatenate([model.base[:3].ravel(), model.tool[:3].ravel()])
+    long = any(_many_digits(decimal(v)) for v in ends)
+    long |= any(_many_digits(decimal(v)) for v in model.values.values())
+    numbers = [n for cells in model.rows for c in (cells.alpha, cells.theta) for n in c.walk()] + list(node.walk())
+    long |= any(isinstance(n, Num) and _many_digits(n.value) for n in numbers)
+    return FEW if long else IDENTICAL
+
+
+def _many_digits(value: Fraction) -> bool:
+    return min(abs(value.numerator), value.denominator) > LONG
 
 
 def agreeing_digits(

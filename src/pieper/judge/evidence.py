@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -11,16 +12,19 @@ import numpy as np
 
 from pieper.algebra.expression import Expr
 from pieper.algebra.formula import Mention
+from pieper.algebra.parser import FormulaError
 from pieper.errors import InputError, PieperError
 from pieper.judge.claim import Claim
-from pieper.judge.matrices import Product, value_of
+from pieper.judge.conditions import Condition, read_conditions
+from pieper.judge.keys import UNITS
+from pieper.judge.matrices import Product, parse_product, value_of
 from pieper.judge.model import ArmModel
-from pieper.judge.numbers import UNITS
-from pieper.judge.samples import Samples, pose_of, pose_symbols, sample, samples_at
+from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample, some
 from pieper.judge.search.search import Explanation, Goal
 from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips
 from pieper.judge.slips.slip import KINDS
 
+DRAWS = 60  # of joint vectors, until enough meet the conditions of a claim
 SOLVER_POSES = 10  # poses at which the other solutions are asked for
 
 
@@ -32,12 +36,17 @@ class Evidence:
         model: the arm.
         definitions: symbols of the file, each a formula; they may use one another.
         seconds: time the slip search may take per claim.
+        unknown: symbols that the source never defines.
+        held: joints (1-based) that a claim holds at a value.
+        when: what a claim says of the joints it is about.
     """
 
     model: ArmModel
     definitions: dict[str, Expr] = field(default_factory=dict)
     seconds: float = 2.0
     unknown: list[str] = field(default_factory=list)
+    held: Mapping[int, float] = field(default_factory=dict)
+    when: tuple[Condition, ...] = ()
 
     def define(self, name: str, text: str) -> None:
         """Add a symbol of the file; "?" marks one that the source uses and never defines."""
@@ -56,37 +65,86 @@ class Evidence:
         """Read definitions that belong to one claim alone; later ones may use earlier ones."""
         local: dict[str, Expr] = {}
         for name, body in where.items():
-            local[plain(name)] = self.model.parse(str(body), {*self.definitions, *local}).substitute(local)
+            with under(f"where {name}"):
+                local[plain(name)] = self.model.parse(str(body), {*self.definitions, *local}).substitute(local)
         return local
 
-    def parse(self, text: str, where: Mapping[str, Any] | None = None) -> Expr:
-        """Read a formula; `where` holds definitions of its claim alone, which go into the formula itself."""
+    def parse(self, text: str, where: Mapping[str, Any] | None = None, key: str = "is") -> Expr:
+        """Read a formula.
+
+        Args:
+            text: the formula.
+            where: definitions of its claim alone, which go into the formula itself.
+            key: the key it stands under, for messages.
+        """
         local = self.local(where or {})
-        return self.model.parse(text, {*self.definitions, *local}).substitute(local)
+        with under(key):
+            return self.model.parse(text, {*self.definitions, *local}).substitute(local)
+
+    def product(self, claim: Claim, key: str, default: str = "T") -> Product:
+        """Read the product of matrices under a key of a claim."""
+        with under(key):
+            return parse_product(str(claim.get(key, default)), self.model.n)
+
+    def frame(self, claim: Claim) -> Product | None:
+        """The frame whose letters a claim uses, a whole matrix; None for the pose itself."""
+        if "frame" not in claim:
+            return None
+        frame = self.product(claim, "frame")
+        with under("frame"):
+            if value_of(frame, self.samples.frames).shape[1:] != (4, 4):
+                raise InputError(f"{claim['frame']!r} must be a whole pose such as T03, for its letters are n, o, a, P")
+        return frame
 
     @cached_property
     def samples(self) -> Samples:
         """Joint vectors and everything that follows from them."""
-        out = sample(self.model)
-        self.fill(out.env)
+        return self.draw()
+
+    def draw(self, count: int = 96, *, seed: int = 20_24, vary: Mapping[str, str] | None = None) -> Samples:
+        """Draw joint vectors that meet the claim's conditions, see `samples.sample`."""
+        parts: list[Samples] = []
+        found = 0
+        for attempt in range(DRAWS):
+            drawn = sample(self.model, count, seed=seed + 7919 * attempt, vary=vary, held=self.held)
+            self.fill(drawn.env)
+            if not self.when:
+                return drawn
+            part = some(drawn, np.logical_and.reduce([c.met(drawn.env) for c in self.when]))
+            parts.append(part)
+            found += len(part.q)
+            if found >= count:
+                break
+        out = joined(parts)
+        if min(out.nominal.sum(), (~out.nominal).sum() if vary is None else count) < count // 8:
+            words = " and ".join(c.text for c in self.when)
+            raise InputError(f"when: {words} is met by {found} of {count * DRAWS} joint vectors, too few to judge by")
         return out
 
-    def holding(self, claim: Claim) -> Evidence:
-        """Return evidence in which joints are held as the claim's at_deg = { theta5 = 0 } says; itself without it."""
-        held = claim.get("at_deg")
-        if not held:
-            return self
-        q = self.samples.q.copy()
-        for name, degrees in held.items():
-            joint = name.removeprefix("theta").removeprefix("q")
-            if not joint.isdigit() or not 1 <= int(joint) <= self.model.n:
-                raise InputError(f"at_deg: {name!r} is no joint of this arm; write theta1 .. theta{self.model.n}")
-            q[:, int(joint) - 1] = np.radians(float(degrees))
-        out = Evidence(self.model, self.definitions, self.seconds, self.unknown)
-        fixed = samples_at(self.model, q, rng=np.random.default_rng(20_24))
-        out.fill(fixed.env)
-        out.__dict__["samples"] = fixed
+    def on(self, samples: Samples) -> Evidence:
+        """The same arm and claim at other joint vectors."""
+        out = replace(self)
+        out.__dict__["samples"] = samples
         return out
+
+    def drawn(self, count: int, seed: int, vary: Mapping[str, str] | None = None) -> Evidence:
+        """The same arm and claim at fresh joint vectors."""
+        return self.on(self.draw(count, seed=seed, vary=vary))
+
+    def holding(self, claim: Claim) -> Evidence:
+        """Return evidence that meets a claim's at_deg = { theta5 = 0 } and when = "s5 > 0"; itself without these."""
+        at, when = claim.get("at_deg"), claim.get("when")
+        if not at and not when:
+            return self
+        held = {}
+        for name, degrees in (at or {}).items():
+            joint = name.removeprefix("theta").removeprefix("q")
+            if not (joint.isascii() and joint.isdigit()) or not 1 <= int(joint[:3]) <= self.model.n:
+                raise InputError(f"at_deg: {name!r} is no joint of this arm; write theta1 .. theta{self.model.n}")
+            slides = self.model.sliding(int(joint))
+            held[int(joint)] = float(degrees) if slides else float(np.radians(float(degrees)))
+        conditions = read_conditions(str(when), lambda text: self.parse(text, claim.where, "when")) if when else ()
+        return replace(self, held=held, when=conditions)
 
     def fill(self, env: dict) -> None:
         """Add the file's symbols to an environment."""
@@ -120,11 +178,12 @@ class Evidence:
         return out
 
     def solutions_at(self, k: int) -> np.ndarray:
-        """Return all solutions of the pose of sample k, (m, n), before limits; raises what the solver raises."""
-        rows = self.solved(self.samples.frames["T"][k])
-        if not len(rows) or np.abs(wrapped(rows - self.samples.q[k])).max(1).min() > 1e-4:
+        """Return all solutions (m, n) of the pose of sample k in the claims' units, before limits; raises what the
+        solver raises."""
+        rows = self.in_unit(self.solved(self.samples.frames["T"][k]))
+        if not len(rows) or self.apart(rows, self.samples.q[k]).max(1).min() > 1e-4:
             raise PieperError("the solver does not return the joints the pose was made from")
-        back = pose_of(self.model, self.in_unit(rows))
+        back = pose_of(self.model, rows)
         if np.abs(back - self.samples.frames["T"][k]).max() > 1e-6 * max(1.0, self.model.length()):
             raise PieperError("the solver returns joints that do not close under forward kinematics")
         return rows
@@ -145,6 +204,12 @@ class Evidence:
                 out[:, joint - 1] /= UNITS[self.model.unit]
         return out
 
+    def apart(self, rows: np.ndarray, q: np.ndarray) -> np.ndarray:
+        """How far joint vectors (m, n) are from another (n,), whole turns apart counting as equal."""
+        gap = rows - q
+        turns = np.array([not self.model.sliding(j + 1) for j in range(self.model.n)])
+        return np.abs(np.where(turns, wrapped(gap), gap))
+
     def at(self, k: int) -> str:
         """Write the joint vector of sample k."""
         parts = []
@@ -163,6 +228,19 @@ class Evidence:
     def goal(self, wanted: np.ndarray | None, *, angle: bool = False, frame: Product | None = None) -> Goal:
         """Make the goal of a slip search from the samples."""
         return Goal(self.environment(frame), wanted, angle, 1e-3 * max(1.0, self.model.length()))
+
+
+@contextmanager
+def under(key: str) -> Iterator[None]:
+    """Put the key under which something stands in front of what is wrong with it."""
+    try:
+        yield
+    except FormulaError as error:
+        raise FormulaError(f"{key}: {error}", **error.data) from None
+    except InputError as error:
+        raise InputError(f"{key}: {error}", **error.data) from None
+    except np.linalg.LinAlgError:
+        raise InputError(f"{key}: a matrix that is inverted here has no inverse") from None
 
 
 def plain(name: str) -> str:

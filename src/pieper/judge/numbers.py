@@ -10,11 +10,11 @@ import numpy as np
 from pieper.algebra.parser import parse
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
+from pieper.judge.keys import UNITS
 from pieper.judge.model import ArmModel
 from pieper.words_by_number import plural
 
 BLANK = ("", "*")  # an entry that claims nothing
-UNITS = {"m": 1.0, "mm": 0.001, "cm": 0.01}
 
 
 def as_text(value: Any) -> str:
@@ -45,14 +45,22 @@ def _exponent(text: str) -> int:
     return exponent if isinstance(exponent, int) else 0
 
 
+def cut_off(printed: Any, right: float) -> bool:
+    """Whether every printed digit is one of the right number, the rest cut off and not rounded."""
+    step, value = last_digit(printed), read_number(printed)
+    return 0 <= (abs(right) - abs(value)) / step < 1 and (value * right > 0 or not value)
+
+
 def misprint(printed: Any, right: float) -> str:
     """Return the one misprint that turns the right number into the printed one, "" when there is none."""
     text = as_text(printed)
     step = last_digit(printed)
     decimals = max(0, -_exponent(text))
     correct = f"{right:.{decimals}f}"
+    if cut_off(printed, right):
+        return f"the last digit cut off, not rounded ({correct})"
     if abs(read_number(printed) - right) < step:
-        return f"last digit cut off or rounded the wrong way ({correct})"
+        return f"the last digit ({correct})"
     if abs(-read_number(printed) - right) <= 0.51 * step:
         return "a sign"
     a, b = text.lstrip("-").replace("+", ""), correct.lstrip("-")

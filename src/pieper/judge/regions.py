@@ -1,10 +1,19 @@
-"""Where does a claim hold? The search for the region of joint space that separates its successes from its failures."""
+"""Where does a claim hold? The search for the region of joint space that separates its successes from its
+failures."""
 
 from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from pieper.algebra.expression import Div, Expr
+from pieper.judge.evidence import Evidence
+
+FRESH = 2000  # joint vectors at which a region is confirmed
+BORDER = 1e-3  # of a sine, say; so close to the border a formula has no digits left to be judged by
+ENOUGH = 20  # of them that must lie in it
 
 
 def region_features(n: int, env: dict[str, np.ndarray], own: list[str]) -> list[tuple[str, np.ndarray]]:
@@ -23,36 +32,59 @@ def region_features(n: int, env: dict[str, np.ndarray], own: list[str]) -> list[
     return features
 
 
-def find_region(holds: np.ndarray, features: list[tuple[str, np.ndarray]]) -> str:
-    """Return the region in words, such as "sin(theta5) < 0"; "" when no single sign separates the samples.
+Feature = tuple[str, np.ndarray]
+Inside = Callable[[list[Feature]], np.ndarray]
+
+
+def region_of(ev: Evidence, judged: Callable[[Evidence], tuple[np.ndarray, dict[str, np.ndarray]]]) -> str:
+    """Return the region in which a claim holds, in words such as "sin(theta5) < 0"; "" when no simple one does.
+
+    A region that separates a hundred samples may do so by chance; it is said only when it separates fresh ones too.
 
     Args:
-        holds: (K,) bool, where the claim held.
-        features: from `region_features`.
+        ev: the arm and its samples.
+        judged: evidence -> where the claim holds (K,) bool, and the values of all symbols.
     """
-    if holds.all() or not holds.any():
-        return ""
-    for name, value in features:
-        positive = value > 0
-        if np.array_equal(positive, holds):
-            return f"{name} > 0"
-        if np.array_equal(~positive, holds):
-            return f"{name} < 0"
-    for k, (first, x) in enumerate(features):
-        for second, y in features[k + 1 :]:
-            same = (x > 0) == (y > 0)
-            if np.array_equal(same, holds):
-                return f"{first} and {second} have the same sign"
-            if np.array_equal(~same, holds):
-                return f"{first} and {second} have opposite signs"
-    for k, (first, x) in enumerate(features):
-        for second, y in features[k + 1 :]:
-            for sx in (1, -1):
-                for sy in (1, -1):
-                    both = (sx * x > 0) & (sy * y > 0)
-                    if np.array_equal(both, holds):
-                        return f"{first} {'>' if sx > 0 else '<'} 0 and {second} {'>' if sy > 0 else '<'} 0"
+    own = list(ev.definitions)
+
+    def seen(at: Evidence) -> tuple[np.ndarray, list[Feature]]:
+        holds, env = judged(at)
+        nominal = at.samples.nominal
+        rows = nominal if holds[nominal].any() else np.ones_like(nominal)
+        return holds[rows], [(name, value[rows]) for name, value in region_features(at.model.n, env, own)]
+
+    holds, features = seen(ev)
+    fresh: tuple[np.ndarray, list[Feature]] | None = None
+    for words, inside, places in _separating(holds, features):
+        fresh = fresh or seen(ev.drawn(FRESH, seed=314_159))
+        clear = np.all([np.abs(fresh[1][k][1]) > BORDER for k in places], axis=0)
+        mask = inside(fresh[1])
+        if np.array_equal(mask[clear], fresh[0][clear]) and mask.sum() >= ENOUGH:
+            return words
     return ""
+
+
+def _separating(holds: np.ndarray, features: list[Feature]) -> Iterator[tuple[str, Inside, tuple[int, ...]]]:
+    """Yield the regions, simplest first, that hold exactly the samples at which a claim held."""
+    if holds.all() or not holds.any():
+        return
+    for words, inside, places in _regions([name for name, _ in features]):
+        if np.array_equal(inside(features), holds):
+            yield words, inside, places
+
+
+def _regions(names: list[str]) -> Iterator[tuple[str, Inside, tuple[int, ...]]]:
+    for k, name in enumerate(names):
+        yield f"{name} > 0", (lambda f, k=k: f[k][1] > 0), (k,)
+        yield f"{name} < 0", (lambda f, k=k: ~(f[k][1] > 0)), (k,)
+    pairs = list(itertools.combinations(range(len(names)), 2))
+    for i, j in pairs:
+        both = f"{names[i]} and {names[j]} have"
+        yield f"{both} the same sign", (lambda f, i=i, j=j: (f[i][1] > 0) == (f[j][1] > 0)), (i, j)
+        yield f"{both} opposite signs", (lambda f, i=i, j=j: (f[i][1] > 0) != (f[j][1] > 0)), (i, j)
+    for (i, j), x, y in itertools.product(pairs, (1, -1), (1, -1)):
+        words = f"{names[i]} {'>' if x > 0 else '<'} 0 and {names[j]} {'>' if y > 0 else '<'} 0"
+        yield words, (lambda f, i=i, j=j, x=x, y=y: (x * f[i][1] > 0) & (y * f[j][1] > 0)), (i, j)
 
 
 def zero_denominators(root: Expr, env: dict[str, np.ndarray]) -> list[str]:

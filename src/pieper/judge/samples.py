@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,15 +27,23 @@ class Samples:
     nominal: np.ndarray
 
 
-def sample(model: ArmModel, count: int = 96, *, seed: int = 20_24, vary: bool = True) -> Samples:
+def sample(
+    model: ArmModel,
+    count: int = 96,
+    *,
+    seed: int = 20_24,
+    vary: Mapping[str, str] | None = None,
+    held: Mapping[int, float] | None = None,
+) -> Samples:
     """Draw joint vectors (and, in the second half, other lengths) and evaluate everything a formula can name.
 
     Args:
         model: the arm.
         count: number of joint vectors.
         seed: start of the generator; the same claims get the same counter-examples every time.
-        vary: draw other values for the lengths in the second half, so that "identically" means for every arm of this
-            build.
+        vary: the lengths that get other values in the second half, so that "identically" means for every arm of this
+            build; lengths of one group keep their ratio. None varies every length by itself.
+        held: joints (1-based) that stay at a value, rad or the unit of length.
     """
     rng = np.random.default_rng(seed)
     n = model.n
@@ -45,27 +54,52 @@ def sample(model: ArmModel, count: int = 96, *, seed: int = 20_24, vary: bool = 
     for joint in range(1, n + 1):
         if model.sliding(joint):
             q[:, joint - 1] = np.round(rng.uniform(0.2, 1.5, count) * scale, 3)
-    return samples_at(model, q, rng=rng if vary else None)
+    for joint, value in (held or {}).items():
+        q[:, joint - 1] = value
+    groups = {name: name for name in model.values} if vary is None else vary
+    second = np.arange(count) >= count // 2 if groups else np.zeros(count, dtype=bool)
+    factors: dict[str, np.ndarray] = {}
+    lengths: dict[str, np.ndarray] = {}
+    for name, value in model.values.items():
+        drawn = np.round(rng.uniform(0.7, 1.4, count - count // 2), 3)
+        lengths[name] = np.full(count, float(value))
+        if name in groups:
+            lengths[name][count // 2 :] *= factors.setdefault(groups[name], drawn)
+    return samples_at(model, q, lengths=lengths, nominal=~second)
 
 
-def samples_at(model: ArmModel, q: np.ndarray, *, rng: np.random.Generator | None = None) -> Samples:
-    """Evaluate lengths, pose and frames at joint vectors (n,) or (K, n); `rng` varies the lengths."""
+def samples_at(
+    model: ArmModel,
+    q: np.ndarray,
+    *,
+    lengths: Mapping[str, np.ndarray] | None = None,
+    nominal: np.ndarray | None = None,
+) -> Samples:
+    """Evaluate lengths, pose and frames at joint vectors (n,) or (K, n); `lengths` are (K,) each, the arm's without."""
     q = np.atleast_2d(np.asarray(q, dtype=float))
     count = len(q)
-    nominal = np.ones(count, dtype=bool)
-    env: dict[str, np.ndarray] = {}
-    if rng is not None:
-        nominal[count // 2 :] = False
-    for name, value in model.values.items():
-        env[name] = np.full(count, float(value))
-        if rng is not None:
-            env[name][count // 2 :] *= np.round(rng.uniform(0.7, 1.4, count - count // 2), 3)
+    env = {name: np.full(count, float(value)) for name, value in model.values.items()}
+    env.update(lengths or {})
     for joint in range(1, model.n + 1):
         env[f"theta{joint}"] = q[:, joint - 1]
     for alias, target in model.aliases.items():
         env[alias] = env[target]
     frames = model.frames(env)
     env.update(pose_symbols(frames["T"]))
+    return Samples(q, env, frames, np.ones(count, dtype=bool) if nominal is None else nominal)
+
+
+def some(samples: Samples, rows: np.ndarray) -> Samples:
+    """The samples of some rows."""
+    env = {k: v[rows] for k, v in samples.env.items()}
+    return Samples(samples.q[rows], env, {k: v[rows] for k, v in samples.frames.items()}, samples.nominal[rows])
+
+
+def joined(parts: list[Samples]) -> Samples:
+    """Samples one after the other."""
+    env = {k: np.concatenate([p.env[k] for p in parts]) for k in parts[0].env}
+    frames = {k: np.concatenate([p.frames[k] for p in parts]) for k in parts[0].frames}
+    q, nominal = (np.concatenate([getattr(p, k) for p in parts]) for k in ("q", "nominal"))
     return Samples(q, env, frames, nominal)
 
 

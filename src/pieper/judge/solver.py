@@ -12,6 +12,7 @@ from pieper.description.fold import chain_of
 from pieper.solver import verbs
 from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
+from pieper.solver.results import Status
 
 
 class Solver:
@@ -28,6 +29,10 @@ class Solver:
     def of(cls, description: Description) -> Solver:
         """A solver that plans a described arm when it is first asked."""
         return cls(cache(lambda task: make_plan(chain_of(description), description, task=task)))
+
+    def endless(self, T: np.ndarray, task: str | None = None) -> bool:
+        """Whether a pose (4, 4), in m, has a whole curve of solutions."""
+        return verbs.ik(self._plan_for(task), T, None).status == Status.REDUNDANT
 
     def solutions(self, T: np.ndarray, task: str | None = None) -> np.ndarray:
         """Return all joint vectors (m, n), rad or m, of a pose (4, 4), before limits.

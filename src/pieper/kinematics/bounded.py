@@ -38,12 +38,12 @@ def nearer(chain: Chain, q: Array, T: Array, limits: Array, turning: Array, step
     unit = chain.joints.unit
     q = np.clip(q, limits[:, 0], limits[:, 1])
     damp = np.full(len(q), FIRST)
-    value, g, H = _expanded(chain, q, T, turning)
+    value, g, bend = _expanded(chain, q, T, turning)
     for _ in range(steps):
         stopped = ((q <= limits[:, 0]) & (g > 0)) | ((q >= limits[:, 1]) & (g < 0))
         free = ~stopped
         slope = np.where(free, g, 0.0)
-        bent = np.where(free[:, :, None] & free[:, None, :], H, np.eye(q.shape[1]))
+        bent = np.where(free[:, :, None] & free[:, None, :], bend, np.eye(q.shape[1]))
         s, V = np.linalg.eigh(bent)
         size = np.maximum(np.abs(s), FLAT * np.abs(s).max(1, keepdims=True)) + damp[:, None] * np.abs(s).max(
             1, keepdims=True
@@ -52,10 +52,10 @@ def nearer(chain: Chain, q: Array, T: Array, limits: Array, turning: Array, step
         if np.abs(step).max() < SETTLED:
             break
         tried = np.clip(q + bounded(step, LONGEST) * unit, limits[:, 0], limits[:, 1])
-        new, new_g, new_H = _expanded(chain, tried, T, turning)
+        new, new_g, new_bend = _expanded(chain, tried, T, turning)
         better = new < value
         q, value = np.where(better[:, None], tried, q), np.where(better, new, value)
-        g, H = np.where(better[:, None], new_g, g), np.where(better[:, None, None], new_H, H)
+        g, bend = np.where(better[:, None], new_g, g), np.where(better[:, None, None], new_bend, bend)
         damp = np.clip(damp * np.where(better, SHRINK, GROW), 1e-14, MOST)
         if (damp >= MOST).all():
             break

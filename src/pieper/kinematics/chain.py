@@ -68,10 +68,10 @@ class Chain:
     @cached_property
     def _joint_frames(self) -> Array:
         frames = np.empty((self.n, 4, 4))
-        T = self.links[0]
+        frame = self.links[0]
         for i in range(self.n):
-            frames[i] = T
-            T = T @ self.links[i + 1]
+            frames[i] = frame
+            frame = frame @ self.links[i + 1]
         return frames
 
     @cached_property

@@ -68,8 +68,8 @@ class Geometry:
         angle = np.arctan2(sine, np.abs(np.sum(u * v, 1)))
         parallel = angle <= self.tolerance
         across = w - np.sum(w * u, 1)[:, None] * u
-        apart = np.sqrt(np.sum(across * across, 1))
-        skew = np.abs(np.sum(w * cross, 1)) / np.where(parallel, 1.0, sine)
+        apart: Array = np.sqrt(np.sum(across * across, 1))
+        skew: Array = np.abs(np.sum(w * cross, 1)) / np.where(parallel, 1.0, sine)
         distance: Array = np.where(parallel, apart, skew)
         return tuple(self._pair(i, float(angle[i]), float(distance[i])) for i in range(self.chain.n - 1))
 
@@ -89,7 +89,9 @@ class Geometry:
         """Return the point (3,) closest to the axes of joints at zero, and the largest distance to them, m."""
         U, P = self.chain.axes[list(joints)], self.chain.points[list(joints)]
         N = np.eye(3) - U[:, :, None] * U[:, None, :]
-        point: Array = np.linalg.lstsq(N.sum(0), (N @ P[:, :, None])[..., 0].sum(0), rcond=None)[0]
+        normal: Array = N.sum(0)
+        side: Array = (N @ P[:, :, None])[..., 0].sum(0)
+        point = np.asarray(np.linalg.lstsq(normal, side, rcond=None)[0], np.float64)
         off = np.linalg.norm((N @ (point - P)[:, :, None])[..., 0], axis=1)
         return point, float(off.max())
 

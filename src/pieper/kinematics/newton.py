@@ -58,7 +58,7 @@ def determinant(chain: Chain, q: Array) -> Array:
 
 def singular_values(chain: Chain, q: Array) -> Array:
     """Return the singular values (..., min(n, 6)) of the Jacobian without units, largest first."""
-    return np.linalg.svd(scaled_jacobian(chain, q), compute_uv=False)
+    return np.asarray(np.linalg.svd(scaled_jacobian(chain, q), compute_uv=False), np.float64)
 
 
 def null_space(chain: Chain, q: Array) -> tuple[Array, Array]:

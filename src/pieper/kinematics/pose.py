@@ -71,11 +71,12 @@ def as_pose(T: Any) -> Any:
     SciPy's RigidTransform, spatialmath's SE3, Pinocchio's SE3 and whatever else hands out a (4, 4) or (N, 4, 4) by one
     of the usual names, or a `rotation` (3, 3) and a `translation` (3,); lists of such poses too.
     """
+    held = T
     if isinstance(T, (np.ndarray, float, int)) or T is None:
-        return T
+        return held
     if isinstance(T, (list, tuple)):
         # numbers and nested lists are left to NumPy
-        return [as_pose(item) for item in T] if T and not isinstance(T[0], (list, tuple, float, int)) else T
+        return [as_pose(item) for item in held] if T and not isinstance(held[0], (list, tuple, float, int)) else held
     for name in _ACCESSORS:
         found = getattr(T, name, None)
         if found is not None:
@@ -260,9 +261,9 @@ def skew(v: Array) -> Array:
     return K - np.swapaxes(K, -1, -2)
 
 
-def rotation_vector(R: Array) -> Array:
+def rotation_vector(rotations: Array) -> Array:
     """Return the rotation vectors (..., 3), rad, of rotations (..., 3, 3), exact near 0 and near a half turn."""
-    R = np.asarray(R, float)
+    R = np.asarray(rotations, float)
     w = np.stack([R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], -1) / 2
     sine = np.linalg.norm(w, axis=-1)
     cosine = (np.trace(R, axis1=-2, axis2=-1) - 1) / 2

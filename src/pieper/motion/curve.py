@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper import _kernel
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.arrays import Array, ArrayLike, Indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +44,7 @@ class JointCurve:
         h = self.s[-1] - self.s[-2]
         return self.q[-1] + h * (self.d1[-1] + h * (self.d2[-1] / 2 + h * self.d3[-1] / 6))
 
-    def piece(self, s: Array) -> Array:
+    def piece(self, s: Array) -> Indices:
         """Return the number of the piece at s (...)."""
         return np.clip(np.searchsorted(self.s, s, side="right") - 1, 0, len(self.q) - 1)
 

@@ -10,9 +10,9 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.motion.curve import JointCurve
+from pieper.motion.in_time import ROUNDING, binding, profile_of, sampled
 from pieper.motion.motion import Motion
 from pieper.motion.profile import Profile
-from pieper.motion.time_law import ROUNDING, binding, profile_of, sampled
 from pieper.motion.timed_path import TimedPath
 
 #: Degree of a joint's speed on a piece: q' of degree 2 in s, s of degree 3 in time, times ds/dt of degree 2.
@@ -122,16 +122,17 @@ def averaged(profile: Profile, window: float) -> Profile:
     t = np.union1d(profile.t, profile.t + w)
     t = t[np.append(True, np.diff(t) > 1e-12 * (T + w))]
     t[-1] = T + w
-    i_of = profile.t
+    begun = profile.t
     s, v, a, j = profile.c.T
     h = np.diff(profile.t)
     area = np.concatenate([[0.0], np.cumsum(h * (s + h * (v / 2 + h * (a / 6 + h * j / 24))))])
-    end = profile.at(np.array([T]))[0][0]
+    end = float(profile.at(np.array([T]))[0][0])
 
     def at(time: Array) -> tuple[Array, Array, Array, Array]:
-        inner = np.clip(time, 0.0, T)
-        i = np.clip(np.searchsorted(i_of, inner, side="right") - 1, 0, len(h) - 1)
-        tau = inner - i_of[i]
+        inner = np.asarray(np.clip(time, 0.0, T), float)
+        i = np.clip(np.searchsorted(begun, inner, side="right") - 1, 0, len(h) - 1)
+        tau = inner - begun[i]
+        tau = np.asarray(tau, float)
         whole = area[i] + tau * (s[i] + tau * (v[i] / 2 + tau * (a[i] / 6 + tau * j[i] / 24)))
         inside = (time >= 0) & (time < T)
         place = np.where(time < 0, 0.0, np.where(time >= T, end, s[i] + tau * (v[i] + tau * a[i] / 2)))
@@ -152,7 +153,7 @@ def _bernstein() -> Array:
     u = np.linspace(0, 1, DEGREE + 1)[:, None]
     k = np.arange(DEGREE + 1)
     binomial = np.array([comb(DEGREE, i) for i in k])
-    return np.linalg.inv(binomial * u**k * (1 - u) ** (DEGREE - k))
+    return np.asarray(np.linalg.inv(binomial * u**k * (1 - u) ** (DEGREE - k)), float)
 
 
 _COEFFICIENTS = _bernstein()

@@ -52,11 +52,12 @@ def joint_move_time(q0: ArrayLike, q1: ArrayLike, limits: Limits) -> Array:
     way = np.abs(np.asarray(q1, float) - np.asarray(q0, float))
     bound = limits.of(way.shape[-1])
     with np.errstate(divide="ignore"):
-        V, A = (bound.speed / way).min(-1), (bound.acceleration / way).min(-1)
-        J = None if bound.jerk is None else (bound.jerk / way).min(-1)
-    rest = np.isinf(V)
-    V, A, J = np.where(rest, 1, V), np.where(rest, 1, A), None if J is None else np.where(rest, 1, J)
-    _, Ta, Tv = phases(V, A, J)
+        least = [(row / way).min(-1) for row in (bound.speed, bound.acceleration)]
+        sharpest = None if bound.jerk is None else (bound.jerk / way).min(-1)
+    rest = np.isinf(least[0])
+    speed, acceleration = (np.where(rest, 1.0, value) for value in least)
+    jerk = None if sharpest is None else np.where(rest, 1.0, sharpest)
+    _, Ta, Tv = phases(speed, acceleration, jerk)
     return np.where(rest, 0.0, 2 * Ta + Tv)
 
 
@@ -116,7 +117,7 @@ def tight_pieces(profile: Profile, binding: list[str]) -> list[Tight]:
 
 
 def _two(q0: ArrayLike, q1: ArrayLike) -> tuple[Array, Array]:
-    pair = []
+    pair: list[Array] = []
     for q, what in ((q0, "q0"), (q1, "q1")):
         try:
             array = np.array(q, dtype=float)

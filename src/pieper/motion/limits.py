@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 
@@ -93,16 +94,18 @@ class JointLimits:
     jerk: Array | None
 
 
-def _positive(value: ArrayLike, what: str) -> Array:
+def _positive(value: object, what: str) -> Array:
     unit = _UNITS[what]
     if isinstance(value, (list, tuple)):
-        for j, item in enumerate(value):
+        for j, item in enumerate(cast("Sequence[object]", value)):
             if item is None:
                 raise InputError(f"{what} of joint {j + 1} is missing; say how much, {unit}.", joint=j + 1)
     try:
-        array = np.array(value, dtype=float)
+        array: Array = np.array(value, dtype=float)
     except (TypeError, ValueError):
-        raise InputError(f"{what} must be one number or one a joint, {unit}, got {value!r}.", given=value) from None
+        raise InputError(
+            f"{what} must be one number or one a joint, {unit}, got {value!r}.", given=repr(value)
+        ) from None
     if array.ndim > 1 or array.size == 0:
         raise InputError(f"{what} must be one number or one a joint, got shape {array.shape}.", given=array.shape)
     bad = ~(np.isfinite(array) & (array > 0))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from dataclasses import replace
 from typing import Protocol
@@ -58,7 +59,7 @@ class Program:
         q = np.zeros(self.plan.n) if start is None else self._posture(start, "start")
         self.start = q
         self.instructions: list[Instruction] = []
-        self._q, self._T = q, fk(self.plan.chain, q)
+        self._q, self._pose = q, fk(self.plan.chain, q)
         self._segments: list[Segment] = []
         self._known: tuple[int, float, Motion] | None = None
 
@@ -110,7 +111,7 @@ class Program:
             NoSolutionError: The circle cannot be followed.
         """
         over, pose = checked_pose(via, "via"), checked_pose(T, f"target of move {self._number}")
-        circle(self._T, over, pose, np.zeros(1))
+        circle(self._pose, over, pose, np.zeros(1))
         return self._line("move_c", pose, over, speed, blend)
 
     def wait(self, seconds: float) -> Program:
@@ -120,9 +121,13 @@ class Program:
 
     def output(self, port: int, value: bool) -> Program:
         """Set a digital output; the arm does not stop for it."""
-        if isinstance(port, bool) or not isinstance(port, (int, np.integer)) or port < 0:
+        try:
+            number = -1 if isinstance(port, bool) else operator.index(port)
+        except TypeError:
+            number = -1
+        if number < 0:
             raise InputError(f"an output's port must be a whole number from 0, got {port!r}.", given=port)
-        self.instructions.append(Output(int(port), bool(value)))
+        self.instructions.append(Output(number, bool(value)))
         return self
 
     def gripper(self, value: float) -> Program:
@@ -260,27 +265,27 @@ class Program:
         return len(self._segments) + 1
 
     def _add(self, move: Move) -> Program:
-        way = segment(self.plan, self._number, self._q, self._T, move)
+        way = segment(self.plan, self._number, self._q, self._pose, move)
         self._segments.append(way)
         self.instructions.append(move)
-        self._q, self._T = move.q, move.T
+        self._q, self._pose = move.q, move.T
         return self
 
     def _line(self, kind: str, T: Array, via: Array | None, speed: float | None, blend: float) -> Program:
         v = None if speed is None else _number(speed, "speed", "m/s")
         move = Move(kind, self._q, T, v, _radius(blend), via)
-        way = segment(self.plan, self._number, self._q, self._T, move)
+        way = segment(self.plan, self._number, self._q, self._pose, move)
         q, middle = way.curve.end, way.curve.at(np.array([0.5]))[0][0]
         if via is not None:
             # where the circle passes the via
             s = np.linspace(0, 1, 401)
-            p = circle(self._T, via, T, s)[:, :3, 3]
+            p = circle(self._pose, via, T, s)[:, :3, 3]
             middle = way.curve.at(s[[np.argmin(np.linalg.norm(p - via[:3, 3], axis=1))]])[0][0]
         move = replace(move, q=q, q_via=None if via is None else middle)
         self._segments.append(replace(way, move=move))
         self.instructions.append(move)
         # an arm that holds a part of a pose alone is where its joints are
-        self._q, self._T = q, T if self.plan.task == "pose" else fk(self.plan.chain, q)
+        self._q, self._pose = q, T if self.plan.task == "pose" else fk(self.plan.chain, q)
         return self
 
     def _posture(self, q: ArrayLike | str, what: str) -> Array:
@@ -336,7 +341,7 @@ def _together(pieces: list[Motion], events: list[tuple[float, str, object]], rem
     ]
 
     def joined(name: str) -> Array:
-        parts = []
+        parts: list[Array] = []
         for i, p in enumerate(pieces):
             # where two meet, the sample is said once
             value = getattr(p, name)

@@ -9,11 +9,13 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.motion.blend import Blend, blend, blended_points
 from pieper.motion.curve import JointCurve
+from pieper.motion.in_time import sampled
+from pieper.motion.jerk import smooth_motion
 from pieper.motion.joint_move import margin_of_line, straight_profile, tight_pieces
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
 from pieper.motion.segments import Segment
-from pieper.motion.time_law import motion_of, sampled
+from pieper.motion.time_law import motion_of
 from pieper.motion.timed_path import on_grid
 from pieper.solver.plan.plan import Plan
 
@@ -74,8 +76,6 @@ def _timed(
         x, _, _, _ = timed.run()
         motion = motion_of(timed, x, deviation, rate)
     else:
-        from pieper.motion.jerk import smooth_motion
-
         motion = smooth_motion(timed, curve, rate)
     return motion, [*np.interp(middles, motion.s, motion.t).tolist(), motion.duration]
 
@@ -104,9 +104,11 @@ def _straight(plan: Plan, limits: Limits, way: Segment, rate: float) -> Motion:
     return Motion(t, q, dq, ddq, ends, ends, dddq, s, tight, margin_of_line(step, profile, slower))
 
 
-def _joined(plan: Plan, ways: list[Segment], corners: list[Blend]) -> tuple[JointCurve, Array, list[float]]:
+def _joined(plan: Plan, ways: list[Segment], corners: list[Blend]) -> tuple[JointCurve, list[int], list[float]]:
     """Return one curve through ways with their corners cut, whose move each piece belongs to, and s of the corners."""
-    points, owner, middle_at = [], [], []
+    points: list[Array] = []
+    owner: list[int] = []
+    middle_at: list[int] = []
     begins = 0.0
     for k, way in enumerate(ways):
         ends = corners[k].leaves if k < len(corners) else 1.0
@@ -133,4 +135,4 @@ def _joined(plan: Plan, ways: list[Segment], corners: list[Blend]) -> tuple[Join
     else:
         s = np.concatenate([[0.0], np.cumsum(length)]) / length.sum()
     s[-1] = 1.0
-    return JointCurve.through(s, q), np.array(owner), [float(s[i]) for i in middle_at]
+    return JointCurve.through(s, q), owner, [float(s[i]) for i in middle_at]

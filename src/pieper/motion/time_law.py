@@ -10,16 +10,11 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.motion.certificate import joint_peaks, tool_acceleration_peaks, vector_peaks
 from pieper.motion.constant_speed import checked_sections, section_grid, why_not
-from pieper.motion.curve import JointCurve
+from pieper.motion.in_time import ROUNDING, binding, profile_of, sampled
+from pieper.motion.jerk import smooth_motion
 from pieper.motion.limits import Limits
-from pieper.motion.motion import Motion, Tight, sample_times
-from pieper.motion.profile import Profile
+from pieper.motion.motion import Motion
 from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
-
-#: A limit binds where its value comes this near to it, relative: a little more than the tool's polygon takes away.
-BINDS = 2e-3
-#: What is passed by rounding is taken back with this much more, relative.
-ROUNDING = 1e-13
 
 
 def time_law(
@@ -58,8 +53,6 @@ def time_law(
     asked = checked_sections(constant_speed)
     timed, curve = timed_path(path, limits, arm, at=[s for section in asked for s in section[:2]])
     if limits.jerk is not None:
-        from pieper.motion.jerk import smooth_motion
-
         if asked:
             raise InputError("a section of constant speed and a jerk limit at once are not planned; leave one out.")
         return smooth_motion(timed, curve, rate)
@@ -86,23 +79,6 @@ def motion_of(timed: TimedPath, x: Array, deviation: float, rate: float) -> Moti
     return Motion(*motion[:4], ends, ends, *motion[4:], tuple(binding(profile.t, ratios)), margin, deviation=deviation)
 
 
-def profile_of(s: Array, x: Array) -> Profile:
-    """Return s(t) where x = (ds/dt)^2 is linear between the points s (k + 1,)."""
-    h, v = np.diff(s), np.sqrt(x)
-    t = np.concatenate([[0.0], np.cumsum(2 * h / (v[1:] + v[:-1]))])
-    return Profile(t, np.stack([s[:-1], v[:-1], np.diff(x) / (2 * h), np.zeros(len(h))], 1))
-
-
-def sampled(curve: JointCurve, profile: Profile, rate: float) -> tuple[Array, Array, Array, Array, Array, Array]:
-    """Return t, q, dq, ddq, dddq and s of a curve under a profile."""
-    t = sample_times(profile.duration, rate)
-    s, v, a, j = profile.at(t)
-    s[-1] = curve.s[-1]
-    q, d1, d2, d3 = curve.at(s)
-    v, a, j = v[:, None], a[:, None], j[:, None]
-    return t, q, d1 * v, d2 * v**2 + d1 * a, d3 * v**3 + 3 * d2 * v * a + d1 * j, s
-
-
 def peak_ratios(timed: TimedPath, x: Array) -> list[tuple[str, str | None, Array]]:
     """Return each limit's name, joint and largest value over it (k,) on each piece."""
     rates, bends = joint_peaks(timed.curve, x)
@@ -122,16 +98,3 @@ def peak_ratios(timed: TimedPath, x: Array) -> list[tuple[str, str | None, Array
     if limits.tool_acceleration is not None:
         out.append(("tool acceleration", None, tool_acceleration_peaks(tool, timed.h, x) / limits.tool_acceleration))
     return out
-
-
-def binding(t: Array, ratios: list[tuple[str, str | None, Array]]) -> list[Tight]:
-    """Return which limit binds when, neighbouring pieces together."""
-    values = np.stack([r for _, _, r in ratios])
-    which = np.where(values.max(0) >= 1 - BINDS, values.argmax(0), -1)
-    edges = np.flatnonzero(np.diff(which)) + 1
-    starts, ends = np.concatenate([[0], edges]), np.append(edges, len(which))
-    return [
-        Tight(float(t[a]), float(t[b]), *ratios[which[a]][:2])
-        for a, b in zip(starts, ends, strict=True)
-        if which[a] >= 0
-    ]

@@ -22,9 +22,11 @@ from pieper.solver.plan.plan import Plan
 #: Pieces of the grid on which a profile is made, at least; a curve through few points bends more on each of its pieces,
 GRID = 1000
 #: which get this many where they are few,
-GRID_OF_A_PIECE = 100
-#: and no more than this in all.
+GRID_OF_A_PIECE = 400
+#: no more than this in all,
 GRID_OF_FEW = 4000
+#: and are few up to this many.
+FEW = 100
 #: Directions on a half circle in which the tool's acceleration is kept; between them it is kept by their polygon, which
 #: lies within the circle and takes away up to 1 - cos(pi / 64), 0.12 percent.
 DIRECTIONS = 32
@@ -117,7 +119,8 @@ class TimedPath:
             empty = np.zeros((k, 0))
             return empty, empty, empty
         angle = np.arange(DIRECTIONS) * np.pi / DIRECTIONS
-        a, b = [], []
+        a: list[Array] = []
+        b: list[Array] = []
         for end in (0, 1):
             p, d = self.tool.point[end : k + end], self.tool.bend[end : k + end]
             # the plane that both lie in
@@ -218,7 +221,7 @@ def on_grid(
         )
     bound = limits.of(curve.q.shape[1], names)
     # with a jerk the profile is evened out anyway
-    few = len(curve.q) <= GRID_OF_A_PIECE and limits.jerk is None
+    few = len(curve.q) <= FEW and limits.jerk is None
     each = max(-(-GRID // len(curve.q)), min(GRID_OF_A_PIECE, GRID_OF_FEW // len(curve.q)) if few else 1)
     part = np.arange(each) / each
     grid = np.append((curve.s[:-1, None] + np.diff(curve.s)[:, None] * part).ravel(), curve.s[-1])
@@ -242,8 +245,8 @@ def _whole(path: JointPath) -> Array:
     """Return the points of a path that reaches its end."""
     if isinstance(path, Track) and not path.complete:
         raise InputError(
-            f"the track stops at point {len(path.q)} of {len(path.path)}; a motion is timed to its end. "
-            f"{path.explain().splitlines()[1] if path.stop else ''} Time track.q up to there, or follow another way.",
-            reached=len(path.q),
+            f"the track stops at point {len(path.followed)} of {len(path.path)}; a motion is timed to its end. "
+            f"{path.explain().splitlines()[1] if path.stop else ''} Time track.followed, or follow another way.",
+            reached=len(path.followed),
         )
     return checked_points(path.q, "the path")

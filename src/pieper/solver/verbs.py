@@ -191,8 +191,8 @@ def _after(told: Callable[[int], None], before: int, done: int) -> None:
 
 def _plain(plan: Plan, Ts: PoseLike, redundancy: Redundancy) -> Array:
     """Return poses (N, 4, 4) as the solver takes them, unchecked where it looks at them itself."""
-    by_value = not (isinstance(redundancy, Mapping) and ARM_ANGLE in redundancy)
-    if isinstance(Ts, np.ndarray) and (plan.direct or (plan.immediate and by_value)):
+    by_value, given = not (isinstance(redundancy, Mapping) and ARM_ANGLE in redundancy), Ts
+    if isinstance(given, np.ndarray) and (plan.direct or (plan.immediate and by_value)):
         poses = np.ascontiguousarray(np.asarray(Ts), dtype=np.float64)
         if poses.ndim == 3 and poses.shape[1:] == (4, 4):
             return poses
@@ -206,14 +206,16 @@ def _checked(Ts: PoseLike) -> Array:
     return np.ascontiguousarray(poses)
 
 
-def _threads(threads: object) -> int:
+def _threads(threads: Any) -> int:
     if threads is None:
         return os.cpu_count() or 1
-    if not isinstance(threads, (int, np.integer)) or threads < 1:
+    whole: type[Any] | tuple[type[Any], ...] = (int, np.integer)
+    count = int(threads) if isinstance(threads, whole) else 0
+    if count < 1:
         raise InputError(
             f"threads must be a whole number of at least 1, or None for all cores, got {threads!r}.", given=threads
         )
-    return int(threads)
+    return count
 
 
 # ---------------------------------------------------------------------------------------------- rows

@@ -105,7 +105,8 @@ def _solutions(arm: Arm, T: Array, q: Array, form: ClosedForm) -> list[np.ndarra
     except PieperError:
         return found
     turning = np.array([kind == "R" for kind in arm.description.joint_types])
-    for row in rows:
+    close = np.abs(_asked(arm.fk(rows), form) - _asked(T, form)).reshape(len(rows), -1).max(axis=1, initial=0.0)
+    for row in rows[close < CLOSE * max(1.0, float(np.abs(T).max()))]:
         if _gap(np.array(found), row, turning).min() > 1e-5:
             found.append(np.asarray(row))
     return found

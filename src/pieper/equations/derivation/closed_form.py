@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
-from dataclasses import dataclass
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,50 +12,32 @@ import numpy as np
 from pieper.algebra.arithmetics import DigitsField, NumpyField
 from pieper.algebra.expression import Expr, Num, Sym, Trig, angle_symbol
 from pieper.description.dh import Description
-from pieper.equations.derivation.elimination import Eliminator, Source
+from pieper.description.fold import chain_of
+from pieper.equations.derivation.degenerate import FREE, MIXED, NOISE, Array, Case, visit
+from pieper.equations.derivation.elimination import Eliminator, Move, Source
+from pieper.equations.derivation.step import Step
 from pieper.equations.derivation.witness import branch_values
 from pieper.equations.table import SymbolTable
 from pieper.equations.target import pretty_names
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import fk
 
 #: By how much a side condition may be missed and still hold, per unit of the pose's entries.
 CONDITION = 1e-6
+#: By how much rounding pushes the argument of a root below zero, per square of the pose's entries.
+ROUNDING = 1e-14
 
 
-@dataclass(frozen=True)
-class Step:
-    """One numbered step.
+class _Rounded(NumpyField):
+    """Double precision in which a root that rounding pushed below zero is zero: two branches meet there."""
 
-    Attributes:
-        number: 1, 2, ...
-        symbol: What it solves for (theta1, d3, or a sum such as theta234).
-        angle: The joints of it, ((joint, factor), ...).
-        sources: The matrix equations used, each with its entries.
-        names: Shorthands introduced here, (symbol, formula).
-        equations: The scalar equations used, (left, right).
-        formula: The formula for `symbol`.
-        sigma: The branch sign in it, or None.
-        kind: The pattern, see `patterns`.
-        degenerate: Expressions that all vanish where `symbol` is free; empty when that cannot happen.
-        merge: Vanishes where the two branches become one; None for one branch.
-    """
+    def __init__(self, slack: float) -> None:
+        self._slack = slack
 
-    number: int
-    symbol: Sym
-    angle: tuple[tuple[int, int], ...]
-    sources: tuple[Source, ...]
-    names: tuple[tuple[Sym, Expr], ...]
-    equations: tuple[tuple[Expr, Expr], ...]
-    formula: Expr
-    sigma: Sym | None
-    kind: str
-    degenerate: tuple[Expr, ...]
-    merge: Expr | None
-
-    @property
-    def branches(self) -> int:
-        """How many solutions the step has."""
-        return 1 if self.sigma is None else 4 if self.kind == "quartic" else 2
+    def sqrt(self, x: Any) -> Any:  # pyright: ignore[reportIncompatibleMethodOverride]
+        """Square root; of numbers just below zero, zero."""
+        x = np.asarray(x, dtype=float)
+        return np.sqrt(np.where((x < 0) & (x > -self._slack), 0.0, x))
 
 
 class ClosedForm:
@@ -76,6 +59,7 @@ class ClosedForm:
         self.steps = _steps(eliminator, self.renamed)
         self.given = eliminator.target.given
         self._eliminator = eliminator
+        self._cases: dict[int, Case] = {}
         self.conditions: tuple[tuple[Expr, Expr, Source], ...] = ()
         self.conditions = self._side_conditions()
 
@@ -113,7 +97,9 @@ class ClosedForm:
         T = np.asarray(T, float).reshape(-1, 4, 4)
         q = np.zeros((len(T), self.n)) if chosen is None else np.asarray(chosen, float).reshape(len(T), self.n)
         values = self._values(T, q)
-        self._run(values, NumpyField)
+        with np.errstate(all="ignore"):
+            size = max(1.0, float(np.abs(T[:, :3]).max(initial=0.0)))
+            self._run(values, _Rounded(ROUNDING * size**2), q)
         shape = (self.branches, len(T))
         found = [np.broadcast_to(self._joint(values, j, NumpyField), shape) for j in range(1, self.n + 1)]
         found = np.stack(found, axis=-1)
@@ -131,11 +117,10 @@ class ClosedForm:
         e = self._eliminator
         q = np.random.default_rng(11).uniform(-2.5, 2.5, (6, self.n))
         truth = self.table.values(q.T, NumpyField)
-        frames = [[p.evaluate(truth) for p in row] for row in e.product(0, self.n)]
         M = np.zeros((6, 4, 4))
         for r, c in itertools.product(range(4), range(4)):
-            M[:, r, c] = frames[r][c]
-        T = self.description.base @ M @ (np.eye(4) if self.fold_tool else self.description.tool)
+            M[:, r, c] = e.product(0, self.n)[r][c].evaluate(truth)
+        T = self.poses(q)
         found = self.evaluate(T, chosen=q)
         values = self._values(T, q)
         self._run(values, NumpyField)
@@ -164,6 +149,63 @@ class ClosedForm:
                 chosen.append((left, right, equation.source))
                 wrong = wrong & ~(gap > 1e-4)
         return tuple(chosen)
+
+    @property
+    def moves(self) -> list[Move]:
+        """The moves that the steps were made of."""
+        return self._eliminator.moves
+
+    @functools.cached_property
+    def constants(self) -> dict:
+        """Numbers for the lengths and twists."""
+        return self.table.constants(NumpyField)
+
+    @property
+    def cases(self) -> dict[int, Case]:
+        """Step number -> what happens where that step degenerates, for the steps that can."""
+        return {step.number: self.case(step) for step in self.steps if step.degenerate}
+
+    def case(self, step: Step) -> Case:
+        """What happens where a step degenerates."""
+        if step.number not in self._cases:
+            self._cases[step.number] = visit(self, step)
+        return self._cases[step.number]
+
+    def instead(self, step: Step) -> Step | None:
+        """The step that decides where this one degenerates, None where none does."""
+        case = self.case(step) if step.degenerate else None
+        if case is None or case.other is None or case.eliminator is None:
+            return None
+        moves = [*self.moves[: step.number - 1], case.other]
+        renamed = {**pretty_names([n for m in [*self.moves, case.other] for n in m.names]), **self.renamed}
+        found = _step(case.eliminator, renamed, step.number, moves[-1])
+        if found.sigma is None or case.sigma is None:
+            return found
+        swap = {found.sigma: case.sigma}
+        return replace(found, formula=found.formula.substitute(swap), sigma=case.sigma)
+
+    def replayed(self, moves: int) -> Eliminator:
+        """The elimination as it stood after so many steps."""
+        e = self._eliminator
+        again = Eliminator(self.table, given=self.given, chosen=tuple(self.chosen), fold_tool=self.fold_tool)
+        again.free = list(e.free)
+        again.follow_sums()
+        while len(again.moves) < moves and (move := again.best()) is not None:
+            again.take(move)
+        return again
+
+    def poses(self, q: Array) -> Array:
+        """Poses (N, 4, 4) of joint vectors (N, n)."""
+        return fk(self._chain, q)
+
+    @functools.cached_property
+    def _chain(self) -> Chain:
+        return chain_of(self.description)
+
+    def values_at(self, q: Array) -> dict:
+        """Values (N,) of lengths, pose letters and every joint at joint vectors (N, n) and their own poses."""
+        values = self._values(self.poses(q), q)
+        return values | self.table.values(q.T, NumpyField)
 
     def _values(self, T: Array, q: Array) -> dict:
         signs = np.array(self._choices()).reshape(self.branches, -1)
@@ -200,18 +242,20 @@ class ClosedForm:
                 found.append([self._joint(values, j, field) for j in range(1, self.n + 1)])
         return found
 
-    def _given_joints(self, q: Array, field: Any) -> dict:
+    def _given_joints(self, q: Any, field: Any) -> dict:
         values = {}
         for joint in (*self.chosen, *self.free):
             symbol, expression = self.table.relation[joint]
             values[symbol] = expression.evaluate({angle_symbol(joint, "q"): q[joint - 1]}, field)
         return values
 
-    def _run(self, values: dict, field: Any, steps: Any = None) -> None:
-        for step in self.steps if steps is None else steps:
+    def _run(self, values: dict, field: Any, chosen: Array | None = None) -> None:
+        for step in self.steps:
             for symbol, expression in step.names:
                 values[symbol] = expression.evaluate(values, field)
             value = step.formula.evaluate(values, field)
+            if step.degenerate and chosen is not None:
+                value = self._where_degenerate(step, value, values, chosen)
             values[step.symbol] = value
             (joint, factor), *others = step.angle
             if others or factor != 1:
@@ -219,8 +263,28 @@ class ClosedForm:
                 values[Trig("c", step.angle, group)] = field.cos(value)
                 values[Trig("s", step.angle, group)] = field.sin(value)
 
+    def _where_degenerate(self, step: Step, value: Any, values: dict, chosen: Array) -> Array:
+        """The value of a step, where it degenerates that of the step which decides instead, or the chosen one."""
+        sizes = [np.abs(c.evaluate(values, NumpyField)) for c in step.degenerate]
+        gone = np.max(np.broadcast_arrays(*sizes), axis=0) < NOISE
+        if not gone.any():
+            return value
+        case, instead = self.case(step), self.instead(step)
+        if instead is not None:
+            for symbol, expression in instead.names:
+                values.setdefault(symbol, expression.evaluate(values, NumpyField))
+            if instead.sigma is not None:
+                values.setdefault(instead.sigma, 1.0)
+            return np.where(gone, instead.formula.evaluate(values, NumpyField), value)
+        if case.kind not in (FREE, MIXED):
+            return value
+        here = self.table.values(chosen.T, NumpyField)
+        group = self.table.variable(step.angle[0][0])
+        free = here[group] if len(step.angle) == 1 else sum(k * here[angle_symbol(j)] for j, k in step.angle)
+        return np.where(gone, free, value)
+
     def _joint(self, values: dict, joint: int, field: Any) -> Any:
-        """The q of a joint from its table variable: theta = sign q + constant."""
+        """q of a joint from its table variable: theta = sign q + constant."""
         symbol, expression = self.table.relation[joint]
         q = angle_symbol(joint, "q")
         zero = field.rational(Num(0).value)
@@ -229,32 +293,30 @@ class ClosedForm:
 
 
 def _steps(eliminator: Eliminator, table: dict) -> tuple[Step, ...]:
+    return tuple(_step(eliminator, table, number, move) for number, move in enumerate(eliminator.moves, 1))
+
+
+def _step(eliminator: Eliminator, table: dict, number: int, move: Move) -> Step:
     constants = eliminator.table.constants(NumpyField)
 
     def tidy(expr: Expr) -> Expr:
         return expr.substitute(table)
 
-    found = []
-    for number, move in enumerate(eliminator.moves, 1):
-        names = [(table[s], tidy(eliminator.target.definitions[s].expr())) for s in move.names]
-        names += [(s, tidy(x)) for s, x in move.solved.definitions]
-        equations = tuple((tidy(e.left.expr()), tidy(e.right.expr())) for e in move.equations)
-        found.append(
-            Step(
-                number,
-                move.symbol,
-                move.angle,
-                tuple(e.source for e in move.equations),
-                tuple(names),
-                equations,
-                tidy(move.solved.formula),
-                move.sigma,
-                move.solved.kind,
-                _vanishing([tidy(x) for x in move.solved.degenerate], constants),
-                tidy(move.solved.merge) if move.solved.merge is not None else None,
-            )
-        )
-    return tuple(found)
+    names = [(table[s], tidy(eliminator.target.definitions[s].expr())) for s in move.names]
+    names += [(s, tidy(x)) for s, x in move.solved.definitions]
+    return Step(
+        number,
+        move.symbol,
+        move.angle,
+        tuple(e.source for e in move.equations),
+        tuple(names),
+        tuple((tidy(e.left.expr()), tidy(e.right.expr())) for e in move.equations),
+        tidy(move.solved.formula),
+        move.sigma,
+        move.solved.kind,
+        _vanishing([tidy(x) for x in move.solved.degenerate], constants),
+        tidy(move.solved.merge) if move.solved.merge is not None else None,
+    )
 
 
 def _vanishing(conditions: list[Expr], constants: dict) -> tuple[Expr, ...]:

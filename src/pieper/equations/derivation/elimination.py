@@ -110,12 +110,12 @@ class Eliminator:
     # -- the loop --------------------------------------------------------------------------------------------
     def solve(self) -> bool:
         """Solve as far as it goes; True when every joint is known or free."""
-        self._follow_sums()
+        self.follow_sums()
         while len(self.knowledge.joints) < self.n:
-            move = self._best()
+            move = self.best()
             if move is None:
                 return self._free_rest()
-            self._take(move)
+            self.take(move)
         return True
 
     @property
@@ -128,7 +128,7 @@ class Eliminator:
             j -= 1
         return i, j
 
-    def _take(self, move: Move) -> None:
+    def take(self, move: Move) -> None:
         self.moves.append(move)
         joint = single_joint(move.angle)
         if joint is not None:
@@ -141,9 +141,9 @@ class Eliminator:
             else:
                 group = self.table.groups[move.angle[0][0] - 1]
                 self.branch_signs[Trig(function, move.angle, group)] = mul(Num(factor), move.sigma)
-        self._follow_sums()
+        self.follow_sums()
 
-    def _follow_sums(self) -> None:
+    def follow_sums(self) -> None:
         """theta4 = theta234 - theta2 - theta3, as soon as all but one joint of a known sum are known."""
         again = True
         while again:
@@ -172,11 +172,11 @@ class Eliminator:
                 return False
             self.free.append(joint)
             self.knowledge.joints.add(joint)
-            self._follow_sums()
+            self.follow_sums()
         return True
 
     # -- equations -------------------------------------------------------------------------------------------
-    def _tiers(self) -> Iterator[Iterator[Equation]]:
+    def tiers(self) -> Iterator[Iterator[Equation]]:
         """Generators of equations, the plain ones first; a later tier is looked at when the earlier have nothing."""
         i, j = self.outer
         seen: set = set()
@@ -305,12 +305,12 @@ class Eliminator:
                 yield from self._equation(one, two, source, seen, longest=3 * longest)
 
     # -- choosing --------------------------------------------------------------------------------------------
-    def _best(self) -> Move | None:
+    def best(self) -> Move | None:
         """The next step: the first tier that has one, its best candidate that the witness confirms."""
         sigma = Sym("sigma", str(1 + sum(m.sigma is not None for m in self.moves)), 0)
         name = Sym("k", str(1 + len(self.moves)), 4)
         rho = Sym("rho", sigma.sub, 0)
-        searches = [lambda e=e: self._options(e, sigma, name) for e in self._tiers()] + [lambda: self._quartics(rho)]
+        searches = [lambda e=e: self.options(e, sigma, name) for e in self.tiers()] + [lambda: self._quartics(rho)]
         for search in searches:
             options = sorted(search(), key=lambda option: option[0])
             for _, angle, used, recipe, polys in options:
@@ -322,7 +322,7 @@ class Eliminator:
                     return Move(self.symbol(angle), angle, used, solved, mark if solved.branches > 1 else None, names)
         return None
 
-    def _options(self, equations: Iterable[Equation], sigma: Sym, name: Sym) -> Iterator[tuple]:
+    def options(self, equations: Iterable[Equation], sigma: Sym, name: Sym) -> Iterator[tuple]:
         """(score, angle, equations, recipe, coefficients) for everything that can be solved now."""
         linear: dict[tuple, list] = {}
         # what a quartic leaves is the pair of equations it came from, and only the pair is unique

@@ -18,6 +18,7 @@ from pieper.kinematics.geometry import look
 from pieper.solver.plan.plan import Plan
 
 CLOSE = 1e-6
+MEETS = 1e-9  # rad or m; axes closer than this meet or are parallel
 TERMS_A_LINE = 4
 
 
@@ -106,6 +107,15 @@ class GeneralInverse:
             turns.append((max(angles), label))
             if min(angles) > 1e-9:
                 meets.append((geometry.common_point((i, i + 1, i + 2))[1], label))
+        if any(miss < MEETS for miss, _ in meets) or any(angle < MEETS for angle, _ in turns):
+            how = [f"axes {label} meet in a point" for miss, label in meets if miss < MEETS]
+            how += [f"axes {label} are parallel" for angle, label in turns if angle < MEETS]
+            return [
+                f"On this arm {' and '.join(how)}, and the solver works from that. Written out step by "
+                "step, no equation of it holds one unknown alone, so no formulas are given here."
+            ]
+        if self._arm.n < 6:
+            return ["No three neighbouring axes of this arm meet in a point or are parallel."]
         said = [
             "A six-joint arm has a closed form when three neighbouring axes meet in one point or are parallel "
             "(Pieper 1968). Here none do."

@@ -9,8 +9,10 @@ from pieper.algebra.notation import negative
 from pieper.document.blocks import Document, Piece, listed
 from pieper.document.blocks import Step as StepHeading
 from pieper.document.formulas import ZERO, Written, equals
-from pieper.equations.derivation.closed_form import ClosedForm, Step
+from pieper.equations.derivation.closed_form import ClosedForm
+from pieper.equations.derivation.degenerate import FREE, IMPOSSIBLE, MIXED, UNREACHED, Case
 from pieper.equations.derivation.loop import matrix_equation
+from pieper.equations.derivation.step import Step
 
 WHY = {
     "homogeneous": "Sine and cosine are in a known ratio, so there are two solutions half a turn apart, one for "
@@ -107,7 +109,7 @@ def _step(page: Document, form: ClosedForm, step: Step) -> None:
     else:
         page.say(WHY[step.kind], equals(step.sigma, Written("+1 or -1", r"\pm 1", "<mo>±</mo><mn>1</mn>")), ":")
     page.show(step.symbol, step.formula, number=step.number)
-    _failures(page, step)
+    _failures(page, form, step)
 
 
 def _source(form: ClosedForm, step: Step) -> list[Piece]:
@@ -144,19 +146,9 @@ def _entries(places: list[tuple[int, int]]) -> str:
     return "entries " + ", ".join(named[:-1]) + " and " + named[-1]
 
 
-def _failures(page: Document, step: Step) -> None:
+def _failures(page: Document, form: ClosedForm, step: Step) -> None:
     if step.degenerate:
-        bare = [mul(Num(-1), c) if not isinstance(c, Sym) and negative(c) else c for c in step.degenerate]
-        conditions: list[Piece] = []
-        for condition in bare:
-            conditions += [" and "] * bool(conditions) + [equals(condition, ZERO)]
-        page.say(
-            "It degenerates where ",
-            *conditions,
-            ": then ",
-            step.symbol,
-            " is free, any value may be chosen for it, and the steps after this one go on from that value.",
-        )
+        _degenerate(page, form, step)
     if step.merge is not None:
         inner = step.merge.args[0] if isinstance(step.merge, Call) and step.merge.name == "sqrt" else step.merge
         real = isinstance(inner, Add) and all(isinstance(t, Power) and t.power == 2 for t in inner.args)
@@ -165,6 +157,53 @@ def _failures(page: Document, step: Step) -> None:
             equals(inner, ZERO),
             "." if real else "; where it is negative, these branches have no solution.",
         )
+
+
+def _degenerate(page: Document, form: ClosedForm, step: Step) -> None:
+    bare = [mul(Num(-1), c) if not isinstance(c, Sym) and negative(c) else c for c in step.degenerate]
+    conditions: list[Piece] = []
+    for condition in bare:
+        conditions += [" and "] * bool(conditions) + [equals(condition, ZERO)]
+    case = form.case(step)
+    if case.kind == IMPOSSIBLE:
+        page.say("It would degenerate where ", *conditions, ", which cannot be with these lengths.")
+    elif case.kind == UNREACHED and case.rest is not None:
+        said = ": the equation then reads ", equals(ZERO, case.rest), ", which is not so. Such a pose is out of reach."
+        page.say("It has no solution where ", *conditions, *said)
+    elif case.kind == UNREACHED:
+        page.say("It would degenerate where ", *conditions, ", which is so at no pose that the arm reaches.")
+    elif case.kind == FREE:
+        page.say(
+            "It degenerates where ",
+            *conditions,
+            ": then ",
+            step.symbol,
+            " is free. Any value may be chosen for it with which the steps after this one have a solution, and they go "
+            "on from that value.",
+        )
+    else:
+        _decided(page, form, step, case, conditions)
+
+
+def _decided(page: Document, form: ClosedForm, step: Step, case: Case, conditions: list[Piece]) -> None:
+    page.say("It degenerates where ", *conditions, ": then it says nothing of ", step.symbol, ".")
+    other = form.instead(step)
+    if case.kind == MIXED:
+        page.say("At some of these poses ", step.symbol, " is free, and any value may be chosen for it; at others not.")
+    if other is None:
+        page.say("What decides it there is that all other equations hold too; no single one of them gives it.")
+        return
+    page.say("Another equation decides it there. ", *_source(form, other))
+    for left, right in other.equations:
+        page.show(left, right)
+    if other.names:
+        page.say("with")
+        for symbol, expr in other.names:
+            page.show(symbol, expr)
+    page.say("from which, where the step degenerates,")
+    page.show(other.symbol, other.formula)
+    if other.sigma is not None and other.sigma in form.sigmas:
+        page.say("The two branches of ", other.sigma, ", which meet in the step that brought it, are told apart here.")
 
 
 def _summary(page: Document, form: ClosedForm) -> None:

@@ -2,22 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Expr
 from pieper.algebra.formula import ANGLE, has_branch
-from pieper.judge.claim import Claim
-from pieper.judge.difference import agreeing_digits
+from pieper.algebra.notation import joint_sum
+from pieper.errors import PieperError
+from pieper.judge.circular import given_angles, uses_itself
+from pieper.judge.claim import Claim, Numbers
+from pieper.judge.difference import agreeing_digits, digits_wanted
 from pieper.judge.evidence import SOLVER_POSES, Evidence, tried_text, wrapped
 from pieper.judge.judges.freedom import completes, undetermined
-from pieper.judge.matrices import Product, parse_product, value_of
-from pieper.judge.regions import find_region, region_features, zero_denominators
-from pieper.judge.search.search import ANGLE_TOLERANCE, search
+from pieper.judge.lengths import decimals, standing
+from pieper.judge.matrices import Product, value_of
+from pieper.judge.regions import region_of, zero_denominators
+from pieper.judge.rounding import unrounded, with_rounding
+from pieper.judge.samples import pose_of
+from pieper.judge.search.search import ANGLE_TOLERANCE, Explanation, Goal, search
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.verdict import Verdict
+
+SAME_JOINTS = 1e-5  # rad: solutions of one pose are further apart, but for merged ones
 
 
 def read_angle(ev: Evidence, claim: Claim) -> tuple[str, Expr]:
@@ -28,7 +37,10 @@ def read_angle(ev: Evidence, claim: Claim) -> tuple[str, Expr]:
         name = str(claim["for"])
     else:
         raise claim.error('say which joint, as joint = 4 or for = "theta1+theta2"')
-    return name, ev.parse(name)
+    angle = ev.parse(name, key="for")
+    if not (joint_sum(angle) or ANGLE.match(str(angle))):
+        raise claim.error(f'for = {name!r} must be a joint or a sum of joints, as in for = "theta1 + theta2"')
+    return name, angle
 
 
 def branch_values(node: Expr, env: dict[str, np.ndarray], shape: tuple[int, ...]) -> Iterator[np.ndarray]:
@@ -50,21 +62,68 @@ def _right(node: Expr, env: dict[str, np.ndarray], wanted: np.ndarray) -> np.nda
 def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
     """Judge a formula for a joint angle, given the pose and the joints before it at their right values.
 
-    Keys: joint or for, is, where, frame.
+    Keys: joint or for, is, where, frame, at_deg, when, task.
     """
     ev = ev.holding(claim)
     name, angle = read_angle(ev, claim)
-    if not isinstance(claim["is"], str):
-        raise claim.error("is must be one formula; write its branches with +-")
-    node = ev.parse(claim["is"], claim.where)
-    claim = claim.reads(f"{name} = {claim['is']}" + "".join(f", {k} = {v}" for k, v in claim.where.items()))
-    frame = parse_product(claim["frame"], ev.model.n) if claim.get("frame") else None
-    env = ev.environment(frame)
-    wanted = np.asarray(angle.evaluate(env), dtype=float)
-    good = _right(node, env, wanted)
-    own = ev.samples.nominal
-    if good.all() or good[own].all():
-        return _joint_holds(ev, claim, node, env, angle, wanted, frame)
+    node = ev.parse(str(claim["is"]), claim.where)
+    claim = claim.reads(
+        f"{name} = {claim['is']}"
+        + "".join(f", {k} = {v}" for k, v in claim.where.items())
+        + (f", where {claim['when']}" if "when" in claim else "")
+    )
+    circle = uses_itself(ev.model, angle, node, ev.definitions)
+    if circle:
+        return claim.wrong(
+            f"Wrong: circular. A formula that is to give {name} uses {name} itself, in {circle}; it is true and gives "
+            "nothing.",
+            slip="circular",
+        )
+    frame = ev.frame(claim)
+    form = _AngleFormula(angle, frame)
+    good, own = form.judged(ev, node), ev.samples.nominal
+    if good[own].all():
+        return _joint_holds(ev, claim, node, form, good)
+    exact = unrounded(ev, node, form.gap, form.judged)
+    if exact:
+        off = f"as printed it is off by {np.degrees(exact.off):.2g} deg at most"
+        verdict = _joint_holds(ev, claim, exact.tree, form, form.judged(ev, exact.tree), rounding=off)
+        return with_rounding(verdict, exact, off)
+    return _joint_fails(ev, claim, node, form, good)
+
+
+@dataclass(frozen=True)
+class _AngleFormula:
+    """What a formula is to give: an angle, with the letters of the pose or of another frame."""
+
+    angle: Expr
+    frame: Product | None
+
+    def wanted(self, ev: Evidence) -> np.ndarray:
+        """The right angle at every sample."""
+        return np.asarray(self.angle.evaluate(ev.samples.env), dtype=float)
+
+    def judged(self, ev: Evidence, node: Expr) -> np.ndarray:
+        """Where one of the formula's branches is the angle."""
+        return _right(node, ev.environment(self.frame), self.wanted(ev))
+
+    def with_symbols(self, node: Expr) -> Callable[[Evidence], tuple[np.ndarray, dict[str, np.ndarray]]]:
+        """Where the formula is right, and the values of all symbols, for `region_of`."""
+        return lambda ev: (self.judged(ev, node), ev.environment(self.frame))
+
+    def gap(self, ev: Evidence, node: Expr, more: dict[str, np.ndarray]) -> np.ndarray:
+        """The formula's nearest branch minus the angle."""
+        wanted = self.wanted(ev)
+        gaps = np.array(
+            [wrapped(v - wanted) for v in branch_values(node, {**ev.environment(self.frame), **more}, wanted.shape)]
+        )
+        size = np.where(np.isfinite(gaps), np.abs(gaps), np.inf)
+        return np.take_along_axis(gaps, size.argmin(0)[None], 0)[0]
+
+
+def _joint_fails(ev: Evidence, claim: Claim, node: Expr, form: _AngleFormula, good: np.ndarray) -> Verdict:
+    name, own = str(claim.get("for", form.angle)), ev.samples.nominal
+    env, wanted = ev.environment(form.frame), form.wanted(ev)
     details: list[tuple[str, str]] = []
     vanish = zero_denominators(node, env)
     bad = np.flatnonzero(~good & own)
@@ -72,10 +131,8 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
         details.append(("undefined", f"the denominator {vanish[0]} is zero for all joints"))
     elif len(bad):
         details.append(("counter-example", _angle_example(ev, node, env, wanted, int(bad[0]))))
-    region = find_region(good, region_features(ev.model.n, env, list(ev.definitions)))
-    goal = ev.goal(wanted, angle=True, frame=frame)
-    near = slips(node, ev.model.values, ev.model.n, tuple(ev.definitions), angle=True)
-    found = search(goal, node, near, seconds=ev.seconds)
+    region = region_of(ev, form.with_symbols(node))
+    found = _slip(ev, node, form)
     slip = reading = ""
     if found.best:
         slip, reading = found.best.kind, str(found.best.tree)
@@ -83,15 +140,31 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
     else:
         details.append(("the slip", "no single slip explains it" + found.closest("poses")))
     details.append(("tried", tried_text(found)))
+    counts: Numbers = {"right": int(good.sum()), "tried": len(good)}
     if region:
-        return claim.partly(f"Holds only where {region}.", details, slip, reading)
+        return claim.partly(f"Holds only where {region}.", details, slip, reading, **counts)
     if good.mean() > 0.1:
         share = f"{100 * good.mean():.0f}% of the poses"
-        return claim.partly(f"Holds at {share} only; no simple region was found.", details, slip, reading)
+        return claim.partly(f"Holds at {share} only; no simple region was found.", details, slip, reading, **counts)
     sentence = f"Wrong: gives the joint's angle at {int(good.sum())} of {len(good)} poses."
     if vanish:
         sentence = "Wrong: undefined, because it divides by zero for all joints."
-    return claim.wrong(sentence, details, slip, reading)
+    return claim.wrong(sentence, details, slip, reading, **counts)
+
+
+def _slip(ev: Evidence, node: Expr, form: _AngleFormula) -> Explanation:
+    goal = ev.goal(form.wanted(ev), angle=True, frame=form.frame)
+
+    def searched(aim: Goal) -> Explanation:
+        near = slips(node, ev.model.values, ev.model.n, tuple(ev.definitions), angle=True)
+        return search(aim, node, near, seconds=ev.seconds)
+
+    found = searched(goal)
+    if not found.best and decimals(node.substitute(ev.definitions)):
+        # numbers stand for this arm's lengths only
+        nominal = searched(goal.restrict(ev.samples.nominal))
+        found = nominal if nominal.best else found
+    return found
 
 
 def _angle_example(ev: Evidence, node: Expr, env: dict[str, np.ndarray], wanted: np.ndarray, k: int) -> str:
@@ -101,25 +174,49 @@ def _angle_example(ev: Evidence, node: Expr, env: dict[str, np.ndarray], wanted:
 
 
 def _joint_holds(
-    ev: Evidence, claim: Claim, node: Expr, env: dict, angle: Expr, wanted: np.ndarray, frame: Product | None
+    ev: Evidence, claim: Claim, node: Expr, form: _AngleFormula, good: np.ndarray, *, rounding: str = ""
 ) -> Verdict:
-    digits = agreeing_digits(ev.model, ev.samples, ev.definitions, node, angle, angle=True) if frame is None else None
+    """The verdict on a formula that gives the right angle for the arm's own lengths."""
+    angle, own = form.angle, ev.samples.nominal
+    digits = None
+    if form.frame is None and not ev.held and not rounding:
+        digits = agreeing_digits(ev.model, ev.samples, ev.definitions, node, angle, angle=True)
+        if 0 < digits < digits_wanted(ev.model, node.substitute(ev.definitions)):
+            return claim.wrong(
+                f"Wrong, if only just: at 50-digit arithmetic it agrees to {digits} digits and no more.", digits=digits
+            )
+    count = len(good) if good.all() else int(own.sum())
     more = f"; at 50-digit arithmetic it agrees to {digits} digits" if digits else ""
-    held = f"right at {len(wanted)} of {len(wanted)} poses{more}"
-    free = [group for group in undetermined(ev) if any(f"theta{j}" == str(angle) for j in group)]
+    held = f"right at {count} of {count} poses{more}"
+    tied = ""
+    if not good.all():
+        stand = standing(ev, node, form.judged)
+        if stand.partly:
+            found = _slip(ev, node, form)
+            slip, reading = (found.best.kind, str(found.best.tree)) if found.best else ("", "")
+            details = [("nearest right reading", reading), ("the slip", found.best.says)] if found.best else []
+            return claim.partly(f"Holds for this arm {stand.words}: {held}.", details, slip, reading, digits=digits)
+        tied = f" for this arm's lengths{stand.words and ', '}{stand.words}"
+    given, _ = given_angles(node, ev.definitions)
+    free = [group for group in undetermined(ev, given) if any(f"theta{j}" == str(angle) for j in group)]
     if free:
         names = " and ".join(f"theta{j}" for j in sorted(free[0]))
         return claim.partly(
             f"True, but it determines nothing: a pose does not tell {names} apart; any value of one fits with another.",
             digits=digits,
         )
+    where = f" where {claim['when']}" if "when" in claim else ""
     if not has_branch(node):
-        return claim.holds(f"Holds: {held}.", digits=digits)
-    upper = np.abs(wrapped(next(branch_values(node, env, wanted.shape)) - wanted)) < ANGLE_TOLERANCE
-    region = find_region(upper, region_features(ev.model.n, env, list(ev.definitions)))
+        return claim.holds(f"Holds{tied}{where}: {held}.", digits=digits)
+
+    def upper(at: Evidence) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+        env, wanted = at.environment(form.frame), form.wanted(at)
+        return np.abs(wrapped(next(branch_values(node, env, wanted.shape)) - wanted)) < ANGLE_TOLERANCE, env
+
+    region = region_of(ev, upper)
     known = f"the upper sign belongs to {region}" if region else ""
     details = [("branch", known or "which sign belongs to a solution follows no simple region")]
-    both, why = _both_signs(ev, node, angle, frame, claim.get("task") == "position")
+    both, why = _both_signs(ev, node, angle, form.frame, claim.get("task"))
     if why:
         details.append(("both signs", why))
     if both is False:
@@ -130,11 +227,11 @@ def _joint_holds(
             "branch",
             digits=digits,
         )
-    return claim.holds(f"Holds with its two branches: {held}.", details, digits=digits)
+    return claim.holds(f"Holds{tied}{where} with its two branches: {held}.", details, digits=digits)
 
 
 def _both_signs(
-    ev: Evidence, node: Expr, angle: Expr, frame: Product | None, position: bool
+    ev: Evidence, node: Expr, angle: Expr, frame: Product | None, task: str | None
 ) -> tuple[bool | None, str]:
     """Say whether, with the joints the formula uses held, both signs can be completed to solutions of the pose."""
     wanted = ANGLE.match(str(angle))
@@ -144,8 +241,10 @@ def _both_signs(
     model, before = part
     joint = int(wanted.group(1)) - before
     poses = value_of(frame, ev.samples.frames) if frame is not None else ev.samples.frames["T"]
-    used = {int(m.group(1)) for m in map(ANGLE.match, node.substitute(ev.definitions).symbols()) if m}
+    used, known = given_angles(node, ev.definitions)
+    used |= set(ev.held)
     given = {j for j in used if before < j <= before + model.n and j - before != joint}
+    sums = [{j - before: k for j, k in s.items()} for s in known if all(before < j <= before + model.n for j in s)]
     values = wrapped(np.array(list(branch_values(node, ev.environment(frame), (len(poses),)))))
     checked = both = 0
     for k in np.flatnonzero(ev.samples.nominal)[:SOLVER_POSES]:
@@ -155,10 +254,12 @@ def _both_signs(
         other = max(values[:, k], key=lambda v: abs(wrapped(v - q[joint - 1])))
         held = {j - before: q[j - before - 1] for j in given} | {joint: other}
         checked += 1
-        both += completes(model, poses[k], held, q, position=position)
+        among = _among(ev, int(k), held, sums, task) if frame is None else None
+        both += completes(model, poses[k], held, q, sums=sums, position=task == "position") if among is None else among
     if not checked:
         return None, ""
-    words = "for the same " + " and ".join(f"theta{j}" for j in sorted(given)) if given else "of the pose"
+    same = [f"theta{j}" for j in sorted(given)] + [" + ".join(f"theta{j}" for j in s) for s in known]
+    words = "for the same " + " and ".join(same) if same else "of the pose"
     if both == checked:
         return True, f"both are solutions {words}, at {both} of {checked} poses"
     if both == 0:
@@ -166,32 +267,72 @@ def _both_signs(
     return None, f"both are solutions {words} at {both} of {checked} poses"
 
 
+def _among(ev: Evidence, k: int, held: dict[int, float], sums: list[dict[int, int]], task: str | None) -> bool | None:
+    """Whether one of the solver's solutions of sample k has the held joints and sums; None when it cannot say."""
+    model, q = ev.model, ev.samples.q[k]
+    if model.n > 6:
+        return None
+    try:
+        rows = ev.in_unit(ev.solved(ev.samples.frames["T"][k], task))
+    except PieperError:
+        return None
+    if not len(rows) or ev.apart(rows, q).max(1).min() > SAME_JOINTS:
+        return None
+    if task != "position":
+        off = np.abs(pose_of(model, rows) - ev.samples.frames["T"][k]).reshape(len(rows), -1).max(1)
+        rows = rows[off < SAME_JOINTS * max(1.0, model.length())]
+    fine = np.ones(len(rows), dtype=bool)
+    for joint, value in held.items():
+        target = q.copy()
+        target[joint - 1] = value
+        fine &= ev.apart(rows, target)[:, joint - 1] < SAME_JOINTS
+    for members in sums:
+        total = sum(factor * (rows[:, j - 1] - q[j - 1]) for j, factor in members.items())
+        fine &= np.abs(wrapped(total)) < SAME_JOINTS
+    return bool(fine.any())
+
+
 def judge_together(ev: Evidence, claim: Claim) -> Verdict:
     """Judge formulas for several joints that must be right at the same time.
 
     Keys: is, a table of joint = formula; where; frame.
     """
-    frame = parse_product(claim["frame"], ev.model.n) if claim.get("frame") else None
-    env = ev.environment(frame)
-    features = region_features(ev.model.n, env, list(ev.definitions))
-    right = {}
+    ev = ev.holding(claim)
+    frame = ev.frame(claim)
+    forms: dict[str, tuple[_AngleFormula, Expr]] = {}
     for name, text in claim["is"].items():
-        wanted = np.asarray(ev.parse(name).evaluate(env), dtype=float)
-        right[name] = _right(ev.parse(str(text), claim.where), env, wanted)
-    good = np.logical_and.reduce(list(right.values()))
+        _, angle = read_angle(ev, claim.part(claim.id, {"for": name}))
+        forms[name] = _AngleFormula(angle, frame), ev.parse(str(text), claim.where, f"is {name}")
     claim = claim.reads("; ".join(f"{k} = {v}" for k, v in claim["is"].items()))
+    for name, (form, node) in forms.items():
+        circle = uses_itself(ev.model, form.angle, node, ev.definitions)
+        if circle:
+            return claim.wrong(
+                f"Wrong: circular. The formula for {name} uses {name} itself, in {circle}.", (), "circular"
+            )
+
+    def together(at: Evidence) -> np.ndarray:
+        return np.logical_and.reduce([form.judged(at, node) for form, node in forms.values()])
+
+    good, own = together(ev), ev.samples.nominal
     if good.all():
         return claim.holds(f"Holds together: all are right at {len(good)} of {len(good)} poses.")
+    if good[own].all():
+        stands = [standing(ev, node, form.judged) for form, node in forms.values()]
+        words = ", ".join(dict.fromkeys(s.words for s in stands if s.words))
+        said = f"Holds together for this arm's lengths{words and ', '}{words}: all are right at {own.sum()} poses."
+        return claim.partly(said) if any(s.partly for s in stands) else claim.holds(said)
     details = []
-    for name, mask in right.items():
-        region = find_region(mask, features)
+    for name, (form, node) in forms.items():
+        mask = form.judged(ev, node)
+        region = region_of(ev, form.with_symbols(node))
         where = f", those with {region}" if region else ""
         details.append((name, f"right at {int(mask.sum())} of {len(mask)} poses{where}"))
     k = int(np.flatnonzero(~good)[0])
-    each = ", ".join(f"{name} {'right' if mask[k] else 'wrong'}" for name, mask in right.items())
+    each = ", ".join(f"{n} {'right' if form.judged(ev, node)[k] else 'wrong'}" for n, (form, node) in forms.items())
     details.append(("counter-example", f"at {ev.at(k)}: {each}"))
     if not good.any():
         return claim.wrong(f"Wrong: never right together, at 0 of {len(good)} poses.", details, "branch")
-    region = find_region(good, features)
+    region = region_of(ev, lambda at: (together(at), at.environment(frame)))
     where = f"where {region}" if region else f"at {100 * good.mean():.0f}% of the poses"
     return claim.partly(f"Holds together only {where}.", details, "branch")

@@ -12,11 +12,13 @@ from pieper.algebra.formula import Equation
 from pieper.algebra.parser import parse_equation
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
-from pieper.judge.difference import agreeing_digits, difference_from_matrix, simplified_difference
-from pieper.judge.evidence import Evidence, number, tried_text
+from pieper.judge.difference import agreeing_digits, difference_from_matrix, digits_wanted, simplified_difference
+from pieper.judge.evidence import Evidence, number, tried_text, under
+from pieper.judge.lengths import standing
 from pieper.judge.matrices import Product, parse_product, value_of
 from pieper.judge.model import POSE_NAMES
-from pieper.judge.regions import find_region, region_features, zero_denominators
+from pieper.judge.regions import region_of, zero_denominators
+from pieper.judge.rounding import unrounded, with_rounding
 from pieper.judge.search.search import MAX_SEARCHED, Explanation, Goal, search
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.verdict import Verdict
@@ -26,9 +28,11 @@ _ENTRY_OF = {name: (i, j) for name, i, j in POSE_NAMES}
 
 def judge_entry(ev: Evidence, claim: Claim) -> Verdict:
     """Judge one entry of a matrix given as a formula (keys of, is, where)."""
-    product = _entry_product(ev, str(claim["of"]))
+    ev = ev.holding(claim)
+    product = _entry_product(ev, claim)
     node = ev.parse(str(claim["is"]), claim.where)
-    wanted = value_of(product, ev.samples.frames)
+    with under("of"):
+        wanted = value_of(product, ev.samples.frames)
     if wanted.ndim != 1:
         raise claim.error(f"{claim['of']!r} is a whole matrix; say which entry, as in {claim['of']}[1,4]")
     return judge_equal(ev, claim.reads(f"{claim['of']} = {claim['is']}"), node, wanted, product=product)
@@ -39,8 +43,9 @@ def judge_equation(ev: Evidence, claim: Claim) -> Verdict:
     ev = ev.holding(claim)
     text, model = str(claim["is"]), ev.model
     local = ev.local(claim.where)
-    sides = parse_equation(text, {*model.names(), *ev.definitions, *local}, model.n)
-    frame = parse_product(claim["frame"], model.n) if claim.get("frame") else None
+    with under("is"):
+        sides = parse_equation(text, {*model.names(), *ev.definitions, *local}, model.n)
+    frame = ev.frame(claim)
     return judge_equal(ev, claim.reads(text), Equation(*sides).substitute(local), None, frame=frame)
 
 
@@ -63,19 +68,23 @@ def judge_equal(
         product: where the right values come from, to name it and to find it for other arms.
         frame: the frame whose letters the formula uses.
     """
+    right = _Right(product, frame)
     goal = ev.goal(wanted, frame=frame)
     good, own = goal.residual(node) < 1, ev.samples.nominal
     if good[own].all():
-        return _equal_holds(ev, claim, node, good, product, frame)
-    rows = own if good[own].any() else np.ones_like(own)
+        return _equal_holds(ev, claim, node, good, right)
+    exact = unrounded(ev, node, right.gap, right.judged)
+    if exact:
+        off = f"as printed it is off by {exact.off:.2g} at most"
+        verdict = _equal_holds(ev, claim, exact.tree, right.judged(ev, exact.tree), right, rounding=off)
+        return with_rounding(verdict, exact, off)
     vanish = zero_denominators(node, goal.env)
     details: list[tuple[str, str]] = []
     if vanish:
         details.append(("undefined", f"the denominator {vanish[0]} is zero for all joints"))
     else:
         details.append(("counter-example", _counter_example(ev, node, goal, good, wanted)))
-    features = region_features(ev.model.n, goal.env, list(ev.definitions))
-    region = find_region(good[rows], [(name, value[rows]) for name, value in features])
+    region = region_of(ev, lambda at: (right.judged(at, node), at.environment(frame)))
     found = _explanation(ev, node, goal, good, product, frame)
     details += found.details
     said: dict[str, Any] = {
@@ -96,19 +105,70 @@ def judge_equal(
     return claim.wrong(sentence, **said)
 
 
+@dataclass(frozen=True)
+class _Right:
+    """Where a formula's right values come from: an entry of a product, or, of an equation, its other side."""
+
+    product: Product | None
+    frame: Product | None
+
+    def wanted(self, ev: Evidence) -> np.ndarray | None:
+        """The right values at every sample."""
+        return None if self.product is None else value_of(self.product, ev.samples.frames)
+
+    def judged(self, ev: Evidence, node: Expr) -> np.ndarray:
+        """Where the formula is right."""
+        return ev.goal(self.wanted(ev), frame=self.frame).residual(node) < 1
+
+    def gap(self, ev: Evidence, node: Expr, more: dict[str, np.ndarray]) -> np.ndarray:
+        """The formula minus what is right; of an equation, the left side minus the right one."""
+        wanted = self.wanted(ev)
+        value = node.evaluate({**ev.environment(self.frame), **more})
+        off = value if wanted is None else value - wanted
+        return np.broadcast_to(np.asarray(off, dtype=float), (len(ev.samples.q),))
+
+
 def _equal_holds(
-    ev: Evidence, claim: Claim, node: Expr, good: np.ndarray, product: Product | None, frame: Product | None
+    ev: Evidence, claim: Claim, node: Expr, good: np.ndarray, right: _Right, *, rounding: str = ""
 ) -> Verdict:
-    digits = _digits(ev, node, product, frame)
+    digits = None if ev.held or rounding else _digits(ev, node, right.product, right.frame)
+    where = f" where {claim['when']}" if "when" in claim else ""
+    if digits is not None and 0 < digits < digits_wanted(ev.model, node.substitute(ev.definitions)):
+        gap = ""
+        if right.product is not None and right.product.entry and str(Product(right.product.terms)) == "T":
+            gap = difference_from_matrix(node, ev.model, right.product.entry[0] - 1, right.product.entry[1] - 1)
+        details = [("difference", f"printed minus right = {gap}")] if gap else []
+        sentence = f"Wrong, if only just: at 50-digit arithmetic it agrees to {digits} digits and no more."
+        return claim.wrong(sentence, details, digits=digits, difference=gap)
     if good.all():
         lengths = ", for any lengths" if _uses_lengths(ev, node) else ""
         more = f"; at 50-digit arithmetic it agrees to {digits} digits" if digits else ""
-        sentence = f"Holds identically: right at {len(good)} of {len(good)} joint vectors{lengths}{more}."
-    else:
-        good = good[ev.samples.nominal]
-        more = f", to {digits} digits at 50-digit arithmetic" if digits else ""
-        sentence = f"Holds for this arm's lengths: right at {len(good)} of {len(good)} joint vectors{more}."
-    return claim.holds(sentence, digits=digits, right=len(good), tried=len(good))
+        empty = " It says nothing of the arm: it is true of any values of its letters." if _empty(ev, node) else ""
+        sentence = f"Holds identically{where}: right at {len(good)} of {len(good)} joint vectors{lengths}{more}.{empty}"
+        return claim.holds(sentence, digits=digits, right=len(good), tried=len(good))
+    stand = standing(ev, node, right.judged)
+    own = int(ev.samples.nominal.sum())
+    more = f", to {digits} digits at 50-digit arithmetic" if digits else ""
+    if stand.partly:
+        goal = ev.goal(right.wanted(ev), frame=right.frame)
+        found = _explanation(ev, node, goal, good, right.product, right.frame)
+        sentence = f"Holds for this arm {stand.words}: right at {own} of {own} joint vectors with its lengths."
+        return claim.partly(
+            sentence, found.details, found.slip, found.reading, right=int(good.sum()), tried=len(good), digits=digits
+        )
+    tied = f", {stand.words}" if stand.words else ""
+    sentence = f"Holds for this arm's lengths{tied}{where}: right at {own} of {own} joint vectors{more}."
+    return claim.holds(sentence, digits=digits, right=own, tried=own)
+
+
+def _empty(ev: Evidence, node: Expr) -> bool:
+    """Whether an equation is true of any values whatever, as Px = Px is."""
+    if not isinstance(node, Equation):
+        return False
+    rng = np.random.default_rng(3)
+    env = {name: rng.uniform(0.1, 2.0, 24) for name in node.substitute(ev.definitions).symbols()}
+    env.setdefault("theta1", rng.uniform(-3, 3, 24))
+    return bool((Goal(env).residual(node.substitute(ev.definitions)) < 1).all())
 
 
 @dataclass(frozen=True)
@@ -226,9 +286,9 @@ def _other_entry(ev: Evidence, node: Expr, product: Product) -> str:
     return ""
 
 
-def _entry_product(ev: Evidence, text: str) -> Product:
-    name = text.replace("_", "")
+def _entry_product(ev: Evidence, claim: Claim) -> Product:
+    name = str(claim["of"]).replace("_", "")
     if name in _ENTRY_OF:
         i, j = _ENTRY_OF[name]
         return Product(parse_product("T", ev.model.n).terms, (i + 1, j + 1))
-    return parse_product(text, ev.model.n)
+    return ev.product(claim, "of")

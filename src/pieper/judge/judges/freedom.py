@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -11,7 +11,6 @@ from pieper.judge.evidence import Evidence
 from pieper.judge.model import ArmModel
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
-from pieper.kinematics.arrays import Array
 
 STEP = 1e-6
 RANK = 1e-7  # relative; singular values below are zero
@@ -32,11 +31,20 @@ def pose_jacobian(model: ArmModel, q: np.ndarray) -> np.ndarray:
     return np.concatenate([dT[..., :3, 3] / model.length(), spin], axis=-1).transpose(0, 2, 1)
 
 
-def undetermined(ev: Evidence) -> list[set[int]]:
-    """Return the sets of joints (1-based) that a pose leaves free together, at every sampled pose."""
+def undetermined(ev: Evidence, known: Collection[int] = ()) -> list[set[int]]:
+    """Return the sets of joints (1-based) that a pose leaves free together, at every sampled pose.
+
+    Args:
+        ev: the arm; joints that the claim holds are known.
+        known: further joints whose value is known.
+    """
     J = pose_jacobian(ev.model, ev.samples.q[ev.samples.nominal][:12])
+    for joint in {*known, *ev.held}:
+        J[:, :, joint - 1] = 0.0
     free = np.zeros(ev.model.n)
+    fixed = [j - 1 for j in {*known, *ev.held}]
     for Jk in J:
+        Jk = np.vstack([Jk, np.eye(ev.model.n)[fixed]])  # a known joint does not move
         _, s, V = np.linalg.svd(Jk)
         null = V[np.count_nonzero(s > RANK * s[0]) :]
         if not len(null):
@@ -77,7 +85,14 @@ def judge_freedom(ev: Evidence, claim: Claim) -> Verdict:
 
 
 def completes(
-    model: ArmModel, T: np.ndarray, fixed: dict[int, float], q: np.ndarray, *, position: bool = False, starts: int = 40
+    model: ArmModel,
+    T: np.ndarray,
+    fixed: dict[int, float],
+    q: np.ndarray,
+    *,
+    sums: Sequence[dict[int, int]] = (),
+    position: bool = False,
+    starts: int = 40,
 ) -> bool:
     """Say whether a pose can be reached with some joints (1-based) held at given values.
 
@@ -87,7 +102,8 @@ def completes(
         model: the arm.
         T: (4, 4) pose, in the arm's unit.
         fixed: joint -> value held.
-        q: (n,) a solution, used for the held values' scale only.
+        q: (n,) a solution: where the sums get their values from, and how far slides go.
+        sums: sums of joints, joint -> factor, that stay what they are at q.
         position: the task fixes the position only.
         starts: number of random starts.
     """
@@ -101,7 +117,16 @@ def completes(
         x[:, joint - 1] = value
     size = model.length()
 
-    def gap(points: Any) -> Array:
+    rows = np.zeros((len(sums), model.n))
+    for row, members in zip(rows, sums, strict=True):
+        row[[j - 1 for j in members]] = list(members.values())
+
+    def gap(points):
+        error, flip = missed(points)
+        held = (rows @ (q - points).T).T
+        return np.concatenate([error, (held + np.pi) % (2 * np.pi) - np.pi], axis=1), flip
+
+    def missed(points):
         now = pose_of(model, points)
         R = T[:3, :3] @ np.swapaxes(now[:, :3, :3], 1, 2)
         spin = 0.5 * np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
@@ -119,7 +144,8 @@ def completes(
         good = (np.abs(error).max(1) < 1e-6) & (flip[:, 0] < 1e-6)
         if good.any():
             return True
-        J = pose_jacobian(model, x)[:, : 3 if position else 6, free]
+        J = pose_jacobian(model, x)[:, : 3 if position else 6]
+        J = np.concatenate([J, np.broadcast_to(rows, (len(x), *rows.shape))], axis=1)[:, :, free]
         JT = np.swapaxes(J, 1, 2)
         damp = 1e-3 * (error**2).sum(1)[:, None, None] * np.eye(len(free)) + 1e-12 * np.eye(len(free))
         step = np.linalg.solve(JT @ J + damp, (JT @ error[..., None]))[..., 0]

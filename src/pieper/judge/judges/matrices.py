@@ -7,7 +7,7 @@ import numpy as np
 from pieper.algebra.expression import Expr
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
-from pieper.judge.evidence import Evidence, number
+from pieper.judge.evidence import Evidence, number, under
 from pieper.judge.judges.formulas import judge_equal
 from pieper.judge.matrices import Product, parse_product, product_slips, value_of
 from pieper.judge.search.search import Goal
@@ -16,8 +16,11 @@ from pieper.judge.verdict import Verdict
 
 def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
     """Judge a whole matrix of formulas; empty strings claim nothing (keys of, is)."""
-    product = parse_product(str(claim["of"]), ev.model.n)
-    right = value_of(product, ev.samples.frames)
+    product = ev.product(claim, "of")
+    with under("of"):
+        right = value_of(product, ev.samples.frames)
+    if right.ndim == 1:
+        raise claim.error(f'{claim["of"]!r} is one entry; judge it with kind = "entry"')
     right = right if right.ndim == 3 else right[:, :, None]
     shape = right.shape[1:]
     given = [list(r) if isinstance(r, list) else [r] for r in claim["is"]]
@@ -33,7 +36,7 @@ def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
         for j, text in enumerate(row):
             if str(text).strip() in ("", "*", '"'):
                 continue
-            node = nodes[i, j] = ev.parse(str(text), claim.where)
+            node = nodes[i, j] = ev.parse(str(text), claim.where, f"is, entry ({i + 1},{j + 1})")
             entry = Product(product.terms, (i + 1, j + 1))
             part = claim.part(f"{claim.id}[{i + 1},{j + 1}]", {}).reads(f"{entry} = {text}")
             one = judge_equal(ev, part, node, right[:, i, j], product=entry)
@@ -76,8 +79,9 @@ def judge_product(ev: Evidence, claim: Claim) -> Verdict:
     claim = claim.reads(str(claim["is"]))
     if claim.text.count("=") != 1:
         raise claim.error("an equation of matrices needs exactly one '=', as in \"A1 A2 = T A3^-1\"")
-    sides = [parse_product(side, ev.model.n) for side in claim.text.split("=")]
-    values = [value_of(side, ev.samples.frames) for side in sides]
+    with under("is"):
+        sides = [parse_product(side, ev.model.n) for side in claim.text.split("=")]
+        values = [value_of(side, ev.samples.frames) for side in sides]
     if values[0].shape != values[1].shape:
         raise claim.error(f"the left side is {values[0].shape[1:]}, the right side {values[1].shape[1:]}")
     slack = 1e-9 * max(1.0, float(np.abs(values[1]).max()))

@@ -10,11 +10,12 @@ import numpy as np
 
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, number
-from pieper.judge.matrices import Product, parse_product, value_of
+from pieper.judge.matrices import Product, value_of
 from pieper.judge.model import ArmModel
 from pieper.judge.numbers import (
     BLANK,
     UNITS,
+    cut_off,
     joint_tolerance,
     last_digit,
     misprint,
@@ -63,15 +64,20 @@ class Reading:
         ]
 
     def serious(self) -> list[Place]:
-        """The entries off by a whole unit of the last digit or more (a cut-off digit is not serious)."""
-        return [(i, j) for i, j in self.off() if self.gap((i, j)) >= last_digit(self.printed[i][j]) + self.slack[i, j]]
+        """The entries that are neither rounded nor cut off at their last digit."""
+        return [place for place in self.off() if not self._cut(place)]
+
+    def _cut(self, place: Place) -> bool:
+        slack = self.slack[place]
+        near = [self.right[place] + k * slack for k in ((-1, 0, 1) if slack else (0,))]
+        return any(cut_off(self.printed[place[0]][place[1]], value) for value in near)
 
 
 def judge_pose(ev: Evidence, claim: Claim) -> Verdict:
     """Judge a printed matrix for given joints (keys q_deg, of, matrix or position, unit, rounded)."""
     model = ev.model
     q = read_joints(claim, model)
-    product = parse_product(str(claim.get("of", "T")), model.n)
+    product = ev.product(claim, "of")
     printed = [["", "", "", v] for v in claim["position"]] if "position" in claim else read_matrix(claim)
     factor = UNITS[model.unit] / UNITS[unit_of(claim, model)]
     slack = _slack(claim, model, q, product, factor)
@@ -82,6 +88,9 @@ def judge_pose(ev: Evidence, claim: Claim) -> Verdict:
             right[:3, 3] *= factor
         return Reading(printed, right, slack)
 
+    shape = _value(product, model, q).shape
+    if len(shape) < 2 or len(printed) > shape[0] or len(printed[0]) > shape[1]:
+        raise claim.error(f"{product} has the shape {shape}; the {len(printed)} rows printed do not fit it")
     first = reading(model, q)
     given = claim.get("q_deg", claim.get("q", claim.get("q_rad")))
     unit = " deg" if "q_deg" in claim else ""

@@ -25,8 +25,11 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     if not solutions:
         raise claim.error("solutions_deg must list at least one joint vector")
     lines, bad = [], 0
-    for k, row in enumerate(solutions):
-        q = read_joints(claim.part(f"{claim.id} solution {k + 1}", {"q_deg": row}), model)
+    given = [
+        read_joints(claim.part(f"{claim.id} solution {k + 1}", {"q_deg": row}), model)
+        for k, row in enumerate(solutions)
+    ]
+    for k, (row, q) in enumerate(zip(solutions, given, strict=True)):
         got = _in_unit(pose_of(model, q)[0], factor)
         gap = float(np.linalg.norm(got[:3, 3] - T[:3, 3]))
         turn = 0.0 if claim.get("task") == "position" else _rotation_between(got[:3, :3], T[:3, :3])
@@ -45,15 +48,38 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     )
     if bad:
         return claim.wrong(f"Wrong: {bad} of {count} given joint vectors do not reach the pose.", lines)
+    twice = _twice(ev, solutions, given)
+    different = count - len(twice)
+    same = "; ".join(f"{j + 1} and {i + 1} are one and the same" for i, j in twice)
     if complete:
         try:
-            total = len(ev.solved(_in_unit(T, 1 / factor), claim.get("task")))
+            rows = ev.solved(_in_unit(T, 1 / factor), claim.get("task"))
         except PieperError as error:
             return claim.partly(f"Every one is a solution; whether they are all could not be checked: {error}", lines)
-        if total != count:
-            return claim.partly(f"Every one is a solution, but they are not all: there are {total}.", lines)
+        total = len(rows)
+        if model.solver is not None and model.solver.endless(_in_unit(T, UNITS[unit]), claim.get("task")):
+            return claim.partly("Every one is a solution, but they are not all: there are infinitely many.", lines)
+        if total != different:
+            again = f" Of the {count} given, {same}." if twice else ""
+            sentence = f"Every one is a solution, but they are not all: there are {total}.{again}"
+            return claim.partly(sentence, lines, "listed twice" if twice else "")
+    if twice:
+        sentence = f"Every one is a solution, but there are {different}, not {count}: {same}."
+        return claim.partly(sentence, lines, "listed twice")
     others = ", and there are no others." if complete else "."
     return claim.holds(f"Holds: {count} of {count} reach the pose{others}", lines)
+
+
+def _twice(ev: Evidence, printed: list, given: list[np.ndarray]) -> list[tuple[int, int]]:
+    """Return (later, earlier) for joint vectors that are the same to their digits, whole turns apart or not."""
+    found = []
+    for i, q in enumerate(given):
+        for j in range(i):
+            near = 1e-9 + joint_tolerance(printed[i], True) + joint_tolerance(printed[j], True)
+            if np.all(ev.apart(q[None], given[j])[0] <= near):
+                found.append((i, j))
+                break
+    return found
 
 
 def _wanted_pose(ev: Evidence, claim: Claim, factor: float) -> tuple[np.ndarray, float]:

@@ -9,7 +9,7 @@ import numpy as np
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
 from pieper.judge.model import ArmModel
-from pieper.judge.numbers import UNITS, as_text, last_digit, misprint, read_joints, read_number, unit_of
+from pieper.judge.numbers import UNITS, as_text, cut_off, last_digit, misprint, read_joints, read_number, unit_of
 from pieper.judge.samples import pose_of, samples_at
 from pieper.judge.slips.arm_slips import axis_renamings
 from pieper.judge.verdict import Verdict
@@ -39,8 +39,8 @@ def judge_number(ev: Evidence, claim: Claim) -> Verdict:
         return claim.holds(f"Holds to the printed digits; more exactly {right:.10g}{unit}.")
     why = misprint(printed, right)
     details = [("nearest right reading", f"{right:.10g}{unit}")] + ([("the slip", why)] if why else [])
-    if why.startswith("last digit"):
-        sentence = f"Holds but for the rounding of the last digit; more exactly {right:.10g}{unit}."
+    if cut_off(printed, right):
+        sentence = f"Holds but for the rounding of the last digit, which is cut off; more exactly {right:.10g}{unit}."
         return claim.holds(sentence, details)
     sentence = f"Wrong: printed {as_text(printed)}, right {right:.10g}{unit}."
     return claim.wrong(sentence, details, "misprint" if why else "")
@@ -48,10 +48,13 @@ def judge_number(ev: Evidence, claim: Claim) -> Verdict:
 
 def judge_errors(ev: Evidence, claim: Claim) -> Verdict:
     """Judge the largest percent errors of a table of reference and simulated positions (keys rows, percent)."""
+    widths = {len(r[k]) for r in claim["rows"] for k in ("reference", "simulation")}
+    if widths != {len(claim["percent"])}:
+        raise claim.error(
+            f"rows: every reference and simulation must have {len(claim['percent'])} numbers, one a key of percent"
+        )
     reference = np.array([[read_number(v) for v in r["reference"]] for r in claim["rows"]])
     simulated = np.array([[read_number(v) for v in r["simulation"]] for r in claim["rows"]])
-    if reference.shape != simulated.shape:
-        raise claim.error(f"reference and simulation have different shapes {reference.shape} and {simulated.shape}")
     with np.errstate(all="ignore"):
         percent = np.where(reference == 0, np.nan, 100 * np.abs(simulated - reference) / np.abs(reference))
     lines, wrong, undefined = [], 0, []

@@ -48,7 +48,7 @@ def write(script: Script) -> str:
     return "\n".join([*head, *script.head("'", _COMMENT), *lines, "END", ""])
 
 
-def _move(move: Move, place: Callable[[Array, Array], int]) -> list[str]:
+def _move(move: Move, place: Callable[[Array, Array], str]) -> list[str]:
     # PL is a level of positioning, not a radius
     stop = f" PL={min(8, 1 + round(move.blend * 100))}" if move.blend else " PL=0"
     if move.kind == "move_j":

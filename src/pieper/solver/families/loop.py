@@ -19,9 +19,9 @@ def centred(chain: Chain, first: int) -> np.ndarray:
     """
     joints = range(first, first + 3)
     normals = np.eye(3) - chain.axes[joints, :, None] * chain.axes[joints, None, :]
-    centre: Array = np.linalg.lstsq(
-        normals.sum(0), (normals @ chain.points[joints, :, None])[..., 0].sum(0), rcond=None
-    )[0]
+    normal: Array = normals.sum(0)
+    side: Array = (normals @ chain.points[joints, :, None])[..., 0].sum(0)
+    centre = np.linalg.lstsq(normal, side, rcond=None)[0]
     links = np.array(chain.links)
     for j in joints:
         # the axis in the chain at zero; its frame moves by s along its own z
@@ -78,13 +78,13 @@ def planar(chain: Chain, first: int, normal: np.ndarray) -> tuple[np.ndarray, np
     frames = np.tile(np.eye(4), (3, 1, 1))
     sense = np.ones(3, int)
     height = chain.points[first] @ normal
-    T = np.eye(4)
+    at = np.eye(4)
     for j in range(first + 3):
-        T = T @ chain.links[j]
+        at = at @ chain.links[j]
         if j < first:
             continue
         k = j - first
-        frame = T[:3, :3]
+        frame = at[:3, :3]
         local = frame.T @ normal
         gauge = np.eye(4)
         if chain.prismatic[j]:
@@ -94,7 +94,7 @@ def planar(chain: Chain, first: int, normal: np.ndarray) -> tuple[np.ndarray, np
         elif local[2] < 0:
             gauge[1, 1] = gauge[2, 2] = -1.0
             sense[k] = -1
-        frames[k] = gauge @ translation(z=float(height - T[:3, 3] @ normal))
+        frames[k] = gauge @ translation(z=float(height - at[:3, 3] @ normal))
     for k in range(3):
         links[first + k] = links[first + k] @ frames[k]
         links[first + k + 1] = np.linalg.inv(frames[k]) @ links[first + k + 1]

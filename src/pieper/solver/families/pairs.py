@@ -63,9 +63,9 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
     hide_c = first_c = 0
     rank_one = np.ones(2, bool)
     for T in chain.native.fk(Q):
-        T = T.copy()
-        T[:3, 3] /= chain.length
-        closing = scaled[6] @ inverse(T) @ scaled[0]
+        near = T.copy()
+        near[:3, 3] /= chain.length
+        closing = scaled[6] @ inverse(near) @ scaled[0]
         pre, A, B, C = (closing if k % 6 == 0 else scaled[k % 6] for k in range(first + 3, first + 7))
         left, right = (_around_plane if plane else _positioning)(pre, A, B, C, slides)
         M, N = _terms(left, slides[0]), -_terms(right, slides[2])

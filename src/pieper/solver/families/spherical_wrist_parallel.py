@@ -136,8 +136,9 @@ FAMILY = Family(
 
 def _meeting_point(axes: np.ndarray, points: np.ndarray) -> np.ndarray:
     N = np.eye(3) - axes[:, :, None] * axes[:, None, :]
-    point: Array = np.linalg.lstsq(N.sum(0), (N @ points[:, :, None])[..., 0].sum(0), rcond=None)[0]
-    return point
+    normal: Array = N.sum(0)
+    side: Array = (N @ points[:, :, None])[..., 0].sum(0)
+    return np.asarray(np.linalg.lstsq(normal, side, rcond=None)[0], np.float64)
 
 
 def _unit(v: np.ndarray) -> np.ndarray:

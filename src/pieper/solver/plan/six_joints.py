@@ -172,19 +172,21 @@ class Reduction:
         if self.at_ends is None or not self.locked:
             return T
         first, tail = self.at_ends
-        n = self.full.n
+        n, left = self.full.n, T
         # from the base inwards: T = L Z T' with T' what is left, hence T' = Z^-1 L^-1 T
         for j in range(first):
-            T = np.einsum("ij,njk->nik", self._back[j], T)
-            T = _taken_off(T, values[:, j], bool(self.full.prismatic[j]))
+            left = np.einsum("ij,njk->nik", self._back[j], left)
+            left = _taken_off(left, values[:, j], bool(self.full.prismatic[j]))
         # from the tool inwards the same, seen from the other side: T = T' Z L
         for k in range(tail - 1, -1, -1):
             j = n - tail + k
-            T = (T.reshape(-1, 4) @ self._back[j + 1]).reshape(-1, 4, 4)
-            T = np.swapaxes(
-                _taken_off(np.swapaxes(T, 1, 2), -values[:, first + k], bool(self.full.prismatic[j]), column=True), 1, 2
+            left = (left.reshape(-1, 4) @ self._back[j + 1]).reshape(-1, 4, 4)
+            left = np.swapaxes(
+                _taken_off(np.swapaxes(left, 1, 2), -values[:, first + k], bool(self.full.prismatic[j]), column=True),
+                1,
+                2,
             )
-        return T
+        return left
 
 
 def reduce(chain: Chain, task: str) -> list[Reduction]:

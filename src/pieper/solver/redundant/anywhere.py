@@ -10,12 +10,19 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import short_way
 from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.box import box, descended, spread, well_inside
 from pieper.solver.redundant.self_motions import met
 from pieper.solver.redundant.stops import stops
+from pieper.solver.redundant.sweep import slices
+from pieper.tolerances import CLOSES
 
 #: Starts of the descent inside the limits, first from the middle alone, then where that and the stops show nothing.
 STARTS = 8
+#: Free descents a pose, and poses that are sliced or approached in one go: it bounds the memory.
+FREE_STARTS, TOGETHER = 16, 128
+#: A pose that descents inside the limits leave farther away (per length; rad) is not searched for small self-motions.
+NEAR = 3e-2
 #: What a pose has: no solution at all, solutions outside the limits alone, or some inside.
 NONE, OUTSIDE, INSIDE = 0, 1, 2
 #: A pose is out of reach for certain where it is this much farther away than the links laid end to end.
@@ -37,10 +44,11 @@ class Anywhere:
 
 
 def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
-    """Look for solutions of poses T (N, 4, 4) inside the limits, cheap ways first; every way runs until it is through.
+    """Look for solutions of poses T (N, 4, 4) inside the limits, cheap ways first, for all that are left together.
 
     A point inside the limits is its own proof. What lies inside is bounded by stops, unless a whole self-motion does:
-    where neither descent nor stops show a point, every self-motion of the pose is met as for tracing.
+    where neither descent nor stops show a point, the pose is sliced and approached freely; and where the limits leave
+    it nearly held, every self-motion is met as for tracing, since one that is small and inside may be there.
     """
     full, limits = plan.exact.full, plan.full_limits
     low, high = box(full, limits)
@@ -59,25 +67,42 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
     def descend(count: int) -> None:
         pose = np.repeat(left, count)
         starts = np.tile(spread(full, limits, count), (len(left), 1))
-        rows, held = descended(full, starts, T[pose], low, high)
+        rows, off = descended(full, starts, T[pose], low, high)
+        np.minimum.at(least, pose, off)
+        held = off <= CLOSES
         keep(pose[held], rows[held], np.ones(int(held.sum()), bool))
 
     def stand() -> None:
         at = stops(plan, T[left], threads)
         keep(left[at.pose], at.q, at.inside)
 
-    ways = [lambda: descend(1), stand, lambda: descend(STARTS)]
+    def slice_up() -> None:
+        for part in (left[i : i + TOGETHER] for i in range(0, len(left), TOGETHER)):
+            pose, rows = slices(plan, T[part], threads)
+            rows, within = full.joints.inside_limits(rows, limits)
+            keep(part[pose], rows, within)
+
+    def approach() -> None:
+        for part in (left[i : i + TOGETHER] for i in range(0, len(left), TOGETHER)):
+            met_here = from_anywhere(plan, T[part], FREE_STARTS)
+            rows, within = full.joints.inside_limits(np.concatenate(met_here), limits)
+            keep(np.repeat(part, [len(r) for r in met_here]), rows, within)
+
+    least = np.full(len(T), np.inf)
+    ways = [lambda: descend(1), stand, lambda: descend(STARTS), slice_up, approach]
     if len(plan.redundancy) > 1:  # pairs of limits are many, and a surface is easily met
         ways[1], ways[2] = ways[2], ways[1]
     for way in ways:
         if len(left):
             way()
-    for i in left:
+    for i in left[least[left] < NEAR]:
         rows = met(plan, T[i], plan.defaults)
         if len(rows):
+            poses = np.tile(T[i], (len(rows), 1, 1))
             rows, within = full.joints.inside_limits(rows, limits)
             keep(np.full(len(rows), i), rows, within)
-            near, held = descended(full, np.clip(rows, low, high), np.tile(T[i], (len(rows), 1, 1)), low, high)
+            near, off = descended(full, np.clip(rows, low, high), poses, low, high)
+            held = off <= CLOSES
             keep(np.full(int(held.sum()), i), near[held], np.ones(int(held.sum()), bool))
     found = np.flatnonzero(kind == INSIDE)
     q[found] = well_inside(full, q[found], T[found], limits)

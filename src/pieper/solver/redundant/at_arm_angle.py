@@ -232,4 +232,4 @@ def _frame(line: Array, across: Array) -> Array:
     """Return rotations (..., 3, 3) whose columns stand along lines, along what is across them, and along the normal."""
     first = line / np.maximum(np.linalg.norm(line, axis=-1, keepdims=True), TINY)
     second = across / np.maximum(np.linalg.norm(across, axis=-1, keepdims=True), TINY)
-    return np.stack([first, second, np.cross(first, second)], -1)
+    return np.stack([first, second, np.asarray(np.cross(first, second), np.float64)], -1)

@@ -37,7 +37,7 @@ def spread(chain: Chain, limits: Array, count: int, seed: int = 5) -> Array:
     return low + part * (high - low)
 
 
-def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tuple[Array, Bools]:
+def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tuple[Array, Array]:
     """Move joint vectors inside boxes towards poses, never out of the box.
 
     Args:
@@ -48,7 +48,7 @@ def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tupl
         high: Upper ends likewise.
 
     Returns:
-        (k, n), and whether the pose is held (k,).
+        (k, n), and by how much the pose is missed (k,), per length and rad: held where that is below `CLOSES`.
     """
     unit = chain.joints.unit
     first, shrink, grow, most = DAMPING
@@ -76,7 +76,7 @@ def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tupl
                 break
             free &= ~stopped
         tried = np.clip(at + np.where(free, step, 0.0), low[active], high[active])
-    return q, square <= CLOSES**2
+    return q, np.sqrt(square)
 
 
 def well_inside(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
@@ -90,7 +90,8 @@ def well_inside(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
     for part in ROOM:
         margin = part * np.minimum(high - low, np.where(chain.prismatic, chain.length, np.pi))
         inner = low + margin, high - margin
-        moved, held = descended(chain, np.clip(q[left], *inner), T[left], *inner)
+        moved, away = descended(chain, np.clip(q[left], *inner), T[left], *inner)
+        held = away <= CLOSES
         out[left[held]] = moved[held]
         left = left[~held]
         if not len(left):
@@ -140,9 +141,9 @@ def closest(chain: Chain, q: Array, T: Array, limits: Array, now: Array, weights
         size = np.linalg.norm(step, axis=1)
         step *= np.minimum(1.0, longest[going] / np.maximum(size, 1e-300))[:, None]
         start = np.clip(at + step * unit, low, high)
-        moved, held = descended(chain, start, np.broadcast_to(T, (len(at), 4, 4)), low, high)
+        moved, off = descended(chain, start, np.broadcast_to(T, (len(at), 4, 4)), low, high)
         new = away(moved)
-        better = held & (new < least[going] - 1e-14)
+        better = (off <= CLOSES) & (new < least[going] - 1e-14)
         q[going[better]], least[going[better]] = moved[better], new[better]
         longest[going] = np.where(better, 2 * longest[going], np.minimum(size, longest[going]) / 4)
         going = going[(longest[going] > SETTLED) & (size > SETTLED)]

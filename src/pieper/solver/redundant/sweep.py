@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.pose import stepped
-from pieper.solver.arm_rows import arm_rows, full_rows
+from pieper.solver.arm_rows import full_rows
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import holding, pulled
 
@@ -89,21 +89,18 @@ def sweep(plan: Plan, T: Array, coordinate: int, values: Array) -> Sweep:
     return Sweep(at, q, valid, after)
 
 
-def best_slice(plan: Plan, T: Array) -> tuple[Array, Bools, Bools]:
-    """Return q (M, n), valid (M,), in_limits (M,) of a pose (4, 4) where most solutions are inside the limits.
+def slices(plan: Plan, T: Array, threads: int) -> tuple[Indices, Array]:
+    """Return the pose index (m,) and the rows (m, n) of poses (N, 4, 4) at a sweep's first slices.
 
-    The first redundant coordinate takes the values of a sweep's first slices, the others their defaults.
+    The first redundant coordinate takes the values, the others their defaults.
     """
     lower, upper = span(plan, plan.reduction.locked[0])
     at = np.linspace(lower, upper, SLICES if plan.reduction.at_ends is not None else SLICES_PREPARED)
-    held = np.tile(plan.defaults, (len(at), 1))
-    held[:, 0] = at
-    found = arm_rows(plan, np.tile(T, (len(at), 1, 1)), held, 1)
-    valid = found.valid
-    q, inside = plan.chain.joints.inside_limits(found.q, plan.limits)
-    inside &= valid
-    best = int(np.argmax(100 * inside.sum(1) + valid.sum(1)))
-    return np.where(valid[best][:, None], q[best], 0.0), valid[best], inside[best]
+    held = np.tile(plan.defaults, (len(at) * len(T), 1))
+    held[:, 0] = np.repeat(at, len(T))
+    found = full_rows(plan, np.tile(T, (len(at), 1, 1)), held, threads)
+    case, row = np.nonzero(found.valid)
+    return case % len(T), found.q[case, row]
 
 
 def span(plan: Plan, joint: int) -> tuple[float, float]:
@@ -145,12 +142,13 @@ def _continued(plan: Plan, q: Array, valid: Bools, q_next: Array, valid_next: Bo
     """
     distance = _apart(plan, q, q_next)
     distance[~(valid[:, :, None] & valid_next[:, None, :])] = np.inf
-    there, back = distance.argmin(2), distance.argmin(1)
+    there: Indices = distance.argmin(2)
+    back: Indices = distance.argmin(1)
     nearest: Array = np.take_along_axis(distance, there[..., None], 2)[..., 0]
     mutual: Bools = (np.take_along_axis(back, there, 1) == np.arange(q.shape[1])) & (nearest < LOST)
-    doubt: Bools = (
-        (mutual.sum(1) != valid.sum(1)) | (mutual.sum(1) != valid_next.sum(1)) | (mutual & (nearest > FAR)).any(1)
-    )
+    kept: Indices = mutual.sum(1)
+    far: Bools = np.logical_or.reduce(mutual & (nearest > FAR), axis=1)
+    doubt = (kept != valid.sum(1)) | (kept != valid_next.sum(1)) | far
     return np.where(mutual, there, -1), doubt
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import axes_at
-from pieper.kinematics.newton import missed, scaled_jacobian
+from pieper.kinematics.newton import missed, newton, scaled_jacobian
 from pieper.solver.singular.examined import Examined, told
 from pieper.solver.singular.in_one_line import LineMotion
 from pieper.solver.singular.linkage_motion import LinkageMotion
@@ -32,8 +32,15 @@ from pieper.tolerances import (
     ONE_WAY_FREE,
     SAME_SOLUTION,
     SINGULAR_EXAMINED,
+    UNNOTICED,
 )
 
+#: Relative singular values below which kernels may give one point for two solutions beside a self-motion.
+ROOTS_APART = 1e-11
+#: Solutions beside a self-motion are known to rounding over the singular value: nearer than this they are one (rad).
+SAME_ALONG = 0.03
+#: What they may miss the pose by (per length; rad), and Newton steps on the way.
+HOLDS_TO_ROUNDING, SLOW_STEPS = 1e-14, 40
 #: Said of an isolated solution next to a self-motion.
 BESIDE = 1
 
@@ -79,7 +86,7 @@ def from_axes(asked: Asked, rows: Array) -> Examined | None:
         if any(_holds(motion, rows[k]) for motion in motions):
             continue
         null = Vt[k, 5]
-        said = _free(asked, rows[k], axes[k], points[k], null, float(s[k, 5]))
+        said = _free(asked, rows[k], axes[k], points[k], null, s[k])
         if said is None:
             return None
         if isinstance(said, SelfMotion):
@@ -91,6 +98,14 @@ def from_axes(asked: Asked, rows: Array) -> Examined | None:
             count = branches_at(chain, rows[k], asked.T)
             if _held_aside(asked, rows[k], null):
                 return None
+        if said == BESIDE and s[k, 5] < ROOTS_APART * size[k]:
+            if np.count_nonzero(np.abs(null) > LOOP_MOVES) > 2:
+                return None
+            for q in _settled(asked, rows[k], null):
+                if not any(chain.joints.apart(q, other) < SAME_ALONG for other in alone):
+                    alone.append(q)
+                    multiplicity.append(1)
+            continue
         alone.append(rows[k])
         multiplicity.append(count)
     if len(alone) > 1:
@@ -106,11 +121,25 @@ def from_axes(asked: Asked, rows: Array) -> Examined | None:
     return told(chain, list(isolated), alone, multiplicity, motions)
 
 
+def _settled(asked: Asked, q: Array, null: Array) -> Array:
+    """Return the solutions (m, n) beside a self-motion all but in place: kernels give one point of such a line.
+
+    What is missed along the line changes sign twice in a turn. Newton's method from four points of it ends at both.
+    """
+    chain = asked.chain
+    starts = q + np.array([0.0, 0.5, 1.0, 1.5])[:, None] * np.pi * np.sqrt(2) * null * chain.joints.unit
+    there = newton(chain, starts, asked.T, steps=SLOW_STEPS, cutoff=1e-15)
+    miss = missed(chain, there, asked.T)
+    there = there[np.argsort(miss, kind="stable")][: np.count_nonzero(miss < HOLDS_TO_ROUNDING)]
+    there = there[chain.joints.distinct(there, SAME_ALONG)]
+    return there if len(there) == 2 else q[None]
+
+
 def _holds(motion: SelfMotion, q: Array) -> bool:
     return motion.holds(q, 1e-9) if isinstance(motion, LinkageMotion) else motion.distance(q) < 1e-9
 
 
-def _free(asked: Asked, q: Array, z: Array, o: Array, null: Array, sigma: float) -> SelfMotion | int | None:
+def _free(asked: Asked, q: Array, z: Array, o: Array, null: Array, s: Array) -> SelfMotion | int | None:
     """Return the self-motion through a row (n,), BESIDE if it is an isolated solution next to one, else 0.
 
     None where a linkage is met that cannot be read off.
@@ -134,8 +163,8 @@ def _free(asked: Asked, q: Array, z: Array, o: Array, null: Array, sigma: float)
             return _linkage(asked, q, linkage)
     if gap > NEXT_TO_LINKAGE:
         return 0
-    # a joint outside the linkage may make up for what it misses: then only a second look tells
-    return BESIDE if sigma > NEARLY_IN_LINE * gap else 0
+    # joints outside the linkage may make up for what it misses, or move it by so much unnoticed: a second look tells
+    return BESIDE if s[5] > NEARLY_IN_LINE * gap and gap * s[4] > UNNOTICED * s[0] else 0
 
 
 def _linkage(asked: Asked, q: Array, linkage: FourBar) -> LinkageMotion | None:

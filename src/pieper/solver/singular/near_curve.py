@@ -56,12 +56,12 @@ def onto(chain: Chain, q: Array, T: Array, steps: int = 4) -> Points:
         U, s, Vt = np.linalg.svd(scaled_jacobian(chain, q), full_matrices=False)
         return e, U, s, Vt, np.einsum("nik,ni->nk", U, e)
 
-    e, U, s, Vt, along = seen(q)
+    e, u, s, v, along = seen(q)
     for _ in range(steps):
-        q = q + bounded(turned_back(s, Vt, along, WEAK, weakest), 0.3) * chain.joints.unit
-        e, U, s, Vt, along = seen(q)
+        q = q + bounded(turned_back(s, v, along, WEAK, weakest), 0.3) * chain.joints.unit
+        e, u, s, v, along = seen(q)
     miss = along[:, weakest]
-    left, null = U[:, :, weakest], Vt[:, weakest]
+    left, null = u[:, :, weakest], v[:, weakest]
     rest = np.linalg.norm(e - miss[:, None] * left, axis=1)
     return Points(q, miss, rest, left, null, s[:, weakest] / np.maximum(s[:, 0], TINY))
 

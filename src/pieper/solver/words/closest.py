@@ -17,9 +17,9 @@ from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.results import Closest, Solutions
 
 #: Postures looked at first; the best of them are where the descent begins. The answer bounds the distance from above.
-LOOKED_AT, STARTS = 512, 12
+LOOKED_AT, STARTS = 512, 28
 #: What a turn counts beside the position, stage by stage, steps, and how many postures are kept.
-STAGES = ((1.0, 6, 8), (1e-3, 14, 4), (1e-8, 10, 4))
+STAGES = ((1.0, 6, 16), (1e-3, 12, 6), (1e-8, 10, 4))
 #: Half of the postures go for the position from the first.
 POSITION = 0.03
 #: Positions that are as near as this (per length) are alike, and the orientation decides.
@@ -84,7 +84,10 @@ def _stages(plan: Plan, weights: ArrayLike | None) -> list[tuple[float, int, int
     turning = plan.task != "position"
     if weights is None:
         return [(turn * turning, steps, keep) for turn, steps, keep in STAGES]
-    given = np.asarray(weights, float)
+    try:
+        given = np.asarray(weights, float)
+    except (TypeError, ValueError):
+        given = np.zeros(0)
     if given.shape != (2,) or not np.isfinite(given).all() or (given < 0).any() or not given.any():
         raise InputError(
             f"weights must be two numbers of at least 0, not both 0: what a metre and a radian count; got {weights!r}.",

@@ -76,7 +76,7 @@ def _shoulder_and_elbow(plan: Plan, q: Array) -> list[list[str]]:
         wrist = plan.reduction.arm and _tool_points(plan, q)
     first, second, third = z[:, 0], z[:, 1], z[:, 2]
     up = first[0] * (1.0 if _upward(plan, first[0]) else -1.0)
-    forward = _perpendicular(np.cross(second, up), up)
+    forward = _perpendicular(np.asarray(np.cross(second, up), np.float64), up)
     end = o[:, 3] if _three_parallel(plan) else wrist
     shoulder = o[:, 1] + _along(end - o[:, 1], second)
     elbow = o[:, 2] + _along(end - o[:, 2], third)

@@ -75,7 +75,8 @@ def _outside_limits(plan: Plan, sols: Solutions) -> str:
     for q in sols.all_q:
         over = np.maximum(plan.limits[:, 0] - q, q - plan.limits[:, 1])
         for k in (-1, 1):
-            moved: Array = np.where(plan.prismatic, q, q + k * TURN)
+            turned: Array = q + k * TURN
+            moved = np.where(plan.prismatic, q, turned)
             over = np.minimum(over, np.maximum(plan.limits[:, 0] - moved, moved - plan.limits[:, 1]))
         worst = int(np.argmax(over))
         if over[worst] < least:

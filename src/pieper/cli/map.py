@@ -1,0 +1,68 @@
+"""`pieper map`: a box filled with answers."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ProcessPoolExecutor
+
+import click
+
+import pieper
+from pieper import InputError
+from pieper.cli.arguments import numbers
+from pieper.cli.options import NUMBERS, as_json, takes_arm, takes_units
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import say
+from pieper.cli.status import DONE
+from pieper.cli.units import Units
+
+
+@click.command("map", context_settings=NUMBERS, short_help="Fill a box with answers: what the arm reaches.")
+@takes_arm
+@click.option("--box", required=True, metavar="NUMBERS", help="x0 x1 y0 y1 z0 z1, quoted, in --length.")
+@click.option("--step", required=True, type=float, help="Side of a voxel, in --length.")
+@click.option("--orientations", default="128 16", show_default=True, help="Directions of the tool's z axis, and rolls.")
+@click.option(
+    "--out", "-o", default="", metavar="DIR", help="Keep finished tiles here; the same command goes on there."
+)
+@click.option(
+    "--symmetry", default="auto", show_default=True, type=click.Choice(["auto", "none"]), help="See docs/maps.md."
+)
+@click.option("--workers", default=0, help="Processes; without it one process uses all cores.")
+@as_json
+@takes_units
+def command(
+    arm: pieper.Arm,
+    box: str,
+    step: float,
+    orientations: str,
+    out: str,
+    symmetry: str,
+    workers: int,
+    json: bool,
+    units: Units,
+) -> int:
+    """Map what an arm reaches inside its limits: voxels of a box, orientations of the tool at each.
+
+    Example: pieper map denso-vp6242 --box "-600 600 -600 600 -200 800" --step 50 --out denso-map
+    """
+    corners = [value * units.metres for value in numbers([box], "--box")]
+    counts = [int(word) for word in orientations.replace("x", " ").split() if word.isdigit()]
+    if len(corners) != 6 or len(counts) != 2 or workers < 0:
+        raise InputError(
+            f"--box takes six numbers (x0 x1 y0 y1 z0 z1), got {len(corners)}; --orientations two whole ones, got "
+            f"{orientations!r}; --workers none or more.",
+            given=(box, orientations),
+        )
+    sides = [(corners[0], corners[1]), (corners[2], corners[3]), (corners[4], corners[5])]
+    asked = {"orientations": (counts[0], counts[1]), "symmetry": symmetry, "store": out or None}
+    if workers:
+        with ProcessPoolExecutor(min(workers, os.cpu_count() or 1)) as pool:
+            found = arm.reach_map(sides, step * units.metres, executor=pool, **asked)
+    else:
+        found = arm.reach_map(sides, step * units.metres, **asked)
+    if json:
+        print_json({"arm": arm.name, "volume_m3": found.volume, "fraction": found.fraction, "count": found.count})
+        return DONE
+    say(found.explain())
+    return DONE

@@ -1,0 +1,285 @@
+"""What happens where a step of a derivation degenerates: every such case is visited, not guessed.
+
+Postures at which the step's coefficients vanish are looked for. Where there are some, the joint is moved and the joints
+after it follow, if they can: then it is free. Where they cannot, another equation decides, and it is looked for. Where
+there are none, the lengths rule them out, or no pose that the arm reaches is one.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from pieper.algebra.arithmetics import NumpyField
+from pieper.algebra.expression import Expr, Sym, Trig, angle_symbol
+from pieper.description.dh import Description
+from pieper.equations.derivation.elimination import Eliminator, Equation, Move
+from pieper.equations.derivation.step import Step
+from pieper.equations.derivation.witness import branch_values, single_joint
+from pieper.equations.table import SymbolTable
+
+Array = npt.NDArray[np.float64]
+
+FREE, ELSEWHERE, IMPOSSIBLE, UNREACHED, MIXED = "free", "elsewhere", "impossible", "unreached", "mixed"
+STARTS = 16  # random postures from which a degenerate one is looked for
+LOOKED = 4  # degenerate postures that are tried
+NEWTON = 30  # steps; those that converge need about ten
+STEP = 1e-7  # of a difference quotient, rad or m
+NOISE = 1e-7  # of coefficients that follow from a root which vanishes: half the digits are gone
+EXACT = 1e-16  # rounding; there is nothing left to improve
+VANISHES = 1e-8  # per unit of length: the coefficients are zero
+CLOSES = 1e-7  # per unit of length: the pose is reached
+MOVES = (0.05, -0.03)  # rad (or of the longest length) by which a joint is moved that may be free; how far it can
+# go on is for the steps after it to say
+OTHER_STARTS = 7  # random postures for the joints after it
+
+
+class Form(Protocol):
+    """What is needed of a derivation, see `ClosedForm`."""
+
+    n: int
+    steps: tuple[Step, ...]
+    chosen: tuple[int, ...]
+    given: str
+    table: SymbolTable
+    description: Description
+
+    @property
+    def moves(self) -> list[Move]:
+        """The moves that the steps were made of."""
+        ...
+
+    @property
+    def constants(self) -> dict:
+        """Numbers for the lengths and twists."""
+        ...
+
+    def poses(self, q: Array) -> Array:
+        """Poses (N, 4, 4) of joint vectors (N, n)."""
+        ...
+
+    def values_at(self, q: Array) -> dict:
+        """Values (N,) of every symbol at joint vectors (N, n)."""
+        ...
+
+    def replayed(self, moves: int) -> Eliminator:
+        """The elimination as it stood after so many steps."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """One degenerate case of a derivation.
+
+    Attributes:
+        kind: FREE (any value will do), ELSEWHERE (another equation decides), IMPOSSIBLE (the lengths rule it out),
+            UNREACHED (no pose that the arm reaches), MIXED (free at some of its poses).
+        postures: (m, n) joint vectors, rad or m, at which it was visited.
+        rest: What the step's equation then says, 0 = rest, as (left, right); None when it says nothing.
+        other: The move that decides instead, None when there is none of one unknown.
+        eliminator: The elimination that the move belongs to.
+        sigma: The branch sign that its two solutions go with: that of the step whose branches meet there.
+    """
+
+    kind: str
+    postures: Array
+    rest: Expr | None = None
+    other: Move | None = None
+    eliminator: Eliminator | None = None
+    sigma: Sym | None = None
+
+
+def visit(form: Form, step: Step) -> Case:
+    """Visit the degenerate case of a step (`step.degenerate` is not empty)."""
+    rng = np.random.default_rng(29)
+    postures = _postures(form, step, rng)
+    if not len(postures):
+        angles_only = all(isinstance(a, Trig) or a in form.constants for c in step.degenerate for a in c.atoms())
+        return Case(IMPOSSIBLE if angles_only else UNREACHED, postures, _rest(form, step))
+    free = _free(form, step, postures[:LOOKED], rng)
+    if free.all():
+        return Case(FREE, postures[:LOOKED])
+    other, eliminator = _other(form, step, postures[:LOOKED][~free])
+    sigma = _meeting(form, step, postures[:LOOKED][~free])
+    return Case(MIXED if free.any() else ELSEWHERE, postures[:LOOKED], None, other, eliminator, sigma)
+
+
+def _meeting(form: Form, step: Step, postures: Array) -> Sym | None:
+    """The sign of the earlier step whose two branches meet at degenerate postures (m, n)."""
+    values = truth(form, postures, step.number - 1)
+    for earlier in form.steps[: step.number - 1]:
+        if earlier.sigma is not None and earlier.merge is not None and earlier.branches == 2:
+            size = np.abs(np.asarray(earlier.merge.evaluate(values, NumpyField), dtype=float))
+            if size.max() < np.sqrt(VANISHES):
+                return earlier.sigma
+    return None
+
+
+def _scale(form: Form) -> float:
+    return max([1e-9, *(abs(float(v)) for s, v in form.constants.items() if s.base in ("a", "d"))])
+
+
+def truth(form: Form, q: Array, before: int) -> dict:
+    """Values (N,) of every symbol that the first `before` steps know, at joint vectors (N, n) and their own poses."""
+    values = form.values_at(q)
+    for step in form.steps[:before]:
+        for symbol, expression in step.names:
+            values[symbol] = expression.evaluate(values, NumpyField)
+        if single_joint(step.angle) is None:
+            values[step.symbol] = sum(k * values[angle_symbol(j)] for j, k in step.angle)
+    return values
+
+
+def _vanishing(form: Form, step: Step, q: Array) -> Array:
+    """(N, m) the step's coefficients at joint vectors (N, n)."""
+    values = truth(form, q, step.number - 1)
+    for symbol, expression in step.names:
+        values[symbol] = expression.evaluate(values, NumpyField)
+    found = [np.broadcast_to(c.evaluate(values, NumpyField), len(q)) for c in step.degenerate]
+    return np.stack(found, axis=1)
+
+
+def _postures(form: Form, step: Step, rng: np.random.Generator) -> Array:
+    """Postures (m, n) at which the step degenerates, none when there are none."""
+    size = _scale(form)
+    q = rng.uniform(-np.pi, np.pi, (STARTS, form.n))
+    sliding = [j - 1 for j in form.table.prismatic]
+    q[:, sliding] = rng.uniform(-1, 1, (STARTS, len(sliding))) * size
+    with np.errstate(all="ignore"):
+        for _ in range(NEWTON):
+            points = np.concatenate([q, *(q + h for h in STEP * np.eye(form.n))])
+            every = _vanishing(form, step, points).reshape(form.n + 1, len(q), -1)
+            here, J = np.nan_to_num(every[0]), np.nan_to_num((every[1:] - every[0]) / STEP)
+            if np.abs(here).max() < EXACT:
+                break
+            move = np.einsum("kij,kj->ki", np.linalg.pinv(np.moveaxis(J, 0, 2), rcond=1e-6), here)
+            q = q - np.clip(move, -0.5, 0.5)
+        gap = np.abs(_vanishing(form, step, q)).max(axis=1)
+    order = np.argsort(gap)  # the solver asks for the last digits
+    return q[order[gap[order] < VANISHES * max(1.0, size)]]
+
+
+def _free(form: Form, step: Step, postures: Array, rng: np.random.Generator) -> npt.NDArray[np.bool_]:
+    """At which postures (m, n) the step's joint can be moved, the joints before it held and those after following."""
+    sliding = [j - 1 for j in form.table.prismatic]
+    moving = [j for j in range(form.n) if j + 1 not in form.chosen]
+    mine = _row(form, step.angle)
+    size = _scale(form)
+    far = size if single_joint(step.angle) in form.table.prismatic else 1.0
+    A = np.array([*(_row(form, earlier.angle) for earlier in form.steps[: step.number - 1]), mine])
+    cells = list(itertools.product(range(len(postures)), MOVES))
+    q = np.repeat(postures[[k for k, _ in cells]], OTHER_STARTS + 1, axis=0)
+    target = q @ A.T
+    target[:, -1] += np.repeat([by * far for _, by in cells], OTHER_STARTS + 1)
+    x, others = q.copy(), np.arange(len(q)) % (OTHER_STARTS + 1) > 0
+    scatter = rng.uniform(-np.pi, np.pi, (int(others.sum()), form.n))
+    scatter[:, sliding] *= size / np.pi
+    x[np.ix_(others, moving)] += scatter[:, moving]
+    reached = _reached(form, form.poses(q), x, moving, A, target, size)
+    return reached.reshape(len(postures), len(MOVES), -1).any(axis=2).all(axis=1)
+
+
+def _row(form: Form, angle: tuple) -> Array:
+    """The sum of joint coordinates q that an angle of the table is, its constant left out."""
+    row = np.zeros(form.n)
+    for joint, factor in angle:
+        row[joint - 1] = factor * form.description.sign[joint - 1]
+    return row
+
+
+def _reached(
+    form: Form, T: Array, x: Array, moving: list[int], A: Array, target: Array, size: float
+) -> npt.NDArray[np.bool_]:
+    """Which poses (K, 4, 4) are reached from the starts x (K, n) with A x = target (K, m), by damped Newton steps."""
+    columns = ["noap".index(c) for c in form.given]
+    scales = np.array([size if c == "p" else 1.0 for c in form.given])
+
+    def missed(points: Array, T: Array, target: Array) -> Array:
+        parts = (form.poses(points)[:, :3, columns] - T[:, :3, columns]) / scales
+        wrap = (points @ A.T - target + np.pi) % (2 * np.pi) - np.pi
+        return np.concatenate([parts.reshape(len(points), -1), wrap], axis=1)
+
+    done = np.zeros(len(x), dtype=bool)
+    for _ in range(NEWTON):
+        rows = np.flatnonzero(~done)
+        if not len(rows):
+            break
+        here = missed(x[rows], T[rows], target[rows])
+        done[rows] = np.abs(here).max(axis=1) < CLOSES
+        many = len(moving)
+        points = np.concatenate([x[rows] + h for h in STEP * np.eye(form.n)[moving]])
+        every = missed(points, np.tile(T[rows], (many, 1, 1)), np.tile(target[rows], (many, 1)))
+        J = np.moveaxis((every.reshape(many, len(rows), -1) - here) / STEP, 0, 2)
+        JT = np.swapaxes(J, 1, 2)
+        damp = (1e-3 * (here**2).sum(1) + 1e-13)[:, None, None] * np.eye(many)
+        move = np.linalg.solve(JT @ J + damp, JT @ here[..., None])[..., 0]
+        x[np.ix_(rows, moving)] -= np.clip(move, -0.6, 0.6)
+    return done
+
+
+def _rest(form: Form, step: Step) -> Expr | None:
+    """What is left of the step's one equation where its coefficients, plain symbols, vanish; None when nothing is."""
+    move = form.moves[step.number - 1]
+    if len(move.equations) != 1:
+        return None
+    gone = {a for c in move.solved.degenerate for a in c.atoms()}
+    total = move.equations[0].left - move.equations[0].right
+    left = {key: v for key, v in total.terms.items() if not gone & {*(s for s, _ in key[0]), *key[1]}}
+    rest = type(total)(left)
+    if not left or rest.atoms() - set(form.constants):
+        return None
+    value = float(np.asarray(rest.expr().evaluate(form.constants, NumpyField)))
+    return (rest if next(iter(left.values())) > 0 else -rest).expr() if abs(value) > VANISHES else None
+
+
+def _other(form: Form, step: Step, postures: Array) -> tuple[Move | None, Eliminator | None]:
+    """The equation of one unknown that decides the step's joint at degenerate postures (m, n)."""
+    e = form.replayed(step.number - 1)
+    values = truth(form, postures, step.number - 1)
+    wanted = np.asarray(sum(k * values[angle_symbol(j)] for j, k in step.angle), dtype=float)
+    if step.symbol in e.knowledge.prismatic.values():
+        wanted = np.asarray(values[step.symbol], dtype=float)
+    sigma, name = Sym("sigma", str(step.number), 0), Sym("h", str(step.number), 4)
+    options: list[tuple] = []
+    for equations in e.tiers():
+        options += [o for o in e.options(equations, sigma, name) if o[1] == step.angle]
+    for _, angle, used, recipe, polys in sorted(options, key=lambda option: option[0]):
+        solved = recipe.build()
+        if solved is None or not _gives(e, solved, sigma, values, wanted):
+            continue
+        shown = [*polys, solved.formula, *(x for _, x in solved.definitions)]
+        names = tuple(e.target.show([*shown, *_sides(used)]))
+        return Move(step.symbol, angle, used, solved, sigma if solved.branches > 1 else None, names), e
+    return None, None
+
+
+def _sides(equations: tuple[Equation, ...]) -> list:
+    return list(itertools.chain.from_iterable((q.left, q.right) for q in equations))
+
+
+def _gives(e: Eliminator, solved, sigma: Sym, values: dict, wanted: Array) -> bool:
+    """Whether a formula, not degenerate there, gives the wanted values (m,) on one of its branches."""
+    known = dict(values)
+    for symbol, poly in e.target.definitions.items():
+        known[symbol] = poly.evaluate(known)
+    hits = np.zeros(wanted.shape, dtype=bool)
+    for sign in branch_values(solved.branches):
+        known[sigma] = np.full(wanted.shape, sign)
+        for symbol, expression in solved.definitions:
+            known[symbol] = expression.evaluate(known, NumpyField)
+        for condition in solved.degenerate:
+            known_size = np.abs(np.broadcast_to(condition.evaluate(known, NumpyField), wanted.shape))
+            if len(solved.degenerate) == 1 and known_size.min() < 1e-6:
+                return False
+        if solved.degenerate:
+            sizes = [np.abs(np.broadcast_to(c.evaluate(known, NumpyField), wanted.shape)) for c in solved.degenerate]
+            if np.max(sizes, axis=0).min() < 1e-6:
+                return False
+        with np.errstate(all="ignore"):
+            gap = np.broadcast_to(solved.formula.evaluate(known, NumpyField), wanted.shape) - wanted
+        hits |= np.abs(np.angle(np.exp(1j * gap))) < 1e-6
+    return bool(hits.all())

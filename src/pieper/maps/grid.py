@@ -1,0 +1,144 @@
+"""What a map asks: voxels of a box, and orientations of the tool at each."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, cast
+
+import numpy as np
+
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike, Bools, Indices
+from pieper.kinematics.pose import checked_pose, rotation_about, transform
+
+#: A box wider than this many reaches of the arm was said in millimetres.
+WIDEST = 50.0
+GOLDEN_TURN = np.pi * (1 + 5**0.5)
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """Voxels and orientations.
+
+    Args:
+        low: (3,) the box's lower corner, m.
+        step: Side of a voxel, m.
+        shape: How many voxels along x, y and z.
+        turns: (k, 3, 3) orientations of the tool, rolls innermost.
+        rolls: How many neighbouring orientations are one direction of the tool's z axis, rolled about it evenly.
+    """
+
+    low: Array
+    step: float
+    shape: tuple[int, int, int]
+    turns: Array
+    rolls: int
+
+    @property
+    def count(self) -> int:
+        """How many voxels there are."""
+        return int(np.prod(self.shape))
+
+    def centres(self, which: Indices) -> Array:
+        """Return the centres (k, 3) of voxels by their numbers, z innermost, m."""
+        return self.low + (np.stack(np.unravel_index(which, self.shape), -1) + 0.5) * self.step
+
+    def voxel_of(self, p: Array) -> tuple[Bools, Indices]:
+        """Return which points (N, 3) lie in the box (N,), and the numbers (N,) of their voxels, 0 outside."""
+        index = np.floor((p - self.low) / self.step).astype(np.int64)
+        inside = np.asarray(((index >= 0) & (index < np.array(self.shape))).all(1), np.bool_)
+        i, j, k = np.where(inside[:, None], index, 0).T
+        return inside, np.asarray((i * self.shape[1] + j) * self.shape[2] + k, np.int64)
+
+    def turn_of(self, R: Array) -> Indices:
+        """Return the numbers (N,) of the orientations nearest to rotations (N, 3, 3)."""
+        return np.argmax(np.einsum("nij,kij->nk", R, self.turns), axis=1)
+
+    def poses(self, which: Indices, turns: Array) -> Array:
+        """Return poses (len(which) * len(turns), 4, 4): voxel by voxel, orientation by orientation."""
+        T = np.zeros((len(which), len(turns), 4, 4))
+        T[..., :3, :3] = turns
+        T[..., :3, 3] = self.centres(which)[:, None]
+        T[..., 3, 3] = 1.0
+        return T.reshape(-1, 4, 4)
+
+
+def directions(count: int) -> Array:
+    """Return unit vectors (count, 3), evenly on the sphere (Fibonacci's lattice): no crowd at poles."""
+    i = np.arange(count) + 0.5
+    z = 1 - 2 * i / count
+    r = np.sqrt(1 - z * z)
+    return np.asarray(np.stack([r * np.cos(GOLDEN_TURN * i), r * np.sin(GOLDEN_TURN * i), z], -1), np.float64)
+
+
+def orientations_of(count: int, rolls: int) -> Array:
+    """Return rotations (count * rolls, 3, 3): z axes evenly on the sphere, each rolled evenly, rolls innermost."""
+    d = directions(count)
+    aside = np.where(np.abs(d[:, 2:]) < 0.9, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0])
+    x = np.cross(aside, d)
+    x /= np.linalg.norm(x, axis=1, keepdims=True)
+    first = np.stack([x, np.cross(d, x), d], -1)
+    turn = rotation_about(np.array([0.0, 0.0, 1.0]), 2 * np.pi * np.arange(rolls) / rolls)
+    return np.asarray((first[:, None] @ turn[None]).reshape(-1, 3, 3), np.float64)
+
+
+def grid_of(
+    box: Sequence[Sequence[float]], step: float, orientations: Sequence[int] | ArrayLike, task: str, reach: float
+) -> Grid:
+    """Return the checked grid.
+
+    Args:
+        box: ((x0, x1), (y0, y1), (z0, z1)), m.
+        step: Side of a voxel, m; the box is widened upwards to whole voxels.
+        orientations: (directions, rolls), or rotations (k, 3, 3).
+        task: The arm's task: a position has no orientation, an axis no roll.
+        reach: The arm's length, m.
+
+    Raises:
+        InputError: A box or step that is none, or in millimetres; orientations that are no rotations.
+    """
+    try:
+        corners = np.array(box, dtype=np.float64)
+    except (TypeError, ValueError):
+        corners = np.empty(0)
+    if corners.shape != (3, 2) or not np.isfinite(corners).all() or (corners[:, 1] <= corners[:, 0]).any():
+        raise InputError(f"box must be ((x0, x1), (y0, y1), (z0, z1)) with x0 < x1, in metres, got {box!r}.", given=box)
+    side = corners[:, 1] - corners[:, 0]
+    if side.max() > WIDEST * reach:
+        raise InputError(
+            f"the box is {side.max():.4g} m wide and the arm {reach:.3g} m long; metres are meant. Divide "
+            "millimetres by 1000.",
+            given=box,
+        )
+    if (
+        not isinstance(step, (int, float, np.number))
+        or not np.isfinite(step)
+        or not 0 < step <= side.min() * (1 + 1e-9)
+    ):
+        raise InputError(
+            f"step must be positive, in metres, at most the box's smallest side ({side.min():.4g} m), got {step!r}: "
+            "20 mm is 0.02.",
+            given=step,
+        )
+    shape = tuple(int(n) for n in np.ceil(side / step - 1e-9))
+    turns, rolls = _orientations(orientations)
+    if task == "position":
+        turns, rolls = turns[:1], 1
+    elif task == "position+axis":
+        turns, rolls = turns[::rolls], 1
+    return Grid(corners[:, 0], float(step), cast("tuple[int, int, int]", shape), turns, rolls)
+
+
+def _orientations(said: Any) -> tuple[Array, int]:
+    if np.ndim(said) == 3:
+        turns = np.array(said, dtype=np.float64)
+        return checked_pose(transform(turns), "orientations", batch=True)[:, :3, :3], 1
+    counts = list(said) if isinstance(said, (tuple, list)) else []
+    whole = len(counts) == 2 and all(isinstance(n, (int, np.integer)) and n >= 1 for n in counts)
+    if not whole:
+        raise InputError(
+            f"orientations must be (directions, rolls), both at least 1, or rotations (k, 3, 3); got {said!r}.",
+            given=said,
+        )
+    return orientations_of(int(counts[0]), int(counts[1])), int(counts[1])

@@ -1,0 +1,239 @@
+"""The reach map of an arm: asked tile by tile, by any executor, kept and resumed; and what it says."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
+from pieper.kinematics.pose import PoseLike, checked_pose, rotation_z
+from pieper.maps.grid import Grid, grid_of
+from pieper.maps.store import Store, bytes_of, identity
+from pieper.maps.tile import Question, Tile, question_of, reached_exactly, shares, solved
+from pieper.solver.plan.plan import Plan
+
+#: Poses a tile has, about: long enough to be worth sending, short enough to be done again.
+TILE_POSES = 200_000
+#: Tiles an executor holds at a time.
+AHEAD = 64
+#: Bytes of a map that is refused without a store.
+MOST_BYTES = 10_000_000_000
+SYMMETRIES = ("auto", "none")
+_BITS_OF_BYTE = np.unpackbits(np.arange(256, dtype=np.uint8)[:, None], axis=1).sum(1, dtype=np.uint8)
+
+
+class Voxels(NamedTuple):
+    """Voxels reached in some orientation: centres (k, 3), m; share of orientations (k,); solutions (k,)."""
+
+    points: Array
+    fraction: Array
+    count: Indices
+
+
+@dataclass(frozen=True, eq=False)
+class ReachMap:
+    """What an arm reaches inside its limits, asked at voxels' centres; self-collisions are not looked at.
+
+    Attributes:
+        plan: How the arm is solved.
+        grid: Voxels and orientations.
+        bits: (voxels, ceil(k / 8)) one bit an orientation.
+        symmetry: What answered for what, in words.
+        computed: Tiles that were solved now; the others came from the store.
+    """
+
+    plan: Plan = field(repr=False)
+    grid: Grid = field(repr=False)
+    bits: Bits = field(repr=False)
+    solutions: Indices = field(repr=False)
+    symmetry: str = ""
+    computed: int = 0
+
+    @cached_property
+    def fraction(self) -> Array:
+        """(nx, ny, nz) share of the orientations that is reached in each voxel."""
+        hits = _BITS_OF_BYTE[self.bits].sum(1, dtype=np.int64)
+        return (hits / len(self.grid.turns)).reshape(self.grid.shape)
+
+    @property
+    def count(self) -> Indices:
+        """(nx, ny, nz) solutions inside the limits in each voxel, all orientations together."""
+        return self.solutions.reshape(self.grid.shape)
+
+    @property
+    def volume(self) -> float:
+        """Volume of the voxels that are reached in some orientation, m^3."""
+        return float((self.fraction > 0).sum()) * self.grid.step**3
+
+    @property
+    def axes(self) -> tuple[Array, Array, Array]:
+        """Centres of the voxels along x, y and z, m."""
+        x, y, z = (
+            low + (np.arange(n) + 0.5) * self.grid.step for low, n in zip(self.grid.low, self.grid.shape, strict=True)
+        )
+        return x, y, z
+
+    def reached(self, T: PoseLike, *, cell: bool = False) -> Bools:
+        """Return whether poses (..., 4, 4) are reached inside the limits.
+
+        Args:
+            T: Poses, base to tool.
+            cell: Look it up at the nearest voxel and orientation instead of solving the pose: a cell's centre is not
+                the cell, so near the border that is sometimes wrong; outside the box it is False.
+        """
+        poses = checked_pose(T, batch=True)
+        flat = np.ascontiguousarray(poses.reshape(-1, 4, 4))
+        if cell:
+            inside, voxel = self.grid.voxel_of(flat[:, :3, 3])
+            turn = self.grid.turn_of(flat[:, :3, :3])
+            found = inside & ((self.bits[voxel, turn // 8] >> (7 - turn % 8)) & 1).astype(bool)
+        else:
+            found = reached_exactly(self.plan, flat)
+        return np.asarray(found.reshape(poses.shape[:-2]))
+
+    def slice(self, *, x: float | None = None, y: float | None = None, z: float | None = None) -> Array:
+        """Return the share of orientations on the layer of voxels at one coordinate, m: z= gives (nx, ny).
+
+        Raises:
+            InputError: Not exactly one coordinate, or one outside the box.
+        """
+        said = [(axis, value) for axis, value in enumerate((x, y, z)) if value is not None]
+        if len(said) != 1:
+            raise InputError("slice takes exactly one of x, y, z, in metres.", given=said)
+        axis, value = said[0]
+        index = int(np.floor((value - self.grid.low[axis]) / self.grid.step))
+        if not 0 <= index < self.grid.shape[axis]:
+            high = self.grid.low[axis] + self.grid.shape[axis] * self.grid.step
+            raise InputError(
+                f"{'xyz'[axis]} = {value:g} m is outside the map: {self.grid.low[axis]:g} to {high:g} m.",
+                given=value,
+            )
+        return np.take(self.fraction, index, axis=axis)
+
+    def voxels(self) -> Voxels:
+        """Return the voxels that are reached in some orientation."""
+        which = np.flatnonzero(self.fraction.ravel() > 0)
+        return Voxels(self.grid.centres(which), self.fraction.ravel()[which], self.solutions[which])
+
+    def explain(self) -> str:
+        """Tell what was asked and what came out."""
+        nx, ny, nz = self.grid.shape
+        reached, whole = int((self.fraction > 0).sum()), int((self.fraction == 1).sum())
+        return (
+            f"{self.plan.name}: {nx} x {ny} x {nz} voxels of {self.grid.step * 1e3:g} mm, {len(self.grid.turns)} "
+            f"orientations each, {self.grid.count * len(self.grid.turns):,} poses; {self.symmetry}. {reached:,} voxels "
+            f"are reached in some orientation ({self.volume:.4g} m^3), {whole:,} in all. Limits "
+            "count, self-collisions do not; a voxel is asked at its centre."
+        )
+
+
+def reach_map(
+    plan: Plan,
+    box: Sequence[Sequence[float]],
+    step: float,
+    orientations: Sequence[int] | ArrayLike = (128, 16),
+    symmetry: str = "auto",
+    store: str | os.PathLike[str] | None = None,
+    executor: Executor | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> ReachMap:
+    """Ask for a map; see `pieper.Arm.reach_map`.
+
+    Raises:
+        InputError: A box, step, orientations or symmetry that is none, another map's store, too much without one.
+    """
+    if symmetry not in SYMMETRIES:
+        raise InputError(f"symmetry is {symmetry!r}; it may be {' or '.join(SYMMETRIES)}.", given=symmetry)
+    grid = grid_of(box, step, orientations, plan.task, plan.chain.length)
+    if store is None and bytes_of(grid) > MOST_BYTES:
+        raise InputError(
+            f"this map has {grid.count:,} voxels and {bytes_of(grid) / 1e9:.3g} GB: give a store= or a larger step.",
+            bytes=bytes_of(grid),
+        )
+    question = question_of(plan, grid, symmetry)
+    per_tile = max(1, TILE_POSES // len(grid.turns))
+    kept = None if store is None else Store.opened(store, identity(question, per_tile))
+    bits = np.zeros((grid.count, -(-len(grid.turns) // 8)), np.uint8)
+    solutions = np.zeros(grid.count, np.int64)
+    tiles = -(-grid.count // per_tile)
+    missing = []
+    for number in range(tiles):
+        known = kept.get(number) if kept is not None else None
+        if known is None:
+            missing.append(number)
+        else:
+            _place(bits, solutions, number, per_tile, known)
+    done = tiles - len(missing)
+    for number, tile in _each(question, missing, per_tile, kept, executor):
+        _place(bits, solutions, number, per_tile, tile)
+        done += 1
+        if progress is not None:
+            progress(done, tiles)
+    words = (
+        f"a roll of the tool is a turn of the last joint, so one of {grid.rolls} rolls was solved and answers for "
+        "all, limits kept"
+        if question.rolls_by_last
+        else "every pose was solved"
+    )
+    return ReachMap(plan, grid, bits, solutions, words, len(missing))
+
+
+def tile_of(question: Question, number: int, per_tile: int, kept: Store | None, threads: int | None) -> Tile:
+    """Solve one tile and put it into its store, where there is one; what an executor runs."""
+    if kept is not None and (known := kept.get(number)) is not None:
+        # done by somebody else meanwhile: executors run some tasks twice
+        return known
+    which = np.arange(number * per_tile, min((number + 1) * per_tile, question.grid.count))
+    tile = solved(question, which, threads)
+    if kept is not None:
+        kept.put(number, tile)
+    return tile
+
+
+def _each(
+    question: Question, missing: list[int], per_tile: int, kept: Store | None, executor: Executor | None
+) -> Iterator[tuple[int, Tile]]:
+    if executor is None:
+        for number in missing:
+            yield number, tile_of(question, number, per_tile, kept, None)
+        return
+    waiting: dict[Future[Tile], int] = {}
+    left = iter(missing)
+    try:
+        while True:
+            for number in left:
+                waiting[executor.submit(tile_of, question, number, per_tile, kept, 1)] = number
+                if len(waiting) >= AHEAD:
+                    break
+            if not waiting:
+                return
+            finished, _ = wait(waiting, return_when=FIRST_COMPLETED)
+            for future in finished:
+                yield waiting.pop(future), future.result()
+    finally:
+        for future in waiting:
+            future.cancel()
+
+
+def _place(bits: Bits, solutions: Indices, number: int, per_tile: int, tile: Tile) -> None:
+    at = slice(number * per_tile, number * per_tile + len(tile.count))
+    bits[at], solutions[at] = tile.bits, tile.count
+
+
+def base_places(plan: Plan, Ts: PoseLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, yaw: ArrayLike) -> Array:
+    """Return the share (nx, ny, nz, nyaw) of poses reached from each base; see `pieper.Arm.base_places`."""
+    poses = checked_pose(Ts, "Ts", batch=True).reshape(-1, 4, 4)
+    said = [np.atleast_1d(np.asarray(v, np.float64)) for v in (x, y, z, yaw)]
+    if not len(poses) or any(v.ndim != 1 or not len(v) or not np.isfinite(v).all() for v in said):
+        raise InputError("base_places takes poses and lists of x, y, z (m) and yaw (rad), none empty.", given=said)
+    X, Y, Z, A = (v.ravel() for v in np.meshgrid(*said, indexing="ij"))
+    B = rotation_z(A)
+    B[:, :3, 3] = np.stack([X, Y, Z], -1)
+    return shares(plan, poses, B).reshape(tuple(len(v) for v in said))

@@ -1,0 +1,115 @@
+"""Where tiles are kept: each written whole, then marked with its checksum; what is not marked is done again."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pieper.document.writing import whole_file
+from pieper.errors import InputError
+from pieper.maps.grid import Grid
+from pieper.maps.tile import Question, Tile
+
+#: Version of the layout; another one is refused, not guessed at.
+LAYOUT = 1
+
+
+def identity(question: Question, per_tile: int) -> dict[str, Any]:
+    """Return what makes a map this map: arm, limits, grid, layout; two maps that agree in it have the same bits."""
+    plan, grid = question.plan, question.grid
+    arm = hashlib.sha256()
+    for array in (plan.chain.links, plan.limits, plan.chain.prismatic):
+        arm.update(np.ascontiguousarray(array).tobytes())
+    if plan.chain.coupling is not None:
+        arm.update(np.ascontiguousarray(plan.chain.coupling).tobytes())
+    return {
+        "layout": LAYOUT,
+        "arm": plan.name,
+        "arm_sha256": arm.hexdigest(),
+        "task": plan.task,
+        "low_m": grid.low.tolist(),
+        "step_m": grid.step,
+        "shape": list(grid.shape),
+        "rolls": grid.rolls,
+        "turns": len(grid.turns),
+        "turns_sha256": hashlib.sha256(np.ascontiguousarray(grid.turns).tobytes()).hexdigest(),
+        "voxels_a_tile": per_tile,
+    }
+
+
+@dataclass(frozen=True)
+class Store:
+    """A folder of tiles.
+
+    Args:
+        folder: Where it is.
+    """
+
+    folder: Path
+
+    @staticmethod
+    def opened(path: str | os.PathLike[str], wanted: dict[str, Any]) -> Store:
+        """Return the store of a map, made if there is none.
+
+        Raises:
+            InputError: The folder keeps another map; the message says in what it differs.
+        """
+        folder, page = Path(path), Path(path) / "map.json"
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            known = json.loads(page.read_text()) if page.exists() else None
+        except (OSError, ValueError) as error:
+            raise InputError(f"store: {folder} cannot be used: {error}.", path=folder) from None
+        if known is None:
+            with whole_file(page) as file:
+                file.write(json.dumps(wanted, indent=1).encode())
+        elif known != wanted:
+            other = [key for key in wanted if known.get(key) != wanted[key]]
+            raise InputError(
+                f"store: {folder} keeps another map: {', '.join(other)} differ{'s' if len(other) == 1 else ''}. Give "
+                "another folder, or ask the same as before.",
+                path=folder,
+                differs=other,
+            )
+        return Store(folder)
+
+    def put(self, number: int, tile: Tile) -> str:
+        """Write a tile whole, then its mark; returns its checksum."""
+        memory = io.BytesIO()
+        np.savez(memory, bits=tile.bits, count=tile.count)
+        data = memory.getvalue()
+        mark = hashlib.sha256(data).hexdigest()
+        with whole_file(self._tile(number)) as file:
+            file.write(data)
+        with whole_file(self._mark(number)) as file:
+            file.write(mark.encode())
+        return mark
+
+    def get(self, number: int) -> Tile | None:
+        """Return a tile that is there whole; None where it, its mark or a bit of it is missing."""
+        try:
+            data, mark = self._tile(number).read_bytes(), self._mark(number).read_text()
+        except OSError:
+            return None
+        if hashlib.sha256(data).hexdigest() != mark:
+            return None
+        held = np.load(io.BytesIO(data))
+        return Tile(held["bits"], held["count"])
+
+    def _tile(self, number: int) -> Path:
+        return self.folder / f"tile_{number:06d}.npz"
+
+    def _mark(self, number: int) -> Path:
+        return self.folder / f"tile_{number:06d}.sha256"
+
+
+def bytes_of(grid: Grid) -> int:
+    """Return how many bytes a map takes in memory."""
+    return grid.count * (-(-len(grid.turns) // 8) + 8)

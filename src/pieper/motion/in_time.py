@@ -1,0 +1,45 @@
+"""A curve under a profile: its samples in time, and which limit binds when."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.motion.curve import JointCurve
+from pieper.motion.motion import Tight, sample_times
+from pieper.motion.profile import Profile
+
+#: A limit binds where its value comes this near to it, relative: a little more than the tool's polygon takes away.
+BINDS = 2e-3
+#: What is passed by rounding is taken back with this much more, relative.
+ROUNDING = 1e-13
+
+
+def profile_of(s: Array, x: Array) -> Profile:
+    """Return s(t) where x = (ds/dt)^2 is linear between the points s (k + 1,)."""
+    h, v = np.diff(s), np.sqrt(x)
+    t = np.concatenate([[0.0], np.cumsum(2 * h / (v[1:] + v[:-1]))])
+    return Profile(t, np.stack([s[:-1], v[:-1], np.diff(x) / (2 * h), np.zeros(len(h))], 1))
+
+
+def sampled(curve: JointCurve, profile: Profile, rate: float) -> tuple[Array, Array, Array, Array, Array, Array]:
+    """Return t, q, dq, ddq, dddq and s of a curve under a profile."""
+    t = sample_times(profile.duration, rate)
+    s, v, a, j = profile.at(t)
+    s[-1] = curve.s[-1]
+    q, d1, d2, d3 = curve.at(s)
+    v, a, j = v[:, None], a[:, None], j[:, None]
+    return t, q, d1 * v, d2 * v**2 + d1 * a, d3 * v**3 + 3 * d2 * v * a + d1 * j, s
+
+
+def binding(t: Array, ratios: list[tuple[str, str | None, Array]]) -> list[Tight]:
+    """Return which limit binds when, neighbouring pieces together."""
+    values = np.stack([r for _, _, r in ratios])
+    which = np.where(values.max(0) >= 1 - BINDS, values.argmax(0), -1)
+    edges = np.flatnonzero(np.diff(which)) + 1
+    starts, ends = np.concatenate([[0], edges]), np.append(edges, len(which))
+    return [
+        Tight(float(t[a]), float(t[b]), *ratios[which[a]][:2])
+        for a, b in zip(starts, ends, strict=True)
+        if which[a] >= 0
+    ]
