@@ -128,7 +128,7 @@ def _weights(given: ArrayLike | None, n: int) -> Array:
 # ---------------------------------------------------------------------------------------------- poses that are none
 
 
-def marking(invalid: str) -> bool:
+def marking(invalid: object) -> bool:
     """Return whether a pose that is none is marked in the result rather than refused.
 
     Raises:
@@ -166,7 +166,7 @@ def without_refused(Ts: PoseLike) -> tuple[Array, Refused | None]:
 # ---------------------------------------------------------------------------------------------- where answers go
 
 
-def arrays_of(plan: Plan, out: SolutionBatch | None, count: int, slots: int, near: Near | None) -> SolutionBatch:
+def arrays_of(plan: Plan, out: object, count: int, slots: int, near: Near | None) -> SolutionBatch:
     """Return a batch to write into: one of new arrays, or `out`'s.
 
     Raises:
@@ -199,8 +199,8 @@ def arrays_of(plan: Plan, out: SolutionBatch | None, count: int, slots: int, nea
 
 
 def _writable(array: npt.NDArray[np.generic], name: str, shape: tuple[int, ...], kind: type[np.generic]) -> None:
-    if not isinstance(array, np.ndarray) or array.shape != shape or array.dtype != kind:
-        got = f"{array.shape} of {array.dtype}" if isinstance(array, np.ndarray) else type(array).__name__
+    if array.shape != shape or array.dtype != kind:
+        got = f"{array.shape} of {array.dtype}"
         raise InputError(
             f"out.{name} must have shape {shape} of {np.dtype(kind)} for these poses and this arm, got {got}. Leave "
             "out= away, or give the answer to as many poses of the same arm.",
