@@ -305,7 +305,7 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
         rows, kind = choose_elsewhere(plan, T[None], rows, 1)
         q, slots, inside, _ = rows.of(0)
         motions = motions if kind[0] else ()
-    return Solutions(plan, WORDS, T, q, slots, inside, int(flag) & ~_DEGENERATE, self_motions=motions)
+    return Solutions(asked.plan, WORDS, T, q, slots, inside, int(flag) & ~_DEGENERATE, self_motions=motions)
 
 
 def _spare(plan: Plan, poses: Array, rows: Rows, asked: Choice, threads: int) -> tuple[Rows, Bits]:
