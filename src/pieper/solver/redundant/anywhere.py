@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.joints import short_way
+from pieper.kinematics.joints import TURN, short_way
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.box import box, descended, spread, well_inside
@@ -95,6 +95,13 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
     for way in ways:
         if len(left):
             way()
+    # a small self-motion outside the limits is a solution too: where nothing was found, limits count for nothing
+    none = left[kind[left] == NONE]
+    if len(none):
+        wide = np.where(full.prismatic, (low, high), ((-TURN,), (TURN,)))
+        starts = np.tile(spread(full, wide.T, FREE_STARTS), (len(none), 1))
+        pose = np.repeat(none, FREE_STARTS)
+        np.minimum.at(least, pose, descended(full, starts, T[pose], *wide)[1])
     for i in left[least[left] < NEAR]:
         rows = met(plan, T[i], plan.defaults)
         if len(rows):
