@@ -178,8 +178,11 @@ class Evidence:
         return out
 
     def solutions_at(self, k: int) -> np.ndarray:
-        """Return all solutions (m, n) of the pose of sample k in the claims' units, before limits; raises what the
-        solver raises."""
+        """Return all solutions (m, n) of the pose of sample k in the claims' units, before limits.
+
+        Raises:
+            PieperError: What the solver raises, or its solutions do not hold.
+        """
         rows = self.in_unit(self.solved(self.samples.frames["T"][k]))
         if not len(rows) or self.apart(rows, self.samples.q[k]).max(1).min() > 1e-4:
             raise PieperError("the solver does not return the joints the pose was made from")

@@ -1,5 +1,6 @@
-"""What the keys of a claims file may hold. Everything is looked at before a judge begins, so that no judge meets a list
-where it expects a text.
+"""What the keys of a claims file may hold.
+
+Everything is looked at before a judge begins, so that no judge meets a list where it expects a text.
 
 A `Check` looks at one value: it returns "" when the value will do, and otherwise what it must be.
 """

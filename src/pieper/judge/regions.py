@@ -1,5 +1,4 @@
-"""Where does a claim hold? The search for the region of joint space that separates its successes from its
-failures."""
+"""Where a claim holds: the search for the region of joint space that separates its successes from its failures."""
 
 from __future__ import annotations
 

@@ -284,7 +284,7 @@ class ClosedForm:
         return np.where(gone, free, value)
 
     def _joint(self, values: dict, joint: int, field: Any) -> Any:
-        """q of a joint from its table variable: theta = sign q + constant."""
+        """The q of a joint from its table variable: theta = sign q + constant."""
         symbol, expression = self.table.relation[joint]
         q = angle_symbol(joint, "q")
         zero = field.rational(Num(0).value)

@@ -263,7 +263,7 @@ def _sides(equations: tuple[Equation, ...]) -> list:
     return list(itertools.chain.from_iterable((q.left, q.right) for q in equations))
 
 
-def _gives(e: Eliminator, solved, sigma: Sym, values: dict, wanted: Array) -> bool:
+def _gives(e: Eliminator, solved: Expr, sigma: Sym, values: dict, wanted: Array) -> bool:
     """Whether a formula, not degenerate there, gives the wanted values (m,) on one of its branches."""
     known = dict(values)
     for symbol, poly in e.target.definitions.items():

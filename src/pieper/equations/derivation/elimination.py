@@ -129,6 +129,7 @@ class Eliminator:
         return i, j
 
     def take(self, move: Move) -> None:
+        """Make a move: its joint or its sum of joints is known from here on."""
         self.moves.append(move)
         joint = single_joint(move.angle)
         if joint is not None:

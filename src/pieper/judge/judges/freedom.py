@@ -11,6 +11,7 @@ from pieper.judge.evidence import Evidence
 from pieper.judge.model import ArmModel
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
+from pieper.kinematics.arrays import Array
 
 STEP = 1e-6
 RANK = 1e-7  # relative; singular values below are zero
@@ -121,12 +122,12 @@ def completes(
     for row, members in zip(rows, sums, strict=True):
         row[[j - 1 for j in members]] = list(members.values())
 
-    def gap(points):
+    def gap(points: Array) -> tuple[Array, Array]:
         error, flip = missed(points)
         held = (rows @ (q - points).T).T
         return np.concatenate([error, (held + np.pi) % (2 * np.pi) - np.pi], axis=1), flip
 
-    def missed(points):
+    def missed(points: Array) -> tuple[Array, Array]:
         now = pose_of(model, points)
         R = T[:3, :3] @ np.swapaxes(now[:, :3, :3], 1, 2)
         spin = 0.5 * np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
