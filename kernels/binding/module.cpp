@@ -3,6 +3,7 @@
 
 #include "binding/fields.hpp"
 #include "binding/selection.hpp"
+#include "binding/route.hpp"
 #include "binding/time_law.hpp"
 #include "dispatch/solver.hpp"
 
@@ -338,6 +339,7 @@ NB_MODULE(_kernel, m) {
            "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 
   bind_time_law(m);
+  bind_route(m);
   m.def("deviations", &deviations, nb::arg("Ts"),
         "(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite.");
   m.def(
