@@ -30,6 +30,7 @@ struct Ladder {
   double slack;                // of limits
   const std::int32_t* first;   // (joints) whole turns above the rows that the way begins with, negative for any
   const std::int32_t* last;    // the same of its end
+  const double* loose;  // (rungs, cells, rows) by how much rows may be outside, or null; infinite: and be anywhere
 };
 
 struct Climbed {
@@ -37,7 +38,8 @@ struct Climbed {
   std::int64_t furthest = -1;  // last rung that is reached
   std::int64_t edges = 0;
   std::vector<std::int64_t> rung;
-  std::vector<double> q;  // (path, joints), whole turns continuous where joints are bounded
+  std::vector<double> q;              // (path, joints), whole turns continuous where joints are bounded
+  std::vector<std::uint8_t> reached;  // (rungs, nodes) where rows are loose, instead of a path
 };
 
 class Climb {
@@ -57,12 +59,13 @@ class Climb {
     const std::size_t size = static_cast<std::size_t>(nodes) * lifts;
     cost.assign(size, kNone);
     next.assign(size, kNone);
-    back.assign(size * static_cast<std::size_t>(l.rungs), -1);
+    back.assign(l.loose ? 0 : size * static_cast<std::size_t>(l.rungs), -1);
     allowed.assign(size, 0);
     Climbed out;
     allow(0);
     for (std::size_t i = 0; i < size; ++i) cost[i] = allowed[i] ? 0.0f : kNone;
     settle(0, out);
+    mark(out);
     if (!any()) return out;
     out.furthest = 0;
     for (std::int64_t r = 1; r < l.rungs; ++r) {
@@ -71,7 +74,12 @@ class Climb {
       cost.swap(next);
       if (!any()) return out;
       settle(r, out);
+      mark(out);
       out.furthest = r;
+    }
+    if (l.loose) {
+      out.cost = 0.0;
+      return out;
     }
     trace(out);
     return out;
@@ -90,6 +98,17 @@ class Climb {
 
   const double* row(std::int64_t rung, std::int64_t node) const { return l.q + (rung * nodes + node) * l.joints; }
 
+  void mark(Climbed& out) const {
+    if (!l.loose) return;
+    for (std::int64_t node = 0; node < nodes; ++node) out.reached.push_back(alive_at(node));
+  }
+
+  bool alive_at(std::int64_t node) const {
+    return std::any_of(&cost[node * lifts], &cost[node * lifts] + lifts, [](float c) { return c < kNone; });
+  }
+
+  bool wild(std::int64_t rung, std::int64_t node) const { return l.loose && std::isinf(l.loose[rung * nodes + node]); }
+
   bool any() const {
     return std::any_of(cost.begin(), cost.end(), [](float c) { return c < kNone; });
   }
@@ -100,11 +119,12 @@ class Climb {
       std::fill(to, to + lifts, 0);
       if (!l.valid[rung * nodes + node]) continue;
       const double* q = row(rung, node);
+      const double slack = l.slack + (l.loose ? l.loose[rung * nodes + node] : 0.0);
       for (int w = 0; w < lifts; ++w) {
         bool inside = (rung > 0 || meant(l.first, w)) && (rung + 1 < l.rungs || meant(l.last, w));
         for (int j = 0; j < l.joints && inside; ++j) {
           const double value = q[j] + (turns[j] > 1 ? kTurn * (w / stride[j] % turns[j]) : 0.0);
-          inside = value >= l.lower[j] - l.slack && value <= l.upper[j] + l.slack;
+          inside = value >= l.lower[j] - slack && value <= l.upper[j] + slack;
         }
         to[w] = inside;
       }
@@ -118,7 +138,7 @@ class Climb {
   }
 
   // The cost of a step from a to b, and by how many whole turns each joint's number changes; negative for none.
-  double step(const double* a, const double* b, const double* longest, int* moved, bool& straight) const {
+  double step(const double* a, const double* b, const double* longest, int* moved, bool& straight, bool any) const {
     double sum = 0.0, most = 0.0;
     straight = true;
     for (int j = 0; j < l.joints; ++j) {
@@ -134,7 +154,7 @@ class Climb {
         }
       }
       const double size = std::fabs(e);
-      if (size > longest[j]) return -1.0;
+      if (size > longest[j] && !any) return -1.0;
       sum += l.weights[j] * e * e;
       most = std::max(most, std::sqrt(l.weights[j]) * size);
     }
@@ -153,8 +173,17 @@ class Climb {
   }
 
   bool relax(std::vector<float>& to, std::int32_t* from, std::int64_t source, std::int64_t target, double price,
-             const int* moved, bool straight, const std::vector<float>& known, bool spot) const {
+             const int* moved, bool straight, const std::vector<float>& known, bool spot, bool any) const {
     bool better = false;
+    if (any) {
+      // rows that may be anywhere may have any whole turns
+      for (int x = 0; x < lifts; ++x)
+        if (allowed[target * lifts + x] && !(to[target * lifts + x] < kNone)) {
+          to[target * lifts + x] = 0.0f;
+          better = true;
+        }
+      return better;
+    }
     const float add = static_cast<float>(price);
     for (int w = 0; w < lifts; ++w) {
       const float base = known[source * lifts + w];
@@ -165,7 +194,7 @@ class Climb {
       if (base + add < to[at]) {
         to[at] = base + add;
         const std::int32_t node = static_cast<std::int32_t>(source * lifts + w);
-        from[at] = spot ? -2 - node : node;
+        if (from) from[at] = spot ? -2 - node : node;
         better = true;
       }
     }
@@ -174,13 +203,12 @@ class Climb {
 
   void rise(std::int64_t r, Climbed& out) {
     std::fill(next.begin(), next.end(), kNone);
-    std::int32_t* from = &back[static_cast<std::size_t>(r) * nodes * lifts];
+    std::int32_t* from = l.loose ? nullptr : &back[static_cast<std::size_t>(r) * nodes * lifts];
     const double* longest = l.longest + (r - 1) * l.joints;
     const double part = l.largest ? 1.0 : 1.0 / l.parts[r - 1];
     std::vector<int> moved(l.joints);
     std::vector<std::uint8_t> alive(nodes, 0);
-    for (std::int64_t node = 0; node < nodes; ++node)
-      alive[node] = std::any_of(&cost[node * lifts], &cost[node * lifts] + lifts, [](float c) { return c < kNone; });
+    for (std::int64_t node = 0; node < nodes; ++node) alive[node] = alive_at(node);
     for (std::int64_t c = 0; c < l.cells; ++c)
       for (int n = 0; n < l.nearby; ++n) {
         const std::int32_t other = l.near[c * l.nearby + n];
@@ -193,10 +221,13 @@ class Climb {
             const std::int64_t source = static_cast<std::int64_t>(other) * l.rows + a;
             if (!alive[source]) continue;
             bool straight;
-            const double price = step(row(r - 1, source), to, longest, moved.data(), straight);
+            const bool any = wild(r - 1, source) || wild(r, target);
+            const double price = l.loose
+                                     ? std::min(0.0, step(row(r - 1, source), to, longest, moved.data(), straight, any))
+                                     : step(row(r - 1, source), to, longest, moved.data(), straight, false);
             if (price < 0.0) continue;
             ++out.edges;
-            relax(next, from, source, target, price * part, moved.data(), straight, cost, false);
+            relax(next, from, source, target, price * part, moved.data(), straight, cost, false, any);
           }
         }
       }
@@ -205,7 +236,7 @@ class Climb {
   // Moves on the spot, to and fro until nothing improves.
   void settle(std::int64_t r, Climbed& out) {
     if (l.on_spot[0] < 0.0) return;
-    std::int32_t* from = &back[static_cast<std::size_t>(r) * nodes * lifts];
+    std::int32_t* from = l.loose ? nullptr : &back[static_cast<std::size_t>(r) * nodes * lifts];
     std::vector<int> moved(l.joints);
     bool better = true;
     for (int sweep = 0; better && sweep < 200; ++sweep) {
@@ -220,13 +251,15 @@ class Climb {
             if (!l.valid[r * nodes + target]) continue;
             for (int a = 0; a < l.rows; ++a) {
               const std::int64_t source = static_cast<std::int64_t>(other) * l.rows + a;
-              if (!l.valid[r * nodes + source] || source == target) continue;
+              if (!l.valid[r * nodes + source] || source == target || !alive_at(source)) continue;
               bool straight;
-              const double price = step(row(r, source), row(r, target), l.on_spot, moved.data(), straight);
+              const bool any = wild(r, source) || wild(r, target);
+              double price = step(row(r, source), row(r, target), l.on_spot, moved.data(), straight, any);
               if (price < 0.0) continue;
+              if (l.loose) price = 0.0;
               ++out.edges;
               // a step on the spot is free of nothing: it costs what it would as one step of the way
-              better |= relax(cost, from, source, target, price, moved.data(), straight, cost, true);
+              better |= relax(cost, from, source, target, price, moved.data(), straight, cost, true, any);
             }
           }
         }

@@ -43,12 +43,14 @@ class Way:
         rung: (k,) station of each, not descending; a station may come several times.
         cost: What the ladder takes it to cost; infinite where the last rung is not reached.
         furthest: Last rung reached, -1 for none.
+        reached: (M, C, B) rows that were reached, where rows were loose.
     """
 
     x: Array
     rung: Indices
     cost: float
     furthest: int
+    reached: Bools
 
 
 def rungs(setting: Setting, grid: Grid, s: Array, parts: Array) -> Rungs:
@@ -76,6 +78,8 @@ def climb(
     turn_step: Array | None = None,
     ends: tuple[Array | None, Array | None] = (None, None),
     all_turns: bool = True,
+    limits: Array | None = None,
+    loose: Array | None = None,
 ) -> Way:
     """Return the cheapest way from the first rung to the last.
 
@@ -89,8 +93,11 @@ def climb(
         ends: Joint vectors (m,) to begin and to end with.
         all_turns: Whether whole turns are carried along; else a joint that can turn all the way round counts as if it
             had no limits, which is quick, and the way found is to be looked at for whole turns that fit.
+        limits: (m, 2) instead of the setting's.
+        loose: (M, C, B) by how much each row may be outside, infinite where it may also be anywhere: what is not
+            reached then is not reached by anything between the rows either.
     """
-    limits, M = setting.limits, len(rung.s)
+    limits, M = setting.limits if limits is None else limits, len(rung.s)
     if not all_turns:
         wide = ~setting.chain.prismatic & (limits[:, 1] - limits[:, 0] >= TURN - LIMIT_SLACK)
         limits = np.where(wide[:, None], [-np.inf, np.inf], limits)
@@ -107,12 +114,12 @@ def climb(
             lifts[at] = np.round((end - start) / TURN)
             x, valid = _only(setting, x, valid, at, start)
     cell = max((np.ptp(c.values) / max(len(c.values) - 1, 1) for c in grid.coordinates), default=1.0)
-    near = grid.near(max(1, int(round(REACH / max(cell, 1e-9)))) if len(grid.coordinates) < 2 else 2)
+    near = grid.near(1) if loose is not None else grid.near(max(1, int(round(REACH / max(cell, 1e-9)))) if len(grid.coordinates) < 2 else 2)
     spot = grid.near(1)
     on_spot = np.full(setting.m, -1.0)
-    if on_the_spot and turn_step is None and len(grid.cells) > 1:
+    if on_the_spot and (turn_step is None or loose is not None) and len(grid.cells) > 1:
         on_spot = np.where(np.arange(setting.m) < setting.n, STEP * unit, np.inf)
-    q, at, cost, furthest, _ = _kernel.ladder(
+    q, at, cost, furthest, _, reached = _kernel.ladder(
         q=x,
         valid=valid,
         limits=limits,
@@ -127,8 +134,11 @@ def climb(
         slack=LIMIT_SLACK,
         first=lifts[0],
         last=lifts[-1],
+        loose=np.zeros(0) if loose is None else loose,
     )
-    return Way(_continuous(setting, q, limits), at, float(cost), int(furthest))
+    marks = np.zeros((M, *valid.shape[1:]), bool)
+    marks.reshape(-1)[: len(reached)] = reached
+    return Way(_continuous(setting, q, limits), at, float(cost), int(furthest), marks)
 
 
 def fitted(setting: Setting, x: Array, near: Array | None = None) -> Array | None:

@@ -34,7 +34,7 @@ class Closed:
 
 @dataclass(frozen=True)
 class Relaxation:
-    """The smallest change that opens a passage at a place.
+    """The smallest change of its kind that was found to let a route through.
 
     Attributes:
         kind: "limit" (a joint's, wider), "cone" (the tool's axis may tilt) or "shift" (the path moved).
@@ -59,14 +59,29 @@ class Blocked:
     Attributes:
         s: (first, last) between which every passage closes, 0 to 1.
         closed: What closes each branch there; empty where the pose is out of reach.
-        relaxations: The smallest changes that open the place, the smallest first.
         why: A sentence.
+        others: Seeks the smallest changes that let a route through.
+        proof: Proves the cells that stop everything.
     """
 
     s: tuple[float, float]
     closed: tuple[Closed, ...]
-    relaxations: tuple[Relaxation, ...]
     why: str
+    others: Callable[[], tuple[Relaxation, ...]] = field(default=tuple, repr=False, compare=False)
+    proof: Callable[[], tuple[int, int]] = field(default=lambda: (0, 0), repr=False, compare=False)
+
+    @cached_property
+    def proved(self) -> tuple[int, int]:
+        """Of how many cells that stop everything the bound was proved by Kantorovich's theorem, and of how many in all.
+
+        It takes seconds. Cells at a fold, where the arm is singular with the turn held, are not proved this way.
+        """
+        return self.proof()
+
+    @cached_property
+    def relaxations(self) -> tuple[Relaxation, ...]:
+        """The smallest change of each kind that lets a route through, sought when first asked for."""
+        return self.others()
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -113,7 +113,7 @@ def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool) -> W
             continue
         x = way.x if all_turns and told else fitted(setting, way.x)
         if x is not None:
-            return Way(x, way.rung, way.cost, way.furthest)
+            return replace(way, x=x)
     return None
 
 

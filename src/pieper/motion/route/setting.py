@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -12,11 +13,11 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton
 from pieper.kinematics.pose import rotation_about
-from pieper.motion.path import between
+from pieper.motion.path import shortest_turn
 from pieper.motion.route.freedom import Freedom
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import appended, generic_rank, with_task_joints
-from pieper.tolerances import CLOSES
+from pieper.tolerances import CLOSES, TINY
 
 #: Orientations in which the two virtual joints of a tilt act, about y and then about x.
 _TILTS = [
@@ -114,15 +115,22 @@ class Setting:
         """Return the poses (..., 4, 4) at s (...); between points lies the straight line."""
         s = np.asarray(s, float)
         flat = s.reshape(-1)
-        k = np.clip(np.searchsorted(self.s, flat, side="right") - 1, 0, max(len(self.s) - 2, 0))
-        out = np.empty((len(flat), 4, 4))
-        for i, value in enumerate(flat):
-            if value == self.s[k[i]]:
-                out[i] = self.path[k[i]]
-            else:
-                part = (value - self.s[k[i]]) / (self.s[k[i] + 1] - self.s[k[i]])
-                out[i] = between(self.path[k[i]], self.path[k[i] + 1], np.float64(part))
+        if len(self.s) < 2:
+            return np.broadcast_to(self.path[0], (*s.shape, 4, 4))
+        k = np.clip(np.searchsorted(self.s, flat, side="right") - 1, 0, len(self.s) - 2)
+        part = (flat - self.s[k]) / (self.s[k + 1] - self.s[k])
+        axis, angle = self._turns
+        out = self.path[k] + part[:, None, None] * (self.path[k + 1] - self.path[k])
+        out[:, :3, :3] = self.path[k, :3, :3] @ rotation_about(axis[k], part * angle[k])
+        out[part == 0.0], out[part == 1.0] = self.path[k[part == 0.0]], self.path[k[part == 1.0] + 1]
         return out.reshape(*s.shape, 4, 4)
+
+    @cached_property
+    def _turns(self) -> tuple[Array, Array]:
+        """(N - 1, 3) axis and (N - 1,) angle by which the tool turns from point to point."""
+        turn = np.array([shortest_turn(a[:3, :3], b[:3, :3]) for a, b in itertools.pairwise(self.path)])
+        angle = np.linalg.norm(turn, axis=1)
+        return np.where(angle[:, None] > 0, turn / np.maximum(angle, TINY)[:, None], [0.0, 0.0, 1.0]), angle
 
     def on(self, x: Array, T: Array) -> tuple[Array, Bools]:
         """Return x (k, m) moved onto poses T (k, 4, 4) the shortest way, and whether that was reached."""
