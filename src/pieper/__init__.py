@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from pieper.motion.limits import Limits
     from pieper.motion.motion import Motion
     from pieper.motion.program import Program
+    from pieper.motion.route.arcs import Arc
+    from pieper.motion.route.freedom import Freedom, Verdict
+    from pieper.motion.route.result import Route
     from pieper.motion.sequence import move, sequence
     from pieper.motion.time_law import time_law
     from pieper.motion.track import Track
@@ -33,6 +36,10 @@ __version__ = "0.1.0"
 
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
+    "Arc": "pieper.motion.route.arcs",
+    "Freedom": "pieper.motion.route.freedom",
+    "Route": "pieper.motion.route.result",
+    "Verdict": "pieper.motion.route.freedom",
     "Judgement": "pieper.judge",
     "Limits": "pieper.motion.limits",
     "Motion": "pieper.motion.motion",
@@ -60,7 +67,9 @@ _MODULES = ("plot", "sections")
 __all__ = [
     "DH",
     "Actuator",
+    "Arc",
     "Arm",
+    "Freedom",
     "InputError",
     "Judgement",
     "Limits",
@@ -71,11 +80,13 @@ __all__ = [
     "Plan",
     "PlanError",
     "Program",
+    "Route",
     "SelfMotion",
     "SolutionBatch",
     "Solutions",
     "Status",
     "Track",
+    "Verdict",
     "catalog",
     "check",
     "evaluate",

@@ -6,6 +6,7 @@ from pieper.presentation.plot_arm import arm_figure, configuration_figure, solut
 from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
 from pieper.presentation.plot_path import path_figure
 from pieper.presentation.plot_reach import reach_figure
+from pieper.presentation.plot_route import route_figure
 from pieper.presentation.style import png, save_figure, svg
 
 __all__ = [
@@ -16,6 +17,7 @@ __all__ = [
     "path_figure",
     "png",
     "reach_figure",
+    "route_figure",
     "save_figure",
     "solutions_figure",
     "svg",

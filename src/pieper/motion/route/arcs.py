@@ -27,6 +27,8 @@ LIMIT, INTERVAL, FOLD, ROUND = "limit", "interval", "fold", "round"
 HALVINGS, SECTIONS = 40, 60
 #: Shortest stretch of a self-motion (of its whole) that is an arc.
 SHORTEST = 1e-12
+#: Change of the turn between samples below which they are one point.
+STILL = 1e-12
 
 
 @dataclass(frozen=True)
@@ -145,10 +147,13 @@ class _Curve:
         v = self.sign * self.q[:, self.by]
         d = np.diff(v)
         out: list[float] = []
-        at = np.flatnonzero(d[:-1] * d[1:] < 0) + 1
-        spans = [(self.u[i - 1], self.u[i + 1], d[i - 1] > 0) for i in at]
-        if self.closed and len(d) > 1 and d[-1] * d[0] < 0:
-            spans.append((self.u[-2] - 1.0, self.u[1], d[-1] > 0))
+        # points that are listed twice say nothing
+        moved = np.flatnonzero(np.abs(d) > STILL)
+        sense = d[moved] > 0
+        turned = np.flatnonzero(sense[:-1] != sense[1:])
+        spans = [(float(self.u[moved[i]]), float(self.u[moved[i + 1] + 1]), bool(sense[i])) for i in turned]
+        if self.closed and len(moved) > 1 and sense[-1] != sense[0]:
+            spans.append((float(self.u[moved[-1]]) - 1.0, float(self.u[moved[0] + 1]), bool(sense[-1])))
         for low, high, peak in spans:
             out.append(self._extreme(low, high, peak) % 1.0 if self.closed else self._extreme(low, high, peak))
         return sorted(out)
@@ -204,7 +209,8 @@ class _Curve:
         j = int(np.argmax(winds))
         low, high = self.limits[j]
         span, each = float(np.ptp(self.q[:, j])), int(abs(rounds[j]))
-        count = int(np.ceil((high - low + 2 * span) / (TURN * each))) + 1
+        # begun up to two turns below, ended above: every part of the limits is passed
+        count = int(np.ceil((high - low + 2 * span + 3 * TURN) / (TURN * each))) + 1
         u = np.unique(np.concatenate([self.u + k for k in range(count)]))
         if rounds[j] > 0:
             first = int(np.floor((low - self.q[:, j].max()) / TURN)) - 1
@@ -284,14 +290,22 @@ class _Curve:
             x, v, ends = x[::-1], v[::-1], ends[::-1]
         n = self.setting.n
         middle = x[len(x) // 2, :n]
-        turns = np.where(self.setting.plan.prismatic, 0, np.round((middle - self.setting.plan.chain.joints.wrapped(middle)) / TURN))
+        turns = np.where(
+            self.setting.plan.prismatic, 0, np.round((middle - self.setting.plan.chain.joints.wrapped(middle)) / TURN)
+        )
         # an interval of the turn says which turn is meant; a free one begins in (-pi, pi]
         back = 0.0
         if self.setting.turns and np.isinf(self.limits[self.by]).all():
             back = TURN * np.ceil((v[0] - np.pi) / TURN)
         label = posture_words(self.setting.plan, middle[None])[0]
         return Arc(
-            label, tuple(int(t) for t in turns), float(v[0] - back), float(v[-1] - back), (ends[0], ends[1]), x[:, :n], v - back
+            label,
+            tuple(int(t) for t in turns),
+            float(v[0] - back),
+            float(v[-1] - back),
+            (ends[0], ends[1]),
+            x[:, :n],
+            v - back,
         )
 
     def _end(self, u: float, x: Array, outer: bool) -> End:

@@ -17,7 +17,7 @@ from pieper.tolerances import CLOSES, TINY
 
 #: Neighbours farther than this (rad; lengths) are not known to be one branch, and partners at a fold at most this.
 LINKED, PARTNERS = 0.45, 1.2
-#: Part of the distance to the farthest neighbour that a cell may differ from its row by; half is what a line needs.
+#: Part of the distance to the farther neighbour, each way, that a cell may differ from its row by; a line needs half.
 MARGIN = 0.8
 #: How often a cell is quartered for the proof, parts looked at at once, and at most in one round.
 DEPTH, CHUNK, MOST_PARTS = 4, 4000, 60_000
@@ -41,11 +41,15 @@ def looseness(setting: Setting, grid: Grid, ladder: Rungs) -> Array:
     fewer = np.zeros((*ladder.valid.shape[:2], 4), bool)
     for side, (axis, shift) in enumerate(((1, 1), (1, -1), (0, 1), (0, -1))):
         fewer[..., side] = np.roll(count, shift, axis) < count
-    for side in range(4):
-        d = gaps[..., side + 1]
-        # where rows end in pairs a branch turns back: what lies there is no farther than the partner
-        fold = np.where(fewer[..., None, side] & (own <= PARTNERS), own, np.inf)
-        worst = np.maximum(worst, np.where(d < 0, 0.0, np.where(d <= LINKED, MARGIN * d, fold)))
+    for pair in ((0, 1), (2, 3)):
+        wide = np.zeros(ladder.valid.shape)
+        for side in pair:
+            d = gaps[..., side + 1]
+            # where rows end in pairs a branch turns back: what lies there is no farther than the partner
+            fold = np.where(fewer[..., None, side] & (own <= PARTNERS), own, np.inf)
+            wide = np.maximum(wide, np.where(d < 0, 0.0, np.where(d <= LINKED, MARGIN * d, fold)))
+        # half way to the neighbours in the turn and half way to those along the path, both at once
+        worst += wide
     return np.where(ladder.valid, worst, 0.0)
 
 

@@ -8,7 +8,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import TURN
-from pieper.motion.route.grid import Grid
 from pieper.motion.route.ladder import Rungs
 from pieper.motion.route.opening import Opening
 from pieper.motion.route.result import Blocked, Closed
@@ -17,13 +16,11 @@ from pieper.motion.route.setting import Setting
 from pieper.solver.words.labels import posture_words
 
 
-def blocked_at(
-    task: Task, grid: Grid, ladder: Rungs, furthest: int, proof: Callable[[], tuple[int, int]]
-) -> Blocked:
-    """Return where and why nothing goes on past a station; `furthest` is -1 where nothing begins."""
+def blocked_at(task: Task, ladder: Rungs, open_to: int, furthest: int, proof: Callable[[], tuple[int, int]]) -> Blocked:
+    """Return where and why nothing goes on: between the last station that is reached for certain, and one that is not."""
     setting = task.setting
     at = min(furthest + 1, len(ladder.s) - 1)
-    first = float(ladder.s[max(furthest, 0)])
+    first = float(ladder.s[max(min(open_to, furthest), 0)])
     last = float(ladder.s[at])
     valid = ladder.valid[at]
     if not valid.any():

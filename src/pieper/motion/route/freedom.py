@@ -49,7 +49,9 @@ class Freedom:
         object.__setattr__(self, "cone", _cone(self.cone))
         if isinstance(self.turn, str):
             if self.turn != FREE:
-                raise InputError(f'turn must be "free" or an interval (lo, hi), rad, got {self.turn!r}.', given=self.turn)
+                raise InputError(
+                    f'turn must be "free" or an interval (lo, hi), rad, got {self.turn!r}.', given=self.turn
+                )
         else:
             object.__setattr__(self, "turn", _interval(self.turn))
 
@@ -99,7 +101,9 @@ def _interval(value: object) -> tuple[float, float]:
     try:
         low, high = (float(v) for v in value)  # type: ignore[union-attr]
     except (TypeError, ValueError):
-        raise InputError(f'turn must be "free" or an interval (lo, hi), rad, got {value!r}.', given=repr(value)) from None
+        raise InputError(
+            f'turn must be "free" or an interval (lo, hi), rad, got {value!r}.', given=repr(value)
+        ) from None
     if not (np.isfinite(low) and np.isfinite(high)):
         raise InputError(f'turn must be finite, got ({low:g}, {high:g}); turn="free" has no ends.', given=(low, high))
     if low > high:

@@ -63,7 +63,9 @@ class Grid:
         """Return (C, r) cells at most `reach` steps away in each coordinate, itself first, -1 for none."""
         shape = [len(c.values) for c in self.coordinates]
         tilts = self._tilts_beside
-        index = np.array(list(itertools.product(*(range(k) for k in shape))), np.int64).reshape(int(np.prod(shape)), len(shape))
+        index = np.array(list(itertools.product(*(range(k) for k in shape))), np.int64).reshape(
+            int(np.prod(shape)), len(shape)
+        )
         steps = [sorted(range(-min(reach, k // 2), min(reach, k // 2) + 1), key=abs) for k in shape]
         out: list[Indices] = []
         for move in itertools.product(*steps):
@@ -134,7 +136,7 @@ def grid(setting: Setting, finer: int = 1, offset: float = 0.0) -> Grid:
     """Return the grid of a setting, `finer` times as many values a coordinate, turned by a part of a cell."""
     rows = setting.rows
     limits = rows.full_limits
-    count = len(rows.redundancy) + (1 if setting.turn_on_grid else 0)
+    count = len(rows.redundancy) + (1 if setting.turn_on_grid else 0) + (1 if setting.tilts else 0)
     turns = TURNS.get(count, 12) * finer
     turn = None
     if setting.turn_on_grid:

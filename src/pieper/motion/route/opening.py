@@ -10,15 +10,15 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.motion.route.freedom import Freedom
 from pieper.motion.route.result import Closed, Relaxation
-from pieper.motion.route.search import STATIONS, Task, search, stations
+from pieper.motion.route.search import Task, search, stations
 from pieper.motion.route.setting import Setting, setting
 
 #: The largest changes that are tried: of a limit (rad), of a cone (rad), of the path's place (lengths of the arm).
 WIDEST, WIDEST_CONE, FARTHEST = np.pi, np.radians(40.0), 0.3
 #: How often a change is halved, and how many joints are tried.
-HALVINGS, JOINTS = 7, 3
+HALVINGS, JOINTS = 5, 2
 #: Points of the path that are looked at to see whether a change lets a route through; the change found is looked at whole.
-POINTS = STATIONS
+POINTS = 26
 #: Changes are told this much larger than found.
 ROOM = 1.02
 
@@ -66,7 +66,10 @@ class Opening:
             return None
         told = f"{amount * 1e3:.4g} mm" if sliding else f"{np.degrees(amount):.4g} deg"
         return Relaxation(
-            "limit", amount, closed.joint, f"With the {closed.side} limit of {closed.joint} {told} wider there is a route."
+            "limit",
+            amount,
+            closed.joint,
+            f"With the {closed.side} limit of {closed.joint} {told} wider there is a route.",
         )
 
     def _cone(self) -> Relaxation | None:
@@ -81,12 +84,15 @@ class Opening:
         if any(end is not None for end in self.task.ends):
             return None
         most = min(WIDEST_CONE, np.pi / 2 - world.free.cone - 0.02)
-        amount = _least(tilted, most, 0.0, halvings=4)
+        amount = _least(tilted, most, 0.0, halvings=3)
         if amount is None:
             return None
         told = np.degrees(world.free.cone + amount)
         return Relaxation(
-            "cone", amount, "tool", f"With a cone of {told:.3g} deg for the tool's {world.free.axis} axis there is a route."
+            "cone",
+            amount,
+            "tool",
+            f"With a cone of {told:.3g} deg for the tool's {world.free.axis} axis there is a route.",
         )
 
     def _shift(self) -> Relaxation | None:
@@ -108,7 +114,10 @@ class Opening:
         if best is None:
             return None
         return Relaxation(
-            "shift", best[0], best[1], f"With the path moved by {best[0] * 1e3:.4g} mm along {best[1]} there is a route."
+            "shift",
+            best[0],
+            best[1],
+            f"With the path moved by {best[0] * 1e3:.4g} mm along {best[1]} there is a route.",
         )
 
 
@@ -124,14 +133,14 @@ def _least(changed: Callable[[float], Task], most: float, least: float, halvings
         else:
             low = middle
     for amount in (high * ROOM, min(2 * high, most), most):
-        if search(changed(amount)) is not None:
+        if search(changed(amount), 1) is not None:
             return float(amount)
     return None
 
 
 def _opens(task: Task) -> bool:
     """Whether there is a route along some of the points."""
-    return search(_thinned(task)) is not None
+    return search(_thinned(task), 1) is not None
 
 
 def _thinned(task: Task) -> Task:

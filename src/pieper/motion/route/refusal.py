@@ -27,7 +27,7 @@ from pieper.motion.route.search import Task
 from pieper.motion.route.setting import Setting
 
 #: How much finer than the first ladder the grids are on which a proof is tried, and the stations of each at least.
-FINER, STATIONS = (1, 2, 4, 8), (100, 200, 400, 800)
+FINER, STATIONS = (1, 2, 4), (100, 200, 400)
 #: Rows that a grid may have in all.
 MOST_ROWS = 6_000_000
 
@@ -40,6 +40,7 @@ class Ruled:
         grid: The cells.
         rungs: The rows.
         loose: (M, C, B) what each may be outside by.
+        open: Last station that is reached over rows inside the limits.
         furthest: Last station reached.
         reached: (M, C, B).
     """
@@ -47,6 +48,7 @@ class Ruled:
     grid: Grid
     rungs: Rungs
     loose: Array
+    open: int
     furthest: int
     reached: Bools
 
@@ -66,6 +68,13 @@ def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
         if ruled is not None and before is not None:
             return _told(task, ruled)
         before = ruled
+    if task.keep.anything:
+        return (
+            Verdict.UNCERTAIN,
+            None,
+            "Uncertain: no route was found that keeps the clearance and the distance to singular postures asked for; without "
+            "these none could be ruled out.",
+        )
     return (
         Verdict.UNCERTAIN,
         None,
@@ -75,7 +84,7 @@ def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
 
 
 def _told(task: Task, ruled: Ruled) -> tuple[Verdict, Blocked, str]:
-    blocked = blocked_at(task, ruled.grid, ruled.rungs, ruled.furthest, Proof(task, ruled))
+    blocked = blocked_at(task, ruled.rungs, ruled.open, ruled.furthest, Proof(task, ruled))
     where = f"gets past {blocked.s[1]:.4g} of the path" if ruled.furthest >= 0 else "begins at the first pose"
     turns = f", {len(ruled.grid.cells)} turns each" if task.setting.spare else ""
     reason = (
@@ -99,11 +108,18 @@ def _ruled(task: Task, cells: Grid, ladder: Rungs) -> Ruled | None:
     """Return how far everything reaches that is not ruled out, where that is not the end."""
     loose = looseness(task.setting, cells, ladder)
     for all_turns in (False, True):
-        way = climb(
-            task.setting, cells, ladder, on_the_spot=True, ends=task.ends, all_turns=all_turns, loose=loose
-        )
+        way = climb(task.setting, cells, ladder, on_the_spot=True, ends=task.ends, all_turns=all_turns, loose=loose)
         if way.furthest < len(ladder.s) - 1:
-            return Ruled(cells, ladder, loose, way.furthest, way.reached)
+            sure = climb(
+                task.setting,
+                cells,
+                ladder,
+                on_the_spot=True,
+                ends=task.ends,
+                all_turns=all_turns,
+                loose=np.zeros_like(loose),
+            )
+            return Ruled(cells, ladder, loose, sure.furthest, way.furthest, way.reached)
     return None
 
 
