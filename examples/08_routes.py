@@ -1,4 +1,4 @@
-"""A seam with a torch whose roll does not matter: the best route over all branches, and the proof where there is none."""
+"""A seam with a torch whose roll does not matter: the best route over all branches, and what closes the way."""
 
 import numpy as np
 

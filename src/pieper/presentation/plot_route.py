@@ -1,4 +1,4 @@
-"""A route on the map of path and turn: which turns are open on which branch, the curve that was chosen, where it is shut."""
+"""A route on the map of path and turn: which turns are open on which branch, the curve chosen, where it is shut."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ def test_an_interval_of_the_turn_ends_arcs_too(irb, seam):
 
 
 def test_folds_are_where_the_arm_is_singular(ur):
-    from .conftest import ring
+    from seams import ring
 
     T = ring(8, (0.9, 0.0, 0.3), 0.25)[2]
     seen = 0

@@ -6,8 +6,8 @@ import pytest
 import pieper
 from pieper.kinematics.pose import rotation_about, transform
 
-from .conftest import ring
-from .oracle import cheapest, reaches
+from seams import ring
+from oracle_turns import cheapest, reaches
 
 FREE = pieper.Freedom()
 

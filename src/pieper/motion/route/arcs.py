@@ -1,8 +1,8 @@
 """Every feasible interval of the turn at a pose, one branch and one set of whole turns each, and what ends it.
 
 The joint vectors that hold a pose with the turn free form self-motions of the arm with the turn as one more joint. What
-bounds them are points at which a joint stands at a limit, solved for with that joint held there, and folds, at which the
-turn goes back and one branch becomes another.
+bounds them are points at which a joint stands at a limit, solved for with that joint held there, and folds, at which
+the turn goes back and one branch becomes another.
 """
 
 from __future__ import annotations

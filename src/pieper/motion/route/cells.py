@@ -1,4 +1,4 @@
-"""The cell around each row of a ladder: by how much what lies in it can differ from the row, guessed and then proved."""
+"""The cell around each row of a ladder: how much what lies in it can differ from the row, guessed and then proved."""
 
 from __future__ import annotations
 
@@ -56,9 +56,9 @@ def looseness(setting: Setting, grid: Grid, ladder: Rungs) -> Array:
 def certified(setting: Setting, grid: Grid, ladder: Rungs, loose: Array, rows: Bools) -> Bools:
     """Return which of the marked rows (in order) differ by no more than their bound from all that is in their cells.
 
-    In the middle of a cell Newton's method from the row finds a point of the path's solutions. With beta the size of the
-    inverse Jacobian there, eta the step that the half cell asks for and k a bound of the Jacobian's slope, beta k eta of at
-    most a half proves that all solutions that hang together with this one over the cell lie within
+    In the middle of a cell Newton's method from the row finds a point of the path's solutions. With beta the size of
+    the inverse Jacobian there, eta the step that the half cell asks for and k a bound of the Jacobian's slope, beta k
+    eta of at most a half proves that all solutions that hang together with this one over the cell lie within
     (1 - sqrt(1 - 2 beta k eta)) / (beta k) of it (Kantorovich). Where it is more, the cell is quartered.
     """
     at, bound = np.argwhere(rows), loose[rows]
@@ -164,8 +164,8 @@ def _twist(length: float, T: Array, other: Array, inverse: Array) -> Array:
 def slope_of_jacobian(setting: Setting) -> float:
     """Return a bound of how fast the Jacobian without units changes with the joints, in the Frobenius norm.
 
-    Moving joint m turns the columns of joints behind it and moves the tool against those before it: each column changes by
-    no more than one part of turning and one lever, with levers at most the links behind, added up.
+    Moving joint m turns the columns of joints behind it and moves the tool against those before it: each column changes
+    by no more than one part of turning and one lever, with levers at most the links behind, added up.
     """
     chain = setting.chain
     lengths = np.linalg.norm(chain.links[:, :3, 3], axis=1) / chain.length

@@ -1,4 +1,4 @@
-"""What closes a route at a place: the joints and limits of each branch there, and the smallest change that opens one."""
+"""What closes a route at a place: the joints and limits of each branch there."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from pieper.solver.words.labels import posture_words
 
 
 def blocked_at(task: Task, ladder: Rungs, open_to: int, furthest: int, proof: Callable[[], tuple[int, int]]) -> Blocked:
-    """Return where and why nothing goes on: between the last station that is reached for certain, and one that is not."""
+    """Return where and why nothing goes on: between the last station that is surely reached, and one that is not."""
     setting = task.setting
     at = min(furthest + 1, len(ladder.s) - 1)
     first = float(ladder.s[max(min(open_to, furthest), 0)])
@@ -29,8 +29,8 @@ def blocked_at(task: Task, ladder: Rungs, open_to: int, furthest: int, proof: Ca
     closed = _closed(setting, ladder.x[at], valid)
     if not closed:
         why = (
-            f"At {last:.4g} of the path there are postures inside all limits, but none that is reached from the first pose "
-            "without leaving limits on the way: the passages to them are closed."
+            f"At {last:.4g} of the path there are postures inside all limits, but none that is reached from the first "
+            "pose without leaving limits on the way: the passages to them are closed."
         )
         closed = _closed(setting, ladder.x[at], valid & (_excess(setting, ladder.x[at])[0] > 0), every=True)
         return Blocked((first, last), closed, why, Opening(task, closed), proof)

@@ -1,4 +1,4 @@
-"""The cheapest way up a ladder of poses: a dynamic programme over cells, rows and whole turns at stations of the path."""
+"""The cheapest way up a ladder of poses: a dynamic programme over cells, rows and whole turns at stations."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def climb(
         ends: Joint vectors (m,) to begin and to end with.
         all_turns: Whether whole turns are carried along; else a joint that can turn all the way round counts as if it
             had no limits, which is quick, and the way found is to be looked at for whole turns that fit.
-        wider: By how much all limits of joints are taken for wider (rad; lengths), for a way that is pulled inside later.
+        wider: By how much all limits of joints are taken for wider (rad; lengths), for a way that is pulled in later.
         loose: (M, C, B) by how much each row may be outside, infinite where it may also be anywhere: what is not
             reached then is not reached by anything between the rows either.
     """

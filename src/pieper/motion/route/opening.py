@@ -1,4 +1,4 @@
-"""The smallest change that lets a route through where there is none: a wider limit, a cone for the tool, the path moved."""
+"""The smallest change that lets a route through where there is none: a wider limit, a cone, the path moved."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from pieper.motion.route.setting import Setting, setting
 WIDEST, WIDEST_CONE, FARTHEST = np.pi, np.radians(40.0), 0.3
 #: How often a change is halved, and how many joints are tried.
 HALVINGS, JOINTS = 5, 2
-#: Points of the path that are looked at to see whether a change lets a route through; the change found is looked at whole.
+#: Points of the path that are looked at to see whether a change lets a route through; the change found is tried whole.
 POINTS = 26
 #: Changes are told this much larger than found.
 ROOM = 1.02

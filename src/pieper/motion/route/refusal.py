@@ -1,11 +1,11 @@
 """Why there is no route: everything that could be reached, with room for what lies between the rows that were solved.
 
-Around each row lies a cell, half way to its neighbours in the turn and along the path. What lies in the cell differs from
-the row by no more than a bound that is taken from how far its neighbours are, or at a fold its partner; a row counts as
-closed only where a joint is outside its limit by more than that. What is reached from the first pose over cells that are
-not closed is more than any motion can reach; where that ends before the last pose on two grids, one twice as fine as the
-other, there is no route. The bounds of the cells at the edge, which are what stops it, can be proved one by one by Newton's
-method on finer parts (Kantorovich); `Blocked.proved` does so and says of how many.
+Around each row lies a cell, half way to its neighbours in the turn and along the path. What lies in the cell differs
+from the row by no more than a bound that is taken from how far its neighbours are, or at a fold its partner; a row
+counts as closed only where a joint is outside its limit by more than that. What is reached from the first pose over
+cells that are not closed is more than any motion can reach; where that ends before the last pose on two grids, one
+twice as fine as the other, there is no route. The bounds of the cells at the edge, which are what stops it, can be
+proved one by one by Newton's method on finer parts (Kantorovich); `Blocked.proved` does so and says of how many.
 """
 
 from __future__ import annotations
@@ -16,9 +16,8 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import TURN
-from pieper.kinematics.joints import TURN
-from pieper.motion.route.closed import blocked_at
 from pieper.motion.route.cells import certified, looseness
+from pieper.motion.route.closed import blocked_at
 from pieper.motion.route.freedom import Verdict
 from pieper.motion.route.grid import Grid, grid
 from pieper.motion.route.ladder import STEP, Rungs, climb, rungs
@@ -72,14 +71,14 @@ def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
         return (
             Verdict.UNCERTAIN,
             None,
-            "Uncertain: no route was found that keeps the clearance and the distance to singular postures asked for; without "
-            "these none could be ruled out.",
+            "Uncertain: no route was found that keeps the clearance and the distance to singular postures asked for; "
+            "without these none could be ruled out.",
         )
     return (
         Verdict.UNCERTAIN,
         None,
-        "Uncertain: no route was found, and none could be ruled out: at the finest grid tried cells that may be feasible "
-        "still lead from the first pose to the last. More points, or a little more room, decide it.",
+        "Uncertain: no route was found, and none could be ruled out: at the finest grid tried cells that may be "
+        "feasible still lead from the first pose to the last. More points, or a little more room, decide it.",
     )
 
 
@@ -89,8 +88,8 @@ def _told(task: Task, ruled: Ruled) -> tuple[Verdict, Blocked, str]:
     turns = f", {len(ruled.grid.cells)} turns each" if task.setting.spare else ""
     reason = (
         f"Impossible: no motion {where}, whatever the branch and the whole turns. From the first pose "
-        f"{int(ruled.reached.sum())} cells may be reached ({len(ruled.rungs.s)} stations{turns}); each cell beside them has "
-        "a joint outside its limits throughout, or no solution."
+        f"{int(ruled.reached.sum())} cells may be reached ({len(ruled.rungs.s)} stations{turns}); each cell beside them "
+        "has a joint outside its limits throughout, or no solution."
     )
     return Verdict.IMPOSSIBLE, blocked, reason
 

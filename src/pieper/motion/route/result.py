@@ -81,7 +81,7 @@ class Blocked:
 
     @cached_property
     def relaxations(self) -> tuple[Relaxation, ...]:
-        """The smallest change of each kind that lets a route through, sought when first asked for, which takes seconds."""
+        """The smallest change of each kind that lets a route through, sought when first asked for, in seconds."""
         return self.others()
 
 

@@ -1,4 +1,4 @@
-"""A path and what it leaves free, as one chain: the arm's joints, the turn about the tool's axis, the tilt of that axis."""
+"""A path and what it leaves free, as one chain: the arm's joints, the turn about the tool's axis, its tilt."""
 
 from __future__ import annotations
 
@@ -147,7 +147,7 @@ class Setting:
         return np.flatnonzero(np.isfinite(self.limits).any(1) & (np.arange(self.m) < self.m - 2 * self.tilts))
 
     def inside_cone(self, x: Array) -> Array:
-        """Return by how much the tilt of x (..., m) is inside the cone, (...): rad near its edge, and smooth in between."""
+        """Return by how much the tilt of x (..., m) is inside the cone, (...): rad near its edge, smooth within."""
         cone = self.free.cone * (1 - CONE_KEPT)
         return (np.cos(x[..., -1]) * np.cos(x[..., -2]) - np.cos(cone)) / np.sin(cone)
 

@@ -1,8 +1,9 @@
 """A route made as short as it can be: Newton's method on all its points at once, held off the limits by a barrier.
 
-At each point the coordinates move along what the pose leaves free and are pulled back onto the pose. The cost is a chain
-of neighbouring points, so that a step solves a chain of small blocks. Limits are kept by a logarithmic barrier that is
-continued as a parabola below a margin, so that a start outside them is allowed; the barrier is made weaker stage by stage.
+At each point the coordinates move along what the pose leaves free and are pulled back onto the pose. The cost is a
+chain of neighbouring points, so that a step solves a chain of small blocks. Limits are kept by a logarithmic barrier
+that is continued as a parabola below a margin, so that a start outside them is allowed; the barrier is made weaker
+stage by stage.
 
 Source:
     Feller and Ebenbauer (2017), Relaxed logarithmic barrier function based model predictive control of linear systems.
@@ -19,8 +20,8 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.motion.route.setting import Setting
 
-#: The barrier's weights, one a stage, as parts of the mean cost of a step: the last leaves slopes of 1e-9 where limits are
-#: a tenth of a radian away.
+#: The barrier's weights, one a stage, as parts of the mean cost of a step: the last leaves slopes below 1e-9
+#: where limits are a tenth of a radian away.
 BARRIER = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7)
 #: Below its weight over so many mean steps the barrier is a parabola, steep enough that no point rests outside.
 STEEP = 8.0
