@@ -8,10 +8,9 @@ from functools import cached_property
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
-from pieper.kinematics.joints import TURN
 from pieper.kinematics.newton import newton
 from pieper.solver.redundant.box import closest
-from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
+from pieper.solver.singular.self_motion import FREE, SelfMotion, TracedMotion
 from pieper.tolerances import CLOSES
 
 #: A point this near to the polyline of a curve may lie on the curve, and is slid onto it to see.
@@ -44,8 +43,7 @@ class BoundedMotion(TracedMotion):
 
     def points(self, u: Array) -> Array:
         """Return the points (k, n) at parameters (k,), the task's virtual joints behind."""
-        guess = np.stack([np.interp(u, self.u, column) for column in self.samples.T], -1)
-        return newton(self.chain, guess, self.T, steps=6, cutoff=1e-7)
+        return newton(self.chain, self.between(u), self.T, steps=6, cutoff=1e-7)
 
     @cached_property
     def _weights(self) -> Array:
@@ -168,10 +166,11 @@ def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
         )
         foot = samples[:-1] + (part[:, None] * along) * joints.unit
         i = int(np.argmin(np.linalg.norm(joints.difference(q, foot), axis=1)))
-        turned = q + np.where(motion.chain.prismatic, 0.0, TURN * np.round((foot[i] - q) / TURN))
-        placed.append((i + float(part[i]), turned))
+        placed.append((i + float(part[i]), joints.unwound(q, foot[i], FREE)))
     placed.sort(key=lambda entry: entry[0])
-    out, marks, previous = [samples[0]], [], 0
+    out: list[Array] = [samples[0]]
+    marks: list[int] = []
+    previous = 0
     for place, point in [*placed, (float(len(samples) - 1), samples[-1])]:
         whole = int(np.ceil(place))
         out.extend(samples[max(previous, 1) : whole])
@@ -190,8 +189,8 @@ def _turned(motion: SelfMotion, samples: Array, marks: Indices) -> tuple[Array, 
     leaving = marks[~motion.chain.joints.inside_limits(ahead, motion.limits)[1]]
     first = int(leaving[0]) if len(leaving) else int(marks[0])
     shift = samples[-1] - samples[0]
-    shift = np.where(motion.chain.prismatic, 0.0, TURN * np.round(shift / TURN))
-    out = np.concatenate([samples[first:-1], samples[: first + 1] + shift])
+    whole = motion.chain.joints.unwound(np.zeros_like(shift), shift, FREE)
+    out = np.concatenate([samples[first:-1], samples[: first + 1] + whole])
     at = (marks - first) % (len(samples) - 1)
     return out, np.unique(np.concatenate([at, [0, len(out) - 1]]))
 
