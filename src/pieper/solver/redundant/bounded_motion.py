@@ -11,7 +11,7 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.newton import newton
 from pieper.solver.redundant.box import closest
 from pieper.solver.singular.self_motion import FREE, SelfMotion, TracedMotion
-from pieper.tolerances import CLOSES
+from pieper.tolerances import CLOSES, TINY
 
 #: A point this near to the polyline of a curve may lie on the curve, and is slid onto it to see.
 NEAR_POLYLINE = 2e-2
@@ -107,14 +107,10 @@ class BoundedMotion(TracedMotion):
         now[: len(q_now)] = q_now
         steps = np.diff(self.samples, axis=0) / self.chain.joints.unit
         length = float(np.linalg.norm(steps, axis=1).sum()) * ARC
-        edges = [np.unique(np.concatenate([[a, b], self.u[(self.u > a) & (self.u < b)]])) for a, b in self._stretches]
-        low = np.concatenate([e[:-1] if len(e) > 1 else e for e in edges])
-        high = np.concatenate([e[1:] if len(e) > 1 else e for e in edges])
+        low, high = self._pieces()
         best, least = np.zeros(self.chain.n), np.inf
         for _ in range(ROUNDS):
-            both, which = np.unique(np.concatenate([low, high]), return_inverse=True)
-            points = self.chain.joints.unwound(self.points(both), now, self.limits)
-            away = np.linalg.norm((points - now) * self._weights, axis=1)
+            points, away, which = self._ends_away(low, high, now)
             if away.min() < least:
                 least, best = float(away.min()), points[int(np.argmin(away))]
             a, b = away[which[: len(low)]], away[which[len(low) :]]
@@ -125,6 +121,18 @@ class BoundedMotion(TracedMotion):
             cuts = np.linspace(low[open_], high[open_], PARTS + 1)
             low, high = cuts[:-1].ravel(), cuts[1:].ravel()
         return self._settled(best, now)[: self.shown]
+
+    def _pieces(self) -> tuple[Array, Array]:
+        """Return the two ends (k,), in u, of the pieces between samples that are inside the limits."""
+        edges = [np.unique(np.concatenate([[a, b], self.u[(self.u > a) & (self.u < b)]])) for a, b in self._stretches]
+        low = np.concatenate([e[:-1] if len(e) > 1 else e for e in edges])
+        return low, np.concatenate([e[1:] if len(e) > 1 else e for e in edges])
+
+    def _ends_away(self, low: Array, high: Array, now: Array) -> tuple[Array, Array, Indices]:
+        """Return the points at the ends of pieces, how far from `now` they are, and which is which end (2 k,)."""
+        both, which = np.unique(np.concatenate([low, high]), return_inverse=True)
+        points = self.chain.joints.unwound(self.points(both), now, self.limits)
+        return points, np.asarray(np.linalg.norm((points - now) * self._weights, axis=1), np.float64), which
 
     def _settled(self, point: Array, now: Array) -> Array:
         """Return the nearest point that descent reaches from one that is inside the limits."""
@@ -161,9 +169,8 @@ def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
             continue
         gap = joints.difference(q, samples[:-1])
         along = np.diff(motion.samples / joints.unit, axis=0)
-        part = np.clip(
-            np.einsum("kn,kn->k", gap, along) / np.maximum(np.einsum("kn,kn->k", along, along), 1e-300), 0, 1
-        )
+        square: Array = np.einsum("kn,kn->k", along, along)
+        part: Array = np.clip(np.einsum("kn,kn->k", gap, along) / np.maximum(square, TINY), 0.0, 1.0)
         foot = samples[:-1] + (part[:, None] * along) * joints.unit
         i = int(np.argmin(np.linalg.norm(joints.difference(q, foot), axis=1)))
         placed.append((i + float(part[i]), joints.unwound(q, foot[i], FREE)))
