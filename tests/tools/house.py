@@ -28,6 +28,7 @@ FLOORS = (
     ("_kernel", "_code"),
     ("document", "kinematics"),
     ("description",),
+    ("drawing",),
     ("solver",),
     ("collision",),
     ("motion",),

@@ -13,6 +13,7 @@ from pieper.document.html import page as html_page
 from pieper.document.latex import source as latex_source
 from pieper.document.markdown import source as markdown_source
 from pieper.document.writing import write_beside, write_whole
+from pieper.drawing.style import MM
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.pose import checked_pose
 from pieper.presentation.plot_reach import joint_range
@@ -25,7 +26,6 @@ from pieper.presentation.sections_arm import (
     add_singularities,
 )
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
-from pieper.presentation.style import MM
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
