@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import bounded
 
@@ -35,31 +35,32 @@ def nearer(chain: Chain, q: Array, T: Array, limits: Array, turning: Array, step
     Returns:
         (k, n) and the values (k,) that are left.
     """
-    unit = chain.joints.unit
-    q = np.clip(q, limits[:, 0], limits[:, 1])
-    damp = np.full(len(q), FIRST)
-    value, g, bend = _expanded(chain, q, T, turning)
+    at = np.clip(q, limits[:, 0], limits[:, 1])
+    damp = np.full(len(at), FIRST)
+    value, slope, bend = _expanded(chain, at, T, turning)
     for _ in range(steps):
-        stopped = ((q <= limits[:, 0]) & (g > 0)) | ((q >= limits[:, 1]) & (g < 0))
-        free = ~stopped
-        slope = np.where(free, g, 0.0)
-        bent = np.where(free[:, :, None] & free[:, None, :], bend, np.eye(q.shape[1]))
-        s, V = np.linalg.eigh(bent)
-        size = np.maximum(np.abs(s), FLAT * np.abs(s).max(1, keepdims=True)) + damp[:, None] * np.abs(s).max(
-            1, keepdims=True
-        )
-        step = -np.einsum("kij,kj->ki", V, np.einsum("kij,ki->kj", V, slope) / size)
+        step = _step(at, slope, bend, damp, limits)
         if np.abs(step).max() < SETTLED:
             break
-        tried = np.clip(q + bounded(step, LONGEST) * unit, limits[:, 0], limits[:, 1])
-        new, new_g, new_bend = _expanded(chain, tried, T, turning)
-        better = new < value
-        q, value = np.where(better[:, None], tried, q), np.where(better, new, value)
-        g, bend = np.where(better[:, None], new_g, g), np.where(better[:, None, None], new_bend, bend)
-        damp = np.clip(damp * np.where(better, SHRINK, GROW), 1e-14, MOST)
+        tried = np.clip(at + bounded(step, LONGEST) * chain.joints.unit, limits[:, 0], limits[:, 1])
+        new = _expanded(chain, tried, T, turning)
+        better: Bools = np.less(new[0], value)
+        at[better], value[better], slope[better], bend[better] = (x[better] for x in (tried, *new))
+        damp[:] = np.clip(damp * np.where(better, SHRINK, GROW), 1e-14, MOST)
         if (damp >= MOST).all():
             break
-    return q, value
+    return at, value
+
+
+def _step(q: Array, g: Array, bend: Array, damp: Array, limits: Array) -> Array:
+    """Return the damped Newton step (k, n) of the joints that no limit stops, downhill whatever the curvature."""
+    stopped = ((q <= limits[:, 0]) & (g > 0)) | ((q >= limits[:, 1]) & (g < 0))
+    free = ~stopped
+    bent = np.where(free[:, :, None] & free[:, None, :], bend, np.eye(q.shape[1]))
+    s, V = np.linalg.eigh(bent)
+    largest = np.abs(s).max(1, keepdims=True)
+    size = np.maximum(np.abs(s), FLAT * largest) + damp[:, None] * largest
+    return -np.einsum("kij,kj->ki", V, np.einsum("kij,ki->kj", V, np.where(free, g, 0.0)) / size)
 
 
 def _expanded(chain: Chain, q: Array, T: Array, turning: Array) -> tuple[Array, Array, Array]:

@@ -179,7 +179,8 @@ def _closed_by(chain: Chain, z: Array, o: Array, joints: Indices) -> tuple[FourB
     n = axes[0]
     tilt = float(np.linalg.norm(np.cross(axes, n), axis=1).max())
     across = np.eye(3) - axes[:, :, None] * axes[:, None, :]
-    point = np.linalg.lstsq(across.sum(0), np.einsum("kij,kj->i", across, points), rcond=None)[0]
+    feet = np.einsum("kij,kj->i", across, points)
+    point = np.asarray(np.linalg.lstsq(across.sum(0), feet, rcond=None)[0], np.float64)
     apart = float(np.linalg.norm(np.cross(points - point, axes), axis=1).max())
     if tilt > apart:
         return FourBar(joints, axes, None, np.ones(4)), apart
