@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from enum import IntFlag
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -377,6 +378,33 @@ class Selection:
         has: npt.NDArray[np.bool_],
     ) -> None:
         """The same, each near to the one chosen before it."""
+
+class CarefulLook:
+    """What is free at a singular pose of six joints, read off the axes of a solver's rows."""
+
+    def __init__(
+        self,
+        solver: Solver,
+        *,
+        links: npt.ArrayLike,
+        prismatic: npt.ArrayLike,
+        length: float,
+        lower: npt.ArrayLike,
+        upper: npt.ArrayLike,
+    ) -> None: ...
+    def one(self, T: npt.ArrayLike, q: npt.ArrayLike, flag: int) -> tuple[Any, ...] | None:
+        """(4, 4), the solver's rows (m, 6) and flag -> what `pieper.solver.native.Read` holds; None where that cannot be read off."""
+
+    def into(
+        self,
+        Ts: npt.ArrayLike,
+        index: npt.NDArray[np.int64],
+        q: Array,
+        valid: npt.NDArray[np.bool_],
+        in_limits: npt.NDArray[np.bool_],
+        flag: npt.NDArray[np.uint8],
+    ) -> npt.NDArray[np.uint8]:
+        """Write the rows of the poses that index (k,) names; (k,) 0 where not read off, 2 with a self-motion, else 1."""
 
 class Solver:
     """Every solution of poses by the kernel of one family."""
