@@ -3,6 +3,7 @@
 
 #include "binding/careful.hpp"
 #include "binding/fields.hpp"
+#include "binding/nearer.hpp"
 #include "binding/time_law.hpp"
 
 namespace {
@@ -180,6 +181,7 @@ NB_MODULE(_kernel, m) {
            "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 
   bind_careful(m);
+  bind_nearer(m);
   bind_time_law(m);
   m.def("deviations", &deviations, nb::arg("Ts"),
         "(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite.");

@@ -393,7 +393,7 @@ class CarefulLook:
         upper: npt.ArrayLike,
     ) -> None: ...
     def one(self, T: npt.ArrayLike, q: npt.ArrayLike, flag: int) -> tuple[Any, ...] | None:
-        """(4, 4), the solver's rows (m, 6) and flag -> what `pieper.solver.native.Read` holds; None where that cannot be read off."""
+        """Return what `pieper.solver.native.Read` holds of a pose (4, 4), its rows (m, 6) and flag; None if not read off."""
 
     def into(
         self,
@@ -404,7 +404,7 @@ class CarefulLook:
         in_limits: npt.NDArray[np.bool_],
         flag: npt.NDArray[np.uint8],
     ) -> npt.NDArray[np.uint8]:
-        """Write the rows of the poses that index (k,) names; (k,) 0 where not read off, 2 with a self-motion, else 1."""
+        """Write the rows of the poses that index (k,) names; 0 where not read off, 2 with a self-motion, else 1 (k,)."""
 
 class Solver:
     """Every solution of poses by the kernel of one family."""
@@ -473,3 +473,18 @@ def deviations(Ts: npt.ArrayLike) -> Array:
 
 def sincos(x: npt.ArrayLike) -> Array: ...
 def atan2(yx: npt.ArrayLike) -> Array: ...
+
+def nearer(
+    *,
+    links: npt.ArrayLike,
+    prismatic: npt.ArrayLike,
+    length: float,
+    coupling: npt.ArrayLike | None,
+    lower: npt.ArrayLike,
+    upper: npt.ArrayLike,
+    q: npt.ArrayLike,
+    T: npt.ArrayLike,
+    turning: npt.ArrayLike,
+    steps: int,
+) -> tuple[Array, Array]:
+    """Go downhill from q (k, n) to T (4, 4): (k, n) and what is left (k,)."""
