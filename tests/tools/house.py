@@ -34,7 +34,7 @@ FLOORS = (
     ("algebra",),
     ("equations",),
     ("judge",),
-    ("maps", "calibration", "code"),
+    ("maps", "calibration", "code", "verify"),
     ("presentation",),
     ("at_scale",),
     ("arm",),
