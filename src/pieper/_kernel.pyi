@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from enum import IntFlag
 from typing import Any, Final
 
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
 
 isa: str
 isa_available: str
@@ -304,18 +304,18 @@ class CarefulLook:
         upper: ArrayLike,
     ) -> None: ...
     def one(self, T: ArrayLike, q: ArrayLike, flag: int) -> tuple[Any, ...] | None:
-        """Return what `pieper.solver.native.Read` holds of a pose (4, 4), its rows (m, 6) and flag; None if not read off."""
+        """What `pieper.solver.native.Read` holds of a pose (4, 4), rows (m, 6), flag; None if not read off."""
 
     def into(
         self,
         Ts: ArrayLike,
-        index: npt.NDArray[np.int64],
+        index: Indices,
         q: Array,
-        valid: npt.NDArray[np.bool_],
-        in_limits: npt.NDArray[np.bool_],
-        flag: npt.NDArray[np.uint8],
-    ) -> npt.NDArray[np.uint8]:
-        """Write the rows of the poses that index (k,) names; 0 where not read off, 2 with a self-motion, else 1 (k,)."""
+        valid: Bools,
+        in_limits: Bools,
+        flag: Bits,
+    ) -> Bits:
+        """Write rows of the poses that index (k,) names; (k,) 0: not read off, 2: with a self-motion, 1: else."""
 
 class Solver:
     """Every solution of poses by the kernel of one family."""
@@ -381,7 +381,6 @@ def deviations(Ts: ArrayLike) -> Array:
 
 def sincos(x: ArrayLike) -> Array: ...
 def atan2(yx: ArrayLike) -> Array: ...
-
 def nearer(
     *,
     links: ArrayLike,

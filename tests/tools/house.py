@@ -35,7 +35,7 @@ FLOORS = (
     ("algebra",),
     ("equations",),
     ("judge",),
-    ("maps", "calibration", "code"),
+    ("maps", "calibration", "code", "verify"),
     ("presentation",),
     ("at_scale",),
     ("arm",),

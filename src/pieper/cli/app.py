@@ -21,6 +21,7 @@ COMMANDS = {
     "map": "Fill a box with answers: what the arm reaches.",
     "calibrate": "Fit an arm to what was measured.",
     "code": "Write an arm's solver in another language.",
+    "verify": "Compare an arm with an independent toolbox.",
     "check": "Judge the claims someone makes about an arm.",
     "workbench": "Open the workbench in the browser.",
     "tour": "Run a whole study and write it up.",

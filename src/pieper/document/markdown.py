@@ -55,7 +55,7 @@ class _Writer(Typesetter):
         return "\n\n".join(map(self._equation, item.rows))
 
     def _lines(self, item: b.Lines) -> str:
-        return self._marked(item)
+        return self.marked(item)
 
     def _table(self, item: b.Table) -> str:
         rule = "|".join("---" if i in item.left else "---:" for i in range(len(item.head)))

@@ -51,7 +51,7 @@ class _Writer(Typesetter):
         return "\n".join(map(self._equation, item.rows))
 
     def _lines(self, item: b.Lines) -> str:
-        return self._marked(item)
+        return self.marked(item)
 
     def _table(self, item: b.Table) -> str:
         cells = [[self.piece(cell) for cell in row] for row in (item.head, *item.rows)]

@@ -111,7 +111,7 @@ class Typesetter(Writer[str, str]):
     def _paragraph(self, item: Paragraph) -> str:
         return self.line(*item.pieces)
 
-    def _marked(self, item: Lines) -> str:
+    def marked(self, item: Lines) -> str:
         """Return a list with a dash or a number before each item, a line each."""
         marks = [f"{k + 1}." if item.numbered else "-" for k in range(len(item.items))]
         return "\n".join(f"{mark} {self.piece(words)}" for mark, words in zip(marks, item.items, strict=True))
