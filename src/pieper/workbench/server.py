@@ -20,7 +20,6 @@ from starlette.websockets import WebSocket
 import pieper
 from pieper import InputError
 from pieper.workbench.session import Session
-from pieper.workbench.table import table_from_arm
 
 PAGE = Path(__file__).parent / "page" / "dist"
 TYPES = {
@@ -97,13 +96,8 @@ def create_app(*, names: tuple[str, ...] | None = LOOPBACK, start: pieper.Arm | 
     Args:
         names: Host names it answers to; None for any (when it is deliberately opened to a network).
         start: Arm that new pages open with, or its catalogue name; None for the page's own choice.
-
-    Raises:
-        InputError: The arm cannot be shown: its joints are coupled.
     """
     first = pieper.load(start) if isinstance(start, str) else start
-    if first is not None:
-        table_from_arm(first)
     files = {address: (path.read_bytes(), TYPES[path.suffix]) for address, path in _files().items()}
     pool = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench")
     sessions: set[Session] = set()
@@ -171,8 +165,7 @@ def serve(
         open_browser: Open the page in the default browser.
 
     Raises:
-        InputError: A foreign address without `open_to_network`, the page's bundle is missing, or the arm's joints are
-            coupled.
+        InputError: A foreign address without `open_to_network`, or the page's bundle is missing.
     """
     import uvicorn
 

@@ -6,7 +6,8 @@ import { play, stop } from './animate.mjs';
 import { colours } from './theme.mjs';
 import { kinds, series, csv, svg } from './curves.mjs';
 import { fixed } from './units.mjs';
-import { fitArm } from './scene/arm.mjs';
+import { showMotionRoom } from './scene/arm.mjs';
+import { keepInView } from './scene/view.mjs';
 
 let motion = null,
   plot = null,
@@ -114,7 +115,7 @@ export function build(root) {
   on(['units', 'theme'], draw);
   on('moving', (yes) => setText(toggle, yes && playing ? 'Pause' : 'Play'));
   on('table', (what) => {
-    if (motion && what !== 'postures' && what !== 'name') show(null);
+    if (motion && !['postures', 'name', 'gripper'].includes(what)) show(null);
   });
 }
 
@@ -128,8 +129,8 @@ export function show(next) {
     plot.destroy();
     plot = null;
   }
+  showMotionRoom(next?.table ?? null, next?.q ?? []);
   if (!next) {
-    requestAnimationFrame(() => fitArm());
     tell('motion');
     return;
   }
@@ -145,7 +146,7 @@ export function show(next) {
   );
   draw();
   if (next.q.length) go(0);
-  requestAnimationFrame(() => fitArm());
+  requestAnimationFrame(() => keepInView());
   tell('motion');
 }
 export const current = () => motion;

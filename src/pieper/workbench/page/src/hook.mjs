@@ -5,7 +5,9 @@ import { convert } from './convert.mjs';
 import { read } from './expression.mjs';
 import { withPresentNumbers } from './presentnumbers.mjs';
 import { cameraState, picturesDrawn, toScreen } from './scene/view.mjs';
-import { ghostCount, traceLength } from './scene/arm.mjs';
+import { ghostCount, traceLength, framesDrawn } from './scene/arm.mjs';
+import { toUndo, toRedo } from './history.mjs';
+import { handles } from './scene/gizmo.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
 
@@ -35,6 +37,12 @@ export function expose() {
     get ghosts() {
       return ghostCount();
     },
+    get history() {
+      return [toUndo(), toRedo()];
+    },
+    get framesDrawn() {
+      return framesDrawn();
+    },
     get answers() {
       return counts.answers;
     },
@@ -45,6 +53,7 @@ export function expose() {
       return cloud.size();
     },
     toScreen,
+    handles: () => handles(),
     forward: (table, q) => frames(table, q),
     convert: (table, to) => convert(table, to),
     read: (text, kind) => read(text, kind),

@@ -1,6 +1,7 @@
 // The page's door: puts the pieces in their places and connects to the session.
 import { $, say } from './dom.mjs';
-import { state, on, tell, setTable, presentable, forgetHistory } from './store.mjs';
+import { state, on, tell, setTable, presentable } from './store.mjs';
+import * as history from './history.mjs';
 import { readTheme } from './theme.mjs';
 import * as link from './link.mjs';
 import * as library from './library.mjs';
@@ -27,6 +28,7 @@ readTheme();
 view.open($('#view'));
 on('theme', view.applyTheme);
 view.applyTheme();
+history.begin();
 arm.begin();
 gizmo.begin();
 library.begin();
@@ -63,7 +65,7 @@ on('online', async (yes) => {
   tell('catalog');
   if (hello.table && !state.table.joints.length) {
     setTable(hello.table, { q: presentable(hello.table), step: false, what: 'new' });
-    forgetHistory();
+    history.forgetHistory();
   }
   document.documentElement.dataset.ready = 'yes';
 });

@@ -1,5 +1,6 @@
 // The whole state of the page as one small object: in the address, in a file, and back, with nothing taken on trust.
-import { state, on, tell, setTable, setTarget, setJoints, forgetHistory } from './store.mjs';
+import { state, on, tell, setTable, setTarget, setJoints } from './store.mjs';
+import { forgetHistory } from './history.mjs';
 import { units } from './units.mjs';
 import { notations } from './rotation.mjs';
 import { rotationDefect, identity, nearestRotation } from './matrix.mjs';
@@ -18,8 +19,11 @@ export function snapshot() {
     table,
     q,
     target: hasTarget ? target : null,
+    digits: state.digits,
     task: options.task,
     redundancy: options.redundancy,
+    follow: options.follow,
+    ghosts: options.ghosts,
     notation,
     frames: shownFrames,
     path,
@@ -41,10 +45,15 @@ const pose = (v) => {
   const defect = rotationDefect(v);
   return defect < 1e-12 ? v.slice() : defect < 1e-3 ? nearestRotation(v) : null;
 };
+const digits = (d) =>
+  d && isNumber(d.metres) && isNumber(d.radians) ? { metres: d.metres, radians: d.radians } : null;
 const actuator = (a) =>
   a && [a.lower, a.upper, a.value].every(isNumber) && a.lower <= a.upper
     ? { name: text(a.name, 40), lower: a.lower, upper: a.upper, value: a.value, unit: text(a.unit, 10) }
     : null;
+
+/** The square of numbers that couples the joints, or null for joints that each move their own row. */
+const coupling = (c, n) => (Array.isArray(c) && c.length === n && c.every((row) => numbers(row, n)) ? c : null);
 
 function tableFrom(t) {
   if (
@@ -96,6 +105,9 @@ function tableFrom(t) {
     source: text(t.source, 2000),
     notes: text(t.notes, 3000),
     actuator: actuator(t.actuator),
+    catalog: text(t.catalog, 60) || undefined,
+    derived: text(t.derived, 60) || undefined,
+    coupling: coupling(t.coupling, joints.length),
   };
 }
 
@@ -128,15 +140,17 @@ export function restore(s, showPanel) {
   if (['pose', 'position', 'position+axis'].includes(s.task)) options.task = s.task;
   const held = Object.entries(s.redundancy ?? {}).filter(([name, v]) => name.length < 80 && isNumber(v));
   options.redundancy = held.length ? Object.fromEntries(held.slice(0, MOST_JOINTS)) : null;
+  if (typeof s.follow === 'boolean') options.follow = s.follow;
+  if (['all', 'inside', 'none'].includes(s.ghosts)) options.ghosts = s.ghosts;
   const target = pose(s.target);
   state.hasTarget = Boolean(target);
-  if (target) setTarget(target, 'restored');
-  forgetHistory();
-  for (const topic of ['units', 'notation', 'sequence-loaded']) tell(topic);
+  if (target) setTarget(target, 'restored', digits(s.digits));
+  for (const topic of ['units', 'notation', 'sequence-loaded', 'task']) tell(topic);
   showPanel(s.panel);
   tell('path-loaded');
   if (numbers(s.camera, 6)) setCamera(s.camera);
   setJoints(state.q, 'restored');
+  forgetHistory();
 }
 
 // ---- the address
@@ -154,6 +168,8 @@ export async function link() {
   return `${location.origin}${location.pathname}#s=${base64}`;
 }
 export async function fromAddress() {
+  const left = leftBehind();
+  if (left) return left;
   const m = /^#s=([\w-]+)$/.exec(location.hash);
   if (!m) return null;
   if (m[1].length > 60_000) throw new Error('The link is too long.');
@@ -161,6 +177,25 @@ export async function fromAddress() {
   const plain = await squeeze(bytes, DecompressionStream);
   if (plain.length > 500_000) throw new Error('The link unfolds to more than it should.');
   return JSON.parse(new TextDecoder().decode(plain));
+}
+
+const DRAWER = 'pieper-workbench';
+/** What this very tab showed when it was left, to the last digit, if its address is still the same. */
+function leftBehind() {
+  try {
+    const { address, shown } = JSON.parse(sessionStorage.getItem(DRAWER) ?? '{}');
+    return shown && address === location.href ? shown : null;
+  } catch {
+    return null;
+  }
+}
+function leave() {
+  if (!state.table.joints.length) return;
+  try {
+    sessionStorage.setItem(DRAWER, JSON.stringify({ address: location.href, shown: snapshot() }));
+  } catch {
+    /* the address has it but for the last moment */
+  }
 }
 
 let last = null;
@@ -174,5 +209,6 @@ const keep = debounce(async () => {
 }, 600);
 /** Keep the address in step with the page, so that reloading or bookmarking loses nothing. */
 export function begin() {
+  addEventListener('pagehide', leave);
   on(['table', 'q', 'target', 'solutions', 'units', 'notation', 'panel', 'path', 'sequence', 'theme', 'frames'], keep);
 }

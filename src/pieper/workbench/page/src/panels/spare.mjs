@@ -1,6 +1,6 @@
 // The redundant coordinates of the arm for its task: left free, or chosen, with a slider and a field each.
 import { h, replace, setText, choice } from '../dom.mjs';
-import { state, on } from '../store.mjs';
+import { state, on, tell } from '../store.mjs';
 import { units, showUnit } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
 import { reach } from '../kinematics.mjs';
@@ -38,10 +38,11 @@ export function spareCoordinates() {
 
   /** Hold these coordinates at what their rows show; null leaves all free. */
   function choose(names, { sliding = false } = {}) {
+    tell('did', { label: names ? `hold ${names.join(' and ')}` : 'free the redundant coordinates', key: 'spare' });
     options.redundancy = names && Object.fromEntries(names.map((name) => [name, values[name]]));
     show();
     if (sliding) slide();
-    else solve();
+    else solve({ follow: true });
   }
   /** An arm angle stands for the redundant joint: choosing one lets go of the other. */
   const together = (c) => list.filter((other) => other.instead === c.instead).map((other) => other.name);
@@ -65,7 +66,7 @@ export function spareCoordinates() {
       choose(together(c), { sliding });
     };
     slider.addEventListener('input', () => set(Number(slider.value), true));
-    slider.addEventListener('change', () => solve());
+    slider.addEventListener('change', () => solve({ follow: true }));
     slider.addEventListener('keydown', (e) => {
       const k = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];
       if (k === undefined) return;
@@ -75,7 +76,7 @@ export function spareCoordinates() {
       set(Math.min(Math.max(values[c.name] + by, lo), hi), true);
     });
     slider.addEventListener('keyup', () => {
-      if (held) solve();
+      if (held) solve({ follow: true });
       held = false;
     });
     const field = numberField({
