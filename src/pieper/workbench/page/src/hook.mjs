@@ -4,8 +4,8 @@ import { frames } from './kinematics.mjs';
 import { convert } from './convert.mjs';
 import { read } from './expression.mjs';
 import { withPresentNumbers } from './presentnumbers.mjs';
-import { cameraState, picturesDrawn, toScreen } from './scene/view.mjs';
-import { ghostCount, traceLength, framesDrawn } from './scene/arm.mjs';
+import { cameraState, picturesDrawn, toScreen, withPicture } from './scene/view.mjs';
+import { ghostCount, traceLength, framesDrawn, beyondDrawn } from './scene/arm.mjs';
 import { toUndo, toRedo } from './history.mjs';
 import { handles } from './scene/gizmo.mjs';
 import { counts } from './solving.mjs';
@@ -40,6 +40,9 @@ export function expose() {
     get history() {
       return [toUndo(), toRedo()];
     },
+    get beyond() {
+      return beyondDrawn();
+    },
     get framesDrawn() {
       return framesDrawn();
     },
@@ -53,6 +56,7 @@ export function expose() {
       return cloud.size();
     },
     toScreen,
+    withPicture: (f) => withPicture(f),
     handles: () => handles(),
     forward: (table, q) => frames(table, q),
     convert: (table, to) => convert(table, to),

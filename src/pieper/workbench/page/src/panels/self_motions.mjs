@@ -1,6 +1,7 @@
 // Self-motion: a slider along each continuous set of solutions.
 import { h, replace } from '../dom.mjs';
 import { state, setJoints, tell } from '../store.mjs';
+import { shortest } from '../turns.mjs';
 import { stop } from '../animate.mjs';
 import { ontoPose } from '../kinematics.mjs';
 import { options } from '../solving.mjs';
@@ -124,7 +125,7 @@ function along(motion, k, T, exact) {
     slider.style.setProperty('--at', `${100 * at}%`);
     const between = motion.q[i].map((v, m) => v + f * (motion.q[j][m] - v));
     tell('did', { label: 'slide along a self-motion', key: 'self-motion' });
-    setJoints(exact ? ontoPose(state.table, between, T) : between, 'self-motion');
+    setJoints(shortest(exact ? ontoPose(state.table, between, T) : between), 'self-motion');
   };
   // the thumb begins where the arm is; the reddish parts of the track lie outside the limits
   slider.value = String(whereOn(motion));

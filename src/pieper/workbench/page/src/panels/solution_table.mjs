@@ -5,6 +5,7 @@ import { units, show, tiny } from '../units.mjs';
 import { moveTo } from '../animate.mjs';
 import { showPreview } from '../scene/arm.mjs';
 import { kindOf } from './joints.mjs';
+import { shortest } from '../turns.mjs';
 
 /** Rows are kept and rewritten: a dragged gizmo changes them many times a second. */
 export function solutionTable() {
@@ -128,14 +129,4 @@ export function solutionTable() {
       );
     },
   };
-}
-
-/** The same posture with each revolute joint a whole number of turns nearer to where it is, if its limits allow. */
-function shortest(q) {
-  return q.map((v, i) => {
-    const j = state.table.joints[i];
-    if (j.type !== 'R') return v;
-    const w = v + 2 * Math.PI * Math.round((state.q[i] - v) / (2 * Math.PI));
-    return (j.lower === null || w >= j.lower - 1e-9) && (j.upper === null || w <= j.upper + 1e-9) ? w : v;
-  });
 }

@@ -11,6 +11,7 @@ export function spareCoordinates() {
     rows = [],
     values = {}; // what the rows show, by name
   const rowsBox = h('div', { class: 'joints' });
+  const fold = h('details', {}, h('summary', { class: 'hint', text: 'Hold by value' }), rowsBox);
   const note = h('p', { class: 'hint' });
   const mode = choice(
     'Redundant coordinates',
@@ -33,7 +34,7 @@ export function spareCoordinates() {
     },
     h('div', { class: 'line spread' }, h('span', { class: 'field-name', text: 'Redundant coordinates' }), mode),
     note,
-    rowsBox,
+    fold,
   );
 
   /** Hold these coordinates at what their rows show; null leaves all free. */
@@ -133,7 +134,7 @@ export function spareCoordinates() {
       note,
       options.redundancy
         ? 'Held at these values; what is left has separate solutions.'
-        : 'Free: the solutions form self-motions; the table has those at these values. Slide one to hold it.',
+        : 'Free: the solutions form self-motions; the table has those at the present values.',
     );
     for (const r of rows) r.show();
   }
@@ -141,7 +142,8 @@ export function spareCoordinates() {
     const next = state.solutions?.spare;
     // an answer on the way, or a refused one, says nothing of the coordinates
     if (!state.solutions || (!next && (state.solutions.brief || state.solutions.status === 'REFUSED'))) return;
-    if (JSON.stringify(next ?? []) !== JSON.stringify(list)) {
+    const fresh = JSON.stringify(next ?? []) !== JSON.stringify(list);
+    if (fresh) {
       list = next ?? [];
       values = {};
       rows = list.map(row);
@@ -152,6 +154,8 @@ export function spareCoordinates() {
       for (const r of rows) r.relabel();
     }
     el.hidden = list.length === 0;
+    // one coordinate to spare: the slider along the self-motion below is the one to use
+    if (fresh) fold.open = list.filter((c) => !c.instead).length > 1 || Boolean(options.redundancy);
     show();
   });
   on('q', () => !el.hidden && !el.closest('[hidden]') && !options.redundancy && show());

@@ -115,6 +115,9 @@ function drawFrames() {
   );
   invalidate();
 }
+/** Numbers of the joints that are drawn red now. */
+export const beyondDrawn = () =>
+  main.arms.flatMap((a) => [...a.drums, ...a.sleeves].filter((d) => d.beyond).map((d) => d.joint + 1));
 /** Names of the frames that are drawn now. */
 export const framesDrawn = () => (axes.last?.[0] ?? []).map((f) => f.name);
 export function frameName(i) {

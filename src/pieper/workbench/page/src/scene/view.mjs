@@ -42,6 +42,11 @@ export function wake() {
   awake = true;
   invalidate();
 }
+/** Draw now and look at the picture before the browser takes it away. */
+export function withPicture(f) {
+  paint();
+  return f(renderer.domElement);
+}
 export const picturesDrawn = () => drawn;
 
 scene.fog = new THREE.Fog('#fff', 1, 10);
