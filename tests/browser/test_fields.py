@@ -117,7 +117,7 @@ def test_a_wrist_turning_in_place_is_seen_and_a_limit_passed_is_red(bench):
     bench.settle()
     turned = bench.value(picture)
     assert turned != before, "the picture is another one"
-    bench.fill("q-2", 175)
+    bench.fill("q-2", 220)
     bench.settle()
     assert bench.value("workbench.beyond") == [2], "a joint beyond its limit is drawn red"
     bench.shot("beyond-the-limit", both=True)

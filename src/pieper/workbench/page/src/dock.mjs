@@ -143,11 +143,17 @@ export function show(next) {
       m.style.setProperty('left', `${Math.min((100 * (e.x - next.xs[0])) / span, 100)}%`);
       return m;
     }),
+    (next.tight ?? []).map((x) => {
+      const m = h('span', { class: 'tight-mark', title: x.text });
+      m.style.setProperty('left', `${(100 * (x.start - next.xs[0])) / span}%`);
+      m.style.setProperty('width', `${(100 * (x.end - x.start)) / span}%`);
+      return m;
+    }),
   );
   draw();
+  tell('motion');
   if (next.q.length) go(0);
   requestAnimationFrame(() => keepInView());
-  tell('motion');
 }
 export const current = () => motion;
 
@@ -165,6 +171,7 @@ export function go(k) {
   );
   els.scrub.setAttribute('aria-valuetext', els.where.textContent);
   setJoints(motion.q[index].slice(), 'scrub');
+  tell('played', motion.seconds[index]);
   point();
 }
 

@@ -24,6 +24,8 @@ const snapshot = () => ({
   sequence: structuredClone(state.sequence),
   program: state.program,
   world: state.world,
+  limits: state.limits,
+  start: state.start,
   task: options.task,
   redundancy: options.redundancy,
 });
@@ -66,6 +68,8 @@ function take(s) {
   state.sequence = structuredClone(s.sequence);
   state.program = s.program;
   state.world = s.world;
+  state.limits = s.limits;
+  state.start = s.start;
   state.hasTarget = s.hasTarget;
   if (s.target !== state.target) setTarget(s.target, 'restored', s.digits);
   for (const topic of ['path-loaded', 'sequence-loaded', 'program', 'world', 'task']) tell(topic, 'undo');

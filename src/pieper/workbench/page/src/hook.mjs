@@ -8,6 +8,9 @@ import { cameraState, picturesDrawn, toScreen, withPicture } from './scene/view.
 import { ghostCount, traceLength, framesDrawn, beyondDrawn } from './scene/arm.mjs';
 import { toUndo, toRedo } from './history.mjs';
 import { handles } from './scene/gizmo.mjs';
+import { thingsDrawn, carriedAt } from './scene/world.mjs';
+import { gripperShown } from './scene/gripper.mjs';
+import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
 
@@ -43,6 +46,20 @@ export function expose() {
     get beyond() {
       return beyondDrawn();
     },
+    get things() {
+      return thingsDrawn();
+    },
+    get program() {
+      return structuredClone(state.program);
+    },
+    get motion() {
+      return structuredClone(state.motion);
+    },
+    get gripper() {
+      return gripperShown();
+    },
+    placeOf: (name) => carriedAt(name) ?? state.world.find((t) => t.name === name)?.T ?? null,
+    go,
     get framesDrawn() {
       return framesDrawn();
     },

@@ -28,6 +28,8 @@ export function snapshot() {
     frames: shownFrames,
     path,
     sequence,
+    program: { steps: state.program, start: state.start, limits: state.limits },
+    world: state.world,
     panel,
     theme,
     units: [units.angle, units.length],
@@ -111,6 +113,53 @@ function tableFrom(t) {
   };
 }
 
+const STEPS = { joint: 0, line: 0, circle: 0, wait: 'seconds', gripper: 'value', output: 'port' };
+function stepFrom(x, n) {
+  if (!x || !Object.hasOwn(STEPS, x.kind)) return null;
+  const key = STEPS[x.kind];
+  if (key)
+    return isNumber(x[key])
+      ? { kind: x.kind, [key]: x[key], ...(x.kind === 'output' ? { value: Boolean(x.value) } : {}) }
+      : null;
+  const q = x.kind === 'joint' && numbers(x.q, n) ? x.q.slice() : null,
+    T = pose(x.T);
+  if (!T || (x.kind === 'circle' && !pose(x.via))) return null;
+  const some = (key, v) => (v === null ? {} : { [key]: v });
+  return {
+    kind: x.kind,
+    ...some('q', q),
+    T,
+    ...some('via', pose(x.via)),
+    ...some('speed', isNumber(x.speed) && x.speed > 0 ? x.speed : null),
+    blend: isNumber(x.blend) && x.blend >= 0 ? x.blend : 0,
+  };
+}
+const BODIES = { frame: [], box: ['size'], cylinder: ['r', 'h'] };
+function thingFrom(x) {
+  if (!x || !Object.hasOwn(BODIES, x.kind)) return null;
+  const T = pose(x.T),
+    name = text(x.name, 40);
+  const good = (k) => (k === 'size' ? numbers(x.size, 3) && x.size.every((v) => v > 0) : isNumber(x[k]) && x[k] > 0);
+  if (!T || !name || !BODIES[x.kind].every(good)) return null;
+  return {
+    kind: x.kind,
+    name,
+    T,
+    role: x.role === 'object' ? 'object' : 'obstacle',
+    ...Object.fromEntries(BODIES[x.kind].map((k) => [k, x[k]])),
+  };
+}
+function restoreProgram(s, n) {
+  const list = (v, f, most) => (Array.isArray(v) ? v.slice(0, most).map(f).filter(Boolean) : []);
+  const p = s.program ?? {};
+  state.program = list(p.steps, (x) => stepFrom(x, n), 200);
+  state.start = numbers(p.start, n) ? p.start.slice() : null;
+  state.limits = Object.fromEntries(
+    Object.entries(p.limits ?? {}).filter(([k, v]) => k.length < 30 && (v === null || (isNumber(v) && v > 0))),
+  );
+  state.world = list(s.world, thingFrom, 60);
+}
+
 /** Take a state; throws with the reason when it is not one of ours. */
 export function restore(s, showPanel) {
   const table = s && s.pieper === VERSION ? tableFrom(s.table) : null;
@@ -137,6 +186,7 @@ export function restore(s, showPanel) {
     .filter((x) => x && numbers(x.q, n) && isNumber(x.seconds) && isNumber(x.hold))
     .slice(0, 40)
     .map((x) => ({ name: text(x.name, 20) || 'P', q: x.q.slice(), seconds: x.seconds, hold: x.hold }));
+  restoreProgram(s, n);
   if (['pose', 'position', 'position+axis'].includes(s.task)) options.task = s.task;
   const held = Object.entries(s.redundancy ?? {}).filter(([name, v]) => name.length < 80 && isNumber(v));
   options.redundancy = held.length ? Object.fromEntries(held.slice(0, MOST_JOINTS)) : null;
@@ -145,7 +195,7 @@ export function restore(s, showPanel) {
   const target = pose(s.target);
   state.hasTarget = Boolean(target);
   if (target) setTarget(target, 'restored', digits(s.digits));
-  for (const topic of ['units', 'notation', 'sequence-loaded', 'task']) tell(topic);
+  for (const topic of ['units', 'notation', 'sequence-loaded', 'task', 'program', 'world']) tell(topic);
   showPanel(s.panel);
   tell('path-loaded');
   if (numbers(s.camera, 6)) setCamera(s.camera);
@@ -210,5 +260,22 @@ const keep = debounce(async () => {
 /** Keep the address in step with the page, so that reloading or bookmarking loses nothing. */
 export function begin() {
   addEventListener('pagehide', leave);
-  on(['table', 'q', 'target', 'solutions', 'units', 'notation', 'panel', 'path', 'sequence', 'theme', 'frames'], keep);
+  on(
+    [
+      'table',
+      'q',
+      'target',
+      'solutions',
+      'units',
+      'notation',
+      'panel',
+      'path',
+      'sequence',
+      'program',
+      'world',
+      'theme',
+      'frames',
+    ],
+    keep,
+  );
 }

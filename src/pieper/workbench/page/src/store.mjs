@@ -25,6 +25,8 @@ export const state = {
   sequence: { postures: [], rate: 50 },
   motion: null,
   program: [], // steps, each an object that is replaced and never written into
+  limits: null, // of the program's motion, SI; null for the usual ones
+  start: null, // where the program begins, joint values
   world: [], // what stands around the arm, likewise
   panel: 'move',
   theme: 'auto',
