@@ -58,9 +58,10 @@ _LATER = {
     "sequence": "pieper.motion.sequence",
     "time_law": "pieper.motion.time_law",
     "whole_file": "pieper.document.writing",
+    "workbench": "pieper.workbench",
     "write_report": "pieper.presentation.report",
 }
-_MODULES = ("plot", "sections")
+_MODULES = ("plot", "sections", "workbench")
 
 __all__ = [
     "DH",
@@ -102,6 +103,7 @@ __all__ = [
     "time_law",
     "ur_calibrated",
     "whole_file",
+    "workbench",
     "write_report",
 ]
 
