@@ -2,9 +2,9 @@
 
 from collections.abc import Callable, Iterable
 from enum import IntFlag
-from typing import Final
+from typing import Any, Final
 
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
 
 isa: str
 isa_available: str
@@ -290,6 +290,33 @@ class Selection:
     ) -> None:
         """The same, each near to the one chosen before it."""
 
+class CarefulLook:
+    """What is free at a singular pose of six joints, read off the axes of a solver's rows."""
+
+    def __init__(
+        self,
+        solver: Solver,
+        *,
+        links: ArrayLike,
+        prismatic: ArrayLike,
+        length: float,
+        lower: ArrayLike,
+        upper: ArrayLike,
+    ) -> None: ...
+    def one(self, T: ArrayLike, q: ArrayLike, flag: int) -> tuple[Any, ...] | None:
+        """What `pieper.solver.native.Read` holds of a pose (4, 4), rows (m, 6), flag; None if not read off."""
+
+    def into(
+        self,
+        Ts: ArrayLike,
+        index: Indices,
+        q: Array,
+        valid: Bools,
+        in_limits: Bools,
+        flag: Bits,
+    ) -> Bits:
+        """Write rows of the poses that index (k,) names; (k,) 0: not read off, 2: with a self-motion, 1: else."""
+
 class Solver:
     """Every solution of poses by the kernel of one family."""
 
@@ -354,3 +381,17 @@ def deviations(Ts: ArrayLike) -> Array:
 
 def sincos(x: ArrayLike) -> Array: ...
 def atan2(yx: ArrayLike) -> Array: ...
+def nearer(
+    *,
+    links: ArrayLike,
+    prismatic: ArrayLike,
+    length: float,
+    coupling: ArrayLike | None,
+    lower: ArrayLike,
+    upper: ArrayLike,
+    q: ArrayLike,
+    T: ArrayLike,
+    turning: ArrayLike,
+    steps: int,
+) -> tuple[Array, Array]:
+    """Go downhill from q (k, n) to T (4, 4): (k, n) and what is left (k,)."""
