@@ -12,6 +12,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status
 
 if TYPE_CHECKING:
+    from pieper import jax, torch
     from pieper.description.quantity import evaluate
     from pieper.document.writing import whole_file
     from pieper.judge import Judgement, check
@@ -42,6 +43,7 @@ _LATER = {
     "check": "pieper.judge",
     "evaluate": "pieper.description.quantity",
     "fastest_constant_speed": "pieper.motion.constant_speed",
+    "jax": "pieper.jax",
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
     "pose": "pieper.kinematics.spoken",
@@ -52,10 +54,11 @@ _LATER = {
     "sections": "pieper.presentation.sections",
     "sequence": "pieper.motion.sequence",
     "time_law": "pieper.motion.time_law",
+    "torch": "pieper.torch",
     "whole_file": "pieper.document.writing",
     "write_report": "pieper.presentation.report",
 }
-_MODULES = ("plot", "sections")
+_MODULES = ("jax", "plot", "sections", "torch")
 
 __all__ = [
     "DH",
@@ -80,6 +83,7 @@ __all__ = [
     "check",
     "evaluate",
     "fastest_constant_speed",
+    "jax",
     "line",
     "load",
     "move",
@@ -92,6 +96,7 @@ __all__ = [
     "sections",
     "sequence",
     "time_law",
+    "torch",
     "ur_calibrated",
     "whole_file",
     "write_report",

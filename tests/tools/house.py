@@ -36,7 +36,7 @@ FLOORS = (
     ("judge",),
     ("maps", "calibration", "code"),
     ("presentation",),
-    ("at_scale",),
+    ("at_scale", "jax", "torch"),
     ("arm",),
     ("arms",),
     ("__init__",),
