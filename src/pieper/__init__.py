@@ -12,6 +12,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status
 
 if TYPE_CHECKING:
+    from pieper import jax, torch
     from pieper.description.quantity import evaluate
     from pieper.document.writing import whole_file
     from pieper.judge import Judgement, check
@@ -44,6 +45,7 @@ _LATER = {
     "check": "pieper.judge",
     "evaluate": "pieper.description.quantity",
     "fastest_constant_speed": "pieper.motion.constant_speed",
+    "jax": "pieper.jax",
     "load_program": "pieper.motion.program_file",
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
@@ -57,11 +59,12 @@ _LATER = {
     "sections": "pieper.presentation.sections",
     "sequence": "pieper.motion.sequence",
     "time_law": "pieper.motion.time_law",
+    "torch": "pieper.torch",
     "whole_file": "pieper.document.writing",
     "workbench": "pieper.workbench",
     "write_report": "pieper.presentation.report",
 }
-_MODULES = ("plot", "sections", "workbench")
+_MODULES = ("jax", "plot", "sections", "torch", "workbench")
 
 __all__ = [
     "DH",
@@ -86,6 +89,7 @@ __all__ = [
     "check",
     "evaluate",
     "fastest_constant_speed",
+    "jax",
     "line",
     "load",
     "load_program",
@@ -101,6 +105,7 @@ __all__ = [
     "sections",
     "sequence",
     "time_law",
+    "torch",
     "ur_calibrated",
     "whole_file",
     "workbench",
