@@ -1,6 +1,7 @@
 // The Python module pieper._kernel: forward kinematics of a chain, and the solver that all inverse families share.
 #include <cmath>
 
+#include "binding/collision.hpp"
 #include "binding/fields.hpp"
 #include "binding/selection.hpp"
 #include "binding/time_law.hpp"
@@ -338,6 +339,7 @@ NB_MODULE(_kernel, m) {
            "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 
   bind_time_law(m);
+  bind_collision(m);
   m.def("deviations", &deviations, nb::arg("Ts"),
         "(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite.");
   m.def(

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from pieper.description.coupling import checked_coupling
+from pieper.description.shapes import Body
 from pieper.errors import InputError, PieperWarning
 from pieper.kinematics.pose import PoseLike, checked_pose
 from pieper.words_by_number import plural
@@ -105,6 +106,8 @@ class Description:
         tools: Named poses (4, 4) of other tools, in the table's last frame as `tool` is.
         frames: Named poses (4, 4) of places, in the frame in which `base` is.
         remarks: What was read differently from the file the arm came from, in sentences.
+        bodies: What the arm is made of; empty where nothing is known.
+        allowed: Pairs of names of bodies that may touch, beside neighbours.
     """
 
     name: str
@@ -128,6 +131,8 @@ class Description:
     tools: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
     frames: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
+    bodies: tuple[Body, ...] = ()
+    allowed: tuple[tuple[str, str], ...] = ()
 
     @property
     def n(self) -> int:
