@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 from weakref import WeakKeyDictionary
@@ -52,7 +53,7 @@ class AtScale:
     def _joints(self, q: ArrayLike | str, what: str = "q") -> ArrayLike:
         raise NotImplementedError
 
-    @property
+    @cached_property
     def bodies(self) -> Bodies:
         """What the arm is made of: from its file where that has bodies, guessed from its table where not.
 
@@ -124,7 +125,7 @@ class AtScale:
         if not isinstance(around, Scene):
             raise InputError(f"the scene must be a pieper.Scene, got {type(around).__name__}.", given=scene)
         if around not in self._models:
-            self._models[around] = model_of(self.description, self.chain, around)
+            self._models[around] = model_of(self.description, self.chain, self.bodies, around)
         return self._models[around]
 
     def calibrate(

@@ -6,8 +6,8 @@ import numpy as np
 
 from pieper.calibration.model import AxesModel
 from pieper.description.bodyfield import body_tables
-from pieper.description.carry import frames_of
 from pieper.description.dh import Description
+from pieper.description.fold import frames_of
 from pieper.description.keys import quantity_key
 from pieper.description.robottext import contents, text_of
 

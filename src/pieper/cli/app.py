@@ -14,6 +14,7 @@ COMMANDS = {
     "fk": "From joints to the pose of the tool.",
     "ik": "From a pose, or a file of poses, to every solution.",
     "path": "Follow straight lines with one branch.",
+    "clear": "Prove that a path touches nothing.",
     "report": "Write everything about an arm on one page.",
     "map": "Fill a box with answers: what the arm reaches.",
     "calibrate": "Fit an arm to what was measured.",

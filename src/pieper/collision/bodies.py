@@ -9,6 +9,7 @@ from pieper.collision.guess import guessed
 from pieper.description.bodyfield import BASE, TOOL
 from pieper.description.dh import Description
 from pieper.description.shapes import KINDS, Body, Shape, unique_names
+from pieper.description.tree_bodies import known_bodies
 from pieper.errors import InputError
 from pieper.words_by_number import plural
 
@@ -23,11 +24,13 @@ class Bodies(Sequence[Body]):
         bodies: In the order of the links.
         allowed: Pairs of names that may touch: neighbours, what overlaps in every posture, and what was said.
         arm: The arm's name.
+        notes: What of its file was left out, in sentences.
     """
 
     bodies: tuple[Body, ...]
     allowed: frozenset[frozenset[str]]
     arm: str = "arm"
+    notes: tuple[str, ...] = ()
 
     def __len__(self) -> int:
         return len(self.bodies)
@@ -55,7 +58,7 @@ class Bodies(Sequence[Body]):
             lines.append(f"  {body.name}: {KINDS[type(body.shape)]}, {body.source or 'as it was said'}")
         pairs = sorted(" and ".join(sorted(pair)) for pair in self.allowed)
         lines.append(f"These may touch: {'; '.join(pairs) if pairs else 'none'}.")
-        return "\n".join(lines)
+        return "\n".join([*lines, *self.notes])
 
     def __repr__(self) -> str:
         kind = "guessed from the table" if self.guessed else "as described"
@@ -67,7 +70,7 @@ def bodies_of(arm: Description) -> Bodies:
 
     Bodies on the tool alone say nothing of the links, which are guessed beside them.
     """
-    said, always = arm.bodies, set()
+    (said, notes), always = known_bodies(arm), set()
     if not any(1 <= body.on <= arm.n for body in said):
         own, always = guessed(arm)
         if any(body.on > arm.n for body in said):
@@ -80,7 +83,7 @@ def bodies_of(arm: Description) -> Bodies:
         always = {frozenset(names[name] for name in pair) for pair in always if pair <= set(names)}
     ordered = tuple(sorted(said, key=lambda body: body.on))
     pairs = {frozenset(pair) for pair in arm.allowed} | _neighbours(arm, ordered) | always
-    return Bodies(ordered, frozenset(pairs), arm.name)
+    return Bodies(ordered, frozenset(pairs), arm.name, notes)
 
 
 def _place(arm: Description, body: Body) -> int:
@@ -132,13 +135,13 @@ def with_bodies(
                     given=shape,
                 )
             new.append(Body(shape.name or place, places.index(place), shape))
-    kept = () if instead else arm.bodies
+    kept = () if instead else known_bodies(arm)[0]
     taken = [body.name for body in kept]
     for body in new:
         if body.shape.name and (taken + [b.name for b in new if b is not body]).count(body.name):
             raise InputError(f"the name {body.name!r} is used twice; names of bodies must differ.", given=body.name)
     names = unique_names([*taken, *(body.name for body in new)])[len(taken) :]
-    out = replace(arm, bodies=(*kept, *(replace(b, name=n) for b, n in zip(new, names, strict=True))))
+    out = replace(arm, unmeasured=None, bodies=(*kept, *(replace(b, name=n) for b, n in zip(new, names, strict=True))))
     known = bodies_of(out).names
     for name in (name for pair in allowed for name in pair):
         if name not in known:

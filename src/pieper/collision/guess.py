@@ -7,9 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from pieper.description.carry import frames_of
 from pieper.description.dh import Description
-from pieper.description.fold import chain_of
+from pieper.description.fold import chain_of, frames_of
 from pieper.description.shapes import Body, Capsule, unique_names
 from pieper.kinematics.pose import inverse
 

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pieper import _kernel
-from pieper.collision.bodies import Bodies, bodies_of
+from pieper.collision.bodies import Bodies
 from pieper.collision.scene import Scene
 from pieper.description.dh import Description
 from pieper.description.shapes import Box, Capsule, Convex, Cylinder, Shape, corners
@@ -90,13 +90,12 @@ class Model:
         return np.ascontiguousarray(q if self.chain.coupling is None else q @ self.chain.coupling.T)
 
 
-def model_of(arm: Description, chain: Chain, scene: Scene) -> Model:
+def model_of(arm: Description, chain: Chain, bodies: Bodies, scene: Scene) -> Model:
     """Return what must keep apart: every body from every obstacle, and from every body that is no neighbour.
 
     Raises:
         InputError: A pair that may touch names no body of this arm.
     """
-    bodies = bodies_of(arm)
     _check_allowed(bodies, scene)
     n = arm.n
     after = [np.eye(4), *chain.frames_after, chain.links[n]]

@@ -8,16 +8,12 @@ import numpy as np
 import numpy.typing as npt
 
 from pieper.description.dh import Description
-from pieper.description.fold import chain_of
+from pieper.description.fold import frames_of
 from pieper.description.shapes import Body
+from pieper.description.tree_bodies import known_bodies
 from pieper.kinematics.pose import inverse
 
 Array = npt.NDArray[np.float64]
-
-
-def frames_of(arm: Description, q: Array) -> Array:
-    """Return the frames (n + 2, 4, 4) that bodies are said in, of a joint vector (n,): base, links, tool."""
-    return chain_of(arm).native.frames(q, arm.base)
 
 
 def carried(
@@ -38,8 +34,9 @@ def carried(
         on: Number of a frame of the first (0 base, links, n + 1 tool) -> the one of the second that moves with it.
         world: (4, 4) the first's world in the second's; the identity when left out.
     """
-    if not old.bodies:
+    bodies, _ = known_bodies(old)
+    if not bodies:
         return ()
     before, after = frames_of(old, q_old), frames_of(new, q_new)
     world = np.eye(4) if world is None else world
-    return tuple(body.moved(inverse(after[on(body.on)]) @ world @ before[body.on], on(body.on)) for body in old.bodies)
+    return tuple(body.moved(inverse(after[on(body.on)]) @ world @ before[body.on], on(body.on)) for body in bodies)

@@ -106,7 +106,7 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
     bodies = carried(
         arm, kept, q, np.zeros(len(free)), lambda k: len(free) + 1 if k > arm.n else sum(i < k for i in free)
     )
-    kept = replace(kept, tools={k: _frozen(T) for k, T in moved.items()}, bodies=bodies, allowed=arm.allowed)
+    kept = replace(kept, bodies=bodies, allowed=arm.allowed, tools={k: _frozen(T) for k, T in moved.items()})
     return to_convention(kept, arm.convention)
 
 
@@ -134,7 +134,7 @@ def to_convention(arm: Description, convention: str) -> Description:
         tool=_frozen(last @ arm.tool),
         tools={name: _frozen(last @ T) for name, T in arm.tools.items()},
     )
-    return replace(other, bodies=carried(arm, other, np.zeros(arm.n), np.zeros(arm.n)))
+    return replace(other, bodies=carried(arm, other, np.zeros(arm.n), np.zeros(arm.n)), unmeasured=None)
 
 
 def reversed_arm(arm: Description) -> Description:
@@ -165,7 +165,7 @@ def reversed_arm(arm: Description) -> Description:
     q = np.zeros(arm.n)
     at_zero = chain_of(arm).native.fk(q)
     bodies = carried(arm, turned, q, q, lambda k: max(arm.n - k, 0), inverse(at_zero))
-    return to_convention(replace(turned, bodies=bodies), arm.convention)
+    return to_convention(replace(turned, bodies=bodies, unmeasured=None), arm.convention)
 
 
 def _described_anew(arm: Description, **changes: object) -> Description:

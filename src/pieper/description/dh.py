@@ -12,7 +12,7 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from pieper.description.coupling import checked_coupling
-from pieper.description.shapes import Body
+from pieper.description.shapes import Body, Unmeasured
 from pieper.errors import InputError, PieperWarning
 from pieper.kinematics.pose import PoseLike, checked_pose
 from pieper.words_by_number import plural
@@ -108,6 +108,7 @@ class Description:
         remarks: What was read differently from the file the arm came from, in sentences.
         bodies: What the arm is made of; empty where nothing is known.
         allowed: Pairs of names of bodies that may touch, beside neighbours.
+        unmeasured: Where bodies are to be had, when there are none yet.
     """
 
     name: str
@@ -133,6 +134,7 @@ class Description:
     remarks: tuple[str, ...] = ()
     bodies: tuple[Body, ...] = ()
     allowed: tuple[tuple[str, str], ...] = ()
+    unmeasured: Unmeasured | None = None
 
     @property
     def n(self) -> int:

@@ -10,10 +10,10 @@ import numpy as np
 
 from pieper.description.axes import UNIT_SLACK
 from pieper.description.bodyfield import allowed_of, bodies_of
-from pieper.description.carry import frames_of
 from pieper.description.commonnormal import standard_table
 from pieper.description.dh import CONVENTIONS, DH, Actuator, Check, Description, describe
 from pieper.description.fields import needed_key, number, numbers, one_key, quantity
+from pieper.description.fold import frames_of
 from pieper.description.place import Place, kind_of
 from pieper.description.posefield import pose_of
 from pieper.description.quantity import UNITS, UNITS_OF

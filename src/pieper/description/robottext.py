@@ -10,6 +10,7 @@ from pieper.description.bodyfield import body_tables
 from pieper.description.dh import Actuator, Check, Description
 from pieper.description.keys import pose_keys, quantity_key
 from pieper.description.quantity import best_unit, in_unit, same_bits
+from pieper.description.tree_bodies import known_bodies
 
 #: Texts longer than this are folded.
 _LONG_TEXT = 110
@@ -39,8 +40,8 @@ def contents(description: Description) -> dict:
             top[key] = {name: pose_keys(T) for name, T in poses.items()}
     if description.postures:
         top["postures"] = {name: _joint_vector(q, description.joint_types) for name, q in description.postures.items()}
-    if description.bodies:
-        top["bodies"] = body_tables(description.bodies, description.joint_names)
+    if bodies := known_bodies(description)[0]:
+        top["bodies"] = body_tables(bodies, description.joint_names)
     if description.allowed:
         top["collision"] = {"allowed": [list(pair) for pair in description.allowed]}
     if description.checks:

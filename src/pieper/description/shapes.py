@@ -167,6 +167,27 @@ class Body:
         return replace(self, shape=self.shape.moved(T), on=self.on if on is None else on)
 
 
+@dataclass(frozen=True, eq=False)
+class Unmeasured:
+    """A file whose shapes have not been looked at: meshes are read when somebody asks for bodies.
+
+    Args:
+        data: The text of the URDF.
+        file: Its place.
+        exact_angles: How it was read.
+        base: Link of the base.
+        tip: Link of the tool.
+        at: (4, 4) the arm's first frame when it was read.
+    """
+
+    data: bytes
+    file: str
+    exact_angles: bool
+    base: str
+    tip: str
+    at: Array
+
+
 def corners(shape: Shape) -> tuple[Array, float]:
     """Return points (k, 3) and a radius: the shape lies inside the hull of balls of that radius about the points."""
     if isinstance(shape, Capsule):
