@@ -13,7 +13,10 @@ from pieper.solver.results import SolutionBatch, Solutions, Status
 
 if TYPE_CHECKING:
     from pieper import jax, torch
+    from pieper.collision.scene import Scene
+    from pieper.collision.swept import Clearance, Swept
     from pieper.description.quantity import evaluate
+    from pieper.description.shapes import Body, Box, Capsule, Convex, Cylinder
     from pieper.document.writing import whole_file
     from pieper.judge import Judgement, check
     from pieper.kinematics.spoken import pose, read_pose
@@ -36,6 +39,14 @@ __version__ = "0.1.0"
 
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
+    "Body": "pieper.description.shapes",
+    "Box": "pieper.description.shapes",
+    "Capsule": "pieper.description.shapes",
+    "Clearance": "pieper.collision.swept",
+    "Convex": "pieper.description.shapes",
+    "Cylinder": "pieper.description.shapes",
+    "Scene": "pieper.collision.scene",
+    "Swept": "pieper.collision.swept",
     "Judgement": "pieper.judge",
     "Limits": "pieper.motion.limits",
     "Motion": "pieper.motion.motion",
@@ -70,6 +81,12 @@ __all__ = [
     "DH",
     "Actuator",
     "Arm",
+    "Body",
+    "Box",
+    "Capsule",
+    "Clearance",
+    "Convex",
+    "Cylinder",
     "InputError",
     "Judgement",
     "Limits",
@@ -80,10 +97,12 @@ __all__ = [
     "Plan",
     "PlanError",
     "Program",
+    "Scene",
     "SelfMotion",
     "SolutionBatch",
     "Solutions",
     "Status",
+    "Swept",
     "Track",
     "catalog",
     "check",

@@ -29,6 +29,30 @@ class Forward:
     def frames(self, q: ArrayLike, base: ArrayLike) -> Array: ...
     def jacobian(self, q: ArrayLike) -> Array: ...
 
+class Collision:
+    """Bodies on a chain and around it, and the pairs of them that must keep apart."""
+
+    def __init__(
+        self,
+        *,
+        links: npt.ArrayLike,
+        prismatic: npt.ArrayLike,
+        link: npt.ArrayLike,
+        place: npt.ArrayLike,
+        half: npt.ArrayLike,
+        radius: npt.ArrayLike,
+        kind: npt.ArrayLike,
+        pair: npt.ArrayLike,
+        outer: npt.ArrayLike,
+    ) -> None: ...
+    @property
+    def pairs(self) -> int: ...
+    def nearest(self, q: Array, points: bool = True) -> tuple[Array, npt.NDArray[np.int32], Array, Array]: ...
+    def each(self, q: Array) -> Array: ...
+    def sweep(
+        self, q: Array, margin: float, gap: float, slack: float
+    ) -> tuple[bool, float, int, float, int, float, int, float, int, list[tuple[int, int]]]: ...
+
 class Geometry:
     """What a family is told of an arm: made from keyword arguments, unchangeable, picklable."""
 
