@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "binding/careful.hpp"
+#include "binding/collision.hpp"
 #include "binding/fields.hpp"
 #include "binding/nearer.hpp"
 #include "binding/time_law.hpp"
@@ -183,6 +184,7 @@ NB_MODULE(_kernel, m) {
   bind_careful(m);
   bind_nearer(m);
   bind_time_law(m);
+  bind_collision(m);
   m.def("deviations", &deviations, nb::arg("Ts"),
         "(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite.");
   m.def(

@@ -4,6 +4,9 @@ from collections.abc import Callable, Iterable
 from enum import IntFlag
 from typing import Any, Final
 
+import numpy as np
+import numpy.typing as npt
+
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
 
 isa: str
@@ -28,6 +31,29 @@ class Forward:
     def fk(self, q: ArrayLike) -> Array: ...
     def frames(self, q: ArrayLike, base: ArrayLike) -> Array: ...
     def jacobian(self, q: ArrayLike) -> Array: ...
+
+class Collision:
+    """Bodies on a chain and around it, and the pairs of them that must keep apart."""
+
+    def __init__(
+        self,
+        *,
+        links: ArrayLike,
+        prismatic: ArrayLike,
+        link: ArrayLike,
+        place: ArrayLike,
+        half: ArrayLike,
+        radius: ArrayLike,
+        kind: ArrayLike,
+        pair: ArrayLike,
+        outer: ArrayLike,
+    ) -> None: ...
+    pairs: Final[int]
+    def nearest(self, q: Array, points: bool = True) -> tuple[Array, npt.NDArray[np.int32], Array, Array]: ...
+    def each(self, q: Array) -> Array: ...
+    def sweep(
+        self, q: Array, margin: float, gap: float, slack: float
+    ) -> tuple[bool, float, int, float, int, float, int, float, int, list[tuple[int, int]]]: ...
 
 class Geometry:
     """What a family is told of an arm: made from keyword arguments, unchangeable, picklable."""

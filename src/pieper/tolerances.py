@@ -261,6 +261,12 @@ HIDDEN_PARALLEL = 1e-10
 #: Squared distance from axis 1 that a reciprocal is kept above.
 HIDDEN_ON_AXIS = 1e-30
 
+# ---- kernels: of collision (m, or as said) ----
+#: Squared length of a direction (a product of two unit vectors) below which two edges are parallel and say nothing.
+TOUCHING_FLAT = 1e-20
+#: What a distance between bodies may be off by rounding, per metre of the largest number in it: ten times the seen.
+DISTANCE_ROUNDING = 1e-14
+
 # ---- kernels: of the elimination (scaled lengths; rad) ----
 #: What polishing must leave of the miss: 1e-15 unless singular.
 GENERAL_VERIFIED = 1e-11
@@ -358,6 +364,13 @@ SWP_TILTED = 1e-12
 SWP_IN_PLANE = 1e-9
 #: Inner links that are together shorter than this part of the largest are no measure of length.
 LENGTHLESS = 1e-9
+
+# ---- collision ----
+#: How near to the margin a distance may stay undecided in a look at a whole path, m, where nothing else is said.
+CLEARANCE_GAP = 1e-6
+#: What coal is told to stop at, m, and how far off what it says is taken to be: ten times what was seen of hulls.
+HULL_STEP = 1e-10
+HULL_ROUNDING = 1e-8
 
 # ---- calibration ----
 #: By how much an axis of a built arm plausibly departs from the nominal one (rad; per length of the arm): a few

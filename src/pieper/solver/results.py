@@ -15,6 +15,7 @@ from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slo
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.joints import TURN
 from pieper.kinematics.pose import reason_against
+from pieper.solver.marked import Marked
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Chosen, Flag, Refused, Rows
 from pieper.solver.singular.examined import Examined
@@ -89,7 +90,7 @@ class Solution:
     residual: Array
 
 
-class Solutions(Sequence[Solution]):
+class Solutions(Marked, Sequence[Solution]):
     """Every solution of one pose: a sequence of those inside the limits.
 
     Attributes:
@@ -140,6 +141,7 @@ class Solutions(Sequence[Solution]):
         self._q: Array | None = None
         self._why: str | None = None
         self._closest: Closest | None = None
+        self.keep_clear(None)
 
     @property
     def q(self) -> Array:
