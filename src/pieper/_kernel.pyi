@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from enum import IntFlag
 from typing import Any, Final
 
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 
 isa: str
 isa_available: str
@@ -35,19 +35,19 @@ class Collision:
     def __init__(
         self,
         *,
-        links: npt.ArrayLike,
-        prismatic: npt.ArrayLike,
-        link: npt.ArrayLike,
-        place: npt.ArrayLike,
-        half: npt.ArrayLike,
-        radius: npt.ArrayLike,
-        kind: npt.ArrayLike,
-        pair: npt.ArrayLike,
-        outer: npt.ArrayLike,
+        links: ArrayLike,
+        prismatic: ArrayLike,
+        link: ArrayLike,
+        place: ArrayLike,
+        half: ArrayLike,
+        radius: ArrayLike,
+        kind: ArrayLike,
+        pair: ArrayLike,
+        outer: ArrayLike,
     ) -> None: ...
     @property
     def pairs(self) -> int: ...
-    def nearest(self, q: Array, points: bool = True) -> tuple[Array, npt.NDArray[np.int32], Array, Array]: ...
+    def nearest(self, q: Array, points: bool = True) -> tuple[Array, Slots, Array, Array]: ...
     def each(self, q: Array) -> Array: ...
     def sweep(
         self, q: Array, margin: float, gap: float, slack: float
