@@ -4,10 +4,7 @@ from collections.abc import Callable, Iterable
 from enum import IntFlag
 from typing import Any, Final
 
-import numpy as np
-import numpy.typing as npt
-
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 
 isa: str
 isa_available: str
@@ -49,7 +46,7 @@ class Collision:
         outer: ArrayLike,
     ) -> None: ...
     pairs: Final[int]
-    def nearest(self, q: Array, points: bool = True) -> tuple[Array, npt.NDArray[np.int32], Array, Array]: ...
+    def nearest(self, q: Array, points: bool = True) -> tuple[Array, Slots, Array, Array]: ...
     def each(self, q: Array) -> Array: ...
     def sweep(
         self, q: Array, margin: float, gap: float, slack: float
