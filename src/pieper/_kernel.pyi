@@ -473,7 +473,6 @@ def deviations(Ts: npt.ArrayLike) -> Array:
 
 def sincos(x: npt.ArrayLike) -> Array: ...
 def atan2(yx: npt.ArrayLike) -> Array: ...
-
 def nearer(
     *,
     links: npt.ArrayLike,
