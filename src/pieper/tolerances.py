@@ -377,3 +377,14 @@ CALIBRATION_STEPS = 60
 MISREAD = 0.2
 #: Data that miss the nominal arm by less than this part of its length are not suspected of a wrong reading.
 SUSPICIOUS = 0.03
+
+# ---- verify ----
+#: Two programs that agree differ by their rounding alone (per length; rad): a few hundred operations leave 1e-13, a
+#: file's sixteen digits no more.
+VERIFY_AGREES = 1e-10
+#: What a toolbox calls a solution misses its pose by no more than this (per length; rad).
+VERIFY_SETTLED = 1e-10
+#: A solution of a toolbox is one of ours when the joints depart by no more than this (rad; per length),
+VERIFY_KNOWN = 1e-6
+#: and by this over the smallest singular value, since a pose that is met so well says no more about the joints.
+VERIFY_PER_SIGMA = 1e-9

@@ -79,6 +79,23 @@ class Check:
     tolerance: float = 1e-9
 
 
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """The robot file of another format that an arm was read from, as long as nothing about the arm was changed.
+
+    Args:
+        file: Its path.
+        kind: "URDF" or "MJCF".
+        base: Link or body the chain begins at.
+        tip: Link, body or site it ends at.
+    """
+
+    file: str
+    kind: str
+    base: str
+    tip: str
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Description:
     """Everything that is said about an arm before any mathematics.
@@ -105,6 +122,7 @@ class Description:
         tools: Named poses (4, 4) of other tools, in the table's last frame as `tool` is.
         frames: Named poses (4, 4) of places, in the frame in which `base` is.
         remarks: What was read differently from the file the arm came from, in sentences.
+        origin: The URDF or MJCF that others can read too; None for any other arm.
     """
 
     name: str
@@ -128,6 +146,7 @@ class Description:
     tools: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
     frames: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
+    origin: Origin | None = None
 
     @property
     def n(self) -> int:

@@ -130,7 +130,7 @@ class Solutions(Sequence[Solution]):
     ) -> None:
         self._plan = plan
         self._words = words
-        self.T = T
+        self.T = T  # pyright: ignore[reportConstantRedefinition]  # a pose, not a constant
         self.all_q = all_q
         self.slots = slots
         self.in_limits = in_limits

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
+from numbers import Integral
 from typing import Any
 
 import numpy as np
@@ -212,8 +213,7 @@ def _checked(Ts: PoseLike) -> Array:
 def _threads(threads: Any) -> int:
     if threads is None:
         return os.cpu_count() or 1
-    whole: type[Any] | tuple[type[Any], ...] = (int, np.integer)
-    count = int(threads) if isinstance(threads, whole) else 0
+    count = int(threads) if isinstance(threads, Integral) else 0
     if count < 1:
         raise InputError(
             f"threads must be a whole number of at least 1, or None for all cores, got {threads!r}.", given=threads
@@ -287,7 +287,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         status[seen] = _PLAIN[1 + _any(rows.inside[seen])]
         status[curve[_any(rows.inside[curve])]] = np.uint8(Status.SINGULAR)
         index = index[read == 0]
-    for i in index:
+    for i in index.tolist():
         # the same road as `ik`, so that both start from the same digits
         T = checked_pose(poses[i])
         q, _, _, flag = plan.solver.one(T) if plan.direct else rows.of(i)

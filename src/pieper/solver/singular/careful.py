@@ -93,6 +93,5 @@ def overlooked(plan: Plan, poses: Array) -> Bools:
     They may be singular, or lie at the edge of reach.
     """
     aside = side_steps(plan.chain, poses, (1e-9,))
-    count = aside.shape[1]
     valid = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[1]
-    return valid.reshape(len(poses), count, -1).any((1, 2))
+    return np.any(valid.reshape(len(poses), -1), axis=1)
