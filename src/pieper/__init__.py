@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from pieper.motion.limits import Limits
     from pieper.motion.motion import Motion
     from pieper.motion.program import Program
+    from pieper.motion.program_file import load_program, save_program
+    from pieper.motion.recorded import read_motion
     from pieper.motion.sequence import move, sequence
     from pieper.motion.time_law import time_law
     from pieper.motion.track import Track
@@ -53,20 +55,24 @@ _LATER = {
     "check": "pieper.judge",
     "evaluate": "pieper.description.quantity",
     "fastest_constant_speed": "pieper.motion.constant_speed",
+    "load_program": "pieper.motion.program_file",
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
     "pose": "pieper.kinematics.spoken",
     "poses": "pieper.kinematics.spoken_many",
+    "read_motion": "pieper.motion.recorded",
     "read_pose": "pieper.kinematics.spoken",
     "read_program": "pieper.motion.dialects.files",
     "report": "pieper.presentation.report",
+    "save_program": "pieper.motion.program_file",
     "sections": "pieper.presentation.sections",
     "sequence": "pieper.motion.sequence",
     "time_law": "pieper.motion.time_law",
     "whole_file": "pieper.document.writing",
+    "workbench": "pieper.workbench",
     "write_report": "pieper.presentation.report",
 }
-_MODULES = ("plot", "sections")
+_MODULES = ("plot", "sections", "workbench")
 
 __all__ = [
     "DH",
@@ -101,18 +107,22 @@ __all__ = [
     "fastest_constant_speed",
     "line",
     "load",
+    "load_program",
     "move",
     "plot",
     "pose",
     "poses",
+    "read_motion",
     "read_pose",
     "read_program",
     "report",
+    "save_program",
     "sections",
     "sequence",
     "time_law",
     "ur_calibrated",
     "whole_file",
+    "workbench",
     "write_report",
 ]
 

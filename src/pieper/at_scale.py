@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Swept
     from pieper.maps.reach_map import ReachMap
+    from pieper.verify.comparison import Comparison
 
 
 class AtScale:
@@ -221,6 +222,21 @@ class AtScale:
         from pieper.maps.reach_map import reach_map
 
         return reach_map(self.plan, box, step, orientations, symmetry, store, executor)
+
+    def verify(self, toolbox: str, *, poses: int = 100, seed: int = 0) -> Comparison:
+        """Compare the arm with what an independent toolbox makes of it; see docs/verify.md.
+
+        Args:
+            toolbox: "roboticstoolbox", "pinocchio" or "mujoco", each an extra of its name.
+            poses: How many random postures; inverse solutions are compared at a quarter of them.
+            seed: Of the random numbers.
+
+        Raises:
+            InputError: The toolbox is not known, not installed, or cannot read the arm.
+        """
+        from pieper.verify.comparison import compare
+
+        return compare(self, toolbox, poses=poses, seed=seed)
 
     def base_places(self, Ts: PoseLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, yaw: ArrayLike) -> Array:
         """Return the share (nx, ny, nz, nyaw) of poses Ts (N, 4, 4) reached from each base at x, y, z, m, yaw, rad.

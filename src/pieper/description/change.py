@@ -28,12 +28,12 @@ def with_tool(arm: Description, tool: PoseLike | str) -> Description:
             raise InputError(f"{arm.name} has no tool {tool!r}: {known}.", given=tool, allowed=list(arm.tools))
         tool = arm.tools[tool]
     # check poses are those of the old tool
-    return replace(arm, tool=_frozen(checked_pose(tool, "tool")), checks=())
+    return replace(arm, tool=_frozen(checked_pose(tool, "tool")), checks=(), origin=None)
 
 
 def with_base(arm: Description, base: PoseLike) -> Description:
     """Return the arm whose table begins at another pose of the world."""
-    return replace(arm, base=_frozen(checked_pose(base, "base")), checks=())
+    return replace(arm, base=_frozen(checked_pose(base, "base")), checks=(), origin=None)
 
 
 def with_limits(arm: Description, limits: Mapping[str, Sequence[float | None] | None]) -> Description:
@@ -161,6 +161,7 @@ def reversed_arm(arm: Description) -> Description:
         tools={},
         frames={},
         actuator=None,
+        origin=None,
     )
     q = np.zeros(arm.n)
     at_zero = chain_of(arm).native.fk(q)

@@ -80,6 +80,23 @@ class Check:
     tolerance: float = 1e-9
 
 
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """The robot file of another format that an arm was read from, as long as nothing about the arm was changed.
+
+    Args:
+        file: Its path.
+        kind: "URDF" or "MJCF".
+        base: Link or body the chain begins at.
+        tip: Link, body or site it ends at.
+    """
+
+    file: str
+    kind: str
+    base: str
+    tip: str
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Description:
     """Everything that is said about an arm before any mathematics.
@@ -109,6 +126,7 @@ class Description:
         bodies: What the arm is made of; empty where nothing is known.
         allowed: Pairs of names of bodies that may touch, beside neighbours.
         unmeasured: Where bodies are to be had, when there are none yet.
+        origin: The URDF or MJCF that others can read too; None for any other arm.
     """
 
     name: str
@@ -135,6 +153,7 @@ class Description:
     bodies: tuple[Body, ...] = ()
     allowed: tuple[tuple[str, str], ...] = ()
     unmeasured: Unmeasured | None = None
+    origin: Origin | None = None
 
     @property
     def n(self) -> int:

@@ -131,7 +131,7 @@ class Solutions(Marked, Sequence[Solution]):
     ) -> None:
         self._plan = plan
         self._words = words
-        self.T = T
+        self.T = T  # pyright: ignore[reportConstantRedefinition]  # a pose, not a constant
         self.all_q = all_q
         self.slots = slots
         self.in_limits = in_limits
@@ -306,7 +306,9 @@ class Solutions(Marked, Sequence[Solution]):
 
     def __repr__(self) -> str:
         # what has not been traced stays so: printing an object never solves anything
-        traced = not callable(self._self_motions) or len(self.q) > 0 or self.flag & _UNCERTAIN
+        traced = (
+            not callable(self._self_motions) or self._found is not None or len(self.q) > 0 or self.flag & _UNCERTAIN
+        )
         status = self.status.name if traced else "status not worked out yet"
         return f"<Solutions: {len(self)} inside the limits of {len(self.all_q)}, {status}>"
 
