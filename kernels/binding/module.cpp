@@ -5,6 +5,7 @@
 #include "binding/collision.hpp"
 #include "binding/fields.hpp"
 #include "binding/nearer.hpp"
+#include "binding/route.hpp"
 #include "binding/time_law.hpp"
 
 namespace {
@@ -185,6 +186,7 @@ NB_MODULE(_kernel, m) {
   bind_nearer(m);
   bind_time_law(m);
   bind_collision(m);
+  bind_route(m);
   m.def("deviations", &deviations, nb::arg("Ts"),
         "(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite.");
   m.def(

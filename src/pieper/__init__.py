@@ -12,6 +12,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status
 
 if TYPE_CHECKING:
+    from pieper import jax, torch
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Clearance, Swept
     from pieper.description.quantity import evaluate
@@ -55,6 +56,7 @@ _LATER = {
     "check": "pieper.judge",
     "evaluate": "pieper.description.quantity",
     "fastest_constant_speed": "pieper.motion.constant_speed",
+    "jax": "pieper.jax",
     "load_program": "pieper.motion.program_file",
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
@@ -68,11 +70,12 @@ _LATER = {
     "sections": "pieper.presentation.sections",
     "sequence": "pieper.motion.sequence",
     "time_law": "pieper.motion.time_law",
+    "torch": "pieper.torch",
     "whole_file": "pieper.document.writing",
     "workbench": "pieper.workbench",
     "write_report": "pieper.presentation.report",
 }
-_MODULES = ("plot", "sections", "workbench")
+_MODULES = ("jax", "plot", "sections", "torch", "workbench")
 
 __all__ = [
     "DH",
@@ -105,6 +108,7 @@ __all__ = [
     "check",
     "evaluate",
     "fastest_constant_speed",
+    "jax",
     "line",
     "load",
     "load_program",
@@ -120,6 +124,7 @@ __all__ = [
     "sections",
     "sequence",
     "time_law",
+    "torch",
     "ur_calibrated",
     "whole_file",
     "workbench",

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from enum import IntFlag
 from typing import Any, Final
 
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 
 isa: str
 isa_available: str
@@ -47,7 +47,7 @@ class Collision:
     ) -> None: ...
     @property
     def pairs(self) -> int: ...
-    def nearest(self, q: Array, points: bool = True) -> tuple[Array, Any, Array, Array]: ...
+    def nearest(self, q: Array, points: bool = True) -> tuple[Array, Slots, Array, Array]: ...
     def each(self, q: Array) -> Array: ...
     def sweep(
         self, q: Array, margin: float, gap: float, slack: float

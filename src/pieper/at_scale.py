@@ -185,9 +185,10 @@ class AtScale:
         """Write the arm's solver in another language, to be used without pieper; see docs/code.md.
 
         Args:
-            language: "c", "c++", "python" (NumPy alone) or "javascript".
-            path: The file; written whole or not at all. A .mjs is a module, any other JavaScript a script.
-            name: What C's functions begin with: NAME_ik, NAME_fk.
+            language: "c", "c++", "python" (NumPy alone), "matlab" (and Octave), "javascript", "jax" or "wasm".
+            path: The file; written whole or not at all. A .mjs is a module, any other JavaScript a script; for wasm
+                a .mjs holds the code within. MATLAB wants a file a function: a folder, or a .m they stand beside.
+            name: What the functions begin with: NAME_ik, NAME_fk (ik, fk in Python and JavaScript).
 
         Raises:
             InputError: An unknown language, or a name that is no word.

@@ -123,10 +123,10 @@ class Description:
         tools: Named poses (4, 4) of other tools, in the table's last frame as `tool` is.
         frames: Named poses (4, 4) of places, in the frame in which `base` is.
         remarks: What was read differently from the file the arm came from, in sentences.
+        origin: The URDF or MJCF that others can read too; None for any other arm.
         bodies: What the arm is made of; empty where nothing is known.
         allowed: Pairs of names of bodies that may touch, beside neighbours.
         unmeasured: Where bodies are to be had, when there are none yet.
-        origin: The URDF or MJCF that others can read too; None for any other arm.
     """
 
     name: str
@@ -150,10 +150,10 @@ class Description:
     tools: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
     frames: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
+    origin: Origin | None = None
     bodies: tuple[Body, ...] = ()
     allowed: tuple[tuple[str, str], ...] = ()
     unmeasured: Unmeasured | None = None
-    origin: Origin | None = None
 
     @property
     def n(self) -> int:
