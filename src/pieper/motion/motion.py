@@ -34,7 +34,7 @@ class Tight:
         return f"{self.start:.3f} to {self.end:.3f} s: {whose}"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Motion:
     """Joint curves over time.
 
@@ -77,6 +77,9 @@ class Motion:
     def at(self, time: float) -> int:
         """Return the index of the sample nearest to a time, s."""
         return int(np.argmin(np.abs(self.t - time)))
+
+    def __repr__(self) -> str:
+        return f"<Motion: {self.duration:.4g} s, {self.q.shape[1]} joints, {len(self.t):,} samples>"
 
 
 def sample_times(duration: float, rate: float) -> Array:

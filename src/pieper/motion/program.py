@@ -25,6 +25,7 @@ from pieper.motion.runs import Run, runs
 from pieper.motion.segments import Segment, segment
 from pieper.solver import verbs
 from pieper.solver.plan.plan import Plan
+from pieper.words_by_number import plural
 
 
 class ProgramArm(Protocol):
@@ -62,6 +63,9 @@ class Program:
         self._q, self._pose = q, fk(self.plan.chain, q)
         self._segments: list[Segment] = []
         self._known: tuple[int, float, Motion] | None = None
+
+    def __repr__(self) -> str:
+        return f"<Program of {self.plan.name}: {plural(len(self.instructions), 'instruction')}>"
 
     def move_j(self, target: ArrayLike | str, *, speed: float | None = None, blend: float = 0.0) -> Program:
         """Move all joints in proportion to a posture (n,), or to the solution of a pose (4, 4) nearest to the last one.
