@@ -25,7 +25,9 @@ myst_heading_anchors = 4
 autodoc_typehints = "description"
 autodoc_member_order = "bysource"
 napoleon_google_docstring, napoleon_numpy_docstring = True, False
-napoleon_use_rtype = False
+napoleon_use_rtype, napoleon_use_ivar = False, True
+# shapes in docstrings, such as (n,), are no names
+suppress_warnings = ["ref.python"]
 # what is no language of its own on these pages is shown as it is
 highlight_language = "none"
 nitpicky = False
