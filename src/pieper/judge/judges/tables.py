@@ -23,9 +23,11 @@ def judge_number(ev: Evidence, claim: Claim) -> Verdict:
     Keys: is, value, q_deg, unit, where.
     """
     q = read_joints(claim, ev.model) if any(k in claim for k in ("q", "q_deg", "q_rad")) else np.zeros(ev.model.n)
-    env = samples_at(ev.model, q).env
-    ev.fill(env)
     node = ev.parse(str(claim["is"]), claim.where)
+    there = samples_at(ev.model, q)
+    env = there.env
+    ev.pick(env, there.frames)
+    ev.fill(env)
     scale = 180 / np.pi if claim.get("unit") == "deg" else 1.0
     with np.errstate(all="ignore"):
         right = float(np.ravel(node.evaluate(env))[0]) * scale
