@@ -132,7 +132,13 @@ def _read(guess: Guess, left: str, right: str, matrices: list, model: ArmModel, 
         guess.keys = {"kind": "joint", **joint, "is": _formula(right, model, names)}
         return
     symbol = re.sub(r"[\s_{}]", "", plain(left))
-    if re.fullmatch(r"[A-Za-z]+\d*[A-Za-z]*'*", symbol) and symbol not in model.names() and symbol not in known:
+    alone = not re.search(r"[A-Za-z\d]\s+[A-Za-z]", plain(left).strip())
+    if (
+        alone
+        and re.fullmatch(r"[A-Za-z]+\d*[A-Za-z]*'*", symbol)
+        and symbol not in model.names()
+        and symbol not in known
+    ):
         text = _formula(right, model, names)
         if not re.fullmatch(r"[cCsS]\d+", symbol):
             guess.symbol = (symbol, text)
@@ -170,7 +176,7 @@ def _joint(left: str, model: ArmModel) -> dict[str, object]:
 def _product(text: str) -> str:
     """A product of matrices without the marks of subscripts: A_{1}^{-1} T_6 as A1^-1 T6."""
     text = re.sub(r"\^\s*\{\s*(-1|T)\s*\}", r"^\1", plain(text))
-    return re.sub(r"\s+", " ", re.sub(r"_\s*\{?\s*(\d+)\s*\}?", r"\1", text)).strip()
+    return re.sub(r"\s+", " ", re.sub(r"_\s*\{?\s*(\d+)\s*\}?", r"\1 ", text)).strip()
 
 
 def _is_product(text: str, model: ArmModel) -> bool:
