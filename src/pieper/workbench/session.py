@@ -123,7 +123,7 @@ class Session:
         if op == "cancel":
             self._cancel(message.get("kind"))
             await self._send({"seq": seq, "ok": True})
-        elif op in ("hello", "load", "open"):
+        elif op in answers.TABLES:
             first = self._start if self._bench is None else self._bench.arm
             result = await self._in_pool(answers.TABLES[op], message, first)
             if op == "hello" and self._bench is not None:

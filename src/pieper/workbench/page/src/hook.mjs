@@ -10,6 +10,7 @@ import { toUndo, toRedo } from './history.mjs';
 import { handles } from './scene/gizmo.mjs';
 import { thingsDrawn, carriedAt } from './scene/world.mjs';
 import { gripperShown } from './scene/gripper.mjs';
+import { framesOfStep } from './panels/dh_steps.mjs';
 import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
@@ -60,6 +61,9 @@ export function expose() {
     },
     placeOf: (name) => carriedAt(name) ?? state.world.find((t) => t.name === name)?.T ?? null,
     go,
+    get stepFrame() {
+      return state.dhStep === null ? null : framesOfStep().at(-1).T;
+    },
     get framesDrawn() {
       return framesDrawn();
     },
