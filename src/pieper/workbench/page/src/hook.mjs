@@ -11,6 +11,7 @@ import { handles } from './scene/gizmo.mjs';
 import { thingsDrawn, carriedAt } from './scene/world.mjs';
 import { gripperShown } from './scene/gripper.mjs';
 import { framesOfStep } from './panels/dh_steps.mjs';
+import { bodiesShown } from './scene/clearance.mjs';
 import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
@@ -63,6 +64,12 @@ export function expose() {
     go,
     get stepFrame() {
       return state.dhStep === null ? null : framesOfStep().at(-1).T;
+    },
+    get clearance() {
+      return structuredClone(state.clearance);
+    },
+    get bodies() {
+      return bodiesShown();
     },
     get framesDrawn() {
       return framesDrawn();

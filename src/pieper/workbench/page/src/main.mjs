@@ -28,6 +28,7 @@ import { share } from './panels/share.mjs';
 import * as beside from './beside.mjs';
 import * as gripper from './scene/gripper.mjs';
 import * as playing from './playing.mjs';
+import * as clearance from './scene/clearance.mjs';
 import * as world from './scene/world.mjs';
 import { expose } from './hook.mjs';
 
@@ -39,6 +40,7 @@ history.begin();
 arm.begin();
 gizmo.begin();
 world.begin();
+clearance.begin();
 gripper.begin();
 playing.begin();
 beside.begin();
