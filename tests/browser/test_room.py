@@ -90,3 +90,41 @@ def test_the_frames_of_a_table_are_built_one_motion_at_a_time(bench):
     assert np.allclose(bench.value("workbench.stepFrame"), F[6], atol=1e-12)
     bench.tab("Move")
     assert bench.value("workbench.framesDrawn") == ["base", "tool"]
+
+
+def test_the_ellipsoid_of_velocities_is_that_of_the_jacobian(bench):
+    bench.joints([20, 60, -150, 10, 40, 25])
+    bench.tab("Analysis")
+    bench.page.get_by_test_id("ellipsoid").get_by_role("button", name="Velocities").click()
+    arm, q = pieper.load("denso-vp6242"), np.radians([20, 60, -150, 10, 40, 25])
+    left, values, _ = np.linalg.svd(arm.jacobian(q)[:3])
+    drawn = bench.value("workbench.ellipsoid")
+    assert np.allclose([a["length"] for a in drawn], values, atol=1e-12)
+    assert np.allclose([abs(np.dot(a["axis"], left[:, k])) for k, a in enumerate(drawn)], 1, atol=1e-9)
+    bench.shot("ellipsoid", both=True)
+    bench.page.get_by_test_id("ellipsoid").get_by_role("button", name="Forces").click()
+    assert f"{values[0] * 1000:.2f} mm" in bench.text("ellipsoid-axes")
+
+
+def test_the_nearest_two_bodies_are_shown_live(bench):
+    page = bench.page
+    bench.joints([20, 60, -150, 10, 40, 25])
+    bench.tab("World")
+    page.get_by_test_id("add-obstacle-box").click()
+    bench.fill("world-1-0", 420)
+    bench.until("workbench.clearance?.metres > 0")
+    arm = pieper.load("denso-vp6242")
+    box = bench.value("workbench.world[0]")
+    scene = pieper.Scene([pieper.Box(np.reshape(box["T"], (4, 4)), box["size"], box["name"])])
+    page.wait_for_timeout(300)
+    said = arm.distance(np.array(bench.value("workbench.q")), scene)
+    assert abs(bench.value("workbench.clearance.metres") - float(said)) < 1e-9
+    assert f"{float(said) * 1000:.2f} mm apart" in bench.text("clearance")
+    page.get_by_test_id("show-bodies").check()
+    bench.until("workbench.bodies > 3")
+    bench.shot("clearance", both=True)
+    T = arm.fk(np.array(bench.value("workbench.q")))
+    for i, v in enumerate(T[:3, 3] * 1000):
+        bench.fill(f"world-1-{i}", round(v, 3))
+    bench.until("workbench.clearance?.metres < 0")
+    assert "overlap by" in bench.text("clearance")

@@ -12,6 +12,7 @@ import { thingsDrawn, carriedAt } from './scene/world.mjs';
 import { gripperShown } from './scene/gripper.mjs';
 import { framesOfStep } from './panels/dh_steps.mjs';
 import { bodiesShown } from './scene/clearance.mjs';
+import { ellipsoidShown } from './scene/ellipsoid.mjs';
 import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
@@ -70,6 +71,12 @@ export function expose() {
     },
     get bodies() {
       return bodiesShown();
+    },
+    get ellipsoid() {
+      return structuredClone(ellipsoidShown());
+    },
+    get world() {
+      return structuredClone(state.world);
     },
     get framesDrawn() {
       return framesDrawn();

@@ -29,6 +29,7 @@ import * as beside from './beside.mjs';
 import * as gripper from './scene/gripper.mjs';
 import * as playing from './playing.mjs';
 import * as clearance from './scene/clearance.mjs';
+import * as ellipsoid from './scene/ellipsoid.mjs';
 import * as world from './scene/world.mjs';
 import { expose } from './hook.mjs';
 
@@ -41,6 +42,7 @@ arm.begin();
 gizmo.begin();
 world.begin();
 clearance.begin();
+ellipsoid.begin();
 gripper.begin();
 playing.begin();
 beside.begin();

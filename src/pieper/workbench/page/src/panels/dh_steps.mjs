@@ -48,10 +48,10 @@ export function dhSteps() {
     h(
       'div',
       { class: 'line' },
-      button('⏮', 'To the base', () => 0),
-      button('◀', 'One step back', () => (state.dhStep ?? 1) - 1),
-      button('▶', 'One step on', () => (state.dhStep ?? -1) + 1),
-      button('⏭', 'To the end', last),
+      button('First', 'To the base', () => 0),
+      button('Back', 'One step back', () => (state.dhStep ?? 1) - 1),
+      button('On', 'One step on', () => (state.dhStep ?? -1) + 1),
+      button('Last', 'To the end', last),
       text,
     ),
   );

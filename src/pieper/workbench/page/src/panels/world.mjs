@@ -47,6 +47,7 @@ function add(kind, role) {
     0,
     1,
   ];
+  T[7] += 1.5 * u * state.world.length;
   const base = role === 'object' ? 'object' : kind;
   let n = 1;
   while (state.world.some((t) => t.name === `${base} ${n}`)) n += 1;
