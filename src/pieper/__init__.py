@@ -12,9 +12,13 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status
 
 if TYPE_CHECKING:
+    from pieper import jax, torch
+    from pieper.collision.scene import Scene
+    from pieper.collision.swept import Clearance, Swept
     from pieper.description.quantity import evaluate
+    from pieper.description.shapes import Body, Box, Capsule, Convex, Cylinder
     from pieper.document.writing import whole_file
-    from pieper.judge import Judgement, check
+    from pieper.judge import Judgement, check, guess_claims
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.kinematics.spoken_many import poses
     from pieper.motion.constant_speed import fastest_constant_speed
@@ -22,6 +26,8 @@ if TYPE_CHECKING:
     from pieper.motion.limits import Limits
     from pieper.motion.motion import Motion
     from pieper.motion.program import Program
+    from pieper.motion.program_file import load_program, save_program
+    from pieper.motion.recorded import read_motion
     from pieper.motion.route.arcs import Arc
     from pieper.motion.route.freedom import Freedom, Verdict
     from pieper.motion.route.result import Route
@@ -32,6 +38,8 @@ if TYPE_CHECKING:
     from pieper.presentation.report import report, write_report
     from pieper.solver.singular.self_motion import SelfMotion
 
+    workbench: Any
+
 __version__ = "0.1.0"
 
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
@@ -40,6 +48,14 @@ _LATER = {
     "Freedom": "pieper.motion.route.freedom",
     "Route": "pieper.motion.route.result",
     "Verdict": "pieper.motion.route.freedom",
+    "Body": "pieper.description.shapes",
+    "Box": "pieper.description.shapes",
+    "Capsule": "pieper.description.shapes",
+    "Clearance": "pieper.collision.swept",
+    "Convex": "pieper.description.shapes",
+    "Cylinder": "pieper.description.shapes",
+    "Scene": "pieper.collision.scene",
+    "Swept": "pieper.collision.swept",
     "Judgement": "pieper.judge",
     "Limits": "pieper.motion.limits",
     "Motion": "pieper.motion.motion",
@@ -47,22 +63,29 @@ _LATER = {
     "Program": "pieper.motion.program",
     "SelfMotion": "pieper.solver.singular.self_motion",
     "check": "pieper.judge",
+    "guess_claims": "pieper.judge",
     "evaluate": "pieper.description.quantity",
     "fastest_constant_speed": "pieper.motion.constant_speed",
+    "jax": "pieper.jax",
+    "load_program": "pieper.motion.program_file",
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
     "pose": "pieper.kinematics.spoken",
     "poses": "pieper.kinematics.spoken_many",
+    "read_motion": "pieper.motion.recorded",
     "read_pose": "pieper.kinematics.spoken",
     "read_program": "pieper.motion.dialects.files",
     "report": "pieper.presentation.report",
+    "save_program": "pieper.motion.program_file",
     "sections": "pieper.presentation.sections",
     "sequence": "pieper.motion.sequence",
     "time_law": "pieper.motion.time_law",
+    "torch": "pieper.torch",
     "whole_file": "pieper.document.writing",
+    "workbench": "pieper.workbench",
     "write_report": "pieper.presentation.report",
 }
-_MODULES = ("plot", "sections")
+_MODULES = ("jax", "plot", "sections", "torch", "workbench")
 
 __all__ = [
     "DH",
@@ -70,6 +93,12 @@ __all__ = [
     "Arc",
     "Arm",
     "Freedom",
+    "Body",
+    "Box",
+    "Capsule",
+    "Clearance",
+    "Convex",
+    "Cylinder",
     "InputError",
     "Judgement",
     "Limits",
@@ -81,30 +110,39 @@ __all__ = [
     "PlanError",
     "Program",
     "Route",
+    "Scene",
     "SelfMotion",
     "SolutionBatch",
     "Solutions",
     "Status",
+    "Swept",
     "Track",
     "Verdict",
     "catalog",
     "check",
+    "guess_claims",
     "evaluate",
     "fastest_constant_speed",
+    "jax",
     "line",
     "load",
+    "load_program",
     "move",
     "plot",
     "pose",
     "poses",
+    "read_motion",
     "read_pose",
     "read_program",
     "report",
+    "save_program",
     "sections",
     "sequence",
     "time_law",
+    "torch",
     "ur_calibrated",
     "whole_file",
+    "workbench",
     "write_report",
 ]
 

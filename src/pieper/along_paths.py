@@ -16,6 +16,7 @@ from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 
 if TYPE_CHECKING:
+    from pieper.collision.scene import Scene
     from pieper.motion.route.arcs import Arc
     from pieper.motion.route.freedom import Freedom
     from pieper.motion.route.keep import Keep
@@ -42,7 +43,7 @@ class AlongPaths(AtScale):
         clearance: float = 0.0,
         singularity: float = 0.0,
         turn_rate: float | None = None,
-        scene: object | None = None,
+        scene: Scene | None = None,
     ) -> Route:
         """Find the cheapest continuous route along poses, or say why there is none; see docs/routes.md.
 
@@ -121,7 +122,8 @@ class AlongPaths(AtScale):
         own = make_plan(chain, turned, task=None)
         return own, with_turn_limits(make_plan(chain, turned, task="position+axis"), free)
 
-    def _keep(self, clearance: float, singularity: float, scene: object | None) -> Keep:
+    def _keep(self, clearance: float, singularity: float, scene: Scene | None) -> Keep:
+        from pieper.collision.scene import Scene
         from pieper.motion.route.keep import Keep, checked_number
 
         room = checked_number(clearance, "clearance", "m")
@@ -132,14 +134,13 @@ class AlongPaths(AtScale):
                     "a clearance needs a scene to keep clear of; say scene=pieper.Scene([...]).", given=room
                 )
             return Keep(singularity=ratio)
-        distance, clear = getattr(self, "distance", None), getattr(self, "clear", None)
-        if distance is None or clear is None:
-            raise InputError("this version knows no scenes; leave scene out.", given=repr(scene))
+        if not isinstance(scene, Scene):
+            raise InputError(f"scene must be a pieper.Scene, got {type(scene).__name__}.", given=repr(scene))
 
         def away(q: Array) -> Array:
-            return np.asarray(distance(q, scene), float)
+            return np.asarray(self.distance(q, scene), float)
 
         def is_clear(q: Array) -> bool:
-            return clear(q, scene, room).verdict.name == "CLEAR"
+            return self.clear(q, scene, room).verdict.name == "CLEAR"
 
         return Keep(ratio, room, away, is_clear)

@@ -185,43 +185,16 @@ def test_a_flood_is_slowed_with_a_reason(served):
 def random_message(rng: random.Random, seq: int) -> str | bytes:
     """A message that is wrong in some way, or right by accident."""
     junk = lambda: rng.choice([None, True, -1, 1e308, "", "x" * 90, [], [[]], {}, {"a": 1}, [1] * 16, "pi/2", 2**70])  # noqa: E731
-    ops = [
-        "hello",
-        "load",
-        "open",
-        "arm",
-        "ik",
-        "nearest",
-        "save",
-        "follow",
-        "self_motions",
-        "motion",
-        "cloud",
-        "equations",
-        "cancel",
-        "report",
-        "no",
-    ]
+    ops = (
+        "hello load open arm ik nearest save follow self_motions motion cloud equations cancel report program "
+        "program_file python clearance bodies catalog shown no "
+    ).split()
     message = {"op": rng.choice(ops), "seq": rng.choice([seq, seq, seq, seq, -3, "1", None])}
-    for key in rng.sample(
-        [
-            "T",
-            "T0",
-            "T1",
-            "n",
-            "start",
-            "q",
-            "table",
-            "name",
-            "text",
-            "count",
-            "which",
-            "kind",
-            "postures",
-            "redundancy",
-        ],
-        4,
-    ):
+    keys = (
+        "T T0 T1 n start q table name text count which kind postures redundancy digits steps limits world "
+        "program path target dialect "
+    ).split()
+    for key in rng.sample(keys, 5):
         message[key] = junk()
     if rng.random() < 0.2:
         row = {"type": "R", "a": 0.1, "alpha": junk(), "d": 0, "theta": 0}
@@ -364,19 +337,24 @@ def test_long_work_can_be_cancelled(served):
     talk(story())
 
 
-def test_an_arm_with_coupled_joints_is_refused_with_the_reason(served, tmp_path):
+def test_an_arm_with_coupled_joints_is_taken_and_solved(served, tmp_path):
     plain = pieper.load("denso-vp6242").description
     C = np.eye(6)
     C[2, 1] = 1.0
     arm = pieper.Arm(dataclasses.replace(plain, name="coupled-arm", coupling=C))
-    with pytest.raises(pieper.InputError, match="coupled-arm has coupled joints"):
-        room.create_app(start=arm)
+    room.create_app(start=arm)
     arm.save(tmp_path / "coupled.toml")
     text = (tmp_path / "coupled.toml").read_text()
+    q = np.radians([20, 60, -150, 10, 40, 25])
 
     async def story():
         async with connect(served[0]) as socket:
-            return await Page(socket).ask("open", text=text, name="coupled.toml")
+            page = Page(socket)
+            opened = await page.ask("open", text=text, name="coupled.toml")
+            await page.ask("arm", table=opened["table"])
+            return opened["table"], await page.ask("ik", T=arm.fk(q).ravel().tolist())
 
-    answer = talk(story())
-    assert not answer["ok"] and "coupled joints" in answer["error"]
+    table, answer = talk(story())
+    assert table["coupling"] == C.tolist()
+    rows = np.array([row["q"] for row in answer["rows"]])
+    assert np.allclose(arm.fk(rows), arm.fk(q), atol=1e-9)

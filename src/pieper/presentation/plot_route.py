@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.drawing.style import COLOURS, INK, legend, new_figure, plain_axes
 from pieper.motion.route.result import Route
 from pieper.motion.route.turn_map import turn_map
-from pieper.presentation.style import COLOURS, INK, legend, new_figure, plain_axes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.turns import ring
 from pieper.kinematics.pose import rotation_z
 
 
@@ -39,8 +40,6 @@ def test_an_interval_of_the_turn_ends_arcs_too(irb, seam):
 
 
 def test_folds_are_where_the_arm_is_singular(ur):
-    from seams import ring
-
     T = ring(8, (0.9, 0.0, 0.3), 0.25)[2]
     seen = 0
     for arc in ur.arcs(T):

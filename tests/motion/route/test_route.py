@@ -4,10 +4,8 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.turns import cheapest, reaches, ring
 from pieper.kinematics.pose import rotation_about, transform
-
-from seams import ring
-from oracle_turns import cheapest, reaches
 
 FREE = pieper.Freedom()
 

@@ -88,8 +88,8 @@ def _told(task: Task, ruled: Ruled) -> tuple[Verdict, Blocked, str]:
     turns = f", {len(ruled.grid.cells)} turns each" if task.setting.spare else ""
     reason = (
         f"Impossible: no motion {where}, whatever the branch and the whole turns. From the first pose "
-        f"{int(ruled.reached.sum())} cells may be reached ({len(ruled.rungs.s)} stations{turns}); each cell beside them "
-        "has a joint outside its limits throughout, or no solution."
+        f"{int(ruled.reached.sum())} cells may be reached ({len(ruled.rungs.s)} stations{turns}); each cell beside "
+        "them has a joint outside its limits throughout, or no solution."
     )
     return Verdict.IMPOSSIBLE, blocked, reason
 

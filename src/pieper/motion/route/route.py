@@ -184,8 +184,8 @@ def _end(world: Setting, q: ArrayLike | None, at: int, what: str) -> Array | Non
         gap = plan.chain.native.fk(joints)[:3, 3] - T[:3, 3]
         which = "first" if at == 0 else "last"
         raise InputError(
-            f"{what} is not on the path: its tool is {np.linalg.norm(gap) * 1e3:.4g} mm off the {which} pose, or turned "
-            "in a way that is not free. Leave it out, or give a solution of that pose.",
+            f"{what} is not on the path: its tool is {np.linalg.norm(gap) * 1e3:.4g} mm off the {which} pose, or "
+            "turned in a way that is not free. Leave it out, or give a solution of that pose.",
             metres=float(np.linalg.norm(gap)),
         )
     there[: plan.n] = np.where(np.abs(there[: plan.n] - joints) < SAME_SOLUTION, there[: plan.n], joints)

@@ -100,8 +100,8 @@ def _inside(setting: Setting, ladder: Rungs) -> Bools:
 def climbed_and_carried(task: Task, cells: Grid, ladder: Rungs) -> Smoothed | None:
     """Return the route that a ladder leads to.
 
-    Where its rows lead nowhere, moves on the spot are allowed, and then rows that are outside by up to a part of a cell:
-    a route may pass between two rows, and is pulled inside where it is made short.
+    Where its rows lead nowhere, moves on the spot are allowed, and then rows that are outside by up to a part of a
+    cell: a route may pass between two rows, and is pulled inside where it is made short.
     """
     at = np.interp(ladder.s, task.setting.s, np.arange(len(task.setting.s)))
     widest = WIDER / max(1, len(cells.cells) // TURNS[1]) if task.setting.spare == 1 else 0.0

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pieper.description.dh import Description
 from pieper.errors import PlanError
 from pieper.kinematics.arm_angle import ArmAngle, arm_angle
 from pieper.kinematics.arrays import Array, Bools
@@ -32,6 +33,7 @@ class Plan:
 
     Attributes:
         name: The arm's name.
+        description: The arm's table, limits and names.
         chain: The arm as described.
         nominal: The chain that is solved; another one than `chain` only where geometry was snapped.
         geometry: Which axes are parallel or meet, with margins.
@@ -52,6 +54,7 @@ class Plan:
     """
 
     name: str
+    description: Description = field(repr=False)
     chain: Chain
     nominal: Chain
     geometry: Geometry
