@@ -5,6 +5,7 @@
 #include "binding/selection.hpp"
 #include "binding/time_law.hpp"
 #include "dispatch/solver.hpp"
+#include "maps/reach.hpp"
 
 namespace {
 
@@ -184,6 +185,39 @@ class PySolver {
     return nb::make_tuple(rows, which, inside, static_cast<int>(flag));
   }
 
+  nb::tuple reach(nb::handle centres, nb::handle turns, int rolls, double sense, nb::handle links, int threads) const {
+    nb::object at = float_array(centres, "centres"), R = float_array(turns, "turns"), L;
+    const npy_intp count = PyArray_SIZE(as_array(at)) / 3, orientations = PyArray_SIZE(as_array(R)) / 9;
+    if (PyArray_SIZE(as_array(at)) != 3 * count || PyArray_SIZE(as_array(R)) != 9 * orientations || rolls < 1 ||
+        orientations % rolls)
+      throw nb::value_error("centres must be (v, 3) and turns (k, 3, 3), k a multiple of rolls.");
+    pieper::Voxels asked{doubles(at), count, doubles(R), orientations, rolls, sense, nullptr};
+    if (!links.is_none()) {
+      L = float_array(links, "links");
+      if (solver_.joints() != 6 || PyArray_SIZE(as_array(L)) != 16 * 7)
+        throw nb::value_error("links must be (7, 4, 4): what is measured is a determinant.");
+      asked.links = doubles(L);
+    }
+    const npy_intp packed[] = {count, (orientations + 7) / 8};
+    nb::object bits = new_array(2, packed, NPY_UINT8), look = new_array(2, packed, NPY_UINT8),
+               solutions = new_array(1, &count, NPY_INT64), best = new_array(1, &count, NPY_DOUBLE),
+               margin = new_array(1, &count, NPY_DOUBLE);
+    const auto raw = [](const nb::object& o) { return PyArray_DATA(as_array(o)); };
+    const pieper::Reached to{bytes(bits), bytes(look), static_cast<std::int64_t*>(raw(solutions)),
+                             static_cast<double*>(raw(best)), static_cast<double*>(raw(margin))};
+    bool finished;
+    {
+      nb::gil_scoped_release release;
+      finished = pieper::reach(solver_, asked, to, threads, [] {
+        nb::gil_scoped_acquire acquire;
+        return PyErr_CheckSignals() == 0;
+      });
+    }
+    if (!finished) throw nb::python_error();
+    if (!asked.links) return nb::make_tuple(bits, look, solutions, nb::none(), nb::none());
+    return nb::make_tuple(bits, look, solutions, best, margin);
+  }
+
  private:
   // progress: called with the number of poses that are done, or None.
   void run(const nb::object& poses, int threads, const pieper::Answers& to, const pieper::Chosen& chosen,
@@ -334,6 +368,10 @@ NB_MODULE(_kernel, m) {
            nb::arg("progress") = nb::none(),
            "The same written into arrays of the caller's, with an outcome (N,) and, near joint vectors, a chosen row a "
            "pose (N, joints).")
+      .def("reach", &PySolver::reach, nb::arg("centres"), nb::arg("turns"), nb::arg("rolls"), nb::arg("sense"),
+           nb::arg("links").none(), nb::arg("threads"),
+           "Voxels (v, 3) times orientations (k, 3, 3): bits reached and bits to look at one by one (v, ceil(k / 8)), "
+           "solutions (v,), and with links the best manipulability and margin (v,), else None.")
       .def("one", &PySolver::one, nb::arg("T"),
            "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 

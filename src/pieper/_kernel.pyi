@@ -416,6 +416,17 @@ class Solver:
     ) -> None:
         """The same written into the caller's arrays; outcome (N,): 0 no rows, 1 outside the limits alone, 2 inside."""
 
+    def reach(
+        self,
+        centres: npt.ArrayLike,
+        turns: npt.ArrayLike,
+        rolls: int,
+        sense: float,
+        links: npt.ArrayLike | None,
+        threads: int,
+    ) -> tuple[npt.NDArray[np.uint8], npt.NDArray[np.uint8], npt.NDArray[np.int64], Array | None, Array | None]:
+        """Voxels (v, 3), turns (k, 3, 3) -> bits, look (v, ceil(k / 8)), solutions, manipulability, margin (v,)."""
+
     def one(self, T: npt.ArrayLike) -> tuple[Array, npt.NDArray[np.uint8], npt.NDArray[np.bool_], int]:
         """(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pieper.presentation.plot_arm import arm_figure, configuration_figure, solutions_figure
 from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
+from pieper.presentation.plot_map import map_figure
 from pieper.presentation.plot_path import path_figure
 from pieper.presentation.plot_reach import reach_figure
 from pieper.presentation.style import png, save_figure, svg
@@ -13,6 +14,7 @@ __all__ = [
     "configuration_figure",
     "coordinates_figure",
     "joints_figure",
+    "map_figure",
     "path_figure",
     "png",
     "reach_figure",
