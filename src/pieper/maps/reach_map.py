@@ -79,7 +79,7 @@ class ReachMap:
 
     @property
     def margin(self) -> Array:
-        """(nx, ny, nz) share of half a joint's range by which the nearest limit is away, of the best solution; 0 to 1."""
+        """(nx, ny, nz) share of half a joint's range that the nearest limit is away, of the best solution; 0 to 1."""
         return self._measured[1].reshape(self.grid.shape)
 
     @property
