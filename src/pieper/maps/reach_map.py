@@ -170,7 +170,7 @@ class ReachMap:
         return (
             f"{self.plan.name}: {nx} x {ny} x {nz} voxels of {self.grid.step * 1e3:g} mm, {len(self.grid.turns)} "
             f"orientations each, {self.grid.count * len(self.grid.turns):,} poses; {self.symmetry}. {reached:,} voxels "
-            f"are reached in some orientation ({self.volume:.4g} m^3), {whole:,} in all. Limits "
+            f"are reached in some orientation ({self.volume:.4g} m^3), {whole:,} in every one. Limits "
             "count, self-collisions do not; a voxel is asked at its centre."
         )
 

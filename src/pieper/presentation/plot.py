@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pieper.presentation.plot_arm import arm_figure, configuration_figure, solutions_figure
+from pieper.presentation.plot_calibration import calibration_figure
 from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
 from pieper.presentation.plot_map import map_figure
 from pieper.presentation.plot_path import path_figure
@@ -11,6 +12,7 @@ from pieper.presentation.style import png, save_figure, svg
 
 __all__ = [
     "arm_figure",
+    "calibration_figure",
     "configuration_figure",
     "coordinates_figure",
     "joints_figure",
