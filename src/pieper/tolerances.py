@@ -365,12 +365,8 @@ SWP_IN_PLANE = 1e-9
 #: Inner links that are together shorter than this part of the largest are no measure of length.
 LENGTHLESS = 1e-9
 
-# ---- collision ----
-#: How near to the margin a distance may stay undecided in a look at a whole path, m, where nothing else is said.
-CLEARANCE_GAP = 1e-6
-#: What coal is told to stop at, m, and how far off what it says is taken to be: ten times what was seen of hulls.
-HULL_STEP = 1e-10
-HULL_ROUNDING = 1e-8
+# ---- collision: how near to a margin a distance may stay undecided; when coal stops, and how far off it may be (m) ----
+CLEARANCE_GAP, HULL_STEP, HULL_ROUNDING = 1e-6, 1e-10, 1e-8
 
 # ---- calibration ----
 #: By how much an axis of a built arm plausibly departs from the nominal one (rad; per length of the arm): a few
