@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,73 @@ import pieper
 #: Points of a curve and samples of a motion that are sent, at most.
 MOST = 4_000
 KINDS = ("frame", "path", "points", "postures")
+
+
+@runtime_checkable
+class Program(Protocol):
+    """Something that a motion is made of, and that can be read aloud."""
+
+    def motion(self) -> Any:
+        """Return the motion."""
+        ...
+
+    def explain(self) -> Any:
+        """Return it in words."""
+        ...
+
+
+@runtime_checkable
+class Timed(Protocol):
+    """Postures q (k, n) at times t (k,)."""
+
+    t: Any
+    q: Any
+
+
+@runtime_checkable
+class Eventful(Protocol):
+    """Events: when, what kind, what value."""
+
+    events: Any
+
+
+@runtime_checkable
+class Followed(Protocol):
+    """Postures q (k, n) along a path, and which of its poses were reached (k,)."""
+
+    q: Any
+    reached: Any
+
+
+@runtime_checkable
+class Placed(Protocol):
+    """A body in a frame T (4, 4)."""
+
+    T: Any
+
+
+@runtime_checkable
+class Capsule(Protocol):
+    """All that is no farther than r from the line from a to b."""
+
+    a: Any
+    b: Any
+    r: Any
+
+
+@runtime_checkable
+class Box(Placed, Protocol):
+    """A box with three edges."""
+
+    size: Any
+
+
+@runtime_checkable
+class Cylinder(Placed, Protocol):
+    """A cylinder of radius r and height h."""
+
+    r: Any
+    h: Any
 
 
 def thing(arm: pieper.Arm, what: Any, kind: str | None, every: float) -> dict[str, Any]:
@@ -30,12 +97,13 @@ def thing(arm: pieper.Arm, what: Any, kind: str | None, every: float) -> dict[st
     body = _body(what)
     if body is not None:
         return body
-    if hasattr(what, "motion") and hasattr(what, "explain"):
+    if isinstance(what, Program):
         what = what.motion()
-    if hasattr(what, "t") and hasattr(what, "q"):
-        events = [[float(t), str(k), v] for t, k, v in getattr(what, "events", ())]
+    if isinstance(what, Timed):
+        said = what.events if isinstance(what, Eventful) else ()
+        events = [[float(t), str(k), v] for t, k, v in said]
         return _motion(np.asarray(what.t, np.float64), np.asarray(what.q, np.float64), events)
-    if hasattr(what, "reached") and hasattr(what, "q"):
+    if isinstance(what, Followed):
         q = np.asarray(what.q)[np.asarray(what.reached, bool)]
         return _motion(np.linspace(0.0, every * (len(q) - 1), len(q)), q, [])
     if kind not in (None, *KINDS):
@@ -88,19 +156,17 @@ def _body(what: Any) -> dict[str, Any] | None:
     if isinstance(what, np.ndarray | list | tuple):
         return None
 
-    def has(*names: str) -> bool:
-        return all(hasattr(what, name) for name in names)
-
-    def numbers(name: str) -> list[float]:
-        return np.asarray(getattr(what, name), float).ravel().tolist()
-
-    if has("a", "b", "r") and not has("T"):
-        return {"kind": "capsule", "a": numbers("a"), "b": numbers("b"), "r": float(np.asarray(what.r))}
-    if has("T", "size"):
-        return {"kind": "box", "T": numbers("T"), "size": numbers("size")}
-    if has("T", "r", "h"):
-        return {"kind": "cylinder", "T": numbers("T"), "r": numbers("r")[0], "h": numbers("h")[0]}
+    if isinstance(what, Capsule) and not isinstance(what, Placed):
+        return {"kind": "capsule", "a": _numbers(what.a), "b": _numbers(what.b), "r": float(np.asarray(what.r))}
+    if isinstance(what, Box):
+        return {"kind": "box", "T": _numbers(what.T), "size": _numbers(what.size)}
+    if isinstance(what, Cylinder):
+        return {"kind": "cylinder", "T": _numbers(what.T), "r": _numbers(what.r)[0], "h": _numbers(what.h)[0]}
     return None
+
+
+def _numbers(values: Any) -> list[float]:
+    return np.asarray(values, float).ravel().tolist()
 
 
 def _thin(points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
