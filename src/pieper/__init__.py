@@ -12,7 +12,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status
 
 if TYPE_CHECKING:
-    from pieper import jax, torch, workbench
+    from pieper import jax, torch
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Clearance, Swept
     from pieper.description.quantity import evaluate
