@@ -12,9 +12,13 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status
 
 if TYPE_CHECKING:
+    from pieper import jax, torch
+    from pieper.collision.scene import Scene
+    from pieper.collision.swept import Clearance, Swept
     from pieper.description.quantity import evaluate
+    from pieper.description.shapes import Body, Box, Capsule, Convex, Cylinder
     from pieper.document.writing import whole_file
-    from pieper.judge import Judgement, check
+    from pieper.judge import Judgement, check, guess_claims
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.kinematics.spoken_many import poses
     from pieper.motion.constant_speed import fastest_constant_speed
@@ -31,10 +35,20 @@ if TYPE_CHECKING:
     from pieper.presentation.report import report, write_report
     from pieper.solver.singular.self_motion import SelfMotion
 
+    workbench: Any
+
 __version__ = "0.1.0"
 
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
+    "Body": "pieper.description.shapes",
+    "Box": "pieper.description.shapes",
+    "Capsule": "pieper.description.shapes",
+    "Clearance": "pieper.collision.swept",
+    "Convex": "pieper.description.shapes",
+    "Cylinder": "pieper.description.shapes",
+    "Scene": "pieper.collision.scene",
+    "Swept": "pieper.collision.swept",
     "Judgement": "pieper.judge",
     "Limits": "pieper.motion.limits",
     "Motion": "pieper.motion.motion",
@@ -42,8 +56,10 @@ _LATER = {
     "Program": "pieper.motion.program",
     "SelfMotion": "pieper.solver.singular.self_motion",
     "check": "pieper.judge",
+    "guess_claims": "pieper.judge",
     "evaluate": "pieper.description.quantity",
     "fastest_constant_speed": "pieper.motion.constant_speed",
+    "jax": "pieper.jax",
     "load_program": "pieper.motion.program_file",
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
@@ -57,16 +73,23 @@ _LATER = {
     "sections": "pieper.presentation.sections",
     "sequence": "pieper.motion.sequence",
     "time_law": "pieper.motion.time_law",
+    "torch": "pieper.torch",
     "whole_file": "pieper.document.writing",
     "workbench": "pieper.workbench",
     "write_report": "pieper.presentation.report",
 }
-_MODULES = ("plot", "sections", "workbench")
+_MODULES = ("jax", "plot", "sections", "torch", "workbench")
 
 __all__ = [
     "DH",
     "Actuator",
     "Arm",
+    "Body",
+    "Box",
+    "Capsule",
+    "Clearance",
+    "Convex",
+    "Cylinder",
     "InputError",
     "Judgement",
     "Limits",
@@ -77,15 +100,19 @@ __all__ = [
     "Plan",
     "PlanError",
     "Program",
+    "Scene",
     "SelfMotion",
     "SolutionBatch",
     "Solutions",
     "Status",
+    "Swept",
     "Track",
     "catalog",
     "check",
+    "guess_claims",
     "evaluate",
     "fastest_constant_speed",
+    "jax",
     "line",
     "load",
     "load_program",
@@ -101,6 +128,7 @@ __all__ = [
     "sections",
     "sequence",
     "time_law",
+    "torch",
     "ur_calibrated",
     "whole_file",
     "workbench",

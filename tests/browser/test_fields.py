@@ -109,7 +109,8 @@ def test_a_wrist_turning_in_place_is_seen_and_a_limit_passed_is_red(bench):
     bench.settle()
     picture = """() => { const c = document.querySelector('#view canvas'); return new Promise((done) => {
       const o = document.createElement('canvas'); o.width = c.width; o.height = c.height; const x = o.getContext('2d');
-      workbench.withPicture(() => { x.drawImage(c, 0, 0); const d = x.getImageData(0, 0, o.width, o.height).data; let s = 0;
+      workbench.withPicture(() => {
+        x.drawImage(c, 0, 0); const d = x.getImageData(0, 0, o.width, o.height).data; let s = 0;
         for (let i = 0; i < d.length; i += 4) { s = (s * 31 + d[i]) % 1000003; }
         done(s); }); }); }"""
     before = bench.value(picture)

@@ -37,7 +37,7 @@ FLOORS = (
     ("judge",),
     ("maps", "calibration", "code", "verify"),
     ("presentation",),
-    ("at_scale",),
+    ("at_scale", "jax", "torch"),
     ("arm",),
     ("arms",),
     ("__init__",),

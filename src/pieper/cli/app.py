@@ -17,6 +17,7 @@ COMMANDS = {
     "time": "Time a path within limits.",
     "program": "Time a program, draw it, and write it for a controller.",
     "animate": "Write a motion as a moving picture.",
+    "clear": "Prove that a path touches nothing.",
     "report": "Write everything about an arm on one page.",
     "map": "Fill a box with answers: what the arm reaches.",
     "calibrate": "Fit an arm to what was measured.",

@@ -9,14 +9,14 @@ from pieper.cli.options import takes_arm
 from pieper.cli.status import DONE
 
 #: Language -> the ending of its files.
-ENDINGS = {"c": "c", "c++": "cpp", "python": "py", "javascript": "mjs"}
+ENDINGS = {"c": "c", "c++": "hpp", "python": "py", "matlab": "m", "javascript": "mjs", "jax": "py", "wasm": "wasm"}
 
 
 @click.command("code", short_help="Write an arm's solver in another language.")
 @takes_arm
 @click.option("--to", "language", required=True, type=click.Choice(list(ENDINGS)), help="The language.")
 @click.option("--out", "-o", default="", metavar="FILE", help="Where to; named after the arm when left out.")
-@click.option("--name", default="arm", show_default=True, help="What the functions of C begin with: NAME_ik, NAME_fk.")
+@click.option("--name", default="arm", show_default=True, help="What the functions begin with: NAME_ik, NAME_fk.")
 def command(arm: pieper.Arm, language: str, out: str, name: str) -> int:
     """Write an arm's inverse and forward kinematics as one file that needs no pieper.
 

@@ -6,6 +6,7 @@ import hashlib
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any, Protocol
 
@@ -13,7 +14,7 @@ import numpy as np
 
 from pieper.code.program import Program, recorded
 from pieper.description.dh import Description
-from pieper.errors import InputError
+from pieper.errors import InputError, PlanError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
@@ -44,7 +45,7 @@ class Export:
 
     Args:
         name: The prefix of functions, where a language needs one.
-        program: From pose to rows.
+        plan: How the arm is solved.
         links: (n + 1, 3, 4) constant links of the chain, m.
         slides: (n,) which joints slide.
         lower: (n,) limits, rad or m, a rounding wider than said; infinite where there is none.
@@ -57,7 +58,7 @@ class Export:
     """
 
     name: str
-    program: Program
+    plan: Plan
     links: Array
     slides: tuple[bool, ...]
     lower: Array
@@ -73,6 +74,30 @@ class Export:
         """Number of joints."""
         return len(self.slides)
 
+    @cached_property
+    def program(self) -> Program:
+        """From pose to rows, as a list of operations.
+
+        Raises:
+            PlanError: The family cannot be written so.
+        """
+        return recorded(self.plan)
+
+
+def _refuse_what_is_not_six_joints(plan: Plan) -> None:
+    name = plan.name
+    if plan.uncoupled is not None:
+        raise PlanError(f"{name}: coupled joints cannot be exported; export the arm of the chain's values.")
+    if plan.snapped:
+        raise PlanError(f"{name}: its geometry was snapped, and the polishing that follows is a loop: give exact axes.")
+    if not plan.direct:
+        raise PlanError(
+            f"{name}: only arms of six joints with full poses are exported; this one has {plan.n} joints and task "
+            f"{plan.task!r}."
+        )
+    if plan.solver.ends is not None:
+        raise PlanError(f"{name}: its base or tool is too far away to be written into one formula; take it off.")
+
 
 def export(arm: ExportedArm, name: str) -> Export:
     """Return what is written of an arm.
@@ -84,7 +109,7 @@ def export(arm: ExportedArm, name: str) -> Export:
     if not isinstance(name, str) or not _WORD.fullmatch(name):
         raise InputError(f"name must be a word of letters, digits and _, got {name!r}.", given=name)
     plan = arm.plan
-    program = recorded(plan)
+    _refuse_what_is_not_six_joints(plan)
     q = _postures(plan)
     T = fk(plan.chain, q)
     _, _, inside, _ = plan.solver.many(np.ascontiguousarray(T), 1)
@@ -94,7 +119,7 @@ def export(arm: ExportedArm, name: str) -> Export:
         made_by = "pieper"
     said = np.ascontiguousarray(np.concatenate([plan.chain.links.ravel(), plan.limits.ravel()]))
     header = (
-        f"Inverse and forward kinematics of {plan.name}: every solution of a pose in closed form.",
+        f"Inverse and forward kinematics of {plan.name}: every solution of a pose.",
         f"Written by {made_by} from its own kernel, family {plan.family}; do not edit.",
         f"Links and limits: sha256 {hashlib.sha256(said.tobytes()).hexdigest()[:16]}. Metres and radians.",
         f"Source of the numbers: {' '.join((arm.description.source or 'not said').split())}",
@@ -102,7 +127,7 @@ def export(arm: ExportedArm, name: str) -> Export:
     )
     return Export(
         name,
-        program,
+        plan,
         plan.chain.links[:, :3],
         tuple(bool(s) for s in plan.prismatic),
         plan.limits[:, 0] - LIMIT_SLACK,

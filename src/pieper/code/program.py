@@ -43,27 +43,20 @@ def recorded(plan: Plan) -> Program:
         PlanError: The arm's family cannot be recorded; the message says why.
     """
     name = plan.name
-    if plan.uncoupled is not None:
-        raise PlanError(f"{name}: coupled joints cannot be exported; export the arm of the chain's values.")
-    if plan.snapped:
-        raise PlanError(f"{name}: its geometry was snapped, and the polishing that follows is a loop: give exact axes.")
-    if not plan.direct:
-        raise PlanError(
-            f"{name}: only arms of six joints with full poses are exported; this one has {plan.n} joints and task "
-            f"{plan.task!r}."
-        )
     if plan.family not in RECORDED:
         raise PlanError(
             f"{name} is solved by the family {plan.family!r}, an iteration that ends when its numbers say so: that is "
-            f"no list of operations. Families that are: {', '.join(RECORDED)}.",
+            f"no list of operations. Families that are: {', '.join(RECORDED)}. C++ and wasm take every "
+            "family.",
             family=plan.family,
             allowed=RECORDED,
         )
-    if plan.solver.ends is not None:
-        raise PlanError(f"{name}: its base or tool is too far away to be written into one formula; take it off.")
     tape = _code.record(plan.family, cast("dict[str, Any]", plan.spec.geometry.__getstate__()))
     if tape is None:
-        raise PlanError(f"{name}: the straight road is closed to this geometry, it is solved pose by pose with care.")
+        raise PlanError(
+            f"{name}: the straight road is closed to this geometry, it is solved pose by pose with care. C++ and wasm "
+            "take it."
+        )
     nodes, q, valid, unclear = tape
     return Program(tuple(nodes), _needed(nodes, [*q, *valid, unclear]), tuple(q), tuple(valid), unclear)
 

@@ -6,32 +6,53 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
-from pieper.code import c, javascript, python
+from pieper.code import c, cpp, javascript, jax, matlab, python, wasm
 from pieper.code.export import Export, ExportedArm, export
 from pieper.document.writing import whole_file
 from pieper.errors import InputError
 
-Printer = Callable[[Export], str]
+#: A printer takes an export and a path, and returns what goes into which file.
+Printer = Callable[[Export, Path], dict[Path, bytes]]
+
+
+def _one(text: Callable[[Export], str]) -> Printer:
+    return lambda export, path: {path: text(export).encode()}
+
+
+def _matlab(export: Export, path: Path) -> dict[Path, bytes]:
+    return {file: text.encode() for file, text in matlab.texts(export, path).items()}
+
+
+PRINTERS: dict[str, Printer] = {
+    "c": _one(c.text),
+    "c++": _one(cpp.text),
+    "python": _one(python.text),
+    "matlab": _matlab,
+    "javascript": lambda export, path: {path: javascript.text_for(path.suffix)(export).encode()},
+    "jax": _one(jax.text),
+    "wasm": lambda export, path: {path: wasm.content(export, path.suffix)},
+}
 
 
 def write(arm: ExportedArm, language: str, path: str | os.PathLike[str], name: str = "arm") -> Path:
     """Write an arm's solver in a language; see `pieper.Arm.code`.
 
     Raises:
-        InputError: An unknown language, a name that is no word, a place that cannot be written.
+        InputError: An unknown language, a name that is no word, a place that cannot be written, no compiler for wasm.
         PlanError: The arm cannot be exported; the message says why.
     """
-    printers: dict[str, Printer] = {
-        "c": c.text,
-        "c++": c.text,
-        "python": python.text,
-        "javascript": javascript.text_for(Path(path).suffix),
-    }
-    if language not in printers:
+    if language not in PRINTERS:
         raise InputError(
-            f"language is {language!r}; it may be {', '.join(printers)}.", given=language, allowed=tuple(printers)
+            f"language is {language!r}; it may be {', '.join(PRINTERS)}.", given=language, allowed=tuple(PRINTERS)
         )
-    text = printers[language](export(arm, name))
-    with whole_file(path) as file:
-        file.write(text.encode())
-    return Path(path)
+    target = Path(path)
+    files = PRINTERS[language](export(arm, name), target)
+    if language == "matlab" and target.suffix != ".m":
+        try:
+            target.mkdir(exist_ok=True)
+        except OSError as error:
+            raise InputError(f"cannot write into {target}: {error.strerror}. Name a folder, or a .m file.") from None
+    for file, data in files.items():
+        with whole_file(file) as out:
+            out.write(data)
+    return target

@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from pieper.description.carry import carried
 from pieper.description.commonnormal import standard_table
 from pieper.description.dh import CONVENTIONS, DH, Check, Description, describe
 from pieper.description.fold import chain_of
@@ -102,7 +103,11 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
     )
     # named tools stand in the old table's last frame
     moved = {name: table.tool @ inverse(arm.tool) @ T for name, T in arm.tools.items()}
-    return to_convention(replace(kept, tools={k: _frozen(T) for k, T in moved.items()}), arm.convention)
+    bodies = carried(
+        arm, kept, q, np.zeros(len(free)), lambda k: len(free) + 1 if k > arm.n else sum(i < k for i in free)
+    )
+    kept = replace(kept, bodies=bodies, allowed=arm.allowed, tools={k: _frozen(T) for k, T in moved.items()})
+    return to_convention(kept, arm.convention)
 
 
 def to_convention(arm: Description, convention: str) -> Description:
@@ -121,7 +126,7 @@ def to_convention(arm: Description, convention: str) -> Description:
     else:
         a, alpha, first, last = [*a[1:], 0.0], [*alpha[1:], 0.0], _link(a[0], alpha[0]), np.eye(4)
     rows = tuple(DH(x, angle, row.d, row.theta) for x, angle, row in zip(a, alpha, arm.rows, strict=True))
-    return replace(
+    other = replace(
         arm,
         convention=convention,
         rows=rows,
@@ -129,6 +134,7 @@ def to_convention(arm: Description, convention: str) -> Description:
         tool=_frozen(last @ arm.tool),
         tools={name: _frozen(last @ T) for name, T in arm.tools.items()},
     )
+    return replace(other, bodies=carried(arm, other, np.zeros(arm.n), np.zeros(arm.n)), unmeasured=None)
 
 
 def reversed_arm(arm: Description) -> Description:
@@ -157,7 +163,10 @@ def reversed_arm(arm: Description) -> Description:
         actuator=None,
         origin=None,
     )
-    return to_convention(turned, arm.convention)
+    q = np.zeros(arm.n)
+    at_zero = chain_of(arm).native.fk(q)
+    bodies = carried(arm, turned, q, q, lambda k: max(arm.n - k, 0), inverse(at_zero))
+    return to_convention(replace(turned, bodies=bodies, unmeasured=None), arm.convention)
 
 
 def _described_anew(arm: Description, **changes: object) -> Description:

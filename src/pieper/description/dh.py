@@ -12,6 +12,7 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from pieper.description.coupling import checked_coupling
+from pieper.description.shapes import Body, Unmeasured
 from pieper.errors import InputError, PieperWarning
 from pieper.kinematics.pose import PoseLike, checked_pose
 from pieper.words_by_number import plural
@@ -123,6 +124,9 @@ class Description:
         frames: Named poses (4, 4) of places, in the frame in which `base` is.
         remarks: What was read differently from the file the arm came from, in sentences.
         origin: The URDF or MJCF that others can read too; None for any other arm.
+        bodies: What the arm is made of; empty where nothing is known.
+        allowed: Pairs of names of bodies that may touch, beside neighbours.
+        unmeasured: Where bodies are to be had, when there are none yet.
     """
 
     name: str
@@ -147,6 +151,9 @@ class Description:
     frames: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
     origin: Origin | None = None
+    bodies: tuple[Body, ...] = ()
+    allowed: tuple[tuple[str, str], ...] = ()
+    unmeasured: Unmeasured | None = None
 
     @property
     def n(self) -> int:

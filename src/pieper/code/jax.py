@@ -1,0 +1,135 @@
+"""The printer of JAX: the NumPy file's arithmetic in shapes that no value decides, so that it can be compiled."""
+
+from __future__ import annotations
+
+from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.program import statements
+from pieper.code.python import WORDS as NUMPY
+
+WORDS = {name: word.replace("np.", "jnp.") for name, word in NUMPY.items()}
+
+FRAME = '''"""@HEADER@
+
+NAME_ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits. NAME_ik_all(Ts)
+takes poses (N, 4, 4) and returns rows (N, 8, n) turned inside the limits where they can be, which of them hold (N, 8),
+which lie inside (N, 8), and which poses are unclear (N,): at and next to singular poses, where a row may stand for many
+and rows may be missing. NAME_fk(q) takes (n,) or, through jax.vmap, more. All but NAME_ik may be compiled (jax.jit).
+Double precision is switched on, since single precision loses rows.
+"""
+
+import jax
+import jax.numpy as jnp
+
+jax.config.update("jax_enable_x64", True)
+
+LOWER = jnp.array(@LOWER_NUMBERS@)
+UPPER = jnp.array(@UPPER_NUMBERS@)
+SLIDES = @SLIDES_NUMBERS@
+LINKS = jnp.array(@LINKS_NUMBERS@).reshape(-1, 3, 4)
+_TURN = 6.28318530717958647693
+
+
+def _angle(y, x):
+    # an angle that rounds to -pi is said as pi
+    r = jnp.arctan2(y, x)
+    return jnp.where(r <= -jnp.pi, jnp.pi, r)
+
+
+def NAME_fk(q):
+    """Pose (4, 4) of a joint vector (n,)."""
+    last = jnp.array([[0.0, 0.0, 0.0, 1.0]])
+    T = jnp.concatenate([LINKS[0], last])
+    for i, slides in enumerate(SLIDES):
+        c, s = jnp.cos(q[i]), jnp.sin(q[i])
+        o, u = jnp.zeros_like(c), jnp.ones_like(c)
+        rows = [[u, o, o, o], [o, u, o, o], [o, o, u, q[i]]] if slides else [[c, -s, o, o], [s, c, o, o], [o, o, u, o]]
+        Z = jnp.stack([jnp.stack(row) for row in [*rows, [o, o, o, u]]])
+        T = T @ Z @ jnp.concatenate([LINKS[i + 1], last])
+    return T
+
+
+def NAME_jacobian(q):
+    """Geometric Jacobian (6, n) of a joint vector (n,), base frame, linear rows first."""
+    T, dT = NAME_fk(q), jax.jacfwd(NAME_fk)(q)
+    W = jnp.einsum("abj,cb->acj", dT[:3, :3], T[:3, :3])
+    return jnp.concatenate([dT[:3, 3], jnp.stack([W[2, 1], W[0, 2], W[1, 0]])])
+
+
+def _rows(T):
+@PROGRAM@
+    shape = T.shape[:1]
+    q = jnp.stack([jnp.broadcast_to(x, shape) for x in [@ROWS@]], -1).reshape(*shape, 8, -1)
+    valid = jnp.stack([jnp.broadcast_to(x, shape) for x in [@VALID@]], -1)
+    return q, valid, jnp.broadcast_to(@UNCLEAR@, shape)
+
+
+def NAME_ik_all(Ts):
+    """Rows (N, 8, n), which hold (N, 8), which lie inside the limits (N, 8), which poses are unclear (N,)."""
+    q, valid, unclear = _rows(Ts)
+    q = jnp.where(valid[..., None], q, 0.0)
+    slides = jnp.array(SLIDES)
+    gap = jnp.abs(q[:, :, None] - q[:, None])
+    gap = jnp.where(slides, gap, jnp.abs(gap - _TURN * jnp.round(gap / _TURN))).max(-1)
+    earlier = jnp.tril(jnp.ones((8, 8), bool), -1)
+    valid = valid & ~((gap < 1e-9) & earlier & valid[:, None]).any(-1)
+    away = jnp.abs(jax.vmap(jax.vmap(NAME_fk))(q) - Ts[:, None]).max((-1, -2))
+    valid = valid & (~unclear[:, None] | (away < @VERIFIED@))
+    low, high = ~slides & (q < LOWER), ~slides & (q > UPPER)
+    q = jnp.where(low, q + _TURN * jnp.ceil(jnp.where(low, LOWER - q, 0.0) / _TURN), q)
+    high = ~slides & (q > UPPER)
+    q = jnp.where(high, q - _TURN * jnp.ceil(jnp.where(high, q - UPPER, 0.0) / _TURN), q)
+    return q, valid, valid & ((q >= LOWER) & (q <= UPPER)).all(-1), unclear
+
+
+_compiled = jax.jit(NAME_ik_all)
+
+
+def NAME_ik(T):
+    """Every joint vector (m, n) inside the limits that reaches a pose (4, 4)."""
+    q, _, inside, _ = _compiled(jnp.asarray(T, jnp.float64)[None])
+    return q[0][inside[0]]
+
+
+def NAME_self_test():
+    """How many of @TESTS@ stored poses fail: 0."""
+    q, T, slides = jnp.array(@TEST_Q@), jnp.array(@TEST_T@).reshape(-1, 4, 4), jnp.array(SLIDES)
+    rows, _, inside, _ = _compiled(T)
+    gap = jnp.abs(rows - q[:, None])
+    gap = jnp.where(slides, gap, jnp.abs(gap - _TURN * jnp.round(gap / _TURN))).max(-1)
+    met = ((gap < 1e-7) & inside).any(1)
+    closes = jnp.abs(jax.vmap(NAME_fk)(q) - T).max((1, 2)) < @VERIFIED@
+    return int((~(met & closes & (inside.sum(1) == jnp.array(@COUNTS@)))).sum())
+
+
+ik, fk = NAME_ik, NAME_fk
+
+if __name__ == "__main__":
+    print(f"{NAME_self_test()} of @TESTS@ poses failed")
+'''
+
+
+def text(export: Export) -> str:
+    """Return the file's text."""
+    lines, said = statements(
+        export.program,
+        WORDS,
+        lambda k: f"T[:, {k // 4}, {k % 4}]",
+        lambda name, _, expression: f"    {name} = {expression}",
+    )
+    number, program = finite_or("jnp.inf"), export.program
+    parts = {
+        "HEADER": "\n".join(export.header).replace("\\", "/").replace('"""', "'''"),
+        "LOWER_NUMBERS": nested(export.lower, "[]", number),
+        "UPPER_NUMBERS": nested(export.upper, "[]", number),
+        "SLIDES_NUMBERS": "[" + ", ".join(str(s) for s in export.slides) + "]",
+        "LINKS_NUMBERS": nested(export.links.reshape(export.n + 1, 12), "[]", number),
+        "PROGRAM": "\n".join(lines),
+        "ROWS": ", ".join(said(i) for i in program.q),
+        "VALID": ", ".join(said(i) for i in program.valid),
+        "UNCLEAR": said(program.unclear),
+        "VERIFIED": repr(export.verified),
+        "TEST_Q": nested(export.q, "[]", number),
+        "TEST_T": nested(export.T.reshape(-1, 16), "[]", number),
+        "COUNTS": "[" + ", ".join(str(k) for k in export.counts) + "]",
+    }
+    return filled(FRAME, parts, export)

@@ -1,0 +1,88 @@
+"""The kernels' own sources as one text, for whoever compiles them away from here."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import runpy
+from functools import lru_cache
+from importlib import resources
+from pathlib import Path
+
+from pieper.errors import PlanError
+
+#: Family -> the struct of its geometry and the header of it and its kernel; the build's own table says the same.
+HEADERS = {
+    "spherical_wrist_parallel": ("SphericalWristParallel", "closed_form/lanes/spherical_wrist_parallel.hpp"),
+    "spherical_wrist": ("SphericalWrist", "closed_form/lanes/spherical_wrist.hpp"),
+    "three_parallel": ("ThreeParallel", "closed_form/lanes/three_parallel.hpp"),
+    "offset_wrist": ("OffsetWrist", "hidden_angle/offset_wrist.hpp"),
+    "two_slides": ("TwoSlides", "hidden_angle/two_slides.hpp"),
+    "position3": ("Position3", "closed_form/careful/position3.hpp"),
+    "orientation3": ("Orientation3", "closed_form/careful/orientation3.hpp"),
+    "general": ("General", "elimination/general.hpp"),
+}
+_INCLUDE = re.compile(r'^#include "([^"]+)"\n', re.M)
+_LOOSE = re.compile(r"^(?=(?:void|double|int|bool|long) \w+\()", re.M)
+
+
+def folder() -> Path:
+    """Return where the kernels' headers are: beside this file in an installed package, else in the tree.
+
+    Raises:
+        PlanError: They are nowhere.
+    """
+    packed = Path(str(resources.files("pieper"))) / "code" / "kernels"
+    tree = Path(__file__).resolve().parents[3] / "kernels"
+    for place in (packed, tree):
+        if (place / "code" / "taken.hpp").exists():
+            return place
+    raise PlanError("the kernels' headers were not installed with this package, so no C++ can be written from them.")
+
+
+def _tolerances() -> str:
+    place = folder() / "tolerances.hpp"
+    if place.exists():
+        return place.read_text()
+    writer = runpy.run_path(str(folder().parent / "build_backend" / "tolerances_header.py"))
+    return str(writer["header"](Path(__file__).resolve().parents[1] / "tolerances.py"))
+
+
+@lru_cache
+def _lines() -> dict[str, str]:
+    """Every header by the name it is included with."""
+    place = folder()
+    found = {p.relative_to(place).as_posix(): p.read_text() for p in place.rglob("*.hpp")}
+    return found | {"tolerances.hpp": _tolerances()}
+
+
+@lru_cache
+def fingerprint() -> str:
+    """Return what tells one state of the kernels from another, a word."""
+    both = "".join(name + text for name, text in sorted(_lines().items()))
+    return hashlib.sha256(both.encode()).hexdigest()[:12]
+
+
+@lru_cache
+def joined(*wanted: str) -> str:
+    """Return headers by their names, with all they include, as one text that may be included any number of times.
+
+    Everything lives in a namespace of this state of the kernels, and each header is guarded by itself: texts of several
+    arms, families and versions may stand in one program.
+    """
+    mark = f"pieper_{fingerprint()}"
+    sources, taken = _lines(), set[str]()
+
+    def inlined(name: str) -> str:
+        if name in taken:
+            return ""
+        taken.add(name)
+        text = sources[name].replace("#pragma once\n", "")
+        # what has one home in the library may come into several units here
+        text = _LOOSE.sub("inline ", text)
+        body = _INCLUDE.sub(lambda found: inlined(found[1]), text)
+        guard = f"{mark}_{re.sub(r'[^a-z0-9]', '_', name)}"
+        return f"#ifndef {guard}\n#define {guard}\n{body}#endif\n"
+
+    text = "".join(inlined(name) for name in wanted)
+    return re.sub(r"\bpieper::", f"{mark}::", re.sub(r"\bnamespace pieper\b(?!_)", f"namespace {mark}", text))

@@ -1,0 +1,201 @@
+"""The printer of MATLAB and Octave: a file a function, as these languages want it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.program import statements
+
+WORDS = {
+    "add": "{0} + {1}",
+    "sub": "{0} - {1}",
+    "mul": "{0} * {1}",
+    "div": "{0} / {1}",
+    "neg": "-{0}",
+    "abs": "abs({0})",
+    "sqrt": "real_sqrt({0})",
+    "sin": "sin({0})",
+    "cos": "cos({0})",
+    "atan2": "atan2({0}, {1})",
+    "angle": "angle_of({0}, {1})",
+    "select": "pick({0}, {1}, {2})",
+    "lt": "{0} < {1}",
+    "le": "{0} <= {1}",
+    "gt": "{0} > {1}",
+    "ge": "{0} >= {1}",
+    "eq": "{0} == {1}",
+    "ne": "{0} ~= {1}",
+    "and": "{0} & {1}",
+    "or": "{0} | {1}",
+    "not": "~{0}",
+    "true": "true",
+    "false": "false",
+}
+
+IK_ALL = """function [q, unclear] = NAME_ik_all(T)
+% NAME_IK_ALL  Rows (m, N) of a pose before limits, and whether the pose is unclear: at and next to singular poses a row
+% may stand for many and rows may be missing.
+%
+@HEADER@
+@PROGRAM@
+  rows = [@ROWS@];
+  valid = [@VALID@];
+  unclear = @UNCLEAR@;
+  slides = logical(@SLIDES@);
+  q = zeros(0, N);
+  for m = 1:8
+    if ~valid(m), continue; end
+    gap = abs(bsxfun(@minus, q, rows(m, :)));
+    turned = abs(gap - 2 * pi * round(gap / (2 * pi)));
+    gap(:, ~slides) = turned(:, ~slides);
+    if any(all(gap < 1e-9, 2)), continue; end
+    if unclear && any(any(abs(NAME_fk(rows(m, :)) - T) >= @VERIFIED@)), continue; end
+    q(end + 1, :) = rows(m, :);
+  end
+end
+
+function r = pick(yes, a, b)
+  if yes, r = a; else, r = b; end
+end
+
+function r = real_sqrt(x)
+  if x < 0, r = NaN; else, r = sqrt(x); end
+end
+
+function r = angle_of(y, x)
+  % an angle that rounds to -pi is said as pi
+  r = atan2(y, x);
+  if r <= -pi, r = pi; end
+end
+"""
+
+IK = """function q = NAME_ik(T)
+% NAME_IK  Every joint vector (m, N) inside the limits that reaches a pose T (4, 4), base to tool; m and rad.
+%
+@HEADER@
+  lower = @LOWER@;
+  upper = @UPPER@;
+  slides = logical(@SLIDES@);
+  q = NAME_ik_all(T);
+  turn = 2 * pi;
+  inside = true(size(q, 1), 1);
+  for j = 1:N
+    v = q(:, j);
+    if ~slides(j)
+      low = v < lower(j);
+      v(low) = v(low) + turn * ceil((lower(j) - v(low)) / turn);
+      high = v > upper(j);
+      v(high) = v(high) - turn * ceil((v(high) - upper(j)) / turn);
+    end
+    inside = inside & v >= lower(j) & v <= upper(j);
+    q(:, j) = v;
+  end
+  q = q(inside, :);
+end
+"""
+
+FK = """function [T, J] = NAME_fk(q)
+% NAME_FK  The pose T (4, 4) of joint vector q, base to tool, and its Jacobian J (6, N), base frame, linear rows first.
+%
+@HEADER@
+  links = @LINKS@;
+  slides = logical(@SLIDES@);
+  T = link(links, 1);
+  z = zeros(3, N);
+  p = zeros(3, N);
+  for i = 1:N
+    z(:, i) = T(1:3, 3);
+    p(:, i) = T(1:3, 4);
+    c = cos(q(i));
+    s = sin(q(i));
+    if slides(i)
+      Z = [1 0 0 0; 0 1 0 0; 0 0 1 q(i); 0 0 0 1];
+    else
+      Z = [c -s 0 0; s c 0 0; 0 0 1 0; 0 0 0 1];
+    end
+    T = T * Z * link(links, i + 1);
+  end
+  J = zeros(6, N);
+  for i = 1:N
+    if slides(i)
+      J(1:3, i) = z(:, i);
+    else
+      J(:, i) = [cross(z(:, i), T(1:3, 4) - p(:, i)); z(:, i)];
+    end
+  end
+end
+
+function L = link(links, i)
+  L = [reshape(links(i, :), 4, 3)'; 0 0 0 1];
+end
+"""
+
+SELF_TEST = """function failed = NAME_self_test()
+% NAME_SELF_TEST  How many of @TESTS@ stored poses fail: 0.
+%
+@HEADER@
+  Q = @TEST_Q@;
+  T = @TEST_T@;
+  counts = @COUNTS@;
+  slides = logical(@SLIDES@);
+  failed = 0;
+  for i = 1:size(Q, 1)
+    pose = reshape(T(i, :), 4, 4)';
+    rows = NAME_ik(pose);
+    gap = abs(bsxfun(@minus, rows, Q(i, :)));
+    turned = abs(gap - 2 * pi * round(gap / (2 * pi)));
+    gap(:, ~slides) = turned(:, ~slides);
+    met = any(all(gap < 1e-7, 2));
+    ok = all(all(abs(NAME_fk(Q(i, :)) - pose) < @VERIFIED@));
+    failed = failed + ~(ok && met && size(rows, 1) == counts(i));
+  end
+end
+"""
+
+ENTRY = """function s = STEM()
+% The functions of this arm as one struct: s.ik(T), s.ik_all(T), s.fk(q), s.self_test(); they stand beside this file.
+%
+@HEADER@
+  s = struct('ik', @NAME_ik, 'ik_all', @NAME_ik_all, 'fk', @NAME_fk, 'self_test', @NAME_self_test);
+end
+"""
+
+
+def texts(export: Export, path: Path) -> dict[Path, str]:
+    """Return the files' texts: into a folder, or beside a .m file, which then hands out the functions."""
+    lines, said = statements(
+        export.program,
+        WORDS,
+        lambda k: f"T({k // 4 + 1}, {k % 4 + 1})",
+        lambda name, _, expression: f"  {name} = {expression};",
+    )
+    number, program, n = finite_or("Inf"), export.program, export.n
+    rows = "; ".join(", ".join(said(i) for i in program.q[n * m : n * m + n]) for m in range(8))
+
+    def matrix(rows: object) -> str:
+        inner = nested(rows, "[]", number)
+        return inner if not inner.startswith("[[") else "[" + inner[2:-2].replace("], [", "; ...\n    ") + "]"
+
+    parts = {
+        "HEADER": "\n".join(f"% {line}" for line in export.header),
+        "PROGRAM": "\n".join(lines),
+        "ROWS": rows,
+        "VALID": ", ".join(said(i) for i in program.valid),
+        "UNCLEAR": said(program.unclear),
+        "SLIDES": "[" + ", ".join(str(int(s)) for s in export.slides) + "]",
+        "LOWER": matrix(export.lower),
+        "UPPER": matrix(export.upper),
+        "LINKS": matrix(export.links.reshape(n + 1, 12)),
+        "VERIFIED": repr(export.verified),
+        "TEST_Q": matrix(export.q),
+        "TEST_T": matrix(export.T.reshape(-1, 16)),
+        "COUNTS": "[" + ", ".join(str(k) for k in export.counts) + "]",
+    }
+    file = path.suffix == ".m"
+    folder = path.parent if file else path
+    frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "self_test": SELF_TEST}
+    out = {folder / f"{export.name}_{what}.m": filled(frame, parts, export) for what, frame in frames.items()}
+    if file and path not in out:
+        out[path] = filled(ENTRY.replace("STEM", path.stem), parts, export)
+    return out

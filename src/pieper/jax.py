@@ -1,0 +1,57 @@
+"""Inverse kinematics that JAX differentiates: `pieper.jax.ik(arm)`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from pieper.code.differentiable import DifferentiableRows, Solvable, checked_plan, pose_gradient, rows
+
+
+def ik(arm: Solvable) -> Callable[[Any], Any]:
+    """Return a function from poses (..., 4, 4) to (q (..., slots, 6), inside (..., slots)), differentiable in reverse.
+
+    It may be compiled (jax.jit) and differentiated (jax.grad, jax.vjp) and mapped (jax.vmap); the native solver runs on
+    the processor. Rows are zeros where `inside` is false. Derivatives follow from the implicit function theorem; see
+    docs/code.md for what happens at singular poses.
+
+    Raises:
+        PlanError: The arm has not six joints.
+        ModuleNotFoundError: JAX is not installed.
+    """
+    jax: Any = import_module("jax")
+    jnp: Any = import_module("jax.numpy")
+    if not jax.config.read("jax_enable_x64"):
+        # single precision loses rows
+        jax.config.update("jax_enable_x64", True)
+    plan = checked_plan(arm)
+    slots = plan.max_solutions
+
+    def native(T: Any) -> DifferentiableRows:
+        return rows(plan, np.asarray(T, np.float64))
+
+    def native_gradient(T: Any, q: Any, inside: Any, g: Any) -> Any:
+        return pose_gradient(
+            plan.chain, np.asarray(T), np.asarray(q), np.asarray(inside, bool), np.asarray(g, np.float64)
+        )
+
+    @jax.custom_vjp
+    def solve(T: Any) -> Any:
+        lead = T.shape[:-2]
+        shapes = (jax.ShapeDtypeStruct((*lead, slots, 6), jnp.float64), jax.ShapeDtypeStruct((*lead, slots), jnp.bool_))
+        return jax.pure_callback(lambda x: tuple(native(x)), shapes, T, vmap_method="broadcast_all")
+
+    def forward(T: Any) -> Any:
+        q, inside = solve(T)
+        return (q, inside), (T, q, inside)
+
+    def backward(kept: Any, cotangent: Any) -> Any:
+        T, q, inside = kept
+        shape = jax.ShapeDtypeStruct(T.shape, jnp.float64)
+        return (jax.pure_callback(native_gradient, shape, T, q, inside, cotangent[0], vmap_method="broadcast_all"),)
+
+    solve.defvjp(forward, backward)
+    return lambda T: solve(jnp.asarray(T, jnp.float64))

@@ -1,0 +1,121 @@
+"""Exported MATLAB (run in Octave), JAX and WebAssembly give what the native solver gives."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+import pieper
+from tests.code.test_export import ARMS, differing, loaded, poses
+
+needs_octave = pytest.mark.skipif(shutil.which("octave-cli") is None, reason="no octave")
+needs_wasm = pytest.mark.skipif(
+    importlib.util.find_spec("ziglang") is None or shutil.which("node") is None, reason="no zig or no node"
+)
+
+
+def octave(folder, script):
+    (folder / "run_it.m").write_text(script)
+    ran = subprocess.run(
+        ["octave-cli", "--no-gui", "-q", "--eval", "run_it"], cwd=folder, capture_output=True, text=True, timeout=300
+    )
+    assert "run_it done" in ran.stdout, ran.stderr[-2000:]
+    return ran.stdout
+
+
+@needs_octave
+@pytest.mark.parametrize("name", ARMS)
+def test_matlab_gives_the_native_rows(name, tmp_path):
+    arm = pieper.load(name)
+    assert arm.code("matlab", tmp_path / "robot.m", "one") == tmp_path / "robot.m"
+    q, T = poses(arm, 150)
+    np.savetxt(tmp_path / "T.txt", T.reshape(-1, 16), fmt="%.17g")
+    np.savetxt(tmp_path / "q0.txt", q[:1], fmt="%.17g")
+    octave(
+        tmp_path,
+        "T = load('T.txt'); s = robot(); out = zeros(0, 9);\n"
+        "for i = 1:size(T, 1)\n  pose = reshape(T(i, :), 4, 4)';\n  [q, unclear] = one_ik_all(pose);\n"
+        "  r = s.ik(pose);\n  out = [out; i * ones(size(q, 1), 1), unclear * ones(size(q, 1), 1), "
+        "zeros(size(q, 1), 1), q; i * ones(size(r, 1), 1), unclear * ones(size(r, 1), 1), "
+        "ones(size(r, 1), 1), r];\nend\n"
+        "dlmwrite('out.txt', out, 'precision', '%.17g');\n[P, J] = one_fk(load('q0.txt'));\n"
+        "dlmwrite('fk.txt', [P(:)', J(:)'], 'precision', '%.17g', 'delimiter', ' ');\n"
+        "dlmwrite('failed.txt', one_self_test());\ndisp('run_it done')\n",
+    )
+    out = np.loadtxt(tmp_path / "out.txt", delimiter=",", ndmin=2)
+    for inside in (0, 1):
+        part = out[out[:, 2] == inside]
+        rows = [part[part[:, 0] == i + 1, 3:] for i in range(len(T))]
+        unclear = [bool(part[part[:, 0] == i + 1, 1].any()) for i in range(len(T))]
+        assert differing(arm, T, rows, unclear, inside=bool(inside)) == 0
+    both = np.loadtxt(tmp_path / "fk.txt")
+    assert np.abs(both[:16].reshape(4, 4, order="F") - T[0]).max() < 1e-13
+    assert np.abs(both[16:].reshape(6, 6, order="F") - arm.jacobian(q[0])).max() < 1e-13
+    assert float(np.loadtxt(tmp_path / "failed.txt")) == 0
+
+
+def test_matlab_goes_into_a_folder_a_file_a_function(tmp_path):
+    arm = pieper.load("denso-vp6242")
+    folder = arm.code("matlab", tmp_path / "solver", "denso")
+    names = sorted(p.name for p in folder.iterdir())
+    assert names == ["denso_fk.m", "denso_ik.m", "denso_ik_all.m", "denso_self_test.m"]
+    arm.code("matlab", tmp_path / "denso_ik.m", "denso")
+    assert "function q = denso_ik(T)" in (tmp_path / "denso_ik.m").read_text()
+    (tmp_path / "file").write_text("")
+    with pytest.raises(pieper.InputError, match="Name a folder"):
+        arm.code("matlab", tmp_path / "file", "denso")
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_jax_gives_the_native_rows(name, tmp_path):
+    pytest.importorskip("jax")
+    arm = pieper.load(name)
+    solver = loaded(arm.code("jax", tmp_path / "solver.py", "one"))
+    q, T = poses(arm)
+    rows, valid, inside, unclear = map(np.asarray, solver._compiled(T))
+    assert differing(arm, T, [r[v] for r, v in zip(rows, valid, strict=True)], unclear) == 0
+    assert differing(arm, T, [r[v] for r, v in zip(rows, inside, strict=True)], unclear, inside=True) == 0
+    assert np.asarray(solver.one_ik(T[0])).shape == solver.ik(T[0]).shape == (inside[0].sum(), 6)
+    assert np.abs(np.asarray(solver.fk(q[0])) - T[0]).max() < 1e-12
+    assert np.abs(np.asarray(solver.one_jacobian(q[0])) - arm.jacobian(q[0])).max() < 1e-12
+    assert solver.one_self_test() == 0
+
+
+@needs_wasm
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["denso-vp6242", "fanuc-crx-10ia"])
+def test_wasm_gives_the_native_rows(name, tmp_path):
+    arm = pieper.load(name)
+    arm.code("wasm", tmp_path / "arm.wasm", "one")
+    arm.code("wasm", tmp_path / "arm.mjs", "one")
+    _, T = poses(arm)
+    (tmp_path / "poses.bin").write_bytes(T.tobytes())
+    (tmp_path / "run.mjs").write_text(
+        "import fs from 'fs';\nimport { ik, ikAll, fk, jacobian, selfTest } from './arm.mjs';\n"
+        "const module = new WebAssembly.Module(fs.readFileSync('arm.wasm'));\n"
+        "const b = fs.readFileSync('poses.bin'), out = [];\n"
+        "const t = new Float64Array(b.buffer, b.byteOffset, b.length / 8);\n"
+        "for (let i = 0; i < t.length; i += 16) out.push(ikAll(t.subarray(i, i + 16)));\n"
+        "const q = out[0].rows[0], T = fk(q);\n"
+        "console.log(JSON.stringify({ out, q, J: jacobian(q), failed: selfTest(), rows: ik(T).length,\n"
+        "  bad: ik([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1]),\n"
+        "  imports: WebAssembly.Module.imports(module).length,\n"
+        "  exports: WebAssembly.Module.exports(module).map((e) => e.name) }));\n"
+    )
+    ran = subprocess.run(["node", "run.mjs"], cwd=tmp_path, capture_output=True, text=True, check=True)
+    said = json.loads(ran.stdout)
+    assert said["failed"] == 0 and said["imports"] == 0 and said["bad"] is None
+    assert {"memory", "alloc", "one_ik", "one_fk", "one_ik_many"} <= set(said["exports"])
+    assert np.abs(np.array(said["J"]) - arm.jacobian(np.array(said["q"]))).max() < 1e-12
+    assert differing(arm, T, [r["rows"] for r in said["out"]], [r["unclear"] for r in said["out"]]) == 0
+
+
+def test_without_zig_wasm_says_what_to_install(tmp_path, monkeypatch):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(pieper.InputError, match=r"pieper\[wasm\]"):
+        pieper.load("denso-vp6242").code("wasm", tmp_path / "arm.wasm")
