@@ -1,4 +1,4 @@
-"""A pose that a joint vector made is never told out of reach, on singularities of any kind and at any distance from them."""
+"""A pose that a joint vector made is never told out of reach, on singularities of any kind or at any distance."""
 
 from __future__ import annotations
 
