@@ -85,7 +85,7 @@ def test_seed_001_picks_and_places_from_typed_poses_and_back(bench, servo_arm):
     scrub.press("End")
     assert np.allclose(bench.value("workbench.q"), q[-1])
     bench.page.get_by_test_id("save-program").click()
-    bench.page.get_by_test_id("program-verdict").get_by_text("ABB").wait_for()
+    bench.page.get_by_test_id("program-verdict").get_by_text("another maker").wait_for()
     bench.page.get_by_test_id("dialect").select_option("csv")
     with bench.page.expect_download() as saved:
         bench.page.get_by_test_id("save-program").click()
@@ -154,3 +154,17 @@ def test_a_program_is_written_in_the_language_of_its_maker(bench):
     assert np.allclose(last.q, np.radians(q[1]), atol=1e-4) and np.allclose(
         arm.fk(last.q), arm.fk(np.radians(q[1])), atol=1e-4
     )
+
+
+def test_a_motion_is_filmed_as_it_plays(bench):
+    bench.tab("Sequence")
+    bench.page.get_by_test_id("add-posture").click()
+    bench.page.get_by_test_id("add-posture").click()
+    bench.fill("seq-1-q1", 40)
+    bench.fill("seq-1-seconds", 1)
+    bench.page.get_by_test_id("run-sequence").click()
+    bench.page.get_by_test_id("chart").wait_for()
+    with bench.page.expect_download() as saved:
+        bench.button("Save as Film")
+    content = saved.value.path().read_bytes()
+    assert content.startswith(b"\x1aE\xdf\xa3") and len(content) > 5_000, "a WebM film"

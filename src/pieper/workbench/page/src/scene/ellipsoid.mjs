@@ -7,7 +7,7 @@ import { colours } from '../theme.mjs';
 import { scene, invalidate } from './view.mjs';
 
 /** The longest axis drawn, as a part of the arm; a force has no longest one, so that it is drawn against its shortest. */
-const SHARE = 0.22;
+const SHARE = 0.14;
 const mesh = new THREE.Mesh(
   new THREE.SphereGeometry(1, 32, 20),
   new THREE.MeshBasicMaterial({ transparent: true, opacity: 0.3, depthWrite: false, fog: false }),
