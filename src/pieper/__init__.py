@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from pieper.presentation.report import report, write_report
     from pieper.solver.singular.self_motion import SelfMotion
 
+    workbench: Any
+
 __version__ = "0.1.0"
 
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
