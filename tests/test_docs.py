@@ -30,6 +30,9 @@ def at_hand(folder) -> dict:
     q = arm.ik(T0).q[0]
     via = pieper.pose(0.3, 0.05, 0.47)
     arm.save(folder / "my-arm.toml")
+    slow = pieper.Limits(speed=[1.0] * 6, acceleration=[2.0] * 6)
+    pick = pieper.Program(arm, slow, start=q).move_j(q + 0.05)
+    pick.write(folder / "pick.csv", dialect="csv")
     arm.save(folder / "model.xml.urdf")
     text = (folder / "model.xml.urdf").read_text().replace('"base"', '"base_link"').replace('"tool"', '"tool0"')
     for name in ("robot.urdf", "model.xml"):
