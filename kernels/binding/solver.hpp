@@ -7,6 +7,7 @@
 #include "binding/fields.hpp"
 #include "binding/selection.hpp"
 #include "dispatch/solver.hpp"
+#include "maps/reach.hpp"
 
 namespace {
 
@@ -99,6 +100,39 @@ class PySolver {
       bytes(inside)[k++] = in_limits[i];
     }
     return nb::make_tuple(rows, which, inside, static_cast<int>(flag));
+  }
+
+  nb::tuple reach(nb::handle centres, nb::handle turns, int rolls, double sense, nb::handle links, int threads) const {
+    nb::object at = float_array(centres, "centres"), R = float_array(turns, "turns"), L;
+    const npy_intp count = PyArray_SIZE(as_array(at)) / 3, orientations = PyArray_SIZE(as_array(R)) / 9;
+    if (PyArray_SIZE(as_array(at)) != 3 * count || PyArray_SIZE(as_array(R)) != 9 * orientations || rolls < 1 ||
+        orientations % rolls)
+      throw nb::value_error("centres must be (v, 3) and turns (k, 3, 3), k a multiple of rolls.");
+    pieper::Voxels asked{doubles(at), count, doubles(R), orientations, rolls, sense, nullptr};
+    if (!links.is_none()) {
+      L = float_array(links, "links");
+      if (solver_.joints() != 6 || PyArray_SIZE(as_array(L)) != 16 * 7)
+        throw nb::value_error("links must be (7, 4, 4): what is measured is a determinant.");
+      asked.links = doubles(L);
+    }
+    const npy_intp packed[] = {count, (orientations + 7) / 8};
+    nb::object bits = new_array(2, packed, NPY_UINT8), look = new_array(2, packed, NPY_UINT8),
+               solutions = new_array(1, &count, NPY_INT64), best = new_array(1, &count, NPY_DOUBLE),
+               margin = new_array(1, &count, NPY_DOUBLE);
+    const auto raw = [](const nb::object& o) { return PyArray_DATA(as_array(o)); };
+    const pieper::Reached to{bytes(bits), bytes(look), static_cast<std::int64_t*>(raw(solutions)),
+                             static_cast<double*>(raw(best)), static_cast<double*>(raw(margin))};
+    bool finished;
+    {
+      nb::gil_scoped_release release;
+      finished = pieper::reach(solver_, asked, to, threads, [] {
+        nb::gil_scoped_acquire acquire;
+        return PyErr_CheckSignals() == 0;
+      });
+    }
+    if (!finished) throw nb::python_error();
+    if (!asked.links) return nb::make_tuple(bits, look, solutions, nb::none(), nb::none());
+    return nb::make_tuple(bits, look, solutions, best, margin);
   }
 
  private:

@@ -47,6 +47,11 @@ class Solver {
 
   int joints() const { return family_.joints; }
   int slots() const { return family_.slots; }
+  const IsaTable& isa_table() const { return isa_; }
+  // Limits of q with their slack, and which joints slide.
+  const std::vector<double>& lower() const { return lower_; }
+  const std::vector<double>& upper() const { return upper_; }
+  const std::vector<std::uint8_t>& prismatic() const { return prismatic_; }
 
   // Solves count poses (16 doubles each), each block checked, solved, limited and chosen from while it is in the cache. At a pose
   // that is no rigid motion the work ends, and `bad` is the first such; what has been written then is of no meaning.

@@ -12,13 +12,13 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status
 
 if TYPE_CHECKING:
-    from pieper import jax, torch, workbench
+    from pieper import jax, torch
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Clearance, Swept
     from pieper.description.quantity import evaluate
     from pieper.description.shapes import Body, Box, Capsule, Convex, Cylinder
     from pieper.document.writing import whole_file
-    from pieper.judge import Judgement, check
+    from pieper.judge import Judgement, check, guess_claims
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.kinematics.spoken_many import poses
     from pieper.motion.constant_speed import fastest_constant_speed
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from pieper.motion.program import Program
     from pieper.motion.program_file import load_program, save_program
     from pieper.motion.recorded import read_motion
+    from pieper.motion.route.arcs import Arc
+    from pieper.motion.route.freedom import Freedom, Verdict
+    from pieper.motion.route.result import Route
     from pieper.motion.sequence import move, sequence
     from pieper.motion.time_law import time_law
     from pieper.motion.track import Track
@@ -35,10 +38,16 @@ if TYPE_CHECKING:
     from pieper.presentation.report import report, write_report
     from pieper.solver.singular.self_motion import SelfMotion
 
+    workbench: Any
+
 __version__ = "0.1.0"
 
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
+    "Arc": "pieper.motion.route.arcs",
+    "Freedom": "pieper.motion.route.freedom",
+    "Route": "pieper.motion.route.result",
+    "Verdict": "pieper.motion.route.freedom",
     "Body": "pieper.description.shapes",
     "Box": "pieper.description.shapes",
     "Capsule": "pieper.description.shapes",
@@ -54,6 +63,7 @@ _LATER = {
     "Program": "pieper.motion.program",
     "SelfMotion": "pieper.solver.singular.self_motion",
     "check": "pieper.judge",
+    "guess_claims": "pieper.judge",
     "evaluate": "pieper.description.quantity",
     "fastest_constant_speed": "pieper.motion.constant_speed",
     "jax": "pieper.jax",
@@ -80,7 +90,9 @@ _MODULES = ("jax", "plot", "sections", "torch", "workbench")
 __all__ = [
     "DH",
     "Actuator",
+    "Arc",
     "Arm",
+    "Freedom",
     "Body",
     "Box",
     "Capsule",
@@ -97,6 +109,7 @@ __all__ = [
     "Plan",
     "PlanError",
     "Program",
+    "Route",
     "Scene",
     "SelfMotion",
     "SolutionBatch",
@@ -104,8 +117,10 @@ __all__ = [
     "Status",
     "Swept",
     "Track",
+    "Verdict",
     "catalog",
     "check",
+    "guess_claims",
     "evaluate",
     "fastest_constant_speed",
     "jax",

@@ -337,6 +337,17 @@ class Solver:
     ) -> None:
         """The same written into the caller's arrays; outcome (N,): 0 no rows, 1 outside the limits alone, 2 inside."""
 
+    def reach(
+        self,
+        centres: ArrayLike,
+        turns: ArrayLike,
+        rolls: int,
+        sense: float,
+        links: ArrayLike | None,
+        threads: int,
+    ) -> tuple[Bits, Bits, Indices, Array | None, Array | None]:
+        """Voxels (v, 3), turns (k, 3, 3) -> bits, look (v, ceil(k / 8)), solutions, manipulability, margin (v,)."""
+
     def one(self, T: ArrayLike) -> tuple[Array, Bits, Bools, int]:
         """(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
@@ -206,6 +206,8 @@ class AtScale:
         symmetry: str = "auto",
         store: str | os.PathLike[str] | None = None,
         executor: Executor | None = None,
+        progress: Callable[[int, int], None] | None = None,
+        measure: bool = False,
     ) -> ReachMap:
         """Fill a box with answers: where the tool gets inside the limits, in which orientations; see docs/maps.md.
 
@@ -215,14 +217,17 @@ class AtScale:
             orientations: (directions of the tool's z axis, rolls about it), or rotations (k, 3, 3).
             symmetry: "auto" uses that the last joint rolls the tool, where it does, limits kept; "none" solves all.
             store: A folder that keeps finished tiles: asked again, the same map goes on where it stopped.
-            executor: Any `concurrent.futures` executor; all cores of this machine without one.
+            executor: Any `concurrent.futures` executor, dask.distributed's among them; all cores of this machine
+                without one.
+            progress: Told after each tile how many of how many are done.
+            measure: Also keep the best manipulability and distance to limits of each voxel.
 
         Raises:
             InputError: A box or step that is none or in millimetres, a store of another map, a map too large to hold.
         """
         from pieper.maps.reach_map import reach_map
 
-        return reach_map(self.plan, box, step, orientations, symmetry, store, executor)
+        return reach_map(self.plan, box, step, orientations, symmetry, store, executor, progress, measure)
 
     def verify(self, toolbox: str, *, poses: int = 100, seed: int = 0) -> Comparison:
         """Compare the arm with what an independent toolbox makes of it; see docs/verify.md.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -21,9 +22,8 @@ def ik(arm: Solvable) -> Callable[[Any], Any]:
         PlanError: The arm has not six joints.
         ModuleNotFoundError: JAX is not installed.
     """
-    import jax
-    import jax.numpy as jnp
-
+    jax: Any = import_module("jax")
+    jnp: Any = import_module("jax.numpy")
     if not jax.config.read("jax_enable_x64"):
         # single precision loses rows
         jax.config.update("jax_enable_x64", True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -21,8 +22,7 @@ def ik(arm: Solvable) -> Callable[[Any], Any]:
         PlanError: The arm has not six joints.
         ModuleNotFoundError: PyTorch is not installed.
     """
-    import torch
-
+    torch: Any = import_module("torch")
     plan = checked_plan(arm)
 
     class Solve(torch.autograd.Function):

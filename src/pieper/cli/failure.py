@@ -16,6 +16,7 @@ from pieper.cli.status import DONE, INTERRUPTED, MISUSE
 
 #: Optional packages and the extra that brings each.
 EXTRAS = {
+    "distributed": "cluster",
     "matplotlib": "figures",
     "mpl_toolkits": "figures",
     "sympy": "symbolic",

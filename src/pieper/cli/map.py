@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import os
-from concurrent.futures import ProcessPoolExecutor
+import sys
+import time
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import ExitStack
+from importlib import import_module
 
 import click
 
@@ -15,6 +19,18 @@ from pieper.cli.output import as_json as print_json
 from pieper.cli.output import say
 from pieper.cli.status import DONE
 from pieper.cli.units import Units
+
+
+class _Progress:
+    """Tiles done and time left, on one line of the terminal."""
+
+    def __init__(self) -> None:
+        self.started = time.monotonic()
+
+    def __call__(self, done: int, tiles: int) -> None:
+        left = (time.monotonic() - self.started) * (tiles - done) / max(done, 1)
+        end = "\n" if done == tiles else ""
+        print(f"\r{done} of {tiles} tiles, about {left:.0f} s left   ", end=end, file=sys.stderr, flush=True)
 
 
 @click.command("map", context_settings=NUMBERS, short_help="Fill a box with answers: what the arm reaches.")
@@ -29,6 +45,10 @@ from pieper.cli.units import Units
     "--symmetry", default="auto", show_default=True, type=click.Choice(["auto", "none"]), help="See docs/maps.md."
 )
 @click.option("--workers", default=0, help="Processes; without it one process uses all cores.")
+@click.option("--scheduler", default="", metavar="ADDRESS", help="A dask scheduler, such as tcp://host:8786.")
+@click.option("--measure", is_flag=True, help="Keep the best manipulability and distance to limits as well.")
+@click.option("--save", default="", metavar="FILE", help="Write the map as .npz, .parquet or .vtk.")
+@click.option("--picture", default="", metavar="FILE", help="Draw three sections as .png, .svg or .pdf.")
 @as_json
 @takes_units
 def command(
@@ -39,6 +59,10 @@ def command(
     out: str,
     symmetry: str,
     workers: int,
+    scheduler: str,
+    measure: bool,
+    save: str,
+    picture: str,
     json: bool,
     units: Units,
 ) -> int:
@@ -55,12 +79,23 @@ def command(
             given=(box, orientations),
         )
     sides = [(corners[0], corners[1]), (corners[2], corners[3]), (corners[4], corners[5])]
-    asked = {"orientations": (counts[0], counts[1]), "symmetry": symmetry, "store": out or None}
-    if workers:
-        with ProcessPoolExecutor(min(workers, os.cpu_count() or 1)) as pool:
-            found = arm.reach_map(sides, step * units.metres, executor=pool, **asked)
-    else:
-        found = arm.reach_map(sides, step * units.metres, **asked)
+    asked = {"orientations": (counts[0], counts[1]), "symmetry": symmetry, "store": out or None, "measure": measure}
+    with ExitStack() as stack:
+        executor: Executor | None = None
+        if scheduler:
+            try:
+                client = stack.enter_context(import_module("distributed").Client(scheduler, timeout="10s"))
+            except OSError as error:
+                raise InputError(f"--scheduler: nothing answers at {scheduler}: {error}.", given=scheduler) from None
+            executor = stack.enter_context(client.get_executor())
+        elif workers:
+            executor = stack.enter_context(ProcessPoolExecutor(min(workers, os.cpu_count() or 1)))
+        progress = _Progress() if sys.stderr.isatty() and not json else None
+        found = arm.reach_map(sides, step * units.metres, executor=executor, progress=progress, **asked)
+    if save:
+        found.save(save)
+    if picture:
+        pieper.plot.save_figure(pieper.plot.map_figure(found), picture)
     if json:
         print_json({"arm": arm.name, "volume_m3": found.volume, "fraction": found.fraction, "count": found.count})
         return DONE

@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -14,6 +15,7 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
 from pieper.kinematics.pose import PoseLike, checked_pose, rotation_z
+from pieper.maps.export import export
 from pieper.maps.grid import Grid, grid_of
 from pieper.maps.store import Store, bytes_of, identity
 from pieper.maps.tile import Question, Tile, question_of, reached_exactly, shares, solved
@@ -45,6 +47,8 @@ class ReachMap:
         plan: How the arm is solved.
         grid: Voxels and orientations.
         bits: (voxels, ceil(k / 8)) one bit an orientation.
+        solutions: (voxels,) inside the limits.
+        measures: Best manipulability and margin (voxels,), where they were asked for.
         symmetry: What answered for what, in words.
         computed: Tiles that were solved now; the others came from the store.
     """
@@ -53,6 +57,7 @@ class ReachMap:
     grid: Grid = field(repr=False)
     bits: Bits = field(repr=False)
     solutions: Indices = field(repr=False)
+    measures: tuple[Array, Array] | None = field(repr=False, default=None)
     symmetry: str = ""
     computed: int = 0
 
@@ -66,6 +71,34 @@ class ReachMap:
     def count(self) -> Indices:
         """(nx, ny, nz) solutions inside the limits in each voxel, all orientations together."""
         return self.solutions.reshape(self.grid.shape)
+
+    @property
+    def manipulability(self) -> Array:
+        """(nx, ny, nz) best manipulability sqrt(det(J J^T)) of the solutions inside the limits in each voxel."""
+        return self._measured[0].reshape(self.grid.shape)
+
+    @property
+    def margin(self) -> Array:
+        """(nx, ny, nz) share of half a joint's range that the nearest limit is away, of the best solution; 0 to 1."""
+        return self._measured[1].reshape(self.grid.shape)
+
+    @property
+    def _measured(self) -> tuple[Array, Array]:
+        if self.measures is None:
+            raise InputError("this map was not measured: ask for it with measure=True.")
+        return self.measures
+
+    def minus(self, other: ReachMap) -> Array:
+        """Return by how much more of the orientations this map reaches than another arm's or tool's (nx, ny, nz).
+
+        Raises:
+            InputError: The other map has other voxels or orientations.
+        """
+        a, b = self.grid, other.grid
+        same = a.shape == b.shape and a.step == b.step and np.array_equal(a.low, b.low)
+        if not same or not np.array_equal(a.turns, b.turns):
+            raise InputError("two maps are compared voxel by voxel: ask both with the same box, step and orientations.")
+        return self.fraction - other.fraction
 
     @property
     def volume(self) -> float:
@@ -122,6 +155,14 @@ class ReachMap:
         which = np.flatnonzero(self.fraction.ravel() > 0)
         return Voxels(self.grid.centres(which), self.fraction.ravel()[which], self.solutions[which])
 
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Write the map for other programs: .npz, .parquet (an extra), .vtk (voxels as cells).
+
+        Raises:
+            InputError: Another ending, or a place that cannot be written.
+        """
+        return export(self, path)
+
     def explain(self) -> str:
         """Tell what was asked and what came out."""
         nx, ny, nz = self.grid.shape
@@ -129,7 +170,7 @@ class ReachMap:
         return (
             f"{self.plan.name}: {nx} x {ny} x {nz} voxels of {self.grid.step * 1e3:g} mm, {len(self.grid.turns)} "
             f"orientations each, {self.grid.count * len(self.grid.turns):,} poses; {self.symmetry}. {reached:,} voxels "
-            f"are reached in some orientation ({self.volume:.4g} m^3), {whole:,} in all. Limits "
+            f"are reached in some orientation ({self.volume:.4g} m^3), {whole:,} in every one. Limits "
             "count, self-collisions do not; a voxel is asked at its centre."
         )
 
@@ -143,6 +184,7 @@ def reach_map(
     store: str | os.PathLike[str] | None = None,
     executor: Executor | None = None,
     progress: Callable[[int, int], None] | None = None,
+    measure: bool = False,
 ) -> ReachMap:
     """Ask for a map; see `pieper.Arm.reach_map`.
 
@@ -157,11 +199,12 @@ def reach_map(
             f"this map has {grid.count:,} voxels and {bytes_of(grid) / 1e9:.3g} GB: give a store= or a larger step.",
             bytes=bytes_of(grid),
         )
-    question = question_of(plan, grid, symmetry)
+    question = question_of(plan, grid, symmetry, measure)
     per_tile = max(1, TILE_POSES // len(grid.turns))
     kept = None if store is None else Store.opened(store, identity(question, per_tile))
     bits = np.zeros((grid.count, -(-len(grid.turns) // 8)), np.uint8)
     solutions = np.zeros(grid.count, np.int64)
+    whole = Tile(bits, solutions, np.zeros(grid.count), np.zeros(grid.count))
     tiles = -(-grid.count // per_tile)
     missing = []
     for number in range(tiles):
@@ -169,10 +212,10 @@ def reach_map(
         if known is None:
             missing.append(number)
         else:
-            _place(bits, solutions, number, per_tile, known)
+            _place(whole, number, per_tile, known)
     done = tiles - len(missing)
     for number, tile in _each(question, missing, per_tile, kept, executor):
-        _place(bits, solutions, number, per_tile, tile)
+        _place(whole, number, per_tile, tile)
         done += 1
         if progress is not None:
             progress(done, tiles)
@@ -182,7 +225,8 @@ def reach_map(
         if question.rolls_by_last
         else "every pose was solved"
     )
-    return ReachMap(plan, grid, bits, solutions, words, len(missing))
+    measures = (whole.manipulability, whole.margin) if measure else None
+    return ReachMap(plan, grid, bits, solutions, measures, words, len(missing))
 
 
 def tile_of(question: Question, number: int, per_tile: int, kept: Store | None, threads: int | None) -> Tile:
@@ -222,9 +266,10 @@ def _each(
             future.cancel()
 
 
-def _place(bits: Bits, solutions: Indices, number: int, per_tile: int, tile: Tile) -> None:
+def _place(whole: Tile, number: int, per_tile: int, tile: Tile) -> None:
     at = slice(number * per_tile, number * per_tile + len(tile.count))
-    bits[at], solutions[at] = tile.bits, tile.count
+    for entry in fields(Tile):
+        getattr(whole, entry.name)[at] = getattr(tile, entry.name)
 
 
 def base_places(plan: Plan, Ts: PoseLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, yaw: ArrayLike) -> Array:

@@ -18,7 +18,7 @@ from pieper.maps.grid import Grid
 from pieper.maps.tile import Question, Tile
 
 #: Version of the layout; another one is refused, not guessed at.
-LAYOUT = 1
+LAYOUT = 2
 
 
 def identity(question: Question, per_tile: int) -> dict[str, Any]:
@@ -41,6 +41,7 @@ def identity(question: Question, per_tile: int) -> dict[str, Any]:
         "turns": len(grid.turns),
         "turns_sha256": hashlib.sha256(np.ascontiguousarray(grid.turns).tobytes()).hexdigest(),
         "voxels_a_tile": per_tile,
+        "measured": question.measure,
     }
 
 
@@ -83,7 +84,7 @@ class Store:
     def put(self, number: int, tile: Tile) -> str:
         """Write a tile whole, then its mark; returns its checksum."""
         memory = io.BytesIO()
-        np.savez(memory, bits=tile.bits, count=tile.count)
+        np.savez(memory, bits=tile.bits, count=tile.count, manipulability=tile.manipulability, margin=tile.margin)
         data = memory.getvalue()
         mark = hashlib.sha256(data).hexdigest()
         with whole_file(self._tile(number)) as file:
@@ -101,7 +102,7 @@ class Store:
         if hashlib.sha256(data).hexdigest() != mark:
             return None
         held = np.load(io.BytesIO(data))
-        return Tile(held["bits"], held["count"])
+        return Tile(held["bits"], held["count"], held["manipulability"], held["margin"])
 
     def _tile(self, number: int) -> Path:
         return self.folder / f"tile_{number:06d}.npz"
@@ -112,4 +113,4 @@ class Store:
 
 def bytes_of(grid: Grid) -> int:
     """Return how many bytes a map takes in memory."""
-    return grid.count * (-(-len(grid.turns) // 8) + 8)
+    return grid.count * (-(-len(grid.turns) // 8) + 24)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bits, Bools, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.joints import TURN, JointSpace, wrapped
-from pieper.kinematics.pose import inverse, rotation_z
+from pieper.kinematics.pose import inverse
 from pieper.maps.grid import Grid
 from pieper.solver import verbs
 from pieper.solver.plan.plan import Plan
@@ -20,8 +21,6 @@ from pieper.tolerances import GEOMETRY_EXACT
 
 #: Poses that are solved at once: what is held in memory, whatever the tile's size.
 AT_ONCE = 32_768
-#: One turning joint alone.
-LAST = JointSpace(np.zeros(1, np.bool_), 1.0)
 _LOOK = int(Flag.DEGENERATE | Flag.UNCERTAIN)
 
 
@@ -32,10 +31,14 @@ class Tile:
     Args:
         bits: (v, ceil(k / 8)) one bit an orientation: reached inside the limits.
         count: (v,) solutions inside the limits, all orientations together.
+        manipulability: (v,) the best of them, sqrt(det(J J^T)); zeros where it was not asked for.
+        margin: (v,) the best of them: the share of half a joint's range by which the nearest limit is away, 0 to 1.
     """
 
     bits: Bits
     count: Indices
+    manipulability: Array
+    margin: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,19 +50,21 @@ class Question:
         grid: What is asked.
         rolls_by_last: Whether a roll of the tool is a turn of the last joint, so that one roll answers for all.
         sense: Which way it turns then.
+        measure: Whether manipulability and margin are asked for.
     """
 
     plan: Plan
     grid: Grid
     rolls_by_last: bool
     sense: float = 1.0
+    measure: bool = False
 
 
-def question_of(plan: Plan, grid: Grid, symmetry: str) -> Question:
+def question_of(plan: Plan, grid: Grid, symmetry: str, measure: bool = False) -> Question:
     """Return the question; symmetry is used where the arm has it, and `none` was not said."""
     sense = last_joint_rolls(plan.chain) if plan.direct else 0.0
     use = symmetry == "auto" and grid.rolls > 1 and sense != 0.0
-    return Question(plan, grid, use, sense or 1.0)
+    return Question(plan, grid, use, sense or 1.0, measure)
 
 
 def last_joint_rolls(chain: Chain) -> float:
@@ -73,17 +78,57 @@ def last_joint_rolls(chain: Chain) -> float:
 
 def solved(question: Question, which: Indices, threads: int | None) -> Tile:
     """Return the tile of voxels by their numbers."""
+    plan = question.plan
+    if plan.direct and plan.solver.reach is not None:
+        return _fused(question, plan.solver.reach, which, threads)
     grid = question.grid
-    ask = grid.turns[:: grid.rolls] if question.rolls_by_last else grid.turns
-    each = max(1, AT_ONCE // len(ask))
-    reached, count = [], []
+    each = max(1, AT_ONCE // len(grid.turns))
+    parts = []
     for first in range(0, len(which), each):
         some = which[first : first + each]
-        answer = _by_last_joint if question.rolls_by_last else _directly
-        hit, many = answer(question, grid.poses(some, ask), threads)
-        reached.append(hit.reshape(len(some), -1))
-        count.append(many.reshape(len(some), -1).sum(1))
-    return Tile(np.packbits(np.concatenate(reached), axis=1), np.concatenate(count).astype(np.int64))
+        q, inside, hit, many = _directly(question, grid.poses(some, grid.turns), threads)
+        bits = np.packbits(hit.reshape(len(some), -1), axis=1)
+        best, margin = _measures(question, q, inside, len(some))
+        parts.append((bits, many.reshape(len(some), -1).sum(1), best, margin))
+    bits, count, best, margin = (np.concatenate(part) for part in zip(*parts, strict=True))
+    return Tile(bits, count.astype(np.int64), best, margin)
+
+
+def _fused(question: Question, reach: Callable[..., Any], which: Indices, threads: int | None) -> Tile:
+    """Return the tile as the kernel makes it, poses that want a look of their own looked at."""
+    plan, grid = question.plan, question.grid
+    sense = question.sense if question.rolls_by_last else 0.0
+    links = plan.chain.links if question.measure else None
+    bits, look, count, best, margin = reach(
+        grid.centres(which), grid.turns, grid.rolls, sense, links, threads or os.cpu_count() or 1
+    )
+    voxels = np.flatnonzero(look.any(1))
+    for voxel in voxels:
+        turns = np.flatnonzero(np.unpackbits(look[voxel])[: len(grid.turns)])
+        _, _, hit, many = _directly(question, grid.poses(which[voxel : voxel + 1], grid.turns[turns]), 1)
+        known = np.unpackbits(bits[voxel])
+        known[turns] = hit
+        bits[voxel] = np.packbits(known)
+        count[voxel] += many.sum()
+    none = np.zeros(len(which))
+    return Tile(bits, count, none if best is None else best, none if margin is None else margin)
+
+
+def _measures(question: Question, q: Array, inside: Bools, voxels: int) -> tuple[Array, Array]:
+    """Return the best manipulability and margin (voxels,) of rows q (N, M, n), those inside the limits."""
+    plan = question.plan
+    best, margin = np.zeros(inside.shape), np.zeros(inside.shape)
+    if question.measure and inside.any():
+        J = plan.chain.native.jacobian(np.ascontiguousarray(q[inside]))[:, : 3 if plan.task == "position" else 6]
+        small = J @ np.swapaxes(J, 1, 2) if plan.n >= J.shape[1] else np.swapaxes(J, 1, 2) @ J
+        best[inside] = np.sqrt(np.maximum(np.linalg.det(small), 0.0))
+        lower, upper = plan.limits.T
+        limited = np.isfinite(lower) & np.isfinite(upper)
+        half = np.where(limited, (upper - lower) / 2, 1.0)
+        away = np.minimum(q[inside] - lower, upper - q[inside])
+        share = np.where(limited, np.where(half > 0, away / np.where(half > 0, half, 1.0), 0.0), 1.0)
+        margin[inside] = np.clip(share, 0.0, 1.0).min(-1)
+    return best.reshape(voxels, -1).max(1), margin.reshape(voxels, -1).max(1)
 
 
 def _rows(plan: Plan, T: Array, threads: int | None) -> tuple[Array, Bools, Bools, Bools]:
@@ -100,9 +145,9 @@ def _rows(plan: Plan, T: Array, threads: int | None) -> tuple[Array, Bools, Bool
     return batch.q, batch.valid, batch.in_limits, special
 
 
-def _directly(question: Question, T: Array, threads: int | None) -> tuple[Bools, Indices]:
-    """Return of poses (N, 4, 4) which are reached inside the limits (N,), and by how many solutions (N,)."""
-    _, _, inside, special = _rows(question.plan, T, threads)
+def _directly(question: Question, T: Array, threads: int | None) -> tuple[Array, Bools, Bools, Indices]:
+    """Return of poses (N, 4, 4) rows and which lie inside, which poses are reached (N,), by how many solutions (N,)."""
+    q, _, inside, special = _rows(question.plan, T, threads)
     count = inside.sum(1)
     reached = count > 0
     # a self-motion may pass through the limits where none of its representatives lies there
@@ -110,39 +155,13 @@ def _directly(question: Question, T: Array, threads: int | None) -> tuple[Bools,
         one = verbs.ik(question.plan, T[i])
         count[i] = len(one.q)
         reached[i] = len(one.q) > 0 or any(len(motion.inside) for motion in one.self_motions)
-    return reached, count
-
-
-def _by_last_joint(question: Question, T: Array, threads: int | None) -> tuple[Bools, Indices]:
-    """Return the same of all rolls (N * rolls,) from one roll a direction: the last joint turns along, limits kept."""
-    plan, rolls = question.plan, question.grid.rolls
-    q, valid, _, special = _rows(plan, T, threads)
-    joints = plan.chain.joints
-    others = plan.limits.copy()
-    others[-1] = -np.inf, np.inf
-    _, inside = joints.inside_limits(q, others)
-    inside &= valid
-    lower, upper = plan.limits[-1]
-    if upper - lower >= TURN:
-        count = np.repeat(inside.sum(1)[:, None], rolls, axis=1)
-    else:
-        turn = question.sense * TURN * np.arange(rolls) / rolls
-        last = wrapped(q[:, None, :, -1] + turn[:, None])[..., None]
-        _, ok = LAST.inside_limits(last, plan.limits[-1:])
-        count = (ok & inside[:, None]).sum(2)
-    reached = count > 0
-    which = np.flatnonzero(special)
-    if len(which):
-        rolled = T[which][:, None] @ rotation_z(TURN * np.arange(rolls) / rolls)
-        hit, many = _directly(question, rolled.reshape(-1, 4, 4), threads)
-        reached[which], count[which] = hit.reshape(-1, rolls), many.reshape(-1, rolls)
-    return reached.reshape(-1), count.reshape(-1)
+    return q, inside, reached, count
 
 
 def reached_exactly(plan: Plan, T: Array) -> Bools:
     """Return which poses (N, 4, 4) are reached inside the limits, each solved."""
     alone = Question(plan, Grid(np.zeros(3), 1.0, (1, 1, 1), np.eye(3)[None], 1), False)
-    return _directly(alone, T, None)[0] if len(T) else np.zeros(0, bool)
+    return _directly(alone, T, None)[2] if len(T) else np.zeros(0, bool)
 
 
 def shares(plan: Plan, T: Array, places: Array) -> Array:

@@ -86,7 +86,7 @@ class SixJointSolver:
         ends: What poses are multiplied with, as `without_far_ends` says.
     """
 
-    __slots__ = ("chain", "ends", "into", "limits", "look", "many", "one", "spec")
+    __slots__ = ("chain", "ends", "into", "limits", "look", "many", "one", "reach", "spec")
 
     def __init__(
         self,
@@ -104,6 +104,8 @@ class SixJointSolver:
         self.one: Callable[[Any], tuple[Array, Slots, Bools, int]] = native.one
         self.many: Callable[[Array, int], tuple[Array, Bools, Bools, Bits]] = native.many
         self.into: Callable[..., Any] = native.into
+        #: Voxels times orientations at once; None where base or tool are taken off poses.
+        self.reach: Callable[..., Any] | None = native.reach if ends is None else None
         if ends is not None:
             self.one = partial(_one_between, native, *ends)
             self.many = partial(_many_between, native, *ends)

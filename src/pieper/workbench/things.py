@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol, runtime_checkable
+import operator
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -14,80 +15,13 @@ MOST = 4_000
 KINDS = ("frame", "path", "points", "postures")
 
 
-@runtime_checkable
-class Program(Protocol):
-    """Something that a motion is made of, and that can be read aloud."""
-
-    def motion(self) -> Any:
-        """Return the motion."""
-        ...
-
-    def explain(self) -> Any:
-        """Return it in words."""
-        ...
-
-
-@runtime_checkable
-class Timed(Protocol):
-    """Postures q (k, n) at times t (k,)."""
-
-    t: Any
-    q: Any
-
-
-@runtime_checkable
-class Eventful(Protocol):
-    """Events: when, what kind, what value."""
-
-    events: Any
-
-
-@runtime_checkable
-class Followed(Protocol):
-    """Postures q (k, n) along a path, and which of its poses were reached (k,)."""
-
-    q: Any
-    reached: Any
-
-
-@runtime_checkable
-class Placed(Protocol):
-    """A body in a frame T (4, 4)."""
-
-    T: Any
-
-
-@runtime_checkable
-class Capsule(Protocol):
-    """All that is no farther than r from the line from a to b."""
-
-    a: Any
-    b: Any
-    r: Any
-
-
-@runtime_checkable
-class Box(Placed, Protocol):
-    """A box with three edges."""
-
-    size: Any
-
-
-@runtime_checkable
-class Cylinder(Placed, Protocol):
-    """A cylinder of radius r and height h."""
-
-    r: Any
-    h: Any
-
-
 def thing(arm: pieper.Arm, what: Any, kind: str | None, every: float) -> dict[str, Any]:
     """Return what the page draws of an object, by what it is.
 
     Args:
         arm: The arm that joint vectors are of.
         what: A pose (4, 4), poses (k, 4, 4), points (k, 3), postures (k, n), a `Motion`, `Track`, `Program`, or a
-            body: something with `T` and `size`, with `a`, `b` and `r`, or with `T`, `r` and `h`.
+            body: a `Box` with `T` and `size`, a `Capsule` with `a`, `b`, `r`, a `Cylinder` with `T`, `r`, `h`.
         kind: One of KINDS where an array could be two things; None to tell by its shape.
         every: Seconds between two postures, where they have no time of their own.
 
@@ -97,13 +31,12 @@ def thing(arm: pieper.Arm, what: Any, kind: str | None, every: float) -> dict[st
     body = _body(what)
     if body is not None:
         return body
-    if isinstance(what, Program):
+    if isinstance(what, pieper.Program):
         what = what.motion()
-    if isinstance(what, Timed):
-        said = what.events if isinstance(what, Eventful) else ()
-        events = [[float(t), str(k), v] for t, k, v in said]
+    if isinstance(what, pieper.Motion):
+        events = [[float(t), str(k), v] for t, k, v in what.events]
         return _motion(np.asarray(what.t, np.float64), np.asarray(what.q, np.float64), events)
-    if isinstance(what, Followed):
+    if isinstance(what, pieper.Track):
         q = np.asarray(what.q)[np.asarray(what.reached, bool)]
         return _motion(np.linspace(0.0, every * (len(q) - 1), len(q)), q, [])
     if kind not in (None, *KINDS):
@@ -153,20 +86,18 @@ def _pose(array: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
 
 
 def _body(what: Any) -> dict[str, Any] | None:
-    if isinstance(what, np.ndarray | list | tuple):
-        return None
+    """Return a body as the page draws it; None for anything else."""
 
-    if isinstance(what, Capsule) and not isinstance(what, Placed):
-        return {"kind": "capsule", "a": _numbers(what.a), "b": _numbers(what.b), "r": float(np.asarray(what.r))}
-    if isinstance(what, Box):
-        return {"kind": "box", "T": _numbers(what.T), "size": _numbers(what.size)}
-    if isinstance(what, Cylinder):
-        return {"kind": "cylinder", "T": _numbers(what.T), "r": _numbers(what.r)[0], "h": _numbers(what.h)[0]}
+    def numbers(*names: str) -> dict[str, Any]:
+        return {name: np.asarray(operator.attrgetter(name)(what), float).ravel().tolist() for name in names}
+
+    if isinstance(what, pieper.Box):
+        return {"kind": "box", **numbers("T", "size")}
+    if isinstance(what, pieper.Capsule):
+        return {"kind": "capsule", **numbers("a", "b"), "r": float(what.r)}
+    if isinstance(what, pieper.Cylinder):
+        return {"kind": "cylinder", **numbers("T"), "r": float(what.r), "h": float(what.h)}
     return None
-
-
-def _numbers(values: Any) -> list[float]:
-    return np.asarray(values, float).ravel().tolist()
 
 
 def _thin(points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:

@@ -1,0 +1,96 @@
+"""A map written for other programs: npz, parquet, VTK; each whole or not at all."""
+
+from __future__ import annotations
+
+import io
+import os
+from importlib import import_module
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+
+from pieper.document.writing import whole_file
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, Bits, Indices
+from pieper.maps.grid import Grid
+from pieper.solver.plan.plan import Plan
+
+
+class Mapped(Protocol):
+    """What is written of a map."""
+
+    @property
+    def plan(self) -> Plan: ...
+    @property
+    def grid(self) -> Grid: ...
+    @property
+    def bits(self) -> Bits: ...
+    @property
+    def measures(self) -> tuple[Array, Array] | None: ...
+    @property
+    def fraction(self) -> Array: ...
+    @property
+    def count(self) -> Indices: ...
+    @property
+    def axes(self) -> tuple[Array, Array, Array]: ...
+
+
+def export(m: Mapped, path: str | os.PathLike[str]) -> Path:
+    """Write a map; see `ReachMap.save`.
+
+    Raises:
+        InputError: An ending that is none of these, a place that cannot be written, pyarrow missing for parquet.
+    """
+    target = Path(path)
+    writers = {".npz": _npz, ".parquet": _parquet, ".vtk": _vtk}
+    if target.suffix not in writers:
+        raise InputError(f"{target.name}: a map is written as {', '.join(writers)}.", given=target.suffix)
+    data = writers[target.suffix](m)
+    with whole_file(target) as file:
+        file.write(data)
+    return target
+
+
+def _layers(m: Mapped) -> dict[str, Array]:
+    out = {"fraction": m.fraction, "count": m.count.astype(np.float64)}
+    if m.measures is not None:
+        best, margin = (values.reshape(m.grid.shape) for values in m.measures)
+        out |= {"manipulability": best, "margin": margin}
+    return out
+
+
+def _npz(m: Mapped) -> bytes:
+    memory = io.BytesIO()
+    x, y, z = m.axes
+    np.savez_compressed(memory, bits=m.bits, turns=m.grid.turns, x=x, y=y, z=z, step=m.grid.step, **_layers(m))
+    return memory.getvalue()
+
+
+def _parquet(m: Mapped) -> bytes:
+    try:
+        arrow: Any = import_module("pyarrow")
+        parquet: Any = import_module("pyarrow.parquet")
+    except ModuleNotFoundError:
+        raise InputError("writing parquet needs an extra: pip install 'pieper[parquet]'.") from None
+    p = m.grid.centres(np.arange(m.grid.count))
+    columns = {"x": p[:, 0], "y": p[:, 1], "z": p[:, 2], **{k: v.ravel() for k, v in _layers(m).items()}}
+    memory = io.BytesIO()
+    parquet.write_table(arrow.table(columns), memory)
+    return memory.getvalue()
+
+
+def _vtk(m: Mapped) -> bytes:
+    """Legacy VTK, binary: an image whose cells are the voxels, x fastest, big-endian."""
+    nx, ny, nz = m.grid.shape
+    head = (
+        "# vtk DataFile Version 3.0\n"
+        f"reach of {' '.join(m.plan.name.split())[:200]}, metres\nBINARY\nDATASET STRUCTURED_POINTS\n"
+        f"DIMENSIONS {nx + 1} {ny + 1} {nz + 1}\nORIGIN {' '.join(repr(float(v)) for v in m.grid.low)}\n"
+        f"SPACING {m.grid.step!r} {m.grid.step!r} {m.grid.step!r}\nCELL_DATA {m.grid.count}\n"
+    )
+    out = head.encode()
+    for name, values in _layers(m).items():
+        out += f"SCALARS {name} double 1\nLOOKUP_TABLE default\n".encode()
+        out += np.asarray(values).transpose(2, 1, 0).astype(">f8").tobytes() + b"\n"
+    return out
