@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.calibration.fit import Fit
-from pieper.presentation.style import COLOURS, INK, MM, new_figure, plain_axes
+from pieper.drawing.style import COLOURS, INK, MM, new_figure, plain_axes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
