@@ -3,6 +3,7 @@
 
 #include "binding/arrays.hpp"
 #include "time_law/fastest.hpp"
+#include "time_law/in_time.hpp"
 #include "time_law/spline.hpp"
 
 namespace {
@@ -62,7 +63,64 @@ nb::tuple fastest(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3, nb:
   return nb::make_tuple(x, highest, timing.done, timing.where);
 }
 
+// Holds the arrays of a curve s, q, d1, d2, d3 as long as the pieces that point into them.
+struct HeldPieces {
+  nb::object held[5];
+  pieper::CubicPieces pieces;
+
+  HeldPieces(nb::handle s, nb::handle q, nb::handle d1, nb::handle d2, nb::handle d3) {
+    const nb::handle given[] = {s, q, d1, d2, d3};
+    const char* names[] = {"s", "q", "d1", "d2", "d3"};
+    for (int k = 0; k < 5; ++k) held[k] = float_array(given[k], names[k]);
+    PyArrayObject* first = as_array(held[1]);
+    if (PyArray_NDIM(first) != 2) throw nb::value_error("q must be (k, n).");
+    const npy_intp cells = PyArray_DIM(first, 0), joints = PyArray_DIM(first, 1);
+    for (int k = 0; k < 5; ++k)
+      if (PyArray_SIZE(as_array(held[k])) != (k == 0 ? cells + 1 : cells * joints))
+        throw nb::value_error((std::string(names[k]) + " has a wrong size.").c_str());
+    pieces = {cells,
+              static_cast<int>(joints),
+              doubles(held[0]),
+              doubles(held[1]),
+              doubles(held[2]),
+              doubles(held[3]),
+              doubles(held[4])};
+  }
+};
+
+double* written(const nb::object& o) { return static_cast<double*>(PyArray_DATA(as_array(o))); }
+
+nb::tuple joint_peaks(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3, nb::handle given) {
+  const HeldPieces curve(s, d1, d1, d2, d3);
+  nb::object x = float_array(given, "x");
+  if (PyArray_SIZE(as_array(x)) != curve.pieces.cells + 1) throw nb::value_error("x must be (k + 1,).");
+  const npy_intp shape[] = {curve.pieces.cells, curve.pieces.joints};
+  nb::object rates = new_array(2, shape, NPY_DOUBLE), bends = new_array(2, shape, NPY_DOUBLE);
+  pieper::joint_peaks(curve.pieces, doubles(x), written(rates), written(bends));
+  return nb::make_tuple(rates, bends);
+}
+
+nb::tuple in_time(nb::handle s, nb::handle q, nb::handle d1, nb::handle d2, nb::handle d3, nb::handle given_t,
+                  nb::handle given_c, nb::handle given_times) {
+  const HeldPieces curve(s, q, d1, d2, d3);
+  nb::object t = float_array(given_t, "t"), c = float_array(given_c, "c"), times = float_array(given_times, "times");
+  const npy_intp pieces = PyArray_SIZE(as_array(t)) - 1, count = PyArray_SIZE(as_array(times));
+  if (pieces < 1 || PyArray_SIZE(as_array(c)) != 4 * pieces) throw nb::value_error("c must be (k, 4) and t (k + 1,).");
+  const npy_intp shape[] = {count, curve.pieces.joints};
+  nb::object out[5] = {new_array(1, shape, NPY_DOUBLE), new_array(2, shape, NPY_DOUBLE),
+                       new_array(2, shape, NPY_DOUBLE), new_array(2, shape, NPY_DOUBLE),
+                       new_array(2, shape, NPY_DOUBLE)};
+  pieper::in_time(curve.pieces, pieces, doubles(t), doubles(c), doubles(times), count, written(out[0]), written(out[1]),
+                  written(out[2]), written(out[3]), written(out[4]));
+  return nb::make_tuple(out[0], out[1], out[2], out[3], out[4]);
+}
+
 void bind_time_law(nb::module_& m) {
+  m.def("joint_peaks", &joint_peaks, nb::arg("s"), nb::arg("d1"), nb::arg("d2"), nb::arg("d3"), nb::arg("x"),
+        "The largest speeds and accelerations (k, n) of each piece of a cubic curve, x (k + 1,) linear on it.");
+  m.def("in_time", &in_time, nb::kw_only(), nb::arg("s"), nb::arg("q"), nb::arg("d1"), nb::arg("d2"), nb::arg("d3"),
+        nb::arg("t"), nb::arg("c"), nb::arg("times"),
+        "s (m,), q, dq, ddq, dddq (m, n) at times (m,) that do not fall.");
   m.def("spline", &spline, nb::arg("s"), nb::arg("q"),
         "(N,), (N, n) -> (N, n) second derivatives of the cubic spline.");
   m.def("fastest", &fastest, nb::kw_only(), nb::arg("s"), nb::arg("d1"), nb::arg("d2"), nb::arg("d3"), nb::arg("speed"),

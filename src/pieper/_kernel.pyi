@@ -351,6 +351,10 @@ class Solver:
     def one(self, T: ArrayLike) -> tuple[Array, Bits, Bools, int]:
         """(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag."""
 
+def joint_peaks(s: Array, d1: Array, d2: Array, d3: Array, x: Array) -> tuple[Array, Array]: ...
+def in_time(
+    *, s: Array, q: Array, d1: Array, d2: Array, d3: Array, t: Array, c: Array, times: Array
+) -> tuple[Array, Array, Array, Array, Array]: ...
 def spline(s: ArrayLike, q: ArrayLike) -> Array:
     """(N,), (N, n) -> (N, n) second derivatives of the cubic spline through points."""
 

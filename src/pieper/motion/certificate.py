@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.arrays import Array
 from pieper.motion.curve import JointCurve
 from pieper.motion.tool_bounds import ToolCurve
@@ -20,27 +21,7 @@ def joint_peaks(curve: JointCurve, x: Array) -> tuple[Array, Array]:
         curve: The joint curve, k pieces.
         x: (k + 1,) 1/s^2.
     """
-    h = np.diff(curve.s)[:, None]
-    x0, x1 = x[:-1, None], x[1:, None]
-    u = (x1 - x0) / (2 * h)
-    q1, q2, q3 = curve.d1, curve.d2, curve.d3
-    # acceleration = A + B r + C r^2 at r behind the piece's beginning
-    A, B, C = q1 * u + q2 * x0, 3 * q2 * u + q3 * x0, 2.5 * q3 * u
-
-    def speed(r: Array) -> Array:
-        return np.abs(q1 + r * (q2 + r * q3 / 2)) * np.sqrt(np.maximum(x0 + 2 * u * r, 0.0))
-
-    with np.errstate(divide="ignore", invalid="ignore"):
-        vertex = np.clip(np.nan_to_num(-B / (2 * C)), 0.0, h)
-        root = np.sqrt(np.maximum(B * B - 4 * A * C, 0.0))
-        # without cancellation: one root from the larger half, the other from the product
-        half = -(B + np.copysign(root, B)) / 2
-        places = [np.clip(np.nan_to_num(half / C), 0.0, h), np.clip(np.nan_to_num(A / half), 0.0, h)]
-    bends = np.maximum(np.maximum(np.abs(A), np.abs(A + h * (B + h * C))), np.abs(A + vertex * (B + vertex * C)))
-    rates = np.maximum(speed(np.zeros_like(h)), speed(h))
-    for place in places:
-        rates = np.maximum(rates, speed(place))
-    return rates, bends
+    return _kernel.joint_peaks(curve.s, curve.d1, curve.d2, curve.d3, x)
 
 
 def vector_peaks(value: Array, strays: Array, x: Array) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.arrays import Array
 from pieper.motion.curve import JointCurve
 from pieper.motion.motion import Tight, sample_times
@@ -25,11 +26,10 @@ def profile_of(s: Array, x: Array) -> Profile:
 def sampled(curve: JointCurve, profile: Profile, rate: float) -> tuple[Array, Array, Array, Array, Array, Array]:
     """Return t, q, dq, ddq, dddq and s of a curve under a profile."""
     t = sample_times(profile.duration, rate)
-    s, v, a, j = profile.at(t)
-    s[-1] = curve.s[-1]
-    q, d1, d2, d3 = curve.at(s)
-    v, a, j = v[:, None], a[:, None], j[:, None]
-    return t, q, d1 * v, d2 * v**2 + d1 * a, d3 * v**3 + 3 * d2 * v * a + d1 * j, s
+    s, q, dq, ddq, dddq = _kernel.in_time(
+        s=curve.s, q=curve.q, d1=curve.d1, d2=curve.d2, d3=curve.d3, t=profile.t, c=profile.c, times=t
+    )
+    return t, q, dq, ddq, dddq, s
 
 
 def binding(t: Array, ratios: list[tuple[str, str | None, Array]]) -> list[Tight]:

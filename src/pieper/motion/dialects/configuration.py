@@ -71,8 +71,10 @@ MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...]
         "cf1, cf4, cf6, cfx",
         _abb,
         "cf1, cf4, cf6: the quarter turn floor(angle / 90 deg) of axes 1, 4, 6. cfx: 4 if the wrist centre is behind "
-        "axis 1, plus 2 if it is behind the lower arm, plus 1 if axis 5 is negative (RAPID reference, data type "
-        "confdata, table for serial link arms).",
+        "axis 1, plus 2 if it is behind the lower arm, plus 1 if axis 5 is negative. The quarter turns are those of "
+        "ABB's Basic Characteristics RAPID, confdata, which also says that the IRB 6400C counts cf1 otherwise; cfx, "
+        "whose use depends on the model (RobotStudio API, ConfigurationData), follows the RAPID reference's table for "
+        "serial link arms from memory.",
     ),
     "kuka": (
         "kuka",
@@ -80,16 +82,18 @@ MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...]
         _kuka,
         "S: 1 if the wrist root point has a negative x in the frame that turns with A1 (overhead area), plus 2 if A3 "
         "is past the angle at which the arm is stretched, plus 4 if A5 is positive. T: bit i - 1 is set where Ai is "
-        "negative (KUKA System Software, status and turn). LIN and CIRC ignore both.",
+        "negative. The overhead area is that of KUKA's expert programming manual, as quoted on robot-forum.com (thread "
+        "7173); on whether the sign of A5 alone decides the last bit manuals and users disagree (thread 45777). LIN "
+        "and CIRC ignore both.",
     ),
     "fanuc": (
         "fanuc",
         "CONFIG",
         _fanuc,
         "N or F: the wrist is not flipped or flipped, taken as J5 negative or positive; published pages contradict "
-        "each other on this sign. U or D: the elbow is above or below the line from shoulder to wrist. T or B: the "
-        "wrist is before or behind axis 1. Turns of J1, J4, J6: 0 from -180 to 180 deg (FANUC operator's manual, "
-        "configuration).",
+        "each other on this sign (industrialmonitordirect.com, configuration from joint angles, has the other one). U "
+        "or D: the elbow is above or below the line from shoulder to wrist. T or B: the wrist is before or behind "
+        "axis 1. Turns of J1, J4, J6: 0 from -180 to 180 deg (FANUC operator's manual, configuration).",
     ),
     "yaskawa": (
         "motoman",
