@@ -8,6 +8,7 @@
 #   make format   put Python, kernels and page into their style
 #   make dev      an environment for work in place (.venv-dev), the kernels built for one instruction set
 #   make pages    write the pages of docs/ that are made from benchmarks/results
+#   make site     build the page without a server (out/site), which opens from a file
 #   make bench    measure beside other solvers (installed in environments of their own)
 #   make cover    run the tests and say which lines they reach (out/coverage)
 #   make mutants  change the code in 200 small ways and say which of them no test notices; goes on where it stopped
@@ -27,7 +28,7 @@ WORKERS ?= 0
 TESTS ?=
 PAGE = src/pieper/workbench/page
 
-.PHONY: tour test check house format dev pages bench cover mutants kernel kernel-now sanitize clean
+.PHONY: tour test check house format dev pages site bench cover mutants kernel kernel-now sanitize clean
 .DELETE_ON_ERROR:
 
 tour: $(VENV)/.installed
@@ -67,6 +68,9 @@ mutants: $(VENV)/.installed-for-checks
 dev:
 	$(MAKE) --no-print-directory VENV=.venv-dev .venv-dev/.for-work kernel
 	@echo "say: . .venv-dev/bin/activate; after a change in kernels/: make kernel VENV=.venv-dev"
+
+site: $(VENV)/.installed-for-tests
+	$(BIN)/python -m static_page.build out/site
 
 bench: $(VENV)/.installed-for-tests
 	$(BIN)/python -m benchmarks.measure.speed

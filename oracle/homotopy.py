@@ -10,12 +10,19 @@ the multi-start search but the reading of a DH table.
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from oracle.model import Machine
+
+Array = npt.NDArray[np.float64]
+Complex = npt.NDArray[np.complex128]
+Bools = npt.NDArray[np.bool_]
+Indices = npt.NDArray[np.int64]
 
 GENERIC = 16
 #: A path whose angles' imaginary parts grow beyond this has left for infinity.
@@ -34,11 +41,11 @@ class Line:
         u: (2, 6) turn (three angles) and shift that are put behind that goal.
     """
 
-    p: np.ndarray
-    q: np.ndarray
-    u: np.ndarray
+    p: Complex
+    q: Complex
+    u: Complex
 
-    def at(self, t, which):
+    def at(self, t: Array, which: Indices) -> tuple[Complex, Complex]:
         """Return rows (k, 18) and goals (k, 3, 4) at t (k,) of the poses `which` (k,)."""
         s = t[:, None]
         p = (1 - s) * self.p[0] + s * self.p[1]
@@ -53,13 +60,13 @@ class Line:
         return p, goal
 
 
-def _turn(T, c, s, i, j):
+def _turn(T: Complex, c: Complex, s: Complex, i: int, j: int) -> None:
     """Turn the columns i and j of T in place."""
     x, y = T[:, :, i].copy(), T[:, :, j].copy()
     T[:, :, i], T[:, :, j] = x * c + y * s, y * c - x * s
 
 
-def forward(p, q):
+def forward(p: Complex, q: Complex) -> tuple[Complex, Complex, Complex]:
     """Return poses (k, 3, 4), axes and points (k, 6, 3) of complex rows p (k, 18) and joint vectors q (k, 6)."""
     k = len(q)
     T = np.zeros((k, 3, 4), complex)
@@ -75,7 +82,7 @@ def forward(p, q):
     return T, axes, points
 
 
-def newton(p, goal, x):
+def newton(p: Complex, goal: Complex, x: Complex) -> tuple[Complex, Array]:
     """Return the Newton step (k, 6) at x and what is left of the equations (k,)."""
     T, z, o = forward(p, x)
     move = np.cross(z, T[:, None, :, 3] - o)
@@ -88,59 +95,93 @@ def newton(p, goal, x):
     lost = ~(np.isfinite(J).all((1, 2)) & np.isfinite(e).all(1))
     J[lost], e[lost] = np.eye(6), np.nan
     try:
-        return np.linalg.solve(J, e[..., None])[..., 0], left
+        step = np.linalg.solve(J, e[..., None])
     except np.linalg.LinAlgError:
-        return np.linalg.solve(J + 1e-14 * np.eye(6), e[..., None])[..., 0], left
+        step = np.linalg.solve(J + 1e-14 * np.eye(6), e[..., None])
+    return step[..., 0].astype(complex, copy=False), left
 
 
-def follow(line: Line, x, which, careful=1.0, steps=4000):
-    """Follow solutions x (k, 6) of the poses `which` (k,) along a line; return the ends, and how far each came, (k,).
+@dataclass(frozen=True)
+class Paths:
+    """Where the paths that are still on their way stand, and their last two points before that.
 
-    The next point is foretold by the parabola through the last three, and three Newton steps must contract from it.
+    Attributes:
+        alive: (k,) which paths they are.
+        t: (k,) how far each came; x (k, 6) the solution there.
+        dt: (k,) the next step.
+        ta: (k,) where each was two steps ago; xa (k, 6) the solution there; tb, xb one step ago.
     """
+
+    alive: Indices
+    t: Array
+    x: Complex
+    dt: Array
+    ta: Array
+    xa: Complex
+    tb: Array
+    xb: Complex
+
+    def foretold(self, now: Array) -> Complex:
+        """Return the parabola through the last three points, at `now` (k,)."""
+        t, ta, tb = self.t, self.ta, self.tb
+        la = (now - tb) * (now - t) / ((ta - tb) * (ta - t))
+        lb = (now - ta) * (now - t) / ((tb - ta) * (tb - t))
+        lc = (now - ta) * (now - tb) / ((t - ta) * (t - tb))
+        return la[:, None] * self.xa + lb[:, None] * self.xb + lc[:, None] * self.x
+
+    def stepped(self, line: Line, which: Indices, careful: float) -> Paths:
+        """Try one step of each; three Newton steps must contract, else the path stays and its next step is shorter."""
+        now = np.minimum(self.t + self.dt, 1.0)
+        p, goal = line.at(now, which[self.alive])
+        guess = self.foretold(now)
+        d, _ = newton(p, goal, guess)
+        first: Array = np.abs(d).max(1)
+        guess = guess + d
+        d, _ = newton(p, goal, guess)
+        guess = guess + d
+        d, left = newton(p, goal, guess)
+        guess = guess + d
+        size = np.abs(d).max(1)
+        good = np.isfinite(size) & (first < 0.05 * careful) & (size < 1e-8 + 1e-3 * first) & (left < 1e-4)
+        row = good[:, None]
+        return Paths(
+            self.alive,
+            t=np.where(good, now, self.t),
+            x=np.where(row, guess, self.x),
+            dt=np.where(good, np.where(first < 0.01 * careful, 1.7 * self.dt, self.dt), 0.35 * self.dt),
+            ta=np.where(good, self.tb, self.ta),
+            xa=np.where(row, self.xb, self.xa),
+            tb=np.where(good, self.t, self.tb),
+            xb=np.where(row, self.x, self.xb),
+        )
+
+    def only(self, keep: Bools) -> Paths:
+        """Return those of them that are kept, (k,)."""
+        return Paths(*(getattr(self, entry.name)[keep] for entry in fields(self)))
+
+
+def follow(line: Line, x: Complex, which: Indices, careful: float = 1.0, steps: int = 4000) -> tuple[Complex, Array]:
+    """Follow solutions x (k, 6) of the poses `which` (k,) along a line; return the ends and how far each came (k,)."""
     k = len(x)
     end, reached = x.copy(), np.zeros(k)
-    t, dt = np.zeros(k), np.full(k, 0.01 * careful)
-    past = [(t - 2e-9, x), (t - 1e-9, x)]
-    alive = np.arange(k)
+    t = np.zeros(k)
+    paths = Paths(np.arange(k), t, x, np.full(k, 0.01 * careful), t - 2e-9, x, t - 1e-9, x)
     with np.errstate(all="ignore"):
         for _ in range(steps):
-            if not len(alive):
+            if not len(paths.alive):
                 break
-            now = np.minimum(t + dt, 1.0)
-            (ta, xa), (tb, xb) = past
-            la = (now - tb) * (now - t) / ((ta - tb) * (ta - t))
-            lb = (now - ta) * (now - t) / ((tb - ta) * (tb - t))
-            lc = (now - ta) * (now - tb) / ((t - ta) * (t - tb))
-            guess = la[:, None] * xa + lb[:, None] * xb + lc[:, None] * x
-            p, goal = line.at(now, which[alive])
-            d, left = newton(p, goal, guess)
-            guess, first = guess + d, np.abs(d).max(1)
-            for _ in range(2):
-                d, left = newton(p, goal, guess)
-                guess = guess + d
-            size = np.abs(d).max(1)
-            good = np.isfinite(size) & (first < 0.05 * careful) & (size < 1e-8 + 1e-3 * first) & (left < 1e-4)
-            past = [
-                (np.where(good, tb, ta), np.where(good[:, None], xb, xa)),
-                (np.where(good, t, tb), np.where(good[:, None], x, xb)),
-            ]
-            t, x = np.where(good, now, t), np.where(good[:, None], guess, x)
-            dt = np.where(good, np.where(first < 0.01 * careful, 1.7 * dt, dt), 0.35 * dt)
-            done = t >= 1.0
-            gone = (dt < 1e-12) | (np.abs(x.imag).max(1) > FAR)
-            stop = done | gone
+            paths = paths.stepped(line, which, careful)
+            gone = (paths.dt < 1e-12) | (np.abs(paths.x.imag).max(1) > FAR)
+            stop = (paths.t >= 1.0) | gone
             if stop.any():
-                end[alive[stop]], reached[alive[stop]] = x[stop], t[stop]
-                keep = ~stop
-                alive, t, dt, x = alive[keep], t[keep], dt[keep], x[keep]
-                past = [(a[keep], b[keep]) for a, b in past]
-    if len(alive):
-        end[alive], reached[alive] = x, t
+                end[paths.alive[stop]], reached[paths.alive[stop]] = paths.x[stop], paths.t[stop]
+                paths = paths.only(~stop)
+    if len(paths.alive):
+        end[paths.alive], reached[paths.alive] = paths.x, paths.t
     return end, reached
 
 
-def apart(a, b):
+def apart(a: Complex, b: Complex) -> Array:
     """Return the largest difference of complex joint vectors (..., 6), around the circle."""
     d = a - b
     return np.abs((d.real + np.pi) % (2 * np.pi) - np.pi + 1j * d.imag).max(-1)
@@ -150,16 +191,16 @@ def apart(a, b):
 class Start:
     """A generic complex arm, a joint vector of its pose, and all sixteen solutions (16, 6) there."""
 
-    p: np.ndarray
-    q: np.ndarray
-    roots: np.ndarray
+    p: Complex
+    q: Complex
+    roots: Complex
 
 
 def start(seed: int = 3) -> Start:
     """Find all solutions of a random complex arm by carrying known ones around random loops until sixteen are there."""
     rng = np.random.default_rng(seed)
 
-    def some(*shape):
+    def some(*shape: int) -> Complex:
         return rng.uniform(-1, 1, shape) + 1j * rng.uniform(-1, 1, shape)
 
     p, q = some(18), some(6)
@@ -188,7 +229,7 @@ def kept() -> tuple[Start, ...]:
     return tuple(out)
 
 
-def standard_rows(arm, m: Machine):
+def standard_rows(arm: Any, m: Machine) -> tuple[Array, Array]:
     """Return d, a, alpha (18,) by the arm's size and theta (6,) as standard rows; base and tool are left out."""
     d = arm.description
     if d.convention == "standard":
@@ -201,7 +242,7 @@ def standard_rows(arm, m: Machine):
     )
 
 
-def all_solutions(arm, m: Machine, q, begin: tuple[Start, ...]):
+def all_solutions(arm: Any, m: Machine, q: Array, begin: tuple[Start, ...]) -> tuple[Complex, Bools, Bools]:
     """Find the complex solutions of the poses of real joint vectors q (N, 6).
 
     Paths that stop halfway, where one passes close to infinity, and pairs of paths that end in one solution, because
@@ -226,14 +267,14 @@ def all_solutions(arm, m: Machine, q, begin: tuple[Start, ...]):
         halfway = (reached < HALFWAY).any(1)
         todo = todo[halfway | collided(ends, reached == 1)]
     doubtful = np.isin(np.arange(len(q)), todo)
-    return m.sign * (x - theta - m.offset), arrived, doubtful
+    return (m.sign * (x - theta - m.offset)).astype(complex), arrived, doubtful
 
 
-def _from_one(one: Start, rows, v, careful):
+def _from_one(one: Start, rows: Array, v: Complex, careful: float) -> tuple[Complex, Array]:
     """Follow the roots of one generic arm to the poses of v (N, 6); return ends (N, 16, 6) and how far they came."""
     N = len(v)
     p, q = np.array([one.p, rows.astype(complex)]), np.stack([np.broadcast_to(one.q, (N, 6)), v])
-    line, which = Line(p, q, np.zeros((2, 6))), np.repeat(np.arange(N), GENERIC)
+    line, which = Line(p, q, np.zeros((2, 6), complex)), np.repeat(np.arange(N), GENERIC)
     x, reached = follow(line, np.tile(one.roots, (N, 1)), which, careful, steps=int(4000 / careful))
     p, goal = line.at(np.ones(len(x)), which)
     with np.errstate(all="ignore"):
@@ -246,7 +287,7 @@ def _from_one(one: Start, rows, v, careful):
     return x.reshape(N, GENERIC, 6), reached.reshape(N, GENERIC)
 
 
-def collided(x, arrived):
+def collided(x: Complex, arrived: Bools) -> Bools:
     """Return for each pose (N,) whether two of its paths arrived at one solution."""
     gap = np.where(arrived[:, :, None] & arrived[:, None], apart(x[:, :, None], x[:, None]), np.inf)
-    return (gap + np.where(np.eye(x.shape[1], dtype=bool), np.inf, 0.0) < 1e-7).any((1, 2))
+    return np.any(gap + np.where(np.eye(x.shape[1], dtype=bool), np.inf, 0.0) < 1e-7, (1, 2))

@@ -13,14 +13,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import numpy.typing as npt
 
 from oracle.model import TASKS, Machine, equations, gap, machine, polish
 
+Array = npt.NDArray[np.float64]
 
-def damped_newton(m: Machine, T, v, task=0, iterations=60):
+
+def damped_newton(m: Machine, T: Array, v: Array, task: int = 0, iterations: int = 60) -> Array:
     """Return the starts (c, n) that converged, by Levenberg-Marquardt on all of them at once."""
     v = v.copy()
-    done = []
+    done: list[Array] = []
     damping = np.full(len(v), 1e-2)
     r, J = equations(m, v, T, task)
     for _ in range(iterations):

@@ -114,7 +114,7 @@ def chunk(arm, name: str, state: dict, count: int, starts: int, library) -> None
         verdict = compare(rest, T[i], rows, found)
         if verdict.unseen:  # the search was too short: begin again, and longer
             state["starts_beyond"] += 1
-            found = whole_set(rest, T[i], **(how | {"least": 16 * starts, "most": 64 * starts}))
+            found = whole_set(rest, T[i], **{**how, "least": 16 * starts, "most": 64 * starts})
             verdict = compare(rest, T[i], rows, found)
         made = compare(rest, T[i], rows, generating(rest, T[i], q[i, free_joints]))
         state["poses"] += 1

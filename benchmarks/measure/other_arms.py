@@ -95,7 +95,7 @@ def judged(arm, number: int, task: str, count: int, library) -> dict:
         found = whole_set(rest, T[i], **how)
         verdict = compare(rest, T[i], rows, found, task)
         if verdict.unseen and not found.crowded:
-            found = whole_set(rest, T[i], **(how | {"least": 10_000, "most": 40_000}))
+            found = whole_set(rest, T[i], **{**how, "least": 10_000, "most": 40_000})
             verdict = compare(rest, T[i], rows, found, task)
         out["solutions"] += len(found.q)
         out["crowded"] += found.crowded

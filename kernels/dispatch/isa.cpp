@@ -9,6 +9,8 @@
 #include "chain/posecheck.hpp"
 #include "chain/row_order.hpp"
 #include "chain/selection.hpp"
+#include "collision/nearest.hpp"
+#include "collision/sweep.hpp"
 #include "elimination/entry.hpp"
 #include "lanes/stream.hpp"
 
@@ -67,6 +69,10 @@ const IsaTable& PIEPER_JOIN(isa_, PIEPER_ISA)() {
                                  &copy_past_cache,
                                  &make_model,
                                  &drop_model,
+                                 &collision_nearest,
+                                 &collision_sweep,
+                                 &sweep_bytes,
+                                 &sweep_levels,
                                  &elementary};
   return table;
 }

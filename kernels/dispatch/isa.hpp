@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "collision/model.hpp"
 #include "dispatch/geometry.hpp"
 
 #define PIEPER_TEXT2(x) #x
@@ -70,6 +71,14 @@ struct IsaTable {
   // The general solver's model of an arm (elimination/general.hpp).
   void (*make_model)(General& arm);
   void (*drop_model)(General& arm);
+
+  // Distances of bodies and the swept proof (collision/nearest.hpp, sweep.hpp); rooms come from the caller.
+  void (*collision_nearest)(const CollisionModel& m, const double* q, long count, void* room, double* distance,
+                            int* pair, double* points, double* normal, double* each);
+  Sweep (*collision_sweep)(const CollisionModel& m, const double* q, long count, double margin, double gap,
+                           double slack, void* room, int* lists, const OuterPairs& outer);
+  long (*sweep_bytes)(const CollisionModel& m);
+  int (*sweep_levels)();
 
   // sin and cos (what = 0: out is count x 2) or atan2 of pairs (what = 1: x is count x 2), for the tests.
   void (*elementary)(int what, const double* x, long count, double* out);

@@ -64,7 +64,7 @@ class FastestPass {
 
  private:
   static constexpr double kRound = 1e-12;  // relative rounding of a set's ends
-  static constexpr double kFlat = 1e-290;  // a coefficient of u below this says nothing of u
+  static constexpr double kFlat = 1e-12;   // part of its room that a row's u may move and still count as rounding
   struct Line {
     double value, offset, slope;
   };
@@ -107,10 +107,15 @@ class FastestPass {
   double set(long i, double low, double high) {
     const double h = width(i);
     double most = cap_[i];
+    const double reach = std::max(cap_[i], high) / (2 * h);  // no |u| is larger
     int k = 0;
     auto row = [&](double a, double b, double c) {
-      if (std::fabs(a) < kFlat) {
-        if (std::fabs(b) * most > c) most = c / std::fabs(b);
+      // a joint that rests has rows of rounding alone: what cannot bind, whatever u and x are, is left out, and what u
+      // cannot move by more than rounding bounds x alone
+      const double push = std::fabs(a) * reach, pull = std::fabs(b) * cap_[i];
+      if (push + pull <= c) return;
+      if (push <= kFlat * c) {
+        most = std::min(most, (c - push) / std::fabs(b));
         return;
       }
       slope_[k] = b / a;

@@ -13,7 +13,10 @@ from pieper.solver.results import SolutionBatch, Solutions, Status
 
 if TYPE_CHECKING:
     from pieper import jax, torch
+    from pieper.collision.scene import Scene
+    from pieper.collision.swept import Clearance, Swept
     from pieper.description.quantity import evaluate
+    from pieper.description.shapes import Body, Box, Capsule, Convex, Cylinder
     from pieper.document.writing import whole_file
     from pieper.judge import Judgement, check
     from pieper.kinematics.spoken import pose, read_pose
@@ -23,6 +26,8 @@ if TYPE_CHECKING:
     from pieper.motion.limits import Limits
     from pieper.motion.motion import Motion
     from pieper.motion.program import Program
+    from pieper.motion.program_file import load_program, save_program
+    from pieper.motion.recorded import read_motion
     from pieper.motion.sequence import move, sequence
     from pieper.motion.time_law import time_law
     from pieper.motion.track import Track
@@ -34,6 +39,14 @@ __version__ = "0.1.0"
 
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
+    "Body": "pieper.description.shapes",
+    "Box": "pieper.description.shapes",
+    "Capsule": "pieper.description.shapes",
+    "Clearance": "pieper.collision.swept",
+    "Convex": "pieper.description.shapes",
+    "Cylinder": "pieper.description.shapes",
+    "Scene": "pieper.collision.scene",
+    "Swept": "pieper.collision.swept",
     "Judgement": "pieper.judge",
     "Limits": "pieper.motion.limits",
     "Motion": "pieper.motion.motion",
@@ -44,26 +57,36 @@ _LATER = {
     "evaluate": "pieper.description.quantity",
     "fastest_constant_speed": "pieper.motion.constant_speed",
     "jax": "pieper.jax",
+    "load_program": "pieper.motion.program_file",
     "move": "pieper.motion.sequence",
     "plot": "pieper.presentation.plot",
     "pose": "pieper.kinematics.spoken",
     "poses": "pieper.kinematics.spoken_many",
+    "read_motion": "pieper.motion.recorded",
     "read_pose": "pieper.kinematics.spoken",
     "read_program": "pieper.motion.dialects.files",
     "report": "pieper.presentation.report",
+    "save_program": "pieper.motion.program_file",
     "sections": "pieper.presentation.sections",
     "sequence": "pieper.motion.sequence",
     "time_law": "pieper.motion.time_law",
     "torch": "pieper.torch",
     "whole_file": "pieper.document.writing",
+    "workbench": "pieper.workbench",
     "write_report": "pieper.presentation.report",
 }
-_MODULES = ("jax", "plot", "sections", "torch")
+_MODULES = ("jax", "plot", "sections", "torch", "workbench")
 
 __all__ = [
     "DH",
     "Actuator",
     "Arm",
+    "Body",
+    "Box",
+    "Capsule",
+    "Clearance",
+    "Convex",
+    "Cylinder",
     "InputError",
     "Judgement",
     "Limits",
@@ -74,10 +97,12 @@ __all__ = [
     "Plan",
     "PlanError",
     "Program",
+    "Scene",
     "SelfMotion",
     "SolutionBatch",
     "Solutions",
     "Status",
+    "Swept",
     "Track",
     "catalog",
     "check",
@@ -86,19 +111,23 @@ __all__ = [
     "jax",
     "line",
     "load",
+    "load_program",
     "move",
     "plot",
     "pose",
     "poses",
+    "read_motion",
     "read_pose",
     "read_program",
     "report",
+    "save_program",
     "sections",
     "sequence",
     "time_law",
     "torch",
     "ur_calibrated",
     "whole_file",
+    "workbench",
     "write_report",
 ]
 

@@ -2,11 +2,9 @@
 
 from collections.abc import Callable, Iterable
 from enum import IntFlag
+from typing import Any, Final
 
-import numpy as np
-import numpy.typing as npt
-
-Array = npt.NDArray[np.float64]
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 
 isa: str
 isa_available: str
@@ -26,17 +24,41 @@ class Flag(IntFlag):
 class Forward:
     """Forward kinematics of a chain."""
 
-    def __init__(self, links: npt.ArrayLike, prismatic: npt.ArrayLike, frames_after: npt.ArrayLike) -> None: ...
-    def fk(self, q: npt.ArrayLike) -> Array: ...
-    def frames(self, q: npt.ArrayLike, base: npt.ArrayLike) -> Array: ...
-    def jacobian(self, q: npt.ArrayLike) -> Array: ...
+    def __init__(self, links: ArrayLike, prismatic: ArrayLike, frames_after: ArrayLike) -> None: ...
+    def fk(self, q: ArrayLike) -> Array: ...
+    def frames(self, q: ArrayLike, base: ArrayLike) -> Array: ...
+    def jacobian(self, q: ArrayLike) -> Array: ...
+
+class Collision:
+    """Bodies on a chain and around it, and the pairs of them that must keep apart."""
+
+    def __init__(
+        self,
+        *,
+        links: ArrayLike,
+        prismatic: ArrayLike,
+        link: ArrayLike,
+        place: ArrayLike,
+        half: ArrayLike,
+        radius: ArrayLike,
+        kind: ArrayLike,
+        pair: ArrayLike,
+        outer: ArrayLike,
+    ) -> None: ...
+    @property
+    def pairs(self) -> int: ...
+    def nearest(self, q: Array, points: bool = True) -> tuple[Array, Slots, Array, Array]: ...
+    def each(self, q: Array) -> Array: ...
+    def sweep(
+        self, q: Array, margin: float, gap: float, slack: float
+    ) -> tuple[bool, float, int, float, int, float, int, float, int, list[tuple[int, int]]]: ...
 
 class Geometry:
     """What a family is told of an arm: made from keyword arguments, unchangeable, picklable."""
 
-    name: str
-    joints: int
-    slots: int
+    name: Final[str]
+    joints: Final[int]
+    slots: Final[int]
 
 class SphericalWristParallel(Geometry):
     """Parallel second and third axes, the first across them, a spherical wrist of right angles at the end."""
@@ -44,10 +66,10 @@ class SphericalWristParallel(Geometry):
     def __init__(
         self,
         *,
-        base: npt.ArrayLike,
-        tool: npt.ArrayLike,
-        origin: npt.ArrayLike,
-        centre: npt.ArrayLike,
+        base: ArrayLike,
+        tool: ArrayLike,
+        origin: ArrayLike,
+        centre: ArrayLike,
         a1: float,
         b: float,
         upper: float,
@@ -66,48 +88,27 @@ class SphericalWristParallel(Geometry):
         scale: float,
         tilted: bool,
     ) -> None: ...
-    @property
-    def base(self) -> Array: ...
-    @property
-    def tool(self) -> Array: ...
-    @property
-    def origin(self) -> Array: ...
-    @property
-    def centre(self) -> Array: ...
-    @property
-    def a1(self) -> float: ...
-    @property
-    def b(self) -> float: ...
-    @property
-    def upper(self) -> float: ...
-    @property
-    def fore(self) -> float: ...
-    @property
-    def cos_psi(self) -> float: ...
-    @property
-    def sin_psi(self) -> float: ...
-    @property
-    def cos_tau(self) -> float: ...
-    @property
-    def sin_tau(self) -> float: ...
-    @property
-    def offset2(self) -> float: ...
-    @property
-    def offset3(self) -> float: ...
-    @property
-    def offset4(self) -> float: ...
-    @property
-    def offset5(self) -> float: ...
-    @property
-    def sign3(self) -> float: ...
-    @property
-    def cos_offset4(self) -> float: ...
-    @property
-    def sin_offset4(self) -> float: ...
-    @property
-    def scale(self) -> float: ...
-    @property
-    def tilted(self) -> bool: ...
+    base: Final[Array]
+    tool: Final[Array]
+    origin: Final[Array]
+    centre: Final[Array]
+    a1: Final[float]
+    b: Final[float]
+    upper: Final[float]
+    fore: Final[float]
+    cos_psi: Final[float]
+    sin_psi: Final[float]
+    cos_tau: Final[float]
+    sin_tau: Final[float]
+    offset2: Final[float]
+    offset3: Final[float]
+    offset4: Final[float]
+    offset5: Final[float]
+    sign3: Final[float]
+    cos_offset4: Final[float]
+    sin_offset4: Final[float]
+    scale: Final[float]
+    tilted: Final[bool]
 
 class SphericalWrist(Geometry):
     """Three neighbouring revolute axes through one point; in `loop` their frames stand there."""
@@ -116,30 +117,22 @@ class SphericalWrist(Geometry):
         self,
         *,
         length: float,
-        links: npt.ArrayLike,
-        loop: npt.ArrayLike,
-        slides: Iterable[bool] | npt.NDArray[np.bool_],
+        links: ArrayLike,
+        loop: ArrayLike,
+        slides: Iterable[bool] | Bools,
         first: int,
         hide_c: bool,
         first_c: bool,
         apart: bool,
     ) -> None: ...
-    @property
-    def length(self) -> float: ...
-    @property
-    def links(self) -> Array: ...
-    @property
-    def loop(self) -> Array: ...
-    @property
-    def slides(self) -> tuple[bool, ...]: ...
-    @property
-    def first(self) -> int: ...
-    @property
-    def hide_c(self) -> bool: ...
-    @property
-    def first_c(self) -> bool: ...
-    @property
-    def apart(self) -> bool: ...
+    length: Final[float]
+    links: Final[Array]
+    loop: Final[Array]
+    slides: Final[tuple[bool, ...]]
+    first: Final[int]
+    hide_c: Final[bool]
+    first_c: Final[bool]
+    apart: Final[bool]
 
 class ThreeParallel(Geometry):
     """Three neighbouring joints of a plane; in `loop` their frames lie in it, z along its normal."""
@@ -148,33 +141,24 @@ class ThreeParallel(Geometry):
         self,
         *,
         length: float,
-        links: npt.ArrayLike,
-        loop: npt.ArrayLike,
-        slides: Iterable[bool] | npt.NDArray[np.bool_],
+        links: ArrayLike,
+        loop: ArrayLike,
+        slides: Iterable[bool] | Bools,
         first: int,
         hide_c: bool,
         first_c: bool,
         apart: bool,
-        sense: npt.ArrayLike,
+        sense: ArrayLike,
     ) -> None: ...
-    @property
-    def length(self) -> float: ...
-    @property
-    def links(self) -> Array: ...
-    @property
-    def loop(self) -> Array: ...
-    @property
-    def slides(self) -> tuple[bool, ...]: ...
-    @property
-    def first(self) -> int: ...
-    @property
-    def hide_c(self) -> bool: ...
-    @property
-    def first_c(self) -> bool: ...
-    @property
-    def apart(self) -> bool: ...
-    @property
-    def sense(self) -> Array: ...
+    length: Final[float]
+    links: Final[Array]
+    loop: Final[Array]
+    slides: Final[tuple[bool, ...]]
+    first: Final[int]
+    hide_c: Final[bool]
+    first_c: Final[bool]
+    apart: Final[bool]
+    sense: Final[Array]
 
 class OffsetWrist(Geometry):
     """Parallel second and third axes across the first, the fourth and fifth meeting."""
@@ -183,18 +167,18 @@ class OffsetWrist(Geometry):
         self,
         *,
         length: float,
-        links: npt.ArrayLike,
+        links: ArrayLike,
         general: General | None,
         backward: bool,
         alike: bool,
-        to_base: npt.ArrayLike,
-        base: npt.ArrayLike,
-        from_tool: npt.ArrayLike,
-        sixth: npt.ArrayLike,
-        lever: npt.ArrayLike,
-        lever_turned: npt.ArrayLike,
-        fifth: npt.ArrayLike,
-        axis6: npt.ArrayLike,
+        to_base: ArrayLike,
+        base: ArrayLike,
+        from_tool: ArrayLike,
+        sixth: ArrayLike,
+        lever: ArrayLike,
+        lever_turned: ArrayLike,
+        fifth: ArrayLike,
+        axis6: ArrayLike,
         shoulder: float,
         lateral: float,
         upper: float,
@@ -209,76 +193,44 @@ class OffsetWrist(Geometry):
         tilt_s: float,
         bend: float,
         sense3: float,
-        axis4: npt.ArrayLike,
-        across4: npt.ArrayLike,
-        over4: npt.ArrayLike,
-        across5: npt.ArrayLike,
-        over5: npt.ArrayLike,
+        axis4: ArrayLike,
+        across4: ArrayLike,
+        over4: ArrayLike,
+        across5: ArrayLike,
+        over5: ArrayLike,
     ) -> None: ...
-    @property
-    def length(self) -> float: ...
-    @property
-    def links(self) -> Array: ...
-    @property
-    def general(self) -> General | None: ...
-    @property
-    def backward(self) -> bool: ...
-    @property
-    def alike(self) -> bool: ...
-    @property
-    def to_base(self) -> Array: ...
-    @property
-    def base(self) -> Array: ...
-    @property
-    def from_tool(self) -> Array: ...
-    @property
-    def sixth(self) -> Array: ...
-    @property
-    def lever(self) -> Array: ...
-    @property
-    def lever_turned(self) -> Array: ...
-    @property
-    def fifth(self) -> Array: ...
-    @property
-    def axis6(self) -> Array: ...
-    @property
-    def shoulder(self) -> float: ...
-    @property
-    def lateral(self) -> float: ...
-    @property
-    def upper(self) -> float: ...
-    @property
-    def fore(self) -> float: ...
-    @property
-    def elbow_c(self) -> float: ...
-    @property
-    def elbow_s(self) -> float: ...
-    @property
-    def fore_c(self) -> float: ...
-    @property
-    def fore_s(self) -> float: ...
-    @property
-    def lean_c(self) -> float: ...
-    @property
-    def lean_s(self) -> float: ...
-    @property
-    def tilt_c(self) -> float: ...
-    @property
-    def tilt_s(self) -> float: ...
-    @property
-    def bend(self) -> float: ...
-    @property
-    def sense3(self) -> float: ...
-    @property
-    def axis4(self) -> Array: ...
-    @property
-    def across4(self) -> Array: ...
-    @property
-    def over4(self) -> Array: ...
-    @property
-    def across5(self) -> Array: ...
-    @property
-    def over5(self) -> Array: ...
+    length: Final[float]
+    links: Final[Array]
+    general: Final[General | None]
+    backward: Final[bool]
+    alike: Final[bool]
+    to_base: Final[Array]
+    base: Final[Array]
+    from_tool: Final[Array]
+    sixth: Final[Array]
+    lever: Final[Array]
+    lever_turned: Final[Array]
+    fifth: Final[Array]
+    axis6: Final[Array]
+    shoulder: Final[float]
+    lateral: Final[float]
+    upper: Final[float]
+    fore: Final[float]
+    elbow_c: Final[float]
+    elbow_s: Final[float]
+    fore_c: Final[float]
+    fore_s: Final[float]
+    lean_c: Final[float]
+    lean_s: Final[float]
+    tilt_c: Final[float]
+    tilt_s: Final[float]
+    bend: Final[float]
+    sense3: Final[float]
+    axis4: Final[Array]
+    across4: Final[Array]
+    over4: Final[Array]
+    across5: Final[Array]
+    over5: Final[Array]
 
 class TwoSlides(Geometry):
     """Four turning and two sliding joints in any order."""
@@ -287,21 +239,16 @@ class TwoSlides(Geometry):
         self,
         *,
         length: float,
-        links: npt.ArrayLike,
+        links: ArrayLike,
         general: General | None,
-        slides: Iterable[bool] | npt.NDArray[np.bool_],
+        slides: Iterable[bool] | Bools,
         hidden: Iterable[int],
     ) -> None: ...
-    @property
-    def length(self) -> float: ...
-    @property
-    def links(self) -> Array: ...
-    @property
-    def general(self) -> General | None: ...
-    @property
-    def slides(self) -> tuple[bool, ...]: ...
-    @property
-    def hidden(self) -> tuple[int, ...]: ...
+    length: Final[float]
+    links: Final[Array]
+    general: Final[General | None]
+    slides: Final[tuple[bool, ...]]
+    hidden: Final[tuple[int, ...]]
 
 class Position3(Geometry):
     """Three joints of any kinds that place the tool's point."""
@@ -310,15 +257,12 @@ class Position3(Geometry):
         self,
         *,
         length: float,
-        links: npt.ArrayLike,
-        slides: Iterable[bool] | npt.NDArray[np.bool_],
+        links: ArrayLike,
+        slides: Iterable[bool] | Bools,
     ) -> None: ...
-    @property
-    def length(self) -> float: ...
-    @property
-    def links(self) -> Array: ...
-    @property
-    def slides(self) -> tuple[bool, ...]: ...
+    length: Final[float]
+    links: Final[Array]
+    slides: Final[tuple[bool, ...]]
 
 class Orientation3(Geometry):
     """Three revolute joints of which the orientation alone counts."""
@@ -326,10 +270,9 @@ class Orientation3(Geometry):
     def __init__(
         self,
         *,
-        links: npt.ArrayLike,
+        links: ArrayLike,
     ) -> None: ...
-    @property
-    def links(self) -> Array: ...
+    links: Final[Array]
 
 class General(Geometry):
     """Any six joints; making it tries every way of elimination. `trials` and `usable` say how that went."""
@@ -337,46 +280,66 @@ class General(Geometry):
     def __init__(
         self,
         *,
-        links: npt.ArrayLike,
-        slides: Iterable[bool] | npt.NDArray[np.bool_],
+        links: ArrayLike,
+        slides: Iterable[bool] | Bools,
         scale: float,
     ) -> None: ...
-    @property
-    def links(self) -> Array: ...
-    @property
-    def slides(self) -> tuple[bool, ...]: ...
-    @property
-    def scale(self) -> float: ...
-    @property
-    def trials(self) -> Array: ...
-    @property
-    def usable(self) -> int: ...
+    links: Final[Array]
+    slides: Final[tuple[bool, ...]]
+    scale: Final[float]
+    trials: Final[Array]
+    usable: Final[int]
 
 class Selection:
     """How rows are compared with a joint vector: limits, weights, whole turns."""
 
-    def __init__(
-        self, *, lower: npt.ArrayLike, upper: npt.ArrayLike, weight: npt.ArrayLike, prismatic: npt.ArrayLike
-    ) -> None: ...
+    def __init__(self, *, lower: ArrayLike, upper: ArrayLike, weight: ArrayLike, prismatic: ArrayLike) -> None: ...
     def choose(
         self,
         q: Array,
-        inside: npt.NDArray[np.bool_],
-        near: npt.ArrayLike,
+        inside: Bools,
+        near: ArrayLike,
         chosen: Array,
-        has: npt.NDArray[np.bool_],
+        has: Bools,
     ) -> None:
         """Of q (N, slots, n) and near (n,) or (N, n): writes chosen (N, n), has (N,)."""
 
     def in_turn(
         self,
         q: Array,
-        inside: npt.NDArray[np.bool_],
-        start: npt.ArrayLike | None,
+        inside: Bools,
+        start: ArrayLike | None,
         chosen: Array,
-        has: npt.NDArray[np.bool_],
+        has: Bools,
     ) -> None:
         """The same, each near to the one chosen before it."""
+
+class CarefulLook:
+    """What is free at a singular pose of six joints, read off the axes of a solver's rows."""
+
+    def __init__(
+        self,
+        solver: Solver,
+        *,
+        links: ArrayLike,
+        prismatic: ArrayLike,
+        length: float,
+        lower: ArrayLike,
+        upper: ArrayLike,
+    ) -> None: ...
+    def one(self, T: ArrayLike, q: ArrayLike, flag: int) -> tuple[Any, ...] | None:
+        """What `pieper.solver.native.Read` holds of a pose (4, 4), rows (m, 6), flag; None if not read off."""
+
+    def into(
+        self,
+        Ts: ArrayLike,
+        index: Indices,
+        q: Array,
+        valid: Bools,
+        in_limits: Bools,
+        flag: Bits,
+    ) -> Bits:
+        """Write rows of the poses that index (k,) names; (k,) 0: not read off, 2: with a self-motion, 1: else."""
 
 class Solver:
     """Every solution of poses by the kernel of one family."""
@@ -385,74 +348,79 @@ class Solver:
         self,
         geometry: Geometry,
         *,
-        lower: npt.ArrayLike,
-        upper: npt.ArrayLike,
-        prismatic: npt.ArrayLike,
+        lower: ArrayLike,
+        upper: ArrayLike,
+        prismatic: ArrayLike,
         slack: float,
         accepted: float,
         exact: float,
     ) -> None: ...
-    @property
-    def geometry(self) -> Geometry: ...
-    def many(
-        self, Ts: npt.ArrayLike, threads: int = 1
-    ) -> tuple[Array, npt.NDArray[np.bool_], npt.NDArray[np.bool_], npt.NDArray[np.uint8]]:
+    geometry: Final[Geometry]
+    def many(self, Ts: ArrayLike, threads: int = 1) -> tuple[Array, Bools, Bools, Bits]:
         """(N, 4, 4) -> q (N, slots, joints), valid, in_limits (N, slots), flag (N,). threads 0: all cores."""
 
     def into(
         self,
-        Ts: npt.ArrayLike,
+        Ts: ArrayLike,
         threads: int,
         q: Array,
-        valid: npt.NDArray[np.bool_],
-        in_limits: npt.NDArray[np.bool_],
-        flag: npt.NDArray[np.uint8],
-        outcome: npt.NDArray[np.uint8],
+        valid: Bools,
+        in_limits: Bools,
+        flag: Bits,
+        outcome: Bits,
         selection: Selection | None = None,
-        near: npt.ArrayLike | None = None,
+        near: ArrayLike | None = None,
         chosen: Array | None = None,
-        has: npt.NDArray[np.bool_] | None = None,
+        has: Bools | None = None,
         progress: Callable[[int], object] | None = None,
     ) -> None:
         """The same written into the caller's arrays; outcome (N,): 0 no rows, 1 outside the limits alone, 2 inside."""
 
     def reach(
-        self,
-        centres: npt.ArrayLike,
-        turns: npt.ArrayLike,
-        rolls: int,
-        sense: float,
-        links: npt.ArrayLike | None,
-        threads: int,
-    ) -> tuple[npt.NDArray[np.uint8], npt.NDArray[np.uint8], npt.NDArray[np.int64], Array | None, Array | None]:
+        self, centres: ArrayLike, turns: ArrayLike, rolls: int, sense: float, links: ArrayLike | None, threads: int
+    ) -> tuple[Bits, Bits, Indices, Array | None, Array | None]:
         """Voxels (v, 3), turns (k, 3, 3) -> bits, look (v, ceil(k / 8)), solutions, manipulability, margin (v,)."""
 
-    def one(self, T: npt.ArrayLike) -> tuple[Array, npt.NDArray[np.uint8], npt.NDArray[np.bool_], int]:
+    def one(self, T: ArrayLike) -> tuple[Array, Bits, Bools, int]:
         """(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag."""
 
-def spline(s: npt.ArrayLike, q: npt.ArrayLike) -> Array:
+def spline(s: ArrayLike, q: ArrayLike) -> Array:
     """(N,), (N, n) -> (N, n) second derivatives of the cubic spline through points."""
 
 def fastest(
     *,
-    s: npt.ArrayLike,
-    d1: npt.ArrayLike,
-    d2: npt.ArrayLike,
-    d3: npt.ArrayLike,
-    speed: npt.ArrayLike,
-    acceleration: npt.ArrayLike,
-    a: npt.ArrayLike,
-    b: npt.ArrayLike,
-    c: npt.ArrayLike,
-    most: npt.ArrayLike,
-    wanted: npt.ArrayLike,
+    s: ArrayLike,
+    d1: ArrayLike,
+    d2: ArrayLike,
+    d3: ArrayLike,
+    speed: ArrayLike,
+    acceleration: ArrayLike,
+    a: ArrayLike,
+    b: ArrayLike,
+    c: ArrayLike,
+    most: ArrayLike,
+    wanted: ArrayLike,
     start: float,
     end: float,
 ) -> tuple[Array, Array, bool, int]:
     """Values x (N,), upper ends of the controllable sets (N,), whether it can be done, where not (-1: at the start)."""
 
-def deviations(Ts: npt.ArrayLike) -> Array:
+def deviations(Ts: ArrayLike) -> Array:
     """(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite."""
 
-def sincos(x: npt.ArrayLike) -> Array: ...
-def atan2(yx: npt.ArrayLike) -> Array: ...
+def sincos(x: ArrayLike) -> Array: ...
+def atan2(yx: ArrayLike) -> Array: ...
+def nearer(
+    *,
+    links: ArrayLike,
+    prismatic: ArrayLike,
+    length: float,
+    coupling: ArrayLike | None,
+    lower: ArrayLike,
+    upper: ArrayLike,
+    q: ArrayLike,
+    T: ArrayLike,
+    turning: ArrayLike,
+    steps: int,
+) -> tuple[Array, Array]:
+    """Go downhill from q (k, n) to T (4, 4): (k, n) and what is left (k,)."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -29,6 +30,7 @@ from pieper.solver.results import Closest, SolutionBatch, Solutions
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
+    from pieper.collision.scene import Scene
     from pieper.equations import Symbolic
     from pieper.motion.dialects.configuration import Configuration
 
@@ -50,6 +52,7 @@ class Arm(AtScale):
         self.chain = chain_of(description)
         self._snap = snap
         self._plans: dict[str, Plan] = {}
+        self._models = WeakKeyDictionary()
 
     @staticmethod
     def from_dh(
@@ -246,7 +249,9 @@ class Arm(AtScale):
             self._plans[key] = make_plan(self.chain, self.description, task=task, snap=self._snap)
         return self._plans[key]
 
-    def ik(self, T: PoseLike, *, task: str | None = None, redundancy: Redundancy = None) -> Solutions:
+    def ik(
+        self, T: PoseLike, *, task: str | None = None, redundancy: Redundancy = None, scene: Scene | None = None
+    ) -> Solutions:
         """Return every solution of a pose.
 
         Args:
@@ -255,6 +260,7 @@ class Arm(AtScale):
             redundancy: Value of the redundant coordinate of an arm that has one, rad or m; one a coordinate, in the
                 order of `plan.redundancy`; or by name, such as `{"joint_3": 0.3}` or `{"arm angle": 0.3}`, of
                 `plan.choices`, as many as the arm has to spare.
+            scene: What stands around the arm: `clearance` and `clear` of the answer say which rows touch nothing.
 
         Raises:
             InputError: T is not a pose, or the redundancy value is impossible.
@@ -262,6 +268,8 @@ class Arm(AtScale):
         sols = verbs.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
         if not len(sols.all_q):
             self._remark_far_away(sols.T)
+        if scene is not None:
+            sols.keep_clear(partial(self.distance, scene=scene))
         return sols
 
     def _remark_far_away(self, T: Array) -> None:

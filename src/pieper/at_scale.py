@@ -1,11 +1,13 @@
-"""The part of Arm that goes beyond one pose: reach maps, calibration, solvers in other languages; it delegates."""
+"""The part of Arm that goes beyond one pose: bodies and clearance, reach maps, calibration, code; it delegates."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Self
+from weakref import WeakKeyDictionary
 
 from pieper.description.dh import Description
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
@@ -17,7 +19,13 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     from pieper.calibration.fit import Fit
+    from pieper.collision.bodies import Bodies, Said
+    from pieper.collision.distance import Distance
+    from pieper.collision.model import Model
+    from pieper.collision.scene import Scene
+    from pieper.collision.swept import Swept
     from pieper.maps.reach_map import ReachMap
+    from pieper.verify.comparison import Comparison
 
 
 class AtScale:
@@ -25,11 +33,101 @@ class AtScale:
 
     description: Description
     chain: Chain
+    _models: WeakKeyDictionary[Scene, Model]
+    _snap: float | None
+
+    def __init__(self, description: Description, *, snap: float | None = None) -> None:
+        raise NotImplementedError
 
     @property
     def plan(self) -> Plan:
         """How the arm is solved for its default task."""
         raise NotImplementedError
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What pickle keeps: all but the models of scenes, which are made again."""
+        return {key: value for key, value in self.__dict__.items() if key != "_models"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state, _models=WeakKeyDictionary())
+
+    def _joints(self, q: ArrayLike | str, what: str = "q") -> ArrayLike:
+        raise NotImplementedError
+
+    @cached_property
+    def bodies(self) -> Bodies:
+        """What the arm is made of: from its file where that has bodies, guessed from its table where not.
+
+        `bodies.explain()` says which, and which pairs may touch; see docs/collision.md.
+        """
+        from pieper.collision.bodies import bodies_of
+
+        return bodies_of(self.description)
+
+    def with_bodies(
+        self, where: Mapping[str, Said], *, allowed: Sequence[tuple[str, str]] = (), instead: bool = False
+    ) -> Self:
+        """Return the arm with bodies added: "base", a joint's name (the link it moves) or "tool" -> shapes there.
+
+        A tool, and what a gripper holds, are bodies on "tool".
+
+        Args:
+            where: Place -> one shape or several; frames are those of `frames`.
+            allowed: Pairs of names that may touch beside neighbours.
+            instead: Whether they take the place of all bodies the arm had.
+
+        Raises:
+            InputError: No such place, something that is no shape, a name that is taken.
+        """
+        from pieper.collision.bodies import with_bodies
+
+        said = with_bodies(self.description, where, allowed=allowed, instead=instead)
+        return type(self)(said, snap=self._snap)
+
+    def distance(self, q: ArrayLike | str, scene: Scene | None = None) -> Distance:
+        """Return how far the arm is from touching itself or a scene, (...,) m, of joint vectors q (..., n).
+
+        Negative where bodies overlap; `.pair`, `.points` and `.gradient` say which, where, and how it changes.
+
+        Raises:
+            InputError: q has the wrong shape or is not finite, or the scene names a body the arm has not.
+        """
+        from pieper.collision.distance import distance
+
+        return distance(self._collision_model(scene), self._joints(q))
+
+    def clear(
+        self, q_path: ArrayLike | str, scene: Scene | None = None, margin: float = 0.0, *, gap: float | None = None
+    ) -> Swept:
+        """Prove that a path keeps the arm clear of itself and a scene, or say where it does not.
+
+        Args:
+            q_path: (N, n) joint vectors, between which every joint moves evenly; one posture is a path too.
+            scene: What stands around the arm; None for the arm alone.
+            margin: Distance to keep, m.
+            gap: How near to the margin may remain undecided, m; 1e-6 when left out.
+
+        Raises:
+            InputError: No path, or more than ten million points; a margin that is no length.
+        """
+        from pieper.collision.swept import clear
+        from pieper.tolerances import CLEARANCE_GAP
+
+        model, path = self._collision_model(scene), self._joints(q_path, "the path")
+        return clear(model, path, margin, gap=CLEARANCE_GAP if gap is None else gap)
+
+    def _collision_model(self, scene: Scene | None) -> Model:
+        """Return what must keep apart; made once a scene."""
+        from pieper.collision.model import model_of
+        from pieper.collision.scene import EMPTY, Scene
+        from pieper.errors import InputError
+
+        around = EMPTY if scene is None else scene
+        if not isinstance(around, Scene):
+            raise InputError(f"the scene must be a pieper.Scene, got {type(around).__name__}.", given=scene)
+        if around not in self._models:
+            self._models[around] = model_of(self.description, self.chain, self.bodies, around)
+        return self._models[around]
 
     def calibrate(
         self,
@@ -130,6 +228,21 @@ class AtScale:
         from pieper.maps.reach_map import reach_map
 
         return reach_map(self.plan, box, step, orientations, symmetry, store, executor, progress, measure)
+
+    def verify(self, toolbox: str, *, poses: int = 100, seed: int = 0) -> Comparison:
+        """Compare the arm with what an independent toolbox makes of it; see docs/verify.md.
+
+        Args:
+            toolbox: "roboticstoolbox", "pinocchio" or "mujoco", each an extra of its name.
+            poses: How many random postures; inverse solutions are compared at a quarter of them.
+            seed: Of the random numbers.
+
+        Raises:
+            InputError: The toolbox is not known, not installed, or cannot read the arm.
+        """
+        from pieper.verify.comparison import compare
+
+        return compare(self, toolbox, poses=poses, seed=seed)
 
     def base_places(self, Ts: PoseLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, yaw: ArrayLike) -> Array:
         """Return the share (nx, ny, nz, nyaw) of poses Ts (N, 4, 4) reached from each base at x, y, z, m, yaw, rad.

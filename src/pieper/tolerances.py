@@ -32,12 +32,18 @@ SINGULAR_EXAMINED = 1e-6
 TINY = 1e-300
 
 # ---- solver, kinematics, motion ----
-#: Newton steps end where a pose is missed by no more than this (per length; rad): the rounding of forward kinematics.
-NEWTON_DONE = 1e-15
-#: Below this they end as well once what is missed has not halved for three steps; above it they go on.
-NEWTON_STALLS = 1e-13
 #: What a solution may miss its pose by after polishing (per length; rad).
 CLOSES = 1e-9
+#: Longest step along a self-motion (rad; per length): joints turn visibly, and chords cut corners by about 2e-3.
+CURVE_STEP = 0.12
+#: Rows of a kernel closer than this (rad; per length) are one: a double root is known to ten times `SAME_SOLUTION`.
+SAME_ROW = 10 * SAME_SOLUTION
+#: A filled joint that comes out below this was meant to be zero: the pose is one the arm can reach (rad; per length).
+FILLED_ZERO = 1e-6
+#: Points that differ in a task's virtual joints alone are one within this (rad; per length): curves end there.
+SAME_AFTER_CUT = 1e-6
+
+# ---- kernels: of the look at singular rows, and Newton's method there ----
 #: A point of a self-motion must hold the pose this well (per length; rad). A pose 1e-12 away from a singular one moves
 #: farther along its null direction.
 ON_CURVE = 2e-13
@@ -58,16 +64,36 @@ NEARLY_IN_LINE = 0.03
 UNNOTICED = 2e-14
 #: What a merged root misses to second order (per rad^2) above which higher orders do not count.
 CLEAR_FOLD = 1e-3
-#: Longest step along a self-motion (rad; per length): joints turn visibly, and chords cut corners by about 2e-3.
-CURVE_STEP = 0.12
-#: Rows of a kernel closer than this (rad; per length) are one: a double root is known to ten times `SAME_SOLUTION`.
-SAME_ROW = 10 * SAME_SOLUTION
-#: A filled joint that comes out below this was meant to be zero: the pose is one the arm can reach (rad; per length).
-FILLED_ZERO = 1e-6
-#: Points that differ in a task's virtual joints alone are one within this (rad; per length): curves end there.
-SAME_AFTER_CUT = 1e-6
 #: Relative sigma_min above which a marked pose is not looked at further: kernels tell twins of a root apart above 1e-8.
 CLEARLY_REGULAR = 1.5e-7
+#: Newton steps end where a pose is missed by no more than this (per length; rad): the rounding of forward kinematics.
+NEWTON_DONE = 1e-15
+#: Below this they end as well once what is missed has not halved for three steps; above it they go on.
+NEWTON_STALLS = 1e-13
+#: Columns whose cosine is no more than this are at right angles (and two angles, rad, are one): rounding of their sums.
+ORTHOGONAL = 1e-15
+#: A row this near a self-motion is a point of it (rad; per length).
+ON_SELF_MOTION = 1e-9
+#: Relative singular values below which kernels may give one point for two solutions beside a self-motion.
+ROOTS_APART = 1e-11
+#: Solutions beside a self-motion are known to rounding over the singular value: nearer than this they are one (rad).
+SAME_ALONG = 0.03
+#: What such solutions may miss the pose by (per length; rad).
+HOLDS_TO_ROUNDING = 1e-14
+#: Directions weaker than this (relative) are not corrected in when a curve is followed that nearly holds the pose.
+CURVE_WEAK = 1e-6
+#: Merged roots closer than this (rad; per length) are one.
+MERGED_SAME = 1e-7
+#: What forward kinematics cannot tell from the pose (per length; rad), in the one direction that counts,
+MERGED_ALONG = 6e-16
+#: and in all.
+MERGED_ROUNDING = 2e-15
+#: Rows farther apart than this (rad; per length) are never called one.
+MERGED_BLUR = 5e-3
+#: Rows on two sides of a singularity (neighbouring roots of a curve) are called one up to here only (rad; per length).
+MERGED_TWINS = 2e-6
+#: Step for the derivatives of what is missed along the null direction (rad; per length).
+MERGED_STEP = 2e-2
 
 # ---- kernels: of all kernels ----
 #: Joint values this close (rad, m) are rounding and do not order rows.
@@ -235,6 +261,12 @@ HIDDEN_PARALLEL = 1e-10
 #: Squared distance from axis 1 that a reciprocal is kept above.
 HIDDEN_ON_AXIS = 1e-30
 
+# ---- kernels: of collision (m, or as said) ----
+#: Squared length of a direction (a product of two unit vectors) below which two edges are parallel and say nothing.
+TOUCHING_FLAT = 1e-20
+#: What a distance between bodies may be off by rounding, per metre of the largest number in it: ten times the seen.
+DISTANCE_ROUNDING = 1e-14
+
 # ---- kernels: of the elimination (scaled lengths; rad) ----
 #: What polishing must leave of the miss: 1e-15 unless singular.
 GENERAL_VERIFIED = 1e-11
@@ -333,6 +365,13 @@ SWP_IN_PLANE = 1e-9
 #: Inner links that are together shorter than this part of the largest are no measure of length.
 LENGTHLESS = 1e-9
 
+# ---- collision ----
+#: How near to the margin a distance may stay undecided in a look at a whole path, m, where nothing else is said.
+CLEARANCE_GAP = 1e-6
+#: What coal is told to stop at, m, and how far off what it says is taken to be: ten times what was seen of hulls.
+HULL_STEP = 1e-10
+HULL_ROUNDING = 1e-8
+
 # ---- calibration ----
 #: By how much an axis of a built arm plausibly departs from the nominal one (rad; per length of the arm): a few
 #: millimetres a metre. What, so large, changes all measurements together by less than their noise, is not seen.
@@ -351,3 +390,14 @@ CALIBRATION_STEPS = 60
 MISREAD = 0.2
 #: Data that miss the nominal arm by less than this part of its length are not suspected of a wrong reading.
 SUSPICIOUS = 0.03
+
+# ---- verify ----
+#: Two programs that agree differ by their rounding alone (per length; rad): a few hundred operations leave 1e-13, a
+#: file's sixteen digits no more.
+VERIFY_AGREES = 1e-10
+#: What a toolbox calls a solution misses its pose by no more than this (per length; rad).
+VERIFY_SETTLED = 1e-10
+#: A solution of a toolbox is one of ours when the joints depart by no more than this (rad; per length),
+VERIFY_KNOWN = 1e-6
+#: and by this over the smallest singular value, since a pose that is met so well says no more about the joints.
+VERIFY_PER_SIGMA = 1e-9

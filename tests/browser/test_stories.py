@@ -249,7 +249,7 @@ def test_a_target_turned_by_its_ring(bench):
     before = shown_target(bench)
     x, y = bench.value("workbench.toScreen([3, 7, 11].map((i) => workbench.target[i]))")
     # the outer ring turns in the plane of the picture; its radius is a fixed share of the picture's height
-    radius = 0.098 * bench.page.locator("#view").bounding_box()["height"]
+    radius = 0.165 * bench.page.locator("#view").bounding_box()["height"]
     angles = np.radians(np.linspace(100, 150, 12))
     for k, angle in enumerate(angles):
         bench.page.mouse.move(x + radius * np.cos(angle), y - radius * np.sin(angle))

@@ -241,3 +241,21 @@ def test_tight_names_the_joint_that_binds():
         ("acceleration", "joint 2"),
     ]
     assert motion.tight[0].start == 0 and motion.tight[-1].end == pytest.approx(motion.duration)
+
+
+def test_a_limit_of_turning_that_is_never_reached_costs_nothing():
+    # along a straight line, round a corner and on: the tool turns nowhere but by rounding
+    arm = pieper.load("denso-vp6242")
+    home = np.radians([0, 51.492738, -150.638208, 0, 99.14547, 0])
+    T = arm.fk(home)
+    corner, end = T.copy(), T.copy()
+    corner[:3, 3] += [0, 0.08, 0]
+    end[:3, 3] += [-0.08, 0.08, 0.01]
+    for scale in (1.0, 1.0 + 1e-15, 1.0 - 3e-15):
+        durations = []
+        for turn in (None, 1e-3, 10.0):
+            limits = pieper.Limits(speed=3.0 * scale, acceleration=20.0, tool_speed=0.4, turn_speed=turn)
+            program = pieper.Program(arm, limits, start=home)
+            durations.append(program.move_l(corner, blend=0.01).move_l(end).motion(rate=50).duration)
+        assert durations[1] == pytest.approx(durations[0], rel=1e-3)
+        assert durations[2] == pytest.approx(durations[0], rel=1e-6)

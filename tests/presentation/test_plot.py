@@ -9,12 +9,12 @@ import pytest
 
 import pieper
 from pieper.document.writing import write_whole
+from pieper.drawing.skeleton import skeleton
+from pieper.drawing.style import COLOURS, LINES, MARKERS
 from pieper.errors import InputError
 from pieper.motion.sequence import sequence
 from pieper.presentation import plot
 from pieper.presentation.plot_reach import joint_range, reach_samples
-from pieper.presentation.skeleton import skeleton
-from pieper.presentation.style import COLOURS, LINES, MARKERS
 
 ARM = pieper.load("denso-vp6242")
 HOME = ARM.description.postures["line-start"]
@@ -97,7 +97,7 @@ def test_the_skeleton_begins_at_the_base_and_ends_at_the_tool(name):
     rng = np.random.default_rng(3)
     low, high = joint_range(arm)
     q = low + (high - low) * rng.random(arm.n)
-    parts = skeleton(arm, q)
+    parts = skeleton(arm.description, q)
     assert parts.polyline[-1] == pytest.approx(arm.fk(q)[:3, 3], abs=1e-12)
     assert parts.polyline[0] == pytest.approx(arm.base[:3, 3], abs=1e-12)
     for link, row in zip(parts.links, arm.description.rows, strict=False):

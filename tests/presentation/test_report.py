@@ -27,10 +27,10 @@ from pieper.document.formulas import ZERO, Written, matrix, named
 from pieper.document.html import page as html_page
 from pieper.document.latex import latex_text, source
 from pieper.document.mathml_fit import LINE, fitted, width
+from pieper.drawing.style import new_figure, picture
 from pieper.errors import InputError
 from pieper.presentation.report import good_pose, report, write_report
 from pieper.presentation.sections_arm import add_arm, fixed
-from pieper.presentation.style import new_figure, picture
 
 ARM = pieper.load("denso-vp6242")
 

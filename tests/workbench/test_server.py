@@ -364,19 +364,24 @@ def test_long_work_can_be_cancelled(served):
     talk(story())
 
 
-def test_an_arm_with_coupled_joints_is_refused_with_the_reason(served, tmp_path):
+def test_an_arm_with_coupled_joints_is_taken_and_solved(served, tmp_path):
     plain = pieper.load("denso-vp6242").description
     C = np.eye(6)
     C[2, 1] = 1.0
     arm = pieper.Arm(dataclasses.replace(plain, name="coupled-arm", coupling=C))
-    with pytest.raises(pieper.InputError, match="coupled-arm has coupled joints"):
-        room.create_app(start=arm)
+    room.create_app(start=arm)
     arm.save(tmp_path / "coupled.toml")
     text = (tmp_path / "coupled.toml").read_text()
+    q = np.radians([20, 60, -150, 10, 40, 25])
 
     async def story():
         async with connect(served[0]) as socket:
-            return await Page(socket).ask("open", text=text, name="coupled.toml")
+            page = Page(socket)
+            opened = await page.ask("open", text=text, name="coupled.toml")
+            await page.ask("arm", table=opened["table"])
+            return opened["table"], await page.ask("ik", T=arm.fk(q).ravel().tolist())
 
-    answer = talk(story())
-    assert not answer["ok"] and "coupled joints" in answer["error"]
+    table, answer = talk(story())
+    assert table["coupling"] == C.tolist()
+    rows = np.array([row["q"] for row in answer["rows"]])
+    assert np.allclose(arm.fk(rows), arm.fk(q), atol=1e-9)

@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 SETTLED = 1e-12  # by how much rounding may push a sine or cosine past 1
 
@@ -63,14 +64,19 @@ class NumpyField:
         for place, (row, k) in enumerate(zip(flat, number.ravel(), strict=True)):
             if not np.all(np.isfinite(row)) or not row.any():
                 continue
-            roots = np.roots(row)
-            slope = np.polyder(row)
-            for _ in range(2):
-                roots = roots - np.polyval(row, roots) / np.polyval(slope, roots)
-            real = np.sort(roots[np.abs(roots.imag) < 1e-7 * (1 + np.abs(roots))].real)
+            real = _real_roots(row)
             if len(real) >= k:
                 found[place] = 2 * np.arctan(real[int(k) - 1])
         return found.reshape(number.shape)
+
+
+def _real_roots(coefficients: np.ndarray) -> np.ndarray:
+    """Return the real roots of a polynomial, ascending, after two steps of Newton's method on all of them."""
+    roots: npt.NDArray[np.complex128] = np.asarray(np.roots(coefficients), complex)
+    slope = np.polyder(coefficients)
+    for _ in range(2):
+        roots -= np.polyval(coefficients, roots) / np.polyval(slope, roots)
+    return np.sort(roots[np.abs(roots.imag) < 1e-7 * (1 + np.abs(roots))].real)
 
 
 def _settled(x: Any) -> Any:

@@ -108,6 +108,15 @@ def has_branch(root: Expr) -> bool:
     return any(isinstance(node, PlusMinus) for node in root.walk())
 
 
+def unordered(node: Expr) -> str:
+    """The formula as text that is the same whatever the order of terms and factors."""
+    inner = [unordered(a) for a in node.args]
+    if node.op in ("sum", "product"):
+        inner.sort()
+    head = node.name if isinstance(node, Call) else node.op + (str(node.sign) if isinstance(node, PlusMinus) else "")
+    return f"{head}({','.join(inner)})" if inner else str(node)
+
+
 # -- places --------------------------------------------------------------------------------------------------
 def positions(root: Expr) -> Iterator[tuple[tuple[int, ...], Expr, Expr | None]]:
     """Yield (path, node, parent) for every node, top down; a path is the argument numbers from the root."""

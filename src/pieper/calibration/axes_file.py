@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from pieper.calibration.model import AxesModel
+from pieper.description.bodyfield import body_tables
 from pieper.description.dh import Description
-from pieper.description.robottext import contents, quantity_key, text_of
+from pieper.description.fold import frames_of
+from pieper.description.keys import quantity_key
+from pieper.description.robottext import contents, text_of
 
 
 def text_of_axes(description: Description, model: AxesModel) -> str:
@@ -19,5 +24,9 @@ def text_of_axes(description: Description, model: AxesModel) -> str:
     top["joints"] = joints
     for key in ("base", "tool"):
         top.pop(key, None)
+    if description.bodies:
+        frames = frames_of(description, np.zeros(description.n))
+        at_zero = [body.moved(frames[body.on]) for body in description.bodies]
+        top["bodies"] = body_tables(at_zero, description.joint_names)
     top["home"] = {"matrix_m": [[float(x) for x in row] for row in model.home]}
     return text_of(top)

@@ -1,4 +1,4 @@
-"""The command line: `pieper robots | show | fk | ik | path | report | check | workbench | tour`."""
+"""The command line: `pieper COMMAND`, listed in `cli.app`."""
 
 from __future__ import annotations
 

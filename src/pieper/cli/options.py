@@ -8,9 +8,10 @@ from collections.abc import Callable
 from typing import Any
 
 import click
+import numpy as np
 
 import pieper
-from pieper.cli.arguments import ALSO, NOTATIONS
+from pieper.cli.arguments import ALSO, NOTATIONS, numbers
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
 #: For commands that take numbers: a negative one is a number, not an option.
@@ -23,6 +24,13 @@ as_csv = click.option(
     "--csv", default="", metavar="FILE", help="Write the rows into this .csv, in the units asked for."
 )
 figure = click.option("--figure", default="", metavar="FILE", help="Draw into this .png, .svg or .pdf.")
+animate = click.option(
+    "--animate",
+    default="",
+    metavar="FILE",
+    help="Write a moving picture: .gif, .webp, .mp4, or .html, a page that plays it.",
+)
+rate = click.option("--rate", default=500.0, show_default=True, help="Samples a second.")
 order = click.option(
     "--order",
     default="rpy",
@@ -73,6 +81,60 @@ def takes_arm(command: Command, *, default: str | None = None) -> Command:
     ):
         made = option(made)
     return made
+
+
+#: Option -> field of `pieper.Limits`, one number a joint or one for all, and what it is.
+_LIMITS = {
+    "speed": "Largest speeds of the joints a second",
+    "acceleration": "Largest accelerations of the joints a second and second",
+    "jerk": "Largest jerks of the joints",
+}
+_TOOL_LIMITS = {
+    "tool_speed": "Largest speed of the tool's point",
+    "tool_acceleration": "Largest acceleration of the tool's point",
+    "turn_speed": "Largest speed at which the tool turns",
+}
+
+
+def takes_limits(command: Command) -> Command:
+    """Add --speed, --acceleration, --jerk and those of the tool; the command is given `limits`, or None.
+
+    Stands between `takes_arm` and `takes_units`, whose arm and units it needs.
+    """
+
+    @functools.wraps(command)
+    def with_limits(arm: pieper.Arm, units: Units, **rest: Any) -> Any:
+        given: dict[str, Any] = {}
+        for name in (*_LIMITS, *_TOOL_LIMITS):
+            text = rest.pop(name)
+            if text:
+                given[name] = _limit(arm, units, name, text)
+        return command(arm=arm, units=units, limits=pieper.Limits(**given) if given else None, **rest)
+
+    made: Command = with_limits
+    for name, words in reversed((_LIMITS | _TOOL_LIMITS).items()):
+        many = " One number for all joints, or one a joint, quoted." if name in _LIMITS else ""
+        made = click.option(
+            f"--{name.replace('_', '-')}",
+            name,
+            default="",
+            metavar="NUMBERS",
+            help=f"{words}, in the units typed.{many}",
+        )(made)
+    return made
+
+
+def _limit(arm: pieper.Arm, units: Units, name: str, text: str) -> Any:
+    values = numbers([text], f"--{name.replace('_', '-')}")
+    if name in _LIMITS:
+        if len(values) not in (1, arm.n):
+            raise pieper.InputError(
+                f"--{name} takes one number or {arm.n}, one a joint, got {len(values)}.", given=values
+            )
+        return np.broadcast_to(np.array(values), (arm.n,)) * units.of_joints(arm)
+    if len(values) != 1:
+        raise pieper.InputError(f"--{name.replace('_', '-')} takes one number, got {len(values)}.", given=values)
+    return values[0] * (units.radians if name == "turn_speed" else units.metres)
 
 
 def takes_units(command: Command) -> Command:

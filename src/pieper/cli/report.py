@@ -18,6 +18,9 @@ from pieper.cli.units import Units
 @click.option("--out", "-o", default="", metavar="FILE", help="The HTML page; named after the arm when left out.")
 @click.option("--latex", default="", metavar="FILE", help="Also write LaTeX source into this .tex, figures beside it.")
 @click.option("--pose", default="", metavar="POSE", help="The pose to solve, quoted, as for ik; chosen when left out.")
+@click.option(
+    "--verify-with", "toolbox", default="", metavar="TOOLBOX", help="Also compare with a toolbox, as `verify` does."
+)
 @first
 @last
 @points
@@ -29,6 +32,7 @@ def command(
     out: str,
     latex: str,
     pose: str,
+    toolbox: str,
     first: str,
     last: str,
     points: int,
@@ -47,7 +51,9 @@ def command(
         ends = [target([text], units, order, what) for what, text in (("--from", first), ("--to", last))]
         track = arm.follow(lines(held(arm, ends, q)[0], points), start=q)
     T = target([pose], units, order, "--pose").T if pose else None
+    found = arm.verify(toolbox) if toolbox else None
     place = Path(out or f"{arm.name}.html")
-    for file in pieper.write_report(arm, place, latex=Path(latex) if latex else None, pose=T, track=track):
+    into = Path(latex) if latex else None
+    for file in pieper.write_report(arm, place, latex=into, pose=T, track=track, comparison=found):
         print(file)
     return DONE

@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from pieper.description.carry import carried
 from pieper.description.commonnormal import standard_table
 from pieper.description.dh import CONVENTIONS, DH, Check, Description, describe
 from pieper.description.fold import chain_of
@@ -27,12 +28,12 @@ def with_tool(arm: Description, tool: PoseLike | str) -> Description:
             raise InputError(f"{arm.name} has no tool {tool!r}: {known}.", given=tool, allowed=list(arm.tools))
         tool = arm.tools[tool]
     # check poses are those of the old tool
-    return replace(arm, tool=_frozen(checked_pose(tool, "tool")), checks=())
+    return replace(arm, tool=_frozen(checked_pose(tool, "tool")), checks=(), origin=None)
 
 
 def with_base(arm: Description, base: PoseLike) -> Description:
     """Return the arm whose table begins at another pose of the world."""
-    return replace(arm, base=_frozen(checked_pose(base, "base")), checks=())
+    return replace(arm, base=_frozen(checked_pose(base, "base")), checks=(), origin=None)
 
 
 def with_limits(arm: Description, limits: Mapping[str, Sequence[float | None] | None]) -> Description:
@@ -102,7 +103,11 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
     )
     # named tools stand in the old table's last frame
     moved = {name: table.tool @ inverse(arm.tool) @ T for name, T in arm.tools.items()}
-    return to_convention(replace(kept, tools={k: _frozen(T) for k, T in moved.items()}), arm.convention)
+    bodies = carried(
+        arm, kept, q, np.zeros(len(free)), lambda k: len(free) + 1 if k > arm.n else sum(i < k for i in free)
+    )
+    kept = replace(kept, bodies=bodies, allowed=arm.allowed, tools={k: _frozen(T) for k, T in moved.items()})
+    return to_convention(kept, arm.convention)
 
 
 def to_convention(arm: Description, convention: str) -> Description:
@@ -121,7 +126,7 @@ def to_convention(arm: Description, convention: str) -> Description:
     else:
         a, alpha, first, last = [*a[1:], 0.0], [*alpha[1:], 0.0], _link(a[0], alpha[0]), np.eye(4)
     rows = tuple(DH(x, angle, row.d, row.theta) for x, angle, row in zip(a, alpha, arm.rows, strict=True))
-    return replace(
+    other = replace(
         arm,
         convention=convention,
         rows=rows,
@@ -129,6 +134,7 @@ def to_convention(arm: Description, convention: str) -> Description:
         tool=_frozen(last @ arm.tool),
         tools={name: _frozen(last @ T) for name, T in arm.tools.items()},
     )
+    return replace(other, bodies=carried(arm, other, np.zeros(arm.n), np.zeros(arm.n)), unmeasured=None)
 
 
 def reversed_arm(arm: Description) -> Description:
@@ -155,8 +161,12 @@ def reversed_arm(arm: Description) -> Description:
         tools={},
         frames={},
         actuator=None,
+        origin=None,
     )
-    return to_convention(turned, arm.convention)
+    q = np.zeros(arm.n)
+    at_zero = chain_of(arm).native.fk(q)
+    bodies = carried(arm, turned, q, q, lambda k: max(arm.n - k, 0), inverse(at_zero))
+    return to_convention(replace(turned, bodies=bodies, unmeasured=None), arm.convention)
 
 
 def _described_anew(arm: Description, **changes: object) -> Description:

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from pieper.description.coupling import checked_coupling
+from pieper.description.shapes import Body, Unmeasured
 from pieper.errors import InputError, PieperWarning
 from pieper.kinematics.pose import PoseLike, checked_pose
 from pieper.words_by_number import plural
@@ -79,6 +80,23 @@ class Check:
     tolerance: float = 1e-9
 
 
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """The robot file of another format that an arm was read from, as long as nothing about the arm was changed.
+
+    Args:
+        file: Its path.
+        kind: "URDF" or "MJCF".
+        base: Link or body the chain begins at.
+        tip: Link, body or site it ends at.
+    """
+
+    file: str
+    kind: str
+    base: str
+    tip: str
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Description:
     """Everything that is said about an arm before any mathematics.
@@ -105,6 +123,10 @@ class Description:
         tools: Named poses (4, 4) of other tools, in the table's last frame as `tool` is.
         frames: Named poses (4, 4) of places, in the frame in which `base` is.
         remarks: What was read differently from the file the arm came from, in sentences.
+        origin: The URDF or MJCF that others can read too; None for any other arm.
+        bodies: What the arm is made of; empty where nothing is known.
+        allowed: Pairs of names of bodies that may touch, beside neighbours.
+        unmeasured: Where bodies are to be had, when there are none yet.
     """
 
     name: str
@@ -128,6 +150,10 @@ class Description:
     tools: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
     frames: dict[str, npt.NDArray[np.float64]] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
+    origin: Origin | None = None
+    bodies: tuple[Body, ...] = ()
+    allowed: tuple[tuple[str, str], ...] = ()
+    unmeasured: Unmeasured | None = None
 
     @property
     def n(self) -> int:

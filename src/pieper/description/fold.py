@@ -43,6 +43,11 @@ def chain_of(description: Description) -> Chain:
     return Chain.of(links, prismatic, frames_after, description.coupling)
 
 
+def frames_of(arm: Description, q: Array) -> Array:
+    """Return the frames (n + 2, 4, 4) that bodies are said in, of a joint vector (n,): base, links, tool."""
+    return chain_of(arm).native.frames(q, arm.base)
+
+
 def _shortened(links: Array, frames_after: Array) -> None:
     """Slide the frames along their axes where a table's offsets are far longer than the arm.
 

@@ -14,6 +14,7 @@ from pieper.description.treearm import arm_of
 from pieper.description.urdf import LARGEST_FILE, bytes_of
 from pieper.errors import InputError
 from pieper.kinematics.orientation import rotation
+from pieper.kinematics.pose import rotation_about, transform
 
 #: What a chain of bodies does not need and whose files are often not at hand.
 _UNNEEDED = (
@@ -50,6 +51,16 @@ def _tree(path: Path) -> Tree:
         raise InputError(
             f"{path}: reading MJCF needs an extra: pip install 'pieper[mujoco]'.", file=str(path)
         ) from None
+    model = compiled(mujoco, path)
+    return _links(model, mujoco, str(path))
+
+
+def compiled(mujoco: Any, path: str | Path) -> Any:
+    """Return the compiled model of an MJCF file, read by the package `mujoco` without shapes and masses.
+
+    Raises:
+        InputError: It is no model; the message says what MuJoCo said.
+    """
     try:
         spec: Any = mujoco.MjSpec.from_file(str(path))  # pyright: ignore[reportAttributeAccessIssue]
         for kind in _UNNEEDED:
@@ -62,7 +73,7 @@ def _tree(path: Path) -> Tree:
     except (ValueError, RuntimeError, TypeError) as error:
         reason = " ".join(str(error).split())
         raise InputError(f"{path}: MuJoCo cannot read this model: {reason[:300]}", file=str(path)) from None
-    return _links(model, mujoco, str(path))
+    return model
 
 
 def _links(model: Any, mujoco: Any, file: str) -> Tree:
@@ -103,7 +114,7 @@ def _links(model: Any, mujoco: Any, file: str) -> Tree:
                     upper=upper if limited else np.inf,
                     mimic=mimics.get(j),
                 ),
-                pending @ at,
+                pending @ at @ _at_zero(model, j, kind),
                 np.array(model.jnt_axis[j], float),
             )
             parent, pending = link, _pose(-model.jnt_pos[j], [1.0, 0.0, 0.0, 0.0])
@@ -120,6 +131,14 @@ def _links(model: Any, mujoco: Any, file: str) -> Tree:
     return Tree(
         file, model.names[: model.names.find(b"\0")].decode() or "arm", "MJCF", bodies, joints, lambda j: frames[j.name]
     )
+
+
+def _at_zero(model: Any, joint: int, kind: str) -> npt.NDArray[np.float64]:
+    """Return the motion from a model's reference posture, in which its bodies are said, to the joint's value zero."""
+    if kind not in ("revolute", "prismatic"):
+        return np.eye(4)
+    axis, back = np.array(model.jnt_axis[joint], float), -float(model.qpos0[model.jnt_qposadr[joint]])
+    return transform(p=back * axis) if kind == "prismatic" else transform(rotation_about(axis, back))
 
 
 def _mimics(model: Any, mujoco: Any) -> dict[int, Mimic]:

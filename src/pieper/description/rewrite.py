@@ -7,9 +7,10 @@ from collections.abc import Callable
 from typing import Any
 
 from pieper.description.dh import Description
+from pieper.description.keys import POSE_STEMS
 from pieper.description.quantity import UNITS, in_unit
 from pieper.description.robotparse import parse
-from pieper.description.robottext import POSE_STEMS, contents, dumps
+from pieper.description.robottext import contents, dumps
 from pieper.errors import InputError
 
 

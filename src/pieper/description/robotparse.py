@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import math
 import tomllib
+from dataclasses import replace
 
 import numpy as np
 
 from pieper.description.axes import UNIT_SLACK
+from pieper.description.bodyfield import allowed_of, bodies_of
 from pieper.description.commonnormal import standard_table
 from pieper.description.dh import CONVENTIONS, DH, Actuator, Check, Description, describe
 from pieper.description.fields import needed_key, number, numbers, one_key, quantity
+from pieper.description.fold import frames_of
 from pieper.description.place import Place, kind_of
 from pieper.description.posefield import pose_of
 from pieper.description.quantity import UNITS, UNITS_OF
 from pieper.errors import InputError
+from pieper.kinematics.pose import inverse
 from pieper.words_by_number import plural
 
 #: Larger than any robot file by far; what is larger is not one and is not parsed.
@@ -36,6 +40,8 @@ TOP_KEYS = (
     "frames",
     "postures",
     "checks",
+    "bodies",
+    "collision",
 )
 #: Ways to say the joints: two kinds of DH table, and axes with points on them.
 WAYS = (*CONVENTIONS, "axes")
@@ -92,7 +98,7 @@ def _description(document: dict, top: Place) -> Description:
         signs.append(sign)
         offsets.append(offset)
     kinds = "".join(types)
-    base = pose_of(top.table(document.get("base", {}), "base"), top.at("base"))
+    base = said_base = pose_of(top.table(document.get("base", {}), "base"), top.at("base"))
     tool_table = top.table(document.get("tool", {}), "tool")
     said = {
         "name": top.text_of(document, "name"),
@@ -115,8 +121,10 @@ def _description(document: dict, top: Place) -> Description:
         # what stands after the last row of the table is part of every tool
         said["tools"] = {name: table.tool @ T for name, T in said["tools"].items()}
         rows, base, tool, convention = table.rows, base @ table.base, table.tool @ tool, "standard"
+    bodies = bodies_of(_tables(document, "bodies", top), names, top)
+    allowed = allowed_of(document, [body.name for body in bodies], top)
     try:
-        return describe(
+        arm = describe(
             rows,
             convention=convention,
             base=base,
@@ -132,6 +140,11 @@ def _description(document: dict, top: Place) -> Description:
         raise InputError(
             f"{top.file}: {error}", file=top.file, **{k: v for k, v in error.data.items() if k != "file"}
         ) from None
+    if document["convention"] == "axes" and bodies:
+        # where no table is said, neither are its frames: bodies are said in the base's, all joints at zero
+        frames = frames_of(arm, np.zeros(arm.n))
+        bodies = tuple(body.moved(inverse(frames[body.on]) @ said_base) for body in bodies)
+    return replace(arm, bodies=bodies, allowed=allowed)
 
 
 def _joint(

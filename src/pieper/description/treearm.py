@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
 from pieper.description.axes import described_by_axes
-from pieper.description.dh import Description
+from pieper.description.dh import Description, Origin
 from pieper.description.ends import Ends, find_ends
 from pieper.description.tree import MOVING, Joint, Tree, has_range, some
 from pieper.errors import InputError
@@ -61,7 +61,7 @@ def arm_of(
         )
     own, coupling, constants, notes = _coupled(tree, axes)
     limits, noted = _all_limits(tree, [axis.joint for axis in own], missing_limits)
-    return described_by_axes(
+    arm = described_by_axes(
         np.array([axis.direction for axis in own]),
         np.array([axis.point for axis in own]),
         home,
@@ -75,6 +75,7 @@ def arm_of(
         remarks=(*ends.notes, *notes, *noted, *tree.remarks([joint for joint, _ in path])),
         postures={"zero": np.zeros(len(own))},
     )
+    return replace(arm, origin=Origin(str(tree.file), tree.format, ends.base, ends.tip))
 
 
 def _check_kinds(tree: Tree, path: list[tuple[Joint, bool]], ends: Ends) -> None:

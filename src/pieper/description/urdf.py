@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.parsers import expat
 
@@ -13,6 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from pieper.description.dh import Description
+from pieper.description.ends import find_ends
+from pieper.description.shapes import Unmeasured
 from pieper.description.tree import Joint, Mimic, Tree
 from pieper.description.treearm import arm_of
 from pieper.errors import InputError
@@ -94,7 +96,12 @@ def loads(
     data = data.encode() if isinstance(data, str) else data
     if len(data) > LARGEST_FILE:
         raise InputError(f"{file}: larger than {LARGEST_FILE:,} bytes; this is not a URDF.", file=file)
-    return arm_of(_parse(data, file, exact_angles), base=base, tip=tip, missing_limits=missing_limits)
+    tree = parse(data, file, exact_angles)
+    arm = arm_of(tree, base=base, tip=tip, missing_limits=missing_limits)
+    if b"<collision" not in data:
+        return arm
+    ends = find_ends(tree, base, tip)
+    return replace(arm, unmeasured=Unmeasured(data, file, exact_angles, ends.base, ends.tip, arm.base))
 
 
 def _said_of(rounded: dict[str, list[float]], joints: list[Joint]) -> tuple[str, ...]:
@@ -109,7 +116,7 @@ def _said_of(rounded: dict[str, list[float]], joints: list[Joint]) -> tuple[str,
     )
 
 
-def _parse(data: bytes, file: str, exact_angles: bool) -> Tree:
+def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
     """Return links and joints; a document type declaration (and with it any entity) is refused."""
     links: list[str] = []
     joints: dict[str, Joint] = {}

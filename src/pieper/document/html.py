@@ -6,25 +6,10 @@ import html
 import re
 from pathlib import Path
 
-from pieper.document.blocks import (
-    Block,
-    Code,
-    Document,
-    Emphasis,
-    Equation,
-    Equations,
-    Heading,
-    Lines,
-    Listing,
-    Note,
-    Paragraph,
-    Picture,
-    Piece,
-    Step,
-    Table,
-)
+from pieper.document import blocks as b
 from pieper.document.formulas import equals
 from pieper.document.mathml_fit import displayed, fitted, inline
+from pieper.document.writer import Typesetter
 
 FOOTER = "Made by pieper. Lengths are in millimetres and angles in degrees unless another unit is printed."
 
@@ -32,7 +17,7 @@ FOOTER = "Made by pieper. Lengths are in millimetres and angles in degrees unles
 STYLE = Path(__file__).with_name("page.css")
 
 
-def page(document: Document) -> str:
+def page(document: b.Document) -> str:
     """Return a document as one self-contained HTML file."""
     writer = _Writer(fit=True)
     body = "\n".join(map(writer.block, document.blocks))
@@ -51,7 +36,7 @@ def page(document: Document) -> str:
     )
 
 
-def fragment(document: Document) -> str:
+def fragment(document: b.Document) -> str:
     """Return a document as HTML elements to stand in a page of somebody else's, formulas at their full width."""
     title = [f"<h2>{escaped(document.title)}</h2>"] if document.title else []
     return "\n".join([*title, *map(_Writer(fit=False).block, document.blocks)]) + "\n"
@@ -62,24 +47,7 @@ def escaped(words: str) -> str:
     return html.escape(words, quote=True)
 
 
-def line(*pieces: Piece) -> str:
-    """Return pieces of a sentence as HTML."""
-    return "".join(map(_piece, pieces))
-
-
-def _piece(piece: Piece) -> str:
-    match piece:
-        case str():
-            return escaped(piece)
-        case Code():
-            return f"<code>{escaped(piece.words)}</code>"
-        case Emphasis():
-            return f"<em>{escaped(piece.words)}</em>"
-        case _:
-            return inline(piece.mathml())
-
-
-class _Writer:
+class _Writer(Typesetter):
     """Writes blocks one after the other and keeps the numbers of sections, figures and tables."""
 
     def __init__(self, *, fit: bool) -> None:
@@ -87,33 +55,37 @@ class _Writer:
         self.section = self.subsection = self.figures = self.tables = 0
         self.contents: list[str] = []
 
-    def block(self, item: Block) -> str:
-        match item:
-            case Heading():
-                return self._heading(item)
-            case Step():
-                return self._heading(item.heading)
-            case Paragraph():
-                return f"<p>{line(*item.pieces)}</p>"
-            case Note():
-                return f'<p class="note">{line(*item.pieces)}</p>'
-            case Equation():
-                return self._equation(item)
-            case Equations():
-                rows = "".join(map(self._equation, item.rows))
-                return f'<div class="{"beside" if item.beside else "group"}">{rows}</div>'
-            case Lines():
-                tag = "ol" if item.numbered else "ul"
-                return f"<{tag}>{''.join(f'<li>{line(words)}</li>' for words in item.items)}</{tag}>"
-            case Table():
-                return self._table(item)
-            case Picture():
-                return self._picture(item)
-            case Listing():
-                return f"<pre>{escaped(item.lines)}</pre>"
+    def _words(self, words: str) -> str:
+        return escaped(words)
 
-    def _heading(self, item: Heading) -> str:
-        tag, words = f"h{item.level + 1}", line(*item.pieces)
+    def _code(self, words: str) -> str:
+        return f"<code>{escaped(words)}</code>"
+
+    def _emphasis(self, words: str) -> str:
+        return f"<em>{escaped(words)}</em>"
+
+    def _formula(self, formula: b.Formula) -> str:
+        return inline(formula.mathml())
+
+    def _paragraph(self, item: b.Paragraph) -> str:
+        return f"<p>{self.line(*item.pieces)}</p>"
+
+    def _note(self, item: b.Note) -> str:
+        return f'<p class="note">{self.line(*item.pieces)}</p>'
+
+    def _equations(self, item: b.Equations) -> str:
+        rows = "".join(map(self._equation, item.rows))
+        return f'<div class="{"beside" if item.beside else "group"}">{rows}</div>'
+
+    def _lines(self, item: b.Lines) -> str:
+        tag = "ol" if item.numbered else "ul"
+        return f"<{tag}>{''.join(f'<li>{self.piece(words)}</li>' for words in item.items)}</{tag}>"
+
+    def _listing(self, item: b.Listing) -> str:
+        return f"<pre>{escaped(item.lines)}</pre>"
+
+    def _heading(self, item: b.Heading) -> str:
+        tag, words = f"h{item.level + 1}", self.line(*item.pieces)
         if not item.numbered:
             return f"<{tag}>{words}</{tag}>"
         if item.level == 1:
@@ -125,20 +97,20 @@ class _Writer:
             number = f"{self.section}.{self.subsection}"
         return f'<{tag} id="s{number}"><span class="number">{number}</span>{words}</{tag}>'
 
-    def _equation(self, item: Equation) -> str:
+    def _equation(self, item: b.Equation) -> str:
         content = equals(*item.sides).mathml()
         math = fitted(content) if self.fit else displayed(content)
         if item.number is None:
             return f'<div class="formula">{math}</div>'
         return f'<div class="formula numbered"><div>{math}</div><span>({item.number})</span></div>'
 
-    def _table(self, item: Table) -> str:
+    def _table(self, item: b.Table) -> str:
         self.tables += 1
         side = ["left" if i in item.left else "right" for i in range(len(item.head))]
-        head = "".join(f'<th class="{s}">{line(c)}</th>' for s, c in zip(side, item.head, strict=True))
+        head = "".join(f'<th class="{s}">{self.line(c)}</th>' for s, c in zip(side, item.head, strict=True))
         rows: list[str] = []
         for i, row in enumerate(item.rows):
-            cells = "".join(f'<td class="{s}">{line(c)}</td>' for s, c in zip(side, row, strict=True))
+            cells = "".join(f'<td class="{s}">{self.line(c)}</td>' for s, c in zip(side, row, strict=True))
             rows.append(f"<tr{' class=strong' if i in item.strong else ''}>{cells}</tr>")
         caption = f"<caption><b>Table {self.tables}.</b> {escaped(item.caption)}</caption>" if item.caption else ""
         long = (" long" if len(item.rows) > 22 else "") + (" dense" if len(item.head) > 8 else "")
@@ -147,7 +119,7 @@ class _Writer:
             f"<tbody>{''.join(rows)}</tbody></table></div>"
         )
 
-    def _picture(self, item: Picture) -> str:
+    def _picture(self, item: b.Picture) -> str:
         self.figures += 1
         drawing = inline_svg(item.drawing.svg(), f"f{self.figures}-")
         return (

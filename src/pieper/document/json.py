@@ -5,30 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from pieper.document.blocks import (
-    Block,
-    Code,
-    Document,
-    Emphasis,
-    Equation,
-    Equations,
-    Formula,
-    Heading,
-    Lines,
-    Listing,
-    Note,
-    Paragraph,
-    Picture,
-    Piece,
-    Step,
-    Table,
-)
+from pieper.document import blocks as b
 from pieper.document.formulas import equals
+from pieper.document.writer import Writer
 
 Data = dict[str, Any]
 
 
-def fragment(document: Document) -> Data:
+def fragment(document: b.Document) -> Data:
     """Return a document as data that `json.dumps` takes."""
     return {
         "title": document.title,
@@ -38,56 +22,59 @@ def fragment(document: Document) -> Data:
     }
 
 
-def blocks(items: Iterable[Block]) -> list[Data]:
-    """Return blocks as data."""
-    return [block(item) for item in items]
+def blocks(items: Iterable[b.Block]) -> list[Data]:
+    """Return blocks as data; pieces are strings, {"code"}, {"emphasis"} or formulas {"latex", "text"}."""
+    return [_WRITER.block(item) for item in items]
 
 
-def block(item: Block) -> Data:
-    """Return one block as data; pieces are strings, {"code"}, {"emphasis"} or formulas {"latex", "text"}."""
-    match item:
-        case Heading():
-            return {"kind": "heading", "level": item.level, "pieces": _pieces(item.pieces)}
-        case Step():
-            solves, pieces = _formula(item.solves), _pieces(item.heading.pieces)
-            return {
-                "kind": "step", "number": item.number, "solves": solves, "branches": item.branches, "pieces": pieces
-            }  # fmt: skip
-        case Paragraph():
-            return {"kind": "paragraph", "pieces": _pieces(item.pieces)}
-        case Note():
-            return {"kind": "note", "pieces": _pieces(item.pieces)}
-        case Equation():
-            more = {"number": item.number} if item.number is not None else {}
-            return {"kind": "equation", **_formula(equals(*item.sides)), **more, "name": item.name}
-        case Equations():
-            return {"kind": "equations", "rows": blocks(item.rows), "beside": item.beside}
-        case Lines():
-            return {"kind": "lines", "items": _pieces(item.items), "numbered": item.numbered}
-        case Table():
-            rows = [_pieces(row) for row in item.rows]
-            return {"kind": "table", "head": _pieces(item.head), "rows": rows, "caption": item.caption}
-        case Picture():
-            return {"kind": "figure", "name": item.name, "caption": item.caption, "svg": item.drawing.svg()}
-        case Listing():
-            return {"kind": "listing", "lines": item.lines}
+class _Writer(Writer[str | Data, Data]):
+    def _pieces(self, pieces: Iterable[b.Piece]) -> list[str | Data]:
+        return [self.piece(piece) for piece in pieces]
+
+    def _words(self, words: str) -> str:
+        return words
+
+    def _code(self, words: str) -> Data:
+        return {"code": words}
+
+    def _emphasis(self, words: str) -> Data:
+        return {"emphasis": words}
+
+    def _formula(self, formula: b.Formula) -> Data:
+        return {"latex": formula.latex(), "text": formula.text()}
+
+    def _heading(self, item: b.Heading) -> Data:
+        return {"kind": "heading", "level": item.level, "pieces": self._pieces(item.pieces)}
+
+    def _step(self, item: b.Step) -> Data:
+        said = {"number": item.number, "solves": self._formula(item.solves), "branches": item.branches}
+        return {"kind": "step", **said, "pieces": self._pieces(item.heading.pieces)}
+
+    def _paragraph(self, item: b.Paragraph) -> Data:
+        return {"kind": "paragraph", "pieces": self._pieces(item.pieces)}
+
+    def _note(self, item: b.Note) -> Data:
+        return {"kind": "note", "pieces": self._pieces(item.pieces)}
+
+    def _equation(self, item: b.Equation) -> Data:
+        more = {"number": item.number} if item.number is not None else {}
+        return {"kind": "equation", **self._formula(equals(*item.sides)), **more, "name": item.name}
+
+    def _equations(self, item: b.Equations) -> Data:
+        return {"kind": "equations", "rows": blocks(item.rows), "beside": item.beside}
+
+    def _lines(self, item: b.Lines) -> Data:
+        return {"kind": "lines", "items": self._pieces(item.items), "numbered": item.numbered}
+
+    def _table(self, item: b.Table) -> Data:
+        rows = [self._pieces(row) for row in item.rows]
+        return {"kind": "table", "head": self._pieces(item.head), "rows": rows, "caption": item.caption}
+
+    def _picture(self, item: b.Picture) -> Data:
+        return {"kind": "figure", "name": item.name, "caption": item.caption, "svg": item.drawing.svg()}
+
+    def _listing(self, item: b.Listing) -> Data:
+        return {"kind": "listing", "lines": item.lines}
 
 
-def _pieces(pieces: Iterable[Piece]) -> list[str | Data]:
-    return [_piece(piece) for piece in pieces]
-
-
-def _piece(piece: Piece) -> str | Data:
-    match piece:
-        case str():
-            return piece
-        case Code():
-            return {"code": piece.words}
-        case Emphasis():
-            return {"emphasis": piece.words}
-        case _:
-            return _formula(piece)
-
-
-def _formula(formula: Formula) -> Data:
-    return {"latex": formula.latex(), "text": formula.text()}
+_WRITER = _Writer()

@@ -2,25 +2,10 @@
 
 from __future__ import annotations
 
-from pieper.document.blocks import (
-    Block,
-    Code,
-    Document,
-    Emphasis,
-    Equation,
-    Equations,
-    Heading,
-    Lines,
-    Listing,
-    Note,
-    Paragraph,
-    Picture,
-    Piece,
-    Step,
-    Table,
-)
+from pieper.document import blocks as b
 from pieper.document.formulas import equals
 from pieper.document.text import plain
+from pieper.document.writer import Typesetter
 
 HEAD = r"""\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
@@ -63,24 +48,7 @@ def latex_text(words: str) -> str:
     return "".join(_SPECIAL.get(c, c if ord(c) < 0x250 else "?") for c in words)
 
 
-def line(*pieces: Piece) -> str:
-    """Return pieces of a sentence as LaTeX."""
-    return "".join(map(_piece, pieces))
-
-
-def _piece(piece: Piece) -> str:
-    match piece:
-        case str():
-            return latex_text(piece)
-        case Code():
-            return rf"\texttt{{{latex_text(piece.words)}}}"
-        case Emphasis():
-            return rf"\emph{{{latex_text(piece.words)}}}"
-        case _:
-            return f"${piece.latex()}$"
-
-
-def source(document: Document, folder: str = "figures") -> tuple[str, dict[str, bytes]]:
+def source(document: b.Document, folder: str = "figures") -> tuple[str, dict[str, bytes]]:
     """Return a document as LaTeX source and the files it needs.
 
     Args:
@@ -91,59 +59,63 @@ def source(document: Document, folder: str = "figures") -> tuple[str, dict[str, 
         The source, and the figures: relative file name to content.
     """
     writer = _Writer(folder, fit=True)
-    title = rf"\title{{{line(document.title)}}}" + "\n"
-    title += rf"\author{{{line(document.subtitle)}}}" + "\n" + r"\date{}" + "\n"
+    title = rf"\title{{{writer.line(document.title)}}}" + "\n"
+    title += rf"\author{{{writer.line(document.subtitle)}}}" + "\n" + r"\date{}" + "\n"
     parts = [HEAD, title, r"\begin{document}", r"\maketitle"]
     if document.summary:
-        parts.append(rf"\begin{{quote}}{line(document.summary)}\end{{quote}}")
+        parts.append(rf"\begin{{quote}}{writer.line(document.summary)}\end{{quote}}")
     parts += [*map(writer.block, document.blocks), r"\end{document}"]
     return "\n\n".join(parts) + "\n", writer.files
 
 
-def fragment(document: Document) -> str:
+def fragment(document: b.Document) -> str:
     """Return the inside of a LaTeX document (needs amsmath), formulas at their full width."""
-    title = [rf"\subsection*{{{line(document.title)}}}"] if document.title else []
-    return "\n\n".join([*title, *map(_Writer("figures", fit=False).block, document.blocks)]) + "\n"
+    writer = _Writer("figures", fit=False)
+    title = [rf"\subsection*{{{writer.line(document.title)}}}"] if document.title else []
+    return "\n\n".join([*title, *map(writer.block, document.blocks)]) + "\n"
 
 
-class _Writer:
+class _Writer(Typesetter):
     """Writes blocks one after the other and keeps the figures for their folder."""
 
     def __init__(self, folder: str, *, fit: bool) -> None:
         self.folder, self.fit = folder, fit
         self.files: dict[str, bytes] = {}
 
-    def block(self, item: Block) -> str:
-        match item:
-            case Heading():
-                command = {True: ("section", "subsection"), False: ("section*", "paragraph")}[item.numbered]
-                return rf"\{command[item.level - 1]}{{{line(*item.pieces)}}}"
-            case Step():
-                return self.block(item.heading)
-            case Paragraph() | Note():
-                return line(*item.pieces)
-            case Equation():
-                number = rf" \tag{{{item.number}}}" if item.number is not None else ""
-                return rf"\[ {self._body(item)}{number} \]"
-            case Equations():
-                return self._equations(item)
-            case Lines():
-                kind = "enumerate" if item.numbered else "itemize"
-                items = "\n".join(rf"\item {line(words)}" for words in item.items)
-                return rf"\begin{{{kind}}}" + "\n" + items + "\n" + rf"\end{{{kind}}}"
-            case Table():
-                return _table(item)
-            case Picture():
-                return self._picture(item)
-            case Listing():
-                rows = ("".join(map(_typed, row)) for row in item.lines.splitlines())
-                return "{\\small\n\\begin{verbatim}\n" + "\n".join(rows) + "\n\\end{verbatim}\n}"
+    def _words(self, words: str) -> str:
+        return latex_text(words)
 
-    def _body(self, item: Equation) -> str:
+    def _code(self, words: str) -> str:
+        return rf"\texttt{{{latex_text(words)}}}"
+
+    def _emphasis(self, words: str) -> str:
+        return rf"\emph{{{latex_text(words)}}}"
+
+    def _formula(self, formula: b.Formula) -> str:
+        return f"${formula.latex()}$"
+
+    def _heading(self, item: b.Heading) -> str:
+        command = {True: ("section", "subsection"), False: ("section*", "paragraph")}[item.numbered]
+        return rf"\{command[item.level - 1]}{{{self.line(*item.pieces)}}}"
+
+    def _equation(self, item: b.Equation) -> str:
+        number = rf" \tag{{{item.number}}}" if item.number is not None else ""
+        return rf"\[ {self._body(item)}{number} \]"
+
+    def _lines(self, item: b.Lines) -> str:
+        kind = "enumerate" if item.numbered else "itemize"
+        items = "\n".join(rf"\item {self.piece(words)}" for words in item.items)
+        return rf"\begin{{{kind}}}" + "\n" + items + "\n" + rf"\end{{{kind}}}"
+
+    def _listing(self, item: b.Listing) -> str:
+        rows = ("".join(map(_typed, row)) for row in item.lines.splitlines())
+        return "{\\small\n\\begin{verbatim}\n" + "\n".join(rows) + "\n\\end{verbatim}\n}"
+
+    def _body(self, item: b.Equation) -> str:
         body = equals(*item.sides).latex()
         return rf"\fitted{{{body}}}" if self.fit else body
 
-    def _equations(self, item: Equations) -> str:
+    def _equations(self, item: b.Equations) -> str:
         if item.beside:
             bodies = [equals(*row.sides).latex() for row in item.rows]
             rows = [r" \qquad ".join(bodies[k : k + 3]) for k in range(0, len(bodies), 3)]
@@ -154,27 +126,26 @@ class _Writer:
             rows, kind = [" &= ".join(side.latex() for side in row.sides) for row in item.rows], "align*"
         return rf"\begin{{{kind}}}" + "\n" + " \\\\\n".join(rows) + "\n" + rf"\end{{{kind}}}"
 
-    def _picture(self, item: Picture) -> str:
+    def _picture(self, item: b.Picture) -> str:
         name = f"{self.folder}/{item.name}.pdf"
         self.files[name] = item.drawing.pdf()
         return (
             "\\begin{figure}[!htbp]\n\\centering\n"
             rf"\includegraphics[width={min(item.width, 1.0):.2f}\linewidth]{{{name}}}"
-            "\n" + rf"\caption{{{line(item.caption)}}}" + "\n\\end{figure}"
+            "\n" + rf"\caption{{{self.line(item.caption)}}}" + "\n\\end{figure}"
         )
 
-
-def _table(item: Table) -> str:
-    columns = "".join("l" if i in item.left else "r" for i in range(len(item.head)))
-    head = " & ".join(rf"\textbf{{{line(c)}}}" for c in item.head)
-    rows = [" & ".join(line(c) for c in row) + r" \\" for row in item.rows]
-    body = "\n".join([r"\toprule", head + r" \\", r"\midrule", *rows, r"\bottomrule"])
-    caption = rf"\caption{{{line(item.caption)}}}" if item.caption else ""
-    inside = rf"\begin{{tabular}}{{{columns}}}" + "\n" + body + "\n" + r"\end{tabular}"
-    width = sum(max(len(plain(row[i])) for row in (item.head, *item.rows)) + 2 for i in range(len(item.head)))
-    if width > 88:
-        inside = r"\resizebox{\linewidth}{!}{%" + "\n" + inside + "}"
-    return "\\begin{table}[!htbp]\n\\centering\\small\n" + caption + "\n" + inside + "\n\\end{table}"
+    def _table(self, item: b.Table) -> str:
+        columns = "".join("l" if i in item.left else "r" for i in range(len(item.head)))
+        head = " & ".join(rf"\textbf{{{self.line(c)}}}" for c in item.head)
+        rows = [" & ".join(self.line(c) for c in row) + r" \\" for row in item.rows]
+        body = "\n".join([r"\toprule", head + r" \\", r"\midrule", *rows, r"\bottomrule"])
+        caption = rf"\caption{{{self.line(item.caption)}}}" if item.caption else ""
+        inside = rf"\begin{{tabular}}{{{columns}}}" + "\n" + body + "\n" + r"\end{tabular}"
+        width = sum(max(len(plain(row[i])) for row in (item.head, *item.rows)) + 2 for i in range(len(item.head)))
+        if width > 88:
+            inside = r"\resizebox{\linewidth}{!}{%" + "\n" + inside + "}"
+        return "\\begin{table}[!htbp]\n\\centering\\small\n" + caption + "\n" + inside + "\n\\end{table}"
 
 
 def _typed(character: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from pieper.algebra.expression import Add, Expr, Sym
 from pieper.algebra.formula import ANGLE, is_call
 from pieper.algebra.notation import joint_sum
 from pieper.judge.model import ArmModel
+from pieper.judge.samples import sample
 
 
 def uses_itself(model: ArmModel, angle: Expr, node: Expr, definitions: Mapping[str, Expr]) -> str:
@@ -87,10 +89,24 @@ def net(node: Expr) -> dict[int, int] | None:
 
 def parallel(model: ArmModel, joints: set[int]) -> bool:
     """Whether the axes of joints (1-based) are parallel, so that their sum means something."""
-    first, last = min(joints), max(joints)
-    rows = range(first, last) if model.convention == "standard" else range(first + 1, last + 1)
-    twists = [float(model.rows[r - 1].alpha.evaluate(model.at_zero)) for r in rows]
-    return all(abs(np.sin(t)) < 1e-12 for t in twists)
+    senses = axis_senses(model)
+    first = min(joints)
+    return all(senses[first - 1][j - 1] for j in joints)
+
+
+@lru_cache(maxsize=32)
+def axis_senses(model: ArmModel) -> tuple[tuple[int, ...], ...]:
+    """For every two joints: 1 where their axes are parallel in every posture, -1 where they are opposed, else 0."""
+    samples = sample(model, 6)
+    axes = []
+    R = np.broadcast_to(np.eye(3), (6, 3, 3))
+    for joint in range(1, model.n + 1):
+        after = R @ samples.frames[f"A{joint}"][:, :3, :3]
+        axes.append((R if model.convention == "standard" else after)[:, :, 2])
+        R = after
+    dots = np.einsum("ikc,jkc->ijk", np.array(axes), np.array(axes))
+    senses = np.where(np.all(dots > 1 - 1e-12, axis=2), 1, np.where(np.all(dots < -1 + 1e-12, axis=2), -1, 0))
+    return tuple(tuple(row) for row in senses.tolist())
 
 
 def given_angles(node: Expr, definitions: Mapping[str, Expr]) -> tuple[set[int], list[dict[int, int]]]:

@@ -96,6 +96,14 @@ class Evidence:
                 raise InputError(f"{claim['frame']!r} must be a whole pose such as T03, for its letters are n, o, a, P")
         return frame
 
+    @property
+    def own_names(self) -> tuple[str, ...]:
+        """Symbols beside lengths and angles: those of the file, and the sliding joints."""
+        return (
+            *(name for name in self.model.aliases if name[0] == "b" or name not in self.model.values),
+            *self.definitions,
+        )
+
     @cached_property
     def samples(self) -> Samples:
         """Joint vectors and everything that follows from them."""

@@ -1,4 +1,4 @@
-"""A circle through three points, the tool turning evenly along it."""
+"""A circle through three points or about a centre, the tool turning evenly along it."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ from pieper.motion.path import between
 
 #: Sine of the angle at the via point under which three points are in line.
 IN_LINE = 1e-6
+#: How much the two radii of a circle said by its centre may differ, relative: half a unit of four printed digits.
+OFF_CENTRE = 5e-4
 
 
 def circle(T0: Array, via: Array, T1: Array, s: Array) -> Array:
@@ -41,3 +43,27 @@ def circle(T0: Array, via: Array, T1: Array, s: Array) -> Array:
     T[s == 0.0] = T0
     T[s == 1.0] = T1
     return T
+
+
+def via_about(T0: Array, T1: Array, centre: Array, *, the_long_way: bool = False) -> Array:
+    """Return a pose (4, 4) halfway on the circle about a centre (3,) from T0 to T1, by the shorter or the longer way.
+
+    Raises:
+        InputError: The centre is not equally far from both ends, or in line with them: then a via decides the way.
+    """
+    a, c = T0[:3, 3] - centre, T1[:3, 3] - centre
+    r0, r1 = float(np.linalg.norm(a)), float(np.linalg.norm(c))
+    if r0 == 0 or r1 == 0 or abs(r0 - r1) > OFF_CENTRE * max(r0, r1):
+        raise InputError(
+            f"the centre is {r0 * 1e3:.4g} mm from the start and {r1 * 1e3:.4g} mm from the end of the circle; it must "
+            "be as far from both.",
+            start=r0,
+            end=r1,
+        )
+    middle = a / r0 + c / r1
+    size = float(np.linalg.norm(middle))
+    if size < IN_LINE or np.linalg.norm(np.cross(a, c)) <= IN_LINE * r0 * r1:
+        raise InputError("start, centre and end of the circle are in line: say a via, which decides the way.")
+    via = T0.copy()
+    via[:3, 3] = centre + (-1.0 if the_long_way else 1.0) * middle / size * (r0 + r1) / 2
+    return via

@@ -12,13 +12,14 @@ class Move:
     """A move to a target.
 
     Attributes:
-        kind: "move_j" (joints in proportion), "move_l" (straight line) or "move_c" (circle).
+        kind: "move_j" (joints in proportion), "move_l" (straight line), "move_c" (circle) or "move_s" (spline).
         q: (n,) posture at the target, rad or m.
         T: (4, 4) pose of the target, base to tool, m.
         speed: Part of the joints' speed limits for move_j; the tool's speed for the others, m/s. None: the limits' own.
         blend: Radius round the target within which the corner is cut, m; 0 stops there.
         via: (4, 4) pose on the way of a circle, or None.
         q_via: (n,) posture there, or None.
+        through: (k, 4, 4) poses a spline goes through, the last one T, or None.
     """
 
     kind: str
@@ -28,6 +29,7 @@ class Move:
     blend: float = 0.0
     via: Array | None = None
     q_via: Array | None = None
+    through: Array | None = None
 
 
 @dataclass(frozen=True)

@@ -72,7 +72,21 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
     t, q, dq, ddq, dddq, s = sampled(curve, profile, rate)
     ends = np.array([0.0, profile.duration])
     tight = tuple(binding(profile.t, ratios))
-    return Motion(t, q, dq, ddq, ends, ends, dddq, s, tight, margin, deviation=curve.between_points())
+    return Motion(
+        t,
+        q,
+        dq,
+        ddq,
+        ends,
+        ends,
+        dddq,
+        s,
+        tight,
+        margin,
+        deviation=curve.between_points(),
+        limits=timed.limits,
+        description=timed.description,
+    )
 
 
 def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:

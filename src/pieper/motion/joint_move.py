@@ -36,7 +36,9 @@ def joint_move(q0: ArrayLike, q1: ArrayLike, limits: Limits, *, rate: float = 50
     profile, binding = straight_profile(way, limits)
     if profile is None:
         zeros = np.zeros((1, len(way)))
-        return Motion(np.zeros(1), start[None], zeros, zeros, np.zeros(2), np.zeros(2), zeros, np.ones(1))
+        return Motion(
+            np.zeros(1), start[None], zeros, zeros, np.zeros(2), np.zeros(2), zeros, np.ones(1), limits=limits
+        )
     t = sample_times(profile.duration, rate)
     s, v, a, j = (x[:, None] for x in profile.at(t))
     q = np.where(s >= 1, start + way, start + way * s)
@@ -44,7 +46,8 @@ def joint_move(q0: ArrayLike, q1: ArrayLike, limits: Limits, *, rate: float = 50
     ends = np.array([0.0, profile.duration])
     tight = tuple(tight_pieces(profile, binding))
     s[-1] = 1.0
-    return Motion(t, q, way * v, way * a, ends, ends, way * j, s[:, 0], tight, margin_of_line(way, profile, limits))
+    margin = margin_of_line(way, profile, limits)
+    return Motion(t, q, way * v, way * a, ends, ends, way * j, s[:, 0], tight, margin, limits=limits)
 
 
 def joint_move_time(q0: ArrayLike, q1: ArrayLike, limits: Limits) -> Array:

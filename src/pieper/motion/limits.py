@@ -95,7 +95,7 @@ class JointLimits:
 
 
 def _positive(value: object, what: str) -> Array:
-    unit = _UNITS[what]
+    unit, said = _UNITS[what], repr(value)
     if isinstance(value, (list, tuple)):
         for j, item in enumerate(cast("Sequence[object]", value)):
             if item is None:
@@ -103,9 +103,7 @@ def _positive(value: object, what: str) -> Array:
     try:
         array: Array = np.array(value, dtype=float)
     except (TypeError, ValueError):
-        raise InputError(
-            f"{what} must be one number or one a joint, {unit}, got {value!r}.", given=repr(value)
-        ) from None
+        raise InputError(f"{what} must be one number or one a joint, {unit}, got {said}.", given=said) from None
     if array.ndim > 1 or array.size == 0:
         raise InputError(f"{what} must be one number or one a joint, got shape {array.shape}.", given=array.shape)
     bad = ~(np.isfinite(array) & (array > 0))

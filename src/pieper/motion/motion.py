@@ -2,15 +2,30 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 
+from pieper.description.dh import Description
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.motion.limits import Limits
 
 #: More samples than this are asked for by mistake (a rate in the wrong unit), not on purpose.
 MAX_SAMPLES = 10_000_000
+
+
+class Described(Protocol):
+    """Whatever has a description: an arm."""
+
+    @property
+    def description(self) -> Description:
+        """What it is."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -34,7 +49,7 @@ class Tight:
         return f"{self.start:.3f} to {self.end:.3f} s: {whose}"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Motion:
     """Joint curves over time.
 
@@ -53,6 +68,8 @@ class Motion:
         remarks: What was done differently from what was asked, in sentences.
         deviation: How far the curve strays from the straight joint lines between the points it goes through (rad, or
             m of a slide); 0 for moves that are straight.
+        limits: What it keeps, where limits were given.
+        description: The arm that moves, where it is known.
     """
 
     t: Array
@@ -68,6 +85,14 @@ class Motion:
     events: tuple[tuple[float, str, object], ...] = ()
     remarks: tuple[str, ...] = ()
     deviation: float = 0.0
+    limits: Limits | None = field(default=None, repr=False)
+    description: Description | None = field(default=None, repr=False)
+
+    def __repr__(self) -> str:
+        """Say how long it is, of how many joints, and how near to its limits."""
+        whose = f"{self.description.name}: " if self.description else ""
+        near = f", at most {self.margin:.4g} of its limits" if self.limits is not None else ""
+        return f"Motion({whose}{self.q.shape[1]} joints, {self.duration:.4g} s, {len(self.t)} samples{near})"
 
     @property
     def duration(self) -> float:
@@ -77,6 +102,63 @@ class Motion:
     def at(self, time: float) -> int:
         """Return the index of the sample nearest to a time, s."""
         return int(np.argmin(np.abs(self.t - time)))
+
+    def between(self, times: ArrayLike) -> Array:
+        """Return the postures (k, n) at times (k,), s: cubic between samples, held outside them."""
+        return hermite(self.t, self.q, self.dq, np.asarray(times, float))
+
+    def animate(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        arm: Described | None = None,
+        rate: float = 25.0,
+        speed: float = 1.0,
+        size: tuple[int, int] = (640, 480),
+        view: tuple[float, float] = (22.0, -58.0),
+        progress: Callable[[int, int], None] | None = None,
+    ) -> Path:
+        """Write the motion as a moving picture: .gif, .webp, .mp4, or .html, a page that plays it and can be turned.
+
+        Args:
+            path: Where to; the ending decides the format. The file appears whole or not at all.
+            arm: Whose motion it is; left out where the motion knows (a program's, a track's, a route's).
+            rate: Pictures a second.
+            speed: 1 as it runs, 0.5 half as fast.
+            size: Width and height, pixels; even numbers.
+            view: Elevation and azimuth of the eye, deg.
+            progress: Called with how many pictures are drawn and how many there will be.
+
+        Returns:
+            The path.
+
+        Raises:
+            InputError: An unknown ending, a motion of nobody knows which arm, a rate, speed or size that is not
+                positive, or no encoder for .mp4.
+        """
+        from pieper.drawing.animation.animate import animate
+
+        if arm is not None and arm.description.n != self.q.shape[1]:
+            raise InputError(
+                f"{arm.description.name} has {arm.description.n} joints, the motion has {self.q.shape[1]}.",
+                given=arm.description.name,
+            )
+        description = self.description if arm is None else arm.description
+        if description is None:
+            raise InputError("the motion does not know its arm; say animate(path, arm=arm).", given=None)
+        return animate(self, description, path, rate=rate, speed=speed, size=size, view=view, progress=progress)
+
+
+def hermite(t: Array, q: Array, dq: Array, times: Array) -> Array:
+    """Return the values (m, n) at times (m,) of the cubic that has values q and rates dq (k, n) at t (k,)."""
+    if len(t) == 1:
+        return np.repeat(q, len(times), 0)
+    i = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 2)
+    h = (t[i + 1] - t[i])[:, None]
+    u = np.clip(np.divide((times - t[i])[:, None], h, out=np.zeros_like(h), where=h > 0), 0.0, 1.0)
+    step = q[i + 1] - q[i]
+    bend = u * (1 - u) * ((1 - u) * (dq[i] * h - step) - u * (dq[i + 1] * h - step))
+    return q[i] + u * step + bend
 
 
 def sample_times(duration: float, rate: float) -> Array:

@@ -16,13 +16,17 @@ from pieper.errors import InputError, NoSolutionError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import checked_joints, fk
 from pieper.kinematics.joints import inside
-from pieper.kinematics.pose import checked_pose
-from pieper.motion.circle import circle
+from pieper.kinematics.pose import PoseLike, checked_pose
+from pieper.motion.circle import circle, via_about
 from pieper.motion.instructions import Gripper, Instruction, Move, Output, Wait
+from pieper.motion.joined import event, positive, radius, take, together
 from pieper.motion.limits import Limits
-from pieper.motion.motion import Motion, Tight
-from pieper.motion.runs import Run, runs
+from pieper.motion.motion import Motion, sample_times
+from pieper.motion.path import checked_path
+from pieper.motion.program_words import told
+from pieper.motion.runs import runs
 from pieper.motion.segments import Segment, segment
+from pieper.motion.spline import spline
 from pieper.solver import verbs
 from pieper.solver.plan.plan import Plan
 
@@ -57,11 +61,15 @@ class Program:
         self.plan, self.description, self.limits = arm.plan, arm.description, limits
         limits.of(self.plan.n, self.plan.names)
         q = np.zeros(self.plan.n) if start is None else self._posture(start, "start")
-        self.start = q
+        self.start, self.work = q, np.eye(4)
         self.instructions: list[Instruction] = []
         self._q, self._pose = q, fk(self.plan.chain, q)
         self._segments: list[Segment] = []
         self._known: tuple[int, float, Motion] | None = None
+
+    def __repr__(self) -> str:
+        """Say whose it is and how much it holds."""
+        return f"Program({self.plan.name}: {len(self.moves)} moves, {len(self.instructions)} instructions)"
 
     def move_j(self, target: ArrayLike | str, *, speed: float | None = None, blend: float = 0.0) -> Program:
         """Move all joints in proportion to a posture (n,), or to the solution of a pose (4, 4) nearest to the last one.
@@ -78,9 +86,9 @@ class Program:
         if isinstance(target, str) or np.shape(target) == (self.plan.n,):
             q = self._posture(target, f"target of move {self._number}")
         else:
-            q = self._solution(checked_pose(target, f"target of move {self._number}"))
-        share = None if speed is None else _number(speed, "speed", "a part of the joints' limits, at most 1", most=1.0)
-        return self._add(Move("move_j", q, fk(self.plan.chain, q), share, _radius(blend)))
+            q = self._solution(self._target(target))
+        share = None if speed is None else positive(speed, "speed", "a part of the joints' limits, at most 1", most=1.0)
+        return self._add(Move("move_j", q, fk(self.plan.chain, q), share, radius(blend)))
 
     def move_l(self, T: ArrayLike, *, speed: float | None = None, blend: float = 0.0) -> Program:
         """Move the tool on a straight line to a pose (4, 4), turning it evenly about one axis.
@@ -94,29 +102,98 @@ class Program:
             InputError: No pose, or the tool is there already.
             NoSolutionError: The line cannot be followed; the message says where and why.
         """
-        pose = checked_pose(T, f"target of move {self._number}")
+        pose = self._target(T)
         return self._line("move_l", pose, None, speed, blend)
 
-    def move_c(self, via: ArrayLike, T: ArrayLike, *, speed: float | None = None, blend: float = 0.0) -> Program:
-        """Move the tool on a circle over the point of a pose to another pose; the orientation goes from end to end.
+    def move_c(
+        self,
+        via: PoseLike | None,
+        T: PoseLike,
+        *,
+        centre: ArrayLike | None = None,
+        the_long_way: bool = False,
+        speed: float | None = None,
+        blend: float = 0.0,
+    ) -> Program:
+        """Move the tool on a circle to a pose; the orientation goes from end to end.
 
         Args:
-            via: A pose (4, 4) on the circle; its orientation is not used.
+            via: A pose (4, 4) on the circle, whose orientation is not used; or None, and the centre is said.
             T: The target.
+            centre: (3,) the circle's centre, m, instead of a via.
+            the_long_way: With a centre: round the other side.
             speed: The tool's speed, m/s.
             blend: As in `move_j`.
 
         Raises:
-            InputError: No poses, or points that make no circle.
+            InputError: No poses, points that make no circle, a via and a centre, or a centre that is not equally far
+                from both ends or in line with them.
             NoSolutionError: The circle cannot be followed.
         """
-        over, pose = checked_pose(via, "via"), checked_pose(T, f"target of move {self._number}")
+        pose = self._target(T)
+        if via is not None and centre is None:
+            over = self.work @ checked_pose(via, "via")
+        elif via is None and centre is not None:
+            over = via_about(self._pose, pose, self._point(centre), the_long_way=the_long_way)
+        else:
+            raise InputError("a circle needs a via or a centre: say one of both.", via=via, centre=centre)
         circle(self._pose, over, pose, np.zeros(1))
         return self._line("move_c", pose, over, speed, blend)
 
+    def move_s(self, Ts: PoseLike, *, speed: float | None = None, blend: float = 0.0) -> Program:
+        """Move the tool on a smooth curve through poses, the last one its target.
+
+        The curve is twice continuously differentiable in position and orientation and goes through every pose.
+
+        Args:
+            Ts: (k, 4, 4) taught poses, two or more, m.
+            speed: The tool's speed, m/s.
+            blend: As in `move_j`.
+
+        Raises:
+            InputError: Fewer than two poses, or two equal ones in a row.
+            NoSolutionError: The curve cannot be followed.
+        """
+        through = self.work @ checked_path(Ts)
+        spline(self._pose, through, np.zeros(1))
+        return self._line("move_s", through[-1], None, speed, blend, through)
+
+    def frame(self, T: PoseLike) -> Program:
+        """Take the targets that follow as poses in a work frame (4, 4) in the base; `frame(numpy.eye(4))` ends that."""
+        self.work = checked_pose(T, "frame")
+        return self
+
+    def call(self, other: Program, *, times: int = 1) -> Program:
+        """Do what another program of the same arm does, so many times; its own start is not gone to.
+
+        Raises:
+            InputError: A program of another arm, or a count that is no whole number from 1.
+            NoSolutionError: A line of it cannot be followed from where the arm is.
+        """
+        if other.plan.n != self.plan.n or other.plan.name != self.plan.name:
+            raise InputError(
+                f"{other.plan.name}'s program cannot be called by {self.plan.name}'s.", given=other.plan.name
+            )
+        if isinstance(times, bool) or int(times) != times or times < 1:
+            raise InputError(f"times must be a whole number from 1, got {times!r}.", given=times)
+        items = list(other.instructions)
+        kept, self.work = self.work, np.eye(4)
+        for item in items * int(times):
+            self._repeat(item)
+        self.work = kept
+        return self
+
+    def _repeat(self, item: Instruction) -> None:
+        if not isinstance(item, Move):
+            self.instructions.append(item)
+        elif item.kind == "move_j":
+            self.move_j(item.q, speed=item.speed, blend=item.blend)
+        else:
+            self._line(item.kind, item.T, item.via, item.speed, item.blend, item.through)
+
     def wait(self, seconds: float) -> Program:
         """Rest for some seconds."""
-        self.instructions.append(Wait(_number(seconds, "wait", "seconds")))
+        self.instructions.append(Wait(positive(seconds, "wait", "seconds")))
         return self
 
     def output(self, port: int, value: bool) -> Program:
@@ -165,7 +242,7 @@ class Program:
         while k < len(items):
             item = items[k]
             if isinstance(item, Wait):
-                pieces.append(self._rest(item.seconds, pieces))
+                pieces.append(self._rest(item.seconds, pieces, rate))
                 events.append((now, "wait", item.seconds))
                 now += item.seconds
                 k += 1
@@ -180,51 +257,35 @@ class Program:
                 passed: list[float] = []
                 for run in runs(self.plan, self.limits, ways, rate):
                     passed += [now + t for t in run.passed]
-                    now = _take(run, now, pieces, remarks)
+                    now = take(run, now, pieces, remarks)
                 at = -1
                 for x in items[k:end]:
                     if isinstance(x, Move):
                         at += 1
                     else:
-                        events.append(_event(passed[at], x))
+                        events.append(event(passed[at], x))
                 number += len(ways)
                 k = end
             else:
-                events.append(_event(now, item))
+                events.append(event(now, item))
                 k += 1
         if not pieces:
-            pieces.append(self._rest(0.0, pieces))
-        return _together(pieces, events, remarks)
+            pieces.append(self._rest(0.0, pieces, rate))
+        whole = together(pieces, events, remarks)
+        return replace(whole, limits=self.limits, description=self.description)
 
     def explain(self) -> str:
         """Return the program as sentences: each move with its time, and what is not as asked."""
         known = self._known
         motion = known[2] if known is not None and known[0] == len(self.instructions) else self.motion()
-        lines = [f"{len(self.moves)} moves of {self.plan.name}, {motion.duration:.3f} s in all."]
-        words = {"move_j": "joints to", "move_l": "line to", "move_c": "circle to"}
-        number = 0
-        for item in self.instructions:
-            if isinstance(item, Move):
-                number += 1
-                x, y, z = item.T[:3, 3] * 1e3
-                corner = f", blend {item.blend * 1e3:g} mm" if item.blend else ""
-                lines.append(f"{number}. {words[item.kind]} x {x:.1f}, y {y:.1f}, z {z:.1f} mm{corner}")
-            elif isinstance(item, Wait):
-                lines.append(f"   wait {item.seconds:g} s")
-            elif isinstance(item, Output):
-                lines.append(f"   output {item.port} {'on' if item.value else 'off'}")
-            else:
-                lines.append(f"   gripper {item.value:g}")
         strays = max((way.strays for way in self._segments), default=0.0)
-        kept = f"lines and circles are kept to {strays * 1e6:.2g} um"
-        lines.append(f"The largest value over its limit is {motion.margin:.6f}; {kept}.")
-        return "\n".join([*lines, *motion.remarks])
+        return told(self.plan.name, self.instructions, motion, strays)
 
     def write(
         self,
         path: str | os.PathLike[str],
         *,
-        dialect: str,
+        dialect: str | None = None,
         name: str | None = None,
         cartesian: bool = False,
         rate: float = 100.0,
@@ -236,7 +297,8 @@ class Program:
 
         Args:
             path: Where to.
-            dialect: "rapid", "urscript", "krl", "fanuc-ls", "inform", "pacscript", "ros" or "csv".
+            dialect: "rapid", "urscript", "krl", "fanuc-ls", "inform", "pacscript", "ros" or "csv"; by the
+                file's ending when left out.
             name: Its name; the file's without its ending when left out.
             cartesian: Whether all moves go to poses with the maker's configuration words.
             rate: Samples a second of "ros" and "csv".
@@ -245,7 +307,7 @@ class Program:
             InputError: The dialect is unknown, the arm is of another maker, or the name is not one the maker takes.
         """
         from pieper.motion.dialects.dialect import Script
-        from pieper.motion.dialects.files import text_of
+        from pieper.motion.dialects.files import dialect_of, text_of
 
         called = os.path.splitext(os.path.basename(path))[0] if name is None else name
         script = Script(
@@ -258,7 +320,7 @@ class Program:
             cartesian,
             lambda: self.motion(rate=rate),
         )
-        write_whole(path, text_of(script, dialect))
+        write_whole(path, text_of(script, dialect_of(path) if dialect is None else dialect))
 
     @property
     def _number(self) -> int:
@@ -271,9 +333,20 @@ class Program:
         self._q, self._pose = move.q, move.T
         return self
 
-    def _line(self, kind: str, T: Array, via: Array | None, speed: float | None, blend: float) -> Program:
-        v = None if speed is None else _number(speed, "speed", "m/s")
-        move = Move(kind, self._q, T, v, _radius(blend), via)
+    def _target(self, T: PoseLike) -> Array:
+        return self.work @ checked_pose(T, f"target of move {self._number}")
+
+    def _point(self, p: ArrayLike) -> Array:
+        point = np.asarray(p, float)
+        if point.shape != (3,) or not np.isfinite(point).all():
+            raise InputError(f"centre must be a point (3,), m, got {p!r}.", given=p)
+        return self.work[:3, :3] @ point + self.work[:3, 3]
+
+    def _line(
+        self, kind: str, T: Array, via: Array | None, speed: float | None, blend: float, through: Array | None = None
+    ) -> Program:
+        v = None if speed is None else positive(speed, "speed", "m/s")
+        move = Move(kind, self._q, T, v, radius(blend), via, through=through)
         way = segment(self.plan, self._number, self._q, self._pose, move)
         q, middle = way.curve.end, way.curve.at(np.array([0.5]))[0][0]
         if via is not None:
@@ -313,68 +386,8 @@ class Program:
         except NoSolutionError as error:
             raise NoSolutionError(f"move {self._number} has no posture: {error}", move=self._number) from None
 
-    def _rest(self, seconds: float, before: list[Motion]) -> Motion:
+    def _rest(self, seconds: float, before: list[Motion], rate: float) -> Motion:
         q = before[-1].q[-1:] if before else self.start[None]
-        t = np.array([0.0, seconds])
-        zeros = np.zeros((2, self.plan.n))
-        return Motion(t, np.repeat(q, 2, 0), zeros, zeros, t, t, zeros, np.zeros(2))
-
-
-def _take(run: Run, now: float, pieces: list[Motion], remarks: list[str]) -> float:
-    pieces.append(run.motion)
-    remarks += run.remarks
-    return now + run.motion.duration
-
-
-def _event(time: float, item: Instruction) -> tuple[float, str, object]:
-    if isinstance(item, Output):
-        return time, "output", (item.port, item.value)
-    assert isinstance(item, Gripper)
-    return time, "gripper", item.value
-
-
-def _together(pieces: list[Motion], events: list[tuple[float, str, object]], remarks: list[str]) -> Motion:
-    """Return motions one after the other as one."""
-    begins = np.concatenate([[0.0], np.cumsum([p.duration for p in pieces])])
-    tight = [
-        Tight(t.start + b, t.end + b, t.limit, t.joint) for p, b in zip(pieces, begins, strict=False) for t in p.tight
-    ]
-
-    def joined(name: str) -> Array:
-        parts: list[Array] = []
-        for i, p in enumerate(pieces):
-            # where two meet, the sample is said once
-            value = getattr(p, name)
-            if name == "t":
-                value = value + begins[i]
-            elif name == "s":
-                value = (value + i) / len(pieces)
-            parts.append(value if i == 0 else value[1:])
-        return np.concatenate(parts)
-
-    t, q, dq, ddq, dddq, s = (joined(name) for name in ("t", "q", "dq", "ddq", "dddq", "s"))
-    s[-1] = 1.0
-    margin = max(p.margin for p in pieces)
-    deviation = max(p.deviation for p in pieces)
-    order = tuple(sorted(events, key=lambda event: event[0]))
-    return Motion(t, q, dq, ddq, begins, begins, dddq, s, tuple(tight), margin, order, tuple(remarks), deviation)
-
-
-def _number(value: object, what: str, unit: str, most: float = np.inf) -> float:
-    try:
-        number = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(f"{what} must be a number, {unit}, got {value!r}.", given=value) from None
-    if not (np.isfinite(number) and 0 < number <= most):
-        raise InputError(f"{what} must be more than zero, {unit}, got {number:g}.", given=number)
-    return number
-
-
-def _radius(value: object) -> float:
-    try:
-        number = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(f"blend must be a radius, m, got {value!r}.", given=value) from None
-    if not (np.isfinite(number) and number >= 0):
-        raise InputError(f"blend must be a radius of zero or more, m, got {number:g}.", given=number)
-    return number
+        t = sample_times(seconds, rate)
+        zeros, ends = np.zeros((len(t), self.plan.n)), np.array([0.0, seconds])
+        return Motion(t, np.repeat(q, len(t), 0), zeros, zeros, ends, ends, zeros, np.zeros(len(t)))

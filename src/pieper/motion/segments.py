@@ -14,6 +14,7 @@ from pieper.motion.circle import circle
 from pieper.motion.curve import JointCurve
 from pieper.motion.instructions import Move
 from pieper.motion.path import between
+from pieper.motion.spline import spline
 from pieper.motion.track import follow
 from pieper.solver.plan.plan import Plan
 
@@ -52,7 +53,7 @@ def segment(plan: Plan, number: int, q0: Array, T0: Array, move: Move) -> Segmen
             raise InputError(f"move {number} has no length: the arm is there already. Leave it out.", move=number)
         s = np.linspace(0.0, 1.0, STRAIGHT_POINTS)
         return Segment(move, JointCurve.through(s, q0 + s[:, None] * (move.q - q0)), 0.0)
-    if (_missed(plan, T0[None], move.T[None]) < 1e-9).all():
+    if move.through is None and (_missed(plan, T0[None], move.T[None]) < 1e-9).all():
         raise InputError(f"move {number} has no length: the tool is there already. Leave it out.", move=number)
     points = POINTS
     while True:
@@ -83,4 +84,6 @@ def _missed(plan: Plan, T: Array, wanted: Array) -> Array:
 
 
 def _poses(T0: Array, move: Move, s: Array) -> Array:
+    if move.through is not None:
+        return spline(T0, move.through, s)
     return between(T0, move.T, s) if move.via is None else circle(T0, move.via, move.T, s)

@@ -76,7 +76,17 @@ def motion_of(timed: TimedPath, x: Array, deviation: float, rate: float) -> Moti
     profile = profile_of(timed.curve.s, x)
     motion = sampled(timed.curve, profile, rate)
     ends = np.array([0.0, profile.duration])
-    return Motion(*motion[:4], ends, ends, *motion[4:], tuple(binding(profile.t, ratios)), margin, deviation=deviation)
+    return Motion(
+        *motion[:4],
+        ends,
+        ends,
+        *motion[4:],
+        tuple(binding(profile.t, ratios)),
+        margin,
+        deviation=deviation,
+        limits=timed.limits,
+        description=timed.description,
+    )
 
 
 def peak_ratios(timed: TimedPath, x: Array) -> list[tuple[str, str | None, Array]]:

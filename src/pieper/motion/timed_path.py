@@ -9,6 +9,7 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 
 from pieper import _kernel
+from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.chain import Chain
@@ -95,6 +96,11 @@ class TimedPath:
         return self.plan.chain
 
     @property
+    def description(self) -> Description | None:
+        """The arm, where there is one."""
+        return None if self.plan is None else self.plan.description
+
+    @property
     def h(self) -> Array:
         """(k,) lengths of the pieces."""
         return np.diff(self.curve.s)
@@ -160,6 +166,9 @@ class TimedPath:
 def _caps(value: Array, strays: Array, most: Array) -> Array:
     """Return x (k + 1,) so low that |f| sqrt(x) stays within `most` (k,) on each piece, whatever smaller x is taken."""
     size = np.linalg.norm(value, axis=1)
+    # where a value passes zero its neighbours bound x: with f0 = 0 the largest of f^2 x beside it is f1^2 x0 / 3
+    beside, inside = np.concatenate([[0.0], size, [0.0]]) / np.sqrt(3), np.concatenate([[0.0], strays, [0.0]])
+    size = np.max([size, beside[:-2], beside[2:], inside[:-1], inside[1:]], axis=0)
     inner = np.minimum(np.append(most, np.inf), np.append(np.inf, most))
     with np.errstate(divide="ignore"):
         x = np.where(np.isinf(inner), np.inf, (inner / np.maximum(size, 1e-150)) ** 2)

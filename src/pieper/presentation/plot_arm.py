@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pieper.drawing.draw3d import draw_arm, draw_axes_lines, draw_frame, draw_shadow, space_axes
+from pieper.drawing.skeleton import Skeleton, extent, skeleton
+from pieper.drawing.style import AXES, COLOURS, FAINT, INK, MM, new_figure
 from pieper.kinematics.forward import checked_joints
-from pieper.presentation.draw3d import draw_arm, draw_axes_lines, draw_frame, draw_shadow, space_axes
-from pieper.presentation.skeleton import Skeleton, extent, skeleton
-from pieper.presentation.style import AXES, COLOURS, FAINT, INK, MM, new_figure
 from pieper.solver.results import Solutions
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def arm_figure(arm: Arm, q: np.ndarray | None = None, *, title: str = "") -> Fig
         The figure.
     """
     q = checked_joints(np.zeros(arm.n) if q is None else q, arm.n)
-    parts = skeleton(arm, q)
+    parts = skeleton(arm.description, q)
     centre, half = extent(parts.polyline, np.zeros((1, 3)))
     size = 2 * half
     figure = new_figure(6.4, 5.8)
@@ -68,7 +68,7 @@ def configuration_figure(
     Returns:
         The figure.
     """
-    ends = [skeleton(arm, track.followed[0]), skeleton(arm, track.followed[-1])]
+    ends = [skeleton(arm.description, track.followed[0]), skeleton(arm.description, track.followed[-1])]
     centre, half = extent(*(p.polyline for p in ends), track.path[:, :3, 3])
     figure = new_figure(9.6, 4.9)
     for k, (parts, title) in enumerate(zip(ends, titles, strict=True)):
@@ -92,7 +92,7 @@ def postures_figure(arm: Arm, postures: np.ndarray, titles: list[str]) -> Figure
     Returns:
         The figure.
     """
-    everything = [skeleton(arm, q) for q in postures]
+    everything = [skeleton(arm.description, q) for q in postures]
     figure = new_figure(3.5 * len(everything), 3.6)
     for k, (parts, title) in enumerate(zip(everything, titles, strict=True)):
         centre, half = extent(parts.polyline)
@@ -132,7 +132,7 @@ def solutions_figure(
         q = q.q
     q = np.asarray(q, float)
     labels = [""] * len(q) if labels is None else labels
-    everything = [skeleton(arm, row) for row in q]
+    everything = [skeleton(arm.description, row) for row in q]
     if not everything:
         figure = new_figure(4, 1.2)
         figure.text(0.5, 0.5, "no solution", ha="center", va="center", color=INK)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.calibration.fit import Fit
-from pieper.presentation.style import COLOURS, INK, MM, new_figure, plain_axes
+from pieper.drawing.style import COLOURS, INK, MM, new_figure, plain_axes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,8 +20,8 @@ def calibration_figure(fit: Fit) -> Figure:
         fit: A calibrated arm.
 
     Returns:
-        The figure. Errors are on poses the fit has not seen; an axis's shift is measured across it, nearest to where the
-        nominal axis was given.
+        The figure. Errors are on poses the fit has not seen; an axis's shift is measured across it, where the nominal
+        axis was given.
     """
     figure = new_figure(9.6, 3.6)
     if (held := fit.held_out) is not None:

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.drawing.style import FAINT, INK, MM, curve, legend, new_figure, plain_axes
 from pieper.motion.path import checked_path
 from pieper.motion.track import Track
-from pieper.presentation.style import FAINT, INK, MM, curve, legend, new_figure, plain_axes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

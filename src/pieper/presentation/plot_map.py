@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.drawing.style import MM, new_figure, plain_axes
 from pieper.errors import InputError
 from pieper.maps.reach_map import ReachMap
-from pieper.presentation.style import MM, new_figure, plain_axes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pieper.drawing.draw3d import draw_arm, draw_frame, space_axes, text
+from pieper.drawing.skeleton import extent, skeleton
+from pieper.drawing.style import COLOURS, FAINT, INK, MM, legend, new_figure
 from pieper.motion.path import checked_path
 from pieper.motion.track import Track
-from pieper.presentation.draw3d import draw_arm, draw_frame, space_axes, text
-from pieper.presentation.skeleton import extent, skeleton
-from pieper.presentation.style import COLOURS, FAINT, INK, MM, legend, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -35,7 +35,7 @@ def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str 
     ghosts = []
     if arm is not None and track is not None and reached:
         steps = np.unique(np.linspace(0, reached - 1, 5).round().astype(int))
-        ghosts = [skeleton(arm, track.followed[k]) for k in steps]
+        ghosts = [skeleton(arm.description, track.followed[k]) for k in steps]
     centre, half = extent(points, *(g.polyline for g in ghosts))
     figure = new_figure(6.4, 5.6)
     axes = space_axes(figure, (1, 1, 1), centre, half * (1.0 if ghosts else 1.35), title=title, floor=bool(ghosts))

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pieper.presentation.skeleton import skeleton
-from pieper.presentation.style import COLOURS, FAINT, INK, MM, new_figure, plain_axes
+from pieper.drawing.skeleton import skeleton
+from pieper.drawing.style import COLOURS, FAINT, INK, MM, new_figure, plain_axes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -67,7 +67,7 @@ def reach_figure(arm: Arm, *, points: np.ndarray | None = None, q: np.ndarray | 
     """
     points = reach_samples(arm) if points is None else points
     upright, foot = is_upright(arm), arm.chain.points[0]
-    line = skeleton(arm, np.zeros(arm.n) if q is None else q).polyline
+    line = skeleton(arm.description, np.zeros(arm.n) if q is None else q).polyline
     figure = new_figure(8.6, 4.3)
     if upright:
         radius = np.hypot(points[:, 0] - foot[0], points[:, 1] - foot[1])

@@ -13,6 +13,7 @@ from pieper.document.html import page as html_page
 from pieper.document.latex import source as latex_source
 from pieper.document.markdown import source as markdown_source
 from pieper.document.writing import write_beside, write_whole
+from pieper.drawing.style import MM
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.pose import checked_pose
 from pieper.presentation.plot_reach import joint_range
@@ -25,25 +26,28 @@ from pieper.presentation.sections_arm import (
     add_singularities,
 )
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
-from pieper.presentation.style import MM
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from pieper.motion.track import Track
     from pieper.presentation.arm import Arm
     from pieper.solver.results import Solutions
+    from pieper.verify.comparison import Comparison
 
 #: Joint vectors from which the pose of the report is chosen.
 CANDIDATES = 200
 
 
-def report(arm: Arm, *, pose: np.ndarray | None = None, track: Track | None = None) -> Document:
+def report(
+    arm: Arm, *, pose: np.ndarray | None = None, track: Track | None = None, comparison: Comparison | None = None
+) -> Document:
     """Return the report of an arm as a document.
 
     Args:
         arm: The arm.
         pose: (4, 4) the pose to solve, m; one with many solutions is chosen when left out.
         track: A path study to include.
+        comparison: What `arm.verify` found, to include.
 
     Returns:
         The document, to be written by `document.html.page`, `document.latex.source` or `document.markdown.source`.
@@ -64,6 +68,8 @@ def report(arm: Arm, *, pose: np.ndarray | None = None, track: Track | None = No
     if track is not None:
         page.section("A path")
         add_track(page, arm, track)
+    if comparison is not None:
+        add_comparison(page, comparison)
     page.summary = _summary(arm, solved, track)
     return page
 
@@ -76,6 +82,7 @@ def write_report(
     markdown: Path | None = None,
     pose: np.ndarray | None = None,
     track: Track | None = None,
+    comparison: Comparison | None = None,
 ) -> list[Path]:
     """Write the report of an arm, each file whole or not at all.
 
@@ -86,6 +93,7 @@ def write_report(
         markdown: Where to write the same as Markdown, its figures in a folder beside it; not written when left out.
         pose: As in `report`.
         track: As in `report`.
+        comparison: As in `report`.
 
     Returns:
         The files that were written, the page first.
@@ -93,13 +101,21 @@ def write_report(
     Raises:
         InputError: A place that cannot be written.
     """
-    page = report(arm, pose=pose, track=track)
+    page = report(arm, pose=pose, track=track, comparison=comparison)
     written = [write_whole(out, html_page(page))]
     for path, source in ((latex, latex_source), (markdown, markdown_source)):
         if path is not None:
             text, figures = source(page, folder=f"{path.stem}-figures")
             written += [*write_beside(path, figures), write_whole(path, text)]
     return written
+
+
+def add_comparison(page: Document, comparison: Comparison) -> None:
+    """Add how far an arm and an independent toolbox are apart, and in which conventions that was asked."""
+    page.section(f"Compared with {comparison.toolbox}")
+    caption = f"Worst differences between {comparison.arm} and {comparison.toolbox}."
+    page.table(["compared", "number", "worst difference"], comparison.cells(), caption)
+    page.add(*comparison.explain().splitlines())
 
 
 def _subtitle(arm: Arm) -> str:

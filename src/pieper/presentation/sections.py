@@ -9,6 +9,7 @@ from pieper.document.formulas import in_line
 from pieper.document.html import page as html_page
 from pieper.document.json import blocks as as_data
 from pieper.document.writing import write_whole
+from pieper.drawing.style import MM, picture
 from pieper.presentation.sections_arm import (
     add_arm,
     add_derivation,
@@ -21,7 +22,6 @@ from pieper.presentation.sections_arm import (
     joint_value,
 )
 from pieper.presentation.sections_motion import add_motion, add_solutions, add_track, scientific
-from pieper.presentation.style import MM, picture
 
 __all__ = [
     "MM",

@@ -8,11 +8,11 @@ import numpy as np
 
 from pieper.document.blocks import Document, Emphasis, Equations, Lines, Note
 from pieper.document.formulas import in_line
+from pieper.drawing.style import MM, picture
 from pieper.errors import PieperError
 from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
-from pieper.presentation.style import MM, picture
 from pieper.solver.families import named
 from pieper.words_by_number import plural
 

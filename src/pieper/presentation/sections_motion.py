@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.document.blocks import Document
+from pieper.drawing.style import MM, picture
 from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import configuration_figure, solutions_figure
 from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
 from pieper.presentation.plot_path import path_figure
 from pieper.presentation.sections_arm import fixed, joint_heads, joint_value
-from pieper.presentation.style import MM, picture
 
 if TYPE_CHECKING:
     from pieper.motion.sequence import Motion

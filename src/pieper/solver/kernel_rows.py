@@ -72,11 +72,11 @@ def _per_value(plan: Plan, T: Array, values: Array, threads: int) -> tuple[Array
 
 
 def _at_value(plan: Plan, T: Array, value: Array, threads: int) -> tuple[Array, Bools, Bits]:
-    T = np.ascontiguousarray(T)
+    poses = np.ascontiguousarray(T)
     try:
-        q, valid, _, flags = plan.solvers.at(tuple(value)).many(T, threads)
+        q, valid, _, flags = plan.solvers.at(tuple(value)).many(poses, threads)
     except PlanError as refused:
-        return _beside_special(plan, T, value, threads, refused)
+        return _beside_special(plan, poses, value, threads, refused)
     return q, valid, flags
 
 

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
 
 from pieper import _kernel
-from pieper.kinematics.arrays import Array, Bits, Bools, Slots
+from pieper.kinematics.arrays import Array, Bits, Bools, Indices, Slots
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse
 from pieper.solver.families.family import KernelSpec
+from pieper.solver.rows import Rows
 
 #: A base or a tool this many lengths of the arm away is taken off the poses before they are solved: beside it the
 #: arm's own coordinates would drown in rounding.
@@ -43,6 +45,37 @@ def _into_between(native: _kernel.Solver, before: Array, after: Array, T: Array,
     native.into(np.ascontiguousarray(before @ T @ after), *rest)
 
 
+#: A self-motion as the kernel tells it: a line of joint space as a joint vector (6,) on it, its two joints and their
+#: sense; a linkage as a joint vector, its joints (4,), axes (4, 3), places in the plane (4,) complex or None, senses
+#: (4,), which joint leads, from where to where (rad from the joint vector), and on which side.
+SelfMotionSaid = (
+    tuple[Array, tuple[int, int], float] | tuple[Array, Indices, Array, Array | None, Array, int, float, float, float]
+)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Read:
+    """What the kernel read off the axes of a singular pose's rows.
+
+    Args:
+        q: (m, 6) rows in order, rad or m.
+        inside: (m,) whether they are inside the limits.
+        flag: Bits of `Flag`.
+        singular: (m,) which of them lie on a singularity.
+        branches: (m,) how many branches merge in each.
+        self_motion: (m,) which self-motion a row stands for, or -1.
+        self_motions: Those.
+    """
+
+    q: Array
+    inside: Bools
+    flag: int
+    singular: Bools
+    branches: Indices
+    self_motion: Indices
+    self_motions: list[SelfMotionSaid]
+
+
 class SixJointSolver:
     """A prepared kernel with limits.
 
@@ -53,7 +86,7 @@ class SixJointSolver:
         ends: What poses are multiplied with, as `without_far_ends` says.
     """
 
-    __slots__ = ("chain", "ends", "into", "limits", "many", "one", "reach", "spec")
+    __slots__ = ("chain", "ends", "into", "limits", "look", "many", "one", "reach", "spec")
 
     def __init__(
         self,
@@ -67,6 +100,7 @@ class SixJointSolver:
         self.limits = limits
         self.ends = ends
         native = spec.solver(limits, chain.prismatic)
+        self.look: _kernel.CarefulLook | None = _look(native, chain, limits, spec)
         self.one: Callable[[Any], tuple[Array, Slots, Bools, int]] = native.one
         self.many: Callable[[Array, int], tuple[Array, Bools, Bools, Bits]] = native.many
         self.into: Callable[..., Any] = native.into
@@ -77,6 +111,31 @@ class SixJointSolver:
             self.many = partial(_many_between, native, *ends)
             self.into = partial(_into_between, native, *ends)
 
+    def read(self, T: Array, q: Array, flag: int) -> Read | None:
+        """Return what there is at a singular pose; None where that cannot be read off.
+
+        Args:
+            T: (4, 4), as it was given.
+            q: (m, 6) what `one` returned.
+            flag: The same.
+        """
+        if self.look is None:
+            return None
+        pose = T if self.ends is None else self.ends[0] @ np.asarray(T, float) @ self.ends[1]
+        found = self.look.one(pose, q, flag)
+        return None if found is None else Read(*found)
+
+    def read_into(self, T: Array, index: Indices, rows: Rows) -> Bits:
+        """Write what there is at the poses of T (N, 4, 4) that index (k,) names into rows.
+
+        Returns:
+            (k,) 0 where that cannot be read off, 2 where a self-motion is among it, else 1.
+        """
+        if self.look is None:
+            return np.zeros(len(index), np.uint8)
+        poses = T if self.ends is None else np.ascontiguousarray(self.ends[0] @ T @ self.ends[1])
+        return self.look.into(poses, index, rows.q, rows.valid, rows.inside, rows.flags)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return SixJointSolver, (self.chain, self.spec, self.limits, self.ends)
 
@@ -84,3 +143,12 @@ class SixJointSolver:
         """Return the solutions (m, 6) of all poses T (N, 4, 4) in one heap."""
         q, valid, _, _ = self.many(np.ascontiguousarray(T), 1)
         return q[valid]
+
+
+def _look(native: _kernel.Solver, chain: Chain, limits: Array, spec: KernelSpec) -> _kernel.CarefulLook | None:
+    """Return the look at singular poses, where a closed form gives rows of six joints."""
+    if chain.n != 6 or not spec.closed_form:
+        return None
+    lower, upper = limits.T
+    links, prismatic = chain.links, chain.prismatic
+    return _kernel.CarefulLook(native, links=links, prismatic=prismatic, length=chain.length, lower=lower, upper=upper)

@@ -15,6 +15,7 @@ from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slo
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.joints import TURN
 from pieper.kinematics.pose import reason_against
+from pieper.solver.marked import Marked
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Chosen, Flag, Refused, Rows
 from pieper.solver.singular.examined import Examined
@@ -89,7 +90,7 @@ class Solution:
     residual: Array
 
 
-class Solutions(Sequence[Solution]):
+class Solutions(Marked, Sequence[Solution]):
     """Every solution of one pose: a sequence of those inside the limits.
 
     Attributes:
@@ -130,7 +131,7 @@ class Solutions(Sequence[Solution]):
     ) -> None:
         self._plan = plan
         self._words = words
-        self.T = T
+        self.T = T  # pyright: ignore[reportConstantRedefinition]  # a pose, not a constant
         self.all_q = all_q
         self.slots = slots
         self.in_limits = in_limits
@@ -140,6 +141,7 @@ class Solutions(Sequence[Solution]):
         self._q: Array | None = None
         self._why: str | None = None
         self._closest: Closest | None = None
+        self.keep_clear(None)
 
     @property
     def q(self) -> Array:
@@ -304,7 +306,9 @@ class Solutions(Sequence[Solution]):
 
     def __repr__(self) -> str:
         # what has not been traced stays so: printing an object never solves anything
-        traced = not callable(self._self_motions) or len(self.q) > 0 or self.flag & _UNCERTAIN
+        traced = (
+            not callable(self._self_motions) or self._found is not None or len(self.q) > 0 or self.flag & _UNCERTAIN
+        )
         status = self.status.name if traced else "status not worked out yet"
         return f"<Solutions: {len(self)} inside the limits of {len(self.all_q)}, {status}>"
 

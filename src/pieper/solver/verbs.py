@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
+from numbers import Integral
 from typing import Any
 
 import numpy as np
@@ -36,6 +37,7 @@ from pieper.solver.redundant.self_motions import self_motions_of
 from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.singular.careful import clear, every_solution, overlooked
+from pieper.solver.singular.read_off import examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.words.closest import closest_to
 from pieper.solver.words.labels import labels_beside, posture_words
@@ -46,6 +48,7 @@ WORDS = Words(why, table, posture_words, labels_beside, closest_to)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
 _ROUNDED = int(Flag.ROUNDED)
+_SLOTS = np.arange(256)
 #: Status codes of a pose without rows, with rows outside the limits alone, and with one inside.
 _PLAIN = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], np.uint8)
 #: Poses without rows that are asked for their neighbours in one call of the kernel: it bounds memory alone.
@@ -67,7 +70,8 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         pose = checked_pose(T)
         q, slots, inside, flag = plan.solver.one(pose)
     if flag & _DEGENERATE or not len(q):
-        return _careful(plan, checked_pose(pose), q, slots, inside, flag)
+        found = _read(plan, pose, q, flag)  # of no rows inside, it is false as a sequence
+        return _careful(plan, checked_pose(pose), q, slots, inside, flag) if found is None else found
     return Solutions(plan, WORDS, pose, q, slots, inside, flag)
 
 
@@ -209,8 +213,7 @@ def _checked(Ts: PoseLike) -> Array:
 def _threads(threads: Any) -> int:
     if threads is None:
         return os.cpu_count() or 1
-    whole: type[Any] | tuple[type[Any], ...] = (int, np.integer)
-    count = int(threads) if isinstance(threads, whole) else 0
+    count = int(threads) if isinstance(threads, Integral) else 0
     if count < 1:
         raise InputError(
             f"threads must be a whole number of at least 1, or None for all cores, got {threads!r}.", given=threads
@@ -235,6 +238,17 @@ def _any(rows: Bools) -> Bools:
 
 
 # ---------------------------------------------------------------------------------------------- careful look
+
+
+def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
+    """Return all there is at a pose where that can be read off the axes of its rows."""
+    read = plan.solver.read(pose, q, flag)
+    if read is None:
+        return None
+    T = checked_pose(pose) if read.flag & _ROUNDED else pose
+    found = examined(plan, T, read)
+    slots = _SLOTS[: len(read.q)]
+    return Solutions(plan, WORDS, T, read.q, slots, read.inside, read.flag, found, found.motions)
 
 
 def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: int) -> Solutions:
@@ -266,7 +280,14 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     for first in range(0, len(none), LOOKED_AT_ONCE):
         part = none[first : first + LOOKED_AT_ONCE]
         marked[part] = overlooked(plan, poses[part])
-    for i in np.flatnonzero(marked):
+    index = np.flatnonzero(marked)
+    if plan.direct:
+        read = plan.solver.read_into(poses, index, rows)
+        seen, curve = index[read > 0], index[read == 2]
+        status[seen] = _PLAIN[1 + _any(rows.inside[seen])]
+        status[curve[_any(rows.inside[curve])]] = np.uint8(Status.SINGULAR)
+        index = index[read == 0]
+    for i in index.tolist():
         # the same road as `ik`, so that both start from the same digits
         T = checked_pose(poses[i])
         q, _, _, flag = plan.solver.one(T) if plan.direct else rows.of(i)

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 import pieper
 from pieper.workbench.messages import MAX_JOINTS, Refused, number, optional, pose, vector, word
-from pieper.workbench.table import arm_from_table, table_from_arm
+from pieper.workbench.table import arm_from_table, is_of_catalog, table_from_arm
 
 FIRST_ARM = "denso-vp6242"
 LONGEST_FILE = 200_000
@@ -26,7 +26,8 @@ def hello(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
     """Return what a new page needs first: the version, the catalogue, and an arm unless it brings its own."""
     out: dict[str, Any] = {"version": pieper.__version__, "catalog": pieper.catalog()}
     if message.get("wants_arm"):
-        out["table"] = table_from_arm(start or pieper.load(FIRST_ARM))
+        first = start or pieper.load(FIRST_ARM)
+        out["table"] = table_from_arm(first, is_of_catalog(first))
     return out
 
 
@@ -35,7 +36,7 @@ def load(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
     name = word(message.get("name"), "name")
     if name not in pieper.catalog():
         raise Refused(f"{name!r} is not in the catalogue.")
-    return {"table": table_from_arm(pieper.load(name))}
+    return {"table": table_from_arm(pieper.load(name), name)}
 
 
 def open_file(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
@@ -76,10 +77,12 @@ def take_arm(message: dict[str, Any]) -> tuple[pieper.Arm, dict[str, Any]]:
 def ik(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     """Return every solution of a pose with labels, limits and residuals, its self-motions, and the reason in words."""
     began = time.perf_counter()
-    solutions = solve(arm, message)
+    solutions, missed = within_digits(arm, message, solve(arm, message))
     spent = time.perf_counter() - began
     plan = arm.plan_for(message.get("task"))
     answer = {**solution_rows(arm, solutions, message), "ms": 1e3 * spent}
+    if missed is not None:
+        answer["missed"] = missed
     if plan.redundancy:
         # tracing what a redundant arm can do at a pose takes far longer than solving it: the page asks for that apart
         answer["self_motions"] = None
@@ -108,6 +111,33 @@ def solve(arm: pieper.Arm, message: dict[str, Any]) -> pieper.Solutions:
         if len(solutions):
             return solutions
     return arm.ik(T, task=task, redundancy=redundancy)
+
+
+def within_digits(
+    arm: pieper.Arm, message: dict[str, Any], solutions: pieper.Solutions
+) -> tuple[pieper.Solutions, dict[str, float] | None]:
+    """Return the solutions of a pose that was typed with a few digits.
+
+    Rounded numbers of a pose that an arm takes are as a rule no pose of an arm with fewer than six joints, nor of any
+    arm at the edge of its reach. Where the arm comes as near as half of the last digit, it is solved where it gets.
+
+    Returns:
+        The solutions, and by how many metres and radians the pose they are for misses the typed one; None where it is
+        met as typed.
+    """
+    digits = message.get("digits")
+    if digits is None or len(solutions):
+        return solutions, None
+    if not isinstance(digits, dict):
+        raise Refused("digits must be an object of metres and radians.")
+    metres, radians = (number(digits.get(key), f"digits, {key}", largest=1.0) for key in ("metres", "radians"))
+    task = optional(word, message.get("task"), "task", TASKS)
+    near = arm.closest(solutions.T, task=task)
+    # three rounded numbers each: the corner of the cube lies farther away than half a digit
+    if near.metres > np.sqrt(3) * metres or near.radians > np.sqrt(3) * radians:
+        return solutions, None
+    there = solve(arm, {**message, "T": near.T.ravel().tolist()})
+    return (there, {"metres": near.metres, "radians": near.radians}) if len(there) else (solutions, None)
 
 
 def _redundancy(value: object) -> dict[str, float]:
@@ -199,9 +229,9 @@ def motion_points(motion: pieper.SelfMotion, n: int) -> dict[str, Any]:
 
 
 def nearest_pose(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
-    """Return the reachable pose nearest to a target that is out of reach, and by how much it misses."""
+    """Return the posture inside the limits nearest to a target that none reaches, and by how much it misses."""
     T = pose(message.get("T"), "target")
-    near = arm.closest(T)
+    near = arm.closest(T, task=optional(word, message.get("task"), "task", TASKS))
     return {"q": near.q.tolist(), "T": near.T.ravel().tolist(), "metres": near.metres, "radians": near.radians}
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.workbench import answers, equation_blocks
+from pieper.workbench import answers, equation_blocks, programs
 from pieper.workbench.messages import (
     MAX_CLOUD,
     MAX_POINTS,
@@ -201,4 +201,5 @@ KINDS: dict[str, Callable] = {
     "cloud": cloud,
     "equations": equations,
     "report": report,
+    "program": programs.run,
 }

@@ -19,8 +19,7 @@ from starlette.websockets import WebSocket
 
 import pieper
 from pieper import InputError
-from pieper.workbench.session import Session
-from pieper.workbench.table import table_from_arm
+from pieper.workbench.session import Beside, Session
 
 PAGE = Path(__file__).parent / "page" / "dist"
 TYPES = {
@@ -35,6 +34,8 @@ POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; img-src 'self' data: blob:; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
+#: Beside a notebook the page stands in its cell: the notebook's own server is another port of this machine.
+POLICY_FRAMED = POLICY.replace("frame-ancestors 'none'", "frame-ancestors http://localhost:* http://127.0.0.1:*")
 HEADERS = {
     "Content-Security-Policy": POLICY,
     "X-Content-Type-Options": "nosniff",
@@ -91,30 +92,29 @@ def _files() -> dict[str, Path]:
     return found
 
 
-def create_app(*, names: tuple[str, ...] | None = LOOPBACK, start: pieper.Arm | str | None = None) -> Starlette:
+def create_app(
+    *, names: tuple[str, ...] | None = LOOPBACK, start: pieper.Arm | str | None = None, bench: Beside | None = None
+) -> Starlette:
     """Return the workbench as an ASGI application.
 
     Args:
         names: Host names it answers to; None for any (when it is deliberately opened to a network).
         start: Arm that new pages open with, or its catalogue name; None for the page's own choice.
-
-    Raises:
-        InputError: The arm cannot be shown: its joints are coupled.
+        bench: The script or notebook that the pages stand beside; its pages may be framed by a page of this machine.
     """
     first = pieper.load(start) if isinstance(start, str) else start
-    if first is not None:
-        table_from_arm(first)
     files = {address: (path.read_bytes(), TYPES[path.suffix]) for address, path in _files().items()}
     pool = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench")
     sessions: set[Session] = set()
+    headers_of_all = HEADERS if bench is None else {**HEADERS, "Content-Security-Policy": POLICY_FRAMED}
 
     async def page(request: Request) -> Response:
         entry = files.get(request.url.path)
         if entry is None:
-            return PlainTextResponse("There is no such file.", 404, headers=HEADERS)
+            return PlainTextResponse("There is no such file.", 404, headers=headers_of_all)
         # Chunks and fonts carry a hash or never change within a release; the entry points are asked for anew.
         lasting = "-" in request.url.path.rsplit("/", 1)[-1]
-        headers = HEADERS | {"Cache-Control": "max-age=31536000, immutable" if lasting else "no-cache"}
+        headers = headers_of_all | {"Cache-Control": "max-age=31536000, immutable" if lasting else "no-cache"}
         return Response(entry[0], headers=headers, media_type=entry[1])
 
     async def socket(websocket: WebSocket) -> None:
@@ -125,7 +125,7 @@ def create_app(*, names: tuple[str, ...] | None = LOOPBACK, start: pieper.Arm | 
         if len(sessions) >= MAX_SESSIONS:
             await websocket.close(1013, f"{MAX_SESSIONS} pages are open already; close one")
             return
-        session = Session(websocket, pool, start=first)
+        session = Session(websocket, pool, start=first, bench=bench)
         sessions.add(session)
         try:
             await session.run()
@@ -171,8 +171,7 @@ def serve(
         open_browser: Open the page in the default browser.
 
     Raises:
-        InputError: A foreign address without `open_to_network`, the page's bundle is missing, or the arm's joints are
-            coupled.
+        InputError: A foreign address without `open_to_network`, or the page's bundle is missing.
     """
     import uvicorn
 

@@ -8,18 +8,42 @@ import json
 import threading
 import time
 from concurrent.futures import Executor
-from typing import Any
+from typing import Any, Protocol
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 import pieper
-from pieper.workbench import answers, long_work
+from pieper.workbench import answers, long_work, programs, snippet
 from pieper.workbench.messages import Refused, parse
 
+QUICK = {**answers.QUICK, "python": snippet.python, "program_file": programs.write}
 #: Messages a second that one page may send on average, and how many at once; a hand on a gizmo sends about 60.
 RATE, BURST = 200.0, 400.0
 #: Refusals in a row after which the connection is closed.
 PATIENCE = 200
+
+
+class Beside(Protocol):
+    """The script or notebook that a page stands beside."""
+
+    @property
+    def arm(self) -> pieper.Arm:
+        """The arm that pages open with."""
+        ...
+
+    def joined(self, page: Session) -> None:
+        """A page opened."""
+
+    def left(self, page: Session) -> None:
+        """A page was closed."""
+
+    def opening(self) -> dict[str, Any]:
+        """Return what a page that opens has to show."""
+        ...
+
+    def hear(self, message: dict[str, Any]) -> dict[str, Any]:
+        """Take what a page shows after a person did something."""
+        ...
 
 
 class Session:
@@ -29,12 +53,22 @@ class Session:
         websocket: The accepted connection.
         pool: Threads for everything that computes.
         start: The arm that a new page opens with, or None.
+        bench: The script or notebook that the page stands beside, or None.
     """
 
-    def __init__(self, websocket: WebSocket, pool: Executor, *, start: pieper.Arm | None = None) -> None:
+    def __init__(
+        self,
+        websocket: WebSocket,
+        pool: Executor,
+        *,
+        start: pieper.Arm | None = None,
+        bench: Beside | None = None,
+    ) -> None:
         self._websocket = websocket
         self._pool = pool
         self._start = start
+        self._bench = bench
+        self.loop = asyncio.get_running_loop()
         self._arm: pieper.Arm | None = None
         self._last_seq = -1
         self._tokens = BURST
@@ -56,6 +90,8 @@ class Session:
         except (WebSocketDisconnect, RuntimeError):
             pass
         finally:
+            if self._bench is not None:
+                self._bench.left(self)
             for task, stop in self._tasks.values():
                 stop.set()
                 task.cancel()
@@ -88,20 +124,30 @@ class Session:
             self._cancel(message.get("kind"))
             await self._send({"seq": seq, "ok": True})
         elif op in ("hello", "load", "open"):
-            result = await self._in_pool(answers.TABLES[op], message, self._start)
+            first = self._start if self._bench is None else self._bench.arm
+            result = await self._in_pool(answers.TABLES[op], message, first)
+            if op == "hello" and self._bench is not None:
+                self._bench.joined(self)
+                result["bench"] = self._bench.opening()
             await self._send({"seq": seq, "ok": True, **result})
         elif op == "arm":
             arm, result = await self._in_pool(answers.take_arm, message)
             self._arm = arm
             await self._send({"seq": seq, "ok": True, **result})
-        elif op in answers.QUICK:
-            result = await self._in_pool(answers.QUICK[op], self._some_arm(), message)
+        elif op == "shown" and self._bench is not None:
+            await self._send({"seq": seq, "ok": True, **await self._in_pool(self._bench.hear, message)})
+        elif op in QUICK:
+            result = await self._in_pool(QUICK[op], self._some_arm(), message)
             await self._send({"seq": seq, "ok": True, **result})
         elif op in long_work.KINDS:
             self._begin(op, seq, self._some_arm(), message)
         else:
-            known = sorted({"arm", "cancel", *answers.TABLES, *answers.QUICK, *long_work.KINDS})
+            known = sorted({"arm", "cancel", *answers.TABLES, *QUICK, *long_work.KINDS})
             raise Refused(f"op is unknown; known are {', '.join(known)}.")
+
+    async def push(self, what: dict[str, Any]) -> None:
+        """Tell the page what Python did."""
+        await self._send({"push": what})
 
     def _some_arm(self) -> pieper.Arm:
         if self._arm is None:

@@ -6,6 +6,7 @@ from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 import pieper
 from pieper.workbench.messages import LONGEST_NAME, MAX_JOINTS, Refused, number, pose, vector, word
@@ -16,7 +17,7 @@ def arm_from_table(table: object) -> pieper.Arm:
 
     Args:
         table: {name, convention, joints: [{name, type, a, alpha, d, theta, lower, upper, sign, offset}], base, tool,
-            postures}; metres and radians, null for a limit that is not there, poses as 16 numbers row by row.
+            postures, coupling}; metres and radians, null for a limit that is not there, poses as 16 numbers row by row.
     """
     if not isinstance(table, dict):
         raise Refused("The arm must be an object with convention and joints.")
@@ -47,6 +48,7 @@ def arm_from_table(table: object) -> pieper.Arm:
         joint_names=names,
         sign=sign,
         offset=offset,
+        coupling=_coupling(table["coupling"], len(rows)) if table.get("coupling") else None,
     )
     return _with_notes(arm, table)
 
@@ -64,6 +66,13 @@ def _with_notes(arm: pieper.Arm, table: dict[str, Any]) -> pieper.Arm:
     return pieper.Arm(replace(arm.description, postures=named, actuator=gripper, **remarks))
 
 
+def _coupling(given: object, n: int) -> npt.NDArray[np.float64]:
+    """Return (n, n): chain values = coupling @ joint values."""
+    if not isinstance(given, list) or len(given) != n:
+        raise Refused(f"coupling must be a list of {n} rows of {n} numbers.")
+    return np.array([vector(row, n, f"coupling, row {i + 1}") for i, row in enumerate(given)])
+
+
 def _actuator(given: object) -> pieper.Actuator:
     if not isinstance(given, dict):
         raise Refused("actuator must be an object.")
@@ -75,19 +84,9 @@ def _actuator(given: object) -> pieper.Actuator:
     )
 
 
-def table_from_arm(arm: pieper.Arm) -> dict[str, Any]:
-    """Return the page's table of an arm.
-
-    Raises:
-        InputError: Its joints are coupled, which a table of one joint a row cannot say.
-    """
+def table_from_arm(arm: pieper.Arm, catalog: str | None = None) -> dict[str, Any]:
+    """Return the page's table of an arm; one that is the catalogue's says so, by the name it has there."""
     d = arm.description
-    if d.coupling is not None:
-        raise pieper.InputError(
-            f"{d.name} has coupled joints, and in the workbench every joint moves its own row alone. "
-            "Python and the other commands take coupled arms.",
-            given=d.name,
-        )
     return {
         "name": d.name,
         "convention": d.convention,
@@ -113,7 +112,16 @@ def table_from_arm(arm: pieper.Arm) -> dict[str, Any]:
         "tool": d.tool.ravel().tolist(),
         "postures": {name: np.asarray(q).tolist() for name, q in d.postures.items()},
         "actuator": None if d.actuator is None else asdict(d.actuator),
+        "coupling": None if d.coupling is None else np.asarray(d.coupling).tolist(),
+        **({"catalog": catalog} if catalog else {}),
     }
+
+
+def is_of_catalog(arm: pieper.Arm) -> str | None:
+    """Return the name of an arm that is the catalogue's as it ships, else None."""
+    if arm.name in pieper.catalog() and table_from_arm(pieper.load(arm.name)) == table_from_arm(arm):
+        return arm.name
+    return None
 
 
 def _bound(value: float) -> float | None:

@@ -18,6 +18,7 @@ from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Expr, Sym, Trig, angle_symbol
 from pieper.description.dh import Description
 from pieper.equations.derivation.elimination import Eliminator, Equation, Move
+from pieper.equations.derivation.patterns import Solved
 from pieper.equations.derivation.step import Step
 from pieper.equations.derivation.witness import branch_values, single_joint
 from pieper.equations.table import SymbolTable
@@ -263,7 +264,7 @@ def _sides(equations: tuple[Equation, ...]) -> list:
     return list(itertools.chain.from_iterable((q.left, q.right) for q in equations))
 
 
-def _gives(e: Eliminator, solved: Expr, sigma: Sym, values: dict, wanted: Array) -> bool:
+def _gives(e: Eliminator, solved: Solved, sigma: Sym, values: dict, wanted: Array) -> bool:
     """Whether a formula, not degenerate there, gives the wanted values (m,) on one of its branches."""
     known = dict(values)
     for symbol, poly in e.target.definitions.items():

@@ -24,6 +24,7 @@ from pieper.judge.rounding import unrounded, with_rounding
 from pieper.judge.samples import pose_of
 from pieper.judge.search.search import ANGLE_TOLERANCE, Explanation, Goal, search
 from pieper.judge.slips.formula_slips import slips
+from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
 
 SAME_JOINTS = 1e-5  # rad: solutions of one pose are further apart, but for merged ones
@@ -50,15 +51,6 @@ def branch_values(node: Expr, env: dict[str, np.ndarray], shape: tuple[int, ...]
             yield np.broadcast_to(np.asarray(node.evaluate(env, NumpyField, branch), dtype=float), shape)
 
 
-def _right(node: Expr, env: dict[str, np.ndarray], wanted: np.ndarray) -> np.ndarray:
-    """Say at which samples one of the formula's branches is the angle."""
-    good = np.zeros(len(wanted), dtype=bool)
-    for value in branch_values(node, env, wanted.shape):
-        off = np.abs(wrapped(value - wanted))
-        good |= np.where(np.isfinite(off), off, 9.0) < ANGLE_TOLERANCE
-    return good
-
-
 def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
     """Judge a formula for a joint angle, given the pose and the joints before it at their right values.
 
@@ -80,13 +72,13 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
             slip="circular",
         )
     frame = ev.frame(claim)
-    form = _AngleFormula(angle, frame)
+    form = _AngleFormula.of(ev, angle, frame)
     good, own = form.judged(ev, node), ev.samples.nominal
     if good[own].all():
         return _joint_holds(ev, claim, node, form, good)
     exact = unrounded(ev, node, form.gap, form.judged)
     if exact:
-        off = f"as printed it is off by {np.degrees(exact.off):.2g} deg at most"
+        off = f"as printed it is off by {exact.off * form.unit:.2g} {ev.model.unit if form.slides else 'deg'} at most"
         verdict = _joint_holds(ev, claim, exact.tree, form, form.judged(ev, exact.tree), rounding=off)
         return with_rounding(verdict, exact, off)
     return _joint_fails(ev, claim, node, form, good)
@@ -98,6 +90,25 @@ class _AngleFormula:
 
     angle: Expr
     frame: Product | None
+    slides: bool = False
+    tolerance: float = ANGLE_TOLERANCE
+
+    @classmethod
+    def of(cls, ev: Evidence, angle: Expr, frame: Product | None) -> _AngleFormula:
+        """The angle of a turning joint or a sum of such; a sliding joint's value counts no whole turns."""
+        found = ANGLE.match(str(angle))
+        if found and ev.model.sliding(int(found.group(1))):
+            return cls(angle, frame, True, 1e-9 * ev.model.length())
+        return cls(angle, frame)
+
+    def off(self, value: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+        """How far values are from the right ones."""
+        return value - wanted if self.slides else wrapped(value - wanted)
+
+    @property
+    def unit(self) -> float:
+        """What a reader sees for one: degrees of an angle."""
+        return 1.0 if self.slides else 180 / np.pi
 
     def wanted(self, ev: Evidence) -> np.ndarray:
         """The right angle at every sample."""
@@ -105,7 +116,12 @@ class _AngleFormula:
 
     def judged(self, ev: Evidence, node: Expr) -> np.ndarray:
         """Where one of the formula's branches is the angle."""
-        return _right(node, ev.environment(self.frame), self.wanted(ev))
+        wanted = self.wanted(ev)
+        good = np.zeros(len(wanted), dtype=bool)
+        for value in branch_values(node, ev.environment(self.frame), wanted.shape):
+            off = np.abs(self.off(value, wanted))
+            good |= np.where(np.isfinite(off), off, np.inf) < self.tolerance
+        return good
 
     def with_symbols(self, node: Expr) -> Callable[[Evidence], tuple[np.ndarray, dict[str, np.ndarray]]]:
         """Where the formula is right, and the values of all symbols, for `region_of`."""
@@ -115,7 +131,7 @@ class _AngleFormula:
         """The formula's nearest branch minus the angle."""
         wanted = self.wanted(ev)
         gaps = np.array(
-            [wrapped(v - wanted) for v in branch_values(node, {**ev.environment(self.frame), **more}, wanted.shape)]
+            [self.off(v, wanted) for v in branch_values(node, {**ev.environment(self.frame), **more}, wanted.shape)]
         )
         size = np.where(np.isfinite(gaps), np.abs(gaps), np.inf)
         return np.take_along_axis(gaps, size.argmin(0)[None], 0)[0]
@@ -123,14 +139,14 @@ class _AngleFormula:
 
 def _joint_fails(ev: Evidence, claim: Claim, node: Expr, form: _AngleFormula, good: np.ndarray) -> Verdict:
     name, own = str(claim.get("for", form.angle)), ev.samples.nominal
-    env, wanted = ev.environment(form.frame), form.wanted(ev)
+    env = ev.environment(form.frame)
     details: list[tuple[str, str]] = []
     vanish = zero_denominators(node, env)
     bad = np.flatnonzero(~good & own)
     if vanish:
         details.append(("undefined", f"the denominator {vanish[0]} is zero for all joints"))
     elif len(bad):
-        details.append(("counter-example", _angle_example(ev, node, env, wanted, int(bad[0]))))
+        details.append(("counter-example", _angle_example(ev, node, form, env, int(bad[0]))))
     region = region_of(ev, form.with_symbols(node))
     found = _slip(ev, node, form)
     slip = reading = ""
@@ -146,18 +162,23 @@ def _joint_fails(ev: Evidence, claim: Claim, node: Expr, form: _AngleFormula, go
     if good.mean() > 0.1:
         share = f"{100 * good.mean():.0f}% of the poses"
         return claim.partly(f"Holds at {share} only; no simple region was found.", details, slip, reading, **counts)
-    sentence = f"Wrong: gives the joint's angle at {int(good.sum())} of {len(good)} poses."
+    sentence = (
+        f"Wrong: gives the joint's {'value' if form.slides else 'angle'} at {int(good.sum())} of {len(good)} poses."
+    )
     if vanish:
         sentence = "Wrong: undefined, because it divides by zero for all joints."
     return claim.wrong(sentence, details, slip, reading, **counts)
 
 
 def _slip(ev: Evidence, node: Expr, form: _AngleFormula) -> Explanation:
-    goal = ev.goal(form.wanted(ev), angle=True, frame=form.frame)
+    goal = ev.goal(form.wanted(ev), angle=not form.slides, frame=form.frame)
 
     def searched(aim: Goal) -> Explanation:
-        near = slips(node, ev.model.values, ev.model.n, tuple(ev.definitions), angle=True)
-        return search(aim, node, near, seconds=ev.seconds)
+        near = slips(node, ev.model.values, ev.model.n, ev.own_names, angle=True)
+        found = search(aim, node, near, lost=lost_from(ev, node, aim, form.angle), seconds=ev.seconds)
+        # an explanation that uses what it explains is none
+        found.found = [s for s in found.found if not uses_itself(ev.model, form.angle, s.tree, ev.definitions)]
+        return found
 
     found = searched(goal)
     if not found.best and decimals(node.substitute(ev.definitions)):
@@ -167,10 +188,16 @@ def _slip(ev: Evidence, node: Expr, form: _AngleFormula) -> Explanation:
     return found
 
 
-def _angle_example(ev: Evidence, node: Expr, env: dict[str, np.ndarray], wanted: np.ndarray, k: int) -> str:
-    values = [np.degrees(wrapped(v[k])) for v in branch_values(node, env, wanted.shape)]
-    shown = " or ".join(f"{v:.4f}" if np.isfinite(v) else "nothing (undefined)" for v in values)
-    return f"at {ev.at(k)}: the formula gives {shown} deg, right is {np.degrees(wrapped(wanted[k])):.4f} deg"
+def _angle_example(ev: Evidence, node: Expr, form: _AngleFormula, env: dict[str, np.ndarray], k: int) -> str:
+    wanted = form.wanted(ev)
+    unit = ev.model.unit if form.slides else "deg"
+
+    def shown(value: float) -> str:
+        return f"{(value if form.slides else np.degrees(wrapped(value))):.4f}"
+
+    values = [v[k] for v in branch_values(node, env, wanted.shape)]
+    given = " or ".join(shown(v) if np.isfinite(v) else "nothing (undefined)" for v in values)
+    return f"at {ev.at(k)}: the formula gives {given} {unit}, right is {shown(wanted[k])} {unit}"
 
 
 def _joint_holds(
@@ -180,7 +207,7 @@ def _joint_holds(
     angle, own = form.angle, ev.samples.nominal
     digits = None
     if form.frame is None and not ev.held and not rounding:
-        digits = agreeing_digits(ev.model, ev.samples, ev.definitions, node, angle, angle=True)
+        digits = agreeing_digits(ev.model, ev.samples, ev.definitions, node, angle, angle=not form.slides)
         if 0 < digits < digits_wanted(ev.model, node.substitute(ev.definitions)):
             return claim.wrong(
                 f"Wrong, if only just: at 50-digit arithmetic it agrees to {digits} digits and no more.", digits=digits
@@ -211,7 +238,7 @@ def _joint_holds(
 
     def upper(at: Evidence) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         env, wanted = at.environment(form.frame), form.wanted(at)
-        return np.abs(wrapped(next(branch_values(node, env, wanted.shape)) - wanted)) < ANGLE_TOLERANCE, env
+        return np.abs(form.off(next(branch_values(node, env, wanted.shape)), wanted)) < form.tolerance, env
 
     region = region_of(ev, upper)
     known = f"the upper sign belongs to {region}" if region else ""
@@ -302,7 +329,7 @@ def judge_together(ev: Evidence, claim: Claim) -> Verdict:
     forms: dict[str, tuple[_AngleFormula, Expr]] = {}
     for name, text in claim["is"].items():
         _, angle = read_angle(ev, claim.part(claim.id, {"for": name}))
-        forms[name] = _AngleFormula(angle, frame), ev.parse(str(text), claim.where, f"is {name}")
+        forms[name] = _AngleFormula.of(ev, angle, frame), ev.parse(str(text), claim.where, f"is {name}")
     claim = claim.reads("; ".join(f"{k} = {v}" for k, v in claim["is"].items()))
     for name, (form, node) in forms.items():
         circle = uses_itself(ev.model, form.angle, node, ev.definitions)

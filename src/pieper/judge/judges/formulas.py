@@ -21,6 +21,7 @@ from pieper.judge.regions import region_of, zero_denominators
 from pieper.judge.rounding import unrounded, with_rounding
 from pieper.judge.search.search import MAX_SEARCHED, Explanation, Goal, search
 from pieper.judge.slips.formula_slips import slips
+from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
 
 _ENTRY_OF = {name: (i, j) for name, i, j in POSE_NAMES}
@@ -188,7 +189,8 @@ def _explanation(
     own, model = ev.samples.nominal, ev.model
 
     def searched(aim: Goal) -> Explanation:
-        return search(aim, node, slips(node, model.values, model.n, tuple(ev.definitions)), seconds=ev.seconds)
+        near = slips(node, model.values, model.n, ev.own_names)
+        return search(aim, node, near, lost=lost_from(ev, node, aim), seconds=ev.seconds)
 
     found = searched(goal)
     if not found.best and not good[~own].any() and not _uses_lengths(ev, node):

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.algebra.expression import Add, Call, Div, Expr, Mul
+from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Power
 from pieper.algebra.formula import Equation, Neg, PlusMinus, has_branch, is_call
 
 ARCS = ("acos", "asin", "atan", "atan2")
@@ -45,8 +45,8 @@ def required_values(root: Expr, wanted: np.ndarray | None, angle: bool, value: d
                 # an angle is wanted modulo a turn and on either branch; a cosine or a tangent forgets both
                 forgets = is_call(node, *ARCS)
                 if turning and not forgets:
-                    others = [a for a in node.args if a is not child]
-                    if not isinstance(node, (Neg, PlusMinus, Add)) or any(map(has_branch, others)):
+                    # beside a +- the upper sign is taken, so that the value is right at some of the samples only
+                    if not isinstance(node, (Neg, PlusMinus, Add)):
                         continue
                 inner = _undo(node, k, need, value)
                 if inner is not None and np.isfinite(inner).any():
@@ -58,8 +58,7 @@ def _undo(node: Expr, k: int, need: np.ndarray, value: dict[Expr, np.ndarray]) -
     if isinstance(node, Neg):
         return -need
     if isinstance(node, PlusMinus):
-        # either sign may be meant; what follows (acos) does not see the difference, anything else is tried in full
-        return need if is_call(node.args[0], "acos") else None
+        return need  # for the upper sign: right at some of the samples only
     if isinstance(node, Add):
         return need - (value[node] - value[node.args[k]])
     others = [value[a] for i, a in enumerate(node.args) if i != k]
@@ -67,6 +66,11 @@ def _undo(node: Expr, k: int, need: np.ndarray, value: dict[Expr, np.ndarray]) -
         return need / np.prod(np.broadcast_arrays(*others), axis=0)
     if isinstance(node, Div):
         return need * others[0] if k == 0 else others[0] / need
+    if isinstance(node, Power) and k == 0 and isinstance(node.power, int) and node.power > 0:
+        root = np.abs(need) ** (1 / node.power)
+        if node.power % 2:
+            return np.sign(need) * root
+        return np.where(need < 0, np.nan, np.where(np.asarray(value[node.args[0]]) < 0, -root, root))
     name = node.name if isinstance(node, Call) else ""
     if name == "acos":
         return np.cos(need)

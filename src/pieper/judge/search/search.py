@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -15,13 +15,19 @@ import numpy as np
 
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Expr
-from pieper.algebra.formula import Equation, has_branch
+from pieper.algebra.formula import Equation, has_branch, unordered
+from pieper.judge.search.lookup import Lost, Shelf
 from pieper.judge.search.required import required_values
 from pieper.judge.slips.slip import Slip
 
 ANGLE_TOLERANCE = 1e-7  # rad; acos loses half the digits near its ends
 MAX_SEARCHED = 4000  # nodes; a formula of several pages has more slips than anyone waits for
-PROBES = 6  # samples at which a candidate is tried first
+ENOUGH = 3  # of the probes; on another branch the value at a place is another one
+PROBES = 12  # samples at which a candidate is tried first
+MAX_LOST = 200  # nodes; in longer formulas a lost term is looked for by its letters only
+LIKELY = 1.05  # cost of a slip that may be one of two at once
+FIRST_OF_TWO = 400  # of them that are tried
+NODES_OF_TWO = 12_000  # in all the formulas that are tried for a second slip
 VALUE_TOLERANCE = 1e-9  # relative to the size of the numbers compared
 
 
@@ -102,13 +108,16 @@ class Explanation:
         return f"; closest: {self.nearest[0].says} (right at {100 * self.nearest[1]:.0f}% of the {what})"
 
 
-def search(goal: Goal, root: Expr, candidates: Iterable[Slip], *, seconds: float = 2.0) -> Explanation:
+def search(
+    goal: Goal, root: Expr, candidates: Iterable[Slip], *, lost: Lost | None = None, seconds: float = 2.0
+) -> Explanation:
     """Try every candidate and keep those that are right at every sample.
 
     Args:
         goal: what the formula should give.
         root: the formula as printed; its subtrees are evaluated once and shared by the candidates.
         candidates: formulas one slip away.
+        lost: what may be missing from the formula; where nothing else explains it, two slips at once are tried too.
         seconds: time allowed.
 
     Returns:
@@ -123,37 +132,89 @@ def search(goal: Goal, root: Expr, candidates: Iterable[Slip], *, seconds: float
     probe.residual(root, 1, values)
     needed = required_values(root, probe.wanted, goal.angle, values)
     stop = time.thread_time() + seconds
-    best_share = float(np.mean(goal.fits(root)))
-    seen: set[str] = set()
+    look = _Look(goal, float(np.mean(goal.fits(root))), out)
+    likely: list[Slip] = []
     for k, slip in enumerate(candidates):
         out.tried[slip.kind] = out.tried.get(slip.kind, 0) + 1
         if k % 256 == 0 and time.thread_time() > stop:
             out.complete = False
             break
-        if not _promising(slip, probe, needed, values, goal.angle):
-            continue
-        share = float(np.mean(goal.fits(slip.tree)))
-        if share == 1.0:
-            text = str(slip.tree)
-            if text not in seen:
-                seen.add(text)
-                out.found.append(slip)
-        elif share > best_share + 0.2:
-            best_share = share
-            out.nearest = (slip, share)
+        if slip.cost < LIKELY and len(likely) < FIRST_OF_TWO:
+            likely.append(slip)
+        if _promising(slip, probe, needed, values, goal.angle):
+            look.at(slip)
+    if lost is not None and root.size() <= MAX_LOST and time.thread_time() < stop:
+        look.stop = stop + seconds
+        shelf = lost.shelf(probe.env, values)
+        look.all(lost.slips(root, shelf, needed, values))
+        if goal.angle and probe.wanted is not None:
+            look.all(lost.angles(root, probe.wanted - values[root], probe.env))
+        if not out.found:
+            _two_at_once(look, probe, likely[: NODES_OF_TWO // root.size()], lost, shelf)
     out.found.sort(key=lambda s: (s.cost, s.tree.size()))
     return out
 
 
+@dataclass
+class _Look:
+    """Slips looked at in full: those that make the formula right everywhere are kept."""
+
+    goal: Goal
+    share: float
+    out: Explanation
+    seen: set[str] = field(default_factory=set)
+    stop: float = float("inf")
+
+    @property
+    def late(self) -> bool:
+        """Whether the time allowed is over."""
+        return time.thread_time() > self.stop
+
+    def at(self, slip: Slip) -> None:
+        """Look at one."""
+        share = float(np.mean(self.goal.fits(slip.tree)))
+        text = unordered(slip.tree) if share == 1.0 else ""
+        if share == 1.0 and text not in self.seen:
+            self.seen.add(text)
+            self.out.found.append(slip)
+        elif self.share + 0.2 < share < 1.0:
+            self.share = share
+            self.out.nearest = (slip, share)
+
+    def all(self, slips: Iterable[Slip]) -> None:
+        """Look at some that were found by their value, while there is time."""
+        for slip in slips:
+            if self.late:
+                self.out.complete = False
+                return
+            self.out.tried[slip.kind] = self.out.tried.get(slip.kind, 0) + 1
+            self.at(slip)
+
+
+def _two_at_once(look: _Look, probe: Goal, first: list[Slip], lost: Lost, shelf: Shelf) -> None:
+    """Undo a likely slip, and look what else must change; the first pair that is right is kept with its equals."""
+    for slip in first:
+        if look.late or look.out.found:
+            return
+        tree, values = slip.tree, {}
+        probe.residual(tree, 1, values)
+        needed = required_values(tree, probe.wanted, probe.angle, values)
+        second = lost.slips(tree, shelf, needed, values, any_slip=True)
+        look.all(
+            replace(s, kind="two slips", words=("{}, and {}", slip.says, s.says), cost=slip.cost + s.cost + 1)
+            for s in second
+        )
+
+
 def _promising(slip: Slip, probe: Goal, needed: dict, values: dict, angle: bool) -> bool:
-    """Say whether a candidate is right at half of the probes at least, as cheaply as the place allows."""
+    """Say whether a candidate is right at some of the probes, as cheaply as the place allows."""
     need = needed.get(slip.path) if slip.path is not None else None
     if need is not None and not has_branch(slip.new):
         with np.errstate(all="ignore"):
             value = slip.new.evaluate(probe.env, NumpyField, 1, values, learn=False)
             close = np.abs(value - need) <= 1e-6 * (np.abs(value) + np.abs(need)) + 1e-12
-        return 2 * int(np.count_nonzero(close)) >= PROBES
+        return int(np.count_nonzero(close)) >= ENOUGH
     good = probe.residual(slip.tree, 1, values, learn=False) < 1
     if angle and has_branch(slip.tree):
         good = good | (probe.residual(slip.tree, -1) < 1)
-    return 2 * int(np.count_nonzero(good)) >= PROBES
+    return int(np.count_nonzero(good)) >= ENOUGH

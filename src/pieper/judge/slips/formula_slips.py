@@ -44,7 +44,7 @@ def slips(
     Yields:
         Slips with their formulas.
     """
-    pool = _factor_pool(root, lengths, joints) | {name: Mention(name) for name in others[:8]}
+    pool = factor_pool(root, lengths, joints) | {name: Mention(name) for name in others[:8]}
     numbers = _numbers(root, lengths)
     if angle:
         yield from angle_slips(root, joints)
@@ -89,18 +89,26 @@ def slips(
             yield slip("fraction", ("{} upside down", node), Div(node.args[1], node.args[0]), 1.5)
         if isinstance(node, Power):
             yield slip("power", ("the power of {}", node.args[0]), node.args[0], 1.2)
+            if isinstance(node.args[1], Num):
+                yield slip(
+                    "power", ("a factor for the power of {}", node.args[0]), Mul.of(node.args[1], node.args[0]), 1.4
+                )
         elif isinstance(node, (*FACTORS, PiFraction)) and not isinstance(parent, Power):
-            yield slip("power", ("a lost square of {}", node), Power(node, number(2)), 1.6)
+            yield slip("power", ("a lost square of {}", node), Power(node, number(2)), 1.25)
         if isinstance(node, FACTORS) and str(node) in pool:
             for text, factor in pool.items():
                 if text != str(node):
                     yield slip("swapped factor", ("{} for {}", node, factor), factor, 1.5)
-        if _is_term(node, parent) or (isinstance(parent, (Neg, Div)) and not isinstance(node, Add)):
+        factor_place = _is_term(node, parent) or (isinstance(parent, (Neg, Div)) and not isinstance(node, Add))
+        if factor_place and not isinstance(node, Neg):
             for factor in pool.values():
                 yield slip("missing factor", ("{} lost from {}", factor, node), Mul.of(node, factor), 1.3)
             yield slip("missing factor", ("a factor 2 lost from {}", node), Mul.of(number(2), node), 1.3)
             yield slip("extra factor", ("a factor 2 too many in {}", node), Div(node, number(2)), 1.8)
+        if angle and isinstance(node, Call) and node.name in ("sqrt", "acos", "asin") and path:
+            yield slip("branch", ("a lost +- before {}", node), PlusMinus(node), 1.0)
     yield from _throughout(root, joints)
+    yield from _everywhere(root, lengths)
     yield from unit_slips(root)
 
 
@@ -118,6 +126,31 @@ def _throughout(root: Expr, joints: int) -> Iterator[Slip]:
             tree = replaced_everywhere(root, {id(n): Call(n.name, angle_sum(new)) for n in nodes})
             words = ("{} for {} throughout", angle_sum(parts), angle_sum(new))
             yield Slip("index", words, root, (), tree, 1.0)
+
+
+def _everywhere(root: Expr, lengths: dict[str, float]) -> Iterator[Slip]:
+    """Yield formulas in which two lengths are exchanged, or the rotation is transposed, at every place."""
+    symbols: dict[str, list[Expr]] = {}
+    for node in root.walk():
+        if isinstance(node, Sym):
+            symbols.setdefault(node.name, []).append(node)
+
+    def exchanged(new: dict[str, str], words: str) -> Slip:
+        table = {id(n): Mention(new[name]) for name, nodes in symbols.items() if name in new for n in nodes}
+        return Slip("index", (words,), root, (), replaced_everywhere(root, table), 1.3)
+
+    used = [name for name in symbols if lengths.get(name)]
+    for k, a in enumerate(used):
+        for b in used[k + 1 :]:
+            yield exchanged({a: b, b: a}, f"{a} and {b} exchanged throughout")
+    entries = {
+        name: name[0] + name[2] + name[1] for name in symbols if len(name) == 3 and name[0] == "r" and name[2] in "123"
+    }
+    for name in symbols:
+        if len(name) == 2 and name[0] in "noa" and name[1] in "xyz":
+            entries[name] = "noa"["xyz".index(name[1])] + "xyz"["noa".index(name[0])]
+    if any(a != b for a, b in entries.items()):
+        yield exchanged(entries, "the rotation transposed")
 
 
 def _shared(root: Expr) -> set[int]:
@@ -138,8 +171,8 @@ def _is_term(node: Expr, parent: Expr | None) -> bool:
     return parent is None or isinstance(parent, (Add, Equation, Call))
 
 
-def _factor_pool(root: Expr, lengths: dict[str, float], joints: int) -> dict[str, Expr]:
-    """Return what may have been lost or swapped.
+def factor_pool(root: Expr, lengths: dict[str, float], joints: int) -> dict[str, Expr]:
+    """What may have been lost or swapped.
 
     That is sines and cosines of every joint and of the sums that occur, and the lengths.
     """
@@ -170,7 +203,7 @@ def _call_slips(node: Call, slip: Any, joints: int) -> Iterator[Slip]:
         if parts:
             for new in _index_variants(parts, joints):
                 made = Call(name, angle_sum(new))
-                yield slip("index", ("{} for {}", node, made), made, 0.8 if len(new) == len(parts) else 0.9)
+                yield slip("index", ("{} for {}", node, made), made, _index_cost(parts, new))
     if name in ("asin", "acos"):
         other = "acos" if name == "asin" else "asin"
         yield slip("inverse function", f"{name} for {other}", Call(other, *args), 1.0)
@@ -185,6 +218,12 @@ def _call_slips(node: Call, slip: Any, joints: int) -> Iterator[Slip]:
         yield slip("atan", "atan2 for atan", Call("atan", Div(y, x)), 1.5)
     if name in ("sqrt",):
         yield slip("power", "a root too many", args[0], 1.5)
+
+
+def _index_cost(parts: Any, new: Any) -> float:
+    """How far-fetched an index is; a difference such as c(1-2) for a sum is only where the axes oppose each other."""
+    turned = any(s < 0 for s, _ in new) and not any(s < 0 for s, _ in parts)
+    return 1.9 if turned else 0.8 if len(new) == len(parts) else 0.9
 
 
 def _index_variants(parts: Any, joints: int) -> Iterator[tuple]:
@@ -229,6 +268,7 @@ def _symbol_slips(node: Sym, slip: Any, lengths: Any, others: Any, joints: int) 
     elif len(name) == 3 and name[0] == "r" and name[1:].isdigit():
         i, j = name[1], name[2]
         family = [f"r{i}{c}" for c in "1234" if c != j] + [f"r{c}{j}" for c in "123" if c != i]
+        family += [f"r{j}{i}"] if i != j and j != "4" else []
     elif name in others:
         family = [m for m in others if m != name and m[0] == name[0]] + [m for m, v in lengths.items() if v]
     for other in family:
@@ -238,6 +278,8 @@ def _symbol_slips(node: Sym, slip: Any, lengths: Any, others: Any, joints: int) 
 def _product_slips(node: Expr, slip: Any) -> Iterator[Slip]:
     for k, factor in enumerate(node.args):
         rest = node.args[:k] + node.args[k + 1 :]
+        if isinstance(factor, Num) and len(rest) == 1 and factor.value in (2, 3):
+            yield slip("power", ("a power of {} for a factor", rest[0]), Power(rest[0], factor), 1.1)
         kind = {"1000": "millimetres", "180/pi": "degrees", "pi/180": "degrees"}.get(str(factor), "extra factor")
         yield slip(kind, ("{} too many in {}", factor, node), Mul.of(*rest), 1.2 if kind == "extra factor" else 1.0)
         if k:
@@ -252,6 +294,7 @@ def _product_slips(node: Expr, slip: Any) -> Iterator[Slip]:
 
 
 def _sum_slips(node: Expr, slip: Any) -> Iterator[Slip]:
+    yield slip("power", ("a lost root over {}", node), Call("sqrt", node), 1.3)
     if len(node.args) <= 8:
         for first in range(len(node.args)):
             for last in range(first + 1, len(node.args)):
@@ -261,7 +304,7 @@ def _sum_slips(node: Expr, slip: Any) -> Iterator[Slip]:
                 yield slip("power", words, Add.of(*node.args[:first], root, *node.args[last + 1 :]), 1.7)
     for k, term in enumerate(node.args):
         rest = node.args[:k] + node.args[k + 1 :]
-        yield slip("extra term", ("{} too many", term), Add.of(*rest), 1.4)
+        yield slip("extra term", ("{} too many", term), Add.of(*rest), 1.1)
         if k and not isinstance(node.args[k - 1], PlusMinus) and not isinstance(term, PlusMinus):
             left, right = node.args[k - 1], term.args[0] if isinstance(term, Neg) else term
             merged = Neg.of(Mul.of(left.args[0], right)) if isinstance(left, Neg) else Mul.of(left, right)

@@ -15,6 +15,8 @@ KINDS = {
     "sine for cosine": "sine for cosine",
     "swapped factor": "a swapped factor",
     "missing factor": "a missing factor",
+    "missing term": "a missing term",
+    "two slips": "two slips at once",
     "extra factor": "a factor too many",
     "extra term": "a term too many",
     "product": "a product written as a sum, or a sum as a product",

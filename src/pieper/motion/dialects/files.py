@@ -36,6 +36,13 @@ def text_of(script: Script, dialect: str) -> str:
             f"dialect {dialect!r} is unknown; there are {', '.join(DIALECTS)}.", given=dialect, allowed=list(DIALECTS)
         )
     found = DIALECTS[dialect]
+    splines = [number for number, move in enumerate(script.moves, 1) if move.kind == "move_s"]
+    if splines and found.maker is not None:
+        raise InputError(
+            f"move {splines[0]} is a spline, which {dialect} is not written with here; write ros or csv, or lines and "
+            "circles.",
+            move=splines[0],
+        )
     said = script.description.manufacturer
     if found.maker is not None:
         mine = (
@@ -56,6 +63,20 @@ def text_of(script: Script, dialect: str) -> str:
     return found.write(script)
 
 
+def dialect_of(path: str | os.PathLike[str]) -> str:
+    """Return the dialect that a file's ending names.
+
+    Raises:
+        InputError: The ending is no dialect's.
+    """
+    file = Path(path)
+    for name, dialect in DIALECTS.items():
+        if file.suffix.lower() in dialect.suffixes:
+            return name
+    endings = ", ".join(s for d in DIALECTS.values() for s in d.suffixes)
+    raise InputError(f"{file.name} has no ending of a known dialect: {endings}.", given=str(path))
+
+
 def read_program(path: str | os.PathLike[str]) -> list[Target]:
     """Return the targets of a program file in order; its dialect follows from the file's ending.
 
@@ -68,11 +89,7 @@ def read_program(path: str | os.PathLike[str]) -> list[Target]:
     Raises:
         InputError: No such file, an unknown ending, or text that is not of the dialect.
     """
-    file = Path(path)
-    kind = next((d for d in DIALECTS.values() if file.suffix.lower() in d.suffixes), None)
-    if kind is None:
-        endings = ", ".join(s for d in DIALECTS.values() for s in d.suffixes)
-        raise InputError(f"{file.name} has no ending of a known dialect: {endings}.", given=str(path))
+    file, kind = Path(path), DIALECTS[dialect_of(path)]
     try:
         text = file.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:

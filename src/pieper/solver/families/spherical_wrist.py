@@ -50,6 +50,7 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     return KernelSpec(
         _kernel.SphericalWrist(**group(chain, links, found.first, False)),
         info={"wrist": tuple(range(found.first + 1, found.first + 4)), "margin_m": found.margin},
+        closed_form=True,
     )
 
 

@@ -119,6 +119,7 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
         _kernel.SphericalWristParallel(**clean, tilted=tilted),
         info={"wrist_margin_m": found.margin, "angle_margin_rad": found.angle, "upper_arm_m": L2, "forearm_m": L3},
         slot_labels=SLOTS,
+        closed_form=True,
     )
 
 

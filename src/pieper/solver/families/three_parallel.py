@@ -73,6 +73,7 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     return KernelSpec(
         _kernel.ThreeParallel(**group(chain, links, found.first, True), sense=sense),
         info={"plane": tuple(range(found.first + 1, found.first + 4)), "margin_rad": found.margin},
+        closed_form=True,
     )
 
 

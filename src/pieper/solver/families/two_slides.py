@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper import _kernel
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
 from pieper.solver.families.family import Family, KernelSpec
@@ -44,11 +44,8 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
     for hidden in np.flatnonzero(~chain.prismatic):
         alone = KernelSpec(_geometry(chain, (int(hidden),), None))
         q, valid, _, flag = alone.solver(free, chain.prismatic).many(poses, 1)
-        gap: Array = q - made[:, None]
-        turned: Array = (gap + np.pi) % (2 * np.pi) - np.pi
-        gap = np.where(chain.prismatic, gap / chain.length, turned)
-        found = ((np.abs(gap).max(-1) < HIDDEN_FOUND) & valid).any(1)
-        clear = (flag & _kernel.Flag.UNCERTAIN) == 0
+        found: Bools = np.any((chain.joints.apart(q, made[:, None]) < HIDDEN_FOUND) & valid, axis=1)
+        clear: Bools = np.equal(flag & _kernel.Flag.UNCERTAIN, 0)
         if np.all(found | ~clear) and np.mean(~clear) <= MOST_UNCLEAR:
             tried.append((float(np.mean(~clear)), int(hidden)))
     tried.sort()

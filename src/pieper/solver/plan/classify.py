@@ -101,6 +101,7 @@ def _as_told(chain: Chain, description: Description, task: str | None, snap: flo
         most = max(most, 16)  # what nearly is special need not be bounded as what is
     return Plan(
         name=description.name,
+        description=description,
         chain=chain,
         nominal=nominal,
         geometry=geometry,
@@ -138,6 +139,7 @@ def _coupled(chain: Chain, description: Description, task: str | None, snap: flo
         )
     return replace(
         plain,
+        description=description,
         chain=chain,
         nominal=chain,
         geometry=replace(plain.geometry, chain=chain),

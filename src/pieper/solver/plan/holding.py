@@ -57,7 +57,8 @@ def _made(plan: Plan, joints: tuple[int, ...]) -> Plan:
             refused = error
             continue
         limits = plan.full_limits[list(joints)]
-        middle = np.where(np.isfinite(limits).all(1), np.nan_to_num(limits).mean(1), np.clip(0.0, *limits.T))
+        nearest = np.clip(np.zeros(len(limits)), limits[:, 0], limits[:, 1])
+        middle = np.where(np.isfinite(limits).all(1), np.nan_to_num(limits).mean(1), nearest)
         most = max(spec.max_solutions, 16 if plan.snapped else 0)
         return replace(plan, reduction=reduction, defaults=middle, family=family, spec=spec, max_solutions=most)
     raise refused or PlanError(f"{plan.name}: no family takes the arm with {names} held.", joints=joints)

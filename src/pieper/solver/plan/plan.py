@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pieper.description.dh import Description
 from pieper.errors import PlanError
 from pieper.kinematics.arm_angle import ArmAngle, arm_angle
 from pieper.kinematics.arrays import Array, Bools
@@ -32,6 +33,7 @@ class Plan:
 
     Attributes:
         name: The arm's name.
+        description: The arm's table, limits and names.
         chain: The arm as described.
         nominal: The chain that is solved; another one than `chain` only where geometry was snapped.
         geometry: Which axes are parallel or meet, with margins.
@@ -48,9 +50,11 @@ class Plan:
         base: (4, 4) the frame the arm's table stands in; the arm angle counts from it.
         words: Tells the plan as a teacher would; handed in, since words read plans.
         uncoupled: Of coupled joints how the chain itself is solved, its joints free and without limits; else None.
+        virtual_limits: (v, 2) limits of the task's virtual joints, rad; None where they have none.
     """
 
     name: str
+    description: Description = field(repr=False)
     chain: Chain
     nominal: Chain
     geometry: Geometry
@@ -67,6 +71,7 @@ class Plan:
     base: Array = field(default_factory=lambda: np.eye(4))
     words: Callable[[Plan], str] = field(default=repr, repr=False)
     uncoupled: Plan | None = field(default=None, repr=False)
+    virtual_limits: Array | None = field(default=None, repr=False)
 
     def __getstate__(self) -> dict[str, Any]:
         """What pickle keeps: what was decided; solvers are prepared again."""
@@ -117,7 +122,9 @@ class Plan:
 
     @cached_property
     def full_limits(self) -> Array:
-        """Limits of the arm's joints and of the task's virtual ones, which have none."""
+        """Limits of the arm's joints and of the task's virtual ones, which have none unless they were given some."""
+        if self.virtual_limits is not None:
+            return np.vstack([self.limits, self.virtual_limits])
         extra = self.reduction.full.n - self.n
         return np.vstack([self.limits, np.tile([-np.inf, np.inf], (extra, 1))])
 

@@ -269,13 +269,13 @@ def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[Array, bool
     # about, or slides along, an axis through the tool point
     tried = appended(chain, pool[:1])
     q = sample_joints(tried, 15, seed=2)[:, : chain.n]
-    J = scaled_jacobian(tried, np.pad(q, ((0, 0), (0, 1))))[..., : chain.n]
+    so_far = scaled_jacobian(tried, np.pad(q, ((0, 0), (0, 1))))[..., : chain.n]
     axes = chain.native.fk(q)[:, :3, :3] @ np.array([R[:, 2] for R, _ in pool]).T  # postures, xyz, pool
     slides = np.array([p for _, p in pool])
     columns = np.concatenate([np.where(slides, axes, 0.0), np.where(slides, 0.0, axes)], 1)
     chosen: list[tuple[Array, bool]] = []
     for _ in range(count):
-        tables = np.concatenate([np.repeat(J[None], len(pool), 0), np.moveaxis(columns, 2, 0)[..., None]], -1)
+        tables = np.concatenate([np.repeat(so_far[None], len(pool), 0), np.moveaxis(columns, 2, 0)[..., None]], -1)
         worst = np.sort(np.linalg.svd(tables, compute_uv=False)[..., -1], axis=1)
         value = worst[:, 4] + 0.2 * (worst[:, 5] - worst[:, 4])  # the 0.3 quantile of fifteen
         best, gain = 0, -1.0
@@ -285,7 +285,7 @@ def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[Array, bool
             if value[k] > gain * 1.05:
                 best, gain = k, float(value[k])
         chosen.append(pool[best])
-        J = np.concatenate([J, columns[:, :, best : best + 1]], -1)
+        so_far = np.concatenate([so_far, columns[:, :, best : best + 1]], -1)
     return tuple(chosen)
 
 

@@ -8,11 +8,10 @@ from functools import cached_property
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
-from pieper.kinematics.joints import TURN
 from pieper.kinematics.newton import newton
 from pieper.solver.redundant.box import closest
-from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
-from pieper.tolerances import CLOSES
+from pieper.solver.singular.self_motion import FREE, SelfMotion, TracedMotion
+from pieper.tolerances import CLOSES, TINY
 
 #: A point this near to the polyline of a curve may lie on the curve, and is slid onto it to see.
 NEAR_POLYLINE = 2e-2
@@ -44,8 +43,7 @@ class BoundedMotion(TracedMotion):
 
     def points(self, u: Array) -> Array:
         """Return the points (k, n) at parameters (k,), the task's virtual joints behind."""
-        guess = np.stack([np.interp(u, self.u, column) for column in self.samples.T], -1)
-        return newton(self.chain, guess, self.T, steps=6, cutoff=1e-7)
+        return newton(self.chain, self.between(u), self.T, steps=6, cutoff=1e-7)
 
     @cached_property
     def _weights(self) -> Array:
@@ -109,14 +107,10 @@ class BoundedMotion(TracedMotion):
         now[: len(q_now)] = q_now
         steps = np.diff(self.samples, axis=0) / self.chain.joints.unit
         length = float(np.linalg.norm(steps, axis=1).sum()) * ARC
-        edges = [np.unique(np.concatenate([[a, b], self.u[(self.u > a) & (self.u < b)]])) for a, b in self._stretches]
-        low = np.concatenate([e[:-1] if len(e) > 1 else e for e in edges])
-        high = np.concatenate([e[1:] if len(e) > 1 else e for e in edges])
+        low, high = self._pieces()
         best, least = np.zeros(self.chain.n), np.inf
         for _ in range(ROUNDS):
-            both, which = np.unique(np.concatenate([low, high]), return_inverse=True)
-            points = self.chain.joints.unwound(self.points(both), now, self.limits)
-            away = np.linalg.norm((points - now) * self._weights, axis=1)
+            points, away, which = self._ends_away(low, high, now)
             if away.min() < least:
                 least, best = float(away.min()), points[int(np.argmin(away))]
             a, b = away[which[: len(low)]], away[which[len(low) :]]
@@ -127,6 +121,18 @@ class BoundedMotion(TracedMotion):
             cuts = np.linspace(low[open_], high[open_], PARTS + 1)
             low, high = cuts[:-1].ravel(), cuts[1:].ravel()
         return self._settled(best, now)[: self.shown]
+
+    def _pieces(self) -> tuple[Array, Array]:
+        """Return the two ends (k,), in u, of the pieces between samples that are inside the limits."""
+        edges = [np.unique(np.concatenate([[a, b], self.u[(self.u > a) & (self.u < b)]])) for a, b in self._stretches]
+        low = np.concatenate([e[:-1] if len(e) > 1 else e for e in edges])
+        return low, np.concatenate([e[1:] if len(e) > 1 else e for e in edges])
+
+    def _ends_away(self, low: Array, high: Array, now: Array) -> tuple[Array, Array, Indices]:
+        """Return the points at the ends of pieces, how far from `now` they are, and which is which end (2 k,)."""
+        both, which = np.unique(np.concatenate([low, high]), return_inverse=True)
+        points = self.chain.joints.unwound(self.points(both), now, self.limits)
+        return points, np.asarray(np.linalg.norm((points - now) * self._weights, axis=1), np.float64), which
 
     def _settled(self, point: Array, now: Array) -> Array:
         """Return the nearest point that descent reaches from one that is inside the limits."""
@@ -163,15 +169,15 @@ def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
             continue
         gap = joints.difference(q, samples[:-1])
         along = np.diff(motion.samples / joints.unit, axis=0)
-        part = np.clip(
-            np.einsum("kn,kn->k", gap, along) / np.maximum(np.einsum("kn,kn->k", along, along), 1e-300), 0, 1
-        )
+        square: Array = np.einsum("kn,kn->k", along, along)
+        part: Array = np.clip(np.einsum("kn,kn->k", gap, along) / np.maximum(square, TINY), 0.0, 1.0)
         foot = samples[:-1] + (part[:, None] * along) * joints.unit
         i = int(np.argmin(np.linalg.norm(joints.difference(q, foot), axis=1)))
-        turned = q + np.where(motion.chain.prismatic, 0.0, TURN * np.round((foot[i] - q) / TURN))
-        placed.append((i + float(part[i]), turned))
+        placed.append((i + float(part[i]), joints.unwound(q, foot[i], FREE)))
     placed.sort(key=lambda entry: entry[0])
-    out, marks, previous = [samples[0]], [], 0
+    out: list[Array] = [samples[0]]
+    marks: list[int] = []
+    previous = 0
     for place, point in [*placed, (float(len(samples) - 1), samples[-1])]:
         whole = int(np.ceil(place))
         out.extend(samples[max(previous, 1) : whole])
@@ -190,8 +196,8 @@ def _turned(motion: SelfMotion, samples: Array, marks: Indices) -> tuple[Array, 
     leaving = marks[~motion.chain.joints.inside_limits(ahead, motion.limits)[1]]
     first = int(leaving[0]) if len(leaving) else int(marks[0])
     shift = samples[-1] - samples[0]
-    shift = np.where(motion.chain.prismatic, 0.0, TURN * np.round(shift / TURN))
-    out = np.concatenate([samples[first:-1], samples[: first + 1] + shift])
+    whole = motion.chain.joints.unwound(np.zeros_like(shift), shift, FREE)
+    out = np.concatenate([samples[first:-1], samples[: first + 1] + whole])
     at = (marks - first) % (len(samples) - 1)
     return out, np.unique(np.concatenate([at, [0, len(out) - 1]]))
 

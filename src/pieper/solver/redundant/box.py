@@ -68,7 +68,7 @@ def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tupl
             break
         at, J = q[active], scaled_jacobian(chain, q[active])
         rate = damp[active] * np.minimum(square[active], 1.0) + LEAST_DAMPING
-        free = np.ones(at.shape, bool)
+        free, step = np.ones(at.shape, bool), np.zeros(at.shape)
         for _ in range(MADE_AGAIN):
             step = bounded(damped(rate)(J * free[:, None], e[active]), LONGEST) * unit
             stopped = free & (((at <= low[active]) & (step < 0)) | ((at >= high[active]) & (step > 0)))
@@ -162,7 +162,8 @@ def _towards(J: Array, gap: Array, weights: Array, low: Bools, high: Bools) -> A
         N = np.where(rank[..., None], 0.0, Vt) * free[:, None]  # rows that span what is free, held joints taken out
         A = np.einsum("kin,n,kjn->kij", N, weights, N) + 1e-12 * np.eye(gap.shape[1])
         b = np.einsum("kin,n,kn->ki", N, weights, gap)
-        step = np.einsum("kin,ki->kn", N, np.linalg.solve(A, b[..., None])[..., 0])
+        shares = np.asarray(np.linalg.solve(A, b[..., None])[..., 0], np.float64)
+        step = np.einsum("kin,ki->kn", N, shares)
         stopped = free & ((low & (step < 0)) | (high & (step > 0)))
         if not stopped.any():
             break

@@ -58,7 +58,7 @@ def _rows_through(plan: Plan, T: Array, points: Array, threads: int) -> Rows:
     try:
         rows = arm_rows(plan, T, values, threads)
     except PlanError:  # at one of the values two axes coincide: that pose keeps its point alone
-        rows = Rows(*_one_by_one(plan, T, values))
+        rows = _one_by_one(plan, T, values)
     rows = _widened(rows, most)
     own, within = plan.chain.joints.inside_limits(points[:, : plan.n], plan.limits)
     gap = plan.chain.joints.difference(rows.q, own[:, None])
@@ -73,23 +73,19 @@ def _rows_through(plan: Plan, T: Array, points: Array, threads: int) -> Rows:
     return Rows(q, valid, inside, rows.flags)
 
 
-def _one_by_one(plan: Plan, T: Array, values: Array) -> tuple[Array, Array, Array, Array]:
+def _one_by_one(plan: Plan, T: Array, values: Array) -> Rows:
     most = plan.max_solutions
-    q, valid = np.zeros((len(T), most, plan.n)), np.zeros((len(T), most), bool)
-    inside, flags = valid.copy(), np.zeros(len(T), np.uint8)
+    valid = np.zeros((len(T), most), bool)
+    out = Rows(np.zeros((len(T), most, plan.n)), valid, valid.copy(), np.zeros(len(T), np.uint8))
     for i in range(len(T)):
         try:
             rows = arm_rows(plan, T[i : i + 1], values[i : i + 1], 1)
         except PlanError:
             continue
         count = min(most, rows.q.shape[1])
-        q[i, :count], valid[i, :count], inside[i, :count] = (
-            rows.q[0, :count],
-            rows.valid[0, :count],
-            rows.inside[0, :count],
-        )
-        flags[i] = rows.flags[0]
-    return q, valid, inside, flags
+        out.q[i, :count], out.valid[i, :count] = rows.q[0, :count], rows.valid[0, :count]
+        out.inside[i, :count], out.flags[i] = rows.inside[0, :count], rows.flags[0]
+    return out
 
 
 def _widened(rows: Rows, most: int) -> Rows:

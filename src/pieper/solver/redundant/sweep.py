@@ -145,7 +145,8 @@ def _continued(plan: Plan, q: Array, valid: Bools, q_next: Array, valid_next: Bo
     there: Indices = distance.argmin(2)
     back: Indices = distance.argmin(1)
     nearest: Array = np.take_along_axis(distance, there[..., None], 2)[..., 0]
-    mutual: Bools = (np.take_along_axis(back, there, 1) == np.arange(q.shape[1])) & (nearest < LOST)
+    and_back: Indices = np.take_along_axis(back, there, 1)
+    mutual: Bools = np.equal(and_back, np.arange(q.shape[1], dtype=np.int64)) & (nearest < LOST)
     kept: Indices = mutual.sum(1)
     far: Bools = np.logical_or.reduce(mutual & (nearest > FAR), axis=1)
     doubt = (kept != valid.sum(1)) | (kept != valid_next.sum(1)) | far

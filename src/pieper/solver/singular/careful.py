@@ -10,7 +10,6 @@ from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
 from pieper.solver.singular.examined import Examined
-from pieper.solver.singular.from_axes import Asked, from_axes
 from pieper.tolerances import CLEARLY_REGULAR, SAME_AFTER_CUT
 
 
@@ -34,10 +33,6 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     # closed forms lose nothing next to a self-motion: only what an elimination gives is searched for more
     hiding = named(plan.family).eliminating
     if full.n == plan.n:
-        if full.n == 6 and not hiding and not plan.snapped:
-            found = from_axes(Asked(full, T, plan.limits, plan.names, plan.n), rows)
-            if found is not None:
-                return found
         return examine(full, T, rows, lambda poses: near_rows(plan, poses), plan.limits, plan.names, hiding=hiding)
     # values of the virtual joints are not known of given rows: all are solved for again
     found = examine(
@@ -98,6 +93,5 @@ def overlooked(plan: Plan, poses: Array) -> Bools:
     They may be singular, or lie at the edge of reach.
     """
     aside = side_steps(plan.chain, poses, (1e-9,))
-    count = aside.shape[1]
     valid = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[1]
-    return valid.reshape(len(poses), count, -1).any((1, 2))
+    return np.any(valid.reshape(len(poses), -1), axis=1)

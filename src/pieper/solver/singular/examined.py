@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -21,16 +22,28 @@ class Examined:
         q: (m, n) isolated solutions and one representative a self-motion.
         self_motion: (m,) index of the self-motion each row represents, or -1.
         multiplicity: (m,) branches that merge in the row.
-        direction: (m, n) unit null direction of a row on a singularity, along which branches merge or the arm moves by
-            itself; zeros for the others.
-        self_motions: The curves.
+        directions: What `direction` is, or what works it out.
+        motions: The curves, or what makes them.
     """
 
     q: Array
     self_motion: Indices
     multiplicity: Indices
-    direction: Array
-    self_motions: tuple[SelfMotion, ...]
+    directions: Array | Callable[[], Array]
+    motions: tuple[SelfMotion, ...] | Callable[[], tuple[SelfMotion, ...]]
+
+    @cached_property
+    def self_motions(self) -> tuple[SelfMotion, ...]:
+        """The curves."""
+        return self.motions() if callable(self.motions) else self.motions
+
+    @cached_property
+    def direction(self) -> Array:
+        """(m, n) unit null direction of a row on a singularity, along which branches merge or the arm moves by itself.
+
+        Zeros for the other rows.
+        """
+        return self.directions() if callable(self.directions) else self.directions
 
 
 def told(

@@ -158,7 +158,7 @@ class LineMotion(SelfMotion):
         wish = (q_now[j] - self.sense * (self.total - q_now[i])) / TURN
         ends = [self.sense * (self.total - x) for x in (low_i, high_i)]
         least, most = (low_j - max(ends)) / TURN, (high_j - min(ends)) / TURN
-        middle = int(np.round(np.clip(wish, least, most)))
+        middle = round(float(np.clip(wish, least, most)))
         around = itertools.chain([0], *((k, -k) for k in range(1, TURNS + 1)))
         return [middle + k for k in around]
 

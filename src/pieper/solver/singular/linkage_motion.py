@@ -95,8 +95,8 @@ class LinkageMotion(SelfMotion):
 
     def point(self, u: float) -> Array:
         """Return the point (n,) at u in [0, 1], a task's virtual joints included."""
-        near = np.array([np.interp(u, self.u, column) for column in self.samples.T])
-        return self.chain.joints.unwound(self.points(np.array([u]))[0], near, np.tile(FREE, (self.chain.n, 1)))
+        at = np.array([u])
+        return self.chain.joints.unwound(self.points(at), self.between(at), FREE)[0]
 
     def holds(self, q: Array, tolerance: float) -> bool:
         """Whether a solution q (n,) of the pose lies on this curve: by its leading angle, then by all."""

@@ -3,7 +3,7 @@
 The twists of these joints at a solution close on themselves, exp(x1 d1) exp(x2 d2) ... = 1, and go on doing so over a
 finite motion: two axes in one line turn against each other; four parallel ones are a planar four-bar linkage, four
 through a point a spherical one. A four-bar is a scalar equation between the angle that leads and the one opposite,
-each side a constant and one harmonic, so that every joint may lead, and where it can go is known exactly.
+each side a constant and one harmonic, so that every joint may lead. The kernel finds them (kernels/singular/).
 """
 
 from __future__ import annotations
@@ -13,9 +13,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
-from pieper.kinematics.chain import Chain
-from pieper.kinematics.joints import short_way
-from pieper.tolerances import LOOP_CRITICAL, LOOP_MOVES
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,31 +99,6 @@ class FourBar:
         reached = np.abs(value - other.middle) <= other.size * (1 + 1e-14)
         return out, reached
 
-    def range(self, lead: int) -> tuple[float, float] | None:
-        """Return where (rad, from the solution) the leading angle can go on the solution's own piece of the curve.
-
-        A whole turn where the linkage lets it go round. None where the pieces touch: there curves cross.
-        """
-        mine, other = self.sides(lead)
-        if min(mine.size, other.size) < LOOP_CRITICAL:
-            return None
-        # cosines of the angle's distance from its phase at the two ends of what the opposite angle can do
-        top = (other.middle + other.size - mine.middle) / mine.size
-        bottom = (other.middle - other.size - mine.middle) / mine.size
-        if min(abs(top - 1), abs(top + 1), abs(bottom - 1), abs(bottom + 1)) < LOOP_CRITICAL:
-            return None
-        least = np.arccos(top) if top < 1 else 0.0
-        most = np.arccos(bottom) if bottom > -1 else np.pi
-        if least == 0.0 and most == np.pi:
-            return mine.phase - np.pi, mine.phase + np.pi
-        if least == 0.0:
-            return mine.phase - most, mine.phase + most
-        if most == np.pi:
-            return mine.phase + least, mine.phase + 2 * np.pi - least
-        sign = 1.0 if float(short_way(-mine.phase)) > 0 else -1.0
-        ends = sorted((mine.phase + sign * least, mine.phase + sign * most))
-        return ends[0], ends[1]
-
 
 def _from(lead: int) -> tuple[int, int, int, int]:
     return lead, (lead + 1) % 4, (lead + 2) % 4, (lead + 3) % 4
@@ -141,50 +113,3 @@ def _rotated(axis: Array, angle: Array, v: Array) -> Array:
 def _angle_about(axis: Array, start: Array, end: Array) -> Array:
     """Return the angles (k,) about an axis (3,) that turn start (k, 3) to end (k, 3)."""
     return np.arctan2(np.cross(start, end) @ axis, np.sum(start * end, -1) - (start @ axis) * (end @ axis))
-
-
-def line_gap(z: Array, o: Array, i: int, j: int, length: float) -> float:
-    """Return by how much two axes miss being one line (rad and lengths, added up)."""
-    return float(np.linalg.norm(np.cross(z[i], z[j])) + np.linalg.norm(np.cross(o[j] - o[i], z[i])) / length)
-
-
-def four_bar(chain: Chain, z: Array, o: Array, null: Array) -> tuple[FourBar, float] | None:
-    """Return the four-bar that a null direction (n,) of the Jacobian moves, and by how much its axes miss being one.
-
-    None where the direction moves other than turning joints, or more than four of them.
-
-    Args:
-        chain: The arm.
-        z: Unit axes (n, 3) at the solution.
-        o: A point on each, (n, 3).
-        null: The joint direction without units that the pose feels least.
-    """
-    size = np.abs(null)
-    order = np.argsort(-size)
-    moving = np.sort(order[:4])
-    if size[order[4:]].max(initial=0.0) > LOOP_MOVES or chain.prismatic[moving].any():
-        return None
-    if size[order[3]] > LOOP_MOVES:
-        return _closed_by(chain, z, o, moving)
-    # one of the four may stand still for a moment, where it turns back
-    three = order[:3]
-    others = [j for j in np.flatnonzero(~chain.prismatic) if j not in three]
-    found = [_closed_by(chain, z, o, np.sort(np.append(three, j))) for j in others]
-    return min(found, key=lambda pair: pair[1], default=None)
-
-
-def _closed_by(chain: Chain, z: Array, o: Array, joints: Indices) -> tuple[FourBar, float]:
-    """Return four joints as a linkage, and by how much (rad and lengths, added up) their axes miss being one."""
-    axes, points = z[joints], o[joints] / chain.length
-    n = axes[0]
-    tilt = float(np.linalg.norm(np.cross(axes, n), axis=1).max())
-    across = np.eye(3) - axes[:, :, None] * axes[:, None, :]
-    point = np.linalg.lstsq(across.sum(0), np.einsum("kij,kj->i", across, points), rcond=None)[0]
-    apart = float(np.linalg.norm(np.cross(points - point, axes), axis=1).max())
-    if tilt > apart:
-        return FourBar(joints, axes, None, np.ones(4)), apart
-    x = np.cross(n, np.eye(3)[np.argmin(np.abs(n))])
-    x /= np.linalg.norm(x)
-    y = np.cross(n, x)
-    flat = (points - points[0]) @ x + 1j * ((points - points[0]) @ y)
-    return FourBar(joints, axes, flat, np.sign(axes @ n)), tilt

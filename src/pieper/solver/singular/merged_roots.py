@@ -8,17 +8,14 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import determinant, missed, null_space, singular_values
 from pieper.solver.singular import near_curve
-
-#: Solutions closer than this (rad; per length) are one.
-SAME = 1e-7
-#: What forward kinematics cannot tell from the pose (per length; rad): in the one direction that counts, and in all.
-ALONG, ROUNDING = 6e-16, 2e-15
-#: Rows farther apart than this (rad; per length) are never called one.
-BLUR = 5e-3
-#: Rows on two sides of a singularity (neighbouring roots of a curve) are called one up to here only (rad; per length).
-TWINS = 2e-6
-#: Step for the derivatives of what is missed along the null direction (rad; per length).
-STEP = 2e-2
+from pieper.tolerances import (
+    MERGED_ALONG,
+    MERGED_BLUR,
+    MERGED_ROUNDING,
+    MERGED_SAME,
+    MERGED_STEP,
+    MERGED_TWINS,
+)
 
 
 def null_direction(chain: Chain, q: Array) -> Array:
@@ -35,19 +32,19 @@ def branches_at(chain: Chain, q: Array, T: Array) -> int:
     """
     unit = chain.joints.unit
     here = near_curve.onto(chain, q[None], T, 0)
-    t = STEP * np.array([-2.0, -1.0, 1.0, 2.0])
+    t = MERGED_STEP * np.array([-2.0, -1.0, 1.0, 2.0])
     beside = near_curve.onto(chain, q + t[:, None] * here.null[0] * unit, T, 5)
     far, near, near2, far2 = beside.miss * np.sign(beside.left @ here.left[0])
     # to rounding c0 vanishes, and c1 is the singular value; the others by differences
     c1 = -singular_values(chain, q)[min(chain.n, 6) - 1]
-    c4 = ((far + far2) - 4 * (near + near2)) / (24 * STEP**4)
-    c3 = ((far2 - far) - 2 * (near2 - near)) / (12 * STEP**3)
-    c2 = (near + near2) / (2 * STEP**2) - c4 * STEP**2
-    noise = [0.0, 0.0, 1e-15 / STEP**2, 1e-15 / STEP**3, 1e-15 / STEP**4]
+    c4 = ((far + far2) - 4 * (near + near2)) / (24 * MERGED_STEP**4)
+    c3 = ((far2 - far) - 2 * (near2 - near)) / (12 * MERGED_STEP**3)
+    c2 = (near + near2) / (2 * MERGED_STEP**2) - c4 * MERGED_STEP**2
+    noise = [0.0, 0.0, 1e-15 / MERGED_STEP**2, 1e-15 / MERGED_STEP**3, 1e-15 / MERGED_STEP**4]
     c = [0.0 if abs(x) < e else x for x, e in zip((0.0, c1, c2, c3, c4), noise, strict=True)]
-    blur = min(((ROUNDING / abs(x)) ** (1 / k) for k, x in enumerate(c) if k and x), default=np.inf)
+    blur = min(((MERGED_ROUNDING / abs(x)) ** (1 / k) for k, x in enumerate(c) if k and x), default=np.inf)
     roots = np.roots(np.trim_zeros(c[::-1], "f")) if any(c) else np.zeros(0)
-    return max(1, int(np.sum(np.abs(roots) < max(SAME, 3 * blur))))
+    return max(1, int(np.sum(np.abs(roots) < max(MERGED_SAME, 3 * blur))))
 
 
 def distinct_roots(chain: Chain, rows: list[Array], T: Array) -> list[Array]:
@@ -70,14 +67,14 @@ def distinct_roots(chain: Chain, rows: list[Array], T: Array) -> list[Array]:
             other = q[k]
             gap = chain.joints.way(row, other)
             apart = np.max(np.abs(gap / unit))
-            if apart < SAME:
+            if apart < MERGED_SAME:
                 break
-            if apart < (BLUR if side[k] == side[index] else TWINS):
+            if apart < (MERGED_BLUR if side[k] == side[index] else MERGED_TWINS):
                 # a chord leaves a bent curve: what lies between is moved onto it
                 chord = other + np.array([[0.25], [0.5], [0.75]]) * gap
                 between = near_curve.onto(chain, chord, T, 3)
                 strayed = np.abs((between.q - chord) / unit).max()
-                told = np.abs(between.miss).max() > ALONG or between.rest.max() > ROUNDING * size
+                told = np.abs(between.miss).max() > MERGED_ALONG or between.rest.max() > MERGED_ROUNDING * size
                 if strayed < apart / 4 and not told:
                     break
         else:

@@ -14,14 +14,12 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import bounded, pose_difference, scaled_jacobian, turned_back
-from pieper.tolerances import TINY
+from pieper.tolerances import CURVE_WEAK, TINY
 
 #: What a curve may miss the pose by at most, and the relative sigma_min up to which it is followed.
 FAR, STEEP = 1e-4, 1e-2
 #: Step along a curve (rad; per length), and the most steps a way.
 STEP, MOST_STEPS = 0.2, 240
-#: Directions weaker than this (relative) are not corrected in.
-WEAK = 1e-6
 #: The five equations must hold this well (per length; rad) relative to what the sixth is missed by.
 ON = 1e-3
 
@@ -58,7 +56,7 @@ def onto(chain: Chain, q: Array, T: Array, steps: int = 4) -> Points:
 
     e, u, s, v, along = seen(q)
     for _ in range(steps):
-        q = q + bounded(turned_back(s, v, along, WEAK, weakest), 0.3) * chain.joints.unit
+        q = q + bounded(turned_back(s, v, along, CURVE_WEAK, weakest), 0.3) * chain.joints.unit
         e, u, s, v, along = seen(q)
     miss = along[:, weakest]
     left, null = u[:, :, weakest], v[:, weakest]

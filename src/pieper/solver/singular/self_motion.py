@@ -79,14 +79,20 @@ class SelfMotion:
         """(n,) unit tangent at the representative: the self-motion a controller would see there."""
         return null_space(self.chain, self.full_representative)[1][-1, : self.shown]
 
+    def between(self, u: Array) -> Array:
+        """Return joint vectors (k, n) at u (k,) on the straight lines between samples, near the curve and not on it."""
+        out = np.empty((len(u), self.chain.n))
+        for j, column in enumerate(self.samples.T):
+            out[:, j] = np.interp(u, self.u, column)
+        return out
+
     def at(self, u: float) -> Array:
         """Return the joint vector (n,) at the curve parameter u in [0, 1], exactly on the pose."""
         return self.point(u)[: self.shown]
 
     def point(self, u: float) -> Array:
         """Return the same with the task's virtual joints behind."""
-        guess = np.array([np.interp(u, self.u, column) for column in self.samples.T])
-        return newton(self.chain, guess, self.T, steps=6, cutoff=1e-7)
+        return newton(self.chain, self.between(np.array([u]))[0], self.T, steps=6, cutoff=1e-7)
 
     def at_joint(self, joint: int, value: float) -> Array:
         """Return the points (m, n) of the curve where a joint (0-based) has a value, whole turns apart from it counted.
@@ -104,10 +110,8 @@ class SelfMotion:
             point = self.samples[i] + part * (self.samples[i + 1] - self.samples[i])
             locked = self.chain.locked(joint, value)
             rest = newton(locked, np.delete(point, joint), self.T, steps=8)
-            turned = (
-                value + TURN * np.round((point[joint] - value) / TURN) if not self.chain.prismatic[joint] else value
-            )
-            point = np.insert(rest, joint, turned)
+            turns = 0 if self.chain.prismatic[joint] else round(float(point[joint] - value) / TURN)
+            point = np.insert(rest, joint, value + TURN * turns)
             if missed(self.chain, point, self.T) < CLOSES and not any(
                 np.allclose(point, other, atol=1e-7) for other in found
             ):

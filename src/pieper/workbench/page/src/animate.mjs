@@ -11,8 +11,10 @@ export function stop() {
 }
 
 /** Animated joint move to q, all joints together, quintic in time; resolves when there or when another move takes over. */
-export function moveTo(q, seconds = 0.8) {
+export function moveTo(q, seconds = 0.8, label = 'move to a posture') {
   stop();
+  tell('let-go');
+  tell('did', { label });
   const from = state.q.slice(),
     me = mine,
     began = performance.now();

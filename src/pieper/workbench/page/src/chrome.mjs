@@ -1,6 +1,7 @@
 // Around the arm: the bar at the top, the rail of panels, the buttons over the picture, undo by keyboard.
 import { h, replace, setText, choice, select, say } from './dom.mjs';
-import { state, on, tell, setTable, undo, redo, presentable } from './store.mjs';
+import { state, on, tell, setTable, presentable } from './store.mjs';
+import { undo, redo, toUndo, toRedo } from './history.mjs';
 import { units, showUnit } from './units.mjs';
 import { setTheme } from './theme.mjs';
 import { ask } from './link.mjs';
@@ -17,17 +18,34 @@ export function bar(root) {
   });
   const what = h('p', { class: 'sentence', 'data-testid': 'sentence' });
   const online = h('span', { class: 'online', role: 'status', 'data-testid': 'online' });
+  const stepButton = (text, name, go, keys) => {
+    const el = h('button', { type: 'button', text, 'aria-label': name, on: { click: go } });
+    el.show = (label) => {
+      el.disabled = !label;
+      el.title = label ? `${name}: ${label} (${keys})` : `Nothing to ${name.toLowerCase()}`;
+      el.setAttribute('aria-description', label ?? '');
+    };
+    return el;
+  };
+  const back = stepButton('↶', 'Undo', undo, 'Ctrl+Z'),
+    forth = stepButton('↷', 'Redo', redo, 'Ctrl+Shift+Z');
+  on('history', () => {
+    back.show(toUndo());
+    forth.show(toRedo());
+  });
   const list = () => {
-    const own = state.catalog?.includes(state.table.name)
+    const { name, derived, catalog } = state.table;
+    const own = catalog
       ? []
-      : [h('option', { value: '', text: state.table.name || 'my-arm' })];
+      : [h('option', { value: '', text: derived ? `${name} (from ${derived}, edited)` : name || 'my-arm' })];
     replace(
       arms,
       own,
       (state.catalog ?? []).map((name) => h('option', { value: name, text: name })),
     );
-    arms.value = own.length ? '' : state.table.name;
+    arms.value = catalog ?? '';
   };
+  const steps = h('span', { class: 'group', role: 'group', 'aria-label': 'History' }, back, forth);
   root.append(
     h(
       'span',
@@ -36,6 +54,7 @@ export function bar(root) {
       h('b', { text: 'pieper' }),
     ),
     arms,
+    steps,
     what,
     h(
       'span',
@@ -80,6 +99,7 @@ export function bar(root) {
       ),
     ),
   );
+  tell('history');
   on(['catalog', 'table'], list);
   on('plan', () => {
     setText(what, [countWords(state.plan), sentence(state.plan)].filter(Boolean).join('. ').replace('..', '.'));
@@ -99,7 +119,7 @@ async function open(name) {
   if (!name) return;
   try {
     const { table } = await ask('load', { name });
-    setTable(table, { q: presentable(table), what: 'new' });
+    setTable(table, { q: presentable(table), what: 'new', label: `open ${name}` });
   } catch (error) {
     say(error.message, 'wrong');
   }
@@ -110,6 +130,7 @@ export function rail(root, host, pinned, panels) {
   const tabs = h('div', { role: 'tablist', 'aria-orientation': 'vertical', class: 'tabs' });
   const wide = matchMedia('(min-width: 1700px)');
   root.append(tabs);
+  const scrolled = new Map();
   const built = panels.map((p) => {
     const panel = h('div', {
       role: 'tabpanel',
@@ -137,6 +158,7 @@ export function rail(root, host, pinned, panels) {
   });
   function show(id) {
     if (wide.matches && id === 'move') id = 'inverse';
+    scrolled.set(state.panel, host.scrollTop);
     state.panel = id;
     for (const b of built) {
       const pin = wide.matches && b.id === 'move';
@@ -152,6 +174,7 @@ export function rail(root, host, pinned, panels) {
       }
     }
     tell('panel', id);
+    host.scrollTop = scrolled.get(id) ?? 0;
   }
   tabs.addEventListener('keydown', (e) => {
     const way = { ArrowDown: 1, ArrowUp: -1, ArrowRight: 1, ArrowLeft: -1 }[e.key];
@@ -273,7 +296,7 @@ export function keys() {
   addEventListener('keydown', (e) => {
     if (!(e.ctrlKey || e.metaKey) || e.altKey) return;
     const key = e.key.toLowerCase(),
-      typing = e.target.matches?.('input[type=text], textarea') && !e.target.closest('.dh');
+      typing = e.target.matches?.('input[type=text]:not(.number), textarea');
     if (typing) return;
     if (key === 'z' && !e.shiftKey) {
       e.preventDefault();

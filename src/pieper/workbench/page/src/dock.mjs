@@ -6,7 +6,8 @@ import { play, stop } from './animate.mjs';
 import { colours } from './theme.mjs';
 import { kinds, series, csv, svg } from './curves.mjs';
 import { fixed } from './units.mjs';
-import { fitArm } from './scene/arm.mjs';
+import { showMotionRoom } from './scene/arm.mjs';
+import { keepInView } from './scene/view.mjs';
 
 let motion = null,
   plot = null,
@@ -114,7 +115,7 @@ export function build(root) {
   on(['units', 'theme'], draw);
   on('moving', (yes) => setText(toggle, yes && playing ? 'Pause' : 'Play'));
   on('table', (what) => {
-    if (motion && what !== 'postures' && what !== 'name') show(null);
+    if (motion && !['postures', 'name', 'gripper'].includes(what)) show(null);
   });
 }
 
@@ -128,8 +129,8 @@ export function show(next) {
     plot.destroy();
     plot = null;
   }
+  showMotionRoom(next?.table ?? null, next?.q ?? []);
   if (!next) {
-    requestAnimationFrame(() => fitArm());
     tell('motion');
     return;
   }
@@ -142,11 +143,17 @@ export function show(next) {
       m.style.setProperty('left', `${Math.min((100 * (e.x - next.xs[0])) / span, 100)}%`);
       return m;
     }),
+    (next.tight ?? []).map((x) => {
+      const m = h('span', { class: 'tight-mark', title: x.text });
+      m.style.setProperty('left', `${(100 * (x.start - next.xs[0])) / span}%`);
+      m.style.setProperty('width', `${(100 * (x.end - x.start)) / span}%`);
+      return m;
+    }),
   );
   draw();
-  if (next.q.length) go(0);
-  requestAnimationFrame(() => fitArm());
   tell('motion');
+  if (next.q.length) go(0);
+  requestAnimationFrame(() => keepInView());
 }
 export const current = () => motion;
 
@@ -164,6 +171,7 @@ export function go(k) {
   );
   els.scrub.setAttribute('aria-valuetext', els.where.textContent);
   setJoints(motion.q[index].slice(), 'scrub');
+  tell('played', motion.seconds[index]);
   point();
 }
 

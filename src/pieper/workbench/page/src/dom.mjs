@@ -142,3 +142,11 @@ export function say(text, tone = 'plain') {
   clearTimeout(timer);
   timer = setTimeout(() => el.classList.remove('shown'), tone === 'wrong' ? 8000 : 2500);
 }
+
+/** The first field in here that cannot be read, as a sentence, or null: nothing is computed from the number before it. */
+export function unreadable(root) {
+  const el = [...root.querySelectorAll('.number.wrong')].find((f) => !f.closest('[hidden]'));
+  if (!el) return null;
+  el.focus();
+  return `${el.getAttribute('aria-label')} cannot be read (${el.title}). Nothing was computed.`;
+}

@@ -30,6 +30,14 @@ function tokens(text) {
   return out;
 }
 
+/** A decimal comma is a decimal point; where it could be one of thousands, say so instead of guessing. */
+function withPoints(text) {
+  if (!text.includes(',')) return text;
+  if (text.includes('.') || /\d,\d*,/.test(text))
+    throw new Error('a comma is the decimal sign here: leave out the ones between thousands');
+  return text.replace(/(\d),(?=\d)|(\d),(?!\d)|(^|\D),(?=\d)/g, '$1$2$3.');
+}
+
 /**
  * Read what a person typed into a field that holds an angle, a length or a plain number.
  *
@@ -37,7 +45,7 @@ function tokens(text) {
  * the unit that the page shows. Returns {value (SI), symbolic} or throws an Error that says what is wrong.
  */
 export function read(text, kind = 'plain') {
-  const source = String(text);
+  const source = withPoints(String(text));
   if (source.length > LONGEST) throw new Error(`longer than ${LONGEST} characters`);
   const list = tokens(source);
   if (!list.length) throw new Error('empty: type a number, or an expression such as pi/2');

@@ -4,8 +4,13 @@ import { frames } from './kinematics.mjs';
 import { convert } from './convert.mjs';
 import { read } from './expression.mjs';
 import { withPresentNumbers } from './presentnumbers.mjs';
-import { cameraState, picturesDrawn, toScreen } from './scene/view.mjs';
-import { ghostCount, traceLength } from './scene/arm.mjs';
+import { cameraState, picturesDrawn, toScreen, withPicture } from './scene/view.mjs';
+import { ghostCount, traceLength, framesDrawn, beyondDrawn } from './scene/arm.mjs';
+import { toUndo, toRedo } from './history.mjs';
+import { handles } from './scene/gizmo.mjs';
+import { thingsDrawn, carriedAt } from './scene/world.mjs';
+import { gripperShown } from './scene/gripper.mjs';
+import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
 
@@ -35,6 +40,29 @@ export function expose() {
     get ghosts() {
       return ghostCount();
     },
+    get history() {
+      return [toUndo(), toRedo()];
+    },
+    get beyond() {
+      return beyondDrawn();
+    },
+    get things() {
+      return thingsDrawn();
+    },
+    get program() {
+      return structuredClone(state.program);
+    },
+    get motion() {
+      return structuredClone(state.motion);
+    },
+    get gripper() {
+      return gripperShown();
+    },
+    placeOf: (name) => carriedAt(name) ?? state.world.find((t) => t.name === name)?.T ?? null,
+    go,
+    get framesDrawn() {
+      return framesDrawn();
+    },
     get answers() {
       return counts.answers;
     },
@@ -45,6 +73,8 @@ export function expose() {
       return cloud.size();
     },
     toScreen,
+    withPicture: (f) => withPicture(f),
+    handles: () => handles(),
     forward: (table, q) => frames(table, q),
     convert: (table, to) => convert(table, to),
     read: (text, kind) => read(text, kind),

@@ -21,12 +21,18 @@ export function rowAt(joint, v) {
     : { a: joint.a, alpha: joint.alpha, d: joint.d + move, theta: joint.theta };
 }
 
+/** What the chain's rows move by at joint values q: the same numbers, or coupling @ q where one motor moves several rows. */
+export const chainValues = ({ coupling }, q) =>
+  coupling ? coupling.map((row) => row.reduce((sum, c, k) => sum + c * q[k], 0)) : q;
+
 /** A_1 .. A_n at q. */
-export const linkMatrices = (table, q) =>
-  table.joints.map((joint, i) => {
-    const r = rowAt(joint, q[i]);
+export function linkMatrices(table, q) {
+  const moved = chainValues(table, q);
+  return table.joints.map((joint, i) => {
+    const r = rowAt(joint, moved[i]);
     return linkMatrix(table.convention, r.a, r.alpha, r.d, r.theta);
   });
+}
 
 /** Base, after each joint, tool: n + 2 poses in the world frame. */
 export function frames(table, q) {
@@ -59,7 +65,8 @@ export function jacobian(table, q, F = frames(table, q)) {
       J[r + 3][i] = s * w[r];
     }
   });
-  return J;
+  const { coupling } = table;
+  return coupling ? J.map((row) => row.map((_, k) => row.reduce((sum, v, i) => sum + v * coupling[i][k], 0))) : J;
 }
 
 /** Sum of |a| and |d|, with the travel of prismatic joints: the size by which everything is drawn (m). */

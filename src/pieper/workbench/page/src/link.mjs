@@ -23,8 +23,12 @@ function connect() {
     tell('online', true);
   };
   socket.onmessage = ({ data }) => {
-    const m = JSON.parse(data),
-      entry = waiting.get(m.seq);
+    const m = JSON.parse(data);
+    if (m.push) {
+      tell('push', m.push);
+      return;
+    }
+    const entry = waiting.get(m.seq);
     if (!entry) return;
     if (m.ok && m.progress) {
       entry.progress?.(m);

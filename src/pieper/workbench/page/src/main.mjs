@@ -1,6 +1,7 @@
 // The page's door: puts the pieces in their places and connects to the session.
 import { $, say } from './dom.mjs';
-import { state, on, tell, setTable, presentable, forgetHistory } from './store.mjs';
+import { state, on, tell, setTable, presentable } from './store.mjs';
+import * as history from './history.mjs';
 import { readTheme } from './theme.mjs';
 import * as link from './link.mjs';
 import * as library from './library.mjs';
@@ -18,17 +19,28 @@ import { inverse } from './panels/inverse.mjs';
 import { dhTable } from './panels/dh_table.mjs';
 import { equations } from './panels/equations.mjs';
 import { path } from './panels/path.mjs';
+import { program } from './panels/program.mjs';
+import { world as worldPanel } from './panels/world.mjs';
 import { sequence } from './panels/sequence.mjs';
 import { analysis } from './panels/analysis.mjs';
 import { share } from './panels/share.mjs';
+import * as beside from './beside.mjs';
+import * as gripper from './scene/gripper.mjs';
+import * as playing from './playing.mjs';
+import * as world from './scene/world.mjs';
 import { expose } from './hook.mjs';
 
 readTheme();
 view.open($('#view'));
 on('theme', view.applyTheme);
 view.applyTheme();
+history.begin();
 arm.begin();
 gizmo.begin();
+world.begin();
+gripper.begin();
+playing.begin();
+beside.begin();
 library.begin();
 solving.begin();
 bar($('#bar'));
@@ -43,6 +55,8 @@ showPanel = rail($('#rail'), $('#panels'), $('#pinned'), [
   matrices,
   equations,
   path,
+  program,
+  worldPanel,
   sequence,
   analysis,
   share(() => showPanel),
@@ -61,10 +75,11 @@ on('online', async (yes) => {
   const hello = await link.greeting();
   state.catalog = hello.catalog;
   tell('catalog');
-  if (hello.table && !state.table.joints.length) {
+  if (hello.table && (!state.table.joints.length || hello.bench)) {
     setTable(hello.table, { q: presentable(hello.table), step: false, what: 'new' });
-    forgetHistory();
+    history.forgetHistory();
   }
+  beside.open(hello.bench);
   document.documentElement.dataset.ready = 'yes';
 });
 if (state.online) tell('online', true);

@@ -39,6 +39,7 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
       el.removeAttribute('aria-invalid');
       el.title = title ?? '';
     }
+    sayWhy(el, reason);
     el.dispatchEvent(new CustomEvent('verdict', { bubbles: true, detail: reason ? { label, reason } : null }));
   };
   const hear = (f) => {
@@ -56,11 +57,29 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
   el.addEventListener('change', () => {
     if (hear(commit ?? input)) el.blurred?.();
   });
-  el.addEventListener('focus', () => el.select());
+  let came = ''; // what stood here when the person came
+  el.addEventListener('focus', () => {
+    came = el.value;
+    if (el.classList.contains('wrong')) sayWhy(el, el.title);
+    el.select();
+  });
+  el.addEventListener('blur', () => sayWhy(el, null));
   el.addEventListener('keydown', (e) => {
+    const inTable = el.closest('table.dh');
+    if (e.key === 'Escape' && el.value !== came) {
+      e.preventDefault();
+      el.value = came;
+      hear(commit ?? input);
+      el.select();
+      return;
+    }
+    if (inTable && walk(el, e)) return;
     const way = { ArrowUp: 1, ArrowDown: -1 }[e.key];
-    if (e.key === 'Enter') el.select();
-    if (!way) return;
+    if (e.key === 'Enter') {
+      came = el.value;
+      el.select();
+    }
+    if (!way || (inTable && !e.altKey)) return;
     e.preventDefault();
     try {
       const got = parse();
@@ -77,8 +96,10 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
     last = value;
     lastText = text;
     el.value = text ?? (value === null || value === undefined ? '' : plain(value, kindOf()));
+    wholeNumber(el);
     if (el.classList.contains('wrong')) mark(null);
   };
+  el.addEventListener('input', () => wholeNumber(el));
   el.refresh = () => {
     const v = last,
       t = lastText;
@@ -86,4 +107,98 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
     el.put(v, t);
   };
   return el;
+}
+
+/** The last digit is never cut: long numbers are written smaller. */
+function wholeNumber(el) {
+  const room = el.clientWidth;
+  if (el.value.length < 7 && !el.shrunk) return;
+  el.style.removeProperty('font-size');
+  el.shrunk = false;
+  if (!room || el.scrollWidth <= room) return;
+  const size = parseFloat(getComputedStyle(el).fontSize);
+  el.style.setProperty(
+    'font-size',
+    `${Math.max(0.58 * size, (size * (room - 14)) / (el.scrollWidth - 14)).toFixed(2)}px`,
+  );
+  el.shrunk = true;
+}
+
+// ---- the reason, under the field, read aloud
+let why = null;
+function sayWhy(el, reason) {
+  if (!reason) {
+    if (why && why.about === el) why.hidden = true;
+    el.removeAttribute('aria-describedby');
+    return;
+  }
+  if (!why) {
+    why = h('div', { class: 'why', id: 'why', role: 'alert', 'data-testid': 'why' });
+    document.body.append(why);
+  }
+  why.about = el;
+  why.hidden = false;
+  if (why.textContent !== reason) why.textContent = reason;
+  el.setAttribute('aria-describedby', 'why');
+  const r = el.getBoundingClientRect();
+  why.style.setProperty('top', `${r.bottom + 4}px`);
+  why.style.setProperty('left', `${Math.max(8, Math.min(r.left, innerWidth - why.offsetWidth - 8))}px`);
+}
+addEventListener('scroll', () => why && (why.hidden = true), true);
+
+/** Arrows and Enter go from cell to cell; within a text the arrows go along it first. Returns whether the key was used. */
+function walk(el, e) {
+  const whole = el.selectionStart === 0 && el.selectionEnd === el.value.length;
+  const down = { ArrowUp: -1, ArrowDown: 1, Enter: e.shiftKey ? -1 : 1 }[e.key];
+  const side =
+    {
+      ArrowLeft: whole || el.selectionEnd === 0 ? -1 : 0,
+      ArrowRight: whole || el.selectionStart === el.value.length ? 1 : 0,
+    }[e.key] ?? 0;
+  if (e.altKey || e.ctrlKey || e.metaKey || (!down && !side)) return false;
+  const rows = [...el.closest('tbody').rows].map((r) => [...r.querySelectorAll('input.number')]);
+  const y = rows.findIndex((r) => r.includes(el)),
+    x = rows[y].indexOf(el);
+  const next = rows[y + (down ?? 0)]?.[x + side];
+  if (e.key === 'Enter') el.dispatchEvent(new Event('change'));
+  if (!next) return e.key !== 'Enter';
+  e.preventDefault();
+  next.focus();
+  return true;
+}
+
+/**
+ * Numbers out of a clipboard: rows and columns of a spreadsheet, or brackets as Python and MATLAB write them; null where it
+ * is one entry only.
+ */
+export function pasted(text) {
+  const rows = text
+    .trim()
+    .replace(/^\[\s*\[|\]\s*\]$/g, '')
+    .split(/\]\s*,?\s*\[|[;\r\n]+/)
+    .map((line) => line.replace(/^[\s[(,]+|[\s\]),]+$/g, ''))
+    .filter(Boolean)
+    .map((line) => {
+      const tabs = line.split('\t');
+      // a comma between digits with no other sign between entries would be ambiguous: with a blank after it, it parts them
+      return (tabs.length > 1 ? tabs : line.split(/\s*,\s+|\s+|,(?=[^,]*\.)|,(?=[A-Za-z(-])/))
+        .map((v) => v.trim())
+        .filter(Boolean);
+    });
+  return rows.length > 1 || (rows[0]?.length ?? 0) > 1 ? rows : null;
+}
+/** Put pasted rows into fields, from one on; returns how many found a place. */
+export function fillFrom(rowsOfFields, y, x, rows) {
+  let filled = 0;
+  rows.forEach((row, i) =>
+    row.forEach((text, k) => {
+      const el = rowsOfFields[y + i]?.[x + k];
+      if (!el) return;
+      el.value = text;
+      el.dispatchEvent(new Event('input', { bubbles: true }));
+      el.dispatchEvent(new Event('change', { bubbles: true }));
+      filled += 1;
+    }),
+  );
+  return filled;
 }

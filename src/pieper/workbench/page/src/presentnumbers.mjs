@@ -1,5 +1,5 @@
 // Forward equations with the present numbers put in: c_{23} becomes the cosine of theta_2 + theta_3 as it now is.
-import { rowAt } from './kinematics.mjs';
+import { rowAt, chainValues } from './kinematics.mjs';
 
 const DIGITS = 4;
 const number = (v) => {
@@ -9,7 +9,8 @@ const number = (v) => {
 
 /** LaTeX of an equation, lengths already as numbers, with its sines, cosines and slides as numbers too. */
 export function withPresentNumbers(equation, table, q) {
-  const rows = table.joints.map((joint, i) => rowAt(joint, q[i]));
+  const moved = chainValues(table, q),
+    rows = table.joints.map((joint, i) => rowAt(joint, moved[i]));
   const angle = (joints) => joints.reduce((sum, [j, factor]) => sum + factor * rows[j - 1].theta, 0);
   const value = {
     cos: (joints) => Math.cos(angle(joints)),

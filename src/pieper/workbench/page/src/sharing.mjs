@@ -1,5 +1,6 @@
 // The whole state of the page as one small object: in the address, in a file, and back, with nothing taken on trust.
-import { state, on, tell, setTable, setTarget, setJoints, forgetHistory } from './store.mjs';
+import { state, on, tell, setTable, setTarget, setJoints } from './store.mjs';
+import { forgetHistory } from './history.mjs';
 import { units } from './units.mjs';
 import { notations } from './rotation.mjs';
 import { rotationDefect, identity, nearestRotation } from './matrix.mjs';
@@ -18,12 +19,17 @@ export function snapshot() {
     table,
     q,
     target: hasTarget ? target : null,
+    digits: state.digits,
     task: options.task,
     redundancy: options.redundancy,
+    follow: options.follow,
+    ghosts: options.ghosts,
     notation,
     frames: shownFrames,
     path,
     sequence,
+    program: { steps: state.program, start: state.start, limits: state.limits },
+    world: state.world,
     panel,
     theme,
     units: [units.angle, units.length],
@@ -41,10 +47,15 @@ const pose = (v) => {
   const defect = rotationDefect(v);
   return defect < 1e-12 ? v.slice() : defect < 1e-3 ? nearestRotation(v) : null;
 };
+const digits = (d) =>
+  d && isNumber(d.metres) && isNumber(d.radians) ? { metres: d.metres, radians: d.radians } : null;
 const actuator = (a) =>
   a && [a.lower, a.upper, a.value].every(isNumber) && a.lower <= a.upper
     ? { name: text(a.name, 40), lower: a.lower, upper: a.upper, value: a.value, unit: text(a.unit, 10) }
     : null;
+
+/** The square of numbers that couples the joints, or null for joints that each move their own row. */
+const coupling = (c, n) => (Array.isArray(c) && c.length === n && c.every((row) => numbers(row, n)) ? c : null);
 
 function tableFrom(t) {
   if (
@@ -96,7 +107,57 @@ function tableFrom(t) {
     source: text(t.source, 2000),
     notes: text(t.notes, 3000),
     actuator: actuator(t.actuator),
+    catalog: text(t.catalog, 60) || undefined,
+    derived: text(t.derived, 60) || undefined,
+    coupling: coupling(t.coupling, joints.length),
   };
+}
+
+const STEPS = { joint: 0, line: 0, circle: 0, wait: 'seconds', gripper: 'value', output: 'port' };
+function stepFrom(x, n) {
+  if (!x || !Object.hasOwn(STEPS, x.kind)) return null;
+  const key = STEPS[x.kind];
+  if (key)
+    return isNumber(x[key])
+      ? { kind: x.kind, [key]: x[key], ...(x.kind === 'output' ? { value: Boolean(x.value) } : {}) }
+      : null;
+  const q = x.kind === 'joint' && numbers(x.q, n) ? x.q.slice() : null,
+    T = pose(x.T);
+  if (!T || (x.kind === 'circle' && !pose(x.via))) return null;
+  const some = (key, v) => (v === null ? {} : { [key]: v });
+  return {
+    kind: x.kind,
+    ...some('q', q),
+    T,
+    ...some('via', pose(x.via)),
+    ...some('speed', isNumber(x.speed) && x.speed > 0 ? x.speed : null),
+    blend: isNumber(x.blend) && x.blend >= 0 ? x.blend : 0,
+  };
+}
+const BODIES = { frame: [], box: ['size'], cylinder: ['r', 'h'] };
+function thingFrom(x) {
+  if (!x || !Object.hasOwn(BODIES, x.kind)) return null;
+  const T = pose(x.T),
+    name = text(x.name, 40);
+  const good = (k) => (k === 'size' ? numbers(x.size, 3) && x.size.every((v) => v > 0) : isNumber(x[k]) && x[k] > 0);
+  if (!T || !name || !BODIES[x.kind].every(good)) return null;
+  return {
+    kind: x.kind,
+    name,
+    T,
+    role: x.role === 'object' ? 'object' : 'obstacle',
+    ...Object.fromEntries(BODIES[x.kind].map((k) => [k, x[k]])),
+  };
+}
+function restoreProgram(s, n) {
+  const list = (v, f, most) => (Array.isArray(v) ? v.slice(0, most).map(f).filter(Boolean) : []);
+  const p = s.program ?? {};
+  state.program = list(p.steps, (x) => stepFrom(x, n), 200);
+  state.start = numbers(p.start, n) ? p.start.slice() : null;
+  state.limits = Object.fromEntries(
+    Object.entries(p.limits ?? {}).filter(([k, v]) => k.length < 30 && (v === null || (isNumber(v) && v > 0))),
+  );
+  state.world = list(s.world, thingFrom, 60);
 }
 
 /** Take a state; throws with the reason when it is not one of ours. */
@@ -125,18 +186,21 @@ export function restore(s, showPanel) {
     .filter((x) => x && numbers(x.q, n) && isNumber(x.seconds) && isNumber(x.hold))
     .slice(0, 40)
     .map((x) => ({ name: text(x.name, 20) || 'P', q: x.q.slice(), seconds: x.seconds, hold: x.hold }));
+  restoreProgram(s, n);
   if (['pose', 'position', 'position+axis'].includes(s.task)) options.task = s.task;
   const held = Object.entries(s.redundancy ?? {}).filter(([name, v]) => name.length < 80 && isNumber(v));
   options.redundancy = held.length ? Object.fromEntries(held.slice(0, MOST_JOINTS)) : null;
+  if (typeof s.follow === 'boolean') options.follow = s.follow;
+  if (['all', 'inside', 'none'].includes(s.ghosts)) options.ghosts = s.ghosts;
   const target = pose(s.target);
   state.hasTarget = Boolean(target);
-  if (target) setTarget(target, 'restored');
-  forgetHistory();
-  for (const topic of ['units', 'notation', 'sequence-loaded']) tell(topic);
+  if (target) setTarget(target, 'restored', digits(s.digits));
+  for (const topic of ['units', 'notation', 'sequence-loaded', 'task', 'program', 'world']) tell(topic);
   showPanel(s.panel);
   tell('path-loaded');
   if (numbers(s.camera, 6)) setCamera(s.camera);
   setJoints(state.q, 'restored');
+  forgetHistory();
 }
 
 // ---- the address
@@ -154,6 +218,8 @@ export async function link() {
   return `${location.origin}${location.pathname}#s=${base64}`;
 }
 export async function fromAddress() {
+  const left = leftBehind();
+  if (left) return left;
   const m = /^#s=([\w-]+)$/.exec(location.hash);
   if (!m) return null;
   if (m[1].length > 60_000) throw new Error('The link is too long.');
@@ -161,6 +227,25 @@ export async function fromAddress() {
   const plain = await squeeze(bytes, DecompressionStream);
   if (plain.length > 500_000) throw new Error('The link unfolds to more than it should.');
   return JSON.parse(new TextDecoder().decode(plain));
+}
+
+const DRAWER = 'pieper-workbench';
+/** What this very tab showed when it was left, to the last digit, if its address is still the same. */
+function leftBehind() {
+  try {
+    const { address, shown } = JSON.parse(sessionStorage.getItem(DRAWER) ?? '{}');
+    return shown && address === location.href ? shown : null;
+  } catch {
+    return null;
+  }
+}
+function leave() {
+  if (!state.table.joints.length) return;
+  try {
+    sessionStorage.setItem(DRAWER, JSON.stringify({ address: location.href, shown: snapshot() }));
+  } catch {
+    /* the address has it but for the last moment */
+  }
 }
 
 let last = null;
@@ -174,5 +259,23 @@ const keep = debounce(async () => {
 }, 600);
 /** Keep the address in step with the page, so that reloading or bookmarking loses nothing. */
 export function begin() {
-  on(['table', 'q', 'target', 'solutions', 'units', 'notation', 'panel', 'path', 'sequence', 'theme', 'frames'], keep);
+  addEventListener('pagehide', leave);
+  on(
+    [
+      'table',
+      'q',
+      'target',
+      'solutions',
+      'units',
+      'notation',
+      'panel',
+      'path',
+      'sequence',
+      'program',
+      'world',
+      'theme',
+      'frames',
+    ],
+    keep,
+  );
 }

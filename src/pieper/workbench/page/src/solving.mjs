@@ -1,5 +1,5 @@
 // Asking for every solution of the target, at the speed of the hand: the newest target only, ghosts with every answer.
-import { state, on, tell, setJoints } from './store.mjs';
+import { state, on, tell, setJoints, EDITED } from './store.mjs';
 import { newestOnly, Offline } from './link.mjs';
 import { askArm } from './library.mjs';
 import { showGhosts, showPreview } from './scene/arm.mjs';
@@ -8,20 +8,26 @@ import { isDragging } from './scene/gizmo.mjs';
 export const options = { follow: true, ghosts: 'all', task: null, redundancy: null };
 export const counts = { answers: 0 };
 
+/** Whether the newest question comes of a person's hand on the target, which the arm follows. */
+let edited = false;
 const ask = newestOnly(async () => {
+  const followed = edited;
+  edited = false;
   const T = state.target,
     table = state.table;
   try {
     const brief = isDragging() || sliding;
-    const answer = await askArm('ik', { T, q: state.q, brief, task: options.task, redundancy: options.redundancy });
+    const digits = brief ? null : state.digits;
+    const { task, redundancy } = options;
+    const answer = await askArm('ik', { T, q: state.q, brief, task, redundancy, digits });
     // an answer to an older question is worth showing only while the hand is still moving
     if (table !== state.table || (T !== state.target && !brief)) return;
     counts.answers += 1;
     state.solutions = { ...answer, T, brief };
-    if (options.follow && answer.nearest) setJoints(answer.nearest, 'follow');
+    if (followed && options.follow && answer.nearest) setJoints(answer.nearest, 'follow');
     drawGhosts();
     tell('solutions');
-    if (answer.status === 'OUT_OF_REACH' && !brief) findNearest(T);
+    if (!brief && !answer.rows.some((r) => r.inside)) findNearest(T);
     if (answer.self_motions === null && !brief) findSelfMotions(state.solutions);
   } catch (error) {
     if (error instanceof Offline) return;
@@ -35,10 +41,13 @@ let sliding = false;
 /** A spare coordinate is being slid: answers without words until the hand rests, which `solve` is told by. */
 export function slide() {
   sliding = true;
+  edited = true;
   ask();
 }
-export function solve() {
+/** Ask anew; the arm goes to the answer only when a person has just edited what is asked for. */
+export function solve({ follow = false } = {}) {
   sliding = false;
+  edited ||= follow;
   ask();
 }
 
@@ -57,7 +66,7 @@ const findSelfMotions = newestOnly(async (asked) => {
 
 const findNearest = newestOnly(async (T) => {
   try {
-    const near = await askArm('nearest', { T });
+    const near = await askArm('nearest', { T, task: options.task });
     if (state.solutions && state.solutions.T === T) {
       state.solutions.near = near;
       tell('solutions');
@@ -79,8 +88,12 @@ export function drawGhosts() {
 }
 
 export function begin() {
-  on('target', () => {
-    if (state.panel === 'inverse') solve();
+  on('target', (why) => {
+    if (state.panel === 'inverse') solve({ follow: EDITED.has(why) });
+  });
+  on('task', () => {
+    tell('plan');
+    if (state.panel === 'inverse' && state.hasTarget) solve();
   });
   on('panel', (id) => {
     showPreview(null);

@@ -16,6 +16,7 @@ export const state = {
   frames: [identity(), identity()],
   plan: null, // what kind of arm this is, from the library
   target: identity(),
+  digits: null, // half of the last digits a typed target has: {metres, radians}
   solutions: null, // the library's answer for the target
   notation: 'rpy',
   shownFrames: null, // indices into frames
@@ -23,6 +24,10 @@ export const state = {
   track: null,
   sequence: { postures: [], rate: 50 },
   motion: null,
+  program: [], // steps, each an object that is replaced and never written into
+  limits: null, // of the program's motion, SI; null for the usual ones
+  start: null, // where the program begins, joint values
+  world: [], // what stands around the arm, likewise
   panel: 'move',
   theme: 'auto',
   online: false,
@@ -34,6 +39,7 @@ export function setJoints(q, why = 'hand') {
   tell('q', why);
 }
 export function setJoint(i, value, why = 'hand') {
+  if (why === 'hand') tell('did', { label: `move q${i + 1}`, key: `q${i + 1}` });
   const q = state.q.slice();
   q[i] = value;
   setJoints(q, why);
@@ -90,12 +96,23 @@ export function presentable(table) {
   });
 }
 
+/** What makes an arm a catalogue's arm no longer: its rows, its joints, its base or tool. */
+const EDITS = new Set(['edit', 'cell', 'rows']);
+/** An edited arm of the catalogue is somebody's own: maker and source do not stand for it. */
+function own(table, what) {
+  if (!table.catalog || !EDITS.has(what)) return table;
+  const { catalog, ...rest } = table;
+  const notes = `Derived from ${catalog} of the catalogue, edited in the workbench.`;
+  return { ...rest, name: `${catalog}-edited`.slice(0, 60), derived: catalog, manufacturer: '', source: '', notes };
+}
+
 /**
  * Take a table as the arm. The posture is kept where the joints are still the same ones.
- * `step` makes it a step of undo.
+ * `label` makes it a step of the history; `key` and `open` say which steps are one.
  */
-export function setTable(table, { step = true, q = null, what = 'edit' } = {}) {
-  if (step) remember();
+export function setTable(given, { step = true, q = null, what = 'edit', label = 'edit the arm', key, open } = {}) {
+  const table = own(given, what);
+  if (step) tell('did', { label, key, open });
   const same = table.joints.length === state.q.length;
   state.table = table;
   state.q = q ?? (same ? state.q : table.joints.map((j, i) => state.q[i] ?? clampInto(j)));
@@ -105,35 +122,13 @@ export function setTable(table, { step = true, q = null, what = 'edit' } = {}) {
   tell('q', 'table');
 }
 
-// ---- undo and redo: whole tables, which are small
-const past = [],
-  future = [];
-const DEPTH = 200;
-const snapshot = () => ({ table: structuredClone(state.table), q: state.q.slice() });
-function remember() {
-  past.push(snapshot());
-  if (past.length > DEPTH) past.shift();
-  future.length = 0;
-  tell('history');
-}
-function step(from, to) {
-  if (!from.length) return;
-  to.push(snapshot());
-  const s = from.pop();
-  setTable(s.table, { step: false, q: s.q, what: 'undo' });
-  tell('history');
-}
-export const undo = () => step(past, future);
-export const redo = () => step(future, past);
-export const canUndo = () => past.length > 0;
-export const canRedo = () => future.length > 0;
-export function forgetHistory() {
-  past.length = 0;
-  future.length = 0;
-  tell('history');
-}
-
-export function setTarget(T, why = 'typed') {
+/** Who set a target: a person that edits it is followed by the arm, everything else leaves the posture as it is. */
+export const EDITED = new Set(['typed', 'drag', 'dropped', 'chosen', 'python']);
+export function setTarget(T, why = 'typed', digits = null) {
+  if (why === 'drag') tell('did', { label: 'drag the target', key: 'drag', open: true });
+  else if (why === 'dropped') tell('let-go');
+  else if (why === 'typed' || why === 'chosen') tell('did', { label: 'set the target', key: 'target' });
   state.target = T;
+  if (why !== 'dropped') state.digits = digits;
   tell('target', why);
 }

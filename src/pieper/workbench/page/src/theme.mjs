@@ -15,6 +15,7 @@ const names = [
   'line',
   'trace',
   'panel',
+  'wrong',
 ];
 /** Eight curve colours that stay apart for colour-blind eyes (after Okabe and Ito, 2008), one set for each theme. */
 const curves = {

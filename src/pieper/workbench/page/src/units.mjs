@@ -41,3 +41,13 @@ export const showUnit = (value, kind, n) =>
 export const plain = (value, kind = 'plain') => String(Number((value * units.factor(kind)).toPrecision(9)) + 0);
 /** Short scientific text such as 3e-16 for residuals. */
 export const tiny = (v) => (v === 0 ? '0' : v.toExponential(0).replace('-', '−'));
+
+/**
+ * Half of the last digit that somebody typed, SI: of the finest of these texts, and never less than of what the page shows,
+ * since a whole number is as a rule meant as it stands.
+ */
+export function halfDigit(texts, kind) {
+  const typed = texts.map((t) => /^[-+−]?\d*[.,](\d+)$/.exec(t.trim())?.[1].length ?? 0);
+  const decimals = Math.max(0, ...typed) || units.digits(kind);
+  return (0.5 * 10 ** -decimals) / units.factor(kind);
+}

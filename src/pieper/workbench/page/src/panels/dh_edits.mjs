@@ -1,6 +1,6 @@
 // What editing a DH table does to the arm: cells, and joints that come, go or change places.
 import { say } from '../dom.mjs';
-import { state, setTable } from '../store.mjs';
+import { state, setTable, tell } from '../store.mjs';
 
 const MOST = 30;
 const newJoint = (i) => ({
@@ -16,24 +16,41 @@ const newJoint = (i) => ({
   offset: 0,
 });
 
-let editing = null; // the cell whose first keystroke made a step of undo
+const NAMES = { a: 'a', alpha: 'α', d: 'd', theta: 'θ', lower: 'lower limit', upper: 'upper limit', offset: 'zero' };
+let pasting = null;
+/** Everything that happens in f is one step. */
+export function asOne(label, f) {
+  pasting = { label, key: 'paste', open: true };
+  try {
+    f(pasting);
+  } finally {
+    pasting = null;
+    tell('let-go');
+  }
+}
 export function change(i, key, value, { symbolic, text }, done) {
-  const cell = `${i}/${key}`,
-    step = editing !== cell;
-  editing = done ? null : cell;
   const joints = state.table.joints.map((j, k) =>
     k !== i ? j : { ...j, [key]: value, text: { ...j.text, [key]: symbolic ? text : undefined } },
   );
   const same =
     Object.is(state.table.joints[i][key], value) && state.table.joints[i].text?.[key] === joints[i].text[key];
-  if (!same) setTable({ ...state.table, joints }, { step, what: 'cell' });
+  const label = `edit ${NAMES[key] ?? key} of joint ${i + 1}`;
+  const step = { what: 'cell', label, key: `${i}/${key}`, open: true };
+  if (!same) setTable({ ...state.table, joints }, pasting ? { ...step, ...pasting } : step);
+  if (done && !pasting) tell('let-go');
 }
-/** Joints come, go or change places; what is said joint by joint (the posture, the named postures) goes with them. */
-export function restructure(joints, along) {
-  editing = null;
-  const postures = Object.fromEntries(Object.entries(state.table.postures ?? {}).map(([name, q]) => [name, along(q)]));
-  setTable({ ...state.table, joints, postures }, { q: along(state.q), what: 'rows' });
+/**
+ * Joints come, go or change places; what is said joint by joint (the posture, the named postures, the coupling) goes with them.
+ * `along` takes a list of n entries to the new places, a new place being filled with `fresh`.
+ */
+export function restructure(joints, along, label, { key, open } = {}) {
+  const { postures, coupling } = state.table;
+  const named = Object.fromEntries(Object.entries(postures ?? {}).map(([name, q]) => [name, along(q, 0)]));
+  const q = along(state.q, 0);
+  const coupled = coupling ? along(coupling, null).map((row, i) => unit(row && along(row, 0), i, joints.length)) : null;
+  setTable({ ...state.table, joints, postures: named, coupling: coupled }, { q, what: 'rows', label, key, open });
 }
+const unit = (row, i, n) => row ?? Array.from({ length: n }, (_, k) => Number(k === i));
 
 export function limitReason(i, key, v) {
   const j = state.table.joints[i];
@@ -42,14 +59,18 @@ export function limitReason(i, key, v) {
   if (key === 'upper' && j.lower !== null && v < j.lower) return 'below the lower limit';
   return null;
 }
-export function add() {
+export function add({ label, key, open } = {}) {
   const n = state.table.joints.length;
   if (n >= MOST) {
     say(`At most ${MOST} joints.`, 'wrong');
-    return;
+    return false;
   }
-  restructure([...state.table.joints, newJoint(n)], (q) => [...q, 0]);
+  restructure([...state.table.joints, newJoint(n)], (list, fresh) => [...list, fresh], label ?? `add joint ${n + 1}`, {
+    key,
+    open,
+  });
   document.querySelector(`[data-testid="dh-${n + 1}-a"]`)?.focus();
+  return true;
 }
 export function swap(i, k) {
   const swapped = (list) => {
@@ -57,9 +78,5 @@ export function swap(i, k) {
     [out[i], out[k]] = [out[k], out[i]];
     return out;
   };
-  restructure(swapped(state.table.joints), swapped);
+  restructure(swapped(state.table.joints), swapped, `swap joints ${i + 1} and ${k + 1}`);
 }
-/** A new keystroke is a new step of undo from here on. */
-export const settled = () => {
-  editing = null;
-};

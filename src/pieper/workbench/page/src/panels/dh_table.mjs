@@ -1,12 +1,12 @@
 // The DH table, editable in place: numbers or expressions, joints added, removed, reordered; a wrong entry leaves the last good arm.
-import { h, replace, setText, choice } from '../dom.mjs';
-import { state, on, setTable, canUndo, canRedo, undo, redo } from '../store.mjs';
+import { h, replace, setText, choice, say } from '../dom.mjs';
+import { state, on, setTable } from '../store.mjs';
 import { units } from '../units.mjs';
-import { numberField } from '../numberfield.mjs';
+import { numberField, pasted, fillFrom } from '../numberfield.mjs';
 import { convert } from '../convert.mjs';
 import { blank } from '../kinematics.mjs';
 import { countWords } from '../library.mjs';
-import { add, change, limitReason, restructure, settled, swap } from './dh_edits.mjs';
+import { add, asOne, change, limitReason, restructure, swap } from './dh_edits.mjs';
 import { openRobot, saveRobot } from './robot_files.mjs';
 import { poseEditor } from './pose_editor.mjs';
 
@@ -23,6 +23,8 @@ const columns = {
     ['offset', 'zero', null],
   ],
 };
+/** A renamed arm keeps its mathematics and is the catalogue's no longer by name. */
+const unlisted = ({ catalog, ...table }) => (catalog ? { ...table, derived: catalog } : table);
 const motion = (joint) => (joint.type === 'R' ? 'angle' : 'length');
 export const dhTable = {
   id: 'table',
@@ -44,7 +46,8 @@ export const dhTable = {
       ],
       state.table.convention,
       (to) => {
-        if (to !== state.table.convention) setTable(convert(state.table, to), { what: 'rows' });
+        if (to !== state.table.convention)
+          setTable(convert(state.table, to), { what: 'rows', label: `make the table ${to}` });
       },
       'convention',
     );
@@ -54,10 +57,11 @@ export const dhTable = {
       'aria-label': 'Name of the arm',
       'data-testid': 'arm-name',
       maxlength: '60',
-      on: { change: () => setTable({ ...state.table, name: name.value || 'my-arm' }, { what: 'name' }) },
+      on: {
+        change: () =>
+          setTable({ ...unlisted(state.table), name: name.value || 'my-arm' }, { what: 'name', label: 'name the arm' }),
+      },
     });
-    const undoButton = h('button', { type: 'button', text: 'Undo', title: 'Ctrl+Z', on: { click: undo } });
-    const redoButton = h('button', { type: 'button', text: 'Redo', title: 'Ctrl+Shift+Z', on: { click: redo } });
     const file = h('input', {
       type: 'file',
       accept: '.toml,.urdf,.xml',
@@ -71,19 +75,19 @@ export const dhTable = {
       'Base',
       'base',
       () => state.table.base,
-      (T, step) => setTable({ ...state.table, base: T }, { step, what: 'cell' }),
+      (T) => setTable({ ...state.table, base: T }, { what: 'cell', label: 'edit the base', key: 'base', open: true }),
     );
     const tool = poseEditor(
       'Tool',
       'tool',
       () => state.table.tool,
-      (T, step) => setTable({ ...state.table, tool: T }, { step, what: 'cell' }),
+      (T) => setTable({ ...state.table, tool: T }, { what: 'cell', label: 'edit the tool', key: 'tool', open: true }),
     );
     root.append(
       h(
         'div',
         { class: 'line spread' },
-        h('span', { class: 'line' }, name, undoButton, redoButton),
+        h('span', { class: 'line' }, name),
         h(
           'span',
           { class: 'line' },
@@ -91,7 +95,10 @@ export const dhTable = {
             type: 'button',
             text: 'Blank',
             title: 'An empty table',
-            on: { click: () => setTable(blank(state.table.convention), { q: [], what: 'new' }) },
+            on: {
+              click: () =>
+                setTable(blank(state.table.convention), { q: [], what: 'new', label: 'begin a blank table' }),
+            },
           }),
           h('button', {
             type: 'button',
@@ -131,11 +138,11 @@ export const dhTable = {
           class: 'add',
           text: '+ Add joint',
           'data-testid': 'add-joint',
-          on: { click: add },
+          on: { click: () => add() },
         }),
         h('span', {
           class: 'hint',
-          text: 'Numbers or expressions: pi/2, 90 deg, 0.5 m, 125+85. With pi, an angle is in radians.',
+          text: 'Numbers or expressions: pi/2, 90 deg, 0.5 m, 125+85. With pi, an angle is in radians. Arrows and Enter go from cell to cell, Alt and an arrow steps; a table can be pasted.',
         }),
       ),
       wrong,
@@ -148,6 +155,23 @@ export const dhTable = {
         tool.el,
       ),
     );
+    body.addEventListener('paste', (e) => {
+      const rows = pasted(e.clipboardData.getData('text')),
+        fields = () => [...body.rows].map((r) => [...r.querySelectorAll('input.number')]);
+      if (!rows || !e.target.matches('input.number')) return;
+      e.preventDefault();
+      const y = fields().findIndex((r) => r.includes(e.target)),
+        x = fields()[y].indexOf(e.target);
+      asOne('paste a table', (step) => {
+        // a table with more rows than there are joints brings its own
+        while (state.table.joints.length < y + rows.length && add(step));
+        const filled = fillFrom(fields(), y, x, rows),
+          given = rows.flat().length;
+        say(
+          `Pasted ${filled} number${filled === 1 ? '' : 's'}${filled < given ? `; ${given - filled} had no cell` : ''}`,
+        );
+      });
+    });
     root.addEventListener('verdict', (e) => {
       const bad = e.detail ?? firstWrong(root);
       setText(wrong, bad ? `${bad.label}: ${bad.reason}. The arm stays as it was.` : '');
@@ -198,7 +222,8 @@ export const dhTable = {
                     }
                   : j,
               ),
-              (q) => q.map((v, k) => (k === i ? 0 : v)),
+              (list) => list.map((v, k) => (k === i && typeof v === 'number' ? 0 : v)),
+              `make joint ${i + 1} ${joint.type === 'R' ? 'prismatic' : 'revolute'}`,
             ),
         },
       });
@@ -231,7 +256,8 @@ export const dhTable = {
             click: () =>
               restructure(
                 state.table.joints.filter((_, k) => k !== i),
-                (q) => q.filter((_, k) => k !== i),
+                (list) => list.filter((_, k) => k !== i),
+                `remove joint ${i + 1}`,
               ),
           },
         }),
@@ -295,7 +321,8 @@ export const dhTable = {
                         click: () =>
                           restructure(
                             state.table.joints.map((j, k) => (k === i ? { ...j, sign: -j.sign } : j)),
-                            state.q,
+                            (list) => list,
+                            `turn the sense of joint ${i + 1}`,
                           ),
                       },
                     }),
@@ -330,15 +357,10 @@ export const dhTable = {
       base.show();
       tool.show();
     };
-    const showHistory = () => {
-      undoButton.disabled = !canUndo();
-      redoButton.disabled = !canRedo();
-    };
     on('table', (what) => {
       setText(wrong, '');
       if (what === 'cell' || what === 'name' || what === 'postures') refresh();
       else {
-        settled();
         rebuild();
       }
     });
@@ -347,7 +369,6 @@ export const dhTable = {
       base.show();
       tool.show();
     });
-    on('history', showHistory);
     on('plan', () => {
       kind.dataset.tone = state.plan?.solvable ? 'good' : 'wrong';
       replace(
@@ -357,7 +378,6 @@ export const dhTable = {
         h('span', { text: state.plan?.explain ?? '' }),
       );
     });
-    showHistory();
     rebuild();
   },
 };

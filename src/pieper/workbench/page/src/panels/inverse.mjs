@@ -4,10 +4,11 @@ import { state, on, setTarget, tell } from '../store.mjs';
 import { units, show, showUnit } from '../units.mjs';
 import { moveTo } from '../animate.mjs';
 import { position } from '../matrix.mjs';
+import { reach } from '../kinematics.mjs';
 import { solve, drawGhosts, options } from '../solving.mjs';
 import { showBeside } from '../scene/arm.mjs';
 import * as gizmo from '../scene/gizmo.mjs';
-import { poseEditor, readMatrix } from './pose_editor.mjs';
+import { poseEditor, readMatrix, matrixDigits } from './pose_editor.mjs';
 import { matrixText } from './grid.mjs';
 import { showSelfMotions } from './self_motions.mjs';
 import { spareCoordinates } from './spare.mjs';
@@ -74,7 +75,7 @@ export const inverse = {
       'Target',
       'target',
       () => state.target,
-      (T) => setTarget(T, 'typed'),
+      (T, digits) => setTarget(T, 'typed', digits),
     );
     const numbers = h('div', {}, editor.el);
     const { el: matrix, show: showMatrix } = matrixEditor();
@@ -104,7 +105,7 @@ export const inverse = {
     on('notation', editor.show);
     on(['solutions', 'units'], atOnce(showAnswer));
     on('q', atOnce(mark));
-    const beside = () => showBeside('target', state.panel === 'inverse' ? [position(state.target)] : []);
+    const beside = () => showBeside('target', state.panel === 'inverse' ? withHandles(position(state.target)) : []);
     on('target', (why) => why !== 'drag' && beside());
     on('panel', (id) => {
       gizmo.show(id === 'inverse');
@@ -124,6 +125,12 @@ export const inverse = {
   },
 };
 
+/** The target with what its handles take of the picture. */
+function withHandles(p) {
+  const r = 0.25 * reach(state.table);
+  return [0, 1, 2].flatMap((k) => [r, -r].map((v) => p.map((c, i) => (i === k ? c + v : c))));
+}
+
 function matrixEditor() {
   const area = h('textarea', {
     rows: '4',
@@ -135,7 +142,7 @@ function matrixEditor() {
   const hint = h('p', { class: 'hint' });
   area.addEventListener('input', () => {
     try {
-      setTarget(readMatrix(area.value), 'typed');
+      setTarget(readMatrix(area.value), 'typed', matrixDigits(area.value));
       setText(reason, '');
       area.removeAttribute('aria-invalid');
     } catch (error) {
@@ -182,6 +189,7 @@ function controls() {
               ],
               options.task ?? '',
               (v) => {
+                tell('did', { label: 'choose the task' });
                 options.task = v || null;
                 options.redundancy = null;
                 solve();
@@ -222,6 +230,24 @@ function controls() {
     h(
       'span',
       { class: 'line' },
+      h('span', { class: 'field-name', text: 'Snap' }),
+      select(
+        'Snap to whole steps',
+        [
+          ['0', 'off'],
+          ['1', '1 mm, 1°'],
+          ['5', '5 mm, 5°'],
+          ['10', '10 mm, 10°'],
+          ['45', '45 mm, 45°'],
+        ],
+        '0',
+        (v) => gizmo.setSnap(Number(v)),
+        { 'data-testid': 'snap', title: 'While dragging; Shift snaps to 5 at any time' },
+      ),
+    ),
+    h(
+      'span',
+      { class: 'line' },
       h('span', { class: 'field-name', text: 'Ghosts' }),
       choice(
         'Ghosts',
@@ -251,10 +277,13 @@ function showVerdict(el, s) {
   const n = s.rows.length,
     inside = s.rows.filter((r) => r.inside).length;
   el.dataset.tone = tones[s.status] ?? 'note';
-  const told = s.status === 'SOLVED' && n ? '' : s.why;
+  const told =
+    s.status === 'SOLVED' && n ? roundedBy(s.missed) : [s.why, roundedBy(s.missed)].filter(Boolean).join(' ');
   const head =
     words[s.status] && !inside
-      ? words[s.status]
+      ? s.why.toLowerCase().includes(words[s.status].toLowerCase())
+        ? ''
+        : words[s.status]
       : countedBefore.has(s.status) && inside === n
         ? ''
         : `${n} solution${n === 1 ? '' : 's'}${inside === n ? '' : `, ${inside} inside the limits`}`;
@@ -271,6 +300,21 @@ function showVerdict(el, s) {
         }),
   );
 }
+
+/** By how much the pose that was solved misses the one that was typed, where its digits ended too soon. */
+const roundedBy = (missed) =>
+  missed
+    ? `The pose was rounded by ${misses(missed) || 'less than its digits'} when typed; solved is the nearest one that the arm takes.`
+    : '';
+const finely = (v, kind) => showUnit(v, kind, units.digits(kind) + 2);
+const misses = (m) =>
+  [
+    [m.metres, 'length'],
+    [m.radians, 'angle'],
+  ]
+    .filter(([v, kind]) => v * units.factor(kind) >= 0.5 * 10 ** -(units.digits(kind) + 2))
+    .map(([v, kind]) => finely(v, kind))
+    .join(' and ');
 
 function showNear(el, s) {
   const near = s?.near;
@@ -294,7 +338,7 @@ function showNear(el, s) {
       'div',
       { class: 'line' },
       h('button', { type: 'button', text: 'Go there', on: { click: () => moveTo(near.q) } }),
-      h('button', { type: 'button', text: 'Make it the target', on: { click: () => setTarget(near.T, 'taken') } }),
+      h('button', { type: 'button', text: 'Make it the target', on: { click: () => setTarget(near.T, 'chosen') } }),
     ),
   );
 }

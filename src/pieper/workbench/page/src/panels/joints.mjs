@@ -3,8 +3,9 @@ import { h, replace, setText, say } from '../dom.mjs';
 import { state, on, setJoint, setTable, tell } from '../store.mjs';
 import { units, showUnit, plain, fixed } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
+import { outsideOf } from '../scene/shape.mjs';
 import { moveTo, stop } from '../animate.mjs';
-import { reach } from '../kinematics.mjs';
+import { reach, chainValues } from '../kinematics.mjs';
 
 export const kindOf = (joint) => (joint.type === 'R' ? 'angle' : 'length');
 
@@ -17,12 +18,7 @@ function span(joint) {
   return { lo, hi, min: joint.lower === null ? lo : lo - room, max: joint.upper === null ? hi : hi + room };
 }
 
-export function outside(joint, v) {
-  const slack = 1e-9;
-  if (joint.lower !== null && v < joint.lower - slack) return v - joint.lower;
-  if (joint.upper !== null && v > joint.upper + slack) return v - joint.upper;
-  return 0;
-}
+export const outside = outsideOf;
 
 function row(i) {
   const joint = state.table.joints[i],
@@ -63,6 +59,7 @@ function row(i) {
     },
   });
   const note = h('span', { class: 'out', role: 'note' });
+  const chain = h('span', { class: 'chain', title: 'What this row of the table moves by' });
   const limits = h('span', { class: 'limits' });
   const el = h(
     'div',
@@ -73,7 +70,7 @@ function row(i) {
       h('i', { text: 'q' }),
       h('sub', { text: String(i + 1) }),
     ),
-    h('div', { class: 'track' }, slider, h('div', { class: 'under' }, limits, note)),
+    h('div', { class: 'track' }, slider, h('div', { class: 'under' }, limits, chain, note)),
     number,
     h('span', { class: 'unit' }),
   );
@@ -88,6 +85,8 @@ function row(i) {
       slider.setAttribute('aria-valuetext', showUnit(v, kind));
       number.put(Number((v * units.factor(kind)).toFixed(units.digits(kind) + 1)) / units.factor(kind));
       el.classList.toggle('outside', over !== 0);
+      const moved = state.table.coupling ? `chain ${showUnit(chainValues(state.table, state.q)[i], kind)}` : '';
+      setText(chain, moved);
       setText(note, over ? `${showUnit(Math.abs(over), kind)} ${over > 0 ? 'above' : 'below'} the limit` : '');
     },
     relabel() {
@@ -125,7 +124,7 @@ export const joints = {
       replace(gripper, state.table.actuator ? actuatorRow(state.table.actuator) : null);
       showPostures(postures);
     };
-    on('table', rebuild);
+    on('table', (what) => what !== 'gripper' && rebuild());
     on('q', () => rows.forEach((r) => r.show()));
     on('units', () => rows.forEach((r) => r.relabel()));
     rebuild();
@@ -149,7 +148,8 @@ function actuatorRow(a) {
   };
   slider.value = a.value;
   slider.addEventListener('input', () => {
-    a.value = Number(slider.value);
+    a = { ...a, value: Number(slider.value) };
+    setTable({ ...state.table, actuator: a }, { what: 'gripper', label: `set the ${a.name}`, key: 'actuator' });
     show();
   });
   show();
@@ -173,7 +173,7 @@ function showPostures(root) {
       class: 'chip',
       text: name,
       title: q.map((v, i) => showUnit(v, kindOf(state.table.joints[i]))).join(', '),
-      on: { click: () => moveTo(q) },
+      on: { click: () => moveTo(q, 0.8, `move to ${name}`) },
     });
   const chips = named.map(([name, q]) => go(name, q));
   if (n && !named.some(([, q]) => q.every((v) => v === 0))) chips.unshift(go('zero', new Array(n).fill(0)));
@@ -186,7 +186,7 @@ function showPostures(root) {
           class: 'chip quiet',
           text: 'Random',
           title: 'A posture inside the limits',
-          on: { click: () => moveTo(randomPosture()) },
+          on: { click: () => moveTo(randomPosture(), 0.8, 'move to a random posture') },
         })
       : null,
     n
@@ -211,7 +211,7 @@ function keep() {
   let k = 0;
   while (`P${k}` in postures) k += 1;
   postures[`P${k}`] = state.q.slice();
-  setTable({ ...state.table, postures }, { what: 'postures' });
+  setTable({ ...state.table, postures }, { what: 'postures', label: `keep the posture P${k}` });
   say(`Kept as P${k}: ${state.q.map((v, i) => plain(v, kindOf(state.table.joints[i]))).join(', ')}`);
   tell('postures');
 }

@@ -1,7 +1,7 @@
 // Matrices: every A_i with numbers, partial products, and the intermediate angles, for the present posture or a solution.
 import { h, replace, setText, choice, select, perFrame } from '../dom.mjs';
 import { state, on } from '../store.mjs';
-import { linkMatrices, rowAt, frames as forward } from '../kinematics.mjs';
+import { linkMatrices, rowAt, chainValues, frames as forward } from '../kinematics.mjs';
 import { mul, identity, invert } from '../matrix.mjs';
 import { units, showUnit, show } from '../units.mjs';
 import { matrixGrid } from './grid.mjs';
@@ -10,17 +10,18 @@ import { kindOf } from './joints.mjs';
 /** Sums and differences of neighbouring joints whose axes are parallel: theta_23, theta_345 ... as derivations use them. */
 export function parallelSums(table, q) {
   const out = [],
-    n = table.joints.length;
+    n = table.joints.length,
+    moved = chainValues(table, q);
   const twistAfter = (i) => (table.convention === 'standard' ? table.joints[i].alpha : table.joints[i + 1]?.alpha);
   for (let i = 0; i < n - 1; i++) {
-    let sum = rowAt(table.joints[i], q[i]).theta,
+    let sum = rowAt(table.joints[i], moved[i]).theta,
       sign = 1,
       name = `${i + 1}`;
     for (let k = i; k < n - 1; k++) {
       const alpha = twistAfter(k);
       if (Math.abs(Math.sin(alpha)) > 1e-9 || table.joints[k + 1].type !== 'R' || table.joints[i].type !== 'R') break;
       sign *= Math.sign(Math.cos(alpha));
-      sum += sign * rowAt(table.joints[k + 1], q[k + 1]).theta;
+      sum += sign * rowAt(table.joints[k + 1], moved[k + 1]).theta;
       name += `${sign > 0 ? '' : '−'}${k + 2}`;
       out.push({ name, value: sum });
     }
@@ -151,10 +152,11 @@ export const matrices = {
           grid.show(mul(invert(up(from)), up(to)));
         }
       });
+      const moved = chainValues(state.table, q);
       const rows = state.table.joints
         .map((j, i) => [
           j.type === 'R' ? `θ${i + 1}` : `d${i + 1}`,
-          j.type === 'R' ? show(rowAt(j, q[i]).theta, 'angle') : show(rowAt(j, q[i]).d, 'length'),
+          j.type === 'R' ? show(rowAt(j, moved[i]).theta, 'angle') : show(rowAt(j, moved[i]).d, 'length'),
           j.type === 'R' ? 'angle' : 'length',
         ])
         .concat(parallelSums(state.table, q).map(({ name, value }) => [`θ${name}`, show(value, 'angle'), 'angle']));

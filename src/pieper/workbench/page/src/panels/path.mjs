@@ -1,5 +1,5 @@
 // Path: a straight line between two poses, followed from a start posture; where it stops, and which branches would have passed.
-import { h, replace, setText } from '../dom.mjs';
+import { h, replace, setText, unreadable } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -26,6 +26,7 @@ export const path = {
         `path-${key}`,
         () => P[key],
         (T) => {
+          tell('did', { label: `set “${key}” of the path`, key: `path-${key}` });
           P[key] = T;
           preview();
           tell('path');
@@ -38,6 +39,7 @@ export const path = {
         'data-testid': `take-${key}`,
         on: {
           click: () => {
+            tell('did', { label: `take “${key}” of the path` });
             P[key] = tool();
             editor.show();
             preview();
@@ -54,6 +56,7 @@ export const path = {
       testid: 'path-n',
       check: (v) => (Number.isInteger(v) && v >= 2 && v <= 2000 ? null : 'a whole number from 2 to 2000'),
       input: (v) => {
+        tell('did', { label: 'set the points of the path', key: 'path-n' });
         P.n = v;
       },
     });
@@ -62,6 +65,7 @@ export const path = {
       testid: 'path-seconds',
       check: (v) => (v > 0 && v <= 3600 ? null : 'more than 0, at most 3600'),
       input: (v) => {
+        tell('did', { label: 'set the seconds of the path', key: 'path-seconds' });
         P.seconds = v;
       },
     });
@@ -73,6 +77,7 @@ export const path = {
         click: () => {
           if (P.from && P.to) {
             const p = position(P.to);
+            tell('did', { label: 'keep the orientation of the path' });
             P.to = P.from.slice();
             [3, 7, 11].forEach((k, i) => {
               P.to[k] = p[i];
@@ -120,6 +125,13 @@ export const path = {
       showPath(Array.from({ length: 33 }, (_, i) => position(between(P.from, P.to, i / 32))));
     };
     async function run(start) {
+      const bad = unreadable(root);
+      if (bad) {
+        verdict.hidden = false;
+        verdict.dataset.tone = 'wrong';
+        setText(verdict, bad);
+        return;
+      }
       setText(plan, 'Planning …');
       plan.disabled = true;
       try {
@@ -154,7 +166,7 @@ export const path = {
               title: b.cause || 'reaches the end',
               on: {
                 click: async () => {
-                  await moveTo(b.q, 0.4);
+                  await moveTo(b.q, 0.4, `take branch ${k + 1}`);
                   run(b.q);
                 },
               },
@@ -211,19 +223,12 @@ export const path = {
     on('notation', show);
     on('units', preview);
     on('table', (what) => {
-      if (what === 'postures' || what === 'name') return;
+      if (['postures', 'name', 'gripper'].includes(what)) return;
       verdict.hidden = true;
       replace(branches);
       showPath([]);
-      if (what === 'new') {
-        P.from = null;
-        P.to = null;
-        if (!panel.hidden) {
-          P.from = tool();
-          P.to = tool();
-          show();
-        }
-      }
+      // the ends are places in the world: another arm may be asked for the same line
+      if (!panel.hidden) show();
     });
   },
 };

@@ -1,45 +1,46 @@
 // A pose that is typed: as position and angles in the notation of the page, or as a matrix.
 import { h, replace } from '../dom.mjs';
-import { state, on } from '../store.mjs';
-import { numberField } from '../numberfield.mjs';
+import { state, on, tell } from '../store.mjs';
+import { numberField, pasted, fillFrom } from '../numberfield.mjs';
 import { notations, poseFrom } from '../rotation.mjs';
 import { position, nearestRotation, rotationDefect } from '../matrix.mjs';
-import { units } from '../units.mjs';
+import { units, halfDigit } from '../units.mjs';
 
 /** How far four typed decimals may be from a rotation before they are refused rather than rounded to the nearest one. */
 const TYPED = 2e-3;
 
-/** @returns {el, show()}; take(T, firstKeystroke) is called with every readable pose. */
+/** @returns {el, show()}; take(T, {metres, radians}) is called with every readable pose and half of its last digits. */
 export function poseEditor(title, id, get, take) {
   let parts = [],
-    editing = false,
     shown = '';
   const row = h('div', { class: 'pose-fields' });
   const fields = () => {
     const n = notations[state.notation];
     const names = [['X', 'length'], ['Y', 'length'], ['Z', 'length'], ...n.names.map((name, i) => [name, n.kinds[i]])];
-    const read = (first) => {
+    const read = () => {
       const T = poseFrom(
         state.notation,
         parts.slice(3).map((p) => p.value),
         parts.slice(0, 3).map((p) => p.value),
       );
-      if (T) take(T, first);
+      if (T) take(T, digitsOf(parts));
     };
     parts = names.map(([name, kind], i) => {
       const p = { value: 0, kind };
-      const heard = (v, done) => {
+      const heard = (v, how) => {
         p.value = v;
-        const first = !editing;
-        editing = !done;
-        read(first);
+        p.text = how.text;
+        read();
       };
       p.f = numberField({
         label: `${title}, ${name}`,
         kind,
         testid: `${id}-${i}`,
-        input: (v) => heard(v, false),
-        commit: (v) => heard(v, true),
+        input: heard,
+        commit: (v, how) => {
+          heard(v, how);
+          tell('let-go');
+        },
       });
       p.el = h(
         'label',
@@ -62,6 +63,7 @@ export function poseEditor(title, id, get, take) {
     if (!T || row.contains(document.activeElement)) return;
     [...position(T), ...notations[state.notation].to(T)].forEach((v, i) => {
       parts[i].value = v;
+      parts[i].text = null;
       parts[i].f.put(v, rounded(v, parts[i].kind));
     });
   };
@@ -72,11 +74,25 @@ export function poseEditor(title, id, get, take) {
   on('notation', show);
   fields();
   show();
+  row.addEventListener('paste', (e) => {
+    const list = pasted(e.clipboardData.getData('text'))?.flat();
+    const at = parts.findIndex((p) => p.f === e.target);
+    if (!list || at < 0) return;
+    e.preventDefault();
+    fillFrom([parts.map((p) => p.f)], 0, list.length === parts.length ? 0 : at, [list]);
+  });
   row.addEventListener('focusout', () => {
-    editing = false;
     setTimeout(show);
   });
   return { el: h('fieldset', { class: 'pose-editor' }, h('legend', { text: title }), row), show };
+}
+
+/** Half of the last digits that were typed: metres of the position, radians of the orientation. */
+function digitsOf(parts) {
+  const typed = (list) => list.map((p) => p.text ?? '');
+  const angles = parts.slice(3).filter((p) => p.kind === 'angle');
+  const radians = angles.length > 1 ? halfDigit(typed(angles), 'angle') : 2 * halfDigit(typed(parts.slice(3)), 'plain');
+  return { metres: halfDigit(typed(parts.slice(0, 3)), 'length'), radians };
 }
 
 /** Shown with a thousandth of a unit; the exact value stays behind it until the field is typed in. */
@@ -86,9 +102,18 @@ const rounded = (v, kind) =>
       0,
   );
 
+/** Half of the last digits of a pasted matrix: of its last column, and twice that of the rotation's entries. */
+export function matrixDigits(text) {
+  const all = text.match(NUMBER) ?? [];
+  const last = all.filter((_, i) => i % 4 === 3 && i < 12),
+    turn = all.filter((_, i) => i % 4 !== 3 && i < 12);
+  return { metres: halfDigit(last, 'length'), radians: 2 * halfDigit(turn, 'plain') };
+}
+const NUMBER = /[-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?/g;
+
 /** Sixteen (or twelve, or nine and three) numbers as people paste them; lengths in the page's unit. */
 export function readMatrix(text) {
-  const numbers = (text.replaceAll('−', '-').match(/[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?/g) ?? []).map(Number);
+  const numbers = (text.replaceAll('−', '-').match(NUMBER) ?? []).map(Number);
   if (numbers.length !== 16 && numbers.length !== 12)
     throw new Error(
       `${numbers.length === 1 ? '1 number was' : `${numbers.length} numbers were`} found; a pose has 16 (four rows) or 12 (three rows)`,

@@ -21,7 +21,7 @@ export async function openRobot(input) {
   }
   try {
     const { table } = await ask('open', { name: file.name.slice(-80), text: await file.text() });
-    setTable(table, { q: presentable(table), what: 'new' });
+    setTable(table, { q: presentable(table), what: 'new', label: `open ${file.name.slice(-40)}` });
   } catch (error) {
     say(error.message, 'wrong');
   }

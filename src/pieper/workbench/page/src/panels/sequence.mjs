@@ -1,5 +1,5 @@
 // Sequence: postures with times, all joints together, at rest in each; its curves and its animation.
-import { h, replace, setText } from '../dom.mjs';
+import { h, replace, setText, unreadable } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { units } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -16,7 +16,17 @@ export const sequence = {
   title: 'Sequence',
   wide: true,
   build(root) {
-    const S = state.sequence;
+    const S = {
+      get postures() {
+        return state.sequence.postures;
+      },
+      set postures(v) {
+        state.sequence.postures = v;
+      },
+      get rate() {
+        return state.sequence.rate;
+      },
+    };
     const head = h('thead'),
       body = h('tbody');
     const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'sequence-verdict', hidden: true });
@@ -36,6 +46,7 @@ export const sequence = {
         click: () => {
           const first = S.postures[1];
           if (first) {
+            tell('did', { label: 'use the same times for all legs' });
             for (const p of S.postures.slice(2)) {
               p.seconds = first.seconds;
               p.hold = first.hold;
@@ -83,6 +94,7 @@ export const sequence = {
 
     function add(q, name) {
       if (S.postures.length >= MOST) return;
+      tell('did', { label: 'add a posture to the sequence' });
       S.postures.push({ name: name ?? `P${S.postures.length}`, q, seconds: 5, hold: 0 });
       rebuild();
       tell('sequence');
@@ -120,6 +132,7 @@ export const sequence = {
               kind: kindOf(j),
               testid: `seq-${k}-q${i + 1}`,
               input: (v) => {
+                tell('did', { label: `edit ${p.name} of the sequence`, key: `seq-${k}-${i}` });
                 p.q[i] = v;
                 tell('sequence');
               },
@@ -135,6 +148,7 @@ export const sequence = {
               testid: `seq-${k}-${key}`,
               check,
               input: (v) => {
+                tell('did', { label: `edit ${p.name} of the sequence`, key: `seq-${k}-${key}` });
                 p[key] = v;
                 tell('sequence');
               },
@@ -170,6 +184,7 @@ export const sequence = {
                 'aria-label': `Move ${p.name} up`,
                 on: {
                   click: () => {
+                    tell('did', { label: `move ${p.name} up` });
                     S.postures.splice(k - 1, 0, ...S.postures.splice(k, 1));
                     rebuild();
                   },
@@ -182,6 +197,7 @@ export const sequence = {
                 'aria-label': `Remove ${p.name}`,
                 on: {
                   click: () => {
+                    tell('did', { label: `remove ${p.name}` });
                     S.postures.splice(k, 1);
                     rebuild();
                     tell('sequence');
@@ -206,8 +222,14 @@ export const sequence = {
         );
     }
     async function go() {
-      run.disabled = true;
       verdict.hidden = false;
+      const bad = unreadable(root);
+      if (bad) {
+        verdict.dataset.tone = 'wrong';
+        setText(verdict, bad);
+        return;
+      }
+      run.disabled = true;
       try {
         const P = S.postures;
         const m = await askArm('motion', {

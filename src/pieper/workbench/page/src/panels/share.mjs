@@ -4,6 +4,9 @@ import { state, on } from '../store.mjs';
 import { askArm } from '../library.mjs';
 import { link, snapshot, restore } from '../sharing.mjs';
 import { saveRobot } from './robot_files.mjs';
+import { newestOnly } from '../link.mjs';
+import { options } from '../solving.mjs';
+import { programMessage } from '../program.mjs';
 
 export const share = (showPanel) => ({
   id: 'share',
@@ -33,6 +36,14 @@ export const share = (showPanel) => ({
       text: 'Write the report',
       'data-testid': 'report',
       on: { click: write },
+    });
+    const code = h('textarea', {
+      rows: '9',
+      readonly: true,
+      class: 'code',
+      spellcheck: 'false',
+      'aria-label': 'The screen as a Python script',
+      'data-testid': 'python',
     });
     root.append(
       h('p', {
@@ -76,6 +87,24 @@ export const share = (showPanel) => ({
           on: { click: saveRobot },
         }),
       ),
+      h('h3', { text: 'As Python' }),
+      h('p', { class: 'hint', text: 'A script that makes and computes what is on the screen, in metres and radians.' }),
+      code,
+      h(
+        'div',
+        { class: 'line' },
+        h('button', {
+          type: 'button',
+          text: 'Copy the script',
+          'data-testid': 'copy-python',
+          on: { click: () => copy(code.value) },
+        }),
+        h('button', {
+          type: 'button',
+          text: 'Save the script',
+          on: { click: () => download('workbench.py', code.value, 'text/x-python') },
+        }),
+      ),
       h('h3', { text: 'Report' }),
       h('p', {
         class: 'hint',
@@ -86,7 +115,18 @@ export const share = (showPanel) => ({
     );
     const show = async () => {
       if (!panel.hidden && state.table.joints.length) address.value = await link();
+      if (!panel.hidden && state.table.joints.length) script();
     };
+    const script = newestOnly(async () => {
+      try {
+        const { q, target, hasTarget, path, program } = state;
+        const { task, redundancy } = options;
+        const body = { q, target: hasTarget ? target : null, path, task, redundancy, program: programMessage() };
+        code.value = (await askArm('python', program.length ? body : { ...body, program: null })).text;
+      } catch (error) {
+        code.value = `# ${error.message}`;
+      }
+    });
     on(['panel', 'table', 'q', 'units', 'notation'], show);
 
     async function write() {

@@ -5,6 +5,7 @@ import { units, show, tiny } from '../units.mjs';
 import { moveTo } from '../animate.mjs';
 import { showPreview } from '../scene/arm.mjs';
 import { kindOf } from './joints.mjs';
+import { shortest } from '../turns.mjs';
 
 /** Rows are kept and rewritten: a dragged gizmo changes them many times a second. */
 export function solutionTable() {
@@ -44,7 +45,7 @@ export function solutionTable() {
             h('span', { class: 'unit', text: ` ${units.symbol(kindOf(j))}` }),
           ),
         ),
-        h('th', { text: 'residual' }),
+        h('th', { text: 'off, mm', title: 'By how much forward kinematics misses the pose' }),
       ),
     );
   };
@@ -67,7 +68,7 @@ export function solutionTable() {
       go = () => {
         if (q()) {
           showPreview(null);
-          moveTo(shortest(q()));
+          moveTo(shortest(q()), 0.8, `move to solution ${k + 1}`);
         }
       };
     tr.addEventListener('pointerenter', over);
@@ -103,14 +104,14 @@ export function solutionTable() {
         // an answer on the way brings no words: the branches keep their order, so the ones that stand there stay
         if (data.label !== null) setText(r.label, `${data.label}${data.self_motion >= 0 ? ' (of a self-motion)' : ''}`);
         setText(r.beyond, data.inside ? '' : ', outside the limits');
-        setText(r.residual, data.residual ? `${tiny(data.residual[0] * 1000)} mm` : '');
+        setText(r.residual, data.residual ? tiny(data.residual[0] * 1000) : '');
         r.residual.title = data.residual
           ? `${tiny(data.residual[0])} m, ${tiny(data.residual[1])} rad by forward kinematics`
           : '';
         data.q.forEach((v, i) => {
           const j = state.table.joints[i],
             out = (j.lower !== null && v < j.lower - 1e-9) || (j.upper !== null && v > j.upper + 1e-9);
-          setText(r.cells[i], show(v, kindOf(j), kindOf(j) === 'angle' && units.angle === 'deg' ? 1 : undefined));
+          setText(r.cells[i], show(v, kindOf(j)));
           r.cells[i].classList.toggle('out', out);
         });
       });
@@ -128,14 +129,4 @@ export function solutionTable() {
       );
     },
   };
-}
-
-/** The same posture with each revolute joint a whole number of turns nearer to where it is, if its limits allow. */
-function shortest(q) {
-  return q.map((v, i) => {
-    const j = state.table.joints[i];
-    if (j.type !== 'R') return v;
-    const w = v + 2 * Math.PI * Math.round((state.q[i] - v) / (2 * Math.PI));
-    return (j.lower === null || w >= j.lower - 1e-9) && (j.upper === null || w <= j.upper + 1e-9) ? w : v;
-  });
 }

@@ -1,6 +1,6 @@
 // The redundant coordinates of the arm for its task: left free, or chosen, with a slider and a field each.
 import { h, replace, setText, choice } from '../dom.mjs';
-import { state, on } from '../store.mjs';
+import { state, on, tell } from '../store.mjs';
 import { units, showUnit } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
 import { reach } from '../kinematics.mjs';
@@ -11,6 +11,7 @@ export function spareCoordinates() {
     rows = [],
     values = {}; // what the rows show, by name
   const rowsBox = h('div', { class: 'joints' });
+  const fold = h('details', {}, h('summary', { class: 'hint', text: 'Hold by value' }), rowsBox);
   const note = h('p', { class: 'hint' });
   const mode = choice(
     'Redundant coordinates',
@@ -33,15 +34,16 @@ export function spareCoordinates() {
     },
     h('div', { class: 'line spread' }, h('span', { class: 'field-name', text: 'Redundant coordinates' }), mode),
     note,
-    rowsBox,
+    fold,
   );
 
   /** Hold these coordinates at what their rows show; null leaves all free. */
   function choose(names, { sliding = false } = {}) {
+    tell('did', { label: names ? `hold ${names.join(' and ')}` : 'free the redundant coordinates', key: 'spare' });
     options.redundancy = names && Object.fromEntries(names.map((name) => [name, values[name]]));
     show();
     if (sliding) slide();
-    else solve();
+    else solve({ follow: true });
   }
   /** An arm angle stands for the redundant joint: choosing one lets go of the other. */
   const together = (c) => list.filter((other) => other.instead === c.instead).map((other) => other.name);
@@ -65,7 +67,7 @@ export function spareCoordinates() {
       choose(together(c), { sliding });
     };
     slider.addEventListener('input', () => set(Number(slider.value), true));
-    slider.addEventListener('change', () => solve());
+    slider.addEventListener('change', () => solve({ follow: true }));
     slider.addEventListener('keydown', (e) => {
       const k = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];
       if (k === undefined) return;
@@ -75,7 +77,7 @@ export function spareCoordinates() {
       set(Math.min(Math.max(values[c.name] + by, lo), hi), true);
     });
     slider.addEventListener('keyup', () => {
-      if (held) solve();
+      if (held) solve({ follow: true });
       held = false;
     });
     const field = numberField({
@@ -132,7 +134,7 @@ export function spareCoordinates() {
       note,
       options.redundancy
         ? 'Held at these values; what is left has separate solutions.'
-        : 'Free: the solutions form self-motions; the table has those at these values. Slide one to hold it.',
+        : 'Free: the solutions form self-motions; the table has those at the present values.',
     );
     for (const r of rows) r.show();
   }
@@ -140,7 +142,8 @@ export function spareCoordinates() {
     const next = state.solutions?.spare;
     // an answer on the way, or a refused one, says nothing of the coordinates
     if (!state.solutions || (!next && (state.solutions.brief || state.solutions.status === 'REFUSED'))) return;
-    if (JSON.stringify(next ?? []) !== JSON.stringify(list)) {
+    const fresh = JSON.stringify(next ?? []) !== JSON.stringify(list);
+    if (fresh) {
       list = next ?? [];
       values = {};
       rows = list.map(row);
@@ -151,6 +154,8 @@ export function spareCoordinates() {
       for (const r of rows) r.relabel();
     }
     el.hidden = list.length === 0;
+    // one coordinate to spare: the slider along the self-motion below is the one to use
+    if (fresh) fold.open = list.filter((c) => !c.instead).length > 1 || Boolean(options.redundancy);
     show();
   });
   on('q', () => !el.hidden && !el.closest('[hidden]') && !options.redundancy && show());

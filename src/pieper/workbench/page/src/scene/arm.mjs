@@ -4,12 +4,13 @@ import { state, on } from '../store.mjs';
 import { colours } from '../theme.mjs';
 import { frames as forward } from '../kinematics.mjs';
 import { position, norm, sub } from '../matrix.mjs';
-import { scene, invalidate, wake, layGround, fit, remember, keepInView } from './view.mjs';
+import { scene, invalidate, wake, layGround, fit, remember, keepInView, returnFromWide } from './view.mjs';
 import { debounce } from '../dom.mjs';
 import { proportions, shape, outline } from './shape.mjs';
 import { Bodies } from './bodies.mjs';
 import { matte } from './matte.mjs';
 import { Frames } from './frames.mjs';
+import { isShown as handlesShown } from './gizmo.mjs';
 
 const material = matte();
 
@@ -66,14 +67,29 @@ export function begin() {
 }
 
 const beside = new Map();
-let alsoShown = [];
+let alsoShown = [],
+  alsoCount = 0;
 /** What else belongs in the picture: the ends of a path, the corners of a cloud, a target. */
 export function showBeside(what, points) {
   beside.set(what, points);
   alsoShown = [...beside.values()].flat();
   if (!state.table.joints.length) return;
+  const before = alsoCount;
+  alsoCount = alsoShown.length;
   remember([...outline(state.table, state.frames), ...alsoShown]);
   if (points.length) stayInView();
+  else if (before > alsoCount) comeBack();
+}
+/** What made the picture wider is gone: as near as before, unless a hand has moved the camera meanwhile. */
+const comeBack = debounce(returnFromWide, 120);
+/** The room a whole motion takes, so that the picture holds still while it plays. */
+export function showMotionRoom(table, list) {
+  const step = Math.max(1, Math.floor(list.length / 40));
+  const points = list
+    .filter((_, k) => k % step === 0 || k === list.length - 1)
+    .flatMap((q) => outline(table, forward(table, q)));
+  const box = [0, 1, 2].map((i) => [Math.min(...points.map((p) => p[i])), Math.max(...points.map((p) => p[i]))]);
+  showBeside('motion', points.length ? box[0].flatMap((x) => box[1].flatMap((y) => box[2].map((z) => [x, y, z]))) : []);
 }
 /** Bring the arm into the picture; what stands beside it (a path) stays in the picture from then on. */
 export function fitArm(options) {
@@ -83,7 +99,7 @@ const stayInView = debounce(keepInView, 220);
 
 function drawArm() {
   const F = state.frames;
-  main.show(state.table.joints.length ? [shape(state.table, F, form)] : []);
+  main.show(state.table.joints.length ? [shape(state.table, F, form, state.q)] : []);
   remember([...outline(state.table, F), ...alsoShown]);
   stayInView();
   if (tracing) addTrace(position(F[F.length - 1]));
@@ -92,12 +108,18 @@ function drawArm() {
 function drawFrames() {
   axes.show(
     (state.shownFrames ?? [])
-      .filter((i) => i < state.frames.length)
+      // the target's handles stand where the tool's own arrows would
+      .filter((i) => i < state.frames.length && !(i === state.frames.length - 1 && handlesShown()))
       .map((i) => ({ T: state.frames[i], name: frameName(i) })),
     form.size * 0.13,
   );
   invalidate();
 }
+/** Numbers of the joints that are drawn red now. */
+export const beyondDrawn = () =>
+  main.arms.flatMap((a) => [...a.drums, ...a.sleeves].filter((d) => d.beyond).map((d) => d.joint + 1));
+/** Names of the frames that are drawn now. */
+export const framesDrawn = () => (axes.last?.[0] ?? []).map((f) => f.name);
 export function frameName(i) {
   const n = state.table.joints.length;
   return i === 0 ? 'base' : i === n + 1 ? 'tool' : String(i);
@@ -184,7 +206,7 @@ export function showPath(points) {
 }
 
 function paint() {
-  material.repaint(colours.link, colours.joint, colours.accent, colours.dark);
+  material.repaint(colours.link, colours.joint, colours.accent, colours.dark, colours.wrong);
   ghostMaterial.repaint(colours.ghost, colours.ghost, colours.ghost, colours.dark);
   previewMaterial.repaint(colours.accent, colours.accent, colours.accent, colours.dark);
   traceLine.material.color.set(colours.accent);

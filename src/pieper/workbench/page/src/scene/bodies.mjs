@@ -145,7 +145,8 @@ function across(dir, x = null) {
 /** Numbers of the colours in `matte`. */
 const LINK = 0,
   JOINT = 1,
-  ACCENT = 2;
+  ACCENT = 2,
+  BEYOND = 3;
 
 export class Bodies {
   /**
@@ -208,11 +209,16 @@ export class Bodies {
       );
     }
     for (const { at, r } of arm.balls) ball(LINK, at, k * r);
-    for (const { at, dir, r, h } of arm.drums) {
-      stand(unit.drum, JOINT, at, dir, k * r, k * h);
-      if (whole) stand(unit.rod, ACCENT, at, dir, r * 1.012, h * 0.13);
+    for (const { at, dir, turned, r, h, beyond } of arm.drums) {
+      stand(unit.drum, beyond && whole ? BEYOND : JOINT, at, dir, k * r, k * h);
+      if (!whole) continue;
+      stand(unit.rod, ACCENT, at, dir, r * 1.012, h * 0.13);
+      // an index on the moving part, so that a joint that turns in place is seen to turn
+      const rim = [0, 1, 2].map((c) => at[c] + turned[c] * r * 0.96);
+      stand(unit.box, LINK, rim, dir, r * 0.11, h * 0.86, turned);
     }
-    for (const { at, dir, x, r, h } of arm.sleeves) stand(unit.box, JOINT, at, dir, k * r, k * h, x);
+    for (const { at, dir, x, r, h, beyond } of arm.sleeves)
+      stand(unit.box, beyond && whole ? BEYOND : JOINT, at, dir, k * r, k * h, x);
     if (arm.pedestal && !this.veil) {
       const { at, dir, r, h } = arm.pedestal;
       stand(
@@ -225,6 +231,18 @@ export class Bodies {
       );
     }
     if (arm.flange) stand(unit.drum, JOINT, arm.flange.at, arm.flange.dir, arm.flange.r, arm.flange.h);
+    if (arm.flange && whole) {
+      const { at, dir, turned, r, h } = arm.flange;
+      stand(
+        unit.box,
+        ACCENT,
+        [0, 1, 2].map((c) => at[c] + turned[c] * r * 0.95),
+        dir,
+        r * 0.16,
+        h * 1.04,
+        turned,
+      );
+    }
     if (arm.tip && whole) ball(ACCENT, arm.tip.at, arm.tip.r);
   }
 }

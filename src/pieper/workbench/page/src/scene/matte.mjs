@@ -3,7 +3,7 @@ import * as THREE from 'three';
 
 const vertexShader = /* glsl */ `
   attribute float paint;
-  uniform vec3 colours[3];
+  uniform vec3 colours[4];
   varying vec3 vNormal;
   varying vec3 vToEye;
   varying vec3 vColour;
@@ -11,7 +11,7 @@ const vertexShader = /* glsl */ `
     vec4 world = modelMatrix * vec4(position, 1.0);
     vNormal = normalize(normal);
     vToEye = cameraPosition - world.xyz;
-    vColour = paint < 0.5 ? colours[0] : paint < 1.5 ? colours[1] : colours[2];
+    vColour = paint < 0.5 ? colours[0] : paint < 1.5 ? colours[1] : paint < 2.5 ? colours[2] : colours[3];
     gl_Position = projectionMatrix * viewMatrix * world;
   }`;
 
@@ -36,7 +36,7 @@ const fragmentShader = /* glsl */ `
 
 /** A ghost's paint: the same light, worked out at the corners only; seven translucent arms are many pixels. */
 const veilVertexShader = /* glsl */ `
-  uniform vec3 colours[3];
+  uniform vec3 colours[4];
   uniform vec3 sky;
   uniform vec3 ground;
   varying vec3 vColour;
@@ -54,22 +54,22 @@ const veilFragmentShader = /* glsl */ `
     gl_FragColor = vec4(vColour, opacity);
   }`;
 
-/** A material for the parts of arms; `repaint(link, joint, accent, dark)` sets its colours and the sky of the theme. */
+/** A material for the parts of arms; `repaint(link, joint, accent, dark, beyond)` sets its colours and the sky of the theme. */
 export function matte({ opacity = 1, gloss = 0.16, veil = false } = {}) {
   const material = new THREE.ShaderMaterial({
     vertexShader: veil ? veilVertexShader : vertexShader,
     fragmentShader: veil ? veilFragmentShader : fragmentShader,
     transparent: opacity < 1,
     uniforms: {
-      colours: { value: [new THREE.Color(), new THREE.Color(), new THREE.Color()] },
+      colours: { value: [0, 1, 2, 3].map(() => new THREE.Color()) },
       opacity: { value: opacity },
       gloss: { value: gloss },
       sky: { value: new THREE.Color(0.46, 0.46, 0.47) },
       ground: { value: new THREE.Color(0.2, 0.2, 0.21) },
     },
   });
-  material.repaint = (link, joint, accent, dark) => {
-    [link, joint, accent].forEach((colour, i) => material.uniforms.colours.value[i].set(colour));
+  material.repaint = (link, joint, accent, dark, beyond = accent) => {
+    [link, joint, accent, beyond].forEach((colour, i) => material.uniforms.colours.value[i].set(colour));
     material.uniforms.sky.value.setScalar(dark ? 0.36 : 0.47);
     material.uniforms.ground.value.setScalar(dark ? 0.1 : 0.2);
   };

@@ -17,7 +17,7 @@ export function proportions(table) {
  * Joint i's drum sits on its axis. Where two joints share a point, as in a spherical wrist, the later one moves along its own axis
  * towards what it carries, so that each can be seen.
  */
-export function shape(table, F, form) {
+export function shape(table, F, form, q = null) {
   const parts = { rods: [], balls: [], drums: [], sleeves: [], flange: null };
   const { radius, size } = form,
     n = table.joints.length,
@@ -50,24 +50,46 @@ export function shape(table, F, form) {
     if (previous && norm(sub(point, previous.at)) < 0.5 * r && Math.abs(along) > tiny) {
       at = addScaled(point, dir, Math.sign(along) * Math.min(Math.abs(along) * 0.55, previous.r + r * 1.15));
     } else if (i === 0 && Math.abs(along) > 2.2 * r) at = addScaled(point, dir, Math.sign(along) * r * 1.25);
-    if (joint.type === 'R') parts.drums.push({ at, dir, x, r, h: r * 2.15, joint: i });
-    else parts.sleeves.push({ at, dir, x, r: r * 0.95, h: r * 3.4, joint: i });
+    const h = r * 2.15,
+      turned = column(F[i + 1], 0),
+      beyond = Boolean(q && outsideOf(joint, q[i]));
+    // what stands on the mounting plane ends there
+    const up = column(F[0], 2),
+      bottom = dot(sub(at, position(F[0])), up) - h / 2;
+    if (i === 0 && joint.type === 'R' && Math.abs(dot(dir, up)) > 0.99 && bottom < 0 && bottom > -h)
+      at = addScaled(at, up, -bottom);
+    if (joint.type === 'R') parts.drums.push({ at, dir, x, turned, r, h, beyond, joint: i });
+    else parts.sleeves.push({ at, dir, x, r: r * 0.95, h: r * 3.4, beyond, joint: i });
     previous = { at: point, r };
   });
   if (n) {
     const end = F[n + 1],
       hand = position(F[n]);
-    parts.flange = { at: hand, dir: column(F[n], 2), r: form.rest * 0.85, h: form.rest * 0.5 };
+    parts.flange = { at: hand, dir: column(F[n], 2), turned: column(F[n], 0), r: form.rest * 0.85, h: form.rest * 0.5 };
     rod(hand, position(end), form.rest * 0.34, false);
     parts.tip = { at: position(end), r: form.rest * 0.42 };
   }
   return parts;
 }
 
+/** By how much a joint value lies outside its limits: negative below, positive above, 0 inside. */
+export function outsideOf(joint, v) {
+  const slack = 1e-9;
+  if (joint.lower !== null && v < joint.lower - slack) return v - joint.lower;
+  if (joint.upper !== null && v > joint.upper + slack) return v - joint.upper;
+  return 0;
+}
+
 /** Points that a picture of the arm must hold. */
 export function outline(table, F) {
   const pad = proportions(table).radius[0] ?? 0.05;
   const base = position(F[0]);
+  // an empty table is a place for an arm of a metre
+  if (!table.joints.length)
+    return [-0.4, 0.4].flatMap((v) => [
+      [base[0] + v, base[1] + v, 0],
+      [base[0] + v, base[1] - v, 1],
+    ]);
   const out = [[base[0], base[1], 0], ...F.map(position)];
   for (const { point } of jointAxes(table, F)) out.push(point);
   return out.flatMap((p) => [

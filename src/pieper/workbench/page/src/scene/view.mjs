@@ -29,7 +29,11 @@ function draw(now = performance.now()) {
   quality.moving(now);
   paint();
 }
+const before = [];
+/** Have something put in its place before every picture. */
+export const beforeEach = (f) => before.push(f);
 function paint() {
+  for (const f of before) f();
   renderer.render(scene, camera);
   drawn += 1;
 }
@@ -37,6 +41,11 @@ function paint() {
 export function wake() {
   awake = true;
   invalidate();
+}
+/** Draw now and look at the picture before the browser takes it away. */
+export function withPicture(f) {
+  paint();
+  return f(renderer.domElement);
 }
 export const picturesDrawn = () => drawn;
 
@@ -85,6 +94,7 @@ export function open(element) {
   // Whoever turns the arm out of the picture wants it so, until they ask for a view again.
   controls.addEventListener('end', () => {
     handsOff = !inView();
+    nearer = null;
   });
   new ResizeObserver(resize).observe(host);
   host.tabIndex = 0;
@@ -202,8 +212,9 @@ function fly({ target, position }, seconds = 0.35) {
   })(began);
 }
 /** Bring points into the picture from the present direction. */
-export function fit(points, { instant = false, view = null } = {}) {
+export function fit(points, { instant = false, view = null, byItself = false } = {}) {
   lastPoints = points;
+  if (!byItself) nearer = null;
   handsOff = false;
   const dir = view ? directions[view] : camera.position.clone().sub(controls.target).toArray();
   fly(framing(points, dir), instant ? 0 : 0.35);
@@ -211,6 +222,7 @@ export function fit(points, { instant = false, view = null } = {}) {
 /** One of the standard views: iso, front (from +x), side (from -y), top. */
 export function look(name) {
   handsOff = false;
+  nearer = null;
   fly(framing(lastPoints, directions[name]));
 }
 let handsOff = false;
@@ -225,7 +237,18 @@ function inView() {
 /** Move back a little when the arm has grown out of the picture, unless the person has chosen it so. */
 export function keepInView() {
   // never under a hand that drags the target, which lets go of the controls meanwhile
-  if (!handsOff && controls.enabled && lastPoints.length && !inView()) fit(lastPoints);
+  if (handsOff || !controls.enabled || !lastPoints.length || inView()) return;
+  nearer ??= { position: camera.position.clone(), target: controls.target.clone() };
+  fit(lastPoints, { byItself: true });
+}
+/** Where the camera was before it moved back by itself; null after a hand or a view that somebody chose. */
+let nearer = null;
+export function returnFromWide() {
+  if (!nearer || handsOff || !controls.enabled) return;
+  const there = nearer;
+  nearer = null;
+  fly(there);
+  setTimeout(keepInView, 500);
 }
 export const remember = (points) => {
   lastPoints = points;
@@ -279,6 +302,7 @@ export function applyTheme() {
 
 /** Where a point of space is on the screen, CSS pixels in the page; for tests that drag like a hand. */
 export function toScreen(p) {
+  camera.updateMatrixWorld();
   const v = new THREE.Vector3(...p).project(camera),
     r = host.getBoundingClientRect();
   return [r.x + ((v.x + 1) / 2) * r.width, r.y + ((1 - v.y) / 2) * r.height];

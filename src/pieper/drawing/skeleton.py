@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from pieper.presentation.arm import Arm
+from pieper.description.dh import Description
+from pieper.description.fold import chain_of
+from pieper.kinematics.forward import frames
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,13 +33,21 @@ class Skeleton:
         return np.concatenate(self.links)
 
 
-def skeleton(arm: Arm, q: np.ndarray) -> Skeleton:
+def skeleton(description: Description, q: np.ndarray) -> Skeleton:
     """Return an arm's skeleton in posture q (n,), rad or m."""
-    frames = arm.frames(np.asarray(q, float))
-    origins, n = frames[:, :3, 3], arm.n
+    return skeletons(description, np.asarray(q, float)[None])[0]
+
+
+def skeletons(description: Description, q: np.ndarray) -> list[Skeleton]:
+    """Return an arm's skeletons in postures q (k, n), rad or m."""
+    return [_skeleton(description, each) for each in frames(chain_of(description), q, description.base)]
+
+
+def _skeleton(description: Description, frames: np.ndarray) -> Skeleton:
+    origins, n = frames[:, :3, 3], description.n
     links, centres, directions = [], np.empty((n, 3)), np.empty((n, 3))
-    for i, row in enumerate(arm.description.rows):
-        if arm.description.convention == "standard":
+    for i, row in enumerate(description.rows):
+        if description.convention == "standard":
             corner = origins[i + 1] - row.a * frames[i + 1, :3, 0]
             links.append(np.array([origins[i], corner, origins[i + 1]]))
             centres[i], directions[i] = origins[i], frames[i, :3, 2]
@@ -48,8 +56,8 @@ def skeleton(arm: Arm, q: np.ndarray) -> Skeleton:
             corner = origins[i] + row.a * frames[i, :3, 0]
             links.append(np.array([origins[i], corner, origins[i + 1]]))
             centres[i], directions[i] = origins[i + 1], frames[i + 1, :3, 2]
-        if arm.joint_types[i] == "P" or np.allclose(centres[i], origins[0]):
-            centres[i] = (links[i][0] + corner) / 2 if arm.joint_types[i] == "P" else centres[i]
+        if description.joint_types[i] == "P":
+            centres[i] = (links[i][0] + corner) / 2
     links.append(np.array([origins[n], origins[n + 1]]))
     return Skeleton(tuple(links), centres, directions, frames)
 

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pieper.presentation.skeleton import Skeleton
-from pieper.presentation.style import AXES, FAINT, GRID, INK, MM
+from pieper.drawing.skeleton import Skeleton
+from pieper.drawing.style import AXES, FAINT, GRID, INK, MM
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

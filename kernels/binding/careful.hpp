@@ -1,0 +1,128 @@
+// The look at singular poses as Python sees it.
+#pragma once
+
+#include "binding/solver.hpp"
+#include "singular/careful.hpp"
+
+namespace {
+
+class PyCarefulLook {
+ public:
+  PyCarefulLook(nb::object solver, nb::handle links, nb::handle prismatic, double length, nb::handle lower,
+                nb::handle upper)
+      : solver_(solver) {
+    const PySolver& own = *nb::cast<const PySolver*>(solver);
+    const auto l = to_vector<double>(links, NPY_DOUBLE), low = to_vector<double>(lower, NPY_DOUBLE),
+               high = to_vector<double>(upper, NPY_DOUBLE);
+    const auto slides = to_vector<std::uint8_t>(prismatic, NPY_UINT8);
+    if (l.size() != 7 * 16 || slides.size() != 6 || low.size() != 6 || high.size() != 6)
+      throw nb::value_error("links must be (7, 4, 4); prismatic, lower and upper (6,).");
+    look_ = std::make_unique<pieper::CarefulLook>(own.solver(), l.data(), slides.data(), length, low.data(),
+                                                  high.data(), own.accepted(), own.exact());
+  }
+
+  // None where what there is cannot be read off.
+  nb::object one(nb::handle given, nb::handle known, int flag) const {
+    nb::object pose = float_array(given, "T"), rows = float_array(known, "q");
+    const npy_intp size = PyArray_SIZE(as_array(rows));
+    if (PyArray_SIZE(as_array(pose)) != 16 || size % 6) throw nb::value_error("T must be (4, 4) and q (m, 6).");
+    static thread_local pieper::CarefulPose found;
+    if (!look_->look(doubles(pose), doubles(rows), static_cast<int>(size / 6), static_cast<std::uint8_t>(flag), found))
+      return nb::none();
+    const npy_intp shape[] = {found.count, 6};
+    nb::object q = new_array(2, shape, NPY_DOUBLE), inside = new_array(1, shape, NPY_BOOL),
+               singular = new_array(1, shape, NPY_BOOL), branches = new_array(1, shape, NPY_INT64),
+               motion = new_array(1, shape, NPY_INT64);
+    std::copy(found.q.begin(), found.q.end(), static_cast<double*>(PyArray_DATA(as_array(q))));
+    std::copy(found.inside.begin(), found.inside.end(), static_cast<std::uint8_t*>(PyArray_DATA(as_array(inside))));
+    std::copy(found.singular.begin(), found.singular.end(),
+              static_cast<std::uint8_t*>(PyArray_DATA(as_array(singular))));
+    std::copy(found.branches.begin(), found.branches.end(),
+              static_cast<std::int64_t*>(PyArray_DATA(as_array(branches))));
+    std::copy(found.motion.begin(), found.motion.end(), static_cast<std::int64_t*>(PyArray_DATA(as_array(motion))));
+    nb::list motions;
+    for (const auto& said : found.motions) motions.append(told(said));
+    return nb::make_tuple(q, inside, static_cast<int>(found.flag), singular, branches, motion, motions);
+  }
+
+  // Looks at the poses that index (K,) names and writes their rows; returns (K,) 0 where that could not be read off, else 1, and 2
+  // where a self-motion was found.
+  nb::object into(nb::handle given, nb::handle which, nb::handle q, nb::handle valid, nb::handle inside,
+                  nb::handle flags) const {
+    nb::object poses = poses_in(given), index = nb::steal(PyArray_FROM_OTF(which.ptr(), NPY_INT64, NPY_ARRAY_IN_ARRAY));
+    if (!index.is_valid()) throw nb::python_error();
+    const npy_intp count = PyArray_SIZE(as_array(index)), all = PyArray_DIM(as_array(poses), 0);
+    const auto target = [&](nb::handle array, int type, npy_intp size) {
+      PyArrayObject* a = reinterpret_cast<PyArrayObject*>(array.ptr());
+      if (!PyArray_Check(array.ptr()) || PyArray_TYPE(a) != type || !PyArray_ISCARRAY(a) || PyArray_SIZE(a) != size)
+        throw nb::value_error("rows must be contiguous and writable, of the poses' number.");
+      return PyArray_DATA(a);
+    };
+    const int slots = nb::cast<const PySolver*>(solver_)->solver().slots();
+    auto* to = static_cast<double*>(target(q, NPY_DOUBLE, all * slots * 6));
+    auto* is = static_cast<std::uint8_t*>(target(valid, NPY_BOOL, all * slots));
+    auto* in = static_cast<std::uint8_t*>(target(inside, NPY_BOOL, all * slots));
+    auto* flag = static_cast<std::uint8_t*>(target(flags, NPY_UINT8, all));
+    nb::object out = new_array(1, &count, NPY_UINT8);
+    auto* read = static_cast<std::uint8_t*>(PyArray_DATA(as_array(out)));
+    const auto* at = static_cast<const std::int64_t*>(PyArray_DATA(as_array(index)));
+    const double* T = doubles(poses);
+    for (npy_intp k = 0; k < count; ++k)
+      if (at[k] < 0 || at[k] >= all) throw nb::index_error("index names a pose that is not there.");
+    nb::gil_scoped_release release;
+    pieper::CarefulPose found;
+    for (npy_intp k = 0; k < count; ++k) {
+      const std::int64_t i = at[k];
+      read[k] = 0;
+      if (!(*look_)(T + 16 * i, found) || found.count > slots) continue;
+      read[k] = found.motions.empty() ? 1 : 2;
+      std::fill(to + i * slots * 6, to + (i + 1) * slots * 6, 0.0);
+      std::copy(found.q.begin(), found.q.end(), to + i * slots * 6);
+      for (int s = 0; s < slots; ++s)
+        is[i * slots + s] = s < found.count, in[i * slots + s] = s < found.count && found.inside[s];
+      flag[i] = found.flag | (flag[i] & pieper::kRounded);
+    }
+    return out;
+  }
+
+ private:
+  // A line as (through, (i, j), sense), a linkage as (through, joints, axes, spots or None, senses, lead, low, high, side).
+  static nb::object told(const pieper::SelfMotionSaid& said) {
+    const npy_intp six[] = {6}, four[] = {4}, wide[] = {4, 3};
+    nb::object through = copied(said.through, 1, six, NPY_DOUBLE);
+    if (said.line) return nb::make_tuple(through, nb::make_tuple(said.joints[0], said.joints[1]), said.sense);
+    nb::object joints = new_array(1, four, NPY_INT64);
+    std::copy(said.joints, said.joints + 4, static_cast<std::int64_t*>(PyArray_DATA(as_array(joints))));
+    nb::object spots = said.flat ? copied(&said.spots[0][0], 1, four, NPY_CDOUBLE) : nb::object(nb::none());
+    return nb::make_tuple(through, joints, copied(&said.axes[0][0], 2, wide, NPY_DOUBLE), spots,
+                          copied(said.senses, 1, four, NPY_DOUBLE), said.lead, said.low, said.high, said.side);
+  }
+  static nb::object copied(const double* from, int dimensions, const npy_intp* shape, int type) {
+    nb::object out = new_array(dimensions, shape, type);
+    npy_intp size = type == NPY_CDOUBLE ? 2 : 1;
+    for (int k = 0; k < dimensions; ++k) size *= shape[k];
+    std::copy(from, from + size, static_cast<double*>(PyArray_DATA(as_array(out))));
+    return out;
+  }
+
+  nb::object solver_;
+  std::unique_ptr<pieper::CarefulLook> look_;
+};
+
+void bind_careful(nb::module_& m) {
+  nb::class_<PyCarefulLook>(m, "CarefulLook",
+                            "What is free at a singular pose of six joints, read off the axes of a solver's rows.")
+      .def(nb::init<nb::object, nb::handle, nb::handle, double, nb::handle, nb::handle>(), nb::arg("solver"),
+           nb::kw_only(), nb::arg("links"), nb::arg("prismatic"), nb::arg("length"), nb::arg("lower"), nb::arg("upper"))
+      .def("one", &PyCarefulLook::one, nb::arg("T"), nb::arg("q"), nb::arg("flag"),
+           "(4, 4), the solver's rows (m, 6) and flag -> q (m, 6), inside (m,), flag, singular (m,), branches (m,), "
+           "self_motion (m,), the self-motions; None "
+           "where that cannot be read off.")
+      .def("into", &PyCarefulLook::into, nb::arg("Ts"), nb::arg("index"), nb::arg("q"), nb::arg("valid"),
+           nb::arg("in_limits"), nb::arg("flag"),
+           "Writes the rows of the poses that `index` names; returns 0 where they cannot be read off, 2 where a "
+           "self-motion "
+           "is among them, else 1.");
+}
+
+}  // namespace

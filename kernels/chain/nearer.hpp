@@ -1,0 +1,26 @@
+// How near a chain's tool comes to a pose inside limits: Newton on the distance itself, with its second derivatives. Any number of
+// joints, coupled ones too; plain types, scalar.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace pieper {
+
+struct DownhillChain {
+  int n;
+  double length;                  // m
+  const double* links;            // (n + 1) x 16 row-major, m
+  const std::uint8_t* prismatic;  // n
+  const double* coupling;         // n x n: the chain is at coupling @ q; null where no joint is coupled
+  const double *lower, *upper;    // n, of q, rad or m
+};
+
+// Goes downhill from q (n; left at the best) in |p - p_T|^2 / 2 + turning (1 - cos angle), lengths in units of the arm; turning infinite
+// for turns alone. Returns the value that is left.
+//
+// The remainder is large where a pose is out of reach: Gauss's and Newton's step would crawl, so the second derivatives are taken as
+// they are, with their eigenvalues' absolute values.
+double nearer(const DownhillChain& chain, const double* T, double turning, int steps, double* q);
+
+}  // namespace pieper

@@ -1,0 +1,112 @@
+// The work of CarefulLook. Compiled once, for the plainest processor: these poses are few.
+#include "singular/careful.hpp"
+
+#include "chain/posecheck.hpp"
+#include "singular/look.hpp"
+
+namespace pieper {
+
+using namespace PIEPER_ISA;
+
+struct CarefulLook::Own {
+  const Solver& solver;
+  SixJoints arm;
+  Limits limits;
+  double accepted, exact;
+  Look look;
+};
+
+namespace {
+
+constexpr int kMostRows = 256;
+
+SixJoints arm_of(const double* links, const std::uint8_t* prismatic, double length) {
+  SixJoints arm{};
+  arm.length = length;
+  for (int k = 0; k < 7; ++k) arm.links[k] = read_rigid(links + 16 * k, length);
+  for (int k = 0; k < 6; ++k) arm.slides[k] = prismatic[k];
+  return arm;
+}
+
+Limits limits_of(const SixJoints& arm, const double* lower, const double* upper) {
+  Limits limits{};
+  for (int k = 0; k < 6; ++k) {
+    const double unit = arm.slides[k] ? arm.length : 1.0;
+    limits.lower[k] = lower[k] / unit, limits.upper[k] = upper[k] / unit;
+  }
+  return limits;
+}
+
+}  // namespace
+
+CarefulLook::CarefulLook(const Solver& solver, const double* links, const std::uint8_t* prismatic, double length,
+                         const double* lower, const double* upper, double accepted, double exact) {
+  const SixJoints arm = arm_of(links, prismatic, length);
+  const Limits limits = limits_of(arm, lower, upper);
+  own_.reset(new Own{solver, arm, limits, accepted, exact, Look(arm, limits)});
+}
+
+CarefulLook::~CarefulLook() = default;
+
+bool CarefulLook::operator()(const double* T, CarefulPose& out) const {
+  const Own& own = *own_;
+  double q[kMostRows * 6];
+  std::uint8_t valid[kMostRows], inside[kMostRows], flag;
+  BadPose bad{};
+  if (own.solver.slots() > kMostRows || !own.solver.solve_one(T, q, valid, inside, &flag, bad)) return false;
+  int count = 0;
+  for (int s = 0; s < own.solver.slots(); ++s)
+    if (valid[s]) std::copy(q + 6 * s, q + 6 * s + 6, q + 6 * count++);
+  return look(T, q, count, flag, out);
+}
+
+bool CarefulLook::look(const double* T, const double* q, int count, std::uint8_t flag, CarefulPose& out) const {
+  const Own& own = *own_;
+  double rows[kMostRows * 6], deviation, straight[16];
+  if (count > kMostRows) return false;
+  isa().deviation(T, 1, &deviation);
+  if (deviation > own.exact) {
+    isa().straighten(T, &deviation, own.exact, 1, straight);
+    T = straight;
+  }
+  auto unit = [&](int i) { return own.arm.slides[i] ? own.arm.length : 1.0; };
+  for (int k = 0; k < 6 * count; ++k) rows[k] = q[k] / unit(k % 6);
+  static thread_local Read read;
+  if (!own.look(read_rigid(T, own.arm.length), rows, count, read)) return false;
+  out.motions.clear(), out.flag = flag;
+  out.count = static_cast<int>(read.rows.size());
+  out.q.clear(), out.inside.clear(), out.singular.clear(), out.branches.clear(), out.motion.clear();
+  for (const Read::Row& row : read.rows) {
+    bool ok = true;
+    for (int i = 0; i < 6; ++i) {
+      double value = row.q[i];
+      ok &= turned_inside(value, own.arm.slides[i], own.limits.lower[i], own.limits.upper[i]);
+      out.q.push_back(value * unit(i));
+    }
+    out.inside.push_back(ok), out.singular.push_back(row.singular);
+    out.branches.push_back(row.branches), out.motion.push_back(row.motion);
+  }
+  for (const SelfMotionRead& motion : read.motions) {
+    SelfMotionSaid said{};
+    if (const auto* line = std::get_if<LineSelfMotion>(&motion)) {
+      said.line = true, said.joints[0] = line->i, said.joints[1] = line->j, said.sense = line->sense;
+      std::copy(line->through, line->through + 6, said.through);
+    } else {
+      const auto& linkage = std::get<LinkageSelfMotion>(motion);
+      said.flat = linkage.bar.flat, said.lead = linkage.lead, said.low = linkage.low, said.high = linkage.high,
+      said.side = linkage.side;
+      for (int k = 0; k < 4; ++k) {
+        const Vec3 z = linkage.bar.axis[k];
+        said.joints[k] = linkage.bar.joint[k], said.senses[k] = linkage.bar.sense[k];
+        said.axes[k][0] = z.x, said.axes[k][1] = z.y, said.axes[k][2] = z.z;
+        if (said.flat) said.spots[k][0] = linkage.bar.spot[k].real(), said.spots[k][1] = linkage.bar.spot[k].imag();
+      }
+      std::copy(linkage.through, linkage.through + 6, said.through);
+    }
+    for (int i = 0; i < 6; ++i) said.through[i] *= unit(i);
+    out.motions.push_back(said);
+  }
+  return true;
+}
+
+}  // namespace pieper

@@ -1,0 +1,53 @@
+// One arm's look at singular poses, from a raw pose to rows inside limits; plain types, no Python here.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "dispatch/solver.hpp"
+
+namespace pieper {
+
+// A self-motion as its own words: two joints in one line, or a linkage.
+struct SelfMotionSaid {
+  double through[6];  // rad; m
+  bool line;
+  int joints[4];  // two of a line, ascending
+  double sense;   // of a line
+  // of a linkage
+  bool flat;
+  double axes[4][3], spots[4][2], senses[4];  // spots per length
+  int lead;
+  double low, high, side;
+};
+
+// All there is at one pose, rows in order, limits applied.
+struct CarefulPose {
+  int count;
+  std::vector<double> q;  // count x 6, rad; m
+  std::vector<std::uint8_t> inside, singular;
+  std::vector<int> branches, motion;
+  std::vector<SelfMotionSaid> motions;
+  std::uint8_t flag;
+};
+
+class CarefulLook {
+ public:
+  // links: 7 x 16 row-major, m. lower, upper: 6, without slack.
+  CarefulLook(const Solver& solver, const double* links, const std::uint8_t* prismatic, double length,
+              const double* lower, const double* upper, double accepted, double exact);
+  ~CarefulLook();
+
+  // Looks at a pose that is one, of which the solver has these rows (count x 6, rad, m) and this flag; false where what there is
+  // cannot be read off.
+  bool look(const double* T, const double* q, int count, std::uint8_t flag, CarefulPose& out) const;
+  // The same, solved here.
+  bool operator()(const double* T, CarefulPose& out) const;
+
+ private:
+  struct Own;
+  std::unique_ptr<Own> own_;
+};
+
+}  // namespace pieper

@@ -1,0 +1,202 @@
+// Four revolute joints that close on themselves: parallel axes (a planar four-bar linkage) or axes through one point (a spherical
+// one). exp(x1 d1) exp(x2 d2) exp(x3 d3) exp(x4 d4) = 1 is a scalar equation between the angle that leads and the one opposite, each
+// side a constant and one harmonic, so that every joint may lead, and where it can go is known exactly. Scalar.
+#pragma once
+
+#include <complex>
+
+#include "singular/six.hpp"
+
+namespace pieper::PIEPER_ISA {
+
+// middle + size cos(angle - phase)
+struct Harmonic {
+  double middle, size, phase;
+  static Harmonic of(double constant, double cosine, double sine) {
+    return {constant, std::hypot(cosine, sine), std::atan2(sine, cosine)};
+  }
+  double at(double angle) const { return middle + size * std::cos(angle - phase); }
+  // How far from the phase, in [0, pi], the value is taken; the nearest end where it is not.
+  double from_phase(double value) const { return std::acos(std::fmin(std::fmax((value - middle) / size, -1.0), 1.0)); }
+};
+
+struct FourBar {
+  using Complex = std::complex<double>;
+  int joint[4];  // ascending
+  Vec3 axis[4];
+  bool flat;            // parallel axes; else through one point
+  Complex spot[4];      // of flat ones: points on the axes in the plane across them
+  double sense[4];      // which way each turns in that plane, 1 or -1
+  Harmonic side[4][2];  // by who leads: of its angle, and of the one opposite
+
+  // What must be equal when each of them leads; to be called once the axes are known.
+  void prepare() {
+    for (int lead = 0; lead < 4; ++lead) {
+      const int i1 = lead, i2 = (lead + 1) % 4, i3 = (lead + 2) % 4, i4 = (lead + 3) % 4;
+      for (int k = 0; k < 2; ++k) {
+        const int i = k ? i3 : i1;
+        if (flat) {
+          const double turn = k ? sense[i3] : -sense[i1];
+          const Complex m = 2.0 * std::conj(spot[i] - spot[i2]) * (spot[i4] - spot[i]);
+          side[lead][k] =
+              Harmonic::of(std::norm(spot[i] - spot[i2]) + std::norm(spot[i4] - spot[i]), m.real(), -turn * m.imag());
+        } else {
+          const double turn = k ? 1 : -1, constant = dot(axis[i], axis[i2]) * dot(axis[i], axis[i4]);
+          side[lead][k] = Harmonic::of(constant, dot(axis[i2], axis[i4]) - constant,
+                                       turn * dot(axis[i2], cross(axis[i], axis[i4])));
+        }
+      }
+    }
+  }
+  const Harmonic& opposite(int lead) const { return side[lead][1]; }
+
+  // The four angles that a leading angle asks for, rad from the solution; false where it cannot go there. `way`: 1 or -1, on which
+  // side of its phase the opposite angle is.
+  bool turned(int lead, double angle, double way, double* out) const {
+    const Harmonic &mine = side[lead][0], &other = side[lead][1];
+    const int i1 = lead, i2 = (lead + 1) % 4, i3 = (lead + 2) % 4, i4 = (lead + 3) % 4;
+    const double value = mine.at(angle), across = other.phase + way * other.from_phase(value);
+    out[i1] = angle, out[i3] = across;
+    if (flat) {
+      const Complex ends = spot[i1] + std::polar(1.0, -sense[i1] * angle) * (spot[i4] - spot[i1]) - spot[i2];
+      const Complex starts = spot[i3] + std::polar(1.0, sense[i3] * across) * (spot[i4] - spot[i3]) - spot[i2];
+      out[i2] = sense[i2] * std::arg(ends * std::conj(starts));
+      out[i4] = -sense[i4] * (sense[i1] * angle + sense[i2] * out[i2] + sense[i3] * across);
+    } else {
+      out[i2] = about(axis[i2], rotated(axis[i3], across, axis[i4]), rotated(axis[i1], -angle, axis[i4]));
+      out[i4] = about(axis[i4], rotated(axis[i1], angle, axis[i2]), rotated(axis[i3], -across, axis[i2]));
+    }
+    return std::fabs(value - other.middle) <= other.size * (1 + 1e-14);
+  }
+
+  // Where (rad, from the solution) the leading angle can go on the solution's own piece of the curve, a whole turn where it goes
+  // round. False where the pieces touch: there curves cross.
+  bool range(int lead, double& low, double& high) const {
+    const Harmonic &mine = side[lead][0], &other = side[lead][1];
+    if (std::fmin(mine.size, other.size) < kLoopCritical) return false;
+    // cosines of the angle's distance from its phase at the two ends of what the opposite angle can do
+    const double top = (other.middle + other.size - mine.middle) / mine.size,
+                 bottom = (other.middle - other.size - mine.middle) / mine.size;
+    for (double end : {top - 1, top + 1, bottom - 1, bottom + 1})
+      if (std::fabs(end) < kLoopCritical) return false;
+    const double least = top < 1 ? std::acos(std::fmax(top, -1.0)) : 0,
+                 most = bottom > -1 ? std::acos(std::fmin(bottom, 1.0)) : kPi;
+    if (least == 0) {
+      low = mine.phase - most, high = mine.phase + most;
+    } else if (most == kPi) {
+      low = mine.phase + least, high = mine.phase + kTwoPi - least;
+    } else {
+      const double sign = short_way(-mine.phase) > 0 ? 1 : -1, a = mine.phase + sign * least,
+                   b = mine.phase + sign * most;
+      low = std::fmin(a, b), high = std::fmax(a, b);
+    }
+    return true;
+  }
+
+ private:
+  static Vec3 rotated(Vec3 about, double angle, Vec3 v) {
+    const Vec3 along = dot(about, v) * about;
+    return along + std::cos(angle) * (v - along) + std::sin(angle) * cross(about, v);
+  }
+  // The angle about an axis that turns start to end.
+  static double about(Vec3 axis, Vec3 start, Vec3 end) {
+    return std::atan2(dot(cross(start, end), axis), dot(start, end) - dot(start, axis) * dot(end, axis));
+  }
+};
+
+inline double length_of(Vec3 v) { return std::sqrt(dot(v, v)); }
+
+// By how much two axes miss being one line (rad and lengths, added up).
+inline double line_gap(const Standing& at, int i, int j) {
+  return length_of(cross(at.z[i], at.z[j])) + length_of(cross(at.o[j] - at.o[i], at.z[i]));
+}
+
+// The point nearest to four lines, in the least squares; along a direction that all of them have it is anywhere.
+inline Vec3 nearest_to_lines(const Vec3* z, const Vec3* o) {
+  const Vec3 middle = 0.25 * (o[0] + o[1] + o[2] + o[3]);
+  double A[3][4] = {};
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 p = o[k] - middle, side = p - dot(p, z[k]) * z[k];
+    const double a[3] = {z[k].x, z[k].y, z[k].z}, b[3] = {side.x, side.y, side.z};
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) A[r][c] += (r == c) - a[r] * a[c];
+      A[r][3] += b[r];
+    }
+  }
+  double x[3] = {};
+  int order[3] = {0, 1, 2}, done = 0;
+  for (; done < 3; ++done) {  // symmetric elimination, the largest pivot first
+    int best = done;
+    for (int k = done; k < 3; ++k)
+      if (A[order[k]][order[k]] > A[order[best]][order[best]]) best = k;
+    std::swap(order[done], order[best]);
+    const int p = order[done];
+    if (A[p][p] < 1e-9) break;
+    for (int k = done + 1; k < 3; ++k) {
+      const double f = A[order[k]][p] / A[p][p];
+      for (int c = 0; c < 4; ++c) A[order[k]][c] -= f * A[p][c];
+    }
+  }
+  for (int k = done - 1; k >= 0; --k) {
+    double sum = A[order[k]][3];
+    for (int m = k + 1; m < done; ++m) sum -= A[order[k]][order[m]] * x[order[m]];
+    x[order[k]] = sum / A[order[k]][order[k]];
+  }
+  return middle + Vec3{x[0], x[1], x[2]};
+}
+
+// Four joints (ascending) as a linkage, and by how much (rad and lengths) their axes miss being one.
+inline double close_four(const Standing& at, const int* joints, FourBar& bar) {
+  Vec3 o[4];
+  for (int k = 0; k < 4; ++k)
+    bar.joint[k] = joints[k], bar.axis[k] = at.z[joints[k]], o[k] = at.o[joints[k]], bar.sense[k] = 1;
+  const Vec3 n = bar.axis[0], point = nearest_to_lines(bar.axis, o);
+  double tilt = 0, apart = 0;
+  for (int k = 0; k < 4; ++k) {
+    tilt = std::fmax(tilt, length_of(cross(bar.axis[k], n)));
+    apart = std::fmax(apart, length_of(cross(o[k] - point, bar.axis[k])));
+  }
+  bar.flat = !(tilt > apart);
+  if (!bar.flat) return apart;
+  const double a[3] = {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
+  const int least = static_cast<int>(std::min_element(a, a + 3) - a);
+  Vec3 x = cross(n, Vec3{least == 0 ? 1.0 : 0.0, least == 1 ? 1.0 : 0.0, least == 2 ? 1.0 : 0.0});
+  x = (1 / length_of(x)) * x;
+  const Vec3 y = cross(n, x);
+  for (int k = 0; k < 4; ++k) {
+    bar.spot[k] = {dot(o[k] - o[0], x), dot(o[k] - o[0], y)};
+    bar.sense[k] = dot(bar.axis[k], n) < 0 ? -1 : 1;
+  }
+  return tilt;
+}
+
+// The four-bar that a null direction moves, and by how much its axes miss being one. False where the direction moves other than
+// turning joints, or more than four of them.
+inline bool four_bar(const SixJoints& arm, const Standing& at, const double* null, const int* order, FourBar& bar,
+                     double& gap) {
+  if (std::fabs(null[order[4]]) > kLoopMoves) return false;
+  int moving[4];
+  std::copy(order, order + 4, moving);
+  std::sort(moving, moving + 4);
+  if (std::fabs(null[order[3]]) > kLoopMoves) {
+    for (int j : moving)
+      if (arm.slides[j]) return false;
+    gap = close_four(at, moving, bar);
+    return true;
+  }
+  for (int k = 0; k < 3; ++k)
+    if (arm.slides[order[k]]) return false;
+  // one of the four may stand still for a moment, where it turns back
+  gap = INFINITY;
+  for (int j = 0; j < kSix; ++j) {
+    if (arm.slides[j] || j == order[0] || j == order[1] || j == order[2]) continue;
+    int four[4] = {order[0], order[1], order[2], j};
+    std::sort(four, four + 4);
+    FourBar tried;
+    const double missed = close_four(at, four, tried);
+    if (missed < gap) gap = missed, bar = tried;
+  }
+  return gap < INFINITY;
+}
+
+}  // namespace pieper::PIEPER_ISA

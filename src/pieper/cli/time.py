@@ -1,0 +1,103 @@
+"""`pieper time`: straight lines followed by one branch, and the fastest motion along them within limits."""
+
+from __future__ import annotations
+
+import click
+
+import pieper
+from pieper.cli.arguments import joints, numbers, target
+from pieper.cli.options import (
+    NUMBERS,
+    animate,
+    as_csv,
+    as_json,
+    figure,
+    first,
+    last,
+    order,
+    points,
+    rate,
+    start,
+    takes_arm,
+    takes_limits,
+    takes_units,
+)
+from pieper.cli.output import say
+from pieper.cli.path import held, lines
+from pieper.cli.status import DONE, NO_SOLUTION
+from pieper.cli.timed import print_data, tell, write
+from pieper.cli.units import Units
+
+
+@click.command("time", context_settings=NUMBERS, short_help="Time a path within limits.")
+@takes_arm
+@first
+@last
+@click.option("--via", multiple=True, metavar="POSE", help="A pose on the way; may be repeated.")
+@points
+@start
+@click.option(
+    "--constant",
+    multiple=True,
+    metavar="NUMBERS",
+    help="A section of constant tool speed: s0 s1 and the speed, quoted; s from 0 to 1.",
+)
+@rate
+@as_csv
+@figure
+@animate
+@order
+@as_json
+@takes_units
+@takes_limits
+def command(
+    arm: pieper.Arm,
+    first: str,
+    last: str,
+    via: tuple[str, ...],
+    points: int,
+    start: str,
+    constant: tuple[str, ...],
+    rate: float,
+    csv: str,
+    figure: str,
+    animate: str,
+    order: str,
+    json: bool,
+    units: Units,
+    limits: pieper.Limits | None,
+) -> int:
+    """Follow straight lines with one branch and time them: as fast as the limits allow, proved on the whole curve.
+
+    Example: pieper time denso-vp6242 --from "350 0 400" --to "200 100 500" --start line-start --speed 180
+    --acceleration 600
+    """
+    if not first or not last:
+        raise pieper.InputError('a path needs --from and --to, for example --from "350 0 400" --to "200 100 500".')
+    if limits is None:
+        raise pieper.InputError("a motion needs limits: say --speed and --acceleration, and more where it matters.")
+    words = [("--from", first), *(("--via", v) for v in via), ("--to", last)]
+    q = joints(arm, [start], units, "--start")
+    poses, note = held(arm, [target([text], units, order, what) for what, text in words], q)
+    track = arm.follow(lines(poses, points), start=q)
+    if note:
+        say(note + "\n")
+    if not track.complete:
+        say(track.explain())
+        return NO_SOLUTION
+    motion = pieper.time_law(track, limits, constant_speed=[_section(text, units) for text in constant], rate=rate)
+    written = write(arm, motion, units, csv=csv, figure=figure, animate=animate)
+    if json:
+        print_data(arm, motion, s=motion.s, deviation=motion.deviation)
+        return DONE
+    tell(arm, motion)
+    for sentence in written:
+        say(sentence)
+    return DONE
+
+
+def _section(text: str, units: Units) -> tuple[float, float, float]:
+    values = numbers([text], "--constant")
+    if len(values) != 3:
+        raise pieper.InputError(f"--constant takes s0, s1 and a speed, got {len(values)} numbers.", given=values)
+    return values[0], values[1], values[2] * units.metres

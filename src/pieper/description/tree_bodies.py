@@ -1,0 +1,65 @@
+"""The shapes of a robot's links become bodies of the arm between two of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+
+from pieper.description.dh import Description
+from pieper.description.fold import frames_of
+from pieper.description.shapes import Body, unique_names
+from pieper.description.tree import Joint
+from pieper.description.urdf import parse
+from pieper.description.urdf_solids import Solids
+from pieper.kinematics.pose import inverse
+
+Array = npt.NDArray[np.float64]
+
+
+def known_bodies(arm: Description) -> tuple[tuple[Body, ...], tuple[str, ...]]:
+    """Return what is known of an arm's bodies, a file's shapes measured if need be, and sentences on what was left out.
+
+    Bodies are the links' from base to tip, and those of what hangs from them and is no part of the arm. Joints of that,
+    such as fingers, are taken at zero; a sentence says so.
+    """
+    source = arm.unmeasured
+    if arm.bodies or source is None:
+        return arm.bodies, ()
+    shapes = Solids(source.data, source.file)
+    tree = parse(source.data, source.file, source.exact_angles)
+    frames = frames_of(replace(arm, base=source.at), np.zeros(arm.n))
+    path = tree.path(source.base, source.tip)
+    own = {joint.name for joint, _ in path}
+    bodies: list[Body] = []
+    still: list[str] = []
+
+    def take(link: str, on: int, T: Array) -> None:
+        for shape, source in shapes.of(link):
+            bodies.append(Body(link, on, shape.moved(inverse(frames[on]) @ T), source))
+        for joint in tree.below.get(link, ()):
+            if joint.name not in own:
+                origin, _ = tree.geometry(joint)
+                if joint.moves:
+                    still.append(joint.name)
+                take(joint.child, on, T @ origin)
+
+    on, T = 0, np.eye(4)
+    take(source.base, on, T)
+    for joint, upward in path:
+        origin, _ = tree.geometry(joint)
+        T = T @ (inverse(origin) if upward else origin)
+        if joint.moves and joint.name in arm.joint_names:
+            on += 1
+        take(_end(joint, upward), on, T)
+    names = unique_names([body.name for body in bodies])
+    notes = list(shapes.notes)
+    if still and bodies:
+        joints = ", ".join(still[:12])
+        notes.append(f"Joints {joints} are not the arm's: the bodies behind them stand where these are at zero.")
+    return tuple(replace(body, name=name) for body, name in zip(bodies, names, strict=True)), tuple(notes)
+
+
+def _end(joint: Joint, upward: bool) -> str:
+    return joint.parent if upward else joint.child

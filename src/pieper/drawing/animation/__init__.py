@@ -1,0 +1,1 @@
+"""A motion as a moving picture: GIF, WebP, MP4, or a page that plays it."""

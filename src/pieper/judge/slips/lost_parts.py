@@ -1,0 +1,38 @@
+"""What may be missing from a formula about an arm."""
+
+from __future__ import annotations
+
+from pieper.algebra.expression import Call, Expr
+from pieper.algebra.formula import angle_sum
+from pieper.judge.circular import axis_senses
+from pieper.judge.evidence import Evidence
+from pieper.judge.search.lookup import Lost, letters_of
+from pieper.judge.search.search import Goal
+from pieper.judge.slips.formula_slips import factor_pool
+
+RUN = 4  # parallel joints whose sum may have been lost
+
+
+def lost_from(ev: Evidence, node: Expr, goal: Goal, angle: Expr | None = None) -> Lost:
+    """What may be missing from a formula.
+
+    Args:
+        ev: The arm.
+        node: The formula as printed.
+        goal: What it should give.
+        angle: The angle that it is for; None for other formulas.
+    """
+    own = frozenset(angle.symbols()) if angle is not None else frozenset[str]()
+    pool = factor_pool(node, ev.model.values, ev.model.n)
+    turning = [j for j in range(1, ev.model.n + 1) if not ev.model.sliding(j)]
+    senses = axis_senses(ev.model)
+    for k, first in enumerate(turning):
+        for last in range(k, min(k + RUN, len(turning))):
+            signs = [(senses[first - 1][j - 1], j) for j in turning[k : last + 1]]
+            if all(sign for sign, _ in signs):
+                for name in ("cos", "sin"):
+                    call = Call(name, angle_sum(tuple(signs)))
+                    pool.setdefault(str(call), call)
+    sliding = {name for name, to in ev.model.aliases.items() if name[0] == "b" and to not in own}
+    letters = letters_of(node, pool, goal.env, own, sliding)
+    return Lost(letters, ev.model.n, own, angle is not None)

@@ -1,0 +1,81 @@
+"""What closes a route at a place: the joints and limits of each branch there, and the smallest change that opens one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.joints import TURN
+from pieper.motion.route.grid import Grid
+from pieper.motion.route.ladder import Rungs
+from pieper.motion.route.opening import Opening
+from pieper.motion.route.result import Blocked, Closed
+from pieper.motion.route.search import Task
+from pieper.motion.route.setting import Setting
+from pieper.solver.words.labels import posture_words
+
+
+def blocked_at(task: Task, grid: Grid, ladder: Rungs, furthest: int, proof: Callable[[], tuple[int, int]]) -> Blocked:
+    """Return where and why nothing goes on past a station; `furthest` is -1 where nothing begins."""
+    setting = task.setting
+    at = min(furthest + 1, len(ladder.s) - 1)
+    first = float(ladder.s[max(furthest, 0)])
+    last = float(ladder.s[at])
+    valid = ladder.valid[at]
+    if not valid.any():
+        why = f"At {last:.4g} of the path the pose is out of reach, however the tool is turned."
+        return Blocked((first, last), (), why, Opening(task, ()), proof)
+    closed = _closed(setting, ladder.x[at], valid)
+    if not closed:
+        why = (
+            f"At {last:.4g} of the path there are postures inside all limits, but none that is reached from the first pose "
+            "without leaving limits on the way: the passages to them are closed."
+        )
+        closed = _closed(setting, ladder.x[at], valid & (_excess(setting, ladder.x[at])[0] > 0), every=True)
+        return Blocked((first, last), closed, why, Opening(task, closed), proof)
+    why = f"At {last:.4g} of the path every branch is closed:"
+    return Blocked((first, last), closed, why, Opening(task, closed), proof)
+
+
+def _excess(setting: Setting, x: Array) -> tuple[Array, Array, Array]:
+    """Return by how much rows (..., m) pass a limit at best, without units, and the coordinate and side that do."""
+    low, high = setting.limits.T
+    unit = setting.chain.joints.unit
+    turning = ~setting.chain.prismatic
+    # of all whole turns the one that is least outside
+    both = np.isfinite(low) & np.isfinite(high)
+    middle = np.where(both, (np.where(both, low, 0) + np.where(both, high, 0)) / 2, 0.0)
+    near = np.where(turning & both, x - TURN * np.round((x - middle) / TURN), x)
+    free = turning & ~both
+    over = np.stack([np.where(free, -np.inf, low - near), np.where(free, -np.inf, near - high)], -1) / unit[:, None]
+    flat = over.reshape(*over.shape[:-2], -1)
+    which = np.argmax(flat, axis=-1)
+    size = np.take_along_axis(flat, which[..., None], -1)[..., 0]
+    return np.maximum(size, 0.0), which // 2, which % 2
+
+
+def _closed(setting: Setting, x: Array, valid: Bools, every: bool = False) -> tuple[Closed, ...]:
+    """Return for each branch of a pose what closes it at its best turn; nothing where one branch is open."""
+    size, joint, side = _excess(setting, x)
+    cell, row = np.nonzero(valid)
+    if not len(cell) or (not every and (size[cell, row] <= 0).any()):
+        return ()
+    labels = np.array(posture_words(setting.plan, x[cell, row, : setting.n]))
+    out: list[Closed] = []
+    for label in dict.fromkeys(labels.tolist()):
+        mine = np.flatnonzero(labels == label)
+        best = mine[int(np.argmin(size[cell[mine], row[mine]]))]
+        j, end = int(joint[cell[best], row[best]]), int(side[cell[best], row[best]])
+        unit = float(setting.chain.joints.unit[j])
+        out.append(
+            Closed(
+                label,
+                setting.names[j],
+                ("lower", "upper")[end],
+                float(setting.limits[j, end]),
+                float(size[cell[best], row[best]] * unit),
+            )
+        )
+    return tuple(sorted(out, key=lambda c: c.excess))

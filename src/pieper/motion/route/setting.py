@@ -1,0 +1,173 @@
+"""A path and what it leaves free, as one chain: the arm's joints, the turn about the tool's axis, the tilt of that axis."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from pieper.errors import PlanError
+from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.newton import missed, newton
+from pieper.kinematics.pose import rotation_about
+from pieper.motion.path import shortest_turn
+from pieper.motion.route.freedom import Freedom
+from pieper.solver.plan.plan import Plan
+from pieper.solver.plan.six_joints import appended, generic_rank, with_task_joints
+from pieper.tolerances import CLOSES, TINY
+
+#: Orientations in which the two virtual joints of a tilt act, about y and then about x.
+_TILTS = [
+    (rotation_about(np.array([1.0, 0.0, 0.0]), -np.pi / 2), False),
+    (rotation_about(np.array([0.0, 1.0, 0.0]), np.pi / 2), False),
+]
+
+
+@dataclass(frozen=True, eq=False)
+class Setting:
+    """What is solved along a path. Joint vectors x (..., m) are the arm's, then the turn, then the tilt (y, x).
+
+    Attributes:
+        plan: How the arm itself is solved.
+        rows: The plan whose rows are asked at poses: of a full pose where the arm can turn its tool as it is told.
+        curves: The plan whose spare coordinates are all that is free but a tilt.
+        free: What is free.
+        path: (N, 4, 4) poses, their z axis the one that is meant, m.
+        asked: (N, 4, 4) the poses as they were given.
+        s: (N,) parameters of the points.
+    """
+
+    plan: Plan
+    rows: Plan
+    curves: Plan
+    free: Freedom
+    path: Array
+    asked: Array
+    s: Array
+
+    @property
+    def n(self) -> int:
+        """Joints of the arm."""
+        return self.plan.n
+
+    @cached_property
+    def turns(self) -> bool:
+        """Whether the turn is a coordinate of its own."""
+        return self.curves.task == "position+axis"
+
+    @cached_property
+    def turn_on_grid(self) -> bool:
+        """Whether the turn is chosen, and the arm solved for it; else the arm's own joints decide it."""
+        return self.turns and self.rows is not self.curves
+
+    @cached_property
+    def tilts(self) -> bool:
+        """Whether the tool's axis may tilt."""
+        return self.free.cone > 0
+
+    @cached_property
+    def chain(self) -> Chain:
+        """All coordinates as one chain; fk(x) is the pose of the path."""
+        full = self.curves.exact.full
+        return appended(full, _TILTS) if self.tilts else full
+
+    @cached_property
+    def m(self) -> int:
+        """Number of coordinates."""
+        return self.chain.n
+
+    @cached_property
+    def spare(self) -> int:
+        """How many of the coordinates are free to choose at a pose."""
+        return len(self.curves.redundancy) + (2 if self.tilts else 0)
+
+    @cached_property
+    def limits(self) -> Array:
+        """(m, 2) of the joints, the turn and the tilt, rad or m."""
+        tilt = [(-self.free.cone, self.free.cone)] * 2 if self.tilts else []
+        return np.vstack([self.curves.full_limits, np.array(tilt).reshape(-1, 2)])
+
+    @cached_property
+    def weights(self) -> Array:
+        """(m,) what the square of each coordinate counts as motion: joints by their unit, virtual ones nothing."""
+        return np.where(np.arange(self.m) < self.n, self.chain.joints.unit**-2.0, 0.0)
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Names of the coordinates."""
+        names = tuple("turn" if name == "tool roll" else name for name in self.curves.full_names)
+        return (*names, *(("tilt about y", "tilt about x") if self.tilts else ()))
+
+    def turn_of(self, x: Array) -> Array:
+        """Return the turn (...) about the tool's axis of x (..., m), rad; zero where it is none's choice."""
+        return -x[..., self.n] if self.turns else np.zeros(x.shape[:-1])
+
+    def tilt_of(self, x: Array) -> Array:
+        """Return by how much the tool's axis is tilted (...), rad."""
+        if not self.tilts:
+            return np.zeros(x.shape[:-1])
+        return np.arccos(np.clip(np.cos(x[..., -1]) * np.cos(x[..., -2]), -1.0, 1.0))
+
+    def at(self, s: Array | float) -> Array:
+        """Return the poses (..., 4, 4) at s (...); between points lies the straight line."""
+        s = np.asarray(s, float)
+        flat = s.reshape(-1)
+        if len(self.s) < 2:
+            return np.broadcast_to(self.path[0], (*s.shape, 4, 4))
+        k = np.clip(np.searchsorted(self.s, flat, side="right") - 1, 0, len(self.s) - 2)
+        part = (flat - self.s[k]) / (self.s[k + 1] - self.s[k])
+        axis, angle = self._turns
+        out = self.path[k] + part[:, None, None] * (self.path[k + 1] - self.path[k])
+        out[:, :3, :3] = self.path[k, :3, :3] @ rotation_about(axis[k], part * angle[k])
+        out[part == 0.0], out[part == 1.0] = self.path[k[part == 0.0]], self.path[k[part == 1.0] + 1]
+        return out.reshape(*s.shape, 4, 4)
+
+    @cached_property
+    def _turns(self) -> tuple[Array, Array]:
+        """(N - 1, 3) axis and (N - 1,) angle by which the tool turns from point to point."""
+        turn = np.array([shortest_turn(a[:3, :3], b[:3, :3]) for a, b in itertools.pairwise(self.path)])
+        angle = np.linalg.norm(turn, axis=1)
+        return np.where(angle[:, None] > 0, turn / np.maximum(angle, TINY)[:, None], [0.0, 0.0, 1.0]), angle
+
+    def on(self, x: Array, T: Array) -> tuple[Array, Bools]:
+        """Return x (k, m) moved onto poses T (k, 4, 4) the shortest way, and whether that was reached."""
+        moved = newton(self.chain, x, T, steps=8)
+        return moved, missed(self.chain, moved, T) < CLOSES
+
+    @cached_property
+    def bounded(self) -> Indices:
+        """Coordinates that have a limit."""
+        return np.flatnonzero(np.isfinite(self.limits).any(1))
+
+
+def setting(plan: Plan, curves: Plan, free: Freedom, path: Array, s: Array) -> Setting:
+    """Return what is solved along a path.
+
+    Args:
+        plan: The arm's default plan.
+        curves: The plan of the task that is left: "position+axis" with the axis as z where the turn is free.
+        free: What is free.
+        path: (N, 4, 4) as given.
+        s: (N,).
+
+    Raises:
+        PlanError: The arm's joints are coupled.
+    """
+    if plan.uncoupled is not None:
+        raise PlanError(f"{plan.name} has coupled joints; routes are planned for joints that move by themselves.")
+    if free.cone > 0 and generic_rank(with_task_joints(plan.chain, "position")) < 6:
+        raise PlanError(f"{plan.name} cannot tilt its tool: leave out the cone.")
+    z = free.to_z
+    rows = curves
+    if curves.task == "position+axis" and plan.task == "pose" and plan.rank == generic_rank(curves.exact.full):
+        rows = plan
+    return Setting(plan, rows, curves, free, path @ z if curves is not plan else path, path, s)
+
+
+def with_turn_limits(curves: Plan, free: Freedom) -> Plan:
+    """Return the plan with the turn's interval as limits of its virtual joint."""
+    low, high = free.interval
+    return replace(curves, virtual_limits=np.array([[-high, -low]])) if np.isfinite(low) else curves

@@ -1,0 +1,219 @@
+"""A route made as short as it can be: Newton's method on all its points at once, held off the limits by a barrier.
+
+At each point the coordinates move along what the pose leaves free and are pulled back onto the pose. The cost is a chain
+of neighbouring points, so that a step solves a chain of small blocks. Limits are kept by a logarithmic barrier that is
+continued as a parabola below a margin, so that a start outside them is allowed; the barrier is made weaker stage by stage.
+
+Source:
+    Feller and Ebenbauer (2017), Relaxed logarithmic barrier function based model predictive control of linear systems.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pieper import _kernel
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.newton import scaled_jacobian
+from pieper.motion.route.setting import Setting
+
+#: The barrier's weights, one a stage, as parts of the mean cost of a step: the last leaves slopes of 1e-9 where limits are
+#: a tenth of a radian away.
+BARRIER = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5)
+#: Below its weight over so many mean steps the barrier is a parabola, steep enough that no point rests outside.
+STEEP = 8.0
+#: A start this far inside all limits (rad; lengths) needs the last stage only; a slope counts where limits are so far.
+CLEAR, APART = 0.1, 1e-3
+#: Most Newton steps of a stage, and the gradient at which one is done.
+STEPS, FLAT = 40, 1e-9
+#: Step by which the bending of what a pose leaves free is seen (rad; lengths).
+PROBE = 1e-4
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """What is made small, and what is kept.
+
+    Attributes:
+        setting: What is solved.
+        T: (N, 4, 4) the poses.
+        parts: (N - 1,) how many steps of the path each step is.
+        power: 2 for the sum of squares, more where the largest joint difference counts.
+        fixed: (N,) 1 where a point may move, else 0.
+        turn_step: (N - 1,) largest change of the turn, rad; None for any.
+    """
+
+    setting: Setting
+    T: Array
+    parts: Array
+    power: int
+    fixed: Array
+    turn_step: Array | None
+
+
+@dataclass(frozen=True, eq=False)
+class Smoothed:
+    """A route at rest: its points (N, m), its cost, and the largest slope of the cost along what poses leave free."""
+
+    x: Array
+    cost: float
+    slope: float
+
+
+def smooth(shape: Shape, x: Array) -> Smoothed:
+    """Return the route nearest by (N, m) that costs least inside the limits."""
+    mean = max(_value(replace(shape, power=2), x, 0.0, 1.0), 1e-12) / max(len(x) - 1, 1)
+    scale = mean if shape.power == 2 else float(np.sqrt(mean))
+    room = min((float((side * at).min(initial=np.inf)) for at, side in _margins(shape, x)), default=np.inf)
+    for part in BARRIER[-1:] if room > CLEAR and shape.turn_step is None else BARRIER:
+        weight = part * scale
+        x = _stage(shape, x, weight, weight / (STEEP * (np.sqrt(mean) if shape.power == 2 else 1.0)))
+    g, Z = _slope(shape, x, 0.0, 1.0)
+    near = np.min([(side * at).min(1, initial=np.inf) for at, side in _margins(shape, x)], axis=0)
+    along = np.abs(np.einsum("kma,km->ka", Z, g)) * (shape.fixed * (near > APART))[:, None]
+    return Smoothed(x, _value(shape, x, 0.0, 1.0), float(along.max(initial=0.0)))
+
+
+def _stage(shape: Shape, x: Array, weight: float, margin: float) -> Array:
+    damp, value = 0.0, _value(shape, x, weight, margin)
+    for _ in range(STEPS):
+        g, Z = _slope(shape, x, weight, margin)
+        along = np.einsum("kma,km->ka", Z, g) * shape.fixed[:, None]
+        if np.abs(along).max(initial=0.0) < FLAT:
+            break
+        D, E = _bend(shape, x, Z, g, weight, margin)
+        done = False
+        for _ in range(12):
+            size = np.abs(np.einsum("kaa->ka", D)).mean()
+            step, positive = _kernel.chain_of_blocks(D + damp * size * np.eye(D.shape[1]), E, -along)
+            if positive:
+                length = np.abs(step).max()
+                step *= min(1.0, 0.3 / max(length, 1e-300))
+                tried, ok = shape.setting.on(x + np.einsum("kma,ka->km", Z, step), shape.T)
+                new = _value(shape, tried, weight, margin) if ok.all() else np.inf
+                if new < value or (new <= value + 1e-14 * abs(value) and length < 1e-6):
+                    done = True
+                    break
+            damp = max(4 * damp, 1e-4)
+        if not done:
+            break
+        stalled = value - new <= 1e-15 * abs(value) and length < 1e-7
+        x, value, damp = tried, new, damp / 8 if damp > 1e-6 else 0.0
+        if stalled:
+            break
+    return x
+
+
+def _value(shape: Shape, x: Array, weight: float, margin: float) -> float:
+    w, e = shape.setting.weights, np.diff(x, axis=0)
+    if shape.power == 2:
+        cost = float(np.sum(w * e * e / shape.parts[:, None]))
+    else:
+        cost = float(np.sum(np.sum((w * e * e) ** (shape.power / 2), axis=1) ** (1 / shape.power)))
+    if weight:
+        for at, side in _margins(shape, x):
+            cost += weight * float(np.sum(_barrier(side * at, margin)[0]))
+        if shape.turn_step is not None:
+            left = shape.turn_step[:, None] - np.array([1.0, -1.0]) * e[:, shape.setting.n, None]
+            cost += weight * float(np.sum(_barrier(left, margin)[0]))
+    return cost
+
+
+def _margins(shape: Shape, x: Array) -> list[tuple[Array, float]]:
+    """Return by how much each bounded coordinate is off its limits (N, b), and the sense in which that counts."""
+    setting = shape.setting
+    low, high = setting.limits[setting.bounded].T
+    at = x[:, setting.bounded]
+    return [(at - low, 1.0), (at - high, -1.0)]
+
+
+def _barrier(d: Array, margin: float) -> tuple[Array, Array, Array]:
+    """Return value, slope and bend of the barrier at distances d, none where there is no limit."""
+    far = ~np.isfinite(d)
+    safe = np.where(d > margin, d, margin)
+    inside = d > margin
+    u = (d - 2 * margin) / margin
+    u = np.where(far, 0.0, u)
+    value = np.where(inside, -np.log(safe), 0.5 * (u * u - 1) - np.log(margin))
+    slope = np.where(inside, -1 / safe, u / margin)
+    bend = np.where(inside, 1 / safe**2, 1 / margin**2)
+    return tuple(np.where(far, 0.0, v) for v in (value, slope, bend))  # type: ignore[return-value]
+
+
+def _weights_of_steps(shape: Shape, x: Array) -> tuple[Array, Array]:
+    """Return the slope (N - 1, m) of the cost by each step's differences, and its bend (N - 1, m), the diagonal."""
+    w, e = shape.setting.weights, np.diff(x, axis=0)
+    if shape.power == 2:
+        c = 2 * w / shape.parts[:, None]
+        return c * e, np.broadcast_to(c, e.shape)
+    p, a = shape.power, np.sqrt(w) * np.abs(e)
+    top = np.maximum(a.max(1, keepdims=True), 1e-12)
+    r = a / top
+    total = np.sum(r**p, axis=1, keepdims=True)
+    slope = np.sqrt(w) * np.sign(e) * r ** (p - 1) * total ** (1 / p - 1)
+    # the bend without what the others take off it, which keeps it positive
+    bend = w * (p - 1) * r ** (p - 2) * total ** (1 / p - 1) / top + 1e-6 * w / top
+    return slope, bend
+
+
+def _slope(shape: Shape, x: Array, weight: float, margin: float) -> tuple[Array, Array]:
+    """Return the slope (N, m) of the cost, and what each pose leaves free (N, m, d)."""
+    setting = shape.setting
+    by_step, _ = _weights_of_steps(shape, x)
+    g = np.zeros_like(x)
+    g[1:] += by_step
+    g[:-1] -= by_step
+    if weight:
+        for at, side in _margins(shape, x):
+            g[:, setting.bounded] += weight * side * _barrier(side * at, margin)[1]
+        if shape.turn_step is not None:
+            e = np.diff(x[:, setting.n])
+            for side in (1.0, -1.0):
+                slope = weight * _barrier(shape.turn_step - side * e, margin)[1] * -side
+                g[1:, setting.n] += slope
+                g[:-1, setting.n] -= slope
+    J = scaled_jacobian(setting.chain, x)
+    _, _, Vt = np.linalg.svd(J)
+    Z = np.swapaxes(Vt[:, setting.m - setting.spare :], 1, 2) * setting.chain.joints.unit[:, None]
+    return g, Z
+
+
+def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: float) -> tuple[Array, Array]:
+    """Return the blocks (N, d, d) and (N - 1, d, d) of the second derivative along what poses leave free."""
+    setting = shape.setting
+    chain, unit = setting.chain, setting.chain.joints.unit
+    _, by_step = _weights_of_steps(shape, x)
+    H = np.zeros_like(x)
+    H[1:] += by_step
+    H[:-1] += by_step
+    between = by_step.copy()
+    if weight:
+        for at, side in _margins(shape, x):
+            H[:, setting.bounded] += weight * _barrier(side * at, margin)[2]
+        if shape.turn_step is not None:
+            e = np.diff(x[:, setting.n])
+            for side in (1.0, -1.0):
+                bend = weight * _barrier(shape.turn_step - side * e, margin)[2]
+                H[1:, setting.n] += bend
+                H[:-1, setting.n] += bend
+                between[:, setting.n] += bend
+    D = np.einsum("kma,km,kmb->kab", Z, H, Z)
+    E = -np.einsum("kma,km,kmb->kab", Z[:-1], between, Z[1:])
+    # what is free is bent: a step along it leaves the pose to second order, and coming back costs slope
+    J = scaled_jacobian(chain, x)
+    pull = np.einsum("kji,kj->ki", np.linalg.pinv(J), g * unit)  # (N, 6)
+    d = Z.shape[2]
+    for a in range(d):
+        ahead = scaled_jacobian(chain, x + PROBE * Z[:, :, a])
+        behind = scaled_jacobian(chain, x - PROBE * Z[:, :, a])
+        turned = np.einsum("kim,kmb->kib", (ahead - behind) / (2 * PROBE), Z / unit[:, None])
+        D[:, a, :] -= np.einsum("ki,kib->kb", pull, turned)
+    D = (D + np.swapaxes(D, 1, 2)) / 2
+    held = shape.fixed == 0
+    if held.any():
+        D[held] = np.eye(d)
+        E[held[:-1]] = 0.0
+        E[held[1:]] = 0.0
+    return D, E

@@ -1,0 +1,51 @@
+"""The look in closed form: what the kernel read off the axes of a singular pose's rows, put into Python's objects.
+
+`CarefulLook` (kernels/singular/) says of each row whether two of its axes are one line or four are a linkage, which
+rows are merged roots, and which row stands for each self-motion. Where that cannot be read off (two directions at once,
+linkages of five and six joints, curves that cross) the pose is left to `examine`.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.chain import Chain
+from pieper.solver.native import Read, SelfMotionSaid
+from pieper.solver.plan.plan import Plan
+from pieper.solver.singular.examined import Examined
+from pieper.solver.singular.in_one_line import LineMotion
+from pieper.solver.singular.linkage_motion import LinkageMotion
+from pieper.solver.singular.loop import FourBar
+from pieper.solver.singular.merged_roots import null_direction
+from pieper.solver.singular.self_motion import SelfMotion
+
+
+def examined(plan: Plan, T: Array, read: Read) -> Examined:
+    """Return what was read off at a pose T (4, 4) of an arm that is its own six-joint chain; curves when asked for."""
+    directions = partial(_directions, plan.chain, read.q, read.singular)
+    motions = partial(_motions, plan, T, read.self_motions) if read.self_motions else ()
+    return Examined(read.q, read.self_motion, read.branches, directions, motions)
+
+
+def _directions(chain: Chain, q: Array, singular: Bools) -> Array:
+    out = np.zeros(q.shape)
+    for k in np.flatnonzero(singular):
+        out[k] = null_direction(chain, q[k])
+    return out
+
+
+def _motions(plan: Plan, T: Array, said: list[SelfMotionSaid]) -> tuple[SelfMotion, ...]:
+    return tuple(_told(plan, T, one) for one in said)
+
+
+def _told(plan: Plan, T: Array, said: SelfMotionSaid) -> SelfMotion:
+    whose = plan.chain, T, plan.limits, plan.names, plan.n
+    if len(said) == 3:
+        through, pair, sense = said
+        return LineMotion(*whose, through=through, pair=pair, sense=sense)
+    through, joints, axes, spots, senses, lead, low, high, side = said
+    linkage = FourBar(joints, axes, spots, senses)
+    return LinkageMotion(*whose, through=through, linkage=linkage, lead=lead, span=(low, high), side=side)

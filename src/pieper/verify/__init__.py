@@ -1,0 +1,1 @@
+"""An arm compared with what an independent toolbox makes of it."""

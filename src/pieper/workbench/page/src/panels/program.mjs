@@ -1,0 +1,375 @@
+// Program: moves, waits, gripper and outputs in order; taught or typed, run with its true times, written for a controller.
+import { h, replace, setText, select, download, say, unreadable } from '../dom.mjs';
+import { state, on } from '../store.mjs';
+import { units, showUnit, show } from '../units.mjs';
+import { askArm } from '../library.mjs';
+import { moveTo } from '../animate.mjs';
+import { motionOf } from '../curves.mjs';
+import { position } from '../matrix.mjs';
+import { setProgram, setStart, start, programMessage } from '../program.mjs';
+import { stepEditor } from './program_step.mjs';
+import { limitFields } from './program_limits.mjs';
+import { kindOf } from './joints.mjs';
+import * as dock from '../dock.mjs';
+
+const MOST = 200;
+const DIALECTS = [
+  ['rapid', 'ABB RAPID'],
+  ['urscript', 'URScript'],
+  ['krl', 'KUKA KRL'],
+  ['fanuc-ls', 'Fanuc LS'],
+  ['inform', 'Yaskawa INFORM'],
+  ['pacscript', 'Denso PacScript'],
+  ['ros', 'ROS trajectory'],
+  ['csv', 'CSV of the motion'],
+];
+const words = {
+  joint: 'Joints to',
+  line: 'Line to',
+  circle: 'Circle to',
+  wait: 'Wait',
+  gripper: 'Gripper',
+  output: 'Output',
+};
+const tool = () => state.frames.at(-1).slice();
+
+export const program = {
+  id: 'program',
+  title: 'Program',
+  wide: true,
+  build(root) {
+    let chosen = -1,
+      failed = null,
+      dragged = -1;
+    const list = h('ol', { class: 'steps', 'data-testid': 'program', 'aria-label': 'Steps of the program' });
+    const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'program-verdict', hidden: true });
+    const binds = h(
+      'details',
+      { class: 'fold', hidden: true },
+      h('summary', { text: 'What binds, and when' }),
+      h('p', { class: 'hint prose' }),
+    );
+    const addButton = (kind, text, title, make) =>
+      h('button', { type: 'button', text, title, 'data-testid': `step-add-${kind}`, on: { click: () => add(make()) } });
+    const run = h('button', {
+      type: 'button',
+      class: 'primary',
+      text: 'Run the program',
+      'data-testid': 'run-program',
+      on: { click: go },
+    });
+    const startLine = h('span', { class: 'hint', 'data-testid': 'program-start' });
+    let dialect = 'rapid';
+    root.append(
+      h(
+        'div',
+        { class: 'line' },
+        addButton('joint', '+ Joints', 'All joints to the present posture', () => ({
+          kind: 'joint',
+          q: state.q.slice(),
+          T: tool(),
+          blend: 0,
+        })),
+        addButton('line', '+ Line', 'The tool on a straight line to the present pose', () => ({
+          kind: 'line',
+          T: tool(),
+          blend: 0,
+        })),
+        addButton('circle', '+ Circle', 'Over a point on the way to the present pose; both can be typed', () => ({
+          kind: 'circle',
+          via: lastPose(),
+          T: tool(),
+          blend: 0,
+        })),
+        addButton('gripper', '+ Gripper', 'From 0, open, to 1, closed', () => ({
+          kind: 'gripper',
+          value: lastGrip() > 0.5 ? 0 : 1,
+        })),
+        addButton('wait', '+ Wait', 'The arm rests', () => ({ kind: 'wait', seconds: 0.5 })),
+        addButton('output', '+ Output', 'A digital output', () => ({ kind: 'output', port: 1, value: true })),
+      ),
+      h(
+        'div',
+        { class: 'line spread' },
+        startLine,
+        h(
+          'span',
+          { class: 'line' },
+          h('button', {
+            type: 'button',
+            class: 'quiet',
+            text: 'Start here',
+            'data-testid': 'start-here',
+            title: 'The program begins in the present posture',
+            on: { click: () => setStart(state.q.slice()) },
+          }),
+          h('button', {
+            type: 'button',
+            class: 'quiet',
+            text: 'Go to the start',
+            on: { click: () => moveTo(start().slice(), 0.8, 'go to the start') },
+          }),
+        ),
+      ),
+      list,
+      limitFields(),
+      h(
+        'div',
+        { class: 'line' },
+        run,
+        h(
+          'span',
+          { class: 'line' },
+          select(
+            'Language of the file',
+            DIALECTS,
+            dialect,
+            (v) => {
+              dialect = v;
+            },
+            { 'data-testid': 'dialect' },
+          ),
+          h('button', { type: 'button', text: 'Save the program', 'data-testid': 'save-program', on: { click: save } }),
+        ),
+      ),
+      verdict,
+      binds,
+    );
+
+    const lastPose = () => state.program.findLast((s) => s.T)?.T ?? tool();
+    const lastGrip = () => state.program.findLast((s) => s.kind === 'gripper')?.value ?? 0;
+    function add(step) {
+      if (state.program.length >= MOST) {
+        say(`At most ${MOST} steps.`, 'wrong');
+        return;
+      }
+      const at = chosen >= 0 ? chosen + 1 : state.program.length;
+      chosen = at;
+      setProgram(
+        [...state.program.slice(0, at), step, ...state.program.slice(at)],
+        `add a step: ${words[step.kind].toLowerCase()}`,
+      );
+    }
+    function move(from, to) {
+      if (to < 0 || to >= state.program.length || from === to) return;
+      const steps = state.program.slice(),
+        [one] = steps.splice(from, 1);
+      steps.splice(to, 0, one);
+      chosen = to;
+      setProgram(steps, `move step ${from + 1} to ${to + 1}`);
+      list.children[to]?.querySelector('.step-name')?.focus();
+    }
+    function remove(k) {
+      chosen = -1;
+      setProgram(
+        state.program.filter((_, i) => i !== k),
+        `remove step ${k + 1}`,
+      );
+    }
+
+    function summary(s) {
+      if (s.kind === 'wait') return `${s.seconds} s`;
+      if (s.kind === 'gripper') return s.value === 0 ? 'open' : s.value === 1 ? 'closed' : `${s.value}`;
+      if (s.kind === 'output') return `${s.port} ${s.value ? 'on' : 'off'}`;
+      if (s.kind === 'joint' && s.q)
+        return s.q.map((v, i) => show(v, kindOf(state.table.joints[i] ?? { type: 'R' }), 1)).join(', ');
+      return `${position(s.T)
+        .map((v) => show(v, 'length', 1))
+        .join(', ')} ${units.length}`;
+    }
+    function row(s, k) {
+      const open = k === chosen;
+      const name = h(
+        'button',
+        {
+          type: 'button',
+          class: 'step-name quiet',
+          'aria-expanded': String(open),
+          'data-testid': `step-${k + 1}`,
+          title: 'Press to edit; Alt and an arrow moves it',
+          on: {
+            click: () => {
+              chosen = open ? -1 : k;
+              rebuild();
+            },
+            keydown: (e) => {
+              const way = { ArrowUp: -1, ArrowDown: 1 }[e.key];
+              if (way && e.altKey) {
+                e.preventDefault();
+                move(k, k + way);
+              } else if (way) {
+                e.preventDefault();
+                list.children[k + way]?.querySelector('.step-name')?.focus();
+              } else if (e.key === 'Delete') remove(k);
+            },
+          },
+        },
+        h('b', { text: words[s.kind] }),
+        ` ${summary(s)}`,
+        s.blend ? h('span', { class: 'hint', text: `, blend ${showUnit(s.blend, 'length', 0)}` }) : null,
+      );
+      const el = h(
+        'li',
+        {
+          class: `step${failed?.step === k ? ' failed' : ''}${open ? ' open' : ''}`,
+          draggable: 'true',
+          'data-testid': `step-row-${k + 1}`,
+        },
+        h(
+          'div',
+          { class: 'step-line' },
+          h('span', { class: 'grip', 'aria-hidden': 'true', text: '⠿' }),
+          h('span', { class: 'hint', text: String(k + 1) }),
+          name,
+          h('button', {
+            type: 'button',
+            class: 'icon',
+            text: '↑',
+            disabled: k === 0,
+            'aria-label': `Move step ${k + 1} up`,
+            on: { click: () => move(k, k - 1) },
+          }),
+          h('button', {
+            type: 'button',
+            class: 'icon',
+            text: '↓',
+            disabled: k === state.program.length - 1,
+            'aria-label': `Move step ${k + 1} down`,
+            on: { click: () => move(k, k + 1) },
+          }),
+          h('button', {
+            type: 'button',
+            class: 'icon',
+            text: '×',
+            'aria-label': `Remove step ${k + 1}`,
+            on: { click: () => remove(k) },
+          }),
+        ),
+        failed?.step === k ? h('p', { class: 'reason', text: failed.text }) : null,
+        open ? editor(s, k) : null,
+      );
+      el.addEventListener('dragstart', (e) => {
+        dragged = k;
+        e.dataTransfer.effectAllowed = 'move';
+        e.dataTransfer.setData('text/plain', String(k));
+      });
+      el.addEventListener('dragover', (e) => {
+        if (dragged < 0) return;
+        e.preventDefault();
+        el.classList.add('target');
+      });
+      el.addEventListener('dragleave', () => el.classList.remove('target'));
+      el.addEventListener('drop', (e) => {
+        e.preventDefault();
+        const from = dragged;
+        dragged = -1;
+        if (from >= 0) move(from, k);
+      });
+      return el;
+    }
+    /** While a person types in a step's editor it stays as it is. */
+    let quietly = false;
+    const editor = stepEditor((f) => {
+      quietly = true;
+      f();
+      quietly = false;
+    });
+    function rebuild() {
+      if (quietly) {
+        // the summary of the line follows; its editor is under the hand
+        state.program.forEach((s, k) => {
+          const name = list.children[k]?.querySelector('.step-name');
+          if (name) replace(name, h('b', { text: words[s.kind] }), document.createTextNode(` ${summary(s)}`));
+        });
+        return;
+      }
+      if (chosen >= state.program.length) chosen = -1;
+      replace(list, state.program.map(row));
+      if (!state.program.length)
+        list.append(
+          h('li', {
+            class: 'hint empty',
+            text: 'No steps yet. Move the arm and teach it: Joints or Line takes where it stands; every pose can be typed afterwards.',
+          }),
+        );
+      run.disabled = !state.program.length;
+      const q = start();
+      setText(
+        startLine,
+        state.program.length
+          ? `Starts at ${q.map((v, i) => show(v, kindOf(state.table.joints[i]), 1)).join(', ')}`
+          : '',
+      );
+    }
+    async function go() {
+      verdict.hidden = false;
+      const bad = unreadable(root);
+      if (bad) {
+        verdict.dataset.tone = 'wrong';
+        setText(verdict, bad);
+        return;
+      }
+      run.disabled = true;
+      setText(run, 'Planning …');
+      try {
+        const m = await askArm('program', programMessage());
+        failed = m.failed;
+        if (failed) chosen = failed.step;
+        verdict.dataset.tone = failed ? 'wrong' : 'good';
+        setText(
+          verdict,
+          failed ? `Step ${failed.step + 1} cannot be done: ${failed.text}\nShown is what comes before it.` : m.explain,
+        );
+        binds.hidden = !m.tight.length;
+        setText(binds.lastChild, m.tight.map((x) => x.text).join('\n'));
+        rebuild();
+        const events = m.events.map(([t, kind, value]) => ({
+          x: t,
+          s: 0,
+          text: `${kind} ${value} at ${t.toFixed(2)} s`,
+          short: kind === 'gripper' ? (value > 0.5 ? 'close' : 'open') : kind,
+          stop: false,
+        }));
+        dock.show(
+          Object.assign(
+            motionOf({
+              table: state.table,
+              q: m.q,
+              xs: m.t,
+              xName: 'time',
+              seconds: m.t,
+              dq: m.dq,
+              events,
+              title: `${state.table.name}: program, ${m.duration.toFixed(2)} s`,
+            }),
+            { ddq: m.ddq, happens: m.events, tight: m.tight, limits: programMessage().limits },
+          ),
+        );
+      } catch (error) {
+        verdict.dataset.tone = 'wrong';
+        setText(verdict, error.message);
+      } finally {
+        run.disabled = !state.program.length;
+        setText(run, 'Run the program');
+      }
+    }
+    async function save() {
+      try {
+        const name = 'program';
+        const { text, name: file } = await askArm('program_file', { ...programMessage(), dialect, name });
+        download(file, text);
+      } catch (error) {
+        verdict.hidden = false;
+        verdict.dataset.tone = 'wrong';
+        setText(verdict, error.message);
+      }
+    }
+    on(['program', 'units', 'table'], (what) => {
+      if (what !== 'limits') {
+        failed = null;
+        rebuild();
+      }
+    });
+    rebuild();
+  },
+};

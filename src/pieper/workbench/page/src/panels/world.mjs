@@ -1,0 +1,177 @@
+// World: what stands around the arm; objects that its gripper takes, obstacles, frames, each with its place and size.
+import { h, replace, select } from '../dom.mjs';
+import { state, on, tell } from '../store.mjs';
+import { numberField } from '../numberfield.mjs';
+import { units } from '../units.mjs';
+import { position } from '../matrix.mjs';
+import { reach } from '../kinematics.mjs';
+import { poseEditor } from './pose_editor.mjs';
+
+const MOST = 60;
+const words = { box: 'Box', cylinder: 'Cylinder', frame: 'Frame' };
+const sizes = { box: ['x', 'y', 'z'], cylinder: ['radius', 'height'], frame: [] };
+
+function setWorld(world, label, how = {}) {
+  tell('did', { label, ...how });
+  state.world = world;
+  tell('world');
+}
+const change = (k, part, label) =>
+  setWorld(
+    state.world.map((t, i) => (i === k ? { ...t, ...part } : t)),
+    label,
+    { key: `world-${k}-${Object.keys(part)[0]}` },
+  );
+
+function add(kind, role) {
+  if (state.world.length >= MOST) return;
+  const at = position(state.frames.at(-1)),
+    u = 0.06 * reach(state.table);
+  const round = (v) => Math.round(v * 1000) / 1000 || 0.001;
+  const T = [
+    1,
+    0,
+    0,
+    round(at[0]),
+    0,
+    1,
+    0,
+    round(at[1]),
+    0,
+    0,
+    1,
+    kind === 'frame' ? round(at[2]) : round(u / 2),
+    0,
+    0,
+    0,
+    1,
+  ];
+  const base = role === 'object' ? 'object' : kind;
+  let n = 1;
+  while (state.world.some((t) => t.name === `${base} ${n}`)) n += 1;
+  const size =
+    kind === 'box'
+      ? { size: [round(u), round(u), round(u)] }
+      : kind === 'cylinder'
+        ? { r: round(u / 2), h: round(u) }
+        : {};
+  setWorld([...state.world, { kind, role, name: `${base} ${n}`, T, ...size }], `add ${base} ${n}`);
+}
+
+export const world = {
+  id: 'world',
+  title: 'World',
+  wide: true,
+  build(root) {
+    const list = h('div', { class: 'things', 'data-testid': 'world' });
+    const button = (text, kind, role, title) =>
+      h('button', {
+        type: 'button',
+        text,
+        title,
+        'data-testid': `add-${role}-${kind}`,
+        on: { click: () => add(kind, role) },
+      });
+    root.append(
+      h(
+        'div',
+        { class: 'line' },
+        button('+ Object', 'box', 'object', 'A box that the gripper can take'),
+        button('+ Box', 'box', 'obstacle', 'A table, a wall'),
+        button('+ Cylinder', 'cylinder', 'obstacle', 'A post, a can'),
+        button('+ Frame', 'frame', 'obstacle', 'A place with a name'),
+      ),
+      h('p', {
+        class: 'hint',
+        text: 'An object is taken by a gripper that closes with the tool’s point at it, and goes with the tool until it opens.',
+      }),
+      list,
+    );
+    let quietly = false;
+    const rebuild = () => {
+      if (quietly) return;
+      replace(list, state.world.map(entry));
+      if (!state.world.length) list.append(h('p', { class: 'hint', text: 'Nothing stands around the arm yet.' }));
+    };
+    function entry(t, k) {
+      const quiet =
+        (f) =>
+        (...args) => {
+          quietly = true;
+          f(...args);
+          quietly = false;
+        };
+      const name = h('input', {
+        type: 'text',
+        value: t.name,
+        maxlength: '40',
+        'aria-label': `Name of ${t.name}`,
+        on: { change: () => name.value && change(k, { name: name.value }, `name ${name.value}`) },
+      });
+      const size = sizes[t.kind].map((what, i) => {
+        const f = numberField({
+          label: `${t.name}, ${what}`,
+          kind: 'length',
+          testid: `world-${k + 1}-size-${i}`,
+          check: (v) => (v > 0 ? null : 'more than 0'),
+          input: quiet((v) => {
+            const now = state.world[k];
+            const part =
+              t.kind === 'box' ? { size: now.size.map((s, m) => (m === i ? v : s)) } : { [i ? 'h' : 'r']: v };
+            change(k, part, `size of ${t.name}`);
+          }),
+        });
+        f.put(t.kind === 'box' ? t.size[i] : i ? t.h : t.r);
+        return h('label', { class: 'field' }, h('span', { class: 'field-name', text: `${what}, ${units.length}` }), f);
+      });
+      const at = poseEditor(
+        'Place of its middle',
+        `world-${k + 1}`,
+        () => state.world[k]?.T,
+        quiet((T) => change(k, { T }, `move ${t.name}`)),
+      );
+      return h(
+        'section',
+        { class: 'thing', 'aria-label': t.name, 'data-testid': `thing-${k + 1}` },
+        h(
+          'div',
+          { class: 'line spread' },
+          h(
+            'span',
+            { class: 'line' },
+            name,
+            h('span', { class: 'hint', text: words[t.kind] }),
+            t.kind === 'frame'
+              ? null
+              : select(
+                  `What ${t.name} is`,
+                  [
+                    ['object', 'object'],
+                    ['obstacle', 'obstacle'],
+                  ],
+                  t.role,
+                  (role) => change(k, { role }, `make ${t.name} an ${role}`),
+                ),
+          ),
+          h('button', {
+            type: 'button',
+            class: 'icon',
+            text: '×',
+            'aria-label': `Remove ${t.name}`,
+            on: {
+              click: () =>
+                setWorld(
+                  state.world.filter((_, i) => i !== k),
+                  `remove ${t.name}`,
+                ),
+            },
+          }),
+        ),
+        size.length ? h('div', { class: 'line' }, size) : null,
+        at.el,
+      );
+    }
+    on(['world', 'units'], (why) => why !== 'python' && rebuild());
+    rebuild();
+  },
+};

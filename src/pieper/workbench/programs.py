@@ -1,0 +1,155 @@
+"""Programs of the page: steps as JSON become a `pieper.Program`, its motion, its files and where it fails."""
+
+from __future__ import annotations
+
+import tempfile
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import pieper
+from pieper.workbench.messages import Refused, number, optional, pose, vector, whole, word
+
+MAX_STEPS = 200
+#: Samples of a motion that are sent, at most.
+MAX_SAMPLES = 4_000
+#: A move whose joints or pose differ by less from where the arm is (rad, m) is none.
+SAME = 1e-9
+KINDS = ("joint", "line", "circle", "wait", "gripper", "output")
+DIALECTS = {
+    "rapid": ".mod",
+    "urscript": ".script",
+    "krl": ".src",
+    "fanuc-ls": ".ls",
+    "inform": ".jbi",
+    "pacscript": ".pcs",
+    "ros": ".yaml",
+    "csv": ".csv",
+}
+Progress = Callable[[dict[str, Any]], None]
+
+
+def limits_of(given: object, n: int) -> pieper.Limits:
+    """Return the limits that a page asks for: one number or one a joint, SI; null where one does not matter."""
+    if not isinstance(given, dict):
+        raise Refused("limits must be an object of speed, acceleration and what else is to be kept.")
+
+    def joints(key: str) -> Any:
+        value = given.get(key)
+        return vector(value, n, f"limits, {key}") if isinstance(value, list) else number(value, f"limits, {key}")
+
+    jerk = None if given.get("jerk") is None else joints("jerk")
+    tool = {
+        key: optional(number, given.get(key), f"limits, {key}")
+        for key in ("tool_speed", "tool_acceleration", "turn_speed")
+    }
+    return pieper.Limits(speed=joints("speed"), acceleration=joints("acceleration"), jerk=jerk, **tool)
+
+
+def add_step(program: pieper.Program, step: object, n: int, at: str) -> None:
+    """Add one step of the page to a program, or say what is wrong with it."""
+    if not isinstance(step, dict):
+        raise Refused(f"{at} must be an object.")
+    kind = word(step.get("kind"), f"{at}, kind", KINDS)
+    if kind == "wait":
+        program.wait(number(step.get("seconds"), f"{at}, seconds"))
+    elif kind == "gripper":
+        program.gripper(number(step.get("value"), f"{at}, value"))
+    elif kind == "output":
+        program.output(whole(step.get("port"), f"{at}, port", 0, 9999), bool(step.get("value")))
+    else:
+        speed = optional(number, step.get("speed"), f"{at}, speed")
+        blend = number(step.get("blend", 0), f"{at}, blend")
+        if kind == "joint":
+            posture = step.get("q") is not None
+            to = vector(step["q"], n, f"{at}, q") if posture else pose(step.get("T"), f"{at}, T")
+            program.move_j(to, speed=speed, blend=blend)
+        elif kind == "line":
+            program.move_l(pose(step.get("T"), f"{at}, T"), speed=speed, blend=blend)
+        else:
+            via = pose(step.get("via"), f"{at}, via")
+            program.move_c(via, pose(step.get("T"), f"{at}, T"), speed=speed, blend=blend)
+
+
+@dataclass(frozen=True)
+class Built:
+    """A page's program as far as it can be gone.
+
+    Attributes:
+        program: Its steps, up to the one that cannot be done.
+        failed: That step, counted from 0, and the reason; None where all can.
+        idle: Steps that ask for where the arm is already, counted from 0; they are left out.
+    """
+
+    program: pieper.Program
+    failed: dict[str, Any] | None
+    idle: tuple[int, ...]
+
+
+def build(arm: pieper.Arm, message: dict[str, Any]) -> Built:
+    """Return the program of a message as far as it can be gone."""
+    steps = message.get("steps")
+    if not isinstance(steps, list) or not 1 <= len(steps) <= MAX_STEPS:
+        raise Refused(f"steps must be a list of 1 to {MAX_STEPS} steps.")
+    limits = limits_of(message.get("limits"), arm.n)
+    program = pieper.Program(arm, limits, start=vector(message.get("start"), arm.n, "start"))
+    idle: list[int] = []
+    for k, step in enumerate(steps):
+        if _is_there(arm, program, step, f"step {k + 1}"):
+            idle.append(k)
+            continue
+        try:
+            add_step(program, step, arm.n, f"step {k + 1}")
+        except (pieper.NoSolutionError, pieper.InputError) as error:
+            return Built(program, {"step": k, "text": str(error)}, tuple(idle))
+    return Built(program, None, tuple(idle))
+
+
+def _is_there(arm: pieper.Arm, program: pieper.Program, step: object, at: str) -> bool:
+    """Return whether a move asks for where the arm is already, as the first one taught does as a rule."""
+    if not isinstance(step, dict) or step.get("kind") not in ("joint", "line"):
+        return False
+    now = program.moves[-1].q if program.moves else program.start
+    if step.get("q") is not None:
+        return bool(np.allclose(vector(step["q"], arm.n, f"{at}, q"), now, rtol=0, atol=SAME))
+    return bool(np.allclose(pose(step.get("T"), f"{at}, T"), arm.fk(now), rtol=0, atol=SAME))
+
+
+def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
+    """Return the timed motion of a program with its events, what binds it, and where and why it fails."""
+    built = build(arm, message)
+    program = built.program
+    if stop.is_set():
+        return {"stopped": True}
+    motion = program.motion(rate=number(message.get("rate", 200), "rate", largest=1000))
+    every = max(1, -(-len(motion.t) // MAX_SAMPLES))
+    kept = np.unique(np.append(np.arange(0, len(motion.t), every), len(motion.t) - 1))
+    return {
+        "t": motion.t[kept].tolist(),
+        "q": motion.q[kept].tolist(),
+        "dq": motion.dq[kept].tolist(),
+        "ddq": motion.ddq[kept].tolist(),
+        "duration": float(motion.t[-1]),
+        "events": [[float(t), kind, value] for t, kind, value in motion.events],
+        "tight": [{"start": x.start, "end": x.end, "text": str(x)} for x in motion.tight],
+        "margin": float(motion.margin),
+        "explain": "\n".join([program.explain(), *(f"Step {k + 1}: the arm is there already." for k in built.idle)]),
+        "failed": built.failed,
+    }
+
+
+def write(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
+    """Return a program as the text of a file for a maker's controller."""
+    dialect = word(message.get("dialect"), "dialect", tuple(DIALECTS))
+    name = word(message.get("name", "program"), "name")
+    built = build(arm, message)
+    if built.failed is not None:
+        raise Refused(f"Step {built.failed['step'] + 1} cannot be written: {built.failed['text']}")
+    with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
+        path = Path(folder) / f"{name}{DIALECTS[dialect]}"
+        built.program.write(path, dialect=dialect, name=name)
+        return {"text": path.read_text(encoding="utf-8"), "name": path.name}

@@ -1,0 +1,116 @@
+"""What Python adds to the picture, as the page draws it: frames, curves, postures, bodies, motions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+import pieper
+
+#: Points of a curve and samples of a motion that are sent, at most.
+MOST = 4_000
+KINDS = ("frame", "path", "points", "postures")
+
+
+def thing(arm: pieper.Arm, what: Any, kind: str | None, every: float) -> dict[str, Any]:
+    """Return what the page draws of an object, by what it is.
+
+    Args:
+        arm: The arm that joint vectors are of.
+        what: A pose (4, 4), poses (k, 4, 4), points (k, 3), postures (k, n), a `Motion`, `Track`, `Program`, or a
+            body: something with `T` and `size`, with `a`, `b` and `r`, or with `T`, `r` and `h`.
+        kind: One of KINDS where an array could be two things; None to tell by its shape.
+        every: Seconds between two postures, where they have no time of their own.
+
+    Raises:
+        InputError: It is none of these, or could be two of them.
+    """
+    body = _body(what)
+    if body is not None:
+        return body
+    if hasattr(what, "motion") and hasattr(what, "explain"):
+        what = what.motion()
+    if hasattr(what, "t") and hasattr(what, "q"):
+        events = [[float(t), str(k), v] for t, k, v in getattr(what, "events", ())]
+        return _motion(np.asarray(what.t, np.float64), np.asarray(what.q, np.float64), events)
+    if hasattr(what, "reached") and hasattr(what, "q"):
+        q = np.asarray(what.q)[np.asarray(what.reached, bool)]
+        return _motion(np.linspace(0.0, every * (len(q) - 1), len(q)), q, [])
+    if kind not in (None, *KINDS):
+        raise pieper.InputError(f"kind must be one of {', '.join(KINDS)}, got {kind!r}.", given=kind)
+    array: npt.NDArray[np.float64] = np.asarray(what, dtype=np.float64)
+    kind = kind or _kind(array, arm.n)
+    if kind == "frame":
+        return {"kind": "frame", "T": _pose(array).ravel().tolist()}
+    if kind == "path":
+        return {"kind": "curve", "points": _thin(array.reshape(-1, 4, 4)[:, :3, 3]).tolist()}
+    if kind == "points":
+        return {"kind": "curve", "points": _thin(array.reshape(-1, 3)).tolist()}
+    q = array.reshape(-1, arm.n)
+    return _motion(np.linspace(0.0, every * (len(q) - 1), len(q)), q, [])
+
+
+def _kind(array: npt.NDArray[np.float64], n: int) -> str:
+    fits = [
+        name
+        for name, yes in (
+            ("frame", array.shape == (4, 4)),
+            ("path", array.ndim == 3 and array.shape[1:] == (4, 4)),
+            ("points", array.ndim == 2 and array.shape[1] == 3),
+            ("postures", array.ndim == 2 and array.shape[1] == n),
+        )
+        if yes
+    ]
+    if array.shape == (4, 4) and np.allclose(array[3], [0, 0, 0, 1]):
+        return "frame"
+    if len(fits) == 1:
+        return fits[0]
+    if not fits:
+        raise pieper.InputError(
+            f"an array of shape {array.shape} is nothing that can be shown: a pose is (4, 4), a path (k, 4, 4), points "
+            f"(k, 3), postures of this arm (k, {n}).",
+            given=array.shape,
+        )
+    raise pieper.InputError(
+        f"an array of shape {array.shape} can be {' or '.join(fits)}: say kind=.", given=array.shape
+    )
+
+
+def _pose(array: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    if array.shape != (4, 4) or not np.isfinite(array).all():
+        raise pieper.InputError(f"a frame is a pose (4, 4) of finite numbers, got shape {array.shape}.")
+    return array
+
+
+def _body(what: Any) -> dict[str, Any] | None:
+    if isinstance(what, np.ndarray | list | tuple):
+        return None
+
+    def has(*names: str) -> bool:
+        return all(hasattr(what, name) for name in names)
+
+    def numbers(name: str) -> list[float]:
+        return np.asarray(getattr(what, name), float).ravel().tolist()
+
+    if has("a", "b", "r") and not has("T"):
+        return {"kind": "capsule", "a": numbers("a"), "b": numbers("b"), "r": float(np.asarray(what.r))}
+    if has("T", "size"):
+        return {"kind": "box", "T": numbers("T"), "size": numbers("size")}
+    if has("T", "r", "h"):
+        return {"kind": "cylinder", "T": numbers("T"), "r": numbers("r")[0], "h": numbers("h")[0]}
+    return None
+
+
+def _thin(points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    if not np.isfinite(points).all():
+        raise pieper.InputError("a curve's points must be finite.")
+    return points[np.unique(np.linspace(0, len(points) - 1, min(len(points), MOST)).round().astype(int))]
+
+
+def _motion(t: npt.NDArray[np.float64], q: npt.NDArray[np.float64], events: list[list[Any]]) -> dict[str, Any]:
+    if not len(q):
+        raise pieper.InputError("there is no posture to show: the motion is empty.")
+    kept = np.unique(np.linspace(0, len(q) - 1, min(len(q), MOST)).round().astype(int))
+    return {"kind": "motion", "t": t[kept].tolist(), "q": q[kept].tolist(), "events": events}

@@ -1,0 +1,90 @@
+"""Python beside the page: what a script sets is shown, what a person does is read, and the screen as a script."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pieper
+
+from .conftest import Workbench
+
+
+@pytest.fixture
+def beside(browser):
+    """A script's bench with one page open on it."""
+    script = pieper.workbench("denso-vp6242", open_browser=False)
+    context = browser.new_context(viewport={"width": 1280, "height": 800}, reduced_motion="reduce")
+    yield script, Workbench(context.new_page(), script.url).open()
+    context.close()
+    script.close()
+
+
+def test_a_script_moves_the_page_and_reads_what_a_person_did(beside):
+    script, page = beside
+    q = np.radians([10, 70, -140, 25, 50, 30])
+    script.q = q
+    page.until("v => Math.abs(workbench.q[0] - v) < 1e-15", float(q[0]))
+    assert page.value("workbench.q") == q.tolist()
+    page.fill("q-1", 42)
+    assert script.wait(20) and script.q[0] == pytest.approx(np.radians(42))
+    T = script.arm.fk(np.radians([20, 60, -150, 10, 40, 25]))
+    script.target = T
+    page.until("v => workbench.target.every((x, i) => Math.abs(x - v[i]) < 1e-12)", T.ravel().tolist())
+    page.until("v => workbench.frames.at(-1).every((x, i) => Math.abs(x - v[i]) < 1e-9)", T.ravel().tolist())
+    assert len(script.solutions) > 0 and np.allclose(script.T, T, atol=1e-9)
+    page.tab("DH table")
+    page.fill("dh-2-a", 215)
+    page.until("workbench.table.joints[1].a === 0.215")
+    for _ in range(50):
+        if script.arm.description.rows[1].a == 0.215:
+            break
+        script.wait(0.2)
+    assert script.arm.description.rows[1].a == 0.215, "the arm that a person edited is Python's too"
+    page.shot("beside-python")
+
+
+def test_what_a_script_adds_is_drawn_and_a_motion_plays(beside):
+    script, page = beside
+    arm = script.arm
+    frame = script.add(pieper.pose(0.3, 0.1, 0.2))
+    path = pieper.line(pieper.pose(0.35, 0, 0.4), pieper.pose(0.2, 0.1, 0.5), n=30)
+    script.add(path, "line")
+    page.until("workbench.things === 2")
+    start = arm.ik(path[0]).nearest(np.radians([0, 50, -150, 0, 90, 0]))
+    script.add(arm.follow(path, start=start), "walk")
+    page.page.get_by_test_id("chart").wait_for()
+    assert np.allclose(page.value("workbench.q"), start, atol=1e-9)
+    script.remove(frame)
+    page.until("workbench.things === 1")
+    program = pieper.Program(arm, pieper.Limits(speed=3, acceleration=10), start=start)
+    program.move_j(start + 0.1).gripper(1.0).wait(0.1)
+    script.add(program, "walk")
+    page.page.get_by_text("gripper").first.wait_for(state="attached")
+    script.clear()
+    page.until("workbench.things === 0")
+    assert page.page.get_by_test_id("chart").is_hidden()
+
+
+def test_the_screen_as_a_script_computes_what_is_on_the_screen(bench, capsys):
+    bench.tab("DH table")
+    bench.fill("dh-2-a", 215)
+    bench.joints([20, 60, -150, 10, 40, 25])
+    bench.tab("Program")
+    bench.page.get_by_test_id("step-add-joint").click()
+    bench.joints([40, 60, -150, 10, 40, 25])
+    bench.tab("Program")
+    bench.page.get_by_test_id("step-add-joint").click()
+    bench.tab("Inverse")
+    bench.until("workbench.solutions && workbench.solutions.rows.length > 0")
+    bench.tab("Share")
+    bench.until("document.querySelector('[data-testid=python]').value.includes('program.motion()')")
+    text = bench.page.get_by_test_id("python").input_value()
+    found: dict = {}
+    exec(text, found)
+    assert found["q"].tolist() == bench.value("workbench.q")
+    assert np.allclose(found["T"].ravel(), bench.value("workbench.frames.at(-1)"), atol=1e-12)
+    rows = [row["q"] for row in bench.value("workbench.solutions.rows") if row["inside"]]
+    assert np.allclose(found["solutions"].q, rows, atol=1e-9)
+    assert len(found["program"].instructions) == 1, "the first step is where the arm stands"
+    bench.shot("as-python", both=True)

@@ -1,0 +1,89 @@
+"""`pieper time`, `program` and `animate`: what they print, what they write, what they refuse."""
+
+import json
+
+import numpy as np
+import pytest
+
+import pieper
+from pieper.cli import main
+
+LINE = ["denso-vp6242", "--from", "350 0 400", "--to", "300 80 420", "--start", "line-start"]
+LIMITS = ["--speed", "180", "--acceleration", "600"]
+
+
+@pytest.fixture
+def run(capsys):
+    def call(*words):
+        with pytest.raises(SystemExit) as left:
+            main([str(w) for w in words])
+        out = capsys.readouterr()
+        return int(left.value.code or 0), out.out, out.err
+
+    return call
+
+
+def test_time_says_how_long_and_what_binds(run, tmp_path):
+    figure, csv = tmp_path / "t.png", tmp_path / "t.csv"
+    status, out, _ = run("time", *LINE, *LIMITS, "--figure", figure, "--csv", csv)
+    assert status == 0 and "acceleration of joint_" in out and "largest value over its limit is" in out
+    assert figure.exists()
+    read = pieper.read_motion(csv, pieper.load("denso-vp6242"))
+    _, out, _ = run("time", *LINE, *LIMITS, "--json")
+    data = json.loads(out)
+    assert data["margin"] <= 1 and data["duration_s"] == pytest.approx(read.duration, abs=1e-8)
+    assert np.abs(read.q - np.array(data["q"])).max() < 1e-9
+
+
+def test_limits_are_in_the_units_typed(run):
+    words = ["--json", "--tool-speed"]
+    _, degrees, _ = run("time", *LINE, *LIMITS, *words, "100")
+    limits = ["--speed", "pi", "--acceleration", "10*pi/3"]
+    ends = ["--from", "0.35 0 0.4", "--to", "0.3 0.08 0.42", "--start", "line-start"]
+    _, radians, _ = run("time", LINE[0], *ends, *limits, *words, "0.1", "--angle", "rad", "--length", "m")
+    assert json.loads(degrees)["duration_s"] == pytest.approx(json.loads(radians)["duration_s"], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (LINE, "say --speed and --acceleration"),
+        ([*LINE, "--speed", "1 2", "--acceleration", "3"], "takes one number or 6"),
+        ([*LINE, *LIMITS, "--constant", "0.1 0.2"], "s0, s1 and a speed"),
+        ([LINE[0], *LIMITS], "needs --from and --to"),
+    ],
+)
+def test_time_refuses(run, words, said):
+    status, _, err = run("time", *words)
+    assert status == 2 and said in err
+
+
+def test_a_line_that_stops_is_no_motion(run):
+    status, out, _ = run("time", *LINE[:3], "--to", "900 0 400", *LINE[5:], *LIMITS)
+    assert status == 1 and "Stop at s" in out
+
+
+def test_a_program_is_told_written_and_animated(run, tmp_path):
+    arm = pieper.load("denso-vp6242")
+    start = arm.ik(pieper.pose(0.35, 0, 0.4)).nearest(np.zeros(6))
+    program = pieper.Program(arm, pieper.Limits(speed=3.0, acceleration=9.0), start=start)
+    program.move_l(pieper.pose(0.3, 0.08, 0.42), blend=0.01).move_l(pieper.pose(0.35, 0, 0.4)).gripper(1.0).wait(0.1)
+    file = pieper.save_program(program, tmp_path / "p.toml")
+    page, pac = tmp_path / "p.html", tmp_path / "weld.pcs"
+    status, out, _ = run("program", arm.name, file, "--write", pac, "--animate", page)
+    assert status == 0 and "2 moves of denso-vp6242" in out and "gripper" in out and page.exists()
+    home = " ".join(str(v) for v in np.degrees(start))
+    status, out, _ = run("program", arm.name, pac, "--start", home, *LIMITS, "--write", tmp_path / "again.csv")
+    assert status == 0 and "2 moves" in out
+    gif = tmp_path / "m.gif"
+    assert run("animate", arm.name, tmp_path / "again.csv", gif, "--rate", "4", "--size", "320 240")[0] == 0
+    assert gif.stat().st_size > 1000
+    for words, said in (
+        (("program", arm.name, pac), "holds no limits"),
+        (("program", arm.name, file, *LIMITS), "holds its own limits"),
+        (("program", arm.name, tmp_path / "no.toml"), "cannot read"),
+        (("animate", arm.name, file, tmp_path / "m.avi"), "ends in .avi"),
+        (("animate", arm.name, file, gif, "--size", "640"), "takes two numbers"),
+    ):
+        status, _, err = run(*words)
+        assert status == 2 and said in err
