@@ -9,6 +9,8 @@
 #   make dev      an environment for work in place (.venv-dev), the kernels built for one instruction set
 #   make pages    write the pages of docs/ that are made from benchmarks/results
 #   make site     build the page without a server (out/site), which opens from a file
+#   make docs     build the site (out/docs), its pictures drawn by the code on its pages; a warning is an error
+#   make wheels   build the wheels that are handed out (dist), audit them, try them on every Python of this machine
 #   make bench    measure beside other solvers (installed in environments of their own)
 #   make cover    run the tests and say which lines they reach (out/coverage)
 #   make mutants  change the code in 200 small ways and say which of them no test notices; goes on where it stopped
@@ -28,7 +30,7 @@ WORKERS ?= 0
 TESTS ?=
 PAGE = src/pieper/workbench/page
 
-.PHONY: tour test check house format dev pages site bench cover mutants kernel kernel-now sanitize clean
+.PHONY: tour test check house format dev pages docs wheels site bench cover mutants kernel kernel-now sanitize clean
 .DELETE_ON_ERROR:
 
 tour: $(VENV)/.installed
@@ -55,6 +57,14 @@ page-tools:
 
 pages: $(VENV)/.installed-for-checks
 	$(BIN)/python -m benchmarks.pages
+
+docs: $(VENV)/.installed-for-docs
+	$(BIN)/python -m sphinx -W --keep-going -q -b html docs out/docs
+	@echo "open out/docs/index.html"
+
+# The compiler comes with the environment that is made for each Python; PYTHON only runs the script.
+wheels:
+	$(PYTHON) build_backend/wheels.py
 
 cover: $(VENV)/.installed-for-checks
 	CHROMIUM="$$(sh tests/browser/find_chromium.sh)" $(BIN)/python -m coverage run -m pytest $(TESTS)
@@ -91,6 +101,10 @@ $(VENV)/.installed-for-tests: $(SOURCES) | $(BIN)/python
 $(VENV)/.installed-for-checks: $(SOURCES) | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check ".[dev]"
 	touch $@ $(VENV)/.installed-for-tests $(VENV)/.installed
+
+$(VENV)/.installed-for-docs: $(SOURCES) | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check ".[docs]"
+	touch $@ $(VENV)/.installed
 
 $(VENV)/.for-work: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m tests.tools.requirements dev | xargs $(BIN)/python -m pip install --quiet --disable-pip-version-check

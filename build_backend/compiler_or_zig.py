@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import os
 import shutil
-import stat
-import sys
 import sysconfig
 import tempfile
 from pathlib import Path
 
 from scikit_build_core import build as backend
+from zig_compiler import zig_tools
 
 COMPILERS = ("c++", "g++", "clang++")
 
@@ -24,25 +23,6 @@ def _has_compiler() -> bool:
     if chosen:
         return shutil.which(chosen.split()[0]) is not None
     return any(shutil.which(name) for name in COMPILERS)
-
-
-def zig_tools(folder: Path, python: str = sys.executable) -> dict[str, str]:
-    """Write scripts that call zig as compiler, archiver and index maker; return the environment that uses them.
-
-    Zig compiles for the processor at hand unless told otherwise; the baseline is what a module for others needs.
-    """
-    tools = {}
-    for variable, name, command in (
-        ("CXX", "zig-c++", "c++ -mcpu=baseline"),
-        ("CC", "zig-cc", "cc -mcpu=baseline"),
-        ("AR", "zig-ar", "ar"),
-        ("RANLIB", "zig-ranlib", "ranlib"),
-    ):
-        script = folder / name
-        script.write_text(f'#!/bin/sh\nexec "{python}" -m ziglang {command} "$@"\n')
-        script.chmod(script.stat().st_mode | stat.S_IXUSR)
-        tools[variable] = str(script)
-    return tools
 
 
 def _cmake_arguments(tools: dict[str, str]) -> str:

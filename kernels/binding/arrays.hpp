@@ -31,8 +31,9 @@ nb::object float_array(nb::handle given, const char* what) {
   if (!array) {
     PyErr_Clear();
     nb::dict data;
-    data["given"] = nb::str(Py_TYPE(given.ptr())->tp_name);
-    raise_input_error(std::string(what) + " must be numbers in an array, got " + Py_TYPE(given.ptr())->tp_name + ".",
+    const nb::object kind = given.type().attr("__name__");
+    data["given"] = kind;
+    raise_input_error(std::string(what) + " must be numbers in an array, got " + nb::cast<std::string>(kind) + ".",
                       data);
   }
   return nb::steal(array);

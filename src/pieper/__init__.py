@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pieper.description.quantity import evaluate
     from pieper.description.shapes import Body, Box, Capsule, Convex, Cylinder
     from pieper.document.writing import whole_file
-    from pieper.judge import Judgement, check
+    from pieper.judge import Judgement, check, guess_claims
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.kinematics.spoken_many import poses
     from pieper.motion.constant_speed import fastest_constant_speed
@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from pieper.presentation import plot, sections
     from pieper.presentation.report import report, write_report
     from pieper.solver.singular.self_motion import SelfMotion
+
+    workbench: Any
 
 __version__ = "0.1.0"
 
@@ -54,6 +56,7 @@ _LATER = {
     "Program": "pieper.motion.program",
     "SelfMotion": "pieper.solver.singular.self_motion",
     "check": "pieper.judge",
+    "guess_claims": "pieper.judge",
     "evaluate": "pieper.description.quantity",
     "fastest_constant_speed": "pieper.motion.constant_speed",
     "jax": "pieper.jax",
@@ -106,6 +109,7 @@ __all__ = [
     "Track",
     "catalog",
     "check",
+    "guess_claims",
     "evaluate",
     "fastest_constant_speed",
     "jax",

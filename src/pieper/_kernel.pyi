@@ -45,8 +45,7 @@ class Collision:
         pair: ArrayLike,
         outer: ArrayLike,
     ) -> None: ...
-    @property
-    def pairs(self) -> int: ...
+    pairs: Final[int]
     def nearest(self, q: Array, points: bool = True) -> tuple[Array, Slots, Array, Array]: ...
     def each(self, q: Array) -> Array: ...
     def sweep(
@@ -253,13 +252,7 @@ class TwoSlides(Geometry):
 class Position3(Geometry):
     """Three joints of any kinds that place the tool's point."""
 
-    def __init__(
-        self,
-        *,
-        length: float,
-        links: ArrayLike,
-        slides: Iterable[bool] | Bools,
-    ) -> None: ...
+    def __init__(self, *, length: float, links: ArrayLike, slides: Iterable[bool] | Bools) -> None: ...
     length: Final[float]
     links: Final[Array]
     slides: Final[tuple[bool, ...]]
@@ -267,23 +260,13 @@ class Position3(Geometry):
 class Orientation3(Geometry):
     """Three revolute joints of which the orientation alone counts."""
 
-    def __init__(
-        self,
-        *,
-        links: ArrayLike,
-    ) -> None: ...
+    def __init__(self, *, links: ArrayLike) -> None: ...
     links: Final[Array]
 
 class General(Geometry):
     """Any six joints; making it tries every way of elimination. `trials` and `usable` say how that went."""
 
-    def __init__(
-        self,
-        *,
-        links: ArrayLike,
-        slides: Iterable[bool] | Bools,
-        scale: float,
-    ) -> None: ...
+    def __init__(self, *, links: ArrayLike, slides: Iterable[bool] | Bools, scale: float) -> None: ...
     links: Final[Array]
     slides: Final[tuple[bool, ...]]
     scale: Final[float]
@@ -294,24 +277,10 @@ class Selection:
     """How rows are compared with a joint vector: limits, weights, whole turns."""
 
     def __init__(self, *, lower: ArrayLike, upper: ArrayLike, weight: ArrayLike, prismatic: ArrayLike) -> None: ...
-    def choose(
-        self,
-        q: Array,
-        inside: Bools,
-        near: ArrayLike,
-        chosen: Array,
-        has: Bools,
-    ) -> None:
+    def choose(self, q: Array, inside: Bools, near: ArrayLike, chosen: Array, has: Bools) -> None:
         """Of q (N, slots, n) and near (n,) or (N, n): writes chosen (N, n), has (N,)."""
 
-    def in_turn(
-        self,
-        q: Array,
-        inside: Bools,
-        start: ArrayLike | None,
-        chosen: Array,
-        has: Bools,
-    ) -> None:
+    def in_turn(self, q: Array, inside: Bools, start: ArrayLike | None, chosen: Array, has: Bools) -> None:
         """The same, each near to the one chosen before it."""
 
 class CarefulLook:
@@ -330,15 +299,7 @@ class CarefulLook:
     def one(self, T: ArrayLike, q: ArrayLike, flag: int) -> tuple[Any, ...] | None:
         """What `pieper.solver.native.Read` holds of a pose (4, 4), rows (m, 6), flag; None if not read off."""
 
-    def into(
-        self,
-        Ts: ArrayLike,
-        index: Indices,
-        q: Array,
-        valid: Bools,
-        in_limits: Bools,
-        flag: Bits,
-    ) -> Bits:
+    def into(self, Ts: ArrayLike, index: Indices, q: Array, valid: Bools, in_limits: Bools, flag: Bits) -> Bits:
         """Write rows of the poses that index (k,) names; (k,) 0: not read off, 2: with a self-motion, 1: else."""
 
 class Solver:
@@ -377,7 +338,13 @@ class Solver:
         """The same written into the caller's arrays; outcome (N,): 0 no rows, 1 outside the limits alone, 2 inside."""
 
     def reach(
-        self, centres: ArrayLike, turns: ArrayLike, rolls: int, sense: float, links: ArrayLike | None, threads: int
+        self,
+        centres: ArrayLike,
+        turns: ArrayLike,
+        rolls: int,
+        sense: float,
+        links: ArrayLike | None,
+        threads: int,
     ) -> tuple[Bits, Bits, Indices, Array | None, Array | None]:
         """Voxels (v, 3), turns (k, 3, 3) -> bits, look (v, ceil(k / 8)), solutions, manipulability, margin (v,)."""
 

@@ -12,8 +12,7 @@ ROTATION_ACCEPTED = 1e-5
 #: Departures up to here are the rounding of double arithmetic and are not worth a remark.
 ROTATION_EXACT = 1e-12
 
-#: Axes are taken for parallel, and points for one point, when they miss by no more than this (rad; per length).
-#: It is the size of rounding in tables that were typed exactly, not of drawing noise.
+#: Axes are parallel, and points one point, when they miss by no more than this (rad; per length): rounding alone.
 GEOMETRY_EXACT = 1e-12
 
 #: A solution counts as verified when forward kinematics returns the pose within this (per length; rad).
@@ -369,8 +368,7 @@ LENGTHLESS = 1e-9
 #: How near to the margin a distance may stay undecided in a look at a whole path, m, where nothing else is said.
 CLEARANCE_GAP = 1e-6
 #: What coal is told to stop at, m, and how far off what it says is taken to be: ten times what was seen of hulls.
-HULL_STEP = 1e-10
-HULL_ROUNDING = 1e-8
+HULL_STEP, HULL_ROUNDING = 1e-10, 1e-8
 
 # ---- calibration ----
 #: By how much an axis of a built arm plausibly departs from the nominal one (rad; per length of the arm): a few
@@ -392,8 +390,7 @@ MISREAD = 0.2
 SUSPICIOUS = 0.03
 
 # ---- verify ----
-#: Two programs that agree differ by their rounding alone (per length; rad): a few hundred operations leave 1e-13, a
-#: file's sixteen digits no more.
+#: Two programs that agree differ by rounding alone (per length; rad): hundreds of operations leave 1e-13, as files do.
 VERIFY_AGREES = 1e-10
 #: What a toolbox calls a solution misses its pose by no more than this (per length; rad).
 VERIFY_SETTLED = 1e-10

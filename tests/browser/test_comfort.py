@@ -6,7 +6,19 @@ from pathlib import Path
 
 import pytest
 
-TABS = ["Move", "Inverse", "DH table", "Matrices", "Equations", "Path", "Sequence", "Analysis", "Share"]
+TABS = [
+    "Move",
+    "Inverse",
+    "DH table",
+    "World",
+    "Path",
+    "Program",
+    "Sequence",
+    "Matrices",
+    "Equations",
+    "Analysis",
+    "Share",
+]
 
 AUDIT = (Path(__file__).parent / "audit.js").read_text()
 

@@ -22,17 +22,17 @@ def run(capsys, *words):
 
 
 def test_a_clear_path_and_one_that_hits(tmp_path, capsys):
-    pieper.Scene([pieper.Box([0.3, 0.0, 0.15], [0.1, 0.4, 0.3], name="crate")]).save(tmp_path / "cell.toml")
+    pieper.Scene([pieper.Box([0.3, 0.0, 0.2], [0.1, 0.4, 0.4], name="crate")]).save(tmp_path / "cell.toml")
     there = ("clear", "denso-vp6242", "--from", "90 90 -180 0 0 0", "--to", "0 90 -180 0 0 0")
     code, said = run(capsys, *there)
     assert code == 0 and said.out.startswith("Clear:") and "guessed" in said.out
-    code, said = run(capsys, *there, "--scene", str(tmp_path / "cell.toml"), "--margin", "200")
+    code, said = run(capsys, *there, "--scene", str(tmp_path / "cell.toml"), "--margin", "5")
     assert code == 1 and "crate" in said.out
-    code, said = run(capsys, *there, "--scene", str(tmp_path / "cell.toml"), "--margin", "200", "--json")
+    code, said = run(capsys, *there, "--scene", str(tmp_path / "cell.toml"), "--margin", "5", "--json")
     data = json.loads(said.out)
     arm = pieper.load("denso-vp6242")
     scene = pieper.Scene.load(tmp_path / "cell.toml")
-    assert data["verdict"] == "HIT" and float(arm.distance(data["q"], scene)) < 0.2
+    assert data["verdict"] == "HIT" and float(arm.distance(data["q"], scene)) < 0.005
     path = np.radians([[90, 90, -180, 0, 0, 0], [0, 90, -180, 0, 0, 0]])
     assert data["nearest_m"] == float(np.min(arm.distance(path, scene)))
 

@@ -24,14 +24,16 @@ struct PairRoots {
   bool degenerate = false;
 };
 
-// b . f(x) = rhs for one joint: at most two values. Touching within rounding gives the double root once.
-inline int one_joint(const double* b, double rhs, bool slides, double* x) {
+// b . f(x) = rhs for one joint: at most two values. Touching within rounding gives the double root once; `terms` is the size of what
+// rhs was added up from, whose rounding a slide near zero drowns in.
+inline int one_joint(const double* b, double rhs, double terms, bool slides, double* x) {
   if (slides) {  // b0 d + b1 d^2 = rhs, citardauq so that a vanishing b1 is harmless
     double size = std::fabs(b[0]) + std::fabs(b[1]);
     if (!(size > 0)) return 0;
     double disc = b[0] * b[0] + 4 * b[1] * rhs;
     if (disc < 0) {
-      if (disc < -kPairTouching * (b[0] * b[0] + std::fabs(4 * b[1] * rhs))) return 0;
+      const double blur = 64 * kPairRounding * std::fabs(b[1]) * (1 + terms);
+      if (disc < -kPairTouching * (b[0] * b[0] + std::fabs(4 * b[1] * rhs)) - blur) return 0;
       disc = 0;
     }
     double s = std::sqrt(disc), t = b[0] >= 0 ? b[0] + s : b[0] - s;
@@ -196,14 +198,17 @@ inline bool solve_apart(const PairSystem& s, bool first_c, PairRoots& out) {
     out.degenerate = true;
     for (count = 0; count < 8; ++count) h[count] = slides_h ? 0.25 * (count - 4) : kPi / 4 * count;
   } else {
-    count = one_joint(alone.b, alone.u[0] * s.e[0] + alone.u[1] * s.e[1], slides_h, h);
+    const double r0 = alone.u[0] * s.e[0], r1 = alone.u[1] * s.e[1];
+    count = one_joint(alone.b, r0 + r1, std::fabs(r0) + std::fabs(r1), slides_h, h);
   }
   double r0 = V[0][0] * V[0][0] + V[0][1] * V[0][1], r1 = V[1][0] * V[1][0] + V[1][1] * V[1][1];
   int row = r0 >= r1 ? 0 : 1;
   for (int i = 0; i < count; ++i) {
     double fh[2], unused[2];
     joint_terms(h[i], slides_h, fh, unused);
-    int values = one_joint(V[row], s.e[row] - H[row][0] * fh[0] - H[row][1] * fh[1], slides_v, v);
+    const double t0 = H[row][0] * fh[0], t1 = H[row][1] * fh[1];
+    int values =
+        one_joint(V[row], s.e[row] - t0 - t1, std::fabs(s.e[row]) + std::fabs(t0) + std::fabs(t1), slides_v, v);
     if (std::fmax(r0, r1) <= kPairVanished) {
       out.degenerate = true;
       v[0] = 0;

@@ -29,7 +29,8 @@ PIEPER_INLINE void one_joint(const F* b, F rhs, bool slides, Motion<F>* x, Mask<
     F disc = b[0] * b[0] + 4.0 * b[1] * rhs, size = b[0] * b[0] + abs(4.0 * b[1] * rhs);
     Mask<F> linear = abs(b[1]) <= kPairLinear * abs(b[0]);
     found = disc >= 0.0;
-    unclear = unclear | (abs(disc) <= kRootsMerge * size) | !(size > kPairNothing);
+    // beside it lengths of the arm were added up to rhs: a slide so near zero drowns in their rounding
+    unclear = unclear | (abs(disc) <= kRootsMerge * (size + abs(b[1]))) | !(size > kPairNothing);
     F root = sqrt(max(disc, F(0.0))), t = b[0] + select(b[0] < 0.0, -root, root);
     F near = 2.0 * rhs / select(t == 0.0, F(1.0), t);
     F far = -t / select(linear, F(1.0), 2.0 * b[1]);

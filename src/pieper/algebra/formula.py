@@ -136,6 +136,11 @@ def replaced(root: Expr, path: tuple[int, ...], new: Expr) -> Expr:
     return root._rebuilt(args)
 
 
+def with_args(node: Expr, args: Iterable[Expr]) -> Expr:
+    """The same operation on other arguments."""
+    return node._rebuilt(args)
+
+
 def replaced_everywhere(root: Expr, new: Mapping[int, Expr]) -> Expr:
     """Return the formula with every occurrence of some nodes, named by their `id`, replaced."""
     if id(root) in new:

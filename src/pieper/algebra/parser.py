@@ -14,7 +14,8 @@ from collections.abc import Collection
 
 from pieper.algebra.expression import Add, Call, Div, Expr, Mul, PiFraction, Power
 from pieper.algebra.formula import Mention, Neg, PlusMinus, angle_sum, number
-from pieper.algebra.parser_words import FUNCTION_NAMES, FUNCTIONS, INVERSE, JOINT_NAME, SPELLING, TOKEN, TRIG_NAME
+from pieper.algebra.parser_words import DEGREES, FUNCTION_NAMES, FUNCTIONS, INVERSE, JOINT_NAME, TOKEN, TRIG_NAME
+from pieper.algebra.spelling import plain
 from pieper.errors import InputError
 
 MAX_CHARACTERS = 200_000  # a page of algebra has 5,000; beyond this it is not a formula
@@ -49,8 +50,7 @@ class Parser:
     def __init__(self, text: str, names: Collection[str], joints: int) -> None:
         if not isinstance(text, str):
             raise FormulaError(f"a formula is text in quotes, but this is {text!r} ({type(text).__name__})")
-        for fancy, plain in SPELLING.items():
-            text = text.replace(fancy, plain)
+        text = plain(text)
         if len(text) > MAX_CHARACTERS:
             raise FormulaError(
                 f"the formula has {len(text):,} characters; at most {MAX_CHARACTERS:,} are read. Split it "
@@ -64,8 +64,10 @@ class Parser:
 
     def _tokenize(self) -> list[tuple[str, str, int]]:
         tokens, position = [], 0
+        odd = sorted((n for n in self.names if not TOKEN.fullmatch(n)), key=len, reverse=True)
+        own = re.compile(r"(?P<name>" + "|".join(map(re.escape, odd)) + r")(?![A-Za-z\d])") if odd else None
         while position < len(self.text):
-            found = TOKEN.match(self.text, position)
+            found = (own and own.match(self.text, position)) or TOKEN.match(self.text, position)
             if not found:
                 word = re.match(r"\w+", self.text[position:])
                 what = (
@@ -255,6 +257,8 @@ class Parser:
             return found
         lowered = text.lower()
         following = self._peek()[1]
+        if FUNCTION_NAMES.get(lowered, lowered) in DEGREES and following == "(":
+            return self._of_degrees(FUNCTION_NAMES.get(lowered, lowered)[:-1], position)
         if lowered in FUNCTION_NAMES:
             return self._call(FUNCTION_NAMES[lowered], position)
         if text in ("c", "C", "s", "S") and following == "(":
@@ -278,6 +282,10 @@ class Parser:
         joint = JOINT_NAME.match(text)
         if joint and 1 <= int(joint.group(1)) <= self.joints:
             return Mention(f"theta{int(joint.group(1))}")
+        digits = joint.group(1) if joint else ""
+        if 1 < len(digits) and self.joints < 10 and all(a < b for a, b in zip(digits, digits[1:] + ":", strict=True)):
+            if 1 <= int(digits[0]) and int(digits[-1]) <= self.joints:
+                return angle_sum(tuple((1, int(d)) for d in digits))  # theta234
         trig = TRIG_NAME.match(text)
         if trig and all(1 <= int(d) <= self.joints for d in re.findall(r"\d", trig.group(2))):
             return self._shorthand(trig.group(1), re.findall(r"\d", trig.group(2)), 0)
@@ -314,6 +322,14 @@ class Parser:
         self.at = k + 1
         return [(-1 if s == "-" else 1, d) for s, d in re.findall(r"([-+]?)(\d)", joined)]
 
+    def _of_degrees(self, name: str, position: int) -> Expr:
+        """Read MATLAB's cosd(x) and acosd(x): functions whose angles are in degrees."""
+        call = self._call(name, position)
+        degree = Div(PiFraction(1), number(180))
+        if name in ("sin", "cos", "tan"):
+            return Call(name, Mul.of(Mul.of(*call.args), degree)) if isinstance(call, Call) else call
+        return Div(call, degree)
+
     def _call(self, name: str, position: int) -> Expr:
         power = None
         if self._peek()[1] in ("^", "**"):
@@ -336,13 +352,8 @@ class Parser:
             args = [self._primary()]
             self.depth -= 1
         if len(args) != FUNCTIONS[name]:
-            wanted = (
-                "one value"
-                if FUNCTIONS[name] == 1
-                else "two values, atan2(sine part, cosine part)"
-                if name == "atan2"
-                else "two values"
-            )
+            wanted = "one value" if FUNCTIONS[name] == 1 else "two values"
+            wanted += ", atan2(sine part, cosine part)" if name == "atan2" else ""
             raise _fail(
                 self.text, position, f"{name} takes {wanted}, but {len(args)} {'is' if len(args) == 1 else 'are'} given"
             )

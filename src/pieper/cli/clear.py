@@ -90,9 +90,7 @@ def _path(
     arm: pieper.Arm, first: str, via: tuple[str, ...], last: str, file: str, units: Units
 ) -> npt.NDArray[np.float64]:
     if bool(first) == bool(file):
-        raise pieper.InputError(
-            'give the path as --from and --to, such as --from home --to "60 90 0 0 0 0", or --path.'
-        )
+        raise pieper.InputError('give the path as --from and --to, as --from home --to "60 90 0 0 0 0", or --path.')
     if file:
         return _of_file(arm, file, units)
     words = [("--from", first), *(("--via", v) for v in via), *([("--to", last)] if last else [])]

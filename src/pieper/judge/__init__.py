@@ -1,6 +1,6 @@
 """What somebody else's equations are worth."""
 
-from pieper.judge.claims import check
+from pieper.judge.claims import check, guess_claims
 from pieper.judge.verdict import Judgement, Verdict
 
-__all__ = ["Judgement", "Verdict", "check"]
+__all__ = ["Judgement", "Verdict", "check", "guess_claims"]

@@ -14,7 +14,13 @@ from pieper.judge.model import ArmModel
 from pieper.judge.samples import sample
 
 
-def uses_itself(model: ArmModel, angle: Expr, node: Expr, definitions: Mapping[str, Expr]) -> str:
+def uses_itself(
+    model: ArmModel,
+    angle: Expr,
+    node: Expr,
+    definitions: Mapping[str, Expr],
+    known: Mapping[str, set[int]] | None = None,
+) -> str:
     """Return the place where a formula uses the angle that it is for, "" when it does not.
 
     A sum of joints with parallel axes may be known before its members are, so c234 may stand in a formula for theta3.
@@ -25,12 +31,16 @@ def uses_itself(model: ArmModel, angle: Expr, node: Expr, definitions: Mapping[s
         angle: the angle, a joint or a sum of joints.
         node: the formula.
         definitions: the file's symbols.
+        known: the joints that entries of matrices in the formula, such as R36[3,3], must be known for.
     """
     own = frozenset(j for _, j in joint_sum(angle) or ())
     if not own:
         return ""
     if len(own) == 1:
         (joint,) = own
+        for name, joints in (known or {}).items():
+            if joint in joints:
+                return name
         return _place(model, joint, node, definitions, set())
     # a formula for a sum is circular when it uses the sum, or every member of it
     places = [_place(model, joint, node, definitions, set()) for joint in own]

@@ -7,6 +7,7 @@ names the place.
 from __future__ import annotations
 
 import difflib
+import json
 import os
 import tomllib
 from collections.abc import Callable, Mapping
@@ -22,10 +23,12 @@ from pieper.errors import InputError
 from pieper.judge import keys
 from pieper.judge.arms import describe_arm, read_arm
 from pieper.judge.claim import Claim
-from pieper.judge.evidence import Evidence
+from pieper.judge.evidence import Evidence, in_order, plain
+from pieper.judge.excerpt import claims_file, guesses
 from pieper.judge.judges.angles import judge_joint, judge_together
 from pieper.judge.judges.formulas import judge_entry, judge_equation
 from pieper.judge.judges.freedom import judge_freedom
+from pieper.judge.judges.jacobians import judge_determinant, judge_jacobian, judge_singular
 from pieper.judge.judges.limits import judge_limit
 from pieper.judge.judges.matrices import judge_matrix, judge_product
 from pieper.judge.judges.poses import judge_pose
@@ -74,9 +77,15 @@ JUDGES = {
     "entry": Judge(judge_entry, {"of", "is"}, {"where", "at_deg", "when"}, {"is": keys.formula}),
     "matrix": Judge(judge_matrix, {"of", "is"}, {"where"}, {"is": keys.ANY_MATRIX}),
     "equation": Judge(judge_equation, {"is"}, {"where", "frame", "at_deg", "when"}, {"is": keys.text}),
+    "jacobian": Judge(judge_jacobian, {"is"}, {"of", "where", "at_deg", "when"}, {"is": keys.FORMULA_OR_MATRIX}),
+    "determinant": Judge(judge_determinant, {"is"}, {"rows", "where"}, {"is": keys.formula, "rows": keys.ROW_NUMBERS}),
+    "singular": Judge(judge_singular, {"is"}, {"where", "rows"}, {"is": keys.text, "rows": keys.ROW_NUMBERS}),
     "product": Judge(judge_product, {"is"}, set(), {"is": keys.text}),
     "joint": Judge(
-        judge_joint, {"is"}, {"joint", "for", "where", "frame", "at_deg", "when", "task"}, {"is": keys.formula}
+        judge_joint,
+        {"is"},
+        {"joint", "for", "where", "frame", "at_deg", "when", "task", "unit"},
+        {"is": keys.FORMULAS, "unit": keys.ANGLE_UNIT},
     ),
     "together": Judge(judge_together, {"is"}, {"where", "frame", "at_deg", "when"}, {"is": keys.TOGETHER}),
     "procedure": Judge(judge_procedure, {"steps"}, {"where"}),
@@ -124,6 +133,24 @@ def check(path_or_text: str | os.PathLike[str], arm: Described | None = None) ->
         return judge_tables(name, data, arm)
 
 
+def guess_claims(text: str, arm: str, source: str) -> tuple[str, int, int]:
+    """Guess the claims of a plain text or LaTeX excerpt; see `excerpt`.
+
+    Args:
+        text: The excerpt.
+        arm: A catalogue arm, or a robot file.
+        source: The excerpt's name.
+
+    Returns:
+        A claims file to be looked through, how many claims and symbols were read, how many equations were not.
+    """
+    key = "file" if os.path.isfile(arm) else "robot"
+    model = read_arm(source, {key: arm})
+    found = guesses(text, model)
+    read = sum(not guess.why for guess in found)
+    return claims_file(found, f"{key} = {json.dumps(arm)}", source), read, len(found) - read
+
+
 def judge_tables(name: str, data: dict[str, Any], arm: Described | None = None) -> Judgement:
     """Judge the tables of a claims file that has been read; `name` is the file's, for messages."""
     keys.only_known(data, keys.FILE, f"{name}: the file")
@@ -135,7 +162,12 @@ def judge_tables(name: str, data: dict[str, Any], arm: Described | None = None) 
     benches = {}
     for key, model in arms.items():
         benches[key] = Evidence(model, seconds=float(data.get("seconds", 2.0)))
-        for symbol, body in _symbols(data, key).items():
+        for matrix, rows in data.get("matrices", {}).items():
+            try:
+                benches[key].define_matrix(matrix, rows)
+            except InputError as error:
+                raise InputError(f"{name}: [matrices] {matrix}: {error}") from None
+        for symbol, body in in_order({plain(k): str(v) for k, v in _symbols(data, key).items()}).items():
             try:
                 benches[key].define(symbol, body)
             except InputError as error:

@@ -103,9 +103,12 @@ def _exact_environment(model: ArmModel, samples: Samples, k: int, definitions: d
         env[alias] = env[target]
     T = model.pose_exact(env, field)
     env |= {name: T[i][j] for name, i, j in POSE_NAMES}
+    env["roll"], env["yaw"] = field.atan2(T[2][1], T[2][2]), field.atan2(T[1][0], T[0][0])
+    env["pitch"] = field.atan2(-T[2][0], field.hypot(T[0][0], T[1][0]))
     env |= {name: field.rational(decimal(v[k])) for name, v in samples.env.items() if name.endswith("?")}
     for name, tree in definitions.items():
-        env[name] = tree.evaluate(env, field)
+        if tree.symbols() <= env.keys():  # entries of matrices are in double precision only
+            env[name] = tree.evaluate(env, field)
     return env
 
 

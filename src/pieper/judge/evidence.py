@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -12,11 +13,12 @@ import numpy as np
 
 from pieper.algebra.expression import Expr
 from pieper.algebra.formula import Mention
-from pieper.algebra.parser import FormulaError
+from pieper.algebra.parser import FormulaError, parse_equation
 from pieper.errors import InputError, PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.conditions import Condition, read_conditions
 from pieper.judge.keys import UNITS
+from pieper.judge.letters import MatrixLetter, known_from, neighbours, of_whole_pose, pick_letters
 from pieper.judge.matrices import Product, parse_product, value_of
 from pieper.judge.model import ArmModel
 from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample, some
@@ -47,6 +49,16 @@ class Evidence:
     unknown: list[str] = field(default_factory=list)
     held: Mapping[int, float] = field(default_factory=dict)
     when: tuple[Condition, ...] = ()
+    letters: dict[str, MatrixLetter] = field(default_factory=dict)
+    matrices: dict[str, list[list[Expr]]] = field(default_factory=dict)
+
+    def define_matrix(self, name: str, rows: list[list[Any]]) -> None:
+        """Add a matrix of the file, 3 x 3 or 4 x 4, its entries numbers or formulas of the joints."""
+        if name in self.model.names() or name in ("I", "T") or re.fullmatch(r"[AQTRPv]\d{0,2}", name):
+            raise InputError(f"the matrix {name!r} already means something for this arm; choose another name")
+        if len(rows) not in (3, 4) or any(len(row) != len(rows) for row in rows):
+            raise InputError("a matrix of one's own has 3 rows of 3 or 4 rows of 4 entries")
+        self.matrices[name] = [[self.parse(str(cell)).substitute(self.definitions) for cell in row] for row in rows]
 
     def define(self, name: str, text: str) -> None:
         """Add a symbol of the file; "?" marks one that the source uses and never defines."""
@@ -64,10 +76,71 @@ class Evidence:
     def local(self, where: Mapping[str, Any]) -> dict[str, Expr]:
         """Read definitions that belong to one claim alone; later ones may use earlier ones."""
         local: dict[str, Expr] = {}
-        for name, body in where.items():
+        for name, body in in_order({plain(k): str(v) for k, v in where.items()}).items():
             with under(f"where {name}"):
-                local[plain(name)] = self.model.parse(str(body), {*self.definitions, *local}).substitute(local)
+                local[name] = self.read(body, {*self.definitions, *local}).substitute(local)
         return local
+
+    def read(self, text: str, extra: Collection[str]) -> Expr:
+        """Read a formula whose letters may be entries of matrices, as in R36[3,3]."""
+        text, letters = pick_letters(text, self.model.n, frozenset(self.matrices))
+        new = {name: letter for name, letter in letters.items() if name not in self.letters}
+        for letter in list(new.values()):
+            new = {**neighbours(letter), **new}
+        if new:
+            self.letters.update(new)
+            if "samples" in self.__dict__:
+                self.pick(self.samples.env, self.samples.frames)
+            self.__dict__.pop("other_arms", None)
+        return self.model.parse(text, {*extra, *self.letters})
+
+    def read_equation(self, text: str, extra: Collection[str]) -> tuple[Expr, Expr]:
+        """Read both sides of an equation."""
+        text, _ = pick_letters(text, self.model.n, frozenset(self.matrices))
+        if text.count("=") != 1:
+            return parse_equation(text, {*self.model.names(), *self.definitions, *extra}, self.model.n)
+        known = {*self.definitions, *extra}
+        left, right = text.split("=")
+        return self.read(left, known), self.read(right, known)
+
+    def picks(self, node: Expr) -> set[str]:
+        """The letters of a formula that are entries of matrices."""
+        return node.substitute(self.definitions).symbols() & set(self.letters)
+
+    def known_for(self, name: str) -> set[int]:
+        """The joints (1-based) that must be known before a letter taken from matrices is.
+
+        (T A6^-1)[1,4] is computed with theta6, but it is the wrist centre, which does not depend on it.
+        """
+        letter, n = self.letters[name], self.model.n
+        joints = known_from(letter.product, n)
+        if not of_whole_pose(letter.product, n):
+            return joints
+        drawn = replace(self, when=()).draw(len(self.samples.q), seed=77)
+        here, other = self.samples.frames, drawn.frames
+        own = self.samples.nominal & drawn.nominal
+        value = letter.value(here)
+
+        def moves(joint: int) -> bool:
+            changed = letter.value({**here, f"A{joint}": other[f"A{joint}"]})
+            return not np.allclose(changed[own], value[own], rtol=0, atol=1e-9)
+
+        return {j for j in joints if moves(j)}
+
+    def pick(self, env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
+        """Add the letters that are entries of matrices to an environment, and the file's matrices to the frames."""
+        shape = env["theta1"].shape
+        for name, rows in self.matrices.items():
+            M = np.empty((*shape, len(rows), len(rows)))
+            for i, row in enumerate(rows):
+                for j, cell in enumerate(row):
+                    M[..., i, j] = cell.evaluate(env)
+            frames[name] = M
+        for name, letter in self.letters.items():
+            try:
+                env[name] = letter.value(frames)
+            except (InputError, np.linalg.LinAlgError):
+                env[name] = np.full(shape, np.nan)  # a neighbour of what was asked for may not exist
 
     def parse(self, text: str, where: Mapping[str, Any] | None = None, key: str = "is") -> Expr:
         """Read a formula.
@@ -79,12 +152,12 @@ class Evidence:
         """
         local = self.local(where or {})
         with under(key):
-            return self.model.parse(text, {*self.definitions, *local}).substitute(local)
+            return self.read(text, {*self.definitions, *local}).substitute(local)
 
     def product(self, claim: Claim, key: str, default: str = "T") -> Product:
         """Read the product of matrices under a key of a claim."""
         with under(key):
-            return parse_product(str(claim.get(key, default)), self.model.n)
+            return parse_product(str(claim.get(key, default)), self.model.n, frozenset(self.matrices))
 
     def frame(self, claim: Claim) -> Product | None:
         """The frame whose letters a claim uses, a whole matrix; None for the pose itself."""
@@ -115,6 +188,7 @@ class Evidence:
         found = 0
         for attempt in range(DRAWS):
             drawn = sample(self.model, count, seed=seed + 7919 * attempt, vary=vary, held=self.held)
+            self.pick(drawn.env, drawn.frames)
             self.fill(drawn.env)
             if not self.when:
                 return drawn
@@ -181,6 +255,7 @@ class Evidence:
             env = {k: base.env[k] for k in base.env if k.startswith("theta") or k in model.values or k in model.aliases}
             frames = model.frames(env)
             env.update(pose_symbols(frames["T"]))
+            self.pick(env, frames)
             self.fill(env)
             out.append((kind, words, Samples(base.q, env, frames, base.nominal)))
         return out
@@ -252,6 +327,18 @@ def under(key: str) -> Iterator[None]:
         raise InputError(f"{key}: {error}", **error.data) from None
     except np.linalg.LinAlgError:
         raise InputError(f"{key}: a matrix that is inverted here has no inverse") from None
+
+
+def in_order(symbols: Mapping[str, str]) -> dict[str, str]:
+    """Symbols so that each stands after those it uses; what goes in circles stays where it is."""
+    uses = {
+        name: set(re.findall(r"[A-Za-z]\w*'*", plain(body))) & set(symbols) - {name} for name, body in symbols.items()
+    }
+    out: dict[str, str] = {}
+    while len(out) < len(symbols):
+        ready = [name for name in symbols if name not in out and uses[name] <= set(out)]
+        out.update({name: symbols[name] for name in ready[:1] or [n for n in symbols if n not in out][:1]})
+    return out
 
 
 def plain(name: str) -> str:

@@ -245,7 +245,11 @@ CLAIM: dict[str, Check] = {
     "steps": several(STEP, plural="the steps of a method"),
 }
 
+FORMULAS = either(formula, several(formula, plural="the formulas of the branches"))
+ROW_NUMBERS = several(whole, plural="row numbers of the Jacobian, 1 to 6")
+ANGLE_UNIT = one_of("deg", "rad")
 ANY_MATRIX = several(either(several(formula), formula), plural="the rows of a matrix of formulas")
+FORMULA_OR_MATRIX = either(formula, ANY_MATRIX)
 TOGETHER = table_of(formula)
 ERROR_ROWS = several(table({"reference": several(printed), "simulation": several(printed)}), plural="rows")
 POSITION_ROWS = several(table({"position": POINT}, {"q": JOINTS, "q_deg": JOINTS, "q_rad": JOINTS}), plural="rows")
@@ -260,6 +264,7 @@ FILE: dict[str, Check] = {
     "arm": table_of(lambda _: ""),
     "arms": table_of(table_of(lambda _: "")),
     "symbols": SYMBOLS,
+    "matrices": table_of(several(several(formula), plural="the rows of a matrix"), size=0),
     "claim": several(table_of(lambda _: ""), plural="of [[claim]] tables"),
 }
 ARM: dict[str, Check] = {

@@ -12,11 +12,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pieper.algebra.parser import parse
 from pieper.errors import InputError
 from pieper.words_by_number import plural
 
 _PIECE = re.compile(
-    r"\s*(?:(?P<name>[A-Za-z]\w*)|(?P<inv>\^\s*(?:-1|\(-1\)|\{-1\}))|(?P<tr>\^T|')|(?P<op>[()+*=-])|(?P<entry>\[\s*\d\s*,\s*\d\s*\]\s*$))"
+    r"\s*(?:(?P<turn>(?:Rot|Trans|[RT])[xyzXYZ]\s*\([^()]*\))|(?P<name>[A-Za-z]\w*)|(?P<inv>\^\s*(?:-1|\(-1\)|\{-1\}))|(?P<tr>\^T|')|(?P<op>[()+*=-])|(?P<entry>\[\s*\d\s*,\s*\d\s*\]\s*$))"
 )
 
 
@@ -28,6 +29,7 @@ class Factor:
     inside: tuple[Factor, ...] = ()
     inverse: bool = False
     transpose: bool = False
+    constant: tuple[tuple[float, ...], ...] = ()
 
     def __str__(self) -> str:
         text = self.name or "(" + " ".join(map(str, self.inside)) + ")"
@@ -40,23 +42,28 @@ class Product:
 
     terms: tuple[tuple[Factor, ...], ...]
     entry: tuple[int, int] | None = None
+    minus: frozenset[int] = frozenset()
 
     def __str__(self) -> str:
-        text = " + ".join(" ".join(map(str, t)) for t in self.terms)
+        text = ""
+        for k, term in enumerate(self.terms):
+            sign = ("-" if k in self.minus else "") if not k else " - " if k in self.minus else " + "
+            text += sign + " ".join(map(str, term))
         if not self.entry:
             return text
         single = len(self.terms) == len(self.terms[0]) == 1
         return f"{text if single else f'({text})'}[{self.entry[0]},{self.entry[1]}]"
 
 
-def parse_product(text: str, joints: int) -> Product:
+def parse_product(text: str, joints: int, own: frozenset[str] = frozenset()) -> Product:
     """Read a product of matrices.
 
     Args:
         text: names A1.. (link), T06, T (base and tool included), R.. (its rotation), P.. (its position), Q1.. and v1..
             (rotation and position of a link), I; side by side or with ``*``, sums with ``+``, ``^-1``, ``^T``,
-            brackets, ``[row,column]`` at the end.
+            brackets, ``[row,column]`` at the end; constant turns and shifts such as Rz(pi/2) and Tx(0.1).
         joints: number of joints.
+        own: names of matrices that the file defines.
 
     Returns:
         The product.
@@ -88,15 +95,18 @@ def parse_product(text: str, joints: int) -> Product:
         out = []
         while position < len(pieces):
             kind, word, where = pieces[position]
-            if word == ")" or word == "+":
+            if word in (")", "+", "-"):
                 break
             position += 1
             if word == "*":
                 continue
-            if kind == "name":
+            if kind == "turn":
+                out.append(Factor(re.sub(r"\s", "", word), constant=_constant(word)))
+            elif kind == "name":
                 if word in ("x", "X"):
                     continue
-                check_name(word, joints, lambda message, w=where: fail(w, message))
+                if word not in own:
+                    check_name(word, joints, lambda message, w=where: fail(w, message))
                 out.append(Factor(word))
             elif word == "(":
                 inner = factors()
@@ -115,13 +125,35 @@ def parse_product(text: str, joints: int) -> Product:
             raise fail(pieces[position][2] if position < len(pieces) else len(source), "a matrix must stand here")
         return tuple(out)
 
+    minus: set[int] = set()
+    if pieces and pieces[0][1] == "-":
+        minus.add(0)
+        position = 1
     terms = [factors()]
-    while position < len(pieces) and pieces[position][1] == "+":
+    while position < len(pieces) and pieces[position][1] in ("+", "-"):
+        if pieces[position][1] == "-":
+            minus.add(len(terms))
         position += 1
         terms.append(factors())
     if position < len(pieces):
         raise fail(pieces[position][2], f"{pieces[position][1]!r} is not expected here")
-    return Product(tuple(terms), entry)
+    return Product(tuple(terms), entry, frozenset(minus))
+
+
+def _constant(text: str) -> tuple[tuple[float, ...], ...]:
+    """The pose of a turn about, or a shift along, an axis: Rz(pi/2), RotX(-90 deg), Tx(0.1)."""
+    word, _, inner = text.rstrip(") ").partition("(")
+    axis = "xyz".index(word.strip()[-1].lower())
+    value = float(parse(inner, (), 0).evaluate({}))
+    M = np.eye(4)
+    if word.startswith("T"):
+        M[axis, 3] = value
+    else:
+        i, j = ((1, 2), (2, 0), (0, 1))[axis]
+        c, s = (0.0 if abs(x) < 1e-15 else x for x in (np.cos(value), np.sin(value)))
+        M[i, i] = M[j, j] = c
+        M[i, j], M[j, i] = -s, s
+    return tuple(map(tuple, M.tolist()))
 
 
 def check_name(word: str, joints: int, fail: Callable[[str], InputError]) -> None:
@@ -136,9 +168,10 @@ def check_name(word: str, joints: int, fail: Callable[[str], InputError]) -> Non
 
 def value_of(product: Product, frames: dict[str, np.ndarray]) -> np.ndarray:
     """Evaluate a product at all samples, (K, 4, 4), (K, 3, 3) or (K, 3); with an entry, (K,)."""
-    total = _chain(product.terms[0], frames)
-    for term in product.terms[1:]:
-        total = total + _chain(term, frames)
+    parts = [(-1 if k in product.minus else 1) * _chain(term, frames) for k, term in enumerate(product.terms)]
+    total = parts[0]
+    for part in parts[1:]:
+        total = total + part
     if product.entry is None:
         return total
     row, column = product.entry
@@ -154,7 +187,10 @@ def value_of(product: Product, frames: dict[str, np.ndarray]) -> np.ndarray:
 def _chain(factors: tuple[Factor, ...], frames: dict[str, np.ndarray]) -> np.ndarray:
     out: np.ndarray | None = None
     for factor in factors:
-        M = _named(factor.name, frames) if factor.name else _chain(factor.inside, frames)
+        if factor.constant:
+            M = np.broadcast_to(np.array(factor.constant), frames["T"].shape)
+        else:
+            M = _named(factor.name, frames) if factor.name else _chain(factor.inside, frames)
         if factor.inverse:
             M = np.linalg.inv(M)
         if factor.transpose:
@@ -162,6 +198,8 @@ def _chain(factors: tuple[Factor, ...], frames: dict[str, np.ndarray]) -> np.nda
         if out is None:
             out = M
         else:
+            if out.ndim == M.ndim == 3 and {out.shape[1], M.shape[1]} == {3, 4} and any(f.constant for f in factors):
+                out, M = out[:, :3, :3], M[:, :3, :3]  # a constant turn beside a rotation is one
             try:
                 out = (out @ M[..., None])[..., 0] if M.ndim == 2 else out @ M
             except ValueError:
@@ -173,6 +211,8 @@ def _chain(factors: tuple[Factor, ...], frames: dict[str, np.ndarray]) -> np.nda
 
 
 def _named(name: str, frames: dict[str, np.ndarray]) -> np.ndarray:
+    if name in frames and name not in ("T",):
+        return frames[name]
     if name == "I":
         return np.broadcast_to(np.eye(4), frames["T"].shape)
     if name[0] in "AQv" and len(name) == 2:

@@ -89,7 +89,7 @@ class ArmModel:
 
     def names(self) -> set[str]:
         """Symbols a formula about this arm may use, besides the joints."""
-        return set(self.values) | {p[0] for p in POSE_NAMES} | set(self.aliases) | {"pi"}
+        return set(self.values) | {p[0] for p in POSE_NAMES} | set(self.aliases) | {"pi", "roll", "pitch", "yaw"}
 
     def parse(self, text: str, extra: Collection[str] = ()) -> Expr:
         """Read a formula about this arm; `extra` are symbols defined in the claims file."""

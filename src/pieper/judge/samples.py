@@ -109,5 +109,12 @@ def pose_of(model: ArmModel, q: np.ndarray) -> np.ndarray:
 
 
 def pose_symbols(T: np.ndarray) -> dict[str, np.ndarray]:
-    """Name the entries of poses (K, 4, 4): nx .. az, px, Px, r11 .. r34."""
-    return {name: T[:, i, j] for name, i, j in POSE_NAMES}
+    """Name the entries of poses (K, 4, 4), nx .. az, px, Px, r11 .. r34, and their roll, pitch and yaw.
+
+    R = Rz(yaw) Ry(pitch) Rx(roll), in rad.
+    """
+    return {name: T[:, i, j] for name, i, j in POSE_NAMES} | {
+        "roll": np.arctan2(T[:, 2, 1], T[:, 2, 2]),
+        "pitch": np.arctan2(-T[:, 2, 0], np.hypot(T[:, 0, 0], T[:, 1, 0])),
+        "yaw": np.arctan2(T[:, 1, 0], T[:, 0, 0]),
+    }

@@ -29,6 +29,7 @@ from pieper.motion.segments import Segment, segment
 from pieper.motion.spline import spline
 from pieper.solver import verbs
 from pieper.solver.plan.plan import Plan
+from pieper.words_by_number import plural
 
 
 class ProgramArm(Protocol):
@@ -68,8 +69,7 @@ class Program:
         self._known: tuple[int, float, Motion] | None = None
 
     def __repr__(self) -> str:
-        """Say whose it is and how much it holds."""
-        return f"Program({self.plan.name}: {len(self.moves)} moves, {len(self.instructions)} instructions)"
+        return f"<Program of {self.plan.name}: {plural(len(self.instructions), 'instruction')}>"
 
     def move_j(self, target: ArrayLike | str, *, speed: float | None = None, blend: float = 0.0) -> Program:
         """Move all joints in proportion to a posture (n,), or to the solution of a pose (4, 4) nearest to the last one.

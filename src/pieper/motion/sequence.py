@@ -18,7 +18,7 @@ def move(q0: Array, q1: Array, duration: float, *, rate: float = 100.0) -> Motio
 
     Each joint follows the quintic q0 + (q1 - q0) (10 u^3 - 15 u^4 + 6 u^5), u = t / duration: rates and accelerations
     vanish at both ends. The largest rate is 15/8 of the mean one, the largest acceleration is
-    10/sqrt(3) |q1 - q0| / duration^2.
+    10/sqrt(3) ``|q1 - q0|`` / duration^2.
 
     Args:
         q0: (n,) first posture, rad or m.

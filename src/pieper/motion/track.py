@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pieper.document.columns import Column, Tabular, Units
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.joints import TURN, inside
@@ -17,6 +18,7 @@ from pieper.motion.stops import LIMIT, Event, geometric_stop, limit_stop, remark
 from pieper.solver.plan.plan import Plan
 from pieper.solver.words.labels import posture_words
 from pieper.tolerances import VERIFIED
+from pieper.words_by_number import plural
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,8 +51,8 @@ class Branch:
         return len(self.q)
 
 
-@dataclass(frozen=True, eq=False)
-class Track:
+@dataclass(frozen=True, eq=False, repr=False)
+class Track(Tabular):
     """What following a path gave.
 
     Attributes:
@@ -96,6 +98,21 @@ class Track:
         """The joint vectors (k, n) of the points that were reached, rad or m."""
         return self.q[self.reached]
 
+    def columns(self, *, degrees: bool = False, mm: bool = False) -> dict[str, Column]:
+        """Return one row a point: s, joints, the pose asked for, whether it was reached."""
+        units, rotation = Units(degrees, mm), self.path[:, :3, :3]
+        position: dict[str, Column] = {}
+        for k, axis in enumerate("xyz"):
+            position |= units.metres(axis, self.path[:, k, 3])
+        return {
+            "point": np.arange(1, len(self.path) + 1),
+            "s": self.s,
+            **units.joints(self.joint_names, self.prismatic, self.q),
+            "reached": self.reached,
+            **position,
+            **{f"r{i + 1}{j + 1}": rotation[:, i, j] for i in range(3) for j in range(3)},
+        }
+
     @property
     def stop(self) -> Event | None:
         """The event that ended the track, or None when it is complete."""
@@ -118,6 +135,10 @@ class Track:
         elif not self.complete and self.branches:
             text.append("No other branch of the first pose reaches the end either.")
         return "\n".join(text)
+
+    def __repr__(self) -> str:
+        end = "complete" if self.complete else f"stops at s = {self.stop.s:.4g}: {self.stop.cause}" if self.stop else ""
+        return f"<Track: {self.points} of {plural(len(self.path), 'point')} reached, {end}>"
 
 
 def follow(plan: Plan, path: PoseLike, *, start: ArrayLike | None = None) -> Track:

@@ -10,6 +10,7 @@ from typing import overload
 
 import numpy as np
 
+from pieper.document.columns import Column, Tabular, Units
 from pieper.errors import InputError, NoSolutionError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 from pieper.kinematics.forward import checked_joints
@@ -20,6 +21,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Chosen, Flag, Refused, Rows
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.solution import Closest, Solution, batch_columns, solution_columns
 from pieper.tolerances import LIMIT_SLACK
 from pieper.words_by_number import plural
 
@@ -37,23 +39,6 @@ class Status(IntEnum):
     OUTSIDE_LIMITS = 4
     UNCERTAIN = 5
     INVALID = 6  # of batches alone: what was given is no pose
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Closest:
-    """The posture inside the limits that comes nearest to a pose.
-
-    Attributes:
-        q: (n,) rad or m.
-        metres: How far its tool is from the pose.
-        radians: How far it is turned from it, of what the task asks for.
-        T: (4, 4) where its tool is.
-    """
-
-    q: Array
-    metres: float
-    radians: float
-    T: Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,22 +60,7 @@ class Words:
     closest: Callable[[Plan, Solutions], Closest]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Solution:
-    """One solution of a pose.
-
-    Attributes:
-        q: (n,) joint vector, rad or m.
-        label: Its posture label.
-        residual: (2,) metres and radians by which forward kinematics misses the pose.
-    """
-
-    q: Array
-    label: str
-    residual: Array
-
-
-class Solutions(Marked, Sequence[Solution]):
+class Solutions(Marked, Tabular, Sequence[Solution]):
     """Every solution of one pose: a sequence of those inside the limits.
 
     Attributes:
@@ -304,6 +274,11 @@ class Solutions(Marked, Sequence[Solution]):
         row = int(np.argmin(joints.straight(rows, now)))
         return row, rows[row]
 
+    def columns(self, *, degrees: bool = False, mm: bool = False) -> dict[str, Column]:
+        """Return the rows of all_q as columns: joints, label, residual, whether inside the limits."""
+        residual, units = self._plan.residual(self.all_q, self.T), Units(degrees, mm)
+        return solution_columns(self._plan, self.all_q, self.all_labels, residual, self.in_limits, units)
+
     def __repr__(self) -> str:
         # what has not been traced stays so: printing an object never solves anything
         traced = (
@@ -314,7 +289,7 @@ class Solutions(Marked, Sequence[Solution]):
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
-class SolutionBatch:
+class SolutionBatch(Tabular):
     """Every solution of N poses, in the order of the plan's branches.
 
     Attributes:
@@ -393,6 +368,11 @@ class SolutionBatch:
             return {}
         given = zip(self.refused.index, self.refused.poses, strict=True)
         return {int(index): reason_against(pose, f"Ts[{index}]") for index, pose in given}
+
+    def columns(self, *, degrees: bool = False, mm: bool = False) -> dict[str, Column]:
+        """Return the valid rows as columns, poses counted from 0; a pose without one has a row of its own, NaN."""
+        words = [Status(int(code)).name for code in self.status]
+        return batch_columns(self.plan, self.q, self.valid, self.in_limits, words, Units(degrees, mm))
 
     def __repr__(self) -> str:
         counts = {s.name: int(c) for s in Status if (c := np.count_nonzero(self.status == s))}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 import time
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -37,6 +38,25 @@ def load(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
     if name not in pieper.catalog():
         raise Refused(f"{name!r} is not in the catalogue.")
     return {"table": table_from_arm(pieper.load(name), name)}
+
+
+def catalogue(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
+    """Return what a person chooses an arm by: name, maker, joints, and the points of its frames at a posture (m)."""
+    return {"arms": _catalogue()}
+
+
+@cache
+def _catalogue() -> list[dict[str, Any]]:
+    found = []
+    for name in pieper.catalog():
+        arm = pieper.load(name)
+        lower, upper = np.clip(arm.limits.T, -1.2, 1.2)
+        named = next((arm.postures[k] for k in ("ready", "home", "work") if k in arm.postures), None)
+        q = np.clip(np.full(arm.n, 0.6), lower, upper) if named is None else np.asarray(named)
+        points = arm.frames(q)[:, :3, 3]
+        about = {"name": name, "maker": arm.description.manufacturer, "joints": "".join(arm.joint_types)}
+        found.append({**about, "points": np.round(points, 4).tolist()})
+    return found
 
 
 def open_file(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
@@ -253,5 +273,5 @@ def save(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
         return {"text": path.read_text(encoding="utf-8")}
 
 
-TABLES: dict[str, Callable] = {"hello": hello, "load": load, "open": open_file}
+TABLES: dict[str, Callable] = {"hello": hello, "load": load, "open": open_file, "catalog": catalogue}
 QUICK: dict[str, Callable] = {"ik": ik, "formulas": formulas, "nearest": nearest_pose, "save": save}

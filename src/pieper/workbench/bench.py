@@ -174,7 +174,7 @@ class Bench:
         self._push({"things": []})
 
     def wait(self, timeout: float | None = None) -> bool:
-        """Wait until a person has done something since the last wait; return whether it came within timeout, s."""
+        """Wait for what a person does since the last wait; return whether it came within the timeout (s)."""
         with self._changed:
             came = self._changed.wait_for(lambda: self._heard != self._noticed, timeout)
             self._noticed = self._heard

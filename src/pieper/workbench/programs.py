@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 import pieper
+from pieper.workbench import around
 from pieper.workbench.messages import Refused, number, optional, pose, vector, whole, word
 
 MAX_STEPS = 200
@@ -139,6 +140,7 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
         "margin": float(motion.margin),
         "explain": "\n".join([program.explain(), *(f"Step {k + 1}: the arm is there already." for k in built.idle)]),
         "failed": built.failed,
+        "clear": around.proved(arm, np.asarray(motion.q[kept], float), message.get("world")),
     }
 
 

@@ -13,10 +13,16 @@ from typing import Any, Protocol
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 import pieper
-from pieper.workbench import answers, long_work, programs, snippet
+from pieper.workbench import answers, around, long_work, programs, snippet
 from pieper.workbench.messages import Refused, parse
 
-QUICK = {**answers.QUICK, "python": snippet.python, "program_file": programs.write}
+QUICK = {
+    **answers.QUICK,
+    "clearance": around.clearance,
+    "bodies": around.bodies,
+    "python": snippet.python,
+    "program_file": programs.write,
+}
 #: Messages a second that one page may send on average, and how many at once; a hand on a gizmo sends about 60.
 RATE, BURST = 200.0, 400.0
 #: Refusals in a row after which the connection is closed.
@@ -123,7 +129,7 @@ class Session:
         if op == "cancel":
             self._cancel(message.get("kind"))
             await self._send({"seq": seq, "ok": True})
-        elif op in ("hello", "load", "open"):
+        elif op in answers.TABLES:
             first = self._start if self._bench is None else self._bench.arm
             result = await self._in_pool(answers.TABLES[op], message, first)
             if op == "hello" and self._bench is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any
 
 import numpy as np
@@ -20,7 +21,7 @@ def thing(arm: pieper.Arm, what: Any, kind: str | None, every: float) -> dict[st
     Args:
         arm: The arm that joint vectors are of.
         what: A pose (4, 4), poses (k, 4, 4), points (k, 3), postures (k, n), a `Motion`, `Track`, `Program`, or a
-            body: something with `T` and `size`, with `a`, `b` and `r`, or with `T`, `r` and `h`.
+            body: a `Box` with `T` and `size`, a `Capsule` with `a`, `b`, `r`, a `Cylinder` with `T`, `r`, `h`.
         kind: One of KINDS where an array could be two things; None to tell by its shape.
         every: Seconds between two postures, where they have no time of their own.
 
@@ -30,12 +31,12 @@ def thing(arm: pieper.Arm, what: Any, kind: str | None, every: float) -> dict[st
     body = _body(what)
     if body is not None:
         return body
-    if hasattr(what, "motion") and hasattr(what, "explain"):
+    if isinstance(what, pieper.Program):
         what = what.motion()
-    if hasattr(what, "t") and hasattr(what, "q"):
-        events = [[float(t), str(k), v] for t, k, v in getattr(what, "events", ())]
+    if isinstance(what, pieper.Motion):
+        events = [[float(t), str(k), v] for t, k, v in what.events]
         return _motion(np.asarray(what.t, np.float64), np.asarray(what.q, np.float64), events)
-    if hasattr(what, "reached") and hasattr(what, "q"):
+    if isinstance(what, pieper.Track):
         q = np.asarray(what.q)[np.asarray(what.reached, bool)]
         return _motion(np.linspace(0.0, every * (len(q) - 1), len(q)), q, [])
     if kind not in (None, *KINDS):
@@ -85,21 +86,17 @@ def _pose(array: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
 
 
 def _body(what: Any) -> dict[str, Any] | None:
-    if isinstance(what, np.ndarray | list | tuple):
-        return None
+    """Return a body as the page draws it; None for anything else."""
 
-    def has(*names: str) -> bool:
-        return all(hasattr(what, name) for name in names)
+    def numbers(*names: str) -> dict[str, Any]:
+        return {name: np.asarray(operator.attrgetter(name)(what), float).ravel().tolist() for name in names}
 
-    def numbers(name: str) -> list[float]:
-        return np.asarray(getattr(what, name), float).ravel().tolist()
-
-    if has("a", "b", "r") and not has("T"):
-        return {"kind": "capsule", "a": numbers("a"), "b": numbers("b"), "r": float(np.asarray(what.r))}
-    if has("T", "size"):
-        return {"kind": "box", "T": numbers("T"), "size": numbers("size")}
-    if has("T", "r", "h"):
-        return {"kind": "cylinder", "T": numbers("T"), "r": numbers("r")[0], "h": numbers("h")[0]}
+    if isinstance(what, pieper.Box):
+        return {"kind": "box", **numbers("T", "size")}
+    if isinstance(what, pieper.Capsule):
+        return {"kind": "capsule", **numbers("a", "b"), "r": float(what.r)}
+    if isinstance(what, pieper.Cylinder):
+        return {"kind": "cylinder", **numbers("T"), "r": float(what.r), "h": float(what.h)}
     return None
 
 

@@ -8,14 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.algebra.arithmetics import NumpyField
-from pieper.algebra.expression import Expr
-from pieper.algebra.formula import ANGLE, has_branch
+from pieper.algebra.expression import Add, Expr, Mul
+from pieper.algebra.formula import ANGLE, Neg, PlusMinus, has_branch, number, unordered
 from pieper.algebra.notation import joint_sum
-from pieper.errors import PieperError
+from pieper.errors import InputError, PieperError
 from pieper.judge.circular import given_angles, uses_itself
 from pieper.judge.claim import Claim, Numbers
+from pieper.judge.degrees import from_degrees
 from pieper.judge.difference import agreeing_digits, digits_wanted
-from pieper.judge.evidence import SOLVER_POSES, Evidence, tried_text, wrapped
+from pieper.judge.evidence import SOLVER_POSES, Evidence, tried_text, under, wrapped
 from pieper.judge.judges.freedom import completes, undetermined
 from pieper.judge.lengths import decimals, standing
 from pieper.judge.matrices import Product, value_of
@@ -44,6 +45,26 @@ def read_angle(ev: Evidence, claim: Claim) -> tuple[str, Expr]:
     return name, angle
 
 
+def right_side(ev: Evidence, text: str, angle: Expr) -> str:
+    """The right side of a formula whose left side is written out, as in theta2 = atan2(..)."""
+    left, equals, right = text.partition("=")
+    if not equals or "=" in right:
+        return text
+    with under("is"):
+        named = ev.model.parse(left.strip())
+    if unordered(named) != unordered(angle):
+        raise InputError(f"is: the left side is {left.strip()!r}, but the claim is about {angle}")
+    return right.strip()
+
+
+def either_of(first: Expr, second: Expr) -> Expr:
+    """One formula whose upper sign gives the first of two branches and whose lower sign the second."""
+    if has_branch(first) or has_branch(second):
+        raise InputError("is: a list of branches holds formulas without +-")
+    half = number("0.5")
+    return Add.of(Mul.of(half, Add.of(first, second)), PlusMinus(Mul.of(half, Add.of(first, Neg.of(second)))))
+
+
 def branch_values(node: Expr, env: dict[str, np.ndarray], shape: tuple[int, ...]) -> Iterator[np.ndarray]:
     """Yield the values of a formula at all samples, one array a branch; nan where it is undefined."""
     for branch in (1, -1) if has_branch(node) else (1,):
@@ -58,13 +79,20 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
     """
     ev = ev.holding(claim)
     name, angle = read_angle(ev, claim)
-    node = ev.parse(str(claim["is"]), claim.where)
+    printed = claim["is"] if isinstance(claim["is"], list) else [claim["is"]]
+    nodes = [ev.parse(right_side(ev, str(text), angle), claim.where) for text in printed]
+    if claim.get("unit") == "deg":
+        nodes = [from_degrees(node) for node in nodes]
+    if len(nodes) > 2:
+        raise claim.error("is: two branches at most stand in a list; a sign +- goes with each of them")
+    node = nodes[0] if len(nodes) == 1 else either_of(*nodes)
     claim = claim.reads(
-        f"{name} = {claim['is']}"
+        f"{name} = {' or '.join(right_side(ev, str(text), angle) for text in printed)}"
+        + (" in degrees" if claim.get("unit") == "deg" else "")
         + "".join(f", {k} = {v}" for k, v in claim.where.items())
         + (f", where {claim['when']}" if "when" in claim else "")
     )
-    circle = uses_itself(ev.model, angle, node, ev.definitions)
+    circle = uses_itself(ev.model, angle, node, ev.definitions, {name: ev.known_for(name) for name in ev.picks(node)})
     if circle:
         return claim.wrong(
             f"Wrong: circular. A formula that is to give {name} uses {name} itself, in {circle}; it is true and gives "
@@ -177,7 +205,8 @@ def _slip(ev: Evidence, node: Expr, form: _AngleFormula) -> Explanation:
         near = slips(node, ev.model.values, ev.model.n, ev.own_names, angle=True)
         found = search(aim, node, near, lost=lost_from(ev, node, aim, form.angle), seconds=ev.seconds)
         # an explanation that uses what it explains is none
-        found.found = [s for s in found.found if not uses_itself(ev.model, form.angle, s.tree, ev.definitions)]
+        known = {name: ev.known_for(name) for name in ev.picks(node)}
+        found.found = [s for s in found.found if not uses_itself(ev.model, form.angle, s.tree, ev.definitions, known)]
         return found
 
     found = searched(goal)
@@ -206,7 +235,7 @@ def _joint_holds(
     """The verdict on a formula that gives the right angle for the arm's own lengths."""
     angle, own = form.angle, ev.samples.nominal
     digits = None
-    if form.frame is None and not ev.held and not rounding:
+    if form.frame is None and not ev.held and not rounding and not ev.picks(node):
         digits = agreeing_digits(ev.model, ev.samples, ev.definitions, node, angle, angle=not form.slides)
         if 0 < digits < digits_wanted(ev.model, node.substitute(ev.definitions)):
             return claim.wrong(
@@ -270,6 +299,7 @@ def _both_signs(
     poses = value_of(frame, ev.samples.frames) if frame is not None else ev.samples.frames["T"]
     used, known = given_angles(node, ev.definitions)
     used |= set(ev.held)
+    used |= {j for name in ev.picks(node) for j in ev.known_for(name)}
     given = {j for j in used if before < j <= before + model.n and j - before != joint}
     sums = [{j - before: k for j, k in s.items()} for s in known if all(before < j <= before + model.n for j in s)]
     values = wrapped(np.array(list(branch_values(node, ev.environment(frame), (len(poses),)))))
@@ -332,7 +362,9 @@ def judge_together(ev: Evidence, claim: Claim) -> Verdict:
         forms[name] = _AngleFormula.of(ev, angle, frame), ev.parse(str(text), claim.where, f"is {name}")
     claim = claim.reads("; ".join(f"{k} = {v}" for k, v in claim["is"].items()))
     for name, (form, node) in forms.items():
-        circle = uses_itself(ev.model, form.angle, node, ev.definitions)
+        circle = uses_itself(
+            ev.model, form.angle, node, ev.definitions, {name: ev.known_for(name) for name in ev.picks(node)}
+        )
         if circle:
             return claim.wrong(
                 f"Wrong: circular. The formula for {name} uses {name} itself, in {circle}.", (), "circular"

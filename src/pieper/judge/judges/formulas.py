@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,7 +11,6 @@ import numpy as np
 
 from pieper.algebra.expression import Expr
 from pieper.algebra.formula import Equation
-from pieper.algebra.parser import parse_equation
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
 from pieper.judge.difference import agreeing_digits, difference_from_matrix, digits_wanted, simplified_difference
@@ -31,21 +32,30 @@ def judge_entry(ev: Evidence, claim: Claim) -> Verdict:
     """Judge one entry of a matrix given as a formula (keys of, is, where)."""
     ev = ev.holding(claim)
     product = _entry_product(ev, claim)
-    node = ev.parse(str(claim["is"]), claim.where)
+    left, equals, right = str(claim["is"]).partition("=")
+    written_out = equals and "=" not in right and _same_entry(left, str(claim["of"]))
+    node = ev.parse(right if written_out else str(claim["is"]), claim.where)
     with under("of"):
         wanted = value_of(product, ev.samples.frames)
     if wanted.ndim != 1:
         raise claim.error(f"{claim['of']!r} is a whole matrix; say which entry, as in {claim['of']}[1,4]")
-    return judge_equal(ev, claim.reads(f"{claim['of']} = {claim['is']}"), node, wanted, product=product)
+    text = right.strip() if written_out else claim["is"]
+    return judge_equal(ev, claim.reads(f"{claim['of']} = {text}"), node, wanted, product=product)
+
+
+def _same_entry(left: str, entry: str) -> bool:
+    """Whether the left side that is written out is the entry's name."""
+    bare = [re.sub(r"[\s_{}\\]", "", name).lower() for name in (left, entry)]
+    return bare[0] == bare[1]
 
 
 def judge_equation(ev: Evidence, claim: Claim) -> Verdict:
     """Judge an equation between two formulas, with the pose letters of the frame it names (keys is, where, frame)."""
     ev = ev.holding(claim)
-    text, model = str(claim["is"]), ev.model
+    text = str(claim["is"])
     local = ev.local(claim.where)
     with under("is"):
-        sides = parse_equation(text, {*model.names(), *ev.definitions, *local}, model.n)
+        sides = ev.read_equation(text, local)
     frame = ev.frame(claim)
     return judge_equal(ev, claim.reads(text), Equation(*sides).substitute(local), None, frame=frame)
 
@@ -58,6 +68,7 @@ def judge_equal(
     *,
     product: Product | None = None,
     frame: Product | None = None,
+    source: Callable[[Evidence], np.ndarray] | None = None,
 ) -> Verdict:
     """Judge a formula against right values (or an `Equation` against itself) at every sample.
 
@@ -68,8 +79,9 @@ def judge_equal(
         wanted: (K,) right values; None for an equation.
         product: where the right values come from, to name it and to find it for other arms.
         frame: the frame whose letters the formula uses.
+        source: where the right values come from, if neither from a product nor from the formula itself.
     """
-    right = _Right(product, frame)
+    right = _Right(product, frame, source)
     goal = ev.goal(wanted, frame=frame)
     good, own = goal.residual(node) < 1, ev.samples.nominal
     if good[own].all():
@@ -112,9 +124,12 @@ class _Right:
 
     product: Product | None
     frame: Product | None
+    source: Callable[[Evidence], np.ndarray] | None = None
 
     def wanted(self, ev: Evidence) -> np.ndarray | None:
         """The right values at every sample."""
+        if self.source is not None:
+            return self.source(ev)
         return None if self.product is None else value_of(self.product, ev.samples.frames)
 
     def judged(self, ev: Evidence, node: Expr) -> np.ndarray:
@@ -231,7 +246,7 @@ def _uses_lengths(ev: Evidence, node: Expr) -> bool:
 
 
 def _digits(ev: Evidence, node: Expr, product: Product | None, frame: Product | None) -> int | None:
-    if frame is not None or node.size() > 3000:
+    if frame is not None or node.size() > 3000 or ev.picks(node):
         return None
     if isinstance(node, Equation):
         return agreeing_digits(ev.model, ev.samples, ev.definitions, node.args[0], node.args[1])

@@ -82,7 +82,7 @@ def judge_product(ev: Evidence, claim: Claim) -> Verdict:
     if claim.text.count("=") != 1:
         raise claim.error("an equation of matrices needs exactly one '=', as in \"A1 A2 = T A3^-1\"")
     with under("is"):
-        sides = [parse_product(side, ev.model.n) for side in claim.text.split("=")]
+        sides = [parse_product(side, ev.model.n, frozenset(ev.matrices)) for side in claim.text.split("=")]
         values = [value_of(side, ev.samples.frames) for side in sides]
     if values[0].shape != values[1].shape:
         raise claim.error(f"the left side is {values[0].shape[1:]}, the right side {values[1].shape[1:]}")

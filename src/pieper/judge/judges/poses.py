@@ -155,7 +155,7 @@ def _matrix_text(rows: list[list]) -> str:
     return "[" + "; ".join(", ".join(str(v) if str(v) else "." for v in r) for r in rows) + "]"
 
 
-def _joint_slips(q: np.ndarray) -> Iterator[tuple[str, str, np.ndarray]]:
+def joint_slips(q: np.ndarray) -> Iterator[tuple[str, str, np.ndarray]]:
     """Yield (kind, words, q) for joint vectors one slip away from the printed ones."""
     for k in range(len(q)):
         if q[k]:
@@ -182,9 +182,7 @@ def _joint_slips(q: np.ndarray) -> Iterator[tuple[str, str, np.ndarray]]:
 def _explain(model: ArmModel, q: np.ndarray, reading: Reader, first: Reading) -> tuple[str, str, str, str]:
     """Look for one slip that explains the printed matrix; return (words, kind, what was tried, corrected)."""
     best = (len(first.serious()), "", "", first)
-    variants = [(k, w, arm, q) for k, w, arm in arm_slips(model)] + [
-        (k, w, model, new) for k, w, new in _joint_slips(q)
-    ]
+    variants = [(k, w, arm, q) for k, w, arm in arm_slips(model)] + [(k, w, model, new) for k, w, new in joint_slips(q)]
     for kind, words, arm, joints in variants:
         r = reading(arm, joints)
         serious = r.serious()

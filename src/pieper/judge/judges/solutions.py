@@ -7,6 +7,7 @@ import numpy as np
 from pieper.errors import PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
+from pieper.judge.judges.poses import joint_slips
 from pieper.judge.numbers import UNITS, joint_tolerance, last_digit, read_joints, read_matrix, read_number, unit_of
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
@@ -29,25 +30,43 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
         read_joints(claim.part(f"{claim.id} solution {k + 1}", {"q_deg": row}), model)
         for k, row in enumerate(solutions)
     ]
+    slips: list[tuple[str, str]] = []
     for k, (row, q) in enumerate(zip(solutions, given, strict=True)):
-        got = _in_unit(pose_of(model, q)[0], factor)
-        gap = float(np.linalg.norm(got[:3, 3] - T[:3, 3]))
-        turn = 0.0 if claim.get("task") == "position" else _rotation_between(got[:3, :3], T[:3, :3])
         half = joint_tolerance(row, True)
-        allowed = slack * 2 + float(half.sum()) * model.length() * factor
-        fine = gap <= allowed and turn <= max(0.02, np.degrees(half.sum()) * 2)
+
+        def off(q: np.ndarray) -> tuple[np.ndarray, float, float]:
+            got = _in_unit(pose_of(model, q)[0], factor)
+            turn = 0.0 if claim.get("task") == "position" else _rotation_between(got[:3, :3], T[:3, :3])
+            return got, float(np.linalg.norm(got[:3, 3] - T[:3, 3])), turn
+
+        def closes(gap: float, turn: float, half: np.ndarray = half) -> bool:
+            allowed = slack * 2 + float(half.sum()) * model.length() * factor
+            return gap <= allowed and turn <= max(0.02, np.degrees(half.sum()) * 2)
+
+        got, gap, turn = off(q)
+        fine = closes(gap, turn)
         bad += not fine
         reached = "" if fine else f"; it reaches ({', '.join(f'{v:.3f}' for v in got[:3, 3])})"
         words = "closes" if fine else "is NO solution"
-        off = f"position off by {gap:.{3 if fine else 6}g} {unit}, orientation by {turn:.1g} deg"
-        lines.append((f"solution {k + 1}", f"{words}: {off}{reached}"))
+        said = f"position off by {gap:.{3 if fine else 6}g} {unit}, orientation by {turn:.1g} deg"
+        lines.append((f"solution {k + 1}", f"{words}: {said}{reached}"))
+        if not fine:
+            near = [
+                (kind, says)
+                for kind, says, other in joint_slips(q)
+                if closes(*off(other)[1:], half * (180 / np.pi if kind == "degrees" else 1.0))
+            ]
+            slips += near[:1]
+            lines += [("the slip", f"solution {k + 1}: {says}") for _, says in near[:1]]
     count, complete = len(solutions), claim.get("complete")
     listed = "; ".join("(" + ", ".join(str(v) for v in r) + ")" for r in solutions)
     claim = claim.reads(
         f"{count} solution{'' if count == 1 else 's'}{', said to be all' if complete else ''}: {listed} deg"
     )
     if bad:
-        return claim.wrong(f"Wrong: {bad} of {count} given joint vectors do not reach the pose.", lines)
+        kind = slips[0][0] if len(slips) == bad and len({kind for kind, _ in slips}) == 1 else ""
+        reading = "; ".join(says for _, says in slips) if kind else ""
+        return claim.wrong(f"Wrong: {bad} of {count} given joint vectors do not reach the pose.", lines, kind, reading)
     twice = _twice(ev, solutions, given)
     different = count - len(twice)
     same = "; ".join(f"{j + 1} and {i + 1} are one and the same" for i, j in twice)

@@ -23,9 +23,11 @@ def judge_number(ev: Evidence, claim: Claim) -> Verdict:
     Keys: is, value, q_deg, unit, where.
     """
     q = read_joints(claim, ev.model) if any(k in claim for k in ("q", "q_deg", "q_rad")) else np.zeros(ev.model.n)
-    env = samples_at(ev.model, q).env
-    ev.fill(env)
     node = ev.parse(str(claim["is"]), claim.where)
+    there = samples_at(ev.model, q)
+    env = there.env
+    ev.pick(env, there.frames)
+    ev.fill(env)
     scale = 180 / np.pi if claim.get("unit") == "deg" else 1.0
     with np.errstate(all="ignore"):
         right = float(np.ravel(node.evaluate(env))[0]) * scale
@@ -101,6 +103,12 @@ def judge_table(ev: Evidence, claim: Claim) -> Verdict:
         (f"row {k + 1}", f"printed ({g}), by the table ({', '.join(f'{v:.2f}' for v in right[k])}) {unit}")
         for k, g in enumerate(given)
     ]
+    simple = _whole_table(right, printed, within)
+    if simple:
+        words, kind, reading = simple
+        shown = "; ".join(f"({', '.join(f'{v:.6g}' for v in row)})" for row in right)
+        lines = [("the slip", words), ("nearest right reading", f"{shown} {unit}"), *lines]
+        return claim.wrong(f"Wrong as it stands, off by up to {gap.max():.6g} {unit}; {words}.", lines, kind, reading)
     residual, flips, axes, zeros, moved = _best_zeros(model, q, printed, factor, joints)
     lines.append(("tried", f"24 namings of the axes times {8 ** len(joints)} zeros and senses, one lost sign allowed"))
     most = f"off by up to {gap.max():.1f} {unit}"
@@ -116,6 +124,19 @@ def judge_table(ev: Evidence, claim: Claim) -> Verdict:
     ]
     sentence = f"Wrong as it stands, {most}; explained to {residual:.3g} {unit} by: {because}."
     return claim.wrong(sentence, lines, "axes" if "axes" in axes else "zero")
+
+
+def _whole_table(right: np.ndarray, printed: np.ndarray, within: float) -> tuple[str, str, str] | None:
+    """One slip of the whole table, (words, kind, reading): another unit, or one axis mirrored; None for neither."""
+    for factor, words in ((1000.0, "millimetres for metres"), (0.001, "metres for millimetres")):
+        if np.all(np.abs(right * factor - printed) <= within * max(1.0, factor)):
+            return f"a factor of 1,000: {words}", "millimetres", words
+    for axis in range(3):
+        mirrored = right.copy()
+        mirrored[:, axis] *= -1
+        if np.all(np.abs(mirrored - printed) <= within) and np.any(np.abs(right[:, axis]) > within):
+            return f"{'XYZ'[axis]} is mirrored in every row", "mirrored", f"-{'XYZ'[axis]}"
+    return None
 
 
 def _best_zeros(

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from pieper.algebra.expression import Add, Call, Expr, Mul, Num, PiFraction, Power, Sym
-from pieper.algebra.formula import ANGLE, Equation, Mention, Neg, PlusMinus, is_call, number, positions
+from pieper.algebra.formula import ANGLE, Equation, Mention, Neg, PlusMinus, is_call, number, positions, unordered
 from pieper.judge.slips.slip import Slip
 
 FACTORS = 3  # letters in a lost term
@@ -205,7 +205,7 @@ class Lost:
 def _terms(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, gap: np.ndarray, more: float) -> Iterator[Slip]:
     for found in shelf.find(gap):
         term = shelf.product(found)
-        if str(term) in (f"2 {node}", str(node)):
+        if unordered(term) in (unordered(Mul.of(number(2), node)), unordered(node)):
             continue  # a sign, or a factor
         new = Add.of(node, Neg.of(term) if found.coefficient < 0 else term)
         cost = 1.2 + more + 0.15 * len(found.letters) + 0.2 * (abs(found.coefficient) != 1) + 0.5 * (not found.letters)

@@ -27,7 +27,7 @@ PROBES = 12  # samples at which a candidate is tried first
 MAX_LOST = 200  # nodes; in longer formulas a lost term is looked for by its letters only
 LIKELY = 1.05  # cost of a slip that may be one of two at once
 FIRST_OF_TWO = 400  # of them that are tried
-NODES_OF_TWO = 12_000  # in all the formulas that are tried for a second slip
+NODES_OF_TWO = 5_000  # in all the formulas that are tried for a second slip
 VALUE_TOLERANCE = 1e-9  # relative to the size of the numbers compared
 
 

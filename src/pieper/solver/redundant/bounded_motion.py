@@ -25,7 +25,7 @@ ARC = 1.05
 PARTS, ROUNDS, PRECISE = 4, 12, 1e-4
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BoundedMotion(TracedMotion):
     """A self-motion whose samples hold the points where it meets limits.
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 
@@ -237,18 +238,25 @@ def _size(chain: Chain, T: Array) -> float:
     return 1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length
 
 
-def side_steps(chain: Chain, T: Array, sizes: tuple[float, ...] = APPROACH_SIZES) -> Array:
-    """Return poses (..., k, 4, 4) at generic small side steps about T (..., 4, 4), the same ones every time."""
+@lru_cache(maxsize=8)
+def _generic_steps(sizes: tuple[float, ...]) -> tuple[Array, Array]:
+    """Return turns (k, 3, 3) and ways (k, 3), lengths, of generic small steps, the same ones every time."""
     rng = np.random.default_rng(20)
     turns, ways = np.empty((len(sizes) * APPROACHES, 3, 3)), np.empty((len(sizes) * APPROACHES, 3))
     for k in range(len(ways)):
         twist = rng.standard_normal(6)
         twist *= sizes[k // APPROACHES] / np.linalg.norm(twist)
         angle = float(np.linalg.norm(twist[3:]))
-        turns[k], ways[k] = rotation_about(twist[3:] / angle, angle), twist[:3] * chain.length
+        turns[k], ways[k] = rotation_about(twist[3:] / angle, angle), twist[:3]
+    return turns, ways
+
+
+def side_steps(chain: Chain, T: Array, sizes: tuple[float, ...] = APPROACH_SIZES) -> Array:
+    """Return poses (..., k, 4, 4) at generic small side steps about T (..., 4, 4)."""
+    turns, ways = _generic_steps(sizes)
     moved = np.repeat(T[..., None, :, :], len(ways), axis=-3)
     moved[..., :3, :3] = turns @ T[..., None, :3, :3]
-    moved[..., :3, 3] += ways
+    moved[..., :3, 3] += ways * chain.length
     return moved
 
 

@@ -18,7 +18,7 @@ from pieper.tolerances import CURVE_STEP, LIMIT_SLACK
 TURNS = 2
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class LineMotion(SelfMotion):
     """Joints i and j turn against each other, q_i + sense q_j constant.
 

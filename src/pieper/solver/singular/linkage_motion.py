@@ -19,7 +19,7 @@ from pieper.tolerances import TINY
 SAMPLES = 241
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class LinkageMotion(SelfMotion):
     """Four joints move by themselves, one of them leads.
 

@@ -214,6 +214,10 @@ class SelfMotion:
         point = self._slid(self.samples[int(np.argmin(sizes))], lambda p: self.gaps(q, p), None)
         return bool(np.linalg.norm(self.gaps(q, point)) <= tolerance)
 
+    def __repr__(self) -> str:
+        ends = "closed" if self.closed else "open"
+        return f"<SelfMotion of {', '.join(self.names)}: {ends}, dimension {self.dimension}>"
+
     def __str__(self) -> str:
         moving = [self.names[j] for j in self.free]
         relation = self.relation
@@ -237,7 +241,7 @@ class SelfMotion:
         return ""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class TracedMotion(SelfMotion):
     """A self-motion that was followed step by step; see SelfMotion for its attributes."""
 

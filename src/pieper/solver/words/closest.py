@@ -11,7 +11,6 @@ from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.bounded import nearer
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
-from pieper.kinematics.pose import pose_error
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.results import Closest, Solutions
@@ -99,8 +98,11 @@ def _stages(plan: Plan, weights: ArrayLike | None) -> list[tuple[float, int, int
 
 def _distances(chain: Chain, q: Array, T: Array) -> tuple[Array, Array]:
     """Return how far tools are from the pose (k,), per length, and how far turned (k,), rad."""
-    error = pose_error(chain.native.fk(q), T)
-    return error[:, 0] / chain.length, error[:, 1]
+    gap = chain.native.fk(q) - T
+    # of two rotations the chord is 2 sqrt(2) times the sine of half the angle
+    chord = np.einsum("kij,kij->k", gap[:, :3, :3], gap[:, :3, :3])
+    way = np.sqrt(np.einsum("ki,ki->k", gap[:, :3, 3], gap[:, :3, 3]))
+    return way / chain.length, 2 * np.arcsin(np.sqrt(np.minimum(chord / 8, 1.0)))
 
 
 @lru_cache(maxsize=64)

@@ -6,6 +6,8 @@ import { units, showUnit } from './units.mjs';
 import { setTheme } from './theme.mjs';
 import { ask } from './link.mjs';
 import { sentence, countWords } from './library.mjs';
+import { catalogueDialog } from './catalogue.mjs';
+import { present, savePicture } from './room.mjs';
 import { look, ground } from './scene/view.mjs';
 import { fitArm, frameName, setTracing, clearTrace } from './scene/arm.mjs';
 import { axisColours } from './scene/frames.mjs';
@@ -16,6 +18,7 @@ export function bar(root) {
     'data-testid': 'catalog',
     on: { change: () => open(arms.value) },
   });
+  const find = catalogueDialog(open);
   const what = h('p', { class: 'sentence', 'data-testid': 'sentence' });
   const online = h('span', { class: 'online', role: 'status', 'data-testid': 'online' });
   const stepButton = (text, name, go, keys) => {
@@ -54,6 +57,14 @@ export function bar(root) {
       h('b', { text: 'pieper' }),
     ),
     arms,
+    h('button', {
+      type: 'button',
+      class: 'find',
+      text: 'Find…',
+      'aria-label': 'Find an arm in the catalogue',
+      'data-testid': 'find-arm',
+      on: { click: find },
+    }),
     steps,
     what,
     h(
@@ -153,6 +164,7 @@ export function rail(root, host, pinned, panels) {
       text: p.title,
       on: { click: () => show(p.id) },
     });
+    if (p.group) tabs.append(h('span', { class: 'tab-group', 'aria-hidden': 'true', text: p.group }));
     tabs.append(tab);
     return { ...p, panel, tab };
   });
@@ -247,6 +259,18 @@ export function overlay(root) {
       { class: 'corner top' },
       views,
       h('div', { class: 'group', role: 'group', 'aria-label': 'Trace of the tool' }, trace, clear),
+      h(
+        'div',
+        { class: 'group', role: 'group', 'aria-label': 'The picture' },
+        present(root),
+        h('button', {
+          type: 'button',
+          text: 'PNG',
+          'aria-label': 'Save the picture',
+          'data-testid': 'save-picture',
+          on: { click: savePicture },
+        }),
+      ),
     ),
     h('div', { class: 'corner bottom' }, key, frames),
   );

@@ -1,13 +1,14 @@
 // Under the picture: play, scrub and speed, and the curves of the motion with their events.
 import uPlot from 'uplot';
-import { h, replace, setText, choice, select, download, perFrame } from './dom.mjs';
+import { h, replace, setText, choice, select, download, perFrame, say } from './dom.mjs';
 import { state, on, setJoints, tell } from './store.mjs';
 import { play, stop } from './animate.mjs';
 import { colours } from './theme.mjs';
 import { kinds, series, csv, svg } from './curves.mjs';
 import { fixed } from './units.mjs';
 import { showMotionRoom } from './scene/arm.mjs';
-import { keepInView } from './scene/view.mjs';
+import { keepInView, withPicture } from './scene/view.mjs';
+import { film } from './film.mjs';
 
 let motion = null,
   plot = null,
@@ -72,6 +73,7 @@ export function build(root) {
         ...[
           ['CSV', () => download('motion.csv', csv(motion), 'text/csv')],
           ['PNG', png],
+          ['Film', shoot],
           ['SVG', () => download(`${kind}.svg`, svg(motion, kind, colours.curves), 'image/svg+xml')],
         ].map(([t, f]) =>
           h('button', {
@@ -176,7 +178,7 @@ export function go(k) {
 }
 
 let playing = false;
-function playOrPause() {
+function playOrPause(_, ended) {
   if (playing) {
     stop();
     return;
@@ -197,6 +199,7 @@ function playOrPause() {
     () => {
       playing = false;
       setText(els.toggle, 'Play');
+      ended?.();
     },
   );
   setText(els.toggle, 'Pause');
@@ -294,6 +297,18 @@ function point() {
     const x = plot.valToPos(el.x ?? motion.xs[index], 'x');
     el.style.setProperty('left', `${x}px`);
     el.classList.toggle('leftward', x > width * 0.7);
+  }
+}
+
+/** Play it from its beginning and keep what is seen. */
+async function shoot() {
+  stop();
+  go(0);
+  try {
+    const made = await withPicture((canvas) => film(canvas, () => new Promise((done) => playOrPause(null, done))));
+    download('motion.webm', made);
+  } catch (error) {
+    say(error.message, 'wrong');
   }
 }
 

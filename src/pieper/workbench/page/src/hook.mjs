@@ -10,6 +10,9 @@ import { toUndo, toRedo } from './history.mjs';
 import { handles } from './scene/gizmo.mjs';
 import { thingsDrawn, carriedAt } from './scene/world.mjs';
 import { gripperShown } from './scene/gripper.mjs';
+import { framesOfStep } from './panels/dh_steps.mjs';
+import { bodiesShown } from './scene/clearance.mjs';
+import { ellipsoidShown } from './scene/ellipsoid.mjs';
 import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
@@ -60,6 +63,21 @@ export function expose() {
     },
     placeOf: (name) => carriedAt(name) ?? state.world.find((t) => t.name === name)?.T ?? null,
     go,
+    get stepFrame() {
+      return state.dhStep === null ? null : framesOfStep().at(-1).T;
+    },
+    get clearance() {
+      return structuredClone(state.clearance);
+    },
+    get bodies() {
+      return bodiesShown();
+    },
+    get ellipsoid() {
+      return structuredClone(ellipsoidShown());
+    },
+    get world() {
+      return structuredClone(state.world);
+    },
     get framesDrawn() {
       return framesDrawn();
     },

@@ -11,6 +11,7 @@ import * as gizmo from './scene/gizmo.mjs';
 import * as solving from './solving.mjs';
 import * as sharing from './sharing.mjs';
 import * as dock from './dock.mjs';
+import { splitter } from './room.mjs';
 import { bar, rail, overlay, keys } from './chrome.mjs';
 import { joints } from './panels/joints.mjs';
 import { pose } from './panels/pose.mjs';
@@ -27,6 +28,8 @@ import { share } from './panels/share.mjs';
 import * as beside from './beside.mjs';
 import * as gripper from './scene/gripper.mjs';
 import * as playing from './playing.mjs';
+import * as clearance from './scene/clearance.mjs';
+import * as ellipsoid from './scene/ellipsoid.mjs';
 import * as world from './scene/world.mjs';
 import { expose } from './hook.mjs';
 
@@ -38,6 +41,8 @@ history.begin();
 arm.begin();
 gizmo.begin();
 world.begin();
+clearance.begin();
+ellipsoid.begin();
 gripper.begin();
 playing.begin();
 beside.begin();
@@ -48,19 +53,18 @@ overlay($('#overlay'));
 dock.build($('#dock'));
 keys();
 let showPanel;
+const group = (name, first, ...rest) => [{ ...first, group: name }, ...rest];
 showPanel = rail($('#rail'), $('#panels'), $('#pinned'), [
-  { id: 'move', title: 'Move', sections: [joints, pose] },
-  inverse,
-  dhTable,
-  matrices,
-  equations,
-  path,
-  program,
-  worldPanel,
-  sequence,
-  analysis,
-  share(() => showPanel),
+  ...group('Drive', { id: 'move', title: 'Move', sections: [joints, pose] }, inverse),
+  ...group('Describe', dhTable, worldPanel),
+  ...group('Plan', path, program, sequence),
+  ...group('Study', matrices, equations, analysis),
+  ...group(
+    'Hand on',
+    share(() => showPanel),
+  ),
 ]);
+splitter($('#room'), $('#rail'));
 sharing.begin();
 
 /** An arm of the address goes before the one that the server would open with. */

@@ -111,11 +111,21 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
 
 /** The last digit is never cut: long numbers are written smaller. */
 function wholeNumber(el) {
-  const room = el.clientWidth;
   if (el.value.length < 7 && !el.shrunk) return;
+  const room = el.clientWidth;
+  // not on the page yet, as when a row is being made: once it is
+  if (!room) {
+    if (!el.waits)
+      requestAnimationFrame(() => {
+        el.waits = false;
+        if (el.clientWidth) wholeNumber(el);
+      });
+    el.waits = true;
+    return;
+  }
   el.style.removeProperty('font-size');
   el.shrunk = false;
-  if (!room || el.scrollWidth <= room) return;
+  if (el.scrollWidth <= room) return;
   const size = parseFloat(getComputedStyle(el).fontSize);
   el.style.setProperty(
     'font-size',

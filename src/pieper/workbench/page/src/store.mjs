@@ -24,9 +24,12 @@ export const state = {
   track: null,
   sequence: { postures: [], rate: 50 },
   motion: null,
+  dhStep: null, // how far the frames of the table are built up, or null for all of them
   program: [], // steps, each an object that is replaced and never written into
   limits: null, // of the program's motion, SI; null for the usual ones
   start: null, // where the program begins, joint values
+  watch: false, // whether distances are asked for without anything to run into
+  clearance: null, // the nearest two bodies, as the library says
   world: [], // what stands around the arm, likewise
   panel: 'move',
   theme: 'auto',

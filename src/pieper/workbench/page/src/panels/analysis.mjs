@@ -5,6 +5,7 @@ import { singularValues } from '../kinematics.mjs';
 import { fixed, showUnit } from '../units.mjs';
 import { ask } from '../link.mjs';
 import { askArm } from '../library.mjs';
+import { showEllipsoid, ellipsoidShown } from '../scene/ellipsoid.mjs';
 import * as cloud from '../scene/cloud.mjs';
 import { showBeside, fitArm } from '../scene/arm.mjs';
 import { kindOf } from './joints.mjs';
@@ -39,8 +40,31 @@ export const analysis = {
       );
     const limits = h('div', { class: 'distances', 'data-testid': 'limit-distances' });
     let bars = [];
+    const axesText = h('p', { class: 'hint', 'data-testid': 'ellipsoid-axes' });
+    on('ellipsoid', () => {
+      const axes = ellipsoidShown();
+      setText(
+        axesText,
+        axes
+          ? `Joint rates of norm 1 move the point at most ${axes.map((a) => showUnit(a.length, 'length')).join(', ')} a second along the three axes; forces are greatest where speeds are least.`
+          : '',
+      );
+    });
     root.append(
       facts,
+      h('h3', { text: 'At the tool’s point' }),
+      choice(
+        'Ellipsoid at the tool',
+        [
+          ['none', 'None'],
+          ['velocity', 'Velocities'],
+          ['force', 'Forces'],
+        ],
+        'none',
+        showEllipsoid,
+        'ellipsoid',
+      ),
+      axesText,
       h('h3', { text: 'Distance to the limits' }),
       limits,
       h('h3', { text: 'Reachable points' }),

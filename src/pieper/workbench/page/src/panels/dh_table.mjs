@@ -8,6 +8,7 @@ import { blank } from '../kinematics.mjs';
 import { countWords } from '../library.mjs';
 import { add, asOne, change, limitReason, restructure, swap } from './dh_edits.mjs';
 import { openRobot, saveRobot } from './robot_files.mjs';
+import { dhSteps } from './dh_steps.mjs';
 import { poseEditor } from './pose_editor.mjs';
 
 const columns = {
@@ -147,6 +148,7 @@ export const dhTable = {
       ),
       wrong,
       kind,
+      dhSteps(),
       h(
         'details',
         { class: 'fold', 'data-testid': 'base-tool' },

@@ -32,6 +32,9 @@ const words = {
 
 /** What is said of these begins with the number of solutions. */
 const countedBefore = new Set(['REDUNDANT', 'UNCERTAIN']);
+/** Of a singular pose the sentence counts self-motions and isolated solutions; the rows stand for both. */
+const listed = (n, inside) =>
+  `Listed ${n === 1 ? 'is 1 posture' : `are ${n} postures`}${inside === n ? '' : `, ${inside} inside the limits`}.`;
 
 /** Milliseconds between two changes of the numbers while the hand drags the target. */
 const READABLE = 120;
@@ -278,15 +281,19 @@ function showVerdict(el, s) {
     inside = s.rows.filter((r) => r.inside).length;
   el.dataset.tone = tones[s.status] ?? 'note';
   const told =
-    s.status === 'SOLVED' && n ? roundedBy(s.missed) : [s.why, roundedBy(s.missed)].filter(Boolean).join(' ');
+    s.status === 'SOLVED' && n
+      ? roundedBy(s.missed)
+      : [s.why, s.status === 'SINGULAR' ? listed(n, inside) : '', roundedBy(s.missed)].filter(Boolean).join(' ');
   const head =
     words[s.status] && !inside
       ? s.why.toLowerCase().includes(words[s.status].toLowerCase())
         ? ''
         : words[s.status]
-      : countedBefore.has(s.status) && inside === n
+      : s.status === 'SINGULAR'
         ? ''
-        : `${n} solution${n === 1 ? '' : 's'}${inside === n ? '' : `, ${inside} inside the limits`}`;
+        : countedBefore.has(s.status) && inside === n
+          ? ''
+          : `${n} solution${n === 1 ? '' : 's'}${inside === n ? '' : `, ${inside} inside the limits`}`;
   replace(
     el,
     h('strong', { text: head }),

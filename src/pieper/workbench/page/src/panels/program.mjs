@@ -312,13 +312,16 @@ export const program = {
       run.disabled = true;
       setText(run, 'Planning …');
       try {
-        const m = await askArm('program', programMessage());
+        const m = await askArm('program', { ...programMessage(), world: state.world });
         failed = m.failed;
         if (failed) chosen = failed.step;
-        verdict.dataset.tone = failed ? 'wrong' : 'good';
+        verdict.dataset.tone =
+          failed || m.clear?.verdict === 'HIT' ? 'wrong' : m.clear?.verdict === 'UNCERTAIN' ? 'note' : 'good';
         setText(
           verdict,
-          failed ? `Step ${failed.step + 1} cannot be done: ${failed.text}\nShown is what comes before it.` : m.explain,
+          failed
+            ? `Step ${failed.step + 1} cannot be done: ${failed.text}\nShown is what comes before it.`
+            : [m.explain, m.clear?.text].filter(Boolean).join('\n'),
         );
         binds.hidden = !m.tight.length;
         setText(binds.lastChild, m.tight.map((x) => x.text).join('\n'));

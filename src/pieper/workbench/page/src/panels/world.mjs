@@ -1,8 +1,9 @@
 // World: what stands around the arm; objects that its gripper takes, obstacles, frames, each with its place and size.
-import { h, replace, select } from '../dom.mjs';
+import { h, replace, select, setText } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { numberField } from '../numberfield.mjs';
-import { units } from '../units.mjs';
+import { showBodies } from '../scene/clearance.mjs';
+import { units, showUnit } from '../units.mjs';
 import { position } from '../matrix.mjs';
 import { reach } from '../kinematics.mjs';
 import { poseEditor } from './pose_editor.mjs';
@@ -46,6 +47,7 @@ function add(kind, role) {
     0,
     1,
   ];
+  T[7] += 1.5 * u * state.world.length;
   const base = role === 'object' ? 'object' : kind;
   let n = 1;
   while (state.world.some((t) => t.name === `${base} ${n}`)) n += 1;
@@ -63,6 +65,32 @@ export const world = {
   title: 'World',
   wide: true,
   build(root) {
+    const nearest = h('p', { class: 'verdict', role: 'status', 'data-testid': 'clearance', hidden: true });
+    const source = h('p', { class: 'hint prose' });
+    const watch = h('input', {
+      type: 'checkbox',
+      'data-testid': 'watch',
+      on: {
+        change: () => {
+          state.watch = watch.checked;
+          tell('watch');
+        },
+      },
+    });
+    const bodies = h('input', {
+      type: 'checkbox',
+      'data-testid': 'show-bodies',
+      on: {
+        change: async () => {
+          try {
+            const said = await showBodies(bodies.checked);
+            setText(source, bodies.checked ? said : '');
+          } catch (error) {
+            setText(source, error.message);
+          }
+        },
+      },
+    });
     const list = h('div', { class: 'things', 'data-testid': 'world' });
     const button = (text, kind, role, title) =>
       h('button', {
@@ -85,8 +113,37 @@ export const world = {
         class: 'hint',
         text: 'An object is taken by a gripper that closes with the tool’s point at it, and goes with the tool until it opens.',
       }),
+      h(
+        'div',
+        { class: 'line' },
+        h('label', { class: 'check' }, watch, 'Distance, always'),
+        h('label', { class: 'check' }, bodies, 'Bodies it is measured of'),
+      ),
+      nearest,
+      source,
       list,
     );
+    const showNearest = () => {
+      const c = state.clearance;
+      nearest.hidden = !c;
+      if (!c) return;
+      nearest.dataset.tone = c.refused || c.metres <= 0 ? 'wrong' : 'good';
+      const [one, other] = c.pair ?? [];
+      setText(
+        nearest,
+        c.refused ??
+          (c.metres === null
+            ? 'There is nothing that could be touched.'
+            : c.metres > 0
+              ? `Nearest: ${one} and ${other}, ${showUnit(c.metres, 'length')} apart.`
+              : `${one} and ${other} overlap by ${showUnit(-c.metres, 'length')}.`),
+      );
+    };
+    on(['clearance', 'units'], showNearest);
+    on('bodies-gone', () => {
+      bodies.checked = false;
+      setText(source, '');
+    });
     let quietly = false;
     const rebuild = () => {
       if (quietly) return;

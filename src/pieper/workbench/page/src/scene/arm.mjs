@@ -10,6 +10,7 @@ import { proportions, shape, outline } from './shape.mjs';
 import { Bodies } from './bodies.mjs';
 import { matte } from './matte.mjs';
 import { Frames } from './frames.mjs';
+import { framesOfStep } from '../panels/dh_steps.mjs';
 import { isShown as handlesShown } from './gizmo.mjs';
 
 const material = matte();
@@ -84,12 +85,12 @@ export function showBeside(what, points) {
 const comeBack = debounce(returnFromWide, 120);
 /** The room a whole motion takes, so that the picture holds still while it plays. */
 export function showMotionRoom(table, list) {
-  const step = Math.max(1, Math.floor(list.length / 40));
-  const points = list
-    .filter((_, k) => k % step === 0 || k === list.length - 1)
-    .flatMap((q) => outline(table, forward(table, q)));
-  const box = [0, 1, 2].map((i) => [Math.min(...points.map((p) => p[i])), Math.max(...points.map((p) => p[i]))]);
-  showBeside('motion', points.length ? box[0].flatMap((x) => box[1].flatMap((y) => box[2].map((z) => [x, y, z]))) : []);
+  const step = Math.max(1, Math.floor(list.length / 24));
+  const some = list.filter((_, k) => k % step === 0 || k === list.length - 1);
+  showBeside(
+    'motion',
+    some.flatMap((q) => outline(table, forward(table, q))),
+  );
 }
 /** Bring the arm into the picture; what stands beside it (a path) stays in the picture from then on. */
 export function fitArm(options) {
@@ -106,13 +107,11 @@ function drawArm() {
   drawFrames();
 }
 function drawFrames() {
-  axes.show(
-    (state.shownFrames ?? [])
-      // the target's handles stand where the tool's own arrows would
-      .filter((i) => i < state.frames.length && !(i === state.frames.length - 1 && handlesShown()))
-      .map((i) => ({ T: state.frames[i], name: frameName(i) })),
-    form.size * 0.13,
-  );
+  const chosen = (state.shownFrames ?? [])
+    // the target's handles stand where the tool's own arrows would
+    .filter((i) => i < state.frames.length && !(i === state.frames.length - 1 && handlesShown()))
+    .map((i) => ({ T: state.frames[i], name: frameName(i) }));
+  axes.show(state.dhStep === null ? chosen : framesOfStep(), form.size * 0.13);
   invalidate();
 }
 /** Numbers of the joints that are drawn red now. */

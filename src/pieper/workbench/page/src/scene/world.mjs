@@ -44,6 +44,18 @@ const makers = {
   },
 };
 
+/** A body's mesh in a colour, and its place; null for what is none. */
+export function bodyMesh(t, colour, opacity = 0.86) {
+  if (!makers[t.kind]) return null;
+  const [geometry, T] = makers[t.kind](t),
+    material = paint(colour);
+  material.opacity = opacity;
+  material.depthWrite = opacity > 0.5;
+  const mesh = new THREE.Mesh(geometry, material);
+  mesh.matrixAutoUpdate = false;
+  return { mesh, T };
+}
+
 /** Everything that stands there, whoever put it. */
 export const things = () => [...state.world, ...(state.things ?? [])];
 
@@ -89,9 +101,7 @@ function draw() {
       const g = new THREE.BufferGeometry().setFromPoints(t.points.map((p) => new THREE.Vector3(...p)));
       group.add(new THREE.Line(g, new THREE.LineBasicMaterial({ color: colours.trace, fog: false })));
     } else if (makers[t.kind]) {
-      const [g, T] = makers[t.kind](t);
-      const mesh = new THREE.Mesh(g, paint(t.role === 'object' ? colours.accent : colours.ghost));
-      mesh.matrixAutoUpdate = false;
+      const { mesh, T } = bodyMesh(t, t.role === 'object' ? colours.accent : colours.ghost);
       mesh.matrix.copy(place.set(...(carried.get(t.name) ?? T)));
       mesh.userData.name = t.name;
       group.add(mesh);

@@ -1,0 +1,244 @@
+"""Claims guessed from a text or LaTeX excerpt, written as a claims file for its reader to confirm.
+
+Every line with an equals sign is looked at: what stands on the left says what kind of claim it is. Nothing is judged
+here; what could not be read stands in the file as a remark with its reason.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import dataclass, field
+
+from pieper.algebra.parser import parse, parse_equation
+from pieper.algebra.spelling import plain
+from pieper.errors import InputError
+from pieper.judge.letters import pick_letters
+from pieper.judge.matrices import parse_product
+from pieper.judge.model import POSE_NAMES, ArmModel
+
+_MATRIX = re.compile(r"\\begin\{([bpv]?matrix|array)\}(?:\{[^}]*\})?(.*?)\\end\{\1\}", re.DOTALL)
+_BLOCK = re.compile(r"\\(?:begin|end)\{(?:equation|align|aligned|gather|split|eqnarray|cases|math|displaymath)\*?\}")
+_WHEN = re.compile(
+    r"(?:,|;|\(|\s)\s*(?:\\text\{\s*)?(?:for|if|when|where|provided)\b\s*\}?\s*(.*?[<>].*)$", re.IGNORECASE
+)
+_NUMBER = re.compile(r"\\(?:tag|label)\{([^}]*)\}|\((\d+[a-z]?)\)\s*[.,;]?\s*$")
+_PLACED = re.compile(r"§(\d+)§")
+_LOWER = {f"p{c}": f"P{c}" for c in "xyz"}
+
+
+@dataclass
+class Guess:
+    """One line of an excerpt, read.
+
+    Attributes:
+        line: Its number.
+        text: As it stands there.
+        keys: The claim's keys; empty where it is a symbol or was not read.
+        symbol: Name and formula of a symbol that it defines.
+        why: Why it was not read.
+    """
+
+    line: int
+    text: str
+    keys: dict[str, object] = field(default_factory=dict)
+    symbol: tuple[str, str] | None = None
+    why: str = ""
+
+
+def guesses(text: str, model: ArmModel) -> list[Guess]:
+    """Guess what every equation of an excerpt claims.
+
+    Args:
+        text: Plain text or LaTeX.
+        model: The arm that it is about.
+    """
+    found: list[Guess] = []
+    known: set[str] = set()
+    for number, line, matrices in _lines(text):
+        guess = _guess(number, line, matrices, model, known)
+        if guess.symbol:
+            known.add(guess.symbol[0])
+        found.append(guess)
+    return found
+
+
+def _lines(text: str) -> list[tuple[int, str, list[list[list[str]]]]]:
+    """Every equation with the number of its line; matrices are taken out and stand as §0§, §1§."""
+    matrices: list[list[list[str]]] = []
+
+    def keep(match: re.Match[str]) -> str:
+        rows = [row for row in re.split(r"\\\\", match.group(2)) if row.strip()]
+        matrices.append([[cell.strip() for cell in row.split("&")] for row in rows])
+        return f"§{len(matrices) - 1}§" + "\n" * match.group(0).count("\n")
+
+    text = re.sub(r"(?<!\\)%.*", "", text)
+    text = _BLOCK.sub(" ", _MATRIX.sub(keep, text))
+    out = []
+    for number, line in enumerate(text.split("\n"), 1):
+        for piece in re.split(r"\\\\(?:\[[^\]]*\])?|\$\$|(?<!\\)\$|\\\[|\\\]|\\\(|\\\)|;", line):
+            if re.search(r"(?<![<>!=])=(?!=)", piece):
+                out.append((number, piece.strip(" \t.,&"), matrices))
+    return out
+
+
+def _guess(number: int, line: str, matrices: list[list[list[str]]], model: ArmModel, known: set[str]) -> Guess:
+    guess = Guess(number, _PLACED.sub("[a matrix]", line))
+    tag = _NUMBER.search(line)
+    body = _NUMBER.sub("", line).strip(" .,&")
+    condition = _WHEN.search(body)
+    if condition:
+        body = body[: condition.start()].strip(" .,&")
+    left, _, right = body.partition("=")
+    left, right = left.strip(" &"), right.strip(" &")
+    words = left.split()
+    for first in range(max(1, len(words))):  # a sentence may stand before the formula
+        try:
+            _read(guess, " ".join(words[first:]), right, matrices, model, known)
+            guess.why = ""
+            break
+        except InputError as error:
+            guess.keys, guess.symbol, guess.why = {}, None, guess.why or str(error).splitlines()[0]
+    if guess.keys:
+        head = next((group for group in tag.groups() if group), "") if tag else ""
+        guess.keys = {"id": head or f"line {number}", **guess.keys}
+        if condition and guess.keys["kind"] in ("entry", "equation", "joint"):
+            guess.keys["when"] = plain(condition.group(1)).strip(" .,)}")
+    return guess
+
+
+def _read(guess: Guess, left: str, right: str, matrices: list, model: ArmModel, known: set[str]) -> None:
+    names = model.names() | known
+    bare = re.sub(r"[\s_{}\\]|mathbf|mathrm|boldsymbol|text", "", left)
+    placed = _PLACED.fullmatch(right)
+    if placed:
+        _matrix(guess, bare, matrices[int(placed.group(1))], model)
+        return
+    if _PLACED.search(right) or _PLACED.search(left):
+        raise InputError("a matrix among other things; write it as a claim of its own")
+    if re.fullmatch(r"(?:det\(?J\)?|\|J\||detJ)", bare):
+        guess.keys = {"kind": "determinant", "is": plain(_formula(right, model, names)).strip()}
+        return
+    entry = next((name for name, _, _ in POSE_NAMES if bare in (name, _LOWER.get(name, name))), "")
+    if entry:
+        guess.keys = {"kind": "entry", "of": entry, "is": _formula(right, model, names)}
+        return
+    products = [_product(side) for side in (left, right)]
+    if all(_is_product(side, model) for side in products):
+        guess.keys = {"kind": "product", "is": " = ".join(products)}
+        return
+    joint = _joint(left, model)
+    if joint:
+        guess.keys = {"kind": "joint", **joint, "is": _formula(right, model, names)}
+        return
+    symbol = re.sub(r"[\s_{}]", "", plain(left))
+    alone = not re.search(r"[A-Za-z\d]\s+[A-Za-z]", plain(left).strip())
+    if (
+        alone
+        and re.fullmatch(r"[A-Za-z]+\d*[A-Za-z]*'*", symbol)
+        and symbol not in model.names()
+        and symbol not in known
+    ):
+        text = _formula(right, model, names)
+        if not re.fullmatch(r"[cCsS]\d+", symbol):
+            guess.symbol = (symbol, text)
+            return
+    made, _ = pick_letters(f"{left} = {right}", model.n, frozenset())
+    parse_equation(made, names | _picked(made, model), model.n)
+    guess.keys = {"kind": "equation", "is": f"{plain(left).strip()} = {plain(right).strip()}"}
+
+
+def _picked(text: str, model: ArmModel) -> set[str]:
+    return set(pick_letters(text, model.n, frozenset())[1])
+
+
+def _formula(text: str, model: ArmModel, names: set[str]) -> str:
+    """The formula in the plain notation, after it was read once."""
+    text, letters = pick_letters(plain(text), model.n, frozenset())
+    parse(text, names | set(letters), model.n)
+    return re.sub(r"\s+", " ", text).strip()
+
+
+def _joint(left: str, model: ArmModel) -> dict[str, object]:
+    try:
+        angle = str(model.parse(left))
+    except InputError:
+        return {}
+    alone = re.fullmatch(r"theta(\d+)", angle)
+    if alone:
+        return {"joint": int(alone.group(1))}
+    for name, to in model.aliases.items():
+        if angle == name:
+            return {"joint": int(to.removeprefix("theta"))}
+    return {"for": angle} if re.fullmatch(r"theta\d+(?: \+ theta\d+)+", angle) else {}
+
+
+def _product(text: str) -> str:
+    """A product of matrices without the marks of subscripts: A_{1}^{-1} T_6 as A1^-1 T6."""
+    text = re.sub(r"\^\s*\{\s*(-1|T)\s*\}", r"^\1", plain(text))
+    return re.sub(r"\s+", " ", re.sub(r"_\s*\{?\s*(\d+)\s*\}?", r"\1 ", text)).strip()
+
+
+def _is_product(text: str, model: ArmModel) -> bool:
+    try:
+        parse_product(text, model.n)
+    except InputError:
+        return False
+    return True
+
+
+def _matrix(guess: Guess, name: str, rows: list[list[str]], model: ArmModel) -> None:
+    cells = [[plain(cell).strip() or "" for cell in row] for row in rows]
+    if name in ("J", "Jv"):
+        guess.keys = {"kind": "jacobian", "is": cells}
+        return
+    numbers = re.fullmatch(r"\^?(\d)(A|T)(\d)|([AT])\^?(\d)(\d)", name)
+    if numbers:
+        first, last = numbers.group(1) or numbers.group(5), numbers.group(3) or numbers.group(6)
+        name = f"T{first}{last}"
+    parse_product(name, model.n)
+    guess.keys = {"kind": "matrix", "of": name, "is": cells}
+
+
+def claims_file(found: list[Guess], arm: str, source: str) -> str:
+    """The guesses as a claims file.
+
+    Args:
+        found: What was read.
+        arm: The lines of its [arm] table.
+        source: The excerpt's name.
+    """
+    lines = [
+        f"# Guessed from {source}. Look at every claim: its kind, its joint or entry, and the formula beside its line.",
+        "# Mend or delete what was misread, then judge it with: pieper check <this file>",
+        f"title = {_quoted(f'Claims of {source}')}",
+        "",
+        "[arm]",
+        arm,
+        "",
+    ]
+    symbols = [guess for guess in found if guess.symbol]
+    if symbols:
+        lines.append("[symbols]")
+        for guess in symbols:
+            assert guess.symbol is not None
+            lines += [f"# line {guess.line}: {guess.text}", f"{guess.symbol[0]} = {_quoted(guess.symbol[1])}"]
+        lines.append("")
+    used: set[str] = set()
+    for guess in found:
+        if guess.why:
+            lines += [f"# line {guess.line}, not read: {guess.text}", f"#   {guess.why}", ""]
+        if not guess.keys:
+            continue
+        name = str(guess.keys["id"])
+        while name in used:
+            name += "'"
+        used.add(name)
+        lines += [f"# line {guess.line}: {guess.text}", "[[claim]]"]
+        lines += [f"{key} = {_quoted(value)}" for key, value in {**guess.keys, "id": name}.items()]
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _quoted(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False)

@@ -1,0 +1,219 @@
+"""Judges of velocities: an entry or the whole of a Jacobian, its determinant, and where it is singular."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from pieper.algebra.expression import Expr
+from pieper.judge.claim import Claim
+from pieper.judge.evidence import Evidence, number
+from pieper.judge.judges.formulas import judge_equal
+from pieper.judge.model import ArmModel
+from pieper.judge.samples import Samples, samples_at
+from pieper.judge.verdict import Verdict
+
+SETTLED = 1e-9  # relative; a smaller determinant is zero but for rounding
+MARCHES = 60  # of a search for a zero of a formula
+ZEROS = 40  # joint vectors with the formula at zero that are looked at
+MOST_ROWS = 6
+
+
+def jacobian_of(model: ArmModel, samples: Samples) -> np.ndarray:
+    """The geometric Jacobian (K, 6, n) in the base frame, linear rows first, from the chain alone.
+
+    A turning joint moves the tool by z x (p - o) and turns it about z; a sliding one moves it along z.
+    """
+    count = len(samples.q)
+    T = np.broadcast_to(model.base, (count, 4, 4))
+    p = samples.frames["T"][:, :3, 3]
+    J = np.zeros((count, 6, model.n))
+    for joint in range(1, model.n + 1):
+        after = T @ samples.frames[f"A{joint}"]
+        frame = T if model.convention == "standard" else after
+        z, o = frame[:, :3, 2], frame[:, :3, 3]
+        if model.sliding(joint):
+            J[:, :3, joint - 1] = z
+        else:
+            J[:, :3, joint - 1], J[:, 3:, joint - 1] = np.cross(z, p - o), z
+        T = after
+    return J
+
+
+def rows_for(ev: Evidence, claim: Claim) -> list[int]:
+    """The rows (0-based) of the Jacobian whose determinant is meant: those named, or those that ever move."""
+    n = ev.model.n
+    if "rows" in claim:
+        rows = [int(r) - 1 for r in claim["rows"]]
+        if len(rows) != n or min(rows) < 0 or max(rows) >= MOST_ROWS:
+            raise claim.error(f"rows: the determinant of {n} joints takes {n} of the rows 1 to 6 (x, y, z, rx, ry, rz)")
+        return rows
+    size = np.abs(jacobian_of(ev.model, ev.samples)).max(axis=(0, 2))
+    moving = [r for r in range(MOST_ROWS) if size[r] > SETTLED * max(1.0, ev.model.length())]
+    if len(moving) > n and n <= 3:
+        moving = moving[:n] if all(r < 3 for r in moving[:n]) else moving
+    if len(moving) != n:
+        raise claim.error(f"rows: say which {n} of the rows 1 to 6 (x, y, z, rx, ry, rz) the determinant is of")
+    return moving
+
+
+def judge_jacobian(ev: Evidence, claim: Claim) -> Verdict:
+    """Judge an entry of the Jacobian (of = "J[1,2]"), or the whole of it given row by row (keys of, is, where)."""
+    ev = ev.holding(claim)
+    J = jacobian_of(ev.model, ev.samples)
+    given = claim["is"]
+    if not isinstance(given, list):
+        name = str(claim.get("of", "")).replace(" ", "")
+        inside = name[2:-1].split(",") if name.startswith("J[") and name.endswith("]") else []
+        if len(inside) != 2 or not all(part.isdigit() for part in inside):
+            raise claim.error('of: say which entry, as in of = "J[1,2]" (rows x, y, z, rx, ry, rz; one column a joint)')
+        i, j = (int(part) for part in inside)
+        if not (1 <= i <= MOST_ROWS and 1 <= j <= ev.model.n):
+            raise claim.error(f"of: the Jacobian has 6 rows and {ev.model.n} columns, not {name}")
+        node = ev.parse(str(given), claim.where)
+        return judge_equal(ev, claim.reads(f"{name} = {given}"), node, J[:, i - 1, j - 1], source=_entry(i - 1, j - 1))
+    rows = [row if isinstance(row, list) else [row] for row in given]
+    if any(len(row) != ev.model.n for row in rows) or len(rows) not in (2, 3, MOST_ROWS):
+        raise claim.error(f"is: a Jacobian has 6 (or, for a position, 2 or 3) rows of {ev.model.n} entries")
+    wrong: list[tuple[str, str]] = []
+    slip = ""
+    for i, row in enumerate(rows):
+        for j, text in enumerate(row):
+            if str(text).strip() in ("", "*"):
+                continue
+            part = claim.part(f"{claim.id}[{i + 1},{j + 1}]", {}).reads(f"J[{i + 1},{j + 1}] = {text}")
+            one = judge_equal(ev, part, ev.parse(str(text), claim.where), J[:, i, j], source=_entry(i, j))
+            if not one.holds:
+                more = "; ".join(f"{h}: {b}" for h, b in one.details if h in ("nearest right reading", "the slip"))
+                wrong.append((f"entry ({i + 1},{j + 1})", f"{one.claim}: {one.sentence} {more}"))
+                slip = slip or one.slip
+    claim = claim.reads("J = [" + "; ".join(", ".join(map(str, row)) for row in rows) + "]")
+    if wrong:
+        return claim.wrong(f"Wrong in {len(wrong)} entries of {sum(map(len, rows))}.", wrong, slip)
+    return claim.holds("Holds identically: every entry that is given is that of the Jacobian in the base frame.")
+
+
+def _entry(i: int, j: int) -> Callable[[Evidence], np.ndarray]:
+    return lambda ev: jacobian_of(ev.model, ev.samples)[:, i, j]
+
+
+def judge_determinant(ev: Evidence, claim: Claim) -> Verdict:
+    """Judge a formula for the determinant of the Jacobian; a sign of the whole is a matter of the rows' order.
+
+    Keys: is, rows (1-based rows of the Jacobian, where the arm has fewer than six joints), where.
+    """
+    rows = rows_for(ev, claim)
+
+    def determinant(at: Evidence) -> np.ndarray:
+        return np.linalg.det(jacobian_of(at.model, at.samples)[:, rows, :])
+
+    right = determinant(ev)
+    node = ev.parse(str(claim["is"]), claim.where)
+    claim = claim.reads(f"det J = {claim['is']}")
+    if ev.goal(-right).fits(node).all() and not ev.goal(right).fits(node).all():
+        return claim.holds(
+            "Holds but for the sign of the whole, which goes with the order of rows and the frame: equal to -det J at "
+            f"{len(right)} of {len(right)} joint vectors."
+        )
+    return judge_equal(ev, claim, node, right, source=determinant)
+
+
+def judge_singular(ev: Evidence, claim: Claim) -> Verdict:
+    """Judge where an arm is said to be singular: a formula that is zero there (keys is = "s5 = 0", rows, where).
+
+    Both ways are looked at: the Jacobian loses rank wherever the formula is zero, and, if the claim names several with
+    "or", nowhere else.
+    """
+    parts = [part.strip() for part in str(claim["is"]).replace("||", " or ").split(" or ")]
+    nodes = []
+    for part in parts:
+        left, equals, right = part.partition("=")
+        if not equals:
+            raise claim.error(f'is: {part!r} is no equation; write it as "s5 = 0" or "s3 = 0 or s5 = 0"')
+        nodes.append(ev.parse(f"({left}) - ({right})", claim.where))
+    claim = claim.reads(f"singular where {' or '.join(parts)}")
+    lines: list[tuple[str, str]] = []
+    bad = 0
+    for part, node in zip(parts, nodes, strict=True):
+        q = _zeros(ev, node)
+        if not len(q):
+            lines.append((part, "no joint vector makes it zero"))
+            bad += 1
+            continue
+        ratio = _least(ev, claim, q)
+        fine = ratio < 1e-6
+        lines.append((part, f"the Jacobian loses rank at {int(fine.sum())} of {len(q)} joint vectors with it"))
+        if not fine.all():
+            k = int(np.flatnonzero(~fine)[0])
+            joints = ", ".join(f"{np.degrees(v):.4g}" for v in q[k])
+            lines.append(("counter-example", f"at joints ({joints}) deg it is zero and the arm is not singular"))
+            bad += 1
+    if bad:
+        return claim.wrong("Wrong: the arm is not singular wherever that is zero.", lines)
+    others = _elsewhere(ev, claim, nodes)
+    if others is None:
+        return claim.holds("Holds: the Jacobian loses rank wherever it is zero.", lines)
+    lines.append(("others", others))
+    return claim.holds("Holds: the Jacobian loses rank wherever it is zero; it does so elsewhere too.", lines)
+
+
+def _samples_at(ev: Evidence, q: np.ndarray) -> Samples:
+    found = samples_at(ev.model, q)
+    ev.pick(found.env, found.frames)
+    ev.fill(found.env)
+    return found
+
+
+def _least(ev: Evidence, claim: Claim, q: np.ndarray) -> np.ndarray:
+    """The smallest singular value over the largest, of the rows that are meant, (K,)."""
+    J = jacobian_of(ev.model, _samples_at(ev, q))
+    scale = max(ev.model.length(), 1e-12)
+    J[:, :3] /= scale
+    rows = rows_for(ev, claim) if ev.model.n < MOST_ROWS or "rows" in claim else list(range(MOST_ROWS))
+    values = np.linalg.svd(J[:, rows, :], compute_uv=False)
+    return values[:, -1] / values[:, 0]
+
+
+def _zeros(ev: Evidence, node: Expr) -> np.ndarray:
+    """Joint vectors (K, n) at which a formula is zero, by halving between samples of opposite signs."""
+
+    def value(q: np.ndarray) -> np.ndarray:
+        with np.errstate(all="ignore"):
+            return np.broadcast_to(np.asarray(node.evaluate(_samples_at(ev, q).env), dtype=float), (len(q),))
+
+    rng = np.random.default_rng(12)
+    start = ev.samples.q[ev.samples.nominal]
+    a, b = start.copy(), start[rng.permutation(len(start))]
+    at_a, at_b = value(a), value(b)
+    rows = np.isfinite(at_a) & np.isfinite(at_b) & (at_a * at_b < 0)
+    a, b, at_a = a[rows][:ZEROS], b[rows][:ZEROS], at_a[rows][:ZEROS]
+    for _ in range(MARCHES):
+        middle = (a + b) / 2
+        here = value(middle)
+        same = here * at_a > 0
+        a, b = np.where(same[:, None], middle, a), np.where(same[:, None], b, middle)
+    q = (a + b) / 2
+    typical = np.median(np.abs(value(start)))
+    return q[np.abs(value(q)) < 1e-9 * max(typical, 1e-12)] if len(q) else q
+
+
+def _elsewhere(ev: Evidence, claim: Claim, nodes: list[Expr]) -> str | None:
+    """What is said of singular configurations where none of the formulas is zero; None when there are none.
+
+    The determinant divided by the formulas must keep its sign, or the arm is singular elsewhere too.
+    """
+    if ev.model.n > MOST_ROWS:
+        return None
+    rows = rows_for(ev, claim) if ev.model.n < MOST_ROWS or "rows" in claim else list(range(MOST_ROWS))
+    own = ev.samples.nominal
+    det = np.linalg.det(jacobian_of(ev.model, ev.samples)[:, rows, :])[own]
+    with np.errstate(all="ignore"):
+        rest = det.copy()
+        for node in nodes:
+            rest = rest / np.broadcast_to(np.asarray(node.evaluate(ev.samples.env), dtype=float), own.shape)[own]
+    if np.all(rest > 0) or np.all(rest < 0):
+        return None
+    return (
+        f"what is left of the determinant changes its sign ({number(float(rest.min()))} to {number(float(rest.max()))})"
+    )

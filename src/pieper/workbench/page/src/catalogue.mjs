@@ -1,0 +1,130 @@
+// The catalogue as a list one can search: by name, maker or joints, each arm with a small picture of its frames.
+import { h, replace, say } from './dom.mjs';
+import { ask } from './link.mjs';
+
+const SVG = 'http://www.w3.org/2000/svg';
+/** A stick figure of an arm from the points of its frames, seen from the corner. */
+function figure(points) {
+  const flat = points.map(([x, y, z]) => [0.77 * x + 0.62 * y, 0.3 * x - 0.38 * y - 0.88 * z]);
+  flat.unshift([flat[0][0], flat[0][1]]);
+  const [xs, ys] = [0, 1].map((k) => flat.map((p) => p[k]));
+  const size = Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys)) || 1;
+  const at = ([x, y]) => [
+    22 + (36 * (x - (Math.max(...xs) + Math.min(...xs)) / 2)) / size,
+    22 + (36 * (y - (Math.max(...ys) + Math.min(...ys)) / 2)) / size,
+  ];
+  const el = (name, props) => {
+    const e = document.createElementNS(SVG, name);
+    for (const [k, v] of Object.entries(props)) e.setAttribute(k, v);
+    return e;
+  };
+  const svg = el('svg', { viewBox: '0 0 44 44', class: 'thumb', 'aria-hidden': 'true' });
+  svg.append(
+    el('polyline', {
+      points: flat
+        .map((p) =>
+          at(p)
+            .map((v) => v.toFixed(1))
+            .join(','),
+        )
+        .join(' '),
+    }),
+  );
+  for (const p of flat.slice(1)) svg.append(el('circle', { cx: at(p)[0].toFixed(1), cy: at(p)[1].toFixed(1), r: 1.7 }));
+  return svg;
+}
+
+/** A dialog over the page; `pick` is called with the name of the chosen arm. */
+export function catalogueDialog(pick) {
+  let arms = null;
+  const list = h('div', { class: 'arms', role: 'listbox', 'aria-label': 'Arms found', 'data-testid': 'arms-found' });
+  const count = h('span', { class: 'hint', role: 'status' });
+  const search = h('input', {
+    type: 'text',
+    placeholder: 'Name, maker, or joints such as 7R',
+    'aria-label': 'Search the catalogue',
+    'data-testid': 'search-arms',
+    autocomplete: 'off',
+    on: {
+      input: () => show(),
+      keydown: (e) => {
+        if (e.key === 'ArrowDown') list.firstElementChild?.focus();
+        else if (e.key === 'Enter') list.firstElementChild?.click();
+        else return;
+        e.preventDefault();
+      },
+    },
+  });
+  const dialog = h(
+    'dialog',
+    { class: 'catalogue', 'aria-label': 'Catalogue' },
+    h(
+      'div',
+      { class: 'line' },
+      search,
+      count,
+      h('button', {
+        type: 'button',
+        class: 'icon',
+        text: '×',
+        'aria-label': 'Close the catalogue',
+        on: { click: () => dialog.close() },
+      }),
+    ),
+    list,
+  );
+  document.body.append(dialog);
+  const kind = (joints) => (/^(.)\1*$/.test(joints) ? `${joints.length}${joints[0]}` : joints);
+  function show() {
+    const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const found = (arms ?? []).filter((a) => {
+      const all = `${a.name} ${a.maker} ${a.joints} ${kind(a.joints)}`.toLowerCase();
+      return words.every((w) => all.includes(w));
+    });
+    count.textContent = `${found.length} of ${arms?.length ?? 0} arms`;
+    replace(
+      list,
+      found.map((a) =>
+        h(
+          'button',
+          {
+            type: 'button',
+            role: 'option',
+            class: 'arm-card',
+            'data-name': a.name,
+            on: {
+              click: () => {
+                dialog.close();
+                pick(a.name);
+              },
+              keydown: (e) => {
+                const way = { ArrowDown: 'nextElementSibling', ArrowUp: 'previousElementSibling' }[e.key];
+                if (!way) return;
+                e.preventDefault();
+                (e.currentTarget[way] ?? search).focus();
+              },
+            },
+          },
+          figure(a.points),
+          h(
+            'span',
+            {},
+            h('b', { text: a.name }),
+            h('span', { class: 'hint', text: [a.maker, kind(a.joints)].filter(Boolean).join(', ') }),
+          ),
+        ),
+      ),
+    );
+  }
+  return async () => {
+    dialog.showModal();
+    search.select();
+    if (arms) return;
+    try {
+      arms = (await ask('catalog')).arms;
+      show();
+    } catch (error) {
+      say(error.message, 'wrong');
+    }
+  };
+}
