@@ -1,10 +1,14 @@
-"""Install a wheel into an empty environment, with no compiler in reach, and ask an arm for its solutions."""
+"""Install a wheel into an empty environment, with no compiler in reach, and ask an arm for its solutions.
+
+Usage: python build_backend/try_wheel.py dist/*.whl
+"""
 
 from __future__ import annotations
 
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -82,3 +86,8 @@ def _try(wheel: Path, python: Path, folder: Path) -> subprocess.CompletedProcess
         if command[1] == "-c":
             answer = done
     return answer
+
+
+if __name__ == "__main__":
+    wrong = [f"{name}: {said}" for name in sys.argv[1:] for said in tried(Path(name).resolve(), interpreters())]
+    sys.exit("\n".join(wrong))

@@ -18,7 +18,7 @@ template <class T> const T* data_of(const nb::object& o) { return static_cast<co
 
 nb::tuple ladder(nb::handle q, nb::handle valid, nb::handle limits, nb::handle circle, nb::handle weights,
                  nb::handle longest, nb::handle parts, nb::handle near, nb::handle spot, nb::handle on_spot,
-                 bool largest, double slack, nb::handle first, nb::handle last, nb::handle loose) {
+                 bool largest, double slack, double room, nb::handle first, nb::handle last, nb::handle loose) {
   nb::object Q = float_array(q, "q"), V = array_of(valid, NPY_BOOL), B = float_array(limits, "limits"),
              C = array_of(circle, NPY_BOOL), W = float_array(weights, "weights"), S = float_array(longest, "longest"),
              P = float_array(parts, "parts"), N = array_of(near, NPY_INT32), M = array_of(spot, NPY_INT32),
@@ -56,6 +56,7 @@ nb::tuple ladder(nb::handle q, nb::handle valid, nb::handle limits, nb::handle c
                             doubles(O),
                             largest,
                             slack,
+                            room,
                             data_of<std::int32_t>(F),
                             data_of<std::int32_t>(L),
                             PyArray_SIZE(as_array(R)) ? doubles(R) : nullptr};
@@ -120,7 +121,7 @@ nb::object nearest_beside(nb::handle q, nb::handle valid, nb::handle unit, nb::h
 void bind_route(nb::module_& m) {
   m.def("ladder", &ladder, nb::kw_only(), nb::arg("q"), nb::arg("valid"), nb::arg("limits"), nb::arg("circle"),
         nb::arg("weights"), nb::arg("longest"), nb::arg("parts"), nb::arg("near"), nb::arg("spot"), nb::arg("on_spot"),
-        nb::arg("largest"), nb::arg("slack"), nb::arg("first"), nb::arg("last"), nb::arg("loose"),
+        nb::arg("largest"), nb::arg("slack"), nb::arg("room"), nb::arg("first"), nb::arg("last"), nb::arg("loose"),
         "The cheapest chain (k, n), its rungs (k,), its cost, the last rung reached, the steps looked at; with loose "
         "rows the nodes reached.");
   m.def("nearest_beside", &nearest_beside, nb::kw_only(), nb::arg("q"), nb::arg("valid"), nb::arg("unit"),

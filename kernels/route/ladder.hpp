@@ -15,7 +15,7 @@ namespace pieper {
 struct Ladder {
   std::int64_t rungs, cells;
   int rows, joints, nearby, beside;
-  const double* q;             // (rungs, cells, rows, joints), revolute joints with limits in [lower, lower + turn)
+  const double* q;             // (rungs, cells, rows, joints), bounded revolute joints in [lower - room, that + turn)
   const std::uint8_t* valid;   // (rungs, cells, rows)
   const double* lower;         // (joints)
   const double* upper;         // (joints)
@@ -28,6 +28,7 @@ struct Ladder {
   const double* on_spot;       // (joints) largest step on the spot, negative for no such steps
   bool largest;                // whether a step costs its largest joint difference instead of the sum of squares
   double slack;                // of limits
+  double room;                 // rows begin this far below the lower limits, and lifts go as far above the upper ones
   const std::int32_t* first;   // (joints) whole turns above the rows that the way begins with, negative for any
   const std::int32_t* last;    // the same of its end
   const double* loose;  // (rungs, cells, rows) by how much rows may be outside, or null; infinite: and be anywhere
@@ -48,8 +49,9 @@ class Climb {
     lifts = 1;
     for (int j = 0; j < l.joints; ++j) {
       const double width = l.upper[j] - l.lower[j];
-      turns[j] =
-          l.circle[j] && std::isfinite(width) ? static_cast<int>(std::floor((width + 2 * l.slack) / kTurn)) + 1 : 1;
+      turns[j] = l.circle[j] && std::isfinite(width)
+                     ? static_cast<int>(std::floor((width + 2 * (l.slack + l.room)) / kTurn)) + 1
+                     : 1;
       stride[j] = lifts;
       lifts *= turns[j];
     }

@@ -163,10 +163,10 @@ class Look {
                     std::vector<SelfMotionRead>& motions) const {
     if (d.s[4] <= kOneWayFree * d.s[0]) return false;
     Free free = Free::NO;
-    if (!what_is_free(T, q, at, d, motions, free)) return false;
+    FourBar bar;
+    if (!what_is_free(T, q, at, d, motions, free, bar)) return false;
     if (free == Free::SELF_MOTION) return true;
-    double bend = 0;
-    int count = free == Free::BESIDE ? 1 : branches_of_fold(at.J, d, bend);
+    int count = free == Free::BESIDE ? 1 : branches_of_fold(at.J, d);
     if (count == 0) {  // too flat to be told by its second order: what a step along it misses tells
       count = branches_at(arm_, T, q);
       if (held_aside(T, q, d.joint[5])) return false;
@@ -174,7 +174,7 @@ class Look {
     if (free == Free::BESIDE && d.s[5] < kRootsApart * d.s[0]) {
       int moving = 0;
       for (double x : d.joint[5]) moving += std::fabs(x) > kLoopMoves;
-      return moving <= 2 && along_the_line(T, q, d.joint[5], alone);
+      return moving <= 2 ? along_the_line(T, q, d.joint[5], alone) : along_the_linkage(T, q, bar, alone);
     }
     Root root{{}, count};
     std::copy(q, q + kSix, root.q);
@@ -187,7 +187,7 @@ class Look {
   // What is free at a row: a self-motion, which is added; nothing, but one is near; or nothing. False where a linkage is met that
   // cannot be read off.
   bool what_is_free(const Rigid& T, const double* q, const Standing& at, const SingularSix& d,
-                    std::vector<SelfMotionRead>& motions, Free& free) const {
+                    std::vector<SelfMotionRead>& motions, Free& free, FourBar& bar) const {
     const double* null = d.joint[5];
     const double rounding = rounding_at(at);
     int order[6] = {0, 1, 2, 3, 4, 5};
@@ -204,11 +204,9 @@ class Look {
         return true;
       }
     } else {
-      FourBar bar;
       if (!four_bar(arm_, at, null, order, bar, gap)) return true;
       if (gap <= rounding) {
         free = Free::SELF_MOTION;
-        bar.prepare();
         return linkage(T, q, bar, motions);
       }
     }
@@ -218,8 +216,9 @@ class Look {
     return true;
   }
 
-  bool linkage(const Rigid& T, const double* q, const FourBar& bar, std::vector<SelfMotionRead>& motions) const {
-    LinkageSelfMotion whole{};
+  // The whole curve of a linkage that stands at q; false where its pieces touch.
+  static bool whole_of(const double* q, FourBar& bar, LinkageSelfMotion& whole) {
+    bar.prepare();
     bool any = false;
     for (int lead = 0; lead < 4; ++lead) {
       double low, high;
@@ -232,6 +231,12 @@ class Look {
       whole = {{}, bar, lead, low, high, round ? (across > 0 ? 1.0 : -1.0) : 0.0};
       std::copy(q, q + kSix, whole.through);
     }
+    return true;
+  }
+
+  bool linkage(const Rigid& T, const double* q, FourBar& bar, std::vector<SelfMotionRead>& motions) const {
+    LinkageSelfMotion whole{};
+    if (!whole_of(q, bar, whole)) return false;
     for (int k = 0; k < 7; ++k) {
       double at[6];
       whole.point(k / 6.0, at);
@@ -245,31 +250,84 @@ class Look {
   //
   // What is missed along the line changes sign twice in a turn. Newton's method from four points of it ends at both.
   bool along_the_line(const Rigid& T, const double* q, const double* null, std::vector<Root>& alone) const {
-    struct End {
-      double q[6], miss;
-    } ends[4];
-    int order[4] = {0, 1, 2, 3};
-    for (int k = 0; k < 4; ++k) {
-      for (int i = 0; i < kSix; ++i) ends[k].q[i] = q[i] + 0.5 * k * kPi * std::sqrt(2.0) * null[i];
-      ends[k].miss = settle(arm_, T, ends[k].q, kSlowSteps, 1e-15);
+    double starts[4][6];
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < kSix; ++i) starts[k][i] = q[i] + 0.5 * k * kPi * std::sqrt(2.0) * null[i];
+    std::vector<Root> ends = ends_of(T, starts, 4);
+    if (ends.size() != 2) {
+      ends.resize(1);
+      std::copy(q, q + kSix, ends[0].q);
     }
-    std::stable_sort(order, order + 4, [&](int a, int b) { return ends[a].miss < ends[b].miss; });
-    std::vector<const double*> kept;
-    for (int k : order) {
-      bool again = !(ends[k].miss < kHoldsToRounding);
-      for (const double* other : kept) again |= arm_.apart(ends[k].q, other) < kSameAlong;
-      if (!again) kept.push_back(ends[k].q);
-    }
-    if (kept.size() != 2) kept = {q};
-    for (const double* row : kept) {
-      bool again = false;
-      for (const Root& other : alone) again |= arm_.apart(row, other.q) < kSameAlong;
-      if (again) continue;
-      Root root{{}, 1};
-      std::copy(row, row + kSix, root.q);
-      alone.push_back(root);
-    }
+    join(ends, alone);
     return true;
+  }
+
+  // The same beside the self-motion of a linkage; how often the sign changes is not known beforehand, but it is even.
+  bool along_the_linkage(const Rigid& T, const double* q, FourBar& bar, std::vector<Root>& alone) const {
+    LinkageSelfMotion whole{};
+    if (!whole_of(q, bar, whole)) return false;
+    // what is missed along the curve on which all else holds, with one sign from place to place
+    constexpr int kPlaces = 24;
+    auto at = [&](double u) {
+      double start[6];
+      whole.point(u, start);
+      return OnCurve(arm_, T, start, 4);
+    };
+    auto side = [](const OnCurve& a, const OnCurve& by) {
+      double lean = 0;
+      for (int r = 0; r < 6; ++r) lean += a.left[r] * by.left[r];
+      return lean < 0 ? -a.miss : a.miss;
+    };
+    std::vector<OnCurve> places;
+    for (int k = 0; k < kPlaces; ++k) {
+      places.push_back(at(k / double(kPlaces)));
+      if (!(places.back().rest < kHoldsToRounding)) return false;
+    }
+    std::vector<Root> ends;
+    for (int k = 0; k < kPlaces; ++k) {
+      const OnCurve& by = places[k];
+      double low = k / double(kPlaces), high = (k + 1) / double(kPlaces), left = by.miss,
+             right = side(places[(k + 1) % kPlaces], by);
+      if ((left < 0) == (right < 0)) continue;
+      Root root{{}, 1};
+      for (int step = 0; step < 60; ++step) {
+        const double u = step % 3 == 2 ? (low + high) / 2 : low + (high - low) * left / (left - right);
+        const OnCurve here = at(u);
+        const double miss = side(here, by);
+        std::copy(here.q, here.q + kSix, root.q);
+        if (std::fabs(miss) < kMergedAlong / 2 || high - low < kOnSelfMotion) break;
+        if ((miss < 0) == (left < 0)) low = u, left = miss;
+        else high = u, right = miss;
+      }
+      ends.push_back(root);
+    }
+    if (ends.empty() || ends.size() % 2) return false;
+    join(ends, alone);
+    return true;
+  }
+
+  // Where Newton's method ends, each solution once.
+  std::vector<Root> ends_of(const Rigid& T, double (*starts)[6], int count) const {
+    std::vector<std::pair<double, int>> order;
+    for (int k = 0; k < count; ++k) order.emplace_back(settle(arm_, T, starts[k], kSlowSteps, 1e-15), k);
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Root> ends;
+    for (const auto& [miss, k] : order) {
+      bool again = !(miss < kHoldsToRounding);
+      for (const Root& other : ends) again |= arm_.apart(starts[k], other.q) < kSameAlong;
+      if (again) continue;
+      ends.push_back({{}, 1});
+      std::copy(starts[k], starts[k] + kSix, ends.back().q);
+    }
+    return ends;
+  }
+
+  void join(const std::vector<Root>& ends, std::vector<Root>& alone) const {
+    for (const Root& end : ends) {
+      bool again = false;
+      for (const Root& other : alone) again |= arm_.apart(end.q, other.q) < kSameAlong;
+      if (!again) alone.push_back(end);
+    }
   }
 
   // Whether the pose can be held a little way along the null direction, all but exactly.

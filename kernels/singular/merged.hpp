@@ -18,7 +18,7 @@ struct Root {
 //
 // The product of exponentials along a null direction v departs from one by the brackets of the joints' twists,
 // sum over i < j of v_i v_j [x_i, x_j] t^2 / 2.
-inline int branches_of_fold(const double (*J)[6], const SingularSix& d, double& bend) {
+inline int branches_of_fold(const double (*J)[6], const SingularSix& d) {
   double before[6] = {}, bracket[6] = {};
   for (int i = 0; i < kSix; ++i) {
     double x[6];
@@ -30,7 +30,7 @@ inline int branches_of_fold(const double (*J)[6], const SingularSix& d, double& 
     bracket[3] += turn.x, bracket[4] += turn.y, bracket[5] += turn.z;
     for (int r = 0; r < 6; ++r) before[r] += x[r];
   }
-  bend = 0;
+  double bend = 0;
   for (int r = 0; r < 6; ++r) bend += 0.5 * d.pose[5][r] * bracket[r];
   if (std::fabs(bend) < kClearFold) return 0;
   const double sigma = d.s[5], blur = std::fmin(std::sqrt(kMergedRounding / std::fabs(bend)),

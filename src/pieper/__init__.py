@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from pieper.motion.program import Program
     from pieper.motion.program_file import load_program, save_program
     from pieper.motion.recorded import read_motion
+    from pieper.motion.route.arcs import Arc
+    from pieper.motion.route.freedom import Freedom, Verdict
+    from pieper.motion.route.result import Route
     from pieper.motion.sequence import move, sequence
     from pieper.motion.time_law import time_law
     from pieper.motion.track import Track
@@ -41,6 +44,10 @@ __version__ = "0.1.0"
 
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
+    "Arc": "pieper.motion.route.arcs",
+    "Freedom": "pieper.motion.route.freedom",
+    "Route": "pieper.motion.route.result",
+    "Verdict": "pieper.motion.route.freedom",
     "Body": "pieper.description.shapes",
     "Box": "pieper.description.shapes",
     "Capsule": "pieper.description.shapes",
@@ -83,7 +90,9 @@ _MODULES = ("jax", "plot", "sections", "torch", "workbench")
 __all__ = [
     "DH",
     "Actuator",
+    "Arc",
     "Arm",
+    "Freedom",
     "Body",
     "Box",
     "Capsule",
@@ -100,6 +109,7 @@ __all__ = [
     "Plan",
     "PlanError",
     "Program",
+    "Route",
     "Scene",
     "SelfMotion",
     "SolutionBatch",
@@ -107,6 +117,7 @@ __all__ = [
     "Status",
     "Swept",
     "Track",
+    "Verdict",
     "catalog",
     "check",
     "guess_claims",

@@ -11,7 +11,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from pieper.at_scale import AtScale
+from pieper.along_paths import AlongPaths
 from pieper.description import change
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 FAR_AWAY = 100.0
 
 
-class Arm(AtScale):
+class Arm(AlongPaths):
     """A serial arm, made by `pieper.load` or `Arm.from_dh`.
 
     Args:

@@ -38,6 +38,7 @@ FLOORS = (
     ("maps", "calibration", "code", "verify"),
     ("presentation",),
     ("at_scale", "jax", "torch"),
+    ("along_paths",),
     ("arm",),
     ("arms",),
     ("__init__",),

@@ -14,6 +14,7 @@ COMMANDS = {
     "fk": "From joints to the pose of the tool.",
     "ik": "From a pose, or a file of poses, to every solution.",
     "path": "Follow straight lines with one branch.",
+    "route": "The best way along a path that leaves something free.",
     "time": "Time a path within limits.",
     "program": "Time a program, draw it, and write it for a controller.",
     "animate": "Write a motion as a moving picture.",

@@ -16,6 +16,7 @@ from pieper.kinematics.chain import Chain
 from pieper.motion.certificate import vector_peaks
 from pieper.motion.curve import JointCurve, checked_points
 from pieper.motion.limits import JointLimits, Limits
+from pieper.motion.route.result import Route
 from pieper.motion.tool_bounds import ToolCurve, tool_curve
 from pieper.motion.track import Track
 from pieper.solver.plan.plan import Plan
@@ -258,4 +259,6 @@ def _whole(path: JointPath) -> Array:
             f"{path.explain().splitlines()[1] if path.stop else ''} Time track.followed, or follow another way.",
             reached=len(path.followed),
         )
+    if isinstance(path, Route) and not path.found:
+        raise InputError(f"the route's verdict is {path.verdict.name}: there is nothing to time. {path.reason}")
     return checked_points(path.q, "the path")

@@ -10,6 +10,7 @@ from pieper.presentation.plot_limits import limits_figure
 from pieper.presentation.plot_map import map_figure
 from pieper.presentation.plot_path import path_figure
 from pieper.presentation.plot_reach import reach_figure
+from pieper.presentation.plot_route import route_figure
 
 __all__ = [
     "arm_figure",
@@ -22,6 +23,7 @@ __all__ = [
     "path_figure",
     "png",
     "reach_figure",
+    "route_figure",
     "save_figure",
     "solutions_figure",
     "svg",

@@ -20,7 +20,7 @@ from pieper.judge.matrices import Product, parse_product, value_of
 from pieper.judge.model import POSE_NAMES
 from pieper.judge.regions import region_of, zero_denominators
 from pieper.judge.rounding import unrounded, with_rounding
-from pieper.judge.search.search import MAX_SEARCHED, Explanation, Goal, search
+from pieper.judge.search.search import MAX_SEARCHED, Explanation, Goal, says_nothing, search
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
@@ -159,7 +159,11 @@ def _equal_holds(
     if good.all():
         lengths = ", for any lengths" if _uses_lengths(ev, node) else ""
         more = f"; at 50-digit arithmetic it agrees to {digits} digits" if digits else ""
-        empty = " It says nothing of the arm: it is true of any values of its letters." if _empty(ev, node) else ""
+        empty = (
+            " It says nothing of the arm: it is true of any values of its letters."
+            if says_nothing(node.substitute(ev.definitions))
+            else ""
+        )
         sentence = f"Holds identically{where}: right at {len(good)} of {len(good)} joint vectors{lengths}{more}.{empty}"
         return claim.holds(sentence, digits=digits, right=len(good), tried=len(good))
     stand = standing(ev, node, right.judged)
@@ -175,16 +179,6 @@ def _equal_holds(
     tied = f", {stand.words}" if stand.words else ""
     sentence = f"Holds for this arm's lengths{tied}{where}: right at {own} of {own} joint vectors{more}."
     return claim.holds(sentence, digits=digits, right=own, tried=own)
-
-
-def _empty(ev: Evidence, node: Expr) -> bool:
-    """Whether an equation is true of any values whatever, as Px = Px is."""
-    if not isinstance(node, Equation):
-        return False
-    rng = np.random.default_rng(3)
-    env = {name: rng.uniform(0.1, 2.0, 24) for name in node.substitute(ev.definitions).symbols()}
-    env.setdefault("theta1", rng.uniform(-3, 3, 24))
-    return bool((Goal(env).residual(node.substitute(ev.definitions)) < 1).all())
 
 
 @dataclass(frozen=True)

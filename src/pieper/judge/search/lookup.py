@@ -193,6 +193,8 @@ class Lost:
                     term = Mention(name)
                     new = Add.of(root, term if sign > 0 else Neg.of(term))
                     yield Slip("missing term", ("{} lost", term), root, (), new, 1.0)
+        if np.ptp(np.cos(gap)) + np.ptp(np.sin(gap)) < 1e-9:
+            return  # the same at every sample: half a turn, say
         entries = [e for e in self.letters.values() if isinstance(e, Sym) and _any_entry(e.name)]
         for y, x in permutations(entries, 2):
             for sy, sx in product((1, -1), repeat=2):
@@ -207,6 +209,11 @@ def _terms(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, gap: np.
         term = shelf.product(found)
         if unordered(term) in (unordered(Mul.of(number(2), node)), unordered(node)):
             continue  # a sign, or a factor
+        gone = unordered(term if found.coefficient < 0 else Neg.of(term))
+        rest = [a for a in node.args if unordered(a) != gone] if isinstance(node, Add) else []
+        if rest and len(rest) < len(node.args):
+            yield Slip("extra term", ("{} too many", term), root, path, Add.of(*rest), 1.25)
+            continue
         new = Add.of(node, Neg.of(term) if found.coefficient < 0 else term)
         cost = 1.2 + more + 0.15 * len(found.letters) + 0.2 * (abs(found.coefficient) != 1) + 0.5 * (not found.letters)
         yield Slip("missing term", ("{} lost after {}", term, node), root, path, new, cost)

@@ -304,7 +304,7 @@ def _sum_slips(node: Expr, slip: Any) -> Iterator[Slip]:
                 yield slip("power", words, Add.of(*node.args[:first], root, *node.args[last + 1 :]), 1.7)
     for k, term in enumerate(node.args):
         rest = node.args[:k] + node.args[k + 1 :]
-        yield slip("extra term", ("{} too many", term), Add.of(*rest), 1.1)
+        yield slip("extra term", ("{} too many", term), Add.of(*rest), 1.25)
         if k and not isinstance(node.args[k - 1], PlusMinus) and not isinstance(term, PlusMinus):
             left, right = node.args[k - 1], term.args[0] if isinstance(term, Neg) else term
             merged = Neg.of(Mul.of(left.args[0], right)) if isinstance(left, Neg) else Mul.of(left, right)

@@ -1,8 +1,8 @@
 """Every feasible interval of the turn at a pose, one branch and one set of whole turns each, and what ends it.
 
 The joint vectors that hold a pose with the turn free form self-motions of the arm with the turn as one more joint. What
-bounds them are points at which a joint stands at a limit, solved for with that joint held there, and folds, at which the
-turn goes back and one branch becomes another.
+bounds them are points at which a joint stands at a limit, solved for with that joint held there, and folds, at which
+the turn goes back and one branch becomes another.
 """
 
 from __future__ import annotations
@@ -27,6 +27,8 @@ LIMIT, INTERVAL, FOLD, ROUND = "limit", "interval", "fold", "round"
 HALVINGS, SECTIONS = 40, 60
 #: Shortest stretch of a self-motion (of its whole) that is an arc.
 SHORTEST = 1e-12
+#: Change of the turn between samples below which they are one point.
+STILL = 1e-12
 
 
 @dataclass(frozen=True)
@@ -145,10 +147,13 @@ class _Curve:
         v = self.sign * self.q[:, self.by]
         d = np.diff(v)
         out: list[float] = []
-        at = np.flatnonzero(d[:-1] * d[1:] < 0) + 1
-        spans = [(self.u[i - 1], self.u[i + 1], d[i - 1] > 0) for i in at]
-        if self.closed and len(d) > 1 and d[-1] * d[0] < 0:
-            spans.append((self.u[-2] - 1.0, self.u[1], d[-1] > 0))
+        # points that are listed twice say nothing
+        moved = np.flatnonzero(np.abs(d) > STILL)
+        sense = d[moved] > 0
+        turned = np.flatnonzero(sense[:-1] != sense[1:])
+        spans = [(float(self.u[moved[i]]), float(self.u[moved[i + 1] + 1]), bool(sense[i])) for i in turned]
+        if self.closed and len(moved) > 1 and sense[-1] != sense[0]:
+            spans.append((float(self.u[moved[-1]]) - 1.0, float(self.u[moved[0] + 1]), bool(sense[-1])))
         for low, high, peak in spans:
             out.append(self._extreme(low, high, peak) % 1.0 if self.closed else self._extreme(low, high, peak))
         return sorted(out)
@@ -204,7 +209,8 @@ class _Curve:
         j = int(np.argmax(winds))
         low, high = self.limits[j]
         span, each = float(np.ptp(self.q[:, j])), int(abs(rounds[j]))
-        count = int(np.ceil((high - low + 2 * span) / (TURN * each))) + 1
+        # begun up to two turns below, ended above: every part of the limits is passed
+        count = int(np.ceil((high - low + 2 * span + 3 * TURN) / (TURN * each))) + 1
         u = np.unique(np.concatenate([self.u + k for k in range(count)]))
         if rounds[j] > 0:
             first = int(np.floor((low - self.q[:, j].max()) / TURN)) - 1

@@ -1,4 +1,4 @@
-"""The cell around each row of a ladder: by how much what lies in it can differ from the row, guessed and then proved."""
+"""The cell around each row of a ladder: how much what lies in it can differ from the row, guessed and then proved."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from pieper.tolerances import CLOSES, TINY
 
 #: Neighbours farther than this (rad; lengths) are not known to be one branch, and partners at a fold at most this.
 LINKED, PARTNERS = 0.45, 1.2
-#: Part of the distance to the farthest neighbour that a cell may differ from its row by; half is what a line needs.
+#: Part of the distance to the farther neighbour, each way, that a cell may differ from its row by; a line needs half.
 MARGIN = 0.8
 #: How often a cell is quartered for the proof, parts looked at at once, and at most in one round.
 DEPTH, CHUNK, MOST_PARTS = 4, 4000, 60_000
@@ -41,20 +41,24 @@ def looseness(setting: Setting, grid: Grid, ladder: Rungs) -> Array:
     fewer = np.zeros((*ladder.valid.shape[:2], 4), bool)
     for side, (axis, shift) in enumerate(((1, 1), (1, -1), (0, 1), (0, -1))):
         fewer[..., side] = np.roll(count, shift, axis) < count
-    for side in range(4):
-        d = gaps[..., side + 1]
-        # where rows end in pairs a branch turns back: what lies there is no farther than the partner
-        fold = np.where(fewer[..., None, side] & (own <= PARTNERS), own, np.inf)
-        worst = np.maximum(worst, np.where(d < 0, 0.0, np.where(d <= LINKED, MARGIN * d, fold)))
+    for pair in ((0, 1), (2, 3)):
+        wide = np.zeros(ladder.valid.shape)
+        for side in pair:
+            d = gaps[..., side + 1]
+            # where rows end in pairs a branch turns back: what lies there is no farther than the partner
+            fold = np.where(fewer[..., None, side] & (own <= PARTNERS), own, np.inf)
+            wide = np.maximum(wide, np.where(d < 0, 0.0, np.where(d <= LINKED, MARGIN * d, fold)))
+        # half way to the neighbours in the turn and half way to those along the path, both at once
+        worst += wide
     return np.where(ladder.valid, worst, 0.0)
 
 
 def certified(setting: Setting, grid: Grid, ladder: Rungs, loose: Array, rows: Bools) -> Bools:
     """Return which of the marked rows (in order) differ by no more than their bound from all that is in their cells.
 
-    In the middle of a cell Newton's method from the row finds a point of the path's solutions. With beta the size of the
-    inverse Jacobian there, eta the step that the half cell asks for and k a bound of the Jacobian's slope, beta k eta of at
-    most a half proves that all solutions that hang together with this one over the cell lie within
+    In the middle of a cell Newton's method from the row finds a point of the path's solutions. With beta the size of
+    the inverse Jacobian there, eta the step that the half cell asks for and k a bound of the Jacobian's slope, beta k
+    eta of at most a half proves that all solutions that hang together with this one over the cell lie within
     (1 - sqrt(1 - 2 beta k eta)) / (beta k) of it (Kantorovich). Where it is more, the cell is quartered.
     """
     at, bound = np.argwhere(rows), loose[rows]
@@ -160,8 +164,8 @@ def _twist(length: float, T: Array, other: Array, inverse: Array) -> Array:
 def slope_of_jacobian(setting: Setting) -> float:
     """Return a bound of how fast the Jacobian without units changes with the joints, in the Frobenius norm.
 
-    Moving joint m turns the columns of joints behind it and moves the tool against those before it: each column changes by
-    no more than one part of turning and one lever, with levers at most the links behind, added up.
+    Moving joint m turns the columns of joints behind it and moves the tool against those before it: each column changes
+    by no more than one part of turning and one lever, with levers at most the links behind, added up.
     """
     chain = setting.chain
     lengths = np.linalg.norm(chain.links[:, :3, 3], axis=1) / chain.length

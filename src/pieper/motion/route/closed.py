@@ -1,4 +1,4 @@
-"""What closes a route at a place: the joints and limits of each branch there, and the smallest change that opens one."""
+"""What closes a route at a place: the joints and limits of each branch there."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import TURN
-from pieper.motion.route.grid import Grid
 from pieper.motion.route.ladder import Rungs
 from pieper.motion.route.opening import Opening
 from pieper.motion.route.result import Blocked, Closed
@@ -17,11 +16,11 @@ from pieper.motion.route.setting import Setting
 from pieper.solver.words.labels import posture_words
 
 
-def blocked_at(task: Task, grid: Grid, ladder: Rungs, furthest: int, proof: Callable[[], tuple[int, int]]) -> Blocked:
-    """Return where and why nothing goes on past a station; `furthest` is -1 where nothing begins."""
+def blocked_at(task: Task, ladder: Rungs, open_to: int, furthest: int, proof: Callable[[], tuple[int, int]]) -> Blocked:
+    """Return where and why nothing goes on: between the last station that is surely reached, and one that is not."""
     setting = task.setting
     at = min(furthest + 1, len(ladder.s) - 1)
-    first = float(ladder.s[max(furthest, 0)])
+    first = float(ladder.s[max(min(open_to, furthest), 0)])
     last = float(ladder.s[at])
     valid = ladder.valid[at]
     if not valid.any():
@@ -30,8 +29,8 @@ def blocked_at(task: Task, grid: Grid, ladder: Rungs, furthest: int, proof: Call
     closed = _closed(setting, ladder.x[at], valid)
     if not closed:
         why = (
-            f"At {last:.4g} of the path there are postures inside all limits, but none that is reached from the first pose "
-            "without leaving limits on the way: the passages to them are closed."
+            f"At {last:.4g} of the path there are postures inside all limits, but none that is reached from the first "
+            "pose without leaving limits on the way: the passages to them are closed."
         )
         closed = _closed(setting, ladder.x[at], valid & (_excess(setting, ladder.x[at])[0] > 0), every=True)
         return Blocked((first, last), closed, why, Opening(task, closed), proof)

@@ -136,7 +136,7 @@ def grid(setting: Setting, finer: int = 1, offset: float = 0.0) -> Grid:
     """Return the grid of a setting, `finer` times as many values a coordinate, turned by a part of a cell."""
     rows = setting.rows
     limits = rows.full_limits
-    count = len(rows.redundancy) + (1 if setting.turn_on_grid else 0)
+    count = len(rows.redundancy) + (1 if setting.turn_on_grid else 0) + (1 if setting.tilts else 0)
     turns = TURNS.get(count, 12) * finer
     turn = None
     if setting.turn_on_grid:

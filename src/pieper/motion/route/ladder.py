@@ -1,4 +1,4 @@
-"""The cheapest way up a ladder of poses: a dynamic programme over cells, rows and whole turns at stations of the path."""
+"""The cheapest way up a ladder of poses: a dynamic programme over cells, rows and whole turns at stations."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from pieper.tolerances import LIMIT_SLACK
 
 #: The largest step of a joint from rung to rung and on the spot (rad; lengths of the arm).
 STEP = 0.6
+#: How far outside its limits a loose row is looked for at most (rad).
+ROOM = 2.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,11 +61,11 @@ def rungs(setting: Setting, grid: Grid, s: Array, parts: Array) -> Rungs:
     return Rungs(s, _normal(setting, x), valid, parts)
 
 
-def _normal(setting: Setting, x: Array) -> Array:
-    """Return x (..., m) with bounded turning coordinates in the turn from their lower limit."""
+def _normal(setting: Setting, x: Array, room: float = 0.0) -> Array:
+    """Return x (..., m) with bounded turning coordinates in the turn from `room` below their lower limit."""
     low, high = setting.limits.T
     bounded = np.isfinite(low) & np.isfinite(high) & ~setting.chain.prismatic
-    start = np.where(bounded, low, 0.0)
+    start = np.where(bounded, low, 0.0) - room
     moved = start + (x - start + LIMIT_SLACK) % TURN - LIMIT_SLACK
     return np.where(bounded, moved, x)
 
@@ -78,7 +80,7 @@ def climb(
     turn_step: Array | None = None,
     ends: tuple[Array | None, Array | None] = (None, None),
     all_turns: bool = True,
-    limits: Array | None = None,
+    wider: float = 0.0,
     loose: Array | None = None,
 ) -> Way:
     """Return the cheapest way from the first rung to the last.
@@ -93,11 +95,11 @@ def climb(
         ends: Joint vectors (m,) to begin and to end with.
         all_turns: Whether whole turns are carried along; else a joint that can turn all the way round counts as if it
             had no limits, which is quick, and the way found is to be looked at for whole turns that fit.
-        limits: (m, 2) instead of the setting's.
+        wider: By how much all limits of joints are taken for wider (rad; lengths), for a way that is pulled in later.
         loose: (M, C, B) by how much each row may be outside, infinite where it may also be anywhere: what is not
             reached then is not reached by anything between the rows either.
     """
-    limits, M = setting.limits if limits is None else limits, len(rung.s)
+    M, limits = len(rung.s), widened(setting, wider)
     if not all_turns:
         wide = ~setting.chain.prismatic & (limits[:, 1] - limits[:, 0] >= TURN - LIMIT_SLACK)
         limits = np.where(wide[:, None], [-np.inf, np.inf], limits)
@@ -106,11 +108,13 @@ def climb(
     if setting.turns:
         longest[:, setting.n] = np.inf if turn_step is None else turn_step
     longest[:, setting.n + setting.turns :] = np.inf
-    x, valid = rung.x, rung.valid
+    room = 0.0 if loose is None else ROOM
+    low = room + wider
+    x, valid = _normal(setting, rung.x, low) if low else rung.x, rung.valid
     lifts = np.full((2, setting.m), -1, np.int32)
     for at, end in zip((0, -1), ends, strict=True):
         if end is not None:
-            start = _normal(setting, end)
+            start = _normal(setting, end, low)
             lifts[at] = np.round((end - start) / TURN)
             x, valid = _only(setting, x, valid, at, start)
     cell = max((np.ptp(c.values) / max(len(c.values) - 1, 1) for c in grid.coordinates), default=1.0)
@@ -136,6 +140,7 @@ def climb(
         on_spot=on_spot,
         largest=largest,
         slack=LIMIT_SLACK,
+        room=room,
         first=lifts[0],
         last=lifts[-1],
         loose=np.zeros(0) if loose is None else loose,
@@ -145,12 +150,18 @@ def climb(
     return Way(_continuous(setting, q, limits), at, float(cost), int(furthest), marks)
 
 
-def fitted(setting: Setting, x: Array, near: Array | None = None) -> Array | None:
+def widened(setting: Setting, by: float) -> Array:
+    """Return the limits (m, 2) with those of the arm's joints wider (rad; lengths)."""
+    room = np.where(np.arange(setting.m) < setting.n, by * setting.chain.joints.unit, 0.0)
+    return setting.limits + room[:, None] * np.array([-1.0, 1.0])
+
+
+def fitted(setting: Setting, x: Array, near: Array | None = None, wider: float = 0.0) -> Array | None:
     """Return a continuous chain (k, m) moved by whole turns into the limits, None where there are none that fit.
 
     Of several it is the nearest to a posture, or to the middle of the limits.
     """
-    low, high = setting.limits.T
+    low, high = widened(setting, wider).T
     turning = ~setting.chain.prismatic
     least = np.where(turning, np.ceil((low - LIMIT_SLACK - x.min(0)) / TURN), 0.0)
     most = np.where(turning, np.floor((high + LIMIT_SLACK - x.max(0)) / TURN), 0.0)

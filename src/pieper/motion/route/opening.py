@@ -1,4 +1,4 @@
-"""The smallest change that lets a route through where there is none: a wider limit, a cone for the tool, the path moved."""
+"""The smallest change that lets a route through where there is none: a wider limit, a cone, the path moved."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.motion.route.freedom import Freedom
 from pieper.motion.route.result import Closed, Relaxation
-from pieper.motion.route.search import STATIONS, Task, search, stations
+from pieper.motion.route.search import Task, search, stations
 from pieper.motion.route.setting import Setting, setting
 
 #: The largest changes that are tried: of a limit (rad), of a cone (rad), of the path's place (lengths of the arm).
 WIDEST, WIDEST_CONE, FARTHEST = np.pi, np.radians(40.0), 0.3
 #: How often a change is halved, and how many joints are tried.
-HALVINGS, JOINTS = 7, 3
-#: Points of the path that are looked at to see whether a change lets a route through; the change found is looked at whole.
-POINTS = STATIONS
+HALVINGS, JOINTS = 5, 2
+#: Points of the path that are looked at to see whether a change lets a route through; the change found is tried whole.
+POINTS = 26
 #: Changes are told this much larger than found.
 ROOM = 1.02
 
@@ -84,7 +84,7 @@ class Opening:
         if any(end is not None for end in self.task.ends):
             return None
         most = min(WIDEST_CONE, np.pi / 2 - world.free.cone - 0.02)
-        amount = _least(tilted, most, 0.0, halvings=4)
+        amount = _least(tilted, most, 0.0, halvings=3)
         if amount is None:
             return None
         told = np.degrees(world.free.cone + amount)
@@ -133,14 +133,14 @@ def _least(changed: Callable[[float], Task], most: float, least: float, halvings
         else:
             low = middle
     for amount in (high * ROOM, min(2 * high, most), most):
-        if search(changed(amount)) is not None:
+        if search(changed(amount), 1) is not None:
             return float(amount)
     return None
 
 
 def _opens(task: Task) -> bool:
     """Whether there is a route along some of the points."""
-    return search(_thinned(task)) is not None
+    return search(_thinned(task), 1) is not None
 
 
 def _thinned(task: Task) -> Task:

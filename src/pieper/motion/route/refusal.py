@@ -1,11 +1,11 @@
 """Why there is no route: everything that could be reached, with room for what lies between the rows that were solved.
 
-Around each row lies a cell, half way to its neighbours in the turn and along the path. What lies in the cell differs from
-the row by no more than a bound that is taken from how far its neighbours are, or at a fold its partner; a row counts as
-closed only where a joint is outside its limit by more than that. What is reached from the first pose over cells that are
-not closed is more than any motion can reach; where that ends before the last pose on two grids, one twice as fine as the
-other, there is no route. The bounds of the cells at the edge, which are what stops it, can be proved one by one by Newton's
-method on finer parts (Kantorovich); `Blocked.proved` does so and says of how many.
+Around each row lies a cell, half way to its neighbours in the turn and along the path. What lies in the cell differs
+from the row by no more than a bound that is taken from how far its neighbours are, or at a fold its partner; a row
+counts as closed only where a joint is outside its limit by more than that. What is reached from the first pose over
+cells that are not closed is more than any motion can reach; where that ends before the last pose on two grids, one
+twice as fine as the other, there is no route. The bounds of the cells at the edge, which are what stops it, can be
+proved one by one by Newton's method on finer parts (Kantorovich); `Blocked.proved` does so and says of how many.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from pieper.motion.route.search import Task
 from pieper.motion.route.setting import Setting
 
 #: How much finer than the first ladder the grids are on which a proof is tried, and the stations of each at least.
-FINER, STATIONS = (1, 2, 4, 8), (100, 200, 400, 800)
+FINER, STATIONS = (1, 2, 4), (100, 200, 400)
 #: Rows that a grid may have in all.
 MOST_ROWS = 6_000_000
 
@@ -39,6 +39,7 @@ class Ruled:
         grid: The cells.
         rungs: The rows.
         loose: (M, C, B) what each may be outside by.
+        open: Last station that is reached over rows inside the limits.
         furthest: Last station reached.
         reached: (M, C, B).
     """
@@ -46,6 +47,7 @@ class Ruled:
     grid: Grid
     rungs: Rungs
     loose: Array
+    open: int
     furthest: int
     reached: Bools
 
@@ -65,22 +67,29 @@ def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
         if ruled is not None and before is not None:
             return _told(task, ruled)
         before = ruled
+    if task.keep.anything:
+        return (
+            Verdict.UNCERTAIN,
+            None,
+            "Uncertain: no route was found that keeps the clearance and the distance to singular postures asked for; "
+            "without these none could be ruled out.",
+        )
     return (
         Verdict.UNCERTAIN,
         None,
-        "Uncertain: no route was found, and none could be ruled out: at the finest grid tried cells that may be feasible "
-        "still lead from the first pose to the last. More points, or a little more room, decide it.",
+        "Uncertain: no route was found, and none could be ruled out: at the finest grid tried cells that may be "
+        "feasible still lead from the first pose to the last. More points, or a little more room, decide it.",
     )
 
 
 def _told(task: Task, ruled: Ruled) -> tuple[Verdict, Blocked, str]:
-    blocked = blocked_at(task, ruled.grid, ruled.rungs, ruled.furthest, Proof(task, ruled))
+    blocked = blocked_at(task, ruled.rungs, ruled.open, ruled.furthest, Proof(task, ruled))
     where = f"gets past {blocked.s[1]:.4g} of the path" if ruled.furthest >= 0 else "begins at the first pose"
     turns = f", {len(ruled.grid.cells)} turns each" if task.setting.spare else ""
     reason = (
         f"Impossible: no motion {where}, whatever the branch and the whole turns. From the first pose "
-        f"{int(ruled.reached.sum())} cells may be reached ({len(ruled.rungs.s)} stations{turns}); each cell beside them has "
-        "a joint outside its limits throughout, or no solution."
+        f"{int(ruled.reached.sum())} cells may be reached ({len(ruled.rungs.s)} stations{turns}); each cell beside "
+        "them has a joint outside its limits throughout, or no solution."
     )
     return Verdict.IMPOSSIBLE, blocked, reason
 
@@ -100,7 +109,16 @@ def _ruled(task: Task, cells: Grid, ladder: Rungs) -> Ruled | None:
     for all_turns in (False, True):
         way = climb(task.setting, cells, ladder, on_the_spot=True, ends=task.ends, all_turns=all_turns, loose=loose)
         if way.furthest < len(ladder.s) - 1:
-            return Ruled(cells, ladder, loose, way.furthest, way.reached)
+            sure = climb(
+                task.setting,
+                cells,
+                ladder,
+                on_the_spot=True,
+                ends=task.ends,
+                all_turns=all_turns,
+                loose=np.zeros_like(loose),
+            )
+            return Ruled(cells, ladder, loose, sure.furthest, way.furthest, way.reached)
     return None
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.motion.route.freedom import Freedom, Verdict
+from pieper.motion.route.setting import Setting
 from pieper.solver.plan.plan import Plan
 
 
@@ -80,7 +81,7 @@ class Blocked:
 
     @cached_property
     def relaxations(self) -> tuple[Relaxation, ...]:
-        """The smallest change of each kind that lets a route through, sought when first asked for."""
+        """The smallest change of each kind that lets a route through, sought when first asked for, in seconds."""
         return self.others()
 
 
@@ -112,6 +113,7 @@ class Route:
         slope: The largest slope of the cost along what the poses leave free, where no limit is in the way.
         reason: Why the verdict is what it is.
         free: What was free.
+        setting: What was solved.
         plan: How the arm is solved.
     """
 
@@ -128,6 +130,7 @@ class Route:
     reason: str
     free: Freedom
     plan: Plan = field(repr=False)
+    setting: Setting = field(repr=False)
     others: Callable[[], tuple[Alternative, ...]] = field(default=tuple, repr=False)
 
     @property
@@ -151,7 +154,7 @@ class Route:
         return np.abs(np.diff(self.q, axis=0)).max(0) if len(self.q) > 1 else np.zeros(self.plan.n)
 
     def explain(self) -> str:
-        """Return what was found, in a few sentences."""
+        """Return what was found, in a few sentences; relaxations are told once they were asked for."""
         lines = [self.reason]
         if self.found:
             lines.append(f"Cost {self.cost:.6g}; no route along these points costs less than {self.bound:.3g}.")
@@ -164,7 +167,8 @@ class Route:
             lines.append(self.blocked.why)
             for closed in self.blocked.closed:
                 lines.append(f"  {closed.branch}: {_closed(self.plan, closed)}")
-            lines += [f"  {relaxation}" for relaxation in self.blocked.relaxations]
+            if "relaxations" in self.blocked.__dict__:
+                lines += [f"  {relaxation}" for relaxation in self.blocked.relaxations]
         return "\n".join(lines)
 
     def __repr__(self) -> str:
@@ -175,4 +179,5 @@ def _closed(plan: Plan, closed: Closed) -> str:
     sliding = closed.joint in plan.names and plan.prismatic[plan.names.index(closed.joint)]
     unit, scale = ("mm", 1e3) if sliding else ("deg", 180 / np.pi)
     limit, excess = closed.limit * scale, closed.excess * scale
-    return f"{closed.joint} would pass its {closed.side} limit of {limit:.6g} {unit} by {excess:.3g} {unit} at least"
+    word = f"{closed.joint} would pass its {closed.side} limit of {limit:.6g} {unit}"
+    return f"{word} by {excess:.3g} {unit} at the best of the turns looked at"

@@ -14,6 +14,7 @@ from pieper.motion.path import checked_path
 from pieper.motion.route.bound import least_motion
 from pieper.motion.route.freedom import Freedom, Verdict
 from pieper.motion.route.grid import grid
+from pieper.motion.route.keep import Keep
 from pieper.motion.route.others import Others
 from pieper.motion.route.refusal import refusal
 from pieper.motion.route.result import Route
@@ -31,6 +32,7 @@ SAME_POSE = 1e-12
 
 def route(
     plan: Plan,
+    turned: Plan,
     curves: Plan,
     path: PoseLike,
     *,
@@ -39,11 +41,13 @@ def route(
     end: ArrayLike | None = None,
     cost: str = MOTION,
     turn_rate: float | None = None,
+    keep: Keep | None = None,
 ) -> Route:
     """Find the cheapest continuous route along a path, or prove that there is none.
 
     Args:
         plan: How the arm is solved for its own task.
+        turned: The same with the axis meant as the tool's z.
         curves: How for the task that is left: of "position+axis", its axis the tool's z, where the turn is free.
         path: (N, 4, 4) poses, m; between two of them lies the line of `pieper.line`.
         free: What of the tool's orientation does not matter.
@@ -51,6 +55,7 @@ def route(
         end: (n,) posture to end with.
         cost: "motion" or "time"; see `Route.cost`.
         turn_rate: Largest change of the turn, rad per metre that the tool's point travels.
+        keep: What it must keep beside limits.
 
     Raises:
         InputError: What was given is impossible; the message says what, what is allowed, and the cure.
@@ -60,21 +65,21 @@ def route(
     if cost not in (MOTION, TIME):
         raise InputError(f'cost must be "motion" or "time", got {cost!r}.', given=cost)
     s = np.linspace(0.0, 1.0, len(asked))
-    world = setting(plan, curves, free, asked, s)
+    world = setting(turned, curves, free, asked, s)
     step = _turn_step(world, turn_rate)
     ends = (_end(world, start, 0, "start"), _end(world, end, -1, "end"))
-    task = Task(world, cost == TIME, ends, step)
+    task = Task(world, cost == TIME, ends, step, Keep() if keep is None else keep)
     found = search(task)
     bound = least_motion(world, cost == TIME)
     if found is None:
         verdict, blocked, reason = refusal(task)
         none = np.zeros(0)
         return Route(
-            asked, s, np.zeros((0, plan.n)), none, none, verdict, blocked, np.inf, bound, 0.0, reason, free, plan
+            asked, s, np.zeros((0, plan.n)), none, none, verdict, blocked, np.inf, bound, 0.0, reason, free, plan, world
         )
     reason = (
-        f"Found: {len(asked)} points, every joint inside its limits, and no jump between points however often a stretch "
-        "that is not plainly straight is halved."
+        f"Found: {len(asked)} points, every joint inside its limits, and no jump between points however often a "
+        "stretch that is not plainly straight is halved."
     )
     return Route(
         asked,
@@ -90,6 +95,7 @@ def route(
         reason,
         free,
         plan,
+        world,
         Others(task, found.grid, found.rungs, found.x),
     )
 
@@ -147,8 +153,7 @@ def _end(world: Setting, q: ArrayLike | None, at: int, what: str) -> Array | Non
     T = world.path[at]
     x = np.zeros(world.m)
     x[: plan.n] = joints
-    z = world.free.to_z if world.turns else np.eye(4)
-    left = inverse(T) @ plan.chain.native.fk(joints) @ z
+    left = inverse(T) @ plan.chain.native.fk(joints)
     if world.turns:
         tilt = left[:3, 2]
         # where the axis is not free to tilt, what it is tilted by counts as missed below
@@ -179,8 +184,8 @@ def _end(world: Setting, q: ArrayLike | None, at: int, what: str) -> Array | Non
         gap = plan.chain.native.fk(joints)[:3, 3] - T[:3, 3]
         which = "first" if at == 0 else "last"
         raise InputError(
-            f"{what} is not on the path: its tool is {np.linalg.norm(gap) * 1e3:.4g} mm off the {which} pose, or turned in "
-            "a way that is not free. Leave it out, or give a solution of that pose.",
+            f"{what} is not on the path: its tool is {np.linalg.norm(gap) * 1e3:.4g} mm off the {which} pose, or "
+            "turned in a way that is not free. Leave it out, or give a solution of that pose.",
             metres=float(np.linalg.norm(gap)),
         )
     there[: plan.n] = np.where(np.abs(there[: plan.n] - joints) < SAME_SOLUTION, there[: plan.n], joints)

@@ -2,24 +2,32 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import inside
-from pieper.motion.route.grid import Grid, grid
+from pieper.motion.route.grid import TURNS, Grid, grid
+from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import Rungs, Way, climb, fitted, rungs
 from pieper.motion.route.setting import Setting
 from pieper.motion.route.smooth import Shape, Smoothed, smooth
+from pieper.tolerances import LIMIT_SLACK
 
 #: Stations of the first ladder, and how often twice as many are tried, each with a finer grid.
 STATIONS, FINER = 51, (1, 2, 4)
+#: By how much rows of the first ladder may be outside (rad) where none inside leads on.
+WIDER = 0.08
+#: Stations where nothing is free.
+DENSE = 1200
 #: Rows that a ladder may have in all: it bounds memory and time.
 MOST_ROWS = 4_000_000
 #: How far the point of a route half way between two others may be off their middle, as a part of their distance, and
 #: how often a stretch is halved to see.
 STRAIGHT, HALVINGS = 0.3, 8
+#: Parts of the way from the ladder's route to the shortest one that are tried where something must be kept.
+PARTS = (1.0, 0.75, 0.5, 0.25, 0.0)
 #: Two points this near (rad; lengths) need no look between them.
 NEAR = 1e-6
 
@@ -33,12 +41,14 @@ class Task:
         largest: Whether the largest joint difference of a step counts (time) instead of the sum of squares.
         ends: Joint vectors (m,) it must begin and end with, or None.
         turn_step: (N - 1,) largest change of the turn, or None.
+        keep: What it must keep beside limits.
     """
 
     setting: Setting
     largest: bool
     ends: tuple[Array | None, Array | None]
     turn_step: Array | None
+    keep: Keep = field(default_factory=Keep)
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,17 +67,23 @@ def stations(count: int, wanted: int) -> Array:
     return np.unique(np.round(np.linspace(0, count - 1, min(count, wanted))).astype(np.int64))
 
 
-def search(task: Task) -> Found | None:
-    """Return the cheapest route that ladders lead to, None where none is found."""
+def search(task: Task, ladders: int = len(FINER)) -> Found | None:
+    """Return the cheapest route that so many ladders, each finer than the one before, lead to; None for none."""
     setting = task.setting
     N = len(setting.path)
-    for finer in FINER:
+    for finer in FINER[:ladders]:
         cells = grid(setting, finer, 0.0)
         fixed = len(cells.cells) == 1
-        at = stations(N, N if fixed else (STATIONS - 1) * finer + 1)
+        at = stations(N, (STATIONS - 1) * finer + 1)
         most = max(2, MOST_ROWS // (len(cells.cells) * 16))
-        at = at if len(at) <= most else stations(N, most)
-        ladder = rungs(setting, cells, setting.s[at], np.diff(at).astype(float))
+        at = (at if len(at) <= most else stations(N, most)).astype(float)
+        if fixed:
+            # nothing is chosen, and quick: stations between the points as well
+            each = max(1, -(-DENSE // (N - 1)))
+            at = np.append((np.arange(N - 1)[:, None] + np.arange(each) / each).ravel(), N - 1.0)
+        ladder = rungs(setting, cells, np.interp(at, np.arange(N), setting.s), np.diff(at))
+        if task.keep.anything:
+            ladder = replace(ladder, valid=task.keep.rows(setting, ladder.x, _inside(setting, ladder)))
         found = climbed_and_carried(task, cells, ladder)
         if found is not None:
             return Found(found.x, found.cost, found.slope, cells, ladder)
@@ -76,23 +92,37 @@ def search(task: Task) -> Found | None:
     return None
 
 
+def _inside(setting: Setting, ladder: Rungs) -> Bools:
+    """Return which rows are solutions and, whole turns aside, inside the limits."""
+    return ladder.valid & setting.chain.joints.inside_limits(ladder.x, setting.limits)[1]
+
+
 def climbed_and_carried(task: Task, cells: Grid, ladder: Rungs) -> Smoothed | None:
-    """Return the route that a ladder leads to, with moves on the spot where there is none without."""
-    at = np.searchsorted(task.setting.s, ladder.s)
-    for spot in (False, True):
-        way = _climbed(task, cells, ladder, at, spot)
+    """Return the route that a ladder leads to.
+
+    Where its rows lead nowhere, moves on the spot are allowed, and then rows that are outside by up to a part of a
+    cell: a route may pass between two rows, and is pulled inside where it is made short.
+    """
+    at = np.interp(ladder.s, task.setting.s, np.arange(len(task.setting.s)))
+    widest = WIDER / max(1, len(cells.cells) // TURNS[1]) if task.setting.spare == 1 else 0.0
+    for spot, wider in ((False, 0.0), (True, 0.0), (True, widest / 4), (True, widest)):
+        if spot and wider == 0.0 and task.setting.spare == 0:
+            continue
+        way = _climbed(task, cells, ladder, at, spot, wider)
         found = None if way is None else _carried(task, way, at)
         if found is not None:
             return found
+        if widest == 0.0 and spot:
+            break
     return None
 
 
-def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool) -> Way | None:
+def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool, wider: float) -> Way | None:
     setting = task.setting
     turn_step = None
     if task.turn_step is not None:
         total = np.append(0.0, np.cumsum(task.turn_step))
-        turn_step = np.diff(total[at])
+        turn_step = np.diff(np.interp(at, np.arange(len(total)), total))
         if spot:
             return None
     told = any(end is not None for end in task.ends)
@@ -106,12 +136,13 @@ def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool) -> W
             turn_step=turn_step,
             ends=task.ends,
             all_turns=all_turns,
+            wider=wider,
         )
         if not np.isfinite(way.cost):
             if not all_turns:
                 return None  # nothing without whole turns: nothing with them
             continue
-        x = way.x if all_turns and told else fitted(setting, way.x)
+        x = way.x if all_turns and told else fitted(setting, way.x, wider=wider)
         if x is not None:
             return replace(way, x=x)
     return None
@@ -122,10 +153,12 @@ def _carried(task: Task, way: Way, at: Array) -> Smoothed | None:
     setting = task.setting
     N = len(setting.path)
     ends = np.array([end is not None for end in task.ends])
-    place = at[way.rung].astype(float)
+    place = at[way.rung]
     if len(np.unique(way.rung)) == len(way.rung):
-        shape = _shape(task, at, np.diff(at).astype(float), ends)
-        rough = smooth(shape, way.x) if setting.spare else Smoothed(way.x, way.cost, 0.0)
+        whole = np.round(at).astype(np.int64)
+        rough = (
+            smooth(_shape(task, whole, np.diff(at), ends), way.x) if setting.spare else Smoothed(way.x, way.cost, 0.0)
+        )
         x = rough.x if np.isfinite(rough.cost) else way.x
     else:
         x, place = way.x, _spread(place)
@@ -137,13 +170,22 @@ def _carried(task: Task, way: Way, at: Array) -> Smoothed | None:
     done = Smoothed(x, 0.0, 0.0)
     if setting.spare:
         done = smooth(_shape(task, np.arange(N), np.ones(N - 1), ends), x)
-    x = fitted(setting, done.x)
-    if x is None or (ends.any() and not _kept(task, done.x)):
-        return None
-    x = done.x if ends.any() else x
-    if not inside(x, setting.limits).all() or not continuous(setting, x):
-        return None
-    return Smoothed(x, cost_of(setting, x, task.largest), done.slope)
+    for part in PARTS if task.keep.anything else (1.0,):
+        # what must be kept may be lost where the route is made short: then part of the way there is taken
+        y, on = (done.x, on) if part == 1.0 else setting.on(x + part * (done.x - x), setting.path)
+        slope = done.slope if part == 1.0 else np.inf
+        moved = y if ends.any() else fitted(setting, y)
+        if moved is None or not on.all() or (ends.any() and not _kept(task, moved)):
+            continue
+        tilted = setting.tilt_of(moved).max(initial=0.0) > setting.free.cone + LIMIT_SLACK
+        if (
+            inside(moved, setting.limits).all()
+            and not tilted
+            and task.keep.holds(setting, moved)
+            and continuous(setting, moved)
+        ):
+            return Smoothed(moved, cost_of(setting, moved, task.largest), slope)
+    return None
 
 
 def _kept(task: Task, x: Array) -> bool:

@@ -1,4 +1,4 @@
-"""A path and what it leaves free, as one chain: the arm's joints, the turn about the tool's axis, the tilt of that axis."""
+"""A path and what it leaves free, as one chain: the arm's joints, the turn about the tool's axis, its tilt."""
 
 from __future__ import annotations
 
@@ -24,6 +24,10 @@ _TILTS = [
     (rotation_about(np.array([1.0, 0.0, 0.0]), -np.pi / 2), False),
     (rotation_about(np.array([0.0, 1.0, 0.0]), np.pi / 2), False),
 ]
+
+
+#: Part of a cone that is left free at its edge, so that a route at rest there lies inside it.
+CONE_KEPT = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,8 +143,13 @@ class Setting:
 
     @cached_property
     def bounded(self) -> Indices:
-        """Coordinates that have a limit."""
-        return np.flatnonzero(np.isfinite(self.limits).any(1))
+        """Coordinates that have a limit of their own; a tilt has one with the other."""
+        return np.flatnonzero(np.isfinite(self.limits).any(1) & (np.arange(self.m) < self.m - 2 * self.tilts))
+
+    def inside_cone(self, x: Array) -> Array:
+        """Return by how much the tilt of x (..., m) is inside the cone, (...): rad near its edge, smooth within."""
+        cone = self.free.cone * (1 - CONE_KEPT)
+        return (np.cos(x[..., -1]) * np.cos(x[..., -2]) - np.cos(cone)) / np.sin(cone)
 
 
 def setting(plan: Plan, curves: Plan, free: Freedom, path: Array, s: Array) -> Setting:

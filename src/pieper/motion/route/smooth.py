@@ -1,8 +1,9 @@
 """A route made as short as it can be: Newton's method on all its points at once, held off the limits by a barrier.
 
-At each point the coordinates move along what the pose leaves free and are pulled back onto the pose. The cost is a chain
-of neighbouring points, so that a step solves a chain of small blocks. Limits are kept by a logarithmic barrier that is
-continued as a parabola below a margin, so that a start outside them is allowed; the barrier is made weaker stage by stage.
+At each point the coordinates move along what the pose leaves free and are pulled back onto the pose. The cost is a
+chain of neighbouring points, so that a step solves a chain of small blocks. Limits are kept by a logarithmic barrier
+that is continued as a parabola below a margin, so that a start outside them is allowed; the barrier is made weaker
+stage by stage.
 
 Source:
     Feller and Ebenbauer (2017), Relaxed logarithmic barrier function based model predictive control of linear systems.
@@ -19,9 +20,9 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.motion.route.setting import Setting
 
-#: The barrier's weights, one a stage, as parts of the mean cost of a step: the last leaves slopes of 1e-9 where limits are
-#: a tenth of a radian away.
-BARRIER = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5)
+#: The barrier's weights, one a stage, as parts of the mean cost of a step: the last leaves slopes below 1e-9
+#: where limits are a tenth of a radian away.
+BARRIER = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7)
 #: Below its weight over so many mean steps the barrier is a parabola, steep enough that no point rests outside.
 STEEP = 8.0
 #: A start this far inside all limits (rad; lengths) needs the last stage only; a slope counts where limits are so far.
@@ -115,6 +116,8 @@ def _value(shape: Shape, x: Array, weight: float, margin: float) -> float:
     if weight:
         for at, side in _margins(shape, x):
             cost += weight * float(np.sum(_barrier(side * at, margin)[0]))
+        if shape.setting.tilts:
+            cost += weight * float(np.sum(_barrier(shape.setting.inside_cone(x), margin)[0]))
         if shape.turn_step is not None:
             left = shape.turn_step[:, None] - np.array([1.0, -1.0]) * e[:, shape.setting.n, None]
             cost += weight * float(np.sum(_barrier(left, margin)[0]))
@@ -127,6 +130,12 @@ def _margins(shape: Shape, x: Array) -> list[tuple[Array, float]]:
     low, high = setting.limits[setting.bounded].T
     at = x[:, setting.bounded]
     return [(at - low, 1.0), (at - high, -1.0)]
+
+
+def _cone_slope(setting: Setting, x: Array) -> Array:
+    """Return the slope (N, 2) of how far tilts are inside the cone."""
+    a, b = x[:, -2], x[:, -1]
+    return -np.stack([np.sin(a) * np.cos(b), np.cos(a) * np.sin(b)], -1) / np.sin(setting.free.cone)
 
 
 def _barrier(d: Array, margin: float) -> tuple[Array, Array, Array]:
@@ -168,6 +177,8 @@ def _slope(shape: Shape, x: Array, weight: float, margin: float) -> tuple[Array,
     if weight:
         for at, side in _margins(shape, x):
             g[:, setting.bounded] += weight * side * _barrier(side * at, margin)[1]
+        if setting.tilts:
+            g[:, -2:] += weight * _barrier(setting.inside_cone(x), margin)[1][:, None] * _cone_slope(setting, x)
         if shape.turn_step is not None:
             e = np.diff(x[:, setting.n])
             for side in (1.0, -1.0):
@@ -200,6 +211,15 @@ def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: flo
                 H[:-1, setting.n] += bend
                 between[:, setting.n] += bend
     D = np.einsum("kma,km,kmb->kab", Z, H, Z)
+    if weight and setting.tilts:
+        _, slope, bend = _barrier(setting.inside_cone(x), margin)
+        out = np.einsum("km,kma->ka", _cone_slope(setting, x), Z[:, -2:])
+        D += weight * bend[:, None, None] * out[:, :, None] * out[:, None, :]
+        D -= (
+            weight
+            * (slope / np.tan(setting.free.cone))[:, None, None]
+            * np.einsum("kma,kmb->kab", Z[:, -2:], Z[:, -2:])
+        )
     E = -np.einsum("kma,km,kmb->kab", Z[:-1], between, Z[1:])
     # what is free is bent: a step along it leaves the pose to second order, and coming back costs slope
     J = scaled_jacobian(chain, x)

@@ -16,9 +16,9 @@ from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.results import Closest, Solutions
 
 #: Postures looked at first; the best of them are where the descent begins. The answer bounds the distance from above.
-LOOKED_AT, STARTS = 512, 28
+LOOKED_AT, STARTS = 512, 40
 #: What a turn counts beside the position, stage by stage, steps, and how many postures are kept.
-STAGES = ((1.0, 6, 16), (1e-3, 12, 6), (1e-8, 10, 4))
+STAGES = ((1.0, 12, 24), (1e-3, 24, 10), (1e-8, 30, 6))
 #: Half of the postures go for the position from the first.
 POSITION = 0.03
 #: Positions that are as near as this (per length) are alike, and the orientation decides.

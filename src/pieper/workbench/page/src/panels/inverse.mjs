@@ -176,6 +176,23 @@ function controls() {
       },
     },
   });
+  const ghosts = choice(
+    'Ghosts',
+    [
+      ['all', 'All'],
+      ['inside', 'In limits'],
+      ['none', 'None'],
+    ],
+    'all',
+    (v) => {
+      options.ghosts = v;
+      drawGhosts();
+    },
+  );
+  on('task', () => {
+    follow.checked = options.follow;
+    ghosts.mark(options.ghosts);
+  });
   on('plan', () =>
     replace(
       task,
@@ -248,24 +265,7 @@ function controls() {
         { 'data-testid': 'snap', title: 'While dragging; Shift snaps to 5 at any time' },
       ),
     ),
-    h(
-      'span',
-      { class: 'line' },
-      h('span', { class: 'field-name', text: 'Ghosts' }),
-      choice(
-        'Ghosts',
-        [
-          ['all', 'All'],
-          ['inside', 'In limits'],
-          ['none', 'None'],
-        ],
-        'all',
-        (v) => {
-          options.ghosts = v;
-          drawGhosts();
-        },
-      ),
-    ),
+    h('span', { class: 'line' }, h('span', { class: 'field-name', text: 'Ghosts' }), ghosts),
     h('label', { class: 'check' }, follow, 'Arm follows'),
     task,
   );

@@ -1,0 +1,179 @@
+"""`pieper route`: the best continuous route along poses that leave a turn free, or why there is none."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+import numpy as np
+import numpy.typing as npt
+
+import pieper
+from pieper.cli.arguments import joints, numbers, target
+from pieper.cli.layout import Column
+from pieper.cli.options import NUMBERS, as_csv, as_json, first, last, order, points, takes_arm, takes_units
+from pieper.cli.output import as_json as print_json
+from pieper.cli.output import joint_cells, joint_columns, number, print_table, say, si_units
+from pieper.cli.path import DECIMALS, FEW, lines
+from pieper.cli.pose_file import PoseFile
+from pieper.cli.status import DONE, NO_SOLUTION
+from pieper.cli.units import Units
+
+
+@click.command("route", context_settings=NUMBERS, short_help="The best way along a path that leaves something free.")
+@takes_arm
+@first
+@last
+@click.option("--via", multiple=True, metavar="POSE", help="A pose on the way; may be repeated.")
+@points
+@click.option("--poses", default="", metavar="FILE", help="A table of poses (.csv) instead of --from and --to.")
+@click.option("--free", is_flag=True, help="The tool may turn about its axis as it likes.")
+@click.option("--turn", default="", metavar="'LO HI'", help="The tool may turn between two angles.")
+@click.option("--cone", default="0", metavar="ANGLE", help="The tool's axis may tilt by this much.")
+@click.option("--axis", default="z", show_default=True, type=click.Choice(["x", "y", "z"]), help="The axis meant.")
+@click.option("--start", default="", metavar="JOINTS", help="Joints to begin with (quoted), or a posture's name.")
+@click.option(
+    "--cost", default="motion", show_default=True, type=click.Choice(["motion", "time"]), help="What is small."
+)
+@click.option("--relax", is_flag=True, help="Where there is no route, seek the smallest change that lets one through.")
+@click.option("--plot", default="", metavar="FILE", help="Draw the map of path and turn into this .png, .svg or .pdf.")
+@as_csv
+@order
+@as_json
+@takes_units
+def command(
+    arm: pieper.Arm,
+    first: str,
+    last: str,
+    via: tuple[str, ...],
+    points: int,
+    poses: str,
+    free: bool,
+    turn: str,
+    cone: str,
+    axis: str,
+    start: str,
+    cost: str,
+    relax: bool,
+    plot: str,
+    csv: str,
+    order: str,
+    json: bool,
+    units: Units,
+) -> int:
+    """Find the cheapest continuous route over all branches, whole turns and what is free; or say what closes the way.
+
+    Example: pieper route abb-irb2400 --from "900 -300 900 0 180 0" --to "900 300 900 0 180 0" --free
+    """
+    freedom = _freedom(free, turn, cone, axis, units)
+    path = _path(first, last, via, points, poses, units, order)
+    route = arm.route(path, free=freedom, start=joints(arm, [start], units, "--start") if start else None, cost=cost)
+    if csv and route.found:
+        _write_csv(arm, route, csv, units)
+    if plot:
+        pieper.plot.save_figure(pieper.plot.route_figure(route), plot)
+    status = DONE if route.found else NO_SOLUTION
+    if json:
+        print_json(_as_data(arm, route, relax))
+        return status
+    if route.found:
+        _print_points(arm, route, units)
+    if relax and route.blocked is not None:
+        _ = route.blocked.relaxations  # told once they were asked for
+    say(route.explain())
+    if csv and route.found:
+        say(f"joints and turns: {csv}")
+    if plot:
+        say(f"figure: {plot}")
+    return status
+
+
+def _freedom(free: bool, turn: str, cone: str, axis: str, units: Units) -> pieper.Freedom | None:
+    if free and turn:
+        raise pieper.InputError("say --free or --turn, not both.")
+    tilt = numbers([cone], "--cone")
+    if len(tilt) != 1:
+        raise pieper.InputError(f"--cone must be one angle, got {len(tilt)} numbers.", given=cone)
+    if not (free or turn):
+        if tilt[0] == 0:
+            return None
+        return pieper.Freedom(turn=(0.0, 0.0), cone=tilt[0] * units.radians, axis=axis)
+    ends = [v * units.radians for v in numbers([turn], "--turn")] if turn else []
+    if turn and len(ends) != 2:
+        raise pieper.InputError(f"--turn must be two angles, got {len(ends)}.", given=turn)
+    return pieper.Freedom(turn=(ends[0], ends[1]) if turn else "free", cone=tilt[0] * units.radians, axis=axis)
+
+
+def _path(
+    first: str, last: str, via: tuple[str, ...], points: int, poses: str, units: Units, order: str
+) -> npt.NDArray[np.float64]:
+    if poses:
+        if first or last or via:
+            raise pieper.InputError("say --poses or --from and --to, not both.", given=poses)
+        return np.concatenate(list(PoseFile(poses, units, order).blocks()))
+    if not first or not last:
+        raise pieper.InputError(
+            'a route needs --from and --to, for example --from "900 -300 900 0 180 0" --to "900 300 900 0 180 0", or '
+            "--poses file.csv."
+        )
+    words = [("--from", first), *(("--via", v) for v in via), ("--to", last)]
+    return lines([target([text], units, order, what).T for what, text in words], points)
+
+
+def _print_points(arm: pieper.Arm, route: pieper.Route, units: Units) -> None:
+    few = sorted(set(np.linspace(0, len(route.q) - 1, min(len(route.q), FEW)).round().astype(int).tolist()))
+    columns = [Column("point"), Column("s"), *joint_columns(arm, units), Column(f"turn, {units.angle}")]
+    rows = [
+        [
+            str(k + 1),
+            number(route.s[k], 4),
+            *joint_cells(arm, route.q[k], units),
+            number(route.turn[k] / units.radians, 3),
+        ]
+        for k in few
+    ]
+    print_table(f"{arm.name}: {len(few)} of {len(route.q)} points", columns, rows)
+
+
+def _write_csv(arm: pieper.Arm, route: pieper.Route, file: str, units: Units) -> None:
+    """Write a route as CSV, whole or not at all: point, s, joints, turn, tilt."""
+    names = [f"{name}_{unit}" for name, unit in zip(arm.joint_names, units.names_of_joints(arm), strict=True)]
+    head = ["point", "s", *names, f"turn_{units.angle}", f"tilt_{units.angle}"]
+    with pieper.whole_file(file) as out:
+        out.write((",".join(head) + "\n").encode())
+        for k, q in enumerate(route.q):
+            angles = np.array([route.turn[k], route.tilt[k]]) / units.radians
+            values = [route.s[k], *(q / units.of_joints(arm)), *angles]
+            text = ",".join([str(k + 1), *(repr(round(float(v), DECIMALS) + 0.0) for v in values)])
+            out.write((text + "\n").encode())
+
+
+def _as_data(arm: pieper.Arm, route: pieper.Route, relax: bool) -> dict[str, Any]:
+    blocked = route.blocked
+    return {
+        "arm": arm.name,
+        "joint_names": arm.joint_names,
+        "units": si_units(arm),
+        "verdict": route.verdict.name,
+        "reason": route.reason,
+        "s": route.s,
+        "q": route.q,
+        "turn": route.turn,
+        "tilt": route.tilt,
+        "cost": route.cost if route.found else None,
+        "bound": route.bound,
+        "blocked": None
+        if blocked is None
+        else {
+            "s": blocked.s,
+            "why": blocked.why,
+            "closed": [
+                {"branch": c.branch, "joint": c.joint, "side": c.side, "limit": c.limit, "excess": c.excess}
+                for c in blocked.closed
+            ],
+            "relaxations": [
+                {"kind": r.kind, "amount": r.amount, "what": r.what, "opens": r.opens}
+                for r in (blocked.relaxations if relax else ())
+            ],
+        },
+    }
