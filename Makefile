@@ -8,6 +8,7 @@
 #   make format   put Python, kernels and page into their style
 #   make dev      an environment for work in place (.venv-dev), the kernels built for one instruction set
 #   make pages    write the pages of docs/ that are made from benchmarks/results
+#   make site     build the page without a server (out/site), which opens from a file
 #   make docs     build the site (out/docs), its pictures drawn by the code on its pages; a warning is an error
 #   make wheels   build the wheels that are handed out (dist), audit them, try them on every Python of this machine
 #   make bench    measure beside other solvers (installed in environments of their own)
@@ -29,7 +30,7 @@ WORKERS ?= 0
 TESTS ?=
 PAGE = src/pieper/workbench/page
 
-.PHONY: tour test check house format dev pages docs wheels bench cover mutants kernel kernel-now sanitize clean
+.PHONY: tour test check house format dev pages docs wheels site bench cover mutants kernel kernel-now sanitize clean
 .DELETE_ON_ERROR:
 
 tour: $(VENV)/.installed
@@ -77,6 +78,9 @@ mutants: $(VENV)/.installed-for-checks
 dev:
 	$(MAKE) --no-print-directory VENV=.venv-dev .venv-dev/.for-work kernel
 	@echo "say: . .venv-dev/bin/activate; after a change in kernels/: make kernel VENV=.venv-dev"
+
+site: $(VENV)/.installed-for-tests
+	$(BIN)/python -m static_page.build out/site
 
 bench: $(VENV)/.installed-for-tests
 	$(BIN)/python -m benchmarks.measure.speed

@@ -6,7 +6,7 @@ import io
 import os
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
 import numpy as np
 
@@ -29,7 +29,7 @@ class Mapped(Protocol):
     @property
     def measures(self) -> tuple[Array, Array] | None: ...
     @property
-    def fraction(self) -> Array: ...
+    def fraction(self) -> Any: ...
     @property
     def count(self) -> Indices: ...
     @property
@@ -63,7 +63,8 @@ def _layers(m: Mapped) -> dict[str, Array]:
 def _npz(m: Mapped) -> bytes:
     memory = io.BytesIO()
     x, y, z = m.axes
-    np.savez_compressed(memory, bits=m.bits, turns=m.grid.turns, x=x, y=y, z=z, step=m.grid.step, **_layers(m))
+    held: dict[str, Any] = {"bits": m.bits, "turns": m.grid.turns, "x": x, "y": y, "z": z, "step": m.grid.step}
+    np.savez_compressed(memory, **held, **cast("dict[str, Any]", _layers(m)))
     return memory.getvalue()
 
 

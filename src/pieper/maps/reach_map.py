@@ -22,7 +22,7 @@ from pieper.maps.tile import Question, Tile, question_of, reached_exactly, share
 from pieper.solver.plan.plan import Plan
 
 #: Poses a tile has, about: long enough to be worth sending, short enough to be done again.
-TILE_POSES = 200_000
+TILE_POSES = 1_000_000
 #: Tiles an executor holds at a time.
 AHEAD = 64
 #: Bytes of a map that is refused without a store.

@@ -20,8 +20,8 @@ def calibration_figure(fit: Fit) -> Figure:
         fit: A calibrated arm.
 
     Returns:
-        The figure. Errors are on poses the fit has not seen; an axis's shift is measured across it, nearest to where
-        the nominal axis was given.
+        The figure. Errors are on poses the fit has not seen; an axis's shift is measured across it, where the nominal
+        axis was given.
     """
     figure = new_figure(9.6, 3.6)
     if (held := fit.held_out) is not None:

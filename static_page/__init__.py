@@ -1,0 +1,1 @@
+"""The page without a server: built by `python -m static_page.build`, or `make site`."""

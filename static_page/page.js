@@ -1,0 +1,193 @@
+// The page without a server: an arm's script is fetched as a script, so that it works from a file; the solver in it is the library's
+// own arithmetic, written as JavaScript.
+"use strict";
+const NAMES = /* NAMES */ [];
+const $ = (id) => document.getElementById(id);
+const state = { arm: null, q: [], view: { yaw: -0.9, tilt: 0.35 } };
+const known = {};
+
+window.PIEPER = {
+  arrived(arm) {
+    known[arm.name] = arm;
+    show(arm);
+  },
+};
+
+const solver = () => (state.arm && state.arm.solver ? window[`${state.arm.solver}_solver`] : null);
+const words = (value, slides) => (slides ? `${(value * 1e3).toFixed(1)} mm` : `${((value * 180) / Math.PI).toFixed(2)}°`);
+
+// Where each joint is, its axis, and the tool: frames down the chain.
+function frames(arm, q) {
+  const times = (T, L) => {
+    const out = new Array(12);
+    for (let i = 0; i < 12; i += 4)
+      for (let j = 0; j < 4; ++j)
+        out[i + j] = T[i] * L[j] + T[i + 1] * L[4 + j] + T[i + 2] * L[8 + j] + (j === 3 ? T[i + 3] : 0);
+    return out;
+  };
+  let T = arm.links[0];
+  const out = [];
+  q.forEach((value, i) => {
+    const c = Math.cos(value), s = Math.sin(value);
+    T = times(T, arm.slides[i] ? [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, value] : [c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0]);
+    out.push(T);
+    T = times(T, arm.links[i + 1]);
+  });
+  out.push(T);
+  return out;
+}
+
+function table(element, rows) {
+  const most = Math.max(...rows.flat().map(Math.abs));
+  const text = (x) => (Math.abs(x) < 1e-12 * Math.max(most, 1) ? "0" : x.toFixed(4));
+  element.innerHTML = rows.map((row) => `<tr>${row.map((x) => `<td>${text(x)}</td>`).join("")}</tr>`).join("");
+}
+
+function jacobian(all, arm) {
+  const tool = all[all.length - 1], J = [[], [], [], [], [], []];
+  arm.slides.forEach((slides, i) => {
+    const T = all[i], z = [T[2], T[6], T[10]], d = [tool[3] - T[3], tool[7] - T[7], tool[11] - T[11]];
+    for (let k = 0; k < 3; ++k) {
+      const a = (k + 1) % 3, b = (k + 2) % 3;
+      J[k].push(slides ? z[k] : z[a] * d[b] - z[b] * d[a]);
+      J[3 + k].push(slides ? 0 : z[k]);
+    }
+  });
+  return J;
+}
+
+function same(a, b) {
+  return a.every((x, j) => {
+    const d = Math.abs(x - b[j]);
+    return (state.arm.slides[j] ? d : Math.abs(d - 2 * Math.PI * Math.round(d / (2 * Math.PI)))) < 1e-6;
+  });
+}
+
+function update() {
+  const { arm, q } = state, all = frames(arm, q), tool = all[all.length - 1];
+  const T = [tool.slice(0, 4), tool.slice(4, 8), tool.slice(8, 12), [0, 0, 0, 1]];
+  table($("pose"), T);
+  table($("jacobian"), jacobian(all, arm));
+  let rows = [], note = arm.refused || "";
+  if (solver()) {
+    const found = solver().ikAll(T), inside = solver().ik(T);
+    rows = found.rows.map((row) => ({ q: inside.find((other) => same(other, row)) || row, inside: inside.some((o) => same(o, row)) }));
+    const out = rows.length - inside.length;
+    note = `${inside.length} inside the limits${out ? `, ${out} outside` : ""}.`;
+    if (found.unclear) note += " At or next to a singular pose: a row may stand for many, and some may be missing.";
+  }
+  const head = arm.joints.map((name) => `<th>${name}</th>`).join("");
+  const body = rows.map((row, i) => {
+    const kind = row.inside ? (same(row.q, q) ? "row here" : "row") : "outside";
+    const cells = row.q.map((x, j) => `<td>${words(x, arm.slides[j])}</td>`).join("");
+    return `<tr class="${kind}" data-row="${i}"${row.inside ? ' tabindex="0"' : ""}>${cells}</tr>`;
+  });
+  $("solutions").innerHTML = `<p class="note"></p>${rows.length ? `<table><tr>${head}</tr>${body.join("")}</table>` : ""}`;
+  $("solutions").querySelector("p").textContent = note;
+  for (const line of $("solutions").querySelectorAll("tr.row")) {
+    const go = () => move(rows[Number(line.dataset.row)].q);
+    line.addEventListener("click", go);
+    line.addEventListener("keydown", (event) => event.key === "Enter" && go());
+  }
+  state.others = rows.filter((row) => row.inside && !same(row.q, q)).map((row) => row.q);
+  draw();
+}
+
+function move(q) {
+  state.q = q.slice();
+  state.q.forEach((value, i) => {
+    $(`joint-${i}`).value = value;
+    $(`value-${i}`).textContent = words(value, state.arm.slides[i]);
+  });
+  update();
+}
+
+function draw() {
+  const canvas = $("view"), size = canvas.getBoundingClientRect(), ratio = window.devicePixelRatio || 1;
+  canvas.width = size.width * ratio;
+  canvas.height = size.height * ratio;
+  const pen = canvas.getContext("2d"), { arm, q, view } = state;
+  pen.scale(ratio, ratio);
+  const c = Math.cos(view.yaw), s = Math.sin(view.yaw), a = Math.cos(view.tilt), b = Math.sin(view.tilt);
+  const reach = arm.links.reduce((sum, L) => sum + Math.hypot(L[3], L[7], L[11]), 0) || 1;
+  const scale = (0.46 * Math.min(size.width, size.height)) / (0.62 * reach);
+  const to = (x, y, z) => {
+    const u = -s * x + c * y, v = c * x + s * y;
+    return [size.width / 2 + scale * u, 0.66 * size.height - scale * (a * z - b * v)];
+  };
+  const at = (T) => to(T[3], T[7], T[11]);
+  const line = (points, colour, width) => {
+    pen.beginPath();
+    points.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+    pen.strokeStyle = colour;
+    pen.lineWidth = width;
+    pen.lineJoin = pen.lineCap = "round";
+    pen.stroke();
+  };
+  for (let k = -4; k <= 4; ++k) {
+    const r = 0.5 * reach, x = (k / 4) * r;
+    line([to(x, -r, 0), to(x, r, 0)], "#e8ebee", 1);
+    line([to(-r, x, 0), to(r, x, 0)], "#e8ebee", 1);
+  }
+  const bones = (posture) => [to(0, 0, 0), ...frames(arm, posture).map(at)];
+  for (const other of state.others || []) line(bones(other), "rgba(0,114,178,0.22)", 4);
+  line(bones(q), "#0072b2", 7);
+  for (const T of frames(arm, q).slice(0, -1)) {
+    const h = 0.03 * reach;
+    line([to(T[3] - h * T[2], T[7] - h * T[6], T[11] - h * T[10]), to(T[3] + h * T[2], T[7] + h * T[6], T[11] + h * T[10])], "#c77d0a", 9);
+  }
+  const tool = frames(arm, q).pop();
+  ["#d55e00", "#009e73", "#0072b2"].forEach((colour, k) => {
+    const h = 0.09 * reach;
+    line([at(tool), to(tool[3] + h * tool[k], tool[7] + h * tool[4 + k], tool[11] + h * tool[8 + k])], colour, 3);
+  });
+}
+
+function show(arm) {
+  state.arm = arm;
+  $("says").textContent = solver() ? "solved on this page" : "moves on this page; its solver needs the library";
+  $("plan").textContent = arm.plan;
+  $("equations").textContent = arm.equations;
+  $("joints").innerHTML = arm.joints
+    .map((name, i) => {
+      const most = arm.slides[i] ? 1 : Math.PI, [low, high] = arm.limits[i].map((x, k) => x ?? (k ? most : -most));
+      return `<label class="joint"><span>${name}</span><input id="joint-${i}" type="range" min="${low}" max="${high}" step="any"><output id="value-${i}"></output></label>`;
+    })
+    .join("");
+  arm.joints.forEach((_, i) =>
+    $(`joint-${i}`).addEventListener("input", (event) => {
+      state.q[i] = Number(event.target.value);
+      $(`value-${i}`).textContent = words(state.q[i], arm.slides[i]);
+      update();
+    }),
+  );
+  move(arm.home);
+}
+
+function choose(name) {
+  if (known[name]) return show(known[name]);
+  const script = document.createElement("script");
+  script.src = `arms/${NAMES.find(([own]) => own === name)[1]}.js`;
+  script.onerror = () => ($("says").textContent = `${script.src} is missing`);
+  document.head.append(script);
+}
+
+$("arm").innerHTML = NAMES.map(([name]) => `<option>${name}</option>`).join("");
+$("arm").addEventListener("change", (event) => choose(event.target.value));
+let held = null;
+$("view").addEventListener("pointerdown", (event) => {
+  held = [event.clientX, event.clientY];
+  $("view").setPointerCapture(event.pointerId);
+});
+$("view").addEventListener("pointermove", (event) => {
+  if (!held) return;
+  state.view.yaw -= (event.clientX - held[0]) / 150;
+  state.view.tilt = Math.min(1.5, Math.max(-0.3, state.view.tilt + (event.clientY - held[1]) / 200));
+  held = [event.clientX, event.clientY];
+  draw();
+});
+$("view").addEventListener("pointerup", () => (held = null));
+window.addEventListener("resize", () => state.arm && draw());
+const start = NAMES.find(([name]) => name === "denso-vp6242") || NAMES[0];
+$("arm").value = start[0];
+choose(start[0]);
