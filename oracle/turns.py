@@ -48,11 +48,11 @@ def cheapest(arm, path, turns):
     """Return the cost of the cheapest chain over a grid of turns, every step to every row, wrapped angles."""
     Rz = rotation_z(np.arange(turns) * 2 * np.pi / turns)
     low, high = arm.limits.T
-    cost, last = None, None
+    cost = last = np.zeros(0)
     for T in path:
         many = arm.ik_many(T @ Rz)
         q = many.q[many.in_limits]
-        if cost is None:
+        if T is path[0]:
             cost = np.zeros(len(q))
         else:
             gap = q[:, None] - last[None]

@@ -126,9 +126,9 @@ def _print_points(arm: pieper.Arm, route: pieper.Route, units: Units) -> None:
     rows = [
         [
             str(k + 1),
-            number(route.s[k], 4),
+            number(float(route.s[k]), 4),
             *joint_cells(arm, route.q[k], units),
-            number(route.turn[k] / units.radians, 3),
+            number(float(route.turn[k]) / units.radians, 3),
         ]
         for k in few
     ]

@@ -46,7 +46,7 @@ def read(
 
 def _tree(path: Path) -> Tree:
     try:
-        import mujoco
+        import mujoco  # pyright: ignore[reportMissingImports]
     except ImportError:
         raise InputError(
             f"{path}: reading MJCF needs an extra: pip install 'pieper[mujoco]'.", file=str(path)

@@ -7,6 +7,7 @@ import math
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -71,7 +72,7 @@ class Tabular:
             InputError: pandas is not installed.
         """
         try:
-            import pandas  # pyright: ignore[reportMissingImports, reportMissingModuleSource]
+            pandas: Any = import_module("pandas")
         except ModuleNotFoundError:
             raise InputError("a data frame needs pandas: pip install pandas. `to_dict` needs nothing.") from None
         return pandas.DataFrame(self.columns(degrees=degrees, mm=mm))

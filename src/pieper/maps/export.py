@@ -21,19 +21,39 @@ class Mapped(Protocol):
     """What is written of a map."""
 
     @property
-    def plan(self) -> Plan: ...
+    def plan(self) -> Plan:
+        """How the arm is solved."""
+        ...
+
     @property
-    def grid(self) -> Grid: ...
+    def grid(self) -> Grid:
+        """The voxels."""
+        ...
+
     @property
-    def bits(self) -> Bits: ...
+    def bits(self) -> Bits:
+        """(v, k) packed: which orientations are reached."""
+        ...
+
     @property
-    def measures(self) -> tuple[Array, Array] | None: ...
+    def measures(self) -> tuple[Array, Array] | None:
+        """Manipulability and margin (v,), or None."""
+        ...
+
     @property
-    def fraction(self) -> Any: ...
+    def fraction(self) -> Any:
+        """Share of orientations reached (v,)."""
+        ...
+
     @property
-    def count(self) -> Indices: ...
+    def count(self) -> Indices:
+        """Solutions inside the limits (v,)."""
+        ...
+
     @property
-    def axes(self) -> tuple[Array, Array, Array]: ...
+    def axes(self) -> tuple[Array, Array, Array]:
+        """The voxels' centres along x, y and z, m."""
+        ...
 
 
 def export(m: Mapped, path: str | os.PathLike[str]) -> Path:

@@ -96,10 +96,10 @@ def load_program(arm: ProgramArm, path: str | os.PathLike[str]) -> Program:
 
 
 def _add(program: Program, said: Any, scale: Array, where: str) -> None:
-    step = cast("dict[str, Any]", said) if isinstance(said, dict) else {}
+    step: dict[str, Any] = cast("dict[str, Any]", said) if isinstance(said, dict) else {}
     kinds = [k for k in _KINDS if k in step]
     if len(kinds) != 1:
-        raise InputError(f"{where}: say one of {', '.join(_KINDS)}.", given=said)
+        raise InputError(f"{where}: say one of {', '.join(_KINDS)}.", given=kinds)
     kind = kinds[0]
     allowed = _BESIDE.get(kind, set[str]())
     unknown = sorted(set(step) - {kind} - allowed)

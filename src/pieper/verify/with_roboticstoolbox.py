@@ -56,7 +56,9 @@ class RoboticsToolbox:
             return None  # it needs to be told which of six coordinates do not count
         begin = self._coupling @ start
         found = self._robot.ikine_LM(self._pose(T, check=False), q0=begin, slimit=1, joint_limits=False, seed=0)
-        return np.linalg.solve(self._coupling, np.asarray(found.q, float)) if found.success else None
+        if not found.success:
+            return None
+        return np.asarray(np.linalg.solve(self._coupling, np.asarray(found.q, float)), np.float64)
 
 
 def build(arm: Description) -> RoboticsToolbox:

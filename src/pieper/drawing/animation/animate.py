@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from pieper.description.dh import Description
 from pieper.document.writing import whole_file, write_whole
 from pieper.drawing.animation import encoders
+from pieper.drawing.animation.encoders import Picture
 from pieper.drawing.animation.moving import Moving
 from pieper.drawing.animation.page import page
 from pieper.drawing.animation.painter import Painter
@@ -58,7 +59,7 @@ def animate(
     write = encoders.BY_SUFFIX[suffix]
     painter = Painter(motion, description, (width, height), view)
 
-    def drawn():
+    def drawn() -> Iterator[Picture]:
         for k, time in enumerate(times):
             picture = painter.picture(float(time))
             if progress is not None:

@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Indices
+from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.joints import TURN
 from pieper.motion.route.setting import Setting
 from pieper.solver.redundant.bounded_motion import BoundedMotion
@@ -201,8 +201,9 @@ class _Curve:
     def _unroll(self) -> None:
         """Let a closed curve on which a bounded joint turns all the way round go on until that is past its limits."""
         full = self.setting.curves.exact.full
-        rounds = np.round((self.round[1] - self.round[0]) / TURN)
-        winds = np.isfinite(self.limits).all(1) & ~full.prismatic & (rounds != 0)
+        begins, ends = (np.asarray(end, np.float64) for end in self.round)
+        rounds = np.asarray(np.round((ends - begins) / TURN), np.float64)
+        winds: Bools = np.isfinite(self.limits).all(1) & ~full.prismatic & (rounds != 0)
         if not winds.any():
             self.whole = True
             return
@@ -225,7 +226,7 @@ class _Curve:
         """Return for each set of whole turns that occurs the intervals of u inside all limits."""
         full = self.setting.curves.exact.full
         every: _Lifted = [(np.zeros(self.q.shape[1]), [(float(self.u[0]), float(self.u[-1]))])]
-        for j in np.flatnonzero(np.isfinite(self.limits).any(1)):
+        for j in np.flatnonzero(np.isfinite(self.limits).any(1)).tolist():
             low, high = self.limits[j]
             v = self.q[:, j]
             lifts = [0]
@@ -234,7 +235,7 @@ class _Curve:
                 last = np.floor((high + LIMIT_SLACK - v.min()) / TURN) if np.isfinite(high) else first
                 lifts = range(int(first if np.isfinite(low) else last), int(last) + 1)
             after: _Lifted = []
-            for w in self.turns_of.get(int(j), lifts):
+            for w in self.turns_of.get(j, lifts):
                 mine = self._within(j, low - w * TURN, high - w * TURN)
                 for lift, pieces in every:
                     both = _common(pieces, mine)

@@ -132,13 +132,13 @@ def _proved(
         e = pose_difference(chain, y, T)
         if np.abs(e).max(initial=0.0) < ON_POSE:
             break
-        J = scaled_jacobian(chain, y)[:, :, held]
-        step = np.linalg.solve(J + 1e-14 * np.eye(6), e[..., None])[..., 0]
+        square = scaled_jacobian(chain, y)[:, :, held]
+        step = np.linalg.solve(square + 1e-14 * np.eye(6), e[..., None])[..., 0]
         step *= np.minimum(1.0, 0.3 / np.maximum(np.linalg.norm(step, axis=1, keepdims=True), TINY))
         y[:, held] += step * unit[held]
     J = scaled_jacobian(chain, y)
     left = np.linalg.norm(pose_difference(chain, y, T), axis=1)
-    back = np.linalg.inv(J[:, :, held] + 1e-14 * np.eye(6))
+    back = np.asarray(np.linalg.inv(J[:, :, held] + 1e-14 * np.eye(6)), np.float64)
     beta = np.linalg.norm(back, axis=(1, 2))  # Frobenius: not less than the largest singular value
     ends = [_twist(chain.length, T, setting.at(end), back) for end in (part.low, part.high)]
     eta = np.maximum(*ends) + beta * left

@@ -123,7 +123,7 @@ def _interval(value: object) -> tuple[float, float]:
 HELD = Freedom(turn=(0.0, 0.0))
 
 
-def checked_freedom(free: Freedom | None) -> Freedom:
+def checked_freedom(free: object) -> Freedom:
     """Return what is free, or say that it is none."""
     if free is None:
         return HELD

@@ -171,7 +171,8 @@ def fitted(setting: Setting, x: Array, near: Array | None = None, wider: float =
     both = np.isfinite(low) & np.isfinite(high)
     middle = (np.where(both, low, 0.0) + np.where(both, high, 0.0)) / 2
     aim = middle if near is None else near
-    turns = np.where(turning, np.round((aim - x.mean(0)) / TURN), 0.0)
+    spun = np.round(np.asarray((aim - x.mean(0)) / TURN, np.float64))
+    turns = np.where(turning, spun, 0.0)
     return x + TURN * np.clip(turns, least, most)
 
 

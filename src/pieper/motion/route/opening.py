@@ -148,6 +148,7 @@ def _thinned(task: Task) -> Task:
     at = stations(len(world.path), POINTS)
     step: Array | None = task.turn_step
     if step is not None:
-        step = np.diff(np.append(0.0, np.cumsum(step))[at])
+        travelled: Array = np.append(0.0, np.cumsum(step))
+        step = np.diff(travelled[at])
     thin = replace(world, path=world.path[at], asked=world.asked[at], s=world.s[at])
     return replace(task, setting=thin, turn_step=step)

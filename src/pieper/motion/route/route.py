@@ -158,11 +158,10 @@ def _end(world: Setting, q: ArrayLike | None, at: int, what: str) -> Array | Non
         tilt = left[:3, 2]
         # where the axis is not free to tilt, what it is tilted by counts as missed below
         across, along = -np.arcsin(np.clip(tilt[0], -1, 1)), np.arctan2(tilt[1], tilt[2])
-        R = np.eye(3)
+        turned = left[:3, :3]
         if world.tilts:
             x[-2:] = across, along
-            R = rotation_x(-along)[:3, :3] @ rotation_about(np.array([0.0, 1.0, 0.0]), -across)
-        turned = R.T @ left[:3, :3]
+            turned = (rotation_x(-along)[:3, :3] @ rotation_about(np.array([0.0, 1.0, 0.0]), -across)).T @ turned
         angle = np.arctan2(turned[1, 0] - turned[0, 1], turned[0, 0] + turned[1, 1])
         # fk(x) turns on by the virtual joint: it undoes what the tool was turned by
         low, high = world.limits[plan.n]

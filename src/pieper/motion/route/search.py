@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.joints import inside
 from pieper.motion.route.grid import TURNS, Grid, grid
 from pieper.motion.route.keep import Keep
@@ -62,7 +62,7 @@ class Found:
     rungs: Rungs
 
 
-def stations(count: int, wanted: int) -> Array:
+def stations(count: int, wanted: int) -> Indices:
     """Return indices of points, the ends among them."""
     return np.unique(np.round(np.linspace(0, count - 1, min(count, wanted))).astype(np.int64))
 
@@ -163,13 +163,15 @@ def _carried(task: Task, way: Way, at: Array) -> Smoothed | None:
     else:
         x, place = way.x, _spread(place)
     points = np.arange(N, dtype=float)
-    x = np.stack([np.interp(points, place, column) for column in x.T], -1) if len(place) != N else x
+    if len(place) != N:
+        columns: list[Array] = [np.interp(points, place, column) for column in x.T]
+        x = np.stack(columns, -1)
     x, on = setting.on(x, setting.path)
     if not on.all():
         return None
     done = Smoothed(x, 0.0, 0.0)
     if setting.spare:
-        done = smooth(_shape(task, np.arange(N), np.ones(N - 1), ends), x)
+        done = smooth(_shape(task, np.arange(N, dtype=np.int64), np.ones(N - 1), ends), x)
     for part in PARTS if task.keep.anything else (1.0,):
         # what must be kept may be lost where the route is made short: then part of the way there is taken
         y, on = (done.x, on) if part == 1.0 else setting.on(x + part * (done.x - x), setting.path)
@@ -196,13 +198,14 @@ def _kept(task: Task, x: Array) -> bool:
     )
 
 
-def _shape(task: Task, at: Array, parts: Array, ends: Bools) -> Shape:
+def _shape(task: Task, at: Indices, parts: Array, ends: Bools) -> Shape:
     setting = task.setting
     fixed = np.ones(len(at))
     fixed[0], fixed[-1] = ~ends
-    step = None
+    step: Array | None = None
     if task.turn_step is not None:
-        step = np.diff(np.append(0.0, np.cumsum(task.turn_step))[at])
+        travelled: Array = np.append(0.0, np.cumsum(task.turn_step))
+        step = np.diff(travelled[at])
     return Shape(setting, setting.path[at], parts, 8 if task.largest else 2, fixed, step)
 
 

@@ -85,12 +85,12 @@ def _stage(shape: Shape, x: Array, weight: float, margin: float) -> Array:
         if np.abs(along).max(initial=0.0) < FLAT:
             break
         D, E = _bend(shape, x, Z, g, weight, margin)
-        done = False
+        done, tried, new, length = False, x, value, 0.0
         for _ in range(12):
             size = np.abs(np.einsum("kaa->ka", D)).mean()
             step, positive = _kernel.chain_of_blocks(D + damp * size * np.eye(D.shape[1]), E, -along)
             if positive:
-                length = np.abs(step).max()
+                length = float(np.abs(step).max())
                 step *= min(1.0, 0.3 / max(length, 1e-300))
                 tried, ok = shape.setting.on(x + np.einsum("kma,ka->km", Z, step), shape.T)
                 new = _value(shape, tried, weight, margin) if ok.all() else np.inf
@@ -210,12 +210,12 @@ def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: flo
                 H[1:, setting.n] += bend
                 H[:-1, setting.n] += bend
                 between[:, setting.n] += bend
-    D = np.einsum("kma,km,kmb->kab", Z, H, Z)
+    bent = np.einsum("kma,km,kmb->kab", Z, H, Z)
     if weight and setting.tilts:
         _, slope, bend = _barrier(setting.inside_cone(x), margin)
         out = np.einsum("km,kma->ka", _cone_slope(setting, x), Z[:, -2:])
-        D += weight * bend[:, None, None] * out[:, :, None] * out[:, None, :]
-        D -= (
+        bent += weight * bend[:, None, None] * out[:, :, None] * out[:, None, :]
+        bent -= (
             weight
             * (slope / np.tan(setting.free.cone))[:, None, None]
             * np.einsum("kma,kmb->kab", Z[:, -2:], Z[:, -2:])
@@ -229,11 +229,11 @@ def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: flo
         ahead = scaled_jacobian(chain, x + PROBE * Z[:, :, a])
         behind = scaled_jacobian(chain, x - PROBE * Z[:, :, a])
         turned = np.einsum("kim,kmb->kib", (ahead - behind) / (2 * PROBE), Z / unit[:, None])
-        D[:, a, :] -= np.einsum("ki,kib->kb", pull, turned)
-    D = (D + np.swapaxes(D, 1, 2)) / 2
+        bent[:, a, :] -= np.einsum("ki,kib->kb", pull, turned)
+    bent = (bent + np.swapaxes(bent, 1, 2)) / 2
     held = shape.fixed == 0
     if held.any():
-        D[held] = np.eye(d)
+        bent[held] = np.eye(d)
         E[held[:-1]] = 0.0
         E[held[1:]] = 0.0
-    return D, E
+    return bent, E
