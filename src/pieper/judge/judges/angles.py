@@ -201,9 +201,10 @@ def _joint_fails(ev: Evidence, claim: Claim, node: Expr, form: _AngleFormula, go
 def _slip(ev: Evidence, node: Expr, form: _AngleFormula) -> Explanation:
     goal = ev.goal(form.wanted(ev), angle=not form.slides, frame=form.frame)
 
-    def searched(aim: Goal) -> Explanation:
+    def searched(aim: Goal, pairs: bool = False) -> Explanation:
         near = slips(node, ev.model.values, ev.model.n, ev.own_names, angle=True)
-        found = search(aim, node, near, lost=lost_from(ev, node, aim, form.angle), seconds=ev.seconds)
+        lost = lost_from(ev, node, aim, form.angle)
+        found = search(aim, node, near, lost=lost, seconds=ev.seconds, pairs=pairs)
         # an explanation that uses what it explains is none
         known = {name: ev.known_for(name) for name in ev.picks(node)}
         found.found = [s for s in found.found if not uses_itself(ev.model, form.angle, s.tree, ev.definitions, known)]
@@ -214,7 +215,7 @@ def _slip(ev: Evidence, node: Expr, form: _AngleFormula) -> Explanation:
         # numbers stand for this arm's lengths only
         nominal = searched(goal.restrict(ev.samples.nominal))
         found = nominal if nominal.best else found
-    return found
+    return found if found.best else searched(goal, pairs=True)
 
 
 def _angle_example(ev: Evidence, node: Expr, form: _AngleFormula, env: dict[str, np.ndarray], k: int) -> str:

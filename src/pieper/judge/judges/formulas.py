@@ -197,9 +197,9 @@ def _explanation(
     """Look for the one slip that explains a wrong formula."""
     own, model = ev.samples.nominal, ev.model
 
-    def searched(aim: Goal) -> Explanation:
+    def searched(aim: Goal, pairs: bool = False) -> Explanation:
         near = slips(node, model.values, model.n, ev.own_names)
-        return search(aim, node, near, lost=lost_from(ev, node, aim), seconds=ev.seconds)
+        return search(aim, node, near, lost=lost_from(ev, node, aim), seconds=ev.seconds, pairs=pairs)
 
     found = searched(goal)
     if not found.best and not good[~own].any() and not _uses_lengths(ev, node):
@@ -211,6 +211,9 @@ def _explanation(
     other = None
     if short and not found.best and not elsewhere:
         other = _other_arm(ev, node, goal.wanted, product, frame, arms_tried)
+    if short and not found.best and not elsewhere and not other:
+        # two slips at once are the last thing to think of
+        found = searched(goal, pairs=True)
     tried = ("tried", tried_text(found, arms_tried))
     if elsewhere:
         says = f"the formula is right for another entry, {elsewhere}"

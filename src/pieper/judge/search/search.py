@@ -109,7 +109,13 @@ class Explanation:
 
 
 def search(
-    goal: Goal, root: Expr, candidates: Iterable[Slip], *, lost: Lost | None = None, seconds: float = 2.0
+    goal: Goal,
+    root: Expr,
+    candidates: Iterable[Slip],
+    *,
+    lost: Lost | None = None,
+    seconds: float = 2.0,
+    pairs: bool = False,
 ) -> Explanation:
     """Try every candidate and keep those that are right at every sample.
 
@@ -117,8 +123,9 @@ def search(
         goal: what the formula should give.
         root: the formula as printed; its subtrees are evaluated once and shared by the candidates.
         candidates: formulas one slip away.
-        lost: what may be missing from the formula; where nothing else explains it, two slips at once are tried too.
+        lost: what may be missing from the formula.
         seconds: time allowed.
+        pairs: whether two slips at once are tried where no single one explains it.
 
     Returns:
         What was found and what was tried.
@@ -149,7 +156,7 @@ def search(
         look.all(lost.slips(root, shelf, needed, values))
         if goal.angle and probe.wanted is not None:
             look.all(lost.angles(root, probe.wanted - values[root], probe.env))
-        if not out.found:
+        if pairs and not out.found:
             _two_at_once(look, probe, likely[: NODES_OF_TWO // root.size()], lost, shelf)
     out.found.sort(key=lambda s: (s.cost, s.tree.size()))
     return out

@@ -1,1 +1,1 @@
-"""The best joint path along poses that leave something free, and the proof where there is none."""
+"""The best joint path along poses that leave something free, and what closes it where there is none."""

@@ -22,8 +22,8 @@ class Verdict(enum.Enum):
     """What is known of a route; the value is a sentence."""
 
     FOUND = "a continuous route inside the limits was found and looked at between its points"
-    IMPOSSIBLE = "no route exists, and the proof is told"
-    UNCERTAIN = "neither a route nor a proof was found"
+    IMPOSSIBLE = "nothing that can be reached leads to the end, and what closes it is told"
+    UNCERTAIN = "no route was found, and none could be ruled out"
 
 
 @dataclass(frozen=True)

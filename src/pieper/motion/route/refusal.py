@@ -98,7 +98,7 @@ def _nothing_proved(task: Task) -> tuple[Verdict, Blocked | None, str]:
     return (
         Verdict.UNCERTAIN,
         None,
-        f"Uncertain: no route was found with {task.setting.spare} coordinates free; a proof that there is none is made "
+        f"Uncertain: no route was found with {task.setting.spare} coordinates free; a route can be ruled out "
         "for one free coordinate only.",
     )
 

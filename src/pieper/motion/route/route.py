@@ -43,7 +43,7 @@ def route(
     turn_rate: float | None = None,
     keep: Keep | None = None,
 ) -> Route:
-    """Find the cheapest continuous route along a path, or prove that there is none.
+    """Find the cheapest continuous route along a path, or say what closes every way.
 
     Args:
         plan: How the arm is solved for its own task.
