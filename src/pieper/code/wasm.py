@@ -84,7 +84,7 @@ export function jacobian(q) {
 export const selfTest = () => wasm.NAME_self_test();
 """
 FLAGS = (
-    *("-target", "wasm32-wasi", "-mexec-model=reactor", "-std=gnu++20", "-O2", "-msimd128", "-nostdlib++"),
+    *("-target", "wasm32-wasi", "-mexec-model=reactor", "-std=gnu++20", "-O2", "-msimd128"),
     *("-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-fno-math-errno", "-fno-trapping-math"),
     *("-ffp-contract=fast", "-Wl,--strip-all"),
 )
