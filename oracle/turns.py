@@ -49,10 +49,10 @@ def cheapest(arm, path, turns):
     Rz = rotation_z(np.arange(turns) * 2 * np.pi / turns)
     low, high = arm.limits.T
     cost = last = np.zeros(0)
-    for T in path:
+    for k, T in enumerate(path):
         many = arm.ik_many(T @ Rz)
         q = many.q[many.in_limits]
-        if T is path[0]:
+        if k == 0:
             cost = np.zeros(len(q))
         else:
             gap = q[:, None] - last[None]

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "singular/merged.hpp"
+#include "singular/crossed.hpp"
 #include "singular/motions.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -104,6 +105,7 @@ class Look {
         if (!well_posed(at.J, j)) return false;  // nothing else is free
         LineSelfMotion line{{}, i, j, dot(at.z[i], at.z[j]) > 0 ? 1.0 : -1.0};
         std::copy(q, q + kSix, line.through);
+        if (crossed(arm_, line)) return false;
         motions.emplace_back(line);
         return true;
       }
@@ -199,6 +201,7 @@ class Look {
       if (gap <= rounding) {
         LineSelfMotion line{{}, i, j, dot(at.z[i], at.z[j]) > 0 ? 1.0 : -1.0};
         std::copy(q, q + kSix, line.through);
+        if (crossed(arm_, line)) return false;
         motions.emplace_back(line);
         free = Free::SELF_MOTION;
         return true;

@@ -148,7 +148,7 @@ def test_a_called_program_runs_as_often_as_was_said():
     twice = program().call(part, times=2)
     assert len(twice.moves) == 4 and len(part.moves) == 2
     assert twice.motion().duration == pytest.approx(2 * part.motion().duration, rel=1e-6)
-    assert repr(twice) == "Program(denso-vp6242: 4 moves, 6 instructions)"
+    assert repr(twice) == "<Program of denso-vp6242: 6 instructions>"
     assert len(part.call(part).moves) == 4
     other = pieper.Program(pieper.load("dfrobot-rob0036"), pieper.Limits(speed=1, acceleration=1))
     with pytest.raises(InputError, match="cannot be called"):
