@@ -75,6 +75,8 @@ def test_the_frames_of_a_table_are_built_one_motion_at_a_time(bench):
     page = bench.page
     bench.tab("DH table")
     page.get_by_test_id("dh-steps").locator("summary").click()
+    # what opens says so in an event of its own, after the click
+    bench.until("document.querySelector('[data-testid=dh-step-said]').textContent !== ''")
     assert "Joint 1, 1 of 4: turn by θ1" in bench.text("dh-step-said")
     assert bench.value("workbench.framesDrawn") == ["base", "→ 1"]
     on = page.get_by_role("button", name="One step on")
