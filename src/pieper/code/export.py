@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from pieper.code.labels import Labels, labels_of
 from pieper.code.program import Program, recorded
 from pieper.description.dh import Description
 from pieper.errors import InputError, PlanError
@@ -82,6 +83,11 @@ class Export:
             PlanError: The family cannot be written so.
         """
         return recorded(self.plan)
+
+    @cached_property
+    def labels(self) -> Labels:
+        """How its postures are named."""
+        return labels_of(self.plan)
 
 
 def _refuse_what_is_not_six_joints(plan: Plan) -> None:
