@@ -4,8 +4,12 @@ The pages in `kernels` are for Python and C++ both: the build writes a header fr
 stands twice, and no file elsewhere writes a threshold as a bare number: a test reads all literals.
 """
 
+from .algebra import *  # noqa: F403
+from .arithmetic import *  # noqa: F403
 from .calibration import *  # noqa: F403
 from .collision import *  # noqa: F403
+from .description import *  # noqa: F403
+from .judge import *  # noqa: F403
 from .kernels.closed_forms import *  # noqa: F403
 from .kernels.collision import *  # noqa: F403
 from .kernels.elimination import *  # noqa: F403
