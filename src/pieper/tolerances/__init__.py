@@ -8,7 +8,9 @@ from .algebra import *  # noqa: F403
 from .arithmetic import *  # noqa: F403
 from .calibration import *  # noqa: F403
 from .collision import *  # noqa: F403
+from .command_line import *  # noqa: F403
 from .description import *  # noqa: F403
+from .drawing import *  # noqa: F403
 from .judge import *  # noqa: F403
 from .kernels.closed_forms import *  # noqa: F403
 from .kernels.collision import *  # noqa: F403
@@ -18,5 +20,6 @@ from .kernels.everywhere import *  # noqa: F403
 from .kernels.hidden_angle import *  # noqa: F403
 from .kernels.parallel_wrist import *  # noqa: F403
 from .kernels.singular import *  # noqa: F403
+from .kinematics import *  # noqa: F403
 from .solver import *  # noqa: F403
 from .verify import *  # noqa: F403

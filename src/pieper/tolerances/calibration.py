@@ -17,3 +17,19 @@ CALIBRATION_STEPS = 60
 MISREAD = 0.2
 #: Data that miss the nominal arm by less than this part of its length are not suspected of a wrong reading.
 SUSPICIOUS = 0.03
+#: The noise (m, rad) that a fit begins with where none is said.
+FIRST_NOISE = (1e-4, 2e-4)
+#: Noise (m, rad) below which there is none: rounding.
+LEAST_NOISE = 1e-12
+#: Joint vectors this near (rad or m) are one and the same measurement repeated.
+SAME_MEASUREMENT = 1e-6
+#: Noise (m, rad) that is assumed where none is said.
+USUAL_NOISE = (5e-5, 1e-4)
+#: Turns (rad) up to which the derivative of a rotation vector is its series.
+TURN_SERIES = 1e-3
+#: Below this angle (rad) the exponential's coefficients are taken from their series.
+EXPONENTIAL_SERIES = 1e-4
+#: A step is taken where the cost grows by no more than this, relative,
+COST_NO_WORSE = 1e-9
+#: and absolute: rounding.
+COST_ROUNDING = 1e-12

@@ -35,3 +35,32 @@ SWP_TILTED = 1e-12
 SWP_IN_PLANE = 1e-9
 #: Inner links that are together shorter than this part of the largest are no measure of length.
 LENGTHLESS = 1e-9
+#: Below this smallest singular value (per length of the arm; rad) the damped inverse is taken.
+DAMPED_INVERSE = 1e-6
+#: How far beside a value at which what is left of the arm is solved by no family it is solved instead (rad; lengths).
+BESIDE_UNSOLVED = (1e-4, -1e-4, 1e-3)
+#: Directions that the pose feels less than this part of the most carry no step onto the pose: the joints stay near.
+PULLED_RANK = 1e-7
+#: How near to a special arrangement an arm is tried as one, the nearest first, where no elimination is certain (rad;
+#: per length): beyond the last of them eliminations are certain again.
+NEARLY_SPECIAL = (1e-10, 1e-8, 1e-6, 2e-5)
+#: |det J| must stay above this part of its largest value: a path that nearly touches a singularity proves nothing.
+CLEAR_OF_SINGULAR = 2e-3
+#: Arms that differ by no more (per length; rad) have none where the nominal one has none, neither here nor around.
+NO_MORE_THAN_TYPED = 1e-4
+#: What a turn counts beside the position, stage by stage, steps, and how many postures are kept.
+CLOSEST_STAGES = ((1.0, 12, 24), (1e-3, 24, 10), (1e-8, 30, 6))
+#: Positions that are as near as this (per length) are alike, and the orientation decides.
+ALIKE_NEAR = 1e-7
+#: A bend or an offset smaller than this has no side (per length; sine).
+NO_SIDE = 1e-9
+#: Step of all joints (rad; per length) to either side of a posture that has no label of its own.
+LABEL_STEP = 1e-3
+#: Axes that are at a smaller angle (rad) are parallel for the words of a label.
+LABELLED_ANGLE = 1e-6
+#: A determinant (per length) nearer to zero than this has no sign.
+ASPECT_SIGN = 1e-12
+#: A nearest posture that misses by less (per length; rad) hits the pose.
+TOLD_AS_HIT = 1e-7
+#: Positions missed by less (per length) are reached, turns (rad) are right.
+TOLD_AS_TURN = 1e-6

@@ -8,3 +8,7 @@ VERIFY_SETTLED = 1e-10
 VERIFY_KNOWN = 1e-6
 #: and by this over the smallest singular value, since a pose that is met so well says no more about the joints.
 VERIFY_PER_SIGMA = 1e-9
+#: A self-motion's samples are met within this, rad or lengths.
+VERIFY_ON_CURVE = 1e-4
+#: Directions that the pose feels less than this part of the most are not gone along when a solution is settled.
+VERIFY_SHORTEST = 1e-9
