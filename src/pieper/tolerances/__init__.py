@@ -21,5 +21,7 @@ from .kernels.hidden_angle import *  # noqa: F403
 from .kernels.parallel_wrist import *  # noqa: F403
 from .kernels.singular import *  # noqa: F403
 from .kinematics import *  # noqa: F403
+from .motion import *  # noqa: F403
+from .routes import *  # noqa: F403
 from .solver import *  # noqa: F403
 from .verify import *  # noqa: F403
