@@ -1,7 +1,8 @@
 """Read numbers out of source text that look like thresholds and stand elsewhere than on the pages of tolerances.
 
-A threshold is a number below a thousandth, one written with a negative exponent, one from 1e5 on, or one that misses 1 by
-less than a thousandth. Factors of units (`x * 1e6`, `x / 1e9`) are none, and more than six digits are a coefficient.
+A threshold is a number below a thousandth, one written with a negative exponent, one from 1e5 on, or one that misses
+1 by less than a thousandth. Factors of units (`x * 1e6`, `x / 1e9`) are none, and more than six digits are a
+coefficient.
 """
 
 from __future__ import annotations
@@ -29,9 +30,10 @@ def is_threshold(spelled: str) -> bool:
     if not exponent and "." not in spelled:
         return False
     value = float(spelled)
-    if value == 0 or len(re.sub(r"\D", "", mantissa).strip("0")) > 6:
-        return False
-    return value < 0.001 or value >= 1e5 or exponent.startswith("-") or 0 < abs(value - 1) < 0.001
+    if value == 0 or 0 < abs(value - 1) < 0.001:
+        return value != 0
+    coefficient = len(re.sub(r"\D", "", mantissa).strip("0")) > 6
+    return not coefficient and (value < 0.001 or value >= 1e5 or exponent.startswith("-"))
 
 
 def is_unit(spelled: str) -> bool:

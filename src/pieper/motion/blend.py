@@ -11,14 +11,12 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.motion.curve import JointCurve
 from pieper.motion.segments import Segment
-from pieper.tolerances import BLEND_SHRUNK, LAST_BLENDED, NO_BLEND, TINY
+from pieper.tolerances import BLEND_SHRUNK, LAST_BLENDED, NO_BLEND, REVERSES, TINY
 
 #: Places of a way that are looked at for where it enters the radius.
 PLACES = 129
 #: Points of a blend.
 BLEND_POINTS = 25
-#: Cosine between the ways (in the joints) under which the corner is a reversal, which no curve rounds.
-REVERSES = -0.9999
 
 
 @dataclass(frozen=True, eq=False)

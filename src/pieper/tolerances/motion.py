@@ -72,3 +72,5 @@ STRANDS_END = 1e-3
 STRANDS_MEET = 5e-2
 #: A nearer row is nearer by more than this (rad; per length): ties go to the first.
 NEARER_BY = 1e-9
+#: Cosine between the ways (in the joints) under which the corner is a reversal, which no curve rounds.
+REVERSES = -0.9999

@@ -44,3 +44,7 @@ ALONE_STEP = 1e-2
 ALONE_FARTHER = 0.3
 #: Curvature of a fold, relative, below which its twin is not believed.
 ALONE_BENT = 1e-6
+#: Damping falls to this part of itself where a step helps,
+CLOSED_DAMPING_FALLS = 1e-2
+#: and grows by this where it does not.
+CLOSED_DAMPING_GROWS = 1e3

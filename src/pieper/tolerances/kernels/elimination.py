@@ -72,3 +72,6 @@ PENCIL_PIVOT = 1e-280
 INFINITE_LENGTH = 1e-200
 #: A matrix of this norm has no eigenvalues worth having.
 EIGENVALUE_OVERFLOW = 1e290
+#: How far to the side of a pose at which the elimination is singular it is solved instead (lengths of the scale; rad):
+#: solutions move by that much, or by its root where two merge.
+GENERAL_BESIDE = (1e-3, 3e-3, 3e-4, 1e-2, 1e-3, 3e-3, 1e-4, 3e-2, 1e-5, 1e-2, 1e-6, 1e-3)
