@@ -21,7 +21,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag
-from pieper.tolerances import LIMIT_SLACK
+from pieper.tolerances import LIMIT_SLACK, VERIFIED
 
 TESTS = 20
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -142,7 +142,7 @@ def export(arm: ExportedArm, name: str) -> Export:
         T,
         tuple(int(k) for k in inside.sum(1)),
         header,
-        1e-9 * max(1.0, plan.chain.length),
+        VERIFIED * max(1.0, plan.chain.length),
     )
 
 

@@ -7,10 +7,8 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from pieper.errors import InputError
+from pieper.tolerances import WORST_CONDITION
 from pieper.words_by_number import plural
-
-#: A coupling whose inverse is larger than this many times its size says that two joints move the same.
-WORST_CONDITION = 1e6
 
 
 def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.NDArray[np.float64] | None:

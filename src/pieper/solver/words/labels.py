@@ -23,9 +23,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import axes_at
 from pieper.kinematics.newton import determinant
 from pieper.solver.plan.plan import Plan
-
-#: A bend or an offset smaller than this has no side (per length; sine).
-NO_SIDE = 1e-9
+from pieper.tolerances import ASPECT_SIGN, LABEL_STEP, LABELLED_ANGLE, NO_SIDE, TINY
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +67,7 @@ def posture_words(plan: Plan, q: Array) -> list[str]:
 
 def labels_beside(plan: Plan, q: Array, direction: Array) -> tuple[str, ...]:
     """Return the labels of the branches that meet in q (n,) along a direction (n,) without units, each once."""
-    step = 1e-3 * direction * plan.chain.joints.unit
+    step = LABEL_STEP * direction * plan.chain.joints.unit
     return tuple(dict.fromkeys(posture_words(plan, np.stack([q + step, q - step]))))
 
 
@@ -78,7 +76,7 @@ def has_elbow(plan: Plan) -> bool:
     g = plan.geometry
     if plan.n < 3 or plan.prismatic[:3].any() or plan.chain is not g.chain:
         return False
-    return g.pairs[1].relation == "parallel" and g.pairs[0].angle > 1e-6
+    return g.pairs[1].relation == "parallel" and g.pairs[0].angle > LABELLED_ANGLE
 
 
 def _wrist_joint(plan: Plan) -> int | None:
@@ -136,7 +134,7 @@ def _three_parallel(plan: Plan) -> bool:
 
 def _planar_elbow(plan: Plan, q: Array) -> list[Sides]:
     g = plan.geometry
-    if plan.n < 3 or plan.prismatic[:2].any() or g.pairs[0].relation != "parallel" or g.pairs[1].angle > 1e-9:
+    if plan.n < 3 or plan.prismatic[:2].any() or g.pairs[0].relation != "parallel" or g.pairs[1].angle > NO_SIDE:
         return []
     z, o = axes_at(plan.chain, q)
     if _wrist_joint(plan) is not None:
@@ -154,9 +152,9 @@ def _slide(plan: Plan, q: Array) -> list[Sides]:
     """Front or rear, and on which side of the second axis, of two turns, a slide across the second and a wrist."""
     g = plan.geometry
     kinds = list(plan.prismatic[:3]) == [False, False, True]
-    if plan.n != 6 or not kinds or _wrist_joint(plan) != 4 or g.pairs[0].angle < 1e-6:
+    if plan.n != 6 or not kinds or _wrist_joint(plan) != 4 or g.pairs[0].angle < LABELLED_ANGLE:
         return []
-    if abs(g.pairs[1].angle - np.pi / 2) > 1e-9:
+    if abs(g.pairs[1].angle - np.pi / 2) > NO_SIDE:
         return []
     z, o = axes_at(plan.chain, np.vstack([q, np.zeros(plan.n)]))
     wrist = _spherical_point(plan, q)
@@ -179,7 +177,7 @@ def _wrist(plan: Plan, q: Array) -> list[Sides]:
     if plan.n < 6 or plan.prismatic[-3:].any():
         return []
     pairs = plan.geometry.pairs
-    named = _wrist_joint(plan) is not None or (has_elbow(plan) and min(p.angle for p in pairs[-2:]) > 1e-6)
+    named = _wrist_joint(plan) is not None or (has_elbow(plan) and min(p.angle for p in pairs[-2:]) > LABELLED_ANGLE)
     if not named:
         return []
     z, _ = axes_at(plan.chain, q)
@@ -196,7 +194,7 @@ def _aspect(plan: Plan, q: Array) -> list[str]:
     if plan.n != 6:
         return [f"solution {i + 1}" for i in range(len(q))]
     det = determinant(plan.chain, q)
-    return [("aspect +" if d > 0 else "aspect -") if abs(d) > 1e-12 else "" for d in det]
+    return [("aspect +" if d > 0 else "aspect -") if abs(d) > ASPECT_SIGN else "" for d in det]
 
 
 def _spherical_point(plan: Plan, q: Array) -> Array:
@@ -230,4 +228,4 @@ def _along(v: Array, axis: Array) -> Array:
 
 def _perpendicular(v: Array, axis: Array) -> Array:
     v = v - _along(v, np.broadcast_to(axis, v.shape))
-    return v / np.maximum(np.linalg.norm(v, axis=-1, keepdims=True), 1e-300)
+    return v / np.maximum(np.linalg.norm(v, axis=-1, keepdims=True), TINY)
