@@ -16,7 +16,7 @@ from pieper.description import change
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
 from pieper.description.posture import posture
-from pieper.errors import PieperWarning, PlanError
+from pieper.errors import PieperWarning
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.pose import PoseLike
@@ -378,9 +378,6 @@ class Arm(AlongPaths):
     @cached_property
     def _symbolic(self) -> Symbolic:
         from pieper.equations import Symbolic
-
-        if self.description.coupling is not None:
-            raise PlanError(f"{self.name} has coupled joints; equations are written of the chain's own joints only.")
 
         return Symbolic(self)
 
