@@ -228,6 +228,10 @@ class Arm(AlongPaths):
         """Return the same arm with its table in the "standard" or "modified" DH convention."""
         return Arm(change.to_convention(self.description, convention), snap=self._snap)
 
+    def uncoupled(self) -> Arm:
+        """Return the arm by its axes' own values v = arm.coupling @ q, without the limits of coupled joints."""
+        return Arm(change.uncoupled(self.description), snap=self._snap)
+
     def reversed(self) -> Arm:
         """Return the arm seen from its tool, joints last to first: its pose is the inverse of this one's."""
         return Arm(change.reversed_arm(self.description), snap=self._snap)
