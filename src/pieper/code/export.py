@@ -93,7 +93,10 @@ class Export:
 def _refuse_what_is_not_six_joints(plan: Plan) -> None:
     name = plan.name
     if plan.uncoupled is not None:
-        raise PlanError(f"{name}: coupled joints cannot be exported; export the arm of the chain's values.")
+        raise PlanError(
+            f"{name}: coupled joints cannot be exported. Export arm.uncoupled(), which takes and returns the values of "
+            "the axes, v = arm.coupling @ q; limits of coupled joints are then the caller's to look at."
+        )
     if plan.snapped:
         raise PlanError(f"{name}: its geometry was snapped, and the polishing that follows is a loop: give exact axes.")
     if not plan.direct:
