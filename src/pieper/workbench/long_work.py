@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.workbench import answers, equation_blocks, programs
+from pieper.workbench import answers, equation_blocks, programs, routes
 from pieper.workbench.messages import (
     MAX_CLOUD,
     MAX_POINTS,
@@ -202,4 +202,5 @@ KINDS: dict[str, Callable] = {
     "equations": equations,
     "report": report,
     "program": programs.run,
+    **routes.LONG,
 }
