@@ -28,7 +28,7 @@ PRINTERS: dict[str, Printer] = {
     "c++": _one(cpp.text),
     "python": _one(python.text),
     "matlab": _matlab,
-    "javascript": lambda export, path: {path: javascript.text_for(path.suffix)(export).encode()},
+    "javascript": lambda export, path: {path: javascript.text(export, path.suffix).encode()},
     "jax": _one(jax.text),
     "wasm": lambda export, path: {path: wasm.content(export, path.suffix)},
 }
