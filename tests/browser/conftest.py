@@ -4,27 +4,15 @@ from __future__ import annotations
 
 import contextlib
 import re
-import shutil
-import socket
 import threading
 import time
 from pathlib import Path
 
 import pytest
 
+from oracle.browser import FLAGS, chromium, free_port
+
 SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
-#: Software WebGL, and a browser that asks nobody anything on its own.
-FLAGS = [
-    "--headless=new",
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-first-run",
-]
 #: Milliseconds; generous, since a story must not fail because the machine is busy.
 PATIENCE = 60_000
 
@@ -33,9 +21,7 @@ class Server:
     """The workbench in a thread of this process; can be stopped and started again on the same port."""
 
     def __init__(self) -> None:
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self.port = probe.getsockname()[1]
+        self.port = free_port()
         self.url = f"http://localhost:{self.port}/"
         self.start()
 
@@ -67,11 +53,6 @@ def server():
     served = Server()
     yield served
     served.stop()
-
-
-def chromium() -> str | None:
-    names = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-    return next((path for name in names if (path := shutil.which(name))), None)
 
 
 @pytest.fixture(scope="session")

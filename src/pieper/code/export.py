@@ -7,35 +7,21 @@ import re
 from dataclasses import dataclass
 from functools import cached_property
 from importlib.metadata import PackageNotFoundError, version
-from typing import Protocol
 
 import numpy as np
 
 from pieper.code.program import Program, recorded
-from pieper.description.dh import Description
 from pieper.errors import InputError, PlanError
 from pieper.kinematics.arrays import Array
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.solver.plan.plan import Plan
+from pieper.solver.plan.planned_arm import PlannedArm
 from pieper.solver.rows import Flag
 from pieper.tolerances import LIMIT_SLACK, VERIFIED
 
 TESTS = 20
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 LICENCE = "MIT licence, as pieper itself."
-
-
-class ExportedArm(Protocol):
-    """What an export needs of an arm."""
-
-    description: Description
-    chain: Chain
-
-    @property
-    def plan(self) -> Plan:
-        """How it is solved."""
-        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +84,7 @@ def _refuse_what_is_not_six_joints(plan: Plan) -> None:
         raise PlanError(f"{name}: its base or tool is too far away to be written into one formula; take it off.")
 
 
-def export(arm: ExportedArm, name: str) -> Export:
+def export(arm: PlannedArm, name: str) -> Export:
     """Return what is written of an arm.
 
     Raises:

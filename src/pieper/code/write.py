@@ -7,9 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from pieper.code import c, cpp, javascript, jax, matlab, python, wasm
-from pieper.code.export import Export, ExportedArm, export
+from pieper.code.export import Export, export
 from pieper.document.writing import whole_file
 from pieper.errors import InputError
+from pieper.solver.plan.planned_arm import PlannedArm
 
 #: A printer takes an export and a path, and returns what goes into which file.
 Printer = Callable[[Export, Path], dict[Path, bytes]]
@@ -34,7 +35,7 @@ PRINTERS: dict[str, Printer] = {
 }
 
 
-def write(arm: ExportedArm, language: str, path: str | os.PathLike[str], name: str = "arm") -> Path:
+def write(arm: PlannedArm, language: str, path: str | os.PathLike[str], name: str = "arm") -> Path:
     """Write an arm's solver in a language; see `pieper.Arm.code`.
 
     Raises:
