@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import socket
 
@@ -20,7 +21,9 @@ FLAGS = [
 
 
 def chromium() -> str | None:
-    """Return the browser of this machine, if there is one."""
+    """Return the browser that CHROMIUM names, or that of this machine, if there is one."""
+    if named := os.environ.get("CHROMIUM"):
+        return named
     names = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
     return next((path for name in names if (path := shutil.which(name))), None)
 

@@ -328,7 +328,7 @@ def main() -> None:
     results: dict = {"python": platform.python_version(), "cores": os.cpu_count(), "server_start_s": served.seconds}
     try:
         with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(executable_path=os.environ.get("CHROMIUM") or chromium(), args=FLAGS)
+            browser = playwright.chromium.launch(executable_path=chromium(), args=FLAGS)
             results["chromium"] = browser.version
             if "load" in given.only:
                 results["load"] = measure_loads(browser, served.url, given.loads)

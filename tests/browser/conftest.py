@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from oracle.browser import FLAGS, chromium, free_port
+from oracle.browser import free_port
 
 SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
 #: Milliseconds; generous, since a story must not fail because the machine is busy.
@@ -53,20 +53,6 @@ def server():
     served = Server()
     yield served
     served.stop()
-
-
-@pytest.fixture(scope="session")
-def browser():
-    playwright = pytest.importorskip(
-        "playwright.sync_api", reason="the browser stories need Playwright: pip install playwright"
-    )
-    with playwright.sync_playwright() as p:
-        path = chromium() or (p.chromium.executable_path if Path(p.chromium.executable_path).exists() else None)
-        if path is None:
-            pytest.skip("no Chromium was found: apt-get install chromium, or playwright install chromium")
-        opened = p.chromium.launch(executable_path=path, args=FLAGS)
-        yield opened
-        opened.close()
 
 
 class Workbench:

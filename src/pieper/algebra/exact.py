@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
 
@@ -48,3 +49,17 @@ def decimal_text(value: Fraction, digits: int = 9) -> str | None:
         return None
     text = f"{Decimal(scaled.numerator) / Decimal(10**digits):f}"
     return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def exact_inverse(matrix: Sequence[Sequence[float]]) -> tuple[tuple[Fraction, ...], ...]:
+    """The inverse of a regular matrix of decimals, as fractions (Gauss and Jordan)."""
+    n = len(matrix)
+    rows = [[rational(x) for x in row] + [Fraction(int(i == j)) for j in range(n)] for i, row in enumerate(matrix)]
+    for i in range(n):
+        best = max(range(i, n), key=lambda r: abs(rows[r][i]))
+        rows[i], rows[best] = rows[best], rows[i]
+        rows[i] = [x / rows[i][i] for x in rows[i]]
+        for r in range(n):
+            if r != i and rows[r][i]:
+                rows[r] = [x - rows[r][i] * y for x, y in zip(rows[r], rows[i], strict=True)]
+    return tuple(tuple(row[n:]) for row in rows)

@@ -10,6 +10,7 @@ from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 
+from pieper.code.labels import Labels, labels_of
 from pieper.code.program import Program, recorded
 from pieper.errors import InputError, PlanError
 from pieper.kinematics.arrays import Array
@@ -68,11 +69,19 @@ class Export:
         """
         return recorded(self.plan)
 
+    @cached_property
+    def labels(self) -> Labels:
+        """How its postures are named."""
+        return labels_of(self.plan)
+
 
 def _refuse_what_is_not_six_joints(plan: Plan) -> None:
     name = plan.name
     if plan.uncoupled is not None:
-        raise PlanError(f"{name}: coupled joints cannot be exported; export the arm of the chain's values.")
+        raise PlanError(
+            f"{name}: coupled joints cannot be exported. Export arm.uncoupled(), which takes and returns the values of "
+            "the axes, v = arm.coupling @ q; limits of coupled joints are then the caller's to look at."
+        )
     if plan.snapped:
         raise PlanError(f"{name}: its geometry was snapped, and the polishing that follows is a loop: give exact axes.")
     if not plan.direct:

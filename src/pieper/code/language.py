@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from pieper.code.export import Export
+from pieper.code.labels import Manner
 from pieper.code.program import statements
 
 #: How most languages say an operation, with {0} {1} {2} for its arguments.
@@ -51,13 +52,17 @@ class Notation:
         infinity: Its word for what is larger than any number.
         truths: Its words for false and true.
         header: Takes the lines that say what the file is, and makes a comment's text of them.
+        manner: How it says what names a posture.
         brackets: What lists stand between.
+        texts: What lists of texts stand between, and the mark on both sides of a text.
     """
 
     infinity: str
     truths: tuple[str, str]
     header: Callable[[Sequence[str]], str]
+    manner: Manner
     brackets: str = "[]"
+    texts: str = '[]"'
 
     def numbers(self, value: Any) -> str:
         """Return numbers as nested literals."""
@@ -69,6 +74,8 @@ class Notation:
 
     def parts(self, export: Export) -> dict[str, str]:
         """Return what stands for the @WORDS@ of a file that say the arm and its test poses."""
+        first, last, mark = self.texts
+        names = ", ".join(mark + name + mark for name in export.labels.names)
         return {
             "HEADER": self.header(export.header),
             "LOWER": self.numbers(export.lower),
@@ -79,6 +86,7 @@ class Notation:
             "TEST_Q": self.numbers(export.q),
             "TEST_T": self.numbers(export.T.reshape(-1, 16)),
             "COUNTS": self.listed(str(k) for k in export.counts),
+            **self.manner.parts(export.labels, first + names + last),
         }
 
 

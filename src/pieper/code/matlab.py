@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from pieper.code.export import Export
+from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions
 
 
@@ -28,6 +29,8 @@ MATLAB = Matlab(
     infinity="Inf",
     truths=("0", "1"),
     header=lambda lines: "\n".join(f"% {line}" for line in lines),
+    manner=Manner("sin({0})", "cos({0})", "q({0})", 1, "  {0} = {1};", "side({0}, {1})"),
+    texts="{}'",
     per_row=("{}", "; "),
 )
 
@@ -130,6 +133,23 @@ function L = link(links, i)
 end
 """
 
+LABEL = """function name = NAME_label(q)
+% NAME_LABEL  The name of a posture q, such as 'front, elbow up, wrist flip'; '' where the postures of this arm have
+% none.
+%
+@HEADER@
+  names = @NAMES@;
+@SUMS@
+  name = names{1 + @PLACE@};
+end
+
+function k = side(v, facing)
+  % 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
+  if facing < 0, v = -v; end
+  if v > @NO_SIDE@, k = 0; elseif v < -@NO_SIDE@, k = 1; else, k = 2; end
+end
+"""
+
 SELF_TEST = """function failed = NAME_self_test()
 % NAME_SELF_TEST  How many of @TESTS@ stored poses fail: 0.
 %
@@ -153,10 +173,12 @@ end
 """
 
 ENTRY = """function s = STEM()
-% The functions of this arm as one struct: s.ik(T), s.ik_all(T), s.fk(q), s.self_test(); they stand beside this file.
+% The functions of this arm as one struct: s.ik(T), s.ik_all(T), s.fk(q), s.label(q), s.self_test(); they stand beside
+% this file.
 %
 @HEADER@
-  s = struct('ik', @NAME_ik, 'ik_all', @NAME_ik_all, 'fk', @NAME_fk, 'self_test', @NAME_self_test);
+  s = struct('ik', @NAME_ik, 'ik_all', @NAME_ik_all, 'fk', @NAME_fk, 'label', @NAME_label, ...
+             'self_test', @NAME_self_test);
 end
 """
 
@@ -166,7 +188,7 @@ def texts(export: Export, path: Path) -> dict[Path, str]:
     parts = MATLAB.parts(export)
     file = path.suffix == ".m"
     folder = path.parent if file else path
-    frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "self_test": SELF_TEST}
+    frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "label": LABEL, "self_test": SELF_TEST}
     out = {folder / f"{export.name}_{what}.m": filled(frame, parts, export) for what, frame in frames.items()}
     if file and path not in out:
         out[path] = filled(ENTRY.replace("STEM", path.stem), parts, export)

@@ -50,6 +50,20 @@ def with_limits(arm: Description, limits: Mapping[str, Sequence[float | None] | 
     return _described_anew(arm, limits=pairs)
 
 
+def uncoupled(arm: Description) -> Description:
+    """Return the arm by its axes' own values, each joint moving one axis; the same where no joint is coupled.
+
+    Limits of a joint stay where it alone moves its axis and no other joint does; those of coupled joints are no limits
+    of single axes and are left out. Postures are kept.
+    """
+    if arm.coupling is None:
+        return arm
+    tied = (arm.coupling != np.eye(arm.n)).any(1)
+    limits = np.where(tied[:, None], [-np.inf, np.inf], arm.limits)
+    postures = {name: arm.coupling @ q for name, q in arm.postures.items()}
+    return replace(arm, coupling=None, limits=limits, postures=postures, checks=(), origin=None)
+
+
 def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Description:
     """Return the arm with some joints held at values (rad or m); the others keep name, zero, sense and limits.
 

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import ArrayLike
 
-from pieper.description.coupling import checked_coupling
+from pieper.description.coupling import checked_coupling, moved_by
 from pieper.description.shapes import Body, Unmeasured
 from pieper.errors import InputError, PieperWarning
 from pieper.kinematics.pose import PoseLike, checked_pose
@@ -160,6 +160,12 @@ class Description:
     def n(self) -> int:
         """Number of joints."""
         return len(self.rows)
+
+    def moved_by(self, joint: int, names: Sequence[str] = (), *, signed: bool = False) -> str:
+        """Return what moves the axis of a joint (0-based) in words, "q2 + q3", with the maker's sense where signed."""
+        row = np.eye(self.n)[joint] if self.coupling is None else self.coupling[joint]
+        names = names or [f"q{k + 1}" for k in range(self.n)]
+        return moved_by(row, names, float(self.sign[joint]) if signed else 1.0)
 
 
 def describe(

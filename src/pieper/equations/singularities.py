@@ -14,6 +14,7 @@ from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.determinant import Factored, TooLarge, blocks, determinant
 from pieper.algebra.expression import Expr, Mul, Num, Trig, mul
 from pieper.algebra.harmonic import Poly
+from pieper.description.dh import Description
 from pieper.document.blocks import Document, Piece
 from pieper.document.formulas import ZERO, Written
 from pieper.document.readable import Readable
@@ -350,7 +351,7 @@ class SingularityEquations(Readable):
         worst, said = 0.0, []
         if self.determinant is not None:
             q = rng.uniform(-np.pi, np.pi, (n, self.n))
-            sense = 1.0 if self.table.letter == "q" else float(np.prod(self.jacobian.forward.description.sign))
+            sense = 1.0 if self.table.letter == "q" else _sense(self.jacobian.forward.description)
             want = np.linalg.det(self._rows(q)) * sense
             got = self._value_of(self.determinant)(q)
             worst = float(np.max(np.abs(got - want)) / max(np.max(np.abs(want)), TINY))
@@ -369,6 +370,11 @@ class SingularityEquations(Readable):
                 f"singular value at most {worst:.1e})."
             )
         return Check(n, worst, " ".join(said) or "There is no determinant to check.")
+
+
+def _sense(d: Description) -> float:
+    """What the determinant by the joints' numbers is to that by the table's angles: signs, and the coupling's own."""
+    return float(np.prod(d.sign)) / (1.0 if d.coupling is None else float(np.linalg.det(d.coupling)))
 
 
 def _product(value: Factored) -> Expr:

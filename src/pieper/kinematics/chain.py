@@ -13,6 +13,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import JointSpace
 from pieper.kinematics.pose import FLIP, inverse, rotation_z, translation
+from pieper.kinematics.whole_turns import WholeTurns
 from pieper.tolerances import ROUNDING
 
 
@@ -109,7 +110,7 @@ class Chain:
         """The chain whose joints move by themselves; the same object where they do."""
         return self if self.coupling is None else Chain(self.links, self.prismatic, self.frames_after)
 
-    @property
+    @cached_property
     def whole_turns(self) -> bool:
         """Whether whole turns of the joints are whole turns of the chain, and the other way round."""
         if self.coupling is None:
@@ -128,7 +129,9 @@ class Chain:
     @cached_property
     def joints(self) -> JointSpace:
         """How its joint vectors are measured."""
-        return JointSpace(self.prismatic, self.length)
+        if self.coupling is None or self.whole_turns:
+            return JointSpace(self.prismatic, self.length)
+        return JointSpace(self.prismatic, self.length, WholeTurns(self.coupling, self.prismatic))
 
     @cached_property
     def length(self) -> float:

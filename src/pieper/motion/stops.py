@@ -103,7 +103,7 @@ def _limit_place(way: Continuation, q: Array, k: int) -> tuple[int, float]:
 
 def _other_turn(way: Continuation, q: Array, joint: int) -> str:
     """Return which other turn of the start would keep a joint inside all along, in words, or nothing."""
-    if not way.revolute[joint]:
+    if not way.revolute[joint] or way.chain.joints.coupled is not None:
         return ""
     for turns in (1, -1, 2, -2):
         moved = q[:, joint, None] + turns * TURN

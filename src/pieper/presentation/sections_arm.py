@@ -130,8 +130,8 @@ def add_arm(page: Document, arm: Arm) -> None:
 def _variable(arm: Arm, i: int) -> str:
     d = arm.description
     revolute = arm.joint_types[i] == "R"
-    name = "q" + "".join(chr(0x2080 + int(c)) for c in str(i + 1))
-    text = name if d.sign[i] > 0 else f"−{name}"
+    names = ["q" + "".join(chr(0x2080 + int(c)) for c in str(k + 1)) for k in range(arm.n)]
+    text = d.moved_by(i, names, signed=True).replace("-", "−")
     constant = (d.rows[i].theta if revolute else d.rows[i].d) + d.offset[i]
     if constant:
         shown = fixed(abs(np.degrees(constant) if revolute else constant * MM))

@@ -9,6 +9,7 @@ import numpy as np
 
 from pieper.algebra.arithmetics import DigitsField, NumpyField
 from pieper.algebra.expression import Sym, angle_symbol
+from pieper.description.coupling import chain_values
 from pieper.equations.arm import Arm
 from pieper.equations.derivation.closed_form import ClosedForm
 from pieper.equations.derivation.witness import branch_values
@@ -83,7 +84,7 @@ def check(form: ClosedForm, arm: Arm, n: int, rng: np.random.Generator) -> Deriv
         mine = _same_choice(found, q[k], form)
         total += len(mine)
         for solution in mine:
-            gap = _gap(branches, solution, turning)
+            gap = _gap(_axes(branches, form), _axes(solution, form), turning)
             if len(gap) and gap.min() < DERIVED_SAME:
                 reproduced += 1
                 worst = max(worst, float(gap.min()))
@@ -107,7 +108,7 @@ def _solutions(arm: Arm, T: Array, q: Array, form: ClosedForm) -> list[np.ndarra
     turning = np.array([kind == "R" for kind in arm.description.joint_types])
     close = np.abs(_asked(arm.fk(rows), form) - _asked(T, form)).reshape(len(rows), -1).max(axis=1, initial=0.0)
     for row in rows[close < DERIVED_SAME * max(1.0, float(np.abs(T).max()))]:
-        if _gap(np.array(found), row, turning).min() > MERGED_BRANCHES:
+        if _gap(_axes(np.array(found), form), _axes(row, form), turning).min() > MERGED_BRANCHES:
             found.append(np.asarray(row))
     return found
 
@@ -122,6 +123,11 @@ def _gap(rows: np.ndarray, solution: np.ndarray, turning: np.ndarray) -> np.ndar
     gap = np.abs(rows - solution)
     turn = np.abs(np.angle(np.exp(1j * (rows - solution))))
     return np.where(turning, turn, gap).max(axis=1) if len(rows) else np.zeros(0)
+
+
+def _axes(q: np.ndarray, form: ClosedForm) -> np.ndarray:
+    """Values of the axes, in which whole turns count for nothing, at joint vectors (..., n)."""
+    return chain_values(q, form.description.coupling)
 
 
 def _asked(T: np.ndarray, form: ClosedForm) -> np.ndarray:
@@ -183,12 +189,10 @@ def _digits(form: ClosedForm, arm: Arm, rng: np.random.Generator) -> float | Non
             gaps = []
             for branch in form.evaluate_digits(M, chosen=q):
                 if all(x == x for x in branch):
-                    gaps.append(
-                        max(
-                            _turn(b - x, kind)
-                            for b, x, kind in zip(branch, q, arm.description.joint_types, strict=True)
-                        )
-                    )
+                    here = equations.table.values(branch, DigitsField())
+                    symbols = [equations.table.variable(j) for j in range(1, form.n + 1)]
+                    apart = [here[symbol] - field_values[symbol] for symbol in symbols]
+                    gaps.append(max(map(_turn, apart, arm.description.joint_types)))
             if not gaps:
                 return None
             worst = max(worst, min(gaps))

@@ -197,7 +197,8 @@ def _row(form: Form, angle: tuple) -> Array:
     row = np.zeros(form.n)
     for joint, factor in angle:
         row[joint - 1] = factor * form.description.sign[joint - 1]
-    return row
+    coupling = form.description.coupling
+    return row if coupling is None else row @ coupling
 
 
 def _reached(

@@ -119,13 +119,6 @@ def _as_told(chain: Chain, description: Description, task: str | None, snap: flo
 
 def _coupled(chain: Chain, description: Description, task: str | None, snap: float | None) -> Plan:
     """Plan for coupled joints: the chain is solved as if each moved by itself, limits wait for the joints' numbers."""
-    if not chain.whole_turns:
-        raise PlanError(
-            f"{description.name}: by its coupling a whole turn of a joint is none of the chain's (a ratio between "
-            "turning joints that is no whole number, or a slide that moves with a turn); the inverse takes whole turns "
-            "only. Forward kinematics and Jacobian take any coupling.",
-            coupling=chain.coupling,
-        )
     free = replace(description, coupling=None, limits=np.tile([-np.inf, np.inf], (chain.n, 1)))
     plain = make_plan(chain.uncoupled, free, task=task, snap=snap)
     if plain.redundancy:

@@ -15,6 +15,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from pieper.kinematics.arrays import Array
@@ -24,15 +26,43 @@ from pieper.solver.plan.plan import Plan
 from pieper.tolerances import ASPECT_SIGN, LABEL_STEP, LABELLED_ANGLE, NO_SIDE, TINY
 
 
+@dataclass(frozen=True, eq=False)
+class Sides:
+    """One of a label's words, as it hangs on a number: which side of a singularity a posture lies on.
+
+    Args:
+        values: (m,) the number, per length or a sine; smooth in the joints where it is not mirrored.
+        words: What is said where it is positive, negative, and neither.
+        mirrored: The number is that of somebody who faces the first word's way: its sign turns where that one's does.
+    """
+
+    values: Array
+    words: tuple[str, str, str]
+    mirrored: bool = False
+
+    def said(self) -> list[str]:
+        """Return the word of each row."""
+        positive, negative, neither = self.words
+        return [(positive if v > 0 else negative) if abs(v) > NO_SIDE else neither for v in self.values]
+
+
+def sides(plan: Plan, q: Array) -> list[Sides]:
+    """Return the words of rows q (m, n) with the numbers they hang on; none where the postures have no names."""
+    parts = (_shoulder_and_elbow, _planar_elbow, _slide, _seven_joints, _wrist)
+    return [side for part in parts for side in part(plan, q)]
+
+
+def joined(words: tuple[str, ...]) -> str:
+    """Return a label made of its words."""
+    return ", ".join(word for word in words if word) or "on a singularity"
+
+
 def posture_words(plan: Plan, q: Array) -> list[str]:
     """Return one label a row of q (m, n), such as "front, elbow up, wrist flip"."""
     if not len(q):
         return []
-    parts = (_shoulder_and_elbow, _planar_elbow, _slide, _seven_joints, _wrist)
-    columns = [column for part in parts for column in part(plan, q)]
-    if not columns:
-        columns = [_aspect(plan, q)]
-    return [", ".join(word for word in row if word) or "on a singularity" for row in zip(*columns, strict=True)]
+    columns = [side.said() for side in sides(plan, q)]
+    return [joined(row) for row in zip(*(columns or [_aspect(plan, q)]), strict=True)]
 
 
 def labels_beside(plan: Plan, q: Array, direction: Array) -> tuple[str, ...]:
@@ -57,7 +87,7 @@ def _wrist_joint(plan: Plan) -> int | None:
     return None
 
 
-def _shoulder_and_elbow(plan: Plan, q: Array) -> list[list[str]]:
+def _shoulder_and_elbow(plan: Plan, q: Array) -> list[Sides]:
     if not has_elbow(plan):
         return []
     z, o = axes_at(plan.chain, np.vstack([q, np.zeros(plan.n)]))
@@ -92,8 +122,8 @@ def _shoulder_and_elbow(plan: Plan, q: Array) -> list[list[str]]:
     normal = np.cross(turn_axis, line)
     height = np.sum(bone * normal, -1) / size**2
     return [
-        [("front" if s > 0 else "rear") if abs(s) > NO_SIDE else "" for s in side],
-        [("elbow up" if h > 0 else "elbow down") if abs(h) > NO_SIDE else "elbow straight" for h in height],
+        Sides(side, ("front", "rear", "")),
+        Sides(height, ("elbow up", "elbow down", "elbow straight"), mirrored=True),
     ]
 
 
@@ -102,7 +132,7 @@ def _three_parallel(plan: Plan) -> bool:
     return plan.n >= 4 and not plan.prismatic[3] and plan.geometry.pairs[2].relation == "parallel"
 
 
-def _planar_elbow(plan: Plan, q: Array) -> list[list[str]]:
+def _planar_elbow(plan: Plan, q: Array) -> list[Sides]:
     g = plan.geometry
     if plan.n < 3 or plan.prismatic[:2].any() or g.pairs[0].relation != "parallel" or g.pairs[1].angle > NO_SIDE:
         return []
@@ -115,10 +145,10 @@ def _planar_elbow(plan: Plan, q: Array) -> list[list[str]]:
         end = o[:, turning[0]] if turning else _tool_points(plan, q)[:-1]
     up = z[:, 0] * (1.0 if _upward(plan, z[0, 0]) else -1.0)
     side = np.sum(np.cross(o[:, 1] - o[:, 0], end - o[:, 0]) * up, -1) / plan.chain.length**2
-    return [[("elbow right" if s > 0 else "elbow left") if abs(s) > NO_SIDE else "elbow straight" for s in side]]
+    return [Sides(side, ("elbow right", "elbow left", "elbow straight"))]
 
 
-def _slide(plan: Plan, q: Array) -> list[list[str]]:
+def _slide(plan: Plan, q: Array) -> list[Sides]:
     """Front or rear, and on which side of the second axis, of two turns, a slide across the second and a wrist."""
     g = plan.geometry
     kinds = list(plan.prismatic[:3]) == [False, False, True]
@@ -132,27 +162,18 @@ def _slide(plan: Plan, q: Array) -> list[list[str]]:
     forward = _perpendicular(np.cross(z[:, 1], up), up)
     reach = np.sum((wrist - o[:, 0]) * forward, -1)[:-1] / plan.chain.length
     out = np.sum((wrist - o[:, 1]) * z[:, 2], -1)[:-1] / plan.chain.length
-    return [
-        [("front" if r > 0 else "rear") if abs(r) > NO_SIDE else "" for r in reach],
-        [("slide out" if d > 0 else "slide back") if abs(d) > NO_SIDE else "slide in" for d in out],
-    ]
+    return [Sides(reach, ("front", "rear", "")), Sides(out, ("slide out", "slide back", "slide in"))]
 
 
-def _seven_joints(plan: Plan, q: Array) -> list[list[str]]:
+def _seven_joints(plan: Plan, q: Array) -> list[Sides]:
     groups = {group.joints for group in plan.geometry.spherical}
     if plan.n != 7 or plan.prismatic.any() or not {(0, 1, 2), (4, 5, 6)} <= groups:
         return []
     z, _ = axes_at(plan.chain, q)
-    columns: list[list[str]] = []
-    for name, middle in (("shoulder", 1), ("elbow", 3)):
-        bend = np.sum(np.cross(z[:, middle - 1], z[:, middle + 1]) * z[:, middle], -1)
-        columns.append(
-            [(f"{name} no flip" if b > 0 else f"{name} flip") if abs(b) > NO_SIDE else f"{name} straight" for b in bend]
-        )
-    return columns
+    return [_bend(z, 1, "shoulder"), _bend(z, 3, "elbow")]
 
 
-def _wrist(plan: Plan, q: Array) -> list[list[str]]:
+def _wrist(plan: Plan, q: Array) -> list[Sides]:
     if plan.n < 6 or plan.prismatic[-3:].any():
         return []
     pairs = plan.geometry.pairs
@@ -160,8 +181,13 @@ def _wrist(plan: Plan, q: Array) -> list[list[str]]:
     if not named:
         return []
     z, _ = axes_at(plan.chain, q)
-    bend = np.sum(np.cross(z[:, -3], z[:, -1]) * z[:, -2], -1)
-    return [[("wrist no flip" if b > 0 else "wrist flip") if abs(b) > NO_SIDE else "wrist straight" for b in bend]]
+    return [_bend(z, plan.n - 2, "wrist")]
+
+
+def _bend(z: Array, middle: int, name: str) -> Sides:
+    """Return the sine of the bend about a joint, from the axis before it to the one behind it, of axes z (m, n, 3)."""
+    sine = np.sum(np.cross(z[:, middle - 1], z[:, middle + 1]) * z[:, middle], -1)
+    return Sides(sine, (f"{name} no flip", f"{name} flip", f"{name} straight"))
 
 
 def _aspect(plan: Plan, q: Array) -> list[str]:

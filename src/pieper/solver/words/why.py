@@ -12,6 +12,9 @@ from pieper.solver.rows import Flag
 from pieper.tolerances import ARM_ANGLE_POLE, TOLD_AS_HIT, TOLD_AS_TURN
 from pieper.words_by_number import plural
 
+#: Doublings of a quarter radian after which every variant of a posture by whole turns is inside.
+MOST_WIDENINGS = 16
+
 
 def why(plan: Plan, sols: Solutions) -> str:
     """Return one sentence, with a number, on how a pose came out."""
@@ -71,14 +74,31 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     return f"{what} is out of reach: the nearest one the arm can take misses it by {metres * 1e3:.4g} mm{also}."
 
 
-def _outside_limits(plan: Plan, sols: Solutions) -> str:
-    least, sentence = float("inf"), "No solution lies inside the joint limits."
-    for q in sols.all_q:
-        over = np.maximum(plan.limits[:, 0] - q, q - plan.limits[:, 1])
+def _least_over(plan: Plan, q: Array) -> Array:
+    """Return by how much each joint (n,) is outside in the whole turns of q (n,) that are outside least, rad or m."""
+    joints, limits = plan.chain.joints.first(plan.n), plan.limits
+    if joints.coupled is None:
+        over = np.maximum(limits[:, 0] - q, q - limits[:, 1])
         for k in (-1, 1):
             turned: Array = q + k * TURN
             moved = np.where(plan.prismatic, q, turned)
-            over = np.minimum(over, np.maximum(plan.limits[:, 0] - moved, moved - plan.limits[:, 1]))
+            over = np.minimum(over, np.maximum(limits[:, 0] - moved, moved - limits[:, 1]))
+        return over
+    # the nearest variant outside is inside limits that are wider by what is missing
+    wider, found = 0.25 * joints.unit[:, None] * np.array([-1.0, 1.0]), q[None]
+    for _ in range(MOST_WIDENINGS):
+        found = joints.variants(q, limits + wider)
+        if len(found):
+            break
+        wider = wider * 2
+    over = np.maximum(limits[:, 0] - found, found - limits[:, 1])
+    return over[np.argmin((over / joints.unit).max(1))]
+
+
+def _outside_limits(plan: Plan, sols: Solutions) -> str:
+    least, sentence = float("inf"), "No solution lies inside the joint limits."
+    for q in sols.all_q:
+        over = _least_over(plan, q)
         worst = int(np.argmax(over))
         if over[worst] < least:
             least = float(over[worst])
