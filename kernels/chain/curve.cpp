@@ -12,14 +12,10 @@ namespace {
 using namespace PIEPER_ISA;
 
 constexpr int kNewtonSteps = 12;
-constexpr double kTooFar = 1.0;        // a Newton step that is longer leads elsewhere, rad or lengths
-constexpr double kWeakest = 1e-9;      // directions weaker than this part of the strongest are not corrected in
-constexpr double kFree = 1e-7;         // singular values below this part of the largest leave their direction free
-constexpr double kShortest = 1e-5;     // a curve ends where a step shorter than this does not go on
-constexpr double kGrow = 1.3;          // by how much a step grows after one that went well
-constexpr double kHome = 0.75;         // of a step: so near to where it began a curve is home,
-constexpr double kAlong = 0.9;         // if it comes home along itself and not across
-constexpr double kRoundedHome = 1e-9;  // rad; lengths
+constexpr double kTooFar = 1.0;  // a Newton step that is longer leads elsewhere, rad or lengths
+constexpr double kGrow = 1.3;    // by how much a step grows after one that went well
+constexpr double kHome = 0.75;   // of a step: so near to where it began a curve is home,
+constexpr double kAlong = 0.9;   // if it comes home along itself and not across
 
 double dot_of(const double* a, const double* b, int n) {
   double sum = 0;
@@ -102,7 +98,7 @@ struct Follower {
     Vec3 w = 0.5 * (cross(end.x, goal.x) + cross(end.y, goal.y) + cross(end.z, goal.z));
     const double sine = std::sqrt(dot(w, w));
     const double cosine = 0.5 * (dot(end.x, goal.x) + dot(end.y, goal.y) + dot(end.z, goal.z) - 1);
-    if (sine > 1e-150) w = (std::atan2(sine, cosine) / sine) * w;
+    if (sine > kSineLeast) w = (std::atan2(sine, cosine) / sine) * w;
     else if (cosine < 0) w = {kPi, 0, 0};
     e[0] = p.x, e[1] = p.y, e[2] = p.z, e[3] = w.x, e[4] = w.y, e[5] = w.z;
     return size_of(e, 6);
@@ -137,7 +133,7 @@ struct Follower {
       for (int i = 0; i < 7; ++i) {
         const double* row = rows.row(i);
         const double square = dot_of(row, row, n);
-        if (!(std::sqrt(square) > kWeakest * most)) continue;
+        if (!(std::sqrt(square) > kFollowWeakest * most)) continue;
         for (int k = 0; k < n; ++k) step[k] += rows.b[i] / square * row[k];
       }
       if (!(size_of(step.data(), n) <= kTooFar)) return false;
@@ -156,8 +152,8 @@ struct Follower {
     std::sort(order, order + 6, [&](int a, int b) { return s[a] > s[b]; });
     // of six joints or fewer the weakest direction is the curve's, however strong
     const int ways = std::min(n, 6);
-    double free = kFree * s[order[0]];
-    if (n <= 6) free = std::fmax(free, s[order[ways - 1]] * (1 + 1e-7));
+    double free = kFollowFree * s[order[0]];
+    if (n <= 6) free = std::fmax(free, s[order[ways - 1]] * (1 + kFollowAlike));
     std::copy(travel, travel + n, out);
     for (int i = 0; i < ways; ++i) {
       if (s[order[i]] <= free) break;
@@ -166,7 +162,7 @@ struct Follower {
       for (int k = 0; k < n; ++k) out[k] -= part * row[k];
     }
     const double size = size_of(out, n);
-    if (size > 1e-6)
+    if (size > kFollowLost)
       for (int k = 0; k < n; ++k) out[k] /= size;
     else std::copy(travel, travel + n, out);
   }
@@ -199,7 +195,7 @@ bool follow_curve(const FollowedChain& chain, const double* T, const double* q, 
     good = good && dot_of(move.data(), along.data(), n) > how.straight * went;
     if (!good) {
       step /= 2;
-      if (step < kShortest) return false;
+      if (step < kFollowShortest) return false;
       continue;
     }
     gone += went;
@@ -208,7 +204,7 @@ bool follow_curve(const FollowedChain& chain, const double* T, const double* q, 
     for (int k = 0; k < n; ++k) move[k] = arm.way(ahead[k], first[k], k);
     const double size = size_of(move.data(), n);
     if (gone > 3 * step && size < kHome * step &&
-        (size < kRoundedHome || std::fabs(dot_of(move.data(), next.data(), n)) > kAlong * size)) {
+        (size < kFollowHome || std::fabs(dot_of(move.data(), next.data(), n)) > kAlong * size)) {
       // home: the first point once more, as many turns on as the curve went round
       double* last = &points[points.size() - n];
       for (int k = 0; k < n; ++k)

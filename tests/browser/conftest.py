@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import contextlib
 import re
-import socket
 import threading
 import time
 from pathlib import Path
 
 import pytest
+
+from oracle.browser import free_port
 
 SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
 #: Milliseconds; generous, since a story must not fail because the machine is busy.
@@ -20,9 +21,7 @@ class Server:
     """The workbench in a thread of this process; can be stopped and started again on the same port."""
 
     def __init__(self) -> None:
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self.port = probe.getsockname()[1]
+        self.port = free_port()
         self.url = f"http://localhost:{self.port}/"
         self.start()
 
