@@ -20,10 +20,8 @@ VERIFIED = 1e-9
 
 #: Solutions closer than this (rad, or per length for a prismatic joint) are one solution.
 SAME_SOLUTION = 1e-7
-
 #: A limit is not violated by less than this (rad, or per length for a prismatic joint): rounding at a stop.
 LIMIT_SLACK = 1e-9
-
 #: sigma_min / sigma_max of the scaled Jacobian below which a solution is looked at for self-motion and merged roots.
 SINGULAR_EXAMINED = 1e-6
 
@@ -43,18 +41,20 @@ FILLED_ZERO = 1e-6
 SAME_AFTER_CUT = 1e-6
 
 # ---- kernels: of the look at singular rows, and Newton's method there ----
-#: A point of a self-motion must hold the pose this well (per length; rad). A pose 1e-12 away from a singular one moves
-#: farther along its null direction.
+#: A point of a self-motion must hold the pose this well (per length; rad): poses 1e-12 from a singular one move farther.
 ON_CURVE = 2e-13
-#: Two axes are one line, four are parallel or meet, when they miss by no more than this (rad; per length): what turning
-#: about them would move the pose by, as `ON_CURVE`.
+#: Two axes are one line, four are parallel or meet, when they miss by no more (rad; per length): as `ON_CURVE`.
 IN_ONE_LINE = 2e-13
 #: Parts of a unit null direction below this stand still, or would on the self-motion next to the pose.
 LOOP_MOVES = 1e-4
 #: Axes that miss being a linkage by less than this are next to a self-motion.
 NEXT_TO_LINKAGE = 1e-5
-#: A linkage within this of letting its joint just pass a dead centre (cosine; per length) is where two curves cross.
+#: A side of a linkage smaller than this is constant: its joint can neither lead nor follow.
 LOOP_CRITICAL = 1e-9
+#: Two ends of what the sides of a linkage can be are one within this (of their sizes): rounding.
+LOOP_TOUCHES = 1e-14
+#: Three neighbouring axes are parallel or meet in one point within this (rad; per length): what families take them for.
+GROUP_EXACT = 2e-12
 #: Relative size of the second smallest singular value above which a singular row has one null direction only.
 ONE_WAY_FREE = 1e-5
 #: A row beside a self-motion is isolated where its singular value is at least this part of what its axes miss by.
