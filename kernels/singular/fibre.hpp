@@ -151,7 +151,6 @@ inline bool lone_line(const SixJoints& arm, const std::vector<Group3>& groups, c
 // Moves a row of a double root, which rounding places a square root of itself beside it, onto the root: to where the joints beside
 // the group depend on each other, by secants along the way in which they nearly do.
 inline void onto_fold(const SixJoints& arm, const Rigid& T, const Group3& group, double rounding, double* q) {
-  constexpr double kAside = 1e-5;
   for (int step = 0; step < 3; ++step) {
     const Beside here(arm, Standing(arm, q), group, rounding);
     const double volume = here.volume();
@@ -161,10 +160,10 @@ inline void onto_fold(const SixJoints& arm, const Rigid& T, const Group3& group,
     here.dependency(way, across);
     for (double x : way) size = std::fmax(size, std::fabs(x));
     std::copy(q, q + kSix, aside);
-    for (int k = 0; k < 3; ++k) aside[here.rest[k]] += kAside * way[k] / size;
+    for (int k = 0; k < 3; ++k) aside[here.rest[k]] += kFoldStep * way[k] / size;
     OnCurve held(arm, T, aside, 4);
     const double other = Beside(arm, Standing(arm, held.q), group, rounding).volume(), part = volume / (volume - other);
-    if (!(std::fabs(part) * kAside < kMergedTwins)) return;
+    if (!(std::fabs(part) * kFoldStep < kMergedTwins)) return;
     for (int i = 0; i < kSix; ++i) shift[i] = q[i] + part * arm.way(held.q, q, i);
     const OnCurve moved(arm, T, shift, 3);
     if (!(std::hypot(moved.miss, moved.rest) < kHoldsToRounding)) return;

@@ -92,7 +92,6 @@ class Look {
 
  private:
   static constexpr int kLastDigits = 4;
-  static constexpr double kHeldFirmly = 1e-9;  // directions weaker than this are not stepped along
 
   // Whether a row lies on a self-motion that is known, or on a new one of two axes in one line, which is added.
   bool known_motion(const double* q, const Standing& at, std::vector<SelfMotionRead>& motions) const {

@@ -112,7 +112,6 @@ struct LineSelfMotion {
 };
 
 inline constexpr int kLinkageSamples = 241;       // even steps once round: at most 0.12 rad or so of every joint
-inline constexpr double kLinkageTogether = 1e-7;  // rad: two angles that go round together
 inline constexpr int kLinkageStride = 6;          // of these every so many is tried first
 
 // How a linkage goes through its curve.

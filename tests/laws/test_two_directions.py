@@ -1,4 +1,4 @@
-"""Two directions free at once: read off in closed form, complete beside an independent search, and traced curves lie on it."""
+"""Two directions free at once: read off in closed form, and complete beside an independent search."""
 
 from __future__ import annotations
 

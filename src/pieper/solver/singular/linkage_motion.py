@@ -13,10 +13,8 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
 from pieper.solver.singular.loop import FourBar
 from pieper.solver.singular.self_motion import FREE, SelfMotion
-from pieper.tolerances import TINY
+from pieper.tolerances import LINKAGE_TOGETHER, TINY
 
-#: Two angles that go round together differ by rounding alone (rad).
-TOGETHER = 1e-7
 #: Samples once round: at most 0.12 rad or so of every joint.
 SAMPLES = 241
 
@@ -116,7 +114,7 @@ class LinkageMotion(SelfMotion):
         if self.course is Course.BELOW:
             return u, ~above
         if self.course in (Course.ALIKE, Course.AGAINST):
-            return u, np.abs(short_way(across - self._sense * (angle - mine.phase))) < TOGETHER
+            return u, np.abs(short_way(across - self._sense * (angle - mine.phase))) < LINKAGE_TOGETHER
         if self.course is Course.ROUND_TWICE:
             first = self._way_at(self._start + TURN * u) == np.where(above, 1.0, -1.0)
             return np.where(first, u / 2, u / 2 + 0.5), np.ones(len(u), bool)
@@ -193,16 +191,16 @@ class LinkageMotion(SelfMotion):
         # rounding makes equal costs unequal: a coarse key first, then the first sample
         return near[int(np.argmin(np.round(cost, 6)))]
 
-    def nearest(self, q_now: Array) -> Array | None:
-        """Return the point (n,) of the curve inside the limits closest to q_now, or None."""
+    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
+        """Return the point (n,) of the curve inside the limits closest to q_now, or None; weights (n,) as `counts`."""
         if not self.inside:
             return None
         q_now = self.padded(q_now)
-        joints = self.chain.joints
+        joints, counts = self.chain.joints, self.counts(weights)
 
         def wound(u: Array) -> tuple[Array, Array]:
             q = joints.unwound(self.points(u), q_now, self.limits)
-            return q, self.straight(q_now, q)
+            return q, self.straight(q_now, q, counts)
 
         best: tuple[float, Array] | None = None
         for low, high in self.inside:
