@@ -10,6 +10,7 @@
 
 #include "singular/crossed.hpp"
 #include "singular/fibre.hpp"
+#include "singular/into_place.hpp"
 #include "singular/next_to_motion.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -194,29 +195,62 @@ class Look {
     std::stable_sort(order, order + 6, [&](int a, int b) { return std::fabs(null[a]) > std::fabs(null[b]); });
     const int i = std::min(order[0], order[1]), j = std::max(order[0], order[1]);
     double gap;
-    if (std::fabs(null[order[2]]) < kLoopMoves && !arm_.slides[i] && !arm_.slides[j]) {
-      gap = line_gap(at, i, j);
-      if (gap <= rounding) {
-        free = Free::SELF_MOTION;
-        const LineSelfMotion line = line_of(q, at, i, j);
-        if (!lone_line(arm_, groups_, at, i, j, rounding)) {
-          if (all_over(T, q, motions)) return true;
-          if (crossed(arm_, line)) return false;
-        }
-        motions.emplace_back(line);
+    const bool line = std::fabs(null[order[2]]) < kLoopMoves && !arm_.slides[i] && !arm_.slides[j];
+    if (line) gap = line_gap(at, i, j);
+    else if (!four_bar(arm_, at, null, order, bar, gap)) return true;
+    if (gap <= rounding) {
+      free = Free::SELF_MOTION;
+      if (line && lone_line(arm_, groups_, at, i, j, rounding)) {
+        motions.emplace_back(line_of(q, at, i, j));
         return true;
       }
-    } else {
-      if (!four_bar(arm_, at, null, order, bar, gap)) return true;
-      if (gap <= rounding) {
-        free = Free::SELF_MOTION;
-        return all_over(T, q, motions);
-      }
+      if (all_over(T, q, motions)) return true;
+      const LineSelfMotion own = line_of(q, at, i, j);
+      if (!line || crossed(arm_, own)) return false;
+      motions.emplace_back(own);
+      return true;
     }
     if (gap > kNextToLinkage) return true;
     // joints outside the linkage may make up for what it misses, or move it by so much unnoticed: a second look tells
-    if (d.s[5] > kNearlyInLine * gap && gap * d.s[4] > kUnnoticed * d.s[0]) free = Free::BESIDE;
+    const bool unnoticed = gap * d.s[4] <= kUnnoticed * d.s[0];
+    if (unnoticed && (line ? in_line(T, q, i, j, motions) : in_a_linkage(T, q, bar, motions))) free = Free::SELF_MOTION;
+    else if (!unnoticed && d.s[5] > kNearlyInLine * gap) free = Free::BESIDE;
     return true;
+  }
+
+  // Whether two axes, or four, are in place but for what rounding of the pose leaves open; their self-motion is added then.
+  bool in_line(const Rigid& T, const double* q, int i, int j, std::vector<SelfMotionRead>& motions) const {
+    return brought(T, q, motions, [=](const Standing& at, double* g) {
+      const Vec3 tilt = cross(at.z[i], at.z[j]), off = cross(at.o[j] - at.o[i], at.z[i]);
+      g[0] = tilt.x, g[1] = tilt.y, g[2] = tilt.z, g[3] = off.x, g[4] = off.y, g[5] = off.z;
+    });
+  }
+  bool in_a_linkage(const Rigid& T, const double* q, const FourBar& bar, std::vector<SelfMotionRead>& motions) const {
+    for (const Group3& group : groups_) {
+      int inside = 0, other = -1;
+      for (int joint : bar.joint) {
+        if (joint >= group.first && joint < group.first + 3) ++inside;
+        else other = joint;
+      }
+      if (inside < 3) continue;
+      return brought(T, q, motions, [&](const Standing& at, double* g) {
+        const Vec3 v = Beside(arm_, at, group, 0).of(at.J[other]);
+        g[0] = v.x, g[1] = v.y, g[2] = v.z, g[3] = g[4] = g[5] = 0;
+      });
+    }
+    return false;
+  }
+  template <class Gap>
+  bool brought(const Rigid& T, const double* q, std::vector<SelfMotionRead>& motions, Gap gap) const {
+    double there[6];
+    std::copy(q, q + kSix, there);
+    if (!(into_place(arm_, T, gap, there) < kUnnoticed)) return false;
+    const Standing at(arm_, there);
+    for (const Group3& group : groups_) {
+      const Fibre fibre = fibre_over(arm_, group, there, at, rounding_at(at));
+      if (fibre.over == Over::MOTIONS && added(T, fibre, motions)) return true;
+    }
+    return false;
   }
 
   // Adds all that passes through a row, and whatever crosses that; false where it is no self-motion, or cannot be read.

@@ -111,8 +111,8 @@ struct LineSelfMotion {
   }
 };
 
-inline constexpr int kLinkageSamples = 241;       // even steps once round: at most 0.12 rad or so of every joint
-inline constexpr int kLinkageStride = 6;          // of these every so many is tried first
+inline constexpr int kLinkageSamples = 241;  // even steps once round: at most 0.12 rad or so of every joint
+inline constexpr int kLinkageStride = 6;     // of these every so many is tried first
 
 // How a linkage goes through its curve.
 enum class Course {
