@@ -14,6 +14,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.forward import checked_joints, checked_weights
 from pieper.kinematics.pose import PoseLike, as_pose, unsound
+from pieper.solver.coupled_selection import CoupledSelection, RowSelection
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Status
 from pieper.solver.rows import Chosen, Refused, Rows
@@ -40,7 +41,7 @@ class Near:
         start: (n,) what the first is near to then; None for the first row inside the limits.
     """
 
-    select: _kernel.Selection
+    select: RowSelection
     to: Array | None
     start: Array | None
 
@@ -82,11 +83,16 @@ def near_what(
                 raise InputError(f"{name}= says how a row is chosen: say near= too, or leave it out.", given=given)
         return None
     joints = plan.chain.joints.first(plan.n)
-    select = _kernel.Selection(
-        lower=plan.limits[:, 0] - LIMIT_SLACK,
-        upper=plan.limits[:, 1] + LIMIT_SLACK,
-        weight=checked_weights(weights, plan.n) / joints.unit**2,
-        prismatic=joints.prismatic,
+    weight = checked_weights(weights, plan.n) / joints.unit**2
+    select: RowSelection = (
+        _kernel.Selection(
+            lower=plan.limits[:, 0] - LIMIT_SLACK,
+            upper=plan.limits[:, 1] + LIMIT_SLACK,
+            weight=weight,
+            prismatic=joints.prismatic,
+        )
+        if joints.coupled is None
+        else CoupledSelection(joints.coupled, plan.limits, weight)
     )
     if isinstance(near, str):
         if near != PREVIOUS:
