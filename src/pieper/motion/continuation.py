@@ -20,7 +20,7 @@ from pieper.solver.coupled import rows_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.verbs import ik
-from pieper.tolerances import VERIFIED
+from pieper.tolerances import SINGULAR_EXAMINED, VERIFIED
 
 #: A step (rad, or per length) above which it is halved whatever the prediction says.
 LARGEST_STEP = 0.6
@@ -38,6 +38,8 @@ LAST_STEP = 2.0**-30
 MET = 5e-3
 #: sigma_min / sigma_max of the scaled Jacobian below which a solution counts as singular itself.
 SINGULAR = 1e-7
+#: The same where a branch has passed a singularity: the place is known to about 2^-18 of a step, under a square root.
+PASSED = 2e-3
 #: A singular point is bridged from this far before it, as a fraction of the spacing.
 BRIDGE = 1e-3
 #: Steps allowed between two neighbouring points before a branch is given up as unresolved.
@@ -199,6 +201,11 @@ class Continuation:
         """Return whether the Jacobian at a joint vector q (n,) has lost rank."""
         sigma = np.linalg.svd(self._jacobian(q, x), compute_uv=False)
         return bool(sigma[-1] < SINGULAR * sigma[0])
+
+    def nearly_singular(self, q: Array, x: float) -> bool:
+        """Return whether a joint vector q (n,) at x lies on a singularity, but for how exactly x is known."""
+        sigma = np.linalg.svd(self._jacobian(q, x), compute_uv=False)
+        return bool(sigma[-1] < (SINGULAR_EXAMINED if x == int(x) else PASSED) * sigma[0])
 
     def predict(self, q: Array, xa: float, xb: float) -> Array:
         """Return where the Jacobian sends a joint vector q (n,) from xa to xb, with the least joint motion."""

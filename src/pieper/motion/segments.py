@@ -12,10 +12,10 @@ from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import pose_error
 from pieper.motion.circle import circle
 from pieper.motion.curve import JointCurve
+from pieper.motion.following import followed
 from pieper.motion.instructions import Move
 from pieper.motion.path import between
 from pieper.motion.spline import spline
-from pieper.motion.track import follow
 from pieper.solver.plan.plan import Plan
 
 #: How far the tool may be from its line or circle between the points of the spline, m and rad.
@@ -58,7 +58,7 @@ def segment(plan: Plan, number: int, q0: Array, T0: Array, move: Move) -> Segmen
     points = POINTS
     while True:
         s = np.linspace(0.0, 1.0, points)
-        track = follow(plan, _poses(T0, move, s), start=q0)
+        track = followed(plan, _poses(T0, move, s), start=q0)
         if not track.complete:
             raise NoSolutionError(f"move {number} cannot be followed. {track.explain()}", move=number)
         if np.abs(plan.chain.joints.difference(track.q[0], q0)).max() > 1e-6:

@@ -167,9 +167,9 @@ def setting(plan: Plan, curves: Plan, free: Freedom, path: Array, s: Array) -> S
     """
     if plan.uncoupled is not None:
         raise PlanError(
-            f"{plan.name} has coupled joints; routes are planned for joints that move by themselves. `arm.follow` takes "
-            "coupled joints. Or plan the route of arm.uncoupled(), whose joints are the axes, without the limits of "
-            "coupled joints, and take np.linalg.solve(arm.coupling, route.q.T).T."
+            f"{plan.name} has coupled joints; routes are planned for joints that move by themselves. `arm.follow` "
+            "takes coupled joints. Or plan the route of arm.uncoupled(), whose joints are the axes, without the limits "
+            "of coupled joints, and take np.linalg.solve(arm.coupling, route.q.T).T."
         )
     if free.cone > 0 and generic_rank(with_task_joints(plan.chain, "position")) < 6:
         raise PlanError(f"{plan.name} cannot tilt its tool: leave out the cone.")
