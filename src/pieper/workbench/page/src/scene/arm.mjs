@@ -17,7 +17,7 @@ const material = matte();
 
 /** The arm's shadow: the same parts, flattened onto the ground along the light; each pixel is darkened once. */
 const light = [0.32, -0.4, 1];
-const shadowMaterial = new THREE.MeshBasicMaterial({
+export const shadowMaterial = new THREE.MeshBasicMaterial({
   color: '#000',
   transparent: true,
   opacity: 0.1,
@@ -32,9 +32,30 @@ const shadowMaterial = new THREE.MeshBasicMaterial({
   polygonOffsetFactor: -1,
   polygonOffsetUnits: -1,
 });
-const shadowMatrix = new THREE.Matrix4().set(1, 0, -light[0], 0, 0, 1, -light[1], 0, 0, 0, 0, 0.0005, 0, 0, 0, 1);
+export const shadowMatrix = new THREE.Matrix4().set(
+  1,
+  0,
+  -light[0],
+  0,
+  0,
+  1,
+  -light[1],
+  0,
+  0,
+  0,
+  0,
+  0.0005,
+  0,
+  0,
+  0,
+  1,
+);
 const main = new Bodies(material, { shadow: { material: shadowMaterial, matrix: shadowMatrix } });
 
+/** Show or hide what is drawn from the table; its shadow goes where the arm's looks throw their own. */
+export function showSketch(yes, shadowless) {
+  main.shown(yes, yes && !shadowless);
+}
 const ghostMaterial = matte({ opacity: 0.2, veil: true });
 const ghosts = new Bodies(ghostMaterial, { veil: true });
 const previewMaterial = matte({ opacity: 0.62, gloss: 0.1 });

@@ -158,6 +158,7 @@ export class Bodies {
     this.group = new THREE.Group();
     this.veil = veil;
     this.moving = false;
+    this.seen = this.shadowSeen = true;
     this.arms = [];
     this.body = new Heap(material);
     this.group.add(this.body.mesh);
@@ -168,6 +169,13 @@ export class Bodies {
       this.flat.mesh.renderOrder = -1;
       this.group.add(this.flat.mesh);
     }
+  }
+
+  /** Whether the arms, and their shadow, are seen. */
+  shown(yes, shadow) {
+    this.seen = yes;
+    this.shadowSeen = shadow;
+    this.show(this.arms);
   }
 
   /** Draw with few triangles while things move, with many when they rest. */
@@ -181,11 +189,12 @@ export class Bodies {
     this.arms = arms;
     this.body.clear();
     const unit = this.veil ? (this.moving ? coarse : middling) : this.moving ? middling : fine;
-    for (const arm of arms) this.#write(this.body, arm, unit());
+    for (const arm of this.seen ? arms : []) this.#write(this.body, arm, unit());
     this.body.done();
     if (!this.flat) return;
     this.flat.clear();
-    for (const arm of arms) this.#write(this.flat, arm, this.moving ? coarse() : middling(), true);
+    for (const arm of this.shadowSeen ? arms : [])
+      this.#write(this.flat, arm, this.moving ? coarse() : middling(), true);
     this.flat.done();
   }
 
