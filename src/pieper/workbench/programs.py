@@ -12,14 +12,13 @@ from typing import Any
 import numpy as np
 
 import pieper
+from pieper.tolerances import NO_MOVE
 from pieper.workbench import around
 from pieper.workbench.messages import Refused, number, optional, pose, vector, vectors, whole, word
 
 MAX_STEPS = 200
 #: Samples of a motion that are sent, at most.
 MAX_SAMPLES = 4_000
-#: A move whose joints or pose differ by less from where the arm is (rad, m) is none.
-SAME = 1e-9
 KINDS = ("joint", "line", "circle", "spline", "wait", "gripper", "output", "frame", "call")
 #: Poses of one spline, and how often a part of a program is done again, at most.
 MAX_THROUGH, MAX_TIMES = 100, 50
@@ -160,9 +159,9 @@ def _is_there(arm: pieper.Arm, program: pieper.Program, step: object, at: str) -
         return False
     now = program.moves[-1].q if program.moves else program.start
     if step.get("q") is not None:
-        return bool(np.allclose(vector(step["q"], arm.n, f"{at}, q"), now, rtol=0, atol=SAME))
+        return bool(np.allclose(vector(step["q"], arm.n, f"{at}, q"), now, rtol=0, atol=NO_MOVE))
     wanted = program.work @ pose(step.get("T"), f"{at}, T")
-    return bool(np.allclose(wanted, arm.fk(now), rtol=0, atol=SAME))
+    return bool(np.allclose(wanted, arm.fk(now), rtol=0, atol=NO_MOVE))
 
 
 def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
