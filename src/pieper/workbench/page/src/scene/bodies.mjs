@@ -173,6 +173,7 @@ export class Bodies {
 
   /** Whether the arms, and their shadow, are seen. */
   shown(yes, shadow) {
+    if (yes === this.seen && shadow === this.shadowSeen) return;
     this.seen = yes;
     this.shadowSeen = shadow;
     this.show(this.arms);

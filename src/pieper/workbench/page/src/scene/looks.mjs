@@ -104,14 +104,16 @@ function add(s, [fine, some = fine, few = some], colour, scale = null) {
 
 const at = new THREE.Matrix4();
 function place() {
+  arrange();
+  invalidate();
+}
+/** Put every shape where its link is; the picture is somebody else's to ask for. */
+function arrange() {
   const now = mode();
   group.visible = now !== 'sketch' && shapes.length > 0;
   // until the meshes are here the sketch stands for them
   showSketch(now !== 'real' || loading > 0, now !== 'sketch' && shapes.length > 0);
-  if (!group.visible) {
-    invalidate();
-    return;
-  }
+  if (!group.visible) return;
   for (const s of shapes) {
     const F = state.frames[s.on];
     if (!F) continue;
@@ -120,7 +122,6 @@ function place() {
     s.shadow.matrix.copy(shadowMatrix).multiply(s.mesh.matrix);
     s.mesh.matrixWorldNeedsUpdate = s.shadow.matrixWorldNeedsUpdate = true;
   }
-  invalidate();
 }
 function paint() {
   const whole = mode() === 'both' ? state.look.opacity : 1;
@@ -157,7 +158,8 @@ export function begin() {
   });
   on('hurry', (yes) => {
     moving = yes;
-    place();
+    // asked in the middle of a picture, or for one that is drawn at once
+    arrange();
   });
 }
 /** What is drawn of the looks, for tests: how many shapes, triangles at rest and in motion, how many still load. */
