@@ -12,7 +12,7 @@ from typing import Any
 
 import mpmath as mp
 
-Tree = tuple[Any, ...]
+Tree = Any  # nested tuples, as said above
 _TOKEN = re.compile(r"\s*(\d+\.?\d*|\+-|[A-Za-z_]\w*|[-+*/^(),])")
 FUNCTIONS = ("sqrt", "atan2", "acos", "asin", "atan", "sin", "cos", "sign")
 

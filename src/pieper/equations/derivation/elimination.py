@@ -104,7 +104,14 @@ class Eliminator:
     def inverse(self, i: int, j: int) -> list[list[Poly]]:
         """(A_{i+1} ... A_j)^-1."""
         if (i, j) not in self._inverses:
-            self._inverses[i, j] = inverse(self.product(i, j))
+            # link by link: the product turned back as a whole has to be multiplied out before its terms cancel
+            self._inverses[i, j] = (
+                inverse(self.links[i])
+                if j - i == 1
+                else matmul(self.inverse(i + 1, j), self.inverse(i, i + 1))
+                if j > i
+                else _unit()
+            )
         return self._inverses[i, j]
 
     # -- the loop --------------------------------------------------------------------------------------------
