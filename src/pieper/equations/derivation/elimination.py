@@ -105,13 +105,8 @@ class Eliminator:
         """(A_{i+1} ... A_j)^-1."""
         if (i, j) not in self._inverses:
             # link by link: the product turned back as a whole has to be multiplied out before its terms cancel
-            self._inverses[i, j] = (
-                inverse(self.links[i])
-                if j - i == 1
-                else matmul(self.inverse(i + 1, j), self.inverse(i, i + 1))
-                if j > i
-                else _unit()
-            )
+            back = inverse(self.links[i]) if j > i else _unit()
+            self._inverses[i, j] = matmul(self.inverse(i + 1, j), back) if j - i > 1 else back
         return self._inverses[i, j]
 
     # -- the loop --------------------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ from pieper.errors import InputError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, under, wrapped
 from pieper.judge.matrices import Product
-from pieper.judge.search.search import ANGLE_TOLERANCE
+from pieper.tolerances import JUDGED_ZERO, SEARCH_ARC
 
 
 def read_angle(ev: Evidence, claim: Claim) -> tuple[str, Expr]:
@@ -66,14 +66,14 @@ class AngleFormula:
     angle: Expr
     frame: Product | None
     slides: bool = False
-    tolerance: float = ANGLE_TOLERANCE
+    tolerance: float = SEARCH_ARC
 
     @classmethod
     def of(cls, ev: Evidence, angle: Expr, frame: Product | None) -> AngleFormula:
         """The angle of a turning joint or a sum of such; a sliding joint's value counts no whole turns."""
         found = ANGLE.match(str(angle))
         if found and ev.model.sliding(int(found.group(1))):
-            return cls(angle, frame, True, 1e-9 * ev.model.length())
+            return cls(angle, frame, True, JUDGED_ZERO * ev.model.length())
         return cls(angle, frame)
 
     def off(self, value: np.ndarray, wanted: np.ndarray) -> np.ndarray:

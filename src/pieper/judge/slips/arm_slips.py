@@ -12,6 +12,7 @@ import numpy as np
 from pieper.algebra.expression import Add, Expr, PiFraction
 from pieper.algebra.formula import Mention, Neg, number
 from pieper.judge.model import ArmModel
+from pieper.tolerances import ROUNDING, WHOLE_TURN
 
 ARM_KINDS = {
     "convention": "standard for modified DH",
@@ -45,7 +46,7 @@ def arm_slips(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
                 words = f"joint {joint} has its zero {degrees:+d} deg from there"
                 yield "zero", words, _turned(model, i, lambda v, s=shift: Add.of(v, s))
         twist = _value(model, row.alpha)
-        if twist and abs(abs(twist) - np.pi) > 1e-9:
+        if twist and abs(abs(twist) - np.pi) > WHOLE_TURN:
             yield "twist", f"the twist of row {joint} has the other sign", model.with_row(i, alpha=Neg.of(row.alpha))
         for column in ("a", "d"):
             node = getattr(row, column)
@@ -72,7 +73,7 @@ def _exchanged(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
         if not (column == "d" and model.sliding(i + 1)) and _value(model, getattr(row, column))
     ]
     for (i, first, a), (j, second, b) in itertools.combinations(places, 2):
-        if i != j and abs(_value(model, a) - _value(model, b)) > 1e-12:
+        if i != j and abs(_value(model, a) - _value(model, b)) > ROUNDING:
             yield "lengths", f"{a} and {b} exchanged", model.with_row(i, **{first: b}).with_row(j, **{second: a})
 
 
