@@ -16,7 +16,7 @@ from pieper.description import change
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
 from pieper.description.posture import posture
-from pieper.errors import PieperWarning, PlanError
+from pieper.errors import PieperWarning
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.pose import PoseLike
@@ -228,6 +228,10 @@ class Arm(AlongPaths):
         """Return the same arm with its table in the "standard" or "modified" DH convention."""
         return Arm(change.to_convention(self.description, convention), snap=self._snap)
 
+    def uncoupled(self) -> Arm:
+        """Return the arm by its axes' own values v = arm.coupling @ q, without the limits of coupled joints."""
+        return Arm(change.uncoupled(self.description), snap=self._snap)
+
     def reversed(self) -> Arm:
         """Return the arm seen from its tool, joints last to first: its pose is the inverse of this one's."""
         return Arm(change.reversed_arm(self.description), snap=self._snap)
@@ -378,9 +382,6 @@ class Arm(AlongPaths):
     @cached_property
     def _symbolic(self) -> Symbolic:
         from pieper.equations import Symbolic
-
-        if self.description.coupling is not None:
-            raise PlanError(f"{self.name} has coupled joints; equations are written of the chain's own joints only.")
 
         return Symbolic(self)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import re
-import shutil
 import socket
 import threading
 import time
@@ -13,18 +12,6 @@ from pathlib import Path
 import pytest
 
 SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
-#: Software WebGL, and a browser that asks nobody anything on its own.
-FLAGS = [
-    "--headless=new",
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-first-run",
-]
 #: Milliseconds; generous, since a story must not fail because the machine is busy.
 PATIENCE = 60_000
 
@@ -67,25 +54,6 @@ def server():
     served = Server()
     yield served
     served.stop()
-
-
-def chromium() -> str | None:
-    names = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-    return next((path for name in names if (path := shutil.which(name))), None)
-
-
-@pytest.fixture(scope="session")
-def browser():
-    playwright = pytest.importorskip(
-        "playwright.sync_api", reason="the browser stories need Playwright: pip install playwright"
-    )
-    with playwright.sync_playwright() as p:
-        path = chromium() or (p.chromium.executable_path if Path(p.chromium.executable_path).exists() else None)
-        if path is None:
-            pytest.skip("no Chromium was found: apt-get install chromium, or playwright install chromium")
-        opened = p.chromium.launch(executable_path=path, args=FLAGS)
-        yield opened
-        opened.close()
 
 
 class Workbench:

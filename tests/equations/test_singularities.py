@@ -20,7 +20,7 @@ BUILDS = """
 @pytest.mark.parametrize("name", ARMS)
 def test_every_entry_of_the_jacobian_agrees_with_the_numeric_one(name):
     arm = pieper.load(name)
-    for angles in ("theta", "q"):
+    for angles in ("theta", "q") if arm.description.coupling is None else ("theta",):
         assert arm.symbolic.jacobian(angles=angles).check(20).worst < 1e-11
 
 

@@ -11,6 +11,7 @@ from pieper.kinematics.joints import TURN, inside
 from pieper.kinematics.newton import null_space
 from pieper.motion.branches import Strand
 from pieper.motion.continuation import SMALLEST_STEP, Continuation
+from pieper.tolerances import AT_A_POINT
 from pieper.words_by_number import plural
 
 OUT_OF_REACH = "out of reach"
@@ -102,7 +103,7 @@ def _limit_place(way: Continuation, q: Array, k: int) -> tuple[int, float]:
 
 def _other_turn(way: Continuation, q: Array, joint: int) -> str:
     """Return which other turn of the start would keep a joint inside all along, in words, or nothing."""
-    if not way.revolute[joint]:
+    if not way.revolute[joint] or way.chain.joints.coupled is not None:
         return ""
     for turns in (1, -1, 2, -2):
         moved = q[:, joint, None] + turns * TURN
@@ -134,9 +135,9 @@ def geometric_stop(way: Continuation, strand: Strand, q: Array, meets: int | Non
             True,
             f"it runs into branch {meets + 1} and both end there; {name} would have to turn back.",
         )
-    if way.solutions(float(np.round(x)))[1] and abs(x - np.round(x)) < 1e-2:
+    if way.solutions(float(np.round(x)))[1] and abs(x - np.round(x)) < AT_A_POINT:
         return Event(s, name, SINGULARITY, True, f"the path crosses a singularity on which {name} would have to jump.")
-    if strand.crossings and x - strand.crossings[-1] < 1e-2:
+    if strand.crossings and x - strand.crossings[-1] < AT_A_POINT:
         return Event(
             s, name, BRANCH_ENDS, True, f"it meets another branch and the way on is not decided; {name} is stiff."
         )

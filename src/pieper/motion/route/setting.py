@@ -17,17 +17,13 @@ from pieper.motion.path import shortest_turn
 from pieper.motion.route.freedom import Freedom
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import appended, generic_rank, with_task_joints
-from pieper.tolerances import CLOSES, TINY
+from pieper.tolerances import CLOSES, CONE_KEPT, TINY
 
 #: Orientations in which the two virtual joints of a tilt act, about y and then about x.
 _TILTS = [
     (rotation_about(np.array([1.0, 0.0, 0.0]), -np.pi / 2), False),
     (rotation_about(np.array([0.0, 1.0, 0.0]), np.pi / 2), False),
 ]
-
-
-#: Part of a cone that is left free at its edge, so that a route at rest there lies inside it.
-CONE_KEPT = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,7 +173,11 @@ def setting(plan: Plan, curves: Plan, free: Freedom, path: Array, s: Array) -> S
         PlanError: The arm's joints are coupled.
     """
     if plan.uncoupled is not None:
-        raise PlanError(f"{plan.name} has coupled joints; routes are planned for joints that move by themselves.")
+        raise PlanError(
+            f"{plan.name} has coupled joints; routes are planned for joints that move by themselves. `arm.follow` "
+            "takes coupled joints. Or plan the route of arm.uncoupled(), whose joints are the axes, without the limits "
+            "of coupled joints, and take np.linalg.solve(arm.coupling, route.q.T).T."
+        )
     if free.cone > 0 and generic_rank(with_task_joints(plan.chain, "position")) < 6:
         raise PlanError(f"{plan.name} cannot tilt its tool: leave out the cone.")
     z = free.to_z
