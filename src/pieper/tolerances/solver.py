@@ -54,6 +54,8 @@ CLOSEST_STAGES = ((1.0, 12, 24), (1e-3, 24, 10), (1e-8, 30, 6))
 ALIKE_NEAR = 1e-7
 #: A bend or an offset smaller than this has no side (per length; sine).
 NO_SIDE = 1e-9
+#: A term of the sum behind a label's word that is smaller is rounding (per length; sine): a thousandth of NO_SIDE.
+LABEL_TERM = 1e-12
 #: Step of all joints (rad; per length) to either side of a posture that has no label of its own.
 LABEL_STEP = 1e-3
 #: Axes that are at a smaller angle (rad) are parallel for the words of a label.
