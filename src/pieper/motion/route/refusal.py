@@ -23,6 +23,7 @@ from pieper.motion.route.ladder import Rungs, climb, rungs
 from pieper.motion.route.result import Blocked
 from pieper.motion.route.search import Task
 from pieper.motion.route.setting import Setting
+from pieper.tolerances import TAKEN_UP_BEHIND
 
 #: Stations of the grid where a coordinate is free, and where none is.
 STATIONS, DENSE = 100, 400
@@ -33,8 +34,6 @@ FINE = (1.0, 0.4, 0.15)
 ROUGH, BACK, ON = 2.5, (0.003, 0.02), 0.01
 #: Points that may be looked at in all, and how often a front that lost its grip is taken up again behind that place.
 MOST, AGAIN = 1_500_000, 6
-#: How much farther on it is taken up again, as a part of the path.
-PAST = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +90,7 @@ def _closed(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -
                 return Proof(begin, found.s, looked), looked
             if looked >= most:
                 return None, looked
-            begin = found.s + PAST
+            begin = found.s + TAKEN_UP_BEHIND
             if found.ended is not Ended.SINGULAR or begin > last:
                 break
     return None, looked
@@ -139,7 +138,9 @@ def _misses_end(task: Task, found: Front) -> bool:
 
 def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdict, Blocked, str]:
     blocked = blocked_at(task, ladder, reached, proof.begun, proof.s)
-    what = "the posture that it is to end with is not reached" if proof.s >= 1.0 and reached == len(ladder.s) - 1 else ""
+    what = (
+        "the posture that it is to end with is not reached" if proof.s >= 1.0 and reached == len(ladder.s) - 1 else ""
+    )
     where = what or (f"gets past {proof.s:.6g} of the path" if proof.s > 0 else "begins at the first pose")
     reason = (
         f"Impossible: {'' if what else 'no motion '}{where}, whatever the branch, the turn and the whole turns. Everything inside the "
