@@ -101,7 +101,7 @@ MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...]
         _yaskawa,
         "Flip (0, B positive) or no flip (1), upper (0) or lower (1) arm, front (0) or rear (1), then R, T and S: 0 "
         "from -180 to 180 deg, 1 beyond. The order and meaning of the six numbers are those of Yaskawa's NX100 and "
-        "DX100 manuals (HW0481924 and HW0482494, Job Data Format, RCONF); that flip is a positive B is taken from memory.",
+        "DX100 manuals (HW0481924 and HW0482494, Job Data Format, RCONF); that flip is a positive B is from memory.",
     ),
     "denso": (
         "denso",

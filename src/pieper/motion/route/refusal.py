@@ -1,9 +1,9 @@
 """Why there is no route: a place that nothing inside the limits gets past, found on a grid and then proved.
 
-A grid of turns and stations tells where the way ends. There the proof begins: at a station, everything inside the limits
-is known (each joint held at each of its limits and the others solved, and rows between); followed along the path
-with bounds of how far anything can stray (`front.py`), it must come to nothing. Where that fails the proof begins earlier, up to the
-first pose, and with smaller steps.
+A grid of turns and stations, and a front that is followed roughly, tell where the way ends. There the proof begins: at
+a station everything inside the limits is known (each joint held at each of its limits and the others solved, and rows
+between); followed along the path with bounds of how far anything can stray (`front.py`), it must come to nothing. Where
+that fails the proof begins earlier, up to the first pose, and with smaller steps.
 """
 
 from __future__ import annotations
@@ -138,14 +138,12 @@ def _misses_end(task: Task, found: Front) -> bool:
 
 def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdict, Blocked, str]:
     blocked = blocked_at(task, ladder, reached, proof.begun, proof.s)
-    what = (
-        "the posture that it is to end with is not reached" if proof.s >= 1.0 and reached == len(ladder.s) - 1 else ""
-    )
-    where = what or (f"gets past {proof.s:.6g} of the path" if proof.s > 0 else "begins at the first pose")
+    where = f"no motion gets past {proof.s:.6g} of the path" if proof.s > 0 else "no motion begins at the first pose"
+    if proof.s >= 1.0 and reached == len(ladder.s) - 1:
+        where = "the posture that it is to end with is not reached"
     reason = (
-        f"Impossible: {'' if what else 'no motion '}{where}, whatever the branch, the turn and the whole turns. Everything inside the "
-        f"limits at {proof.begun:.6g} of the path was followed from there with proved bounds and ends before "
-        f"({proof.looked} points)."
+        f"Impossible: {where}, whatever the branch, the turn and the whole turns. Everything inside the limits at "
+        f"{proof.begun:.6g} of the path was followed from there with proved bounds and ends before ({proof.looked} points)."
     )
     return Verdict.IMPOSSIBLE, blocked, reason
 
@@ -164,8 +162,8 @@ def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:
         return (
             Verdict.UNCERTAIN,
             None,
-            "Uncertain: no route was found that keeps the clearance, the distance to singular postures and the turn rate "
-            "asked for; without these none could be ruled out.",
+            "Uncertain: no route was found that keeps the clearance, the distance to singular postures and the turn "
+            "rate asked for; without these none could be ruled out.",
         )
     return (
         Verdict.UNCERTAIN,

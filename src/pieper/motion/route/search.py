@@ -93,7 +93,7 @@ def search(task: Task, ladders: int = len(FINER)) -> Found | None:
 
 
 def search_between(task: Task) -> Found | None:
-    """Return a route that was made short with points between those of the path, so that it cannot jump from one to the next.
+    """Return a route that was made short with points between those of the path too.
 
     What is cheapest from point to point may change the branch where points are far apart, which is no route.
     """
