@@ -143,7 +143,7 @@ def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdic
         where = "the posture that it is to end with is not reached"
     reason = (
         f"Impossible: {where}, whatever the branch, the turn and the whole turns. Everything inside the limits at "
-        f"{proof.begun:.6g} of the path was followed from there with proved bounds and ends before ({proof.looked} points)."
+        f"{proof.begun:.6g} of the path was followed with proved bounds and ends before: {proof.looked} points."
     )
     return Verdict.IMPOSSIBLE, blocked, reason
 
