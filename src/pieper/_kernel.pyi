@@ -384,6 +384,23 @@ def front(**given: Any) -> tuple[int, float, Array, Array, Indices, int, float]:
 def chain_of_blocks(diagonal: Array, beside: Array, right: Array) -> tuple[Array, bool]: ...
 def sincos(x: ArrayLike) -> Array: ...
 def atan2(yx: ArrayLike) -> Array: ...
+def descend(
+    *,
+    links: ArrayLike,
+    prismatic: ArrayLike,
+    length: float,
+    q: ArrayLike,
+    T: ArrayLike,
+    lower: ArrayLike,
+    upper: ArrayLike,
+    steps: int,
+    again: int,
+    longest: float,
+    damping: ArrayLike,
+    done: float,
+    idle: int,
+    left: float,
+) -> tuple[Array, Array]: ...
 def follow_curve(
     *,
     links: ArrayLike,
@@ -396,6 +413,17 @@ def follow_curve(
     straight: float,
     most_steps: int,
 ) -> tuple[Array, bool]: ...
+def onto(
+    *,
+    links: ArrayLike,
+    prismatic: ArrayLike,
+    length: float,
+    q: ArrayLike,
+    T: ArrayLike,
+    steps: int,
+    cutoff: float,
+    longest: float,
+) -> Array: ...
 def nearer(
     *,
     links: ArrayLike,
