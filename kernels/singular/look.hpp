@@ -82,8 +82,8 @@ class Look {
     }
     std::stable_sort(out.rows.begin(), out.rows.end(), [&](const Read::Row& a, const Read::Row& b) {
       for (int i = 0; i < kSix; ++i) {
-        const double scale = arm_.slides[i] ? arm_.length * 1e6 : 1e6, x = std::nearbyint(a.q[i] * scale),
-                     y = std::nearbyint(b.q[i] * scale);
+        const double grid = arm_.slides[i] ? kRowOrderGrid / arm_.length : kRowOrderGrid,
+                     x = std::nearbyint(a.q[i] / grid), y = std::nearbyint(b.q[i] / grid);
         if (x != y) return x < y;
       }
       return false;
@@ -145,7 +145,7 @@ class Look {
         for (int r = 0; r < 6; ++r) Q[i][r] -= s * Q[best][r];
       }
     }
-    return last > 1e-8 * total;  // a hundred times what is looked at, squared
+    return last > kSecondFree * total;
   }
 
   void add(const double* q, int branches, int motion, bool singular, Read& out) const {
