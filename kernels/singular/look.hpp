@@ -180,14 +180,21 @@ class Look {
       count = branches_at(arm_, T, q);
       if (next_to_.held(T, q, d.joint[5])) return false;
     }
+    Root root{{}, count};
+    std::copy(q, q + kSix, root.q);
+    if (free == Free::BESIDE) {
+      // a row is known along the self-motion to rounding over its singular value: the same twice is one
+      const double blur = std::fmin(5 * kMergedRounding / std::fmax(d.s[5], kTiny), kSameAlong);
+      for (const Root& other : alone)
+        if (arm_.apart(q, other.q) < blur) return true;
+    }
+    alone.push_back(root);
     if (free == Free::BESIDE && d.s[5] < kRootsApart * d.s[0]) {
       int moving = 0;
       for (double x : d.joint[5]) moving += std::fabs(x) > kLoopMoves;
-      if (moving <= 2 ? next_to_.line(T, q, d.joint[5], alone) : next_to_.linkage(T, q, bar, alone)) return true;
+      if (moving <= 2) next_to_.line(T, q, d.joint[5], alone);
+      else next_to_.linkage(T, q, bar, alone);
     }
-    Root root{{}, count};
-    std::copy(q, q + kSix, root.q);
-    alone.push_back(root);
     return true;
   }
 
