@@ -41,7 +41,7 @@ ORTHOGONAL = 1e-15
 #: A row this near a self-motion is a point of it (rad; per length).
 ON_SELF_MOTION = 1e-9
 #: Relative singular values below which kernels may give one point for two solutions beside a self-motion.
-ROOTS_APART = 1e-11
+ROOTS_APART = 2e-13
 #: Solutions beside a self-motion are known to rounding over the singular value: nearer than this they are one (rad).
 SAME_ALONG = 0.03
 #: What such solutions may miss the pose by (per length; rad).
