@@ -177,3 +177,18 @@ def test_of_a_position_alone_the_posture_that_reaches_it_is_the_nearest_to_itsel
             q = rng.uniform(*(0.6 * arm.limits).T) if name.startswith("univ") else rng.uniform(*arm.limits.T)
             nearest = arm.ik(arm.fk(q), task="position").nearest(q)
             assert np.abs(nearest - q).max() < 1e-6
+
+
+def test_what_is_found_of_a_pose_does_not_depend_on_how_many_are_asked_together(monkeypatch):
+    # from the middle of the limits few of these are met: parts of the poses that are left follow each other
+    monkeypatch.setattr("pieper.solver.redundant.anywhere.TOGETHER", 16)
+    monkeypatch.setattr("pieper.solver.redundant.anywhere.STARTS", (1, 1, 1))
+    rng = np.random.default_rng(7)
+    arm = some("random eight", rng)
+    centre = rng.uniform(-1.5, 1.5, arm.n)
+    arm = Arm(replace(arm.description, limits=np.c_[centre - 1.5, centre + 1.5]))
+    T = arm.fk(centre + rng.uniform(-1.5, 1.5, (60, arm.n)))
+    together = arm.ik_many(T, threads=1)
+    apart = [arm.ik_many(T[i : i + 1], threads=1) for i in range(len(T))]
+    assert together.status.tolist() == [int(many.status[0]) for many in apart]
+    np.testing.assert_allclose(together.q, np.concatenate([many.q for many in apart]), atol=1e-9)

@@ -17,6 +17,8 @@ STEPS, LONGEST = 60, 0.5
 MADE_AGAIN = 3
 #: Damping at first, its factors where a step helped and where not, and where a row rests.
 DAMPING = (1e-4, 0.1, 10.0, 1e4)
+#: What keeps the shares of free directions apart, of the largest weight: far below any that counts.
+LEAST_SHARE = 1e-12
 #: Least damping: directions that the joints hardly move (1e-7 of the others) carry no step.
 LEAST_DAMPING = 1e-14
 #: What is missed (per length; rad) below which a row goes on no longer.
@@ -150,7 +152,7 @@ def _towards(J: Array, gap: Array, weights: Array, low: Bools, high: Bools) -> A
         _, s, Vt = np.linalg.svd(J * free[:, None])
         rank = np.concatenate([s, np.zeros((len(s), gap.shape[1] - s.shape[1]))], 1) > RANK * s[:, :1]
         N = np.where(rank[..., None], 0.0, Vt) * free[:, None]  # rows that span what is free, held joints taken out
-        A = np.einsum("kin,n,kjn->kij", N, weights, N) + 1e-12 * np.eye(gap.shape[1])
+        A = np.einsum("kin,n,kjn->kij", N, weights, N) + LEAST_SHARE * weights.max() * np.eye(gap.shape[1])
         b = np.einsum("kin,n,kn->ki", N, weights, gap)
         shares = np.asarray(np.linalg.solve(A, b[..., None])[..., 0], np.float64)
         step = np.einsum("kin,ki->kn", N, shares)
