@@ -10,6 +10,7 @@ import pytest
 import pieper
 from oracle import slow_forward
 from pieper import DH, Arm, Status
+from pieper.solver.redundant import anywhere, stops
 
 SEVEN = ["franka-panda", "kuka-lbr-iiwa-14-r820", "rethink-sawyer", "kinova-gen3-7dof", "random"]
 WIDTHS = [1.0, 0.5, 0.2, 0.05]
@@ -179,16 +180,20 @@ def test_of_a_position_alone_the_posture_that_reaches_it_is_the_nearest_to_itsel
             assert np.abs(nearest - q).max() < 1e-6
 
 
-def test_what_is_found_of_a_pose_does_not_depend_on_how_many_are_asked_together(monkeypatch):
-    # from the middle of the limits few of these are met: parts of the poses that are left follow each other
-    monkeypatch.setattr("pieper.solver.redundant.anywhere.TOGETHER", 16)
-    monkeypatch.setattr("pieper.solver.redundant.anywhere.STARTS", (1, 1, 1))
-    rng = np.random.default_rng(7)
-    arm = some("random eight", rng)
-    centre = rng.uniform(-1.5, 1.5, arm.n)
-    arm = Arm(replace(arm.description, limits=np.c_[centre - 1.5, centre + 1.5]))
-    T = arm.fk(centre + rng.uniform(-1.5, 1.5, (60, arm.n)))
-    together = arm.ik_many(T, threads=1)
-    apart = [arm.ik_many(T[i : i + 1], threads=1) for i in range(len(T))]
-    assert together.status.tolist() == [int(many.status[0]) for many in apart]
-    np.testing.assert_allclose(together.q, np.concatenate([many.q for many in apart]), atol=1e-9)
+def test_every_pose_that_is_left_is_looked_at_however_many_there_are(monkeypatch):
+    # the parts of the poses that are left are looked at one after the other, while what is found leaves fewer
+    arm, q, T = tight("random", 0.5, 7, 60)
+    looked_at = []
+
+    def all_of_them(plan, poses, threads):
+        of = [int(np.argmin(np.abs(T - pose).sum((1, 2)))) for pose in poses]
+        looked_at.extend(of)
+        return np.arange(len(poses)), q[of]
+
+    monkeypatch.setattr(anywhere, "TOGETHER", 16)
+    monkeypatch.setattr(anywhere, "descended", lambda chain, q, T, low, high: (q, np.full(len(q), 1.0)))
+    monkeypatch.setattr(anywhere, "slices", all_of_them)
+    monkeypatch.setattr(anywhere, "stops", lambda plan, T, threads: stops.stops(plan, T[:0], threads))
+    found = anywhere.anywhere(arm.plan, T)
+    assert sorted(looked_at) == list(range(60))
+    assert (found.kind == anywhere.INSIDE).all()
