@@ -171,7 +171,7 @@ BOX_ROOM = (0.1, 0.01, 1e-4)
 BOX_SETTLED = 1e-10
 #: A step is taken where the square of the distance falls by more: rounding.
 BOX_NEARER = 1e-14
-#: What is added to the matrix of such a step, so that it can be solved.
+#: What keeps the shares of free directions apart, of the largest weight: far below any that counts.
 BOX_REGULAR = 1e-12
 #: Step of a tangent's difference quotient, of the whole course: neither its cube nor rounding over it counts.
 COURSE_STEP = 1e-5

@@ -17,8 +17,9 @@ from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.sweep import slices
 from pieper.tolerances import BEYOND_REACH, CLOSES, NEAR_INSIDE
 
-#: Starts of the descent inside the limits, first from the middle alone, then from so many.
-STARTS = 8
+#: Starts of the descent inside the limits, where fewer have shown nothing: of postures inside, one start in eighty met
+#: the rarest. The last are for what the other ways have not found either.
+STARTS = 8, 64, 512
 #: Free descents a pose, and poses that are sliced or approached in one go: it bounds the memory.
 FREE_STARTS, TOGETHER = 16, 128
 #: What a pose has: no solution at all, solutions outside the limits alone, or some inside.
@@ -60,33 +61,47 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
             kind[first[new]], q[first[new]] = what, rows[of][at[new]]
         left = left[kind[left] < INSIDE]
 
+    def parts() -> list[Indices]:
+        # all of them before the first is looked at: `left` shrinks with what is found
+        return [left[i : i + TOGETHER] for i in range(0, len(left), TOGETHER)]
+
     def descend(count: int) -> None:
-        pose = np.repeat(left, count)
-        starts = np.tile(spread(full, limits, count), (len(left), 1))
-        rows, off = descended(full, starts, T[pose], low, high)
-        np.minimum.at(least, pose, off)
-        held = off <= CLOSES
-        keep(pose[held], rows[held], np.ones(int(held.sum()), bool))
+        starts = spread(full, limits, count)
+        for part in parts():
+            pose = np.repeat(part, count)
+            rows, off = descended(full, np.tile(starts, (len(part), 1)), T[pose], low, high)
+            np.minimum.at(least, pose, off)
+            held = off <= CLOSES
+            keep(pose[held], rows[held], np.ones(int(held.sum()), bool))
 
     def stand() -> None:
         at = stops(plan, T[left], threads)
         keep(left[at.pose], at.q, at.inside)
 
     def slice_up() -> None:
-        for part in (left[i : i + TOGETHER] for i in range(0, len(left), TOGETHER)):
+        for part in parts():
             pose, rows = slices(plan, T[part], threads)
             rows, within = full.joints.inside_limits(rows, limits)
             keep(part[pose], rows, within)
 
     def approach() -> None:
-        for part in (left[i : i + TOGETHER] for i in range(0, len(left), TOGETHER)):
+        for part in parts():
             met_here = from_anywhere(plan, T[part], FREE_STARTS)
             rows, within = full.joints.inside_limits(np.concatenate(met_here), limits)
             keep(np.repeat(part, [len(r) for r in met_here]), rows, within)
 
     least = np.full(len(T), np.inf)
     # descents before stops: they cost less, and what is inside is most often met by one
-    ways = [lambda: descend(1), lambda: descend(STARTS), stand, slice_up, approach]
+    few, more, many = STARTS
+    ways = [
+        lambda: descend(1),
+        lambda: descend(few),
+        stand,
+        lambda: descend(more),
+        slice_up,
+        approach,
+        lambda: descend(many),
+    ]
     for way in ways:
         if len(left):
             way()

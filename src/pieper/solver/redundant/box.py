@@ -153,7 +153,7 @@ def _towards(J: Array, gap: Array, weights: Array, low: Bools, high: Bools) -> A
         _, s, Vt = np.linalg.svd(J * free[:, None])
         rank = np.concatenate([s, np.zeros((len(s), gap.shape[1] - s.shape[1]))], 1) > RANK * s[:, :1]
         N = np.where(rank[..., None], 0.0, Vt) * free[:, None]  # rows that span what is free, held joints taken out
-        A = np.einsum("kin,n,kjn->kij", N, weights, N) + BOX_REGULAR * np.eye(gap.shape[1])
+        A = np.einsum("kin,n,kjn->kij", N, weights, N) + BOX_REGULAR * weights.max() * np.eye(gap.shape[1])
         b = np.einsum("kin,n,kn->ki", N, weights, gap)
         shares = np.asarray(np.linalg.solve(A, b[..., None])[..., 0], np.float64)
         step = np.einsum("kin,ki->kn", N, shares)
