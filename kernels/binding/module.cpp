@@ -3,6 +3,7 @@
 
 #include "binding/careful.hpp"
 #include "binding/collision.hpp"
+#include "binding/curve.hpp"
 #include "binding/fields.hpp"
 #include "binding/nearer.hpp"
 #include "binding/route.hpp"
@@ -187,6 +188,7 @@ NB_MODULE(_kernel, m) {
            "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 
   bind_careful(m);
+  bind_curve(m);
   bind_nearer(m);
   bind_time_law(m);
   bind_collision(m);

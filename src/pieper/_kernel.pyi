@@ -384,6 +384,18 @@ def nearest_beside(**given: Any) -> Array: ...
 def chain_of_blocks(diagonal: Array, beside: Array, right: Array) -> tuple[Array, bool]: ...
 def sincos(x: ArrayLike) -> Array: ...
 def atan2(yx: ArrayLike) -> Array: ...
+def follow_curve(
+    *,
+    links: ArrayLike,
+    prismatic: ArrayLike,
+    length: float,
+    q: ArrayLike,
+    T: ArrayLike,
+    direction: ArrayLike,
+    step: float,
+    straight: float,
+    most_steps: int,
+) -> tuple[Array, bool]: ...
 def nearer(
     *,
     links: ArrayLike,

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
 
+from pieper.tolerances import EXACT_DEGREES
+
 
 def rational(value: float) -> Fraction:
     """The decimal that a person wrote for this float.
@@ -27,7 +29,7 @@ def pi_fraction(angle: float) -> Fraction | None:
     """The angle as a multiple of pi, when it is a whole number of thousandths of a degree within rounding."""
     degrees = math.degrees(float(angle))
     nearest = Fraction(round(degrees * 1000), 1000)
-    if abs(degrees - float(nearest)) <= 1e-11 * max(1.0, abs(degrees)):
+    if abs(degrees - float(nearest)) <= EXACT_DEGREES * max(1.0, abs(degrees)):
         return nearest / 180
     return None
 

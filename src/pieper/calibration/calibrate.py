@@ -22,14 +22,11 @@ from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.pose import PoseLike
+from pieper.tolerances import FIRST_NOISE, LEAST_NOISE, SAME_MEASUREMENT
 
 LOSSES = ("linear", "huber")
-#: The noise (m, rad) that a fit begins with where none is said, and how often it is then estimated.
-FIRST_NOISE, ESTIMATES = (1e-4, 2e-4), 3
-#: Noise (m, rad) below which there is none: rounding.
-LEAST_NOISE = 1e-12
-#: Joint vectors this near (rad or m) are one and the same pose.
-SAME_POSE = 1e-6
+#: How often the noise of a fit is estimated, where none is said.
+ESTIMATES = 3
 
 
 class NominalArm(Protocol):
@@ -111,7 +108,7 @@ def _held_out(count: int, holdout: float) -> npt.NDArray[np.int64]:
 def _refuse_too_few(q: Array, parameters: Parameters, data: Measurements, held: int) -> None:
     unknown = max(int(parameters.free.sum()) + SETUP[data.kind] - BLIND[data.kind], 1)
     needed = -(-unknown // WIDTH[data.kind])
-    distinct = len(np.unique(np.round(q / SAME_POSE), axis=0)) if len(q) else 0
+    distinct = len(np.unique(np.round(q / SAME_MEASUREMENT), axis=0)) if len(q) else 0
     if distinct >= needed:
         return
     beside = f" ({held} more are held out)" if held else ""

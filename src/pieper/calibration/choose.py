@@ -15,9 +15,7 @@ from pieper.calibration.parameters import parameters_of
 from pieper.errors import InputError
 from pieper.kinematics.arrays import ArrayLike
 from pieper.kinematics.forward import checked_joints
-
-#: Noise (m, rad) that is assumed where none is said.
-USUAL_NOISE = (5e-5, 1e-4)
+from pieper.tolerances import USUAL_NOISE
 
 
 def choose_poses(

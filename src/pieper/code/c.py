@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.labels import Manner
 from pieper.code.program import statements
 
 WORDS = {
@@ -31,6 +32,8 @@ WORDS = {
     "false": "0",
 }
 
+MANNER = Manner("sin({0})", "cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})")
+
 FRAME = """/*
 @HEADER@
 
@@ -39,6 +42,8 @@ int NAME_ik(const double T[16], double q[][N]): the rows inside the limits, at m
 int NAME_ik_all(T, q, &unclear): the rows before limits. unclear is set at and next to singular poses, where a row may
     stand for many and rows may be missing; each row that is given holds all the same.
 void NAME_fk(const double q[N], double T[16]); void NAME_jacobian(const double q[N], double J[6][N]), linear rows first.
+const char *NAME_label(const double q[N]): the posture's name, such as "front, elbow up, wrist flip"; "" where the
+    postures of this arm have none.
 int NAME_self_test(void): how many of @TESTS@ stored poses fail: 0. With -DNAME_MAIN a program that runs it.
 */
 #include <math.h>
@@ -152,6 +157,19 @@ int NAME_ik(const double T[16], double q[][N]) {
   return count;
 }
 
+/* 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way. */
+static inline int NAME_side(double v, double facing) {
+  if (facing < 0) v = -v;
+  return v > @NO_SIDE@ ? 0 : v < -@NO_SIDE@ ? 1 : 2;
+}
+
+const char *NAME_label(const double q[N]) {
+  static const char *const names[] = @NAMES@;
+@SUMS@
+  (void)q;
+  return names[@PLACE@];
+}
+
 int NAME_self_test(void) {
   static const double q[@TESTS@][N] = @TEST_Q@;
   static const double T[@TESTS@][16] = @TEST_T@;
@@ -199,6 +217,7 @@ def text(export: Export) -> str:
         "LINKS": nested(export.links.reshape(n + 1, 12), "{}", number),
         "PROGRAM": "\n".join(lines),
         "ROWS": rows,
+        **MANNER.parts(export.labels, "{" + ", ".join(f'"{name}"' for name in export.labels.names) + "}"),
         "VALID": ", ".join(said(i) for i in program.valid),
         "UNCLEAR": said(program.unclear),
         "VERIFIED": repr(export.verified),

@@ -10,8 +10,13 @@ import numpy as np
 from pieper import _kernel
 from pieper.code.export import Export, filled, finite_or, nested
 from pieper.code.kernel_source import HEADERS, fingerprint, joined
+from pieper.code.labels import Manner
 
 FLAGS = "-std=c++20 -O3 -ffp-contract=fast -fno-math-errno -fno-trapping-math"
+
+MANNER = Manner(
+    "__builtin_sin({0})", "__builtin_cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"
+)
 
 FRAME = """/*
 @HEADER@
@@ -30,6 +35,8 @@ int NAME_ik_all(T, q, &unclear): the rows before limits. unclear is set at and n
 long NAME_ik_many(T, count, q, valid, in_limits, flag): many poses at once, the fastest way: q count x @SLOTS@ x N,
     valid and in_limits count x @SLOTS@, flag count. Returns the first pose that is no rigid motion, or count.
 void NAME_fk(const double q[N], double T[16]); void NAME_jacobian(const double q[N], double J[6][N]), linear rows first.
+const char* NAME_label(const double q[N]): the posture's name, such as "front, elbow up, wrist flip"; "" where the
+    postures of this arm have none.
 int NAME_self_test(): how many of @TESTS@ stored poses fail: 0. With -DNAME_MAIN a program that runs it.
 */
 #pragma once
@@ -109,6 +116,19 @@ inline int NAME_ik(const double T[16], double (*q)[N]) {
 
 inline void NAME_fk(const double q[N], double T[16]) { NAME_arm().fk(q, 1, T); }
 inline void NAME_jacobian(const double q[N], double (*J)[N]) { NAME_arm().jacobian(q, 1, J[0]); }
+
+/* 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way. */
+inline int NAME_side(double v, double facing) {
+  if (facing < 0) v = -v;
+  return v > @NO_SIDE@ ? 0 : v < -@NO_SIDE@ ? 1 : 2;
+}
+
+inline const char* NAME_label(const double q[N]) {
+  static const char* const names[] = @NAMES@;
+@SUMS@
+  (void)q;
+  return names[@PLACE@];
+}
 
 #ifndef NAME_PLAIN
 inline std::vector<std::array<double, N>> NAME_ik(const double T[16]) {
@@ -204,6 +224,7 @@ def text(export: Export) -> str:
         "UPPER": nested(export.upper, "{}", number),
         "SLIDES": "{" + ", ".join(str(int(s)) for s in export.slides) + "}",
         "SLIDE_BITS": str(sum(1 << j for j, s in enumerate(export.slides) if s)),
+        **MANNER.parts(export.labels, "{" + ", ".join(f'"{name}"' for name in export.labels.names) + "}"),
         "VERIFIED": repr(export.verified),
         "TEST_Q": nested(export.q, "{}", number),
         "TEST_T": nested(export.T.reshape(-1, 16), "{}", number),

@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from pieper.code.labels import Labels, labels_of
 from pieper.code.program import Program, recorded
 from pieper.description.dh import Description
 from pieper.errors import InputError, PlanError
@@ -20,7 +21,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag
-from pieper.tolerances import LIMIT_SLACK
+from pieper.tolerances import LIMIT_SLACK, VERIFIED
 
 TESTS = 20
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -83,6 +84,11 @@ class Export:
         """
         return recorded(self.plan)
 
+    @cached_property
+    def labels(self) -> Labels:
+        """How its postures are named."""
+        return labels_of(self.plan)
+
 
 def _refuse_what_is_not_six_joints(plan: Plan) -> None:
     name = plan.name
@@ -139,7 +145,7 @@ def export(arm: ExportedArm, name: str) -> Export:
         T,
         tuple(int(k) for k in inside.sum(1)),
         header,
-        1e-9 * max(1.0, plan.chain.length),
+        VERIFIED * max(1.0, plan.chain.length),
     )
 
 

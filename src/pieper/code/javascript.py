@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 
 from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.labels import Manner
 from pieper.code.program import statements
 
 WORDS = {
@@ -33,12 +35,15 @@ WORDS = {
     "false": "false",
 }
 
+MANNER = Manner("Math.sin({0})", "Math.cos({0})", "q[{0}]", 0, "  const {0} = {1};", "side({0}, {1})")
+
 FRAME = """/*
 @HEADER@
 
 ik(T): every joint vector inside the limits that reaches a pose, an array of arrays; T as 16 numbers row by row, or as 4
 rows of 4. ikAll(T): {rows, unclear} before limits; unclear at and next to singular poses, where a row may stand for
-many and rows may be missing. fk(q): the pose as 4 rows of 4. jacobian(q): 6 rows, linear ones first.
+many and rows may be missing. fk(q): the pose as 4 rows of 4. jacobian(q): 6 rows, linear ones first. label(q): the
+posture's name, such as "front, elbow up, wrist flip"; "" where the postures of this arm have none.
 */
 const LOWER = @LOWER_NUMBERS@;
 const UPPER = @UPPER_NUMBERS@;
@@ -129,6 +134,18 @@ function ik(pose) {
   return found;
 }
 
+// 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way.
+function side(v, facing) {
+  const seen = facing < 0 ? -v : v;
+  return seen > @NO_SIDE@ ? 0 : seen < -@NO_SIDE@ ? 1 : 2;
+}
+
+function label(q) {
+  const names = @NAMES@;
+@SUMS@
+  return names[@PLACE@];
+}
+
 // How many of @TESTS@ stored poses fail: 0.
 function selfTest() {
   const Q = @TEST_Q@;
@@ -144,10 +161,10 @@ function selfTest() {
 }
 """
 
-MODULE = "\nexport { ik, ikAll, fk, jacobian, selfTest };\n"
+MODULE = "\nexport { ik, ikAll, fk, jacobian, label, selfTest };\n"
 SCRIPT = """
-if (typeof module !== "undefined") module.exports = { ik, ikAll, fk, jacobian, selfTest };
-else globalThis.NAME_solver = { ik, ikAll, fk, jacobian, selfTest };
+if (typeof module !== "undefined") module.exports = { ik, ikAll, fk, jacobian, label, selfTest };
+else globalThis.NAME_solver = { ik, ikAll, fk, jacobian, label, selfTest };
 """
 
 
@@ -176,6 +193,7 @@ def text(export: Export, frame: str) -> str:
         "ROWS": rows,
         "VALID": ", ".join(said(i) for i in program.valid),
         "UNCLEAR": said(program.unclear),
+        **MANNER.parts(export.labels, json.dumps(export.labels.names)),
         "VERIFIED": repr(export.verified),
         "TEST_Q": nested(export.q, "[]", number),
         "TEST_T": nested(export.T.reshape(-1, 16), "[]", number),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.labels import Manner
 from pieper.code.program import statements
 
 WORDS = {
@@ -131,6 +132,25 @@ function L = link(links, i)
 end
 """
 
+MANNER = Manner("sin({0})", "cos({0})", "q({0})", 1, "  {0} = {1};", "side({0}, {1})")
+
+LABEL = """function name = NAME_label(q)
+% NAME_LABEL  The name of a posture q, such as 'front, elbow up, wrist flip'; '' where the postures of this arm have
+% none.
+%
+@HEADER@
+  names = @NAMES@;
+@SUMS@
+  name = names{1 + @PLACE@};
+end
+
+function k = side(v, facing)
+  % 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
+  if facing < 0, v = -v; end
+  if v > @NO_SIDE@, k = 0; elseif v < -@NO_SIDE@, k = 1; else, k = 2; end
+end
+"""
+
 SELF_TEST = """function failed = NAME_self_test()
 % NAME_SELF_TEST  How many of @TESTS@ stored poses fail: 0.
 %
@@ -154,10 +174,12 @@ end
 """
 
 ENTRY = """function s = STEM()
-% The functions of this arm as one struct: s.ik(T), s.ik_all(T), s.fk(q), s.self_test(); they stand beside this file.
+% The functions of this arm as one struct: s.ik(T), s.ik_all(T), s.fk(q), s.label(q), s.self_test(); they stand beside
+% this file.
 %
 @HEADER@
-  s = struct('ik', @NAME_ik, 'ik_all', @NAME_ik_all, 'fk', @NAME_fk, 'self_test', @NAME_self_test);
+  s = struct('ik', @NAME_ik, 'ik_all', @NAME_ik_all, 'fk', @NAME_fk, 'label', @NAME_label, ...
+             'self_test', @NAME_self_test);
 end
 """
 
@@ -187,6 +209,7 @@ def texts(export: Export, path: Path) -> dict[Path, str]:
         "LOWER": matrix(export.lower),
         "UPPER": matrix(export.upper),
         "LINKS": matrix(export.links.reshape(n + 1, 12)),
+        **MANNER.parts(export.labels, "{" + ", ".join(f"'{name}'" for name in export.labels.names) + "}"),
         "VERIFIED": repr(export.verified),
         "TEST_Q": matrix(export.q),
         "TEST_T": matrix(export.T.reshape(-1, 16)),
@@ -194,7 +217,7 @@ def texts(export: Export, path: Path) -> dict[Path, str]:
     }
     file = path.suffix == ".m"
     folder = path.parent if file else path
-    frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "self_test": SELF_TEST}
+    frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "label": LABEL, "self_test": SELF_TEST}
     out = {folder / f"{export.name}_{what}.m": filled(frame, parts, export) for what, frame in frames.items()}
     if file and path not in out:
         out[path] = filled(ENTRY.replace("STEM", path.stem), parts, export)

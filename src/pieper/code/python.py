@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.labels import Manner
 from pieper.code.program import statements
 
 WORDS = {
@@ -31,11 +32,14 @@ WORDS = {
     "false": "np.False_",
 }
 
+MANNER = Manner("np.sin({0})", "np.cos({0})", "q[{0}]", 0, "    {0} = {1}", "_side({0}, {1})")
+
 FRAME = '''"""@HEADER@
 
 ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits; ik_all(Ts) takes poses
 (N, 4, 4) and returns rows (N, 8, n) before limits, which of them hold (N, 8), and which poses are unclear (N,): at and
-next to singular poses, where a row may stand for many and rows may be missing. fk(q) and jacobian(q) take (..., n).
+next to singular poses, where a row may stand for many and rows may be missing. fk(q) and jacobian(q) take (..., n),
+label(q) takes (n,).
 """
 
 import numpy as np
@@ -122,6 +126,18 @@ def ik(T):
     return q[inside]
 
 
+def _side(v, facing):
+    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
+    v = -v if facing < 0 else v
+    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
+
+
+def label(q):
+    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
+@SUMS@
+    return _NAMES[@PLACE@]
+
+
 def self_test():
     """How many of @TESTS@ stored poses fail: 0."""
     failed = 0
@@ -137,6 +153,7 @@ def self_test():
 _Q = np.array(@TEST_Q@)
 _T = np.array(@TEST_T@)
 _COUNTS = @COUNTS@
+_NAMES = @NAMES@
 
 if __name__ == "__main__":
     print(f"{self_test()} of @TESTS@ poses failed")
@@ -162,6 +179,7 @@ def text(export: Export) -> str:
         "ROWS": ", ".join(said(i) for i in program.q),
         "VALID": ", ".join(said(i) for i in program.valid),
         "UNCLEAR": said(program.unclear),
+        **MANNER.parts(export.labels, repr(list(export.labels.names))),
         "VERIFIED": repr(export.verified),
         "TEST_Q": nested(export.q, "[]", number),
         "TEST_T": nested(export.T.reshape(-1, 16), "[]", number),

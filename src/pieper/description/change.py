@@ -16,6 +16,7 @@ from pieper.description.dh import CONVENTIONS, DH, Check, Description, describe
 from pieper.description.fold import chain_of
 from pieper.errors import InputError
 from pieper.kinematics.pose import PoseLike, checked_pose, inverse, rotation_x
+from pieper.tolerances import ROUNDING
 
 _T = TypeVar("_T")
 
@@ -209,7 +210,7 @@ def _by_joint(arm: Description, said: Mapping[str, _T], what: str) -> dict[int, 
 
 
 def _agrees(q: npt.NDArray[np.float64], held: dict[int, float]) -> bool:
-    return all(abs(q[i] - value) <= 1e-12 for i, value in held.items())
+    return all(abs(q[i] - value) <= ROUNDING for i, value in held.items())
 
 
 def _held_words(arm: Description, held: dict[int, float]) -> list[str]:

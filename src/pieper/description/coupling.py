@@ -9,10 +9,8 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from pieper.errors import InputError
+from pieper.tolerances import TAKES_PART, WORST_CONDITION
 from pieper.words_by_number import plural
-
-#: A coupling whose inverse is larger than this many times its size says that two joints move the same.
-WORST_CONDITION = 1e6
 
 
 def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.NDArray[np.float64] | None:
@@ -47,7 +45,7 @@ def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.
         who = [
             f"{value / np.abs(still).max():.3g} of {name}"
             for name, value in zip(names, still, strict=True)
-            if abs(value) > 1e-3 * np.abs(still).max()
+            if abs(value) > TAKES_PART * np.abs(still).max()
         ]
         raise InputError(
             f"the coupling is singular: {', '.join(who)} together move nothing, so no pose says what they are. "

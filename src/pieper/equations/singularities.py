@@ -22,6 +22,7 @@ from pieper.equations.forward import Check
 from pieper.equations.jacobian import JacobianEquations
 from pieper.equations.singular_facts import facts_on, roots_on_factor, still_joints
 from pieper.kinematics.arrays import Array
+from pieper.tolerances import ROUNDING, TINY, WHOLE_TURN
 
 NAMES = {
     "shoulder": "Shoulder singularity",
@@ -242,11 +243,11 @@ class SingularityEquations(Readable):
             return (at[0] / (at[0] - at[1]) + 0.0,) if at[0] != at[1] else ()
         a, b, c = _first_harmonic(expr, symbol, constants)
         size = np.hypot(a, b)
-        if size == 0 or abs(c) > size * (1 + 1e-12):
+        if size == 0 or abs(c) > size * (1 + ROUNDING):
             return ()
         middle, half = np.arctan2(b, a), np.arccos(np.clip(-c / size, -1, 1))
         turned = {round(float(np.angle(np.exp(1j * (middle + s * half)))), 12) + 0.0 for s in (1, -1)}
-        return tuple(sorted(x if x > -np.pi + 1e-9 else float(np.pi) for x in turned))
+        return tuple(sorted(x if x > -np.pi + WHOLE_TURN else float(np.pi) for x in turned))
 
     # -- output ----------------------------------------------------------------------------------------------
     def sentences(self) -> list[str]:
@@ -353,7 +354,7 @@ class SingularityEquations(Readable):
             sense = 1.0 if self.table.letter == "q" else _sense(self.jacobian.forward.description)
             want = np.linalg.det(self._rows(q)) * sense
             got = self._value_of(self.determinant)(q)
-            worst = float(np.max(np.abs(got - want)) / max(np.max(np.abs(want)), 1e-300))
+            worst = float(np.max(np.abs(got - want)) / max(np.max(np.abs(want)), TINY))
             said.append(
                 f"The determinant agrees with the numeric one at {n} random joint vectors to {worst:.1e} of its "
                 "largest value."

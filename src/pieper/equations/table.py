@@ -14,6 +14,7 @@ from pieper.algebra.harmonic import Poly, matmul, trig
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
+from pieper.tolerances import ALL_BUT_ZERO
 
 LENGTHS = ("symbols", "numbers")
 ANGLES = ("theta", "q")
@@ -199,7 +200,7 @@ class _Reader:
             row = []
             for c in range(4):
                 value, nearest = T[r, c], round(T[r, c])
-                if r == 3 or (abs(value - nearest) < 1e-15 and (c < 3 or nearest == 0)):
+                if r == 3 or (abs(value - nearest) < ALL_BUT_ZERO and (c < 3 or nearest == 0)):
                     row.append(Poly.number(Fraction(int(nearest))))
                 else:
                     row.append(self._length(base, "xyz"[r] if c == 3 else f"{r + 1}{c + 1}", value))

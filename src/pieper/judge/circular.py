@@ -12,6 +12,7 @@ from pieper.algebra.formula import ANGLE, is_call
 from pieper.algebra.notation import joint_sum
 from pieper.judge.model import ArmModel
 from pieper.judge.samples import sample
+from pieper.tolerances import ROUNDING
 
 
 def uses_itself(
@@ -115,7 +116,7 @@ def axis_senses(model: ArmModel) -> tuple[tuple[int, ...], ...]:
         axes.append((R if model.convention == "standard" else after)[:, :, 2])
         R = after
     dots = np.einsum("ikc,jkc->ijk", np.array(axes), np.array(axes))
-    senses = np.where(np.all(dots > 1 - 1e-12, axis=2), 1, np.where(np.all(dots < -1 + 1e-12, axis=2), -1, 0))
+    senses = np.where(np.all(dots > 1 - ROUNDING, axis=2), 1, np.where(np.all(dots < -1 + ROUNDING, axis=2), -1, 0))
     return tuple(tuple(row) for row in senses.tolist())
 
 

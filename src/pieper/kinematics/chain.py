@@ -14,6 +14,7 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import JointSpace
 from pieper.kinematics.pose import FLIP, inverse, rotation_z, translation
 from pieper.kinematics.whole_turns import WholeTurns
+from pieper.tolerances import ROUNDING
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +118,7 @@ class Chain:
         turning = ~self.prismatic
         for C in (self.coupling, np.linalg.inv(self.coupling)):
             part = C[np.ix_(turning, turning)]
-            if np.abs(part - np.round(part)).max(initial=0.0) > 1e-12 or C[np.ix_(~turning, turning)].any():
+            if np.abs(part - np.round(part)).max(initial=0.0) > ROUNDING or C[np.ix_(~turning, turning)].any():
                 return False
         return True
 

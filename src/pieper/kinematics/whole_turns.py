@@ -78,8 +78,8 @@ class WholeTurns:
         ends = self.coupling * lower, self.coupling * upper
         least, most = np.minimum(*ends).sum(1), np.maximum(*ends).sum(1)
         values = self.axes(around)
-        first = np.ceil((least - LIMIT_SLACK - values.max(0)) / TURN - 1e-9).astype(int)
-        last = np.floor((most + LIMIT_SLACK - values.min(0)) / TURN + 1e-9).astype(int)
+        first = np.ceil((least - LIMIT_SLACK - values.max(0)) / TURN - LIMIT_SLACK).astype(int)
+        last = np.floor((most + LIMIT_SLACK - values.min(0)) / TURN + LIMIT_SLACK).astype(int)
         moves: list[Array] = []
         for block in self.blocks:
             turning = block[~self.prismatic[block]]

@@ -18,7 +18,7 @@ from pieper.motion.stops import LIMIT, Event, geometric_stop, limit_stop, limit_
 from pieper.motion.track import Branch, Cure, Track
 from pieper.solver.plan.plan import Plan
 from pieper.solver.words.labels import posture_words
-from pieper.tolerances import VERIFIED
+from pieper.tolerances import NEARER_BY, STRANDS_END, STRANDS_MEET, VERIFIED
 
 
 def _none(track: Track) -> tuple[Cure, ...]:
@@ -145,7 +145,10 @@ def _partner(way: Continuation, index: int, found: list[Strand]) -> int | None:
     for other, candidate in enumerate(found):
         if other == index or candidate.end is None or strand.end is None:
             continue
-        if abs(candidate.end - strand.end) < 1e-3 and np.abs(way.gap(candidate.at, strand.at)).max() < 5e-2:
+        if (
+            abs(candidate.end - strand.end) < STRANDS_END
+            and np.abs(way.gap(candidate.at, strand.at)).max() < STRANDS_MEET
+        ):
             return other
     return None
 
@@ -155,7 +158,7 @@ def _nearest(way: Continuation, branches: tuple[Branch, ...], start: Array) -> i
     for branch in branches:
         if branch.points:
             d = float(np.linalg.norm((branch.q[0] - start) / way.unit))
-            if d < distance - 1e-9:
+            if d < distance - NEARER_BY:
                 best, distance = branch.index, d
     return best
 

@@ -12,13 +12,7 @@ from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import axes_at, look
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.solver.plan.plan import Plan
-from pieper.tolerances import GEOMETRY_EXACT, TINY
-
-#: How near (rad; per length) to a special arrangement a posture is that a branch ends in: half the digits of a double
-#: root are lost, and a branch is carried to 2^-18 of the spacing of the points.
-NEAR = 2e-2
-#: A joint takes part in a self-motion by at least this part of the one that moves most.
-TAKES_PART = 0.05
+from pieper.tolerances import GEOMETRY_EXACT, LIES_ON, STANDS_SPECIAL, TAKES_PART, TINY
 
 
 @dataclass(frozen=True)
@@ -43,7 +37,7 @@ def in_the_way(plan: Plan, q: Array) -> InTheWay:
     axes, points = axes_at(chain, values)
     found = [*_in_line(plan, axes, points), *_elbow(chain, values, axes, points)]
     found += _cylinder(chain, values, axes, points)
-    found = [one for one in found if one.off < NEAR]
+    found = [one for one in found if one.off < STANDS_SPECIAL]
     if found:
         return min(found, key=lambda one: one.off)
     return _by_null_space(plan, q)
@@ -62,11 +56,11 @@ def _in_line(plan: Plan, axes: Array, points: Array) -> list[InTheWay]:
             off = float(np.linalg.norm(cross))
             apart = float(np.linalg.norm(np.cross(points[j] - points[i], axes[i]))) / length
             names = f"axes {i + 1} and {j + 1}"
-            if max(off, apart) < NEAR and not _always_parallel(plan, i, j):
+            if max(off, apart) < STANDS_SPECIAL and not _always_parallel(plan, i, j):
                 kind = "wrist" if j == chain.n - 1 and i >= chain.n - 3 else "shoulder" if i == 0 else ""
                 words = f"{names} lie on one line ({_two(plan, i, j)} turn the same)"
                 found.append(InTheWay(kind, words, max(off, apart)))
-            elif off < NEAR and j == chain.n - 1 and i == j - 2 and not _always_parallel(plan, i, j):
+            elif off < STANDS_SPECIAL and j == chain.n - 1 and i == j - 2 and not _always_parallel(plan, i, j):
                 words = f"{names} are parallel ({plan.names[i + 1]} is where they become so)"
                 found.append(InTheWay("wrist", words, off))
     return found
@@ -150,8 +144,12 @@ def _cylinder(chain: Chain, values: Array, axes: Array, points: Array) -> list[I
     radial = gap - (gap @ axes[0]) * axes[0]
     near = float(np.linalg.norm(radial))
     # the plane in which joints 2 and 3 move the wrist touches the cylinder where its normal is radial
-    off = near / chain.length if near < NEAR * chain.length else float(np.linalg.norm(np.cross(radial / near, axes[1])))
-    if near < 1e-6 * chain.length:
+    off = (
+        near / chain.length
+        if near < STANDS_SPECIAL * chain.length
+        else float(np.linalg.norm(np.cross(radial / near, axes[1])))
+    )
+    if near < LIES_ON * chain.length:
         return [InTheWay("shoulder", f"{what} lies on axis 1", off)]
     return [InTheWay("shoulder", f"{what} cannot come nearer to axis 1 than {near * 1e3:.4g} mm", off)]
 

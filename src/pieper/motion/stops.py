@@ -12,6 +12,7 @@ from pieper.kinematics.newton import null_space
 from pieper.motion.branches import Strand
 from pieper.motion.continuation import SMALLEST_STEP, Continuation
 from pieper.motion.in_the_way import in_the_way
+from pieper.tolerances import AT_A_POINT, AT_POINT_SAID
 from pieper.words_by_number import plural
 
 OUT_OF_REACH = "out of reach"
@@ -61,7 +62,7 @@ class Event:
 def _between(point: float) -> str:
     """Return a place among the points in words, counted from 1."""
     nearest = round(point)
-    if abs(point - nearest) < 1e-4:
+    if abs(point - nearest) < AT_POINT_SAID:
         return f"at point {nearest + 1}"
     return f"between points {int(point) + 1} and {int(point) + 2}"
 
@@ -172,10 +173,10 @@ def geometric_stop(way: Continuation, strand: Strand, q: Array, meets: int | Non
             f"it runs into branch {meets + 1} and both end there: {standing.words}; {name} would have to turn back."
         )
         return Event(s, name, BRANCH_ENDS, True, detail)
-    if way.solutions(float(np.round(x)))[1] and abs(x - np.round(x)) < 1e-2:
+    if way.solutions(float(np.round(x)))[1] and abs(x - np.round(x)) < AT_A_POINT:
         detail = f"the path crosses a singularity ({standing.words}) on which {name} would have to jump."
         return Event(s, name, SINGULARITY, True, detail)
-    if strand.crossings and x - strand.crossings[-1] < 1e-2:
+    if strand.crossings and x - strand.crossings[-1] < AT_A_POINT:
         return Event(
             s, name, BRANCH_ENDS, True, f"it meets another branch and the way on is not decided; {name} is stiff."
         )

@@ -14,6 +14,7 @@ from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
 from pieper.solver.families import named
+from pieper.tolerances import ROUNDING
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
@@ -140,7 +141,7 @@ def _variable(arm: Arm, i: int) -> str:
 
 def _turned(T: np.ndarray) -> str:
     angles = np.degrees(rpy_of(T[:3, :3]))
-    if np.abs(angles).max() < 1e-12:
+    if np.abs(angles).max() < ROUNDING:
         return ""
     return f", turned by roll, pitch, yaw ({', '.join(fixed(v, 2) for v in angles)})° about the fixed axes"
 

@@ -16,7 +16,15 @@ from pieper.kinematics.newton import settled, shortest
 from pieper.kinematics.pose import pose_error, rotation_vector
 from pieper.solver import verbs
 from pieper.solver.plan.plan import Plan
-from pieper.tolerances import VERIFY_AGREES, VERIFY_KNOWN, VERIFY_PER_SIGMA, VERIFY_SETTLED
+from pieper.tolerances import (
+    TINY,
+    VERIFY_AGREES,
+    VERIFY_KNOWN,
+    VERIFY_ON_CURVE,
+    VERIFY_PER_SIGMA,
+    VERIFY_SETTLED,
+    VERIFY_SHORTEST,
+)
 from pieper.verify.toolboxes import Toolbox, open_toolbox
 from pieper.words_by_number import plural
 
@@ -24,8 +32,6 @@ from pieper.words_by_number import plural
 STARTS = 4
 #: Joints without limits are drawn from this far on both sides, rad or m.
 ENDLESS = np.pi
-#: A self-motion's samples are met within this, rad or lengths.
-ON_CURVE = 1e-4
 
 
 class Arm(Protocol):
@@ -189,7 +195,7 @@ def _inverse(arm: Arm, other: Toolbox, q: Array, rng: np.random.Generator) -> tu
             apart = float(joints.apart(given.all_q, row).min()) if len(given.all_q) else np.inf
             if apart <= slack:
                 near.append(apart)
-            elif any(sm.contains(row, ON_CURVE) for sm in (curves if given is sols else ())):
+            elif any(sm.contains(row, VERIFY_ON_CURVE) for sm in (curves if given is sols else ())):
                 on_curves += 1
             else:
                 missing.append(row)
@@ -253,10 +259,10 @@ def _theirs(
         J[:, :3] /= length
         return J
 
-    found, left = settled(miss, slope, q, unit, steps=40, longest=0.5, step=shortest(1e-9))
+    found, left = settled(miss, slope, q, unit, steps=40, longest=0.5, step=shortest(VERIFY_SHORTEST))
     kept = []
     for row, size in zip(arm.chain.joints.wrapped(found), left, strict=True):
         sigma = np.linalg.svd(slope(row[None], np.zeros(1, np.int64))[0], compute_uv=False)[min(arm.chain.n, 6) - 1]
         if size <= VERIFY_SETTLED and _may_be_held(arm, row):
-            kept.append((row, VERIFY_KNOWN + VERIFY_PER_SIGMA / max(float(sigma), 1e-300)))
+            kept.append((row, VERIFY_KNOWN + VERIFY_PER_SIGMA / max(float(sigma), TINY)))
     return kept, sum(one is not None for one in solved)

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 import pieper
-from pieper.workbench import answers, around, long_work, programs, snippet
+from pieper.workbench import answers, around, long_work, programs, routes, snippet
 from pieper.workbench.messages import Refused, parse
 
 QUICK = {
@@ -22,6 +22,7 @@ QUICK = {
     "bodies": around.bodies,
     "python": snippet.python,
     "program_file": programs.write,
+    **routes.QUICK,
 }
 #: Messages a second that one page may send on average, and how many at once; a hand on a gizmo sends about 60.
 RATE, BURST = 200.0, 400.0

@@ -23,12 +23,11 @@ from pieper.judge.matrices import Product, value_of
 from pieper.judge.regions import region_of, zero_denominators
 from pieper.judge.rounding import unrounded, with_rounding
 from pieper.judge.samples import pose_of
-from pieper.judge.search.search import ANGLE_TOLERANCE, Explanation, Goal, search
+from pieper.judge.search.search import Explanation, Goal, search
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
-
-SAME_JOINTS = 1e-5  # rad: solutions of one pose are further apart, but for merged ones
+from pieper.tolerances import JUDGED_HOLDS, JUDGED_SAME_JOINTS, JUDGED_ZERO, SEARCH_ARC
 
 
 def read_angle(ev: Evidence, claim: Claim) -> tuple[str, Expr]:
@@ -119,14 +118,14 @@ class _AngleFormula:
     angle: Expr
     frame: Product | None
     slides: bool = False
-    tolerance: float = ANGLE_TOLERANCE
+    tolerance: float = SEARCH_ARC
 
     @classmethod
     def of(cls, ev: Evidence, angle: Expr, frame: Product | None) -> _AngleFormula:
         """The angle of a turning joint or a sum of such; a sliding joint's value counts no whole turns."""
         found = ANGLE.match(str(angle))
         if found and ev.model.sliding(int(found.group(1))):
-            return cls(angle, frame, True, 1e-9 * ev.model.length())
+            return cls(angle, frame, True, JUDGED_ZERO * ev.model.length())
         return cls(angle, frame)
 
     def off(self, value: np.ndarray, wanted: np.ndarray) -> np.ndarray:
@@ -307,7 +306,7 @@ def _both_signs(
     checked = both = 0
     for k in np.flatnonzero(ev.samples.nominal)[:SOLVER_POSES]:
         q = ev.samples.q[k, before : before + model.n]
-        if not np.all(np.isfinite(values[:, k])) or abs(wrapped(values[0, k] - values[1, k])) < 1e-6:
+        if not np.all(np.isfinite(values[:, k])) or abs(wrapped(values[0, k] - values[1, k])) < JUDGED_HOLDS:
             continue
         other = max(values[:, k], key=lambda v: abs(wrapped(v - q[joint - 1])))
         held = {j - before: q[j - before - 1] for j in given} | {joint: other}
@@ -334,19 +333,19 @@ def _among(ev: Evidence, k: int, held: dict[int, float], sums: list[dict[int, in
         rows = ev.in_unit(ev.solved(ev.samples.frames["T"][k], task))
     except PieperError:
         return None
-    if not len(rows) or ev.apart(rows, q).max(1).min() > SAME_JOINTS:
+    if not len(rows) or ev.apart(rows, q).max(1).min() > JUDGED_SAME_JOINTS:
         return None
     if task != "position":
         off = np.abs(pose_of(model, rows) - ev.samples.frames["T"][k]).reshape(len(rows), -1).max(1)
-        rows = rows[off < SAME_JOINTS * max(1.0, model.length())]
+        rows = rows[off < JUDGED_SAME_JOINTS * max(1.0, model.length())]
     fine = np.ones(len(rows), dtype=bool)
     for joint, value in held.items():
         target = q.copy()
         target[joint - 1] = value
-        fine &= ev.apart(rows, target)[:, joint - 1] < SAME_JOINTS
+        fine &= ev.apart(rows, target)[:, joint - 1] < JUDGED_SAME_JOINTS
     for members in sums:
         total = sum(factor * (rows[:, j - 1] - q[j - 1]) for j, factor in members.items())
-        fine &= np.abs(wrapped(total)) < SAME_JOINTS
+        fine &= np.abs(wrapped(total)) < JUDGED_SAME_JOINTS
     return bool(fine.any())
 
 

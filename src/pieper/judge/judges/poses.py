@@ -27,8 +27,8 @@ from pieper.judge.numbers import (
 from pieper.judge.samples import samples_at
 from pieper.judge.slips.arm_slips import arm_slips
 from pieper.judge.verdict import Verdict
+from pieper.tolerances import ROUND_OFF
 
-ROUND_OFF = 1e-12  # printed 6.1E-17 stands for zero
 Place = tuple[int, int]
 Reader = Callable[[ArmModel, np.ndarray], "Reading"]
 

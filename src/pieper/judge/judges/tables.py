@@ -13,6 +13,7 @@ from pieper.judge.numbers import UNITS, as_text, cut_off, last_digit, misprint, 
 from pieper.judge.samples import pose_of, samples_at
 from pieper.judge.slips.arm_slips import axis_renamings
 from pieper.judge.verdict import Verdict
+from pieper.tolerances import JUDGED_ZERO
 
 ZEROS = (0, 90, 180, -90)  # deg, where makers put the zero of a joint relative to a DH table
 
@@ -158,7 +159,7 @@ def _best_zeros(
         turned = points @ R.T
         gap = np.abs(turned - printed)
         flipped = np.abs(turned + printed)
-        lost = (flipped < gap - 1e-9) & (np.abs(printed) > 0)
+        lost = (flipped < gap - JUDGED_ZERO) & (np.abs(printed) > 0)
         single = lost.reshape(len(combos), -1).sum(1) == 1
         plain = gap.reshape(len(combos), -1).max(1)
         repaired = np.where(single, np.minimum(gap, flipped).reshape(len(combos), -1).max(1), np.inf)

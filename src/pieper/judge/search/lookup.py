@@ -19,11 +19,11 @@ import numpy as np
 from pieper.algebra.expression import Add, Call, Expr, Mul, Num, PiFraction, Power, Sym
 from pieper.algebra.formula import ANGLE, Equation, Mention, Neg, PlusMinus, is_call, number, positions, unordered
 from pieper.judge.slips.slip import Slip
+from pieper.tolerances import CONSTANT_GAP, SEARCH_ARC, SEARCH_SAME
 
 FACTORS = 3  # letters in a lost term
 FIRST = 52  # letters of which products are made; more are seldom in one formula
 MOST_TERMS = 6  # of a sum whose neighbours may share a lost factor
-SAME = 1e-8  # relative; values closer than this are equal
 ENOUGH = 3  # samples at which a product must have the value; the others may be on another branch
 ANCHORS = 4  # samples at which a product is looked up; on a wrong branch a value is of no use
 FAMILIES = ("noa", "r", "p", "P")  # letters of a pose that go together
@@ -89,13 +89,13 @@ class Shelf:
                     if not np.isfinite(wanted[anchor]):
                         continue
                     order = self._order[letters][anchor]
-                    first = np.searchsorted(logs[order, anchor], wanted[anchor] - SAME)
-                    last = np.searchsorted(logs[order, anchor], wanted[anchor] + SAME)
+                    first = np.searchsorted(logs[order, anchor], wanted[anchor] - SEARCH_SAME)
+                    last = np.searchsorted(logs[order, anchor], wanted[anchor] + SEARCH_SAME)
                     for k in order[first:last].tolist():
                         if k in seen:
                             continue
                         seen.add(k)
-                        near = np.abs(logs[k] - wanted) < SAME
+                        near = np.abs(logs[k] - wanted) < SEARCH_SAME
                         for sense in (1, -1):
                             if np.count_nonzero(near & (signs[k] * sense == sign)) >= ENOUGH:
                                 yield Found(sense * coefficient, tuple(products[k].tolist()))
@@ -175,7 +175,7 @@ class Lost:
                 if isinstance(node, Mul):
                     yield from _parts_of_product(root, path, node, shelf, need, values)
                 yield from _letters(root, path, node, shelf, need)
-                if any_slip and np.count_nonzero(np.abs(need + value) < SAME * np.abs(value)) >= ENOUGH:
+                if any_slip and np.count_nonzero(np.abs(need + value) < SEARCH_SAME * np.abs(value)) >= ENOUGH:
                     yield Slip("sign", ("the sign of {}", node), root, path, Neg.of(node), 0.5)
 
     def angles(self, root: Expr, gap: np.ndarray, env: Mapping[str, np.ndarray]) -> Iterator[Slip]:
@@ -189,17 +189,17 @@ class Lost:
         for name in (f"theta{j}" for j in range(1, self.joints + 1)):
             for sign in (1, -1):
                 off = np.abs((gap - sign * env[name] + np.pi) % (2 * np.pi) - np.pi)
-                if name not in self.own and np.count_nonzero(off < 1e-7) * 2 >= len(off):
+                if name not in self.own and np.count_nonzero(off < SEARCH_ARC) * 2 >= len(off):
                     term = Mention(name)
                     new = Add.of(root, term if sign > 0 else Neg.of(term))
                     yield Slip("missing term", ("{} lost", term), root, (), new, 1.0)
-        if np.ptp(np.cos(gap)) + np.ptp(np.sin(gap)) < 1e-9:
+        if np.ptp(np.cos(gap)) + np.ptp(np.sin(gap)) < CONSTANT_GAP:
             return  # the same at every sample: half a turn, say
         entries = [e for e in self.letters.values() if isinstance(e, Sym) and _any_entry(e.name)]
         for y, x in permutations(entries, 2):
             for sy, sx in product((1, -1), repeat=2):
                 arc = np.arctan2(sy * env[y.name], sx * env[x.name])
-                if np.count_nonzero(np.abs((gap - arc + np.pi) % (2 * np.pi) - np.pi) < 1e-7) >= ENOUGH:
+                if np.count_nonzero(np.abs((gap - arc + np.pi) % (2 * np.pi) - np.pi) < SEARCH_ARC) >= ENOUGH:
                     term = Call("atan2", y if sy > 0 else Neg.of(y), x if sx > 0 else Neg.of(x))
                     yield Slip("missing term", ("{} lost", term), root, (), Add.of(term, root), 1.1)
 
@@ -247,7 +247,7 @@ def _parts_of_sum(
                 continue
             inside = node.args[first:last]
             part = sum(np.asarray(values[a], dtype=float) for a in inside)
-            if np.count_nonzero(np.abs(gap + part - part**2) < SAME * part**2) >= ENOUGH:
+            if np.count_nonzero(np.abs(gap + part - part**2) < SEARCH_SAME * part**2) >= ENOUGH:
                 new = Add.of(*node.args[:first], Power(Add(*inside), number(2)), *node.args[last:])
                 yield Slip("power", ("a lost square of {}", Add(*inside)), root, path, new, 1.3)
             for found in shelf.find((gap + part) / part, most=1, least=1):

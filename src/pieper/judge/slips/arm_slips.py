@@ -12,6 +12,7 @@ import numpy as np
 from pieper.algebra.expression import Add, Expr, PiFraction
 from pieper.algebra.formula import Mention, Neg, number
 from pieper.judge.model import ArmModel
+from pieper.tolerances import WHOLE_TURN
 
 ARM_KINDS = {
     "convention": "standard for modified DH",
@@ -44,7 +45,7 @@ def arm_slips(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
                 words = f"joint {joint} has its zero {degrees:+d} deg from there"
                 yield "zero", words, _turned(model, i, lambda v, s=shift: Add.of(v, s))
         twist = _value(model, row.alpha)
-        if twist and abs(abs(twist) - np.pi) > 1e-9:
+        if twist and abs(abs(twist) - np.pi) > WHOLE_TURN:
             yield "twist", f"the twist of row {joint} has the other sign", model.with_row(i, alpha=Neg.of(row.alpha))
         for column in ("a", "d"):
             node = getattr(row, column)

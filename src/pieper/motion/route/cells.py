@@ -13,7 +13,7 @@ from pieper.kinematics.pose import rotation_vector
 from pieper.motion.route.grid import Grid
 from pieper.motion.route.ladder import Rungs
 from pieper.motion.route.setting import Setting
-from pieper.tolerances import CLOSES, TINY
+from pieper.tolerances import CELL_DAMPING, CELL_ON_POSE, CLOSES, TINY
 
 #: Neighbours farther than this (rad; lengths) are not known to be one branch, and partners at a fold at most this.
 LINKED, PARTNERS = 0.45, 1.2
@@ -21,8 +21,6 @@ LINKED, PARTNERS = 0.45, 1.2
 MARGIN = 0.8
 #: How often a cell is quartered for the proof, parts looked at at once, and at most in one round.
 DEPTH, CHUNK, MOST_PARTS = 4, 4000, 60_000
-#: What Newton's method leaves of a pose (per length; rad) in the middle of a part.
-ON_POSE = 1e-13
 
 
 def looseness(setting: Setting, grid: Grid, ladder: Rungs) -> Array:
@@ -130,15 +128,15 @@ def _proved(
         y[:, turn] = x[:, turn] + (part.left + part.right) / 2
     for _ in range(4):
         e = pose_difference(chain, y, T)
-        if np.abs(e).max(initial=0.0) < ON_POSE:
+        if np.abs(e).max(initial=0.0) < CELL_ON_POSE:
             break
         square = scaled_jacobian(chain, y)[:, :, held]
-        step = np.linalg.solve(square + 1e-14 * np.eye(6), e[..., None])[..., 0]
+        step = np.linalg.solve(square + CELL_DAMPING * np.eye(6), e[..., None])[..., 0]
         step *= np.minimum(1.0, 0.3 / np.maximum(np.linalg.norm(step, axis=1, keepdims=True), TINY))
         y[:, held] += step * unit[held]
     J = scaled_jacobian(chain, y)
     left = np.linalg.norm(pose_difference(chain, y, T), axis=1)
-    back = np.asarray(np.linalg.inv(J[:, :, held] + 1e-14 * np.eye(6)), np.float64)
+    back = np.asarray(np.linalg.inv(J[:, :, held] + CELL_DAMPING * np.eye(6)), np.float64)
     beta = np.linalg.norm(back, axis=(1, 2))  # Frobenius: not less than the largest singular value
     ends = [_twist(chain.length, T, setting.at(end), back) for end in (part.low, part.high)]
     eta = np.maximum(*ends) + beta * left

@@ -11,7 +11,7 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.joints import TURN
 from pieper.motion.route.grid import REACH, Grid
 from pieper.motion.route.setting import Setting
-from pieper.tolerances import LIMIT_SLACK
+from pieper.tolerances import LIMIT_SLACK, NO_DIRECTION
 
 #: The largest step of a joint from rung to rung and on the spot (rad; lengths of the arm).
 STEP = 0.6
@@ -121,7 +121,7 @@ def climb(
     near = (
         grid.near(1)
         if loose is not None
-        else grid.near(max(1, int(round(REACH / max(cell, 1e-9)))) if len(grid.coordinates) < 2 else 2)
+        else grid.near(max(1, int(round(REACH / max(cell, NO_DIRECTION)))) if len(grid.coordinates) < 2 else 2)
     )
     spot = grid.near(1)
     on_spot = np.full(setting.m, -1.0)

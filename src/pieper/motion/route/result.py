@@ -11,7 +11,9 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.motion.route.freedom import Freedom, Verdict
 from pieper.motion.route.setting import Setting
+from pieper.motion.route.turn_map import TurnMap, turn_map
 from pieper.solver.plan.plan import Plan
+from pieper.solver.words.labels import posture_words
 
 
 @dataclass(frozen=True)
@@ -147,6 +149,20 @@ class Route:
     def alternatives(self) -> tuple[Alternative, ...]:
         """Other routes, one a posture label of the first point, cheapest first; sought when first asked for."""
         return self.others()
+
+    @cached_property
+    def labels(self) -> tuple[str, ...]:
+        """(N,) posture label of each point; empty where no route was found."""
+        return tuple(posture_words(self.plan, self.q)) if len(self.q) else ()
+
+    @cached_property
+    def map(self) -> TurnMap:
+        """Where along the path which turn is open, branch by branch, whether a route was found or not.
+
+        Raises:
+            InputError: The turn was not free, or the arm's own joints decide it.
+        """
+        return turn_map(self.setting)
 
     @property
     def largest_step(self) -> Array:

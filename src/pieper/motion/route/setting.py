@@ -17,17 +17,13 @@ from pieper.motion.path import shortest_turn
 from pieper.motion.route.freedom import Freedom
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import appended, generic_rank, with_task_joints
-from pieper.tolerances import CLOSES, TINY
+from pieper.tolerances import CLOSES, CONE_KEPT, TINY
 
 #: Orientations in which the two virtual joints of a tilt act, about y and then about x.
 _TILTS = [
     (rotation_about(np.array([1.0, 0.0, 0.0]), -np.pi / 2), False),
     (rotation_about(np.array([0.0, 1.0, 0.0]), np.pi / 2), False),
 ]
-
-
-#: Part of a cone that is left free at its edge, so that a route at rest there lies inside it.
-CONE_KEPT = 1e-5
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.arm_angle import STRETCHED, ArmAngle
+from pieper.kinematics.arm_angle import ArmAngle
 from pieper.kinematics.arrays import Array, Bits, Bools, Indices
 from pieper.kinematics.joints import short_way, wrapped
 from pieper.kinematics.newton import missed, pose_difference, scaled_jacobian, settled
@@ -14,7 +14,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.sweep import Sweep, sweep, unknown
 from pieper.solver.rows import Flag, Rows
-from pieper.tolerances import CLOSES, TINY
+from pieper.tolerances import ARM_STRETCHED, CLOSES, TINY
 
 #: Newton steps onto pose and arm angle, and the longest of them, rad.
 STEPS, LONGEST = 25, 0.3
@@ -64,7 +64,7 @@ def _closed_form(angle: ArmAngle, T: Array, angles: Array) -> tuple[Array, Bools
     turn4 = rotation_about(u[3], q4)
     before = arm + turn4 @ fore  # S-W as the elbow makes it, joints 1 to 3 at zero
     across, size = _across(before, elbow)
-    stretched = size <= STRETCHED * chain.length
+    stretched = size <= ARM_STRETCHED * chain.length
     wanted = np.cos(angles)[:, None] * x + np.sin(angles)[:, None] * y
     to = np.broadcast_to(_frame(line, wanted)[:, None], (*q4.shape, 3, 3))
     R = to @ np.swapaxes(_frame(before, across), -1, -2)

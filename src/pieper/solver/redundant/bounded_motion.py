@@ -45,11 +45,6 @@ class BoundedMotion(TracedMotion):
         """Return the points (k, n) at parameters (k,), the task's virtual joints behind."""
         return newton(self.chain, self.between(u), self.T, steps=6, cutoff=1e-7)
 
-    @cached_property
-    def _weights(self) -> Array:
-        """(n,) what a joint counts in a distance: nothing where it is virtual."""
-        return np.where(np.arange(self.chain.n) < self.shown, 1.0 / self.chain.joints.unit, 0.0)
-
     def _within(self, points: Array) -> Bools:
         return self.chain.joints.inside_limits(points, self.limits)[1]
 
@@ -95,7 +90,7 @@ class BoundedMotion(TracedMotion):
         """Every interval of u in which the curve lies inside the joint limits, however short, to rounding."""
         return tuple((float(a), float(b)) for a, b in self._stretches)
 
-    def nearest(self, q_now: Array) -> Array | None:
+    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
         """Return the point (n,) of the curve inside the limits closest to q_now, whole turns resolved, or None.
 
         A distance changes no faster than the curve is long, so a stretch that cannot come nearer than what was found is
@@ -103,14 +98,13 @@ class BoundedMotion(TracedMotion):
         """
         if not self._stretches:
             return None
-        now = np.zeros(self.chain.n)
-        now[: len(q_now)] = q_now
+        now, counts = self.padded(q_now), self.counts(weights)
         steps = np.diff(self.samples, axis=0) / self.chain.joints.unit
-        length = float(np.linalg.norm(steps, axis=1).sum()) * ARC
+        length = float(np.linalg.norm(steps, axis=1).sum()) * ARC * float(np.sqrt(counts.max()))
         low, high = self._pieces()
         best, least = np.zeros(self.chain.n), np.inf
         for _ in range(ROUNDS):
-            points, away, which = self._ends_away(low, high, now)
+            points, away, which = self._ends_away(low, high, now, counts)
             if away.min() < least:
                 least, best = float(away.min()), points[int(np.argmin(away))]
             a, b = away[which[: len(low)]], away[which[len(low) :]]
@@ -120,7 +114,7 @@ class BoundedMotion(TracedMotion):
                 break
             cuts = np.linspace(low[open_], high[open_], PARTS + 1)
             low, high = cuts[:-1].ravel(), cuts[1:].ravel()
-        return self._settled(best, now)[: self.shown]
+        return closest(self.chain, best[None], self.T, self.limits, now, counts)[: self.shown]
 
     def _pieces(self) -> tuple[Array, Array]:
         """Return the two ends (k,), in u, of the pieces between samples that are inside the limits."""
@@ -128,16 +122,11 @@ class BoundedMotion(TracedMotion):
         low = np.concatenate([e[:-1] if len(e) > 1 else e for e in edges])
         return low, np.concatenate([e[1:] if len(e) > 1 else e for e in edges])
 
-    def _ends_away(self, low: Array, high: Array, now: Array) -> tuple[Array, Array, Indices]:
+    def _ends_away(self, low: Array, high: Array, now: Array, counts: Array) -> tuple[Array, Array, Indices]:
         """Return the points at the ends of pieces, how far from `now` they are, and which is which end (2 k,)."""
         both, which = np.unique(np.concatenate([low, high]), return_inverse=True)
         points = self.chain.joints.unwound(self.points(both), now, self.limits)
-        return points, np.asarray(np.linalg.norm((points - now) * self._weights, axis=1), np.float64), which
-
-    def _settled(self, point: Array, now: Array) -> Array:
-        """Return the nearest point that descent reaches from one that is inside the limits."""
-        weights = (np.arange(self.chain.n) < self.shown).astype(np.float64)
-        return closest(self.chain, point[None], self.T, self.limits, now, weights)
+        return points, self.straight(now, points, counts), which
 
     def __getstate__(self) -> dict[str, object]:
         """What pickle keeps."""

@@ -119,16 +119,16 @@ class LineMotion(SelfMotion):
             found = self._closest(np.zeros(self.chain.n), np.tile(FREE, (self.chain.n, 1)))
         return self.through if found is None else found
 
-    def nearest(self, q_now: Array) -> Array | None:
-        """Return the point (n,) of the curve inside the limits closest to q_now, or None."""
-        found = self._closest(self.padded(q_now), self.limits) if self._spans else None
+    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
+        """Return the point (n,) of the curve inside the limits closest to q_now, or None; weights (n,) as `counts`."""
+        found = self._closest(self.padded(q_now), self.limits, weights) if self._spans else None
         return None if found is None else found[: self.shown]
 
-    def _closest(self, q_now: Array, limits: Array) -> Array | None:
+    def _closest(self, q_now: Array, limits: Array, weights: Array | None = None) -> Array | None:
         """Return the point (n,) inside limits nearest to q_now: for every whole turn of joint j a clipped parabola."""
         i, j = self.pair
         q = self.chain.joints.unwound(self.through, q_now, limits)
-        weight = np.array([i < self.shown, j < self.shown], float)
+        weight = self.counts(weights)[[i, j]]
         if not weight.any():
             weight[:] = 1.0
         (low_i, high_i), (low_j, high_j) = limits[i], limits[j]

@@ -149,16 +149,16 @@ class LinkageMotion(SelfMotion):
         # rounding makes equal costs unequal: a coarse key first, then the first sample
         return near[int(np.argmin(np.round(cost, 6)))]
 
-    def nearest(self, q_now: Array) -> Array | None:
-        """Return the point (n,) of the curve inside the limits closest to q_now, or None."""
+    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
+        """Return the point (n,) of the curve inside the limits closest to q_now, or None; weights (n,) as `counts`."""
         if not self.inside:
             return None
         q_now = self.padded(q_now)
-        joints = self.chain.joints
+        joints, counts = self.chain.joints, self.counts(weights)
 
         def wound(u: Array) -> tuple[Array, Array]:
             q = joints.unwound(self.points(u), q_now, self.limits)
-            return q, self.straight(q_now, q)
+            return q, self.straight(q_now, q, counts)
 
         best: tuple[float, Array] | None = None
         for low, high in self.inside:

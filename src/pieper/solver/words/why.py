@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.arm_angle import POLE
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.joints import TURN
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status
 from pieper.solver.rows import Flag
+from pieper.tolerances import ARM_ANGLE_POLE, TOLD_AS_HIT, TOLD_AS_TURN
 from pieper.words_by_number import plural
 
 #: Doublings of a quarter radian after which every variant of a posture by whole turns is inside.
@@ -26,7 +26,8 @@ def why(plan: Plan, sols: Solutions) -> str:
     if status == Status.UNCERTAIN and sols.flag & Flag.NO_ARM_ANGLE:
         return (
             "The arm angle is undefined at this pose: the line from shoulder to wrist points along the pole of the "
-            f"reference or the elbow lies on it, within {POLE:g} rad. Choose {', '.join(plan.redundancy)} instead."
+            f"reference or the elbow lies on it, within {ARM_ANGLE_POLE:g} rad. "
+            f"Choose {', '.join(plan.redundancy)} instead."
         )
     if status == Status.UNCERTAIN and sols.flag & Flag.COUNT_CHANGES:
         apart = plan.drift * plan.chain.length * 1e3
@@ -60,16 +61,16 @@ def _held(plan: Plan, sols: Solutions) -> str:
 def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     near = sols.closest
     metres, radians = near.metres, near.radians
-    if plan.redundancy and metres < 1e-7 * plan.chain.length and radians < 1e-7:
+    if plan.redundancy and metres < TOLD_AS_HIT * plan.chain.length and radians < TOLD_AS_HIT:
         held = _held(plan, sols)
         return f"No solution at the chosen {held}, though the arm can take the pose with other values."
     what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[
         plan.task
     ]
     turned = f"{np.degrees(radians):.3g} deg"
-    if metres <= 1e-6 * plan.chain.length and radians > 1e-6:
+    if metres <= TOLD_AS_TURN * plan.chain.length and radians > TOLD_AS_TURN:
         return f"{what} is out of reach: the arm gets there, but not turned this way; at best {turned} are missing."
-    also = f" and {turned}" if radians > 1e-6 else ""
+    also = f" and {turned}" if radians > TOLD_AS_TURN else ""
     return f"{what} is out of reach: the nearest one the arm can take misses it by {metres * 1e3:.4g} mm{also}."
 
 

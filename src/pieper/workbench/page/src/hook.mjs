@@ -55,6 +55,14 @@ export function expose() {
     get program() {
       return structuredClone(state.program);
     },
+    get route() {
+      return structuredClone(state.route);
+    },
+    routePlace(which, turn) {
+      const detail = { which, turn };
+      document.querySelector('.route-map').dispatchEvent(new CustomEvent('where', { detail }));
+      return detail.at;
+    },
     get motion() {
       return structuredClone(state.motion);
     },

@@ -20,6 +20,7 @@ import { inverse } from './panels/inverse.mjs';
 import { dhTable } from './panels/dh_table.mjs';
 import { equations } from './panels/equations.mjs';
 import { path } from './panels/path.mjs';
+import { route } from './panels/route.mjs';
 import { program } from './panels/program.mjs';
 import { world as worldPanel } from './panels/world.mjs';
 import { sequence } from './panels/sequence.mjs';
@@ -57,7 +58,13 @@ const group = (name, first, ...rest) => [{ ...first, group: name }, ...rest];
 showPanel = rail($('#rail'), $('#panels'), $('#pinned'), [
   ...group('Drive', { id: 'move', title: 'Move', sections: [joints, pose] }, inverse),
   ...group('Describe', dhTable, worldPanel),
-  ...group('Plan', path, program, sequence),
+  ...group(
+    'Plan',
+    path,
+    route(() => showPanel),
+    program,
+    sequence,
+  ),
   ...group('Study', matrices, equations, analysis),
   ...group(
     'Hand on',
