@@ -11,8 +11,13 @@ from pieper.kinematics.pose import rotation_vector
 from pieper.motion.continuation import Continuation
 from pieper.motion.path import between
 from pieper.motion.track import OffLine
-from pieper.tolerances import LIMIT_ROOM, LIMIT_SLACK, NEAR_A_LIMIT, SWINGS, TINY
+from pieper.tolerances import JOINT_RESTS, ROUNDING
 
+#: A peak between two points is looked at from this part of the joint's way there before its limit: the cubic that
+#: foretells it is off by far less.
+NEAR_LIMIT = 0.25
+#: A step is looked at where a joint is nearer to a limit than this many times what moves most in it or beside it.
+ROOM = 2.0
 #: Parts of a step at which straight motion of the joints is compared with the line.
 PARTS = (0.25, 0.5, 0.75)
 
@@ -29,7 +34,7 @@ def outside_between(way: Continuation, q: Array) -> tuple[int, float] | None:
     # a joint may turn round between two points at which it stands the same: what any joint does there counts
     moved = (np.abs(last - first) / way.unit).max(1)
     moved = np.maximum.reduce([moved, *(np.roll(moved, side) for side in (1, -1))])
-    reach = LIMIT_ROOM * moved[:, None] * way.unit
+    reach = ROOM * moved[:, None] * way.unit
     near = (np.maximum(first, last) > high - reach) | (np.minimum(first, last) < low + reach)
     steps = np.flatnonzero(near.any(1))
     if not len(steps):
@@ -53,7 +58,7 @@ def _slopes(way: Continuation, q: Array, steps: Indices) -> tuple[Array, Array, 
         ends[at] = q[k + 1] - way.predict(q[k + 1], k + 1, k)
     size = np.abs(q[steps + 1] - q[steps]).max(1)
     steep = np.maximum(np.abs(begins).max(1), np.abs(ends).max(1))
-    return begins, ends, steep < SWINGS * size + LIMIT_SLACK
+    return begins, ends, steep < 10 * size + JOINT_RESTS
 
 
 def _peaks(first: Array, last: Array, m0: Array, m1: Array, low: Array, high: Array) -> list[tuple[int, float]]:
@@ -63,12 +68,12 @@ def _peaks(first: Array, last: Array, m0: Array, m1: Array, low: Array, high: Ar
     found: set[tuple[int, float]] = set()
     root = np.sqrt(np.maximum(b * b - 4 * a * c, 0.0))
     with np.errstate(all="ignore"):
-        flat = np.abs(a) < TINY * (np.abs(b) + np.abs(c))
+        flat = np.abs(a) < ROUNDING * (np.abs(b) + np.abs(c))
         places = [np.where(flat, -c / b, (-b + sign * root) / (2 * a)) for sign in (1, -1)]
     for t in places:
         t = np.where(np.isfinite(t) & (t > 0) & (t < 1) & (b * b >= 4 * a * c), t, 0.0)
         value = first + t * (c + t * (b / 2 + t * a / 3))
-        room = NEAR_A_LIMIT * np.maximum(np.abs(gap), np.maximum(np.abs(value - first), np.abs(value - last)))
+        room = NEAR_LIMIT * np.maximum(np.abs(gap), np.maximum(np.abs(value - first), np.abs(value - last)))
         beyond = (t > 0) & ((value > high - room) | (value < low + room))
         found |= {(int(k), float(t[k, j])) for k, j in np.argwhere(beyond)}
     return sorted(found)

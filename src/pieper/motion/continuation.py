@@ -21,11 +21,11 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.verbs import ik
 from pieper.tolerances import (
+    BRANCH_PASSED,
     BRANCH_ROUNDING,
     BRANCHES_MET,
     FOLLOWED_RANK,
     SINGULAR_EXAMINED,
-    SINGULAR_PASSED,
     SINGULAR_POINT,
     TASK_RANK,
     VERIFIED,
@@ -204,7 +204,7 @@ class Continuation:
     def nearly_singular(self, q: Array, x: float) -> bool:
         """Return whether a joint vector q (n,) at x lies on a singularity, but for how exactly x is known."""
         sigma = np.linalg.svd(self._jacobian(q, x), compute_uv=False)
-        return bool(sigma[-1] < (SINGULAR_EXAMINED if x == int(x) else SINGULAR_PASSED) * sigma[0])
+        return bool(sigma[-1] < (SINGULAR_EXAMINED if x == int(x) else BRANCH_PASSED) * sigma[0])
 
     def predict(self, q: Array, xa: float, xb: float) -> Array:
         """Return where the Jacobian sends a joint vector q (n,) from xa to xb, with the least joint motion."""

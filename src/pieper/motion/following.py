@@ -145,10 +145,8 @@ def _partner(way: Continuation, index: int, found: list[Strand]) -> int | None:
     for other, candidate in enumerate(found):
         if other == index or candidate.end is None or strand.end is None:
             continue
-        if (
-            abs(candidate.end - strand.end) < STRANDS_END
-            and np.abs(way.gap(candidate.at, strand.at)).max() < STRANDS_MEET
-        ):
+        gap = float(np.abs(way.gap(candidate.at, strand.at)).max())
+        if abs(candidate.end - strand.end) < STRANDS_END and gap < STRANDS_MEET:
             return other
     return None
 

@@ -12,7 +12,10 @@ from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import axes_at, look
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.solver.plan.plan import Plan
-from pieper.tolerances import GEOMETRY_EXACT, LIES_ON, STANDS_SPECIAL, TAKES_PART, TINY
+from pieper.tolerances import GEOMETRY_EXACT, NEAR_ARRANGEMENT, ON_FIRST_AXIS, TINY
+
+#: A joint takes part in a self-motion by at least this part of the one that moves most.
+TAKES_PART = 0.05
 
 
 @dataclass(frozen=True)
@@ -37,7 +40,7 @@ def in_the_way(plan: Plan, q: Array) -> InTheWay:
     axes, points = axes_at(chain, values)
     found = [*_in_line(plan, axes, points), *_elbow(chain, values, axes, points)]
     found += _cylinder(chain, values, axes, points)
-    found = [one for one in found if one.off < STANDS_SPECIAL]
+    found = [one for one in found if one.off < NEAR_ARRANGEMENT]
     if found:
         return min(found, key=lambda one: one.off)
     return _by_null_space(plan, q)
@@ -56,11 +59,11 @@ def _in_line(plan: Plan, axes: Array, points: Array) -> list[InTheWay]:
             off = float(np.linalg.norm(cross))
             apart = float(np.linalg.norm(np.cross(points[j] - points[i], axes[i]))) / length
             names = f"axes {i + 1} and {j + 1}"
-            if max(off, apart) < STANDS_SPECIAL and not _always_parallel(plan, i, j):
+            if max(off, apart) < NEAR_ARRANGEMENT and not _always_parallel(plan, i, j):
                 kind = "wrist" if j == chain.n - 1 and i >= chain.n - 3 else "shoulder" if i == 0 else ""
                 words = f"{names} lie on one line ({_two(plan, i, j)} turn the same)"
                 found.append(InTheWay(kind, words, max(off, apart)))
-            elif off < STANDS_SPECIAL and j == chain.n - 1 and i == j - 2 and not _always_parallel(plan, i, j):
+            elif off < NEAR_ARRANGEMENT and j == chain.n - 1 and i == j - 2 and not _always_parallel(plan, i, j):
                 words = f"{names} are parallel ({plan.names[i + 1]} is where they become so)"
                 found.append(InTheWay("wrist", words, off))
     return found
@@ -144,12 +147,9 @@ def _cylinder(chain: Chain, values: Array, axes: Array, points: Array) -> list[I
     radial = gap - (gap @ axes[0]) * axes[0]
     near = float(np.linalg.norm(radial))
     # the plane in which joints 2 and 3 move the wrist touches the cylinder where its normal is radial
-    off = (
-        near / chain.length
-        if near < STANDS_SPECIAL * chain.length
-        else float(np.linalg.norm(np.cross(radial / near, axes[1])))
-    )
-    if near < LIES_ON * chain.length:
+    at_axis = near < NEAR_ARRANGEMENT * chain.length
+    off = near / chain.length if at_axis else float(np.linalg.norm(np.cross(radial / near, axes[1])))
+    if near < ON_FIRST_AXIS * chain.length:
         return [InTheWay("shoulder", f"{what} lies on axis 1", off)]
     return [InTheWay("shoulder", f"{what} cannot come nearer to axis 1 than {near * 1e3:.4g} mm", off)]
 

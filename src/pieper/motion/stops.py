@@ -12,7 +12,7 @@ from pieper.kinematics.newton import null_space
 from pieper.motion.branches import Strand
 from pieper.motion.continuation import SMALLEST_STEP, Continuation
 from pieper.motion.in_the_way import in_the_way
-from pieper.tolerances import AT_A_POINT, AT_POINT_SAID
+from pieper.tolerances import AT_A_POINT, SAID_AT_POINT
 from pieper.words_by_number import plural
 
 OUT_OF_REACH = "out of reach"
@@ -62,7 +62,7 @@ class Event:
 def _between(point: float) -> str:
     """Return a place among the points in words, counted from 1."""
     nearest = round(point)
-    if abs(point - nearest) < AT_POINT_SAID:
+    if abs(point - nearest) < SAID_AT_POINT:
         return f"at point {nearest + 1}"
     return f"between points {int(point) + 1} and {int(point) + 2}"
 

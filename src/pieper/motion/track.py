@@ -12,7 +12,7 @@ from pieper.document.columns import Column, Tabular, Units
 from pieper.kinematics.arrays import Array, Bools
 from pieper.motion.stops import Event
 from pieper.solver.plan.plan import Plan
-from pieper.tolerances import OFF_LINE_SAID
+from pieper.tolerances import WORTH_SAYING
 from pieper.words_by_number import plural
 
 NO_CURE = (
@@ -187,9 +187,9 @@ class Track(Tabular):
         if not self.complete and self.seek is not _none:
             text += [f"Cure: {cure.words}" for cure in self.cures] or [NO_CURE]
         off = self.off_line
-        if off.metres > OFF_LINE_SAID:
+        if off.metres > WORTH_SAYING:
             where = f"between points {off.point + 1} and {off.point + 2}"
-            turned = f" and turns it by up to {np.degrees(off.radians):.2g} deg" if off.radians > OFF_LINE_SAID else ""
+            turned = f" and turns it by up to {np.degrees(off.radians):.2g} deg" if off.radians > WORTH_SAYING else ""
             text.append(
                 f"Straight motion of the joints from point to point leads the tool up to {off.metres * 1e3:.2g} mm off "
                 f"the line{turned}, most {where}."

@@ -14,6 +14,7 @@ from .drawing import *  # noqa: F403
 from .judge import *  # noqa: F403
 from .kernels.closed_forms import *  # noqa: F403
 from .kernels.collision import *  # noqa: F403
+from .kernels.curves import *  # noqa: F403
 from .kernels.descent import *  # noqa: F403
 from .kernels.elimination import *  # noqa: F403
 from .kernels.equations import *  # noqa: F403

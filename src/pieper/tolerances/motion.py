@@ -28,29 +28,8 @@ BRANCH_ROUNDING = 1e-6
 BRANCHES_MET = 5e-3
 #: sigma_min / sigma_max of the scaled Jacobian below which a solution counts as singular itself.
 SINGULAR_POINT = 1e-7
-#: The same where a branch has passed a singularity between points: the place is known to about 2^-18 of a step, under
-#: a square root.
-SINGULAR_PASSED = 2e-3
 #: A singular point is bridged from this far before it, as a fraction of the spacing.
 BRIDGE = 1e-3
-#: How near (rad; per length) to a special arrangement a posture is that a branch ends in: half the digits of a double
-#: root are lost, and a branch is carried to 2^-18 of the spacing of the points.
-STANDS_SPECIAL = 2e-2
-#: A point nearer to an axis than this (per length) lies on it, in words.
-LIES_ON = 1e-6
-#: A joint takes part in a self-motion by at least this part of the one that moves most.
-TAKES_PART = 0.05
-#: A peak between two points is looked at from this part of the joint's way there before its limit: the cubic that
-#: foretells it is off by far less.
-NEAR_A_LIMIT = 0.25
-#: A step is looked at where a joint is nearer to a limit than this many times what moves most in it or beside it.
-LIMIT_ROOM = 2.0
-#: A step whose slopes are more than this many times its size swings, and no cubic foretells it.
-SWINGS = 10.0
-#: A place nearer to a point than this part of the spacing is said to be at it.
-AT_POINT_SAID = 1e-4
-#: A distance (m) or turn (rad) off the line that nobody would hear of is not said.
-OFF_LINE_SAID = 1e-6
 #: Directions that the task feels less than this part of the most carry no step along a branch,
 FOLLOWED_RANK = 1e-7
 #: and none of the rates to it.
@@ -95,3 +74,16 @@ STRANDS_MEET = 5e-2
 NEARER_BY = 1e-9
 #: Cosine between the ways (in the joints) under which the corner is a reversal, which no curve rounds.
 REVERSES = -0.9999
+#: sigma_min / sigma_max where a branch passed a singularity: its place is known to 2^-18 of a step, under a root.
+BRANCH_PASSED = 2e-3
+#: A stop this near to a point of the path, in spacings, is said to lie at it.
+SAID_AT_POINT = 1e-4
+#: A distance (m) or turn (rad) off the line that nobody would hear of is not said.
+WORTH_SAYING = 1e-6
+#: How near (rad; per length) to a special arrangement a posture is that a branch ends in: half the digits of a double
+#: root are lost, and a branch is carried to 2^-18 of the spacing of the points.
+NEAR_ARRANGEMENT = 2e-2
+#: A point this near to axis 1 (per length) lies on it.
+ON_FIRST_AXIS = 1e-6
+#: Slopes of a step (rad; m) below this are those of a joint that rests.
+JOINT_RESTS = 1e-9

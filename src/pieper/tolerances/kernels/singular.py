@@ -10,8 +10,18 @@ IN_ONE_LINE = 2e-13
 LOOP_MOVES = 1e-4
 #: Axes that miss being a linkage by less than this are next to a self-motion.
 NEXT_TO_LINKAGE = 1e-5
-#: A linkage within this of letting its joint just pass a dead centre (cosine; per length) is where two curves cross.
+#: A side of a linkage smaller than this is constant: its joint can neither lead nor follow.
 LOOP_CRITICAL = 1e-9
+#: Two ends of what the sides of a linkage can be are one within this (of their sizes): rounding.
+LOOP_TOUCHES = 1e-14
+#: Two angles of a linkage that go round together differ by rounding alone (rad).
+LINKAGE_TOGETHER = 1e-7
+#: Three neighbouring axes are parallel or meet in one point within this (rad; per length): what families take them for.
+GROUP_EXACT = 2e-12
+#: Directions weaker than this (relative) are left alone where the last digits of a row are fetched.
+HELD_FIRMLY = 1e-9
+#: Step aside from a double root (rad; per length) over which its fold is taken for straight.
+FOLD_STEP = 1e-5
 #: Relative size of the second smallest singular value above which a singular row has one null direction only.
 ONE_WAY_FREE = 1e-5
 #: A row beside a self-motion is isolated where its singular value is at least this part of what its axes miss by.

@@ -31,6 +31,7 @@ export function snapshot() {
     program: { steps: state.program, start: state.start, limits: state.limits },
     world: state.world,
     routing: state.routing,
+    look: state.look,
     panel,
     theme,
     units: [units.angle, units.length],
@@ -177,6 +178,8 @@ function restoreProgram(s, n) {
   );
   state.world = list(s.world, thingFrom, 60);
   state.routing = routingFrom(s.routing, n);
+  if (['sketch', 'real', 'both'].includes(s.look?.mode) && isNumber(s.look.opacity))
+    state.look = { mode: s.look.mode, opacity: Math.min(Math.max(s.look.opacity, 0.1), 0.9) };
 }
 
 /** Take a state; throws with the reason when it is not one of ours. */
@@ -218,6 +221,7 @@ export function restore(s, showPanel) {
   showPanel(s.panel);
   tell('path-loaded');
   tell('routing', 'loaded');
+  tell('look', 'loaded');
   if (numbers(s.camera, 6)) setCamera(s.camera);
   setJoints(state.q, 'restored');
   forgetHistory();
@@ -294,6 +298,7 @@ export function begin() {
       'program',
       'world',
       'routing',
+      'look',
       'theme',
       'frames',
     ],
