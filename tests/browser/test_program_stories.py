@@ -66,7 +66,7 @@ def test_seed_003_its_postures_are_a_program_with_rests(bench):
     rests = [when for when, kind, _ in motion["happens"] if kind == "wait"]
     assert len(rests) == 4
     for when, posture in zip(rests, postures[1:], strict=True):
-        for moment in (when, when + 5, when + 9.9):
+        for moment in (when + 0.1, when + 5, when + 9.9):
             assert np.allclose(np.degrees(q[np.abs(t - moment).argmin()]), posture, atol=1e-6)
     bench.shot("seed-003-program", both=True)
 
