@@ -82,4 +82,4 @@ def test_axe_finds_no_violation_in_any_panel(people, dark):
         for rule in bench.value(RUN % where):
             places = "; ".join(n["html"][:140] for n in rule["nodes"][:3])
             found.setdefault(f"{rule['id']}: {rule['help']}", []).append(f"{name}: {places}")
-    assert found == {}
+    assert not found, "\n".join(f"{rule}\n  " + "\n  ".join(where) for rule, where in found.items())
