@@ -124,7 +124,8 @@ def mesh_arm(size: float = MESH_BYTES) -> str:
         about = " ".join(str(int(axis == a)) for a in "xyz")
         joints.append(
             f'<joint name="j{i + 1}" type="revolute"><parent link="l{i}"/><child link="l{i + 1}"/>'
-            f'<origin xyz="0 0 {z}"/><axis xyz="{about}"/><limit lower="-2.8" upper="2.8" effort="1" velocity="1"/></joint>'
+            f'<origin xyz="0 0 {z}"/><axis xyz="{about}"/>'
+            '<limit lower="-2.8" upper="2.8" effort="1" velocity="1"/></joint>'
         )
     file = folder / "arm.urdf"
     file.write_text(f'<robot name="mesh-arm">{"".join(links + joints)}</robot>')

@@ -74,7 +74,7 @@ def broken(message: dict, rng: random.Random) -> dict:
             if rng.random() < 0.2:
                 del at[key]  # type: ignore[attr-defined]
             else:
-                at[key] = rng.choice(ODD)  # type: ignore[index]
+                at[key] = copy.deepcopy(rng.choice(ODD))  # type: ignore[index]
             break
     return message
 
