@@ -154,7 +154,7 @@ class Continuation:
         return np.linalg.pinv(J, rcond=TASK_RANK) @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
 
     def _inverses(self, q: Array, x: float) -> tuple[Array, Array]:
-        """Return pseudo-inverses (B, n, r) of the scaled Jacobians of q (B, n) at x, and the side of a singularity (B,).
+        """Return pseudo-inverses (B, n, r) of scaled Jacobians of q (B, n) at x, and the side of a singularity (B,).
 
         Where one step ended, as a rule the next begins: that is not worked out again.
         """
