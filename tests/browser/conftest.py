@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-import socket
 import threading
 import time
 from pathlib import Path
@@ -13,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import pieper
+from oracle.browser import free_port
 
 SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
 #: Milliseconds; generous, since a story must not fail because the machine is busy.
@@ -24,9 +24,7 @@ class Server:
 
     def __init__(self, arm: pieper.Arm | None = None) -> None:
         self.arm = arm
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self.port = probe.getsockname()[1]
+        self.port = free_port()
         self.url = f"http://localhost:{self.port}/"
         self.start()
 

@@ -23,6 +23,10 @@ def contents(description: Description) -> dict:
     for key in ("manufacturer", "source", "notes"):
         if getattr(description, key):
             top[key] = getattr(description, key)
+    if description.payload is not None:
+        top["payload_kg"] = in_unit(description.payload, "m")
+    if description.reach is not None:
+        top |= quantity_key("reach", [description.reach], "length", single=True)
     if description.departures:
         top["departures"] = list(description.departures)
     top["convention"] = description.convention

@@ -20,7 +20,16 @@ from pieper.solver.coupled import rows_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.verbs import ik
-from pieper.tolerances import BRANCH_ROUNDING, BRANCHES_MET, FOLLOWED_RANK, SINGULAR_POINT, TASK_RANK, VERIFIED
+from pieper.tolerances import (
+    BRANCH_PASSED,
+    BRANCH_ROUNDING,
+    BRANCHES_MET,
+    FOLLOWED_RANK,
+    SINGULAR_EXAMINED,
+    SINGULAR_POINT,
+    TASK_RANK,
+    VERIFIED,
+)
 
 #: A step (rad, or per length) above which it is halved whatever the prediction says.
 LARGEST_STEP = 0.6
@@ -207,6 +216,11 @@ class Continuation:
         """Return whether the Jacobian at a joint vector q (n,) has lost rank."""
         sigma = np.linalg.svd(self._jacobian(q, x), compute_uv=False)
         return bool(sigma[-1] < SINGULAR_POINT * sigma[0])
+
+    def nearly_singular(self, q: Array, x: float) -> bool:
+        """Return whether a joint vector q (n,) at x lies on a singularity, but for how exactly x is known."""
+        sigma = np.linalg.svd(self._jacobian(q, x), compute_uv=False)
+        return bool(sigma[-1] < (SINGULAR_EXAMINED if x == int(x) else BRANCH_PASSED) * sigma[0])
 
     def predict(self, q: Array, xa: float, xb: float) -> Array:
         """Return where the Jacobian sends a joint vector q (n,) from xa to xb, with the least joint motion."""

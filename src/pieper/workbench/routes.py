@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.tolerances import SPLINE_STRAYS_M, SPLINE_STRAYS_RAD, TINY
+from pieper.tolerances import ROUTE_STRAYS_M, ROUTE_STRAYS_RAD, TINY
 from pieper.workbench import around
 from pieper.workbench.messages import MAX_POINTS, Refused, number, optional, pose, vector, whole, word
 
@@ -144,7 +144,7 @@ def to_program(arm: pieper.Arm, message: dict[str, Any], progress: Progress, sto
     """Return the steps of a program that goes a route: the joints to its first posture, a spline through its poses.
 
     A spline goes through what it is given and its own way between: as many poses are given as it takes to stay within
-    SPLINE_STRAYS_M and SPLINE_STRAYS_RAD of the route's own; by how much it strays is measured and said.
+    ROUTE_STRAYS_M and ROUTE_STRAYS_RAD of the route's own; by how much it strays is measured and said.
     """
     progress({"note": "Writing it as steps …"})
     route = route_of(arm, message)
@@ -161,7 +161,7 @@ def to_program(arm: pieper.Arm, message: dict[str, Any], progress: Progress, sto
         metres, radians = _strays(arm, route, poses, knots)
         if best is None or (metres, radians) < best[:2]:
             best = metres, radians, knots
-        if (metres <= SPLINE_STRAYS_M and radians <= SPLINE_STRAYS_RAD) or len(knots) == len(poses) - 1:
+        if (metres <= ROUTE_STRAYS_M and radians <= ROUTE_STRAYS_RAD) or len(knots) == len(poses) - 1:
             break
     assert best is not None
     metres, radians, knots = best
