@@ -4,7 +4,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from pieper.arm import Arm
-from pieper.arms import catalog, load, ur_calibrated
+from pieper.arms import catalog, find_arms, load, ur_calibrated
 from pieper.description.dh import DH, Actuator
 from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
 from pieper.motion.path import line
@@ -123,6 +123,7 @@ __all__ = [
     "guess_claims",
     "evaluate",
     "fastest_constant_speed",
+    "find_arms",
     "jax",
     "line",
     "load",
