@@ -2,7 +2,7 @@
 #   make          the same as `make tour`
 #   make tour     install, then run the tour and say where its page is
 #   make test     install with the test tools, then every test (fetches Chromium for the browser tests if none is there);
-#                 WORKERS=2 for two processes, TESTS='-m "not slow"' for the quick ones
+#                 in as many processes as there are processors (WORKERS=0: in this one); TESTS='-m "not slow"' for the quick ones
 #   make check    what needs no test run: style, types, formats, pages, the law of the house (tests/tools/check.py)
 #   make house    who imports whom, how long files are, what breaks the law of the house
 #   make format   put Python, kernels and page into their style
@@ -26,7 +26,7 @@ ISAS ?= $(shell grep -q ' avx512dq ' /proc/cpuinfo 2> /dev/null && echo avx512 |
 CCACHE = $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 SOURCES = pyproject.toml CMakeLists.txt $(shell find kernels build_backend src -name '*.so' -prune -o -type f -not -path '*/__pycache__/*' -print)
 
-WORKERS ?= 0
+WORKERS ?= $(shell nproc 2> /dev/null || echo 2)
 TESTS ?=
 PAGE = src/pieper/workbench/page
 

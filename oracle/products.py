@@ -6,7 +6,7 @@ import numpy as np
 
 
 def product(arm, q):
-    """Return the tool's pose (4, 4) of a description at one joint vector q (n,)."""
+    """Return the tool's pose (4, 4) of a description at one joint vector q (n,), coupling, sense and zero included."""
 
     def turn(axis, angle):
         c, s = np.cos(angle), np.sin(angle)
@@ -20,6 +20,8 @@ def product(arm, q):
         M[axis, 3] = length
         return M
 
+    if arm.coupling is not None:
+        q = [sum(c * x for c, x in zip(row, q, strict=True)) for row in arm.coupling.tolist()]
     T = np.array(arm.base)
     for i, row in enumerate(arm.rows):
         said = arm.sign[i] * q[i] + arm.offset[i]

@@ -7,7 +7,7 @@ import numpy as np
 
 def fk(chain, q):
     """Return the tool poses (..., 4, 4) of joint vectors q (..., n)."""
-    q = np.asarray(q, float)
+    q = axes(chain, q)
     T = np.broadcast_to(chain.links[0], (*q.shape[:-1], 4, 4))
     for i in range(chain.n):
         T = T @ motion(q[..., i], chain.prismatic[i]) @ chain.links[i + 1]
@@ -16,7 +16,7 @@ def fk(chain, q):
 
 def frames(chain, q, base):
     """Return the frames (..., n + 2, 4, 4): base, the DH frame after each joint, tool."""
-    q = np.asarray(q, float)
+    q = axes(chain, q)
     out = np.empty((*q.shape[:-1], chain.n + 2, 4, 4))
     out[..., 0, :, :] = base
     T = np.broadcast_to(chain.links[0], (*q.shape[:-1], 4, 4))
@@ -30,7 +30,7 @@ def frames(chain, q, base):
 
 def jacobian(chain, q):
     """Return the geometric Jacobians (..., 6, n) of the tool point in the base frame, linear rows first."""
-    q = np.asarray(q, float)
+    q = axes(chain, q)
     z, o = np.empty((*q.shape[:-1], chain.n, 3)), np.empty((*q.shape[:-1], chain.n, 3))
     T = np.broadcast_to(chain.links[0], (*q.shape[:-1], 4, 4))
     for i in range(chain.n):
@@ -40,7 +40,13 @@ def jacobian(chain, q):
     P = chain.prismatic[:, None]
     J[..., :3, :] = np.swapaxes(np.where(P, z, np.cross(z, T[..., None, :3, 3] - o)), -1, -2)
     J[..., 3:, :] = np.swapaxes(np.where(P, 0.0, z), -1, -2)
-    return J
+    return J if chain.coupling is None else J @ chain.coupling
+
+
+def axes(chain, q):
+    """Return the values (..., n) of the axes at joint vectors q (..., n), coupled or not."""
+    q = np.asarray(q, float)
+    return q if chain.coupling is None else np.einsum("ij,...j->...i", chain.coupling, q)
 
 
 def motion(value, prismatic):

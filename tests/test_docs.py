@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shlex
 import sys
+import threading
+import webbrowser
 
 import numpy as np
 import pytest
@@ -61,7 +64,31 @@ def at_hand(folder) -> dict:
     }
 
 
+@pytest.fixture
+def visitor(monkeypatch):
+    """Somebody who opens each page that a block serves, does one thing, and closes it when the script says it stays."""
+    bench_module = pytest.importorskip("pieper.workbench.bench")
+    client = pytest.importorskip("websockets.sync.client")
+    stays = threading.Event()
+
+    def visit(url: str) -> None:
+        address = url.replace("http:", "ws:") + "session"
+        with client.connect(address, origin=url.rstrip("/"), max_size=None) as page:
+            page.send(json.dumps({"op": "hello", "seq": 1}))
+            shows = json.loads(page.recv())["bench"]
+            done = {"op": "shown", "seq": 2, "said": 10**6, "q": shows["q"], "target": shows["target"], "table": None}
+            page.send(json.dumps(done))
+            stays.wait(60)
+
+    stay = bench_module.Bench.stay
+    monkeypatch.setattr(
+        webbrowser, "open", lambda url: threading.Thread(target=visit, args=(url,), daemon=True).start()
+    )
+    monkeypatch.setattr(bench_module.Bench, "stay", lambda bench: (stays.set(), stay(bench))[1])
+
+
 @pytest.mark.parametrize("page", WITH_CODE, ids=lambda page: str(page.relative_to(DOCS)))
+@pytest.mark.usefixtures("visitor")
 def test_every_block_of_a_page_runs_from_top_to_bottom(page, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
     pytest.importorskip("sympy")

@@ -28,6 +28,7 @@ RULES = (
     "median",
     "fossil name",
     "asks what it is",
+    "bare threshold",
 )
 
 

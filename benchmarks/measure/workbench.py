@@ -14,8 +14,6 @@ import asyncio
 import json
 import os
 import platform
-import shutil
-import socket
 import statistics
 import subprocess
 import sys
@@ -28,18 +26,8 @@ import numpy as np
 import pieper
 from benchmarks.kept import RESULTS
 from benchmarks.measure.probes import GIZMO, JOINT, WATCH
+from oracle.browser import FLAGS, chromium, free_port
 
-FLAGS = [
-    "--headless=new",
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-first-run",
-]
 #: A spherical-wrist arm and a pose of it with eight solutions, degrees.
 DRAGGED, POSTURE = "unimation-puma-560", (20, -40, 30, 20, 50, 30)
 SIZE = {"width": 1280, "height": 800}
@@ -60,9 +48,7 @@ class Served:
     """`pieper workbench` as a process of its own, as a person starts it."""
 
     def __init__(self) -> None:
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self.port = probe.getsockname()[1]
+        self.port = free_port()
         self.url = f"http://localhost:{self.port}/"
         self.seconds = self.start()
 
@@ -338,13 +324,11 @@ def main() -> None:
     given = parser.parse_args()
     from playwright.sync_api import sync_playwright
 
-    names = ("chromium", "chromium-browser", "google-chrome")
-    chromium = os.environ.get("CHROMIUM") or next((p for n in names if (p := shutil.which(n))), None)
     served = Served()
     results: dict = {"python": platform.python_version(), "cores": os.cpu_count(), "server_start_s": served.seconds}
     try:
         with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+            browser = playwright.chromium.launch(executable_path=chromium(), args=FLAGS)
             results["chromium"] = browser.version
             if "load" in given.only:
                 results["load"] = measure_loads(browser, served.url, given.loads)

@@ -11,11 +11,8 @@ namespace {
 
 using namespace PIEPER_ISA;
 
-constexpr double kFirst = 1e-3, kShrink = 0.1, kGrow = 8.0,
-                 kMost = 1e4;      // damping: at first, its factors, where a row rests
-constexpr double kLongest = 0.8;   // longest step, rad or lengths
-constexpr double kSettled = 1e-9;  // a shorter step is none
-constexpr double kFlat = 1e-13;    // eigenvalues are kept above this part of the largest
+constexpr double kShrink = 0.1, kGrow = 8.0;  // of the damping, where a step helped and where not
+constexpr double kLongest = 0.8;              // longest step, rad or lengths
 
 // A symmetric matrix m x m of columns, with what Newton's step needs of it.
 struct Bent {
@@ -32,11 +29,11 @@ struct Bent {
       most = std::fmax(most, sum);
     }
     std::vector<double> L = A;
-    const double more = (damping + kFlat) * most;
+    const double more = (damping + kDescentFlat) * most;
     for (int j = 0; j < m; ++j) {
       double d = L[j * m + j];
       for (int k = 0; k < j; ++k) d -= L[j * m + k] * L[j * m + k];
-      if (!(d > kFlat * most)) return false;  // of A itself
+      if (!(d > kDescentFlat * most)) return false;  // of A itself
       d = std::sqrt(d + more);
       L[j * m + j] = d;
       for (int i = j + 1; i < m; ++i) {
@@ -65,7 +62,7 @@ struct Bent {
       double off = 0, all = 0;
       for (int i = 0; i < m; ++i)
         for (int j = 0; j < m; ++j) (i == j ? all : off) += at(i, j) * at(i, j);
-      if (off <= 1e-26 * (off + all)) break;
+      if (off <= kJacobiDone * (off + all)) break;
       for (int i = 0; i < m; ++i)
         for (int j = i + 1; j < m; ++j) turn(i, j);
     }
@@ -75,7 +72,7 @@ struct Bent {
     for (int k = 0; k < m; ++k) {
       double part = 0;
       for (int i = 0; i < m; ++i) part += V[i * m + k] * b[i];
-      part /= std::fmax(std::fmax(std::fabs(at(k, k)), kFlat * most) + damping * most, kTiny);
+      part /= std::fmax(std::fmax(std::fabs(at(k, k)), kDescentFlat * most) + damping * most, kTiny);
       for (int i = 0; i < m; ++i) x[i] += part * V[i * m + k];
     }
   }
@@ -185,11 +182,11 @@ double nearer(const DownhillChain& chain, const double* T, double turning, int s
   Downhill hill(chain, T, turning);
   const int n = chain.n;
   for (int k = 0; k < n; ++k) q[k] = std::fmin(std::fmax(q[k], chain.lower[k]), chain.upper[k]);
-  double damping = kFirst, value = hill.expand(q);
+  double damping = kDescentDamping, value = hill.expand(q);
   std::vector<double> slope = hill.slope, bend = hill.bend, b, x, tried(n);
   std::vector<int> free;
   Bent bent{};
-  for (int taken = 0; taken < steps && damping < kMost; ++taken) {
+  for (int taken = 0; taken < steps && damping < kDescentMostDamping; ++taken) {
     free.clear();
     for (int k = 0; k < n; ++k)
       if (!((q[k] <= chain.lower[k] && slope[k] > 0) || (q[k] >= chain.upper[k] && slope[k] < 0))) free.push_back(k);
@@ -204,7 +201,7 @@ double nearer(const DownhillChain& chain, const double* T, double turning, int s
     double size = 0;
     for (double v : x) size += v * v;
     size = std::sqrt(size);
-    if (!(size >= kSettled)) break;
+    if (!(size >= kDescentSettled)) break;
     const double shrink = std::fmin(1.0, kLongest / size);
     std::copy(q, q + n, tried.begin());
     for (int i = 0; i < m; ++i) {
@@ -215,7 +212,7 @@ double nearer(const DownhillChain& chain, const double* T, double turning, int s
     if (next < value) {
       std::copy(tried.begin(), tried.end(), q);
       value = next, slope = hill.slope, bend = hill.bend;
-      damping = std::fmax(damping * kShrink, 1e-14);
+      damping = std::fmax(damping * kShrink, kDescentLeastDamping);
     } else {
       damping *= kGrow;
     }

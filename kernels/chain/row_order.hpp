@@ -51,7 +51,7 @@ template <class F, int M, int N>
 PIEPER_INLINE void rank_rows(const F (*q)[N], const Mask<F>* valid, const bool* slides, Bits<F>* rank) {
   F first[M];
   for (int m = 0; m < M; ++m)
-    first[m] = select(valid[m], place(q[m][0], slides[0]), F(1e300 * (m + 1)));  // no ties among invalid ones
+    first[m] = select(valid[m], place(q[m][0], slides[0]), F(kEndless * (m + 1)));  // no ties among invalid ones
   for (int m = 0; m < M; ++m) rank[m] = Bits<F>{} + m;  // before it: those of a lower slot, until shown otherwise
 #pragma GCC unroll 1
   for (int b = 1; b < M; ++b)

@@ -17,7 +17,7 @@ inline void collision_nearest(const CollisionModel& m, const double* q, long cou
   for (long first = 0; first < count; first += PIEPER_LANES) {
     const int lanes = count - first < PIEPER_LANES ? static_cast<int>(count - first) : PIEPER_LANES;
     place_moving(m, q + first * m.n, lanes, wide, [](int, const RigidT<Wide>&) {});
-    Wide best(1e300), which(0.0);
+    Wide best(kEndless), which(0.0);
     for (int k = 0; k < m.pairs; ++k) {
       const Wide d = pair_apart(m, k, wide).distance;
       const auto nearer = d < best;

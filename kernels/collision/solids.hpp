@@ -9,8 +9,6 @@
 namespace pieper::PIEPER_ISA {
 
 inline constexpr double kSides[2] = {-1.0, 1.0};
-// Squares of lengths below this part of the squares they came from are rounding.
-inline constexpr double kMeeting = 1e-28;
 
 template <class F> struct SegmentT {
   Vec3T<F> centre, half;  // both ends are centre +- half
@@ -63,7 +61,7 @@ template <class F> PIEPER_INLINE Apart<F> apart(const SegmentT<F>& one, const Se
     consider(clamped((end * B - C) * a, -1.0 * one_, one_), F(end));
   }
   // where they meet, the difference is rounding and has no direction
-  const Mask<F> away = square > kMeeting * (A + E + dot(w, w));
+  const Mask<F> away = square > kBodiesMeet * (A + E + dot(w, w));
   return {sqrt(square), one.centre + s * u, other.centre + t * v, along_or_across(chosen(away, best, cross(u, v)), u)};
 }
 
@@ -111,7 +109,7 @@ template <class F> PIEPER_INLINE F nearest_to_box(Vec3T<F> p, Vec3T<F> d, Vec3T<
 // The direction along which two convex bodies are farthest apart, of those looked at, where they overlap: across an edge
 // of each, `own` and `edge`, or along a normal of one (no edges).
 template <class F> struct Direction {
-  F apart = F(-1e300);
+  F apart = F(-kEndless);
   Vec3T<F> normal = {F(0.0), F(0.0), F(1.0)}, own = {F(0.0), F(0.0), F(0.0)}, edge = own;
 
   // n need not be a unit vector; `shift` = n . (centre of the first - centre of the second), `reach` both bodies' along n.
@@ -136,7 +134,7 @@ template <class F> PIEPER_INLINE Vec3T<F> corner_along(Vec3T<F> n, Vec3T<F> h) {
 // nearest to an edge through `corner`; anywhere (t) where there is none.
 template <class F>
 PIEPER_INLINE Vec3T<F> deepest(Vec3T<F> p, Vec3T<F> d, Vec3T<F> n, Vec3T<F> edge, Vec3T<F> corner, F t) {
-  const F lean = dot(n, d), level = F(1e-9) * sqrt(dot(d, d)), one = F(1.0);
+  const F lean = dot(n, d), level = F(kLevel) * sqrt(dot(d, d)), one = F(1.0);
   const Vec3T<F> across = cross(n, edge);
   const F slope = dot(across, d);
   const F met = clamped(dot(across, corner - p) / select(abs(slope) > F(kTiny), slope, one), -1.0 * one, one);
@@ -150,7 +148,7 @@ template <class F> PIEPER_INLINE Apart<F> settled(Vec3T<F> p, Vec3T<F> d, F t, V
                                                   const Direction<F>& overlap, Vec3T<F> corner) {
   const F square = dot(gap, gap);
   const Vec3T<F> on = p + t * d;
-  const Mask<F> away = square > kMeeting * (dot(on, on) + dot(d, d));
+  const Mask<F> away = square > kBodiesMeet * (dot(on, on) + dot(d, d));
   const F depth = min(overlap.apart, F(0.0));
   const Vec3T<F> deep = deepest(p, d, overlap.normal, overlap.edge, corner, t);
   return {select(away, sqrt(square), depth), chosen(away, on, deep),
@@ -202,7 +200,7 @@ template <class F> PIEPER_INLINE F nearest_to_cylinder(Vec3T<F> p, Vec3T<F> d, V
 // The farthest apart along any direction square to the segment, into which a cylinder casts a stadium of ellipses.
 inline void look_across(Direction<double>& best, Vec3 p, Vec3 d, Vec3 h) {
   const double flat = std::sqrt(d.x * d.x + d.y * d.y), length = std::sqrt(dot(d, d));
-  if (flat <= 1e-9 * length || length == 0) return;
+  if (flat <= kLevel * length || length == 0) return;
   const Vec3 a = {-d.y / flat, d.x / flat, 0}, b = (1 / length) * cross(d, a);
   auto at = [&](double angle) { return std::cos(angle) * a + std::sin(angle) * b; };
   auto apart_at = [&](double angle) {
@@ -221,7 +219,7 @@ inline void look_across(Direction<double>& best, Vec3 p, Vec3 d, Vec3 h) {
   }
   const Vec3 n = at((low + high) / 2);
   // level directions have been looked at, and touch the wall; else the rim is met, along which the way goes
-  if (std::fabs(n.z) < 1e-7) return;
+  if (std::fabs(n.z) < kLevelDirection) return;
   best.look(n, dot(n, p), h.x * std::sqrt(n.x * n.x + n.y * n.y) + h.z * std::fabs(n.z), d, {-n.y, n.x, 0});
 }
 
@@ -260,7 +258,7 @@ template <class F> PIEPER_INLINE Apart<F> segment_cylinder(Vec3T<F> p, Vec3T<F> 
 
 // Whether a normal is one of the first body's own faces'.
 template <class F> PIEPER_INLINE Mask<F> faces_first(const RigidT<F>& M, Vec3T<F> n) {
-  return largest(turn_back(M, n)) > F(1.0 - 1e-15);
+  return largest(turn_back(M, n)) > F(1.0 - kFaceNormal);
 }
 
 // Two boxes, M the first's pose in the frame of the second. Apart, the nearest pair has an edge of the first or a corner of
@@ -276,7 +274,7 @@ template <class F> PIEPER_INLINE Apart<F> box_box(const RigidT<F>& M, Vec3T<F> a
   for (int k = 0; k < 3; ++k) look(unit[k], none, none), look(column[k], none, none);
   for (int k = 0; k < 3; ++k)
     for (int l = 0; l < 3; ++l) look(cross(unit[k], column[l]), (&a.x)[l] * column[l], unit[k]);
-  F square = F(1e300);
+  F square = F(kEndless);
   Vec3T<F> on_a = M.t, on_b = M.t;
   auto consider = [&](Vec3T<F> pa, Vec3T<F> pb) {
     const Vec3T<F> gap = pa - pb;
@@ -311,7 +309,7 @@ template <class F> PIEPER_INLINE Apart<F> box_box(const RigidT<F>& M, Vec3T<F> a
   const Mask<F> edges = dot(overlap.own, overlap.own) > o, mine = faces_first(M, n);
   const Vec3T<F> on_edge = deepest(low - length * overlap.own, overlap.own, n, overlap.edge, far, F(0.0));
   const Vec3T<F> deep = chosen(edges, on_edge, chosen(mine, far + overlap.apart * n, low));
-  const Mask<F> pointing = away & (square > kMeeting * (dot(on_a, on_a) + dot(a, a)));
+  const Mask<F> pointing = away & (square > kBodiesMeet * (dot(on_a, on_a) + dot(a, a)));
   return {select(away, sqrt(square), overlap.apart), chosen(away, on_a, deep),
           chosen(away, on_b, deep - overlap.apart * n), chosen(pointing, along_or_across(on_a - on_b, M.z), n)};
 }

@@ -88,7 +88,7 @@ template <class F, int N> void hessenberg_eigenvalues(F (&a)[N][N], double (*re)
     if (!(window[i].norm < kEigenvalueOverflow)) window[i].high = -1;
   }
   for (;;) {
-    F p0 = 0.0, q0 = 0.0, r0 = 0.0, begin = 1e9, end = -1.0;
+    F p0 = 0.0, q0 = 0.0, r0 = 0.0, begin = N, end = -1.0;
     int from = N, to = -1;
     for (int i = 0; i < W; ++i) {
       Window& w = window[i];

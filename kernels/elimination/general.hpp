@@ -93,14 +93,12 @@ inline bool escalate(const Model& model, const Rigid& pose, Found& found, bool* 
   // The elimination is singular here for every variant: its neighbours need not be. Their solutions move by the size of the
   // perturbation, or its root where two merge, and Newton brings them back.
   int quiet = 0;
-  const double sizes[12] = {1e-3, 3e-3, 3e-4, 1e-2, 1e-3, 3e-3, 1e-4, 3e-2, 1e-5, 1e-2, 1e-6, 1e-3};
   *singular = true;
   for (int n = 0; n < 12 && quiet < 4; ++n) {
-    const double size = sizes[n];
     const Variant& v = model.variant[n % (model.variants < 3 ? model.variants : 3)];
     Found near;
     near.count = 0;
-    solve_variant(model, v, perturbed(pose, size, model.scale, random), 1, &near, &report);
+    solve_variant(model, v, perturbed(pose, kGeneralBeside[n], model.scale, random), 1, &near, &report);
     const int before = found.count;
     polish_onto(model, v, pose, near, found);
     quiet = agreed(v, report, found, before) ? quiet + 1 : 0;

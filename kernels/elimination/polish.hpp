@@ -47,9 +47,9 @@ template <class F> Closure<F> polish(const RigidT<F>* link, const Roles& roles, 
   Motion<F> best[6];
   for (int k = 0; k < 6; ++k) best[k] = q[k];
   F m[6][7];
-  out.residual = F(1e300);
+  out.residual = F(kEndless);
   out.sigma = F(0.0);
-  F before = F(1e300);
+  F before = F(kEndless);
   auto active =
       mask_of<F>(true);  // a finished lane is left alone, so that its answer does not depend on its neighbours
   for (int step = 0;; ++step) {
@@ -65,7 +65,7 @@ template <class F> Closure<F> polish(const RigidT<F>* link, const Roles& roles, 
     for (int k = 1; k < 6; ++k) smallest = min(smallest, abs(m[k][k]));
     const auto done = ((size < kPolishStalled) & (size > 0.4 * before)) | (size < kPolishDone) |
                       ((size < kPolishDoneRegular) & (smallest > kPolishRegular));
-    const auto lost = size > F(step < 8 ? 1e300 : kPolishLost);
+    const auto lost = size > F(step < 8 ? kEndless : kPolishLost);
     before = size;
     active = active & !(done | lost);
     if (step == steps || !any(active)) break;

@@ -197,10 +197,10 @@ inline void try_variant(const Model& model, SelfTest& test, int arm, int t) {
   v.typical = median(size, SelfTest::poses);
 }
 
-// Losses first, then noise by orders of magnitude, then open ends, then what costs time. 1e300 where of no use.
+// Losses first, then noise by orders of magnitude, then open ends, then what costs time. kEndless where of no use.
 inline void rate(const Model& model, SelfTest& test, int at) {
   Trial& trial = test.trial[at];
-  test.score[at] = 1e300;
+  test.score[at] = kEndless;
   if (trial.rank == 0) return;
   trial.missed = 0;
   for (int i = 0; i < SelfTest::poses; ++i) {
@@ -227,7 +227,7 @@ inline void choose_variants(Model& model, Trial* trials) {
     for (int t = 0; t < tried; ++t) rate(model, test, t);
     clean = 0;
     for (int t = 0; t < tried; ++t)
-      clean += test.score[t] < 1e299 && test.trial[t].missed == 0 && test.variant[t].arm == 0;
+      clean += test.score[t] < kNearlyEndless && test.trial[t].missed == 0 && test.variant[t].arm == 0;
   }
   model.variants = 0;
   int taken[3] = {0, 0, 0};
@@ -235,8 +235,8 @@ inline void choose_variants(Model& model, Trial* trials) {
     int best = 0;
     for (int t = 1; t < tried; ++t)
       if (test.score[t] < test.score[best]) best = t;
-    if (!(test.score[best] < 1e299)) break;
-    test.score[best] = 1e300;
+    if (!(test.score[best] < kNearlyEndless)) break;
+    test.score[best] = kEndless;
     const int arm = test.variant[best].arm;
     if (arm && ++taken[arm] > 3) continue;  // a few opinions from elsewhere are enough
     test.variant[best].open = static_cast<double>(test.trial[best].open) / kTestPoses;

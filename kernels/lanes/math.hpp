@@ -6,15 +6,13 @@
 #pragma once
 
 #include "lanes/lanes.hpp"
+#include "tolerances.hpp"
 
 namespace pieper::PIEPER_ISA {
 
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kTwoPi = 6.28318530717958647693;
 inline constexpr double kHalfPi = 1.57079632679489661923;
-
-// Beyond this many radians n * piece is no longer exact and the C library takes over.
-inline constexpr double kReductionLimit = 1.0e6;
 
 template <class F> PIEPER_INLINE F sine_polynomial(F r, F tail) {
   F t = r * r;
@@ -93,9 +91,8 @@ template <class F> PIEPER_INLINE void sincos_of_turns(F x, F& s, F& c) {
 // By how much the arctangents below miss the angle of the two numbers they are given, at most, rad, where these are of ordinary
 // size. With u = 2^-53: folded at tan(pi/8), z = numerator / denominator is below 0.4143 and good to 3 u (a difference, a sum, a quotient),
 // 1.4e-16; the polynomial and its sums add 0.5e-16; pi/4 + (r + low) rounds below 1/2 and 1, 0.9e-16; pi/2 - (r - low) below 1 and 2,
-// 1.7e-16; pi - (r - low) below 2 and 4, 3.4e-16. The low halves of the three constants leave nothing. Together 7.9e-16; measured
-// against 50 digits: 4.9e-16 (tests/kernels/test_elementary.py).
-inline constexpr double kAngleError = 8e-16;
+// 1.7e-16; pi - (r - low) below 2 and 4, 3.4e-16. The low halves of the three constants leave nothing. Together 7.9e-16, below
+// kAngleError; measured against 50 digits: 4.9e-16 (tests/kernels/test_elementary.py).
 
 // The angle of (x, y) without its sign, in [0, pi]; 0 for (0, 0). NaN in, NaN out.
 template <class F> PIEPER_INLINE F unsigned_angle(F y, F x) {
@@ -107,7 +104,7 @@ template <class F> PIEPER_INLINE F unsigned_angle(F y, F x) {
   F large = max(ay, ax), small = min(ax, ay);  // in this order NaN of either one stays
   auto middle = small > large * tan_pi_8;
   F numerator = select(middle, small - large, small), denominator = select(middle, small + large, large);
-  denominator = max(F(4.9e-324), denominator);
+  denominator = max(F(kLeastNumber), denominator);
   F z = numerator / denominator;
   F t = z * z, t2 = t * t, t4 = t2 * t2;
   // Estrin's scheme: shorter chains of dependent operations than Horner's.

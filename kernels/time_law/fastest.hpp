@@ -11,6 +11,8 @@
 #include <limits>
 #include <vector>
 
+#include "tolerances.hpp"
+
 namespace pieper {
 
 struct TimedPath {
@@ -47,13 +49,14 @@ class FastestPass {
       const double most = set(i, lowest[i + 1], highest[i + 1]);
       if (!std::isnan(p_.wanted[i])) {
         const double w = p_.wanted[i];
-        if (w > most * (1 + kRound) || !holds(w)) return {false, i, x, highest};
+        if (w > most * (1 + kSetRounding) || !holds(w)) return {false, i, x, highest};
         lowest[i] = highest[i] = w;
         continue;
       }
       if (!(largest(most, highest[i]) && smallest(highest[i], lowest[i]))) return {false, i, x, highest};
     }
-    if (start < lowest[0] * (1 - kRound) || start > highest[0] * (1 + kRound)) return {false, -1, x, highest};
+    if (start < lowest[0] * (1 - kSetRounding) || start > highest[0] * (1 + kSetRounding))
+      return {false, -1, x, highest};
     x[0] = start;
     for (long i = 0; i < n; ++i) {
       set(i, lowest[i + 1], highest[i + 1]);
@@ -63,8 +66,6 @@ class FastestPass {
   }
 
  private:
-  static constexpr double kRound = 1e-12;  // relative rounding of a set's ends
-  static constexpr double kFlat = 1e-12;   // part of its room that a row's u may move and still count as rounding
   struct Line {
     double value, offset, slope;
   };
@@ -76,7 +77,7 @@ class FastestPass {
     const long n = p_.cells;
     const int m = p_.joints;
     std::fill(cap_.begin(), cap_.end(), std::numeric_limits<double>::infinity());
-    for (long i = 0; i <= n; ++i) cap_[i] = std::min(p_.most[i], std::isnan(p_.wanted[i]) ? kFast : p_.wanted[i]);
+    for (long i = 0; i <= n; ++i) cap_[i] = std::min(p_.most[i], std::isnan(p_.wanted[i]) ? kFastest : p_.wanted[i]);
     for (long i = 0; i < n; ++i) {
       const double h = width(i);
       for (int j = 0; j < m; ++j) {
@@ -114,7 +115,7 @@ class FastestPass {
       // cannot move by more than rounding bounds x alone
       const double push = std::fabs(a) * reach, pull = std::fabs(b) * cap_[i];
       if (push + pull <= c) return;
-      if (push <= kFlat * c) {
+      if (push <= kRowFlat * c) {
         most = std::min(most, (c - push) / std::fabs(b));
         return;
       }
@@ -154,7 +155,7 @@ class FastestPass {
     return best;
   }
   static bool open(const Line& hi, const Line& lo) {
-    return hi.value >= lo.value - kRound * (std::fabs(hi.value) + std::fabs(lo.value));
+    return hi.value >= lo.value - kSetRounding * (std::fabs(hi.value) + std::fabs(lo.value));
   }
   bool holds(double x) const { return open(above(x), below(x)); }
 
@@ -177,18 +178,17 @@ class FastestPass {
     x = 0.0;
     for (int round = 0; round < 4 * rows_ + 8; ++round) {
       const Line hi = above(x), lo = below(x);
-      if (open(hi, lo)) return x <= most * (1 + kRound);
+      if (open(hi, lo)) return x <= most * (1 + kSetRounding);
       const double widening = lo.slope - hi.slope;
       if (widening <= 0) return false;
       const double next = (lo.offset - hi.offset) / widening;
-      if (next > most * (1 + kRound)) return false;
+      if (next > most * (1 + kSetRounding)) return false;
       if (next <= x) return true;
       x = next;
     }
     return true;
   }
 
-  static constexpr double kFast = 1e18;  // x where nothing bounds it
   const TimedPath& p_;
   int rows_, used_ = 0;
   std::vector<double> slope_, room_, cap_;

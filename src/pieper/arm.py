@@ -16,11 +16,12 @@ from pieper.description import change
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
 from pieper.description.posture import posture
-from pieper.errors import PieperWarning, PlanError
+from pieper.errors import PieperWarning
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.pose import PoseLike
-from pieper.motion.track import Track, follow
+from pieper.motion.follow import follow
+from pieper.motion.track import Track
 from pieper.solver import verbs
 from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
@@ -228,6 +229,10 @@ class Arm(AlongPaths):
         """Return the same arm with its table in the "standard" or "modified" DH convention."""
         return Arm(change.to_convention(self.description, convention), snap=self._snap)
 
+    def uncoupled(self) -> Arm:
+        """Return the arm by its axes' own values v = arm.coupling @ q, without the limits of coupled joints."""
+        return Arm(change.uncoupled(self.description), snap=self._snap)
+
     def reversed(self) -> Arm:
         """Return the arm seen from its tool, joints last to first: its pose is the inverse of this one's."""
         return Arm(change.reversed_arm(self.description), snap=self._snap)
@@ -361,7 +366,7 @@ class Arm(AlongPaths):
         return read_arm_angle(self.plan_for("pose"), self._joints(q))
 
     def follow(self, path: PoseLike, *, start: ArrayLike | str | None = None) -> Track:
-        """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
+        """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.follow`."""
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 
     def configuration(self, q: ArrayLike | str, maker: str) -> Configuration:
@@ -378,9 +383,6 @@ class Arm(AlongPaths):
     @cached_property
     def _symbolic(self) -> Symbolic:
         from pieper.equations import Symbolic
-
-        if self.description.coupling is not None:
-            raise PlanError(f"{self.name} has coupled joints; equations are written of the chain's own joints only.")
 
         return Symbolic(self)
 

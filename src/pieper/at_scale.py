@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from pieper.collision.model import Model
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Swept
+    from pieper.description.visuals import Visuals
     from pieper.maps.reach_map import ReachMap
     from pieper.verify.comparison import Comparison
 
@@ -63,6 +64,13 @@ class AtScale:
         from pieper.collision.bodies import bodies_of
 
         return bodies_of(self.description)
+
+    @cached_property
+    def visuals(self) -> Visuals:
+        """What the URDF or MJCF that the arm was read from says of its looks; empty for any other arm."""
+        from pieper.description.visuals import visuals_of
+
+        return visuals_of(self.description)
 
     def with_bodies(
         self, where: Mapping[str, Said], *, allowed: Sequence[tuple[str, str]] = (), instead: bool = False

@@ -4,27 +4,16 @@ from __future__ import annotations
 
 import contextlib
 import re
-import shutil
-import socket
 import threading
 import time
 from pathlib import Path
 
 import pytest
 
+import pieper
+from oracle.browser import free_port
+
 SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
-#: Software WebGL, and a browser that asks nobody anything on its own.
-FLAGS = [
-    "--headless=new",
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-first-run",
-]
 #: Milliseconds; generous, since a story must not fail because the machine is busy.
 PATIENCE = 60_000
 
@@ -32,10 +21,9 @@ PATIENCE = 60_000
 class Server:
     """The workbench in a thread of this process; can be stopped and started again on the same port."""
 
-    def __init__(self) -> None:
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self.port = probe.getsockname()[1]
+    def __init__(self, arm: pieper.Arm | None = None) -> None:
+        self.arm = arm
+        self.port = free_port()
         self.url = f"http://localhost:{self.port}/"
         self.start()
 
@@ -44,7 +32,7 @@ class Server:
 
         from pieper.workbench.server import LARGEST_FRAME, create_app
 
-        self.app = create_app()
+        self.app = create_app(start=self.arm)
         config = uvicorn.Config(self.app, port=self.port, log_level="error", ws_max_size=LARGEST_FRAME)
         config.timeout_graceful_shutdown = 1
         self._server = uvicorn.Server(config)
@@ -67,25 +55,6 @@ def server():
     served = Server()
     yield served
     served.stop()
-
-
-def chromium() -> str | None:
-    names = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-    return next((path for name in names if (path := shutil.which(name))), None)
-
-
-@pytest.fixture(scope="session")
-def browser():
-    playwright = pytest.importorskip(
-        "playwright.sync_api", reason="the browser stories need Playwright: pip install playwright"
-    )
-    with playwright.sync_playwright() as p:
-        path = chromium() or (p.chromium.executable_path if Path(p.chromium.executable_path).exists() else None)
-        if path is None:
-            pytest.skip("no Chromium was found: apt-get install chromium, or playwright install chromium")
-        opened = p.chromium.launch(executable_path=path, args=FLAGS)
-        yield opened
-        opened.close()
 
 
 class Workbench:
@@ -172,16 +141,19 @@ def people(browser, server):
     with contextlib.ExitStack() as stack:
         opened: list[Workbench] = []
 
-        def person(*, width: int = 1280, height: int = 800, dark: bool = False) -> Workbench:
+        def person(
+            *, width: int = 1280, height: int = 800, dark: bool = False, touch: bool = False, url: str = server.url
+        ) -> Workbench:
             context = browser.new_context(
                 viewport={"width": width, "height": height},
                 color_scheme="dark" if dark else "light",
                 reduced_motion="reduce",
                 accept_downloads=True,
+                has_touch=touch,
                 permissions=["clipboard-read", "clipboard-write"],
             )
             stack.callback(context.close)
-            opened.append(Workbench(context.new_page(), server.url))
+            opened.append(Workbench(context.new_page(), url))
             return opened[-1]
 
         yield person

@@ -5,12 +5,14 @@ from __future__ import annotations
 import ctypes
 import shutil
 import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import pieper
 from pieper.code import kernel_source
+from pieper.solver.words.labels import posture_words, sides
 from tests.code.test_export import poses
 
 pytestmark = [pytest.mark.skipif(shutil.which("g++") is None, reason="no g++"), pytest.mark.slow]
@@ -25,6 +27,7 @@ int ik(const double* T, double (*q)[6]) { return one_ik(T, q); }
 int rows(const double* T) { return static_cast<int>(one_ik(T).size()); }
 int refused(const double* T) { try { one_ik(T); } catch (const std::invalid_argument&) { return 1; } return 0; }
 void fk(const double* q, double* T) { one_fk(q, T); }
+const char* label(const double* q) { return one_label(q); }
 void jacobian(const double* q, double (*J)[6]) { one_jacobian(q, J); }
 int test() { return one_self_test(); }
 }
@@ -97,6 +100,11 @@ def test_cpp_gives_the_native_rows(family, tmp_path):
     for i in range(100, 120):
         count = library.ik(at(T[i]), at(room))
         assert count == library.rows(at(T[i])) == known[2][i].sum()
+    library.label.restype = ctypes.c_char_p
+    named = bool(sides(arm.plan, q[:1]))
+    assert named == (family not in ("general", "two_slides"))
+    said = [library.label(at(row)).decode() for row in q[:200]]
+    assert said == (posture_words(arm.plan, q[:200]) if named else [""] * 200)
     back, J = np.zeros((4, 4)), np.zeros((6, 6))
     library.fk(at(q[0]), at(back))
     library.jacobian(at(q[0]), at(J))
@@ -117,7 +125,7 @@ def test_several_arms_and_units_live_in_one_program(tmp_path):
 
 
 def test_the_table_of_headers_is_the_builds_own():
-    table = (kernel_source.folder().parent / "CMakeLists.txt").read_text()
+    table = (Path(__file__).parents[2] / "CMakeLists.txt").read_text()
     for own, header in kernel_source.HEADERS.values():
         assert f'"{own} {header}"' in table
     assert table.count('.hpp"\n') + table.count('.hpp")') == len(kernel_source.HEADERS)

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import pieper
+from pieper.solver.words.labels import posture_words
 
 PAGE = Path(__file__).parents[2] / "docs" / "code.md"
 #: Every family and kind that is exported: tilted, offset, slides, wrist inside, UR.
@@ -89,6 +90,9 @@ def test_c_gives_the_native_rows(name, tmp_path):
     J = np.zeros((6, 6))
     solver.one_jacobian(q[0].ctypes.data_as(numbers), J.ctypes.data_as(numbers))
     assert np.abs(J - arm.jacobian(q[0])).max() < 1e-13
+    solver.one_label.restype = ctypes.c_char_p
+    said = [solver.one_label(row.ctypes.data_as(numbers)).decode() for row in q[:500]]
+    assert said == posture_words(arm.plan, q[:500])
 
 
 @pytest.mark.parametrize("name", ARMS)
@@ -103,6 +107,8 @@ def test_numpy_gives_the_native_rows(name, tmp_path):
     assert solver.self_test() == 0
     assert np.abs(solver.fk(q) - T).max() < 1e-12
     assert np.abs(solver.jacobian(q[:50]) - arm.jacobian(q[:50])).max() < 1e-12
+    edges = np.round(q[:500] / (np.pi / 2)) * (np.pi / 2)
+    assert [solver.label(row) for row in [*q, *edges]] == posture_words(arm.plan, np.concatenate([q, edges]))
     assert differing(arm, T[:50], [solver.ik(pose) for pose in T[:50]], unclear, inside=True) == 0
 
 
@@ -115,18 +121,22 @@ def test_javascript_gives_the_native_rows(name, tmp_path):
     _, T = poses(arm)
     (tmp_path / "poses.bin").write_bytes(T.tobytes())
     (tmp_path / "run.mjs").write_text(
-        "import fs from 'fs';\nimport { ikAll, ik, fk, selfTest } from './solver.mjs';\n"
+        "import fs from 'fs';\nimport { ikAll, ik, fk, label, selfTest } from './solver.mjs';\n"
         "const b = fs.readFileSync('poses.bin'), out = [];\n"
         "const t = new Float64Array(b.buffer, b.byteOffset, b.length / 8);\n"
         "for (let i = 0; i < t.length; i += 16) out.push(ikAll(t.subarray(i, i + 16)));\n"
         "const T = fk(out[0].rows[0]);\n"
-        "console.log(JSON.stringify({ out, failed: selfTest(), rows: ik(T).length, flat: ik(T.flat()).length }));\n"
+        "const names = out.slice(0, 500).map((o) => o.rows.map(label));\n"
+        "const counts = { failed: selfTest(), rows: ik(T).length, flat: ik(T.flat()).length };\n"
+        "console.log(JSON.stringify({ out, names, ...counts }));\n"
     )
     ran = subprocess.run(["node", "run.mjs"], cwd=tmp_path, capture_output=True, text=True, check=True)
     said = json.loads(ran.stdout)
     assert said["failed"] == 0
     assert said["rows"] == said["flat"]
     assert differing(arm, T, [r["rows"] for r in said["out"]], [r["unclear"] for r in said["out"]]) == 0
+    for found, names in zip(said["out"], said["names"], strict=False):
+        assert names == posture_words(arm.plan, np.reshape(found["rows"], (-1, arm.n)))
     script = "console.log(require('./solver.js').selfTest())"
     assert subprocess.run(["node", "-e", script], cwd=tmp_path, capture_output=True, text=True).stdout.strip() == "0"
 

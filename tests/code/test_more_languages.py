@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import pieper
+from pieper.solver.words.labels import posture_words
 from tests.code.test_export import ARMS, differing, loaded, poses
 
 needs_octave = pytest.mark.skipif(shutil.which("octave-cli") is None, reason="no octave")
@@ -45,7 +46,9 @@ def test_matlab_gives_the_native_rows(name, tmp_path):
         "ones(size(r, 1), 1), r];\nend\n"
         "dlmwrite('out.txt', out, 'precision', '%.17g');\n[P, J] = one_fk(load('q0.txt'));\n"
         "dlmwrite('fk.txt', [P(:)', J(:)'], 'precision', '%.17g', 'delimiter', ' ');\n"
-        "dlmwrite('failed.txt', one_self_test());\ndisp('run_it done')\n",
+        "dlmwrite('failed.txt', one_self_test());\nfile = fopen('names.txt', 'w');\n"
+        "for i = 1:size(out, 1)\n  fprintf(file, '%s\\n', one_label(out(i, 4:9)));\nend\nfclose(file);\n"
+        "disp('run_it done')\n",
     )
     out = np.loadtxt(tmp_path / "out.txt", delimiter=",", ndmin=2)
     for inside in (0, 1):
@@ -53,6 +56,7 @@ def test_matlab_gives_the_native_rows(name, tmp_path):
         rows = [part[part[:, 0] == i + 1, 3:] for i in range(len(T))]
         unclear = [bool(part[part[:, 0] == i + 1, 1].any()) for i in range(len(T))]
         assert differing(arm, T, rows, unclear, inside=bool(inside)) == 0
+    assert (tmp_path / "names.txt").read_text().splitlines() == posture_words(arm.plan, out[:, 3:])
     both = np.loadtxt(tmp_path / "fk.txt")
     assert np.abs(both[:16].reshape(4, 4, order="F") - T[0]).max() < 1e-13
     assert np.abs(both[16:].reshape(6, 6, order="F") - arm.jacobian(q[0])).max() < 1e-13
@@ -63,7 +67,7 @@ def test_matlab_goes_into_a_folder_a_file_a_function(tmp_path):
     arm = pieper.load("denso-vp6242")
     folder = arm.code("matlab", tmp_path / "solver", "denso")
     names = sorted(p.name for p in folder.iterdir())
-    assert names == ["denso_fk.m", "denso_ik.m", "denso_ik_all.m", "denso_self_test.m"]
+    assert names == ["denso_fk.m", "denso_ik.m", "denso_ik_all.m", "denso_label.m", "denso_self_test.m"]
     arm.code("matlab", tmp_path / "denso_ik.m", "denso")
     assert "function q = denso_ik(T)" in (tmp_path / "denso_ik.m").read_text()
     (tmp_path / "file").write_text("")
@@ -83,6 +87,7 @@ def test_jax_gives_the_native_rows(name, tmp_path):
     assert np.asarray(solver.one_ik(T[0])).shape == solver.ik(T[0]).shape == (inside[0].sum(), 6)
     assert np.abs(np.asarray(solver.fk(q[0])) - T[0]).max() < 1e-12
     assert np.abs(np.asarray(solver.one_jacobian(q[0])) - arm.jacobian(q[0])).max() < 1e-12
+    assert [solver.one_label(row) for row in q[:100]] == posture_words(arm.plan, q[:100])
     assert solver.one_self_test() == 0
 
 
@@ -96,13 +101,13 @@ def test_wasm_gives_the_native_rows(name, tmp_path):
     _, T = poses(arm)
     (tmp_path / "poses.bin").write_bytes(T.tobytes())
     (tmp_path / "run.mjs").write_text(
-        "import fs from 'fs';\nimport { ik, ikAll, fk, jacobian, selfTest } from './arm.mjs';\n"
+        "import fs from 'fs';\nimport { ik, ikAll, fk, jacobian, label, selfTest } from './arm.mjs';\n"
         "const module = new WebAssembly.Module(fs.readFileSync('arm.wasm'));\n"
         "const b = fs.readFileSync('poses.bin'), out = [];\n"
         "const t = new Float64Array(b.buffer, b.byteOffset, b.length / 8);\n"
         "for (let i = 0; i < t.length; i += 16) out.push(ikAll(t.subarray(i, i + 16)));\n"
         "const q = out[0].rows[0], T = fk(q);\n"
-        "console.log(JSON.stringify({ out, q, J: jacobian(q), failed: selfTest(), rows: ik(T).length,\n"
+        "console.log(JSON.stringify({ out, q, J: jacobian(q), name: label(q), failed: selfTest(), rows: ik(T).length,\n"
         "  bad: ik([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1]),\n"
         "  imports: WebAssembly.Module.imports(module).length,\n"
         "  exports: WebAssembly.Module.exports(module).map((e) => e.name) }));\n"
@@ -112,6 +117,7 @@ def test_wasm_gives_the_native_rows(name, tmp_path):
     assert said["failed"] == 0 and said["imports"] == 0 and said["bad"] is None
     assert {"memory", "alloc", "one_ik", "one_fk", "one_ik_many"} <= set(said["exports"])
     assert np.abs(np.array(said["J"]) - arm.jacobian(np.array(said["q"]))).max() < 1e-12
+    assert [said["name"]] == posture_words(arm.plan, np.array([said["q"]]))
     assert differing(arm, T, [r["rows"] for r in said["out"]], [r["unclear"] for r in said["out"]]) == 0
 
 

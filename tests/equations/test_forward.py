@@ -44,6 +44,8 @@ def test_the_equations_agree_with_the_papers_arms_to_30_digits(name):
 @pytest.mark.parametrize("angles", ["theta", "q"])
 def test_every_catalogue_arm_agrees_with_its_numeric_pose_in_both_notations(name, angles):
     arm = pieper.load(name)
+    if angles == "q" and arm.description.coupling is not None:
+        pytest.skip("coupled joints are no angles; tests/equations/test_coupled.py sees to them")
     for lengths in ("symbols", "numbers"):
         assert arm.symbolic.fk(lengths=lengths, angles=angles).check(40).worst < 1e-12
 

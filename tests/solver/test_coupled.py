@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper import DH, PlanError, Status
+from pieper import PlanError, Status
 
 ARMS = {
     "fanuc-lr-mate-200id": [(2, 1, 1)],
@@ -102,12 +102,19 @@ def test_a_line_is_followed_in_the_joints_numbers():
     assert np.abs(track.followed[0] - q).max() < 1e-9
 
 
-def test_a_ratio_that_is_no_whole_number_is_refused_when_planned_and_not_before():
-    rows = [DH(alpha=np.pi / 2, d=0.4), DH(a=0.5), DH(a=0.3)]
-    arm = pieper.Arm.from_dh(rows, convention="standard", coupling=[[1, 0, 0], [0, 1, 0], [0, 0.4, 1]])
-    assert arm.fk([0.1, 0.2, 0.3]).shape == (4, 4)
-    with pytest.raises(PlanError, match="whole turn"):
-        _ = arm.plan
+def test_a_slide_that_moves_with_a_turn_is_solved():
+    """A screw: the quill's stroke follows the last turn by its pitch, so every turn is another stroke."""
+    plain = pieper.load("adept-cobra-600")
+    C, pitch = np.eye(4), 0.02 / (2 * np.pi)
+    C[2, 3] = pitch
+    arm = pieper.Arm(replace(plain.description, coupling=C)).with_limits({plain.joint_names[3]: (-7.0, 7.0)})
+    q = np.array([0.3, 0.8, 0.1, 1.0])
+    sols = arm.ik(arm.fk(q))
+    assert np.abs(sols.nearest(q) - q).max() < 1e-9
+    turns = sols.windings()
+    assert np.abs(arm.fk(turns) - sols.T).max() < 1e-12 and len(turns) > len(sols)
+    turned = q + [0, 0, 0.02, -2 * np.pi]
+    assert np.abs(turns - turned).max(1).min() < 1e-9
 
 
 def test_a_joint_to_spare_beside_coupled_ones_is_refused_by_name():
@@ -125,3 +132,21 @@ def test_a_plan_of_coupled_joints_pickles():
 
     assert np.allclose(verbs.ik(pickle.loads(pickle.dumps(arm.plan)), T).q, arm.ik(T).q)
     assert "coupl" in repr(arm.plan) or arm.plan.explain()
+
+
+def test_the_uncoupled_arm_is_the_same_by_its_axes_and_is_the_cure_where_coupling_is_refused(tmp_path):
+    arm = pieper.load("fanuc-lr-mate-200id-controller")
+    plain = arm.uncoupled()
+    q = np.array([0.1, 0.3, 0.2, 0.4, 0.5, 0.6])
+    assert np.array_equal(plain.coupling, np.eye(6)) and plain.uncoupled().description is plain.description
+    assert np.abs(plain.fk(arm.coupling @ q) - arm.fk(q)).max() < 1e-15
+    assert np.isinf(plain.limits[2]).all() and np.array_equal(plain.limits[[0, 1, 3]], arm.limits[[0, 1, 3]])
+    with pytest.raises(PlanError, match=r"Export arm\.uncoupled"):
+        arm.code("python", tmp_path / "x.py")
+    plain.code("python", tmp_path / "x.py")
+    path = pieper.line(arm.fk(q), arm.fk(q) @ pieper.pose(0.01), n=3)
+    with pytest.raises(PlanError, match=r"arm\.follow(.|\n)*arm\.uncoupled"):
+        arm.route(path)
+    route = plain.route(path)
+    joints = np.linalg.solve(arm.coupling, route.q.T).T
+    assert np.abs(arm.fk(joints)[:, :3, 3] - path[:, :3, 3]).max() < 1e-6

@@ -8,13 +8,14 @@ Nothing is allowed to stand. What needs Node says so and is left out where there
 from __future__ import annotations
 
 import argparse
-import re
 import shutil
 import subprocess
 import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+
+from tests.tools import types
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "src" / "pieper" / "workbench" / "page"
@@ -59,11 +60,8 @@ def words_and_types() -> list[str]:
     return complaints("ruff", "check", *rules, "src", "build_backend")
 
 
-def types() -> list[str]:
-    _, said = run("pyright", "--threads", "--pythonpath", sys.executable)
-    if not re.search(r"\d+ errors?,", said):
-        return ["pyright did not run", said]
-    return [line.strip() for line in said.splitlines() if " - error: " in line]
+def whole_types() -> list[str]:
+    return types.complaints(run)
 
 
 def kernels() -> list[str]:
@@ -109,7 +107,7 @@ CHECKS: dict[str, Callable[[], list[str]]] = {
     "style (ruff)": style,
     "layout (ruff)": layout,
     "docstrings, annotations (ruff)": words_and_types,
-    "types (pyright)": types,
+    "types (pyright)": whole_types,
     "kernels' layout (clang-format)": kernels,
     "page's layout (prettier)": page_layout,
     "page as shipped (esbuild)": page_shipped,

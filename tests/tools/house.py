@@ -18,6 +18,8 @@ from pathlib import Path
 from statistics import median
 from typing import NamedTuple
 
+from tests.tools.thresholds import bare
+
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src" / "pieper"
 #: A wing may import from itself and from wings on lower floors; neighbours on a floor do not know each other. What
@@ -52,8 +54,8 @@ ONLY = {
     "algebra": {"errors", "words_by_number", "tolerances", "_kernel", "document", "kinematics"},
 }
 PUBLIC_ONLY = ("cli", "workbench")
-#: What the command line opens: the workbench itself, not its rooms.
-DOOR = "pieper.workbench"
+#: What the command line opens beside it, the workbench itself and not its rooms; and the thresholds of all.
+DOORS = ("pieper.workbench", "pieper.tolerances")
 LONGEST, MEDIAN = 400, 150
 #: Names that begin with an underscore and are not ours to make public.
 FOREIGN = {"_kernel", "_code", "_axinfo", "_fields"}
@@ -253,7 +255,7 @@ def upward() -> Iterator[Violation]:
             if other == room.wing or other not in FLOOR:
                 continue
             if room.wing in PUBLIC_ONLY:
-                if other != "__init__" and target != DOOR:
+                if other != "__init__" and target not in DOORS:
                     yield Violation("not public", room.where, f"-> {target}")
             elif FLOOR[other] >= FLOOR[room.wing]:
                 yield Violation("upward", room.where, f"-> {target}")
@@ -320,10 +322,18 @@ def fossils() -> Iterator[Violation]:
             yield from (Violation("asks what it is", room.where, what) for what in room.asks)
 
 
+def thresholds() -> Iterator[Violation]:
+    """Yield the thresholds that stand elsewhere than on the pages of tolerances, without a name and a reason."""
+    for path in files(*GROUPS["src"], *GROUPS["kernels"]):
+        if "tolerances" not in path.parts and not {"singular", "redundant"} & set(path.parts):
+            for line, spelled in bare(path.read_text(), path.suffix):
+                yield Violation("bare threshold", f"{path.relative_to(ROOT)}:{line}", spelled)
+
+
 @cache
 def violations() -> dict[str, Violation]:
     """Return everything that breaks a rule, by the line that says so."""
-    rules = (upward, unexported, private_names, in_circles, sizes, fossils)
+    rules = (upward, unexported, private_names, in_circles, sizes, fossils, thresholds)
     return {str(v): v for rule in rules for v in rule()}
 
 

@@ -178,11 +178,11 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
         q[k] = trial[k];
         for (int r = 0; r < 6; ++r) J[k][r] = J2[k][r];
       }
-      damping = std::fmax(damping * 1e-2, kClosedDamping);
+      damping = std::fmax(damping * kClosedDampingFalls, kClosedDamping);
       if (stalled) break;
     } else {
       if (miss < kClosedGoodEnough || damping > 1) break;
-      damping = damping * 1e3;
+      damping = damping * kClosedDampingGrows;
     }
   }
   if (!(miss <= kClosedVerified)) {

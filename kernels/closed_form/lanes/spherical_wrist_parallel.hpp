@@ -377,7 +377,7 @@ class SphericalWristParallelKernel {
   // joint, is no smaller than what forward kinematics of the rounded angles misses: it must stay below kSwpVerified. Two columns of
   // a rotation fix the third. A sum, because NaN survives it.
   static constexpr double kSqrt3 = 1.7320508075688773, kTwoColumns = 2 * kSqrt3;
-  static constexpr double kJointError = kAngleError + 4 * 8.9e-16;
+  static constexpr double kJointError = kAngleError + 4 * kTurnRounding;
 
   // Of joints 1, 2 and 3: they carry the wrist centre and both columns.
   PIEPER_INLINE static double lever(const SphericalWristParallel& P) {

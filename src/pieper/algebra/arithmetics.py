@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-SETTLED = 1e-12  # by how much rounding may push a sine or cosine past 1
+from pieper.tolerances import REAL_ROOT, SINE_SETTLED
 
 
 class NumpyField:
@@ -76,13 +76,13 @@ def _real_roots(coefficients: np.ndarray) -> np.ndarray:
     slope = np.polyder(coefficients)
     for _ in range(2):
         roots -= np.polyval(coefficients, roots) / np.polyval(slope, roots)
-    return np.sort(roots[np.abs(roots.imag) < 1e-7 * (1 + np.abs(roots))].real)
+    return np.sort(roots[np.abs(roots.imag) < REAL_ROOT * (1 + np.abs(roots))].real)
 
 
 def _settled(x: Any) -> Any:
     x = np.asarray(x, dtype=float)
     size = np.abs(x)
-    return np.where((size > 1) & (size < 1 + SETTLED), np.sign(x), x)
+    return np.where((size > 1) & (size < 1 + SINE_SETTLED), np.sign(x), x)
 
 
 class DigitsField:

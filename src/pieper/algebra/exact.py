@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
+
+from pieper.tolerances import EXACT_DEGREES
 
 
 def rational(value: float) -> Fraction:
@@ -26,7 +29,7 @@ def pi_fraction(angle: float) -> Fraction | None:
     """The angle as a multiple of pi, when it is a whole number of thousandths of a degree within rounding."""
     degrees = math.degrees(float(angle))
     nearest = Fraction(round(degrees * 1000), 1000)
-    if abs(degrees - float(nearest)) <= 1e-11 * max(1.0, abs(degrees)):
+    if abs(degrees - float(nearest)) <= EXACT_DEGREES * max(1.0, abs(degrees)):
         return nearest / 180
     return None
 
@@ -46,3 +49,17 @@ def decimal_text(value: Fraction, digits: int = 9) -> str | None:
         return None
     text = f"{Decimal(scaled.numerator) / Decimal(10**digits):f}"
     return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def exact_inverse(matrix: Sequence[Sequence[float]]) -> tuple[tuple[Fraction, ...], ...]:
+    """The inverse of a regular matrix of decimals, as fractions (Gauss and Jordan)."""
+    n = len(matrix)
+    rows = [[rational(x) for x in row] + [Fraction(int(i == j)) for j in range(n)] for i, row in enumerate(matrix)]
+    for i in range(n):
+        best = max(range(i, n), key=lambda r: abs(rows[r][i]))
+        rows[i], rows[best] = rows[best], rows[i]
+        rows[i] = [x / rows[i][i] for x in rows[i]]
+        for r in range(n):
+            if r != i and rows[r][i]:
+                rows[r] = [x - rows[r][i] * y for x, y in zip(rows[r], rows[i], strict=True)]
+    return tuple(tuple(row[n:]) for row in rows)

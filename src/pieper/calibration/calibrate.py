@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -19,24 +19,14 @@ from pieper.calibration.unseen import in_words
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.pose import PoseLike
+from pieper.solver.plan.planned_arm import NominalArm
+from pieper.tolerances import FIRST_NOISE, LEAST_NOISE, SAME_MEASUREMENT
 
 LOSSES = ("linear", "huber")
-#: The noise (m, rad) that a fit begins with where none is said, and how often it is then estimated.
-FIRST_NOISE, ESTIMATES = (1e-4, 2e-4), 3
-#: Noise (m, rad) below which there is none: rounding.
-LEAST_NOISE = 1e-12
-#: Joint vectors this near (rad or m) are one and the same pose.
-SAME_POSE = 1e-6
-
-
-class NominalArm(Protocol):
-    """What calibration needs of an arm."""
-
-    description: Description
-    chain: Chain
+#: How often the noise of a fit is estimated, where none is said.
+ESTIMATES = 3
 
 
 def calibrate(
@@ -111,7 +101,7 @@ def _held_out(count: int, holdout: float) -> npt.NDArray[np.int64]:
 def _refuse_too_few(q: Array, parameters: Parameters, data: Measurements, held: int) -> None:
     unknown = max(int(parameters.free.sum()) + SETUP[data.kind] - BLIND[data.kind], 1)
     needed = -(-unknown // WIDTH[data.kind])
-    distinct = len(np.unique(np.round(q / SAME_POSE), axis=0)) if len(q) else 0
+    distinct = len(np.unique(np.round(q / SAME_MEASUREMENT), axis=0)) if len(q) else 0
     if distinct >= needed:
         return
     beside = f" ({held} more are held out)" if held else ""

@@ -106,8 +106,7 @@ class Fit:
     def arm(self) -> Any:
         """The calibrated arm, made of its axes; an arm as any other.
 
-        With gains or couplings its plan refuses to invert, since a whole turn of a joint is none of its axis: `ik` of
-        this fit does.
+        With gains or couplings its joints are coupled: `ik` is complete in their own numbers and limits.
 
         Raises:
             PlanError: Harmonics were fitted: an arm's joints are linear in what moves them; see `ik` and `geometry`.

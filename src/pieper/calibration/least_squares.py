@@ -17,7 +17,7 @@ from pieper.calibration.measurements import SETUP, Measurements
 from pieper.calibration.model import AxesModel
 from pieper.calibration.parameters import Parameters
 from pieper.kinematics.arrays import Array, Bools
-from pieper.tolerances import CALIBRATED, CALIBRATION_STEPS, HUBER, OUTLIER
+from pieper.tolerances import CALIBRATED, CALIBRATION_STEPS, COST_NO_WORSE, COST_ROUNDING, HUBER, OUTLIER
 
 #: Halvings of a step that makes things worse, before it is taken as it is.
 HALVINGS = 8
@@ -130,7 +130,7 @@ def _descend(
             part = step * reach * 0.5**halving
             tried, placed = model.moved(part[:count], parameters), data.moved(part[count:])
             residuals, slopes = linearised(tried, parameters, q, placed, sigma, sizes)
-            if _cost(residuals, robust, keep) <= cost * (1 + 1e-9) + 1e-12:
+            if _cost(residuals, robust, keep) <= cost * (1 + COST_NO_WORSE) + COST_ROUNDING:
                 break
         model, data = tried, placed
         if np.abs(step).max(initial=0.0) < CALIBRATED:

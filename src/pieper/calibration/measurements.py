@@ -11,6 +11,7 @@ import numpy.typing as npt
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, rotation_vector, skew
+from pieper.tolerances import TURN_SERIES
 
 KINDS = ("pose", "position", "distance", "plane")
 #: Numbers a row has, and numbers of the set-up that are fitted along: the fixed point, or the plane's tilts and height.
@@ -19,8 +20,6 @@ SETUP = {"pose": 0, "position": 0, "distance": 3, "plane": 3}
 #: Directions that a kind cannot see of any arm: turns of the tool; with an unknown set-up the arm's place too, and over
 #: a plane its size.
 BLIND = {"pose": 0, "position": 3, "distance": 9, "plane": 10}
-#: Turns (rad) up to which the derivative of a rotation vector is its series.
-_SERIES = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,9 +115,9 @@ class Measurements:
 def _left_inverse(v: Array) -> Array:
     """Return (N, 3, 3): how rotation vectors v (N, 3) change with a turn in the frame they are said in."""
     K, angle = skew(v), np.linalg.norm(v, axis=-1)[:, None, None]
-    safe = np.where(angle < _SERIES, 1.0, angle)
+    safe = np.where(angle < TURN_SERIES, 1.0, angle)
     full = 1 / safe**2 - (1 + np.cos(safe)) / (2 * safe * np.sin(safe))
-    return np.eye(3) - K / 2 + np.where(angle < _SERIES, 1 / 12 + angle**2 / 720, full) * (K @ K)
+    return np.eye(3) - K / 2 + np.where(angle < TURN_SERIES, 1 / 12 + angle**2 / 720, full) * (K @ K)
 
 
 def measured_as(kind: str, given: PoseLike | None, count: int) -> Measurements:

@@ -17,16 +17,14 @@ from pieper.calibration.parameters import Parameters
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import skew
-
-#: Below this angle (rad) the exponential's coefficients are taken from their series.
-SERIES = 1e-4
+from pieper.tolerances import EXPONENTIAL_SERIES
 
 
 def screw_motion(twist: Array) -> Array:
     """Return the poses (..., 4, 4) exp(twist) of twists (..., 6): turn first, rad, then way, m."""
     w, v = twist[..., :3], twist[..., 3:]
     angle = np.linalg.norm(w, axis=-1)[..., None, None]
-    small = angle < SERIES
+    small = angle < EXPONENTIAL_SERIES
     safe = np.where(small, 1.0, angle)
     square = angle * angle
     a = np.where(small, 1 - square / 6, np.sin(safe) / safe)

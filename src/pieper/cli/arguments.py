@@ -17,6 +17,7 @@ import pieper
 from pieper import InputError, PieperWarning
 from pieper.cli.output import plural
 from pieper.cli.units import Units
+from pieper.tolerances import SUSPICIOUSLY_SMALL
 
 #: What may stand for an orientation after x y z: how many numbers, whether they are angles.
 NOTATIONS = {
@@ -43,8 +44,6 @@ ALSO = {
 }
 #: A file of numbers larger than this is not a pose or a joint vector.
 LARGEST_FILE = 5_000_000
-#: A position this small (m) in millimetres was probably meant in metres.
-SUSPICIOUSLY_SMALL = 2.5e-3
 
 
 @dataclass(frozen=True)

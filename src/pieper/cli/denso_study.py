@@ -15,6 +15,7 @@ from pieper import sections
 from pieper.cli.denso_equations import LOST, PRINTED, claims
 from pieper.cli.path import write_csv
 from pieper.cli.units import Units
+from pieper.tolerances import STUDY_SAME
 
 ARM = "denso-vp6242"
 MM = 1e3
@@ -194,7 +195,7 @@ def _recall(arm: pieper.Arm, n: int = TRIED) -> dict[str, Any]:
     many = arm.ik_many(T)
     apart = many.q - q[:, None]
     apart = np.abs(apart - 2 * np.pi * np.round(apart / (2 * np.pi))).max(-1)
-    hit = (np.where(many.valid, apart, np.inf) < 1e-6).any(1)
+    hit = (np.where(many.valid, apart, np.inf) < STUDY_SAME).any(1)
     rows, which = many.q[many.valid], np.nonzero(many.valid)[0]
     residual = arm.plan.residual(rows, T[which])
     counts = np.unique(many.count)

@@ -13,9 +13,7 @@ from pieper.cli.output import as_json as print_json
 from pieper.cli.output import print_pose, say, short
 from pieper.cli.status import DONE
 from pieper.cli.units import Units
-
-#: A joint may pass its limit by this much (rad or m) without a word.
-SLACK = 1e-9
+from pieper.tolerances import LIMIT_SLACK
 
 
 @click.command("fk", context_settings=NUMBERS, short_help="From joints to the pose of the tool.")
@@ -58,7 +56,7 @@ def _outside(arm: pieper.Arm, q: npt.NDArray[np.float64], units: Units) -> list[
     out = []
     names = zip(arm.joint_names, units.of_joints(arm), units.names_of_joints(arm), strict=True)
     for (name, unit, word), value, (lower, upper) in zip(names, q, arm.limits, strict=True):
-        if not lower - SLACK <= value <= upper + SLACK:
+        if not lower - LIMIT_SLACK <= value <= upper + LIMIT_SLACK:
             out.append(
                 f"note: {name} = {short(value / unit)} {word} is outside its limits "
                 f"{short(lower / unit)} to {short(upper / unit)} {word}."

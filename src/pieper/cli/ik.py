@@ -28,6 +28,7 @@ from pieper.cli.output import (
 )
 from pieper.cli.status import DONE, NO_SOLUTION
 from pieper.cli.units import Units
+from pieper.tolerances import LIMIT_SLACK
 
 
 @click.command("ik", context_settings=NUMBERS, short_help="From a pose, or a file of poses, to every solution.")
@@ -161,7 +162,7 @@ def _closest(
     if not len(sols):
         return None, nearest
     row, unwound = sols.nearest_row(now)
-    return (row if np.allclose(unwound, nearest, atol=1e-9) else None), nearest
+    return (row if np.allclose(unwound, nearest, atol=LIMIT_SLACK) else None), nearest
 
 
 def _print(

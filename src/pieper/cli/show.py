@@ -79,7 +79,7 @@ def _print_dh(arm: pieper.Arm, units: Units) -> None:
         constant = row.theta / units.radians if revolute else row.d / units.metres
         shown = short(abs(constant), fine if revolute else digits)
         sign = "+" if constant > 0 else "-"
-        cells[3 if revolute else 2] = f"q{i + 1}" + ("" if shown == "0" else f" {sign} {shown}")
+        cells[3 if revolute else 2] = d.moved_by(i) + ("" if shown == "0" else f" {sign} {shown}")
         unit, places = (units.radians, fine) if revolute else (units.metres, digits)
         limits = [number(v / unit, max(places - 1, 2)) for v in d.limits[i]]
         sense = "+" if d.sign[i] > 0 else "-"
@@ -100,6 +100,7 @@ def _as_data(arm: pieper.Arm, plan: pieper.Plan | None, beyond: str) -> dict[str
         "dh": [{"a_m": r.a, "alpha_rad": r.alpha, "d_m": r.d, "theta_rad": r.theta} for r in d.rows],
         "sign": d.sign,
         "offset": d.offset,
+        "coupling": arm.coupling,
         "limits": d.limits,
         "units": si_units(arm),
         "base": arm.base,

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 import pieper
 
-LENGTHS = {"mm": 1e-3, "m": 1.0}
+LENGTHS = {"mm": 0.001, "m": 1.0}
 ANGLES = {"deg": math.pi / 180, "rad": 1.0}
 
 

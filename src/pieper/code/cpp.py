@@ -8,8 +8,10 @@ from typing import Any, cast
 import numpy as np
 
 from pieper import _kernel
-from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.export import Export
 from pieper.code.kernel_source import HEADERS, fingerprint, joined
+from pieper.code.labels import Manner
+from pieper.code.language import Notation, filled, starred
 
 FLAGS = "-std=c++20 -O3 -ffp-contract=fast -fno-math-errno -fno-trapping-math"
 
@@ -30,6 +32,8 @@ int NAME_ik_all(T, q, &unclear): the rows before limits. unclear is set at and n
 long NAME_ik_many(T, count, q, valid, in_limits, flag): many poses at once, the fastest way: q count x @SLOTS@ x N,
     valid and in_limits count x @SLOTS@, flag count. Returns the first pose that is no rigid motion, or count.
 void NAME_fk(const double q[N], double T[16]); void NAME_jacobian(const double q[N], double J[6][N]), linear rows first.
+const char* NAME_label(const double q[N]): the posture's name, such as "front, elbow up, wrist flip"; "" where the
+    postures of this arm have none.
 int NAME_self_test(): how many of @TESTS@ stored poses fail: 0. With -DNAME_MAIN a program that runs it.
 */
 #pragma once
@@ -110,6 +114,19 @@ inline int NAME_ik(const double T[16], double (*q)[N]) {
 inline void NAME_fk(const double q[N], double T[16]) { NAME_arm().fk(q, 1, T); }
 inline void NAME_jacobian(const double q[N], double (*J)[N]) { NAME_arm().jacobian(q, 1, J[0]); }
 
+/* 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way. */
+inline int NAME_side(double v, double facing) {
+  if (facing < 0) v = -v;
+  return v > @NO_SIDE@ ? 0 : v < -@NO_SIDE@ ? 1 : 2;
+}
+
+inline const char* NAME_label(const double q[N]) {
+  static const char* const names[] = @NAMES@;
+@SUMS@
+  (void)q;
+  return names[@PLACE@];
+}
+
 #ifndef NAME_PLAIN
 inline std::vector<std::array<double, N>> NAME_ik(const double T[16]) {
   double q[@SLOTS@][N];
@@ -184,29 +201,32 @@ def numbers_of(geometry: Any) -> tuple[list[float], list[float]]:
     return out, general
 
 
+CPP = Notation(
+    infinity="__builtin_inf()",
+    truths=("0", "1"),
+    header=starred,
+    manner=Manner(
+        "__builtin_sin({0})", "__builtin_cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"
+    ),
+    brackets="{}",
+    texts='{}"',
+)
+
+
 def text(export: Export) -> str:
     """Return the file's text."""
     own, header = HEADERS[export.plan.family]
-    number = finite_or("__builtin_inf()")
     numbers, general = numbers_of(export.plan.spec.geometry)
     parts = {
-        "HEADER": "\n".join(export.header).replace("*/", "* /"),
         "FLAGS": FLAGS,
         "KERNEL": joined("code/taken.hpp", *(("elimination/general.hpp",) if general else ()), header),
         "ARM": hashlib.sha256(repr((numbers, general, export.header)).encode()).hexdigest()[:12],
         "MARK": f"pieper_{fingerprint()}",
         "OWN": own,
         "SLOTS": str(export.plan.spec.max_solutions),
-        "NUMBERS": nested(numbers, "{}", number),
-        "GENERAL": nested(general or [0.0], "{}", number),
-        "LINKS": nested(export.plan.chain.links.ravel(), "{}", number),
-        "LOWER": nested(export.lower, "{}", number),
-        "UPPER": nested(export.upper, "{}", number),
-        "SLIDES": "{" + ", ".join(str(int(s)) for s in export.slides) + "}",
+        "NUMBERS": CPP.numbers(numbers),
+        "GENERAL": CPP.numbers(general or [0.0]),
+        "LINKS": CPP.numbers(export.plan.chain.links.ravel()),
         "SLIDE_BITS": str(sum(1 << j for j, s in enumerate(export.slides) if s)),
-        "VERIFIED": repr(export.verified),
-        "TEST_Q": nested(export.q, "{}", number),
-        "TEST_T": nested(export.T.reshape(-1, 16), "{}", number),
-        "COUNTS": "{" + ", ".join(str(k) for k in export.counts) + "}",
     }
-    return filled(FRAME, parts, export)
+    return filled(FRAME, CPP.parts(export) | parts, export)

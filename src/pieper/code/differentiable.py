@@ -6,8 +6,8 @@ with respect to the pose's twelve numbers is not unique, since a pose has six fr
 manifold: for every motion of the pose its inner product with dT is the loss's derivative.
 
 At a singular pose the derivative does not exist. Singular values of the Jacobian (lengths in units of the arm) below
-`SINGULAR` are inverted damped, s / (s^2 + SINGULAR^2): directions in which the row is free to move fast get a finite
-gradient, directions the arm cannot move in get none. Rows that do not exist have no gradient.
+`DAMPED_INVERSE` are inverted damped, s / (s^2 + DAMPED_INVERSE^2): directions in which the row is free to move fast get
+a finite gradient, directions the arm cannot move in get none. Rows that do not exist have no gradient.
 """
 
 from __future__ import annotations
@@ -22,9 +22,7 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import checked_pose
 from pieper.solver.plan.plan import Plan
-
-#: Below this smallest singular value (per length of the arm; rad) the damped inverse is taken.
-SINGULAR = 1e-6
+from pieper.tolerances import DAMPED_INVERSE
 
 
 class Solvable(Protocol):
@@ -96,7 +94,7 @@ def pose_gradient(chain: Chain, T: Array, q: Array, inside: Bools, g: Array) -> 
     scaled = J * units
     scaled[..., :3, :] /= length
     U, s, Vt = np.linalg.svd(scaled)
-    damped = np.where(s < SINGULAR, s / (s * s + SINGULAR**2), 1.0 / np.maximum(s, SINGULAR))
+    damped = np.where(s < DAMPED_INVERSE, s / (s * s + DAMPED_INVERSE**2), 1.0 / np.maximum(s, DAMPED_INVERSE))
     given = np.where(inside[..., None], g, 0.0) * units
     # the row vector g J^-1: twists that each unit of the loss wants
     along = np.einsum("...ij,...j->...i", Vt, given) * damped

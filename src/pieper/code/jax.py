@@ -2,30 +2,30 @@
 
 from __future__ import annotations
 
-from pieper.code.export import Export, filled, finite_or, nested
-from pieper.code.program import statements
-from pieper.code.python import WORDS as NUMPY
-
-WORDS = {name: word.replace("np.", "jnp.") for name, word in NUMPY.items()}
+from pieper.code.export import Export
+from pieper.code.language import filled
+from pieper.code.python import arrays
 
 FRAME = '''"""@HEADER@
 
 NAME_ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits. NAME_ik_all(Ts)
 takes poses (N, 4, 4) and returns rows (N, 8, n) turned inside the limits where they can be, which of them hold (N, 8),
 which lie inside (N, 8), and which poses are unclear (N,): at and next to singular poses, where a row may stand for many
-and rows may be missing. NAME_fk(q) takes (n,) or, through jax.vmap, more. All but NAME_ik may be compiled (jax.jit).
+and rows may be missing. NAME_fk(q) takes (n,) or, through jax.vmap, more; NAME_label(q) takes (n,). All but NAME_ik
+and NAME_label may be compiled (jax.jit).
 Double precision is switched on, since single precision loses rows.
 """
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 
 jax.config.update("jax_enable_x64", True)
 
-LOWER = jnp.array(@LOWER_NUMBERS@)
-UPPER = jnp.array(@UPPER_NUMBERS@)
-SLIDES = @SLIDES_NUMBERS@
-LINKS = jnp.array(@LINKS_NUMBERS@).reshape(-1, 3, 4)
+LOWER = jnp.array(@LOWER@)
+UPPER = jnp.array(@UPPER@)
+SLIDES = @SLIDES@
+LINKS = jnp.array(@LINKS@).reshape(-1, 3, 4)
 _TURN = 6.28318530717958647693
 
 
@@ -90,6 +90,18 @@ def NAME_ik(T):
     return q[0][inside[0]]
 
 
+def _side(v, facing):
+    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
+    v = -v if facing < 0 else v
+    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
+
+
+def NAME_label(q):
+    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
+@SUMS@
+    return _NAMES[@PLACE@]
+
+
 def NAME_self_test():
     """How many of @TESTS@ stored poses fail: 0."""
     q, T, slides = jnp.array(@TEST_Q@), jnp.array(@TEST_T@).reshape(-1, 4, 4), jnp.array(SLIDES)
@@ -101,6 +113,7 @@ def NAME_self_test():
     return int((~(met & closes & (inside.sum(1) == jnp.array(@COUNTS@)))).sum())
 
 
+_NAMES = @NAMES@
 ik, fk = NAME_ik, NAME_fk
 
 if __name__ == "__main__":
@@ -110,26 +123,4 @@ if __name__ == "__main__":
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    lines, said = statements(
-        export.program,
-        WORDS,
-        lambda k: f"T[:, {k // 4}, {k % 4}]",
-        lambda name, _, expression: f"    {name} = {expression}",
-    )
-    number, program = finite_or("jnp.inf"), export.program
-    parts = {
-        "HEADER": "\n".join(export.header).replace("\\", "/").replace('"""', "'''"),
-        "LOWER_NUMBERS": nested(export.lower, "[]", number),
-        "UPPER_NUMBERS": nested(export.upper, "[]", number),
-        "SLIDES_NUMBERS": "[" + ", ".join(str(s) for s in export.slides) + "]",
-        "LINKS_NUMBERS": nested(export.links.reshape(export.n + 1, 12), "[]", number),
-        "PROGRAM": "\n".join(lines),
-        "ROWS": ", ".join(said(i) for i in program.q),
-        "VALID": ", ".join(said(i) for i in program.valid),
-        "UNCLEAR": said(program.unclear),
-        "VERIFIED": repr(export.verified),
-        "TEST_Q": nested(export.q, "[]", number),
-        "TEST_T": nested(export.T.reshape(-1, 16), "[]", number),
-        "COUNTS": "[" + ", ".join(str(k) for k in export.counts) + "]",
-    }
-    return filled(FRAME, parts, export)
+    return filled(FRAME, arrays("jnp").parts(export), export)

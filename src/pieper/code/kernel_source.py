@@ -45,7 +45,7 @@ def _tolerances() -> str:
     if place.exists():
         return place.read_text()
     writer = runpy.run_path(str(folder().parent / "build_backend" / "tolerances_header.py"))
-    return str(writer["header"](Path(__file__).resolve().parents[1] / "tolerances.py"))
+    return str(writer["header"](Path(__file__).resolve().parents[1] / "tolerances" / "kernels"))
 
 
 @lru_cache

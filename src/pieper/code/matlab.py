@@ -3,35 +3,37 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
-from pieper.code.export import Export, filled, finite_or, nested
-from pieper.code.program import statements
+from pieper.code.export import Export
+from pieper.code.labels import Manner
+from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions
 
-WORDS = {
-    "add": "{0} + {1}",
-    "sub": "{0} - {1}",
-    "mul": "{0} * {1}",
-    "div": "{0} / {1}",
-    "neg": "-{0}",
-    "abs": "abs({0})",
-    "sqrt": "real_sqrt({0})",
-    "sin": "sin({0})",
-    "cos": "cos({0})",
-    "atan2": "atan2({0}, {1})",
-    "angle": "angle_of({0}, {1})",
-    "select": "pick({0}, {1}, {2})",
-    "lt": "{0} < {1}",
-    "le": "{0} <= {1}",
-    "gt": "{0} > {1}",
-    "ge": "{0} >= {1}",
-    "eq": "{0} == {1}",
-    "ne": "{0} ~= {1}",
-    "and": "{0} & {1}",
-    "or": "{0} | {1}",
-    "not": "~{0}",
-    "true": "true",
-    "false": "false",
-}
+
+class Matlab(Language):
+    """MATLAB's matrices are one list whose rows end with a semicolon."""
+
+    def numbers(self, value: Any) -> str:
+        """Return numbers as a row or a matrix."""
+        inner = super().numbers(value)
+        return inner if not inner.startswith("[[") else "[" + inner[2:-2].replace("], [", "; ...\n    ") + "]"
+
+
+MATLAB = Matlab(
+    words=USUAL
+    | ENTRYWISE
+    | functions("")
+    | {"sqrt": "real_sqrt({0})", "angle": "angle_of({0}, {1})", "select": "pick({0}, {1}, {2})", "ne": "{0} ~= {1}"},
+    entry=lambda k: f"T({k // 4 + 1}, {k % 4 + 1})",
+    assign=lambda name, _, expression: f"  {name} = {expression};",
+    infinity="Inf",
+    truths=("0", "1"),
+    header=lambda lines: "\n".join(f"% {line}" for line in lines),
+    manner=Manner("sin({0})", "cos({0})", "q({0})", 1, "  {0} = {1};", "side({0}, {1})"),
+    texts="{}'",
+    per_row=("{}", "; "),
+)
+
 
 IK_ALL = """function [q, unclear] = NAME_ik_all(T)
 % NAME_IK_ALL  Rows (m, N) of a pose before limits, and whether the pose is unclear: at and next to singular poses a row
@@ -131,6 +133,23 @@ function L = link(links, i)
 end
 """
 
+LABEL = """function name = NAME_label(q)
+% NAME_LABEL  The name of a posture q, such as 'front, elbow up, wrist flip'; '' where the postures of this arm have
+% none.
+%
+@HEADER@
+  names = @NAMES@;
+@SUMS@
+  name = names{1 + @PLACE@};
+end
+
+function k = side(v, facing)
+  % 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
+  if facing < 0, v = -v; end
+  if v > @NO_SIDE@, k = 0; elseif v < -@NO_SIDE@, k = 1; else, k = 2; end
+end
+"""
+
 SELF_TEST = """function failed = NAME_self_test()
 % NAME_SELF_TEST  How many of @TESTS@ stored poses fail: 0.
 %
@@ -154,47 +173,22 @@ end
 """
 
 ENTRY = """function s = STEM()
-% The functions of this arm as one struct: s.ik(T), s.ik_all(T), s.fk(q), s.self_test(); they stand beside this file.
+% The functions of this arm as one struct: s.ik(T), s.ik_all(T), s.fk(q), s.label(q), s.self_test(); they stand beside
+% this file.
 %
 @HEADER@
-  s = struct('ik', @NAME_ik, 'ik_all', @NAME_ik_all, 'fk', @NAME_fk, 'self_test', @NAME_self_test);
+  s = struct('ik', @NAME_ik, 'ik_all', @NAME_ik_all, 'fk', @NAME_fk, 'label', @NAME_label, ...
+             'self_test', @NAME_self_test);
 end
 """
 
 
 def texts(export: Export, path: Path) -> dict[Path, str]:
     """Return the files' texts: into a folder, or beside a .m file, which then hands out the functions."""
-    lines, said = statements(
-        export.program,
-        WORDS,
-        lambda k: f"T({k // 4 + 1}, {k % 4 + 1})",
-        lambda name, _, expression: f"  {name} = {expression};",
-    )
-    number, program, n = finite_or("Inf"), export.program, export.n
-    rows = "; ".join(", ".join(said(i) for i in program.q[n * m : n * m + n]) for m in range(8))
-
-    def matrix(rows: object) -> str:
-        inner = nested(rows, "[]", number)
-        return inner if not inner.startswith("[[") else "[" + inner[2:-2].replace("], [", "; ...\n    ") + "]"
-
-    parts = {
-        "HEADER": "\n".join(f"% {line}" for line in export.header),
-        "PROGRAM": "\n".join(lines),
-        "ROWS": rows,
-        "VALID": ", ".join(said(i) for i in program.valid),
-        "UNCLEAR": said(program.unclear),
-        "SLIDES": "[" + ", ".join(str(int(s)) for s in export.slides) + "]",
-        "LOWER": matrix(export.lower),
-        "UPPER": matrix(export.upper),
-        "LINKS": matrix(export.links.reshape(n + 1, 12)),
-        "VERIFIED": repr(export.verified),
-        "TEST_Q": matrix(export.q),
-        "TEST_T": matrix(export.T.reshape(-1, 16)),
-        "COUNTS": "[" + ", ".join(str(k) for k in export.counts) + "]",
-    }
+    parts = MATLAB.parts(export)
     file = path.suffix == ".m"
     folder = path.parent if file else path
-    frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "self_test": SELF_TEST}
+    frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "label": LABEL, "self_test": SELF_TEST}
     out = {folder / f"{export.name}_{what}.m": filled(frame, parts, export) for what, frame in frames.items()}
     if file and path not in out:
         out[path] = filled(ENTRY.replace("STEM", path.stem), parts, export)

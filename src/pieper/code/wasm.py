@@ -11,7 +11,8 @@ import tempfile
 from pathlib import Path
 
 from pieper.code import cpp
-from pieper.code.export import Export, filled
+from pieper.code.export import Export
+from pieper.code.language import filled
 from pieper.errors import InputError
 
 API = """#define NAME_PLAIN
@@ -37,6 +38,7 @@ PIEPER_EXPORT("NAME_ik_many") long w_many(const double* T, long count, double* q
 }
 PIEPER_EXPORT("NAME_fk") void w_fk(const double* q, double* T) { NAME_fk(q, T); }
 PIEPER_EXPORT("NAME_jacobian") void w_jacobian(const double* q, double (*J)[N]) { NAME_jacobian(q, J); }
+PIEPER_EXPORT("NAME_label") const char* w_label(const double* q) { return NAME_label(q); }
 PIEPER_EXPORT("NAME_self_test") int w_test() { return NAME_self_test(); }
 }
 """
@@ -46,7 +48,8 @@ MODULE = """/*
 
 The kernel as WebAssembly inside this module; nothing is fetched. ik(T): every joint vector inside the limits, an array
 of arrays; T as 16 numbers row by row, or as 4 rows of 4; null where T is no rigid motion. ikAll(T): {rows, unclear}
-before limits. fk(q): 4 rows of 4. jacobian(q): 6 rows, linear ones first. selfTest(): stored poses that fail, 0.
+before limits. fk(q): 4 rows of 4. jacobian(q): 6 rows, linear ones first. label(q): the posture's name. selfTest():
+stored poses that fail, 0.
 */
 const bytes = Uint8Array.from(atob("@BYTES@"), (letter) => letter.charCodeAt(0));
 const wasm = (await WebAssembly.instantiate(bytes, {})).instance.exports;
@@ -80,6 +83,11 @@ export function jacobian(q) {
   numbers(at.q, N).set(q);
   wasm.NAME_jacobian(at.q, at.J);
   return rowsOf(at.J, 6, N);
+}
+export function label(q) {
+  numbers(at.q, N).set(q);
+  const where = wasm.NAME_label(at.q), letters = new Uint8Array(wasm.memory.buffer, where);
+  return String.fromCharCode(...letters.subarray(0, letters.indexOf(0)));
 }
 export const selfTest = () => wasm.NAME_self_test();
 """

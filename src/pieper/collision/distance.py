@@ -12,10 +12,9 @@ from pieper.collision.hulls import Hulls
 from pieper.collision.model import Model
 from pieper.kinematics.arrays import ArrayLike
 from pieper.kinematics.forward import checked_joints
+from pieper.tolerances import NOTHING_NEAR
 
 Array = npt.NDArray[np.float64]
-#: What is returned where there is nothing to keep apart from, m: farther than anything.
-NOTHING = 1e9
 
 
 class Distance(np.ndarray):
@@ -90,7 +89,7 @@ def nearest(model: Model, q: Array) -> tuple[Array, npt.NDArray[np.int64], Array
         metres, which, points, normal = model.exact.nearest(model.chain_values(q))
         which = which.astype(np.int64)
     else:
-        metres, which = np.full(count, NOTHING), np.full(count, -1)
+        metres, which = np.full(count, NOTHING_NEAR), np.full(count, -1)
         points, normal = np.zeros((count, 2, 3)), np.tile([0.0, 0.0, 1.0], (count, 1))
     if model.boxed is None or not count:
         return metres, which, points, normal

@@ -11,6 +11,7 @@ from pieper.description.dh import Description
 from pieper.description.fold import chain_of, frames_of
 from pieper.description.shapes import Body, Capsule, unique_names
 from pieper.kinematics.pose import inverse
+from pieper.tolerances import SHORTEST_ARM, TINY
 
 #: Radius of a guessed capsule at the base and at the tool, as a part of the links' lengths together. Measured links of
 #: industrial arms are from 0.03 to 0.07.
@@ -53,7 +54,7 @@ def guessed(arm: Description) -> tuple[tuple[Body, ...], set[frozenset[str]]]:
     rod as long as its way, and a sleeve as long as its shortest.
     """
     lines = _lines(arm)
-    total = max(sum(line.length for line in lines), 1e-3)
+    total = max(sum(line.length for line in lines), SHORTEST_ARM)
     thick = [line for line in lines if line.length >= SHORT * total]
     for line in thick:
         line.radius = (THICK + (THIN - THICK) * min(line.on / arm.n, 1.0)) * total
@@ -95,8 +96,8 @@ def segment_distance(one: Array, other: Array) -> Array:
     q, v = other[:, 0], other[:, 1] - other[:, 0]
     w = p - q
     A, E, B, C, D = (np.einsum("nc,nc->n", x, y) for x, y in ((u, u), (v, v), (u, v), (u, w), (v, w)))
-    A, E = np.maximum(A, 1e-300), np.maximum(E, 1e-300)
-    s = np.clip((B * D - C * E) / np.maximum(A * E - B * B, 1e-300), 0.0, 1.0)
+    A, E = np.maximum(A, TINY), np.maximum(E, TINY)
+    s = np.clip((B * D - C * E) / np.maximum(A * E - B * B, TINY), 0.0, 1.0)
     tries = [(s, np.clip((B * s + D) / E, 0.0, 1.0))]
     tries += [(np.full(len(A), end), np.clip((B * end + D) / E, 0.0, 1.0)) for end in (0.0, 1.0)]
     tries += [(np.clip((B * end - C) / A, 0.0, 1.0), np.full(len(A), end)) for end in (0.0, 1.0)]
@@ -143,5 +144,5 @@ def _way(arm: Description, joint: int) -> tuple[float, float]:
     """Return how far a slide goes from zero along its axis, m; as the longest link where it has no limits."""
     low, high = (float(v) for v in arm.limits[joint])
     if not (np.isfinite(low) and np.isfinite(high)):
-        low, high = 0.0, max(1e-3, *(abs(row.d) + abs(row.a) for row in arm.rows))
+        low, high = 0.0, max(SHORTEST_ARM, *(abs(row.d) + abs(row.a) for row in arm.rows))
     return (low, high) if arm.sign[joint] > 0 else (-high, -low)

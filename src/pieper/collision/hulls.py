@@ -16,7 +16,7 @@ import numpy.typing as npt
 from pieper.collision.model import Model
 from pieper.description.shapes import KINDS, Box, Capsule, Convex, Cylinder, Shape
 from pieper.errors import InputError
-from pieper.tolerances import HULL_STEP
+from pieper.tolerances import HULL_STEP, NOTHING_NEAR
 
 Array = npt.NDArray[np.float64]
 
@@ -68,7 +68,7 @@ class Hulls:
         directions += [poses[k][:3, c] for k in (0, 1) for c in range(3)]
         least, normal = _farthest_apart(shapes[0], shapes[1], directions)
         # what comes back of two deep inside each other is not always a distance
-        said = least if not abs(said) < 1e9 else said - sum(layers)
+        said = least if not abs(said) < NOTHING_NEAR else said - sum(layers)
         if not np.isfinite(a).all() or not np.isfinite(b).all() or said <= 0:
             a = _support(shapes[0], -normal)
             b = a - least * normal

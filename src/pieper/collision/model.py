@@ -14,7 +14,7 @@ from pieper.description.dh import Description
 from pieper.description.shapes import Box, Capsule, Convex, Cylinder, Shape, corners
 from pieper.errors import InputError
 from pieper.kinematics.chain import Chain
-from pieper.tolerances import DISTANCE_ROUNDING
+from pieper.tolerances import DISTANCE_ROUNDING, NO_LENGTH
 
 Array = npt.NDArray[np.float64]
 SEGMENT, BOX, CYLINDER = range(3)
@@ -222,7 +222,7 @@ def enclosing_box(shape: Convex) -> tuple[Box, float]:
     T = np.eye(4)
     T[:3, :3] = axes.T
     T[:3, 3] = middle + axes.T @ ((low + high) / 2)
-    return Box(T, np.maximum(high - low, 1e-12)), layer
+    return Box(T, np.maximum(high - low, NO_LENGTH)), layer
 
 
 def _along(z: Array) -> Array:

@@ -7,13 +7,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pieper.description.commonnormal import PARALLEL, standard_table
+from pieper.description.commonnormal import standard_table
 from pieper.description.dh import Actuator, Description, describe
 from pieper.errors import InputError
 from pieper.kinematics.pose import PoseLike, checked_pose
-
-#: An axis may depart from unit length by this much (four typed digits); it is normalised.
-UNIT_SLACK = 1e-3
+from pieper.tolerances import NO_DIRECTION, PARALLEL_AXES, ROUNDING, UNIT_SLACK
 
 
 def from_axes(
@@ -49,7 +47,7 @@ def from_axes(
             given=(len(directions), len(at)),
         )
     for i, length in enumerate(np.linalg.norm(directions, axis=1)):
-        if length < 1e-9:
+        if length < NO_DIRECTION:
             raise InputError(f"the axis of joint {i + 1} has no direction: {directions[i].tolist()}.", index=i)
         if abs(length - 1) > UNIT_SLACK:
             raise InputError(
@@ -92,10 +90,10 @@ def described_by_axes(
     `sign` and `offset` say how the joints' numbers lead to the angles about the axes: sign q + offset.
     """
     table = standard_table(axes, points, home)
-    if table.largest_turn > 1e-12:
+    if table.largest_turn > ROUNDING:
         remarks = (
             *remarks,
-            f"Neighbouring axes within {PARALLEL:g} rad were taken for parallel; the largest angle was "
+            f"Neighbouring axes within {PARALLEL_AXES:g} rad were taken for parallel; the largest angle was "
             f"{table.largest_turn:.1e} rad.",
         )
     return describe(

@@ -16,6 +16,7 @@ from pieper.description.dh import CONVENTIONS, DH, Check, Description, describe
 from pieper.description.fold import chain_of
 from pieper.errors import InputError
 from pieper.kinematics.pose import PoseLike, checked_pose, inverse, rotation_x
+from pieper.tolerances import ROUNDING
 
 _T = TypeVar("_T")
 
@@ -47,6 +48,20 @@ def with_limits(arm: Description, limits: Mapping[str, Sequence[float | None] | 
     for index, pair in _by_joint(arm, limits, "limits").items():
         pairs[index] = pair
     return _described_anew(arm, limits=pairs)
+
+
+def uncoupled(arm: Description) -> Description:
+    """Return the arm by its axes' own values, each joint moving one axis; the same where no joint is coupled.
+
+    Limits of a joint stay where it alone moves its axis and no other joint does; those of coupled joints are no limits
+    of single axes and are left out. Postures are kept.
+    """
+    if arm.coupling is None:
+        return arm
+    tied = (arm.coupling != np.eye(arm.n)).any(1)
+    limits = np.where(tied[:, None], [-np.inf, np.inf], arm.limits)
+    postures = {name: arm.coupling @ q for name, q in arm.postures.items()}
+    return replace(arm, coupling=None, limits=limits, postures=postures, checks=(), origin=None)
 
 
 def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Description:
@@ -195,7 +210,7 @@ def _by_joint(arm: Description, said: Mapping[str, _T], what: str) -> dict[int, 
 
 
 def _agrees(q: npt.NDArray[np.float64], held: dict[int, float]) -> bool:
-    return all(abs(q[i] - value) <= 1e-12 for i, value in held.items())
+    return all(abs(q[i] - value) <= ROUNDING for i, value in held.items())
 
 
 def _held_words(arm: Description, held: dict[int, float]) -> list[str]:

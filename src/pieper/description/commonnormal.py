@@ -8,13 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.description.dh import DH
+from pieper.tolerances import (
+    ALL_BUT_ZERO,
+    ANGLE_ROUNDED,
+    FRAME_ROUNDED,
+    MEETING_AXES,
+    NO_DIRECTION,
+    PARALLEL_AXES,
+    SMALLEST_ARM,
+)
 
-#: Axes whose directions differ by less than this (rad) are taken for parallel. A common normal of nearly parallel
-#: axes lies far away and costs eps / angle of precision, taking them for parallel costs the angle: they balance here.
-PARALLEL = 1e-8
-#: A common normal shorter than this (per length of the chain) is taken for an intersection.
-MEETING = 1e-13
-_ANGLE_ROUNDING = 8e-15
 _LENGTH_DECIMALS = 15
 
 
@@ -53,7 +56,7 @@ def standard_table(axes: np.ndarray, points: np.ndarray, home: np.ndarray) -> Ta
     Source: Denavit and Hartenberg (1955); Spong, Hutchinson and Vidyasagar (2006), section 3.2.
     """
     axes = np.asarray(axes, float) / np.linalg.norm(axes, axis=1, keepdims=True)
-    size = max(float(np.abs(points).max(initial=0.0)), float(np.abs(home[:3, 3]).max()), 1e-3)
+    size = max(float(np.abs(points).max(initial=0.0)), float(np.abs(home[:3, 3]).max()), SMALLEST_ARM)
     directions, places = [*axes, home[:3, 2]], [*points, home[:3, 3]]
     base = _first_frame(directions[0], places[0])
     rows, turn = [], 0.0
@@ -88,7 +91,7 @@ def _row(T: np.ndarray, u: np.ndarray, point: np.ndarray, size: float, prefer: n
     cross = np.cross(z, u)
     sine, cosine = float(np.linalg.norm(cross)), float(z @ u)
     w = point - origin
-    if sine > PARALLEL:
+    if sine > PARALLEL_AXES:
         new_x = cross / sine
         if _turned(new_x, x, z):
             new_x = -new_x
@@ -100,7 +103,7 @@ def _row(T: np.ndarray, u: np.ndarray, point: np.ndarray, size: float, prefer: n
         d = float(w @ z) if prefer is not None else 0.0
         across = w - float(w @ z) * z
         a = float(np.linalg.norm(across))
-        if a > MEETING * size:
+        if a > MEETING_AXES * size:
             new_x = across / a
             if _turned(new_x, x, z):
                 new_x, a = -new_x, -a
@@ -116,7 +119,7 @@ def _row(T: np.ndarray, u: np.ndarray, point: np.ndarray, size: float, prefer: n
 def _turned(new_x: np.ndarray, x: np.ndarray, z: np.ndarray) -> bool:
     """Return whether turning x over gives the smaller joint angle (a quarter turn stays positive)."""
     along = float(x @ new_x)
-    return along < -1e-9 or (abs(along) <= 1e-9 and float(np.cross(x, new_x) @ z) < 0)
+    return along < -NO_DIRECTION or (abs(along) <= NO_DIRECTION and float(np.cross(x, new_x) @ z) < 0)
 
 
 def _row_pose(row: DH) -> np.ndarray:
@@ -134,18 +137,18 @@ def _row_pose(row: DH) -> np.ndarray:
 def _round_angle(angle: float) -> float:
     """Return the double of a multiple of 15 deg where the angle is one to rounding."""
     near = math.radians(15 * round(math.degrees(angle) / 15))
-    return near + 0.0 if abs(angle - near) <= _ANGLE_ROUNDING else angle
+    return near + 0.0 if abs(angle - near) <= ANGLE_ROUNDED else angle
 
 
 def _round_length(length: float, size: float) -> float:
-    return 0.0 if abs(length) < MEETING * size else round(length, _LENGTH_DECIMALS)
+    return 0.0 if abs(length) < MEETING_AXES * size else round(length, _LENGTH_DECIMALS)
 
 
 def _tidy(v: np.ndarray) -> np.ndarray:
-    return np.where(np.abs(v) < 1e-15, 0.0, v)
+    return np.where(np.abs(v) < ALL_BUT_ZERO, 0.0, v)
 
 
 def _without_rounding(T: np.ndarray) -> np.ndarray:
     """Return a pose with its rounding around 0 and 1 removed: the identity stays the identity."""
     whole = np.round(T)
-    return np.where(np.abs(T - whole) < 4e-15, whole, T) + 0.0
+    return np.where(np.abs(T - whole) < FRAME_ROUNDED, whole, T) + 0.0

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from pieper.errors import InputError
+from pieper.tolerances import MOVES_NOTHING, WORST_CONDITION
 from pieper.words_by_number import plural
-
-#: A coupling whose inverse is larger than this many times its size says that two joints move the same.
-WORST_CONDITION = 1e6
 
 
 def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.NDArray[np.float64] | None:
@@ -34,11 +34,22 @@ def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.
         )
     for i, name in enumerate(names):
         if not C[:, i].any():
-            raise InputError(f"the coupling is singular: {name} moves nothing (its column is zero).", joint=name)
+            raise InputError(
+                f"the coupling is singular: {name} moves nothing (its column is zero). Write in column {i + 1} what "
+                f"{name} does to the axes; a joint that is not coupled has a 1 in its own row there.",
+                joint=name,
+            )
     condition = float(np.linalg.cond(C))
     if not condition < WORST_CONDITION:
+        still = np.linalg.svd(C)[2][-1]
+        who = [
+            f"{value / np.abs(still).max():.3g} of {name}"
+            for name, value in zip(names, still, strict=True)
+            if abs(value) > MOVES_NOTHING * np.abs(still).max()
+        ]
         raise InputError(
-            "the coupling is singular: some joints together move nothing, so no pose says what they are.",
+            f"the coupling is singular: {', '.join(who)} together move nothing, so no pose says what they are. "
+            "Change a row of these joints: each says what one axis turns by, and none may follow from the others.",
             condition=condition,
             given=C,
         )
@@ -58,3 +69,13 @@ def joint_values(values: npt.NDArray[np.float64], coupling: npt.NDArray[np.float
     if coupling is None:
         return values
     return np.asarray(np.linalg.solve(coupling, values[..., None])[..., 0], np.float64)
+
+
+def moved_by(row: npt.NDArray[np.float64], names: Sequence[str], sign: float = 1.0) -> str:
+    """Return what moves an axis in words, "q2 + q3": its row (n,) of the coupling, and the joints' names."""
+    text = ""
+    for k in np.flatnonzero(row).tolist():
+        by = float(row[k] * sign)
+        joiner = ("-" if by < 0 else "") if not text else (" - " if by < 0 else " + ")
+        text += joiner + ("" if abs(by) == 1 else f"{abs(by):.9g} ") + names[k]
+    return text

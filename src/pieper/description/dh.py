@@ -11,10 +11,11 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import ArrayLike
 
-from pieper.description.coupling import checked_coupling
+from pieper.description.coupling import checked_coupling, moved_by
 from pieper.description.shapes import Body, Unmeasured
 from pieper.errors import InputError, PieperWarning
 from pieper.kinematics.pose import PoseLike, checked_pose
+from pieper.tolerances import TYPED_DIGITS, WHOLE_TURN
 from pieper.words_by_number import plural
 
 CONVENTIONS = ("standard", "modified")
@@ -77,7 +78,7 @@ class Check:
     q: np.ndarray
     T: np.ndarray
     source: str
-    tolerance: float = 1e-9
+    tolerance: float = TYPED_DIGITS
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,6 +165,12 @@ class Description:
         """Number of joints."""
         return len(self.rows)
 
+    def moved_by(self, joint: int, names: Sequence[str] = (), *, signed: bool = False) -> str:
+        """Return what moves the axis of a joint (0-based) in words, "q2 + q3", with the maker's sense where signed."""
+        row = np.eye(self.n)[joint] if self.coupling is None else self.coupling[joint]
+        names = names or [f"q{k + 1}" for k in range(self.n)]
+        return moved_by(row, names, float(self.sign[joint]) if signed else 1.0)
+
 
 def describe(
     rows: Sequence[DH],
@@ -247,7 +254,7 @@ def describe(
         raise InputError(f"sign must be +1 or -1 for each joint, got {senses.tolist()}.", given=senses)
     zeros = np.zeros(n) if offset is None else _vector(offset, n, "offset")
     for i, row in enumerate(table):
-        if max(abs(row.alpha), abs(row.theta)) > 2 * math.pi + 1e-9:
+        if max(abs(row.alpha), abs(row.theta)) > 2 * math.pi + WHOLE_TURN:
             warnings.warn(
                 f"{names[i]}: alpha = {row.alpha:g}, theta = {row.theta:g} are taken as radians; more than a turn "
                 "looks like degrees. Use math.radians(...) if degrees were meant.",

@@ -6,12 +6,11 @@ import numpy as np
 import numpy.typing as npt
 
 from pieper.description.shapes import Box, Capsule
+from pieper.tolerances import ROUNDING, THINNEST
 
 Array = npt.NDArray[np.float64]
 #: Steps of the enclosing circle's centre (Badoiu and Clarkson, 2003): within one per cent of the smallest.
 STEPS = 200
-#: A mesh without thickness gets this much, m.
-THINNEST = 1e-6
 
 
 def enclosing(points: Array, name: str) -> Capsule | Box:
@@ -65,4 +64,4 @@ def _capsule(points: Array, along: Array, x: Array, y: Array, name: str) -> tupl
     a, b = (best[0] * x + best[1] * y + h * along for h in (low, high))
     volume = np.pi * radius**2 * (high - low + 4 / 3 * radius)
     # rounding must not leave a corner outside
-    return float(volume), Capsule(a, b, radius * (1 + 1e-12), name)
+    return float(volume), Capsule(a, b, radius * (1 + ROUNDING), name)

@@ -11,11 +11,10 @@ import numpy.typing as npt
 from pieper.description.grippers import fingers, fixed_fingers, wheels
 from pieper.description.tree import MOVING, Joint, Tree, some
 from pieper.errors import InputError
+from pieper.tolerances import SAME_TOOL
 
 #: Names by which files say which frame is the tool's, the strongest first.
 _TOOL_NAMES = ("tool0", "flange", "ee_link", "tcp")
-#: Ends whose tools differ by no more than this (m, and per unit of the rotation matrix) are one end.
-_SAME_TOOL = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,7 +208,7 @@ def _distinct(tree: Tree, links: list[str]) -> list[str]:
         while at in tree.above and not tree.above[at].moves:
             T = tree.geometry(tree.above[at])[0] @ T
             at = tree.above[at].parent
-        if not any(np.abs(T - other).max() <= _SAME_TOOL for other in frames):
+        if not any(np.abs(T - other).max() <= SAME_TOOL for other in frames):
             frames.append(T)
             found.append(link)
     return found

@@ -157,5 +157,5 @@ def best_unit(values: list[float], kind: str) -> str:
 
 def _plain(value: float) -> float | int:
     """Return whole numbers as int (they print without a point), everything else unchanged."""
-    whole = value == int(value) and abs(value) < 1e9 and math.copysign(1, value) == (1 if value >= 0 else -1)
+    whole = value == int(value) and abs(value) < 10**9 and math.copysign(1, value) == (1 if value >= 0 else -1)
     return int(value) if whole else value

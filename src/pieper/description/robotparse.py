@@ -19,6 +19,7 @@ from pieper.description.posefield import pose_of
 from pieper.description.quantity import UNITS, UNITS_OF
 from pieper.errors import InputError
 from pieper.kinematics.pose import inverse
+from pieper.tolerances import TYPED_DIGITS
 from pieper.words_by_number import plural
 
 #: Larger than any robot file by far; what is larger is not one and is not parsed.
@@ -304,7 +305,7 @@ def _check(table: dict, kinds: str, place: Place) -> Check:
     T = pose_of(table, place, also=also, unknown=True)
     if np.all(np.isnan(T[:3])):
         place.fail("nothing is said of the pose; give a position, a rotation or a matrix.")
-    tolerance = quantity(table, "tolerance", "length", place, default=1e-9)
+    tolerance = quantity(table, "tolerance", "length", place, default=TYPED_DIGITS)
     if tolerance <= 0:
         place.fail("the tolerance must be above zero.", "tolerance_m")
     return Check(_joint_vector(table, kinds, place), T, place.text_of(table, "source"), tolerance)

@@ -11,6 +11,7 @@ from pieper.description.dh import Actuator, Check, Description
 from pieper.description.keys import pose_keys, quantity_key
 from pieper.description.quantity import best_unit, in_unit, same_bits
 from pieper.description.tree_bodies import known_bodies
+from pieper.tolerances import TYPED_DIGITS
 
 #: Texts longer than this are folded.
 _LONG_TEXT = 110
@@ -119,7 +120,7 @@ def _joint_vector(q: np.ndarray, kinds: str) -> dict:
 def _check(check: Check, kinds: str) -> dict:
     table = {"source": check.source, **_joint_vector(check.q, kinds)}
     table |= pose_keys(check.T, unsaid="unknown")
-    if check.tolerance != 1e-9:
+    if check.tolerance != TYPED_DIGITS:
         table |= quantity_key("tolerance", [check.tolerance], "length", single=True)
     return table
 

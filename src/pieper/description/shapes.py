@@ -10,11 +10,9 @@ import numpy.typing as npt
 
 from pieper.errors import InputError
 from pieper.kinematics.pose import PoseLike, checked_pose
+from pieper.tolerances import FLAT_SHAPE
 
 Array = npt.NDArray[np.float64]
-
-#: Points that lie in one plane within this part of their extent enclose nothing.
-FLAT = 1e-9
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -128,7 +126,7 @@ class Convex:
         if len(given) < 4:
             raise InputError(f"a convex body needs at least four points, got {len(given)}.", given=len(given))
         spread = np.linalg.svd(given - given.mean(0), compute_uv=False)
-        if spread[2] <= FLAT * spread[0] or spread[0] == 0:
+        if spread[2] <= FLAT_SHAPE * spread[0] or spread[0] == 0:
             raise InputError(
                 "the points of a convex body are in one plane: there is nothing inside. Give a Box for a plate, or a "
                 "Capsule for a rod.",

@@ -14,11 +14,8 @@ from pieper.description.dh import Description, Origin
 from pieper.description.ends import Ends, find_ends
 from pieper.description.tree import MOVING, Joint, Tree, has_range, some
 from pieper.errors import InputError
+from pieper.tolerances import LIMIT_IS_NONE, SAME_AXIS_LINE
 
-#: Limits beyond this (rad or m) are what exporters write for none.
-_NO_LIMIT = 1e5
-#: Axes that depart by no more than this (of a unit vector; m) are one line.
-_SAME_LINE = 1e-9
 MISSING = ("refuse", "unlimited")
 
 
@@ -163,9 +160,9 @@ def _neighbour(axes: list[_Axis], at: int) -> _Axis | None:
 
 def _one_line(a: _Axis, b: _Axis) -> bool:
     kinds = MOVING[a.joint.kind], MOVING[b.joint.kind]
-    if kinds[0] != kinds[1] or np.abs(np.cross(a.direction, b.direction)).max() > _SAME_LINE:
+    if kinds[0] != kinds[1] or np.abs(np.cross(a.direction, b.direction)).max() > SAME_AXIS_LINE:
         return False
-    return kinds[0] == "P" or bool(np.abs(np.cross(b.point - a.point, a.direction)).max() <= _SAME_LINE)
+    return kinds[0] == "P" or bool(np.abs(np.cross(b.point - a.point, a.direction)).max() <= SAME_AXIS_LINE)
 
 
 def _master(tree: Tree, joint: Joint) -> tuple[str, float, float]:
@@ -214,7 +211,7 @@ def _all_limits(
     if silent:
         notes.append(f"No range is given for {some(silent)}: taken as unlimited.")
     if endless:
-        notes.append(f"Limits beyond {_NO_LIMIT:g} were taken as none: {some(endless)}.")
+        notes.append(f"Limits beyond {LIMIT_IS_NONE:g} were taken as none: {some(endless)}.")
     return limits, notes
 
 
@@ -228,4 +225,4 @@ def _limits(tree: Tree, joint: Joint) -> tuple[float | None, float | None]:
             tree.fail(f"a limit of joint {joint.name!r} is not a number.", joint)
     if lower > upper:
         tree.fail(f"the limits of joint {joint.name!r} are swapped: {lower:g} is above {upper:g}.", joint)
-    return (None if lower < -_NO_LIMIT else lower), (None if upper > _NO_LIMIT else upper)
+    return (None if lower < -LIMIT_IS_NONE else lower), (None if upper > LIMIT_IS_NONE else upper)

@@ -19,6 +19,7 @@ from pieper.description.tree import Joint, Mimic, Tree
 from pieper.description.treearm import arm_of
 from pieper.errors import InputError
 from pieper.kinematics.orientation import rotation
+from pieper.tolerances import ALL_BUT_ZERO, NO_DIRECTION, REMARKABLE, ROUNDING
 
 #: Larger than any URDF by far; what is larger is not parsed.
 LARGEST_FILE = 16_000_000
@@ -254,7 +255,7 @@ def _geometry(
     for text, angle in _three(file, joint, "origin rpy", numbers.rpy):
         meant = _meant(text, angle) if rounded is not None else angle
         # a digit of rounding that a double cannot even hold apart is not worth a remark
-        if abs(meant - angle) > 1e-14:
+        if abs(meant - angle) > REMARKABLE:
             changes.append(abs(meant - angle))
         angles.append(meant)
     if rounded is not None and changes:
@@ -264,7 +265,7 @@ def _geometry(
         return T, np.zeros(3)
     axis = np.array([value for _, value in _three(file, joint, "axis", numbers.axis)])
     length = float(np.linalg.norm(axis))
-    if length < 1e-9:
+    if length < NO_DIRECTION:
         _fail(file, joint, f"the axis of joint {joint.name!r} has no direction; give it one, such as 0 0 1.")
     return T, axis / length
 
@@ -275,8 +276,8 @@ def _meant(text: str, angle: float) -> float:
     mantissa, _, exponent = text.lower().partition("e")
     decimals = len(mantissa.partition(".")[2]) - int(exponent or 0)
     last_digit = 10.0**-decimals
-    if decimals < 4 or abs(angle - near) >= max(last_digit, 1e-15):
-        return angle if abs(angle) >= 1e-12 else 0.0
+    if decimals < 4 or abs(angle - near) >= max(last_digit, ALL_BUT_ZERO):
+        return angle if abs(angle) >= ROUNDING else 0.0
     return near
 
 

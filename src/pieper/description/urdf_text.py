@@ -12,9 +12,7 @@ from pieper.description.dh import Description
 from pieper.description.fold import chain_of
 from pieper.description.wholefile import replace_file
 from pieper.kinematics.orientation import rpy_of
-
-#: What stands for a missing limit on one side: URDF has no way to say it.
-_ENDLESS = 1e9
+from pieper.tolerances import UNLIMITED
 
 
 def write(arm: Description, path: str | Path) -> Path:
@@ -42,7 +40,7 @@ def dumps(arm: Description) -> str:
         bounds = (
             ""
             if turning and endless
-            else f"lower={_number(max(lower, -_ENDLESS))} upper={_number(min(upper, _ENDLESS))} "
+            else f"lower={_number(max(lower, -UNLIMITED))} upper={_number(min(upper, UNLIMITED))} "
         )
         limit = f'<limit {bounds}effort="0" velocity="0"/>'
         lines += _joint(name, kind, parent, child, chain.links[i], f'<axis xyz="0 0 1"/>{limit}')
@@ -53,7 +51,7 @@ def dumps(arm: Description) -> str:
             mimic = _free(f"{name} with {other}", names)
             child = f"link_{i + 1}_with_{k + 1}"
             extra = (
-                f'<axis xyz="0 0 1"/><limit lower="{-_ENDLESS}" upper="{_ENDLESS}" effort="0" velocity="0"/>'
+                f'<axis xyz="0 0 1"/><limit lower="{-UNLIMITED}" upper="{UNLIMITED}" effort="0" velocity="0"/>'
                 f'<mimic joint={quoteattr(other)} multiplier={_number(float(row[k]))} offset="0"/>'
             )
             lines += _joint(mimic, "revolute" if turning else "prismatic", parent, child, np.eye(4), extra)

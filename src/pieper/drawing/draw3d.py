@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper.drawing.skeleton import Skeleton
 from pieper.drawing.style import AXES, FAINT, GRID, INK, MM
+from pieper.tolerances import NO_LENGTH
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -155,7 +156,7 @@ def _segments(parts: Skeleton) -> list[tuple[np.ndarray, np.ndarray]]:
 
 def _on_segment(point: np.ndarray, a: np.ndarray, b: np.ndarray, near: float) -> bool:
     along = b - a
-    share = np.clip((point - a) @ along / max(along @ along, 1e-12), 0.0, 1.0)
+    share = np.clip((point - a) @ along / max(along @ along, NO_LENGTH), 0.0, 1.0)
     return bool(np.linalg.norm(a + share * along - point) < near)
 
 

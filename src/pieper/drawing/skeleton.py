@@ -9,6 +9,7 @@ import numpy as np
 from pieper.description.dh import Description
 from pieper.description.fold import chain_of
 from pieper.kinematics.forward import frames
+from pieper.tolerances import DRAWN_LEAST
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,5 +67,5 @@ def extent(*clouds: np.ndarray) -> tuple[np.ndarray, float]:
     """Return the centre (3,) and half the side of the cube that holds all points, a little larger, m."""
     points = np.concatenate([np.reshape(c, (-1, 3)) for c in clouds])
     low, high = points.min(0), points.max(0)
-    half = max(float((high - low).max()) / 2, 1e-3)
+    half = max(float((high - low).max()) / 2, DRAWN_LEAST)
     return (low + high) / 2, 1.08 * half

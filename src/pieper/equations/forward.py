@@ -21,6 +21,7 @@ from pieper.document.readable import Readable
 from pieper.equations.table import SymbolTable, symbol_table
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
+from pieper.tolerances import FORMULA_AGREES
 
 #: Columns of a pose.
 COLUMNS = "noap"
@@ -269,7 +270,7 @@ class ForwardEquations(Readable):
             worst,
             f"All twelve entries agree with the numeric pose at {n} of {n} random joint vectors to {worst:.1e} "
             "(metres or direction cosines)."
-            if worst < 1e-9
+            if worst < FORMULA_AGREES
             else f"The equations differ from the numeric pose by up to {worst:.1e}.",
         )
 

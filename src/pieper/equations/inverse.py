@@ -22,9 +22,8 @@ from pieper.errors import PieperError, PlanError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import look
 from pieper.solver.plan.plan import Plan
+from pieper.tolerances import ALIGNED
 
-#: Axes closer than this are parallel or meet, rad and m: the numbers of tables have nine digits.
-ALIGNED = 1e-9
 GIVEN = {"pose": "noap", "position": "p", "position+axis": "ap"}
 
 
@@ -140,7 +139,7 @@ def _choices(arm: Arm, plan: Plan | None, task: str) -> Iterator[tuple[int, ...]
 
 def _promising(arm: Arm, joint: int) -> bool:
     """Whether three neighbouring axes meet or are parallel once this joint (1-based) is held at some value."""
-    geometry = look(arm.chain.locked(joint - 1, 0.37), 1e-9)
+    geometry = look(arm.chain.locked(joint - 1, 0.37), ALIGNED)
     return bool(geometry.spherical) or any(len(group.joints) > 2 for group in geometry.parallel)
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from pieper.algebra.arithmetics import NumpyField, SympyField
+from pieper.algebra.exact import rational
 from pieper.algebra.expression import Num
 from pieper.algebra.harmonic import Poly, matmul
 from pieper.document import text
@@ -60,6 +61,8 @@ class JacobianEquations(Readable):
             before = table.base if frame == 0 else matmul(table.base, f.product(0, frame))
             turn = int(round(float(f.description.sign[joint - 1])))
             columns.append([*linear, *(before[r][2] * turn for r in range(3))])
+        if f.description.coupling is not None:
+            columns = [_together(columns, by) for by in f.description.coupling.T]
         return [list(row) for row in zip(*columns, strict=True)]
 
     @functools.cached_property
@@ -142,3 +145,9 @@ class JacobianEquations(Readable):
             worst,
             f"All {6 * self.n} entries agree with the numeric Jacobian at {n} random joint vectors to {worst:.1e}.",
         )
+
+
+def _together(columns: list[list[Poly]], by: Array) -> list[Poly]:
+    """The column of a joint that moves axes by these numbers (n,)."""
+    parts = [[p * rational(float(c)) for p in column] for column, c in zip(columns, by, strict=True) if c]
+    return [sum(row, Poly()) for row in zip(*parts, strict=True)]

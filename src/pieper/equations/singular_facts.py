@@ -15,8 +15,16 @@ import numpy as np
 from pieper.description.dh import Description
 from pieper.document.blocks import listed
 from pieper.kinematics.arrays import Array
+from pieper.tolerances import (
+    NO_DIRECTION,
+    OFF_THE_GRID,
+    PARALLEL_SAMPLED,
+    SAMPLED_ANGLE,
+    SAMPLED_GEOMETRY,
+    SAMPLED_MOVES,
+    SAMPLED_RANK,
+)
 
-ANGLE_TOLERANCE = 1e-6  # rad: samples are roots to 1e-12 or so, square roots of that remain
 SAMPLES = 8
 
 
@@ -39,7 +47,7 @@ def roots_on_factor(value: Any, joints: list[int], n: int, description: Descript
         q = rng.uniform(-1, 1, n) * wide
         joint = joints[trial % len(joints)] - 1
         grid = np.repeat(q[None], 361, axis=0)
-        grid[:, joint] = np.linspace(-wide[joint], wide[joint], 361) + 1e-3
+        grid[:, joint] = np.linspace(-wide[joint], wide[joint], 361) + OFF_THE_GRID
         y = np.asarray(value(grid))
         changes = np.flatnonzero(np.sign(y[:-1]) * np.sign(y[1:]) <= 0)
         if not len(changes):
@@ -73,11 +81,11 @@ def still_joints(samples: np.ndarray, rows: Any) -> str:
     for q in samples:
         _, s, vt = np.linalg.svd(rows(q))
         n = vt.shape[0]
-        rank = int(np.sum(s > 1e-8 * s[0]))
+        rank = int(np.sum(s > SAMPLED_RANK * s[0]))
         if n - rank != 1:
             return ""
         null = np.abs(vt[-1]) / np.max(np.abs(vt[-1]))
-        moving |= {int(j) + 1 for j in np.flatnonzero(null > 1e-6)}
+        moving |= {int(j) + 1 for j in np.flatnonzero(null > SAMPLED_MOVES)}
     names = [str(j) for j in sorted(moving)]
     if len(names) == 1:
         return f"Joint {names[0]} alone does not move what the task asks for."
@@ -93,45 +101,45 @@ def _facts(F: np.ndarray, description: Description) -> set[tuple[int, str]]:
     axes = [F[j + 1 if modified else j][:3, 2] for j in range(n)]
     points = [F[j + 1 if modified else j][:3, 3] for j in range(n)]
     turning = [j for j in range(n) if description.joint_types[j] == "R"]
-    size = max(sum(abs(r.a) + abs(r.d) for r in description.rows), 1e-9)
+    size = max(sum(abs(r.a) + abs(r.d) for r in description.rows), NO_DIRECTION)
     centre = _wrist_centre(axes, points, turning, size)
     facts = set()
     for i, j in itertools.combinations(turning, 2):
         between = points[j] - points[i]
         cross = np.cross(axes[i], axes[j])
         sine = np.linalg.norm(cross)
-        if sine < ANGLE_TOLERANCE:
+        if sine < SAMPLED_ANGLE:
             apart = np.linalg.norm(between - (between @ axes[i]) * axes[i])
-            if apart < 1e-6 * size:
+            if apart < SAMPLED_GEOMETRY * size:
                 facts.add((0, f"Axes {i + 1} and {j + 1} lie on one line."))
             else:
                 facts.add((3, f"Axes {i + 1} and {j + 1} are parallel."))
-        elif abs(between @ cross) / sine < 1e-6 * size:
+        elif abs(between @ cross) / sine < SAMPLED_GEOMETRY * size:
             facts.add((4, f"Axes {i + 1} and {j + 1} meet."))
     if centre is not None:
         what, where = centre
         for i in turning:
             offset = where - points[i]
             offset = offset - (offset @ axes[i]) * axes[i]
-            if np.linalg.norm(offset) < 1e-6 * size and i < turning[-3]:
+            if np.linalg.norm(offset) < SAMPLED_GEOMETRY * size and i < turning[-3]:
                 facts.add((1, f"{what} lies on axis {i + 1}."))
         for i, j in itertools.combinations(turning[:-3], 2):
             normal = np.cross(axes[i], axes[j])
-            if np.linalg.norm(normal) < ANGLE_TOLERANCE:
+            if np.linalg.norm(normal) < SAMPLED_ANGLE:
                 normal = np.cross(axes[i], points[j] - points[i])
-            if np.linalg.norm(normal) > 1e-9 and max(
+            if np.linalg.norm(normal) > NO_DIRECTION and max(
                 abs((where - points[i]) @ normal), abs((where - points[j]) @ normal)
-            ) < 1e-6 * size * np.linalg.norm(normal):
+            ) < SAMPLED_GEOMETRY * size * np.linalg.norm(normal):
                 facts.add((2, f"{what} lies in the plane of axes {i + 1} and {j + 1}."))
-        if len(turning) > 3 and abs(axes[0] @ axes[1]) < 1e-9:
+        if len(turning) > 3 and abs(axes[0] @ axes[1]) < PARALLEL_SAMPLED:
             ahead = np.cross(axes[1], axes[0])
-            if abs((where - points[0]) @ ahead) < 1e-6 * size:
+            if abs((where - points[0]) @ ahead) < SAMPLED_GEOMETRY * size:
                 facts.add((3, f"{what} lies in the plane through axis 1 that runs along axis 2."))
     for i, j, k in itertools.combinations(turning, 3):
-        if max(np.linalg.norm(np.cross(axes[i], axes[x])) for x in (j, k)) < ANGLE_TOLERANCE:
+        if max(np.linalg.norm(np.cross(axes[i], axes[x])) for x in (j, k)) < SAMPLED_ANGLE:
             one, two = points[j] - points[i], points[k] - points[i]
             one, two = one - (one @ axes[i]) * axes[i], two - (two @ axes[i]) * axes[i]
-            if np.linalg.norm(np.cross(one, two)) < 1e-6 * size**2:
+            if np.linalg.norm(np.cross(one, two)) < SAMPLED_GEOMETRY * size**2:
                 facts.add((1, f"The parallel axes {i + 1}, {j + 1} and {k + 1} lie in one plane: stretched or folded."))
     return facts
 
@@ -143,9 +151,12 @@ def _wrist_centre(axes: Sequence[Any], points: Sequence[Any], turning: Any, size
             continue
         chosen = turning[-count:]
         N = [np.eye(3) - np.outer(axes[j], axes[j]) for j in chosen]
-        if np.linalg.svd(sum(N), compute_uv=False)[-1] < 1e-9:
+        if np.linalg.svd(sum(N), compute_uv=False)[-1] < PARALLEL_SAMPLED:
             continue
         point = np.linalg.solve(sum(N), sum(M @ points[j] for M, j in zip(N, chosen, strict=True)))
-        if max(np.linalg.norm(M @ (point - points[j])) for M, j in zip(N, chosen, strict=True)) < 1e-6 * size:
+        if (
+            max(np.linalg.norm(M @ (point - points[j])) for M, j in zip(N, chosen, strict=True))
+            < SAMPLED_GEOMETRY * size
+        ):
             return name, point
     return None

@@ -14,13 +14,16 @@ from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.determinant import Factored, TooLarge, blocks, determinant
 from pieper.algebra.expression import Expr, Mul, Num, Trig, mul
 from pieper.algebra.harmonic import Poly
+from pieper.description.dh import Description
 from pieper.document.blocks import Document, Piece
 from pieper.document.formulas import ZERO, Written
 from pieper.document.readable import Readable
 from pieper.equations.forward import Check
 from pieper.equations.jacobian import JacobianEquations
+from pieper.equations.one_block import one_long_block
 from pieper.equations.singular_facts import facts_on, roots_on_factor, still_joints
 from pieper.kinematics.arrays import Array
+from pieper.tolerances import ROUNDING, TINY, WHOLE_TURN
 
 NAMES = {
     "shoulder": "Shoulder singularity",
@@ -29,6 +32,9 @@ NAMES = {
     "wrist": "Wrist singularity",
     "other": "Singular configurations",
 }
+TOO_LONG = (
+    "The determinant does not split into small blocks and is too long to print; it is checked by its numbers only."
+)
 
 
 @dataclass(frozen=True)
@@ -103,6 +109,10 @@ class SingularityEquations(Readable):
             found.append(((max(sizes, default=0), sum(sizes), cost), k, k2, m, matrix))
         return min(found, key=lambda item: item[0])[1:]
 
+    @functools.cached_property
+    def _long(self) -> bool:
+        return self.task == "pose" and one_long_block(self.jacobian.forward.description, self.numeric, self.frames)
+
     def _linear(self, frame: int, point: int) -> list[list[Poly]]:
         columns = [self.jacobian.column(j + 1, frame, point)[0] for j in range(self.n)]
         return [list(row) for row in zip(*columns, strict=True)]
@@ -128,6 +138,8 @@ class SingularityEquations(Readable):
     @functools.cached_property
     def minors(self) -> list[Factored] | None:
         """Every largest minor that is not identically zero; one when the Jacobian is square. None when too long."""
+        if self._long:
+            return None
         matrix = self._choice[3]
         found, seen = [], set()
         try:
@@ -152,7 +164,7 @@ class SingularityEquations(Readable):
     @property
     def square(self) -> bool:
         """Whether there is one determinant (as many joints as task coordinates)."""
-        return len(self._choice[3]) == self.n
+        return self._long or len(self._choice[3]) == self.n
 
     @functools.cached_property
     def determinant(self) -> Expr | None:
@@ -185,9 +197,8 @@ class SingularityEquations(Readable):
 
     def _configuration(self, poly: Poly, columns: tuple[int, ...]) -> Singularity:
         expr = poly.expr()
-        samples = roots_on_factor(
-            self._value_of(expr), self._joints_of(poly), self.n, self.jacobian.forward.description
-        )
+        value, joints = self._value_of(expr), self._joints_of(poly)
+        samples = roots_on_factor(value, joints, self.n, self.jacobian.forward.description)
         words = facts_on(samples, self.frames, self.jacobian.forward.description) if len(samples) else []
         if len(samples):
             still = still_joints(samples, self._rows)
@@ -241,35 +252,28 @@ class SingularityEquations(Readable):
             return (at[0] / (at[0] - at[1]) + 0.0,) if at[0] != at[1] else ()
         a, b, c = _first_harmonic(expr, symbol, constants)
         size = np.hypot(a, b)
-        if size == 0 or abs(c) > size * (1 + 1e-12):
+        if size == 0 or abs(c) > size * (1 + ROUNDING):
             return ()
         middle, half = np.arctan2(b, a), np.arccos(np.clip(-c / size, -1, 1))
         turned = {round(float(np.angle(np.exp(1j * (middle + s * half)))), 12) + 0.0 for s in (1, -1)}
-        return tuple(sorted(x if x > -np.pi + 1e-9 else float(np.pi) for x in turned))
+        return tuple(sorted(x if x > -np.pi + WHOLE_TURN else float(np.pi) for x in turned))
 
     # -- output ----------------------------------------------------------------------------------------------
     def sentences(self) -> list[str]:
         """What is true of the determinant as a whole."""
+        if self.minors is None:
+            return [TOO_LONG]
         k, k2, m, matrix = self._choice
         where = f"written at the origin of frame {m}, in frame {k}" if m <= self.n else f"at the tool, in frame {k}"
-        if self.minors is None:
-            return [
-                "The determinant does not split into blocks and is too long to print; it is checked by its numbers "
-                "only."
-            ]
         if self.square:
             if not self.minors:
                 return ["The determinant is identically zero: two joints do the same in every posture."]
             largest, count = self.minors[0].largest, len(self.minors[0].factors)
-            said = [
-                f"The Jacobian, {where}, is block triangular; its determinant is the product of the blocks' "
-                "determinants."
-            ]
+            told = "is block triangular; its determinant is the product of the blocks' determinants."
+            said = [f"The Jacobian, {where}, {told}"]
             if count == 1 and largest > 2:
-                said = [
-                    f"The determinant does not factor: the Jacobian, {where}, keeps one block of {largest} by "
-                    f"{largest}."
-                ]
+                kept = f"keeps one block of {largest} by {largest}."
+                said = [f"The determinant does not factor: the Jacobian, {where}, {kept}"]
             return said
         if not self.minors:
             return ["The Jacobian never has full rank: joints repeat each other's motion in every posture."]
@@ -349,10 +353,10 @@ class SingularityEquations(Readable):
         worst, said = 0.0, []
         if self.determinant is not None:
             q = rng.uniform(-np.pi, np.pi, (n, self.n))
-            sense = 1.0 if self.table.letter == "q" else float(np.prod(self.jacobian.forward.description.sign))
+            sense = 1.0 if self.table.letter == "q" else _sense(self.jacobian.forward.description)
             want = np.linalg.det(self._rows(q)) * sense
             got = self._value_of(self.determinant)(q)
-            worst = float(np.max(np.abs(got - want)) / max(np.max(np.abs(want)), 1e-300))
+            worst = float(np.max(np.abs(got - want)) / max(np.max(np.abs(want)), TINY))
             said.append(
                 f"The determinant agrees with the numeric one at {n} random joint vectors to {worst:.1e} of its "
                 "largest value."
@@ -368,6 +372,11 @@ class SingularityEquations(Readable):
                 f"singular value at most {worst:.1e})."
             )
         return Check(n, worst, " ".join(said) or "There is no determinant to check.")
+
+
+def _sense(d: Description) -> float:
+    """What the determinant by the joints' numbers is to that by the table's angles: signs, and the coupling's own."""
+    return float(np.prod(d.sign)) / (1.0 if d.coupling is None else float(np.linalg.det(d.coupling)))
 
 
 def _product(value: Factored) -> Expr:

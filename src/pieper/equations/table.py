@@ -14,6 +14,7 @@ from pieper.algebra.harmonic import Poly, matmul, trig
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
+from pieper.tolerances import ALL_BUT_ZERO
 
 LENGTHS = ("symbols", "numbers")
 ANGLES = ("theta", "q")
@@ -64,6 +65,11 @@ class SymbolTable:
         """Numbers for the lengths and twists alone."""
         return {symbol: expression.evaluate({}, field) for symbol, expression in self.meaning.items()}
 
+    def constant(self, joint: int, field: Any) -> Any:
+        """The number that a joint's symbol stands for at the joint vector zero."""
+        none = {angle_symbol(k, "q"): field.rational(Num(0).value) for k in range(1, self.n + 1)}
+        return self.relation[joint][1].evaluate(none, field)
+
 
 def angle_expr(angle: float) -> Expr:
     """An angle as a fraction of pi when it is one, else as the decimal number of radians."""
@@ -83,6 +89,12 @@ def symbol_table(description: Description, *, lengths: str = "symbols", angles: 
     for name, value, allowed in (("lengths", lengths, LENGTHS), ("angles", angles, ANGLES)):
         if value not in allowed:
             raise InputError(f"{name} must be one of {', '.join(allowed)}, got {value!r}.", given=value)
+    if angles == "q" and description.coupling is not None:
+        raise InputError(
+            f'{description.name} has coupled joints, whose numbers are no angles between links: write angles="theta"; '
+            "how the angles follow from the joints is said beside them.",
+            given=angles,
+        )
     return _Reader(description, lengths == "symbols", angles).read()
 
 
@@ -156,7 +168,7 @@ class _Reader:
     def _turn(self, joint: int, sign: int, constant: float) -> tuple[Poly, Poly]:
         q = angle_symbol(joint, "q")
         if self.letter == "theta":
-            self.relation[joint] = (angle_symbol(joint), add(Num(sign) * q, angle_expr(constant)))
+            self.relation[joint] = (angle_symbol(joint), add(*self._moved_by(joint, sign), angle_expr(constant)))
             group = self.groups[joint - 1]
             return trig("c", {joint: 1}, group), trig("s", {joint: 1}, group)
         self.relation[joint] = (q, q)
@@ -168,10 +180,17 @@ class _Reader:
         q = angle_symbol(joint, "q")
         if self.letter == "theta":
             symbol = Sym("d", str(joint))
-            self.relation[joint] = (symbol, add(Num(sign) * q, Num(rational(constant))))
+            self.relation[joint] = (symbol, add(*self._moved_by(joint, sign), Num(rational(constant))))
             return Poly.symbol(symbol)
         self.relation[joint] = (q, q)
         return Poly.symbol(q, sign) + self._length("l", str(joint), constant)
+
+    def _moved_by(self, joint: int, sign: int) -> list[Expr]:
+        """What moves an axis, in the joints' numbers: q3 alone, or q2 + q3."""
+        if self.d.coupling is None:
+            return [Num(sign) * angle_symbol(joint, "q")]
+        row = enumerate(self.d.coupling[joint - 1], 1)
+        return [Num(sign * rational(float(c))) * angle_symbol(k, "q") for k, c in row if c]
 
     def _constant(self, base: str, T: Array) -> Matrix:
         """A constant pose; entries that are 0 or 1 within rounding stay so, others are named (or put in)."""
@@ -181,7 +200,7 @@ class _Reader:
             row = []
             for c in range(4):
                 value, nearest = T[r, c], round(T[r, c])
-                if r == 3 or (abs(value - nearest) < 1e-15 and (c < 3 or nearest == 0)):
+                if r == 3 or (abs(value - nearest) < ALL_BUT_ZERO and (c < 3 or nearest == 0)):
                     row.append(Poly.number(Fraction(int(nearest))))
                 else:
                     row.append(self._length(base, "xyz"[r] if c == 3 else f"{r + 1}{c + 1}", value))

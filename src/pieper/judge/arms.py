@@ -17,6 +17,7 @@ from pieper.judge.evidence import under
 from pieper.judge.keys import ARM, MAX_SIZE, UNITS, look, only_known
 from pieper.judge.model import ArmModel, Row, model_from_description
 from pieper.judge.solver import Solver
+from pieper.tolerances import ROUNDING
 from pieper.words_by_number import plural
 
 COLUMNS = {"a", "alpha", "d", "theta"}
@@ -151,7 +152,7 @@ def _solver(model: ArmModel) -> Solver | None:
         moves = row.d if slides else row.theta
         step = float(moves.evaluate(one)) - float(moves.evaluate(zero))
         others = moves.symbols() & {f"theta{j + 1}" for j in range(model.n) if j != i}
-        if abs(abs(step) - 1) > 1e-12 or others:
+        if abs(abs(step) - 1) > ROUNDING or others:
             return None
         sign.append(1 if step > 0 else -1)
         kinds += "P" if slides else "R"

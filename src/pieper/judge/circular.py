@@ -12,6 +12,7 @@ from pieper.algebra.formula import ANGLE, is_call
 from pieper.algebra.notation import joint_sum
 from pieper.judge.model import ArmModel
 from pieper.judge.samples import sample
+from pieper.tolerances import ROUNDING
 
 
 def uses_itself(
@@ -115,7 +116,7 @@ def axis_senses(model: ArmModel) -> tuple[tuple[int, ...], ...]:
         axes.append((R if model.convention == "standard" else after)[:, :, 2])
         R = after
     dots = np.einsum("ikc,jkc->ijk", np.array(axes), np.array(axes))
-    senses = np.where(np.all(dots > 1 - 1e-12, axis=2), 1, np.where(np.all(dots < -1 + 1e-12, axis=2), -1, 0))
+    senses = np.where(np.all(dots > 1 - ROUNDING, axis=2), 1, np.where(np.all(dots < -1 + ROUNDING, axis=2), -1, 0))
     return tuple(tuple(row) for row in senses.tolist())
 
 
@@ -135,6 +136,14 @@ def given_angles(node: Expr, definitions: Mapping[str, Expr]) -> tuple[set[int],
             if parts not in sums:
                 sums.append(parts)
             continue
+        if isinstance(here, Add):
+            # a sum of joints with a constant turn beside it is known as that sum
+            turning = [t for t in here.args if net(t) is not None]
+            inside = net(Add.of(*turning)) if len(turning) > 1 else None
+            if inside and len(inside) > 1 and not any(t.symbols() for t in here.args if net(t) is None):
+                if inside not in sums:
+                    sums.append(inside)
+                continue
         found = ANGLE.match(here.name) if isinstance(here, Sym) else None
         if found:
             joints.add(int(found.group(1)))

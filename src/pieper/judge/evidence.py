@@ -25,6 +25,7 @@ from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample,
 from pieper.judge.search.search import Explanation, Goal
 from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips
 from pieper.judge.slips.slip import KINDS
+from pieper.tolerances import ENTRY_MATTERS, EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
 
 DRAWS = 60  # of joint vectors, until enough meet the conditions of a claim
 SOLVER_POSES = 10  # poses at which the other solutions are asked for
@@ -123,7 +124,7 @@ class Evidence:
 
         def moves(joint: int) -> bool:
             changed = letter.value({**here, f"A{joint}": other[f"A{joint}"]})
-            return not np.allclose(changed[own], value[own], rtol=0, atol=1e-9)
+            return not np.allclose(changed[own], value[own], rtol=0, atol=ENTRY_MATTERS)
 
         return {j for j in joints if moves(j)}
 
@@ -267,10 +268,10 @@ class Evidence:
             PieperError: What the solver raises, or its solutions do not hold.
         """
         rows = self.in_unit(self.solved(self.samples.frames["T"][k]))
-        if not len(rows) or self.apart(rows, self.samples.q[k]).max(1).min() > 1e-4:
+        if not len(rows) or self.apart(rows, self.samples.q[k]).max(1).min() > EVIDENCE_SAME:
             raise PieperError("the solver does not return the joints the pose was made from")
         back = pose_of(self.model, rows)
-        if np.abs(back - self.samples.frames["T"][k]).max() > 1e-6 * max(1.0, self.model.length()):
+        if np.abs(back - self.samples.frames["T"][k]).max() > EVIDENCE_BACK * max(1.0, self.model.length()):
             raise PieperError("the solver returns joints that do not close under forward kinematics")
         return rows
 
@@ -313,7 +314,7 @@ class Evidence:
 
     def goal(self, wanted: np.ndarray | None, *, angle: bool = False, frame: Product | None = None) -> Goal:
         """Make the goal of a slip search from the samples."""
-        return Goal(self.environment(frame), wanted, angle, 1e-3 * max(1.0, self.model.length()))
+        return Goal(self.environment(frame), wanted, angle, FLOOR_OF_SEARCH * max(1.0, self.model.length()))
 
 
 @contextmanager
@@ -362,4 +363,4 @@ def wrapped(x: Any) -> Any:
 
 def number(value: float) -> str:
     """Write a number with the digits a reader needs."""
-    return f"{0.0 if abs(value) < 1e-11 else value:.6g}"
+    return f"{0.0 if abs(value) < SHOWN_ZERO else value:.6g}"

@@ -13,10 +13,10 @@ from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
 from pieper.errors import InputError
+from pieper.tolerances import MAX_SIZE, TINY
 
 Check = Callable[[Any], str]
 UNITS = {"m": 1.0, "mm": 0.001, "cm": 0.01}
-MAX_SIZE = 1e12  # of a length or an angle; squares of larger numbers leave no digits for a comparison
 MAX_DIGITS = 60  # of a printed number; arithmetic here has 50
 
 
@@ -96,7 +96,7 @@ def printed(value: Any) -> str:
         return wanted
     if not math.isfinite(size) or abs(size) > MAX_SIZE or len(digits) > MAX_DIGITS or "_" in digits:
         return wanted
-    return wanted if size and abs(size) < 1e-300 else ""
+    return wanted if size and abs(size) < TINY else ""
 
 
 def blank_or_printed(value: Any) -> str:

@@ -16,9 +16,9 @@ from pieper.algebra.expression import Expr, Num
 from pieper.algebra.formula import Mention, replaced_everywhere
 from pieper.judge.evidence import Evidence
 from pieper.judge.model import ArmModel
+from pieper.tolerances import EQUAL_LENGTHS
 
 RATIOS = ((1.0, ""), (-1.0, "-"), (2.0, "2 "), (-2.0, "-2 "), (0.5, "1/2 "), (-0.5, "-1/2 "))
-EQUAL = 1e-9  # relative; lengths closer than this count as equal
 MOST_READINGS = 64  # of numbers as lengths
 TRIED = 48  # joint vectors, half of them with other lengths
 
@@ -112,7 +112,7 @@ def decimals(root: Expr) -> list[Num]:
 
 
 def _same(x: float, y: float) -> bool:
-    return abs(x - y) <= EQUAL * max(abs(x), abs(y))
+    return abs(x - y) <= EQUAL_LENGTHS * max(abs(x), abs(y))
 
 
 def _ties(model: ArmModel) -> Iterator[Tie]:

@@ -14,6 +14,7 @@ import numpy as np
 
 from pieper.algebra.parser import parse
 from pieper.errors import InputError
+from pieper.tolerances import ALL_BUT_ZERO
 from pieper.words_by_number import plural
 
 _PIECE = re.compile(
@@ -150,7 +151,7 @@ def _constant(text: str) -> tuple[tuple[float, ...], ...]:
         M[axis, 3] = value
     else:
         i, j = ((1, 2), (2, 0), (0, 1))[axis]
-        c, s = (0.0 if abs(x) < 1e-15 else x for x in (np.cos(value), np.sin(value)))
+        c, s = (0.0 if abs(x) < ALL_BUT_ZERO else x for x in (np.cos(value), np.sin(value)))
         M[i, i] = M[j, j] = c
         M[i, j], M[j, i] = -s, s
     return tuple(map(tuple, M.tolist()))

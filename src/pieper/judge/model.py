@@ -19,6 +19,7 @@ from pieper.algebra.formula import Mention, Neg, number
 from pieper.algebra.parser import parse
 from pieper.description.dh import Description
 from pieper.judge.solver import Solver
+from pieper.tolerances import ROUNDING, UNROUNDED
 
 POSE_NAMES = [(a + b, i, j) for j, a in enumerate("noap") for i, b in enumerate("xyz")]
 POSE_NAMES += [("P" + b, i, 3) for i, b in enumerate("xyz")]
@@ -166,7 +167,7 @@ def _turn(angle: Expr, env: dict, arithmetic: Any) -> tuple[Any, Any]:
     """Return cosine and sine, exact where a constant angle is a whole number of quarter turns."""
     if not angle.symbols():
         quarter = float(angle.evaluate({})) / (np.pi / 2)
-        if abs(quarter - round(quarter)) < 1e-12:
+        if abs(quarter - round(quarter)) < ROUNDING:
             c, s = QUARTERS[round(quarter) % 4]
             return arithmetic.rational(Fraction(c)), arithmetic.rational(Fraction(s))
     value = angle.evaluate(env, arithmetic)
@@ -179,7 +180,7 @@ def decimal(value: float) -> Fraction:
 
 
 def _constant(T: np.ndarray, arithmetic: Any) -> Matrix:
-    snapped = np.where(np.abs(T - np.round(T)) < 1e-13, np.round(T), T)
+    snapped = np.where(np.abs(T - np.round(T)) < UNROUNDED, np.round(T), T)
     return [[arithmetic.rational(decimal(v)) for v in row] for row in snapped]
 
 
@@ -201,7 +202,7 @@ def model_from_description(d: Description, solver: Solver | None = None) -> ArmM
         if d.joint_types[i] == "R":
             values[f"d{i + 1}"] = row.d
             shift = row.theta + float(d.offset[i])
-            theta = Add.of(joint, _angle(shift)) if abs(shift) > 1e-12 else joint
+            theta = Add.of(joint, _angle(shift)) if abs(shift) > ROUNDING else joint
         else:
             shift = row.d + float(d.offset[i])
             slide = Add.of(joint, number(repr(float(shift)))) if shift else joint

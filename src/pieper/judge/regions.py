@@ -9,9 +9,9 @@ import numpy as np
 
 from pieper.algebra.expression import Div, Expr
 from pieper.judge.evidence import Evidence
+from pieper.tolerances import BORDER_OF_REGION, ROUNDING
 
 FRESH = 2000  # joint vectors at which a region is confirmed
-BORDER = 1e-3  # of a sine, say; so close to the border a formula has no digits left to be judged by
 ENOUGH = 20  # of them that must lie in it
 
 
@@ -56,7 +56,7 @@ def region_of(ev: Evidence, judged: Callable[[Evidence], tuple[np.ndarray, dict[
     fresh: tuple[np.ndarray, list[Feature]] | None = None
     for words, inside, places in _separating(holds, features):
         fresh = fresh or seen(ev.drawn(FRESH, seed=314_159))
-        clear = np.all([np.abs(fresh[1][k][1]) > BORDER for k in places], axis=0)
+        clear = np.all([np.abs(fresh[1][k][1]) > BORDER_OF_REGION for k in places], axis=0)
         mask = inside(fresh[1])
         if np.array_equal(mask[clear], fresh[0][clear]) and mask.sum() >= ENOUGH:
             return words
@@ -93,6 +93,6 @@ def zero_denominators(root: Expr, env: dict[str, np.ndarray]) -> list[str]:
         if isinstance(node, Div):
             with np.errstate(all="ignore"):
                 value = np.asarray(node.args[1].evaluate(env), dtype=float)
-            if np.all(np.abs(value) < 1e-12):
+            if np.all(np.abs(value) < ROUNDING):
                 out.append(str(node.args[1]))
     return out

@@ -18,12 +18,12 @@ from pieper.judge.evidence import Evidence
 from pieper.judge.lengths import decimals
 from pieper.judge.numbers import last_digit
 from pieper.judge.verdict import Verdict
+from pieper.tolerances import EXACT_ENOUGH, EXPLAINED_RANK, NO_CHANGE, SLOPE_STEP
 
 HALF = 0.51  # of a unit of the last digit: rounding either way, and a little for binary numbers
 STEPS = 6
 ROWS = 400  # joint vectors from which the numbers are found
 CHECKED = 200  # fresh ones at which they are tried
-EXACT_ENOUGH = 1e-10  # of a number: what is closer was not rounded
 
 Gap = Callable[[Evidence, Expr, dict[str, np.ndarray]], np.ndarray]
 Judged = Callable[[Evidence, Expr], np.ndarray]
@@ -75,14 +75,14 @@ def unrounded(ev: Evidence, node: Expr, gap: Gap, judged: Judged) -> Unrounded |
         slopes = []
         for k in range(len(value)):
             moved = value.copy()
-            moved[k] += 1e-3 * steps[k]
-            slopes.append((off(moved) - here) / 1e-3)
+            moved[k] += SLOPE_STEP * steps[k]
+            slopes.append((off(moved) - here) / SLOPE_STEP)
         rows = np.isfinite(here) & np.all(np.isfinite(slopes), axis=0)
         if rows.sum() < max(8, 3 * len(value)):
             return None
-        change = np.linalg.lstsq(np.array(slopes)[:, rows].T, -here[rows], rcond=1e-9)[0]
+        change = np.linalg.lstsq(np.array(slopes)[:, rows].T, -here[rows], rcond=EXPLAINED_RANK)[0]
         value = value + np.clip(change, -1, 1) * steps
-        if np.abs(change).max() < 1e-11:
+        if np.abs(change).max() < NO_CHANGE:
             break
     if np.any(np.abs(value - start) > HALF * steps):
         return None

@@ -20,11 +20,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import axes_at, look
 from pieper.kinematics.newton import null_space
 from pieper.kinematics.pose import inverse
-from pieper.tolerances import GEOMETRY_EXACT
-
-#: The line from shoulder to wrist may come this near to the pole of the reference, rad, and the elbow this near to the
-#: line, per length; nearer the angle is undefined. The angle is then known to about 1e-10 rad at worst.
-POLE, STRETCHED = 1e-6, 1e-7
+from pieper.tolerances import ARM_ANGLE_MOVES, ARM_ANGLE_POLE, ARM_STRETCHED, GEOMETRY_EXACT, TINY
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +64,7 @@ class ArmAngle:
         """Return angles and whether defined, of q (..., 7) about lines whose references x, y (..., 3) are given."""
         elbow = self.elbow(q)
         across, up = np.sum(elbow * x, -1), np.sum(elbow * y, -1)
-        defined = defined & (np.hypot(across, up) > STRETCHED * self.chain.length)
+        defined = defined & (np.hypot(across, up) > ARM_STRETCHED * self.chain.length)
         angle = np.arctan2(np.where(defined, up, 0.0), np.where(defined, across, 1.0))
         return np.where(angle == -np.pi, np.pi, angle), defined
 
@@ -89,12 +85,12 @@ class ArmAngle:
         """
         line = self.line(T)
         size = np.linalg.norm(line, axis=-1)
-        defined = size > STRETCHED * self.chain.length
+        defined = size > ARM_STRETCHED * self.chain.length
         u = line / np.where(defined, size, 1.0)[..., None]
         u = np.where(defined[..., None], u, -self.pole)
         mirror = u - self.pole
         gap = np.linalg.norm(mirror, axis=-1)
-        defined = defined & (gap > POLE)
+        defined = defined & (gap > ARM_ANGLE_POLE)
         mirror = np.where(defined[..., None], mirror / np.where(defined, gap, 1.0)[..., None], -self.pole)
         u = np.where(defined[..., None], u, -self.pole)
         x = self.reference - 2 * (mirror @ self.reference)[..., None] * mirror
@@ -105,7 +101,7 @@ class ArmAngle:
         axes, points = axes_at(self.chain, q)
         elbow = points[..., 3, :] + self.along * axes[..., 3, :]
         across, up = np.sum((elbow - self.shoulder) * x, -1), np.sum((elbow - self.shoulder) * y, -1)
-        size = np.maximum(across**2 + up**2, 1e-300)
+        size = np.maximum(across**2 + up**2, TINY)
         slope = (across[..., None] * y - up[..., None] * x) / size[..., None]
         moved = np.cross(axes[..., :3, :], elbow[..., None, :] - points[..., :3, :])
         out = np.zeros(q.shape)
@@ -159,7 +155,7 @@ def _moves(angle: ArmAngle) -> bool:
     _, defined = angle.about(q, x, y, defined)
     null = null_space(angle.chain, q)[1][:, -1]
     change = np.abs(np.sum(angle.gradient(q, x, y) * null, -1))
-    return bool(np.median(np.where(defined, change, 0.0)) > 1e-6)
+    return bool(np.median(np.where(defined, change, 0.0)) > ARM_ANGLE_MOVES)
 
 
 def _foot(chain: Chain, on: int, towards: int) -> Array | None:

@@ -13,6 +13,8 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import JointSpace
 from pieper.kinematics.pose import FLIP, inverse, rotation_z, translation
+from pieper.kinematics.whole_turns import WholeTurns
+from pieper.tolerances import ROUNDING
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,7 +110,7 @@ class Chain:
         """The chain whose joints move by themselves; the same object where they do."""
         return self if self.coupling is None else Chain(self.links, self.prismatic, self.frames_after)
 
-    @property
+    @cached_property
     def whole_turns(self) -> bool:
         """Whether whole turns of the joints are whole turns of the chain, and the other way round."""
         if self.coupling is None:
@@ -116,7 +118,7 @@ class Chain:
         turning = ~self.prismatic
         for C in (self.coupling, np.linalg.inv(self.coupling)):
             part = C[np.ix_(turning, turning)]
-            if np.abs(part - np.round(part)).max(initial=0.0) > 1e-12 or C[np.ix_(~turning, turning)].any():
+            if np.abs(part - np.round(part)).max(initial=0.0) > ROUNDING or C[np.ix_(~turning, turning)].any():
                 return False
         return True
 
@@ -127,7 +129,9 @@ class Chain:
     @cached_property
     def joints(self) -> JointSpace:
         """How its joint vectors are measured."""
-        return JointSpace(self.prismatic, self.length)
+        if self.coupling is None or self.whole_turns:
+            return JointSpace(self.prismatic, self.length)
+        return JointSpace(self.prismatic, self.length, WholeTurns(self.coupling, self.prismatic))
 
     @cached_property
     def length(self) -> float:

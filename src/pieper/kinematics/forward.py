@@ -37,6 +37,31 @@ def checked_joints(q: ArrayLike, n: int, what: str = "q", prismatic: Bools | Non
     return joints
 
 
+def checked_joint_vector(q: ArrayLike, n: int, what: str) -> Array:
+    """Return one joint vector (n,) as float64 or say what is wrong with it."""
+    joints = checked_joints(q, n, what)
+    if joints.ndim != 1:
+        raise InputError(f"{what} must be one joint vector ({n},), got {joints.shape}.", given=joints.shape)
+    return joints
+
+
+def checked_weights(weights: ArrayLike | None, n: int) -> Array:
+    """Return how much the square of each joint's difference counts (n,), all the same if None."""
+    if weights is None:
+        return np.ones(n)
+    try:
+        numbers = np.asarray(weights, float)
+    except (TypeError, ValueError):
+        raise InputError(f"weights must be numbers, got {type(weights).__name__}.", given=weights) from None
+    if numbers.shape != (n,):
+        raise InputError(f"weights must have shape ({n},), one a joint, got {numbers.shape}.", given=numbers.shape)
+    if not (np.isfinite(numbers).all() and (numbers >= 0).all() and (numbers > 0).any()):
+        raise InputError(
+            f"weights must be finite, none negative and not all of them zero, got {numbers.tolist()}.", given=weights
+        )
+    return numbers
+
+
 def _look_closer(joints: np.ndarray, what: str, prismatic: np.ndarray | None) -> None:
     if not np.isfinite(joints).all():
         index = tuple(int(i) for i in np.argwhere(~np.isfinite(joints))[0])

@@ -10,6 +10,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse
+from pieper.tolerances import GEOMETRY_EXACT
 
 
 @dataclass(frozen=True)
@@ -207,7 +208,7 @@ def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:
         senses = np.sign(axes[members] @ axes[members[0]])
         mean = (senses[:, None] * axes[members]).sum(0)
         axes[members] = senses[:, None] * (mean / np.linalg.norm(mean))
-        if group.margin > 1e-12:
+        if group.margin > GEOMETRY_EXACT:
             said.append(
                 f"joints {_and([str(j + 1) for j in members])} made parallel (they were {group.margin:.2g} rad off)"
             )
@@ -222,7 +223,7 @@ def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:
         for j in group.joints:
             points[j] = target
         moved = max(moved, group.margin)
-        if group.margin > 1e-12 * chain.length:
+        if group.margin > GEOMETRY_EXACT * chain.length:
             said.append(
                 f"joints {_and([str(j + 1) for j in group.joints])} made to meet in one point "
                 f"(they missed it by {group.margin * 1e3:.3g} mm)"
@@ -237,7 +238,7 @@ def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:
                 cross /= np.linalg.norm(cross)
                 points[free] = points[free] - ((points[free] - points[other]) @ cross) * cross
             moved = max(moved, pair.distance)
-            if pair.distance > 1e-12 * chain.length:
+            if pair.distance > GEOMETRY_EXACT * chain.length:
                 said.append(f"joints {i + 1} and {j + 1} made to meet (they missed by {pair.distance * 1e3:.3g} mm)")
     if not said:
         return chain, [], 0.0

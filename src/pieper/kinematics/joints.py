@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from pieper.kinematics.arrays import Array, ArrayLike, Bools, Indices
+from pieper.kinematics.whole_turns import TURN as TURN
+from pieper.kinematics.whole_turns import WholeTurns
 from pieper.tolerances import LIMIT_SLACK
-
-TURN = 2 * np.pi
 
 
 def short_way(angle: ArrayLike) -> Array:
     """Return angles (...) a whole number of turns away, in [-pi, pi), rad: differences the short way round."""
-    return np.asarray((np.asarray(angle, float) + np.pi) % TURN - np.pi)
+    given = np.asarray(angle, float)
+    # the remainder that NumPy offers takes ten times as long on many angles, and drops digits of small ones
+    turned = np.atleast_1d(given) + np.pi
+    turned /= TURN
+    np.floor(turned, out=turned)
+    turned *= -TURN
+    turned += given
+    return turned.reshape(given.shape)
 
 
 def wrapped(angle: ArrayLike) -> Array:
@@ -35,10 +43,12 @@ class JointSpace:
     Args:
         prismatic: (n,) bool.
         length: The arm's characteristic length, m.
+        coupled: How whole turns move the joints' numbers, where they are no whole turns of each joint by itself.
     """
 
     prismatic: Bools
     length: float
+    coupled: WholeTurns | None = None
 
     @cached_property
     def unit(self) -> Array:
@@ -47,15 +57,19 @@ class JointSpace:
 
     @cached_property
     def _turning(self) -> bool:
-        return not bool(self.prismatic.any())
+        return self.coupled is None and not bool(self.prismatic.any())
 
     def first(self, count: int) -> JointSpace:
         """Return the space of the first joints alone."""
-        return JointSpace(self.prismatic[:count], self.length)
+        coupled = None if self.coupled is None else self.coupled.first(count)
+        return JointSpace(self.prismatic[:count], self.length, coupled)
 
     def way(self, end: Array, start: Array) -> Array:
         """Return end - start (..., n), angles the short way round, rad or m."""
         gap = np.asarray(end - start)
+        if self.coupled is not None:
+            axes = self.coupled.axes(gap)
+            return self.coupled.joints(np.where(self.prismatic, axes, short_way(axes)))
         return short_way(gap) if self._turning else np.where(self.prismatic, gap, short_way(gap))
 
     def difference(self, a: Array, b: Array) -> Array:
@@ -66,17 +80,32 @@ class JointSpace:
         """Return the largest joint difference (...) without units, angles the short way round."""
         return np.abs(self.difference(a, b)).max(-1, initial=0.0)
 
-    def straight(self, q: Array, near: Array) -> Array:
-        """Return Euclidean distances (...) without units, whole turns counted: angles are taken as they stand."""
+    def straight(self, q: Array, near: Array, weights: Array | None = None) -> Array:
+        """Return Euclidean distances (...) without units, whole turns counted: angles are taken as they stand.
+
+        Weights (n,) say how much the square of each joint's difference counts; all the same if None.
+        """
         gap = q - near if self._turning else (q - near) / self.unit
-        return np.sqrt(np.sum(gap * gap, axis=-1))
+        square = gap * gap
+        return np.sqrt(np.sum(square if weights is None else weights * square, axis=-1))
 
     def wrapped(self, q: Array) -> Array:
-        """Return q (..., n) with its angles in (-pi, pi]."""
+        """Return q (..., n) with its angles in (-pi, pi]; of coupled joints those of the axes."""
+        if self.coupled is not None:
+            axes = self.coupled.axes(q)
+            return self.coupled.joints(np.where(self.prismatic, axes, wrapped(axes)))
         return wrapped(q) if self._turning else np.where(self.prismatic, q, wrapped(q))
 
     def turns(self, q: Array, near: Array, limits: Array) -> Array:
-        """Return the whole turns (..., n) that bring q as near to `near` as limits (n, 2) allow; zero for slides."""
+        """Return the whole turns (..., n) that bring q as near to `near` as limits (n, 2) allow; zero for slides.
+
+        Of coupled joints the parts of a turn by which their numbers move while axes make whole turns.
+        """
+        if self.coupled is not None:
+            n, shape = self.coupled.n, np.broadcast_shapes(np.shape(q), np.shape(near))
+            ends = np.array(np.broadcast_to(limits, (n, 2)), float)
+            flat, to = (np.broadcast_to(x, shape).reshape(-1, n) for x in (q, near))
+            return (self.coupled.nearest(flat, to, ends, self.unit**-2.0).reshape(shape) - q) / TURN
         turns = np.round((near - q) / TURN)
         lowest = np.ceil((limits[:, 0] - LIMIT_SLACK - q) / TURN)
         highest = np.floor((limits[:, 1] + LIMIT_SLACK - q) / TURN)
@@ -90,9 +119,28 @@ class JointSpace:
 
     def inside_limits(self, q: Array, limits: Array) -> tuple[Array, Bools]:
         """Return q (..., n), a whole turn added where only that lies inside, and whether all are inside (...)."""
+        if self.coupled is not None:
+            keep = np.logical_and.reduce(inside(q, limits), axis=-1, keepdims=True)
+            moved = np.where(keep, q, self.unwound(q, q, limits))
+            ok = np.logical_and.reduce(inside(moved, limits), axis=-1)
+            return np.where(ok[..., None], moved, q), ok
         moved = self.unwound(q, q, limits)
         ok = inside(moved, limits)
         return np.where(ok, moved, q), np.logical_and.reduce(ok, axis=-1)
+
+    def variants(self, q: Array, limits: Array) -> Array:
+        """Return every variant (k, n) of q (n,) by whole turns inside limits (n, 2); what is unlimited stays."""
+        if self.coupled is not None:
+            return self.coupled.inside(q, limits)
+        choices: list[Array] = []
+        for value, (lower, upper), slides in zip(q, limits, self.prismatic, strict=True):
+            if slides or not (np.isfinite(lower) and np.isfinite(upper)):
+                choices.append(np.array([value]))
+                continue
+            first = int(np.ceil((lower - LIMIT_SLACK - value) / TURN))
+            last = int(np.floor((upper + LIMIT_SLACK - value) / TURN))
+            choices.append(value + TURN * np.arange(first, last + 1))
+        return np.array(list(itertools.product(*choices)), float).reshape(-1, len(q))
 
     def distinct(self, q: Array, tolerance: float) -> Indices:
         """Return the rows of q (k, n) that are no nearer than a tolerance (without units) to one kept before them."""

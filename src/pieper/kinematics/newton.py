@@ -6,10 +6,20 @@ from collections.abc import Callable
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import rotation_vector
-from pieper.tolerances import NEWTON_DONE, NEWTON_STALLS, TINY
+from pieper.tolerances import (
+    NEWTON_CUTOFF,
+    NEWTON_DAMPING,
+    NEWTON_DONE,
+    NEWTON_FINITE,
+    NEWTON_HELD_RANK,
+    NEWTON_SQUARE,
+    NEWTON_STALLS,
+    TINY,
+)
 
 #: From joint vectors (k, n) and their places in the batch (k,): what is missed (k, r), or its slope (k, r, n).
 Equations = Callable[[Array, Indices], Array]
@@ -148,7 +158,7 @@ def newton(
     T: Array,
     *,
     steps: int = 12,
-    cutoff: float = 1e-12,
+    cutoff: float = NEWTON_CUTOFF,
     max_step: float = 0.5,
     rows: Array | None = None,
 ) -> Array:
@@ -172,15 +182,27 @@ def newton(
     q = np.asarray(q, float)
     poses = T if T.ndim == 2 else np.broadcast_to(T, (*q.shape[:-1], 4, 4)).reshape(-1, 4, 4)
 
+    start = q.reshape(-1, chain.n)
+    if rows is None:
+        moved = _kernel.onto(
+            links=chain.links,
+            prismatic=chain.prismatic,
+            length=chain.length,
+            q=start,
+            T=poses,
+            steps=steps,
+            cutoff=cutoff,
+            longest=max_step,
+        )
+        return moved.reshape(q.shape)
+    counted = rows
+
     def miss(at: Array, index: Indices) -> Array:
-        e = pose_difference(chain, at, poses if poses.ndim == 2 else poses[index])
-        return e if rows is None else e @ rows.T
+        return pose_difference(chain, at, poses if poses.ndim == 2 else poses[index]) @ counted.T
 
     def slope(at: Array, index: Indices) -> Array:
-        J = scaled_jacobian(chain, at)
-        return J if rows is None else rows @ J
+        return counted @ scaled_jacobian(chain, at)
 
-    start = q.reshape(-1, chain.n)
     step = shortest(cutoff)
     return settled(miss, slope, start, chain.joints.unit, steps=steps, longest=max_step, step=step)[0].reshape(q.shape)
 
@@ -194,7 +216,7 @@ def newton_on_plane(
         if np.linalg.norm(e) < holds:
             return q
         A = np.vstack([scaled_jacobian(chain, q), direction])
-        step = np.linalg.lstsq(A, np.append(e, 0.0), rcond=1e-9)[0]
+        step = np.linalg.lstsq(A, np.append(e, 0.0), rcond=NEWTON_HELD_RANK)[0]
         if np.linalg.norm(step) > 1.0:
             return None
         q = q + step * chain.joints.unit
@@ -237,11 +259,11 @@ def downhill(
         new = np.einsum("bi,bi->b", missing, missing)
         better = new < square[active]
         q[active[better]], square[active[better]], e[active[better]] = tried[better], new[better], missing[better]
-        damp[active] = np.clip(damp[active] * np.where(better, shrink, grow), 1e-12, most)
-        active = active[(square[active] > 1e-24) & (damp[active] < most)]
+        damp[active] = np.clip(damp[active] * np.where(better, shrink, grow), NEWTON_DAMPING, most)
+        active = active[(square[active] > NEWTON_SQUARE) & (damp[active] < most)]
         if not len(active):
             break
         J = scaled_jacobian(chain, q[active]) * weights[:, None]
-        step = damped(damp[active] * relative(J, square[active]) + 1e-15)(J, e[active])
+        step = damped(damp[active] * relative(J, square[active]) + NEWTON_FINITE)(J, e[active])
         tried = q[active] + bounded(step, 0.7) * chain.joints.unit
     return q, square

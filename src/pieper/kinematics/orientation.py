@@ -7,6 +7,8 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from pieper.tolerances import QUATERNION_SLACK, ROLL_IS_YAW, ROUNDING
+
 #: notation -> (how many numbers, what they are)
 NOTATIONS = {
     "rpy": (3, "roll, pitch, yaw about the fixed x, y, z: R = Rz(yaw) Ry(pitch) Rx(roll)"),
@@ -17,10 +19,6 @@ NOTATIONS = {
     "quaternion_xyzw": (4, "unit quaternion, scalar last"),
 }
 ANGLE_NOTATIONS = ("rpy", "zyx", "zyz", "rotation_vector")
-#: A quaternion may depart from unit length by this much (typed with four or more digits); it is normalised.
-QUATERNION_SLACK = 1e-3
-#: Where the first column of R is closer to z than this, roll and yaw turn about one axis and yaw says it all.
-_POLE = 1e-13
 
 
 def rotation(notation: str, numbers: list[float]) -> np.ndarray:
@@ -67,7 +65,7 @@ def rpy_of(R: npt.NDArray[np.float64]) -> tuple[float, float, float]:
     """Return roll, pitch, yaw (rad) of a rotation; roll is zero where pitch is a quarter turn."""
     across = math.hypot(R[0, 0], R[1, 0])
     pitch = math.atan2(-R[2, 0], across)
-    if across < _POLE:
+    if across < ROLL_IS_YAW:
         return 0.0, pitch, math.atan2(-R[0, 1], R[1, 1])
     yaw = math.atan2(R[1, 0], R[0, 0])
     # what is left of R behind the yaw that was found, so that the three agree however close the pole is
@@ -79,7 +77,7 @@ def zyz_of(R: npt.NDArray[np.float64]) -> tuple[float, float, float]:
     """Return a, b, c (rad) with R = Rz(a) Ry(b) Rz(c), b in [0, pi]; a is zero where b is 0 or a half turn."""
     across = math.hypot(R[0, 2], R[1, 2])
     b = math.atan2(across, R[2, 2])
-    if across < _POLE:
+    if across < ROLL_IS_YAW:
         return 0.0, b, math.atan2(R[1, 0], R[1, 1])
     a = math.atan2(R[1, 2], R[0, 2])
     c, s = math.cos(a), math.sin(a)
@@ -110,7 +108,7 @@ def quaternion_of(R: npt.NDArray[np.float64]) -> tuple[float, float, float, floa
         q[1 + j] = R[j, i] + R[i, j]
         q[1 + k] = R[k, i] + R[i, k]
     q = q / np.linalg.norm(q)
-    first = next(value for value in q if abs(value) > 1e-12)
+    first = next(value for value in q if abs(value) > ROUNDING)
     w, x, y, z = (float(value) + 0.0 for value in (q if first > 0 else -q))
     return w, x, y, z
 

@@ -9,10 +9,8 @@ import numpy as np
 
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
-from pieper.tolerances import ROTATION_ACCEPTED, ROTATION_EXACT
+from pieper.tolerances import FARTHEST, ROTATION_ACCEPTED, ROTATION_EXACT, SMALL_TURN, TINY
 
-#: Positions beyond this, m, are refused: their squares would leave the range of doubles' precision.
-FARTHEST = 1e12
 FLIP = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
@@ -247,7 +245,7 @@ def stepped(T: Array, twists: Array, length: float) -> Array:
     """Return poses (N, 4, 4): T turned and moved by twists (N, 6), positions per length (m), world frame."""
     angle = np.linalg.norm(twists[:, 3:], axis=1)
     out = np.array(np.broadcast_to(T, (len(twists), 4, 4)))
-    turn = rotation_about(twists[:, 3:] / np.maximum(angle, 1e-300)[:, None], angle)
+    turn = rotation_about(twists[:, 3:] / np.maximum(angle, TINY)[:, None], angle)
     out[:, :3, :3] = turn @ out[:, :3, :3]
     out[:, :3, 3] += twists[:, :3] * length
     return out
@@ -268,7 +266,7 @@ def rotation_vector(rotations: Array) -> Array:
     sine = np.linalg.norm(w, axis=-1)
     cosine = (np.trace(R, axis1=-2, axis2=-1) - 1) / 2
     angle = np.arctan2(sine, cosine)
-    small = sine < 1e-7
+    small = sine < SMALL_TURN
     scale = np.where(small, 1.0, angle / np.where(small, 1.0, sine))
     vector = w * scale[..., None]
     half_turn = small & (cosine < 0)

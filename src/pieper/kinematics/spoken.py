@@ -97,7 +97,7 @@ def pose(
     given = [key for key, value in said.items() if value is not None]
     if len(given) > 1:
         raise InputError(f"{' and '.join(given)} say the orientation twice; keep one.", given=given)
-    position = _finite([x, y, z], 3, "x, y, z") * (1e-3 if mm else 1.0)
+    position = _finite([x, y, z], 3, "x, y, z") * (0.001 if mm else 1.0)
     matrix = np.eye(3) if not given else _spoken(given[0], said[given[0]], degrees)
     return checked_pose(transform(matrix, position), "the pose")
 

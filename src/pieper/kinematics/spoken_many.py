@@ -45,7 +45,7 @@ def poses(
     Raises:
         InputError: An unknown notation, a wrong shape, numbers that are not finite, no rotation.
     """
-    p = np.asarray(position, float) * (1e-3 if mm else 1.0)
+    p = np.asarray(position, float) * (0.001 if mm else 1.0)
     if p.shape[-1:] != (3,):
         raise InputError(f"positions must be (..., 3), got {p.shape}.", given=p.shape)
     T = np.zeros((*p.shape[:-1], 4, 4))

@@ -11,6 +11,7 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bools, Indices
 from pieper.kinematics.pose import checked_pose, rotation_about, transform
+from pieper.tolerances import RELATIVE_ROUNDING
 
 #: A box wider than this many reaches of the arm was said in millimetres.
 WIDEST = 50.0
@@ -114,14 +115,14 @@ def grid_of(
     if (
         not isinstance(step, (int, float, np.number))
         or not np.isfinite(step)
-        or not 0 < step <= side.min() * (1 + 1e-9)
+        or not 0 < step <= side.min() * (1 + RELATIVE_ROUNDING)
     ):
         raise InputError(
             f"step must be positive, in metres, at most the box's smallest side ({side.min():.4g} m), got {step!r}: "
             "20 mm is 0.02.",
             given=step,
         )
-    shape = tuple(int(n) for n in np.ceil(side / step - 1e-9))
+    shape = tuple(int(n) for n in np.ceil(side / step - RELATIVE_ROUNDING))
     turns, rolls = _orientations(orientations)
     if task == "position":
         turns, rolls = turns[:1], 1

@@ -11,15 +11,12 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.motion.curve import JointCurve
 from pieper.motion.segments import Segment
+from pieper.tolerances import BLEND_SHRUNK, LAST_BLENDED, NO_BLEND, REVERSES, TINY
 
 #: Places of a way that are looked at for where it enters the radius.
 PLACES = 129
 #: Points of a blend.
 BLEND_POINTS = 25
-#: Cosine between the ways (in the joints) under which the corner is a reversal, which no curve rounds.
-REVERSES = -0.9999
-#: Remarks are not made of less than this part of the radius.
-SHRUNK = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,12 +57,12 @@ def blend(chain: Chain, before: Segment, after: Segment, number: int) -> tuple[B
     back = 1 - np.linspace(0.0, 0.5, PLACES)
     away = [_distances(chain, before.curve, back, corner), _distances(chain, after.curve, 1 - back, corner)]
     radius = min(asked, *(float(d.max()) for d in away))
-    if radius < 1e-9:
+    if radius < NO_BLEND:
         # the tool's point stays: there is no radius to speak of, and the turn is cut at its half
         return Blend(0.5, 0.5, 0.0), None
     s = [_enters(d, radius) for d in away]
     remark = None
-    if radius < asked * (1 - SHRUNK):
+    if radius < asked * (1 - BLEND_SHRUNK):
         remark = (
             f"The blend of {asked * 1e3:g} mm at move {number} shrinks to {radius * 1e3:.4g} mm: half of the way "
             "before or behind it is no longer."
@@ -96,9 +93,9 @@ def _distances(chain: Chain, curve: JointCurve, s: Array, corner: Array) -> Arra
 
 def _enters(distance: Array, radius: float) -> float:
     """Return how much of a way, 0 to a half, lies within a radius of the corner it begins at."""
-    i = int(np.argmax(distance >= radius * (1 - 1e-12)))
+    i = int(np.argmax(distance >= radius * (1 - LAST_BLENDED)))
     step = 0.5 / (PLACES - 1)
     if i == 0:
         return step
     low, high = distance[i - 1], distance[i]
-    return step * (i - 1 + (radius - low) / max(high - low, 1e-300))
+    return step * (i - 1 + (radius - low) / max(high - low, TINY))

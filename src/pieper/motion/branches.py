@@ -7,11 +7,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pieper.kinematics.arrays import Array
-from pieper.motion.continuation import AGREEMENT, BRIDGE, MET, ROUNDING, Continuation
+from pieper.motion.continuation import AGREEMENT, Continuation
 from pieper.solver.verbs import ik
+from pieper.tolerances import BRANCH_ROUNDING, BRANCHES_MET, BRIDGE, READING
 
-#: A reading at a singular point may lie this far (rad, or per length) from where the branch was just before it.
-READING = 5e-2
 #: Halvings allowed when a branch is carried along a continuum of solutions.
 PROJECTED_HALVINGS = 12
 
@@ -77,7 +76,7 @@ def _first(way: Continuation, start: Array) -> list[Strand]:
         found = ik(way.plan, way.path[0]).all_q
     out = [Strand([q], q, 0.0) for q in found]
     own, ok = way.project(start, 0)
-    if ok and all(np.abs(way.gap(own, q)).max() > ROUNDING for q in found):
+    if ok and all(np.abs(way.gap(own, q)).max() > BRANCH_ROUNDING for q in found):
         out.insert(0, Strand([own], own, 0.0))
     return out
 
@@ -125,7 +124,7 @@ def _cross(way: Continuation, group: list[Strand], k: int) -> list[Strand]:
         moved, sure = way.step(strand.at[None], strand.x, k + BRIDGE)
         if not sure[0] and len(found):
             size = np.sort(np.linalg.norm(way.gap(found, strand.at), axis=-1))
-            if size[0] <= MET and (len(size) == 1 or size[1] > 3 * size[0] + ROUNDING):
+            if size[0] <= BRANCHES_MET and (len(size) == 1 or size[1] > 3 * size[0] + BRANCH_ROUNDING):
                 moved, sure = way.step(strand.at[None], strand.x, k + BRIDGE, loose=True)
         if sure[0]:
             strand.at, strand.x = moved[0], k + BRIDGE
@@ -147,7 +146,7 @@ def _leave_continuum(way: Continuation, group: list[Strand], k: int) -> list[Str
     found, _ = way.solutions(k - 1 + BRIDGE)
     for strand in group:
         size = np.linalg.norm(way.gap(found, strand.at), axis=-1)
-        if len(found) and size.min() <= MET:
+        if len(found) and size.min() <= BRANCHES_MET:
             moved = strand.at + way.gap(found[np.argmin(size)], strand.at) * way.unit
             strand.at, strand.x = moved, k - 1 + BRIDGE
             out.append(strand)
@@ -190,7 +189,7 @@ def _read(way: Continuation, strand: Strand, k: int) -> None:
     if len(found):
         d = way.gap(found, strand.at)
         best = np.argmin(np.linalg.norm(d, axis=-1))
-        if np.linalg.norm(d[best]) <= MET:
+        if np.linalg.norm(d[best]) <= BRANCHES_MET:
             strand.q.append(strand.at + d[best] * way.unit)
             return
     q, ok = way.project(strand.at, k)
@@ -211,7 +210,7 @@ def _carry_on_continuum(way: Continuation, strand: Strand, k: int) -> None:
         moved, ok = way.project(predicted, x_next)
         size = np.linalg.norm((moved - q) / way.unit)
         miss = np.linalg.norm((moved - predicted) / way.unit)
-        if ok and size <= 0.3 and miss <= AGREEMENT * size + ROUNDING:
+        if ok and size <= 0.3 and miss <= AGREEMENT * size + BRANCH_ROUNDING:
             q, x = moved, x_next
         elif h <= smallest:
             strand.at, strand.x, strand.end = q, x, x

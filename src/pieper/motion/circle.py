@@ -8,11 +8,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import rotation_about
 from pieper.motion.path import between
-
-#: Sine of the angle at the via point under which three points are in line.
-IN_LINE = 1e-6
-#: How much the two radii of a circle said by its centre may differ, relative: half a unit of four printed digits.
-OFF_CENTRE = 5e-4
+from pieper.tolerances import NO_LENGTH, OFF_CENTRE, THREE_IN_LINE
 
 
 def circle(T0: Array, via: Array, T1: Array, s: Array) -> Array:
@@ -27,10 +23,10 @@ def circle(T0: Array, via: Array, T1: Array, s: Array) -> Array:
     a, b, c = T0[:3, 3], via[:3, 3], T1[:3, 3]
     size = max(float(np.linalg.norm(b - a)), float(np.linalg.norm(c - b)), float(np.linalg.norm(c - a)))
     for one, other, words in ((a, b, "the via and the start"), (b, c, "the via and the end"), (a, c, "start and end")):
-        if np.linalg.norm(one - other) <= IN_LINE * max(size, 1e-12):
+        if np.linalg.norm(one - other) <= THREE_IN_LINE * max(size, NO_LENGTH):
             raise InputError(f"{words} of the circle are one point; three different points make a circle.")
     normal = np.cross(b - a, c - a)
-    if np.linalg.norm(normal) <= IN_LINE * np.linalg.norm(b - a) * np.linalg.norm(c - a):
+    if np.linalg.norm(normal) <= THREE_IN_LINE * np.linalg.norm(b - a) * np.linalg.norm(c - a):
         raise InputError("start, via and end of the circle are in line: use move_l, or move the via aside.")
     normal = normal / np.linalg.norm(normal)
     # the centre from the two perpendicular bisectors
@@ -62,7 +58,7 @@ def via_about(T0: Array, T1: Array, centre: Array, *, the_long_way: bool = False
         )
     middle = a / r0 + c / r1
     size = float(np.linalg.norm(middle))
-    if size < IN_LINE or np.linalg.norm(np.cross(a, c)) <= IN_LINE * r0 * r1:
+    if size < THREE_IN_LINE or np.linalg.norm(np.cross(a, c)) <= THREE_IN_LINE * r0 * r1:
         raise InputError("start, centre and end of the circle are in line: say a via, which decides the way.")
     via = T0.copy()
     via[:3, 3] = centre + (-1.0 if the_long_way else 1.0) * middle / size * (r0 + r1) / 2

@@ -14,13 +14,10 @@ from pieper.motion.curve import JointCurve
 from pieper.motion.limits import Limits
 from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
 from pieper.motion.tool_bounds import tool_curve
+from pieper.tolerances import EVEN_SPEED, SPEED_ABOVE, SPEED_LOWERED, SPEED_SETTLED, TOOL_STANDS
 
 Section = tuple[float, float, float]
 
-#: The speed in a section departs from the one asked for by no more than this, relative, between the grid's points.
-EVEN = 2e-7
-#: A tool that moves less than this (m a unit of s) stands still and turns: it has no speed to keep.
-STANDS = 1e-9
 #: Doublings of a section's grid at most.
 FINEST = 8
 #: Halvings of the interval of speeds.
@@ -115,8 +112,8 @@ def section_grid(timed: TimedPath, curve: JointCurve, sections: Sequence[Section
         between = np.linalg.norm(_point_at(timed, curve, middle), axis=1)
         with np.errstate(divide="ignore", invalid="ignore"):
             even = (size[1:] ** -2.0 + size[:-1] ** -2.0) / 2 * between**2
-            coarse = np.any(inside, axis=0) & ~(np.abs(even - 1) / 2 <= EVEN)
-        if not coarse.any() or (size[:-1][coarse] < STANDS).any() or (size[1:][coarse] < STANDS).any():
+            coarse = np.any(inside, axis=0) & ~(np.abs(even - 1) / 2 <= EVEN_SPEED)
+        if not coarse.any() or (size[:-1][coarse] < TOOL_STANDS).any() or (size[1:][coarse] < TOOL_STANDS).any():
             break
         grid = np.sort(np.append(s, middle[coarse]))
         i = np.clip(np.searchsorted(s, grid[:-1], side="right") - 1, 0, len(s) - 2)
@@ -139,7 +136,7 @@ def wanted_x(timed: TimedPath, sections: Sequence[Section]) -> Array:
     out = np.full(len(s), np.nan)
     for s0, s1, v in sections:
         at = (s >= s0) & (s <= s1)
-        still = at & (size < STANDS)
+        still = at & (size < TOOL_STANDS)
         if still.any():
             where = float(s[np.argmax(still)])
             raise InputError(
@@ -171,13 +168,13 @@ def highest(timed: TimedPath, section: Section) -> Fastest:
         for _ in range(HALVINGS):
             v = (low + high) / 2
             low, high = (v, high) if can(v) else (low, v)
-            if high - low <= 1e-12 * high:
+            if high - low <= SPEED_SETTLED * high:
                 break
-        if low < most * (1 - 1e-3):
+        if low < most * (1 - SPEED_LOWERED):
             # not the section's own limits then, but what lies before or behind it
             _, sets, _, _ = timed.run()
             at = int(np.searchsorted(timed.curve.s, s1))
-            x = wanted_x(timed, [(s0, s1, high * (1 + 1e-6))])[at]
+            x = wanted_x(timed, [(s0, s1, high * (1 + SPEED_ABOVE))])[at]
             limit, s, joint = ("run-out", s1, None) if x > sets[at] else ("run-up", s0, None)
         most = low
     out = Fastest(most)

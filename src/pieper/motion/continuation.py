@@ -20,7 +20,16 @@ from pieper.solver.coupled import rows_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.verbs import ik
-from pieper.tolerances import VERIFIED
+from pieper.tolerances import (
+    BRANCH_PASSED,
+    BRANCH_ROUNDING,
+    BRANCHES_MET,
+    FOLLOWED_RANK,
+    SINGULAR_EXAMINED,
+    SINGULAR_POINT,
+    TASK_RANK,
+    VERIFIED,
+)
 
 #: A step (rad, or per length) above which it is halved whatever the prediction says.
 LARGEST_STEP = 0.6
@@ -28,18 +37,10 @@ LARGEST_STEP = 0.6
 AGREEMENT = 0.25
 #: How much worse the second best solution must be.
 CLEARANCE = 3.0
-#: Departures below this (rad, or per length) are the rounding of solutions close to a singularity.
-ROUNDING = 1e-6
 #: Where nearness decides, as a fraction of the spacing of the points.
 SMALLEST_STEP = 2.0**-18
 #: Where halving ends for those that not even nearness can decide: a swing within a hair of a singularity.
 LAST_STEP = 2.0**-30
-#: Two solutions this close (rad, or per length) at the smallest step have met: 2^-18 under a square root is 2^-9.
-MET = 5e-3
-#: sigma_min / sigma_max of the scaled Jacobian below which a solution counts as singular itself.
-SINGULAR = 1e-7
-#: A singular point is bridged from this far before it, as a fraction of the spacing.
-BRIDGE = 1e-3
 #: Steps allowed between two neighbouring points before a branch is given up as unresolved.
 BUDGET = 600
 #: Values of a spare joint at which a point is tried before it counts as out of reach.
@@ -154,15 +155,15 @@ class Continuation:
 
     def _steps_of(self, J: Array, xa: float, xb: float) -> Array:
         """Return the scaled joint steps (..., n) that scaled Jacobians predict from xa to xb."""
-        return np.linalg.pinv(J, rcond=1e-10) @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
+        return np.linalg.pinv(J, rcond=TASK_RANK) @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
 
     # ------------------------------------------------------------------ steps
 
     def step(self, q: Array, xa: float, xb: float, loose: bool = False) -> tuple[Array, Bools]:
         """Step joint vectors q (B, n) from xa to xb; return where they go and whether that is beyond doubt (B,).
 
-        When loose, at the smallest step, the nearest solution within `MET` is taken without asking the Jacobian: it has
-        no inverse where branches meet.
+        When loose, at the smallest step, the nearest solution within `BRANCHES_MET` is taken without asking the
+        Jacobian: it has no inverse where branches meet.
         """
         self._steps += 1
         found, _ = self.solutions(xb)
@@ -173,7 +174,7 @@ class Continuation:
         if loose:
             best = np.argmin(size, axis=1)
             d = np.take_along_axis(D, best[:, None, None], 1)[:, 0]
-            return q + d * self.unit, size[np.arange(len(q)), best] <= MET
+            return q + d * self.unit, size[np.arange(len(q)), best] <= BRANCHES_MET
         here = self._jacobian(q, xa)
         forward = self._steps_of(here, xa, xb)
         miss = np.linalg.norm(D - forward[:, None], axis=-1)
@@ -183,13 +184,13 @@ class Continuation:
         step = size[rows, best]
         there = self._jacobian(found[best], xb)
         backward = self._steps_of(there, xa, xb)
-        allowed = AGREEMENT * step + ROUNDING
+        allowed = AGREEMENT * step + BRANCH_ROUNDING
         sure = (miss[rows, best] <= allowed) & (np.linalg.norm(d - backward, axis=-1) <= allowed)
         sure &= np.abs(d).max(-1) <= LARGEST_STEP
         if len(found) > 1:
             others = miss.copy()
             others[rows, best] = np.inf
-            sure &= others.min(1) >= CLEARANCE * miss[rows, best] + ROUNDING
+            sure &= others.min(1) >= CLEARANCE * miss[rows, best] + BRANCH_ROUNDING
         counts = np.bincount(best, minlength=len(found))
         sure &= counts[best] == 1
         sure &= _side(here) == _side(there)
@@ -198,7 +199,12 @@ class Continuation:
     def is_singular(self, q: Array, x: float) -> bool:
         """Return whether the Jacobian at a joint vector q (n,) has lost rank."""
         sigma = np.linalg.svd(self._jacobian(q, x), compute_uv=False)
-        return bool(sigma[-1] < SINGULAR * sigma[0])
+        return bool(sigma[-1] < SINGULAR_POINT * sigma[0])
+
+    def nearly_singular(self, q: Array, x: float) -> bool:
+        """Return whether a joint vector q (n,) at x lies on a singularity, but for how exactly x is known."""
+        sigma = np.linalg.svd(self._jacobian(q, x), compute_uv=False)
+        return bool(sigma[-1] < (SINGULAR_EXAMINED if x == int(x) else BRANCH_PASSED) * sigma[0])
 
     def predict(self, q: Array, xa: float, xb: float) -> Array:
         """Return where the Jacobian sends a joint vector q (n,) from xa to xb, with the least joint motion."""
@@ -253,7 +259,7 @@ class Continuation:
             (n,) joint vector, and whether forward kinematics confirms it.
         """
         T = self.pose(x)
-        q = newton(self.chain, q, T, cutoff=1e-7, max_step=np.inf, rows=self._task_rows(T))
+        q = newton(self.chain, q, T, cutoff=FOLLOWED_RANK, max_step=np.inf, rows=self._task_rows(T))
         return q, bool(self.residual(q, x) <= VERIFIED)
 
     def residual(self, q: Array, x: float) -> float:

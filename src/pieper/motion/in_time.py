@@ -9,11 +9,7 @@ from pieper.kinematics.arrays import Array
 from pieper.motion.curve import JointCurve
 from pieper.motion.motion import Tight, sample_times
 from pieper.motion.profile import Profile
-
-#: A limit binds where its value comes this near to it, relative: a little more than the tool's polygon takes away.
-BINDS = 2e-3
-#: What is passed by rounding is taken back with this much more, relative.
-ROUNDING = 1e-13
+from pieper.tolerances import LIMIT_BINDS
 
 
 def profile_of(s: Array, x: Array) -> Profile:
@@ -35,7 +31,7 @@ def sampled(curve: JointCurve, profile: Profile, rate: float) -> tuple[Array, Ar
 def binding(t: Array, ratios: list[tuple[str, str | None, Array]]) -> list[Tight]:
     """Return which limit binds when, neighbouring pieces together."""
     values = np.stack([r for _, _, r in ratios])
-    which = np.where(values.max(0) >= 1 - BINDS, values.argmax(0), -1)
+    which = np.where(values.max(0) >= 1 - LIMIT_BINDS, values.argmax(0), -1)
     edges = np.flatnonzero(np.diff(which)) + 1
     starts, ends = np.concatenate([[0], edges]), np.append(edges, len(which))
     return [

@@ -10,10 +10,11 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.motion.curve import JointCurve
-from pieper.motion.in_time import ROUNDING, binding, profile_of, sampled
+from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.motion import Motion
 from pieper.motion.profile import Profile
 from pieper.motion.timed_path import TimedPath
+from pieper.tolerances import JERK_GAIN, ONE_MOMENT, TAKEN_BACK
 
 #: Degree of a joint's speed on a piece: q' of degree 2 in s, s of degree 3 in time, times ds/dt of degree 2.
 DEGREE = 8
@@ -23,8 +24,6 @@ WINDOWS = (1.0, 1.4, 2.0, 2.8)
 ROUNDS = 10
 #: Bounds are taken back by this part of what was passed.
 BACK = 0.5
-#: A round that gains less than this, relative, was the last but one.
-GAIN = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +67,7 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
         margin = max(float(r.max()) for _, _, r in ratios)
         if margin <= 1:
             break
-        factor = margin * (1 + ROUNDING)
+        factor = margin * (1 + TAKEN_BACK)
     t, q, dq, ddq, dddq, s = sampled(curve, profile, rate)
     ends = np.array([0.0, profile.duration])
     tight = tuple(binding(profile.t, ratios))
@@ -101,11 +100,11 @@ def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:
         need = _need(ratios)
         factor = float(need.max())
         found = _Tried(profile.duration * max(factor, 1.0), max(factor, 1.0), profile, ratios)
-        if best is None or found.duration < best.duration * (1 - GAIN):
+        if best is None or found.duration < best.duration * (1 - JERK_GAIN):
             best = found
         else:
             break
-        if factor <= 1 + GAIN:
+        if factor <= 1 + JERK_GAIN:
             break
         # where the evened motion is too fast the profile under the window is taken back
         worst = np.ones(len(easing))
@@ -134,7 +133,7 @@ def averaged(profile: Profile, window: float) -> Profile:
     """
     T, w = profile.duration, window
     t = np.union1d(profile.t, profile.t + w)
-    t = t[np.append(True, np.diff(t) > 1e-12 * (T + w))]
+    t = t[np.append(True, np.diff(t) > ONE_MOMENT * (T + w))]
     t[-1] = T + w
     begun = profile.t
     s, v, a, j = profile.c.T
@@ -181,7 +180,7 @@ def peaks(
     Where they need not be `proved` the largest of three values is taken instead: enough for a search.
     """
     t = np.union1d(profile.t, crossings(profile, curve.s[1:-1]))
-    t = t[np.append(True, np.diff(t) > 1e-12 * profile.duration)]
+    t = t[np.append(True, np.diff(t) > ONE_MOMENT * profile.duration)]
     t[-1] = profile.duration
     s, v, a, j = profile.at(t[:-1])
     split = Profile(t, np.stack([s, v, a, j], 1))

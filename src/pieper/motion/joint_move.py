@@ -9,9 +9,7 @@ from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion, Tight, sample_times
 from pieper.motion.profile import Profile, phases, rest_to_rest
-
-#: Limits are kept by this much, relative, so that rounding does not pass them.
-ROUNDING = 1e-13
+from pieper.tolerances import LIMIT_KEPT, TOP_REACHED
 
 
 def joint_move(q0: ArrayLike, q1: ArrayLike, limits: Limits, *, rate: float = 500.0) -> Motion:
@@ -83,12 +81,12 @@ def straight_profile(
     rows = [bound.speed * share, bound.acceleration, *([bound.jerk] if bound.jerk is not None else [])]
     with np.errstate(divide="ignore"):
         ratios = [row / size for row in rows]
-    least = [float(r.min()) * (1 - ROUNDING) for r in ratios]
+    least = [float(r.min()) * (1 - LIMIT_KEPT) for r in ratios]
     profile = rest_to_rest(least[0], least[1], least[2] if len(least) > 2 else None)
     passed = margin_of_line(way, profile, limits)
     if passed > 1:
         # phases of very different lengths leave more rounding than was allowed for
-        profile = profile.slower(passed * (1 + ROUNDING))
+        profile = profile.slower(passed * (1 + LIMIT_KEPT))
     return profile, [names[int(np.argmin(r))] for r in ratios]
 
 
@@ -112,7 +110,7 @@ def tight_pieces(profile: Profile, binding: list[str]) -> list[Tight]:
     top = np.abs(profile.c[:, 1]).max()
     for i, (_, v, a, j) in enumerate(profile.c):
         level = 2 if j else 1 if a else 0
-        if level == 0 and v < top * (1 - 1e-9):
+        if level == 0 and v < top * (1 - TOP_REACHED):
             continue
         name = ("speed", "acceleration", "jerk")[level]
         out.append(Tight(float(profile.t[i]), float(profile.t[i + 1]), name, binding[level]))

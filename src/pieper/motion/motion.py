@@ -14,6 +14,7 @@ from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.motion.limits import Limits
+from pieper.tolerances import LAST_SAMPLE
 
 #: More samples than this are asked for by mistake (a rate in the wrong unit), not on purpose.
 MAX_SAMPLES = 10_000_000
@@ -181,6 +182,6 @@ def sample_times(duration: float, rate: float) -> Array:
         )
     t = np.arange(int(np.floor(duration * each)) + 1) / each
     # a last sample that differs from the end by rounding only is the end
-    if len(t) > 1 and duration - t[-1] <= 1e-6 / each:
+    if len(t) > 1 and duration - t[-1] <= LAST_SAMPLE / each:
         t = t[:-1]
     return np.append(t, duration)

@@ -9,9 +9,7 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.pose import PoseLike, checked_pose, rotation_about, rotation_vector
-
-#: Rotations closer than this (rad) to a half turn have two equally short ways; the axis is then chosen by rule.
-HALF_TURN_MARGIN = 1e-9
+from pieper.tolerances import HALF_TURN_MARGIN
 
 
 def line(T0: PoseLike, T1: PoseLike, n: int = 50) -> Array:

@@ -74,7 +74,7 @@ def load_program(arm: ProgramArm, path: str | os.PathLike[str]) -> Program:
     meant = data.get("arm", arm.plan.name)
     if meant != arm.plan.name:
         raise InputError(f"{file.name} is a program of {meant}, not of {arm.plan.name}.", given=meant)
-    scale = np.where(arm.plan.prismatic, 1e-3, np.pi / 180)
+    scale = np.where(arm.plan.prismatic, 0.001, np.pi / 180)
     limits = _limits(data.get("limits"), scale, file.name)
     start = data.get("start")
     begin = (
@@ -182,7 +182,7 @@ def _vector(value: Any, count: int, what: str) -> Array:
 def _length(value: Any, what: str) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         raise InputError(f"{what} must be a number, got {value!r}.", given=value)
-    return float(value) * 1e-3
+    return float(value) * 0.001
 
 
 def _pose(value: Any, what: str) -> Array:

@@ -55,7 +55,7 @@ def _table(text: str, n: int, name: str) -> tuple[Array, Array, Array, Array]:
     columns = head.split(",")
     if columns[0] != "t_s" or len(columns) < 1 + n:
         raise InputError(f"{name}: the first column must be t_s, time in s, and {n} joints follow.", given=head)
-    units = [1e-3 if re.sub(r"_per_s2?$", "", c).endswith("_mm") else np.pi / 180 for c in columns[1:]]
+    units = [0.001 if re.sub(r"_per_s2?$", "", c).endswith("_mm") else np.pi / 180 for c in columns[1:]]
     values = np.array([[float(v) for v in row.split(",")] for row in rows])
     if values.ndim != 2 or values.shape[1] != len(columns):
         raise ValueError("rows have another number of columns than the head")
@@ -70,4 +70,4 @@ def _table(text: str, n: int, name: str) -> tuple[Array, Array, Array, Array]:
 def _trajectory(text: str) -> tuple[Array, Array, Array, Array]:
     points = [m.groups() for m in _YAML.finditer(text)]
     q, dq, ddq = (np.array([[float(v) for v in p[k].split(",")] for p in points]) for k in range(3))
-    return np.array([int(p[3]) + int(p[4]) * 1e-9 for p in points]), q, dq, ddq
+    return np.array([int(p[3]) + int(p[4]) / 1e9 for p in points]), q, dq, ddq

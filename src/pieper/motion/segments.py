@@ -12,14 +12,13 @@ from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import pose_error
 from pieper.motion.circle import circle
 from pieper.motion.curve import JointCurve
+from pieper.motion.following import followed
 from pieper.motion.instructions import Move
 from pieper.motion.path import between
 from pieper.motion.spline import spline
-from pieper.motion.track import follow
 from pieper.solver.plan.plan import Plan
+from pieper.tolerances import PROGRAM_FOLLOWS_ON, PROGRAM_STANDS, STRAYS
 
-#: How far the tool may be from its line or circle between the points of the spline, m and rad.
-STRAYS = 1e-5
 #: Points of a line or a circle, at first and at most.
 POINTS, MOST_POINTS = 33, 2049
 #: Points of a joint move, where it is joined with others.
@@ -53,15 +52,15 @@ def segment(plan: Plan, number: int, q0: Array, T0: Array, move: Move) -> Segmen
             raise InputError(f"move {number} has no length: the arm is there already. Leave it out.", move=number)
         s = np.linspace(0.0, 1.0, STRAIGHT_POINTS)
         return Segment(move, JointCurve.through(s, q0 + s[:, None] * (move.q - q0)), 0.0)
-    if move.through is None and (_missed(plan, T0[None], move.T[None]) < 1e-9).all():
+    if move.through is None and (_missed(plan, T0[None], move.T[None]) < PROGRAM_STANDS).all():
         raise InputError(f"move {number} has no length: the tool is there already. Leave it out.", move=number)
     points = POINTS
     while True:
         s = np.linspace(0.0, 1.0, points)
-        track = follow(plan, _poses(T0, move, s), start=q0)
+        track = followed(plan, _poses(T0, move, s), start=q0)
         if not track.complete:
             raise NoSolutionError(f"move {number} cannot be followed. {track.explain()}", move=number)
-        if np.abs(plan.chain.joints.difference(track.q[0], q0)).max() > 1e-6:
+        if np.abs(plan.chain.joints.difference(track.q[0], q0)).max() > PROGRAM_FOLLOWS_ON:
             raise NoSolutionError(
                 f"move {number} cannot begin: its line leaves the posture the arm is in at once.", move=number
             )

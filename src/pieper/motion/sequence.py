@@ -10,6 +10,7 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.motion.motion import MAX_SAMPLES, Motion
+from pieper.tolerances import LAST_SAMPLE
 from pieper.words_by_number import plural
 
 
@@ -73,7 +74,7 @@ def sequence(
     # samples that differ by rounding only are one sample; the exact arrival or departure stays
     marks = np.concatenate([arrivals, departures])
     close = np.abs(t[:, None] - marks[None]).min(1)
-    t = t[(close == 0.0) | (close > 1e-6 / rate)]
+    t = t[(close == 0.0) | (close > LAST_SAMPLE / rate)]
     leg = np.clip(np.searchsorted(departures, t, side="right") - 1, 0, legs - 1)
     u = np.clip((t - departures[leg]) / durations[leg], 0.0, 1.0)[:, None]
     u[t == arrivals[leg + 1]] = 1.0

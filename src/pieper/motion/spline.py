@@ -10,11 +10,10 @@ from pieper.kinematics.orientation import quaternion_of
 from pieper.kinematics.pose import pose_error
 from pieper.kinematics.spoken_many import poses
 from pieper.motion.curve import JointCurve
+from pieper.tolerances import ONE_POSE
 
 #: A turn of one radian counts as this much way, m, in how the curve's parameter is shared out between the poses.
 METRES_A_RADIAN = 0.1
-#: Poses nearer than this (m, and rad) are one.
-ONE_POSE = 1e-9
 
 
 def spline(T0: Array, through: Array, s: Array) -> Array:

@@ -10,11 +10,12 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.motion.certificate import joint_peaks, tool_acceleration_peaks, vector_peaks
 from pieper.motion.constant_speed import checked_sections, section_grid, why_not
-from pieper.motion.in_time import ROUNDING, binding, profile_of, sampled
+from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.jerk import smooth_motion
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
 from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
+from pieper.tolerances import TAKEN_BACK
 
 
 def time_law(
@@ -70,7 +71,7 @@ def motion_of(timed: TimedPath, x: Array, deviation: float, rate: float) -> Moti
     ratios = peak_ratios(timed, x)
     margin = max(float(r.max()) for _, _, r in ratios)
     while margin > 1:
-        x = x / (margin * (1 + ROUNDING)) ** 2
+        x = x / (margin * (1 + TAKEN_BACK)) ** 2
         ratios = peak_ratios(timed, x)
         margin = max(float(r.max()) for _, _, r in ratios)
     profile = profile_of(timed.curve.s, x)

@@ -20,6 +20,7 @@ from pieper.motion.route.result import Route
 from pieper.motion.tool_bounds import ToolCurve, tool_curve
 from pieper.motion.track import Track
 from pieper.solver.plan.plan import Plan
+from pieper.tolerances import ONE_POINT_OF_PATH, SQUARES_LEAST, TINY
 
 #: Pieces of the grid on which a profile is made, at least; a curve through few points bends more on each of its pieces,
 GRID = 1000
@@ -131,9 +132,9 @@ class TimedPath:
         for end in (0, 1):
             p, d = self.tool.point[end : k + end], self.tool.bend[end : k + end]
             # the plane that both lie in
-            e1 = p / np.maximum(np.linalg.norm(p, axis=1, keepdims=True), 1e-300)
+            e1 = p / np.maximum(np.linalg.norm(p, axis=1, keepdims=True), TINY)
             across = d - (d * e1).sum(1, keepdims=True) * e1
-            e2 = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
+            e2 = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), TINY)
             way = np.cos(angle)[:, None, None] * e1 + np.sin(angle)[:, None, None] * e2
             along, bent = (way * p).sum(-1).T, (way * d).sum(-1).T
             # u and x at the piece's beginning; x at its end is x + 2 h u
@@ -172,7 +173,7 @@ def _caps(value: Array, strays: Array, most: Array) -> Array:
     size = np.max([size, beside[:-2], beside[2:], inside[:-1], inside[1:]], axis=0)
     inner = np.minimum(np.append(most, np.inf), np.append(np.inf, most))
     with np.errstate(divide="ignore"):
-        x = np.where(np.isinf(inner), np.inf, (inner / np.maximum(size, 1e-150)) ** 2)
+        x = np.where(np.isinf(inner), np.inf, (inner / np.maximum(size, SQUARES_LEAST)) ** 2)
     bounded = np.isfinite(most)
     if not bounded.any():
         return x
@@ -243,7 +244,7 @@ def on_grid(
         # a grid point next to one that must be there makes a cell of no length
         must = np.union1d(curve.s, at)
         gap = np.abs(grid[:, None] - must[None]).min(1)
-        grid = grid[(gap == 0) | (gap > 1e-9)]
+        grid = grid[(gap == 0) | (gap > ONE_POINT_OF_PATH)]
     i = curve.piece(grid[:-1])
     split = curve.split(grid)
     shares = np.ones(len(i)) if share is None else share[i]

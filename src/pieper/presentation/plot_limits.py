@@ -10,6 +10,7 @@ from pieper.drawing.style import COLOURS, FAINT, INK, curve, legend, new_figure,
 from pieper.errors import InputError
 from pieper.motion.motion import Motion
 from pieper.presentation.plot_curves import joint_text
+from pieper.tolerances import DRAWN_TIME
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -53,7 +54,7 @@ def limits_figure(motion: Motion, *, title: str = "") -> Figure:
             legend(axes, loc="center left", bbox_to_anchor=(1.0, 0.5))
     _strip(figure.add_subplot(grid[len(kinds)], sharex=first), motion, binding)
     assert first is not None
-    first.set_xlim(0, max(motion.duration, 1e-9))
+    first.set_xlim(0, max(motion.duration, DRAWN_TIME))
     return figure
 
 

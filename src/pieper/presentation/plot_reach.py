@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper.drawing.skeleton import skeleton
 from pieper.drawing.style import COLOURS, FAINT, INK, MM, new_figure, plain_axes
+from pieper.tolerances import DRAWN_CELL, NO_DIRECTION, UPRIGHT_AXIS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -38,7 +39,7 @@ def reach_samples(arm: Arm, *, samples: int = SAMPLES, seed: int = 1) -> np.ndar
 
 def is_upright(arm: Arm) -> bool:
     """Return whether the first joint turns about an axis along z."""
-    return bool(abs(arm.chain.axes[0][2]) > 0.999999 and arm.joint_types[0] == "R")
+    return bool(abs(arm.chain.axes[0][2]) > UPRIGHT_AXIS and arm.joint_types[0] == "R")
 
 
 def joint_range(arm: Arm) -> tuple[np.ndarray, np.ndarray]:
@@ -74,14 +75,14 @@ def reach_figure(arm: Arm, *, points: np.ndarray | None = None, q: np.ndarray | 
         side = np.stack([radius, points[:, 2]], 1)
         # the posture is shown with its radius signed by where its tool points
         ahead = line[-1, :2] - foot[:2]
-        ahead = ahead / np.linalg.norm(ahead) if np.linalg.norm(ahead) > 1e-9 else np.array([1.0, 0.0])
+        ahead = ahead / np.linalg.norm(ahead) if np.linalg.norm(ahead) > NO_DIRECTION else np.array([1.0, 0.0])
         drawn = np.stack([(line[:, :2] - foot[:2]) @ ahead, line[:, 2]], 1)
         labels = ("distance from the first axis, mm", "z, mm")
     else:
         side, drawn, labels = points[:, [0, 2]], line[:, [0, 2]], ("x, mm", "z, mm")
     _slice(figure.add_subplot(1, 2, 1), side, drawn, labels, "from the side")
     height = float(np.median(points[:, 2]))
-    thick = 0.04 * float(np.ptp(points[:, 2])) + 1e-9
+    thick = 0.04 * float(np.ptp(points[:, 2])) + NO_DIRECTION
     near = np.abs(points[:, 2] - height) <= thick
     title = f"from above, z = {height * MM:.0f} ± {thick * MM:.0f} mm"
     above = points[near][:, :2]
@@ -108,7 +109,7 @@ def _slice(axes: Any, cloud: np.ndarray, line: np.ndarray | None, labels: tuple[
     plain_axes(axes, x=labels[0], y=labels[1], title=title)
     cloud = cloud * MM
     low, high = cloud.min(0), cloud.max(0)
-    cell = max(float((high - low).max()) / CELLS, 1e-6)
+    cell = max(float((high - low).max()) / CELLS, DRAWN_CELL)
     bins = [np.arange(low[k] - 2 * cell, high[k] + 3 * cell, cell) for k in range(2)]
     counts, x, y = np.histogram2d(*cloud.T, bins=bins)
     shades = LinearSegmentedColormap.from_list("reach", ["#d6e9f5", "#56B4E9", "#0072B2"])

@@ -8,7 +8,6 @@ import numpy as np
 
 from pieper.drawing.style import COLOURS, INK, legend, new_figure, plain_axes
 from pieper.motion.route.result import Route
-from pieper.motion.route.turn_map import turn_map
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,12 +26,12 @@ def route_figure(route: Route, *, title: str = "") -> Figure:
     Returns:
         The figure.
     """
-    known = turn_map(route)
+    known = route.map
     branches = known.branches[:MOST]
     rows = max(1, len(branches))
     figure = new_figure(7.2, 1.2 + 1.15 * rows)
     grid = figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0]
-    labels = _labels(route)
+    labels = route.labels
     low, high = float(np.degrees(known.turn[0])), float(np.degrees(known.turn[-1]))
     step = (high - low) / max(len(known.turn) - 1, 1)
     drawn = False
@@ -74,9 +73,3 @@ def route_figure(route: Route, *, title: str = "") -> Figure:
     name = title or f"{route.plan.name}: {route.verdict.name.lower()}"
     figure.suptitle(name, color=INK, fontsize=11, x=0.02, ha="left")
     return figure
-
-
-def _labels(route: Route) -> list[str]:
-    from pieper.solver.words.labels import posture_words
-
-    return list(posture_words(route.plan, route.q)) if route.found else []

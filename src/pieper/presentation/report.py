@@ -26,6 +26,7 @@ from pieper.presentation.sections_arm import (
     add_singularities,
 )
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
+from pieper.tolerances import WHOLE_TURN
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
@@ -157,7 +158,9 @@ def add_peculiarities(page: Document, arm: Arm) -> None:
     """Add what is peculiar about an arm, in words; nothing when nothing is."""
     d, notes = arm.description, []
     wide = [
-        d.joint_names[i] for i, (a, b) in enumerate(d.limits) if arm.joint_types[i] == "R" and b - a > 2 * np.pi + 1e-9
+        d.joint_names[i]
+        for i, (a, b) in enumerate(d.limits)
+        if arm.joint_types[i] == "R" and b - a > 2 * np.pi + WHOLE_TURN
     ]
     finite = [name for name in wide if np.isfinite(d.limits[d.joint_names.index(name)]).all()]
     if finite:

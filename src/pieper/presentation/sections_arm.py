@@ -14,6 +14,7 @@ from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
 from pieper.solver.families import named
+from pieper.tolerances import ROUNDING
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
@@ -129,8 +130,8 @@ def add_arm(page: Document, arm: Arm) -> None:
 def _variable(arm: Arm, i: int) -> str:
     d = arm.description
     revolute = arm.joint_types[i] == "R"
-    name = "q" + "".join(chr(0x2080 + int(c)) for c in str(i + 1))
-    text = name if d.sign[i] > 0 else f"−{name}"
+    names = ["q" + "".join(chr(0x2080 + int(c)) for c in str(k + 1)) for k in range(arm.n)]
+    text = d.moved_by(i, names, signed=True).replace("-", "−")
     constant = (d.rows[i].theta if revolute else d.rows[i].d) + d.offset[i]
     if constant:
         shown = fixed(abs(np.degrees(constant) if revolute else constant * MM))
@@ -140,7 +141,7 @@ def _variable(arm: Arm, i: int) -> str:
 
 def _turned(T: np.ndarray) -> str:
     angles = np.degrees(rpy_of(T[:3, :3]))
-    if np.abs(angles).max() < 1e-12:
+    if np.abs(angles).max() < ROUNDING:
         return ""
     return f", turned by roll, pitch, yaw ({', '.join(fixed(v, 2) for v in angles)})° about the fixed axes"
 

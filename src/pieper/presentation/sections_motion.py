@@ -13,6 +13,7 @@ from pieper.presentation.plot_arm import configuration_figure, solutions_figure
 from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
 from pieper.presentation.plot_path import path_figure
 from pieper.presentation.sections_arm import fixed, joint_heads, joint_value
+from pieper.tolerances import ROUNDING
 
 if TYPE_CHECKING:
     from pieper.motion.sequence import Motion
@@ -33,7 +34,7 @@ def scientific(value: float) -> str:
 def pose_words(T: np.ndarray) -> str:
     """Return a pose in words: position in mm and, unless it is the identity, roll, pitch, yaw."""
     p = ", ".join(fixed(v * MM, 2) for v in T[:3, 3])
-    if np.allclose(T[:3, :3], np.eye(3), atol=1e-12):
+    if np.allclose(T[:3, :3], np.eye(3), atol=ROUNDING):
         return f"({p}) mm with the orientation R = I"
     return f"({p}) mm, roll, pitch, yaw ({', '.join(fixed(v, 3) for v in np.degrees(rpy_of(T[:3, :3])))})°"
 

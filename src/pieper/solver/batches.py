@@ -12,8 +12,9 @@ import numpy.typing as npt
 from pieper import _kernel
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
-from pieper.kinematics.forward import checked_joints
+from pieper.kinematics.forward import checked_joints, checked_weights
 from pieper.kinematics.pose import PoseLike, as_pose, unsound
+from pieper.solver.coupled_selection import CoupledSelection, RowSelection
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Status
 from pieper.solver.rows import Chosen, Refused, Rows
@@ -40,7 +41,7 @@ class Near:
         start: (n,) what the first is near to then; None for the first row inside the limits.
     """
 
-    select: _kernel.Selection
+    select: RowSelection
     to: Array | None
     start: Array | None
 
@@ -82,11 +83,16 @@ def near_what(
                 raise InputError(f"{name}= says how a row is chosen: say near= too, or leave it out.", given=given)
         return None
     joints = plan.chain.joints.first(plan.n)
-    select = _kernel.Selection(
-        lower=plan.limits[:, 0] - LIMIT_SLACK,
-        upper=plan.limits[:, 1] + LIMIT_SLACK,
-        weight=_weights(weights, plan.n) / joints.unit**2,
-        prismatic=joints.prismatic,
+    weight = checked_weights(weights, plan.n) / joints.unit**2
+    select: RowSelection = (
+        _kernel.Selection(
+            lower=plan.limits[:, 0] - LIMIT_SLACK,
+            upper=plan.limits[:, 1] + LIMIT_SLACK,
+            weight=weight,
+            prismatic=joints.prismatic,
+        )
+        if joints.coupled is None
+        else CoupledSelection(joints.coupled, plan.limits, weight)
     )
     if isinstance(near, str):
         if near != PREVIOUS:
@@ -107,22 +113,6 @@ def _joints(given: ArrayLike, n: int, what: str, shapes: Sequence[tuple[int, ...
         allowed = " or ".join(map(str, shapes))
         raise InputError(f"{what} must have shape {allowed}, got {joints.shape}.", given=joints.shape)
     return joints
-
-
-def _weights(given: ArrayLike | None, n: int) -> Array:
-    if given is None:
-        return np.ones(n)
-    try:
-        weights = np.asarray(given, float)
-    except (TypeError, ValueError):
-        raise InputError(f"weights must be numbers, got {type(given).__name__}.", given=given) from None
-    if weights.shape != (n,):
-        raise InputError(f"weights must have shape ({n},), one a joint, got {weights.shape}.", given=weights.shape)
-    if not (np.isfinite(weights).all() and (weights >= 0).all() and (weights > 0).any()):
-        raise InputError(
-            f"weights must be finite, none negative and not all of them zero, got {weights.tolist()}.", given=given
-        )
-    return weights
 
 
 # ---------------------------------------------------------------------------------------------- poses that are none

@@ -11,10 +11,7 @@ from pieper.kinematics.arrays import Array, Bits, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton
 from pieper.solver.plan.plan import Plan
-from pieper.tolerances import CLOSES, FILLED_ZERO, SAME_ROW
-
-#: How far beside a value at which what is left of the arm is solved by no family it is solved instead (rad; lengths).
-BESIDE = (1e-4, -1e-4, 1e-3)
+from pieper.tolerances import BESIDE_UNSOLVED, CLOSES, FILLED_ZERO, PULLED_RANK, SAME_ROW
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -87,7 +84,7 @@ def _beside_special(plan: Plan, T: Array, value: Array, threads: int, refused: P
     was made there has a continuous set, of which some points are given.
     """
     six = plan.reduction.six(value)
-    for step in BESIDE:
+    for step in BESIDE_UNSOLVED:
         beside = value + step * np.where(plan.reduction.full.prismatic[list(plan.reduction.locked)], six.length, 1.0)
         try:
             q, valid, _, flags = plan.solvers.at(tuple(beside)).many(T, threads)
@@ -95,7 +92,7 @@ def _beside_special(plan: Plan, T: Array, value: Array, threads: int, refused: P
             continue
         pose, slot = np.nonzero(valid)
         q, valid = q.copy(), np.zeros_like(valid)
-        moved = newton(six, q[pose, slot], T[pose], steps=20, cutoff=1e-7)
+        moved = newton(six, q[pose, slot], T[pose], steps=20, cutoff=PULLED_RANK)
         q[pose, slot] = six.joints.wrapped(moved)
         valid[pose, slot] = missed(six, moved, T[pose]) < CLOSES
         return q, without_repeats(six, q, valid), flags

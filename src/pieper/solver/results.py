@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
@@ -13,8 +12,7 @@ import numpy as np
 from pieper.document.columns import Column, Tabular, Units
 from pieper.errors import InputError, NoSolutionError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
-from pieper.kinematics.forward import checked_joints
-from pieper.kinematics.joints import TURN
+from pieper.kinematics.forward import checked_joint_vector, checked_weights
 from pieper.kinematics.pose import reason_against
 from pieper.solver.marked import Marked
 from pieper.solver.plan.plan import Plan
@@ -22,7 +20,6 @@ from pieper.solver.rows import Chosen, Flag, Refused, Rows
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.solution import Closest, Solution, batch_columns, solution_columns
-from pieper.tolerances import LIMIT_SLACK
 from pieper.words_by_number import plural
 
 # plain numbers: an IntFlag takes a microsecond to be combined with one
@@ -229,37 +226,30 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
 
     def windings(self) -> Array:
         """Every whole-turn variant (w, n) of q inside the limits; an unlimited joint keeps its one value."""
-        rows: list[tuple[float, ...]] = []
-        for row in self.q:
-            choices: list[list[float]] = []
-            for value, (lower, upper), slides in zip(row, self._plan.limits, self._plan.prismatic, strict=True):
-                if slides or not (np.isfinite(lower) and np.isfinite(upper)):
-                    choices.append([value])
-                    continue
-                first = int(np.ceil((lower - LIMIT_SLACK - value) / TURN))
-                last = int(np.floor((upper + LIMIT_SLACK - value) / TURN))
-                choices.append([value + TURN * k for k in range(first, last + 1)])
-            rows.extend(itertools.product(*choices))
-        return np.array(rows).reshape(-1, self._plan.n)
+        joints, limits = self._plan.chain.joints.first(self._plan.n), self._plan.limits
+        return np.concatenate([np.empty((0, self._plan.n)), *(joints.variants(row, limits) for row in self.q)])
 
-    def nearest(self, q_now: ArrayLike) -> Array:
+    def nearest(self, q_now: ArrayLike, weights: ArrayLike | None = None) -> Array:
         """Return the solution (n,) closest to q_now, whole turns resolved inside the limits, self-motions included.
 
         The distance is Euclidean in radians, prismatic joints divided by the arm's characteristic length.
 
         Args:
             q_now: (n,) rad or m.
+            weights: (n,) how much the square of each joint's difference counts, none negative; all the same if None.
 
         Raises:
+            InputError: A wrong length or weight.
             NoSolutionError: No solution lies inside the limits; the message says why.
         """
-        joints, now = self._plan.chain.joints, checked_joints(q_now, self._plan.n, "q_now")
-        candidates = [joints.unwound(row, now, self._plan.limits) for row in self.q]
-        candidates += [point for motion in self.self_motions if (point := motion.nearest(now)) is not None]
+        joints, now = self._plan.chain.joints, checked_joint_vector(q_now, self._plan.n, "q_now")
+        counts = checked_weights(weights, self._plan.n)
+        candidates = list(joints.unwound(self.q, now, self._plan.limits))
+        candidates += [point for motion in self.self_motions if (point := motion.nearest(now, counts)) is not None]
         if not candidates:
             raise NoSolutionError(f"there is no solution to be near to: {self.why}", status=self.status)
         rows = np.array(candidates)
-        return rows[np.argmin(joints.straight(rows, now))]
+        return rows[np.argmin(joints.straight(rows, now, counts))]
 
     def nearest_row(self, q_now: ArrayLike) -> tuple[int, Array]:
         """Return which row of q is closest to q_now, and that row (n,) with whole turns resolved inside the limits.
@@ -267,7 +257,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         Raises:
             NoSolutionError: No solution lies inside the limits; the message says why.
         """
-        joints, now = self._plan.chain.joints, checked_joints(q_now, self._plan.n, "q_now")
+        joints, now = self._plan.chain.joints, checked_joint_vector(q_now, self._plan.n, "q_now")
         if not len(self.q):
             raise NoSolutionError(f"there is no solution to be near to: {self.why}", status=self.status)
         rows = joints.unwound(self.q, now, self._plan.limits)

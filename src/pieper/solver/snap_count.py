@@ -10,13 +10,11 @@ from pieper.kinematics.pose import stepped
 from pieper.solver.kernel_rows import Solved, kernel_rows, without_repeats
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag
-from pieper.tolerances import FILLED_ZERO
+from pieper.tolerances import FILLED_ZERO, NO_MORE_THAN_TYPED
 
 #: How far from the pose the nominal arm's count is looked at, in multiples of how far the two arms differ: a double
 #: cross of twelve poses so far away encloses the ball that the difference may lead to.
 MARGIN = 3.0
-#: Arms that differ by no more (per length; rad) have none where the nominal one has none, neither here nor around.
-NO_MORE_THAN_TYPED = 1e-4
 #: Poses whose surroundings are looked at in one go: it bounds the memory.
 CHUNK = 4096
 

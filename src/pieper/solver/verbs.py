@@ -324,8 +324,11 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
     motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults)
     if asked.free and not inside.any():
         rows, kind = choose_elsewhere(plan, T[None], rows, 1)
-        q, slots, inside, _ = rows.of(0)
+        q, slots, inside, there = rows.of(0)
         motions = motions if kind[0] else ()
+        flag = there | (flag & _ROUNDED)
+    if asked.free and inside.any():
+        flag &= ~_UNCERTAIN  # of rows at a value that nobody chose nobody was told that they are all
     return Solutions(asked.plan, WORDS, T, q, slots, inside, int(flag) & ~_DEGENERATE, self_motions=motions)
 
 
@@ -339,6 +342,8 @@ def _spare(plan: Plan, poses: Array, rows: Rows, asked: Choice, threads: int) ->
         none = np.flatnonzero(~_any(rows.inside))
         if len(none):
             rows, _ = choose_elsewhere(plan, _checked(poses), rows, threads)
+        # of rows at a value that nobody chose nobody was told that they are all
+        rows.flags[_any(rows.inside)] &= np.uint8(255 ^ _UNCERTAIN)
         return rows, _SPARE[_any(rows.valid).astype(np.uint8) + _any(rows.inside)]
     some, within = _any(rows.valid), _any(rows.inside)
     status = _SPARE[some.astype(np.uint8) + within]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
@@ -11,12 +10,19 @@ from pieper.description.dh import Description
 from pieper.errors import InputError, PlanError
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, Indices
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import settled, shortest
 from pieper.kinematics.pose import pose_error, rotation_vector
 from pieper.solver import verbs
-from pieper.solver.plan.plan import Plan
-from pieper.tolerances import VERIFY_AGREES, VERIFY_KNOWN, VERIFY_PER_SIGMA, VERIFY_SETTLED
+from pieper.solver.plan.planned_arm import PlannedArm
+from pieper.tolerances import (
+    TINY,
+    VERIFY_AGREES,
+    VERIFY_KNOWN,
+    VERIFY_ON_CURVE,
+    VERIFY_PER_SIGMA,
+    VERIFY_SETTLED,
+    VERIFY_SHORTEST,
+)
 from pieper.verify.toolboxes import Toolbox, open_toolbox
 from pieper.words_by_number import plural
 
@@ -24,20 +30,6 @@ from pieper.words_by_number import plural
 STARTS = 4
 #: Joints without limits are drawn from this far on both sides, rad or m.
 ENDLESS = np.pi
-#: A self-motion's samples are met within this, rad or lengths.
-ON_CURVE = 1e-4
-
-
-class Arm(Protocol):
-    """What is compared; `pieper.Arm` has it all."""
-
-    description: Description
-    chain: Chain
-
-    @property
-    def plan(self) -> Plan:
-        """How the arm is solved; raises `PlanError`."""
-        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,7 +99,7 @@ class Comparison:
         return "\n".join([*rows, self.explain()])
 
 
-def compare(arm: Arm, toolbox: str | Toolbox, *, poses: int = 100, seed: int = 0) -> Comparison:
+def compare(arm: PlannedArm, toolbox: str | Toolbox, *, poses: int = 100, seed: int = 0) -> Comparison:
     """Compare an arm with what a toolbox makes of it, at random postures inside the limits.
 
     Args:
@@ -145,7 +137,7 @@ def _postures(arm: Description, count: int, rng: np.random.Generator) -> Array:
     return low + (high - low) * rng.random((count, arm.n))
 
 
-def _forward(arm: Arm, other: Toolbox, q: Array) -> list[Line]:
+def _forward(arm: PlannedArm, other: Toolbox, q: Array) -> list[Line]:
     length = arm.chain.length
     apart = pose_error(forward.fk(arm.chain, q), np.array([other.fk(row) for row in q]))
     J = forward.jacobian(arm.chain, q) - np.array([other.jacobian(row) for row in q])
@@ -169,7 +161,9 @@ def _line(what: str, off: Array, unit: str, q: Array, scale: float) -> Line:
     return Line(what, float(off[at]), unit, len(off), q[at], bool(off[at] <= VERIFY_AGREES * scale))
 
 
-def _inverse(arm: Arm, other: Toolbox, q: Array, rng: np.random.Generator) -> tuple[list[Line], Array, list[str]]:
+def _inverse(
+    arm: PlannedArm, other: Toolbox, q: Array, rng: np.random.Generator
+) -> tuple[list[Line], Array, list[str]]:
     """Put pieper's solutions through the toolbox, and look for the toolbox's among pieper's."""
     task, joints = arm.plan.task, arm.chain.joints
     back, rows, near, missing, met, on_curves, own = [], [], [], [], 0, 0, 0
@@ -189,7 +183,7 @@ def _inverse(arm: Arm, other: Toolbox, q: Array, rng: np.random.Generator) -> tu
             apart = float(joints.apart(given.all_q, row).min()) if len(given.all_q) else np.inf
             if apart <= slack:
                 near.append(apart)
-            elif any(sm.contains(row, ON_CURVE) for sm in (curves if given is sols else ())):
+            elif any(sm.contains(row, VERIFY_ON_CURVE) for sm in (curves if given is sols else ())):
                 on_curves += 1
             else:
                 missing.append(row)
@@ -211,7 +205,7 @@ def _inverse(arm: Arm, other: Toolbox, q: Array, rng: np.random.Generator) -> tu
     return lines, np.array(missing).reshape(-1, arm.chain.n), said
 
 
-def _held(arm: Arm, q: Array) -> dict[str, float] | None:
+def _held(arm: PlannedArm, q: Array) -> dict[str, float] | None:
     """Return the values that q has of the joints an arm has to spare; None where it has none."""
     names, spare = arm.description.joint_names, arm.plan.redundancy
     if not spare or not set(spare) <= set(names):
@@ -219,7 +213,7 @@ def _held(arm: Arm, q: Array) -> dict[str, float] | None:
     return {name: float(q[names.index(name)]) for name in spare}
 
 
-def _may_be_held(arm: Arm, q: Array) -> bool:
+def _may_be_held(arm: PlannedArm, q: Array) -> bool:
     """Return whether the joints to spare are inside their limits, where alone they can be held."""
     held = _held(arm, q) or {}
     low, high = arm.description.limits.T
@@ -235,7 +229,7 @@ def _left(T: Array, wanted: Array, task: str) -> tuple[float, float]:
 
 
 def _theirs(
-    arm: Arm, other: Toolbox, T: Array, near: Array, rng: np.random.Generator
+    arm: PlannedArm, other: Toolbox, T: Array, near: Array, rng: np.random.Generator
 ) -> tuple[list[tuple[Array, float]], int]:
     """Return solutions (n,) of the toolbox, how well a pose pins each down, and how many its own solver met."""
     starts = [near + 0.1 * rng.standard_normal(arm.chain.n), *_postures(arm.description, STARTS - 1, rng)]
@@ -253,10 +247,10 @@ def _theirs(
         J[:, :3] /= length
         return J
 
-    found, left = settled(miss, slope, q, unit, steps=40, longest=0.5, step=shortest(1e-9))
+    found, left = settled(miss, slope, q, unit, steps=40, longest=0.5, step=shortest(VERIFY_SHORTEST))
     kept = []
     for row, size in zip(arm.chain.joints.wrapped(found), left, strict=True):
         sigma = np.linalg.svd(slope(row[None], np.zeros(1, np.int64))[0], compute_uv=False)[min(arm.chain.n, 6) - 1]
         if size <= VERIFY_SETTLED and _may_be_held(arm, row):
-            kept.append((row, VERIFY_KNOWN + VERIFY_PER_SIGMA / max(float(sigma), 1e-300)))
+            kept.append((row, VERIFY_KNOWN + VERIFY_PER_SIGMA / max(float(sigma), TINY)))
     return kept, sum(one is not None for one in solved)

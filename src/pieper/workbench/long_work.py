@@ -13,7 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.workbench import answers, equation_blocks, programs
+from pieper.tolerances import NO_DIRECTION, SLOWEST_RATE, TINY
+from pieper.workbench import answers, equation_blocks, programs, routes
 from pieper.workbench.messages import (
     MAX_CLOUD,
     MAX_POINTS,
@@ -94,7 +95,7 @@ def motion(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     if np.any(seconds <= 0) or np.any(holds < 0) or total > LONGEST_SEQUENCE:
         raise Refused(f"Legs take more than 0 s, rests 0 s or more, and all together at most {LONGEST_SEQUENCE} s.")
     rate = min(number(message.get("rate", 50), "rate", largest=1000), MAX_SAMPLES / total)
-    moved = pieper.sequence(postures, seconds, holds, rate=max(rate, 1e-3))
+    moved = pieper.sequence(postures, seconds, holds, rate=max(rate, SLOWEST_RATE))
     _go_on(stop)
     return {
         "t": moved.t.tolist(),
@@ -152,11 +153,11 @@ def _values(
         span = np.where(upper > lower, upper - lower, 1.0)
         return 2 * np.min(np.minimum(q - lower, upper - q) / span, axis=1)
     J = arm.jacobian(q).copy()
-    J[:, :3] /= max(sum(abs(r.a) + abs(r.d) for r in arm.description.rows), 1e-9)
+    J[:, :3] /= max(sum(abs(r.a) + abs(r.d) for r in arm.description.rows), NO_DIRECTION)
     values = np.linalg.svd(J, compute_uv=False)
     if colour == "manipulability":
         return np.prod(values, axis=1)
-    return values[:, -1] / np.maximum(values[:, 0], 1e-300)
+    return values[:, -1] / np.maximum(values[:, 0], TINY)
 
 
 def equations(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
@@ -202,4 +203,5 @@ KINDS: dict[str, Callable] = {
     "equations": equations,
     "report": report,
     "program": programs.run,
+    **routes.LONG,
 }

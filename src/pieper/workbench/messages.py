@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from pieper.tolerances import LARGEST_NUMBER
+
 MAX_BYTES = 256 * 1024
 MAX_JOINTS = 30
 MAX_POINTS = 2_000
 MAX_POSTURES = 40
 MAX_CLOUD = 200_000
 LONGEST_NAME = 80
-LARGEST_NUMBER = 1e7
 
 
 class Refused(Exception):

@@ -12,15 +12,18 @@ from typing import Any
 import numpy as np
 
 import pieper
+from pieper.tolerances import NO_MOVE
 from pieper.workbench import around
-from pieper.workbench.messages import Refused, number, optional, pose, vector, whole, word
+from pieper.workbench.messages import Refused, number, optional, pose, vector, vectors, whole, word
 
 MAX_STEPS = 200
 #: Samples of a motion that are sent, at most.
 MAX_SAMPLES = 4_000
-#: A move whose joints or pose differ by less from where the arm is (rad, m) is none.
-SAME = 1e-9
-KINDS = ("joint", "line", "circle", "wait", "gripper", "output")
+KINDS = ("joint", "line", "circle", "spline", "wait", "gripper", "output", "frame", "call")
+#: Poses of one spline, and how often a part of a program is done again, at most.
+MAX_THROUGH, MAX_TIMES = 100, 50
+#: Steps that are done, those called again counted each time.
+MAX_DONE = 1_000
 DIALECTS = {
     "rapid": ".mod",
     "urscript": ".script",
@@ -62,6 +65,8 @@ def add_step(program: pieper.Program, step: object, n: int, at: str) -> None:
         program.gripper(number(step.get("value"), f"{at}, value"))
     elif kind == "output":
         program.output(whole(step.get("port"), f"{at}, port", 0, 9999), bool(step.get("value")))
+    elif kind == "frame":
+        program.frame(pose(step.get("T"), f"{at}, T"))
     else:
         speed = optional(number, step.get("speed"), f"{at}, speed")
         blend = number(step.get("blend", 0), f"{at}, blend")
@@ -71,6 +76,13 @@ def add_step(program: pieper.Program, step: object, n: int, at: str) -> None:
             program.move_j(to, speed=speed, blend=blend)
         elif kind == "line":
             program.move_l(pose(step.get("T"), f"{at}, T"), speed=speed, blend=blend)
+        elif kind == "spline":
+            through = vectors(step.get("through"), 16, f"{at}, pose", MAX_THROUGH).reshape(-1, 4, 4)
+            program.move_s(through, speed=speed, blend=blend)
+        elif step.get("centre") is not None:
+            centre, far = vector(step["centre"], 3, f"{at}, centre"), bool(step.get("long_way"))
+            T = pose(step.get("T"), f"{at}, T")
+            program.move_c(None, T, centre=centre, the_long_way=far, speed=speed, blend=blend)
         else:
             via = pose(step.get("via"), f"{at}, via")
             program.move_c(via, pose(step.get("T"), f"{at}, T"), speed=speed, blend=blend)
@@ -83,11 +95,14 @@ class Built:
     Attributes:
         program: Its steps, up to the one that cannot be done.
         failed: That step, counted from 0, and the reason; None where all can.
-        idle: Steps that ask for where the arm is already, counted from 0; they are left out.
+        done: Every step in the order it is done, with its place in the list counted from 0; what is called again is
+            there again, and what asks for where the arm is already is not.
+        idle: Places of steps that ask for where the arm is already.
     """
 
     program: pieper.Program
     failed: dict[str, Any] | None
+    done: tuple[tuple[int, dict[str, Any]], ...]
     idle: tuple[int, ...]
 
 
@@ -98,16 +113,44 @@ def build(arm: pieper.Arm, message: dict[str, Any]) -> Built:
         raise Refused(f"steps must be a list of 1 to {MAX_STEPS} steps.")
     limits = limits_of(message.get("limits"), arm.n)
     program = pieper.Program(arm, limits, start=vector(message.get("start"), arm.n, "start"))
-    idle: list[int] = []
-    for k, step in enumerate(steps):
+    done: list[tuple[int, dict[str, Any]]] = []
+    idle: dict[int, None] = {}
+    failed = None
+    for k, step in expanded(steps):
         if _is_there(arm, program, step, f"step {k + 1}"):
-            idle.append(k)
+            idle[k] = None
             continue
         try:
             add_step(program, step, arm.n, f"step {k + 1}")
         except (pieper.NoSolutionError, pieper.InputError) as error:
-            return Built(program, {"step": k, "text": str(error)}, tuple(idle))
-    return Built(program, None, tuple(idle))
+            failed = {"step": k, "text": str(error)}
+            break
+        done.append((k, step))
+    return Built(program, failed, tuple(done), tuple(idle))
+
+
+def expanded(steps: list[Any]) -> list[tuple[int, dict[str, Any]]]:
+    """Return steps with their places, calls replaced by what they call, in the frame of then."""
+    out: list[tuple[int, dict[str, Any]]] = []
+
+    def put(first: int, last: int) -> None:
+        for k in range(first, last):
+            step = steps[k]
+            if not isinstance(step, dict):
+                raise Refused(f"step {k + 1} must be an object.")
+            if step.get("kind") == "call":
+                at = f"step {k + 1}"
+                begin = whole(step.get("first"), f"{at}, first", 1, k)
+                end = whole(step.get("last"), f"{at}, last", begin, k)
+                for _ in range(whole(step.get("times"), f"{at}, times", 1, MAX_TIMES)):
+                    put(begin - 1, end)
+            else:
+                out.append((k, step))
+            if len(out) > MAX_DONE:
+                raise Refused(f"The program does more than {MAX_DONE} steps when it calls some again; at most so many.")
+
+    put(0, len(steps))
+    return out
 
 
 def _is_there(arm: pieper.Arm, program: pieper.Program, step: object, at: str) -> bool:
@@ -116,8 +159,9 @@ def _is_there(arm: pieper.Arm, program: pieper.Program, step: object, at: str) -
         return False
     now = program.moves[-1].q if program.moves else program.start
     if step.get("q") is not None:
-        return bool(np.allclose(vector(step["q"], arm.n, f"{at}, q"), now, rtol=0, atol=SAME))
-    return bool(np.allclose(pose(step.get("T"), f"{at}, T"), arm.fk(now), rtol=0, atol=SAME))
+        return bool(np.allclose(vector(step["q"], arm.n, f"{at}, q"), now, rtol=0, atol=NO_MOVE))
+    wanted = program.work @ pose(step.get("T"), f"{at}, T")
+    return bool(np.allclose(wanted, arm.fk(now), rtol=0, atol=NO_MOVE))
 
 
 def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:

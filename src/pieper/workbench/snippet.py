@@ -9,8 +9,8 @@ import numpy.typing as npt
 
 import pieper
 from pieper.workbench.answers import TASKS
-from pieper.workbench.messages import MAX_POINTS, number, optional, pose, vector, whole, word
-from pieper.workbench.programs import KINDS, build
+from pieper.workbench.messages import MAX_POINTS, number, optional, pose, vector, vectors, whole, word
+from pieper.workbench.programs import KINDS, MAX_THROUGH, build
 from pieper.workbench.table import is_of_catalog
 
 
@@ -59,15 +59,13 @@ def program_lines(arm: pieper.Arm, program: object) -> list[str]:
     """Return the lines of the page's program; none where it has no steps."""
     if not isinstance(program, dict) or not program.get("steps"):
         return []
-    n, steps, idle = arm.n, program["steps"], build(arm, program).idle
+    n, done = arm.n, build(arm, program).done
     kept = {k: v for k, v in program["limits"].items() if v is not None and k in _LIMITS}
     said = ", ".join(f"{k}={number(v, k)!r}" if not isinstance(v, list) else f"{k}={v!r}" for k, v in kept.items())
     start = vector(program.get("start"), n, "start")
     lines = ["", f"limits = pieper.Limits({said})", f"program = pieper.Program(arm, limits, start={_array(start)})"]
-    for k, step in enumerate(steps):
+    for k, step in done:
         at = f"step {k + 1}"
-        if k in idle:
-            continue
         lines.append(f"program.{_step(word(step.get('kind'), f'{at}, kind', KINDS), step, n, at)}")
     return [*lines, "motion = program.motion()", "print(program.explain())"]
 
@@ -82,10 +80,19 @@ def _step(kind: str, step: dict[str, Any], n: int, at: str) -> str:
         return f"gripper({number(step.get('value'), at)!r})"
     if kind == "output":
         return f"output({whole(step.get('port'), at, 0, 9999)}, {bool(step.get('value'))})"
+    if kind == "frame":
+        return f"frame({_array(pose(step.get('T'), at))})"
     how = [f"{key}={number(step[key], at)!r}" for key in ("speed", "blend") if step.get(key)]
     if kind == "joint" and step.get("q") is not None:
         return f"move_j({', '.join([_array(vector(step['q'], n, at)), *how])})"
+    if kind == "spline":
+        through = vectors(step.get("through"), 16, at, MAX_THROUGH).reshape(-1, 4, 4)
+        return f"move_s({', '.join([_array(through), *how])})"
     T = _array(pose(step.get("T"), at))
+    if kind == "circle" and step.get("centre") is not None:
+        about = f"centre={_array(vector(step['centre'], 3, at))}"
+        way = f"the_long_way={bool(step.get('long_way'))}"
+        return f"move_c({', '.join(['None', T, about, way, *how])})"
     if kind == "circle":
         return f"move_c({', '.join([_array(pose(step.get('via'), at)), T, *how])})"
     return f"move_{'j' if kind == 'joint' else 'l'}({', '.join([T, *how])})"

@@ -13,6 +13,7 @@ from pieper.drawing.animation.telling import happenings
 from pieper.drawing.draw3d import draw_arm, draw_frame, draw_shadow, space_axes
 from pieper.drawing.skeleton import Skeleton, extent, skeletons
 from pieper.drawing.style import COLOURS, FAINT, INK, MM, new_figure
+from pieper.tolerances import NO_LENGTH
 
 #: Dots an inch of the pictures.
 DPI = 100
@@ -75,7 +76,7 @@ class Painter:
         return np.array(self._canvas.buffer_rgba())[..., :3]
 
     def _draw(self, parts: Skeleton, time: float) -> None:
-        done = max(2, round(len(self.way) * time / max(self.motion.duration, 1e-12)))
+        done = max(2, round(len(self.way) * time / max(self.motion.duration, NO_LENGTH)))
         self.axes.plot(*(self.way[:done] * MM).T, color=COLOURS[0], linewidth=1.8, zorder=4)
         draw_shadow(self.axes, parts)
         draw_arm(self.axes, parts, self.size)

@@ -17,6 +17,19 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.joints import wrapped
+from pieper.tolerances import (
+    CUT_RANK,
+    NO_LENGTH,
+    ON_UNIT_CIRCLE,
+    POLISH_ENOUGH,
+    POLISH_FAILED,
+    POLYNOMIAL_CLEAN,
+    POLYNOMIAL_ENDS,
+    POLYNOMIAL_VANISHES,
+    QUOTIENT_STEP,
+    ROUNDING,
+    TWO_POSTURES,
+)
 
 SAMPLES = 32  # more than 2*12 + 1: the determinant has no harmonic above 12
 HARMONIC = 8  # after the factor (1 + t^2)^4 that every such determinant has, 8 harmonics remain
@@ -25,7 +38,6 @@ GRID = (0.0, np.pi / 2, np.pi)
 FROM_GRID = np.array([[-0.5, 1.0, -0.5], [0.5, 0.0, -0.5], [0.5, 0.0, 0.5]])
 #: sine, cosine, 1 times (1 + x^2), by powers x^2, x, 1 of the half-angle tangent.
 HALF_ANGLE = np.array([[0.0, 2.0, 0.0], [-1.0, 0.0, 1.0], [1.0, 0.0, 1.0]])
-REAL_ROOT = 1e-3  # how far from the unit circle a root e^(i theta) may lie and still be real before it is polished
 
 
 @dataclass(frozen=True)
@@ -66,7 +78,7 @@ def characteristic_polynomial(
     Returns:
         The elimination with the least noise of the six cyclic ways to cut the loop; None when all of them vanish.
     """
-    size = max(float(np.linalg.norm(links[1:6, :3, 3], axis=1).sum()), 1e-12)
+    size = max(float(np.linalg.norm(links[1:6, :3, 3], axis=1).sum()), NO_LENGTH)
     scaled = links.copy()
     scaled[:, :3, 3] /= size
     target = T.copy()
@@ -81,13 +93,13 @@ def characteristic_polynomial(
         harmonics = np.fft.fftshift(np.fft.fft(cut.samples()) / SAMPLES)
         middle = SAMPLES // 2
         peak = np.abs(harmonics).max()
-        if peak < 1e-13:
+        if peak < POLYNOMIAL_VANISHES:
             continue
         kept = harmonics[middle - HARMONIC : middle + HARMONIC + 1] / peak
         outside = (
             np.abs(np.concatenate([harmonics[: middle - HARMONIC], harmonics[middle + HARMONIC + 1 :]])).max() / peak
         )
-        if outside < 1e-6:
+        if outside < POLYNOMIAL_CLEAN:
             ways.append((outside, cut, kept))
     ways.sort(key=lambda way: way[0])
     return _finish(ways, fk, T) if ways else None
@@ -106,7 +118,7 @@ class _Cut:
                 right[:, a, b] = _fourteen(B)
         self.right = np.einsum("ia,jb,nab->nij", FROM_GRID, FROM_GRID, right).reshape(14, 9)
         U, s, _ = np.linalg.svd(self.right[:, :8])
-        self.usable = bool(s[-1] > 1e-9 * s[0])
+        self.usable = bool(s[-1] > CUT_RANK * s[0])
         self.free = U[:, 8:].T
 
     def left(self, t3: float) -> np.ndarray:
@@ -134,7 +146,7 @@ class _Cut:
     def others(self, t3: float) -> np.ndarray | None:
         """All six joints, in the arm's own numbering, from the angle of the cut's third joint."""
         _, s, vh = np.linalg.svd(self.matrix(t3))
-        if s[-2] < 1e-9 * s[0]:
+        if s[-2] < CUT_RANK * s[0]:
             return None
         v = vh[-1].reshape(4, 3)
         x4 = _ratio(v, axis=0)
@@ -159,16 +171,18 @@ def _finish(ways: list, fk: Callable[[Array], Array], T: np.ndarray) -> Characte
         t = np.polyadd(t, harmonics[m + HARMONIC] * np.poly(_powers(HARMONIC + m, HARMONIC - m)) * _lead(m))
     t = t * np.exp(-1j * np.angle(t[np.argmax(np.abs(t))]))
     real = t.real / np.abs(t.real).max()
-    trailing = np.flatnonzero(np.abs(real) > 1e-12)
+    trailing = np.flatnonzero(np.abs(real) > POLYNOMIAL_ENDS)
     degree = len(real) - 1 - trailing[0]
     # Two postures may share this joint's angle; another cut then tells them apart.
     found: list[np.ndarray] = []
     for _, other, others_harmonics in ways[:2]:
         circle = np.roots(_trimmed(others_harmonics[::-1]))
-        for z in circle[np.abs(np.abs(circle) - 1) < REAL_ROOT]:
+        for z in circle[np.abs(np.abs(circle) - 1) < ON_UNIT_CIRCLE]:
             q = other.others(float(np.angle(z)))
             q = None if q is None else _polished(q, fk, T)
-            if q is not None and all(np.abs(np.angle(np.exp(1j * (q - known)))).max() > 1e-6 for known in found):
+            if q is not None and all(
+                np.abs(np.angle(np.exp(1j * (q - known)))).max() > TWO_POSTURES for known in found
+            ):
                 found.append(q)
     solutions = np.array(sorted(found, key=lambda q: q[joint - 1])).reshape(-1, 6)
     roots = np.roots(real[trailing[0] :])
@@ -188,7 +202,7 @@ def _lead(m: int) -> complex:
 
 def _trimmed(harmonics: np.ndarray) -> np.ndarray:
     size = np.abs(harmonics).max()
-    kept = np.flatnonzero(np.abs(harmonics) > 1e-13 * size)
+    kept = np.flatnonzero(np.abs(harmonics) > POLYNOMIAL_VANISHES * size)
     return harmonics[kept[0] : kept[-1] + 1]
 
 
@@ -208,13 +222,13 @@ def _polished(q: np.ndarray, fk: Callable[[Array], Array], T: np.ndarray) -> np.
     scale = max(1.0, float(np.abs(T[:3, 3]).max()))
     for _ in range(12):
         here = fk(q)
-        step = 1e-7
+        step = QUOTIENT_STEP
         J = np.array([(fk(q + step * e) - fk(q - step * e))[:3].ravel() / (2 * step) for e in np.eye(6)]).T
         gap = (T - here)[:3].ravel()
-        if np.abs(gap).max() < 1e-13 * scale:
+        if np.abs(gap).max() < POLISH_ENOUGH * scale:
             break
-        q = wrapped(q + np.linalg.lstsq(J, gap, rcond=1e-12)[0])
-    if np.abs((T - fk(q))[:3]).max() > 1e-9 * scale:
+        q = wrapped(q + np.linalg.lstsq(J, gap, rcond=ROUNDING)[0])
+    if np.abs((T - fk(q))[:3]).max() > POLISH_FAILED * scale:
         return None
     return wrapped(q)
 

@@ -9,13 +9,14 @@ import numpy as np
 
 from pieper.algebra.arithmetics import DigitsField, NumpyField
 from pieper.algebra.expression import Sym, angle_symbol
+from pieper.description.coupling import chain_values
 from pieper.equations.arm import Arm
 from pieper.equations.derivation.closed_form import ClosedForm
 from pieper.equations.derivation.witness import branch_values
 from pieper.errors import PieperError
 from pieper.kinematics.arrays import Array
+from pieper.tolerances import CHOSEN_VALUE, DERIVED_SAME, MERGED_BRANCHES, UNLIMITED
 
-CLOSE = 1e-6  # rad or m: a branch is the solution; half the digits remain beside a singular pose
 DIGITS_POSES = 3
 
 
@@ -83,14 +84,14 @@ def check(form: ClosedForm, arm: Arm, n: int, rng: np.random.Generator) -> Deriv
         mine = _same_choice(found, q[k], form)
         total += len(mine)
         for solution in mine:
-            gap = _gap(branches, solution, turning)
-            if len(gap) and gap.min() < CLOSE:
+            gap = _gap(_axes(branches, form), _axes(solution, form), turning)
+            if len(gap) and gap.min() < DERIVED_SAME:
                 reproduced += 1
                 worst = max(worst, float(gap.min()))
         real += len(branches)
         if len(branches):
             miss = np.abs(_asked(arm.fk(branches), form) - _asked(T[k], form)).max(axis=1)
-            valid += int(np.sum(miss < CLOSE * max(1.0, float(np.abs(T[k]).max()))))
+            valid += int(np.sum(miss < DERIVED_SAME * max(1.0, float(np.abs(T[k]).max()))))
         if len(mine):
             _by_formula(form, T[k], np.array(mine), formulas)
     return DerivationCheck(n, total, reproduced, worst, real, valid, _digits(form, arm, rng), formulas)
@@ -106,8 +107,8 @@ def _solutions(arm: Arm, T: Array, q: Array, form: ClosedForm) -> list[np.ndarra
         return found
     turning = np.array([kind == "R" for kind in arm.description.joint_types])
     close = np.abs(_asked(arm.fk(rows), form) - _asked(T, form)).reshape(len(rows), -1).max(axis=1, initial=0.0)
-    for row in rows[close < CLOSE * max(1.0, float(np.abs(T).max()))]:
-        if _gap(np.array(found), row, turning).min() > 1e-5:
+    for row in rows[close < DERIVED_SAME * max(1.0, float(np.abs(T).max()))]:
+        if _gap(_axes(np.array(found), form), _axes(row, form), turning).min() > MERGED_BRANCHES:
             found.append(np.asarray(row))
     return found
 
@@ -115,13 +116,18 @@ def _solutions(arm: Arm, T: Array, q: Array, form: ClosedForm) -> list[np.ndarra
 def _same_choice(found: Any, q: Array, form: ClosedForm) -> list:
     """Solutions with the same values of the chosen and free joints (formulas cannot give others)."""
     fixed = [j - 1 for j in (*form.chosen, *form.free)]
-    return [row for row in found if all(abs(np.angle(np.exp(1j * (row[j] - q[j])))) < 1e-9 for j in fixed)]
+    return [row for row in found if all(abs(np.angle(np.exp(1j * (row[j] - q[j])))) < CHOSEN_VALUE for j in fixed)]
 
 
 def _gap(rows: np.ndarray, solution: np.ndarray, turning: np.ndarray) -> np.ndarray:
     gap = np.abs(rows - solution)
     turn = np.abs(np.angle(np.exp(1j * (rows - solution))))
     return np.where(turning, turn, gap).max(axis=1) if len(rows) else np.zeros(0)
+
+
+def _axes(q: np.ndarray, form: ClosedForm) -> np.ndarray:
+    """Values of the axes, in which whole turns count for nothing, at joint vectors (..., n)."""
+    return chain_values(q, form.description.coupling)
 
 
 def _asked(T: np.ndarray, form: ClosedForm) -> np.ndarray:
@@ -155,7 +161,7 @@ def _by_formula(form: ClosedForm, T: Array, solutions: np.ndarray, formulas: dic
             values[step.sigma] = np.array(signs)[np.argmin(gaps, axis=0)]
         best = np.min(gaps, axis=0)
         tried, held, worst = formulas.get(step.symbol, (0, 0, 0.0))
-        good = best < CLOSE
+        good = best < DERIVED_SAME
         formulas[step.symbol] = (
             tried + len(best),
             held + int(good.sum()),
@@ -183,12 +189,10 @@ def _digits(form: ClosedForm, arm: Arm, rng: np.random.Generator) -> float | Non
             gaps = []
             for branch in form.evaluate_digits(M, chosen=q):
                 if all(x == x for x in branch):
-                    gaps.append(
-                        max(
-                            _turn(b - x, kind)
-                            for b, x, kind in zip(branch, q, arm.description.joint_types, strict=True)
-                        )
-                    )
+                    here = equations.table.values(branch, DigitsField())
+                    symbols = [equations.table.variable(j) for j in range(1, form.n + 1)]
+                    apart = [here[symbol] - field_values[symbol] for symbol in symbols]
+                    gaps.append(max(map(_turn, apart, arm.description.joint_types)))
             if not gaps:
                 return None
             worst = max(worst, min(gaps))
@@ -206,7 +210,7 @@ def _range(d: Any, form: ClosedForm) -> tuple[np.ndarray, np.ndarray]:
     slides = np.array([kind == "P" for kind in d.joint_types])
     reach = np.where(slides, sum(abs(r.a) + abs(r.d) for r in d.rows) + 0.1, np.pi)
     held = slides | np.isin(np.arange(form.n) + 1, form.chosen)
-    limits = np.clip(np.asarray(d.limits, float), -1e9, 1e9)
+    limits = np.clip(np.asarray(d.limits, float), -UNLIMITED, UNLIMITED)
     lower = np.where(held & np.isfinite(d.limits[:, 0]), np.maximum(limits[:, 0], -reach), -reach)
     upper = np.where(held & np.isfinite(d.limits[:, 1]), np.minimum(limits[:, 1], reach), reach)
     return np.where(lower < upper, lower, -reach), np.where(lower < upper, upper, reach)

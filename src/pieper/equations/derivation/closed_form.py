@@ -5,15 +5,18 @@ from __future__ import annotations
 import functools
 import itertools
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from pieper.algebra.arithmetics import DigitsField, NumpyField
-from pieper.algebra.expression import Expr, Num, Sym, Trig, angle_symbol
+from pieper.algebra.exact import exact_inverse
+from pieper.algebra.expression import Expr, Num, Sym, Trig, add, angle_symbol, mul
+from pieper.description.coupling import joint_values
 from pieper.description.dh import Description
 from pieper.description.fold import chain_of
-from pieper.equations.derivation.degenerate import FREE, MIXED, NOISE, Array, Case, visit
+from pieper.equations.derivation.degenerate import FREE, MIXED, Array, Case, visit
 from pieper.equations.derivation.elimination import Eliminator, Move, Source
 from pieper.equations.derivation.step import Step
 from pieper.equations.derivation.witness import branch_values
@@ -21,11 +24,15 @@ from pieper.equations.table import SymbolTable
 from pieper.equations.target import pretty_names
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
-
-#: By how much a side condition may be missed and still hold, per unit of the pose's entries.
-CONDITION = 1e-6
-#: By how much rounding pushes the argument of a root below zero, per square of the pose's entries.
-ROUNDING = 1e-14
+from pieper.tolerances import (
+    BRANCH_MISSES,
+    BRANCH_OTHER_ANGLE,
+    BRANCH_SAME_ANGLE,
+    DEGENERATE_NOISE,
+    ROOT_ARGUMENT,
+    ROUNDING,
+    SIDE_CONDITION,
+)
 
 
 class _Rounded(NumpyField):
@@ -99,13 +106,13 @@ class ClosedForm:
         values = self._values(T, q)
         with np.errstate(all="ignore"):
             size = max(1.0, float(np.abs(T[:, :3]).max(initial=0.0)))
-            self._run(values, _Rounded(ROUNDING * size**2), q)
+            self._run(values, _Rounded(ROOT_ARGUMENT * size**2), q)
         shape = (self.branches, len(T))
         found = [np.broadcast_to(self._joint(values, j, NumpyField), shape) for j in range(1, self.n + 1)]
-        found = np.stack(found, axis=-1)
+        found = joint_values(np.stack(found, axis=-1), self.description.coupling)
         for left, right, _ in self.conditions:
             miss = np.abs(left.evaluate(values, NumpyField) - right.evaluate(values, NumpyField))
-            found = np.where((miss < CONDITION * (1 + np.abs(T[:, :3]).max()))[..., None], found, np.nan)
+            found = np.where((miss < SIDE_CONDITION * (1 + np.abs(T[:, :3]).max()))[..., None], found, np.nan)
         return found
 
     def _side_conditions(self) -> tuple:
@@ -130,7 +137,7 @@ class ClosedForm:
         for r, c in itertools.product(range(3), columns):
             miss = np.maximum(miss, np.abs(e.product(0, self.n)[r][c].evaluate(back) - M[:, r, c]))
         real = np.isfinite(miss)
-        wrong = real & (miss > 1e-6)
+        wrong = real & (miss > BRANCH_MISSES)
         if not wrong.any():
             return ()
         chosen = []
@@ -145,9 +152,11 @@ class ClosedForm:
             gap = np.broadcast_to(
                 np.abs(left.evaluate(values, NumpyField) - right.evaluate(values, NumpyField)), real.shape
             )
-            if (gap[real & ~(miss > 1e-6)] < 1e-7).all() and (gap[wrong] > 1e-4).any():
+            if (gap[real & ~(miss > BRANCH_MISSES)] < BRANCH_SAME_ANGLE).all() and (
+                gap[wrong] > BRANCH_OTHER_ANGLE
+            ).any():
                 chosen.append((left, right, equation.source))
-                wrong = wrong & ~(gap > 1e-4)
+                wrong = wrong & ~(gap > BRANCH_OTHER_ANGLE)
         return tuple(chosen)
 
     @property
@@ -239,14 +248,44 @@ class ClosedForm:
             for signs in self._choices():
                 values = start | dict(zip(self.sigmas, map(mpmath.mpf, signs), strict=True))
                 self._run(values, field)
-                found.append([self._joint(values, j, field) for j in range(1, self.n + 1)])
+                axes = [self._joint(values, j, field) for j in range(1, self.n + 1)]
+                found.append(self._joints_of(axes, field))
+        return found
+
+    @functools.cached_property
+    def of_axes(self) -> tuple[tuple[Fraction, ...], ...]:
+        """Of coupled joints the rows that make a joint's number of the axes' values, exactly; else none."""
+        coupling = self.description.coupling
+        return () if coupling is None else exact_inverse(coupling.tolist())
+
+    def _joints_of(self, axes: list[Any], field: Any) -> list[Any]:
+        """The joints' numbers of the axes' values."""
+        if not self.of_axes:
+            return axes
+        return [sum(field.rational(c) * v for c, v in zip(by, axes, strict=True) if c) for by in self.of_axes]
+
+    @functools.cached_property
+    def joint_formulas(self) -> dict[Sym, Expr]:
+        """The number of each joint that is tied to others, in the equations' symbols: q3 = theta3 - theta2."""
+        found: dict[Sym, Expr] = {}
+        for joint, by in enumerate(self.of_axes, 1):
+            if [c != 0 for c in by] == [k == joint for k in range(1, self.n + 1)] and by[joint - 1] == 1:
+                continue
+            terms: list[Expr] = []
+            for k, c in enumerate(by, 1):
+                if c:
+                    symbol, expression = self.table.relation[k]
+                    turn = c * int(round(float(self.description.sign[k - 1])))
+                    none = {angle_symbol(j, "q"): Num(0) for j in range(1, self.n + 1)}
+                    terms.append(mul(Num(turn), add(symbol, mul(Num(-1), expression.substitute(none)))))
+            found[angle_symbol(joint, "q")] = add(*terms)
         return found
 
     def _given_joints(self, q: Any, field: Any) -> dict:
         values = {}
         for joint in (*self.chosen, *self.free):
             symbol, expression = self.table.relation[joint]
-            values[symbol] = expression.evaluate({angle_symbol(joint, "q"): q[joint - 1]}, field)
+            values[symbol] = expression.evaluate({angle_symbol(k + 1, "q"): q[k] for k in range(self.n)}, field)
         return values
 
     def _run(self, values: dict, field: Any, chosen: Array | None = None) -> None:
@@ -266,7 +305,7 @@ class ClosedForm:
     def _where_degenerate(self, step: Step, value: Any, values: dict, chosen: Array) -> Array:
         """The value of a step, where it degenerates that of the step which decides instead, or the chosen one."""
         sizes = [np.abs(c.evaluate(values, NumpyField)) for c in step.degenerate]
-        gone = np.max(np.broadcast_arrays(*sizes), axis=0) < NOISE
+        gone = np.max(np.broadcast_arrays(*sizes), axis=0) < DEGENERATE_NOISE
         if not gone.any():
             return value
         case, instead = self.case(step), self.instead(step)
@@ -284,12 +323,10 @@ class ClosedForm:
         return np.where(gone, free, value)
 
     def _joint(self, values: dict, joint: int, field: Any) -> Any:
-        """The q of a joint from its table variable: theta = sign q + constant."""
-        symbol, expression = self.table.relation[joint]
-        q = angle_symbol(joint, "q")
-        zero = field.rational(Num(0).value)
-        constant = expression.evaluate({q: zero}, field)
-        return (values[symbol] - constant) * int(round(float(self.description.sign[joint - 1])))
+        """The value of an axis from its table variable: theta = sign value + constant."""
+        return (values[self.table.variable(joint)] - self.table.constant(joint, field)) * int(
+            round(float(self.description.sign[joint - 1]))
+        )
 
 
 def _steps(eliminator: Eliminator, table: dict) -> tuple[Step, ...]:
@@ -322,6 +359,6 @@ def _step(eliminator: Eliminator, table: dict, number: int, move: Move) -> Step:
 def _vanishing(conditions: list[Expr], constants: dict) -> tuple[Expr, ...]:
     """The conditions, or nothing when one of them is a length that does not vanish."""
     for condition in conditions:
-        if condition.atoms() <= set(constants) and abs(condition.evaluate(constants, NumpyField)) > 1e-12:
+        if condition.atoms() <= set(constants) and abs(condition.evaluate(constants, NumpyField)) > ROUNDING:
             return ()
     return tuple(c for c in conditions if not (isinstance(c, Num) and c.value == 0))

@@ -22,6 +22,17 @@ from pieper.equations.derivation.patterns import Solved
 from pieper.equations.derivation.step import Step
 from pieper.equations.derivation.witness import branch_values, single_joint
 from pieper.equations.table import SymbolTable
+from pieper.tolerances import (
+    COEFFICIENT_VANISHES,
+    DAMPING_LEAST,
+    DAMPING_OF_MISS,
+    DEGENERATE_CLEAR,
+    DEGENERATE_CLOSES,
+    DEGENERATE_EXACT,
+    DEGENERATE_RANK,
+    DEGENERATE_STEP,
+    NO_DIRECTION,
+)
 
 Array = npt.NDArray[np.float64]
 
@@ -29,11 +40,6 @@ FREE, ELSEWHERE, IMPOSSIBLE, UNREACHED, MIXED = "free", "elsewhere", "impossible
 STARTS = 16  # random postures from which a degenerate one is looked for
 LOOKED = 4  # degenerate postures that are tried
 NEWTON = 30  # steps; those that converge need about ten
-STEP = 1e-7  # of a difference quotient, rad or m
-NOISE = 1e-7  # of coefficients that follow from a root which vanishes: half the digits are gone
-EXACT = 1e-16  # rounding; there is nothing left to improve
-VANISHES = 1e-8  # per unit of length: the coefficients are zero
-CLOSES = 1e-7  # per unit of length: the pose is reached
 MOVES = (0.05, -0.03)  # rad (or of the longest length) by which a joint is moved that may be free; how far it can
 # go on is for the steps after it to say
 OTHER_STARTS = 7  # random postures for the joints after it
@@ -116,13 +122,13 @@ def _meeting(form: Form, step: Step, postures: Array) -> Sym | None:
     for earlier in form.steps[: step.number - 1]:
         if earlier.sigma is not None and earlier.merge is not None and earlier.branches == 2:
             size = np.abs(np.asarray(earlier.merge.evaluate(values, NumpyField), dtype=float))
-            if size.max() < np.sqrt(VANISHES):
+            if size.max() < np.sqrt(COEFFICIENT_VANISHES):
                 return earlier.sigma
     return None
 
 
 def _scale(form: Form) -> float:
-    return max([1e-9, *(abs(float(v)) for s, v in form.constants.items() if s.base in ("a", "d"))])
+    return max([NO_DIRECTION, *(abs(float(v)) for s, v in form.constants.items() if s.base in ("a", "d"))])
 
 
 def truth(form: Form, q: Array, before: int) -> dict:
@@ -153,16 +159,16 @@ def _postures(form: Form, step: Step, rng: np.random.Generator) -> Array:
     q[:, sliding] = rng.uniform(-1, 1, (STARTS, len(sliding))) * size
     with np.errstate(all="ignore"):
         for _ in range(NEWTON):
-            points = np.concatenate([q, *(q + h for h in STEP * np.eye(form.n))])
+            points = np.concatenate([q, *(q + h for h in DEGENERATE_STEP * np.eye(form.n))])
             every = _vanishing(form, step, points).reshape(form.n + 1, len(q), -1)
-            here, J = np.nan_to_num(every[0]), np.nan_to_num((every[1:] - every[0]) / STEP)
-            if np.abs(here).max() < EXACT:
+            here, J = np.nan_to_num(every[0]), np.nan_to_num((every[1:] - every[0]) / DEGENERATE_STEP)
+            if np.abs(here).max() < DEGENERATE_EXACT:
                 break
-            move = np.einsum("kij,kj->ki", np.linalg.pinv(np.moveaxis(J, 0, 2), rcond=1e-6), here)
+            move = np.einsum("kij,kj->ki", np.linalg.pinv(np.moveaxis(J, 0, 2), rcond=DEGENERATE_RANK), here)
             q = q - np.clip(move, -0.5, 0.5)
         gap = np.abs(_vanishing(form, step, q)).max(axis=1)
     order = np.argsort(gap)  # the solver asks for the last digits
-    return q[order[gap[order] < VANISHES * max(1.0, size)]]
+    return q[order[gap[order] < COEFFICIENT_VANISHES * max(1.0, size)]]
 
 
 def _free(form: Form, step: Step, postures: Array, rng: np.random.Generator) -> npt.NDArray[np.bool_]:
@@ -191,7 +197,8 @@ def _row(form: Form, angle: tuple) -> Array:
     row = np.zeros(form.n)
     for joint, factor in angle:
         row[joint - 1] = factor * form.description.sign[joint - 1]
-    return row
+    coupling = form.description.coupling
+    return row if coupling is None else row @ coupling
 
 
 def _reached(
@@ -212,13 +219,13 @@ def _reached(
         if not len(rows):
             break
         here = missed(x[rows], T[rows], target[rows])
-        done[rows] = np.abs(here).max(axis=1) < CLOSES
+        done[rows] = np.abs(here).max(axis=1) < DEGENERATE_CLOSES
         many = len(moving)
-        points = np.concatenate([x[rows] + h for h in STEP * np.eye(form.n)[moving]])
+        points = np.concatenate([x[rows] + h for h in DEGENERATE_STEP * np.eye(form.n)[moving]])
         every = missed(points, np.tile(T[rows], (many, 1, 1)), np.tile(target[rows], (many, 1)))
-        J = np.moveaxis((every.reshape(many, len(rows), -1) - here) / STEP, 0, 2)
+        J = np.moveaxis((every.reshape(many, len(rows), -1) - here) / DEGENERATE_STEP, 0, 2)
         JT = np.swapaxes(J, 1, 2)
-        damp = (1e-3 * (here**2).sum(1) + 1e-13)[:, None, None] * np.eye(many)
+        damp = (DAMPING_OF_MISS * (here**2).sum(1) + DAMPING_LEAST)[:, None, None] * np.eye(many)
         move = np.linalg.solve(JT @ J + damp, JT @ here[..., None])[..., 0]
         x[np.ix_(rows, np.array(moving))] -= np.clip(move, -0.6, 0.6)
     return done
@@ -236,7 +243,7 @@ def _rest(form: Form, step: Step) -> Expr | None:
     if not left or rest.atoms() - set(form.constants):
         return None
     value = float(np.asarray(rest.expr().evaluate(form.constants, NumpyField)))
-    return (rest if next(iter(left.values())) > 0 else -rest).expr() if abs(value) > VANISHES else None
+    return (rest if next(iter(left.values())) > 0 else -rest).expr() if abs(value) > COEFFICIENT_VANISHES else None
 
 
 def _other(form: Form, step: Step, postures: Array) -> tuple[Move | None, Eliminator | None]:
@@ -276,13 +283,13 @@ def _gives(e: Eliminator, solved: Solved, sigma: Sym, values: dict, wanted: Arra
             known[symbol] = expression.evaluate(known, NumpyField)
         for condition in solved.degenerate:
             known_size = np.abs(np.broadcast_to(condition.evaluate(known, NumpyField), wanted.shape))
-            if len(solved.degenerate) == 1 and known_size.min() < 1e-6:
+            if len(solved.degenerate) == 1 and known_size.min() < DEGENERATE_CLEAR:
                 return False
         if solved.degenerate:
             sizes = [np.abs(np.broadcast_to(c.evaluate(known, NumpyField), wanted.shape)) for c in solved.degenerate]
-            if np.max(sizes, axis=0).min() < 1e-6:
+            if np.max(sizes, axis=0).min() < DEGENERATE_CLEAR:
                 return False
         with np.errstate(all="ignore"):
             gap = np.broadcast_to(solved.formula.evaluate(known, NumpyField), wanted.shape) - wanted
-        hits |= np.abs(np.angle(np.exp(1j * gap))) < 1e-6
+        hits |= np.abs(np.angle(np.exp(1j * gap))) < DEGENERATE_CLEAR
     return bool(hits.all())

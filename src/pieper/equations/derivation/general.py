@@ -16,9 +16,8 @@ from pieper.errors import PieperError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import look
 from pieper.solver.plan.plan import Plan
+from pieper.tolerances import CHOSEN_VALUE, DERIVED_SAME, MEETS
 
-CLOSE = 1e-6
-MEETS = 1e-9  # rad or m; axes closer than this meet or are parallel
 TERMS_A_LINE = 4
 
 
@@ -97,7 +96,7 @@ class GeneralInverse:
         """Which axes would have to meet or be parallel for a closed form, and by how much they miss."""
         chain = self._six(self.example[list(self.chosen)])
         names = [j + 1 for j in range(self._arm.n) if j not in self.chosen]
-        geometry = look(chain, 1e-9)
+        geometry = look(chain, MEETS)
         meets, turns = [], []
         for i in range(chain.n - 2):
             if chain.prismatic[i : i + 3].any():
@@ -105,7 +104,7 @@ class GeneralInverse:
             label = f"{names[i]}, {names[i + 1]} and {names[i + 2]}"
             angles = [geometry.pairs[i].angle, geometry.pairs[i + 1].angle]
             turns.append((max(angles), label))
-            if min(angles) > 1e-9:
+            if min(angles) > MEETS:
                 meets.append((geometry.common_point((i, i + 1, i + 2))[1], label))
         if any(miss < MEETS for miss, _ in meets) or any(angle < MEETS for angle, _ in turns):
             how = [f"axes {label} meet in a point" for miss, label in meets if miss < MEETS]
@@ -239,11 +238,11 @@ class GeneralInverse:
             if poly is None:
                 continue
             poses += 1
-            own += _among(q[kept], poly.solutions) < CLOSE
+            own += _among(q[kept], poly.solutions) < DERIVED_SAME
             rows = _solver_rows(arm, T, q, self.chosen)
             matched = [_among(row[kept], poly.solutions) for row in rows]
             solutions += len(rows)
-            good = [m for m in matched if m < CLOSE]
+            good = [m for m in matched if m < DERIVED_SAME]
             found += len(good)
             extra += max(len(poly.solutions) - len(good), 0)
             worst = max([worst, *good])
@@ -255,7 +254,7 @@ def _solver_rows(arm: Arm, T: Array, q: Array, chosen: Any) -> list:
         rows = arm.ik(T, redundancy=float(q[chosen[0]])).all_q if chosen else arm.ik(T).all_q
     except PieperError:
         return [q]
-    return [row for row in rows if all(abs(np.angle(np.exp(1j * (row[j] - q[j])))) < 1e-9 for j in chosen)]
+    return [row for row in rows if all(abs(np.angle(np.exp(1j * (row[j] - q[j])))) < CHOSEN_VALUE for j in chosen)]
 
 
 def _among(q: Array, rows: Any) -> float:

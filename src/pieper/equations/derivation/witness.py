@@ -9,6 +9,7 @@ import numpy as np
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Sym, angle_symbol
 from pieper.equations.derivation.patterns import Solved
+from pieper.tolerances import DERIVED_SAME, NO_DIRECTION
 
 
 class _Values(dict):
@@ -57,13 +58,13 @@ class Witness:
                 values[symbol] = expression.evaluate(values, NumpyField)
             if solved.degenerate:
                 size = max(float(np.max(np.abs(x.evaluate(values, NumpyField)))) for x in solved.degenerate)
-                if not size > 1e-9:
+                if not size > NO_DIRECTION:
                     return False
             result = solved.formula.evaluate(values, NumpyField)
             gap = result - truth
             if e.symbol(angle) not in e.knowledge.prismatic.values():
                 gap = np.angle(np.exp(1j * gap))
-            hits.append(np.abs(gap) < 1e-6)
+            hits.append(np.abs(gap) < DERIVED_SAME)
         if not np.all(np.any(hits, axis=0)):
             return False
         if solved.branches > 1:

@@ -40,6 +40,7 @@ def write_steps(page: Document, form: ClosedForm) -> None:
     _opening(page, form)
     for step in form.steps:
         _step(page, form, step)
+    _joints(page, form)
     _summary(page, form)
 
 
@@ -204,6 +205,16 @@ def _decided(page: Document, form: ClosedForm, step: Step, case: Case, condition
     page.show(other.symbol, other.formula)
     if other.sigma is not None and other.sigma in form.sigmas:
         page.say("The two branches of ", other.sigma, ", which meet in the step that brought it, are told apart here.")
+
+
+def _joints(page: Document, form: ClosedForm) -> None:
+    """Say how the joints' own numbers follow, where joints are coupled."""
+    if not form.joint_formulas:
+        return
+    page.say("These joints are coupled: their own numbers follow from the angles and slides above.")
+    for symbol, expr in form.joint_formulas.items():
+        page.show(symbol, expr)
+    page.say("A whole turn of an angle above leads to the same posture of the arm with other numbers of these joints.")
 
 
 def _summary(page: Document, form: ClosedForm) -> None:

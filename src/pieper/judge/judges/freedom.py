@@ -12,9 +12,7 @@ from pieper.judge.model import ArmModel
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
 from pieper.kinematics.arrays import Array
-
-STEP = 1e-6
-RANK = 1e-7  # relative; singular values below are zero
+from pieper.tolerances import CENTRAL_STEP, DAMPED_AT_LEAST, DAMPED_BY_MISS, JUDGED_HOLDS, JUDGED_RANK, PART_OF_FREEDOM
 
 
 def pose_jacobian(model: ArmModel, q: np.ndarray) -> np.ndarray:
@@ -22,11 +20,11 @@ def pose_jacobian(model: ArmModel, q: np.ndarray) -> np.ndarray:
     K, n = q.shape
     moved = np.repeat(np.repeat(q[:, None, None], n, axis=1), 2, axis=2)
     for k in range(n):
-        moved[:, k, 0, k] += STEP
-        moved[:, k, 1, k] -= STEP
+        moved[:, k, 0, k] += CENTRAL_STEP
+        moved[:, k, 1, k] -= CENTRAL_STEP
     T = pose_of(model, moved.reshape(-1, n)).reshape(K, n, 2, 4, 4)
     here = pose_of(model, q)
-    dT = (T[:, :, 0] - T[:, :, 1]) / (2 * STEP)
+    dT = (T[:, :, 0] - T[:, :, 1]) / (2 * CENTRAL_STEP)
     W = dT[..., :3, :3] @ np.swapaxes(here[:, None, :3, :3], -1, -2)
     spin = np.stack([W[..., 2, 1], W[..., 0, 2], W[..., 1, 0]], axis=-1)
     return np.concatenate([dT[..., :3, 3] / model.length(), spin], axis=-1).transpose(0, 2, 1)
@@ -47,10 +45,10 @@ def undetermined(ev: Evidence, known: Collection[int] = ()) -> list[set[int]]:
     for Jk in J:
         Jk = np.vstack([Jk, np.eye(ev.model.n)[fixed]])  # a known joint does not move
         _, s, V = np.linalg.svd(Jk)
-        null = V[np.count_nonzero(s > RANK * s[0]) :]
+        null = V[np.count_nonzero(s > JUDGED_RANK * s[0]) :]
         if not len(null):
             return []
-        free += (np.abs(null) > 1e-4).any(0)
+        free += (np.abs(null) > PART_OF_FREEDOM).any(0)
     joints = {k + 1 for k in range(ev.model.n) if free[k] == len(J)}
     return [joints] if joints else []
 
@@ -61,8 +59,8 @@ def judge_freedom(ev: Evidence, claim: Claim) -> Verdict:
     dof = claim.whole("dof")
     J = pose_jacobian(ev.model, ev.samples.q[ev.samples.nominal][:24])
     values = np.linalg.svd(J, compute_uv=False)
-    rank = int(np.max(np.count_nonzero(values > RANK * values[:, :1], axis=1)))
-    shown = ", ".join(f"{v if v > 1e-7 else 0:.3g}" for v in values[0])
+    rank = int(np.max(np.count_nonzero(values > JUDGED_RANK * values[:, :1], axis=1)))
+    shown = ", ".join(f"{v if v > JUDGED_RANK else 0:.3g}" for v in values[0])
     details = [("singular values", f"of the Jacobian at {ev.at(0)}: {shown}")]
     free = undetermined(ev)
     names = " and ".join(f"theta{j}" for j in sorted(free[0])) if free else "none"
@@ -139,16 +137,18 @@ def completes(
 
     if not free:
         error, flip = gap(x[:1])
-        return bool(np.abs(error).max() < 1e-6 and flip[0, 0] < 1e-6)
+        return bool(np.abs(error).max() < JUDGED_HOLDS and flip[0, 0] < JUDGED_HOLDS)
     for _ in range(60):
         error, flip = gap(x)
-        good = (np.abs(error).max(1) < 1e-6) & (flip[:, 0] < 1e-6)
+        good = (np.abs(error).max(1) < JUDGED_HOLDS) & (flip[:, 0] < JUDGED_HOLDS)
         if good.any():
             return True
         J = pose_jacobian(model, x)[:, : 3 if position else 6]
         J = np.concatenate([J, np.broadcast_to(rows, (len(x), *rows.shape))], axis=1)[:, :, free]
         JT = np.swapaxes(J, 1, 2)
-        damp = 1e-3 * (error**2).sum(1)[:, None, None] * np.eye(len(free)) + 1e-12 * np.eye(len(free))
+        damp = DAMPED_BY_MISS * (error**2).sum(1)[:, None, None] * np.eye(len(free)) + DAMPED_AT_LEAST * np.eye(
+            len(free)
+        )
         step = np.linalg.solve(JT @ J + damp, (JT @ error[..., None]))[..., 0]
         x[:, free] += np.clip(step, -0.5, 0.5)
     return False

@@ -13,8 +13,8 @@ from pieper.judge.judges.formulas import judge_equal
 from pieper.judge.model import ArmModel
 from pieper.judge.samples import Samples, samples_at
 from pieper.judge.verdict import Verdict
+from pieper.tolerances import JUDGED_HOLDS, JUDGED_ZERO, NO_LENGTH
 
-SETTLED = 1e-9  # relative; a smaller determinant is zero but for rounding
 MARCHES = 60  # of a search for a zero of a formula
 ZEROS = 40  # joint vectors with the formula at zero that are looked at
 MOST_ROWS = 6
@@ -50,7 +50,7 @@ def rows_for(ev: Evidence, claim: Claim) -> list[int]:
             raise claim.error(f"rows: the determinant of {n} joints takes {n} of the rows 1 to 6 (x, y, z, rx, ry, rz)")
         return rows
     size = np.abs(jacobian_of(ev.model, ev.samples)).max(axis=(0, 2))
-    moving = [r for r in range(MOST_ROWS) if size[r] > SETTLED * max(1.0, ev.model.length())]
+    moving = [r for r in range(MOST_ROWS) if size[r] > JUDGED_ZERO * max(1.0, ev.model.length())]
     if len(moving) > n and n <= 3:
         moving = moving[:n] if all(r < 3 for r in moving[:n]) else moving
     if len(moving) != n:
@@ -142,7 +142,7 @@ def judge_singular(ev: Evidence, claim: Claim) -> Verdict:
             bad += 1
             continue
         ratio = _least(ev, claim, q)
-        fine = ratio < 1e-6
+        fine = ratio < JUDGED_HOLDS
         lines.append((part, f"the Jacobian loses rank at {int(fine.sum())} of {len(q)} joint vectors with it"))
         if not fine.all():
             k = int(np.flatnonzero(~fine)[0])
@@ -168,7 +168,7 @@ def _samples_at(ev: Evidence, q: np.ndarray) -> Samples:
 def _least(ev: Evidence, claim: Claim, q: np.ndarray) -> np.ndarray:
     """The smallest singular value over the largest, of the rows that are meant, (K,)."""
     J = jacobian_of(ev.model, _samples_at(ev, q))
-    scale = max(ev.model.length(), 1e-12)
+    scale = max(ev.model.length(), NO_LENGTH)
     J[:, :3] /= scale
     rows = rows_for(ev, claim) if ev.model.n < MOST_ROWS or "rows" in claim else list(range(MOST_ROWS))
     values = np.linalg.svd(J[:, rows, :], compute_uv=False)
@@ -195,7 +195,7 @@ def _zeros(ev: Evidence, node: Expr) -> np.ndarray:
         a, b = np.where(same[:, None], middle, a), np.where(same[:, None], b, middle)
     q = (a + b) / 2
     typical = np.median(np.abs(value(start)))
-    return q[np.abs(value(q)) < 1e-9 * max(typical, 1e-12)] if len(q) else q
+    return q[np.abs(value(q)) < JUDGED_ZERO * max(typical, NO_LENGTH)] if len(q) else q
 
 
 def _elsewhere(ev: Evidence, claim: Claim, nodes: list[Expr]) -> str | None:

@@ -11,6 +11,7 @@ from pieper.judge.model import ArmModel
 from pieper.judge.numbers import UNITS, unit_of
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
+from pieper.tolerances import CENTRAL_STEP, LIMIT_DAMPING, LIMIT_FOUND, LIMIT_REACHED
 
 
 def judge_limit(ev: Evidence, claim: Claim) -> Verdict:
@@ -28,7 +29,7 @@ def judge_limit(ev: Evidence, claim: Claim) -> Verdict:
     unit = unit_of(claim, model)
     factor = UNITS[unit] / UNITS[model.unit]
     ends = np.array([path["from"], path["to"]], dtype=float) * factor
-    tolerance = 1e-4 * model.length() / factor
+    tolerance = LIMIT_FOUND * model.length() / factor
 
     def gaps(lower: float, upper: float) -> np.ndarray:
         return np.array([_closest(model, p, joint, np.radians([lower, upper])) for p in ends]) / factor
@@ -71,7 +72,7 @@ def _closest(model: ArmModel, point: np.ndarray, joint: int, limits: np.ndarray)
     k = joint - 1
     q = rng.uniform(-np.pi, np.pi, (64, model.n))
     q[:, k] = rng.uniform(limits[0], limits[1], len(q))
-    step, size = 1e-6, model.length()
+    step, size = CENTRAL_STEP, model.length()
     best = np.inf
     for _ in range(80):
         moved = np.repeat(q[:, None], model.n + 1, axis=1)
@@ -79,14 +80,14 @@ def _closest(model: ArmModel, point: np.ndarray, joint: int, limits: np.ndarray)
         p = pose_of(model, moved.reshape(-1, model.n))[:, :3, 3].reshape(len(q), model.n + 1, 3)
         here = p[:, -1]
         best = min(best, float(np.linalg.norm(here - point, axis=1).min()))
-        if best < 1e-6 * model.length():
+        if best < LIMIT_REACHED * model.length():
             break
         J = (p[:, :-1] - here[:, None]).transpose(0, 2, 1) / step
         pull = np.einsum("kij,ki->kj", J, point - here)[:, k]
         stuck = ((q[:, k] <= limits[0]) & (pull < 0)) | ((q[:, k] >= limits[1]) & (pull > 0))
         J[stuck, :, k] = 0  # at a stop the other joints must do it alone
         # damping that follows the error converges inside the reach and settles at its edge (Sugihara, 2011)
-        damp = (0.5 * size * np.linalg.norm(point - here, axis=1) + 1e-9 * size**2)[:, None, None] * np.eye(3)
+        damp = (0.5 * size * np.linalg.norm(point - here, axis=1) + LIMIT_DAMPING * size**2)[:, None, None] * np.eye(3)
         dq = np.einsum(
             "kji,kj->ki", J, np.linalg.solve(J @ J.transpose(0, 2, 1) + damp, (point - here)[..., None])[..., 0]
         )

@@ -12,6 +12,7 @@ from pieper.judge.judges.formulas import judge_equal
 from pieper.judge.matrices import Product, parse_product, product_slips, value_of
 from pieper.judge.search.search import Goal
 from pieper.judge.verdict import Verdict
+from pieper.tolerances import FLOOR_OF_SEARCH, MATRIX_ENTRY
 
 
 def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
@@ -67,7 +68,7 @@ def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
 
 def _arm_of(ev: Evidence, product: Product, nodes: dict[tuple[int, int], Expr]) -> tuple[str, str] | None:
     """Return (kind, words) of the arm one slip away for which every given entry is right, None when there is none."""
-    floor = 1e-3 * max(1.0, ev.model.length())
+    floor = FLOOR_OF_SEARCH * max(1.0, ev.model.length())
     for kind, words, samples in ev.other_arms:
         right = value_of(product, samples.frames)
         right = right if right.ndim == 3 else right[:, :, None]
@@ -86,7 +87,7 @@ def judge_product(ev: Evidence, claim: Claim) -> Verdict:
         values = [value_of(side, ev.samples.frames) for side in sides]
     if values[0].shape != values[1].shape:
         raise claim.error(f"the left side is {values[0].shape[1:]}, the right side {values[1].shape[1:]}")
-    slack = 1e-9 * max(1.0, float(np.abs(values[1]).max()))
+    slack = MATRIX_ENTRY * max(1.0, float(np.abs(values[1]).max()))
 
     def same(x: np.ndarray, y: np.ndarray) -> bool:
         return x.shape == y.shape and np.allclose(x, y, rtol=0, atol=slack)

@@ -8,9 +8,10 @@ from pieper.algebra.formula import ANGLE
 from pieper.errors import PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, wrapped
-from pieper.judge.judges.angles import branch_values, read_angle
+from pieper.judge.judges.angle_formula import branch_values, read_angle
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
+from pieper.tolerances import JUDGED_HOLDS
 from pieper.words_by_number import plural
 
 MAX_COMBINATIONS = 512
@@ -79,13 +80,13 @@ def _closing(ev: Evidence, rows: np.ndarray, candidates: list[dict[str, np.ndarr
     for known in candidates:
         q = np.stack([known[f"theta{j}"] for j in range(1, model.n + 1)], axis=1)
         T = pose_of(model, np.nan_to_num(q, nan=0.3))
-        close = np.abs(T - want).reshape(len(rows), -1).max(1) < 1e-6 * max(1.0, model.length())
+        close = np.abs(T - want).reshape(len(rows), -1).max(1) < JUDGED_HOLDS * max(1.0, model.length())
         tried.append((q, close & np.isfinite(q).all(1)))
     counts = np.zeros(len(rows), dtype=int)
     for k in range(len(rows)):
         kept: list[np.ndarray] = []
         for q, good in tried:
-            if good[k] and all(np.abs(wrapped(q[k] - other)).max() > 1e-6 for other in kept):
+            if good[k] and all(np.abs(wrapped(q[k] - other)).max() > JUDGED_HOLDS for other in kept):
                 kept.append(q[k])
         counts[k] = len(kept)
     return counts

@@ -11,6 +11,7 @@ from pieper.judge.judges.poses import joint_slips
 from pieper.judge.numbers import UNITS, joint_tolerance, last_digit, read_joints, read_matrix, read_number, unit_of
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
+from pieper.tolerances import JUDGED_ZERO
 from pieper.words_by_number import plural
 
 
@@ -53,7 +54,7 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
         if not fine:
             near = [
                 (kind, says)
-                for kind, says, other in joint_slips(q)
+                for kind, says, other in joint_slips(model, q)
                 if closes(*off(other)[1:], half * (180 / np.pi if kind == "degrees" else 1.0))
             ]
             slips += near[:1]
@@ -94,7 +95,7 @@ def _twice(ev: Evidence, printed: list, given: list[np.ndarray]) -> list[tuple[i
     found = []
     for i, q in enumerate(given):
         for j in range(i):
-            near = 1e-9 + joint_tolerance(printed[i], True) + joint_tolerance(printed[j], True)
+            near = JUDGED_ZERO + joint_tolerance(printed[i], True) + joint_tolerance(printed[j], True)
             if np.all(ev.apart(q[None], given[j])[0] <= near):
                 found.append((i, j))
                 break
@@ -104,7 +105,7 @@ def _twice(ev: Evidence, printed: list, given: list[np.ndarray]) -> list[tuple[i
 def _wanted_pose(ev: Evidence, claim: Claim, factor: float) -> tuple[np.ndarray, float]:
     """Return the pose in the claim's unit, and how far its printed position may be off."""
     if "matrix" not in claim:
-        return _in_unit(pose_of(ev.model, read_joints(claim, ev.model))[0], factor), 1e-9 * ev.model.length()
+        return _in_unit(pose_of(ev.model, read_joints(claim, ev.model))[0], factor), JUDGED_ZERO * ev.model.length()
     printed = read_matrix(claim)[:3]
     T = np.eye(4)
     for i, row in enumerate(printed):

@@ -19,11 +19,11 @@ import numpy as np
 from pieper.algebra.expression import Add, Call, Expr, Mul, Num, PiFraction, Power, Sym
 from pieper.algebra.formula import ANGLE, Equation, Mention, Neg, PlusMinus, is_call, number, positions, unordered
 from pieper.judge.slips.slip import Slip
+from pieper.tolerances import CONSTANT_GAP, SEARCH_ARC, SEARCH_SAME
 
 FACTORS = 3  # letters in a lost term
 FIRST = 52  # letters of which products are made; more are seldom in one formula
 MOST_TERMS = 6  # of a sum whose neighbours may share a lost factor
-SAME = 1e-8  # relative; values closer than this are equal
 ENOUGH = 3  # samples at which a product must have the value; the others may be on another branch
 ANCHORS = 4  # samples at which a product is looked up; on a wrong branch a value is of no use
 FAMILIES = ("noa", "r", "p", "P")  # letters of a pose that go together
@@ -89,13 +89,13 @@ class Shelf:
                     if not np.isfinite(wanted[anchor]):
                         continue
                     order = self._order[letters][anchor]
-                    first = np.searchsorted(logs[order, anchor], wanted[anchor] - SAME)
-                    last = np.searchsorted(logs[order, anchor], wanted[anchor] + SAME)
+                    first = np.searchsorted(logs[order, anchor], wanted[anchor] - SEARCH_SAME)
+                    last = np.searchsorted(logs[order, anchor], wanted[anchor] + SEARCH_SAME)
                     for k in order[first:last].tolist():
                         if k in seen:
                             continue
                         seen.add(k)
-                        near = np.abs(logs[k] - wanted) < SAME
+                        near = np.abs(logs[k] - wanted) < SEARCH_SAME
                         for sense in (1, -1):
                             if np.count_nonzero(near & (signs[k] * sense == sign)) >= ENOUGH:
                                 yield Found(sense * coefficient, tuple(products[k].tolist()))
@@ -175,7 +175,7 @@ class Lost:
                 if isinstance(node, Mul):
                     yield from _parts_of_product(root, path, node, shelf, need, values)
                 yield from _letters(root, path, node, shelf, need)
-                if any_slip and np.count_nonzero(np.abs(need + value) < SAME * np.abs(value)) >= ENOUGH:
+                if any_slip and np.count_nonzero(np.abs(need + value) < SEARCH_SAME * np.abs(value)) >= ENOUGH:
                     yield Slip("sign", ("the sign of {}", node), root, path, Neg.of(node), 0.5)
 
     def angles(self, root: Expr, gap: np.ndarray, env: Mapping[str, np.ndarray]) -> Iterator[Slip]:
@@ -189,17 +189,17 @@ class Lost:
         for name in (f"theta{j}" for j in range(1, self.joints + 1)):
             for sign in (1, -1):
                 off = np.abs((gap - sign * env[name] + np.pi) % (2 * np.pi) - np.pi)
-                if name not in self.own and np.count_nonzero(off < 1e-7) * 2 >= len(off):
+                if name not in self.own and np.count_nonzero(off < SEARCH_ARC) * 2 >= len(off):
                     term = Mention(name)
                     new = Add.of(root, term if sign > 0 else Neg.of(term))
                     yield Slip("missing term", ("{} lost", term), root, (), new, 1.0)
-        if np.ptp(np.cos(gap)) + np.ptp(np.sin(gap)) < 1e-9:
+        if np.ptp(np.cos(gap)) + np.ptp(np.sin(gap)) < CONSTANT_GAP:
             return  # the same at every sample: half a turn, say
         entries = [e for e in self.letters.values() if isinstance(e, Sym) and _any_entry(e.name)]
         for y, x in permutations(entries, 2):
             for sy, sx in product((1, -1), repeat=2):
                 arc = np.arctan2(sy * env[y.name], sx * env[x.name])
-                if np.count_nonzero(np.abs((gap - arc + np.pi) % (2 * np.pi) - np.pi) < 1e-7) >= ENOUGH:
+                if np.count_nonzero(np.abs((gap - arc + np.pi) % (2 * np.pi) - np.pi) < SEARCH_ARC) >= ENOUGH:
                     term = Call("atan2", y if sy > 0 else Neg.of(y), x if sx > 0 else Neg.of(x))
                     yield Slip("missing term", ("{} lost", term), root, (), Add.of(term, root), 1.1)
 
@@ -215,8 +215,17 @@ def _terms(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, gap: np.
             yield Slip("extra term", ("{} too many", term), root, path, Add.of(*rest), 1.25)
             continue
         new = Add.of(node, Neg.of(term) if found.coefficient < 0 else term)
+        more += _foreign(root, shelf, found)
         cost = 1.2 + more + 0.15 * len(found.letters) + 0.2 * (abs(found.coefficient) != 1) + 0.5 * (not found.letters)
         yield Slip("missing term", ("{} lost after {}", term, node), root, path, new, cost)
+
+
+def _foreign(root: Expr, shelf: Shelf, found: Found) -> float:
+    """What it costs that a product has letters of the pose's rotation where the formula has none."""
+    if any(_entry(name, family) for name in root.symbols() for family in ("noa", "r")):
+        return 0.0
+    letters = [shelf.letters[k] for k in found.letters]
+    return 0.1 * sum(isinstance(x, Sym) and (_entry(x.name, "noa") or _entry(x.name, "r")) for x in letters)
 
 
 def _factors(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, ratio: np.ndarray) -> Iterator[Slip]:
@@ -226,6 +235,7 @@ def _factors(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, ratio:
         factor = shelf.product(found)
         new = shelf.product(found, node)
         cost = 1.05 + 0.25 * len(found.letters) + 0.25 * (abs(found.coefficient) != 1) + 0.4 * (found.coefficient < 0)
+        cost += _foreign(root, shelf, found)
         yield Slip(
             "missing factor",
             ("{} lost from {}", factor, node),
@@ -247,7 +257,7 @@ def _parts_of_sum(
                 continue
             inside = node.args[first:last]
             part = sum(np.asarray(values[a], dtype=float) for a in inside)
-            if np.count_nonzero(np.abs(gap + part - part**2) < SAME * part**2) >= ENOUGH:
+            if np.count_nonzero(np.abs(gap + part - part**2) < SEARCH_SAME * part**2) >= ENOUGH:
                 new = Add.of(*node.args[:first], Power(Add(*inside), number(2)), *node.args[last:])
                 yield Slip("power", ("a lost square of {}", Add(*inside)), root, path, new, 1.3)
             for found in shelf.find((gap + part) / part, most=1, least=1):
@@ -297,18 +307,34 @@ def letters_of(
     used = root.symbols()
     out: dict[str, Expr] = {str(e): e for e in pool.values() if not (e.symbols() and e.symbols() <= own)}
     kinds = [family for family in FAMILIES if any(_entry(name, family) for name in used)]
-    if own and not kinds:
-        kinds = ["r", "p"]
+    if own or isinstance(root, Equation):
+        # who uses some letters of the pose has the others too: one that was lost need not stand elsewhere
+        if own and not kinds:
+            kinds = ["r", "p"]
+        if kinds and not {"noa", "r"} & set(kinds):
+            kinds.append("noa")
+        if kinds and not {"p", "P"} & set(kinds):
+            kinds.append("p")
     for name in env:
         if any(_entry(name, family) for family in kinds) or name in more or (name in used and not ANGLE.match(name)):
             out.setdefault(name, Mention(name))
-    inside = 0
+    inside, more_sums = 0, dict[str, Expr]()
     for node in root.walk():
         small = isinstance(node, Add | Call) and 2 < node.size() <= 24 and not isinstance(node, PlusMinus | PiFraction)
         if small and inside < 12 and str(node) not in out and not isinstance(node, Equation) and node is not root:
             out[str(node)] = node
             inside += 1
-    return out
+            if isinstance(node, Add):
+                likenesses = (_turned_to(node, x) for x in ("xy", "xz", "yz"))
+                more_sums.update({str(sum_): sum_ for sum_ in likenesses if sum_ is not None})
+    return out | {text: sum_ for text, sum_ in more_sums.items() if text not in out}
+
+
+def _turned_to(node: Expr, pair: str) -> Expr | None:
+    """A sum with two coordinates exchanged in the letters of the pose: px - d6 ax becomes py - d6 ay."""
+    new = dict(zip(pair, pair[::-1], strict=True))
+    names = {n: n[0] + new[n[1]] for n in node.symbols() if len(n) == 2 and n[0] in "noapP" and n[1] in new}
+    return node.substitute({old: Mention(name) for old, name in names.items()}) if names else None
 
 
 def _any_entry(name: str) -> bool:

@@ -19,8 +19,8 @@ from pieper.algebra.formula import Equation, has_branch, unordered
 from pieper.judge.search.lookup import Lost, Shelf
 from pieper.judge.search.required import required_values
 from pieper.judge.slips.slip import Slip
+from pieper.tolerances import FLOOR_OF_SEARCH, NEED_MET, ROUNDING, SEARCH_ARC, VALUE_TOLERANCE
 
-ANGLE_TOLERANCE = 1e-7  # rad; acos loses half the digits near its ends
 MAX_SEARCHED = 4000  # nodes; a formula of several pages has more slips than anyone waits for
 ENOUGH = 3  # of the probes; on another branch the value at a place is another one
 PROBES = 12  # samples at which a candidate is tried first
@@ -28,7 +28,6 @@ MAX_LOST = 200  # nodes; in longer formulas a lost term is looked for by its let
 LIKELY = 1.05  # cost of a slip that may be one of two at once
 FIRST_OF_TWO = 400  # of them that are tried
 NODES_OF_TWO = 5_000  # in all the formulas that are tried for a second slip
-VALUE_TOLERANCE = 1e-9  # relative to the size of the numbers compared
 
 
 @dataclass
@@ -45,7 +44,7 @@ class Goal:
     env: dict[str, np.ndarray]
     wanted: np.ndarray | None = None
     angle: bool = False
-    floor: float = 1e-3
+    floor: float = FLOOR_OF_SEARCH
 
     @cached_property
     def _scale(self) -> np.ndarray:
@@ -66,7 +65,7 @@ class Goal:
             else:
                 gap = node.evaluate(self.env, NumpyField, branch, cache, learn) - self.wanted
                 if self.angle:
-                    off = np.abs((gap + np.pi) % (2 * np.pi) - np.pi) / ANGLE_TOLERANCE
+                    off = np.abs((gap + np.pi) % (2 * np.pi) - np.pi) / SEARCH_ARC
                 else:
                     off = np.abs(gap) / (VALUE_TOLERANCE * self._scale)
         off = np.broadcast_to(np.asarray(off, dtype=float), np.shape(self.env["theta1"]))
@@ -185,6 +184,8 @@ class _Look:
     def at(self, slip: Slip) -> None:
         """Look at one."""
         share = float(np.mean(self.goal.fits(slip.tree)))
+        if share == 1.0 and says_nothing(slip.tree, self.zero):
+            return
         text = unordered(slip.tree) if share == 1.0 else ""
         if share == 1.0 and text not in self.seen:
             self.seen.add(text)
@@ -200,8 +201,7 @@ class _Look:
                 self.out.complete = False
                 return
             self.out.tried[slip.kind] = self.out.tried.get(slip.kind, 0) + 1
-            if not says_nothing(slip.tree, self.zero):
-                self.at(slip)
+            self.at(slip)
 
 
 def says_nothing(node: Expr, zero: frozenset[str] = frozenset()) -> bool:
@@ -235,7 +235,7 @@ def _promising(slip: Slip, probe: Goal, needed: dict, values: dict, angle: bool)
     if need is not None and not has_branch(slip.new):
         with np.errstate(all="ignore"):
             value = slip.new.evaluate(probe.env, NumpyField, 1, values, learn=False)
-            close = np.abs(value - need) <= 1e-6 * (np.abs(value) + np.abs(need)) + 1e-12
+            close = np.abs(value - need) <= NEED_MET * (np.abs(value) + np.abs(need)) + ROUNDING
         return int(np.count_nonzero(close)) >= ENOUGH
     good = probe.residual(slip.tree, 1, values, learn=False) < 1
     if angle and has_branch(slip.tree):

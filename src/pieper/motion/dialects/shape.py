@@ -10,9 +10,8 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import axes_at
 from pieper.solver.plan.plan import Plan
+from pieper.tolerances import AXES_ACROSS, WRIST_OVER_AXIS
 
-#: A wrist centre this near to axis 1 at zero (lengths of the arm) stands over it.
-UPRIGHT = 1e-3
 _LEANING = np.array([0.0, 0.1, 0.0, 0.0, 0.0, 0.0])
 
 
@@ -42,7 +41,7 @@ def has_shape(plan: Plan) -> bool:
         return False
     pairs = plan.geometry.pairs
     wrist = any(set(group.joints) >= {3, 4, 5} for group in plan.geometry.spherical)
-    across = abs(float(plan.chain.axes[0] @ plan.chain.axes[1])) < 1e-9
+    across = abs(float(plan.chain.axes[0] @ plan.chain.axes[1])) < AXES_ACROSS
     return wrist and across and pairs[1].relation == "parallel" and pairs[0].relation != "parallel"
 
 
@@ -61,7 +60,7 @@ def shape(plan: Plan, q: Array, what: str) -> Shape:
     here, zero = _signs(plan, axes[0], points[0]), _signs(plan, axes[1], points[1])
     # the front is where the wrist centre is with all joints at zero, or goes to where joint 2 turns on from there
     front = zero[0]
-    if abs(front) < UPRIGHT * plan.chain.length:
+    if abs(front) < WRIST_OVER_AXIS * plan.chain.length:
         front = _signs(plan, *(x[2] for x in (axes, points)))[0]
     front = float(np.sign(front)) or 1.0
     ahead, over, sine, bend = here

@@ -48,7 +48,7 @@ def read_csv(text: str) -> list[Target]:
     """Return the points of a table."""
     head, *rows = text.strip().splitlines()
     columns = [
-        (i, np.pi / 180 if name.endswith("_deg") else 1e-3)
+        (i, np.pi / 180 if name.endswith("_deg") else 0.001)
         for i, name in enumerate(head.split(","))
         if name.endswith(("_deg", "_mm"))
     ]

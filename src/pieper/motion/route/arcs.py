@@ -19,16 +19,21 @@ from pieper.motion.route.setting import Setting
 from pieper.solver.redundant.bounded_motion import BoundedMotion
 from pieper.solver.redundant.self_motions import self_motions_of
 from pieper.solver.words.labels import posture_words
-from pieper.tolerances import LIMIT_SLACK
+from pieper.tolerances import (
+    ARC_STILL,
+    AT_A_LIMIT,
+    FOLD_FOUND,
+    FOLD_NARROW,
+    LIMIT_SLACK,
+    ROUNDING,
+    SAME_FOLD,
+    SHORTEST_ARC,
+)
 
 #: What ends an arc: a joint's limit, the turn's own interval, a fold, or nothing since it goes all the way round.
 LIMIT, INTERVAL, FOLD, ROUND = "limit", "interval", "fold", "round"
 #: Steps and golden sections that place a crossing or a fold: to rounding of the parameter.
 HALVINGS, SECTIONS = 40, 60
-#: Shortest stretch of a self-motion (of its whole) that is an arc.
-SHORTEST = 1e-12
-#: Change of the turn between samples below which they are one point.
-STILL = 1e-12
 
 
 @dataclass(frozen=True)
@@ -104,7 +109,7 @@ def _arcs_of(setting: Setting, motion: BoundedMotion) -> list[Arc]:
         for a, b in pieces:
             cuts = [a, *(f for f in curve.folds if a < f < b), b]
             for c, d in itertools.pairwise(cuts):
-                if d - c > SHORTEST:
+                if d - c > SHORTEST_ARC:
                     out.append(curve.arc(c, d, lift, a, b))
     return out
 
@@ -148,7 +153,7 @@ class _Curve:
         d = np.diff(v)
         out: list[float] = []
         # points that are listed twice say nothing
-        moved = np.flatnonzero(np.abs(d) > STILL)
+        moved = np.flatnonzero(np.abs(d) > ARC_STILL)
         sense = d[moved] > 0
         turned = np.flatnonzero(sense[:-1] != sense[1:])
         spans = [(float(self.u[moved[i]]), float(self.u[moved[i + 1] + 1]), bool(sense[i])) for i in turned]
@@ -169,7 +174,7 @@ class _Curve:
                 b = d
             else:
                 a = c
-            if b - a < 1e-9:
+            if b - a < SAME_FOLD:
                 break
         return float((a + b) / 2)
 
@@ -277,7 +282,7 @@ class _Curve:
             # the end that stays twice is given half the weight, which makes it come nearer
             vb, va = np.where(left, vb / 2, v), np.where(left, v, va / 2)
             a, b = np.where(left, at, a), np.where(left, b, at)
-            if np.abs(v).max() < 1e-13 or (b - a).max() < 1e-15:
+            if np.abs(v).max() < FOLD_FOUND or (b - a).max() < FOLD_NARROW:
                 break
         return at
 
@@ -312,11 +317,11 @@ class _Curve:
     def _end(self, u: float, x: Array, outer: bool) -> End:
         if self.whole:
             return End(ROUND)
-        if not outer or any(abs(u - f) < 1e-9 for f in self.folds):
-            at_limit = self._limit_at(x, 1e-12)
+        if not outer or any(abs(u - f) < SAME_FOLD for f in self.folds):
+            at_limit = self._limit_at(x, ROUNDING)
             if at_limit is None:
                 return End(FOLD)
-        return self._limit_at(x, 1e-6) or End(FOLD)
+        return self._limit_at(x, AT_A_LIMIT) or End(FOLD)
 
     def _limit_at(self, x: Array, within: float) -> End | None:
         """Return the limit that a point is nearest to, if it is that near."""

@@ -11,6 +11,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.joints import TURN
 from pieper.kinematics.pose import rotation_about
+from pieper.tolerances import WHOLE_TURN
 
 #: What `turn` may be beside an interval.
 FREE = "free"
@@ -111,7 +112,7 @@ def _interval(value: object) -> tuple[float, float]:
             f"turn must have its lower end first, got ({low:g}, {high:g}); did you mean ({high:g}, {low:g})?",
             given=(low, high),
         )
-    if high - low > TURN + 1e-9:
+    if high - low > TURN + WHOLE_TURN:
         raise InputError(
             f'turn spans {np.degrees(high - low):.6g} degrees, at most 360 are told apart; turn="free" has no ends.',
             given=(low, high),

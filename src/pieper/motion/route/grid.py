@@ -13,6 +13,7 @@ from pieper.kinematics.joints import TURN
 from pieper.kinematics.pose import inverse, rotation_about, rotation_x, rotation_z
 from pieper.motion.route.setting import Setting
 from pieper.solver.arm_rows import arm_rows, full_rows
+from pieper.tolerances import CONE_INSIDE, WHOLE_TURN
 
 #: Values of a turning coordinate over a whole turn, by how many coordinates there are on the grid.
 TURNS = {1: 72, 2: 36, 3: 24}
@@ -155,7 +156,7 @@ def grid(setting: Setting, finer: int = 1, offset: float = 0.0) -> Grid:
     if setting.tilts:
         angle = np.arange(SPOKES) * TURN / SPOKES
         # a little inside the cone: the tilt's two angles make up one by the product of their cosines
-        sizes = setting.free.cone * (1 - 1e-9) * np.arange(1, RINGS + 1) / RINGS
+        sizes = setting.free.cone * (1 - CONE_INSIDE) * np.arange(1, RINGS + 1) / RINGS
         tilts = np.vstack([tilts, *(_ring(size, angle) for size in sizes)])
     return Grid(setting, turn, tuple(held), tilts)
 
@@ -168,7 +169,7 @@ def _ring(size: float, angle: Array) -> Array:
 
 
 def _turning(low: float, high: float, turns: int, offset: float) -> Coordinate:
-    if not (np.isfinite(low) and np.isfinite(high)) or high - low >= TURN - 1e-9:
+    if not (np.isfinite(low) and np.isfinite(high)) or high - low >= TURN - WHOLE_TURN:
         start = low if np.isfinite(low) else 0.0
         return Coordinate(start + (np.arange(turns) + offset) * TURN / turns, True)
     if high == low:

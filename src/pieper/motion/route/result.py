@@ -11,7 +11,9 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.motion.route.freedom import Freedom, Verdict
 from pieper.motion.route.setting import Setting
+from pieper.motion.route.turn_map import TurnMap, turn_map
 from pieper.solver.plan.plan import Plan
+from pieper.solver.words.labels import posture_words
 
 
 @dataclass(frozen=True)
@@ -61,23 +63,15 @@ class Blocked:
         s: (first, last) between which every passage closes, 0 to 1.
         closed: What closes each branch there; empty where the pose is out of reach.
         why: A sentence.
+        begun: Where on the path everything inside the limits was known; followed from there, it comes to nothing.
         others: Seeks the smallest changes that let a route through.
-        proof: Proves the cells that stop everything.
     """
 
     s: tuple[float, float]
     closed: tuple[Closed, ...]
     why: str
+    begun: float
     others: Callable[[], tuple[Relaxation, ...]] = field(default=tuple, repr=False, compare=False)
-    proof: Callable[[], tuple[int, int]] = field(default=lambda: (0, 0), repr=False, compare=False)
-
-    @cached_property
-    def proved(self) -> tuple[int, int]:
-        """Of how many cells that stop everything the bound was proved by Kantorovich's theorem, and of how many in all.
-
-        It takes seconds. Cells at a fold, where the arm is singular with the turn held, are not proved this way.
-        """
-        return self.proof()
 
     @cached_property
     def relaxations(self) -> tuple[Relaxation, ...]:
@@ -147,6 +141,20 @@ class Route:
     def alternatives(self) -> tuple[Alternative, ...]:
         """Other routes, one a posture label of the first point, cheapest first; sought when first asked for."""
         return self.others()
+
+    @cached_property
+    def labels(self) -> tuple[str, ...]:
+        """(N,) posture label of each point; empty where no route was found."""
+        return tuple(posture_words(self.plan, self.q)) if len(self.q) else ()
+
+    @cached_property
+    def map(self) -> TurnMap:
+        """Where along the path which turn is open, branch by branch, whether a route was found or not.
+
+        Raises:
+            InputError: The turn was not free, or the arm's own joints decide it.
+        """
+        return turn_map(self.setting)
 
     @property
     def largest_step(self) -> Array:

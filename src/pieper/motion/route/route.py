@@ -21,13 +21,9 @@ from pieper.motion.route.result import Route
 from pieper.motion.route.search import Task, search
 from pieper.motion.route.setting import Setting, setting
 from pieper.solver.plan.plan import Plan
-from pieper.tolerances import SAME_SOLUTION
+from pieper.tolerances import POSTURE_ON_PATH, ROUTE_SAME_POSE, SAME_SOLUTION
 
 MOTION, TIME = "motion", "time"
-#: How far a posture may be off the pose that it is to begin or end with (per length; rad).
-ON_PATH = 1e-6
-#: Two poses nearer than this (per length; rad) are one.
-SAME_POSE = 1e-12
 
 
 def route(
@@ -107,7 +103,7 @@ def _checked_points(poses: Array, length: float) -> Array:
         )
     move = np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1) / length
     turn = np.abs(np.diff(poses[:, :3, :3], axis=0)).max((1, 2))
-    same = np.flatnonzero((move < SAME_POSE) & (turn < SAME_POSE))
+    same = np.flatnonzero((move < ROUTE_SAME_POSE) & (turn < ROUTE_SAME_POSE))
     if len(same):
         k = int(same[0])
         raise InputError(
@@ -168,7 +164,7 @@ def _end(world: Setting, q: ArrayLike | None, at: int, what: str) -> Array | Non
         x[plan.n] = -angle
         turns = np.arange(-2, 3) * 2 * np.pi
         fits = x[plan.n] + turns
-        good = fits[(fits >= low - ON_PATH) & (fits <= high + ON_PATH)]
+        good = fits[(fits >= low - POSTURE_ON_PATH) & (fits <= high + POSTURE_ON_PATH)]
         if not len(good):
             raise InputError(
                 f"{what} has the tool turned by {np.degrees(angle):.4g} degrees, outside the turn's interval of "
@@ -179,7 +175,10 @@ def _end(world: Setting, q: ArrayLike | None, at: int, what: str) -> Array | Non
     elif world.m > plan.n:
         x = _nearest_row(world, x, at)
     there = newton(world.chain, x, T)
-    if np.abs((there - x) / world.chain.joints.unit).max() > ON_PATH or world.tilt_of(x) > world.free.cone + ON_PATH:
+    if (
+        np.abs((there - x) / world.chain.joints.unit).max() > POSTURE_ON_PATH
+        or world.tilt_of(x) > world.free.cone + POSTURE_ON_PATH
+    ):
         gap = plan.chain.native.fk(joints)[:3, 3] - T[:3, 3]
         which = "first" if at == 0 else "last"
         raise InputError(

@@ -13,7 +13,7 @@ from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import Rungs, Way, climb, fitted, rungs
 from pieper.motion.route.setting import Setting
 from pieper.motion.route.smooth import Shape, Smoothed, smooth
-from pieper.tolerances import LIMIT_SLACK
+from pieper.tolerances import LIMIT_SLACK, NO_LOOK_BETWEEN
 
 #: Stations of the first ladder, and how often twice as many are tried, each with a finer grid.
 STATIONS, FINER = 51, (1, 2, 4)
@@ -28,8 +28,6 @@ MOST_ROWS = 4_000_000
 STRAIGHT, HALVINGS = 0.3, 8
 #: Parts of the way from the ladder's route to the shortest one that are tried where something must be kept.
 PARTS = (1.0, 0.75, 0.5, 0.25, 0.0)
-#: Two points this near (rad; lengths) need no look between them.
-NEAR = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,7 +192,8 @@ def _kept(task: Task, x: Array) -> bool:
     """Whether a route begins and ends as told."""
     n = task.setting.n
     return all(
-        end is None or bool(np.abs(x[i, :n] - end[:n]).max() < NEAR) for i, end in zip((0, -1), task.ends, strict=True)
+        end is None or bool(np.abs(x[i, :n] - end[:n]).max() < NO_LOOK_BETWEEN)
+        for i, end in zip((0, -1), task.ends, strict=True)
     )
 
 
@@ -243,10 +242,10 @@ def continuous(setting: Setting, x: Array) -> bool:
         there, on = setting.on(middle, setting.at(at))
         gap = np.abs((there - middle) / unit).max(1)
         size = np.abs((b - a) / unit).max(1)
-        doubt = ~on | (gap > STRAIGHT * size + NEAR)
+        doubt = ~on | (gap > STRAIGHT * size + NO_LOOK_BETWEEN)
         if not doubt.any():
             return True
-        if (~on & (size < NEAR)).any():
+        if (~on & (size < NO_LOOK_BETWEEN)).any():
             return False
         s0, s1 = np.concatenate([s0[doubt], at[doubt]]), np.concatenate([at[doubt], s1[doubt]])
         a, b = np.concatenate([a[doubt], there[doubt]]), np.concatenate([there[doubt], b[doubt]])

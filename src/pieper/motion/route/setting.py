@@ -17,17 +17,13 @@ from pieper.motion.path import shortest_turn
 from pieper.motion.route.freedom import Freedom
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import appended, generic_rank, with_task_joints
-from pieper.tolerances import CLOSES, TINY
+from pieper.tolerances import CLOSES, CONE_KEPT, TINY
 
 #: Orientations in which the two virtual joints of a tilt act, about y and then about x.
 _TILTS = [
     (rotation_about(np.array([1.0, 0.0, 0.0]), -np.pi / 2), False),
     (rotation_about(np.array([0.0, 1.0, 0.0]), np.pi / 2), False),
 ]
-
-
-#: Part of a cone that is left free at its edge, so that a route at rest there lies inside it.
-CONE_KEPT = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,6 +125,17 @@ class Setting:
         out[part == 0.0], out[part == 1.0] = self.path[k[part == 0.0]], self.path[k[part == 1.0] + 1]
         return out.reshape(*s.shape, 4, 4)
 
+    def twists(self, s: Array) -> tuple[Array, Array]:
+        """Return by what axis (k - 1, 3), in the tool's frame, and angle (k - 1,) the tool turns between places s (k,).
+
+        No point of the path may lie between two of them.
+        """
+        if len(s) < 2:
+            return np.zeros((0, 3)), np.zeros(0)
+        k = np.clip(np.searchsorted(self.s, s[:-1], side="right") - 1, 0, len(self.s) - 2)
+        axis, angle = self._turns
+        return axis[k], angle[k] * np.diff(s) / (self.s[k + 1] - self.s[k])
+
     @cached_property
     def _turns(self) -> tuple[Array, Array]:
         """(N - 1, 3) axis and (N - 1,) angle by which the tool turns from point to point."""
@@ -166,7 +173,11 @@ def setting(plan: Plan, curves: Plan, free: Freedom, path: Array, s: Array) -> S
         PlanError: The arm's joints are coupled.
     """
     if plan.uncoupled is not None:
-        raise PlanError(f"{plan.name} has coupled joints; routes are planned for joints that move by themselves.")
+        raise PlanError(
+            f"{plan.name} has coupled joints; routes are planned for joints that move by themselves. `arm.follow` "
+            "takes coupled joints. Or plan the route of arm.uncoupled(), whose joints are the axes, without the limits "
+            "of coupled joints, and take np.linalg.solve(arm.coupling, route.q.T).T."
+        )
     if free.cone > 0 and generic_rank(with_task_joints(plan.chain, "position")) < 6:
         raise PlanError(f"{plan.name} cannot tilt its tool: leave out the cone.")
     z = free.to_z

@@ -19,18 +19,27 @@ from pieper import _kernel
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.motion.route.setting import Setting
+from pieper.tolerances import (
+    BARRIER_WEIGHTS,
+    CLEAR_START,
+    FREEDOM_PROBE,
+    NO_LENGTH,
+    SLOPE_COUNTS,
+    SMOOTH_BEND,
+    SMOOTH_DAMPING,
+    SMOOTH_FLAT,
+    SMOOTH_MAY_RISE,
+    SMOOTH_NO_GAIN,
+    SMOOTH_STALLED,
+    SMOOTH_TINY_STEP,
+    SMOOTH_UNDAMPED,
+    TINY,
+)
 
-#: The barrier's weights, one a stage, as parts of the mean cost of a step: the last leaves slopes below 1e-9
-#: where limits are a tenth of a radian away.
-BARRIER = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7)
 #: Below its weight over so many mean steps the barrier is a parabola, steep enough that no point rests outside.
 STEEP = 8.0
-#: A start this far inside all limits (rad; lengths) needs the last stage only; a slope counts where limits are so far.
-CLEAR, APART = 0.1, 1e-3
-#: Most Newton steps of a stage, and the gradient at which one is done.
-STEPS, FLAT = 40, 1e-9
-#: Step by which the bending of what a pose leaves free is seen (rad; lengths).
-PROBE = 1e-4
+#: Most Newton steps of a stage.
+STEPS = 40
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,15 +74,15 @@ class Smoothed:
 
 def smooth(shape: Shape, x: Array) -> Smoothed:
     """Return the route nearest by (N, m) that costs least inside the limits."""
-    mean = max(_value(replace(shape, power=2), x, 0.0, 1.0), 1e-12) / max(len(x) - 1, 1)
+    mean = max(_value(replace(shape, power=2), x, 0.0, 1.0), NO_LENGTH) / max(len(x) - 1, 1)
     scale = mean if shape.power == 2 else float(np.sqrt(mean))
     room = min((float((side * at).min(initial=np.inf)) for at, side in _margins(shape, x)), default=np.inf)
-    for part in BARRIER[-1:] if room > CLEAR and shape.turn_step is None else BARRIER:
+    for part in BARRIER_WEIGHTS[-1:] if room > CLEAR_START and shape.turn_step is None else BARRIER_WEIGHTS:
         weight = part * scale
         x = _stage(shape, x, weight, weight / (STEEP * (np.sqrt(mean) if shape.power == 2 else 1.0)))
     g, Z = _slope(shape, x, 0.0, 1.0)
     near = np.min([(side * at).min(1, initial=np.inf) for at, side in _margins(shape, x)], axis=0)
-    along = np.abs(np.einsum("kma,km->ka", Z, g)) * (shape.fixed * (near > APART))[:, None]
+    along = np.abs(np.einsum("kma,km->ka", Z, g)) * (shape.fixed * (near > SLOPE_COUNTS))[:, None]
     return Smoothed(x, _value(shape, x, 0.0, 1.0), float(along.max(initial=0.0)))
 
 
@@ -82,7 +91,7 @@ def _stage(shape: Shape, x: Array, weight: float, margin: float) -> Array:
     for _ in range(STEPS):
         g, Z = _slope(shape, x, weight, margin)
         along = np.einsum("kma,km->ka", Z, g) * shape.fixed[:, None]
-        if np.abs(along).max(initial=0.0) < FLAT:
+        if np.abs(along).max(initial=0.0) < SMOOTH_FLAT:
             break
         D, E = _bend(shape, x, Z, g, weight, margin)
         done, tried, new, length = False, x, value, 0.0
@@ -91,17 +100,17 @@ def _stage(shape: Shape, x: Array, weight: float, margin: float) -> Array:
             step, positive = _kernel.chain_of_blocks(D + damp * size * np.eye(D.shape[1]), E, -along)
             if positive:
                 length = float(np.abs(step).max())
-                step *= min(1.0, 0.3 / max(length, 1e-300))
+                step *= min(1.0, 0.3 / max(length, TINY))
                 tried, ok = shape.setting.on(x + np.einsum("kma,ka->km", Z, step), shape.T)
                 new = _value(shape, tried, weight, margin) if ok.all() else np.inf
-                if new < value or (new <= value + 1e-14 * abs(value) and length < 1e-6):
+                if new < value or (new <= value + SMOOTH_MAY_RISE * abs(value) and length < SMOOTH_TINY_STEP):
                     done = True
                     break
-            damp = max(4 * damp, 1e-4)
+            damp = max(4 * damp, SMOOTH_DAMPING)
         if not done:
             break
-        stalled = value - new <= 1e-15 * abs(value) and length < 1e-7
-        x, value, damp = tried, new, damp / 8 if damp > 1e-6 else 0.0
+        stalled = value - new <= SMOOTH_NO_GAIN * abs(value) and length < SMOOTH_STALLED
+        x, value, damp = tried, new, damp / 8 if damp > SMOOTH_UNDAMPED else 0.0
         if stalled:
             break
     return x
@@ -158,12 +167,12 @@ def _weights_of_steps(shape: Shape, x: Array) -> tuple[Array, Array]:
         c = 2 * w / shape.parts[:, None]
         return c * e, np.broadcast_to(c, e.shape)
     p, a = shape.power, np.sqrt(w) * np.abs(e)
-    top = np.maximum(a.max(1, keepdims=True), 1e-12)
+    top = np.maximum(a.max(1, keepdims=True), NO_LENGTH)
     r = a / top
     total = np.sum(r**p, axis=1, keepdims=True)
     slope = np.sqrt(w) * np.sign(e) * r ** (p - 1) * total ** (1 / p - 1)
     # the bend without what the others take off it, which keeps it positive
-    bend = w * (p - 1) * r ** (p - 2) * total ** (1 / p - 1) / top + 1e-6 * w / top
+    bend = w * (p - 1) * r ** (p - 2) * total ** (1 / p - 1) / top + SMOOTH_BEND * w / top
     return slope, bend
 
 
@@ -226,9 +235,9 @@ def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: flo
     pull = np.einsum("kji,kj->ki", np.linalg.pinv(J), g * unit)  # (N, 6)
     d = Z.shape[2]
     for a in range(d):
-        ahead = scaled_jacobian(chain, x + PROBE * Z[:, :, a])
-        behind = scaled_jacobian(chain, x - PROBE * Z[:, :, a])
-        turned = np.einsum("kim,kmb->kib", (ahead - behind) / (2 * PROBE), Z / unit[:, None])
+        ahead = scaled_jacobian(chain, x + FREEDOM_PROBE * Z[:, :, a])
+        behind = scaled_jacobian(chain, x - FREEDOM_PROBE * Z[:, :, a])
+        turned = np.einsum("kim,kmb->kib", (ahead - behind) / (2 * FREEDOM_PROBE), Z / unit[:, None])
         bent[:, a, :] -= np.einsum("ki,kib->kb", pull, turned)
     bent = (bent + np.swapaxes(bent, 1, 2)) / 2
     held = shape.fixed == 0

@@ -9,7 +9,7 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.motion.route.grid import grid
-from pieper.motion.route.result import Route
+from pieper.motion.route.setting import Setting
 from pieper.solver.words.labels import posture_words
 
 #: Stations along the path.
@@ -33,15 +33,14 @@ class TurnMap:
     open: Bools
 
 
-def turn_map(route: Route) -> TurnMap:
-    """Return the map of a route, found or not.
+def turn_map(world: Setting) -> TurnMap:
+    """Return the map of what is solved along a path, whether a route was found there or not.
 
     Raises:
         InputError: The turn was not free, or the arm's own joints decide it.
     """
-    world = route.setting
     if not (world.turn_on_grid and world.free.turns):
-        raise InputError("a map of path and turn needs a turn that is free to choose.", given=repr(route.free))
+        raise InputError("a map of path and turn needs a turn that is free to choose.", given=repr(world.free))
     cells = grid(world, 2)
     assert cells.turn is not None
     upright = cells.cells[:, -1] == 0

@@ -24,11 +24,8 @@ from pieper.solver.plan.six_joints import (
     with_task_joints,
 )
 from pieper.solver.words.explain import explain
-from pieper.tolerances import GEOMETRY_EXACT
+from pieper.tolerances import GEOMETRY_EXACT, NEARLY_SPECIAL
 
-#: How near to a special arrangement an arm is tried as one, the nearest first, where no elimination is certain (rad;
-#: per length): beyond the last of them eliminations are certain again.
-NEARLY = (1e-10, 1e-8, 1e-6, 2e-5)
 #: Ways to lock spare joints that are tried before an arm is refused.
 MOST_WAYS = 24
 
@@ -67,7 +64,7 @@ def _by_nearly(plan: Plan, chain: Chain, description: Description) -> Plan:
     So near to a special arrangement (an angle typed with nine digits, for one) every elimination drowns in rounding.
     The special arm's solutions are refined on the arm as described, and counted (see `snap_count`).
     """
-    for near in NEARLY:
+    for near in NEARLY_SPECIAL:
         if not snapped(chain, near)[1]:
             continue
         other = _as_told(chain, description, plan.task, near)
@@ -122,13 +119,6 @@ def _as_told(chain: Chain, description: Description, task: str | None, snap: flo
 
 def _coupled(chain: Chain, description: Description, task: str | None, snap: float | None) -> Plan:
     """Plan for coupled joints: the chain is solved as if each moved by itself, limits wait for the joints' numbers."""
-    if not chain.whole_turns:
-        raise PlanError(
-            f"{description.name}: by its coupling a whole turn of a joint is none of the chain's (a ratio between "
-            "turning joints that is no whole number, or a slide that moves with a turn); the inverse takes whole turns "
-            "only. Forward kinematics and Jacobian take any coupling.",
-            coupling=chain.coupling,
-        )
     free = replace(description, coupling=None, limits=np.tile([-np.inf, np.inf], (chain.n, 1)))
     plain = make_plan(chain.uncoupled, free, task=task, snap=snap)
     if plain.redundancy:

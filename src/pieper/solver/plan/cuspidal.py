@@ -17,11 +17,10 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN
 from pieper.kinematics.newton import determinant
 from pieper.solver.plan.six_joints import sample_joints
+from pieper.tolerances import CLEAR_OF_SINGULAR
 
 #: Poses tried, shapes of path for each pair of solutions, points first checked on a path, pairs tried at the most.
 POSES, DETOURS, POINTS, PAIRS = 40, 40, 65, 120
-#: |det J| must stay above this part of its largest value: a path that nearly touches a singularity proves nothing.
-CLEAR = 2e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,13 +111,13 @@ def _connect(
     paths = straight + 4 * s * (1 - s) * bumps + TURN * s * turns
     worst = (determinant(chain, paths) * sign).min(1) / largest
     best = int(np.argmax(worst))
-    if worst[best] <= CLEAR:
+    if worst[best] <= CLEAR_OF_SINGULAR:
         return None
     # between the points too: neighbours of a fine look may differ by no more than what is left to zero
     fine = np.linspace(0.0, 1.0, 40 * (POINTS - 1) + 1)[:, None]
     path = a + fine * gap + 4 * fine * (1 - fine) * bumps[best] + TURN * fine * turns[best]
     det = determinant(chain, path) * sign / largest
     change = np.abs(np.diff(det))
-    if det.min() <= CLEAR or np.any(change > 0.5 * np.minimum(det[:-1], det[1:])):
+    if det.min() <= CLEAR_OF_SINGULAR or np.any(change > 0.5 * np.minimum(det[:-1], det[1:])):
         return None
     return float(det.min()), path[::40]

@@ -18,10 +18,9 @@ from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import scaled_jacobian, singular_values
 from pieper.kinematics.pose import inverse, rotation_about, transform
+from pieper.tolerances import RANK
 
 TASKS = ("pose", "position", "position+axis")
-#: Relative singular value below which a direction does not count as a freedom.
-RANK = 1e-7
 #: Orientation of the virtual wrist of a position task; generic, so that no ordinary pose makes it singular.
 _GENERIC = transform(rotation_about(np.array([0.48, 0.6, 0.64]), 0.83))
 _X = rotation_about(np.array([0.0, 1.0, 0.0]), np.pi / 2)

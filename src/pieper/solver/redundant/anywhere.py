@@ -17,7 +17,7 @@ from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.sweep import slices
 from pieper.tolerances import CLOSES
 
-#: Starts of the descent inside the limits, first from the middle alone, then where that and the stops show nothing.
+#: Starts of the descent inside the limits, first from the middle alone, then from so many.
 STARTS = 8
 #: Free descents a pose, and poses that are sliced or approached in one go: it bounds the memory.
 FREE_STARTS, TOGETHER = 16, 128
@@ -89,9 +89,8 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
             keep(np.repeat(part, [len(r) for r in met_here]), rows, within)
 
     least = np.full(len(T), np.inf)
-    ways = [lambda: descend(1), stand, lambda: descend(STARTS), slice_up, approach]
-    if len(plan.redundancy) > 1:  # pairs of limits are many, and a surface is easily met
-        ways[1], ways[2] = ways[2], ways[1]
+    # descents before stops: they cost less, and what is inside is most often met by one
+    ways = [lambda: descend(1), lambda: descend(STARTS), stand, slice_up, approach]
     for way in ways:
         if len(left):
             way()

@@ -9,7 +9,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.newton import newton
-from pieper.solver.redundant.box import closest
+from pieper.solver.redundant.box import box, closest, descended
 from pieper.solver.singular.self_motion import FREE, SelfMotion, TracedMotion
 from pieper.tolerances import CLOSES, TINY
 
@@ -19,6 +19,8 @@ NEAR_POLYLINE = 2e-2
 ON_CURVE = 1e-6
 #: Halvings that place where a curve leaves the limits between two samples: from 0.12 rad to rounding.
 HALVINGS = 48
+#: A curve is no farther from the chord between two samples than this: half a step, turned as far as a step may turn.
+BESIDE_CHORD = 0.025
 #: An arc is at most this much longer than its chord, which bounds how near to a posture it can come.
 ARC = 1.05
 #: Parts into which a stretch of the curve is cut that may hold the nearest point, how often, and the precision (rad).
@@ -45,11 +47,6 @@ class BoundedMotion(TracedMotion):
         """Return the points (k, n) at parameters (k,), the task's virtual joints behind."""
         return newton(self.chain, self.between(u), self.T, steps=6, cutoff=1e-7)
 
-    @cached_property
-    def _weights(self) -> Array:
-        """(n,) what a joint counts in a distance: nothing where it is virtual."""
-        return np.where(np.arange(self.chain.n) < self.shown, 1.0 / self.chain.joints.unit, 0.0)
-
     def _within(self, points: Array) -> Bools:
         return self.chain.joints.inside_limits(points, self.limits)[1]
 
@@ -61,7 +58,7 @@ class BoundedMotion(TracedMotion):
         known[self.marks] = True
         ok = self._within(self.samples)
         # between neighbours: inside where the middle is; where samples change without a stop, halving places it
-        middle = self._within(self.points((u[:-1] + u[1:]) / 2)) if n > 1 else np.zeros(0, bool)
+        middle = self._middles() if n > 1 else np.zeros(0, bool)
         pieces: list[tuple[float, float]] = []
         for i in range(n - 1):
             a, b, mid = u[i], u[i + 1], (u[i] + u[i + 1]) / 2
@@ -80,6 +77,20 @@ class BoundedMotion(TracedMotion):
             joined = joined[1:]
         return joined
 
+    def _middles(self) -> Bools:
+        """Return whether the curve is inside the limits halfway between neighbouring samples (k - 1,).
+
+        A chord that is clear of all limits, or beyond one, by more than the curve can be from it decides that alone.
+        """
+        halfway, joints = (self.samples[:-1] + self.samples[1:]) / 2, self.chain.joints
+        room = BESIDE_CHORD * joints.unit[:, None] * np.array([1.0, -1.0])
+        inner = self.limits + room
+        inside = (inner[:, 0] <= inner[:, 1]).all() & joints.inside_limits(halfway, inner)[1]
+        open_ = ~inside & joints.inside_limits(halfway, self.limits - room)[1]
+        u = ((self.u[:-1] + self.u[1:]) / 2)[open_]
+        inside[open_] = self._within(self.points(u))
+        return inside
+
     def _edge(self, within: float, without: float) -> float:
         """Return the last parameter inside between one that is and one that is not."""
         for _ in range(HALVINGS):
@@ -95,22 +106,41 @@ class BoundedMotion(TracedMotion):
         """Every interval of u in which the curve lies inside the joint limits, however short, to rounding."""
         return tuple((float(a), float(b)) for a, b in self._stretches)
 
-    def nearest(self, q_now: Array) -> Array | None:
+    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
         """Return the point (n,) of the curve inside the limits closest to q_now, whole turns resolved, or None.
 
         A distance changes no faster than the curve is long, so a stretch that cannot come nearer than what was found is
         done with, and the others are cut until none is left. Of a surface the whole of it counts, from this line on.
         """
-        if not self._stretches:
+        now, counts = self.padded(q_now), self.counts(weights)
+        starts = self._beside(now) if self.dimension > 1 else np.zeros((0, self.chain.n))
+        if self._stretches:
+            starts = np.concatenate([self._nearest_along(now, counts)[None], starts])
+        if not len(starts):
             return None
-        now = np.zeros(self.chain.n)
-        now[: len(q_now)] = q_now
+        return closest(self.chain, starts, self.T, self.limits, now, counts)[: self.shown]
+
+    def _beside(self, now: Array) -> Array:
+        """Return the points (k, n) inside the limits that descent reaches from the posture itself, at most one.
+
+        First the task's virtual joints alone move, so that a posture that holds the pose is that point.
+        """
+        low, high = box(self.chain, self.limits)
+        start = np.clip(self.chain.joints.unwound(now, now, self.limits), low, high)[None]
+        virtual = np.arange(self.chain.n) >= self.shown
+        still = np.where(virtual, low, start), np.where(virtual, high, start)
+        start = descended(self.chain, start, self.T[None], *still)[0]
+        point, off = descended(self.chain, start, self.T[None], low, high)
+        return point[off <= CLOSES]
+
+    def _nearest_along(self, now: Array, counts: Array) -> Array:
+        """Return the point (n,) of the curve inside the limits closest to a posture, to the precision of a cut."""
         steps = np.diff(self.samples, axis=0) / self.chain.joints.unit
-        length = float(np.linalg.norm(steps, axis=1).sum()) * ARC
+        length = float(np.linalg.norm(steps, axis=1).sum()) * ARC * float(np.sqrt(counts.max()))
         low, high = self._pieces()
         best, least = np.zeros(self.chain.n), np.inf
         for _ in range(ROUNDS):
-            points, away, which = self._ends_away(low, high, now)
+            points, away, which = self._ends_away(low, high, now, counts)
             if away.min() < least:
                 least, best = float(away.min()), points[int(np.argmin(away))]
             a, b = away[which[: len(low)]], away[which[len(low) :]]
@@ -120,7 +150,7 @@ class BoundedMotion(TracedMotion):
                 break
             cuts = np.linspace(low[open_], high[open_], PARTS + 1)
             low, high = cuts[:-1].ravel(), cuts[1:].ravel()
-        return self._settled(best, now)[: self.shown]
+        return best
 
     def _pieces(self) -> tuple[Array, Array]:
         """Return the two ends (k,), in u, of the pieces between samples that are inside the limits."""
@@ -128,16 +158,11 @@ class BoundedMotion(TracedMotion):
         low = np.concatenate([e[:-1] if len(e) > 1 else e for e in edges])
         return low, np.concatenate([e[1:] if len(e) > 1 else e for e in edges])
 
-    def _ends_away(self, low: Array, high: Array, now: Array) -> tuple[Array, Array, Indices]:
+    def _ends_away(self, low: Array, high: Array, now: Array, counts: Array) -> tuple[Array, Array, Indices]:
         """Return the points at the ends of pieces, how far from `now` they are, and which is which end (2 k,)."""
         both, which = np.unique(np.concatenate([low, high]), return_inverse=True)
         points = self.chain.joints.unwound(self.points(both), now, self.limits)
-        return points, np.asarray(np.linalg.norm((points - now) * self._weights, axis=1), np.float64), which
-
-    def _settled(self, point: Array, now: Array) -> Array:
-        """Return the nearest point that descent reaches from one that is inside the limits."""
-        weights = (np.arange(self.chain.n) < self.shown).astype(np.float64)
-        return closest(self.chain, point[None], self.T, self.limits, now, weights)
+        return points, self.straight(now, points, counts), which
 
     def __getstate__(self) -> dict[str, object]:
         """What pickle keeps."""

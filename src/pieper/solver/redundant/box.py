@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import bounded, damped, pose_difference, scaled_jacobian
+from pieper.kinematics.newton import scaled_jacobian
 from pieper.solver.plan.six_joints import RANK, sample_joints
 from pieper.tolerances import CLOSES, LIMIT_SLACK
 
@@ -50,33 +51,22 @@ def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tupl
     Returns:
         (k, n), and by how much the pose is missed (k,), per length and rad: held where that is below `CLOSES`.
     """
-    unit = chain.joints.unit
-    first, shrink, grow, most = DAMPING
-    low, high = np.broadcast_to(low, q.shape), np.broadcast_to(high, q.shape)
-    q, square = np.array(q), np.full(len(q), np.inf)
-    damp, tried, active = np.full(len(q), first), q.copy(), np.arange(len(q))
-    e, idle = np.empty((len(q), 6)), np.zeros(len(q), np.int64)
-    for _ in range(STEPS):
-        missing = pose_difference(chain, tried, T[active])
-        new = np.einsum("bi,bi->b", missing, missing)
-        better = new < square[active]
-        idle[active] = np.where(better & (new < LEFT * square[active]), 0, idle[active] + 1)
-        q[active[better]], square[active[better]], e[active[better]] = tried[better], new[better], missing[better]
-        damp[active] = np.clip(damp[active] * np.where(better, shrink, grow), 1e-14, most)
-        active = active[(square[active] > ON_POSE**2) & (damp[active] < most) & (idle[active] < IDLE)]
-        if not len(active):
-            break
-        at, J = q[active], scaled_jacobian(chain, q[active])
-        rate = damp[active] * np.minimum(square[active], 1.0) + LEAST_DAMPING
-        free, step = np.ones(at.shape, bool), np.zeros(at.shape)
-        for _ in range(MADE_AGAIN):
-            step = bounded(damped(rate)(J * free[:, None], e[active]), LONGEST) * unit
-            stopped = free & (((at <= low[active]) & (step < 0)) | ((at >= high[active]) & (step > 0)))
-            if not stopped.any():
-                break
-            free &= ~stopped
-        tried = np.clip(at + np.where(free, step, 0.0), low[active], high[active])
-    return q, np.sqrt(square)
+    return _kernel.descend(
+        links=chain.links,
+        prismatic=chain.prismatic,
+        length=chain.length,
+        q=q,
+        T=T,
+        lower=np.broadcast_to(low, q.shape),
+        upper=np.broadcast_to(high, q.shape),
+        steps=STEPS,
+        again=MADE_AGAIN,
+        longest=LONGEST,
+        damping=(*DAMPING, LEAST_DAMPING, LEAST_DAMPING),
+        done=ON_POSE,
+        idle=IDLE,
+        left=LEFT,
+    )
 
 
 def well_inside(chain: Chain, q: Array, T: Array, limits: Array) -> Array:

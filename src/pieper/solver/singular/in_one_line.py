@@ -12,7 +12,7 @@ from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
 from pieper.solver.singular.self_motion import FREE, SelfMotion
-from pieper.tolerances import CURVE_STEP, LIMIT_SLACK
+from pieper.tolerances import CONTAINS, CURVE_STEP, HALF_TURN_EDGE, LIMIT_SLACK, NEARER_BY
 
 #: Whole turns of a joint without limits that are tried to either side of the nearest.
 TURNS = 2
@@ -44,7 +44,7 @@ class LineMotion(SelfMotion):
         """What q_i + sense q_j comes to, rad, in (-pi, pi]; equal for all points that it may be made of."""
         i, j = self.pair
         total = float(short_way(self.through[i] + self.sense * self.through[j]))
-        return total if total > 1e-9 - np.pi else total + TURN
+        return total if total > HALF_TURN_EDGE - np.pi else total + TURN
 
     def points(self, first: Array) -> Array:
         """Return joint vectors (k, n) with values (k,) of joint i; joint j follows without a jump."""
@@ -119,16 +119,16 @@ class LineMotion(SelfMotion):
             found = self._closest(np.zeros(self.chain.n), np.tile(FREE, (self.chain.n, 1)))
         return self.through if found is None else found
 
-    def nearest(self, q_now: Array) -> Array | None:
-        """Return the point (n,) of the curve inside the limits closest to q_now, or None."""
-        found = self._closest(self.padded(q_now), self.limits) if self._spans else None
+    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
+        """Return the point (n,) of the curve inside the limits closest to q_now, or None; weights (n,) as `counts`."""
+        found = self._closest(self.padded(q_now), self.limits, weights) if self._spans else None
         return None if found is None else found[: self.shown]
 
-    def _closest(self, q_now: Array, limits: Array) -> Array | None:
+    def _closest(self, q_now: Array, limits: Array, weights: Array | None = None) -> Array | None:
         """Return the point (n,) inside limits nearest to q_now: for every whole turn of joint j a clipped parabola."""
         i, j = self.pair
         q = self.chain.joints.unwound(self.through, q_now, limits)
-        weight = np.array([i < self.shown, j < self.shown], float)
+        weight = self.counts(weights)[[i, j]]
         if not weight.any():
             weight[:] = 1.0
         (low_i, high_i), (low_j, high_j) = limits[i], limits[j]
@@ -144,7 +144,7 @@ class LineMotion(SelfMotion):
             wanted = self.total - self.sense * (q_now[j] - TURN * turns)
             x = float(np.clip((weight[0] * q_now[i] + weight[1] * wanted) / weight.sum(), low, max(low, high)))
             away = weight[0] * (x - q_now[i]) ** 2 + weight[1] * (x - wanted) ** 2
-            if away < least - 1e-9:
+            if away < least - NEARER_BY:
                 best, least = (x, turns), away
         if best is None:
             return None
@@ -172,7 +172,7 @@ class LineMotion(SelfMotion):
         gap[:, [i, j]] = 0.0
         return np.sqrt(np.sum(gap * gap, 1) + off * off / 2)
 
-    def contains(self, q: Array, tolerance: float = 1e-6) -> bool:
+    def contains(self, q: Array, tolerance: float = CONTAINS) -> bool:
         """Whether q (n,) lies on the curve within a tolerance (rad)."""
         return self.distance(q) <= tolerance
 

@@ -12,7 +12,18 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, inside, short_way
 from pieper.kinematics.newton import missed, newton, null_space
-from pieper.tolerances import CLOSES, CURVE_STEP, TINY
+from pieper.tolerances import (
+    CLOSED_TURN,
+    CLOSES,
+    CONTAINS,
+    CURVE_RANK,
+    CURVE_STEP,
+    JOINT_TURNS,
+    NO_LENGTH,
+    ONE_OF_MANY,
+    SLIDE_SHORTEST,
+    TINY,
+)
 
 #: No limits at all, for joints as many as there are.
 FREE = np.array([[-np.inf, np.inf]])
@@ -72,7 +83,7 @@ class SelfMotion:
     @cached_property
     def free(self) -> tuple[int, ...]:
         """Joints (0-based) that move along the curve; the others stand still."""
-        return tuple(int(j) for j in np.flatnonzero(np.ptp(self._unitless[:, : self.shown], axis=0) > 1e-6))
+        return tuple(int(j) for j in np.flatnonzero(np.ptp(self._unitless[:, : self.shown], axis=0) > JOINT_TURNS))
 
     @cached_property
     def direction(self) -> Array:
@@ -92,7 +103,7 @@ class SelfMotion:
 
     def point(self, u: float) -> Array:
         """Return the same with the task's virtual joints behind."""
-        return newton(self.chain, self.between(np.array([u]))[0], self.T, steps=6, cutoff=1e-7)
+        return newton(self.chain, self.between(np.array([u]))[0], self.T, steps=6, cutoff=CURVE_RANK)
 
     def at_joint(self, joint: int, value: float) -> Array:
         """Return the points (m, n) of the curve where a joint (0-based) has a value, whole turns apart from it counted.
@@ -113,7 +124,7 @@ class SelfMotion:
             turns = 0 if self.chain.prismatic[joint] else round(float(point[joint] - value) / TURN)
             point = np.insert(rest, joint, value + TURN * turns)
             if missed(self.chain, point, self.T) < CLOSES and not any(
-                np.allclose(point, other, atol=1e-7) for other in found
+                np.allclose(point, other, atol=ONE_OF_MANY) for other in found
             ):
                 found.append(point)
         return np.array(found).reshape(-1, self.chain.n)[:, : self.shown]
@@ -145,44 +156,54 @@ class SelfMotion:
             cost = np.where(self._sample_inside, cost, np.inf)
         # rounding makes equal costs unequal: a coarse key first, then the first sample
         best = int(np.argmin(np.round(cost, 6)))
-        return newton(self.chain, near[best], self.T, steps=6, cutoff=1e-7)
+        return newton(self.chain, near[best], self.T, steps=6, cutoff=CURVE_RANK)
 
-    def nearest(self, q_now: Array) -> Array | None:
-        """Return the point (n,) of the curve inside the limits closest to q_now, or None."""
+    def counts(self, weights: Array | None = None) -> Array:
+        """Return what each joint (n,) counts in a squared distance: its weight, nothing where it is virtual."""
+        out = np.zeros(self.chain.n)
+        out[: self.shown] = 1.0 if weights is None else weights
+        return out
+
+    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
+        """Return the point (n,) of the curve inside the limits closest to q_now, or None.
+
+        Args:
+            q_now: (n,) rad or m.
+            weights: (n,) how much the square of each joint's difference counts; all the same if None.
+        """
         if not self._sample_inside.any():
             return None
-        q_now = self.padded(q_now)
+        q_now, counts = self.padded(q_now), self.counts(weights)
         wound = self.chain.joints.unwound(self.samples, q_now, self.limits)
-        away = np.where(self._sample_inside, self.straight(q_now, wound), np.inf)
+        away = np.where(self._sample_inside, self.straight(q_now, wound, counts), np.inf)
         # samples a step apart do not say which of several minima along the curve is the lowest
         lowest = np.flatnonzero((away <= np.append(away[1:], np.inf)) & (away <= np.append(np.inf, away[:-1])))
         lowest = lowest[away[lowest] <= away.min() + CURVE_STEP]
         points = [
-            self._slid(
-                wound[i], lambda p: np.where(self._virtual, 0.0, q_now - p) / self.chain.joints.unit, self.limits
-            )
+            self._slid(wound[i], lambda p: (q_now - p) / self.chain.joints.unit, self.limits, counts)
             for i in lowest[np.argsort(away[lowest], kind="stable")][:4]
         ]
-        return points[int(np.argmin([self.straight(q_now, p) for p in points]))][: self.shown]
+        return points[int(np.argmin([self.straight(q_now, p, counts) for p in points]))][: self.shown]
 
-    def straight(self, q: Array, points: Array) -> Array:
-        """Return the distances (...) of points (..., n) from q without units, the arm's own joints counted alone."""
-        gap = np.where(self._virtual, 0.0, (q - points) / self.chain.joints.unit)
-        return np.asarray(np.linalg.norm(gap, axis=-1), np.float64)
+    def straight(self, q: Array, points: Array, counts: Array) -> Array:
+        """Return the distances (...) of points (..., n) from q without units, joints weighted by `counts` (n,)."""
+        gap = (q - points) / self.chain.joints.unit
+        return np.sqrt(np.asarray(np.sum(counts * gap * gap, axis=-1), np.float64))
 
-    def _slid(self, point: Array, gap: Callable[[Array], Array], limits: Array | None) -> Array:
+    def _slid(self, point: Array, gap: Callable[[Array], Array], limits: Array | None, counts: Array) -> Array:
         """Slide along the curve while the gap shrinks: along the tangent, then back onto the pose."""
+        root = np.sqrt(counts)
         for _ in range(20):
             direction = null_space(self.chain, point)[1][-1]
-            weight = np.where(self._virtual, 0.0, direction)
-            along = float(gap(point) @ weight) / max(float(weight @ weight), 1e-12)
+            weight = counts * direction
+            along = float(gap(point) @ weight) / max(float(weight @ direction), NO_LENGTH)
             step = float(np.clip(along, -CURVE_STEP, CURVE_STEP))
-            while abs(step) > 1e-10:  # a step that leaves the limits, or leads away, is too long
+            while abs(step) > SLIDE_SHORTEST:  # a step that leaves the limits, or leads away, is too long
                 ahead = point + step * direction * self.chain.joints.unit
-                moved = newton(self.chain, ahead, self.T, steps=5, cutoff=1e-7)
-                if (limits is None or inside(moved, limits).all()) and np.linalg.norm(gap(moved)) < np.linalg.norm(
-                    gap(point)
-                ):
+                moved = newton(self.chain, ahead, self.T, steps=5, cutoff=CURVE_RANK)
+                if (limits is None or inside(moved, limits).all()) and np.linalg.norm(
+                    root * gap(moved)
+                ) < np.linalg.norm(root * gap(point)):
                     break
                 step /= 2
             else:
@@ -205,13 +226,13 @@ class SelfMotion:
         foot = difference[:, :-1] - np.clip(inner, 0, 1)[..., None] * segment
         return np.sqrt(np.minimum(to_samples, np.min(np.einsum("mkn,mkn->mk", foot, foot), axis=1)))
 
-    def contains(self, q: Array, tolerance: float = 1e-6) -> bool:
+    def contains(self, q: Array, tolerance: float = CONTAINS) -> bool:
         """Whether q (n,) lies on the curve within a tolerance (rad)."""
         q = self.padded(q)
         if self.distance(q) > 0.05:
             return False
         sizes = np.linalg.norm(self.gaps(q, self.samples), axis=1)
-        point = self._slid(self.samples[int(np.argmin(sizes))], lambda p: self.gaps(q, p), None)
+        point = self._slid(self.samples[int(np.argmin(sizes))], lambda p: self.gaps(q, p), None, self.counts())
         return bool(np.linalg.norm(self.gaps(q, point)) <= tolerance)
 
     def __repr__(self) -> str:
@@ -235,7 +256,7 @@ class SelfMotion:
         i, j = self.free
         for sign, symbol in ((1, "+"), (-1, "-")):
             total = self.samples[:, i] + sign * self.samples[:, j]
-            if np.ptp(total) < 1e-9:
+            if np.ptp(total) < CLOSED_TURN:
                 value = np.degrees(short_way(total[0]))
                 return f"{self.names[i]} {symbol} {self.names[j]} = {value:.6g} deg"
         return ""

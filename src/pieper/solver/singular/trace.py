@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import newton_on_plane, null_space, singular_values
-from pieper.solver.singular.self_motion import FREE, SelfMotion, TracedMotion
-from pieper.tolerances import CURVE_STEP, ON_CURVE, TINY
+from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
+from pieper.tolerances import CROSSING_CHANGE, CROSSING_FOUND, CURVE_STEP, ON_CURVE, OPEN_WAYS, TINY
 
 #: The most steps a trace may take, and the cosine by which a step may depart from the tangent it sets out along.
 MOST_STEPS, STRAIGHT = 1500, 0.95
@@ -52,13 +53,12 @@ def trace(
     """
     set_out = null_space(chain, q)[1][-1] if direction is None else direction
     forward, closed = _walk(chain, q, T, set_out, most_steps)
-    points = forward
+    samples = forward
     if not closed:
         backward, _ = _walk(chain, q, T, -set_out, most_steps)
-        points = backward[:0:-1] + forward
-    samples = np.array(points)
+        samples = np.concatenate([backward[:0:-1], forward])
     s, _ = null_space(chain, samples[len(samples) // 2])
-    open_ways = int(np.count_nonzero(s <= 1e-7 * max(s[0], TINY)))
+    open_ways = int(np.count_nonzero(s <= OPEN_WAYS * max(s[0], TINY)))
     arm_joints = chain.n if shown is None else shown
     return TracedMotion(chain, T, samples, closed, max(1, open_ways), limits, names, arm_joints)
 
@@ -73,7 +73,7 @@ def crossings(motion: SelfMotion) -> list[Array]:
         # at a crossing the value falls to zero like |s - s0|: less than one and a half times what a step changes
         around = second[[(i + k) % last if motion.closed else min(max(i + k, 0), last) for k in (-2, -1, 1, 2)]]
         change = max(abs(around[0] - around[1]), abs(around[3] - around[2]))
-        if second[i] > min(around) or second[i] > 1.5 * change + 1e-9:
+        if second[i] > min(around) or second[i] > 1.5 * change + CROSSING_CHANGE:
             continue
         low, high = motion.u[max(i - 1, 0)], motion.u[min(i + 1, last)]
         for _ in range(30):  # golden section
@@ -83,7 +83,7 @@ def crossings(motion: SelfMotion) -> list[Array]:
             else:
                 low = a
         point = motion.point((low + high) / 2)
-        if second_smallest(chain, point) < 1e-5:
+        if second_smallest(chain, point) < CROSSING_FOUND:
             found.append(point)
     return found
 
@@ -96,37 +96,16 @@ def second_smallest(chain: Chain, q: Array) -> Array:
     return (s[..., k] if k < s.shape[-1] else np.zeros(s.shape[:-1])) / s[..., 0]
 
 
-def _walk(chain: Chain, q: Array, T: Array, direction: Array, most_steps: int) -> tuple[list[Array], bool]:
-    unit, joints = chain.joints.unit, chain.joints
-    points, step = [q], CURVE_STEP / 2
-    gone = 0.0
-    while len(points) < most_steps:
-        here = points[-1]
-        ahead = newton_on_plane(chain, here + step * direction * unit, T, direction, holds=ON_CURVE)
-        move = None if ahead is None else (ahead - here) / unit
-        if ahead is None or move is None or float(move @ direction) <= STRAIGHT * np.linalg.norm(move):
-            step /= 2
-            if step < 1e-5:
-                return points, False
-            continue
-        gone += float(np.linalg.norm(move))
-        new = _tangent_near(chain, ahead, direction)
-        points.append(ahead)
-        home = joints.difference(ahead, q)
-        size = float(np.linalg.norm(home))
-        # closed where the curve comes home along itself, not where it crosses itself
-        if gone > 3 * step and size < 0.75 * step and (size < 1e-9 or abs(float(home @ new)) > 0.9 * size):
-            points[-1] = joints.unwound(q, ahead, FREE)
-            return points, True
-        direction = new
-        step = min(CURVE_STEP, step * 1.3)
-    return points, False
-
-
-def _tangent_near(chain: Chain, q: Array, direction: Array) -> Array:
-    """Return the null direction at q closest to the direction of travel: at a crossing of two curves go straight on."""
-    s, Vt = null_space(chain, q)
-    null = Vt[s <= max(1e-7 * s[0], s[-1] * 1.0000001)]
-    projected = null.T @ (null @ direction)
-    size = np.linalg.norm(projected)
-    return projected / size if size > 1e-6 else direction
+def _walk(chain: Chain, q: Array, T: Array, direction: Array, most_steps: int) -> tuple[Array, bool]:
+    """Return the points (k, n) from q on along a direction, and whether the curve closed."""
+    return _kernel.follow_curve(
+        links=chain.links,
+        prismatic=chain.prismatic,
+        length=chain.length,
+        q=q,
+        T=T,
+        direction=direction,
+        step=CURVE_STEP,
+        straight=STRAIGHT,
+        most_steps=most_steps,
+    )

@@ -14,15 +14,12 @@ from pieper.kinematics.forward import fk
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.results import Closest, Solutions
+from pieper.tolerances import ALIKE_NEAR, CLOSEST_STAGES
 
 #: Postures looked at first; the best of them are where the descent begins. The answer bounds the distance from above.
 LOOKED_AT, STARTS = 512, 40
-#: What a turn counts beside the position, stage by stage, steps, and how many postures are kept.
-STAGES = ((1.0, 12, 24), (1e-3, 24, 10), (1e-8, 30, 6))
 #: Half of the postures go for the position from the first.
 POSITION = 0.03
-#: Positions that are as near as this (per length) are alike, and the orientation decides.
-ALIKE = 1e-7
 
 
 def closest_to(plan: Plan, sols: Solutions) -> Closest:
@@ -72,7 +69,7 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
         order = left if len(stages) == 1 else value**2 / 2 + later * (1 - np.cos(angle))
         q = q[np.argsort(order, kind="stable")[:keep]]
     value, angle = _distances(chain, q, T)
-    best = 0 if weights is not None else int(np.lexsort((angle * turning, np.round(value / ALIKE)))[0])
+    best = 0 if weights is not None else int(np.lexsort((angle * turning, np.round(value / ALIKE_NEAR)))[0])
     own = q[best, : plan.n]
     miss = plan.residual(own, T)
     return Closest(own, float(miss[0]), float(miss[1]), fk(plan.chain, own))
@@ -82,7 +79,7 @@ def _stages(plan: Plan, weights: ArrayLike | None) -> list[tuple[float, int, int
     """Return what a turn counts beside a length of the arm, stage by stage, the steps, and how many are kept."""
     turning = plan.task != "position"
     if weights is None:
-        return [(turn * turning, steps, keep) for turn, steps, keep in STAGES]
+        return [(turn * turning, steps, keep) for turn, steps, keep in CLOSEST_STAGES]
     try:
         given = np.asarray(weights, float)
     except (TypeError, ValueError):
@@ -93,7 +90,7 @@ def _stages(plan: Plan, weights: ArrayLike | None) -> list[tuple[float, int, int
             given=weights,
         )
     metre, radian = float(given[0]) * plan.chain.length, float(given[1]) * turning
-    return [((radian / metre) ** 2 if metre else np.inf, sum(steps for _, steps, _ in STAGES), 1)]
+    return [((radian / metre) ** 2 if metre else np.inf, sum(steps for _, steps, _ in CLOSEST_STAGES), 1)]
 
 
 def _distances(chain: Chain, q: Array, T: Array) -> tuple[Array, Array]:

@@ -15,31 +15,59 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import axes_at
 from pieper.kinematics.newton import determinant
 from pieper.solver.plan.plan import Plan
+from pieper.tolerances import ASPECT_SIGN, LABEL_STEP, LABELLED_ANGLE, NO_SIDE, TINY
 
-#: A bend or an offset smaller than this has no side (per length; sine).
-NO_SIDE = 1e-9
+
+@dataclass(frozen=True, eq=False)
+class Sides:
+    """One of a label's words, as it hangs on a number: which side of a singularity a posture lies on.
+
+    Args:
+        values: (m,) the number, per length or a sine; smooth in the joints where it is not mirrored.
+        words: What is said where it is positive, negative, and neither.
+        mirrored: The number is that of somebody who faces the first word's way: its sign turns where that one's does.
+    """
+
+    values: Array
+    words: tuple[str, str, str]
+    mirrored: bool = False
+
+    def said(self) -> list[str]:
+        """Return the word of each row."""
+        positive, negative, neither = self.words
+        return [(positive if v > 0 else negative) if abs(v) > NO_SIDE else neither for v in self.values]
+
+
+def sides(plan: Plan, q: Array) -> list[Sides]:
+    """Return the words of rows q (m, n) with the numbers they hang on; none where the postures have no names."""
+    parts = (_shoulder_and_elbow, _planar_elbow, _slide, _seven_joints, _wrist)
+    return [side for part in parts for side in part(plan, q)]
+
+
+def joined(words: tuple[str, ...]) -> str:
+    """Return a label made of its words."""
+    return ", ".join(word for word in words if word) or "on a singularity"
 
 
 def posture_words(plan: Plan, q: Array) -> list[str]:
     """Return one label a row of q (m, n), such as "front, elbow up, wrist flip"."""
     if not len(q):
         return []
-    parts = (_shoulder_and_elbow, _planar_elbow, _slide, _seven_joints, _wrist)
-    columns = [column for part in parts for column in part(plan, q)]
-    if not columns:
-        columns = [_aspect(plan, q)]
-    return [", ".join(word for word in row if word) or "on a singularity" for row in zip(*columns, strict=True)]
+    columns = [side.said() for side in sides(plan, q)]
+    return [joined(row) for row in zip(*(columns or [_aspect(plan, q)]), strict=True)]
 
 
 def labels_beside(plan: Plan, q: Array, direction: Array) -> tuple[str, ...]:
     """Return the labels of the branches that meet in q (n,) along a direction (n,) without units, each once."""
-    step = 1e-3 * direction * plan.chain.joints.unit
+    step = LABEL_STEP * direction * plan.chain.joints.unit
     return tuple(dict.fromkeys(posture_words(plan, np.stack([q + step, q - step]))))
 
 
@@ -48,7 +76,7 @@ def has_elbow(plan: Plan) -> bool:
     g = plan.geometry
     if plan.n < 3 or plan.prismatic[:3].any() or plan.chain is not g.chain:
         return False
-    return g.pairs[1].relation == "parallel" and g.pairs[0].angle > 1e-6
+    return g.pairs[1].relation == "parallel" and g.pairs[0].angle > LABELLED_ANGLE
 
 
 def _wrist_joint(plan: Plan) -> int | None:
@@ -59,7 +87,7 @@ def _wrist_joint(plan: Plan) -> int | None:
     return None
 
 
-def _shoulder_and_elbow(plan: Plan, q: Array) -> list[list[str]]:
+def _shoulder_and_elbow(plan: Plan, q: Array) -> list[Sides]:
     if not has_elbow(plan):
         return []
     z, o = axes_at(plan.chain, np.vstack([q, np.zeros(plan.n)]))
@@ -94,8 +122,8 @@ def _shoulder_and_elbow(plan: Plan, q: Array) -> list[list[str]]:
     normal = np.cross(turn_axis, line)
     height = np.sum(bone * normal, -1) / size**2
     return [
-        [("front" if s > 0 else "rear") if abs(s) > NO_SIDE else "" for s in side],
-        [("elbow up" if h > 0 else "elbow down") if abs(h) > NO_SIDE else "elbow straight" for h in height],
+        Sides(side, ("front", "rear", "")),
+        Sides(height, ("elbow up", "elbow down", "elbow straight"), mirrored=True),
     ]
 
 
@@ -104,9 +132,9 @@ def _three_parallel(plan: Plan) -> bool:
     return plan.n >= 4 and not plan.prismatic[3] and plan.geometry.pairs[2].relation == "parallel"
 
 
-def _planar_elbow(plan: Plan, q: Array) -> list[list[str]]:
+def _planar_elbow(plan: Plan, q: Array) -> list[Sides]:
     g = plan.geometry
-    if plan.n < 3 or plan.prismatic[:2].any() or g.pairs[0].relation != "parallel" or g.pairs[1].angle > 1e-9:
+    if plan.n < 3 or plan.prismatic[:2].any() or g.pairs[0].relation != "parallel" or g.pairs[1].angle > NO_SIDE:
         return []
     z, o = axes_at(plan.chain, q)
     if _wrist_joint(plan) is not None:
@@ -117,16 +145,16 @@ def _planar_elbow(plan: Plan, q: Array) -> list[list[str]]:
         end = o[:, turning[0]] if turning else _tool_points(plan, q)[:-1]
     up = z[:, 0] * (1.0 if _upward(plan, z[0, 0]) else -1.0)
     side = np.sum(np.cross(o[:, 1] - o[:, 0], end - o[:, 0]) * up, -1) / plan.chain.length**2
-    return [[("elbow right" if s > 0 else "elbow left") if abs(s) > NO_SIDE else "elbow straight" for s in side]]
+    return [Sides(side, ("elbow right", "elbow left", "elbow straight"))]
 
 
-def _slide(plan: Plan, q: Array) -> list[list[str]]:
+def _slide(plan: Plan, q: Array) -> list[Sides]:
     """Front or rear, and on which side of the second axis, of two turns, a slide across the second and a wrist."""
     g = plan.geometry
     kinds = list(plan.prismatic[:3]) == [False, False, True]
-    if plan.n != 6 or not kinds or _wrist_joint(plan) != 4 or g.pairs[0].angle < 1e-6:
+    if plan.n != 6 or not kinds or _wrist_joint(plan) != 4 or g.pairs[0].angle < LABELLED_ANGLE:
         return []
-    if abs(g.pairs[1].angle - np.pi / 2) > 1e-9:
+    if abs(g.pairs[1].angle - np.pi / 2) > NO_SIDE:
         return []
     z, o = axes_at(plan.chain, np.vstack([q, np.zeros(plan.n)]))
     wrist = _spherical_point(plan, q)
@@ -134,43 +162,39 @@ def _slide(plan: Plan, q: Array) -> list[list[str]]:
     forward = _perpendicular(np.cross(z[:, 1], up), up)
     reach = np.sum((wrist - o[:, 0]) * forward, -1)[:-1] / plan.chain.length
     out = np.sum((wrist - o[:, 1]) * z[:, 2], -1)[:-1] / plan.chain.length
-    return [
-        [("front" if r > 0 else "rear") if abs(r) > NO_SIDE else "" for r in reach],
-        [("slide out" if d > 0 else "slide back") if abs(d) > NO_SIDE else "slide in" for d in out],
-    ]
+    return [Sides(reach, ("front", "rear", "")), Sides(out, ("slide out", "slide back", "slide in"))]
 
 
-def _seven_joints(plan: Plan, q: Array) -> list[list[str]]:
+def _seven_joints(plan: Plan, q: Array) -> list[Sides]:
     groups = {group.joints for group in plan.geometry.spherical}
     if plan.n != 7 or plan.prismatic.any() or not {(0, 1, 2), (4, 5, 6)} <= groups:
         return []
     z, _ = axes_at(plan.chain, q)
-    columns: list[list[str]] = []
-    for name, middle in (("shoulder", 1), ("elbow", 3)):
-        bend = np.sum(np.cross(z[:, middle - 1], z[:, middle + 1]) * z[:, middle], -1)
-        columns.append(
-            [(f"{name} no flip" if b > 0 else f"{name} flip") if abs(b) > NO_SIDE else f"{name} straight" for b in bend]
-        )
-    return columns
+    return [_bend(z, 1, "shoulder"), _bend(z, 3, "elbow")]
 
 
-def _wrist(plan: Plan, q: Array) -> list[list[str]]:
+def _wrist(plan: Plan, q: Array) -> list[Sides]:
     if plan.n < 6 or plan.prismatic[-3:].any():
         return []
     pairs = plan.geometry.pairs
-    named = _wrist_joint(plan) is not None or (has_elbow(plan) and min(p.angle for p in pairs[-2:]) > 1e-6)
+    named = _wrist_joint(plan) is not None or (has_elbow(plan) and min(p.angle for p in pairs[-2:]) > LABELLED_ANGLE)
     if not named:
         return []
     z, _ = axes_at(plan.chain, q)
-    bend = np.sum(np.cross(z[:, -3], z[:, -1]) * z[:, -2], -1)
-    return [[("wrist no flip" if b > 0 else "wrist flip") if abs(b) > NO_SIDE else "wrist straight" for b in bend]]
+    return [_bend(z, plan.n - 2, "wrist")]
+
+
+def _bend(z: Array, middle: int, name: str) -> Sides:
+    """Return the sine of the bend about a joint, from the axis before it to the one behind it, of axes z (m, n, 3)."""
+    sine = np.sum(np.cross(z[:, middle - 1], z[:, middle + 1]) * z[:, middle], -1)
+    return Sides(sine, (f"{name} no flip", f"{name} flip", f"{name} straight"))
 
 
 def _aspect(plan: Plan, q: Array) -> list[str]:
     if plan.n != 6:
         return [f"solution {i + 1}" for i in range(len(q))]
     det = determinant(plan.chain, q)
-    return [("aspect +" if d > 0 else "aspect -") if abs(d) > 1e-12 else "" for d in det]
+    return [("aspect +" if d > 0 else "aspect -") if abs(d) > ASPECT_SIGN else "" for d in det]
 
 
 def _spherical_point(plan: Plan, q: Array) -> Array:
@@ -204,4 +228,4 @@ def _along(v: Array, axis: Array) -> Array:
 
 def _perpendicular(v: Array, axis: Array) -> Array:
     v = v - _along(v, np.broadcast_to(axis, v.shape))
-    return v / np.maximum(np.linalg.norm(v, axis=-1, keepdims=True), 1e-300)
+    return v / np.maximum(np.linalg.norm(v, axis=-1, keepdims=True), TINY)

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.arm_angle import POLE
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.joints import TURN
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status
 from pieper.solver.rows import Flag
+from pieper.tolerances import ARM_ANGLE_POLE, TOLD_AS_HIT, TOLD_AS_TURN
 from pieper.words_by_number import plural
+
+#: Doublings of a quarter radian after which every variant of a posture by whole turns is inside.
+MOST_WIDENINGS = 16
 
 
 def why(plan: Plan, sols: Solutions) -> str:
@@ -23,7 +26,8 @@ def why(plan: Plan, sols: Solutions) -> str:
     if status == Status.UNCERTAIN and sols.flag & Flag.NO_ARM_ANGLE:
         return (
             "The arm angle is undefined at this pose: the line from shoulder to wrist points along the pole of the "
-            f"reference or the elbow lies on it, within {POLE:g} rad. Choose {', '.join(plan.redundancy)} instead."
+            f"reference or the elbow lies on it, within {ARM_ANGLE_POLE:g} rad. "
+            f"Choose {', '.join(plan.redundancy)} instead."
         )
     if status == Status.UNCERTAIN and sols.flag & Flag.COUNT_CHANGES:
         apart = plan.drift * plan.chain.length * 1e3
@@ -57,27 +61,44 @@ def _held(plan: Plan, sols: Solutions) -> str:
 def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     near = sols.closest
     metres, radians = near.metres, near.radians
-    if plan.redundancy and metres < 1e-7 * plan.chain.length and radians < 1e-7:
+    if plan.redundancy and metres < TOLD_AS_HIT * plan.chain.length and radians < TOLD_AS_HIT:
         held = _held(plan, sols)
         return f"No solution at the chosen {held}, though the arm can take the pose with other values."
     what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[
         plan.task
     ]
     turned = f"{np.degrees(radians):.3g} deg"
-    if metres <= 1e-6 * plan.chain.length and radians > 1e-6:
+    if metres <= TOLD_AS_TURN * plan.chain.length and radians > TOLD_AS_TURN:
         return f"{what} is out of reach: the arm gets there, but not turned this way; at best {turned} are missing."
-    also = f" and {turned}" if radians > 1e-6 else ""
+    also = f" and {turned}" if radians > TOLD_AS_TURN else ""
     return f"{what} is out of reach: the nearest one the arm can take misses it by {metres * 1e3:.4g} mm{also}."
+
+
+def _least_over(plan: Plan, q: Array) -> Array:
+    """Return by how much each joint (n,) is outside in the whole turns of q (n,) that are outside least, rad or m."""
+    joints, limits = plan.chain.joints.first(plan.n), plan.limits
+    if joints.coupled is None:
+        over = np.maximum(limits[:, 0] - q, q - limits[:, 1])
+        for k in (-1, 1):
+            turned: Array = q + k * TURN
+            moved = np.where(plan.prismatic, q, turned)
+            over = np.minimum(over, np.maximum(limits[:, 0] - moved, moved - limits[:, 1]))
+        return over
+    # the nearest variant outside is inside limits that are wider by what is missing
+    wider, found = 0.25 * joints.unit[:, None] * np.array([-1.0, 1.0]), q[None]
+    for _ in range(MOST_WIDENINGS):
+        found = joints.variants(q, limits + wider)
+        if len(found):
+            break
+        wider = wider * 2
+    over = np.maximum(limits[:, 0] - found, found - limits[:, 1])
+    return over[np.argmin((over / joints.unit).max(1))]
 
 
 def _outside_limits(plan: Plan, sols: Solutions) -> str:
     least, sentence = float("inf"), "No solution lies inside the joint limits."
     for q in sols.all_q:
-        over = np.maximum(plan.limits[:, 0] - q, q - plan.limits[:, 1])
-        for k in (-1, 1):
-            turned: Array = q + k * TURN
-            moved = np.where(plan.prismatic, q, turned)
-            over = np.minimum(over, np.maximum(plan.limits[:, 0] - moved, moved - plan.limits[:, 1]))
+        over = _least_over(plan, q)
         worst = int(np.argmax(over))
         if over[worst] < least:
             least = float(over[worst])

@@ -158,6 +158,8 @@ export function show(next) {
   requestAnimationFrame(() => keepInView());
 }
 export const current = () => motion;
+/** Which posture of the motion is shown. */
+export const at = () => index;
 
 /** Bring the arm to posture k of the motion. */
 export function go(k) {

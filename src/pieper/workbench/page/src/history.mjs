@@ -26,6 +26,7 @@ const snapshot = () => ({
   world: state.world,
   limits: state.limits,
   start: state.start,
+  routing: state.routing,
   task: options.task,
   redundancy: options.redundancy,
 });
@@ -70,9 +71,12 @@ function take(s) {
   state.world = s.world;
   state.limits = s.limits;
   state.start = s.start;
+  const rerouted = state.routing !== s.routing;
+  state.routing = s.routing;
   state.hasTarget = s.hasTarget;
   if (s.target !== state.target) setTarget(s.target, 'restored', s.digits);
   for (const topic of ['path-loaded', 'sequence-loaded', 'program', 'world', 'task']) tell(topic, 'undo');
+  if (rerouted) tell('routing', 'undo');
 }
 function step(from, to, word) {
   const entry = from.pop();
@@ -100,5 +104,5 @@ export function begin() {
   present = snapshot();
   on('did', did);
   on('let-go', letGo);
-  on(['table', 'q', 'target', 'path', 'sequence', 'program', 'world', 'task'], refresh);
+  on(['table', 'q', 'target', 'path', 'sequence', 'program', 'world', 'task', 'routing'], refresh);
 }

@@ -12,6 +12,7 @@ import { thingsDrawn, carriedAt } from './scene/world.mjs';
 import { gripperShown } from './scene/gripper.mjs';
 import { framesOfStep } from './panels/dh_steps.mjs';
 import { bodiesShown } from './scene/clearance.mjs';
+import { looksDrawn } from './scene/looks.mjs';
 import { ellipsoidShown } from './scene/ellipsoid.mjs';
 import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
@@ -52,8 +53,19 @@ export function expose() {
     get things() {
       return thingsDrawn();
     },
+    get looks() {
+      return looksDrawn();
+    },
     get program() {
       return structuredClone(state.program);
+    },
+    get route() {
+      return structuredClone(state.route);
+    },
+    routePlace(which, turn) {
+      const detail = { which, turn };
+      document.querySelector('.route-map').dispatchEvent(new CustomEvent('where', { detail }));
+      return detail.at;
     },
     get motion() {
       return structuredClone(state.motion);

@@ -20,6 +20,7 @@ import { inverse } from './panels/inverse.mjs';
 import { dhTable } from './panels/dh_table.mjs';
 import { equations } from './panels/equations.mjs';
 import { path } from './panels/path.mjs';
+import { route } from './panels/route.mjs';
 import { program } from './panels/program.mjs';
 import { world as worldPanel } from './panels/world.mjs';
 import { sequence } from './panels/sequence.mjs';
@@ -31,6 +32,7 @@ import * as playing from './playing.mjs';
 import * as clearance from './scene/clearance.mjs';
 import * as ellipsoid from './scene/ellipsoid.mjs';
 import * as world from './scene/world.mjs';
+import * as looks from './scene/looks.mjs';
 import { expose } from './hook.mjs';
 
 readTheme();
@@ -41,6 +43,7 @@ history.begin();
 arm.begin();
 gizmo.begin();
 world.begin();
+looks.begin();
 clearance.begin();
 ellipsoid.begin();
 gripper.begin();
@@ -57,7 +60,13 @@ const group = (name, first, ...rest) => [{ ...first, group: name }, ...rest];
 showPanel = rail($('#rail'), $('#panels'), $('#pinned'), [
   ...group('Drive', { id: 'move', title: 'Move', sections: [joints, pose] }, inverse),
   ...group('Describe', dhTable, worldPanel),
-  ...group('Plan', path, program, sequence),
+  ...group(
+    'Plan',
+    path,
+    route(() => showPanel),
+    program,
+    sequence,
+  ),
   ...group('Study', matrices, equations, analysis),
   ...group(
     'Hand on',
@@ -83,6 +92,7 @@ on('online', async (yes) => {
     setTable(hello.table, { q: presentable(hello.table), step: false, what: 'new' });
     history.forgetHistory();
   }
+  if (hello.looks) looks.take(hello.looks, hello.table);
   beside.open(hello.bench);
   document.documentElement.dataset.ready = 'yes';
 });

@@ -30,6 +30,8 @@ export function snapshot() {
     sequence,
     program: { steps: state.program, start: state.start, limits: state.limits },
     world: state.world,
+    routing: state.routing,
+    look: state.look,
     panel,
     theme,
     units: [units.angle, units.length],
@@ -149,6 +151,23 @@ function thingFrom(x) {
     ...Object.fromEntries(BODIES[x.kind].map((k) => [k, x[k]])),
   };
 }
+/** What is asked of a route, each value checked; null for the usual. */
+function routingFrom(r, n) {
+  if (!r || typeof r !== 'object') return null;
+  const end = (e) =>
+    e && isNumber(e.turn) && numbers(e.q, n) ? { turn: e.turn, q: e.q.slice(), branch: text(e.branch, 80) } : null;
+  const size = (v, most) => (isNumber(v) && v >= 0 && v < most ? v : 0);
+  return {
+    turn: numbers(r.turn, 2) ? r.turn.slice() : null,
+    cone: size(r.cone, Math.PI / 2),
+    axis: ['x', 'y', 'z'].includes(r.axis) ? r.axis : 'z',
+    cost: r.cost === 'time' ? 'time' : 'motion',
+    singularity: size(r.singularity, 1),
+    clearance: size(r.clearance, 1e3),
+    start: end(r.start),
+    end: end(r.end),
+  };
+}
 function restoreProgram(s, n) {
   const list = (v, f, most) => (Array.isArray(v) ? v.slice(0, most).map(f).filter(Boolean) : []);
   const p = s.program ?? {};
@@ -158,6 +177,9 @@ function restoreProgram(s, n) {
     Object.entries(p.limits ?? {}).filter(([k, v]) => k.length < 30 && (v === null || (isNumber(v) && v > 0))),
   );
   state.world = list(s.world, thingFrom, 60);
+  state.routing = routingFrom(s.routing, n);
+  if (['sketch', 'real', 'both'].includes(s.look?.mode) && isNumber(s.look.opacity))
+    state.look = { mode: s.look.mode, opacity: Math.min(Math.max(s.look.opacity, 0.1), 0.9) };
 }
 
 /** Take a state; throws with the reason when it is not one of ours. */
@@ -198,6 +220,8 @@ export function restore(s, showPanel) {
   for (const topic of ['units', 'notation', 'sequence-loaded', 'task', 'program', 'world']) tell(topic);
   showPanel(s.panel);
   tell('path-loaded');
+  tell('routing', 'loaded');
+  tell('look', 'loaded');
   if (numbers(s.camera, 6)) setCamera(s.camera);
   setJoints(state.q, 'restored');
   forgetHistory();
@@ -273,6 +297,8 @@ export function begin() {
       'sequence',
       'program',
       'world',
+      'routing',
+      'look',
       'theme',
       'frames',
     ],

@@ -27,10 +27,14 @@ export const state = {
   dhStep: null, // how far the frames of the table are built up, or null for all of them
   program: [], // steps, each an object that is replaced and never written into
   limits: null, // of the program's motion, SI; null for the usual ones
+  routing: null, // what is asked of a route, null for the usual; replaced and never written into
+  route: null, // the library's answer to it
   start: null, // where the program begins, joint values
   watch: false, // whether distances are asked for without anything to run into
   clearance: null, // the nearest two bodies, as the library says
   world: [], // what stands around the arm, likewise
+  looks: null, // the shapes of the arm's own file: {shapes, notes, key, files}
+  look: { mode: 'real', opacity: 0.4 },
   panel: 'move',
   theme: 'auto',
   online: false,

@@ -10,7 +10,7 @@ import { motionOf } from '../curves.mjs';
 import * as dock from '../dock.mjs';
 import { showPath } from '../scene/arm.mjs';
 import { between } from '../rotation.mjs';
-import { poseEditor } from './pose_editor.mjs';
+import { lineEnds } from './line_ends.mjs';
 
 const tool = () => state.frames[state.frames.length - 1].slice();
 
@@ -20,36 +20,7 @@ export const path = {
   wide: true,
   build(root, panel) {
     const P = state.path;
-    const ends = ['from', 'to'].map((key) => {
-      const editor = poseEditor(
-        key === 'from' ? 'From' : 'To',
-        `path-${key}`,
-        () => P[key],
-        (T) => {
-          tell('did', { label: `set “${key}” of the path`, key: `path-${key}` });
-          P[key] = T;
-          preview();
-          tell('path');
-        },
-      );
-      const capture = h('button', {
-        type: 'button',
-        class: 'quiet',
-        text: 'Take the present pose',
-        'data-testid': `take-${key}`,
-        on: {
-          click: () => {
-            tell('did', { label: `take “${key}” of the path` });
-            P[key] = tool();
-            editor.show();
-            preview();
-            tell('path');
-          },
-        },
-      });
-      const el = h('div', { class: 'end' }, capture, editor.el);
-      return { el, show: editor.show };
-    });
+    const ends = lineEnds('path', () => preview());
     const length = h('span', { class: 'hint' });
     const count = numberField({
       label: 'Number of points N',
@@ -82,7 +53,8 @@ export const path = {
             [3, 7, 11].forEach((k, i) => {
               P.to[k] = p[i];
             });
-            ends[1].show();
+            ends.show();
+            tell('path', 'path');
             preview();
           }
         },
@@ -98,7 +70,7 @@ export const path = {
     const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'path-verdict', hidden: true });
     const branches = h('div', { class: 'branches', 'data-testid': 'branches' });
     root.append(
-      ...ends.map((e) => e.el),
+      ends.el,
       h('div', { class: 'line' }, same, length),
       h(
         'div',
@@ -207,7 +179,7 @@ export const path = {
       return h('span', { class: 'bar' }, fill);
     }
     const show = () => {
-      ends.forEach((e) => e.show());
+      ends.show();
       count.put(P.n);
       seconds.put(P.seconds);
       preview();
@@ -220,7 +192,6 @@ export const path = {
       }
     });
     on('path-loaded', show);
-    on('notation', show);
     on('units', preview);
     on('table', (what) => {
       if (['postures', 'name', 'gripper'].includes(what)) return;

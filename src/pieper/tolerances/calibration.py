@@ -1,0 +1,35 @@
+"""Of calibration."""
+
+#: By how much an axis of a built arm plausibly departs from the nominal one (rad; per length of the arm): a few
+#: millimetres a metre. What, so large, changes all measurements together by less than their noise, is not seen.
+PLAUSIBLE_DEPARTURE = 2e-3
+#: The same of a gear's ratio and of what couples two joints.
+PLAUSIBLE_GEAR = 1e-3
+#: A measurement this many times its noise off is no noise: of 1e8 Gaussian ones not one is.
+OUTLIER = 6.0
+#: Huber's threshold, in noises: 95 % efficient where there are no outliers (Huber, 1981).
+HUBER = 1.345
+#: A fit is done when no number moves by more than this part of its plausible size,
+CALIBRATED = 1e-9
+#: or after so many steps; from millimetres away three to five are usual.
+CALIBRATION_STEPS = 60
+#: A wrong reading of the data (degrees, millimetres, a joint's sense) is named when it leaves this part of the misfit.
+MISREAD = 0.2
+#: Data that miss the nominal arm by less than this part of its length are not suspected of a wrong reading.
+SUSPICIOUS = 0.03
+#: The noise (m, rad) that a fit begins with where none is said.
+FIRST_NOISE = (1e-4, 2e-4)
+#: Noise (m, rad) below which there is none: rounding.
+LEAST_NOISE = 1e-12
+#: Joint vectors this near (rad or m) are one and the same measurement repeated.
+SAME_MEASUREMENT = 1e-6
+#: Noise (m, rad) that is assumed where none is said.
+USUAL_NOISE = (5e-5, 1e-4)
+#: Turns (rad) up to which the derivative of a rotation vector is its series.
+TURN_SERIES = 1e-3
+#: Below this angle (rad) the exponential's coefficients are taken from their series.
+EXPONENTIAL_SERIES = 1e-4
+#: A step is taken where the cost grows by no more than this, relative,
+COST_NO_WORSE = 1e-9
+#: and absolute: rounding.
+COST_ROUNDING = 1e-12

@@ -1,0 +1,10 @@
+"""Of pictures: sizes below which nothing can be drawn."""
+
+#: A picture shows this much around an arm at least, m.
+DRAWN_LEAST = 1e-3
+#: A picture of time shows this much at least, s.
+DRAWN_TIME = 1e-9
+#: Cells of a picture are no smaller, m.
+DRAWN_CELL = 1e-6
+#: Cosine above which the first axis is upright: 0.08 deg.
+UPRIGHT_AXIS = 0.999999

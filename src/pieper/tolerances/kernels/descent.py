@@ -1,0 +1,14 @@
+"""Of the descent to the nearest posture (relative to the largest eigenvalue; rad; lengths of the arm)."""
+
+#: Damping at first,
+DESCENT_DAMPING = 1e-3
+#: at least,
+DESCENT_LEAST_DAMPING = 1e-14
+#: and at most: there a row rests.
+DESCENT_MOST_DAMPING = 1e4
+#: A shorter step is none.
+DESCENT_SETTLED = 1e-9
+#: Eigenvalues are kept above this part of the largest.
+DESCENT_FLAT = 1e-13
+#: Part of a symmetric matrix off its diagonal, squared, below which Jacobi's rotations have found its eigenvalues.
+JACOBI_DONE = 1e-26

@@ -1,0 +1,62 @@
+"""Of the look at singular rows, and of Newton's method there."""
+
+#: A point of a self-motion must hold the pose this well (per length; rad). A pose 1e-12 away from a singular one moves
+#: farther along its null direction.
+ON_CURVE = 2e-13
+#: Two axes are one line, four are parallel or meet, when they miss by no more than this (rad; per length): what turning
+#: about them would move the pose by, as `ON_CURVE`.
+IN_ONE_LINE = 2e-13
+#: Parts of a unit null direction below this stand still, or would on the self-motion next to the pose.
+LOOP_MOVES = 1e-4
+#: Axes that miss being a linkage by less than this are next to a self-motion.
+NEXT_TO_LINKAGE = 1e-5
+#: A side of a linkage smaller than this is constant: its joint can neither lead nor follow.
+LOOP_CRITICAL = 1e-9
+#: Two ends of what the sides of a linkage can be are one within this (of their sizes): rounding.
+LOOP_TOUCHES = 1e-14
+#: Two angles of a linkage that go round together differ by rounding alone (rad).
+LINKAGE_TOGETHER = 1e-7
+#: Three neighbouring axes are parallel or meet in one point within this (rad; per length): what families take them for.
+GROUP_EXACT = 2e-12
+#: Directions weaker than this (relative) are left alone where the last digits of a row are fetched.
+HELD_FIRMLY = 1e-9
+#: Step aside from a double root (rad; per length) over which its fold is taken for straight.
+FOLD_STEP = 1e-5
+#: Relative size of the second smallest singular value above which a singular row has one null direction only.
+ONE_WAY_FREE = 1e-5
+#: A row beside a self-motion is isolated where its singular value is at least this part of what its axes miss by.
+NEARLY_IN_LINE = 0.03
+#: Axes that a motion of the other joints brings into place, at the cost of less than this to the pose, are in place.
+UNNOTICED = 2e-14
+#: What a merged root misses to second order (per rad^2) above which higher orders do not count.
+CLEAR_FOLD = 1e-3
+#: Relative sigma_min above which a marked pose is not looked at further: kernels tell twins of a root apart above 1e-8.
+CLEARLY_REGULAR = 1.5e-7
+#: Newton steps end where a pose is missed by no more than this (per length; rad): the rounding of forward kinematics.
+NEWTON_DONE = 1e-15
+#: Below this they end as well once what is missed has not halved for three steps; above it they go on.
+NEWTON_STALLS = 1e-13
+#: Columns whose cosine is no more than this are at right angles (and two angles, rad, are one): rounding of their sums.
+ORTHOGONAL = 1e-15
+#: A row this near a self-motion is a point of it (rad; per length).
+ON_SELF_MOTION = 1e-9
+#: Relative singular values below which kernels may give one point for two solutions beside a self-motion.
+ROOTS_APART = 1e-11
+#: Solutions beside a self-motion are known to rounding over the singular value: nearer than this they are one (rad).
+SAME_ALONG = 0.03
+#: What such solutions may miss the pose by (per length; rad).
+HOLDS_TO_ROUNDING = 1e-14
+#: Directions weaker than this (relative) are not corrected in when a curve is followed that nearly holds the pose.
+CURVE_WEAK = 1e-6
+#: Merged roots closer than this (rad; per length) are one.
+MERGED_SAME = 1e-7
+#: What forward kinematics cannot tell from the pose (per length; rad), in the one direction that counts,
+MERGED_ALONG = 6e-16
+#: and in all.
+MERGED_ROUNDING = 2e-15
+#: Rows farther apart than this (rad; per length) are never called one.
+MERGED_BLUR = 5e-3
+#: Rows on two sides of a singularity (neighbouring roots of a curve) are called one up to here only (rad; per length).
+MERGED_TWINS = 2e-6
+#: Step for the derivatives of what is missed along the null direction (rad; per length).
+MERGED_STEP = 2e-2
