@@ -13,6 +13,7 @@ from pieper.solver.results import SolutionBatch, Solutions, Status
 
 if TYPE_CHECKING:
     from pieper import jax, torch
+    from pieper.cell import Cell
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Clearance, Swept
     from pieper.description.quantity import evaluate
@@ -45,6 +46,7 @@ __version__ = "0.1.0"
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
     "Arc": "pieper.motion.route.arcs",
+    "Cell": "pieper.cell",
     "Freedom": "pieper.motion.route.freedom",
     "Route": "pieper.motion.route.result",
     "Verdict": "pieper.motion.route.freedom",
@@ -96,6 +98,7 @@ __all__ = [
     "Body",
     "Box",
     "Capsule",
+    "Cell",
     "Clearance",
     "Convex",
     "Cylinder",
