@@ -202,11 +202,10 @@ def _free(setting: Setting, x: Array) -> Array:
     J = scaled_jacobian(setting.chain, x)
     if setting.m - setting.spare == J.shape[1]:
         # of full rank: what is across all rows, for half of what singular values cost
-        Q, _ = np.linalg.qr(np.swapaxes(J, 1, 2), mode="complete")
-        Z = Q[:, :, J.shape[1] :]
+        free: Array = np.linalg.qr(np.swapaxes(J, 1, 2), mode="complete")[0][:, :, J.shape[1] :]
     else:
-        Z = np.swapaxes(np.linalg.svd(J)[2][:, setting.m - setting.spare :], 1, 2)
-    return np.asarray(Z * setting.chain.joints.unit[:, None], np.float64)
+        free = np.swapaxes(np.linalg.svd(J)[2][:, setting.m - setting.spare :], 1, 2)
+    return np.asarray(free * setting.chain.joints.unit[:, None], np.float64)
 
 
 def _pulled(setting: Setting, J: Array, g: Array) -> Array:
@@ -214,10 +213,10 @@ def _pulled(setting: Setting, J: Array, g: Array) -> Array:
     if setting.m - setting.spare == J.shape[1]:
         square = J @ np.swapaxes(J, 1, 2)
         try:
-            return np.linalg.solve(square, np.einsum("kij,kj->ki", J, g)[..., None])[..., 0]
+            return np.asarray(np.linalg.solve(square, np.einsum("kij,kj->ki", J, g)[..., None])[..., 0], np.float64)
         except np.linalg.LinAlgError:
             pass  # a point is singular with all that is free
-    return np.einsum("kji,kj->ki", np.linalg.pinv(J), g)
+    return np.asarray(np.einsum("kji,kj->ki", np.linalg.pinv(J), g), np.float64)
 
 
 def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: float) -> tuple[Array, Array]:
