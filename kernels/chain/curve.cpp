@@ -12,14 +12,10 @@ namespace {
 using namespace PIEPER_ISA;
 
 constexpr int kNewtonSteps = 12;
-constexpr double kTooFar = 1.0;        // a Newton step that is longer leads elsewhere, rad or lengths
-constexpr double kWeakest = 1e-9;      // directions weaker than this part of the strongest are not corrected in
-constexpr double kFree = 1e-7;         // singular values below this part of the largest leave their direction free
-constexpr double kShortest = 1e-5;     // a curve ends where a step shorter than this does not go on
-constexpr double kGrow = 1.3;          // by how much a step grows after one that went well
-constexpr double kHome = 0.75;         // of a step: so near to where it began a curve is home,
-constexpr double kAlong = 0.9;         // if it comes home along itself and not across
-constexpr double kRoundedHome = 1e-9;  // rad; lengths
+constexpr double kTooFar = 1.0;  // a Newton step that is longer leads elsewhere, rad or lengths
+constexpr double kGrow = 1.3;    // by how much a step grows after one that went well
+constexpr double kHome = 0.75;   // of a step: so near to where it began a curve is home,
+constexpr double kAlong = 0.9;   // if it comes home along itself and not across
 
 struct Follower : Posture {
   Rigid goal;
@@ -37,7 +33,7 @@ struct Follower : Posture {
       if (size < kOnCurve) return true;
       if (taken == kNewtonSteps || !(size < INFINITY)) return false;
       rows.take(*this, e, direction);
-      rows.shortest(kWeakest, step.data());
+      rows.shortest(kFollowWeakest, step.data());
       if (!(size_of(step.data(), n) <= kTooFar)) return false;
       for (int k = 0; k < n; ++k) q[k] += step[k];
     }
@@ -53,8 +49,8 @@ struct Follower : Posture {
     std::sort(order, order + 6, [&](int a, int b) { return s[a] > s[b]; });
     // of six joints or fewer the weakest direction is the curve's, however strong
     const int ways = std::min(n, 6);
-    double free = kFree * s[order[0]];
-    if (n <= 6) free = std::fmax(free, s[order[ways - 1]] * (1 + 1e-7));
+    double free = kFollowFree * s[order[0]];
+    if (n <= 6) free = std::fmax(free, s[order[ways - 1]] * (1 + kFollowAlike));
     std::copy(travel, travel + n, out);
     for (int i = 0; i < ways; ++i) {
       if (s[order[i]] <= free) break;
@@ -63,7 +59,7 @@ struct Follower : Posture {
       for (int k = 0; k < n; ++k) out[k] -= part * row[k];
     }
     const double size = size_of(out, n);
-    if (size > 1e-6)
+    if (size > kFollowLost)
       for (int k = 0; k < n; ++k) out[k] /= size;
     else std::copy(travel, travel + n, out);
   }
@@ -95,7 +91,7 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
     good = good && dot_of(move.data(), along.data(), n) > how.straight * went;
     if (!good) {
       step /= 2;
-      if (step < kShortest) return false;
+      if (step < kFollowShortest) return false;
       continue;
     }
     gone += went;
@@ -104,7 +100,7 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
     for (int k = 0; k < n; ++k) move[k] = arm.way(ahead[k], first[k], k);
     const double size = size_of(move.data(), n);
     if (gone > 3 * step && size < kHome * step &&
-        (size < kRoundedHome || std::fabs(dot_of(move.data(), next.data(), n)) > kAlong * size)) {
+        (size < kFollowHome || std::fabs(dot_of(move.data(), next.data(), n)) > kAlong * size)) {
       // home: the first point once more, as many turns on as the curve went round
       double* last = &points[points.size() - n];
       for (int k = 0; k < n; ++k)

@@ -56,3 +56,17 @@ def test_products_of_one_group_become_sums_of_angles():
     assert c2 * c3 - s2 * s3 == trig("c", {2: 1, 3: 1}, 2)
     assert c2 * c2 + s2 * s2 == Poly.number(1)
     assert expand([[c2, -s2], [s2, c2]]) == Poly.number(1)
+
+
+def test_an_arm_without_any_special_geometry_is_told_so_and_its_equations_hold():
+    rng = np.random.default_rng(4)
+    rows = [
+        pieper.DH(a=rng.uniform(0.1, 0.5), alpha=rng.uniform(-1.4, 1.4), d=rng.uniform(0.1, 0.5), theta=0.0)
+        for _ in range(6)
+    ]
+    arm = pieper.Arm.from_dh(rows, convention="standard", joint_types="RRRRRR", name="general")
+    singular = arm.symbolic.singularities()
+    assert singular.square and singular.minors is None and singular.determinant is None
+    assert "too long to print" in singular.text()
+    assert arm.symbolic.jacobian().check(20).worst < 1e-12
+    assert not arm.symbolic.ik().closed and "degree 16" in arm.symbolic.ik().text()

@@ -20,6 +20,7 @@ from pieper.document.formulas import ZERO, Written
 from pieper.document.readable import Readable
 from pieper.equations.forward import Check
 from pieper.equations.jacobian import JacobianEquations
+from pieper.equations.one_block import one_long_block
 from pieper.equations.singular_facts import facts_on, roots_on_factor, still_joints
 from pieper.kinematics.arrays import Array
 from pieper.tolerances import ROUNDING, TINY, WHOLE_TURN
@@ -31,6 +32,9 @@ NAMES = {
     "wrist": "Wrist singularity",
     "other": "Singular configurations",
 }
+TOO_LONG = (
+    "The determinant does not split into small blocks and is too long to print; it is checked by its numbers only."
+)
 
 
 @dataclass(frozen=True)
@@ -105,6 +109,10 @@ class SingularityEquations(Readable):
             found.append(((max(sizes, default=0), sum(sizes), cost), k, k2, m, matrix))
         return min(found, key=lambda item: item[0])[1:]
 
+    @functools.cached_property
+    def _long(self) -> bool:
+        return self.task == "pose" and one_long_block(self.jacobian.forward.description, self.numeric, self.frames)
+
     def _linear(self, frame: int, point: int) -> list[list[Poly]]:
         columns = [self.jacobian.column(j + 1, frame, point)[0] for j in range(self.n)]
         return [list(row) for row in zip(*columns, strict=True)]
@@ -130,6 +138,8 @@ class SingularityEquations(Readable):
     @functools.cached_property
     def minors(self) -> list[Factored] | None:
         """Every largest minor that is not identically zero; one when the Jacobian is square. None when too long."""
+        if self._long:
+            return None
         matrix = self._choice[3]
         found, seen = [], set()
         try:
@@ -154,7 +164,7 @@ class SingularityEquations(Readable):
     @property
     def square(self) -> bool:
         """Whether there is one determinant (as many joints as task coordinates)."""
-        return len(self._choice[3]) == self.n
+        return self._long or len(self._choice[3]) == self.n
 
     @functools.cached_property
     def determinant(self) -> Expr | None:
@@ -187,9 +197,8 @@ class SingularityEquations(Readable):
 
     def _configuration(self, poly: Poly, columns: tuple[int, ...]) -> Singularity:
         expr = poly.expr()
-        samples = roots_on_factor(
-            self._value_of(expr), self._joints_of(poly), self.n, self.jacobian.forward.description
-        )
+        value, joints = self._value_of(expr), self._joints_of(poly)
+        samples = roots_on_factor(value, joints, self.n, self.jacobian.forward.description)
         words = facts_on(samples, self.frames, self.jacobian.forward.description) if len(samples) else []
         if len(samples):
             still = still_joints(samples, self._rows)
@@ -252,26 +261,19 @@ class SingularityEquations(Readable):
     # -- output ----------------------------------------------------------------------------------------------
     def sentences(self) -> list[str]:
         """What is true of the determinant as a whole."""
+        if self.minors is None:
+            return [TOO_LONG]
         k, k2, m, matrix = self._choice
         where = f"written at the origin of frame {m}, in frame {k}" if m <= self.n else f"at the tool, in frame {k}"
-        if self.minors is None:
-            return [
-                "The determinant does not split into blocks and is too long to print; it is checked by its numbers "
-                "only."
-            ]
         if self.square:
             if not self.minors:
                 return ["The determinant is identically zero: two joints do the same in every posture."]
             largest, count = self.minors[0].largest, len(self.minors[0].factors)
-            said = [
-                f"The Jacobian, {where}, is block triangular; its determinant is the product of the blocks' "
-                "determinants."
-            ]
+            told = "is block triangular; its determinant is the product of the blocks' determinants."
+            said = [f"The Jacobian, {where}, {told}"]
             if count == 1 and largest > 2:
-                said = [
-                    f"The determinant does not factor: the Jacobian, {where}, keeps one block of {largest} by "
-                    f"{largest}."
-                ]
+                kept = f"keeps one block of {largest} by {largest}."
+                said = [f"The determinant does not factor: the Jacobian, {where}, {kept}"]
             return said
         if not self.minors:
             return ["The Jacobian never has full rank: joints repeat each other's motion in every posture."]

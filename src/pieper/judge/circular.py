@@ -136,6 +136,14 @@ def given_angles(node: Expr, definitions: Mapping[str, Expr]) -> tuple[set[int],
             if parts not in sums:
                 sums.append(parts)
             continue
+        if isinstance(here, Add):
+            # a sum of joints with a constant turn beside it is known as that sum
+            turning = [t for t in here.args if net(t) is not None]
+            inside = net(Add.of(*turning)) if len(turning) > 1 else None
+            if inside and len(inside) > 1 and not any(t.symbols() for t in here.args if net(t) is None):
+                if inside not in sums:
+                    sums.append(inside)
+                continue
         found = ANGLE.match(here.name) if isinstance(here, Sym) else None
         if found:
             joints.add(int(found.group(1)))

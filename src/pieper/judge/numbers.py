@@ -63,6 +63,9 @@ def misprint(printed: Any, right: float) -> str:
         return f"the last digit ({correct})"
     if abs(-read_number(printed) - right) <= 0.51 * step:
         return "a sign"
+    for factor, words in ((1000.0, "millimetres for metres"), (0.001, "metres for millimetres")):
+        if right and abs(read_number(printed) - factor * right) <= 0.51 * step * max(1.0, factor / 1000):
+            return f"a factor of 1,000: {words} ({right:.6g})"
     a, b = text.lstrip("-").replace("+", ""), correct.lstrip("-")
     if a == b or (text[:1] == "-") != (correct[:1] == "-"):
         return ""

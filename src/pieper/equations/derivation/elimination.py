@@ -102,9 +102,10 @@ class Eliminator:
         return self._products[i, j]
 
     def inverse(self, i: int, j: int) -> list[list[Poly]]:
-        """(A_{i+1} ... A_j)^-1."""
+        """(A_{i+1} ... A_j)^-1, link by link: turned back as a whole it would have to be multiplied out."""
         if (i, j) not in self._inverses:
-            self._inverses[i, j] = inverse(self.product(i, j))
+            back = inverse(self.links[i]) if j > i else _unit()
+            self._inverses[i, j] = matmul(self.inverse(i + 1, j), back) if j - i > 1 else back
         return self._inverses[i, j]
 
     # -- the loop --------------------------------------------------------------------------------------------

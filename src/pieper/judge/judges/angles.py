@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-
 import numpy as np
 
-from pieper.algebra.arithmetics import NumpyField
-from pieper.algebra.expression import Add, Expr, Mul
-from pieper.algebra.formula import ANGLE, Neg, PlusMinus, has_branch, number, unordered
-from pieper.algebra.notation import joint_sum
-from pieper.errors import InputError, PieperError
+from pieper.algebra.expression import Expr
+from pieper.algebra.formula import ANGLE, has_branch
+from pieper.errors import PieperError
 from pieper.judge.circular import given_angles, uses_itself
 from pieper.judge.claim import Claim, Numbers
 from pieper.judge.degrees import from_degrees
 from pieper.judge.difference import agreeing_digits, digits_wanted
-from pieper.judge.evidence import SOLVER_POSES, Evidence, tried_text, under, wrapped
+from pieper.judge.evidence import SOLVER_POSES, Evidence, tried_text, wrapped
+from pieper.judge.judges.angle_formula import AngleFormula, branch_values, either_of, read_angle, right_side, signed
 from pieper.judge.judges.freedom import completes, undetermined
 from pieper.judge.lengths import decimals, standing
 from pieper.judge.matrices import Product, value_of
@@ -27,48 +23,7 @@ from pieper.judge.search.search import Explanation, Goal, search
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
-from pieper.tolerances import JUDGED_HOLDS, JUDGED_SAME_JOINTS, JUDGED_ZERO, SEARCH_ARC
-
-
-def read_angle(ev: Evidence, claim: Claim) -> tuple[str, Expr]:
-    """Read which angle a claim is about: joint = 4, or for = "theta1+theta2"."""
-    if "joint" in claim:
-        name = f"theta{claim.joint(ev.model.n)}"
-    elif "for" in claim:
-        name = str(claim["for"])
-    else:
-        raise claim.error('say which joint, as joint = 4 or for = "theta1+theta2"')
-    angle = ev.parse(name, key="for")
-    if not (joint_sum(angle) or ANGLE.match(str(angle))):
-        raise claim.error(f'for = {name!r} must be a joint or a sum of joints, as in for = "theta1 + theta2"')
-    return name, angle
-
-
-def right_side(ev: Evidence, text: str, angle: Expr) -> str:
-    """The right side of a formula whose left side is written out, as in theta2 = atan2(..)."""
-    left, equals, right = text.partition("=")
-    if not equals or "=" in right:
-        return text
-    with under("is"):
-        named = ev.model.parse(left.strip())
-    if unordered(named) != unordered(angle):
-        raise InputError(f"is: the left side is {left.strip()!r}, but the claim is about {angle}")
-    return right.strip()
-
-
-def either_of(first: Expr, second: Expr) -> Expr:
-    """One formula whose upper sign gives the first of two branches and whose lower sign the second."""
-    if has_branch(first) or has_branch(second):
-        raise InputError("is: a list of branches holds formulas without +-")
-    half = number("0.5")
-    return Add.of(Mul.of(half, Add.of(first, second)), PlusMinus(Mul.of(half, Add.of(first, Neg.of(second)))))
-
-
-def branch_values(node: Expr, env: dict[str, np.ndarray], shape: tuple[int, ...]) -> Iterator[np.ndarray]:
-    """Yield the values of a formula at all samples, one array a branch; nan where it is undefined."""
-    for branch in (1, -1) if has_branch(node) else (1,):
-        with np.errstate(all="ignore"):
-            yield np.broadcast_to(np.asarray(node.evaluate(env, NumpyField, branch), dtype=float), shape)
+from pieper.tolerances import JUDGED_HOLDS, JUDGED_SAME_JOINTS
 
 
 def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
@@ -91,16 +46,13 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
         + "".join(f", {k} = {v}" for k, v in claim.where.items())
         + (f", where {claim['when']}" if "when" in claim else "")
     )
+    node = signed(ev, claim, node, angle)
     circle = uses_itself(ev.model, angle, node, ev.definitions, {name: ev.known_for(name) for name in ev.picks(node)})
-    if circle:
-        return claim.wrong(
-            f"Wrong: circular. A formula that is to give {name} uses {name} itself, in {circle}; it is true and gives "
-            "nothing.",
-            slip="circular",
-        )
     frame = ev.frame(claim)
-    form = _AngleFormula.of(ev, angle, frame)
+    form = AngleFormula.of(ev, angle, frame)
     good, own = form.judged(ev, node), ev.samples.nominal
+    if circle:
+        return _circular(ev, claim, node, form, name, circle, good)
     if good[own].all():
         return _joint_holds(ev, claim, node, form, good)
     exact = unrounded(ev, node, form.gap, form.judged)
@@ -111,60 +63,24 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
     return _joint_fails(ev, claim, node, form, good)
 
 
-@dataclass(frozen=True)
-class _AngleFormula:
-    """What a formula is to give: an angle, with the letters of the pose or of another frame."""
-
-    angle: Expr
-    frame: Product | None
-    slides: bool = False
-    tolerance: float = SEARCH_ARC
-
-    @classmethod
-    def of(cls, ev: Evidence, angle: Expr, frame: Product | None) -> _AngleFormula:
-        """The angle of a turning joint or a sum of such; a sliding joint's value counts no whole turns."""
-        found = ANGLE.match(str(angle))
-        if found and ev.model.sliding(int(found.group(1))):
-            return cls(angle, frame, True, JUDGED_ZERO * ev.model.length())
-        return cls(angle, frame)
-
-    def off(self, value: np.ndarray, wanted: np.ndarray) -> np.ndarray:
-        """How far values are from the right ones."""
-        return value - wanted if self.slides else wrapped(value - wanted)
-
-    @property
-    def unit(self) -> float:
-        """What a reader sees for one: degrees of an angle."""
-        return 1.0 if self.slides else 180 / np.pi
-
-    def wanted(self, ev: Evidence) -> np.ndarray:
-        """The right angle at every sample."""
-        return np.asarray(self.angle.evaluate(ev.samples.env), dtype=float)
-
-    def judged(self, ev: Evidence, node: Expr) -> np.ndarray:
-        """Where one of the formula's branches is the angle."""
-        wanted = self.wanted(ev)
-        good = np.zeros(len(wanted), dtype=bool)
-        for value in branch_values(node, ev.environment(self.frame), wanted.shape):
-            off = np.abs(self.off(value, wanted))
-            good |= np.where(np.isfinite(off), off, np.inf) < self.tolerance
-        return good
-
-    def with_symbols(self, node: Expr) -> Callable[[Evidence], tuple[np.ndarray, dict[str, np.ndarray]]]:
-        """Where the formula is right, and the values of all symbols, for `region_of`."""
-        return lambda ev: (self.judged(ev, node), ev.environment(self.frame))
-
-    def gap(self, ev: Evidence, node: Expr, more: dict[str, np.ndarray]) -> np.ndarray:
-        """The formula's nearest branch minus the angle."""
-        wanted = self.wanted(ev)
-        gaps = np.array(
-            [self.off(v, wanted) for v in branch_values(node, {**ev.environment(self.frame), **more}, wanted.shape)]
-        )
-        size = np.where(np.isfinite(gaps), np.abs(gaps), np.inf)
-        return np.take_along_axis(gaps, size.argmin(0)[None], 0)[0]
+def _circular(
+    ev: Evidence, claim: Claim, node: Expr, form: AngleFormula, name: str, circle: str, good: np.ndarray
+) -> Verdict:
+    """Say that a formula uses what it is for; where it is not even true, the slip that made it so is looked for."""
+    says = f"Wrong: circular. A formula that is to give {name} uses {name} itself, in {circle}"
+    if good.all():
+        return claim.wrong(f"{says}; it is true and gives nothing.", slip="circular")
+    found = _slip(ev, node, form)
+    says += f", and it is right at {int(good.sum())} of {len(good)} poses only."
+    if not found.best:
+        details = [("the slip", "no single slip explains it"), ("tried", tried_text(found))]
+        return claim.wrong(says, details, slip="circular")
+    reading = str(found.best.tree)
+    details = [("nearest right reading", f"{name} = {reading}"), ("the slip", found.best.says)]
+    return claim.wrong(says, [*details, ("tried", tried_text(found))], slip=found.best.kind, reading=reading)
 
 
-def _joint_fails(ev: Evidence, claim: Claim, node: Expr, form: _AngleFormula, good: np.ndarray) -> Verdict:
+def _joint_fails(ev: Evidence, claim: Claim, node: Expr, form: AngleFormula, good: np.ndarray) -> Verdict:
     name, own = str(claim.get("for", form.angle)), ev.samples.nominal
     env = ev.environment(form.frame)
     details: list[tuple[str, str]] = []
@@ -197,7 +113,7 @@ def _joint_fails(ev: Evidence, claim: Claim, node: Expr, form: _AngleFormula, go
     return claim.wrong(sentence, details, slip, reading, **counts)
 
 
-def _slip(ev: Evidence, node: Expr, form: _AngleFormula) -> Explanation:
+def _slip(ev: Evidence, node: Expr, form: AngleFormula) -> Explanation:
     goal = ev.goal(form.wanted(ev), angle=not form.slides, frame=form.frame)
 
     def searched(aim: Goal, pairs: bool = False) -> Explanation:
@@ -217,7 +133,7 @@ def _slip(ev: Evidence, node: Expr, form: _AngleFormula) -> Explanation:
     return found if found.best else searched(goal, pairs=True)
 
 
-def _angle_example(ev: Evidence, node: Expr, form: _AngleFormula, env: dict[str, np.ndarray], k: int) -> str:
+def _angle_example(ev: Evidence, node: Expr, form: AngleFormula, env: dict[str, np.ndarray], k: int) -> str:
     wanted = form.wanted(ev)
     unit = ev.model.unit if form.slides else "deg"
 
@@ -230,7 +146,7 @@ def _angle_example(ev: Evidence, node: Expr, form: _AngleFormula, env: dict[str,
 
 
 def _joint_holds(
-    ev: Evidence, claim: Claim, node: Expr, form: _AngleFormula, good: np.ndarray, *, rounding: str = ""
+    ev: Evidence, claim: Claim, node: Expr, form: AngleFormula, good: np.ndarray, *, rounding: str = ""
 ) -> Verdict:
     """The verdict on a formula that gives the right angle for the arm's own lengths."""
     angle, own = form.angle, ev.samples.nominal
@@ -356,10 +272,10 @@ def judge_together(ev: Evidence, claim: Claim) -> Verdict:
     """
     ev = ev.holding(claim)
     frame = ev.frame(claim)
-    forms: dict[str, tuple[_AngleFormula, Expr]] = {}
+    forms: dict[str, tuple[AngleFormula, Expr]] = {}
     for name, text in claim["is"].items():
         _, angle = read_angle(ev, claim.part(claim.id, {"for": name}))
-        forms[name] = _AngleFormula.of(ev, angle, frame), ev.parse(str(text), claim.where, f"is {name}")
+        forms[name] = AngleFormula.of(ev, angle, frame), ev.parse(str(text), claim.where, f"is {name}")
     claim = claim.reads("; ".join(f"{k} = {v}" for k, v in claim["is"].items()))
     for name, (form, node) in forms.items():
         circle = uses_itself(

@@ -148,6 +148,8 @@ def _rounded(printed: Any, right: float) -> str:
     if printed in BLANK:
         return ""
     decimals = min(12, max(0, round(-np.log10(last_digit(printed)))))
+    if misprint(printed, right).startswith("a factor"):
+        decimals += 3  # as many digits as were printed
     return f"{right + 0.0:.{max(decimals, 0)}f}"
 
 
@@ -155,8 +157,9 @@ def _matrix_text(rows: list[list]) -> str:
     return "[" + "; ".join(", ".join(str(v) if str(v) else "." for v in r) for r in rows) + "]"
 
 
-def joint_slips(q: np.ndarray) -> Iterator[tuple[str, str, np.ndarray]]:
+def joint_slips(model: ArmModel, q: np.ndarray) -> Iterator[tuple[str, str, np.ndarray]]:
     """Yield (kind, words, q) for joint vectors one slip away from the printed ones."""
+    turning = np.array([not model.sliding(k + 1) for k in range(len(q))])
     for k in range(len(q)):
         if q[k]:
             new = q.copy()
@@ -171,29 +174,60 @@ def joint_slips(q: np.ndarray) -> Iterator[tuple[str, str, np.ndarray]]:
                     new = q.copy()
                     new[[j, k]] = q[[k, j]]
                     yield "exchanged joints", f"joints {k + 1} and {j + 1} exchanged", new
-        for turn in (90, -90, 180):
+        for turn in (180, 90, -90) if turning[k] else ():
             new = q.copy()
             new[k] += np.radians(turn)
             yield "zero", f"joint {k + 1} with its zero {turn:+d} deg away", new
-    yield "degrees", "degrees taken for radians", np.degrees(q)
-    yield "degrees", "radians taken for degrees", np.radians(q)
+    yield "degrees", "radians printed as if they were degrees", np.where(turning, np.degrees(q), q)
+    yield "degrees", "degrees printed as if they were radians", np.where(turning, np.radians(q), q)
+
+
+def printed_slips(first: Reading) -> Iterator[tuple[str, str, Reading]]:
+    """Yield (kind, words, reading) for a matrix that was written down wrongly as a whole."""
+
+    def as_if(right: np.ndarray) -> Reading:
+        return Reading(first.printed, right, first.slack)
+
+    right = first.right
+    if right.shape[0] >= 3 and right.shape[1] >= 3:
+        turned = right.copy()
+        turned[:3, :3] = right[:3, :3].T
+        yield "transposed", "the rotation transposed", as_if(turned)
+    if right.shape == (4, 4):
+        yield "inverse", "the inverse of the pose", as_if(np.linalg.inv(right))
+        for scale, words in ((1000.0, "millimetres for metres"), (0.001, "metres for millimetres")):
+            scaled = right.copy()
+            scaled[:3, 3] *= scale
+            yield "millimetres", words, as_if(scaled)
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        order = [0, 1, 2, 3][: len(right)]
+        order[i], order[j] = j, i
+        yield "rows exchanged", f"rows {i + 1} and {j + 1} exchanged", as_if(right[order])
+        if right.shape[1] >= 3:
+            order = [0, 1, 2, 3][: right.shape[1]]
+            order[i], order[j] = j, i
+            yield "columns exchanged", f"columns {i + 1} and {j + 1} exchanged", as_if(right[:, order])
 
 
 def _explain(model: ArmModel, q: np.ndarray, reading: Reader, first: Reading) -> tuple[str, str, str, str]:
     """Look for one slip that explains the printed matrix; return (words, kind, what was tried, corrected)."""
     best = (len(first.serious()), "", "", first)
-    variants = [(k, w, arm, q) for k, w, arm in arm_slips(model)] + [(k, w, model, new) for k, w, new in joint_slips(q)]
-    for kind, words, arm, joints in variants:
-        r = reading(arm, joints)
+    arms = [(k, w, arm, q) for k, w, arm in arm_slips(model)]
+    arms += [(k, w, model, new) for k, w, new in joint_slips(model, q)]
+    variants = [*printed_slips(first)] if best[0] > 1 else []
+    variants += [(k, w, reading(arm, joints)) for k, w, arm, joints in arms]
+    for kind, words, r in variants:
         serious = r.serious()
         if len(serious) < best[0]:
             best = (len(serious), kind, words, r)
-    kinds = "convention, a and d of a row, twists, senses, zeros, tool, base, axes, units"
-    tried = f"{len(variants)} other arms and joint vectors ({kinds}), misprints of one number"
+    kinds = "convention, a and d of a row, lengths exchanged, twists, senses, zeros, tool, base, axes, units"
+    written = "transposed, inverse, rows or columns exchanged, units"
+    tried = f"{len(variants)} other arms, joint vectors ({kinds}) and matrices ({written}), misprints of one number"
     left, kind, words, r = best
     start = len(first.serious())
     prints = {place: first.misprint(place) for place in first.serious()}
-    if all(prints.values()) and len(prints) <= max(1, len(first.claimed) // 4):
+    single = len(prints) == 1 or not (kind and left == 0)  # one slip is likelier than several misprints
+    if single and all(prints.values()) and len(prints) <= max(1, len(first.claimed) // 4):
         return "; ".join(f"entry ({i + 1},{j + 1}): {w}" for (i, j), w in prints.items()), "misprint", tried, ""
     if kind and (left == 0 or (left <= 2 and left < start / 2)):
         rest = {place: r.misprint(place) for place in r.serious()}
@@ -205,9 +239,6 @@ def _explain(model: ArmModel, q: np.ndarray, reading: Reader, first: Reading) ->
         if value is not None:
             words = f"joint {joint + 1} is {np.degrees(value):.4f} deg, not {np.degrees(q[joint]):g} deg"
             return f"{words}: all entries agree then", "joint value", tried, words
-    scaled = [f for f in (1000.0, 0.001) if _scaled(first, f)]
-    if scaled:
-        return "millimetres for metres" if scaled[0] > 1 else "metres for millimetres", "millimetres", tried, ""
     return "", "", tried, ""
 
 
@@ -230,11 +261,3 @@ def _joint_that_fits(model: ArmModel, q: np.ndarray, joint: int, reading: Reader
     moved = q.copy()
     moved[joint] = np.arctan2(s, c)
     return None if reading(model, moved).serious() else float(moved[joint])
-
-
-def _scaled(first: Reading, factor: float) -> bool:
-    right = first.right.copy()
-    if right.shape != (4, 4):
-        return False  # a rotation has no lengths
-    right[:3, 3] *= factor
-    return not Reading(first.printed, right, first.slack).serious()

@@ -8,7 +8,7 @@ from pieper.algebra.formula import ANGLE
 from pieper.errors import PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, wrapped
-from pieper.judge.judges.angles import branch_values, read_angle
+from pieper.judge.judges.angle_formula import branch_values, read_angle
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_HOLDS

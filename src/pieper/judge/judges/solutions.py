@@ -54,7 +54,7 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
         if not fine:
             near = [
                 (kind, says)
-                for kind, says, other in joint_slips(q)
+                for kind, says, other in joint_slips(model, q)
                 if closes(*off(other)[1:], half * (180 / np.pi if kind == "degrees" else 1.0))
             ]
             slips += near[:1]

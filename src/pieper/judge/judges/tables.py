@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from typing import Any
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from pieper.judge.evidence import Evidence
 from pieper.judge.model import ArmModel
 from pieper.judge.numbers import UNITS, as_text, cut_off, last_digit, misprint, read_joints, read_number, unit_of
 from pieper.judge.samples import pose_of, samples_at
-from pieper.judge.slips.arm_slips import axis_renamings
+from pieper.judge.slips.arm_slips import arm_slips, axis_renamings
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_ZERO
 
@@ -100,31 +101,57 @@ def judge_table(ev: Evidence, claim: Claim) -> Verdict:
     claim = claim.reads("; ".join(f"({a}) deg: ({g}) {unit}" for a, g in zip(at, given, strict=True)))
     if gap.max() <= within:
         return claim.holds(f"Holds: every position within {gap.max():.3g} {unit}.")
-    lines = [
-        (f"row {k + 1}", f"printed ({g}), by the table ({', '.join(f'{v:.2f}' for v in right[k])}) {unit}")
-        for k, g in enumerate(given)
-    ]
-    simple = _whole_table(right, printed, within)
+    finest = min(last_digit(v) for r in rows for v in r["position"])
+    decimals = min(9, max(2, round(-np.log10(finest)) + 1))
+
+    def shown(row: np.ndarray) -> str:
+        return f"({', '.join(f'{v + 0.0:.{decimals}f}' for v in row)})"
+
+    lines = [(f"row {k + 1}", f"printed ({g}), by the table {shown(right[k])} {unit}") for k, g in enumerate(given)]
+    few = _misprinted(rows, right, np.abs(right - printed) > within)
+    if few:
+        lines = [("the slip", few), ("nearest right reading", "; ".join(map(shown, right)) + f" {unit}"), *lines]
+        return claim.wrong(f"Wrong, off by up to {gap.max():.3g} {unit}; {few}.", lines, "misprint", few)
+    simple = _whole_table(right, printed, within) or _other_arm(model, q, printed, factor, within)
     if simple:
         words, kind, reading = simple
-        shown = "; ".join(f"({', '.join(f'{v:.6g}' for v in row)})" for row in right)
-        lines = [("the slip", words), ("nearest right reading", f"{shown} {unit}"), *lines]
+        lines = [("the slip", words), ("nearest right reading", "; ".join(map(shown, right)) + f" {unit}"), *lines]
         return claim.wrong(f"Wrong as it stands, off by up to {gap.max():.6g} {unit}; {words}.", lines, kind, reading)
     residual, flips, axes, zeros, moved = _best_zeros(model, q, printed, factor, joints)
     lines.append(("tried", f"24 namings of the axes times {8 ** len(joints)} zeros and senses, one lost sign allowed"))
-    most = f"off by up to {gap.max():.1f} {unit}"
-    if residual > within:
-        lines.append(("closest", f"{axes}; {zeros}: still {residual:.3g} {unit} off"))
-        return claim.wrong(f"Wrong: {most}, and no naming of the axes brings it within {within:g} {unit}.", lines)
+    most = f"off by up to {gap.max():.4g} {unit}"
     because = axes + (f"; {zeros}" if zeros else "")
-    shown = "; ".join(f"({', '.join(f'{v:.2f}' for v in row)})" for row in moved)
+    if residual > within:
+        lines.append(("closest", f"{because}: still {residual:.3g} {unit} off"))
+        return claim.wrong(f"Wrong: {most}, and no naming of the axes brings it within {within:g} {unit}.", lines)
     lines = [
         ("the slip", because + (f"; one sign lost: {flips}" if flips else "")),
-        ("nearest right reading", f"{shown} {unit}"),
+        ("nearest right reading", "; ".join(map(shown, moved)) + f" {unit}"),
         *lines,
     ]
     sentence = f"Wrong as it stands, {most}; explained to {residual:.3g} {unit} by: {because}."
     return claim.wrong(sentence, lines, "axes" if "axes" in axes else "zero")
+
+
+def _misprinted(rows: list[dict[str, Any]], right: np.ndarray, off: np.ndarray) -> str:
+    """The misprints of a table in which few numbers are off, each with its row; "" where that is not what it is."""
+    places = np.argwhere(off)
+    if len(places) > max(1, off.size // 6):
+        return ""
+    words = [misprint(rows[k]["position"][axis], float(right[k, axis])) for k, axis in places]
+    if not all(words):
+        return ""
+    return "; ".join(f"{'XYZ'[axis]} in row {k + 1}: {w}" for (k, axis), w in zip(places, words, strict=True))
+
+
+def _other_arm(
+    model: ArmModel, q: np.ndarray, printed: np.ndarray, factor: float, within: float
+) -> tuple[str, str, str] | None:
+    """The arm one slip away for which the whole table is right; renamed axes are looked for with zeros and senses."""
+    for kind, words, arm in arm_slips(model):
+        if kind != "axes" and np.all(np.abs(pose_of(arm, q)[:, :3, 3] * factor - printed) <= within):
+            return f"right for the arm with {words}", kind, words
+    return None
 
 
 def _whole_table(right: np.ndarray, printed: np.ndarray, within: float) -> tuple[str, str, str] | None:

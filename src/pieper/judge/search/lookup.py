@@ -215,8 +215,17 @@ def _terms(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, gap: np.
             yield Slip("extra term", ("{} too many", term), root, path, Add.of(*rest), 1.25)
             continue
         new = Add.of(node, Neg.of(term) if found.coefficient < 0 else term)
+        more += _foreign(root, shelf, found)
         cost = 1.2 + more + 0.15 * len(found.letters) + 0.2 * (abs(found.coefficient) != 1) + 0.5 * (not found.letters)
         yield Slip("missing term", ("{} lost after {}", term, node), root, path, new, cost)
+
+
+def _foreign(root: Expr, shelf: Shelf, found: Found) -> float:
+    """What it costs that a product has letters of the pose's rotation where the formula has none."""
+    if any(_entry(name, family) for name in root.symbols() for family in ("noa", "r")):
+        return 0.0
+    letters = [shelf.letters[k] for k in found.letters]
+    return 0.1 * sum(isinstance(x, Sym) and (_entry(x.name, "noa") or _entry(x.name, "r")) for x in letters)
 
 
 def _factors(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, ratio: np.ndarray) -> Iterator[Slip]:
@@ -226,6 +235,7 @@ def _factors(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, ratio:
         factor = shelf.product(found)
         new = shelf.product(found, node)
         cost = 1.05 + 0.25 * len(found.letters) + 0.25 * (abs(found.coefficient) != 1) + 0.4 * (found.coefficient < 0)
+        cost += _foreign(root, shelf, found)
         yield Slip(
             "missing factor",
             ("{} lost from {}", factor, node),
@@ -297,18 +307,34 @@ def letters_of(
     used = root.symbols()
     out: dict[str, Expr] = {str(e): e for e in pool.values() if not (e.symbols() and e.symbols() <= own)}
     kinds = [family for family in FAMILIES if any(_entry(name, family) for name in used)]
-    if own and not kinds:
-        kinds = ["r", "p"]
+    if own or isinstance(root, Equation):
+        # who uses some letters of the pose has the others too: one that was lost need not stand elsewhere
+        if own and not kinds:
+            kinds = ["r", "p"]
+        if kinds and not {"noa", "r"} & set(kinds):
+            kinds.append("noa")
+        if kinds and not {"p", "P"} & set(kinds):
+            kinds.append("p")
     for name in env:
         if any(_entry(name, family) for family in kinds) or name in more or (name in used and not ANGLE.match(name)):
             out.setdefault(name, Mention(name))
-    inside = 0
+    inside, more_sums = 0, dict[str, Expr]()
     for node in root.walk():
         small = isinstance(node, Add | Call) and 2 < node.size() <= 24 and not isinstance(node, PlusMinus | PiFraction)
         if small and inside < 12 and str(node) not in out and not isinstance(node, Equation) and node is not root:
             out[str(node)] = node
             inside += 1
-    return out
+            if isinstance(node, Add):
+                likenesses = (_turned_to(node, x) for x in ("xy", "xz", "yz"))
+                more_sums.update({str(sum_): sum_ for sum_ in likenesses if sum_ is not None})
+    return out | {text: sum_ for text, sum_ in more_sums.items() if text not in out}
+
+
+def _turned_to(node: Expr, pair: str) -> Expr | None:
+    """A sum with two coordinates exchanged in the letters of the pose: px - d6 ax becomes py - d6 ay."""
+    new = dict(zip(pair, pair[::-1], strict=True))
+    names = {n: n[0] + new[n[1]] for n in node.symbols() if len(n) == 2 and n[0] in "noapP" and n[1] in new}
+    return node.substitute({old: Mention(name) for old, name in names.items()}) if names else None
 
 
 def _any_entry(name: str) -> bool:

@@ -184,6 +184,8 @@ class _Look:
     def at(self, slip: Slip) -> None:
         """Look at one."""
         share = float(np.mean(self.goal.fits(slip.tree)))
+        if share == 1.0 and says_nothing(slip.tree, self.zero):
+            return
         text = unordered(slip.tree) if share == 1.0 else ""
         if share == 1.0 and text not in self.seen:
             self.seen.add(text)
@@ -199,8 +201,7 @@ class _Look:
                 self.out.complete = False
                 return
             self.out.tried[slip.kind] = self.out.tried.get(slip.kind, 0) + 1
-            if not says_nothing(slip.tree, self.zero):
-                self.at(slip)
+            self.at(slip)
 
 
 def says_nothing(node: Expr, zero: frozenset[str] = frozenset()) -> bool:

@@ -24,6 +24,11 @@ def angle_slips(root: Expr, joints: int) -> Iterator[Slip]:
     yield whole("branch", "the second branch (+-) left out", PlusMinus(root), 1.0)
     second = Add.of(root, quarter, PlusMinus(quarter))
     yield whole("branch", "the second branch (half a turn on) left out", second, 1.1)
+    if isinstance(root, Add):
+        for k, term in enumerate(root.args):
+            if str(term) in ("pi", "-pi"):
+                rest = Add.of(*root.args[:k], *root.args[k + 1 :])
+                yield whole("half turn", "half a turn too many", rest, 0.4)
     if isinstance(root, Add) and any(isinstance(t, PlusMinus) and str(t.args[0]) == "pi" for t in root.args):
         rest = Add.of(*(t for t in root.args if not isinstance(t, PlusMinus)))
         both = Add.of(rest, quarter, PlusMinus(quarter))

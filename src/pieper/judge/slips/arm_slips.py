@@ -12,10 +12,11 @@ import numpy as np
 from pieper.algebra.expression import Add, Expr, PiFraction
 from pieper.algebra.formula import Mention, Neg, number
 from pieper.judge.model import ArmModel
-from pieper.tolerances import WHOLE_TURN
+from pieper.tolerances import ROUNDING, WHOLE_TURN
 
 ARM_KINDS = {
     "convention": "standard for modified DH",
+    "lengths": "two lengths exchanged",
     "row": "a and d swapped in a row, or a length in the wrong row",
     "twist": "the sign of a twist",
     "sense": "the maker's sense of a joint",
@@ -52,6 +53,7 @@ def arm_slips(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
             if _value(model, node) and not model.sliding(joint):
                 yield "row", f"{column} of row {joint} left out", model.with_row(i, **{column: zero})
                 yield "row", f"{column} of row {joint} has the other sign", model.with_row(i, **{column: Neg.of(node)})
+    yield from _exchanged(model)
     if not np.allclose(model.tool, np.eye(4)):
         yield "tool", "the tool left out", replace(model, tool=np.eye(4))
     if not np.allclose(model.base, np.eye(4)):
@@ -60,6 +62,19 @@ def arm_slips(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
         turned = np.eye(4)
         turned[:3, :3] = R
         yield "axes", words, replace(model, base=turned @ model.base)
+
+
+def _exchanged(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
+    """Yield the arms in which two lengths of the table stand in each other's place."""
+    places = [
+        (i, column, getattr(row, column))
+        for i, row in enumerate(model.rows)
+        for column in ("a", "d")
+        if not (column == "d" and model.sliding(i + 1)) and _value(model, getattr(row, column))
+    ]
+    for (i, first, a), (j, second, b) in itertools.combinations(places, 2):
+        if i != j and abs(_value(model, a) - _value(model, b)) > ROUNDING:
+            yield "lengths", f"{a} and {b} exchanged", model.with_row(i, **{first: b}).with_row(j, **{second: a})
 
 
 def axis_renamings() -> Iterator[tuple[str, np.ndarray]]:

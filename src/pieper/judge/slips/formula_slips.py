@@ -70,7 +70,9 @@ def slips(
             return Slip(kind, words, root, path, new, cost)
 
         if _is_term(node, parent):
-            yield slip("sign", ("the sign of {}", node), Neg.of(node), 0.5)
+            # a whole side that is negative is seldom meant; of two sides, the one that is shorter without its sign
+            side = isinstance(parent, Equation) and isinstance(node, Neg)
+            yield slip("sign", ("the sign of {}", node), Neg.of(node), 0.42 if side else 0.5)
         if isinstance(node, PlusMinus):
             yield slip("sign", ("the sign of {}", node.args[0]), PlusMinus(node.args[0], -node.sign), 0.6)
         if isinstance(node, Call):

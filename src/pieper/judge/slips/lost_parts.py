@@ -33,6 +33,10 @@ def lost_from(ev: Evidence, node: Expr, goal: Goal, angle: Expr | None = None) -
                 for name in ("cos", "sin"):
                     call = Call(name, angle_sum(tuple(signs)))
                     pool.setdefault(str(call), call)
-    sliding = {name for name, to in ev.model.aliases.items() if name[0] == "b" and to not in own}
+    slides: dict[str, str] = {}
+    for name, to in ev.model.aliases.items():
+        if to not in own and name not in ev.model.values and (to not in slides or name in node.symbols()):
+            slides[to] = name
+    sliding = set(slides.values())
     letters = letters_of(node, pool, goal.env, own, sliding)
     return Lost(letters, ev.model.n, own, angle is not None)
