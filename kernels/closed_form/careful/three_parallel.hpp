@@ -36,14 +36,9 @@ struct PlaneEquations {
     if (std::fabs(p.z) < 0.5) {
       bent = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
     } else {
-      bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y),
-              -2 * (r.x * dr.x + r.y * dr.y), 2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
-              -2 * (r.x * ddr.x + r.y * ddr.y + dr.x * dr.x + dr.y * dr.y)};
+      bent = aside_of_z(p, dp, ddp, r, dr, ddr);
     }
-    if (flat.a * flat.a + flat.c * flat.c < bent.a * bent.a + bent.c * bent.c) {
-      Separable swap = flat;
-      flat = bent, bent = swap;
-    }
+    flatter_first(flat, bent);
   }
 };
 

@@ -108,7 +108,9 @@ def damped(damping: Array | float) -> Step:
     """Return the step J^T (J J^T + damping I)^-1 e: of minimum norm, and bounded where J has lost rank."""
 
     def step(J: Array, e: Array) -> Array:
-        A = J @ np.swapaxes(J, -1, -2) + np.asarray(damping)[..., None, None] * np.eye(J.shape[-2])
+        # of slopes over several decades an absolute damping may be lost: what keeps A regular grows with it
+        least = NEWTON_FINITE * np.einsum("...ij,...ij->...", J, J)
+        A = J @ np.swapaxes(J, -1, -2) + (np.asarray(damping) + least)[..., None, None] * np.eye(J.shape[-2])
         return np.einsum("bij,bi->bj", J, np.linalg.solve(A, e[..., None])[..., 0])
 
     return step

@@ -1,9 +1,9 @@
 """Why there is no route: a place that nothing inside the limits gets past, found on a grid and then proved.
 
-A grid of turns and stations tells where the way ends. There the proof begins: at a station, everything inside the limits
-is known (each joint held at each of its limits and the others solved, and rows between); followed along the path
-with bounds of how far anything can stray (`front.py`), it must come to nothing. Where that fails the proof begins earlier, up to the
-first pose, and with smaller steps.
+A grid of turns and stations, and a front that is followed roughly, tell where the way ends. There the proof begins: at
+a station everything inside the limits is known (each joint held at each of its limits and the others solved, and rows
+between); followed along the path with bounds of how far anything can stray (`front.py`), it must come to nothing. Where
+that fails the proof begins earlier, up to the first pose, and with smaller steps.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from pieper.motion.route.ladder import Rungs, climb, rungs
 from pieper.motion.route.result import Blocked
 from pieper.motion.route.search import Task
 from pieper.motion.route.setting import Setting
+from pieper.tolerances import TAKEN_UP_BEHIND
 
 #: Stations of the grid where a coordinate is free, and where none is.
 STATIONS, DENSE = 100, 400
@@ -33,8 +34,6 @@ FINE = (1.0, 0.4, 0.15)
 ROUGH, BACK, ON = 2.5, (0.003, 0.02), 0.01
 #: Points that may be looked at in all, and how often a front that lost its grip is taken up again behind that place.
 MOST, AGAIN = 1_500_000, 6
-#: How much farther on it is taken up again, as a part of the path.
-PAST = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +90,7 @@ def _closed(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -
                 return Proof(begin, found.s, looked), looked
             if looked >= most:
                 return None, looked
-            begin = found.s + PAST
+            begin = found.s + TAKEN_UP_BEHIND
             if found.ended is not Ended.SINGULAR or begin > last:
                 break
     return None, looked
@@ -139,14 +138,12 @@ def _misses_end(task: Task, found: Front) -> bool:
 
 def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdict, Blocked, str]:
     blocked = blocked_at(task, ladder, reached, proof.begun, proof.s)
-    what = (
-        "the posture that it is to end with is not reached" if proof.s >= 1.0 and reached == len(ladder.s) - 1 else ""
-    )
-    where = what or (f"gets past {proof.s:.6g} of the path" if proof.s > 0 else "begins at the first pose")
+    where = f"no motion gets past {proof.s:.6g} of the path" if proof.s > 0 else "no motion begins at the first pose"
+    if proof.s >= 1.0 and reached == len(ladder.s) - 1:
+        where = "the posture that it is to end with is not reached"
     reason = (
-        f"Impossible: {'' if what else 'no motion '}{where}, whatever the branch, the turn and the whole turns. Everything inside the "
-        f"limits at {proof.begun:.6g} of the path was followed from there with proved bounds and ends before "
-        f"({proof.looked} points)."
+        f"Impossible: {where}, whatever the branch, the turn and the whole turns. Everything inside the limits at "
+        f"{proof.begun:.6g} of the path was followed with proved bounds and ends before: {proof.looked} points."
     )
     return Verdict.IMPOSSIBLE, blocked, reason
 
@@ -165,8 +162,8 @@ def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:
         return (
             Verdict.UNCERTAIN,
             None,
-            "Uncertain: no route was found that keeps the clearance, the distance to singular postures and the turn rate "
-            "asked for; without these none could be ruled out.",
+            "Uncertain: no route was found that keeps the clearance, the distance to singular postures and the turn "
+            "rate asked for; without these none could be ruled out.",
         )
     return (
         Verdict.UNCERTAIN,
