@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from pieper import jax, torch
     from pieper.arm import Arm
-    from pieper.arms import catalog, load, ur_calibrated
+    from pieper.arms import catalog, find_arms, load, ur_calibrated
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Clearance, Swept
     from pieper.description.dh import DH, Actuator
@@ -56,6 +56,7 @@ _LATER = {
     "Solutions": "pieper.solver.results",
     "Status": "pieper.solver.results",
     "catalog": "pieper.arms",
+    "find_arms": "pieper.arms",
     "line": "pieper.motion.path",
     "load": "pieper.arms",
     "ur_calibrated": "pieper.arms",
@@ -138,6 +139,7 @@ __all__ = [
     "guess_claims",
     "evaluate",
     "fastest_constant_speed",
+    "find_arms",
     "jax",
     "line",
     "load",
