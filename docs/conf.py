@@ -11,6 +11,7 @@ HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
 
 import pieper  # noqa: E402
+from pieper.document import identity  # noqa: E402
 
 project = "pieper"
 author = "the authors of pieper"
@@ -20,6 +21,17 @@ exclude_patterns = ["**/README.md"]
 html_theme = "furo"
 html_title = f"pieper {release}"
 html_static_path: list[str] = []
+# colours, letters and icon are those of the workbench and of reports
+html_favicon = html_logo = str(identity.ICON)
+html_theme_options = {
+    f"{theme}_css_variables": {
+        "color-brand-primary": identity.colour("accentInk", theme),
+        "color-brand-content": identity.colour("accentInk", theme),
+        "font-stack": identity.identity()["type"]["sans"],
+        "font-stack--monospace": identity.identity()["type"]["mono"],
+    }
+    for theme in ("light", "dark")
+}
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 autodoc_typehints = "description"

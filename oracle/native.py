@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from oracle.joints import difference
+from oracle.joints import difference, near_singular, random_joints, scaled
 from oracle.model import machine_of
 from oracle.starts import search
 from pieper.kinematics.chain import Chain
@@ -37,3 +37,20 @@ def missed(solver: SixJointSolver, chain: Chain, Q: np.ndarray, tolerance=1e-6) 
 def newton_solutions(rng: np.random.Generator, chain: Chain, T: np.ndarray, starts: int) -> np.ndarray:
     """Return the distinct solutions (m, n) that the multi-start search finds: slow, and knows no geometry."""
     return search(None, T, m=machine_of(chain), starts=starts, rng=rng).q
+
+
+def lost_near_singular(family, chain: Chain, rng: np.random.Generator) -> tuple[int, int]:
+    """Return how many near-singular postures were not found as well as the pose tells them, and how many were tried."""
+    solver, Q = solver_of(family, chain), near_singular(rng, chain, 40)
+    # a pose in double precision tells the joints no better than its rounding over the smallest singular value
+    told = np.maximum(1e-6, 1e-14 / np.linalg.svd(scaled(chain, Q), compute_uv=False)[:, -1])
+    return sum(len(missed(solver, chain, q[None], t)) for q, t in zip(Q, told, strict=True)), len(Q)
+
+
+def check_sets(family, chain: Chain, rng: np.random.Generator, starts: int) -> None:
+    """Check that a family's solutions of four random poses are those of the multi-start search."""
+    solver = solver_of(family, chain)
+    for T in fk(chain, random_joints(chain, rng, 4)):
+        ours, oracle = solver.one(np.ascontiguousarray(T))[0], newton_solutions(rng, chain, T, starts)
+        assert len(ours) == len(oracle)
+        assert all(difference(chain, oracle, row).min() < 1e-6 for row in ours)

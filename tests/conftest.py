@@ -2,27 +2,15 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 from pathlib import Path
 
 import pytest
 
+from oracle.browser import FLAGS, chromium
+
 HERE = Path(__file__).parent
 #: Folders whose tests search, follow paths, draw many arms or drive a browser: minutes instead of seconds.
 SLOW = {"browser", "laws", "oracle", "papers"}
-#: Software WebGL, and a browser that asks nobody anything on its own.
-FLAGS = [
-    "--headless=new",
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-first-run",
-]
 
 
 # First of all hooks: pytest-xdist reads the groups in its own hook of this name.
@@ -34,13 +22,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         if folder in SLOW:
             item.add_marker(pytest.mark.slow)
         item.add_marker(pytest.mark.xdist_group(str(item.path.relative_to(HERE))))
-
-
-def chromium() -> str | None:
-    if named := os.environ.get("CHROMIUM"):
-        return named
-    names = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-    return next((path for name in names if (path := shutil.which(name))), None)
 
 
 @pytest.fixture(scope="session")

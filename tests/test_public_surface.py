@@ -13,6 +13,8 @@ import pieper
 
 SOURCE = Path(pieper.__file__).parent
 ROOMS = ("cli", "workbench")
+#: Every threshold stands there with its reason, those of these rooms too; it offers numbers and nothing that works.
+THRESHOLDS = {"pieper.tolerances"}
 
 
 def imports(path: Path):
@@ -30,7 +32,7 @@ def imports(path: Path):
 )
 def test_command_line_and_workbench_use_public_names_only(path):
     others = {m for m in imports(path) if m.startswith("pieper.") and m.split(".")[1] not in ROOMS}
-    assert not others
+    assert others <= THRESHOLDS
 
 
 def test_the_late_names_are_those_that_a_type_checker_is_told():

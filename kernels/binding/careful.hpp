@@ -86,7 +86,7 @@ class PyCarefulLook {
   }
 
  private:
-  // A line as (through, (i, j), sense), a linkage as (through, joints, axes, spots or None, senses, lead, low, high, side).
+  // A line as (through, (i, j), sense), a linkage as (through, joints, axes, spots or None, senses, lead, low, high, course).
   static nb::object told(const pieper::SelfMotionSaid& said) {
     const npy_intp six[] = {6}, four[] = {4}, wide[] = {4, 3};
     nb::object through = copied(said.through, 1, six, NPY_DOUBLE);
@@ -95,7 +95,7 @@ class PyCarefulLook {
     std::copy(said.joints, said.joints + 4, static_cast<std::int64_t*>(PyArray_DATA(as_array(joints))));
     nb::object spots = said.flat ? copied(&said.spots[0][0], 1, four, NPY_CDOUBLE) : nb::object(nb::none());
     return nb::make_tuple(through, joints, copied(&said.axes[0][0], 2, wide, NPY_DOUBLE), spots,
-                          copied(said.senses, 1, four, NPY_DOUBLE), said.lead, said.low, said.high, said.side);
+                          copied(said.senses, 1, four, NPY_DOUBLE), said.lead, said.low, said.high, said.course);
   }
   static nb::object copied(const double* from, int dimensions, const npy_intp* shape, int type) {
     nb::object out = new_array(dimensions, shape, type);

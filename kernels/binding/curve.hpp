@@ -14,7 +14,7 @@ nb::tuple follow_curve(nb::handle links, nb::handle prismatic, double length, nb
   const std::size_t n = slides.size();
   if (n == 0 || l.size() != 16 * (n + 1) || q.size() != n || along.size() != n || T.size() != 16)
     throw nb::value_error("q and direction must be (n,), prismatic (n,), links (n + 1, 4, 4), T (4, 4).");
-  const pieper::FollowedChain chain{static_cast<int>(n), length, l.data(), slides.data()};
+  const pieper::PlainChain chain{static_cast<int>(n), length, l.data(), slides.data()};
   std::vector<double> points;
   bool closed;
   {

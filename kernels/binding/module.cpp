@@ -1,11 +1,13 @@
 // The Python module pieper._kernel: forward kinematics of a chain, and the solver that all inverse families share.
 #include <cmath>
 
+#include "binding/boxed.hpp"
 #include "binding/careful.hpp"
 #include "binding/collision.hpp"
 #include "binding/curve.hpp"
 #include "binding/fields.hpp"
 #include "binding/nearer.hpp"
+#include "binding/onto.hpp"
 #include "binding/route.hpp"
 #include "binding/time_law.hpp"
 
@@ -188,8 +190,10 @@ NB_MODULE(_kernel, m) {
            "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 
   bind_careful(m);
+  bind_boxed(m);
   bind_curve(m);
   bind_nearer(m);
+  bind_onto(m);
   bind_time_law(m);
   bind_collision(m);
   bind_route(m);

@@ -3,8 +3,8 @@
 
 #include "binding/arrays.hpp"
 #include "route/chain_of_blocks.hpp"
+#include "route/front.hpp"
 #include "route/ladder.hpp"
-#include "route/nearest.hpp"
 
 namespace {
 
@@ -18,12 +18,11 @@ template <class T> const T* data_of(const nb::object& o) { return static_cast<co
 
 nb::tuple ladder(nb::handle q, nb::handle valid, nb::handle limits, nb::handle circle, nb::handle weights,
                  nb::handle longest, nb::handle parts, nb::handle near, nb::handle spot, nb::handle on_spot,
-                 bool largest, double slack, double room, nb::handle first, nb::handle last, nb::handle loose) {
+                 bool largest, double slack, nb::handle first, nb::handle last) {
   nb::object Q = float_array(q, "q"), V = array_of(valid, NPY_BOOL), B = float_array(limits, "limits"),
              C = array_of(circle, NPY_BOOL), W = float_array(weights, "weights"), S = float_array(longest, "longest"),
              P = float_array(parts, "parts"), N = array_of(near, NPY_INT32), M = array_of(spot, NPY_INT32),
-             O = float_array(on_spot, "on_spot"), F = array_of(first, NPY_INT32), L = array_of(last, NPY_INT32),
-             R = float_array(loose, "loose");
+             O = float_array(on_spot, "on_spot"), F = array_of(first, NPY_INT32), L = array_of(last, NPY_INT32);
   if (PyArray_NDIM(as_array(Q)) != 4 || PyArray_NDIM(as_array(N)) != 2 || PyArray_NDIM(as_array(M)) != 2)
     throw nb::value_error("q must be (rungs, cells, rows, joints), near and spot (cells, ...).");
   const npy_intp* shape = PyArray_DIMS(as_array(Q));
@@ -32,8 +31,7 @@ nb::tuple ladder(nb::handle q, nb::handle valid, nb::handle limits, nb::handle c
       PyArray_SIZE(as_array(C)) != n || PyArray_SIZE(as_array(W)) != n ||
       PyArray_SIZE(as_array(S)) != (rungs - 1) * n || PyArray_SIZE(as_array(P)) != rungs - 1 ||
       PyArray_DIM(as_array(N), 0) != cells || PyArray_DIM(as_array(M), 0) != cells || PyArray_SIZE(as_array(O)) != n ||
-      PyArray_SIZE(as_array(F)) != n || PyArray_SIZE(as_array(L)) != n ||
-      (PyArray_SIZE(as_array(R)) != 0 && PyArray_SIZE(as_array(R)) != rungs * cells * rows))
+      PyArray_SIZE(as_array(F)) != n || PyArray_SIZE(as_array(L)) != n)
     throw nb::value_error("a ladder's arrays do not fit together.");
   std::vector<double> lower(n), upper(n);
   for (npy_intp j = 0; j < n; ++j) lower[j] = doubles(B)[2 * j], upper[j] = doubles(B)[2 * j + 1];
@@ -56,10 +54,8 @@ nb::tuple ladder(nb::handle q, nb::handle valid, nb::handle limits, nb::handle c
                             doubles(O),
                             largest,
                             slack,
-                            room,
                             data_of<std::int32_t>(F),
-                            data_of<std::int32_t>(L),
-                            PyArray_SIZE(as_array(R)) ? doubles(R) : nullptr};
+                            data_of<std::int32_t>(L)};
   pieper::Climbed found;
   {
     nb::gil_scoped_release release;
@@ -69,10 +65,7 @@ nb::tuple ladder(nb::handle q, nb::handle valid, nb::handle limits, nb::handle c
   nb::object out = new_array(2, path, NPY_DOUBLE), at = new_array(1, path, NPY_INT64);
   std::copy(found.q.begin(), found.q.end(), static_cast<double*>(PyArray_DATA(as_array(out))));
   std::copy(found.rung.begin(), found.rung.end(), static_cast<std::int64_t*>(PyArray_DATA(as_array(at))));
-  const npy_intp marks = static_cast<npy_intp>(found.reached.size());
-  nb::object reached = new_array(1, &marks, NPY_BOOL);
-  std::copy(found.reached.begin(), found.reached.end(), static_cast<std::uint8_t*>(PyArray_DATA(as_array(reached))));
-  return nb::make_tuple(out, at, found.cost, found.furthest, found.edges, reached);
+  return nb::make_tuple(out, at, found.cost, found.furthest, found.edges);
 }
 
 nb::tuple chain_of_blocks(nb::handle diagonal, nb::handle beside, nb::handle right) {
@@ -89,45 +82,57 @@ nb::tuple chain_of_blocks(nb::handle diagonal, nb::handle beside, nb::handle rig
   return nb::make_tuple(x, positive);
 }
 
-nb::object nearest_beside(nb::handle q, nb::handle valid, nb::handle unit, nb::handle circle, bool cyclic) {
-  nb::object Q = float_array(q, "q"), V = array_of(valid, NPY_BOOL), U = float_array(unit, "unit"),
-             C = array_of(circle, NPY_BOOL);
-  if (PyArray_NDIM(as_array(Q)) != 4) throw nb::value_error("q must be (rungs, cells, rows, width).");
-  const npy_intp* shape = PyArray_DIMS(as_array(Q));
-  const npy_intp joints = PyArray_SIZE(as_array(U));
-  if (PyArray_SIZE(as_array(V)) != shape[0] * shape[1] * shape[2] || PyArray_SIZE(as_array(C)) != joints ||
-      joints > shape[3])
-    throw nb::value_error("rows do not fit together.");
-  const npy_intp size[4] = {shape[0], shape[1], shape[2], 5};
-  nb::object out = new_array(4, size, NPY_DOUBLE);
-  const pieper::Beside told{shape[0],
-                            shape[1],
-                            static_cast<int>(shape[2]),
-                            static_cast<int>(joints),
-                            static_cast<int>(shape[3]),
-                            doubles(Q),
-                            data_of<std::uint8_t>(V),
-                            doubles(U),
-                            data_of<std::uint8_t>(C),
-                            cyclic};
-  double* to = static_cast<double*>(PyArray_DATA(as_array(out)));
+nb::tuple front(nb::handle links, nb::handle prismatic, double length, nb::handle limits, nb::handle poses,
+                nb::handle axis, nb::handle angle, nb::handle seeds, double fine, std::int64_t most) {
+  const auto l = to_vector<double>(links, NPY_DOUBLE), b = to_vector<double>(limits, NPY_DOUBLE),
+             T = to_vector<double>(poses, NPY_DOUBLE), u = to_vector<double>(axis, NPY_DOUBLE),
+             t = to_vector<double>(angle, NPY_DOUBLE), q = to_vector<double>(seeds, NPY_DOUBLE);
+  const auto slides = to_vector<std::uint8_t>(prismatic, NPY_UINT8);
+  const std::size_t n = slides.size(), N = T.size() / 16;
+  if (n < 6 || n > 7 || l.size() != 16 * (n + 1) || b.size() != 2 * n || N < 1 || T.size() != 16 * N ||
+      u.size() != 3 * (N - 1) || t.size() != N - 1 || q.size() % n)
+    throw nb::value_error("a front's arrays do not fit together.");
+  std::vector<double> lower(n), upper(n);
+  for (std::size_t j = 0; j < n; ++j) lower[j] = b[2 * j], upper[j] = b[2 * j + 1];
+  const pieper::FrontAsked asked{static_cast<int>(n),
+                                 l.data(),
+                                 slides.data(),
+                                 length,
+                                 lower.data(),
+                                 upper.data(),
+                                 static_cast<std::int64_t>(N),
+                                 T.data(),
+                                 u.data(),
+                                 t.data(),
+                                 static_cast<std::int64_t>(q.size() / n),
+                                 q.data(),
+                                 fine,
+                                 most};
+  pieper::FrontFound found;
   {
     nb::gil_scoped_release release;
-    pieper::nearest_beside(told, to);
+    found = pieper::front(asked);
   }
-  return out;
+  const npy_intp shape[2] = {static_cast<npy_intp>(found.within.size()), static_cast<npy_intp>(n)};
+  nb::object rows = new_array(2, shape, NPY_DOUBLE), within = new_array(1, shape, NPY_DOUBLE);
+  std::copy(found.q.begin(), found.q.end(), static_cast<double*>(PyArray_DATA(as_array(rows))));
+  std::copy(found.within.begin(), found.within.end(), static_cast<double*>(PyArray_DATA(as_array(within))));
+  const npy_intp count = static_cast<npy_intp>(found.stretch.size());
+  nb::object stretch = new_array(1, &count, NPY_INT64);
+  std::copy(found.stretch.begin(), found.stretch.end(), static_cast<std::int64_t*>(PyArray_DATA(as_array(stretch))));
+  return nb::make_tuple(static_cast<int>(found.end), found.at, rows, within, stretch, found.looked, found.narrowest);
 }
 
 void bind_route(nb::module_& m) {
+  m.def(
+      "front", &front, nb::kw_only(), nb::arg("links"), nb::arg("prismatic"), nb::arg("length"), nb::arg("limits"),
+      nb::arg("poses"), nb::arg("axis"), nb::arg("angle"), nb::arg("seeds"), nb::arg("fine"), nb::arg("most"),
+      "How it ended (0 died, 1 arrived, 2 singular, 3 tired), where, the front's points (k, n) and how far each stands "
+      "for (k,), points of each stretch (below zero: closed), points looked at, the narrowest.");
   m.def("ladder", &ladder, nb::kw_only(), nb::arg("q"), nb::arg("valid"), nb::arg("limits"), nb::arg("circle"),
         nb::arg("weights"), nb::arg("longest"), nb::arg("parts"), nb::arg("near"), nb::arg("spot"), nb::arg("on_spot"),
-        nb::arg("largest"), nb::arg("slack"), nb::arg("room"), nb::arg("first"), nb::arg("last"), nb::arg("loose"),
-        "The cheapest chain (k, n), its rungs (k,), its cost, the last rung reached, the steps looked at; with loose "
-        "rows the nodes reached.");
-  m.def("nearest_beside", &nearest_beside, nb::kw_only(), nb::arg("q"), nb::arg("valid"), nb::arg("unit"),
-        nb::arg("circle"), nb::arg("cyclic"),
-        "(rungs, cells, rows, 5) largest joint difference to the nearest row of the own cell, those beside, the rungs "
-        "beside.");
+        nb::arg("largest"), nb::arg("slack"), nb::arg("first"), nb::arg("last"),
+        "The cheapest chain (k, n), its rungs (k,), its cost, the last rung reached, the steps looked at.");
   m.def("chain_of_blocks", &chain_of_blocks, nb::arg("diagonal"), nb::arg("beside"), nb::arg("right"),
         "(N, d, d), (N - 1, d, d), (N, d) -> (N, d) and whether the symmetric matrix is positive definite.");
 }

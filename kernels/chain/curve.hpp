@@ -2,17 +2,11 @@
 // joints; plain types, scalar.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-namespace pieper {
+#include "chain/plain.hpp"
 
-struct FollowedChain {
-  int n;
-  double length;                  // m
-  const double* links;            // (n + 1) x 16 row-major, m
-  const std::uint8_t* prismatic;  // n
-};
+namespace pieper {
 
 struct Following {
   double step;      // longest step, rad or lengths
@@ -22,7 +16,7 @@ struct Following {
 
 // Points (k x n) along the curve through q (n, rad or m, on the pose), which is the first, setting out along `direction` (n, unit,
 // slides per length). Returns whether the curve closed: then the last point is q again, whole turns added.
-bool follow_curve(const FollowedChain& chain, const double* T, const double* q, const double* direction,
+bool follow_curve(const PlainChain& chain, const double* T, const double* q, const double* direction,
                   const Following& how, std::vector<double>& points);
 
 }  // namespace pieper

@@ -15,7 +15,7 @@ namespace pieper {
 struct Ladder {
   std::int64_t rungs, cells;
   int rows, joints, nearby, beside;
-  const double* q;             // (rungs, cells, rows, joints), bounded revolute joints in [lower - room, that + turn)
+  const double* q;             // (rungs, cells, rows, joints), bounded revolute joints in [lower, that + turn)
   const std::uint8_t* valid;   // (rungs, cells, rows)
   const double* lower;         // (joints)
   const double* upper;         // (joints)
@@ -28,10 +28,8 @@ struct Ladder {
   const double* on_spot;       // (joints) largest step on the spot, negative for no such steps
   bool largest;                // whether a step costs its largest joint difference instead of the sum of squares
   double slack;                // of limits
-  double room;                 // rows begin this far below the lower limits, and lifts go as far above the upper ones
   const std::int32_t* first;   // (joints) whole turns above the rows that the way begins with, negative for any
   const std::int32_t* last;    // the same of its end
-  const double* loose;  // (rungs, cells, rows) by how much rows may be outside, or null; infinite: and be anywhere
 };
 
 struct Climbed {
@@ -39,8 +37,7 @@ struct Climbed {
   std::int64_t furthest = -1;  // last rung that is reached
   std::int64_t edges = 0;
   std::vector<std::int64_t> rung;
-  std::vector<double> q;              // (path, joints), whole turns continuous where joints are bounded
-  std::vector<std::uint8_t> reached;  // (rungs, nodes) where rows are loose, instead of a path
+  std::vector<double> q;  // (path, joints), whole turns continuous where joints are bounded
 };
 
 class Climb {
@@ -49,9 +46,8 @@ class Climb {
     lifts = 1;
     for (int j = 0; j < l.joints; ++j) {
       const double width = l.upper[j] - l.lower[j];
-      turns[j] = l.circle[j] && std::isfinite(width)
-                     ? static_cast<int>(std::floor((width + 2 * (l.slack + l.room)) / kTurn)) + 1
-                     : 1;
+      turns[j] =
+          l.circle[j] && std::isfinite(width) ? static_cast<int>(std::floor((width + 2 * l.slack) / kTurn)) + 1 : 1;
       stride[j] = lifts;
       lifts *= turns[j];
     }
@@ -61,13 +57,12 @@ class Climb {
     const std::size_t size = static_cast<std::size_t>(nodes) * lifts;
     cost.assign(size, kNone);
     next.assign(size, kNone);
-    back.assign(l.loose ? 0 : size * static_cast<std::size_t>(l.rungs), -1);
+    back.assign(size * static_cast<std::size_t>(l.rungs), -1);
     allowed.assign(size, 0);
     Climbed out;
     allow(0);
     for (std::size_t i = 0; i < size; ++i) cost[i] = allowed[i] ? 0.0f : kNone;
     settle(0, out);
-    mark(out);
     if (!any()) return out;
     out.furthest = 0;
     for (std::int64_t r = 1; r < l.rungs; ++r) {
@@ -76,12 +71,7 @@ class Climb {
       cost.swap(next);
       if (!any()) return out;
       settle(r, out);
-      mark(out);
       out.furthest = r;
-    }
-    if (l.loose) {
-      out.cost = 0.0;
-      return out;
     }
     trace(out);
     return out;
@@ -100,16 +90,9 @@ class Climb {
 
   const double* row(std::int64_t rung, std::int64_t node) const { return l.q + (rung * nodes + node) * l.joints; }
 
-  void mark(Climbed& out) const {
-    if (!l.loose) return;
-    for (std::int64_t node = 0; node < nodes; ++node) out.reached.push_back(alive_at(node));
-  }
-
   bool alive_at(std::int64_t node) const {
     return std::any_of(&cost[node * lifts], &cost[node * lifts] + lifts, [](float c) { return c < kNone; });
   }
-
-  bool wild(std::int64_t rung, std::int64_t node) const { return l.loose && std::isinf(l.loose[rung * nodes + node]); }
 
   bool any() const {
     return std::any_of(cost.begin(), cost.end(), [](float c) { return c < kNone; });
@@ -121,12 +104,11 @@ class Climb {
       std::fill(to, to + lifts, 0);
       if (!l.valid[rung * nodes + node]) continue;
       const double* q = row(rung, node);
-      const double slack = l.slack + (l.loose ? l.loose[rung * nodes + node] : 0.0);
       for (int w = 0; w < lifts; ++w) {
         bool inside = (rung > 0 || meant(l.first, w)) && (rung + 1 < l.rungs || meant(l.last, w));
         for (int j = 0; j < l.joints && inside; ++j) {
           const double value = q[j] + (turns[j] > 1 ? kTurn * (w / stride[j] % turns[j]) : 0.0);
-          inside = value >= l.lower[j] - slack && value <= l.upper[j] + slack;
+          inside = value >= l.lower[j] - l.slack && value <= l.upper[j] + l.slack;
         }
         to[w] = inside;
       }
@@ -140,7 +122,7 @@ class Climb {
   }
 
   // The cost of a step from a to b, and by how many whole turns each joint's number changes; negative for none.
-  double step(const double* a, const double* b, const double* longest, int* moved, bool& straight, bool any) const {
+  double step(const double* a, const double* b, const double* longest, int* moved, bool& straight) const {
     double sum = 0.0, most = 0.0;
     straight = true;
     for (int j = 0; j < l.joints; ++j) {
@@ -156,7 +138,7 @@ class Climb {
         }
       }
       const double size = std::fabs(e);
-      if (size > longest[j] && !any) return -1.0;
+      if (size > longest[j]) return -1.0;
       sum += l.weights[j] * e * e;
       most = std::max(most, std::sqrt(l.weights[j]) * size);
     }
@@ -175,17 +157,8 @@ class Climb {
   }
 
   bool relax(std::vector<float>& to, std::int32_t* from, std::int64_t source, std::int64_t target, double price,
-             const int* moved, bool straight, const std::vector<float>& known, bool spot, bool any) const {
+             const int* moved, bool straight, const std::vector<float>& known, bool spot) const {
     bool better = false;
-    if (any) {
-      // rows that may be anywhere may have any whole turns
-      for (int x = 0; x < lifts; ++x)
-        if (allowed[target * lifts + x] && !(to[target * lifts + x] < kNone)) {
-          to[target * lifts + x] = 0.0f;
-          better = true;
-        }
-      return better;
-    }
     const float add = static_cast<float>(price);
     for (int w = 0; w < lifts; ++w) {
       const float base = known[source * lifts + w];
@@ -196,7 +169,7 @@ class Climb {
       if (base + add < to[at]) {
         to[at] = base + add;
         const std::int32_t node = static_cast<std::int32_t>(source * lifts + w);
-        if (from) from[at] = spot ? -2 - node : node;
+        from[at] = spot ? -2 - node : node;
         better = true;
       }
     }
@@ -205,7 +178,7 @@ class Climb {
 
   void rise(std::int64_t r, Climbed& out) {
     std::fill(next.begin(), next.end(), kNone);
-    std::int32_t* from = l.loose ? nullptr : &back[static_cast<std::size_t>(r) * nodes * lifts];
+    std::int32_t* from = &back[static_cast<std::size_t>(r) * nodes * lifts];
     const double* longest = l.longest + (r - 1) * l.joints;
     const double part = l.largest ? 1.0 : 1.0 / l.parts[r - 1];
     std::vector<int> moved(l.joints);
@@ -223,13 +196,10 @@ class Climb {
             const std::int64_t source = static_cast<std::int64_t>(other) * l.rows + a;
             if (!alive[source]) continue;
             bool straight;
-            const bool any = wild(r - 1, source) || wild(r, target);
-            const double price = l.loose
-                                     ? std::min(0.0, step(row(r - 1, source), to, longest, moved.data(), straight, any))
-                                     : step(row(r - 1, source), to, longest, moved.data(), straight, false);
+            const double price = step(row(r - 1, source), to, longest, moved.data(), straight);
             if (price < 0.0) continue;
             ++out.edges;
-            relax(next, from, source, target, price * part, moved.data(), straight, cost, false, any);
+            relax(next, from, source, target, price * part, moved.data(), straight, cost, false);
           }
         }
       }
@@ -238,7 +208,7 @@ class Climb {
   // Moves on the spot, to and fro until nothing improves.
   void settle(std::int64_t r, Climbed& out) {
     if (l.on_spot[0] < 0.0) return;
-    std::int32_t* from = l.loose ? nullptr : &back[static_cast<std::size_t>(r) * nodes * lifts];
+    std::int32_t* from = &back[static_cast<std::size_t>(r) * nodes * lifts];
     std::vector<int> moved(l.joints);
     bool better = true;
     for (int sweep = 0; better && sweep < 200; ++sweep) {
@@ -255,13 +225,11 @@ class Climb {
               const std::int64_t source = static_cast<std::int64_t>(other) * l.rows + a;
               if (!l.valid[r * nodes + source] || source == target || !alive_at(source)) continue;
               bool straight;
-              const bool any = wild(r, source) || wild(r, target);
-              double price = step(row(r, source), row(r, target), l.on_spot, moved.data(), straight, any);
+              const double price = step(row(r, source), row(r, target), l.on_spot, moved.data(), straight);
               if (price < 0.0) continue;
-              if (l.loose) price = 0.0;
               ++out.edges;
               // a step on the spot is free of nothing: it costs what it would as one step of the way
-              better |= relax(cost, from, source, target, price, moved.data(), straight, cost, true, any);
+              better |= relax(cost, from, source, target, price, moved.data(), straight, cost, true);
             }
           }
         }

@@ -94,7 +94,7 @@ bool CarefulLook::look(const double* T, const double* q, int count, std::uint8_t
     } else {
       const auto& linkage = std::get<LinkageSelfMotion>(motion);
       said.flat = linkage.bar.flat, said.lead = linkage.lead, said.low = linkage.low, said.high = linkage.high,
-      said.side = linkage.side;
+      said.course = static_cast<int>(linkage.course);
       for (int k = 0; k < 4; ++k) {
         const Vec3 z = linkage.bar.axis[k];
         said.joints[k] = linkage.bar.joint[k], said.senses[k] = linkage.bar.sense[k];

@@ -19,7 +19,8 @@ struct SelfMotionSaid {
   bool flat;
   double axes[4][3], spots[4][2], senses[4];  // spots per length
   int lead;
-  double low, high, side;
+  double low, high;
+  int course;
 };
 
 // All there is at one pose, rows in order, limits applied.

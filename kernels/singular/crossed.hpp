@@ -9,15 +9,12 @@
 
 namespace pieper::PIEPER_ISA {
 
-// A column this near to the span of the others (without units) may lie in it: golden sections end within the root of
-// rounding.
-constexpr double kCrossed = 1e-5;
-
-// Whether another self-motion may cross a line at one of its points: whether the rank drops there once more.
+// Whether another self-motion may cross a line at one of its points: whether the rank drops there once more. For lines that belong to
+// no group of three; of those of a group see fibre.hpp.
 //
 // Along the line the pose stays, and of the columns of the Jacobian only those of joints between its two turn, about their
-// axis: c(u) = c0 + a cos u + b sin u for the one that a wrist has. It lies in the span of the others where the part across
-// them vanishes, which is looked for from sixteen places. Lines over more joints are left to the slower look.
+// axis: c(u) = c0 + a cos u + b sin u for the one that a line over one joint has. Across the span of the other four two equations
+// are left, of which cosine and sine are the solution. Lines over more joints are left to the slower look.
 inline bool crossed(const SixJoints& arm, const LineSelfMotion& line) {
   if (line.j != line.i + 2) return true;
   const int m = line.i + 1;
@@ -59,28 +56,35 @@ inline bool crossed(const SixJoints& arm, const LineSelfMotion& line) {
     column(m, place[s]);
     across(place[s]);
   }
-  auto left = [&](double u) {
-    double c[6];
-    for (int r = 0; r < 6; ++r) {
-      const double mean = (place[0][r] + place[1][r] + place[2][r]) / 3;
-      const double a = (2 * place[0][r] - place[1][r] - place[2][r]) / 3,
-                   b = (place[1][r] - place[2][r]) / std::sqrt(3.0);
-      c[r] = mean + a * std::cos(u) + b * std::sin(u);
-    }
-    return size(c);
-  };
-  constexpr int kPlaces = 16;
-  for (int k = 0; k < kPlaces; ++k) {
-    double low = (k - 1) * kTwoPi / kPlaces, high = (k + 1) * kTwoPi / kPlaces;
-    const double here = left(k * kTwoPi / kPlaces);
-    if (here > left(low) || here > left(high)) continue;
-    for (int step = 0; step < 40; ++step) {
-      const double one = low + 0.382 * (high - low), other = low + 0.618 * (high - low);
-      (left(one) < left(other) ? high : low) = left(one) < left(other) ? other : one;
-    }
-    if (left((low + high) / 2) < kCrossed) return true;
+  // two directions across the four: the columns' largest part there, and what is left of another
+  double p[3][2], first[6] = {}, second[6] = {};
+  double c0[3][6];
+  for (int r = 0; r < 6; ++r) {
+    c0[0][r] = (place[0][r] + place[1][r] + place[2][r]) / 3;
+    c0[1][r] = (2 * place[0][r] - place[1][r] - place[2][r]) / 3,
+    c0[2][r] = (place[1][r] - place[2][r]) / std::sqrt(3.0);
   }
-  return false;
+  for (double* way : {first, second}) {
+    double best[6] = {}, most = 0;
+    for (const auto& c : c0) {
+      double left[6], along = 0;
+      for (int r = 0; r < 6; ++r) along += c[r] * first[r];
+      for (int r = 0; r < 6; ++r) left[r] = way == second ? c[r] - along * first[r] : c[r];
+      if (size(left) > most) most = size(left), std::copy(left, left + 6, best);
+    }
+    if (most < kOneWayFree) return true;
+    for (int r = 0; r < 6; ++r) way[r] = best[r] / most;
+  }
+  for (int k = 0; k < 3; ++k)
+    for (int w = 0; w < 2; ++w) {
+      p[k][w] = 0;
+      for (int r = 0; r < 6; ++r) p[k][w] += c0[k][r] * (w ? second : first)[r];
+    }
+  const double det = p[1][0] * p[2][1] - p[1][1] * p[2][0];
+  if (std::fabs(det) < kOneWayFree * kOneWayFree) return true;
+  const double cosine = (p[2][0] * p[0][1] - p[2][1] * p[0][0]) / det,
+               sine = (p[0][0] * p[1][1] - p[0][1] * p[1][0]) / det;
+  return std::fabs(std::hypot(cosine, sine) - 1) < kOneWayFree;
 }
 
 }  // namespace pieper::PIEPER_ISA

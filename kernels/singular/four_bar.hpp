@@ -54,8 +54,14 @@ struct FourBar {
   // side of its phase the opposite angle is.
   bool turned(int lead, double angle, double way, double* out) const {
     const Harmonic &mine = side[lead][0], &other = side[lead][1];
+    const double value = mine.at(angle);
+    closed(lead, angle, other.phase + way * other.from_phase(value), out);
+    return std::fabs(value - other.middle) <= other.size * (1 + kDeadCentre);
+  }
+
+  // The four angles that those of the leading joint and of the one opposite leave.
+  void closed(int lead, double angle, double across, double* out) const {
     const int i1 = lead, i2 = (lead + 1) % 4, i3 = (lead + 2) % 4, i4 = (lead + 3) % 4;
-    const double value = mine.at(angle), across = other.phase + way * other.from_phase(value);
     out[i1] = angle, out[i3] = across;
     if (flat) {
       const Complex ends = spot[i1] + std::polar(1.0, -sense[i1] * angle) * (spot[i4] - spot[i1]) - spot[i2];
@@ -66,31 +72,6 @@ struct FourBar {
       out[i2] = about(axis[i2], rotated(axis[i3], across, axis[i4]), rotated(axis[i1], -angle, axis[i4]));
       out[i4] = about(axis[i4], rotated(axis[i1], angle, axis[i2]), rotated(axis[i3], -across, axis[i2]));
     }
-    return std::fabs(value - other.middle) <= other.size * (1 + 1e-14);
-  }
-
-  // Where (rad, from the solution) the leading angle can go on the solution's own piece of the curve, a whole turn where it goes
-  // round. False where the pieces touch: there curves cross.
-  bool range(int lead, double& low, double& high) const {
-    const Harmonic &mine = side[lead][0], &other = side[lead][1];
-    if (std::fmin(mine.size, other.size) < kLoopCritical) return false;
-    // cosines of the angle's distance from its phase at the two ends of what the opposite angle can do
-    const double top = (other.middle + other.size - mine.middle) / mine.size,
-                 bottom = (other.middle - other.size - mine.middle) / mine.size;
-    for (double end : {top - 1, top + 1, bottom - 1, bottom + 1})
-      if (std::fabs(end) < kLoopCritical) return false;
-    const double least = top < 1 ? std::acos(std::fmax(top, -1.0)) : 0,
-                 most = bottom > -1 ? std::acos(std::fmin(bottom, 1.0)) : kPi;
-    if (least == 0) {
-      low = mine.phase - most, high = mine.phase + most;
-    } else if (most == kPi) {
-      low = mine.phase + least, high = mine.phase + kTwoPi - least;
-    } else {
-      const double sign = short_way(-mine.phase) > 0 ? 1 : -1, a = mine.phase + sign * least,
-                   b = mine.phase + sign * most;
-      low = std::fmin(a, b), high = std::fmax(a, b);
-    }
-    return true;
   }
 
  private:
@@ -131,7 +112,7 @@ inline Vec3 nearest_to_lines(const Vec3* z, const Vec3* o) {
       if (A[order[k]][order[k]] > A[order[best]][order[best]]) best = k;
     std::swap(order[done], order[best]);
     const int p = order[done];
-    if (A[p][p] < 1e-9) break;
+    if (A[p][p] < kLinkagePivot) break;
     for (int k = done + 1; k < 3; ++k) {
       const double f = A[order[k]][p] / A[p][p];
       for (int c = 0; c < 4; ++c) A[order[k]][c] -= f * A[p][c];

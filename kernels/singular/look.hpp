@@ -1,20 +1,19 @@
 // The look at a singular pose in closed form: what is free at each of a kernel's rows is read off the row's axes.
 //
 // A row whose Jacobian has one null direction is a point of a self-motion where the joints of that direction are a linkage, and a
-// merged root where the pose is left to second order. Everything else (two directions at once, linkages of five and six joints,
-// curves that cross) is not read. Scalar.
+// merged root where the pose is left to second order. All that passes there, two directions at once, and courses that cross are read
+// off the fibre of the closed form's group of three. Surfaces, and linkages of five and six joints, are not read. Scalar.
 #pragma once
 
 #include <cstdint>
-#include <variant>
+#include <utility>
 
-#include "singular/merged.hpp"
 #include "singular/crossed.hpp"
-#include "singular/motions.hpp"
+#include "singular/fibre.hpp"
+#include "singular/into_place.hpp"
+#include "singular/next_to_motion.hpp"
 
 namespace pieper::PIEPER_ISA {
-
-using SelfMotionRead = std::variant<LineSelfMotion, LinkageSelfMotion>;
 
 // All there is at a pose.
 struct Read {
@@ -30,7 +29,8 @@ struct Read {
 
 class Look {
  public:
-  Look(const SixJoints& arm, const Limits& limits) : arm_(arm), limits_(limits) {}
+  Look(const SixJoints& arm, const Limits& limits)
+      : arm_(arm), limits_(limits), groups_(groups_of(arm)), next_to_{arm} {}
 
   // What there is at T, of which a closed-form kernel gave rows (count x 6); false where that cannot be read off.
   bool operator()(const Rigid& T, const double* rows, int count, Read& out) const {
@@ -56,7 +56,7 @@ class Look {
         regular.push_back(k);
         continue;
       }
-      if (!singular_row(T, q, at, d, alone, out.motions)) return false;
+      if (!singular_row(T, q, at, d, {rows, count}, alone, out.motions)) return false;
     }
     if (clear) {
       for (int k = 0; k < count; ++k) add(rows + 6 * k, 1, -1, false, out);
@@ -82,8 +82,8 @@ class Look {
     }
     std::stable_sort(out.rows.begin(), out.rows.end(), [&](const Read::Row& a, const Read::Row& b) {
       for (int i = 0; i < kSix; ++i) {
-        const double scale = arm_.slides[i] ? arm_.length * 1e6 : 1e6, x = std::nearbyint(a.q[i] * scale),
-                     y = std::nearbyint(b.q[i] * scale);
+        const double grid = arm_.slides[i] ? kRowOrderGrid / arm_.length : kRowOrderGrid,
+                     x = std::nearbyint(a.q[i] / grid), y = std::nearbyint(b.q[i] / grid);
         if (x != y) return x < y;
       }
       return false;
@@ -92,6 +92,14 @@ class Look {
   }
 
  private:
+  // All rows of a pose.
+  struct Rows {
+    const double* q;
+    int count;
+  };
+
+  static constexpr int kLastDigits = 4;
+
   // Whether a row lies on a self-motion that is known, or on a new one of two axes in one line, which is added.
   bool known_motion(const double* q, const Standing& at, std::vector<SelfMotionRead>& motions) const {
     for (const SelfMotionRead& motion : motions)
@@ -102,11 +110,8 @@ class Look {
         if (arm_.slides[i] || arm_.slides[j]) continue;
         const Vec3 tilt = cross(at.z[i], at.z[j]);
         if (dot(tilt, tilt) > rounding * rounding || line_gap(at, i, j) > rounding) continue;
-        if (!well_posed(at.J, j)) return false;  // nothing else is free
-        LineSelfMotion line{{}, i, j, dot(at.z[i], at.z[j]) > 0 ? 1.0 : -1.0};
-        std::copy(q, q + kSix, line.through);
-        if (crossed(arm_, line)) return false;
-        motions.emplace_back(line);
+        if (!lone_line(arm_, groups_, at, i, j, rounding)) return false;
+        motions.emplace_back(line_of(q, at, i, j));
         return true;
       }
     return false;
@@ -146,7 +151,7 @@ class Look {
         for (int r = 0; r < 6; ++r) Q[i][r] -= s * Q[best][r];
       }
     }
-    return last > 1e-8 * total;  // a hundred times what is looked at, squared
+    return last > kSecondFree * total;
   }
 
   void add(const double* q, int branches, int motion, bool singular, Read& out) const {
@@ -161,26 +166,45 @@ class Look {
     return q < kOrthogonal - kPi ? kPi : q;
   }
 
-  bool singular_row(const Rigid& T, const double* q, const Standing& at, const SingularSix& d, std::vector<Root>& alone,
-                    std::vector<SelfMotionRead>& motions) const {
-    if (d.s[4] <= kOneWayFree * d.s[0]) return false;
+  bool singular_row(const Rigid& T, const double* q, const Standing& at, const SingularSix& d, const Rows& rows,
+                    std::vector<Root>& alone, std::vector<SelfMotionRead>& motions) const {
+    if (d.s[4] <= kOneWayFree * d.s[0]) return two_ways(T, q, alone, motions);
     Free free = Free::NO;
     FourBar bar;
     if (!what_is_free(T, q, at, d, motions, free, bar)) return false;
     if (free == Free::SELF_MOTION) return true;
-    int count = free == Free::BESIDE ? 1 : branches_of_fold(at.J, d);
+    const double bend = bend_of(at.J, d);
+    int count = free == Free::BESIDE ? 1 : branches_of_fold(bend, d);
+    if (count == 1 && free == Free::NO && twin_is_hidden(q, d.s[5], bend, rows)) count = 2;
     if (count == 0) {  // too flat to be told by its second order: what a step along it misses tells
       count = branches_at(arm_, T, q);
-      if (held_aside(T, q, d.joint[5])) return false;
-    }
-    if (free == Free::BESIDE && d.s[5] < kRootsApart * d.s[0]) {
-      int moving = 0;
-      for (double x : d.joint[5]) moving += std::fabs(x) > kLoopMoves;
-      return moving <= 2 ? along_the_line(T, q, d.joint[5], alone) : along_the_linkage(T, q, bar, alone);
+      if (next_to_.held(T, q, d.joint[5])) return false;
     }
     Root root{{}, count};
     std::copy(q, q + kSix, root.q);
+    if (free == Free::BESIDE) {
+      // a row is known along the self-motion to rounding over its singular value: the same twice is one
+      const double blur = std::fmin(5 * kMergedRounding / std::fmax(d.s[5], kTiny), kSameAlong);
+      for (const Root& other : alone)
+        if (arm_.apart(q, other.q) < blur) return true;
+    }
     alone.push_back(root);
+    if (free == Free::BESIDE && d.s[5] < kRootsApart * d.s[0]) {
+      int moving = 0;
+      for (double x : d.joint[5]) moving += std::fabs(x) > kLoopMoves;
+      if (moving <= 2) next_to_.line(T, q, d.joint[5], alone);
+      else next_to_.linkage(T, q, bar, alone);
+    }
+    return true;
+  }
+
+  // Whether the twin of a root, sigma / bend away, was taken for the root itself because half way to it the pose is held as well.
+  bool twin_is_hidden(const double* q, double sigma, double bend, const Rows& rows) const {
+    if (sigma * sigma > 4 * bend * 3 * kClosedPolished) return false;
+    for (int k = 0; k < rows.count; ++k) {
+      const double apart = arm_.apart(rows.q + 6 * k, q);
+      if (apart > 0 && apart < 2 * sigma / bend) return false;
+    }
     return true;
   }
 
@@ -196,151 +220,161 @@ class Look {
     std::stable_sort(order, order + 6, [&](int a, int b) { return std::fabs(null[a]) > std::fabs(null[b]); });
     const int i = std::min(order[0], order[1]), j = std::max(order[0], order[1]);
     double gap;
-    if (std::fabs(null[order[2]]) < kLoopMoves && !arm_.slides[i] && !arm_.slides[j]) {
-      gap = line_gap(at, i, j);
-      if (gap <= rounding) {
-        LineSelfMotion line{{}, i, j, dot(at.z[i], at.z[j]) > 0 ? 1.0 : -1.0};
-        std::copy(q, q + kSix, line.through);
-        if (crossed(arm_, line)) return false;
-        motions.emplace_back(line);
-        free = Free::SELF_MOTION;
+    const bool line = std::fabs(null[order[2]]) < kLoopMoves && !arm_.slides[i] && !arm_.slides[j];
+    if (line) gap = line_gap(at, i, j);
+    else if (!four_bar(arm_, at, null, order, bar, gap)) return true;
+    if (gap <= rounding) {
+      free = Free::SELF_MOTION;
+      if (line && lone_line(arm_, groups_, at, i, j, rounding)) {
+        motions.emplace_back(line_of(q, at, i, j));
         return true;
       }
-    } else {
-      if (!four_bar(arm_, at, null, order, bar, gap)) return true;
-      if (gap <= rounding) {
-        free = Free::SELF_MOTION;
-        return linkage(T, q, bar, motions);
-      }
+      if (all_over(T, q, motions)) return true;
+      const LineSelfMotion own = line_of(q, at, i, j);
+      if (!line || crossed(arm_, own)) return false;
+      motions.emplace_back(own);
+      return true;
     }
     if (gap > kNextToLinkage) return true;
     // joints outside the linkage may make up for what it misses, or move it by so much unnoticed: a second look tells
-    if (d.s[5] > kNearlyInLine * gap && gap * d.s[4] > kUnnoticed * d.s[0]) free = Free::BESIDE;
+    const bool unnoticed = gap * d.s[4] <= kUnnoticed * d.s[0];
+    if (unnoticed && (line ? in_line(T, q, i, j, motions) : in_a_linkage(T, q, bar, motions))) free = Free::SELF_MOTION;
+    // beside a line of a group there are the wrist's two, whatever the singular value; beside others roots stand apart as far as it is
+    // of the gap, and are known to rounding over it
+    else if ((d.s[5] > kNearlyInLine * gap || d.s[5] * d.s[5] > kMergedAlong * gap ||
+              (line && lone_line(arm_, groups_, at, i, j, rounding))))
+      free = Free::BESIDE;
     return true;
   }
 
-  // The whole curve of a linkage that stands at q; false where its pieces touch.
-  static bool whole_of(const double* q, FourBar& bar, LinkageSelfMotion& whole) {
-    bar.prepare();
-    bool any = false;
-    for (int lead = 0; lead < 4; ++lead) {
-      double low, high;
-      if (!bar.range(lead, low, high)) return false;
-      const bool round = high - low >= kTwoPi - 1e-12;
-      const double across = std::sin(-bar.opposite(lead).phase);
-      if (round && std::fabs(across) < 1e-9) return false;
-      if (any && !(round && whole.side == 0)) continue;
-      any = true;
-      whole = {{}, bar, lead, low, high, round ? (across > 0 ? 1.0 : -1.0) : 0.0};
-      std::copy(q, q + kSix, whole.through);
-    }
-    return true;
+  // Whether two axes, or four, are in place but for what rounding of the pose leaves open; their self-motion is added then.
+  bool in_line(const Rigid& T, const double* q, int i, int j, std::vector<SelfMotionRead>& motions) const {
+    return brought(T, q, motions, [=](const Standing& at, double* g) {
+      const Vec3 tilt = cross(at.z[i], at.z[j]), off = cross(at.o[j] - at.o[i], at.z[i]);
+      g[0] = tilt.x, g[1] = tilt.y, g[2] = tilt.z, g[3] = off.x, g[4] = off.y, g[5] = off.z;
+    });
   }
-
-  bool linkage(const Rigid& T, const double* q, FourBar& bar, std::vector<SelfMotionRead>& motions) const {
-    LinkageSelfMotion whole{};
-    if (!whole_of(q, bar, whole)) return false;
-    for (int k = 0; k < 7; ++k) {
-      double at[6];
-      whole.point(k / 6.0, at);
-      if (missed_at(arm_, at, T) > 10 * kOnCurve) return false;
-    }
-    motions.emplace_back(whole);
-    return true;
-  }
-
-  // The solutions beside a self-motion all but in place: kernels give one point of such a line.
-  //
-  // What is missed along the line changes sign twice in a turn. Newton's method from four points of it ends at both.
-  bool along_the_line(const Rigid& T, const double* q, const double* null, std::vector<Root>& alone) const {
-    double starts[4][6];
-    for (int k = 0; k < 4; ++k)
-      for (int i = 0; i < kSix; ++i) starts[k][i] = q[i] + 0.5 * k * kPi * std::sqrt(2.0) * null[i];
-    std::vector<Root> ends = ends_of(T, starts, 4);
-    if (ends.size() != 2) {
-      ends.resize(1);
-      std::copy(q, q + kSix, ends[0].q);
-    }
-    join(ends, alone);
-    return true;
-  }
-
-  // The same beside the self-motion of a linkage; how often the sign changes is not known beforehand, but it is even.
-  bool along_the_linkage(const Rigid& T, const double* q, FourBar& bar, std::vector<Root>& alone) const {
-    LinkageSelfMotion whole{};
-    if (!whole_of(q, bar, whole)) return false;
-    // what is missed along the curve on which all else holds, with one sign from place to place
-    constexpr int kPlaces = 24;
-    auto at = [&](double u) {
-      double start[6];
-      whole.point(u, start);
-      return OnCurve(arm_, T, start, 4);
-    };
-    auto side = [](const OnCurve& a, const OnCurve& by) {
-      double lean = 0;
-      for (int r = 0; r < 6; ++r) lean += a.left[r] * by.left[r];
-      return lean < 0 ? -a.miss : a.miss;
-    };
-    std::vector<OnCurve> places;
-    for (int k = 0; k < kPlaces; ++k) {
-      places.push_back(at(k / double(kPlaces)));
-      if (!(places.back().rest < kHoldsToRounding)) return false;
-    }
-    std::vector<Root> ends;
-    for (int k = 0; k < kPlaces; ++k) {
-      const OnCurve& by = places[k];
-      double low = k / double(kPlaces), high = (k + 1) / double(kPlaces), left = by.miss,
-             right = side(places[(k + 1) % kPlaces], by);
-      if ((left < 0) == (right < 0)) continue;
-      Root root{{}, 1};
-      for (int step = 0; step < 60; ++step) {
-        const double u = step % 3 == 2 ? (low + high) / 2 : low + (high - low) * left / (left - right);
-        const OnCurve here = at(u);
-        const double miss = side(here, by);
-        std::copy(here.q, here.q + kSix, root.q);
-        if (std::fabs(miss) < kMergedAlong / 2 || high - low < kOnSelfMotion) break;
-        if ((miss < 0) == (left < 0)) low = u, left = miss;
-        else high = u, right = miss;
+  bool in_a_linkage(const Rigid& T, const double* q, const FourBar& bar, std::vector<SelfMotionRead>& motions) const {
+    for (const Group3& group : groups_) {
+      int inside = 0, other = -1;
+      for (int joint : bar.joint) {
+        if (joint >= group.first && joint < group.first + 3) ++inside;
+        else other = joint;
       }
-      ends.push_back(root);
-    }
-    if (ends.empty() || ends.size() % 2) return false;
-    join(ends, alone);
-    return true;
-  }
-
-  // Where Newton's method ends, each solution once.
-  std::vector<Root> ends_of(const Rigid& T, double (*starts)[6], int count) const {
-    std::vector<std::pair<double, int>> order;
-    for (int k = 0; k < count; ++k) order.emplace_back(settle(arm_, T, starts[k], kSlowSteps, 1e-15), k);
-    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Root> ends;
-    for (const auto& [miss, k] : order) {
-      bool again = !(miss < kHoldsToRounding);
-      for (const Root& other : ends) again |= arm_.apart(starts[k], other.q) < kSameAlong;
-      if (again) continue;
-      ends.push_back({{}, 1});
-      std::copy(starts[k], starts[k] + kSix, ends.back().q);
-    }
-    return ends;
-  }
-
-  void join(const std::vector<Root>& ends, std::vector<Root>& alone) const {
-    for (const Root& end : ends) {
-      bool again = false;
-      for (const Root& other : alone) again |= arm_.apart(end.q, other.q) < kSameAlong;
-      if (!again) alone.push_back(end);
-    }
-  }
-
-  // Whether the pose can be held a little way along the null direction, all but exactly.
-  bool held_aside(const Rigid& T, const double* q, const double* null) const {
-    for (double step : {0.05, -0.05}) {
-      double at[6];
-      for (int i = 0; i < kSix; ++i) at[i] = q[i] + step * null[i];
-      if (std::fabs(OnCurve(arm_, T, at, 5).miss) < 10 * kOnCurve) return true;
+      if (inside < 3) continue;
+      return brought(T, q, motions, [&](const Standing& at, double* g) {
+        const Vec3 v = Beside(arm_, at, group, 0).of(at.J[other]);
+        g[0] = v.x, g[1] = v.y, g[2] = v.z, g[3] = g[4] = g[5] = 0;
+      });
     }
     return false;
+  }
+  template <class Gap>
+  bool brought(const Rigid& T, const double* q, std::vector<SelfMotionRead>& motions, Gap gap) const {
+    double there[6];
+    std::copy(q, q + kSix, there);
+    if (!(into_place(arm_, T, gap, there) < kUnnoticed)) return false;
+    const Standing at(arm_, there);
+    for (const Group3& group : groups_) {
+      const Fibre fibre = fibre_over(arm_, group, there, at, rounding_at(at));
+      if (fibre.over == Over::MOTIONS && added(T, fibre, motions)) return true;
+    }
+    return false;
+  }
+
+  // Adds all that passes through a row, and whatever crosses that; false where it is no self-motion, or cannot be read.
+  bool all_over(const Rigid& T, const double* q, std::vector<SelfMotionRead>& motions) const {
+    double p[6];
+    const Standing at = settled(T, q, p);
+    for (const Group3& group : groups_) {
+      const Fibre fibre = fibre_over(arm_, group, p, at, rounding_at(at));
+      if (fibre.over == Over::MOTIONS && added(T, fibre, motions)) return true;
+    }
+    return false;
+  }
+
+  // A row to the last digit in all that the pose fixes to first order: courses that cross are told by that digit.
+  Standing settled(const Rigid& T, const double* q, double* p) const {
+    std::copy(q, q + kSix, p);
+    settle(arm_, T, p, kLastDigits, kHeldFirmly);
+    return Standing(arm_, p);
+  }
+
+  // A row with more than one weak direction.
+  bool two_ways(const Rigid& T, const double* q, std::vector<Root>& alone, std::vector<SelfMotionRead>& motions) const {
+    Root root{{}, 1};
+    const Standing at = settled(T, q, root.q);
+    const double rounding = rounding_at(at);
+    for (const Group3& group : groups_) {
+      Fibre fibre = fibre_over(arm_, group, root.q, at, rounding);
+      if (fibre.over == Over::ROOT && fibre.fold) {
+        double exact[6];
+        std::copy(root.q, root.q + kSix, exact);
+        onto_fold(arm_, T, group, rounding, exact);
+        const Fibre exactly = fibre_over(arm_, group, exact, Standing(arm_, exact), rounding);
+        if (exactly.over != Over::UNKNOWN) fibre = exactly, std::copy(exact, exact + kSix, root.q);
+      }
+      if (fibre.over != Over::MOTIONS && moved_aside(T, root.q, at, group, fibre)) fibre.over = Over::MOTIONS;
+      if (fibre.over == Over::UNKNOWN) continue;
+      if (fibre.over == Over::MOTIONS) return added(T, fibre, motions);
+      root.branches = fibre.branches;
+      alone.push_back(root);
+      return true;
+    }
+    return false;
+  }
+
+  // Whether the pose can be held far along a joint that all but moves in the group: rows may stand where a self-motion meets a fold,
+  // and there rounding hides that it is one.
+  bool moved_aside(const Rigid& T, const double* q, const Standing& at, const Group3& group, Fibre& fibre) const {
+    const Beside beside(arm_, at, group, 0);
+    for (int k = 0; k < beside.moving; ++k) {
+      if (beside.size[k] > kNextToLinkage || arm_.slides[beside.rest[k]]) continue;
+      for (double step : {0.4, -0.4, 1.1}) {
+        double aside[6];
+        std::copy(q, q + kSix, aside);
+        aside[beside.rest[k]] += step;
+        if (!(settle(arm_, T, aside, NextToMotion::kSlowSteps, kHeldFirmly) < kHoldsToRounding) ||
+            arm_.apart(aside, q) < 0.1)
+          continue;
+        const Standing there(arm_, aside);
+        Fibre found = fibre_over(arm_, group, aside, there, rounding_at(there));
+        if (found.over != Over::MOTIONS) continue;
+        found.blur = std::fmax(found.blur, kMergedSame);
+        fibre = found;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Adds what is not known yet; false where something does not hold the pose.
+  bool added(const Rigid& T, const Fibre& fibre, std::vector<SelfMotionRead>& motions) const {
+    const double same = std::fmax(kOnSelfMotion, fibre.blur);
+    std::vector<SelfMotionRead> fresh;
+    for (const SelfMotionRead& one : fibre.motions) {
+      double at[6];
+      if (const auto* linkage = std::get_if<LinkageSelfMotion>(&one)) {
+        for (int k = 0; k < 7; ++k) {
+          linkage->point(k / 6.0, at);
+          if (missed_at(arm_, at, T) > 10 * kOnCurve) return false;
+        }
+        linkage->point(0.377, at);
+      } else {
+        const LineSelfMotion& line = std::get<LineSelfMotion>(one);
+        std::copy(line.through, line.through + kSix, at);
+        at[line.i] += 0.377, at[line.j] -= 0.377 * line.sense;
+        if (missed_at(arm_, at, T) > 10 * kOnCurve) return false;
+      }
+      bool known = false;
+      for (const auto* some : {&std::as_const(motions), &std::as_const(fresh)})
+        for (const SelfMotionRead& other : *some)
+          known |=
+              other.index() == one.index() && std::visit([&](const auto& m) { return m.holds(arm_, at, same); }, other);
+      if (!known) fresh.push_back(one);
+    }
+    motions.insert(motions.end(), fresh.begin(), fresh.end());
+    return true;
   }
 
   // Makes one of roots that rounding cannot tell apart.
@@ -354,9 +388,10 @@ class Look {
     return true;
   }
 
-  static constexpr int kSlowSteps = 40;
   SixJoints arm_;
   Limits limits_;
+  std::vector<Group3> groups_;
+  NextToMotion next_to_;
 };
 
 }  // namespace pieper::PIEPER_ISA

@@ -39,7 +39,7 @@ struct LineSelfMotion {
 
   double total() const {
     const double sum = short_way(through[i] + sense * through[j]);
-    return sum > 1e-9 - kPi ? sum : sum + kTwoPi;
+    return sum > kEdgeOfTurn - kPi ? sum : sum + kTwoPi;
   }
 
   bool holds(const SixJoints& arm, const double* q, double tolerance) const {
@@ -98,7 +98,7 @@ struct LineSelfMotion {
       const double wanted = whole + sense * kTwoPi * turns;
       const double x = std::fmin(std::fmax(wanted / 2, low), std::fmax(low, high));
       const double away = x * x + (x - wanted) * (x - wanted);
-      if (away < best - 1e-9) best = away, x_best = x, turns_best = turns;
+      if (away < best - kNearerRow) best = away, x_best = x, turns_best = turns;
     }
     if (best == INFINITY) return false;
     q[i] = x_best, q[j] = sense * (whole - x_best) + kTwoPi * turns_best;
@@ -114,43 +114,85 @@ struct LineSelfMotion {
 inline constexpr int kLinkageSamples = 241;  // even steps once round: at most 0.12 rad or so of every joint
 inline constexpr int kLinkageStride = 6;     // of these every so many is tried first
 
-// Four joints move by themselves, one of them leads. Where it goes all the way round, u is its angle; where it turns back, u
-// counts once there and back.
+// How a linkage goes through its curve.
+enum class Course {
+  BACK,     // the leading joint turns back at both ends: u counts once there and back
+  ABOVE,    // it goes all the way round, and the joint opposite stays above its phase (u is the leading angle)
+  BELOW,    // or below it
+  ALIKE,    // both go all the way round, alike
+  AGAINST,  // or against each other: two courses that cross where both are at their phase
+  ROUND_TWICE  // it goes round twice until the curve, which crosses itself once, closes: the joint opposite passes its phase
+};
+
+// Four joints move by themselves, one of them leads.
 struct LinkageSelfMotion {
   double through[6];
   FourBar bar;
   int lead;
-  double low, high;  // from where to where the leading joint can go, rad from `through`
-  double side;       // where it goes round, on which side of its phase the joint opposite is; else 0
+  double low,
+      high;  // from where to where the leading joint can go, rad from `through`; of ROUND_TWICE, low is where it crosses
+  Course course;
 
   double start() const { return -kPi - through[bar.joint[lead]]; }
+  double sense() const { return course == Course::AGAINST ? -1 : 1; }
 
   void point(double u, double* q) const {
-    double angle, opposite = side, turned[4];
-    if (side != 0) {
-      angle = start() + kTwoPi * u;
-    } else {
-      angle = (low + high) / 2 - (high - low) / 2 * std::cos(kTwoPi * u);
-      opposite = u - std::floor(u) < 0.5 ? 1 : -1;
+    double turned[4], angle = start() + kTwoPi * u;
+    switch (course) {
+      case Course::BACK:
+        angle = (low + high) / 2 - (high - low) / 2 * std::cos(kTwoPi * u);
+        bar.turned(lead, angle, u - std::floor(u) < 0.5 ? 1 : -1, turned);
+        break;
+      case Course::ABOVE:
+        bar.turned(lead, angle, 1, turned);
+        break;
+      case Course::BELOW:
+        bar.turned(lead, angle, -1, turned);
+        break;
+      case Course::ALIKE:
+      case Course::AGAINST:
+        bar.closed(lead, angle, bar.opposite(lead).phase + sense() * (angle - bar.side[lead][0].phase), turned);
+        break;
+      case Course::ROUND_TWICE:
+        angle = start() + 2 * kTwoPi * u;
+        bar.turned(lead, angle, way_at(angle), turned);
+        break;
     }
-    bar.turned(lead, angle, opposite, turned);
     std::copy(through, through + kSix, q);
     for (int k = 0; k < 4; ++k) q[bar.joint[k]] += short_way(turned[k]);
   }
 
   // The place u of angles of the linkage; false where they are not on this piece of the curve.
   bool place(const double* turned, double& u) const {
-    const double angle = turned[lead], opposite = short_way(turned[(lead + 2) % 4] - bar.opposite(lead).phase);
-    if (side != 0) {
-      u = (angle - start()) / kTwoPi;
-      u -= std::floor(u);
-      return (opposite >= 0 ? 1.0 : -1.0) == side;
+    const double angle = turned[lead], across = turned[(lead + 2) % 4] - bar.opposite(lead).phase,
+                 opposite = short_way(across);
+    u = (angle - start()) / kTwoPi;
+    u -= std::floor(u);
+    switch (course) {
+      case Course::ABOVE:
+        return opposite >= 0;
+      case Course::BELOW:
+        return opposite < 0;
+      case Course::ALIKE:
+      case Course::AGAINST:
+        return std::fabs(short_way(across - sense() * (angle - bar.side[lead][0].phase))) < kLinkageTogether;
+      case Course::ROUND_TWICE:
+        u /= 2;
+        if (way_at(start() + 2 * kTwoPi * u) != (opposite >= 0 ? 1.0 : -1.0)) u += 0.5;
+        return true;
+      case Course::BACK:
+        break;
     }
     const double off = short_way(angle - (low + high) / 2), half = (high - low) / 2;
     u = std::acos(std::fmin(std::fmax(-off / half, -1.0), 1.0)) / kTwoPi;
     if (opposite < 0) u = 1 - u;
     u -= std::floor(u);
-    return std::fabs(off) <= half * (1 + 1e-9) + 1e-12;
+    return std::fabs(off) <= half * (1 + kOnCourse) + kOnCourseTurn;
+  }
+  // On which side of its phase the joint opposite is on a course that goes round twice.
+  double way_at(double angle) const {
+    const double turns = std::floor((angle - low) / kTwoPi);
+    return turns - 2 * std::floor(turns / 2) == 0 ? 1 : -1;
   }
 
   bool holds(const SixJoints& arm, const double* q, double tolerance) const {

@@ -379,11 +379,28 @@ def fastest(
 def deviations(Ts: ArrayLike) -> Array:
     """(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite."""
 
-def ladder(**given: Any) -> tuple[Array, Indices, float, int, int, Bools]: ...
-def nearest_beside(**given: Any) -> Array: ...
+def ladder(**given: Any) -> tuple[Array, Indices, float, int, int]: ...
+def front(**given: Any) -> tuple[int, float, Array, Array, Indices, int, float]: ...
 def chain_of_blocks(diagonal: Array, beside: Array, right: Array) -> tuple[Array, bool]: ...
 def sincos(x: ArrayLike) -> Array: ...
 def atan2(yx: ArrayLike) -> Array: ...
+def descend(
+    *,
+    links: ArrayLike,
+    prismatic: ArrayLike,
+    length: float,
+    q: ArrayLike,
+    T: ArrayLike,
+    lower: ArrayLike,
+    upper: ArrayLike,
+    steps: int,
+    again: int,
+    longest: float,
+    damping: ArrayLike,
+    done: float,
+    idle: int,
+    left: float,
+) -> tuple[Array, Array]: ...
 def follow_curve(
     *,
     links: ArrayLike,
@@ -396,6 +413,17 @@ def follow_curve(
     straight: float,
     most_steps: int,
 ) -> tuple[Array, bool]: ...
+def onto(
+    *,
+    links: ArrayLike,
+    prismatic: ArrayLike,
+    length: float,
+    q: ArrayLike,
+    T: ArrayLike,
+    steps: int,
+    cutoff: float,
+    longest: float,
+) -> Array: ...
 def nearer(
     *,
     links: ArrayLike,

@@ -20,7 +20,6 @@ from pieper.errors import PieperWarning
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.pose import PoseLike
-from pieper.motion.track import Track, follow
 from pieper.solver import verbs
 from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
@@ -33,6 +32,7 @@ if TYPE_CHECKING:
     from pieper.collision.scene import Scene
     from pieper.equations import Symbolic
     from pieper.motion.dialects.configuration import Configuration
+    from pieper.motion.track import Track
 
 #: A pose this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
@@ -365,7 +365,9 @@ class Arm(AlongPaths):
         return read_arm_angle(self.plan_for("pose"), self._joints(q))
 
     def follow(self, path: PoseLike, *, start: ArrayLike | str | None = None) -> Track:
-        """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.track.follow`."""
+        """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.follow`."""
+        from pieper.motion.follow import follow
+
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 
     def configuration(self, q: ArrayLike | str, maker: str) -> Configuration:

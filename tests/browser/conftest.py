@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import re
-import socket
 import threading
 import time
 from pathlib import Path
 
 import pytest
+
+import pieper
+from oracle.browser import free_port
 
 SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
 #: Milliseconds; generous, since a story must not fail because the machine is busy.
@@ -19,10 +22,9 @@ PATIENCE = 60_000
 class Server:
     """The workbench in a thread of this process; can be stopped and started again on the same port."""
 
-    def __init__(self) -> None:
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self.port = probe.getsockname()[1]
+    def __init__(self, arm: pieper.Arm | None = None) -> None:
+        self.arm = arm
+        self.port = free_port()
         self.url = f"http://localhost:{self.port}/"
         self.start()
 
@@ -31,7 +33,7 @@ class Server:
 
         from pieper.workbench.server import LARGEST_FRAME, create_app
 
-        self.app = create_app()
+        self.app = create_app(start=self.arm)
         config = uvicorn.Config(self.app, port=self.port, log_level="error", ws_max_size=LARGEST_FRAME)
         config.timeout_graceful_shutdown = 1
         self._server = uvicorn.Server(config)
@@ -120,6 +122,9 @@ class Workbench:
             drawn = self.value("workbench.pictures")
 
     def shot(self, name: str, *, both: bool = False) -> None:
+        """Keep a picture of the page, where pictures are asked for: a picture at rest, twice, takes seconds."""
+        if not os.environ.get("PIEPER_SHOTS"):
+            return
         SHOTS.mkdir(parents=True, exist_ok=True)
         self.settle()
         self.page.screenshot(path=SHOTS / f"{name}.png")
@@ -140,16 +145,19 @@ def people(browser, server):
     with contextlib.ExitStack() as stack:
         opened: list[Workbench] = []
 
-        def person(*, width: int = 1280, height: int = 800, dark: bool = False) -> Workbench:
+        def person(
+            *, width: int = 1280, height: int = 800, dark: bool = False, touch: bool = False, url: str = server.url
+        ) -> Workbench:
             context = browser.new_context(
                 viewport={"width": width, "height": height},
                 color_scheme="dark" if dark else "light",
                 reduced_motion="reduce",
                 accept_downloads=True,
+                has_touch=touch,
                 permissions=["clipboard-read", "clipboard-write"],
             )
             stack.callback(context.close)
-            opened.append(Workbench(context.new_page(), server.url))
+            opened.append(Workbench(context.new_page(), url))
             return opened[-1]
 
         yield person

@@ -123,6 +123,7 @@ def test_a_route_travels_with_the_state(seam, people):
     turn = seam.value("workbench.route.turn[0]")
     seam.tab("Share")
     page.get_by_test_id("copy-link").click()
+    page.get_by_text("Copied").wait_for()
     other = people().open(seam.value("navigator.clipboard.readText()").removeprefix(seam.url))
     other.tab("Route")
     other.page.get_by_test_id("find-route").click()

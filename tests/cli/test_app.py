@@ -9,20 +9,8 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.cli import main
 
 ARM = pieper.load("denso-vp6242")
-
-
-@pytest.fixture
-def run(capsys):
-    def call(*words):
-        with pytest.raises(SystemExit) as left:
-            main([str(w) for w in words])
-        out = capsys.readouterr()
-        return int(left.value.code or 0), out.out, out.err
-
-    return call
 
 
 def test_robots_lists_the_catalogue(run):

@@ -6,21 +6,9 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.cli import main
 
 LINE = ["denso-vp6242", "--from", "350 0 400", "--to", "300 80 420", "--start", "line-start"]
 LIMITS = ["--speed", "180", "--acceleration", "600"]
-
-
-@pytest.fixture
-def run(capsys):
-    def call(*words):
-        with pytest.raises(SystemExit) as left:
-            main([str(w) for w in words])
-        out = capsys.readouterr()
-        return int(left.value.code or 0), out.out, out.err
-
-    return call
 
 
 def test_time_says_how_long_and_what_binds(run, tmp_path):

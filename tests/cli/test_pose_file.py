@@ -9,22 +9,11 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.cli import main, pose_file
+from pieper.cli import pose_file
 from pieper.cli.pose_file import PoseFile
 from pieper.cli.units import Units
 
 ARM = pieper.load("denso-vp6242")
-
-
-@pytest.fixture
-def run(capsys):
-    def call(*words):
-        with pytest.raises(SystemExit) as left:
-            main([str(w) for w in words])
-        out = capsys.readouterr()
-        return int(left.value.code or 0), out.out, out.err
-
-    return call
 
 
 @pytest.fixture

@@ -3,22 +3,8 @@
 import json
 
 import numpy as np
-import pytest
-
-from pieper.cli import main
 
 ENDS = ("--from", "900 -300 900 0 180 0", "--to", "900 300 900 0 180 0", "--points", "20")
-
-
-@pytest.fixture
-def run(capsys):
-    def call(*words):
-        with pytest.raises(SystemExit) as left:
-            main([str(w) for w in words])
-        out = capsys.readouterr()
-        return int(left.value.code or 0), out.out, out.err
-
-    return call
 
 
 def test_a_route_is_printed_and_written(run, tmp_path):

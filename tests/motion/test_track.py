@@ -5,7 +5,7 @@ import pytest
 
 import pieper
 from pieper.errors import InputError
-from pieper.motion.track import follow
+from pieper.motion.follow import follow
 
 DENSO = pieper.load("denso-vp6242")
 FREE = pieper.Arm.from_dh(DENSO.description.rows, convention="standard", name="denso-without-limits")

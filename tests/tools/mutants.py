@@ -1,10 +1,12 @@
 """Change the code in small ways, one at a time, and say which changes no test of their wing notices.
 
-Usage: python -m tests.tools.mutants [--count 200] [--seed 1] [--wings solver motion judge] [--again]
+Usage: python -m tests.tools.mutants [--count 200] [--seed 1] [--wings solver motion judge] [--again] [--quick]
 
 The sample is drawn once from the seed; what was tried is kept in out/mutants.json and not tried again, so a run that
-was stopped goes on. A change is made in a copy of the package (build/mutants), never in the tree. A run that takes far
-longer than the untouched code counts as noticed.
+was stopped goes on. A change is made in a copy of the package (build/mutants), never in the tree. The wing's quick
+tests are run once under coverage, which says what test reaches which line: a change is tried on those that reach it,
+and where they do not notice it on the slow ones too (not with --quick). What takes far longer than the untouched code
+counts as noticed.
 """
 
 from __future__ import annotations
@@ -20,6 +22,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -27,12 +30,10 @@ ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src" / "pieper"
 COPY = ROOT / "build" / "mutants" / "pieper"
 KEPT = ROOT / "out" / "mutants.json"
-#: The tests of each wing, the quick ones first, since the first that fails ends a run.
-TESTS = {
-    "solver": ["tests/solver", "tests/laws", "tests/oracle"],
-    "motion": ["tests/motion"],
-    "judge": ["tests/judge", "tests/papers"],
-}
+REACHED = ROOT / "out" / "reached"
+#: The quick tests of each wing, and its slow ones.
+TESTS = {"solver": ["tests/solver", "tests/kernels"], "motion": ["tests/motion"], "judge": ["tests/judge"]}
+SLOW = {"solver": ["tests/laws", "tests/oracle"], "motion": [], "judge": ["tests/papers"]}
 COMPARED = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq}
 COMPARED |= {ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In}
 TURNED = {ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt}
@@ -120,27 +121,14 @@ def sample(wings: list[str], count: int, seed: int) -> list[Change]:
     return random.Random(seed).sample(every, min(count, len(every)))
 
 
-def tested(wing: str, limit: float | None) -> tuple[str, float]:
-    """Run a wing's tests on the copy; return "noticed by ..." or "survived", and the seconds it took."""
+def tested(tests: list[str], limit: float | None, *, under: tuple[str, ...] = ()) -> tuple[str, float]:
+    """Run tests on the copy; return "noticed by ..." or "survived", and the seconds it took."""
     begin = time.monotonic()
-    command = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-x",
-        "-q",
-        "-p",
-        "no:cacheprovider",
-        "--no-header",
-        "--tb=no",
-        "-n",
-        "0",
-    ]
+    words = "-x -q -p no:cacheprovider --no-header --tb=no -n 0".split()
     env = {**os.environ, "PYTHONPATH": str(COPY.parent), "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, "-m", *under, "pytest", *words, *tests]
     try:
-        done = subprocess.run(
-            [*command, *TESTS[wing]], cwd=ROOT, env=env, capture_output=True, text=True, timeout=limit
-        )
+        done = subprocess.run(command, cwd=ROOT, env=env, capture_output=True, text=True, timeout=limit)
     except subprocess.TimeoutExpired:
         return "noticed: it takes too long", time.monotonic() - begin
     failed = [line for line in done.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
@@ -148,13 +136,64 @@ def tested(wing: str, limit: float | None) -> tuple[str, float]:
     return said, time.monotonic() - begin
 
 
+def recorded(wing: str) -> float:
+    """Run a wing's quick tests under coverage, by test; return the seconds that they took."""
+    settings = REACHED / "settings.toml"
+    settings.parent.mkdir(parents=True, exist_ok=True)
+    settings.write_text('[tool.coverage.run]\ndynamic_context = "test_function"\nsource_pkgs = ["pieper"]\n')
+    under = ("coverage", "run", f"--rcfile={settings}", f"--data-file={REACHED / wing}", "-m")
+    said, spent = tested([*TESTS[wing], "-m", "not slow"], None, under=under)
+    if said != "survived":
+        sys.exit(f"the tests of {wing} do not pass on the untouched code: {said}")
+    return spent
+
+
+@cache
+def reaching(wing: str, path: str) -> dict[int, set[str]]:
+    """Return the tests that reach each line of a file, as pytest names them; under 0, those that reach any."""
+    from coverage import CoverageData
+
+    data = CoverageData(basename=str(REACHED / wing))
+    data.read()
+    out: dict[int, set[str]] = {0: set()}
+    for line, contexts in data.contexts_by_lineno(str(COPY / path)).items():
+        names = {name for context in contexts if (name := _test_of(context))}
+        out[line] = names
+        out[0] |= names
+    return out
+
+
+def _test_of(context: str) -> str:
+    """Return pytest's name of a test from coverage's; none for what runs outside of tests."""
+    parts = context.split(".")
+    for k in range(len(parts), 0, -1):
+        file = ROOT.joinpath(*parts[:k]).with_suffix(".py")
+        if k < len(parts) and file.exists():
+            return "::".join([str(file.relative_to(ROOT)), *parts[k:]])
+    return ""
+
+
+def tried(change: Change, slow: bool, untouched: float) -> tuple[str, float]:
+    """Try a change on the tests that reach it; on all of its file where it stands outside of functions."""
+    wing = change.path.split("/")[0]
+    lines = reaching(wing, change.path)
+    first, _, last, _ = change.span
+    tests = set().union(*(lines.get(line, set()) for line in range(first, last + 1))) or lines[0]
+    said, spent = tested(sorted(tests), 60 + 4 * untouched) if tests else ("survived", 0.0)
+    if said == "survived" and slow and SLOW[wing]:
+        said, more = tested(SLOW[wing], None)
+        spent += more
+    return said, spent
+
+
 def copied() -> None:
-    """Put the package as it stands, its native module included, where changes are made."""
-    import pieper._kernel as kernel
+    """Put the package as it stands, its native modules included, where changes are made."""
+    import pieper
 
     shutil.rmtree(COPY.parent, ignore_errors=True)
-    shutil.copytree(SOURCE, COPY, ignore=shutil.ignore_patterns("node_modules", "__pycache__", "_kernel*.so"))
-    shutil.copy(str(kernel.__file__), COPY)
+    shutil.copytree(SOURCE, COPY, ignore=shutil.ignore_patterns("node_modules", "__pycache__", "*.so"))
+    for native in Path(str(pieper.__file__)).parent.glob("_*.so"):
+        shutil.copy(native, COPY)
 
 
 def kept() -> dict[str, Any]:
@@ -176,6 +215,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--wings", nargs="*", default=list(TESTS), choices=list(TESTS))
+    parser.add_argument("--quick", action="store_true", help="leave the slow tests out")
     parser.add_argument("--again", action="store_true", help="try the survivors again, after new tests")
     args = parser.parse_args()
     state, chosen = kept(), sample(args.wings, args.count, args.seed)
@@ -183,18 +223,15 @@ def main() -> None:
         state["tried"] = {name: said for name, said in state["tried"].items() if said != "survived"}
     copied()
     for wing in args.wings:
-        if wing not in state["untouched_s"]:
-            said, state["untouched_s"][wing] = tested(wing, None)
-            if said != "survived":
-                sys.exit(f"the tests of {wing} do not pass on the untouched code: {said}")
+        if wing not in state["untouched_s"] or args.again or not (REACHED / wing).exists():
+            state["untouched_s"][wing] = recorded(wing)
             keep(state)
     for i, change in enumerate(chosen):
         if change.name in state["tried"]:
             continue
         target, original = COPY / change.path, (SOURCE / change.path).read_text()
         target.write_text(with_change(original, change))
-        wing = change.path.split("/")[0]
-        said, spent = tested(wing, 60 + 4 * state["untouched_s"][wing])
+        said, spent = tried(change, not args.quick, state["untouched_s"][change.path.split("/")[0]])
         target.write_text(original)
         state["tried"][change.name] = said
         keep(state)

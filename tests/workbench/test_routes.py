@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import pieper
+from pieper.tolerances import ROUTE_STRAYS_M, ROUTE_STRAYS_RAD
 from pieper.workbench import routes
 from pieper.workbench.messages import Refused
 
@@ -75,14 +76,14 @@ def test_an_end_that_cannot_be_turned_so_is_refused_in_words(arm, asked, found):
 def test_a_route_becomes_steps_that_stay_on_it(arm, asked, found):
     got = routes.to_program(arm, asked, nothing, STOP)
     assert [s["kind"] for s in got["steps"]] == ["joint", "spline"]
-    assert got["metres"] < routes.STRAYS_M and got["radians"] < routes.STRAYS_RAD
+    assert got["metres"] < ROUTE_STRAYS_M and got["radians"] < ROUTE_STRAYS_RAD
     limits = pieper.Limits(speed=np.ones(6), acceleration=np.full(6, 5.0))
     program = pieper.Program(arm, limits, start=np.array(got["steps"][0]["q"]))
     program.move_s(np.reshape(got["steps"][1]["through"], (-1, 4, 4)))
     q = program.motion(rate=100).q
     # every posture of the program is near one of the route, looked at densely
     dense = np.array([np.interp(np.linspace(0, 1, 4000), found["s"], joint) for joint in np.array(found["q"]).T]).T
-    assert max(np.abs(dense - v).max(1).min() for v in q) < routes.STRAYS_RAD + 1e-3
+    assert max(np.abs(dense - v).max(1).min() for v in q) < ROUTE_STRAYS_RAD + 1e-3
 
 
 @pytest.mark.parametrize(

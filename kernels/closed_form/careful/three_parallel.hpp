@@ -36,14 +36,9 @@ struct PlaneEquations {
     if (std::fabs(p.z) < 0.5) {
       bent = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
     } else {
-      bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y),
-              -2 * (r.x * dr.x + r.y * dr.y), 2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
-              -2 * (r.x * ddr.x + r.y * ddr.y + dr.x * dr.x + dr.y * dr.y)};
+      bent = aside_of_z(p, dp, ddp, r, dr, ddr);
     }
-    if (flat.a * flat.a + flat.c * flat.c < bent.a * bent.a + bent.c * bent.c) {
-      Separable swap = flat;
-      flat = bent, bent = swap;
-    }
+    flatter_first(flat, bent);
   }
 };
 
@@ -127,6 +122,19 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
   }
 }
 
+// By how much joint b must turn for three turning joints of the plane to reach: the square of how far they must is a harmonic of it, and
+// is brought as near as it can be to the middle of what they can. With its twin on the other side of the harmonic's phase.
+template <class Far> void turn_to_reach(Far far, double a, double b, double* out) {
+  const double r0 = far(0), r1 = far(2 * kPi / 3), r2 = far(-2 * kPi / 3);
+  const double middle = (r0 + r1 + r2) / 3, cosine = r0 - middle, sine = (r1 - r2) / std::sqrt(3.0),
+               size = std::hypot(cosine, sine), phase = std::atan2(sine, cosine);
+  // what they can reach of [middle - size, middle + size]
+  const double low = std::fmax((a - b) * (a - b), middle - size), high = std::fmin((a + b) * (a + b), middle + size);
+  const double away =
+      std::acos(std::fmin(std::fmax((0.5 * (low + high) - middle) / std::fmax(size, kTiny), -1.0), 1.0));
+  out[0] = phase + away, out[1] = phase - away;
+}
+
 // One pose.
 inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, const PlanarLink& l2, const double* T,
                                  double* q, std::uint8_t* valid, std::uint8_t* flag) {
@@ -147,18 +155,35 @@ inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, cons
     found.degenerate |= roots.degenerate;
     for (int k = 0; k < roots.count; ++k) {
       double* arm = roots.q[k];
-      const int tries = roots.free[k] ? 16 : 1, before = found.count;
-      for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
-        arm[1] += trial * (2 * kPi / 16);
+      const bool turning = !(slides_in[0] || slides_in[1] || slides_in[2] || slides[1]);
+      auto around_at = [&](double middle) {
         Rigid around = joint(rest.pre, arm[0], slides[0]) * rest.A;
-        around = joint(around, arm[1], slides[1]) * rest.B;
-        around = inverse(joint(around, arm[2], slides[2]) * rest.C);
+        around = joint(around, middle, slides[1]) * rest.B;
+        return inverse(joint(around, arm[2], slides[2]) * rest.C);
+      };
+      double values[16] = {arm[1]};
+      int tries = 1;
+      if (roots.free[k] && turning) {
+        tries = 2;
+        turn_to_reach(
+            [&](double turn) {
+              const Rigid around = around_at(arm[1] + turn);
+              return around.t.x * around.t.x + around.t.y * around.t.y;
+            },
+            std::hypot(l1.at.x, l1.at.y), std::hypot(l2.at.x, l2.at.y), values);
+        values[0] += arm[1], values[1] += arm[1];
+      } else if (roots.free[k]) {
+        for (tries = 0; tries < 16; ++tries) values[tries] = arm[1] + tries * (2 * kPi / 16);
+      }
+      const int before = found.count;
+      for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
+        const Rigid around = around_at(values[trial]);
         double plane[2][3], candidate[6];
         int bends = solve_planar(l1, l2, slides_in, std::atan2(around.x.y - around.y.x, around.x.x + around.y.y),
                                  {around.t.x, around.t.y}, plane);
         for (int s = 0; s < bends; ++s) {
           for (int j = 0; j < 3; ++j) {
-            candidate[rest.joints[j]] = arm[j];
+            candidate[rest.joints[j]] = j == 1 ? values[trial] : arm[j];
             candidate[first + j] = plane[s][j] * own.sense[j];
           }
           offer(chain, pose, candidate, found);

@@ -6,7 +6,6 @@ The MathML needs no script and no style sheet.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
 from html import escape
 from typing import Any
@@ -24,7 +23,6 @@ LATEX_FUNCTION = {
 }
 MATHML_FUNCTION = {"acos": "arccos", "asin": "arcsin", "atan": "arctan"}
 THIN = "<mspace width='0.17em'/>"
-Printer = Callable[[Any], str]
 TERMS = ("sum", "minus", "plus-minus")
 TURNS = ("sin", "cos")
 
@@ -39,48 +37,6 @@ def subscript(angle: tuple) -> tuple[str, bool]:
         sign = "-" if factor < 0 else ("+" if place else "")
         parts.append(sign + ("" if abs(factor) == 1 else f"{abs(factor)}·") + str(joint))
     return "".join(parts), len(angle) == 1 and angle[0][1] == 1
-
-
-# -- text ----------------------------------------------------------------------------------------------------
-def text(expr: Any) -> str:
-    """One line of plain text, products with a star."""
-    return _plain(expr, text, "*")
-
-
-def typed(expr: Any) -> str:
-    """One line of plain text as papers write it, products side by side; typed formulas come back as they were."""
-    return _plain(expr, typed, " ")
-
-
-def _plain(expr: Any, printer: Printer, times: str) -> str:
-    if expr.op == "num":
-        return expr.written or _number(expr.value)
-    if expr.op == "pi":
-        return _pi_text(expr.value)
-    if expr.op == "trig":
-        index, plain = subscript(expr.angle)
-        return f"{expr.kind}{index}" if plain else f"{expr.kind}({index})"
-    if expr.op == "sym":
-        return expr.name
-    if expr.op in TERMS:
-        return _sum(expr, printer)
-    if expr.op == "product":
-        return _product(expr, printer, times)
-    if expr.op == "quotient":
-        return f"{_wrapped(expr.args[0], printer, 2)}/{_wrapped(expr.args[1], printer, 4)}"
-    if expr.op == "power":
-        return f"{_wrapped(expr.args[0], printer, 9)}^{_wrapped(expr.args[1], printer, 9)}"
-    if expr.op == "equation":
-        return " = ".join(map(printer, expr.args))
-    if expr.op == "call":
-        if expr.name == "quartic":
-            *e, k = map(printer, expr.args)
-            powers = "*t^4", "*t^3", "*t^2", "*t", ""
-            return (
-                f"2*atan(t), t real root number {k} of {' + '.join(a + p for a, p in zip(e, powers, strict=True))} = 0"
-            )
-        return _turn(expr) or f"{expr.name}({', '.join(map(printer, expr.args))})"
-    raise TypeError(f"cannot print {type(expr).__name__}")
 
 
 def joint_sum(node: Any) -> tuple[tuple[int, int], ...] | None:
@@ -111,81 +67,6 @@ def _turn(expr: Any) -> str:
     return ""
 
 
-# -- LaTeX ---------------------------------------------------------------------------------------------------
-def latex(expr: Any) -> str:
-    """LaTeX for math mode."""
-    if expr.op == "num":
-        return _number_latex(expr.value)
-    if expr.op == "pi":
-        return _pi_latex(expr.value)
-    if expr.op == "trig":
-        return f"{expr.kind}_{{{subscript(expr.angle)[0].replace('·', ' ')}}}"
-    if expr.op == "sym":
-        base = expr.base if len(expr.base) == 1 else _latex_base(expr.base)
-        return f"{base}_{{{expr.sub}}}" if expr.sub else base
-    if expr.op in TERMS:
-        return _sum(expr, latex)
-    if expr.op == "product":
-        return _product(expr, latex, " ")
-    if expr.op == "quotient":
-        return rf"\frac{{{latex(expr.args[0])}}}{{{latex(expr.args[1])}}}"
-    if expr.op == "power":
-        return f"{_wrapped(expr.args[0], latex, 9)}^{{{latex(expr.args[1])}}}"
-    if expr.op == "equation":
-        return " = ".join(map(latex, expr.args))
-    if expr.op == "call":
-        if expr.name == "sqrt":
-            return rf"\sqrt{{{latex(expr.args[0])}}}"
-        if expr.name == "quartic":
-            e4, e3, e2, e1, e0, k = map(latex, expr.args)
-            return rf"2\arctan t_{{{k}}},\quad {e4} t^4 + {e3} t^3 + {e2} t^2 + {e1} t + {e0} = 0"
-        if expr.name == "abs":
-            return rf"\left|{latex(expr.args[0])}\right|"
-        name = LATEX_FUNCTION.get(expr.name, rf"\operatorname{{{expr.name}}}")
-        return rf"{name}\left({', '.join(map(latex, expr.args))}\right)"
-    raise TypeError(f"cannot print {type(expr).__name__}")
-
-
-# -- MathML --------------------------------------------------------------------------------------------------
-def mathml(expr: Any) -> str:
-    """Presentation MathML without the outer <math> element."""
-    if expr.op == "num":
-        return _number_mathml(expr.value)
-    if expr.op == "pi":
-        return _pi_mathml(expr.value)
-    if expr.op == "trig":
-        return f"<msub><mi>{expr.kind}</mi><mn>{subscript(expr.angle)[0].replace('-', '−')}</mn></msub>"
-    if expr.op == "sym":
-        return _symbol_mathml(expr)
-    if expr.op in TERMS:
-        return f"<mrow>{_sum(expr, mathml)}</mrow>"
-    if expr.op == "product":
-        return f"<mrow>{_product(expr, mathml, THIN)}</mrow>"
-    if expr.op == "quotient":
-        return f"<mfrac>{mathml(expr.args[0])}{mathml(expr.args[1])}</mfrac>"
-    if expr.op == "power":
-        return f"<msup><mrow>{_wrapped(expr.args[0], mathml, 9)}</mrow>{mathml(expr.args[1])}</msup>"
-    if expr.op == "equation":
-        return "<mo>=</mo>".join(map(mathml, expr.args))
-    if expr.op == "call":
-        if expr.name == "sqrt":
-            return f"<msqrt>{mathml(expr.args[0])}</msqrt>"
-        if expr.name == "quartic":
-            *e, k = map(mathml, expr.args)
-            powers = [f"<msup><mi>t</mi><mn>{p}</mn></msup>" for p in (4, 3, 2)] + ["<mi>t</mi>", ""]
-            sum_ = "<mo>+</mo>".join(a + p for a, p in zip(e, powers, strict=True))
-            return (
-                f"<mrow><mn>2</mn><mi>arctan</mi><msub><mi>t</mi>{k}</msub><mo>,</mo><mspace width='1em'/>"
-                f"{sum_}<mo>=</mo><mn>0</mn></mrow>"
-            )
-        if expr.name == "abs":
-            return f"<mrow><mo>|</mo>{mathml(expr.args[0])}<mo>|</mo></mrow>"
-        name = MATHML_FUNCTION.get(expr.name, expr.name)
-        return f"<mrow><mi>{name}</mi><mo>(</mo>{'<mo>,</mo>'.join(map(mathml, expr.args))}<mo>)</mo></mrow>"
-    raise TypeError(f"cannot print {type(expr).__name__}")
-
-
-# -- pieces --------------------------------------------------------------------------------------------------
 def negative(expr: Any) -> bool:
     """Whether the expression starts with a minus sign when printed (and not with one that stands in brackets)."""
     if expr.op in ("num", "pi"):
@@ -195,97 +76,213 @@ def negative(expr: Any) -> bool:
     return expr.op == "minus"
 
 
-def _sum(expr: Any, printer: Printer) -> str:
-    """Terms with their signs; a term with a sign of its own is a sum of one."""
-    plus, minus, plus_minus, minus_plus = _SIGNS[printer]
-    terms = expr.args if expr.op == "sum" else (expr,)
-    parts = []
-    for place, term in enumerate(terms):
-        tight = not place and printer in (text, typed, latex)
-        if term.op == "plus-minus":
-            sign = plus_minus if term.sign > 0 else minus_plus
-            parts.append((sign.strip() if tight else sign) + _wrapped(term.args[0], printer, 2))
-        elif term.op == "minus":
-            parts.append((minus.strip() if tight else minus) + _wrapped(term.args[0], printer, 2))
-        elif place and negative(term):
-            parts.append(minus + _wrapped(-term, printer, 2))
-        else:
-            parts.append((plus if place else "") + printer(term))
-    return "".join(parts)
+class Writer:
+    """How nodes are written, here as one line of plain text, products with a star."""
+
+    #: Between terms: plus, minus, and the two signs of a branch.
+    signs = (" + ", " - ", " +- ", " -+ ")
+    brackets = ("(", ")")
+    times, equals = "*", " = "
+    #: How strong a second factor must be to stand without brackets.
+    second_factor = 2
+
+    def __call__(self, expr: Any) -> str:
+        """Return a node as text."""
+        if expr.op == "num":
+            return self._number(expr)
+        if expr.op == "pi":
+            return self._pi(expr.value)
+        if expr.op == "trig":
+            return self._trig(expr)
+        if expr.op == "sym":
+            return self._symbol(expr)
+        if expr.op in TERMS:
+            return self._sum(expr)
+        if expr.op == "product":
+            return self._product(expr)
+        if expr.op == "quotient":
+            return self._quotient(*expr.args)
+        if expr.op == "power":
+            return self._power(*expr.args)
+        if expr.op == "equation":
+            return self.equals.join(map(self, expr.args))
+        if expr.op != "call":
+            raise TypeError(f"cannot print {type(expr).__name__}")
+        if expr.name == "quartic":
+            *coefficients, root = map(self, expr.args)
+            return self._quartic(coefficients, root)
+        return self._call(expr)
+
+    def _number(self, expr: Any) -> str:
+        return expr.written or decimal_text(expr.value) or f"{expr.value.numerator}/{expr.value.denominator}"
+
+    def _pi(self, value: Fraction) -> str:
+        sign, over = ("-" if value < 0 else ""), abs(value.numerator)
+        return f"{sign}{'' if over == 1 else f'{over}*'}pi" + (
+            "" if value.denominator == 1 else f"/{value.denominator}"
+        )
+
+    def _trig(self, expr: Any) -> str:
+        index, plain = subscript(expr.angle)
+        return f"{expr.kind}{index}" if plain else f"{expr.kind}({index})"
+
+    def _symbol(self, expr: Any) -> str:
+        return expr.name
+
+    def _quotient(self, over: Any, under: Any) -> str:
+        return f"{self._wrapped(over, 2)}/{self._wrapped(under, 4)}"
+
+    def _power(self, base: Any, exponent: Any) -> str:
+        return f"{self._wrapped(base, 9)}^{self._wrapped(exponent, 9)}"
+
+    def _quartic(self, coefficients: list[str], root: str) -> str:
+        powers = "*t^4", "*t^3", "*t^2", "*t", ""
+        said = " + ".join(a + p for a, p in zip(coefficients, powers, strict=True))
+        return f"2*atan(t), t real root number {root} of {said} = 0"
+
+    def _call(self, expr: Any) -> str:
+        return _turn(expr) or f"{expr.name}({', '.join(map(self, expr.args))})"
+
+    def _sum(self, expr: Any) -> str:
+        """Return terms with their signs; a term with a sign of its own is a sum of one."""
+        plus, minus, plus_minus, minus_plus = self.signs
+        parts = []
+        for place, term in enumerate(expr.args if expr.op == "sum" else (expr,)):
+            if term.op in ("plus-minus", "minus"):
+                sign = minus if term.op == "minus" else plus_minus if term.sign > 0 else minus_plus
+                parts.append((sign if place else sign.strip()) + self._wrapped(term.args[0], 2))
+            elif place and negative(term):
+                parts.append(minus + self._wrapped(-term, 2))
+            else:
+                parts.append((plus if place else "") + self(term))
+        return "".join(parts)
+
+    def _product(self, expr: Any) -> str:
+        factors, sign = list(expr.args), ""
+        if factors[0].op == "num" and factors[0].value < 0:
+            sign = self.signs[1].strip()
+            factors[0] = -factors[0]
+            if factors[0].value == 1:
+                factors.pop(0)
+        return sign + self.times.join(self._wrapped(f, self.second_factor if k else 2) for k, f in enumerate(factors))
+
+    def _wrapped(self, expr: Any, least: int) -> str:
+        """Return a node in brackets where it binds less than it must here."""
+        left, right = self.brackets
+        weak = expr.precedence < least or (least > 2 and expr.op in ("num", "pi") and expr.value < 0)
+        return left + self(expr) + right if weak else self(expr)
 
 
-def _wrapped(expr: Any, printer: Printer, least: int) -> str:
-    left, right = _BRACKETS[printer]
-    body = printer(expr)
-    weak = expr.precedence < least or (least > 2 and expr.op in ("num", "pi") and expr.value < 0)
-    return left + body + right if weak else body
-
-
-def _product(expr: Any, printer: Printer, times: str) -> str:
-    factors = list(expr.args)
-    sign = ""
-    if factors[0].op == "num" and factors[0].value < 0:
-        sign = _SIGNS[printer][1].strip()
-        factors[0] = -factors[0]
-        if factors[0].value == 1:
-            factors.pop(0)
+class _Typed(Writer):
+    times = " "
     # what stands side by side would run into a quotient before it
-    pieces = [_wrapped(f, printer, 4 if place and printer is typed else 2) for place, f in enumerate(factors)]
-    return sign + times.join(pieces)
+    second_factor = 4
 
 
-_SIGNS: dict[Printer, tuple[str, str, str, str]] = {
-    text: (" + ", " - ", " +- ", " -+ "),
-    typed: (" + ", " - ", " +- ", " -+ "),
-    latex: (" + ", " - ", r" \pm ", r" \mp "),
-    mathml: ("<mo>+</mo>", "<mo>−</mo>", "<mo>±</mo>", "<mo>∓</mo>"),
-}
-_BRACKETS: dict[Printer, tuple[str, str]] = {
-    text: ("(", ")"),
-    typed: ("(", ")"),
-    latex: (r"\left(", r"\right)"),
-    mathml: ("<mo>(</mo>", "<mo>)</mo>"),
-}
+class _Latex(Writer):
+    signs = (" + ", " - ", r" \pm ", r" \mp ")
+    brackets = (r"\left(", r"\right)")
+    times = " "
+
+    def _number(self, expr: Any) -> str:
+        value, decimal = expr.value, decimal_text(expr.value)
+        if decimal is not None and value.denominator not in (2, 4):
+            return decimal
+        return rf"{'-' if value < 0 else ''}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
+
+    def _pi(self, value: Fraction) -> str:
+        sign, over = ("-" if value < 0 else ""), abs(value.numerator)
+        top = r"\pi" if over == 1 else rf"{over}\pi"
+        return sign + (top if value.denominator == 1 else rf"\frac{{{top}}}{{{value.denominator}}}")
+
+    def _trig(self, expr: Any) -> str:
+        return f"{expr.kind}_{{{subscript(expr.angle)[0].replace('·', ' ')}}}"
+
+    def _symbol(self, expr: Any) -> str:
+        base = expr.base if len(expr.base) == 1 else _latex_base(expr.base)
+        return f"{base}_{{{expr.sub}}}" if expr.sub else base
+
+    def _quotient(self, over: Any, under: Any) -> str:
+        return rf"\frac{{{self(over)}}}{{{self(under)}}}"
+
+    def _power(self, base: Any, exponent: Any) -> str:
+        return f"{self._wrapped(base, 9)}^{{{self(exponent)}}}"
+
+    def _quartic(self, coefficients: list[str], root: str) -> str:
+        e4, e3, e2, e1, e0 = coefficients
+        return rf"2\arctan t_{{{root}}},\quad {e4} t^4 + {e3} t^3 + {e2} t^2 + {e1} t + {e0} = 0"
+
+    def _call(self, expr: Any) -> str:
+        if expr.name == "sqrt":
+            return rf"\sqrt{{{self(expr.args[0])}}}"
+        if expr.name == "abs":
+            return rf"\left|{self(expr.args[0])}\right|"
+        name = LATEX_FUNCTION.get(expr.name, rf"\operatorname{{{expr.name}}}")
+        return rf"{name}\left({', '.join(map(self, expr.args))}\right)"
 
 
-def _number(value: Fraction) -> str:
-    return decimal_text(value) or f"{value.numerator}/{value.denominator}"
+class _Mathml(Writer):
+    signs = ("<mo>+</mo>", "<mo>−</mo>", "<mo>±</mo>", "<mo>∓</mo>")
+    brackets = ("<mo>(</mo>", "<mo>)</mo>")
+    times, equals = THIN, "<mo>=</mo>"
+
+    def _number(self, expr: Any) -> str:
+        value, decimal = expr.value, decimal_text(abs(expr.value))
+        if decimal is not None and value.denominator not in (2, 4):
+            return _signed(value, f"<mn>{decimal}</mn>")
+        return _signed(value, f"<mfrac><mn>{abs(value.numerator)}</mn><mn>{value.denominator}</mn></mfrac>")
+
+    def _pi(self, value: Fraction) -> str:
+        over = abs(value.numerator)
+        top = "<mi>π</mi>" if over == 1 else f"<mrow><mn>{over}</mn><mi>π</mi></mrow>"
+        return _signed(value, top if value.denominator == 1 else f"<mfrac>{top}<mn>{value.denominator}</mn></mfrac>")
+
+    def _trig(self, expr: Any) -> str:
+        return f"<msub><mi>{expr.kind}</mi><mn>{subscript(expr.angle)[0].replace('-', '−')}</mn></msub>"
+
+    def _symbol(self, expr: Any) -> str:
+        base = expr.base
+        if base in GREEK:
+            base = GREEK[base]
+        elif base[:1] in "cs" and base[1:] in GREEK:
+            base = base[0] + GREEK[base[1:]]
+        letter = f"<mi>{escape(base)}</mi>"
+        if not expr.sub:
+            return letter
+        tag = "mn" if expr.sub.isdigit() else "mi"
+        return f"<msub>{letter}<{tag}>{escape(expr.sub)}</{tag}></msub>"
+
+    def _sum(self, expr: Any) -> str:
+        return f"<mrow>{super()._sum(expr)}</mrow>"
+
+    def _product(self, expr: Any) -> str:
+        return f"<mrow>{super()._product(expr)}</mrow>"
+
+    def _quotient(self, over: Any, under: Any) -> str:
+        return f"<mfrac>{self(over)}{self(under)}</mfrac>"
+
+    def _power(self, base: Any, exponent: Any) -> str:
+        return f"<msup><mrow>{self._wrapped(base, 9)}</mrow>{self(exponent)}</msup>"
+
+    def _quartic(self, coefficients: list[str], root: str) -> str:
+        powers = [f"<msup><mi>t</mi><mn>{p}</mn></msup>" for p in (4, 3, 2)] + ["<mi>t</mi>", ""]
+        said = "<mo>+</mo>".join(a + p for a, p in zip(coefficients, powers, strict=True))
+        return (
+            f"<mrow><mn>2</mn><mi>arctan</mi><msub><mi>t</mi>{root}</msub><mo>,</mo><mspace width='1em'/>"
+            f"{said}<mo>=</mo><mn>0</mn></mrow>"
+        )
+
+    def _call(self, expr: Any) -> str:
+        if expr.name == "sqrt":
+            return f"<msqrt>{self(expr.args[0])}</msqrt>"
+        if expr.name == "abs":
+            return f"<mrow><mo>|</mo>{self(expr.args[0])}<mo>|</mo></mrow>"
+        name = MATHML_FUNCTION.get(expr.name, expr.name)
+        return f"<mrow><mi>{name}</mi><mo>(</mo>{'<mo>,</mo>'.join(map(self, expr.args))}<mo>)</mo></mrow>"
 
 
-def _number_latex(value: Fraction) -> str:
-    decimal = decimal_text(value)
-    if decimal is not None and value.denominator not in (2, 4):
-        return decimal
-    sign = "-" if value < 0 else ""
-    return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
-
-
-def _number_mathml(value: Fraction) -> str:
-    sign = "<mo>−</mo>" if value < 0 else ""
-    decimal = decimal_text(abs(value))
-    if decimal is not None and value.denominator not in (2, 4):
-        body = f"<mn>{decimal}</mn>"
-    else:
-        body = f"<mfrac><mn>{abs(value.numerator)}</mn><mn>{value.denominator}</mn></mfrac>"
-    return f"<mrow>{sign}{body}</mrow>" if sign else body
-
-
-def _pi_text(value: Fraction) -> str:
-    sign, over = ("-" if value < 0 else ""), abs(value.numerator)
-    return f"{sign}{'' if over == 1 else f'{over}*'}pi" + ("" if value.denominator == 1 else f"/{value.denominator}")
-
-
-def _pi_latex(value: Fraction) -> str:
-    sign, over = ("-" if value < 0 else ""), abs(value.numerator)
-    top = r"\pi" if over == 1 else rf"{over}\pi"
-    return sign + (top if value.denominator == 1 else rf"\frac{{{top}}}{{{value.denominator}}}")
-
-
-def _pi_mathml(value: Fraction) -> str:
-    sign, over = ("<mo>−</mo>" if value < 0 else ""), abs(value.numerator)
-    top = "<mi>π</mi>" if over == 1 else f"<mrow><mn>{over}</mn><mi>π</mi></mrow>"
-    body = top if value.denominator == 1 else f"<mfrac>{top}<mn>{value.denominator}</mn></mfrac>"
-    return f"<mrow>{sign}{body}</mrow>" if sign else body
+def _signed(value: Fraction, body: str) -> str:
+    return f"<mrow><mo>−</mo>{body}</mrow>" if value < 0 else body
 
 
 def _latex_base(base: str) -> str:
@@ -296,14 +293,11 @@ def _latex_base(base: str) -> str:
     return rf"\mathrm{{{base}}}"
 
 
-def _symbol_mathml(symbol: Any) -> str:
-    base = symbol.base
-    if base in GREEK:
-        base = GREEK[base]
-    elif base[:1] in "cs" and base[1:] in GREEK:
-        base = base[0] + GREEK[base[1:]]
-    letter = f"<mi>{escape(base)}</mi>"
-    if not symbol.sub:
-        return letter
-    tag = "mn" if symbol.sub.isdigit() else "mi"
-    return f"<msub>{letter}<{tag}>{escape(symbol.sub)}</{tag}></msub>"
+#: One line of plain text, products with a star.
+text = Writer()
+#: One line of plain text as papers write it, products side by side; typed formulas come back as they were.
+typed = _Typed()
+#: LaTeX for math mode.
+latex = _Latex()
+#: Presentation MathML without the outer <math> element.
+mathml = _Mathml()

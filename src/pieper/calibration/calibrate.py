@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -19,21 +19,14 @@ from pieper.calibration.unseen import in_words
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.pose import PoseLike
+from pieper.solver.plan.planned_arm import NominalArm
 from pieper.tolerances import FIRST_NOISE, LEAST_NOISE, SAME_MEASUREMENT
 
 LOSSES = ("linear", "huber")
 #: How often the noise of a fit is estimated, where none is said.
 ESTIMATES = 3
-
-
-class NominalArm(Protocol):
-    """What calibration needs of an arm."""
-
-    description: Description
-    chain: Chain
 
 
 def calibrate(

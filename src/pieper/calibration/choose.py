@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from pieper.calibration.calibrate import NominalArm
 from pieper.calibration.least_squares import linearised, sizes_of
 from pieper.calibration.measurements import Measurements, measured_as, noise_of
 from pieper.calibration.model import AxesModel
@@ -15,6 +14,7 @@ from pieper.calibration.parameters import parameters_of
 from pieper.errors import InputError
 from pieper.kinematics.arrays import ArrayLike
 from pieper.kinematics.forward import checked_joints
+from pieper.solver.plan.planned_arm import NominalArm
 from pieper.tolerances import USUAL_NOISE
 
 

@@ -40,11 +40,6 @@ order = click.option(
     help="What the numbers after x y z mean: rpy (roll, pitch, yaw about the fixed x, y, z), abc (KUKA's A, B, C), "
     "wpr (Fanuc's W, P, R), zyz, rotvec (UR's rotation vector), staubli, yaskawa, quat_wxyz (ABB) or quat_xyzw.",
 )
-first = click.option("--from", "first", default="", metavar="POSE", help="First pose, quoted, as for ik; or @file.")
-last = click.option("--to", "last", default="", metavar="POSE", help="Last pose, quoted, as for ik; or @file.")
-points = click.option(
-    "--points", "-n", default=50, show_default=True, help="Poses on each straight stretch, ends included."
-)
 start = click.option(
     "--start",
     default="zero",

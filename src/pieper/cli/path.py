@@ -10,16 +10,13 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.cli.arguments import Target, joints, target
+from pieper.cli.arguments import Target, joints
 from pieper.cli.layout import Column
 from pieper.cli.options import (
     NUMBERS,
     as_csv,
     as_json,
-    first,
-    last,
     order,
-    points,
     start,
     takes_arm,
     takes_units,
@@ -27,20 +24,19 @@ from pieper.cli.options import (
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import joint_cells, joint_columns, number, print_table, say, si_units, small
 from pieper.cli.status import DONE, NO_SOLUTION
+from pieper.cli.straight import Straight, takes_straight
 from pieper.cli.units import Units
 
 #: Decimals in a CSV: finer than rounding noise.
 DECIMALS = 12
 #: Points of the track that are printed.
 FEW = 12
+NO_ENDS = 'a path needs --from and --to, for example --from "350 0 400" --to "200 100 500".'
 
 
 @click.command("path", context_settings=NUMBERS, short_help="Follow straight lines with one branch.")
 @takes_arm
-@first
-@last
-@click.option("--via", multiple=True, metavar="POSE", help="A pose on the way; may be repeated.")
-@points
+@takes_straight
 @start
 @as_csv
 @click.option("--figures", default="", metavar="FOLDER", help="Write the figures into this folder.")
@@ -49,10 +45,7 @@ FEW = 12
 @takes_units
 def command(
     arm: pieper.Arm,
-    first: str,
-    last: str,
-    via: tuple[str, ...],
-    points: int,
+    straight: Straight,
     start: str,
     csv: str,
     figures: str,
@@ -64,12 +57,7 @@ def command(
 
     Example: pieper path denso-vp6242 --from "350 0 400" --to "200 100 500" --start line-start
     """
-    if not first or not last:
-        raise pieper.InputError('a path needs --from and --to, for example --from "350 0 400" --to "200 100 500".')
-    words = [("--from", first), *(("--via", v) for v in via), ("--to", last)]
-    q = joints(arm, [start], units, "--start")
-    poses, note = held(arm, [target([text], units, order, what) for what, text in words], q)
-    track = arm.follow(lines(poses, points), start=q)
+    track, note = followed(arm, straight, start, units, order)
     if csv:
         write_csv(arm, track, csv, units)
     written = write_figures(arm, track, figures) if figures else []
@@ -89,10 +77,14 @@ def command(
     return status
 
 
-def lines(poses: list[npt.NDArray[np.float64]], points: int) -> npt.NDArray[np.float64]:
-    """Return straight lines (k, 4, 4) through poses, `points` a stretch, corners once."""
-    stretches = [pieper.line(a, b, points) for a, b in zip(poses[:-1], poses[1:], strict=True)]
-    return np.concatenate([stretches[0], *(s[1:] for s in stretches[1:])])
+def followed(
+    arm: pieper.Arm, straight: Straight, start: str, units: Units, order: str, missing: str = NO_ENDS
+) -> tuple[pieper.Track, str]:
+    """Follow straight lines; return the track, and what was taken differently from how it was typed."""
+    given = straight.targets(units, order, missing)
+    q = joints(arm, [start], units, "--start")
+    poses, note = held(arm, given, q)
+    return arm.follow(straight.through(poses), start=q), note
 
 
 def held(

@@ -7,9 +7,10 @@ from pathlib import Path
 import click
 
 import pieper
-from pieper.cli.arguments import joints, target
-from pieper.cli.options import NUMBERS, first, last, order, points, start, takes_arm, takes_units
+from pieper.cli.arguments import target
+from pieper.cli.options import NUMBERS, order, start, takes_arm, takes_units
 from pieper.cli.status import DONE
+from pieper.cli.straight import Straight, takes_straight
 from pieper.cli.units import Units
 
 
@@ -21,9 +22,7 @@ from pieper.cli.units import Units
 @click.option(
     "--verify-with", "toolbox", default="", metavar="TOOLBOX", help="Also compare with a toolbox, as `verify` does."
 )
-@first
-@last
-@points
+@takes_straight
 @start
 @order
 @takes_units
@@ -33,23 +32,17 @@ def command(
     latex: str,
     pose: str,
     toolbox: str,
-    first: str,
-    last: str,
-    points: int,
+    straight: Straight,
     start: str,
     order: str,
     units: Units,
 ) -> int:
     """Write everything that can be said about an arm on one page, as HTML that prints well, and as LaTeX."""
-    if bool(first) != bool(last):
-        raise pieper.InputError("a path study needs both --from and --to.")
     track = None
-    if first:
-        from pieper.cli.path import held, lines
+    if straight.typed:
+        from pieper.cli.path import followed
 
-        q = joints(arm, [start], units, "--start")
-        ends = [target([text], units, order, what) for what, text in (("--from", first), ("--to", last))]
-        track = arm.follow(lines(held(arm, ends, q)[0], points), start=q)
+        track, _ = followed(arm, straight, start, units, order, "a path study needs both --from and --to.")
     T = target([pose], units, order, "--pose").T if pose else None
     found = arm.verify(toolbox) if toolbox else None
     place = Path(out or f"{arm.name}.html")

@@ -9,23 +9,21 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.cli.arguments import joints, numbers, target
+from pieper.cli.arguments import joints, numbers
 from pieper.cli.layout import Column
-from pieper.cli.options import NUMBERS, as_csv, as_json, first, last, order, points, takes_arm, takes_units
+from pieper.cli.options import NUMBERS, as_csv, as_json, order, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import joint_cells, joint_columns, number, print_table, say, si_units
-from pieper.cli.path import DECIMALS, FEW, lines
+from pieper.cli.path import DECIMALS, FEW
 from pieper.cli.pose_file import PoseFile
 from pieper.cli.status import DONE, NO_SOLUTION
+from pieper.cli.straight import Straight, takes_straight
 from pieper.cli.units import Units
 
 
 @click.command("route", context_settings=NUMBERS, short_help="The best way along a path that leaves something free.")
 @takes_arm
-@first
-@last
-@click.option("--via", multiple=True, metavar="POSE", help="A pose on the way; may be repeated.")
-@points
+@takes_straight
 @click.option("--poses", default="", metavar="FILE", help="A table of poses (.csv) instead of --from and --to.")
 @click.option("--free", is_flag=True, help="The tool may turn about its axis as it likes.")
 @click.option("--turn", default="", metavar="'LO HI'", help="The tool may turn between two angles.")
@@ -43,10 +41,7 @@ from pieper.cli.units import Units
 @takes_units
 def command(
     arm: pieper.Arm,
-    first: str,
-    last: str,
-    via: tuple[str, ...],
-    points: int,
+    straight: Straight,
     poses: str,
     free: bool,
     turn: str,
@@ -66,7 +61,7 @@ def command(
     Example: pieper route abb-irb2400 --from "900 -300 900 0 180 0" --to "900 300 900 0 180 0" --free
     """
     freedom = _freedom(free, turn, cone, axis, units)
-    path = _path(first, last, via, points, poses, units, order)
+    path = _path(straight, poses, units, order)
     route = arm.route(path, free=freedom, start=joints(arm, [start], units, "--start") if start else None, cost=cost)
     if csv and route.found:
         _write_csv(arm, route, csv, units)
@@ -104,20 +99,13 @@ def _freedom(free: bool, turn: str, cone: str, axis: str, units: Units) -> piepe
     return pieper.Freedom(turn=(ends[0], ends[1]) if turn else "free", cone=tilt[0] * units.radians, axis=axis)
 
 
-def _path(
-    first: str, last: str, via: tuple[str, ...], points: int, poses: str, units: Units, order: str
-) -> npt.NDArray[np.float64]:
+def _path(straight: Straight, poses: str, units: Units, order: str) -> npt.NDArray[np.float64]:
     if poses:
-        if first or last or via:
+        if straight.typed:
             raise pieper.InputError("say --poses or --from and --to, not both.", given=poses)
         return np.concatenate(list(PoseFile(poses, units, order).blocks()))
-    if not first or not last:
-        raise pieper.InputError(
-            'a route needs --from and --to, for example --from "900 -300 900 0 180 0" --to "900 300 900 0 180 0", or '
-            "--poses file.csv."
-        )
-    words = [("--from", first), *(("--via", v) for v in via), ("--to", last)]
-    return lines([target([text], units, order, what).T for what, text in words], points)
+    missing = 'a route needs --from and --to, for example --from "900 -300 900 0 180 0" --to "900 300 900 0 180 0", or '
+    return straight.through([t.T for t in straight.targets(units, order, missing + "--poses file.csv.")])
 
 
 def _print_points(arm: pieper.Arm, route: pieper.Route, units: Units) -> None:

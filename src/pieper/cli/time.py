@@ -5,17 +5,14 @@ from __future__ import annotations
 import click
 
 import pieper
-from pieper.cli.arguments import joints, numbers, target
+from pieper.cli.arguments import numbers
 from pieper.cli.options import (
     NUMBERS,
     animate,
     as_csv,
     as_json,
     figure,
-    first,
-    last,
     order,
-    points,
     rate,
     start,
     takes_arm,
@@ -23,18 +20,16 @@ from pieper.cli.options import (
     takes_units,
 )
 from pieper.cli.output import say
-from pieper.cli.path import held, lines
+from pieper.cli.path import followed
 from pieper.cli.status import DONE, NO_SOLUTION
+from pieper.cli.straight import Straight, takes_straight
 from pieper.cli.timed import print_data, tell, write
 from pieper.cli.units import Units
 
 
 @click.command("time", context_settings=NUMBERS, short_help="Time a path within limits.")
 @takes_arm
-@first
-@last
-@click.option("--via", multiple=True, metavar="POSE", help="A pose on the way; may be repeated.")
-@points
+@takes_straight
 @start
 @click.option(
     "--constant",
@@ -52,10 +47,7 @@ from pieper.cli.units import Units
 @takes_limits
 def command(
     arm: pieper.Arm,
-    first: str,
-    last: str,
-    via: tuple[str, ...],
-    points: int,
+    straight: Straight,
     start: str,
     constant: tuple[str, ...],
     rate: float,
@@ -72,14 +64,9 @@ def command(
     Example: pieper time denso-vp6242 --from "350 0 400" --to "200 100 500" --start line-start --speed 180
     --acceleration 600
     """
-    if not first or not last:
-        raise pieper.InputError('a path needs --from and --to, for example --from "350 0 400" --to "200 100 500".')
     if limits is None:
         raise pieper.InputError("a motion needs limits: say --speed and --acceleration, and more where it matters.")
-    words = [("--from", first), *(("--via", v) for v in via), ("--to", last)]
-    q = joints(arm, [start], units, "--start")
-    poses, note = held(arm, [target([text], units, order, what) for what, text in words], q)
-    track = arm.follow(lines(poses, points), start=q)
+    track, note = followed(arm, straight, start, units, order)
     if note:
         say(note + "\n")
     if not track.complete:

@@ -2,37 +2,23 @@
 
 from __future__ import annotations
 
-from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.program import statements
+from pieper.code.language import USUAL, Language, filled, functions, starred
 
-WORDS = {
-    "add": "{0} + {1}",
-    "sub": "{0} - {1}",
-    "mul": "{0} * {1}",
-    "div": "{0} / {1}",
-    "neg": "-{0}",
-    "abs": "fabs({0})",
-    "sqrt": "sqrt({0})",
-    "sin": "sin({0})",
-    "cos": "cos({0})",
-    "atan2": "atan2({0}, {1})",
-    "angle": "NAME_angle({0}, {1})",
-    "select": "{0} ? {1} : {2}",
-    "lt": "{0} < {1}",
-    "le": "{0} <= {1}",
-    "gt": "{0} > {1}",
-    "ge": "{0} >= {1}",
-    "eq": "{0} == {1}",
-    "ne": "{0} != {1}",
-    "and": "{0} && {1}",
-    "or": "{0} || {1}",
-    "not": "!{0}",
-    "true": "1",
-    "false": "0",
-}
+C = Language(
+    words=USUAL | functions("") | {"abs": "fabs({0})", "angle": "NAME_angle({0}, {1})", "true": "1", "false": "0"},
+    entry=lambda k: f"T[{k}]",
+    assign=lambda name, truth, expression: f"  const {'int' if truth else 'double'} {name} = {expression};",
+    infinity="HUGE_VAL",
+    truths=("0", "1"),
+    header=starred,
+    manner=Manner("sin({0})", "cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"),
+    texts='{}"',
+    brackets="{}",
+    per_row=("{{{}}}", ", "),
+)
 
-MANNER = Manner("sin({0})", "cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})")
 
 FRAME = """/*
 @HEADER@
@@ -200,29 +186,4 @@ int main(void) {
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    lines, said = statements(
-        export.program,
-        WORDS,
-        lambda k: f"T[{k}]",
-        lambda name, truth, expression: f"  const {'int' if truth else 'double'} {name} = {expression};",
-    )
-    number = finite_or("HUGE_VAL")
-    program, n = export.program, export.n
-    rows = ", ".join("{" + ", ".join(said(i) for i in program.q[n * m : n * m + n]) + "}" for m in range(8))
-    parts = {
-        "HEADER": "\n".join(export.header).replace("*/", "* /"),
-        "LOWER": nested(export.lower, "{}", number),
-        "UPPER": nested(export.upper, "{}", number),
-        "SLIDES": "{" + ", ".join(str(int(s)) for s in export.slides) + "}",
-        "LINKS": nested(export.links.reshape(n + 1, 12), "{}", number),
-        "PROGRAM": "\n".join(lines),
-        "ROWS": rows,
-        **MANNER.parts(export.labels, "{" + ", ".join(f'"{name}"' for name in export.labels.names) + "}"),
-        "VALID": ", ".join(said(i) for i in program.valid),
-        "UNCLEAR": said(program.unclear),
-        "VERIFIED": repr(export.verified),
-        "TEST_Q": nested(export.q, "{}", number),
-        "TEST_T": nested(export.T.reshape(-1, 16), "{}", number),
-        "COUNTS": "{" + ", ".join(str(k) for k in export.counts) + "}",
-    }
-    return filled(FRAME, parts, export)
+    return filled(FRAME, C.parts(export), export)

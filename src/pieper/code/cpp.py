@@ -8,15 +8,12 @@ from typing import Any, cast
 import numpy as np
 
 from pieper import _kernel
-from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.export import Export
 from pieper.code.kernel_source import HEADERS, fingerprint, joined
 from pieper.code.labels import Manner
+from pieper.code.language import Notation, filled, starred
 
 FLAGS = "-std=c++20 -O3 -ffp-contract=fast -fno-math-errno -fno-trapping-math"
-
-MANNER = Manner(
-    "__builtin_sin({0})", "__builtin_cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"
-)
 
 FRAME = """/*
 @HEADER@
@@ -204,30 +201,32 @@ def numbers_of(geometry: Any) -> tuple[list[float], list[float]]:
     return out, general
 
 
+CPP = Notation(
+    infinity="__builtin_inf()",
+    truths=("0", "1"),
+    header=starred,
+    manner=Manner(
+        "__builtin_sin({0})", "__builtin_cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"
+    ),
+    brackets="{}",
+    texts='{}"',
+)
+
+
 def text(export: Export) -> str:
     """Return the file's text."""
     own, header = HEADERS[export.plan.family]
-    number = finite_or("__builtin_inf()")
     numbers, general = numbers_of(export.plan.spec.geometry)
     parts = {
-        "HEADER": "\n".join(export.header).replace("*/", "* /"),
         "FLAGS": FLAGS,
         "KERNEL": joined("code/taken.hpp", *(("elimination/general.hpp",) if general else ()), header),
         "ARM": hashlib.sha256(repr((numbers, general, export.header)).encode()).hexdigest()[:12],
         "MARK": f"pieper_{fingerprint()}",
         "OWN": own,
         "SLOTS": str(export.plan.spec.max_solutions),
-        "NUMBERS": nested(numbers, "{}", number),
-        "GENERAL": nested(general or [0.0], "{}", number),
-        "LINKS": nested(export.plan.chain.links.ravel(), "{}", number),
-        "LOWER": nested(export.lower, "{}", number),
-        "UPPER": nested(export.upper, "{}", number),
-        "SLIDES": "{" + ", ".join(str(int(s)) for s in export.slides) + "}",
+        "NUMBERS": CPP.numbers(numbers),
+        "GENERAL": CPP.numbers(general or [0.0]),
+        "LINKS": CPP.numbers(export.plan.chain.links.ravel()),
         "SLIDE_BITS": str(sum(1 << j for j, s in enumerate(export.slides) if s)),
-        **MANNER.parts(export.labels, "{" + ", ".join(f'"{name}"' for name in export.labels.names) + "}"),
-        "VERIFIED": repr(export.verified),
-        "TEST_Q": nested(export.q, "{}", number),
-        "TEST_T": nested(export.T.reshape(-1, 16), "{}", number),
-        "COUNTS": "{" + ", ".join(str(k) for k in export.counts) + "}",
     }
-    return filled(FRAME, parts, export)
+    return filled(FRAME, CPP.parts(export) | parts, export)

@@ -4,40 +4,25 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from importlib.metadata import PackageNotFoundError, version
-from typing import Any, Protocol
 
 import numpy as np
 
 from pieper.code.labels import Labels, labels_of
 from pieper.code.program import Program, recorded
-from pieper.description.dh import Description
 from pieper.errors import InputError, PlanError
 from pieper.kinematics.arrays import Array
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.solver.plan.plan import Plan
+from pieper.solver.plan.planned_arm import PlannedArm
 from pieper.solver.rows import Flag
 from pieper.tolerances import LIMIT_SLACK, VERIFIED
 
 TESTS = 20
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 LICENCE = "MIT licence, as pieper itself."
-
-
-class ExportedArm(Protocol):
-    """What an export needs of an arm."""
-
-    description: Description
-    chain: Chain
-
-    @property
-    def plan(self) -> Plan:
-        """How it is solved."""
-        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,7 +93,7 @@ def _refuse_what_is_not_six_joints(plan: Plan) -> None:
         raise PlanError(f"{name}: its base or tool is too far away to be written into one formula; take it off.")
 
 
-def export(arm: ExportedArm, name: str) -> Export:
+def export(arm: PlannedArm, name: str) -> Export:
     """Return what is written of an arm.
 
     Raises:
@@ -158,24 +143,3 @@ def _postures(plan: Plan) -> Array:
     _, _, inside, flags = plan.solver.many(np.ascontiguousarray(fk(plan.chain, q)), 1)
     clear = (flags & int(Flag.DEGENERATE | Flag.UNCERTAIN)) == 0
     return q[clear & inside.any(1)][:TESTS]
-
-
-def nested(value: Any, brackets: str, number: Callable[[float], str]) -> str:
-    """Return numbers as nested literals between a language's brackets."""
-    if isinstance(value, (list, tuple, np.ndarray)):
-        items: Sequence[Any] = list(value)
-        return brackets[0] + ", ".join(nested(v, brackets, number) for v in items) + brackets[1]
-    return number(float(value))
-
-
-def finite_or(infinity: str) -> Callable[[float], str]:
-    """Return how a number is said where infinity has a name of its own."""
-    return lambda x: repr(x) if np.isfinite(x) else infinity if x > 0 else f"-{infinity}"
-
-
-def filled(frame: str, parts: dict[str, str], export: Export) -> str:
-    """Return a frame with its @WORDS@, its count of joints and its NAME_ in place; no part is looked into."""
-    parts = parts | {"TESTS": str(len(export.q))}
-    own = re.sub(r"\bN\b", str(export.n), re.sub(r"\bN1\b", str(export.n + 1), frame))
-    own = own.replace("NAME_", f"{export.name}_")
-    return re.sub(r"@([A-Z_]+)@", lambda found: parts[found[1]].replace("NAME_", f"{export.name}_"), own)

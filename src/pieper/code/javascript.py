@@ -2,40 +2,21 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Callable
-
-from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.program import statements
+from pieper.code.language import USUAL, Language, filled, functions, starred
 
-WORDS = {
-    "add": "{0} + {1}",
-    "sub": "{0} - {1}",
-    "mul": "{0} * {1}",
-    "div": "{0} / {1}",
-    "neg": "-{0}",
-    "abs": "Math.abs({0})",
-    "sqrt": "Math.sqrt({0})",
-    "sin": "Math.sin({0})",
-    "cos": "Math.cos({0})",
-    "atan2": "Math.atan2({0}, {1})",
-    "angle": "angle({0}, {1})",
-    "select": "{0} ? {1} : {2}",
-    "lt": "{0} < {1}",
-    "le": "{0} <= {1}",
-    "gt": "{0} > {1}",
-    "ge": "{0} >= {1}",
-    "eq": "{0} === {1}",
-    "ne": "{0} !== {1}",
-    "and": "{0} && {1}",
-    "or": "{0} || {1}",
-    "not": "!{0}",
-    "true": "true",
-    "false": "false",
-}
+JAVASCRIPT = Language(
+    words=USUAL | functions("Math.") | {"angle": "angle({0}, {1})", "eq": "{0} === {1}", "ne": "{0} !== {1}"},
+    entry=lambda k: f"T[{k}]",
+    assign=lambda name, _, expression: f"  const {name} = {expression};",
+    infinity="Infinity",
+    truths=("false", "true"),
+    header=starred,
+    manner=Manner("Math.sin({0})", "Math.cos({0})", "q[{0}]", 0, "  const {0} = {1};", "side({0}, {1})"),
+    per_row=("[{}]", ", "),
+)
 
-MANNER = Manner("Math.sin({0})", "Math.cos({0})", "q[{0}]", 0, "  const {0} = {1};", "side({0}, {1})")
 
 FRAME = """/*
 @HEADER@
@@ -45,10 +26,10 @@ rows of 4. ikAll(T): {rows, unclear} before limits; unclear at and next to singu
 many and rows may be missing. fk(q): the pose as 4 rows of 4. jacobian(q): 6 rows, linear ones first. label(q): the
 posture's name, such as "front, elbow up, wrist flip"; "" where the postures of this arm have none.
 */
-const LOWER = @LOWER_NUMBERS@;
-const UPPER = @UPPER_NUMBERS@;
-const SLIDES = @SLIDES_NUMBERS@;
-const LINKS = @LINKS_NUMBERS@;
+const LOWER = @LOWER@;
+const UPPER = @UPPER@;
+const SLIDES = @SLIDES@;
+const LINKS = @LINKS@;
 const TURN = 6.28318530717958647693;
 
 // An angle that rounds to -pi is said as pi.
@@ -168,35 +149,6 @@ else globalThis.NAME_solver = { ik, ikAll, fk, jacobian, label, selfTest };
 """
 
 
-def text_for(suffix: str) -> Callable[[Export], str]:
-    """Return the printer for a file's suffix: a module for .mjs, else a script."""
-    return lambda export: text(export, FRAME + (MODULE if suffix == ".mjs" else SCRIPT))
-
-
-def text(export: Export, frame: str) -> str:
-    """Return the file's text."""
-    lines, said = statements(
-        export.program,
-        WORDS,
-        lambda k: f"T[{k}]",
-        lambda name, _, expression: f"  const {name} = {expression};",
-    )
-    number, program, n = finite_or("Infinity"), export.program, export.n
-    rows = ", ".join("[" + ", ".join(said(i) for i in program.q[n * m : n * m + n]) + "]" for m in range(8))
-    parts = {
-        "HEADER": "\n".join(export.header).replace("*/", "* /"),
-        "LOWER_NUMBERS": nested(export.lower, "[]", number),
-        "UPPER_NUMBERS": nested(export.upper, "[]", number),
-        "SLIDES_NUMBERS": "[" + ", ".join(str(s).lower() for s in export.slides) + "]",
-        "LINKS_NUMBERS": nested(export.links.reshape(n + 1, 12), "[]", number),
-        "PROGRAM": "\n".join(lines),
-        "ROWS": rows,
-        "VALID": ", ".join(said(i) for i in program.valid),
-        "UNCLEAR": said(program.unclear),
-        **MANNER.parts(export.labels, json.dumps(export.labels.names)),
-        "VERIFIED": repr(export.verified),
-        "TEST_Q": nested(export.q, "[]", number),
-        "TEST_T": nested(export.T.reshape(-1, 16), "[]", number),
-        "COUNTS": "[" + ", ".join(str(k) for k in export.counts) + "]",
-    }
-    return filled(frame, parts, export)
+def text(export: Export, suffix: str) -> str:
+    """Return the file's text: a module for the suffix .mjs, else a script."""
+    return filled(FRAME + (MODULE if suffix == ".mjs" else SCRIPT), JAVASCRIPT.parts(export), export)

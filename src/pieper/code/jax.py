@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from pieper.code.export import Export, filled, finite_or, nested
-from pieper.code.program import statements
-from pieper.code.python import MANNER
-from pieper.code.python import WORDS as NUMPY
-
-WORDS = {name: word.replace("np.", "jnp.") for name, word in NUMPY.items()}
+from pieper.code.export import Export
+from pieper.code.language import filled
+from pieper.code.python import arrays
 
 FRAME = '''"""@HEADER@
 
@@ -25,10 +22,10 @@ import numpy as np
 
 jax.config.update("jax_enable_x64", True)
 
-LOWER = jnp.array(@LOWER_NUMBERS@)
-UPPER = jnp.array(@UPPER_NUMBERS@)
-SLIDES = @SLIDES_NUMBERS@
-LINKS = jnp.array(@LINKS_NUMBERS@).reshape(-1, 3, 4)
+LOWER = jnp.array(@LOWER@)
+UPPER = jnp.array(@UPPER@)
+SLIDES = @SLIDES@
+LINKS = jnp.array(@LINKS@).reshape(-1, 3, 4)
 _TURN = 6.28318530717958647693
 
 
@@ -126,27 +123,4 @@ if __name__ == "__main__":
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    lines, said = statements(
-        export.program,
-        WORDS,
-        lambda k: f"T[:, {k // 4}, {k % 4}]",
-        lambda name, _, expression: f"    {name} = {expression}",
-    )
-    number, program = finite_or("jnp.inf"), export.program
-    parts = {
-        "HEADER": "\n".join(export.header).replace("\\", "/").replace('"""', "'''"),
-        "LOWER_NUMBERS": nested(export.lower, "[]", number),
-        "UPPER_NUMBERS": nested(export.upper, "[]", number),
-        "SLIDES_NUMBERS": "[" + ", ".join(str(s) for s in export.slides) + "]",
-        "LINKS_NUMBERS": nested(export.links.reshape(export.n + 1, 12), "[]", number),
-        "PROGRAM": "\n".join(lines),
-        "ROWS": ", ".join(said(i) for i in program.q),
-        "VALID": ", ".join(said(i) for i in program.valid),
-        "UNCLEAR": said(program.unclear),
-        **MANNER.parts(export.labels, repr(list(export.labels.names))),
-        "VERIFIED": repr(export.verified),
-        "TEST_Q": nested(export.q, "[]", number),
-        "TEST_T": nested(export.T.reshape(-1, 16), "[]", number),
-        "COUNTS": "[" + ", ".join(str(k) for k in export.counts) + "]",
-    }
-    return filled(FRAME, parts, export)
+    return filled(FRAME, arrays("jnp").parts(export), export)

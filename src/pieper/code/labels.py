@@ -15,13 +15,13 @@ import numpy as np
 from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array
 from pieper.solver.plan.plan import Plan
-from pieper.solver.words.labels import NO_SIDE, Sides, joined, sides
+from pieper.solver.words.labels import Sides, joined, sides
+from pieper.tolerances import LABEL_TERM, NO_SIDE
 
 #: Five values of a joint tell a polynomial of degree two in its sine and cosine.
 _VALUES = np.linspace(0.0, 2 * np.pi, 5, endpoint=False)
-#: Sums are compared with the words' own numbers at this many postures, to ROUNDED per length.
+#: Sums are compared with the words' own numbers at this many postures.
 _POSTURES = 200
-ROUNDED = 1e-12
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,7 @@ def _terms(plan: Plan, k: int) -> tuple[Term, ...]:
     terms = tuple(
         Term(float(tensor[place]), tuple(_factor(plan, j, i) for j, i in zip(used, place, strict=True) if i))
         for place in itertools.product(range(5), repeat=len(used))
-        if abs(tensor[place]) > ROUNDED
+        if abs(tensor[place]) > LABEL_TERM
     )
     again = sum((t.number * np.prod([_value(q, f) for f in t.factors], axis=0) for t in terms), np.zeros(len(q)))
     if not np.allclose(again, values, rtol=0.0, atol=NO_SIDE / 2):
@@ -98,7 +98,7 @@ def _terms(plan: Plan, k: int) -> tuple[Term, ...]:
 def _depends(plan: Plan, k: int, q: Array, values: Array, joint: int, rng: np.random.Generator) -> bool:
     moved = q.copy()
     moved[:, joint] = rng.uniform(-2.9, 2.9, len(q))
-    return bool(np.abs(_number(plan, k, moved) - values).max() > ROUNDED)
+    return bool(np.abs(_number(plan, k, moved) - values).max() > LABEL_TERM)
 
 
 def _points(plan: Plan, joint: int) -> Array:

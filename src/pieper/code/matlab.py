@@ -3,36 +3,37 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
-from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.program import statements
+from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions
 
-WORDS = {
-    "add": "{0} + {1}",
-    "sub": "{0} - {1}",
-    "mul": "{0} * {1}",
-    "div": "{0} / {1}",
-    "neg": "-{0}",
-    "abs": "abs({0})",
-    "sqrt": "real_sqrt({0})",
-    "sin": "sin({0})",
-    "cos": "cos({0})",
-    "atan2": "atan2({0}, {1})",
-    "angle": "angle_of({0}, {1})",
-    "select": "pick({0}, {1}, {2})",
-    "lt": "{0} < {1}",
-    "le": "{0} <= {1}",
-    "gt": "{0} > {1}",
-    "ge": "{0} >= {1}",
-    "eq": "{0} == {1}",
-    "ne": "{0} ~= {1}",
-    "and": "{0} & {1}",
-    "or": "{0} | {1}",
-    "not": "~{0}",
-    "true": "true",
-    "false": "false",
-}
+
+class Matlab(Language):
+    """MATLAB's matrices are one list whose rows end with a semicolon."""
+
+    def numbers(self, value: Any) -> str:
+        """Return numbers as a row or a matrix."""
+        inner = super().numbers(value)
+        return inner if not inner.startswith("[[") else "[" + inner[2:-2].replace("], [", "; ...\n    ") + "]"
+
+
+MATLAB = Matlab(
+    words=USUAL
+    | ENTRYWISE
+    | functions("")
+    | {"sqrt": "real_sqrt({0})", "angle": "angle_of({0}, {1})", "select": "pick({0}, {1}, {2})", "ne": "{0} ~= {1}"},
+    entry=lambda k: f"T({k // 4 + 1}, {k % 4 + 1})",
+    assign=lambda name, _, expression: f"  {name} = {expression};",
+    infinity="Inf",
+    truths=("0", "1"),
+    header=lambda lines: "\n".join(f"% {line}" for line in lines),
+    manner=Manner("sin({0})", "cos({0})", "q({0})", 1, "  {0} = {1};", "side({0}, {1})"),
+    texts="{}'",
+    per_row=("{}", "; "),
+)
+
 
 IK_ALL = """function [q, unclear] = NAME_ik_all(T)
 % NAME_IK_ALL  Rows (m, N) of a pose before limits, and whether the pose is unclear: at and next to singular poses a row
@@ -132,8 +133,6 @@ function L = link(links, i)
 end
 """
 
-MANNER = Manner("sin({0})", "cos({0})", "q({0})", 1, "  {0} = {1};", "side({0}, {1})")
-
 LABEL = """function name = NAME_label(q)
 % NAME_LABEL  The name of a posture q, such as 'front, elbow up, wrist flip'; '' where the postures of this arm have
 % none.
@@ -186,35 +185,7 @@ end
 
 def texts(export: Export, path: Path) -> dict[Path, str]:
     """Return the files' texts: into a folder, or beside a .m file, which then hands out the functions."""
-    lines, said = statements(
-        export.program,
-        WORDS,
-        lambda k: f"T({k // 4 + 1}, {k % 4 + 1})",
-        lambda name, _, expression: f"  {name} = {expression};",
-    )
-    number, program, n = finite_or("Inf"), export.program, export.n
-    rows = "; ".join(", ".join(said(i) for i in program.q[n * m : n * m + n]) for m in range(8))
-
-    def matrix(rows: object) -> str:
-        inner = nested(rows, "[]", number)
-        return inner if not inner.startswith("[[") else "[" + inner[2:-2].replace("], [", "; ...\n    ") + "]"
-
-    parts = {
-        "HEADER": "\n".join(f"% {line}" for line in export.header),
-        "PROGRAM": "\n".join(lines),
-        "ROWS": rows,
-        "VALID": ", ".join(said(i) for i in program.valid),
-        "UNCLEAR": said(program.unclear),
-        "SLIDES": "[" + ", ".join(str(int(s)) for s in export.slides) + "]",
-        "LOWER": matrix(export.lower),
-        "UPPER": matrix(export.upper),
-        "LINKS": matrix(export.links.reshape(n + 1, 12)),
-        **MANNER.parts(export.labels, "{" + ", ".join(f"'{name}'" for name in export.labels.names) + "}"),
-        "VERIFIED": repr(export.verified),
-        "TEST_Q": matrix(export.q),
-        "TEST_T": matrix(export.T.reshape(-1, 16)),
-        "COUNTS": "[" + ", ".join(str(k) for k in export.counts) + "]",
-    }
+    parts = MATLAB.parts(export)
     file = path.suffix == ".m"
     folder = path.parent if file else path
     frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "label": LABEL, "self_test": SELF_TEST}

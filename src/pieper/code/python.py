@@ -2,37 +2,25 @@
 
 from __future__ import annotations
 
-from pieper.code.export import Export, filled, finite_or, nested
+from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.program import statements
+from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions, quoted
 
-WORDS = {
-    "add": "{0} + {1}",
-    "sub": "{0} - {1}",
-    "mul": "{0} * {1}",
-    "div": "{0} / {1}",
-    "neg": "-{0}",
-    "abs": "np.abs({0})",
-    "sqrt": "np.sqrt({0})",
-    "sin": "np.sin({0})",
-    "cos": "np.cos({0})",
-    "atan2": "np.arctan2({0}, {1})",
-    "angle": "_angle({0}, {1})",
-    "select": "np.where({0}, {1}, {2})",
-    "lt": "{0} < {1}",
-    "le": "{0} <= {1}",
-    "gt": "{0} > {1}",
-    "ge": "{0} >= {1}",
-    "eq": "{0} == {1}",
-    "ne": "{0} != {1}",
-    "and": "{0} & {1}",
-    "or": "{0} | {1}",
-    "not": "~{0}",
-    "true": "np.True_",
-    "false": "np.False_",
-}
 
-MANNER = Manner("np.sin({0})", "np.cos({0})", "q[{0}]", 0, "    {0} = {1}", "_side({0}, {1})")
+def arrays(module: str) -> Language:
+    """Return the language of a module of arrays, NumPy or what is called as it is, after its name here."""
+    named = {"angle": "_angle({0}, {1})", "select": f"{module}.where({{0}}, {{1}}, {{2}})"}
+    named |= {"atan2": f"{module}.arctan2({{0}}, {{1}})", "true": f"{module}.True_", "false": f"{module}.False_"}
+    return Language(
+        words=USUAL | ENTRYWISE | functions(f"{module}.") | named,
+        entry=lambda k: f"T[:, {k // 4}, {k % 4}]",
+        assign=lambda name, _, expression: f"    {name} = {expression}",
+        infinity=f"{module}.inf",
+        truths=("False", "True"),
+        header=quoted,
+        manner=Manner("np.sin({0})", "np.cos({0})", "q[{0}]", 0, "    {0} = {1}", "_side({0}, {1})"),
+    )
+
 
 FRAME = '''"""@HEADER@
 
@@ -44,10 +32,10 @@ label(q) takes (n,).
 
 import numpy as np
 
-LOWER = np.array(@LOWER_NUMBERS@)
-UPPER = np.array(@UPPER_NUMBERS@)
-SLIDES = np.array(@SLIDES_NUMBERS@)
-LINKS = np.array(@LINKS_NUMBERS@).reshape(-1, 3, 4)
+LOWER = np.array(@LOWER@)
+UPPER = np.array(@UPPER@)
+SLIDES = np.array(@SLIDES@)
+LINKS = np.array(@LINKS@).reshape(-1, 3, 4)
 _TURN = 6.28318530717958647693
 
 
@@ -162,27 +150,4 @@ if __name__ == "__main__":
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    lines, said = statements(
-        export.program,
-        WORDS,
-        lambda k: f"T[:, {k // 4}, {k % 4}]",
-        lambda name, _, expression: f"    {name} = {expression}",
-    )
-    number, program = finite_or("np.inf"), export.program
-    parts = {
-        "HEADER": "\n".join(export.header).replace("\\", "/").replace('"""', "'''"),
-        "LOWER_NUMBERS": nested(export.lower, "[]", number),
-        "UPPER_NUMBERS": nested(export.upper, "[]", number),
-        "SLIDES_NUMBERS": "[" + ", ".join(str(s) for s in export.slides) + "]",
-        "LINKS_NUMBERS": nested(export.links.reshape(export.n + 1, 12), "[]", number),
-        "PROGRAM": "\n".join(lines),
-        "ROWS": ", ".join(said(i) for i in program.q),
-        "VALID": ", ".join(said(i) for i in program.valid),
-        "UNCLEAR": said(program.unclear),
-        **MANNER.parts(export.labels, repr(list(export.labels.names))),
-        "VERIFIED": repr(export.verified),
-        "TEST_Q": nested(export.q, "[]", number),
-        "TEST_T": nested(export.T.reshape(-1, 16), "[]", number),
-        "COUNTS": "[" + ", ".join(str(k) for k in export.counts) + "]",
-    }
-    return filled(FRAME, parts, export)
+    return filled(FRAME, arrays("np").parts(export), export)

@@ -11,7 +11,8 @@ import tempfile
 from pathlib import Path
 
 from pieper.code import cpp
-from pieper.code.export import Export, filled
+from pieper.code.export import Export
+from pieper.code.language import filled
 from pieper.errors import InputError
 
 API = """#define NAME_PLAIN

@@ -7,9 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from pieper.code import c, cpp, javascript, jax, matlab, python, wasm
-from pieper.code.export import Export, ExportedArm, export
+from pieper.code.export import Export, export
 from pieper.document.writing import whole_file
 from pieper.errors import InputError
+from pieper.solver.plan.planned_arm import PlannedArm
 
 #: A printer takes an export and a path, and returns what goes into which file.
 Printer = Callable[[Export, Path], dict[Path, bytes]]
@@ -28,13 +29,13 @@ PRINTERS: dict[str, Printer] = {
     "c++": _one(cpp.text),
     "python": _one(python.text),
     "matlab": _matlab,
-    "javascript": lambda export, path: {path: javascript.text_for(path.suffix)(export).encode()},
+    "javascript": lambda export, path: {path: javascript.text(export, path.suffix).encode()},
     "jax": _one(jax.text),
     "wasm": lambda export, path: {path: wasm.content(export, path.suffix)},
 }
 
 
-def write(arm: ExportedArm, language: str, path: str | os.PathLike[str], name: str = "arm") -> Path:
+def write(arm: PlannedArm, language: str, path: str | os.PathLike[str], name: str = "arm") -> Path:
     """Write an arm's solver in a language; see `pieper.Arm.code`.
 
     Raises:

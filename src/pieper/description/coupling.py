@@ -9,7 +9,7 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from pieper.errors import InputError
-from pieper.tolerances import WORST_CONDITION
+from pieper.tolerances import MOVES_NOTHING, WORST_CONDITION
 from pieper.words_by_number import plural
 
 
@@ -45,7 +45,7 @@ def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.
         who = [
             f"{value / np.abs(still).max():.3g} of {name}"
             for name, value in zip(names, still, strict=True)
-            if abs(value) > 1e-3 * np.abs(still).max()
+            if abs(value) > MOVES_NOTHING * np.abs(still).max()
         ]
         raise InputError(
             f"the coupling is singular: {', '.join(who)} together move nothing, so no pose says what they are. "

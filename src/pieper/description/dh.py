@@ -128,6 +128,8 @@ class Description:
         bodies: What the arm is made of; empty where nothing is known.
         allowed: Pairs of names of bodies that may touch, beside neighbours.
         unmeasured: Where bodies are to be had, when there are none yet.
+        payload: What the maker says the arm carries, kg; None where it is not known.
+        reach: How far the maker says the arm reaches, m; None where it is not known.
     """
 
     name: str
@@ -155,6 +157,8 @@ class Description:
     bodies: tuple[Body, ...] = ()
     allowed: tuple[tuple[str, str], ...] = ()
     unmeasured: Unmeasured | None = None
+    payload: float | None = None
+    reach: float | None = None
 
     @property
     def n(self) -> int:

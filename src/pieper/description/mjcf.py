@@ -41,18 +41,77 @@ def read(
     """
     path = Path(path)
     bytes_of(path, LARGEST_FILE, "MJCF file")
-    return arm_of(_tree(path), base=base, tip=tip, missing_limits=missing_limits)
+    return arm_of(tree_of(path), base=base, tip=tip, missing_limits=missing_limits)
 
 
-def _tree(path: Path) -> Tree:
+def tree_of(path: Path) -> Tree:
+    """Return the links and joints of an MJCF file."""
+    mujoco = _package(path)
+    return _links(compiled(mujoco, path), mujoco, str(path))
+
+
+def looks(path: Path) -> tuple[Tree, list[tuple[str, Any, dict[str, Any]]], dict[str, npt.NDArray[np.float32]]]:
+    """Return the tree, the shapes of each body to look at (groups 0 to 2), and the corners (k, 3, 3) of the meshes.
+
+    Raises:
+        InputError: A mesh is missing, or it is no model; the message says what MuJoCo said.
+    """
+    mujoco = _package(path)
+    try:
+        model: Any = mujoco.MjModel.from_xml_path(str(path))
+    except (ValueError, RuntimeError, TypeError) as error:
+        reason = " ".join(str(error).split())
+        raise InputError(f"{path}: its looks cannot be read: {reason[:300]}", file=str(path)) from None
+    bodies = [model.body(i).name or f"body_{i}" for i in range(model.nbody)]
+    kinds = {
+        int(mujoco.mjtGeom.mjGEOM_BOX): "box",
+        int(mujoco.mjtGeom.mjGEOM_CYLINDER): "cylinder",
+        int(mujoco.mjtGeom.mjGEOM_CAPSULE): "capsule",
+        int(mujoco.mjtGeom.mjGEOM_SPHERE): "sphere",
+        int(mujoco.mjtGeom.mjGEOM_MESH): "mesh",
+    }
+    found: list[tuple[str, Any, dict[str, Any]]] = []
+    triangles: dict[str, npt.NDArray[np.float32]] = {}
+    for g in range(model.ngeom):
+        kind = kinds.get(int(model.geom_type[g]))
+        if kind is None or int(model.geom_group[g]) > 2 or int(model.geom_bodyid[g]) == 0:
+            continue
+        size = [float(v) for v in model.geom_size[g]]
+        material = int(model.geom_matid[g])
+        rgba = model.mat_rgba[material] if material >= 0 else model.geom_rgba[g]
+        colour = tuple(float(v) for v in rgba)
+        T = _pose(model.geom_pos[g], model.geom_quat[g])
+        body = bodies[model.geom_bodyid[g]]
+        if kind == "mesh":
+            name, corners = _triangles(model, int(model.geom_dataid[g]))
+            triangles[name] = corners
+            found.append((body, T, {"kind": kind, "size": (1.0, 1.0, 1.0), "mesh": name, "colour": colour}))
+            continue
+        sizes = {
+            "box": tuple(2 * v for v in size),
+            "cylinder": (size[0], 2 * size[1]),
+            "capsule": (size[0], 2 * size[1]),
+            "sphere": (size[0],),
+        }
+        found.append((body, T, {"kind": kind, "size": sizes[kind], "colour": colour}))
+    return _links(model, mujoco, str(path)), found, triangles
+
+
+def _triangles(model: Any, mesh: int) -> tuple[str, npt.NDArray[np.float32]]:
+    first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
+    points = np.array(model.mesh_vert[first : first + count], np.float32)
+    face, faces = int(model.mesh_faceadr[mesh]), int(model.mesh_facenum[mesh])
+    return model.mesh(mesh).name or f"mesh_{mesh}", points[np.array(model.mesh_face[face : face + faces])]
+
+
+def _package(path: Path) -> Any:
     try:
         import mujoco  # pyright: ignore[reportMissingImports]
     except ImportError:
         raise InputError(
             f"{path}: reading MJCF needs an extra: pip install 'pieper[mujoco]'.", file=str(path)
         ) from None
-    model = compiled(mujoco, path)
-    return _links(model, mujoco, str(path))
+    return mujoco
 
 
 def compiled(mujoco: Any, path: str | Path) -> Any:

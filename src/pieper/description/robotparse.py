@@ -30,6 +30,9 @@ TOP_KEYS = (
     "manufacturer",
     "source",
     "notes",
+    "payload_kg",
+    "reach_mm",
+    "reach_m",
     "departures",
     "convention",
     "joints",
@@ -145,7 +148,7 @@ def _description(document: dict, top: Place) -> Description:
         # where no table is said, neither are its frames: bodies are said in the base's, all joints at zero
         frames = frames_of(arm, np.zeros(arm.n))
         bodies = tuple(body.moved(inverse(frames[body.on]) @ said_base) for body in bodies)
-    return replace(arm, bodies=bodies, allowed=allowed)
+    return replace(arm, bodies=bodies, allowed=allowed, payload=_payload(document, top), reach=_reach(document, top))
 
 
 def _joint(
@@ -221,6 +224,24 @@ def _limits(table: dict, kind: str, place: Place) -> tuple[float, float]:
             f"the limits are swapped: lower {table[key][0]} is above upper {table[key][1]}.", key, given=table[key]
         )
     return lower, upper
+
+
+def _payload(document: dict, top: Place) -> float | None:
+    if "payload_kg" not in document:
+        return None
+    value = number(document["payload_kg"], "", top, "payload_kg")
+    return _above_zero(value, "payload_kg", top)
+
+
+def _reach(document: dict, top: Place) -> float | None:
+    key, unit = one_key(document, "reach", UNITS_OF["length"], top, required=False)
+    return None if key is None else _above_zero(number(document[key], unit, top, key), key, top)
+
+
+def _above_zero(value: float, key: str, top: Place) -> float:
+    if value <= 0:
+        top.fail(f"must be above zero, got {value:g}; leave it out where it is not known.", key, given=value)
+    return value
 
 
 def _departures(document: dict, top: Place) -> tuple[str, ...]:

@@ -44,7 +44,7 @@ class Solids:
                 case ("robot", "link", "collision"):
                     T = np.eye(4)
                 case ("robot", "link", "collision", "origin"):
-                    T = _origin(said)
+                    T = origin_of(said)
                 case ("robot", "link", "collision", "geometry", kind):
                     self._said.setdefault(link, []).append((T, kind, dict(said)))
 
@@ -72,7 +72,7 @@ class Solids:
     def _shape(self, T: Array, kind: str, said: dict[str, str], link: str) -> tuple[Shape, str]:
         source = f"the collision {kind} of {link}"
         if kind == "box":
-            return Box(T, _numbers(said["size"], 3)), source
+            return Box(T, numbers_of(said["size"], 3)), source
         if kind in ("cylinder", "capsule"):
             r, h = float(said["radius"]), float(said["length"])
             z = T[:3, 2] * h / 2
@@ -84,38 +84,45 @@ class Solids:
         name = said["filename"]
         if not name.lower().endswith(".stl"):
             raise InputError(f"{name} is no STL; other meshes are not read.", file=name)
-        points = stl.read(self._found(name)) * np.array(_numbers(said.get("scale", "1 1 1"), 3))
+        points = stl.read(mesh_file(self._file, name)) * np.array(numbers_of(said.get("scale", "1 1 1"), 3))
         shape = enclosing(points @ T[:3, :3].T + T[:3, 3], "")
         word = "box" if isinstance(shape, Box) else "capsule"
         return shape, f"measured: {word} about the mesh {Path(name).name} of {link}"
 
-    def _found(self, name: str) -> Path:
-        """Return the file of a mesh: beside the URDF, or in the package named, which one of the folders above holds."""
-        path = name.removeprefix("file://")
-        if name.startswith(("package://", "model://")):
-            path = name.split("://", 1)[1]
-            package, _, rest = path.partition("/")
-            for folder in self._file.resolve().parents:
-                for place in (folder / package / rest, folder / rest if folder.name == package else None):
-                    if place is not None and place.is_file():
-                        return place
-        place = self._file.parent / path
-        if not place.is_file():
-            raise InputError(f"there is no mesh {name}.", file=name)
-        return place
+
+def mesh_file(file: Path, name: str) -> Path:
+    """Return the file of a mesh: beside the robot's, or in the package named, which one of the folders above holds.
+
+    Raises:
+        InputError: There is no such file.
+    """
+    path = name.removeprefix("file://")
+    if name.startswith(("package://", "model://")):
+        path = name.split("://", 1)[1]
+        package, _, rest = path.partition("/")
+        for folder in file.resolve().parents:
+            for place in (folder / package / rest, folder / rest if folder.name == package else None):
+                if place is not None and place.is_file():
+                    return place
+    place = file.parent / path
+    if not place.is_file():
+        raise InputError(f"there is no mesh {name}.", file=name)
+    return place
 
 
-def _origin(said: dict[str, str]) -> Array:
+def origin_of(said: dict[str, str]) -> Array:
+    """Return the pose (4, 4) of an <origin>, NaN where its numbers cannot be read."""
     T = np.eye(4)
     try:
-        T[:3, :3] = rotation("rpy", _numbers(said.get("rpy", "0 0 0"), 3))
-        T[:3, 3] = _numbers(said.get("xyz", "0 0 0"), 3)
+        T[:3, :3] = rotation("rpy", numbers_of(said.get("rpy", "0 0 0"), 3))
+        T[:3, 3] = numbers_of(said.get("xyz", "0 0 0"), 3)
     except ValueError:
         T[:3, 3] = np.nan
     return T
 
 
-def _numbers(text: str, count: int) -> list[float]:
+def numbers_of(text: str, count: int) -> list[float]:
+    """Return so many numbers of a text, or raise ValueError."""
     values = [float(word) for word in text.split()]
     if len(values) != count:
         raise ValueError(text)

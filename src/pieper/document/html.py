@@ -9,6 +9,7 @@ from pathlib import Path
 
 from pieper.document import blocks as b
 from pieper.document.formulas import equals
+from pieper.document.identity import custom_properties, icon_address, identity
 from pieper.document.mathml_fit import displayed, fitted, inline
 from pieper.document.writer import Typesetter
 
@@ -31,14 +32,17 @@ def page(document: b.Document) -> str:
     title = escaped(document.title)
     summary = f'<div class="summary"><p>{escaped(document.summary)}</p></div>' if document.summary else ""
     subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>' if document.subtitle else ""
+    icon, name = icon_address(), identity()["wordmark"]
+    mark = f'<div class="wordmark"><img src="{icon}" alt="">{name}</div>'
     policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
-    style = _font() + STYLE.read_text(encoding="utf-8") + _running_foot(document)
+    own = f":root {{ {custom_properties()} }}\n"
+    style = own + _font() + STYLE.read_text(encoding="utf-8") + _running_foot(document)
     return (
         '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
-        f"<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n"
-        f"<header><h1>{title}</h1>{subtitle}</header>\n{summary}\n{contents}\n{body}\n"
+        f'<title>{title}</title>\n<link rel="icon" href="{icon}">\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n'
+        f"<header>{mark}<h1>{title}</h1>{subtitle}</header>\n{summary}\n{contents}\n{body}\n"
         f"<footer>{FOOTER}</footer>\n</main>\n</body>\n</html>\n"
     )
 

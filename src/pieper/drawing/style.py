@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pieper.document import identity
 from pieper.document.blocks import Picture
 from pieper.document.writing import write_whole
 from pieper.errors import InputError
@@ -20,17 +21,15 @@ if TYPE_CHECKING:
 
 #: Millimetres a metre.
 MM = 1e3
-#: Okabe and Ito (2008), ordered so that neighbours also differ in lightness; yellow is too pale on white.
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")
+#: Colours of curves: those of the whole house, as many as there are line styles.
+COLOURS = identity.curves()[:7]
 #: One line style a curve, in the same order.
 LINES = ("-", (0, (5, 2)), (0, (1, 1.4)), (0, (7, 2, 1.5, 2)), (0, (3, 1.5)), (0, (7, 2, 1.5, 2, 1.5, 2)), (0, (9, 3)))
 #: One marker a curve, in the same order.
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 #: x, y, z axes of a frame.
-AXES = ("#D55E00", "#009E73", "#0072B2")
-INK = "#1b2733"
-FAINT = "#8a949e"
-GRID = "#dfe3e7"
+AXES = identity.axes()
+INK, FAINT, GRID = identity.colour("ink"), identity.colour("edge"), identity.colour("line")
 
 SUFFIXES = (".png", ".svg", ".pdf")
 

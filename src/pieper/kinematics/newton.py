@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import rotation_vector
@@ -107,7 +108,9 @@ def damped(damping: Array | float) -> Step:
     """Return the step J^T (J J^T + damping I)^-1 e: of minimum norm, and bounded where J has lost rank."""
 
     def step(J: Array, e: Array) -> Array:
-        A = J @ np.swapaxes(J, -1, -2) + np.asarray(damping)[..., None, None] * np.eye(J.shape[-2])
+        # of slopes over several decades an absolute damping may be lost: what keeps A regular grows with it
+        least = NEWTON_FINITE * np.einsum("...ij,...ij->...", J, J)
+        A = J @ np.swapaxes(J, -1, -2) + (np.asarray(damping) + least)[..., None, None] * np.eye(J.shape[-2])
         return np.einsum("bij,bi->bj", J, np.linalg.solve(A, e[..., None])[..., 0])
 
     return step
@@ -181,15 +184,27 @@ def newton(
     q = np.asarray(q, float)
     poses = T if T.ndim == 2 else np.broadcast_to(T, (*q.shape[:-1], 4, 4)).reshape(-1, 4, 4)
 
+    start = q.reshape(-1, chain.n)
+    if rows is None:
+        moved = _kernel.onto(
+            links=chain.links,
+            prismatic=chain.prismatic,
+            length=chain.length,
+            q=start,
+            T=poses,
+            steps=steps,
+            cutoff=cutoff,
+            longest=max_step,
+        )
+        return moved.reshape(q.shape)
+    counted = rows
+
     def miss(at: Array, index: Indices) -> Array:
-        e = pose_difference(chain, at, poses if poses.ndim == 2 else poses[index])
-        return e if rows is None else e @ rows.T
+        return pose_difference(chain, at, poses if poses.ndim == 2 else poses[index]) @ counted.T
 
     def slope(at: Array, index: Indices) -> Array:
-        J = scaled_jacobian(chain, at)
-        return J if rows is None else rows @ J
+        return counted @ scaled_jacobian(chain, at)
 
-    start = q.reshape(-1, chain.n)
     step = shortest(cutoff)
     return settled(miss, slope, start, chain.joints.unit, steps=steps, longest=max_step, step=step)[0].reshape(q.shape)
 

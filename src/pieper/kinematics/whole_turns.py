@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
-from pieper.tolerances import LIMIT_SLACK
+from pieper.tolerances import LIMIT_SLACK, RELATIVE_ROUNDING
 
 TURN = 2 * np.pi
 #: How many turns a joint without a limit that is tied to others is looked for around where it is.
@@ -78,8 +78,8 @@ class WholeTurns:
         ends = self.coupling * lower, self.coupling * upper
         least, most = np.minimum(*ends).sum(1), np.maximum(*ends).sum(1)
         values = self.axes(around)
-        first = np.ceil((least - LIMIT_SLACK - values.max(0)) / TURN - 1e-9).astype(int)
-        last = np.floor((most + LIMIT_SLACK - values.min(0)) / TURN + 1e-9).astype(int)
+        first = np.ceil((least - LIMIT_SLACK - values.max(0)) / TURN - RELATIVE_ROUNDING).astype(int)
+        last = np.floor((most + LIMIT_SLACK - values.min(0)) / TURN + RELATIVE_ROUNDING).astype(int)
         moves: list[Array] = []
         for block in self.blocks:
             turning = block[~self.prismatic[block]]

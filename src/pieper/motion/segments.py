@@ -12,10 +12,10 @@ from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import pose_error
 from pieper.motion.circle import circle
 from pieper.motion.curve import JointCurve
+from pieper.motion.following import followed
 from pieper.motion.instructions import Move
 from pieper.motion.path import between
 from pieper.motion.spline import spline
-from pieper.motion.track import follow
 from pieper.solver.plan.plan import Plan
 from pieper.tolerances import PROGRAM_FOLLOWS_ON, PROGRAM_STANDS, STRAYS
 
@@ -57,7 +57,7 @@ def segment(plan: Plan, number: int, q0: Array, T0: Array, move: Move) -> Segmen
     points = POINTS
     while True:
         s = np.linspace(0.0, 1.0, points)
-        track = follow(plan, _poses(T0, move, s), start=q0)
+        track = followed(plan, _poses(T0, move, s), start=q0)
         if not track.complete:
             raise NoSolutionError(f"move {number} cannot be followed. {track.explain()}", move=number)
         if np.abs(plan.chain.joints.difference(track.q[0], q0)).max() > PROGRAM_FOLLOWS_ON:

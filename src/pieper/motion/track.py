@@ -1,24 +1,24 @@
-"""Following a path: the branch nearest to the start, every stop with its cause, and how far other branches go."""
+"""What following a path gave: the branch that was followed, every stop with its cause, how far other branches go."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
 from pieper.document.columns import Column, Tabular, Units
-from pieper.kinematics.arrays import Array, ArrayLike, Bools
-from pieper.kinematics.forward import checked_joints
-from pieper.kinematics.joints import TURN, inside
-from pieper.kinematics.pose import PoseLike
-from pieper.motion.branches import Strand, strands
-from pieper.motion.continuation import Continuation
-from pieper.motion.path import checked_path
-from pieper.motion.stops import LIMIT, Event, geometric_stop, limit_stop, remarks
+from pieper.kinematics.arrays import Array, Bools
+from pieper.motion.stops import Event
 from pieper.solver.plan.plan import Plan
-from pieper.solver.words.labels import posture_words
-from pieper.tolerances import NEARER_BY, STRANDS_END, STRANDS_MEET, VERIFIED
+from pieper.tolerances import WORTH_SAYING
 from pieper.words_by_number import plural
+
+NO_CURE = (
+    "No cure was found: not another start, nor the tool turned or tilted, nor the path shifted by up to 300 mm lets it "
+    "pass."
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,6 +51,47 @@ class Branch:
         return len(self.q)
 
 
+@dataclass(frozen=True, eq=False)
+class OffLine:
+    """How far the tool leaves the line while the joints move straight from point to point.
+
+    Attributes:
+        metres: Largest distance of the tool from the straight piece between its two points, m.
+        radians: Largest turn away from the piece's rotation, rad.
+        point: The point (0-based) after which the distance is largest.
+    """
+
+    metres: float
+    radians: float
+    point: int
+
+
+@dataclass(frozen=True, eq=False)
+class Cure:
+    """A change with which a path is followed to its end; it was followed to say so.
+
+    Attributes:
+        kind: "start", "tool turned", "tool tilted" or "path shifted".
+        words: What to do, a sentence.
+        amount: How much: the largest joint difference of the start (rad; lengths), the turn (rad) or the shift (m).
+        start: (n,) where to start.
+        path: (N, 4, 4) the path with the change.
+        track: The whole track.
+    """
+
+    kind: str
+    words: str
+    amount: float
+    start: Array
+    path: Array
+    track: Track = field(repr=False)
+
+
+def _none(track: Track) -> tuple[Cure, ...]:
+    del track
+    return ()
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Track(Tabular):
     """What following a path gave.
@@ -71,6 +112,8 @@ class Track(Tabular):
         joint_names: Names of the joints.
         prismatic: (n,) bool.
         plan: How the arm is solved.
+        off_line: How far the tool leaves the line while the joints move straight from point to point.
+        seek: Finds what lets a track that stops pass.
     """
 
     path: Array
@@ -87,6 +130,13 @@ class Track(Tabular):
     joint_names: tuple[str, ...]
     prismatic: Bools
     plan: Plan = field(repr=False)
+    off_line: OffLine = OffLine(0.0, 0.0, 0)
+    seek: Callable[[Track], tuple[Cure, ...]] = field(default=_none, repr=False)
+
+    @cached_property
+    def cures(self) -> tuple[Cure, ...]:
+        """What lets the path pass where the track stops, each followed to its end; worked out when first asked for."""
+        return self.seek(self)
 
     @property
     def points(self) -> int:
@@ -134,122 +184,18 @@ class Track(Tabular):
             text.append(f"Started elsewhere it would have passed: {names}.")
         elif not self.complete and self.branches:
             text.append("No other branch of the first pose reaches the end either.")
+        if not self.complete and self.seek is not _none:
+            text += [f"Cure: {cure.words}" for cure in self.cures] or [NO_CURE]
+        off = self.off_line
+        if off.metres > WORTH_SAYING:
+            where = f"between points {off.point + 1} and {off.point + 2}"
+            turned = f" and turns it by up to {np.degrees(off.radians):.2g} deg" if off.radians > WORTH_SAYING else ""
+            text.append(
+                f"Straight motion of the joints from point to point leads the tool up to {off.metres * 1e3:.2g} mm off "
+                f"the line{turned}, most {where}."
+            )
         return "\n".join(text)
 
     def __repr__(self) -> str:
         end = "complete" if self.complete else f"stops at s = {self.stop.s:.4g}: {self.stop.cause}" if self.stop else ""
         return f"<Track: {self.points} of {plural(len(self.path), 'point')} reached, {end}>"
-
-
-def follow(plan: Plan, path: PoseLike, *, start: ArrayLike | None = None) -> Track:
-    """Follow a path by the branch whose first solution is nearest to the start posture.
-
-    Each branch is carried by continuity, not merely by nearness: steps are compared with what the Jacobian predicts and
-    halved between the points when in doubt, so that a track never changes branch unnoticed. Between two given points
-    the tool is taken to move on the straight line of `pieper.line`. Whole turns stay continuous, from the turn nearest
-    to the start. Where the first pose is singular and has a continuum of solutions, the branches are those that
-    leave it.
-
-    Args:
-        plan: How the arm is solved.
-        path: (N, 4, 4) poses, m; one pose is a path too.
-        start: (n,) posture the arm is in, rad or m; all joints at zero when left out.
-
-    Returns:
-        The Track. A pose that cannot be reached is never an exception: it is the stop, with its cause.
-
-    Raises:
-        InputError: The path is not a stack of poses, or start is not a joint vector.
-    """
-    poses = checked_path(path)
-    now = np.zeros(plan.n) if start is None else checked_joints(start, plan.n, "start")
-    if now.ndim != 1:
-        now = now.reshape(-1)[: plan.n] if now.size == plan.n else checked_joints(now.ravel(), plan.n, "start")
-    way = Continuation(plan, poses)
-    found = strands(way, now)
-    labels = posture_words(plan, np.array([strand.q[0] for strand in found]))
-    branches = tuple(_branch(way, i, found, labels[i], now) for i in range(len(found)))
-    N = len(poses)
-    s = np.linspace(0.0, 1.0, N) if N > 1 else np.zeros(1)
-    chosen = _nearest(way, branches, now)
-    if chosen is None:
-        q, events = np.zeros((0, plan.n)), (_no_start(way, branches),)
-        complete = False
-    else:
-        branch = branches[chosen]
-        q, complete = branch.q, branch.complete
-        events = remarks(way, q, found[chosen].crossings)
-        every = [*events, branch.stop] if branch.stop else list(events)
-        events = tuple(sorted(every, key=lambda e: (e.s, e.stop)))
-    residual = way.residuals(q)
-    standing = np.repeat((q[-1] if len(q) else now)[None], N - len(q), axis=0)
-    return Track(
-        poses,
-        s,
-        np.concatenate([q, standing]),
-        np.arange(N) < len(q),
-        complete,
-        events,
-        branches,
-        chosen,
-        now,
-        residual,
-        way.reachable,
-        plan.names,
-        plan.prismatic,
-        plan,
-    )
-
-
-def _branch(way: Continuation, index: int, found: list[Strand], label: str, start: Array) -> Branch:
-    strand, N = found[index], len(way.path)
-    free = np.array(strand.q)
-    # whole turns are added so that the curve begins inside the limits, as near to the start as they allow
-    free = free + TURN * way.chain.joints.turns(free[0], start, way.plan.limits)
-    outside = ~inside(free, way.plan.limits)
-    wrong = (way.residuals(free) > VERIFIED * np.array([way.chain.length, 1.0])).any(1)
-    last = len(free)
-    if wrong.any():
-        last = int(np.argmax(wrong))
-    meets, stop = None, None
-    if outside[:last].any():
-        last = int(np.argmax(outside.any(1)))
-        stop = limit_stop(way, free, last)
-    elif last < N:
-        meets = _partner(way, index, found)
-        stop = geometric_stop(way, strand, free, meets)
-    s = 1.0 if stop is None else stop.s
-    return Branch(index, label, free[:last], s, last == N, stop, meets, len(free))
-
-
-def _partner(way: Continuation, index: int, found: list[Strand]) -> int | None:
-    """Return the branch that ends at the same place with the same joints, or None."""
-    strand = found[index]
-    for other, candidate in enumerate(found):
-        if other == index or candidate.end is None or strand.end is None:
-            continue
-        if (
-            abs(candidate.end - strand.end) < STRANDS_END
-            and np.abs(way.gap(candidate.at, strand.at)).max() < STRANDS_MEET
-        ):
-            return other
-    return None
-
-
-def _nearest(way: Continuation, branches: tuple[Branch, ...], start: Array) -> int | None:
-    best, distance = None, np.inf
-    for branch in branches:
-        if branch.points:
-            d = float(np.linalg.norm((branch.q[0] - start) / way.unit))
-            if d < distance - NEARER_BY:
-                best, distance = branch.index, d
-    return best
-
-
-def _no_start(way: Continuation, branches: tuple[Branch, ...]) -> Event:
-    """Return why not even the first pose is reached."""
-    if not branches:
-        return Event(0.0, None, "out of reach", True, f"The first pose has no solution. {way.why(0.0)}")
-    stops = [branch.stop for branch in branches if branch.stop is not None]
-    least = min(stops, key=lambda stop: stop.excess)
-    return Event(0.0, least.joint, LIMIT, True, f"The first pose has no solution inside the limits: {least.detail}")

@@ -10,3 +10,5 @@ SLOWEST_RATE = 1e-3
 LARGEST_NUMBER = 1e7
 #: A move whose joints or pose differ by less from where the arm is (rad, m) is none.
 NO_MOVE = 1e-9
+#: By how much (m, rad) a spline that stands for a route may leave it.
+ROUTE_STRAYS_M, ROUTE_STRAYS_RAD = 2e-4, 2e-3

@@ -29,3 +29,5 @@ LIMIT_IS_NONE = 1e5
 SAME_AXIS_LINE = 1e-9
 #: An angle that is replaced by the round one it was cut off from is remarked upon when it changes by more (rad).
 REMARKABLE = 1e-14
+#: Joints whose part of a coupling's null direction is larger are named.
+MOVES_NOTHING = 1e-3

@@ -74,3 +74,16 @@ STRANDS_MEET = 5e-2
 NEARER_BY = 1e-9
 #: Cosine between the ways (in the joints) under which the corner is a reversal, which no curve rounds.
 REVERSES = -0.9999
+#: sigma_min / sigma_max where a branch passed a singularity: its place is known to 2^-18 of a step, under a root.
+BRANCH_PASSED = 2e-3
+#: A stop this near to a point of the path, in spacings, is said to lie at it.
+SAID_AT_POINT = 1e-4
+#: A distance (m) or turn (rad) off the line that nobody would hear of is not said.
+WORTH_SAYING = 1e-6
+#: How near (rad; per length) to a special arrangement a posture is that a branch ends in: half the digits of a double
+#: root are lost, and a branch is carried to 2^-18 of the spacing of the points.
+NEAR_ARRANGEMENT = 2e-2
+#: A point this near to axis 1 (per length) lies on it.
+ON_FIRST_AXIS = 1e-6
+#: Slopes of a step (rad; m) below this are those of a joint that rests.
+JOINT_RESTS = 1e-9

@@ -54,6 +54,8 @@ CLOSEST_STAGES = ((1.0, 12, 24), (1e-3, 24, 10), (1e-8, 30, 6))
 ALIKE_NEAR = 1e-7
 #: A bend or an offset smaller than this has no side (per length; sine).
 NO_SIDE = 1e-9
+#: A term of the sum behind a label's word that is smaller is rounding (per length; sine): a thousandth of NO_SIDE.
+LABEL_TERM = 1e-12
 #: Step of all joints (rad; per length) to either side of a posture that has no label of its own.
 LABEL_STEP = 1e-3
 #: Axes that are at a smaller angle (rad) are parallel for the words of a label.
@@ -64,3 +66,112 @@ ASPECT_SIGN = 1e-12
 TOLD_AS_HIT = 1e-7
 #: Positions missed by less (per length) are reached, turns (rad) are right.
 TOLD_AS_TURN = 1e-6
+#: Directions that a singular pose feels less than this part of the most carry no step onto it.
+PRECISE_RANK = 1e-13
+#: The same where a row is pulled from the side, and must not wander off along what is free.
+SLOW_RANK = 1e-9
+#: Damping of the descent to self-motions: at first, its factor where a step helped and where not, and where a row
+#: rests.
+APPROACH_DAMPING = (1e-1, 0.2, 5.0, 1e3)
+#: The damping of Newton's steps onto the pose at its end.
+APPROACH_LEAST_DAMPING = 1e-14
+#: Rows worse than this after the closed form are polished (per length; rad).
+ARM_ANGLE_POLISH = 1e-13
+#: A circle that a sine or a quadratic's root misses by no more (relative) touches.
+ARM_ANGLE_TOUCHING = 1e-13
+#: What is added to the matrix of a polishing step, so that a singular one can be solved.
+ARM_ANGLE_DAMPING = 1e-12
+#: A row of the chosen value is the point it was chosen for when it is this near (rad; per length).
+CHOSEN_POINT = 1e-6
+#: A seed this near to a traced curve is on it; between the two it is slid onto the curve to see.
+SEED_ON_POLYLINE, SEED_DOUBTFUL = 5e-3, 5e-2
+#: A seed that was slid lies on the curve when it comes this near (rad; per length).
+SEED_ON_CURVE = 1e-5
+#: Steps to either side of a pose (per length; rad), and how many pairs of each.
+SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
+#: Stretches of a swept joint shorter than this (rad; m) are not halved.
+SWEEP_FINEST = 1e-6
+#: A pose is approached from this far to the side (per length; rad) where a row on it is not clear.
+CAREFUL_ASIDE = 1e-9
+#: Sizes of the side steps (per length; rad) from which a singular pose is approached.
+APPROACH_SIZES = (1e-4, 1e-7)
+#: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.
+ON_POLYLINE = 5e-3
+#: The same for curves that nearly hold the pose, whose samples lie 0.2 apart and whose points are less exact.
+ON_NEAR_POLYLINE = 3e-2
+#: Relative singular value below which a second direction stays open: the solutions form a surface.
+OPEN_DIRECTION = 1e-7
+#: Relative sigma_min below which a point may lie on a curve that nearly holds the pose.
+NEARLY_SINGULAR = 1e-3
+#: A solution must hold the pose this well (per length; rad). At a double root this fixes q to its square root only.
+HOLDS = 1e-11
+#: A solution that the kernel did not give must hold it this well, so that poses just out of reach get none.
+HOLDS_EXACTLY = 2e-15
+#: An end of a look lies on a traced curve when it is this near (rad; per length): chords cut corners by as much.
+ENDS_ON_CURVE = 2e-3
+#: Singular starts farther apart (rad; per length) are looked at each.
+APART_SINGULAR = 1e-3
+#: What a point on a curve that nearly holds the pose may miss otherwise (per length; rad).
+FLAT_REST = 1e-9
+#: Isolated solutions are farther than this from every curve (rad; per length),
+ISOLATED_FROM_CURVE = 1e-5
+#: and double roots, whose place is known to half the digits, than this.
+DOUBLES_FROM_CURVE = 1e-4
+#: Along a curve what is missed otherwise stays below this part of what is missed along it.
+PROBE_REST = 1e-2
+#: Angles this near to minus half a turn (rad) are half a turn.
+HALF_TURN_EDGE = 1e-9
+#: A self-motion contains a posture that is this near to it, where nothing else is said (rad; per length).
+CONTAINS = 1e-6
+#: What a curve may miss the pose by at most (per length; rad),
+CURVE_FAR = 1e-4
+#: and the relative sigma_min up to which it is followed.
+CURVE_STEEP = 1e-2
+#: The five equations must hold this well (per length; rad) relative to what the sixth is missed by.
+NEAR_CURVE_HOLDS = 1e-3
+#: Below this they hold whatever is missed.
+NEAR_CURVE_ROUNDING = 1e-10
+#: A curve ends where a step shorter than this (rad; per length) does not go on.
+NEAR_CURVE_SHORTEST = 1e-3
+#: A joint turns along a self-motion when it moves by more (rad; per length).
+JOINT_TURNS = 1e-6
+#: Directions that the pose feels less than this part of the most carry no step onto a curve: it is moved along freely.
+CURVE_RANK = 1e-7
+#: Points of one value that are nearer than this (rad; m) are one.
+ONE_OF_MANY = 1e-7
+#: A step along a curve that is shorter than this (rad; per length) leads nowhere.
+SLIDE_SHORTEST = 1e-10
+#: A curve along which a joint's angle changes by less (rad) does not turn it.
+CLOSED_TURN = 1e-9
+#: Singular values below this part of the largest leave their direction open.
+OPEN_WAYS = 1e-7
+#: A second singular value is smallest where its neighbours are larger by more than this.
+CROSSING_CHANGE = 1e-9
+#: Curves cross where the second singular value comes below this.
+CROSSING_FOUND = 1e-5
+#: A pose that descents inside the limits leave farther away (per length; rad) is not searched for small self-motions.
+NEAR_INSIDE = 3e-2
+#: A pose is out of reach for certain where it is this part farther away than the links laid end to end.
+BEYOND_REACH = 1e-9
+#: A point this near to the polyline of a curve may lie on the curve, and is slid onto it to see.
+NEAR_POLYLINE = 2e-2
+#: How near to a curve inside limits a posture must come to lie on it (rad; per length).
+BOUNDED_ON_CURVE = 1e-6
+#: How precisely the nearest point of a curve is found before it is polished (rad).
+BOUNDED_PRECISE = 1e-4
+#: Damping inside limits at first, its factors where a step helped and where not, and where a row rests.
+BOX_DAMPING = (1e-4, 0.1, 10.0, 1e4)
+#: Least damping: directions that the joints hardly move (1e-7 of the others) carry no step.
+BOX_LEAST_DAMPING = 1e-14
+#: What is missed (per length; rad) below which a row goes on no longer.
+BOX_ON_POSE = 1e-12
+#: Parts of the box's width that are kept free on either side, the widest first, in looking for a point well inside.
+BOX_ROOM = (0.1, 0.01, 1e-4)
+#: The step (rad; per length) at which the nearest point inside limits is reached.
+BOX_SETTLED = 1e-10
+#: A step is taken where the square of the distance falls by more: rounding.
+BOX_NEARER = 1e-14
+#: What keeps the shares of free directions apart, of the largest weight: far below any that counts.
+BOX_REGULAR = 1e-12
+#: Step of a tangent's difference quotient, of the whole course: neither its cube nor rounding over it counts.
+COURSE_STEP = 1e-5

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
@@ -11,11 +10,10 @@ from pieper.description.dh import Description
 from pieper.errors import InputError, PlanError
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, Indices
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import settled, shortest
 from pieper.kinematics.pose import pose_error, rotation_vector
 from pieper.solver import verbs
-from pieper.solver.plan.plan import Plan
+from pieper.solver.plan.planned_arm import PlannedArm
 from pieper.tolerances import (
     TINY,
     VERIFY_AGREES,
@@ -32,18 +30,6 @@ from pieper.words_by_number import plural
 STARTS = 4
 #: Joints without limits are drawn from this far on both sides, rad or m.
 ENDLESS = np.pi
-
-
-class Arm(Protocol):
-    """What is compared; `pieper.Arm` has it all."""
-
-    description: Description
-    chain: Chain
-
-    @property
-    def plan(self) -> Plan:
-        """How the arm is solved; raises `PlanError`."""
-        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,7 +99,7 @@ class Comparison:
         return "\n".join([*rows, self.explain()])
 
 
-def compare(arm: Arm, toolbox: str | Toolbox, *, poses: int = 100, seed: int = 0) -> Comparison:
+def compare(arm: PlannedArm, toolbox: str | Toolbox, *, poses: int = 100, seed: int = 0) -> Comparison:
     """Compare an arm with what a toolbox makes of it, at random postures inside the limits.
 
     Args:
@@ -151,7 +137,7 @@ def _postures(arm: Description, count: int, rng: np.random.Generator) -> Array:
     return low + (high - low) * rng.random((count, arm.n))
 
 
-def _forward(arm: Arm, other: Toolbox, q: Array) -> list[Line]:
+def _forward(arm: PlannedArm, other: Toolbox, q: Array) -> list[Line]:
     length = arm.chain.length
     apart = pose_error(forward.fk(arm.chain, q), np.array([other.fk(row) for row in q]))
     J = forward.jacobian(arm.chain, q) - np.array([other.jacobian(row) for row in q])
@@ -175,7 +161,9 @@ def _line(what: str, off: Array, unit: str, q: Array, scale: float) -> Line:
     return Line(what, float(off[at]), unit, len(off), q[at], bool(off[at] <= VERIFY_AGREES * scale))
 
 
-def _inverse(arm: Arm, other: Toolbox, q: Array, rng: np.random.Generator) -> tuple[list[Line], Array, list[str]]:
+def _inverse(
+    arm: PlannedArm, other: Toolbox, q: Array, rng: np.random.Generator
+) -> tuple[list[Line], Array, list[str]]:
     """Put pieper's solutions through the toolbox, and look for the toolbox's among pieper's."""
     task, joints = arm.plan.task, arm.chain.joints
     back, rows, near, missing, met, on_curves, own = [], [], [], [], 0, 0, 0
@@ -217,7 +205,7 @@ def _inverse(arm: Arm, other: Toolbox, q: Array, rng: np.random.Generator) -> tu
     return lines, np.array(missing).reshape(-1, arm.chain.n), said
 
 
-def _held(arm: Arm, q: Array) -> dict[str, float] | None:
+def _held(arm: PlannedArm, q: Array) -> dict[str, float] | None:
     """Return the values that q has of the joints an arm has to spare; None where it has none."""
     names, spare = arm.description.joint_names, arm.plan.redundancy
     if not spare or not set(spare) <= set(names):
@@ -225,7 +213,7 @@ def _held(arm: Arm, q: Array) -> dict[str, float] | None:
     return {name: float(q[names.index(name)]) for name in spare}
 
 
-def _may_be_held(arm: Arm, q: Array) -> bool:
+def _may_be_held(arm: PlannedArm, q: Array) -> bool:
     """Return whether the joints to spare are inside their limits, where alone they can be held."""
     held = _held(arm, q) or {}
     low, high = arm.description.limits.T
@@ -241,7 +229,7 @@ def _left(T: Array, wanted: Array, task: str) -> tuple[float, float]:
 
 
 def _theirs(
-    arm: Arm, other: Toolbox, T: Array, near: Array, rng: np.random.Generator
+    arm: PlannedArm, other: Toolbox, T: Array, near: Array, rng: np.random.Generator
 ) -> tuple[list[tuple[Array, float]], int]:
     """Return solutions (n,) of the toolbox, how well a pose pins each down, and how many its own solver met."""
     starts = [near + 0.1 * rng.standard_normal(arm.chain.n), *_postures(arm.description, STARTS - 1, rng)]

@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
+from pieper.workbench.looks import Looks, named_only
 from pieper.workbench.messages import MAX_JOINTS, Refused, number, optional, pose, vector, word
 from pieper.workbench.table import arm_from_table, is_of_catalog, table_from_arm
 
@@ -23,16 +24,17 @@ TASKS = ("pose", "position", "position+axis")
 MOTION_POINTS = 241
 
 
-def hello(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
+def hello(message: dict[str, Any], start: pieper.Arm | None, looks: Looks) -> dict[str, Any]:
     """Return what a new page needs first: the version, the catalogue, and an arm unless it brings its own."""
     out: dict[str, Any] = {"version": pieper.__version__, "catalog": pieper.catalog()}
     if message.get("wants_arm"):
         first = start or pieper.load(FIRST_ARM)
         out["table"] = table_from_arm(first, is_of_catalog(first))
+        out["looks"] = looks.of(first)
     return out
 
 
-def load(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
+def load(message: dict[str, Any], start: pieper.Arm | None, looks: Looks) -> dict[str, Any]:
     """Return the table of a catalogue arm."""
     name = word(message.get("name"), "name")
     if name not in pieper.catalog():
@@ -40,7 +42,7 @@ def load(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
     return {"table": table_from_arm(pieper.load(name), name)}
 
 
-def catalogue(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
+def catalogue(message: dict[str, Any], start: pieper.Arm | None, looks: Looks) -> dict[str, Any]:
     """Return what a person chooses an arm by: name, maker, joints, and the points of its frames at a posture (m)."""
     return {"arms": _catalogue()}
 
@@ -59,7 +61,7 @@ def _catalogue() -> list[dict[str, Any]]:
     return found
 
 
-def open_file(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, Any]:
+def open_file(message: dict[str, Any], start: pieper.Arm | None, looks: Looks) -> dict[str, Any]:
     """Return the table of a robot file whose text the page sends."""
     text, name = message.get("text"), word(message.get("name", "robot.toml"), "file name")
     if not isinstance(text, str) or len(text) > LONGEST_FILE:
@@ -69,7 +71,8 @@ def open_file(message: dict[str, Any], start: pieper.Arm | None) -> dict[str, An
         path = Path(folder) / f"robot{suffix}"
         path.write_text(text, encoding="utf-8")
         try:
-            return {"table": table_from_arm(pieper.load(path))}
+            arm = pieper.load(path)
+            return {"table": table_from_arm(arm), "looks": named_only(arm)}
         except pieper.InputError as error:
             raise Refused(str(error).replace(str(path), name)) from None
 

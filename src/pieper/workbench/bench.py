@@ -52,6 +52,7 @@ class Bench:
         from pieper.workbench.server import LARGEST_FRAME, create_app
 
         app = create_app(start=self._arm, bench=self)
+        self._looks = app.state.looks
         config = uvicorn.Config(app, port=port, log_level="error", ws_max_size=LARGEST_FRAME, ws="auto")
         config.timeout_graceful_shutdown = 1
         listener = config.bind_socket()
@@ -76,7 +77,8 @@ class Bench:
         with self._changed:
             self._arm, self._target = shown, None
             self._q = np.clip(np.zeros(shown.n), *shown.limits.T)
-        self._push({"table": table_from_arm(shown, is_of_catalog(shown)), "q": self._q.tolist()})
+        table = table_from_arm(shown, is_of_catalog(shown))
+        self._push({"table": table, "looks": self._looks.of(shown), "q": self._q.tolist()})
 
     @property
     def q(self) -> npt.NDArray[np.float64]:

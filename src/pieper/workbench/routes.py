@@ -11,14 +11,14 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
+from pieper.tolerances import ROUTE_STRAYS_M, ROUTE_STRAYS_RAD, TINY
 from pieper.workbench import around
 from pieper.workbench.messages import MAX_POINTS, Refused, number, optional, pose, vector, whole, word
 
 COSTS = ("motion", "time")
 AXES = ("x", "y", "z")
-#: Poses of a spline that stands for a route, tried from few to many; and by how much (m, rad) it may leave it.
+#: Poses of a spline that stands for a route, tried from few to many.
 KNOTS = (4, 8, 16, 32, 64)
-STRAYS_M, STRAYS_RAD = 2e-4, 2e-3
 Progress = Callable[[dict[str, Any]], None]
 
 
@@ -144,7 +144,7 @@ def to_program(arm: pieper.Arm, message: dict[str, Any], progress: Progress, sto
     """Return the steps of a program that goes a route: the joints to its first posture, a spline through its poses.
 
     A spline goes through what it is given and its own way between: as many poses are given as it takes to stay within
-    STRAYS_M and STRAYS_RAD of the route's own; by how much it strays is measured and said.
+    ROUTE_STRAYS_M and ROUTE_STRAYS_RAD of the route's own; by how much it strays is measured and said.
     """
     progress({"note": "Writing it as steps …"})
     route = route_of(arm, message)
@@ -161,7 +161,7 @@ def to_program(arm: pieper.Arm, message: dict[str, Any], progress: Progress, sto
         metres, radians = _strays(arm, route, poses, knots)
         if best is None or (metres, radians) < best[:2]:
             best = metres, radians, knots
-        if (metres <= STRAYS_M and radians <= STRAYS_RAD) or len(knots) == len(poses) - 1:
+        if (metres <= ROUTE_STRAYS_M and radians <= ROUTE_STRAYS_RAD) or len(knots) == len(poses) - 1:
             break
     assert best is not None
     metres, radians, knots = best
@@ -194,7 +194,7 @@ def _strays(
 def _off(x: npt.NDArray[np.float64], chain: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """Return the distance (k,) of points x (k, d) from a chain of straight pieces (N, d)."""
     along = np.diff(chain, axis=0)
-    size = np.maximum((along**2).sum(1), 1e-300)
+    size = np.maximum((along**2).sum(1), TINY)
     out = np.empty(len(x))
     for k, point in enumerate(x):
         share = np.clip(((point - chain[:-1]) * along).sum(1) / size, 0, 1)

@@ -19,6 +19,7 @@ from starlette.websockets import WebSocket
 
 import pieper
 from pieper import InputError
+from pieper.workbench.looks import Looks
 from pieper.workbench.session import Beside, Session
 
 PAGE = Path(__file__).parent / "page" / "dist"
@@ -43,6 +44,7 @@ HEADERS = {
     "Cross-Origin-Opener-Policy": "same-origin",
     "Cross-Origin-Resource-Policy": "same-origin",
 }
+MESH = "application/octet-stream"
 LOOPBACK = ("localhost", "127.0.0.1", "[::1]")
 MAX_SESSIONS = 200
 #: A frame above this closes the connection before it is read into memory; the session refuses smaller ones politely.
@@ -104,6 +106,7 @@ def create_app(
     """
     first = pieper.load(start) if isinstance(start, str) else start
     files = {address: (path.read_bytes(), TYPES[path.suffix]) for address, path in _files().items()}
+    looks = Looks()
     pool = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench")
     sessions: set[Session] = set()
     headers_of_all = HEADERS if bench is None else {**HEADERS, "Content-Security-Policy": POLICY_FRAMED}
@@ -117,6 +120,12 @@ def create_app(
         headers = headers_of_all | {"Cache-Control": "max-age=31536000, immutable" if lasting else "no-cache"}
         return Response(entry[0], headers=headers, media_type=entry[1])
 
+    def mesh(request: Request) -> Response:
+        found = looks.mesh(request.url.path)
+        if found is None:
+            return PlainTextResponse("There is no such mesh.", 404, headers=headers_of_all)
+        return Response(found, headers={**headers_of_all, "Cache-Control": "no-cache"}, media_type=MESH)
+
     async def socket(websocket: WebSocket) -> None:
         if not same_origin(websocket):
             await websocket.close(1008, "foreign origin")
@@ -125,7 +134,7 @@ def create_app(
         if len(sessions) >= MAX_SESSIONS:
             await websocket.close(1013, f"{MAX_SESSIONS} pages are open already; close one")
             return
-        session = Session(websocket, pool, start=first, bench=bench)
+        session = Session(websocket, pool, looks=looks, start=first, bench=bench)
         sessions.add(session)
         try:
             await session.run()
@@ -138,9 +147,14 @@ def create_app(
         pool.shutdown(wait=False, cancel_futures=True)
 
     app = Starlette(
-        routes=[WebSocketRoute("/session", socket), Route("/{path:path}", page, methods=["GET"])], lifespan=lifespan
+        routes=[
+            WebSocketRoute("/session", socket),
+            Route("/looks/{path:path}", mesh, methods=["GET"]),
+            Route("/{path:path}", page, methods=["GET"]),
+        ],
+        lifespan=lifespan,
     )
-    app.state.sessions = sessions
+    app.state.sessions, app.state.looks = sessions, looks
     app.add_middleware(HostCheck, names=names)
     return app
 

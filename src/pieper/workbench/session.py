@@ -14,6 +14,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 import pieper
 from pieper.workbench import answers, around, long_work, programs, routes, snippet
+from pieper.workbench.looks import Looks
 from pieper.workbench.messages import Refused, parse
 
 QUICK = {
@@ -59,6 +60,7 @@ class Session:
     Args:
         websocket: The accepted connection.
         pool: Threads for everything that computes.
+        looks: What arms look like, and the meshes that pages may fetch.
         start: The arm that a new page opens with, or None.
         bench: The script or notebook that the page stands beside, or None.
     """
@@ -68,11 +70,13 @@ class Session:
         websocket: WebSocket,
         pool: Executor,
         *,
+        looks: Looks,
         start: pieper.Arm | None = None,
         bench: Beside | None = None,
     ) -> None:
         self._websocket = websocket
         self._pool = pool
+        self._looks = looks
         self._start = start
         self._bench = bench
         self.loop = asyncio.get_running_loop()
@@ -132,7 +136,7 @@ class Session:
             await self._send({"seq": seq, "ok": True})
         elif op in answers.TABLES:
             first = self._start if self._bench is None else self._bench.arm
-            result = await self._in_pool(answers.TABLES[op], message, first)
+            result = await self._in_pool(answers.TABLES[op], message, first, self._looks)
             if op == "hello" and self._bench is not None:
                 self._bench.joined(self)
                 result["bench"] = self._bench.opening()

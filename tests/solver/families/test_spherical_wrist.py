@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from oracle.arms.chains import wrist_arm
-from oracle.joints import difference, near_singular, random_joints, scaled
-from oracle.native import missed, newton_solutions, solver_of
+from oracle.joints import difference, random_joints, scaled
+from oracle.native import check_sets, lost_near_singular, missed, solver_of
 from pieper.description.dh import DH, describe
 from pieper.description.fold import chain_of
 from pieper.kinematics.forward import fk
@@ -43,26 +43,15 @@ def test_it_is_found_for_tables_of_right_angles_and_zero_lengths(first):
 @pytest.mark.parametrize("first", [0, 1, 2, 3])
 def test_it_is_found_near_singular_postures_as_well_as_the_pose_tells_them(first):
     rng = np.random.default_rng(40 + first)
-    lost = total = 0
-    for _ in range(3):
-        chain = wrist_arm(rng, first, "RRR", typed=False)
-        solver, Q = solver_of(spherical_wrist, chain), near_singular(rng, chain, 40)
-        # a pose in double precision tells the joints no better than its rounding over the smallest singular value
-        told = np.maximum(1e-6, 1e-14 / np.linalg.svd(scaled(chain, Q), compute_uv=False)[:, -1])
-        lost += sum(len(missed(solver, chain, q[None], t)) for q, t in zip(Q, told, strict=True))
-        total += len(Q)
-    assert total > 60 and lost == 0
+    found = [lost_near_singular(spherical_wrist, wrist_arm(rng, first, "RRR", typed=False), rng) for _ in range(3)]
+    assert sum(lost for lost, _ in found) == 0 and sum(tried for _, tried in found) > 60
 
 
 @pytest.mark.parametrize(("first", "others"), [(3, "RRR"), (0, "RRP"), (1, "RRR"), (2, "RPR")])
 def test_the_set_is_that_of_a_slow_oracle(first, others):
     rng = np.random.default_rng(7 + first)
     chain = wrist_arm(rng, first, others, typed=False)
-    solver = solver_of(spherical_wrist, chain)
-    for T in fk(chain, random_joints(chain, rng, 4)):
-        ours, oracle = solver.one(np.ascontiguousarray(T))[0], newton_solutions(rng, chain, T, 400)
-        assert len(ours) == len(oracle)
-        assert all(difference(chain, oracle, row).min() < 1e-6 for row in ours)
+    check_sets(spherical_wrist, chain, rng, 400)
 
 
 def test_one_pose_and_a_batch_give_the_same_rows_in_the_same_order():

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from oracle.arms.chains import plane_arm
-from oracle.joints import difference, near_singular, random_joints, scaled
-from oracle.native import missed, newton_solutions, solver_of
+from oracle.joints import difference, random_joints
+from oracle.native import check_sets, lost_near_singular, missed, solver_of
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
 from pieper.solver.families import three_parallel
@@ -44,25 +44,15 @@ def test_slides_in_the_plane_and_beside_it_are_taken_too(first):
 @pytest.mark.parametrize("first", [0, 1, 2, 3])
 def test_it_is_found_near_singular_postures_as_well_as_the_pose_tells_them(first):
     rng = np.random.default_rng(70 + first)
-    lost = total = 0
-    for _ in range(3):
-        chain = plane_arm(rng, first, "RRRRRR", typed=False)
-        solver, Q = solver_of(three_parallel, chain), near_singular(rng, chain, 40)
-        told = np.maximum(1e-6, 1e-14 / np.linalg.svd(scaled(chain, Q), compute_uv=False)[:, -1])
-        lost += sum(len(missed(solver, chain, q[None], t)) for q, t in zip(Q, told, strict=True))
-        total += len(Q)
-    assert total > 60 and lost == 0
+    found = [lost_near_singular(three_parallel, plane_arm(rng, first, "RRRRRR", typed=False), rng) for _ in range(3)]
+    assert sum(lost for lost, _ in found) == 0 and sum(tried for _, tried in found) > 60
 
 
 @pytest.mark.parametrize("first", [0, 1])
 def test_the_set_is_that_of_a_slow_oracle(first):
     rng = np.random.default_rng(7 + first)
     chain = plane_arm(rng, first, "RRRRRR", typed=False)
-    solver = solver_of(three_parallel, chain)
-    for T in fk(chain, random_joints(chain, rng, 4)):
-        ours, oracle = solver.one(np.ascontiguousarray(T))[0], newton_solutions(rng, chain, T, 500)
-        assert len(ours) == len(oracle)
-        assert all(difference(chain, oracle, row).min() < 1e-6 for row in ours)
+    check_sets(three_parallel, chain, rng, 500)
 
 
 def test_a_reversed_chain_has_the_reversed_solutions():

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
@@ -16,26 +14,36 @@ from pieper.motion.route.setting import Setting
 from pieper.solver.words.labels import posture_words
 
 
-def blocked_at(task: Task, ladder: Rungs, open_to: int, furthest: int, proof: Callable[[], tuple[int, int]]) -> Blocked:
-    """Return where and why nothing goes on: between the last station that is surely reached, and one that is not."""
+def blocked_at(task: Task, ladder: Rungs, reached: int, begun: float, proved: float) -> Blocked:
+    """Return where and why nothing goes on: what a grid reaches lies before, what is proved to be the end behind.
+
+    Args:
+        task: What the route was to be like.
+        ladder: Rows at stations.
+        reached: Last station that is reached over rows inside the limits, below zero for none.
+        begun: Where the proof begins.
+        proved: Where nothing is left.
+    """
     setting = task.setting
-    at = min(furthest + 1, len(ladder.s) - 1)
-    first = float(ladder.s[max(min(open_to, furthest), 0)])
-    last = float(ladder.s[at])
+    first = min(float(ladder.s[max(reached, 0)]), proved)
+    # the joints are told at a station that was not reached and lies in what is proved
+    at = min(max(reached + 1, int(np.searchsorted(ladder.s, begun, side="left"))), len(ladder.s) - 1)
+    last = max(proved, first)
+    here = float(ladder.s[at])
     valid = ladder.valid[at]
     if not valid.any():
-        why = f"At {last:.4g} of the path the pose is out of reach, however the tool is turned."
-        return Blocked((first, last), (), why, Opening(task, ()), proof)
+        why = f"At {here:.4g} of the path the pose is out of reach, however the tool is turned."
+        return Blocked((first, last), (), why, begun, Opening(task, ()))
     closed = _closed(setting, ladder.x[at], valid)
     if not closed:
         why = (
-            f"At {last:.4g} of the path there are postures inside all limits, but none that is reached from the first "
+            f"At {here:.4g} of the path there are postures inside all limits, but none that is reached from the first "
             "pose without leaving limits on the way: the passages to them are closed."
         )
         closed = _closed(setting, ladder.x[at], valid & (_excess(setting, ladder.x[at])[0] > 0), every=True)
-        return Blocked((first, last), closed, why, Opening(task, closed), proof)
-    why = f"At {last:.4g} of the path every branch is closed:"
-    return Blocked((first, last), closed, why, Opening(task, closed), proof)
+        return Blocked((first, last), closed, why, begun, Opening(task, closed))
+    why = f"At {here:.4g} of the path every branch is closed:"
+    return Blocked((first, last), closed, why, begun, Opening(task, closed))
 
 
 def _excess(setting: Setting, x: Array) -> tuple[Array, Array, Array]:

@@ -15,8 +15,6 @@ from pieper.tolerances import LIMIT_SLACK, NO_DIRECTION
 
 #: The largest step of a joint from rung to rung and on the spot (rad; lengths of the arm).
 STEP = 0.6
-#: How far outside its limits a loose row is looked for at most (rad).
-ROOM = 2.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,14 +43,12 @@ class Way:
         rung: (k,) station of each, not descending; a station may come several times.
         cost: What the ladder takes it to cost; infinite where the last rung is not reached.
         furthest: Last rung reached, -1 for none.
-        reached: (M, C, B) rows that were reached, where rows were loose.
     """
 
     x: Array
     rung: Indices
     cost: float
     furthest: int
-    reached: Bools
 
 
 def rungs(setting: Setting, grid: Grid, s: Array, parts: Array) -> Rungs:
@@ -81,7 +77,6 @@ def climb(
     ends: tuple[Array | None, Array | None] = (None, None),
     all_turns: bool = True,
     wider: float = 0.0,
-    loose: Array | None = None,
 ) -> Way:
     """Return the cheapest way from the first rung to the last.
 
@@ -96,8 +91,6 @@ def climb(
         all_turns: Whether whole turns are carried along; else a joint that can turn all the way round counts as if it
             had no limits, which is quick, and the way found is to be looked at for whole turns that fit.
         wider: By how much all limits of joints are taken for wider (rad; lengths), for a way that is pulled in later.
-        loose: (M, C, B) by how much each row may be outside, infinite where it may also be anywhere: what is not
-            reached then is not reached by anything between the rows either.
     """
     M, limits = len(rung.s), widened(setting, wider)
     if not all_turns:
@@ -108,26 +101,20 @@ def climb(
     if setting.turns:
         longest[:, setting.n] = np.inf if turn_step is None else turn_step
     longest[:, setting.n + setting.turns :] = np.inf
-    room = 0.0 if loose is None else ROOM
-    low = room + wider
-    x, valid = _normal(setting, rung.x, low) if low else rung.x, rung.valid
+    x, valid = _normal(setting, rung.x, wider) if wider else rung.x, rung.valid
     lifts = np.full((2, setting.m), -1, np.int32)
     for at, end in zip((0, -1), ends, strict=True):
         if end is not None:
-            start = _normal(setting, end, low)
+            start = _normal(setting, end, wider)
             lifts[at] = np.round((end - start) / TURN)
             x, valid = _only(setting, x, valid, at, start)
     cell = max((np.ptp(c.values) / max(len(c.values) - 1, 1) for c in grid.coordinates), default=1.0)
-    near = (
-        grid.near(1)
-        if loose is not None
-        else grid.near(max(1, int(round(REACH / max(cell, NO_DIRECTION)))) if len(grid.coordinates) < 2 else 2)
-    )
+    near = grid.near(max(1, int(round(REACH / max(cell, NO_DIRECTION)))) if len(grid.coordinates) < 2 else 2)
     spot = grid.near(1)
     on_spot = np.full(setting.m, -1.0)
-    if on_the_spot and (turn_step is None or loose is not None) and len(grid.cells) > 1:
+    if on_the_spot and turn_step is None and len(grid.cells) > 1:
         on_spot = np.where(np.arange(setting.m) < setting.n, STEP * unit, np.inf)
-    q, at, cost, furthest, _, reached = _kernel.ladder(
+    q, at, cost, furthest, _ = _kernel.ladder(
         q=x,
         valid=valid,
         limits=limits,
@@ -140,14 +127,10 @@ def climb(
         on_spot=on_spot,
         largest=largest,
         slack=LIMIT_SLACK,
-        room=room,
         first=lifts[0],
         last=lifts[-1],
-        loose=np.zeros(0) if loose is None else loose,
     )
-    marks = np.zeros((M, *valid.shape[1:]), bool)
-    marks.reshape(-1)[: len(reached)] = reached
-    return Way(_continuous(setting, q, limits), at, float(cost), int(furthest), marks)
+    return Way(_continuous(setting, q, limits), at, float(cost), int(furthest))
 
 
 def widened(setting: Setting, by: float) -> Array:

@@ -1,95 +1,149 @@
-"""Why there is no route: everything that could be reached, with room for what lies between the rows that were solved.
+"""Why there is no route: a place that nothing inside the limits gets past, found on a grid and then proved.
 
-Around each row lies a cell, half way to its neighbours in the turn and along the path. What lies in the cell differs
-from the row by no more than a bound that is taken from how far its neighbours are, or at a fold its partner; a row
-counts as closed only where a joint is outside its limit by more than that. What is reached from the first pose over
-cells that are not closed is more than any motion can reach; where that ends before the last pose on two grids, one
-twice as fine as the other, there is no route. The bounds of the cells at the edge, which are what stops it, can be
-proved one by one by Newton's method on finer parts (Kantorovich); `Blocked.proved` does so and says of how many.
+A grid of turns and stations, and a front that is followed roughly, tell where the way ends. There the proof begins: at
+a station everything inside the limits is known (each joint held at each of its limits and the others solved, and rows
+between); followed along the path with bounds of how far anything can stray (`front.py`), it must come to nothing. Where
+that fails the proof begins earlier, up to the first pose, and with smaller steps.
 """
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Bools
-from pieper.kinematics.joints import TURN
-from pieper.motion.route.cells import certified, looseness
+from pieper.kinematics.arrays import Array
 from pieper.motion.route.closed import blocked_at
 from pieper.motion.route.freedom import Verdict
-from pieper.motion.route.grid import Grid, grid
-from pieper.motion.route.ladder import STEP, Rungs, climb, rungs
+from pieper.motion.route.front import Ended, Front, can_be_followed, everything_at, follow, modulo_turns
+from pieper.motion.route.grid import grid
+from pieper.motion.route.ladder import Rungs, climb, rungs
 from pieper.motion.route.result import Blocked
 from pieper.motion.route.search import Task
 from pieper.motion.route.setting import Setting
+from pieper.tolerances import TAKEN_UP_BEHIND
 
-#: How much finer than the first ladder the grids are on which a proof is tried, and the stations of each at least.
-FINER, STATIONS = (1, 2, 4), (100, 200, 400)
-#: Rows that a grid may have in all.
-MOST_ROWS = 6_000_000
+#: Stations of the grid where a coordinate is free, and where none is.
+STATIONS, DENSE = 100, 400
+#: Parts of the largest steps that the bounds allow, tried one after the other.
+FINE = (1.0, 0.4, 0.15)
+#: Steps, in those that the bounds allow, with which the end is looked for without proof; where the proof begins before
+#: that end, as parts of the path, and how far behind it goes on.
+ROUGH, BACK, ON = 2.5, (0.003, 0.02), 0.01
+#: Points that may be looked at in all, and how often a front that lost its grip is taken up again behind that place.
+MOST, AGAIN = 1_500_000, 6
 
 
 @dataclass(frozen=True, eq=False)
-class Ruled:
-    """How far everything reaches that is not ruled out.
+class Proof:
+    """A place that nothing gets past.
 
     Attributes:
-        grid: The cells.
-        rungs: The rows.
-        loose: (M, C, B) what each may be outside by.
-        open: Last station that is reached over rows inside the limits.
-        furthest: Last station reached.
-        reached: (M, C, B).
+        begun: Where everything inside the limits was known.
+        s: What is followed from there ends before.
+        looked: Points looked at.
     """
 
-    grid: Grid
-    rungs: Rungs
-    loose: Array
-    open: int
-    furthest: int
-    reached: Bools
+    begun: float
+    s: float
+    looked: int
 
 
 def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
     """Return the verdict where no route was found, where it is blocked, and the reason in a sentence."""
     setting = task.setting
-    if setting.spare > 1:
+    if not can_be_followed(setting):
         return _nothing_proved(task)
-    before: Ruled | None = None
-    for finer, count in zip(FINER, STATIONS, strict=True):
-        cells = grid(setting, finer if setting.spare else 1)
-        s = _dense(setting.s, count if setting.spare else 4 * count)
-        if len(s) * len(cells.cells) * 8 > MOST_ROWS:
-            break
-        ruled = _ruled(task, cells, rungs(setting, cells, s, np.ones(len(s) - 1)))
-        if ruled is not None and before is not None:
-            return _told(task, ruled)
-        before = ruled
-    if task.keep.anything:
-        return (
-            Verdict.UNCERTAIN,
-            None,
-            "Uncertain: no route was found that keeps the clearance and the distance to singular postures asked for; "
-            "without these none could be ruled out.",
-        )
-    return (
-        Verdict.UNCERTAIN,
-        None,
-        "Uncertain: no route was found, and none could be ruled out: at the finest grid tried cells that may be "
-        "feasible still lead from the first pose to the last. More points, or a little more room, decide it.",
-    )
+    cells = grid(setting)
+    s = _dense(setting.s, STATIONS if setting.spare else DENSE)
+    ladder = rungs(setting, cells, s, np.ones(len(s) - 1))
+    left, reached, proof = MOST, len(s) - 1, None
+    for limits in _limits(setting):
+        whole = limits is setting.limits
+        way = climb(setting, cells, ladder, on_the_spot=True, ends=task.ends, all_turns=whole)
+        reached = way.furthest
+        proof, looked = _closed(task, limits, ladder, reached, left)
+        left -= looked
+        if proof is not None:
+            return _told(task, ladder, reached, proof)
+    return _uncertain(task)
 
 
-def _told(task: Task, ruled: Ruled) -> tuple[Verdict, Blocked, str]:
-    blocked = blocked_at(task, ruled.rungs, ruled.open, ruled.furthest, Proof(task, ruled))
-    where = f"gets past {blocked.s[1]:.4g} of the path" if ruled.furthest >= 0 else "begins at the first pose"
-    turns = f", {len(ruled.grid.cells)} turns each" if task.setting.spare else ""
+def _limits(setting: Setting) -> list[Array]:
+    """Return what is proved against: the limits without those of joints that can turn all the way round, then all."""
+    loose = modulo_turns(setting)
+    return [setting.limits] if np.array_equal(loose, setting.limits) else [loose, setting.limits]
+
+
+def _closed(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -> tuple[Proof | None, int]:
+    """Return a place that nothing gets past, if one is proved, and how many points were looked at."""
+    looked = 0
+    for first, last, fine in _windows(task, limits, ladder, reached, most):
+        begin = first
+        for _ in range(AGAIN):
+            seeds = _known(task, limits, begin)
+            found = follow(task.setting, limits, seeds, (begin, last), fine, most - looked)
+            looked += found.looked
+            if found.ended is Ended.DIED or (found.ended is Ended.ARRIVED and _misses_end(task, found)):
+                return Proof(begin, found.s, looked), looked
+            if looked >= most:
+                return None, looked
+            begin = found.s + TAKEN_UP_BEHIND
+            if found.ended is not Ended.SINGULAR or begin > last:
+                break
+    return None, looked
+
+
+def _windows(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -> Iterator[tuple[float, float, float]]:
+    """Yield from where to where it is tried, and how finely: one station, then more and more of the path."""
+    s = ladder.s
+    inside = ladder.valid & task.setting.chain.joints.inside_limits(ladder.x, task.setting.limits)[1]
+    empty = np.flatnonzero(~inside.any((1, 2)))
+    if len(empty):
+        # the first stretch of stations without any row that the way leads to
+        begin = int(empty[np.argmax(empty >= min(reached, int(empty[-1])))])
+        end = begin
+        while end + 1 in empty:
+            end += 1
+        for fine in FINE:
+            yield float(s[(begin + end) // 2]), float(s[(begin + end) // 2]), fine
+    rough = follow(task.setting, limits, _known(task, limits, 0.0), (0.0, 1.0), ROUGH, most)
+    if rough.ended is Ended.ARRIVED and not _misses_end(task, rough):
+        return
+    last = min(rough.s + ON, 1.0)
+    for back, fine in itertools.zip_longest(BACK, FINE):
+        if back is not None and back < rough.s:
+            yield rough.s - back, last, FINE[1]
+        yield 0.0, last, fine
+
+
+def _known(task: Task, limits: Array, begin: float) -> Array:
+    """Return joint vectors on all that may be reached at a place where the proof begins."""
+    start = task.ends[0]
+    if begin == 0.0 and start is not None:
+        return start[None]
+    return everything_at(task.setting, limits, begin)
+
+
+def _misses_end(task: Task, found: Front) -> bool:
+    """Whether what may be reached at the last pose is not the posture that the route is to end with."""
+    end = task.ends[1]
+    if end is None or found.s < 1.0:
+        return False
+    gap = task.setting.chain.joints.difference(found.q, end) / task.setting.chain.joints.unit
+    return bool((np.linalg.norm(gap, axis=1) > found.within).all())
+
+
+def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdict, Blocked, str]:
+    blocked = blocked_at(task, ladder, reached, proof.begun, proof.s)
+    where = f"no motion gets past {proof.s:.6g} of the path" if proof.s > 0 else "no motion begins at the first pose"
+    if proof.s >= 1.0 and reached == len(ladder.s) - 1:
+        where = "the posture that it is to end with is not reached"
     reason = (
-        f"Impossible: no motion {where}, whatever the branch and the whole turns. From the first pose "
-        f"{int(ruled.reached.sum())} cells may be reached ({len(ruled.rungs.s)} stations{turns}); each cell beside "
-        "them has a joint outside its limits throughout, or no solution."
+        f"Impossible: {where}, whatever the branch, the turn and the whole turns. Everything inside the limits at "
+        f"{proof.begun:.6g} of the path was followed with proved bounds and ends before: {proof.looked} points."
     )
     return Verdict.IMPOSSIBLE, blocked, reason
 
@@ -103,64 +157,20 @@ def _nothing_proved(task: Task) -> tuple[Verdict, Blocked | None, str]:
     )
 
 
-def _ruled(task: Task, cells: Grid, ladder: Rungs) -> Ruled | None:
-    """Return how far everything reaches that is not ruled out, where that is not the end."""
-    loose = looseness(task.setting, cells, ladder)
-    for all_turns in (False, True):
-        way = climb(task.setting, cells, ladder, on_the_spot=True, ends=task.ends, all_turns=all_turns, loose=loose)
-        if way.furthest < len(ladder.s) - 1:
-            sure = climb(
-                task.setting,
-                cells,
-                ladder,
-                on_the_spot=True,
-                ends=task.ends,
-                all_turns=all_turns,
-                loose=np.zeros_like(loose),
-            )
-            return Ruled(cells, ladder, loose, sure.furthest, way.furthest, way.reached)
-    return None
-
-
-@dataclass(frozen=True, eq=False)
-class Proof:
-    """Proves the bounds of the cells that stop everything, when asked: how many of how many."""
-
-    task: Task
-    ruled: Ruled
-
-    def __call__(self) -> tuple[int, int]:
-        """Return how many cells at the edge have a proved bound, and how many there are."""
-        ruled, setting = self.ruled, self.task.setting
-        edge = _edge(setting, ruled.grid, ruled.rungs, ruled.reached)
-        if self.task.ends[0] is None:
-            edge[0] |= ruled.rungs.valid[0] & ~ruled.reached[0]
-        proved = certified(setting, ruled.grid, ruled.rungs, ruled.loose, edge)
-        return int(proved.sum()), len(proved)
-
-
-def _edge(setting: Setting, cells: Grid, ladder: Rungs, reached: Bools) -> Bools:
-    """Return rows (M, C, B) that were not reached, in cells beside reached rows and no farther than a step from one."""
-    near = cells.near(1)
-    n, unit = setting.n, setting.chain.joints.unit[: setting.n]
-    turning = ~setting.plan.prismatic
-    edge = np.zeros_like(reached)
-    rung, cell, row = np.nonzero(reached)
-    if not len(rung):
-        return edge
-    x = ladder.x[rung, cell, row, :n]
-    for shift in (-1, 0, 1):
-        to = np.clip(rung + shift, 0, len(ladder.s) - 1)
-        for column in near[cell].T:
-            ok = (column >= 0) & (to == rung + shift)
-            other = np.where(ok, column, 0)
-            candidate = ladder.valid[to, other] & ~reached[to, other] & ok[:, None]
-            which, b = np.nonzero(candidate)
-            gap = ladder.x[to[which], other[which], b, :n] - x[which]
-            gap = np.where(turning, gap - TURN * np.round(gap / TURN), gap / unit)
-            close = np.abs(gap).max(1) <= STEP
-            edge[to[which[close]], other[which[close]], b[close]] = True
-    return edge
+def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:
+    if task.keep.anything or task.turn_step is not None:
+        return (
+            Verdict.UNCERTAIN,
+            None,
+            "Uncertain: no route was found that keeps the clearance, the distance to singular postures and the turn "
+            "rate asked for; without these none could be ruled out.",
+        )
+    return (
+        Verdict.UNCERTAIN,
+        None,
+        "Uncertain: no route was found, and none could be ruled out: followed with proved bounds, something may lead "
+        "from the first pose to the last. A little more room decides it.",
+    )
 
 
 def _dense(s: Array, count: int) -> Array:

@@ -63,23 +63,15 @@ class Blocked:
         s: (first, last) between which every passage closes, 0 to 1.
         closed: What closes each branch there; empty where the pose is out of reach.
         why: A sentence.
+        begun: Where on the path everything inside the limits was known; followed from there, it comes to nothing.
         others: Seeks the smallest changes that let a route through.
-        proof: Proves the cells that stop everything.
     """
 
     s: tuple[float, float]
     closed: tuple[Closed, ...]
     why: str
+    begun: float
     others: Callable[[], tuple[Relaxation, ...]] = field(default=tuple, repr=False, compare=False)
-    proof: Callable[[], tuple[int, int]] = field(default=lambda: (0, 0), repr=False, compare=False)
-
-    @cached_property
-    def proved(self) -> tuple[int, int]:
-        """Of how many cells that stop everything the bound was proved by Kantorovich's theorem, and of how many in all.
-
-        It takes seconds. Cells at a fold, where the arm is singular with the turn held, are not proved this way.
-        """
-        return self.proof()
 
     @cached_property
     def relaxations(self) -> tuple[Relaxation, ...]:

@@ -125,6 +125,17 @@ class Setting:
         out[part == 0.0], out[part == 1.0] = self.path[k[part == 0.0]], self.path[k[part == 1.0] + 1]
         return out.reshape(*s.shape, 4, 4)
 
+    def twists(self, s: Array) -> tuple[Array, Array]:
+        """Return by what axis (k - 1, 3), in the tool's frame, and angle (k - 1,) the tool turns between places s (k,).
+
+        No point of the path may lie between two of them.
+        """
+        if len(s) < 2:
+            return np.zeros((0, 3)), np.zeros(0)
+        k = np.clip(np.searchsorted(self.s, s[:-1], side="right") - 1, 0, len(self.s) - 2)
+        axis, angle = self._turns
+        return axis[k], angle[k] * np.diff(s) / (self.s[k + 1] - self.s[k])
+
     @cached_property
     def _turns(self) -> tuple[Array, Array]:
         """(N - 1, 3) axis and (N - 1,) angle by which the tool turns from point to point."""

@@ -10,12 +10,10 @@ from pieper.kinematics.joints import short_way
 from pieper.kinematics.newton import damped, downhill, missed, pose_difference, scaled_jacobian, settled
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
-from pieper.tolerances import CLOSES
+from pieper.tolerances import APPROACH_DAMPING, APPROACH_LEAST_DAMPING, CLOSES
 
 #: How often a posture is tried in a free approach to a pose.
 PULL_STEPS = 40
-#: Damping of the descent: at first, its factor where a step helped and where not, and where a row rests.
-DAMPING = (1e-1, 0.2, 5.0, 1e3)
 
 
 def holding(chain: Chain, q: Array, T: Array) -> Array:
@@ -33,7 +31,7 @@ def pulled(chain: Chain, q: Array, T: Array, steps: int) -> Array:
     def slope(at: Array, index: Indices) -> Array:
         return scaled_jacobian(chain, at)
 
-    return settled(miss, slope, q, chain.joints.unit, steps=steps, longest=0.2, step=damped(1e-14))[0]
+    return settled(miss, slope, q, chain.joints.unit, steps=steps, longest=0.2, step=damped(APPROACH_LEAST_DAMPING))[0]
 
 
 def from_anywhere(plan: Plan, T: Array, starts: int) -> list[Array]:
@@ -47,6 +45,12 @@ def from_anywhere(plan: Plan, T: Array, starts: int) -> list[Array]:
     q = np.tile(sample_joints(full, starts, seed=7), (len(T), 1))
     poses = np.repeat(T, starts, axis=0)
     q, _ = downhill(
-        full, q, poses, steps=PULL_STEPS, weights=np.ones(6), damping=DAMPING, relative=lambda J, square: square
+        full,
+        q,
+        poses,
+        steps=PULL_STEPS,
+        weights=np.ones(6),
+        damping=APPROACH_DAMPING,
+        relative=lambda J, square: square,
     )
     return [holding(full, rows, pose) for rows, pose in zip(q.reshape(len(T), starts, full.n), T, strict=True)]

@@ -14,12 +14,18 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.sweep import Sweep, sweep, unknown
 from pieper.solver.rows import Flag, Rows
-from pieper.tolerances import ARM_STRETCHED, CLOSES, TINY
+from pieper.tolerances import (
+    ALL_BUT_ZERO,
+    ARM_ANGLE_DAMPING,
+    ARM_ANGLE_POLISH,
+    ARM_ANGLE_TOUCHING,
+    ARM_STRETCHED,
+    CLOSES,
+    TINY,
+)
 
 #: Newton steps onto pose and arm angle, and the longest of them, rad.
 STEPS, LONGEST = 25, 0.3
-#: Rows worse than this after the closed form are polished (per length; rad).
-POLISH = 1e-13
 #: Starts of the free approach beside the sweep; how much of the last change an ending branch may still change by.
 FREE_STARTS, AT_ENDS = 64, 8.0
 #: Poses that are solved together by a sweep each.
@@ -86,7 +92,7 @@ def _closing(
 ) -> tuple[Array, Bools]:
     """Polish what does not close to rounding, and drop what does not close at all, and what repeats."""
     error = missed(angle.chain, q, T[:, None])
-    pose, row = np.nonzero(good & (error > POLISH))
+    pose, row = np.nonzero(good & (error > ARM_ANGLE_POLISH))
     if len(pose):
         q[pose, row], error[pose, row] = onto(angle, q[pose, row], T[pose], angles[pose], x[pose], y[pose])
     good = good & (error < CLOSES)
@@ -177,13 +183,13 @@ def onto(angle: ArmAngle, q: Array, T: Array, wanted: Array, x: Array, y: Array)
 
 def _square(A: Array, e: Array) -> Array:
     # a millionth of a millionth keeps it solvable where pose and angle do not fix the joints
-    return np.asarray(np.linalg.solve(A + 1e-12 * np.eye(7), e[..., None])[..., 0], np.float64)
+    return np.asarray(np.linalg.solve(A + ARM_ANGLE_DAMPING * np.eye(7), e[..., None])[..., 0], np.float64)
 
 
 def _two(a: Array, b: Array, c: Array) -> tuple[Array, Bools]:
     """Return the two angles (..., 2) with a cos + b sin = c, and whether they are real (..., 2)."""
     size = np.hypot(a, b)
-    real = np.abs(c) <= size * (1 + 1e-13)
+    real = np.abs(c) <= size * (1 + ARM_ANGLE_TOUCHING)
     half = np.arctan2(np.sqrt(np.maximum((size - c) * (size + c), 0.0)), c)
     middle = np.arctan2(b, a)
     return np.stack([middle + half, middle - half], -1), np.stack([real & (size > 0)] * 2, -1)
@@ -203,7 +209,7 @@ def _three_turns(u1: Array, u2: Array, u3: Array, R: Array) -> tuple[Array, Bool
     half = np.arctan2(np.sqrt(np.maximum(low * high, 0.0)), (high - low) / 2)
     middle = np.arctan2(u1 @ np.cross(u2, flat), u1 @ flat)
     q2 = np.stack([middle + half, middle - half], -1)
-    real = np.stack([np.minimum(low, high) > -1e-13] * 2, -1)
+    real = np.stack([np.minimum(low, high) > -ARM_ANGLE_TOUCHING] * 2, -1)
     turned = rotation_about(u2, q2)
     third = turned @ u3
     q1 = _about(u1, third, end[..., None, :])
@@ -217,7 +223,7 @@ def _about(axis: Array, start: Array, end: Array) -> Array:
     """Return the angles (...) about an axis that bring start nearest to end (..., 3); zero where both lie along it."""
     # what is across the axis first: it may be small, and differences of products of the whole would lose it
     a, b = np.cross(axis, start), np.cross(axis, end)
-    small = 1e-15 * np.linalg.norm(start, axis=-1)
+    small = ALL_BUT_ZERO * np.linalg.norm(start, axis=-1)
     none = (np.linalg.norm(a, axis=-1) <= small) | (np.linalg.norm(b, axis=-1) <= small)
     return np.where(none, 0.0, np.arctan2(np.cross(a, b) @ axis, np.sum(a * b, -1)))
 

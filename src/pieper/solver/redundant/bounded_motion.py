@@ -9,20 +9,18 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.newton import newton
-from pieper.solver.redundant.box import closest
+from pieper.solver.redundant.box import box, closest, descended
 from pieper.solver.singular.self_motion import FREE, SelfMotion, TracedMotion
-from pieper.tolerances import CLOSES, TINY
+from pieper.tolerances import BOUNDED_ON_CURVE, BOUNDED_PRECISE, CLOSES, CURVE_RANK, NEAR_POLYLINE, ROUNDING, TINY
 
-#: A point this near to the polyline of a curve may lie on the curve, and is slid onto it to see.
-NEAR_POLYLINE = 2e-2
-#: How near it must then come (rad; per length).
-ON_CURVE = 1e-6
 #: Halvings that place where a curve leaves the limits between two samples: from 0.12 rad to rounding.
 HALVINGS = 48
+#: A curve is no farther from the chord between two samples than this: half a step, turned as far as a step may turn.
+BESIDE_CHORD = 0.025
 #: An arc is at most this much longer than its chord, which bounds how near to a posture it can come.
 ARC = 1.05
-#: Parts into which a stretch of the curve is cut that may hold the nearest point, how often, and the precision (rad).
-PARTS, ROUNDS, PRECISE = 4, 12, 1e-4
+#: Parts into which a stretch of the curve is cut that may hold the nearest point, and how often.
+PARTS, ROUNDS = 4, 12
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -43,7 +41,7 @@ class BoundedMotion(TracedMotion):
 
     def points(self, u: Array) -> Array:
         """Return the points (k, n) at parameters (k,), the task's virtual joints behind."""
-        return newton(self.chain, self.between(u), self.T, steps=6, cutoff=1e-7)
+        return newton(self.chain, self.between(u), self.T, steps=6, cutoff=CURVE_RANK)
 
     def _within(self, points: Array) -> Bools:
         return self.chain.joints.inside_limits(points, self.limits)[1]
@@ -56,7 +54,7 @@ class BoundedMotion(TracedMotion):
         known[self.marks] = True
         ok = self._within(self.samples)
         # between neighbours: inside where the middle is; where samples change without a stop, halving places it
-        middle = self._within(self.points((u[:-1] + u[1:]) / 2)) if n > 1 else np.zeros(0, bool)
+        middle = self._middles() if n > 1 else np.zeros(0, bool)
         pieces: list[tuple[float, float]] = []
         for i in range(n - 1):
             a, b, mid = u[i], u[i + 1], (u[i] + u[i + 1]) / 2
@@ -74,6 +72,20 @@ class BoundedMotion(TracedMotion):
         if self.closed and len(joined) > 1 and joined[0] == (u[0], u[0]) and joined[-1][1] == u[-1]:
             joined = joined[1:]
         return joined
+
+    def _middles(self) -> Bools:
+        """Return whether the curve is inside the limits halfway between neighbouring samples (k - 1,).
+
+        A chord that is clear of all limits, or beyond one, by more than the curve can be from it decides that alone.
+        """
+        halfway, joints = (self.samples[:-1] + self.samples[1:]) / 2, self.chain.joints
+        room = BESIDE_CHORD * joints.unit[:, None] * np.array([1.0, -1.0])
+        inner = self.limits + room
+        inside = (inner[:, 0] <= inner[:, 1]).all() & joints.inside_limits(halfway, inner)[1]
+        open_ = ~inside & joints.inside_limits(halfway, self.limits - room)[1]
+        u = ((self.u[:-1] + self.u[1:]) / 2)[open_]
+        inside[open_] = self._within(self.points(u))
+        return inside
 
     def _edge(self, within: float, without: float) -> float:
         """Return the last parameter inside between one that is and one that is not."""
@@ -96,9 +108,29 @@ class BoundedMotion(TracedMotion):
         A distance changes no faster than the curve is long, so a stretch that cannot come nearer than what was found is
         done with, and the others are cut until none is left. Of a surface the whole of it counts, from this line on.
         """
-        if not self._stretches:
-            return None
         now, counts = self.padded(q_now), self.counts(weights)
+        starts = self._beside(now) if self.dimension > 1 else np.zeros((0, self.chain.n))
+        if self._stretches:
+            starts = np.concatenate([self._nearest_along(now, counts)[None], starts])
+        if not len(starts):
+            return None
+        return closest(self.chain, starts, self.T, self.limits, now, counts)[: self.shown]
+
+    def _beside(self, now: Array) -> Array:
+        """Return the points (k, n) inside the limits that descent reaches from the posture itself, at most one.
+
+        First the task's virtual joints alone move, so that a posture that holds the pose is that point.
+        """
+        low, high = box(self.chain, self.limits)
+        start = np.clip(self.chain.joints.unwound(now, now, self.limits), low, high)[None]
+        virtual = np.arange(self.chain.n) >= self.shown
+        still = np.where(virtual, low, start), np.where(virtual, high, start)
+        start = descended(self.chain, start, self.T[None], *still)[0]
+        point, off = descended(self.chain, start, self.T[None], low, high)
+        return point[off <= CLOSES]
+
+    def _nearest_along(self, now: Array, counts: Array) -> Array:
+        """Return the point (n,) of the curve inside the limits closest to a posture, to the precision of a cut."""
         steps = np.diff(self.samples, axis=0) / self.chain.joints.unit
         length = float(np.linalg.norm(steps, axis=1).sum()) * ARC * float(np.sqrt(counts.max()))
         low, high = self._pieces()
@@ -109,12 +141,12 @@ class BoundedMotion(TracedMotion):
                 least, best = float(away.min()), points[int(np.argmin(away))]
             a, b = away[which[: len(low)]], away[which[len(low) :]]
             span = (high - low) * length
-            open_ = ((a + b - span) / 2 < least - 1e-12) & (span > PRECISE)
+            open_ = ((a + b - span) / 2 < least - ROUNDING) & (span > BOUNDED_PRECISE)
             if not open_.any():
                 break
             cuts = np.linspace(low[open_], high[open_], PARTS + 1)
             low, high = cuts[:-1].ravel(), cuts[1:].ravel()
-        return closest(self.chain, best[None], self.T, self.limits, now, counts)[: self.shown]
+        return best
 
     def _pieces(self) -> tuple[Array, Array]:
         """Return the two ends (k,), in u, of the pieces between samples that are inside the limits."""
@@ -154,7 +186,7 @@ def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
     near = np.flatnonzero(motion.distances(ends) < NEAR_POLYLINE)
     placed: list[tuple[float, Array]] = []
     for q in ends[near]:
-        if not motion.contains(q, ON_CURVE):
+        if not motion.contains(q, BOUNDED_ON_CURVE):
             continue
         gap = joints.difference(q, samples[:-1])
         along = np.diff(motion.samples / joints.unit, axis=0)
@@ -181,7 +213,7 @@ def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
 def _turned(motion: SelfMotion, samples: Array, marks: Indices) -> tuple[Array, Indices]:
     """Let a closed curve begin at a point on a limit after which it runs outside, so that no interval is cut there."""
     ahead = samples[marks] + (samples[np.minimum(marks + 1, len(samples) - 1)] - samples[marks]) / 2
-    ahead = newton(motion.chain, ahead, motion.T, steps=6, cutoff=1e-7)
+    ahead = newton(motion.chain, ahead, motion.T, steps=6, cutoff=CURVE_RANK)
     leaving = marks[~motion.chain.joints.inside_limits(ahead, motion.limits)[1]]
     first = int(leaving[0]) if len(leaving) else int(marks[0])
     shift = samples[-1] - samples[0]

@@ -10,9 +10,7 @@ from pieper.solver.arm_rows import arm_rows
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.anywhere import INSIDE, anywhere, spare_values
 from pieper.solver.rows import Rows
-
-#: A row of the chosen value is the point it was chosen for when it is this near (rad; per length).
-SAME_POINT = 1e-6
+from pieper.tolerances import CHOSEN_POINT
 
 
 def choose_elsewhere(plan: Plan, T: Array, rows: Rows, threads: int) -> tuple[Rows, Indices]:
@@ -62,10 +60,10 @@ def _rows_through(plan: Plan, T: Array, points: Array, threads: int) -> Rows:
     rows = _widened(rows, most)
     own, within = plan.chain.joints.inside_limits(points[:, : plan.n], plan.limits)
     gap = plan.chain.joints.difference(rows.q, own[:, None])
-    met = ((np.abs(gap).max(-1) < SAME_POINT) & rows.valid & (rows.inside | ~within[:, None])).any(1)
+    met = ((np.abs(gap).max(-1) < CHOSEN_POINT) & rows.valid & (rows.inside | ~within[:, None])).any(1)
     q, valid, inside = rows.q.copy(), rows.valid.copy(), rows.inside.copy()
     for i in np.flatnonzero(~met):
-        near = np.abs(gap[i]).max(-1) < SAME_POINT
+        near = np.abs(gap[i]).max(-1) < CHOSEN_POINT
         slot = int(np.argmax(near & valid[i])) if (near & valid[i]).any() else int(np.argmin(valid[i]))
         if valid[i].all() and not near.any():
             slot = most - 1

@@ -15,7 +15,7 @@ from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
-from pieper.tolerances import CLOSES
+from pieper.tolerances import CLOSES, SEED_DOUBTFUL, SEED_ON_CURVE, SEED_ON_POLYLINE
 
 #: Starts from which the pose is approached freely, besides the sweep.
 STARTS = 96
@@ -26,8 +26,6 @@ DRAWS, MOST_MOTIONS = 60, 24
 ENDLESS_STEPS, MOST_SAMPLES = 250, 12000
 #: Where several coordinates are redundant the solutions form a surface: lines followed on it, and how far.
 MOST_LINES, LINE_STEPS = 8, 60
-#: A seed this near to a traced curve is on it; between this and `DOUBTFUL` it is slid onto the curve to see.
-ON_POLYLINE, DOUBTFUL = 5e-3, 5e-2
 #: A self-motion that takes less than this part of the redundant coordinate's range is small.
 SMALL = 0.05
 #: Seeds whose distances to a curve are taken at once: it bounds the memory.
@@ -108,7 +106,7 @@ def _on(motion: SelfMotion, seeds: Array) -> Bools:
     """Return which of the seeds (m, n) lie on a traced curve."""
     parts = [motion.distances(seeds[i : i + CHUNK]) for i in range(0, len(seeds), CHUNK)]
     away = np.concatenate(parts) if parts else np.zeros(0)
-    on = away < ON_POLYLINE
-    for i in np.flatnonzero(~on & (away < DOUBTFUL)):
-        on[i] = motion.contains(seeds[i], 1e-5)
+    on = away < SEED_ON_POLYLINE
+    for i in np.flatnonzero(~on & (away < SEED_DOUBTFUL)):
+        on[i] = motion.contains(seeds[i], SEED_ON_CURVE)
     return on

@@ -11,6 +11,7 @@ from pieper.kinematics.pose import stepped
 from pieper.solver.arm_rows import full_rows
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import holding, pulled
+from pieper.tolerances import ROUNDING, SIDE_STEPS, SWEEP_FINEST
 
 #: Slices over the range to begin with: many where one prepared kernel serves all values, few where each needs its own.
 SLICES, SLICES_PREPARED = 96, 24
@@ -21,8 +22,6 @@ FAR, LOST = 0.3, 2.0
 HALVINGS, MOST_NEW, HALVINGS_PREPARED, MOST_NEW_PREPARED = 5, 400, 2, 40
 #: Rows of a slice that are looked at, at most: no family gives more.
 MOST_ROWS = 16
-#: Steps to either side of a pose (per length; rad), and how many pairs of each.
-SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
 #: Rows of a pose beside this one are known when one of this pose is so near; of the others, so many are followed.
 KNOWN, MOST_FOLLOWED = 0.25, 150
 #: By how much a side step shrinks from stage to stage when it is followed back, and how often.
@@ -73,7 +72,7 @@ def sweep(plan: Plan, T: Array, coordinate: int, values: Array) -> Sweep:
     after, doubt = _continued(plan, q[:-1], valid[:-1], q[1:], valid[1:])
     room = MOST_NEW_PREPARED if prepared else MOST_NEW
     for _ in range(HALVINGS_PREPARED if prepared else HALVINGS):
-        halved = np.flatnonzero(doubt & (np.diff(at) > 1e-6))[:room]
+        halved = np.flatnonzero(doubt & (np.diff(at) > SWEEP_FINEST))[:room]
         if not len(halved):
             break
         room -= len(halved)
@@ -171,7 +170,7 @@ def beside(plan: Plan, T: Array, coordinate: int, values: Array, swept: Sweep) -
     prepared = plan.reduction.at_ends is None
     lower, upper = span(plan, plan.reduction.locked[coordinate])
     at = np.linspace(lower, upper, SLICES_PREPARED if prepared else SLICES)
-    here = np.searchsorted(swept.values, at - 1e-12)
+    here = np.searchsorted(swept.values, at - ROUNDING)
     twists = _to_either_side()
     poses = np.repeat(stepped(T, twists, full.length), len(at), 0)
     q, valid = _slices(plan, poses, coordinate, values, np.tile(at, len(twists)))

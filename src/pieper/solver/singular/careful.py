@@ -10,7 +10,7 @@ from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
 from pieper.solver.singular.examined import Examined
-from pieper.tolerances import CLEARLY_REGULAR, SAME_AFTER_CUT
+from pieper.tolerances import CAREFUL_ASIDE, CLEARLY_REGULAR, SAME_AFTER_CUT, SLOW_RANK
 
 
 def near_rows(plan: Plan, poses: Array) -> Array:
@@ -52,7 +52,7 @@ def _holding(plan: Plan, T: Array) -> Array:
     """Return what of the rows at a pose holds it: virtual joints that must be zero are put there, the others follow."""
     full, rows = plan.exact.full, near_rows(plan, T[None])
     if plan.reduction.fill:
-        rows = newton(full, rows, T, steps=SLOW_STEPS, cutoff=1e-9)
+        rows = newton(full, rows, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
         rows = rows[missed(full, rows, T) < HOLDS]
     return rows
 
@@ -92,6 +92,6 @@ def overlooked(plan: Plan, poses: Array) -> Bools:
 
     They may be singular, or lie at the edge of reach.
     """
-    aside = side_steps(plan.chain, poses, (1e-9,))
+    aside = side_steps(plan.chain, poses, (CAREFUL_ASIDE,))
     valid = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[1]
     return np.any(valid.reshape(len(poses), -1), axis=1)

@@ -23,28 +23,39 @@ from pieper.solver.singular.examined import Examined, told
 from pieper.solver.singular.merged_roots import branches_at, distinct_roots
 from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
-from pieper.tolerances import ON_CURVE, SAME_SOLUTION, SINGULAR_EXAMINED, TINY
+from pieper.tolerances import (
+    APART_SINGULAR,
+    APPROACH_SIZES,
+    CURVE_FAR,
+    DOUBLES_FROM_CURVE,
+    ENDS_ON_CURVE,
+    FLAT_REST,
+    HOLDS,
+    HOLDS_EXACTLY,
+    ISOLATED_FROM_CURVE,
+    NEARLY_SINGULAR,
+    ON_CURVE,
+    ON_NEAR_POLYLINE,
+    ON_POLYLINE,
+    OPEN_DIRECTION,
+    PRECISE_RANK,
+    PROBE_REST,
+    SAME_SOLUTION,
+    SINGULAR_EXAMINED,
+    SLOW_RANK,
+    TINY,
+)
 
-#: Sizes of the side steps (per length; rad) from which a singular pose is approached, and how many each.
-APPROACHES, APPROACH_SIZES = 6, (1e-4, 1e-7)
-#: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.
-ON_POLYLINE = 5e-3
-#: The same for curves that nearly hold the pose, whose samples lie 0.2 apart and whose points are less exact.
-ON_NEAR_POLYLINE = 3e-2
+#: How many side steps of each size a singular pose is approached from.
+APPROACHES = 6
 #: Directions tried where curves cross, and the most curves followed at one pose.
 FAN, MOST_MOTIONS = 12, 24
 #: Where a second direction stays open the solutions form a surface: lines followed on it, and how far each way.
-MOST_LINES, LINE_STEPS, OPEN = 4, 60, 1e-7
+MOST_LINES, LINE_STEPS = 4, 60
 #: How far along the null direction a point is asked whether the pose can be held (rad; per length).
 PROBE = 0.05
-#: Relative sigma_min below which a point may lie on a curve that nearly holds the pose.
-NEARLY = 1e-3
 #: Newton steps at merged roots, where each only halves what is left.
 SLOW_STEPS = 40
-#: A solution must hold the pose this well (per length; rad). At a double root this fixes q to its square root only.
-HOLDS = 1e-11
-#: A solution that the kernel did not give must hold it this well, so that poses just out of reach get none.
-HOLDS_EXACTLY = 2e-15
 
 
 @dataclass(eq=False)
@@ -92,23 +103,24 @@ def examine(
     curves = _Curves(chain, T, limits, names, chain.n if shown is None else shown, hiding)
     regular, singular = _split(chain, candidates)
     # kernels stop where Newton's method is slow: the last digits of a merged root are fetched here
-    singular = newton(chain, singular, T, steps=SLOW_STEPS, cutoff=1e-13)
+    singular = newton(chain, singular, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
     aside = solve(side_steps(chain, T)).reshape(-1, chain.n)
-    pulled = newton(chain, aside, T, steps=30, cutoff=1e-9)
+    pulled = newton(chain, aside, T, steps=30, cutoff=SLOW_RANK)
     near_regular, near_singular = _split(chain, pulled[missed(chain, pulled, T) < HOLDS])
     flat = aside[:0]
     if hiding:
         found = near_curve.onto(chain, aside, T, 6)
-        flat = found.q[(found.sigma < NEARLY) & (np.abs(found.miss) < near_curve.FAR) & (found.rest < 1e-9)]
+        flat = found.q[(found.sigma < NEARLY_SINGULAR) & (np.abs(found.miss) < CURVE_FAR) & (found.rest < FLAT_REST)]
     # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
-    starts = np.concatenate([singular, _distinct(chain, np.concatenate([near_singular, flat]), 1e-3)])
+    starts = np.concatenate([singular, _distinct(chain, np.concatenate([near_singular, flat]), APART_SINGULAR)])
     doubles, hidden = _followed(curves, starts, len(singular))
-    extra = newton(chain, np.array([*hidden, *near_singular]).reshape(-1, chain.n), T, steps=SLOW_STEPS, cutoff=1e-13)
+    extra = np.array([*hidden, *near_singular]).reshape(-1, chain.n)
+    extra = newton(chain, extra, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
     extra = extra[missed(chain, extra, T) < HOLDS_EXACTLY * _size(chain, T)]
     hidden_regular, hidden_singular = _split(chain, extra)
     isolated = _distinct(chain, np.concatenate([regular, near_regular, hidden_regular]), SAME_SOLUTION)
-    isolated = [q for q in isolated if not curves.meet(q, 1e-5)]
-    doubles = [q for q in doubles if not curves.meet(q, 1e-4)]
+    isolated = [q for q in isolated if not curves.meet(q, ISOLATED_FROM_CURVE)]
+    doubles = [q for q in doubles if not curves.meet(q, DOUBLES_FROM_CURVE)]
     # closed forms give every merged root themselves: what else nearly holds the pose there is the foot of a fold
     merged = list(_distinct(chain, hidden_singular, SAME_SOLUTION)) if hiding else []
     merged = [q for q in merged if not curves.meet(q, ON_POLYLINE)]
@@ -130,10 +142,10 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
     hidden: list[Array] = []
     miss, several = _probed(curves, starts)
     for index, q in enumerate(starts):
-        on_curve = curves.lines >= MOST_LINES if several[index] else curves.meet(q, 2e-3)
+        on_curve = curves.lines >= MOST_LINES if several[index] else curves.meet(q, ENDS_ON_CURVE)
         if not on_curve and (several[index] or miss[index] < 10 * ON_CURVE):
             on_curve = _grow(curves, q)
-        if curves.hiding and not on_curve and miss[index] < near_curve.FAR:
+        if curves.hiding and not on_curve and miss[index] < CURVE_FAR:
             hidden += _hiding(curves, q)
         if not on_curve and index < own:
             doubles.append(q)
@@ -155,7 +167,7 @@ def _probed(curves: _Curves, starts: Array) -> tuple[Array, Bools]:
     probes = np.concatenate([starts + step, starts - step])
     there = near_curve.onto(chain, probes, curves.T, 5)
     gone = np.linalg.norm((there.q - np.concatenate([starts, starts])) / unit, axis=1)
-    held = (gone > 0.5 * PROBE) & (there.rest < np.maximum(1e-2 * np.abs(there.miss), 1e-11))
+    held = (gone > 0.5 * PROBE) & (there.rest < np.maximum(PROBE_REST * np.abs(there.miss), HOLDS))
     miss = np.where(held, np.abs(there.miss), np.inf).reshape(2, -1).min(0)
     return miss, several
 
@@ -174,7 +186,7 @@ def _hiding(curves: _Curves, q: Array) -> list[Array]:
 def _grow(curves: _Curves, q: Array) -> bool:
     """Add every curve through q, and every curve that crosses those, to the self-motions; say whether q lies on one."""
     chain, T = curves.chain, curves.T
-    found = curves.meet(q, 2e-3)
+    found = curves.meet(q, ENDS_ON_CURVE)
     waiting = [q]
     while waiting and len(curves.closed) < MOST_MOTIONS:
         point = waiting.pop()
@@ -182,7 +194,7 @@ def _grow(curves: _Curves, q: Array) -> bool:
             further = step_along(chain, point, T, direction, PROBE)
             if further is None:
                 continue
-            if second_smallest(chain, further) < OPEN:
+            if second_smallest(chain, further) < OPEN_DIRECTION:
                 # a surface has no list of curves: a few lines on it show the way, and `dimension` says the rest
                 found = True
                 if curves.lines < MOST_LINES:

@@ -12,7 +12,7 @@ from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
 from pieper.solver.singular.self_motion import FREE, SelfMotion
-from pieper.tolerances import CURVE_STEP, LIMIT_SLACK
+from pieper.tolerances import CONTAINS, CURVE_STEP, HALF_TURN_EDGE, LIMIT_SLACK, NEARER_BY
 
 #: Whole turns of a joint without limits that are tried to either side of the nearest.
 TURNS = 2
@@ -44,7 +44,7 @@ class LineMotion(SelfMotion):
         """What q_i + sense q_j comes to, rad, in (-pi, pi]; equal for all points that it may be made of."""
         i, j = self.pair
         total = float(short_way(self.through[i] + self.sense * self.through[j]))
-        return total if total > 1e-9 - np.pi else total + TURN
+        return total if total > HALF_TURN_EDGE - np.pi else total + TURN
 
     def points(self, first: Array) -> Array:
         """Return joint vectors (k, n) with values (k,) of joint i; joint j follows without a jump."""
@@ -144,7 +144,7 @@ class LineMotion(SelfMotion):
             wanted = self.total - self.sense * (q_now[j] - TURN * turns)
             x = float(np.clip((weight[0] * q_now[i] + weight[1] * wanted) / weight.sum(), low, max(low, high)))
             away = weight[0] * (x - q_now[i]) ** 2 + weight[1] * (x - wanted) ** 2
-            if away < least - 1e-9:
+            if away < least - NEARER_BY:
                 best, least = (x, turns), away
         if best is None:
             return None
@@ -172,7 +172,7 @@ class LineMotion(SelfMotion):
         gap[:, [i, j]] = 0.0
         return np.sqrt(np.sum(gap * gap, 1) + off * off / 2)
 
-    def contains(self, q: Array, tolerance: float = 1e-6) -> bool:
+    def contains(self, q: Array, tolerance: float = CONTAINS) -> bool:
         """Whether q (n,) lies on the curve within a tolerance (rad)."""
         return self.distance(q) <= tolerance
 

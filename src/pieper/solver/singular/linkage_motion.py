@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import IntEnum
 from functools import cached_property
 
 import numpy as np
@@ -10,27 +11,43 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
-from pieper.kinematics.newton import null_space
 from pieper.solver.singular.loop import FourBar
 from pieper.solver.singular.self_motion import FREE, SelfMotion
-from pieper.tolerances import TINY
+from pieper.tolerances import COURSE_STEP, LINKAGE_TOGETHER, ON_COURSE, ON_COURSE_TURN, ROUNDING, TINY
 
 #: Samples once round: at most 0.12 rad or so of every joint.
 SAMPLES = 241
+
+
+class Course(IntEnum):
+    """How a linkage goes through its curve, numbered as the kernel does.
+
+    The leading joint turns back at both ends (BACK), or goes all the way round while the joint opposite stays above or
+    below its phase; both go all the way round, alike or against each other, on courses that cross; or the leading joint
+    goes round twice until the curve, which crosses itself once, closes.
+    """
+
+    BACK = 0
+    ABOVE = 1
+    BELOW = 2
+    ALIKE = 3
+    AGAINST = 4
+    ROUND_TWICE = 5
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LinkageMotion(SelfMotion):
     """Four joints move by themselves, one of them leads.
 
-    Where the leading joint goes all the way round, u is its angle; where it turns back, u counts once there and back.
+    Where the leading joint goes all the way round, u is its angle; where it turns back, u counts once there and back;
+    where the curve crosses itself, u counts its two rounds.
 
     Attributes:
         through: (n,) a joint vector on it, from which the linkage counts its angles.
         linkage: The four joints.
         lead: Which of the four leads.
-        span: From where to where it can go, rad from `through`.
-        side: Where it goes all the way round, on which side of its phase the joint opposite is; else 0.
+        span: From where to where it can go, rad from `through`; of `Course.ROUND_TWICE`, where it crosses itself.
+        course: How it goes through the curve.
     """
 
     chain: Chain
@@ -42,7 +59,7 @@ class LinkageMotion(SelfMotion):
     linkage: FourBar
     lead: int
     span: tuple[float, float]
-    side: float
+    course: Course
     closed: bool = True
     dimension: int = 1
 
@@ -61,24 +78,49 @@ class LinkageMotion(SelfMotion):
 
     def points(self, u: Array) -> Array:
         """Return joint vectors (k, n) at u (k,), each angle the short way round from `through`."""
-        if self.side:
-            angle, side = self._start + TURN * u, np.full(len(u), self.side)
+        linkage, lead, course = self.linkage, self.lead, self.course
+        mine, other = linkage.sides(lead)
+        angle = self._start + TURN * u
+        if course in (Course.ALIKE, Course.AGAINST):
+            turned = linkage.closed(lead, angle, other.phase + self._sense * (angle - mine.phase))
+        elif course in (Course.ABOVE, Course.BELOW):
+            turned = linkage.turned(lead, angle, np.full(len(u), 1.0 if course is Course.ABOVE else -1.0))[0]
+        elif course is Course.ROUND_TWICE:
+            angle = self._start + 2 * TURN * u
+            turned = linkage.turned(lead, angle, self._way_at(angle))[0]
         else:
-            angle, side = self._middle - self._half * np.cos(TURN * u), np.where(u % 1.0 < 0.5, 1.0, -1.0)
+            angle, way = self._middle - self._half * np.cos(TURN * u), np.where(u % 1.0 < 0.5, 1.0, -1.0)
+            turned = linkage.turned(lead, angle, way)[0]
         q = np.tile(self.through, (len(u), 1))
-        q[:, self.linkage.joints] += short_way(self.linkage.turned(self.lead, angle, side)[0])
+        q[:, linkage.joints] += short_way(turned)
         return q
+
+    @property
+    def _sense(self) -> float:
+        return -1.0 if self.course is Course.AGAINST else 1.0
+
+    def _way_at(self, angle: Array) -> Array:
+        """Return on which side of its phase (k,) the joint opposite is on a course that goes round twice."""
+        return np.where(np.floor((angle - self.span[0]) / TURN) % 2 == 0, 1.0, -1.0)
 
     def places(self, turned: Array) -> tuple[Array, Bools]:
         """Return u (k,) of angles (k, 4) of the linkage, and which are on this piece of the curve (k,)."""
-        angle = turned[:, self.lead]
-        opposite = short_way(turned[:, (self.lead + 2) % 4] - self.linkage.sides(self.lead)[1].phase)
-        side = np.where(opposite >= 0, 1.0, -1.0)
-        if self.side:
-            return ((angle - self._start) / TURN) % 1.0, side == self.side
+        angle, (mine, other) = turned[:, self.lead], self.linkage.sides(self.lead)
+        across = turned[:, (self.lead + 2) % 4] - other.phase
+        above = np.asarray(short_way(across)) >= 0
+        u = ((angle - self._start) / TURN) % 1.0
+        if self.course is Course.ABOVE:
+            return u, above
+        if self.course is Course.BELOW:
+            return u, ~above
+        if self.course in (Course.ALIKE, Course.AGAINST):
+            return u, np.abs(short_way(across - self._sense * (angle - mine.phase))) < LINKAGE_TOGETHER
+        if self.course is Course.ROUND_TWICE:
+            first = self._way_at(self._start + TURN * u) == np.where(above, 1.0, -1.0)
+            return np.where(first, u / 2, u / 2 + 0.5), np.ones(len(u), bool)
         off = short_way(angle - self._middle)
         u = np.arccos(np.clip(-off / self._half, -1.0, 1.0)) / TURN
-        return np.where(side > 0, u, 1.0 - u) % 1.0, np.abs(off) <= self._half * (1 + 1e-9) + 1e-12
+        return np.where(above, u, 1.0 - u) % 1.0, np.abs(off) <= self._half * (1 + ON_COURSE) + ON_COURSE_TURN
 
     @cached_property
     def samples(self) -> Array:
@@ -166,7 +208,7 @@ class LinkageMotion(SelfMotion):
             away = wound(u)[1]
             for k in np.argsort(away)[:3]:
                 a, b = u[max(k - 1, 0)], u[min(k + 1, len(u) - 1)]
-                while b - a > 1e-12:
+                while b - a > ROUNDING:
                     some = np.linspace(a, b, 9)
                     m = int(np.argmin(wound(some)[1]))
                     a, b = some[max(m - 1, 0)], some[min(m + 1, 8)]
@@ -177,6 +219,11 @@ class LinkageMotion(SelfMotion):
 
     @cached_property
     def direction(self) -> Array:
-        """(n,) unit tangent at the representative."""
-        way = null_space(self.chain, self.full_representative)[1][-1]
+        """(n,) unit tangent at the representative; where courses cross, of this one."""
+        here = self.full_representative
+        turned = self.chain.joints.way(here, self.through)[self.linkage.joints][None]
+        u = float(self.places(turned)[0][0])
+        # a step at which neither the cube of it nor rounding over it counts
+        before, after = self.points(np.array([u - COURSE_STEP, u + COURSE_STEP]))
+        way = self.chain.joints.way(after, before) / self.chain.joints.unit
         return way[: self.shown] / max(float(np.linalg.norm(way)), TINY)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.tolerances import DEAD_CENTRE
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,9 +81,13 @@ class FourBar:
             side: (k,) 1 or -1, on which side of its phase the opposite angle is.
         """
         mine, other = self.sides(lead)
-        i1, i2, i3, i4 = _from(lead)
         value = mine.at(angle)
-        across = other.phase + side * other.from_phase(value)
+        reached = np.abs(value - other.middle) <= other.size * (1 + DEAD_CENTRE)
+        return self.closed(lead, angle, other.phase + side * other.from_phase(value)), reached
+
+    def closed(self, lead: int, angle: Array, across: Array) -> Array:
+        """Return the four angles (k, 4) that those of the leading joint and of the one opposite (k,) leave."""
+        i1, i2, i3, i4 = _from(lead)
         out = np.empty((len(angle), 4))
         out[:, i1], out[:, i3] = angle, across
         if self.points is None:
@@ -96,8 +101,7 @@ class FourBar:
             starts = p3 + np.exp(1j * s3 * across) * (p4 - p3) - p2
             out[:, i2] = s2 * np.angle(ends * np.conj(starts))
             out[:, i4] = -s4 * (s1 * angle + s2 * out[:, i2] + s3 * across)
-        reached = np.abs(value - other.middle) <= other.size * (1 + 1e-14)
-        return out, reached
+        return out
 
 
 def _from(lead: int) -> tuple[int, int, int, int]:

@@ -9,6 +9,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import determinant, missed, null_space, singular_values
 from pieper.solver.singular import near_curve
 from pieper.tolerances import (
+    ALL_BUT_ZERO,
     MERGED_ALONG,
     MERGED_BLUR,
     MERGED_ROUNDING,
@@ -40,7 +41,7 @@ def branches_at(chain: Chain, q: Array, T: Array) -> int:
     c4 = ((far + far2) - 4 * (near + near2)) / (24 * MERGED_STEP**4)
     c3 = ((far2 - far) - 2 * (near2 - near)) / (12 * MERGED_STEP**3)
     c2 = (near + near2) / (2 * MERGED_STEP**2) - c4 * MERGED_STEP**2
-    noise = [0.0, 0.0, 1e-15 / MERGED_STEP**2, 1e-15 / MERGED_STEP**3, 1e-15 / MERGED_STEP**4]
+    noise = [0.0, 0.0, *(ALL_BUT_ZERO / MERGED_STEP**k for k in (2, 3, 4))]
     c = [0.0 if abs(x) < e else x for x, e in zip((0.0, c1, c2, c3, c4), noise, strict=True)]
     blur = min(((MERGED_ROUNDING / abs(x)) ** (1 / k) for k, x in enumerate(c) if k and x), default=np.inf)
     roots = np.roots(np.trim_zeros(c[::-1], "f")) if any(c) else np.zeros(0)

@@ -14,14 +14,18 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import bounded, pose_difference, scaled_jacobian, turned_back
-from pieper.tolerances import CURVE_WEAK, TINY
+from pieper.tolerances import (
+    CURVE_FAR,
+    CURVE_STEEP,
+    CURVE_WEAK,
+    NEAR_CURVE_HOLDS,
+    NEAR_CURVE_ROUNDING,
+    NEAR_CURVE_SHORTEST,
+    TINY,
+)
 
-#: What a curve may miss the pose by at most, and the relative sigma_min up to which it is followed.
-FAR, STEEP = 1e-4, 1e-2
 #: Step along a curve (rad; per length), and the most steps a way.
 STEP, MOST_STEPS = 0.2, 240
-#: The five equations must hold this well (per length; rad) relative to what the sixth is missed by.
-ON = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,12 +103,13 @@ def _walk(chain: Chain, start: Points, T: Array, sense: float) -> tuple[list[tup
         p = onto(chain, (q + step * null * unit)[None], T, 3)
         turn = float(p.null[0] @ null)
         size = np.linalg.norm((p.q[0] - q) / unit)
-        if p.rest[0] > max(ON * abs(p.miss[0]), 1e-10) or abs(turn) < 0.8 or not 0.5 * step < size < 2 * step:
+        held = p.rest[0] <= max(NEAR_CURVE_HOLDS * abs(p.miss[0]), NEAR_CURVE_ROUNDING)
+        if not held or abs(turn) < 0.8 or not 0.5 * step < size < 2 * step:
             step /= 2
-            if step < 1e-3:
+            if step < NEAR_CURVE_SHORTEST:
                 return points, False
             continue
-        if abs(p.miss[0]) > FAR or p.sigma[0] > STEEP:
+        if abs(p.miss[0]) > CURVE_FAR or p.sigma[0] > CURVE_STEEP:
             return points, False
         q, null = p.q[0], p.null[0] if turn > 0 else -p.null[0]
         # the missed direction keeps its sense along the curve, so that a change of sign means something

@@ -1,8 +1,9 @@
 """The look in closed form: what the kernel read off the axes of a singular pose's rows, put into Python's objects.
 
 `CarefulLook` (kernels/singular/) says of each row whether two of its axes are one line or four are a linkage, which
-rows are merged roots, and which row stands for each self-motion. Where that cannot be read off (two directions at once,
-linkages of five and six joints, curves that cross) the pose is left to `examine`.
+rows are merged roots, and which row stands for each self-motion. Where two directions are free at once, or courses
+cross, it reads the whole fibre of the closed form's group of three joints. What cannot be read off (surfaces, linkages
+of five and six joints) is left to `examine`.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from pieper.solver.native import Read, SelfMotionSaid
 from pieper.solver.plan.plan import Plan
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.in_one_line import LineMotion
-from pieper.solver.singular.linkage_motion import LinkageMotion
+from pieper.solver.singular.linkage_motion import Course, LinkageMotion
 from pieper.solver.singular.loop import FourBar
 from pieper.solver.singular.merged_roots import null_direction
 from pieper.solver.singular.self_motion import SelfMotion
@@ -46,6 +47,6 @@ def _told(plan: Plan, T: Array, said: SelfMotionSaid) -> SelfMotion:
     if len(said) == 3:
         through, pair, sense = said
         return LineMotion(*whose, through=through, pair=pair, sense=sense)
-    through, joints, axes, spots, senses, lead, low, high, side = said
+    through, joints, axes, spots, senses, lead, low, high, course = said
     linkage = FourBar(joints, axes, spots, senses)
-    return LinkageMotion(*whose, through=through, linkage=linkage, lead=lead, span=(low, high), side=side)
+    return LinkageMotion(*whose, through=through, linkage=linkage, lead=lead, span=(low, high), course=Course(course))

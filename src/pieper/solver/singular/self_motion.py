@@ -12,7 +12,18 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, inside, short_way
 from pieper.kinematics.newton import missed, newton, null_space
-from pieper.tolerances import CLOSES, CURVE_STEP, TINY
+from pieper.tolerances import (
+    CLOSED_TURN,
+    CLOSES,
+    CONTAINS,
+    CURVE_RANK,
+    CURVE_STEP,
+    JOINT_TURNS,
+    NO_LENGTH,
+    ONE_OF_MANY,
+    SLIDE_SHORTEST,
+    TINY,
+)
 
 #: No limits at all, for joints as many as there are.
 FREE = np.array([[-np.inf, np.inf]])
@@ -72,7 +83,7 @@ class SelfMotion:
     @cached_property
     def free(self) -> tuple[int, ...]:
         """Joints (0-based) that move along the curve; the others stand still."""
-        return tuple(int(j) for j in np.flatnonzero(np.ptp(self._unitless[:, : self.shown], axis=0) > 1e-6))
+        return tuple(int(j) for j in np.flatnonzero(np.ptp(self._unitless[:, : self.shown], axis=0) > JOINT_TURNS))
 
     @cached_property
     def direction(self) -> Array:
@@ -92,7 +103,7 @@ class SelfMotion:
 
     def point(self, u: float) -> Array:
         """Return the same with the task's virtual joints behind."""
-        return newton(self.chain, self.between(np.array([u]))[0], self.T, steps=6, cutoff=1e-7)
+        return newton(self.chain, self.between(np.array([u]))[0], self.T, steps=6, cutoff=CURVE_RANK)
 
     def at_joint(self, joint: int, value: float) -> Array:
         """Return the points (m, n) of the curve where a joint (0-based) has a value, whole turns apart from it counted.
@@ -113,7 +124,7 @@ class SelfMotion:
             turns = 0 if self.chain.prismatic[joint] else round(float(point[joint] - value) / TURN)
             point = np.insert(rest, joint, value + TURN * turns)
             if missed(self.chain, point, self.T) < CLOSES and not any(
-                np.allclose(point, other, atol=1e-7) for other in found
+                np.allclose(point, other, atol=ONE_OF_MANY) for other in found
             ):
                 found.append(point)
         return np.array(found).reshape(-1, self.chain.n)[:, : self.shown]
@@ -145,7 +156,7 @@ class SelfMotion:
             cost = np.where(self._sample_inside, cost, np.inf)
         # rounding makes equal costs unequal: a coarse key first, then the first sample
         best = int(np.argmin(np.round(cost, 6)))
-        return newton(self.chain, near[best], self.T, steps=6, cutoff=1e-7)
+        return newton(self.chain, near[best], self.T, steps=6, cutoff=CURVE_RANK)
 
     def counts(self, weights: Array | None = None) -> Array:
         """Return what each joint (n,) counts in a squared distance: its weight, nothing where it is virtual."""
@@ -185,11 +196,11 @@ class SelfMotion:
         for _ in range(20):
             direction = null_space(self.chain, point)[1][-1]
             weight = counts * direction
-            along = float(gap(point) @ weight) / max(float(weight @ direction), 1e-12)
+            along = float(gap(point) @ weight) / max(float(weight @ direction), NO_LENGTH)
             step = float(np.clip(along, -CURVE_STEP, CURVE_STEP))
-            while abs(step) > 1e-10:  # a step that leaves the limits, or leads away, is too long
+            while abs(step) > SLIDE_SHORTEST:  # a step that leaves the limits, or leads away, is too long
                 ahead = point + step * direction * self.chain.joints.unit
-                moved = newton(self.chain, ahead, self.T, steps=5, cutoff=1e-7)
+                moved = newton(self.chain, ahead, self.T, steps=5, cutoff=CURVE_RANK)
                 if (limits is None or inside(moved, limits).all()) and np.linalg.norm(
                     root * gap(moved)
                 ) < np.linalg.norm(root * gap(point)):
@@ -215,7 +226,7 @@ class SelfMotion:
         foot = difference[:, :-1] - np.clip(inner, 0, 1)[..., None] * segment
         return np.sqrt(np.minimum(to_samples, np.min(np.einsum("mkn,mkn->mk", foot, foot), axis=1)))
 
-    def contains(self, q: Array, tolerance: float = 1e-6) -> bool:
+    def contains(self, q: Array, tolerance: float = CONTAINS) -> bool:
         """Whether q (n,) lies on the curve within a tolerance (rad)."""
         q = self.padded(q)
         if self.distance(q) > 0.05:
@@ -245,7 +256,7 @@ class SelfMotion:
         i, j = self.free
         for sign, symbol in ((1, "+"), (-1, "-")):
             total = self.samples[:, i] + sign * self.samples[:, j]
-            if np.ptp(total) < 1e-9:
+            if np.ptp(total) < CLOSED_TURN:
                 value = np.degrees(short_way(total[0]))
                 return f"{self.names[i]} {symbol} {self.names[j]} = {value:.6g} deg"
         return ""

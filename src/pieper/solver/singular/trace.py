@@ -9,7 +9,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import newton_on_plane, null_space, singular_values
 from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
-from pieper.tolerances import CURVE_STEP, ON_CURVE, TINY
+from pieper.tolerances import CROSSING_CHANGE, CROSSING_FOUND, CURVE_STEP, ON_CURVE, OPEN_WAYS, TINY
 
 #: The most steps a trace may take, and the cosine by which a step may depart from the tangent it sets out along.
 MOST_STEPS, STRAIGHT = 1500, 0.95
@@ -58,7 +58,7 @@ def trace(
         backward, _ = _walk(chain, q, T, -set_out, most_steps)
         samples = np.concatenate([backward[:0:-1], forward])
     s, _ = null_space(chain, samples[len(samples) // 2])
-    open_ways = int(np.count_nonzero(s <= 1e-7 * max(s[0], TINY)))
+    open_ways = int(np.count_nonzero(s <= OPEN_WAYS * max(s[0], TINY)))
     arm_joints = chain.n if shown is None else shown
     return TracedMotion(chain, T, samples, closed, max(1, open_ways), limits, names, arm_joints)
 
@@ -73,7 +73,7 @@ def crossings(motion: SelfMotion) -> list[Array]:
         # at a crossing the value falls to zero like |s - s0|: less than one and a half times what a step changes
         around = second[[(i + k) % last if motion.closed else min(max(i + k, 0), last) for k in (-2, -1, 1, 2)]]
         change = max(abs(around[0] - around[1]), abs(around[3] - around[2]))
-        if second[i] > min(around) or second[i] > 1.5 * change + 1e-9:
+        if second[i] > min(around) or second[i] > 1.5 * change + CROSSING_CHANGE:
             continue
         low, high = motion.u[max(i - 1, 0)], motion.u[min(i + 1, last)]
         for _ in range(30):  # golden section
@@ -83,7 +83,7 @@ def crossings(motion: SelfMotion) -> list[Array]:
             else:
                 low = a
         point = motion.point((low + high) / 2)
-        if second_smallest(chain, point) < 1e-5:
+        if second_smallest(chain, point) < CROSSING_FOUND:
             found.append(point)
     return found
 

@@ -26,12 +26,36 @@ async function filesOf(folder) {
   return new Map(await Promise.all(found.map((f) => read(join(f.parentPath, f.name)))));
 }
 
-const limit = 2.5e6;
+/** Colours and type of the house, which reports, figures and the site read too. */
+const house = JSON.parse(await readFile('../../document/identity.json', 'utf8'));
+const properties = (named) =>
+  Object.entries(named)
+    .map(([name, value]) => `--${name.replace(/[A-Z]/g, (c) => `-${c.toLowerCase()}`)}: ${value};`)
+    .join(' ');
+const identityCss = {
+  name: 'identity',
+  setup(b) {
+    b.onResolve({ filter: /identity\.css$/ }, ({ path }) => ({ path, namespace: 'identity' }));
+    b.onLoad({ filter: /.*/, namespace: 'identity' }, () => ({
+      contents:
+        `:root { ${properties({ ...house.light.colours, ...house.type })} }\n` +
+        `:root[data-theme="dark"] { ${properties(house.dark.colours)} }`,
+      loader: 'css',
+    }));
+  },
+};
+
+const limit = 3e6;
 const check = process.argv.includes('--check');
 const out = check ? await mkdtemp(join(tmpdir(), 'pieper-page-')) : 'dist';
 await rm(out, { recursive: true, force: true });
 await build({
-  entryPoints: { door: 'src/door.mjs', app: 'src/main.mjs', page: 'src/style/page.css' },
+  entryPoints: {
+    door: 'src/door.mjs',
+    app: 'src/main.mjs',
+    page: 'src/style/page.css',
+    meshes: 'src/meshes/worker.mjs',
+  },
   outdir: out,
   bundle: true,
   format: 'esm',
@@ -42,11 +66,11 @@ await build({
   chunkNames: '[name]-[hash]',
   assetNames: 'fonts/[name]',
   loader: { '.woff2': 'file' },
-  plugins: [onlyWoff2],
+  plugins: [onlyWoff2, identityCss],
   logLevel: 'warning',
 });
 await copyFile('src/index.html', join(out, 'index.html'));
-await copyFile('src/icon.svg', join(out, 'icon.svg'));
+await copyFile('../../document/icon.svg', join(out, 'icon.svg'));
 
 const made = await filesOf(out);
 const total = [...made.values()].reduce((sum, content) => sum + content.length, 0);

@@ -5,6 +5,7 @@ import { bare } from './library.mjs';
 import { atMostEvery } from './dom.mjs';
 import { motionOf } from './curves.mjs';
 import * as dock from './dock.mjs';
+import * as looks from './scene/looks.mjs';
 
 /** Milliseconds between two words to Python while a hand moves. */
 const OFTEN = 40;
@@ -28,6 +29,7 @@ function take(push) {
   if (push.table) {
     setTable(push.table, { q: push.q, what: 'new', label: 'open an arm from Python' });
     toldTable = state.table;
+    looks.take(push.looks ?? null, push.table);
   }
   if (push.things) show(push.things);
   if (push.target) {

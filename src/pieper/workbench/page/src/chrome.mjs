@@ -7,6 +7,7 @@ import { setTheme } from './theme.mjs';
 import { ask } from './link.mjs';
 import { sentence, countWords } from './library.mjs';
 import { catalogueDialog } from './catalogue.mjs';
+import { lookChoice } from './look_choice.mjs';
 import { present, savePicture } from './room.mjs';
 import { look, ground } from './scene/view.mjs';
 import { fitArm, frameName, setTracing, clearTrace } from './scene/arm.mjs';
@@ -51,10 +52,10 @@ export function bar(root) {
   const steps = h('span', { class: 'group', role: 'group', 'aria-label': 'History' }, back, forth);
   root.append(
     h(
-      'span',
+      'h1',
       { class: 'mark' },
       h('img', { src: 'icon.svg', alt: '', width: '22', height: '22' }),
-      h('b', { text: 'pieper' }),
+      h('span', { text: 'pieper' }),
     ),
     arms,
     h('button', {
@@ -259,6 +260,7 @@ export function overlay(root) {
       { class: 'corner top' },
       views,
       h('div', { class: 'group', role: 'group', 'aria-label': 'Trace of the tool' }, trace, clear),
+      lookChoice(),
       h(
         'div',
         { class: 'group', role: 'group', 'aria-label': 'The picture' },

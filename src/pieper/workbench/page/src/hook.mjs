@@ -12,6 +12,7 @@ import { thingsDrawn, carriedAt } from './scene/world.mjs';
 import { gripperShown } from './scene/gripper.mjs';
 import { framesOfStep } from './panels/dh_steps.mjs';
 import { bodiesShown } from './scene/clearance.mjs';
+import { looksDrawn } from './scene/looks.mjs';
 import { ellipsoidShown } from './scene/ellipsoid.mjs';
 import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
@@ -51,6 +52,9 @@ export function expose() {
     },
     get things() {
       return thingsDrawn();
+    },
+    get looks() {
+      return looksDrawn();
     },
     get program() {
       return structuredClone(state.program);

@@ -32,6 +32,7 @@ import * as playing from './playing.mjs';
 import * as clearance from './scene/clearance.mjs';
 import * as ellipsoid from './scene/ellipsoid.mjs';
 import * as world from './scene/world.mjs';
+import * as looks from './scene/looks.mjs';
 import { expose } from './hook.mjs';
 
 readTheme();
@@ -42,6 +43,7 @@ history.begin();
 arm.begin();
 gizmo.begin();
 world.begin();
+looks.begin();
 clearance.begin();
 ellipsoid.begin();
 gripper.begin();
@@ -90,6 +92,7 @@ on('online', async (yes) => {
     setTable(hello.table, { q: presentable(hello.table), step: false, what: 'new' });
     history.forgetHistory();
   }
+  if (hello.looks) looks.take(hello.looks, hello.table);
   beside.open(hello.bench);
   document.documentElement.dataset.ready = 'yes';
 });

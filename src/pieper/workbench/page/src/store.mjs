@@ -33,6 +33,8 @@ export const state = {
   watch: false, // whether distances are asked for without anything to run into
   clearance: null, // the nearest two bodies, as the library says
   world: [], // what stands around the arm, likewise
+  looks: null, // the shapes of the arm's own file: {shapes, notes, key, files}
+  look: { mode: 'real', opacity: 0.4 },
   panel: 'move',
   theme: 'auto',
   online: false,

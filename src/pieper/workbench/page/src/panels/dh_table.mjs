@@ -7,7 +7,7 @@ import { convert } from '../convert.mjs';
 import { blank } from '../kinematics.mjs';
 import { countWords } from '../library.mjs';
 import { add, asOne, change, limitReason, restructure, swap } from './dh_edits.mjs';
-import { openRobot, saveRobot } from './robot_files.mjs';
+import { robotOpeners, saveRobot } from './robot_files.mjs';
 import { dhSteps } from './dh_steps.mjs';
 import { poseEditor } from './pose_editor.mjs';
 
@@ -63,15 +63,6 @@ export const dhTable = {
           setTable({ ...unlisted(state.table), name: name.value || 'my-arm' }, { what: 'name', label: 'name the arm' }),
       },
     });
-    const file = h('input', {
-      type: 'file',
-      accept: '.toml,.urdf,.xml',
-      class: 'offscreen',
-      'aria-label': 'Robot file',
-      'data-testid': 'robot-file',
-      tabindex: '-1',
-      on: { change: () => openRobot(file) },
-    });
     const base = poseEditor(
       'Base',
       'base',
@@ -101,13 +92,7 @@ export const dhTable = {
                 setTable(blank(state.table.convention), { q: [], what: 'new', label: 'begin a blank table' }),
             },
           }),
-          h('button', {
-            type: 'button',
-            text: 'Open…',
-            title: 'A robot file (.toml) or a URDF',
-            on: { click: () => file.click() },
-          }),
-          file,
+          ...robotOpeners(),
           h('button', { type: 'button', text: 'Save', title: 'As a robot file', on: { click: saveRobot } }),
         ),
       ),
@@ -286,9 +271,9 @@ export const dhTable = {
           'tr',
           {},
           h('th', { scope: 'col', text: 'i' }),
-          h('th', { scope: 'col', 'aria-label': 'type' }),
+          h('th', { scope: 'col' }, h('span', { class: 'offscreen', text: 'type' })),
           heads,
-          h('th', { 'aria-label': 'row tools' }),
+          h('td'),
         ),
       );
       replace(

@@ -17,7 +17,7 @@ const material = matte();
 
 /** The arm's shadow: the same parts, flattened onto the ground along the light; each pixel is darkened once. */
 const light = [0.32, -0.4, 1];
-const shadowMaterial = new THREE.MeshBasicMaterial({
+export const shadowMaterial = new THREE.MeshBasicMaterial({
   color: '#000',
   transparent: true,
   opacity: 0.1,
@@ -32,9 +32,54 @@ const shadowMaterial = new THREE.MeshBasicMaterial({
   polygonOffsetFactor: -1,
   polygonOffsetUnits: -1,
 });
-const shadowMatrix = new THREE.Matrix4().set(1, 0, -light[0], 0, 0, 1, -light[1], 0, 0, 0, 0, 0.0005, 0, 0, 0, 1);
+export const shadowMatrix = new THREE.Matrix4().set(
+  1,
+  0,
+  -light[0],
+  0,
+  0,
+  1,
+  -light[1],
+  0,
+  0,
+  0,
+  0,
+  0.0005,
+  0,
+  0,
+  0,
+  1,
+);
+/** Where the arm stands, the ground is darker: a soft disc, so that it does not seem to float. */
+const contact = new THREE.Mesh(
+  new THREE.CircleGeometry(1, 40),
+  new THREE.ShaderMaterial({
+    transparent: true,
+    depthWrite: false,
+    polygonOffset: true,
+    polygonOffsetFactor: -1,
+    polygonOffsetUnits: -1,
+    uniforms: { strength: { value: 0.3 } },
+    vertexShader:
+      'varying vec2 at; void main() { at = position.xy; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
+    fragmentShader:
+      'uniform float strength; varying vec2 at; void main() { float d = 1.0 - length(at); gl_FragColor = vec4(0.0, 0.0, 0.0, strength * d * d); }',
+  }),
+);
+contact.renderOrder = -1;
+function standing() {
+  const base = state.frames[0],
+    r = 2 * (form.radius[0] ?? 0);
+  contact.visible = state.table.joints.length > 0 && Math.abs(base[11]) < 0.02 * form.size && base[10] > 0.99;
+  contact.position.set(base[3], base[7], 0.0004 * form.size);
+  contact.scale.set(1.6 * r, 1.6 * r, 1);
+}
 const main = new Bodies(material, { shadow: { material: shadowMaterial, matrix: shadowMatrix } });
 
+/** Show or hide what is drawn from the table; its shadow goes where the arm's looks throw their own. */
+export function showSketch(yes, shadowless) {
+  main.shown(yes, yes && !shadowless);
+}
 const ghostMaterial = matte({ opacity: 0.2, veil: true });
 const ghosts = new Bodies(ghostMaterial, { veil: true });
 const previewMaterial = matte({ opacity: 0.62, gloss: 0.1 });
@@ -46,7 +91,7 @@ let ghostRows = [],
   previewRow = null;
 
 export function begin() {
-  scene.add(main.group, ghosts.group, preview.group, axes.group);
+  scene.add(contact, main.group, ghosts.group, preview.group, axes.group);
   ghosts.group.renderOrder = 1;
   on('table', (what) => {
     form = proportions(state.table);
@@ -101,6 +146,7 @@ const stayInView = debounce(keepInView, 220);
 function drawArm() {
   const F = state.frames;
   main.show(state.table.joints.length ? [shape(state.table, F, form, state.q)] : []);
+  standing();
   remember([...outline(state.table, F), ...alsoShown]);
   stayInView();
   if (tracing) addTrace(position(F[F.length - 1]));
@@ -212,6 +258,7 @@ function paint() {
   pathLine.material.color.set(colours.trace);
   pathDots.material.color.set(colours.trace);
   shadowMaterial.opacity = colours.dark ? 0.28 : 0.11;
+  contact.material.uniforms.strength.value = colours.dark ? 0.75 : 0.34;
   axes.paint();
   invalidate();
 }

@@ -83,8 +83,8 @@ class Heap {
     this.indices = 0;
   }
 
-  /** A part at a place: x and y of the unit times r along ux and uy, z times h along uz. */
-  put(part, paint, at, ux, uy, uz, r, h) {
+  /** A part at a place: x and y of the unit times r (at its far end `far`) along ux and uy, z times h along uz. */
+  put(part, paint, at, ux, uy, uz, r, h, far = r) {
     const first = this.corners,
       end = first + part.count;
     if (3 * end > this.at.length || this.indices + part.index.length > this.index.length)
@@ -93,8 +93,9 @@ class Heap {
         2 * Math.max(this.indices + part.index.length, this.index.length),
       );
     for (let v = 0, o = 3 * first; v < 3 * part.count; v += 3, o += 3) {
-      const x = r * part.at[v],
-        y = r * part.at[v + 1],
+      const wide = part.at[v + 2] > 0 ? far : r,
+        x = wide * part.at[v],
+        y = wide * part.at[v + 1],
         z = h * part.at[v + 2];
       // normals go with the inverse scale; the shader brings them to length one
       const nx = part.normal[v] / r,
@@ -158,6 +159,7 @@ export class Bodies {
     this.group = new THREE.Group();
     this.veil = veil;
     this.moving = false;
+    this.seen = this.shadowSeen = true;
     this.arms = [];
     this.body = new Heap(material);
     this.group.add(this.body.mesh);
@@ -168,6 +170,14 @@ export class Bodies {
       this.flat.mesh.renderOrder = -1;
       this.group.add(this.flat.mesh);
     }
+  }
+
+  /** Whether the arms, and their shadow, are seen. */
+  shown(yes, shadow) {
+    if (yes === this.seen && shadow === this.shadowSeen) return;
+    this.seen = yes;
+    this.shadowSeen = shadow;
+    this.show(this.arms);
   }
 
   /** Draw with few triangles while things move, with many when they rest. */
@@ -181,11 +191,12 @@ export class Bodies {
     this.arms = arms;
     this.body.clear();
     const unit = this.veil ? (this.moving ? coarse : middling) : this.moving ? middling : fine;
-    for (const arm of arms) this.#write(this.body, arm, unit());
+    for (const arm of this.seen ? arms : []) this.#write(this.body, arm, unit());
     this.body.done();
     if (!this.flat) return;
     this.flat.clear();
-    for (const arm of arms) this.#write(this.flat, arm, this.moving ? coarse() : middling(), true);
+    for (const arm of this.shadowSeen ? arms : [])
+      this.#write(this.flat, arm, this.moving ? coarse() : middling(), true);
     this.flat.done();
   }
 
@@ -193,9 +204,9 @@ export class Bodies {
     // A ghost is a little thinner than the arm: where both stand in one place, the arm is seen and not a pattern of the two.
     const k = this.veil ? 0.95 : 1,
       whole = !this.veil && !flat;
-    const stand = (part, paint, at, dir, r, h, x) => heap.put(part, paint, at, ...across(dir, x), dir, r, h);
+    const stand = (part, paint, at, dir, r, h, x, far) => heap.put(part, paint, at, ...across(dir, x), dir, r, h, far);
     const ball = (paint, at, r) => heap.put(unit.ball, paint, at, X, Y, Z, r, r);
-    for (const { a, b, r } of arm.rods) {
+    for (const { a, b, r, far } of arm.rods) {
       const v = sub(b, a),
         len = norm(v);
       const middle = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2];
@@ -206,6 +217,8 @@ export class Bodies {
         v.map((c) => c / len),
         k * r,
         len,
+        null,
+        k * (far ?? r),
       );
     }
     for (const { at, r } of arm.balls) ball(LINK, at, k * r);

@@ -2,8 +2,9 @@
 import * as THREE from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { colours } from '../theme.mjs';
+import identity from '../../../../document/identity.json';
 
-export const axisColours = ['#d8343f', '#1b9a50', '#2f6fe0'];
+export const axisColours = identity.axes;
 
 function arrow(colour, turn) {
   const shaft = new THREE.CylinderGeometry(0.028, 0.028, 0.82, 8).translate(0, 0.41, 0);

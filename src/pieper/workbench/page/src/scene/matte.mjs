@@ -75,3 +75,41 @@ export function matte({ opacity = 1, gloss = 0.16, veil = false } = {}) {
   };
   return material;
 }
+
+/** A body's paint of one colour, wherever it stands; both sides of the faces of what is not closed. */
+export function solid(closed) {
+  const material = new THREE.ShaderMaterial({
+    vertexShader: /* glsl */ `
+      varying vec3 vNormal;
+      varying vec3 vToEye;
+      varying vec3 vColour;
+      uniform vec3 colour;
+      void main() {
+        vec4 world = modelMatrix * vec4(position, 1.0);
+        vNormal = mat3(modelMatrix) * normal;
+        vToEye = cameraPosition - world.xyz;
+        vColour = colour;
+        gl_Position = projectionMatrix * viewMatrix * world;
+      }`,
+    fragmentShader: fragmentShader.replace(
+      'vec3 n = normalize(vNormal),',
+      'vec3 n = normalize(gl_FrontFacing ? vNormal : -vNormal),',
+    ),
+    side: closed ? THREE.FrontSide : THREE.DoubleSide,
+    uniforms: {
+      colour: { value: new THREE.Color() },
+      opacity: { value: 1 },
+      gloss: { value: 0.14 },
+      sky: { value: new THREE.Color() },
+      ground: { value: new THREE.Color() },
+    },
+  });
+  material.colour = material.uniforms.colour.value;
+  material.see = (opacity, dark) => {
+    material.uniforms.opacity.value = opacity;
+    material.transparent = opacity < 1;
+    material.uniforms.sky.value.setScalar(dark ? 0.4 : 0.47);
+    material.uniforms.ground.value.setScalar(dark ? 0.13 : 0.2);
+  };
+  return material;
+}

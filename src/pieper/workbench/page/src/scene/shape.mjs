@@ -24,10 +24,10 @@ export function shape(table, F, form, q = null) {
     tiny = size * 1e-6;
   const axes = jointAxes(table, F);
   /** A rod, if there is any length to it, and a ball at its far end, where the next one may set off another way. */
-  const rod = (a, b, r, ball = true) => {
+  const rod = (a, b, r, ball = true, far = r) => {
     if (norm(sub(b, a)) <= tiny) return;
-    parts.rods.push({ a, b, r });
-    if (ball) parts.balls.push({ at: b, r });
+    parts.rods.push({ a, b, r, far });
+    if (ball) parts.balls.push({ at: b, r: far });
   };
   if (n) parts.pedestal = { at: position(F[0]), dir: column(F[0], 2), r: radius[0] * 1.7, h: radius[0] * 0.34 };
   let previous = null;
@@ -36,13 +36,17 @@ export function shape(table, F, form, q = null) {
       joint = table.joints[i],
       o = position(F[i]),
       p = position(F[i + 1]);
-    const thin = r * 0.62;
+    const thin = r * 0.62,
+      // a link grows thinner towards what it carries
+      wide = r * 0.84,
+      next = (radius[i + 1] ?? form.rest) * 0.62,
+      before = (radius[i - 1] ?? r) * 0.84;
     if (table.convention === 'standard') {
       const shoulder = addScaled(o, dir, dot(sub(p, o), dir));
       rod(o, shoulder, thin);
-      rod(shoulder, p, thin);
+      rod(shoulder, p, wide, true, next);
     } else {
-      rod(o, point, thin);
+      rod(o, point, before, true, thin);
       rod(point, p, thin);
     }
     let at = point;

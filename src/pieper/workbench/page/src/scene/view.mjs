@@ -48,6 +48,8 @@ export function withPicture(f) {
   return f(renderer.domElement);
 }
 export const picturesDrawn = () => drawn;
+/** Whether the processor draws. */
+export const bySoftware = () => Boolean(quality?.software);
 
 scene.fog = new THREE.Fog('#fff', 1, 10);
 

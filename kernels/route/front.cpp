@@ -1,0 +1,386 @@
+// The work of `front`. Compiled once, for the plainest processor.
+//
+// What is reached at a pose is a set of stretches of its curves, each a row of points near enough to each other that nothing of the curve
+// lies between them unseen. While the path goes on by a twist of size L, whatever moves along with it inside the limits stays within
+// delta of a stretch that reaches past the limits by delta; carried to the next pose it lies on the curves through the carried points.
+// Only points that leave the limits by more than all of that are let go. Nothing is ever added but what hangs together with them.
+#include "route/front.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "route/self_motion.hpp"
+
+namespace pieper {
+namespace {
+
+using namespace PIEPER_ISA;
+
+// Parts of 1 / bend: the distance of points of a row, and how far a twist may move them to first order.
+constexpr double kSpacing = 0.3, kTwist = 0.1;
+// Of the distance of points: how far the curve's points may lie from one, and what may be let go beyond what must be kept.
+constexpr double kCover = 0.75, kBeyond = 2.0;
+
+// Without proof: what is let go beyond the limits, in distances of points, and the longest move.
+constexpr double kRoughly = 0.1, kLongest = 0.3;
+
+struct Row {
+  std::vector<Point> points;
+  bool closed = false;
+};
+
+class Front {
+ public:
+  explicit Front(const FrontAsked& asked)
+      : a(asked),
+        rough(asked.fine > 1),
+        curves(asked.n, asked.links, asked.prismatic, asked.length),
+        low(asked.n),
+        high(asked.n),
+        ring(asked.n) {
+    std::vector<double> slide(a.n, 0.0);
+    for (int j = 0; j < a.n; ++j) {
+      const double unit = curves.slides(j) ? a.length : 1.0;
+      low[j] = a.lower[j] / unit, high[j] = a.upper[j] / unit;
+      ring[j] = !curves.slides(j) && !std::isfinite(low[j]) && !std::isfinite(high[j]);
+      if (curves.slides(j)) slide[j] = std::fmax(std::fabs(low[j]), std::fabs(high[j])) + 0.1;
+    }
+    curves.reach(slide.data());
+  }
+
+  FrontFound run() {
+    FrontFound found;
+    found.narrowest = std::numeric_limits<double>::infinity();
+    std::vector<Point> given;
+    for (std::int64_t s = 0; s < a.seeds; ++s) {
+      Point p;
+      for (int j = 0; j < a.n; ++j) p.y[j] = a.seed[s * a.n + j] / (curves.slides(j) ? a.length : 1.0);
+      if (curves.settle(pose(0, 0.0), p)) given.push_back(p);
+    }
+    found.end = spread(given, pose(0, 0.0), found);
+    for (std::int64_t k = 0; found.end == FrontEnd::ARRIVED && k + 1 < a.stations; ++k) {
+      double part = 0;
+      double t[6];
+      const double size = twist(k, t);
+      while (part < 1 && found.end == FrontEnd::ARRIVED) {
+        double step = 1 - part;
+        step = std::fmin(step, allowed(t));
+        if (step * size < kFrontShortest && step < 1 - part) {
+          found.end = FrontEnd::SINGULAR;
+          break;
+        }
+        if (step > 0.999 * (1 - part)) step = 1 - part;
+        bool carried = false;
+        for (int halving = 0; halving < 12 && !carried; ++halving) {
+          carried = carry(k, part, step, t);
+          if (!carried) step /= 2;
+        }
+        if (!carried) {
+          found.end = FrontEnd::SINGULAR;
+          break;
+        }
+        part = part + step;
+        ++found.steps;
+        found.at = k + part;
+        found.end = settled(pose(k, part), found);
+      }
+    }
+    for (const Row& row : rows) {
+      const std::int64_t count = static_cast<std::int64_t>(row.points.size());
+      found.stretch.push_back(row.closed ? -count : count);
+      for (const Point& p : row.points) {
+        for (int j = 0; j < a.n; ++j) found.q.push_back(p.y[j] * (curves.slides(j) ? a.length : 1.0));
+        found.within.push_back(kept(p));
+      }
+    }
+    found.looked = looked;
+    return found;
+  }
+
+ private:
+  const FrontAsked& a;
+  const bool rough;
+  Curves curves;
+  std::vector<double> low, high;
+  std::vector<std::uint8_t> ring;
+  std::vector<Row> rows, next;
+  std::vector<Point> images;
+  std::int64_t looked = 0;
+
+  Rigid pose(std::int64_t k, double part) const {
+    Rigid T = read_rigid(a.poses + 16 * k, a.length);
+    if (part == 0) return T;
+    const Rigid next = read_rigid(a.poses + 16 * (k + 1), a.length);
+    if (part == 1) return next;
+    const double* u = a.axis + 3 * k;
+    const double angle = part * a.angle[k], c = std::cos(angle), s = std::sin(angle), o = 1 - c;
+    Rigid R = kNoMotion;
+    R.x = {c + o * u[0] * u[0], o * u[0] * u[1] + s * u[2], o * u[0] * u[2] - s * u[1]};
+    R.y = {o * u[0] * u[1] - s * u[2], c + o * u[1] * u[1], o * u[1] * u[2] + s * u[0]};
+    R.z = {o * u[0] * u[2] + s * u[1], o * u[1] * u[2] - s * u[0], c + o * u[2] * u[2]};
+    Rigid out = T * R;
+    out.t = T.t + part * (next.t - T.t);
+    return out;
+  }
+
+  // The twist t (6) to the next pose, base frame, and its size: between two poses it is constant.
+  double twist(std::int64_t k, double* t) const {
+    const Rigid T = read_rigid(a.poses + 16 * k, a.length);
+    const Vec3 d = read_rigid(a.poses + 16 * (k + 1), a.length).t - T.t,
+               u = {a.axis[3 * k], a.axis[3 * k + 1], a.axis[3 * k + 2]}, w = a.angle[k] * turn(T, u);
+    t[0] = d.x, t[1] = d.y, t[2] = d.z, t[3] = w.x, t[4] = w.y, t[5] = w.z;
+    return std::sqrt(dot(d, d) + dot(w, w));
+  }
+
+  double spacing(const Point& p) const { return kSpacing * a.fine / p.bend; }
+  // How far a twist of size one in the direction that the path has moves a point, to first order.
+  double speed(const Point& p, const double* t) const {
+    double sum = 0;
+    for (int j = 0; j < a.n; ++j) {
+      double v = 0;
+      for (int i = 0; i < 6; ++i) v += p.B[j][i] * t[i];
+      sum += v * v;
+    }
+    return std::sqrt(sum) / kFrontSafe;
+  }
+  // How far all that moves with the path may come from a point's curve while it moves by `way` to first order.
+  double moved_by(const Point& p, double way) const {
+    if (rough) return 0;
+    const double c = 1 - kCover * kSpacing * a.fine, left = c * c - 4 * p.bend * way;
+    return left > 0 ? 2 * way / (c + std::sqrt(left)) : std::numeric_limits<double>::infinity();
+  }
+  double kept(const Point& p) const {
+    if (rough) return kRoughly * spacing(p);
+    return spacing(p) + 2.5 * moved_by(p, kTwist * a.fine / p.bend) + kFrontOff;
+  }
+
+  // Points are let go when they are outside by more; between that and `kept` lie points that only hang together with others.
+  double let_go(const Point& p) const { return kept(p) + (rough ? 0.0 : kBeyond * spacing(p)); }
+
+  double outside(const Point& p) const {
+    double most = -std::numeric_limits<double>::infinity();
+    for (int j = 0; j < a.n; ++j) most = std::fmax(most, std::fmax(low[j] - p.y[j], p.y[j] - high[j]));
+    return most;
+  }
+
+  double apart(const Point& p, const Point& q) const {
+    double sum = 0;
+    for (int j = 0; j < a.n; ++j) {
+      double d = p.y[j] - q.y[j];
+      if (ring[j]) d -= kTurnAround * std::nearbyint(d / kTurnAround);
+      sum += d * d;
+    }
+    return std::sqrt(sum);
+  }
+
+  // How far the path may go on at once, in parts of the way to the next pose whose twist is t.
+  double allowed(const double* t) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Row& row : rows)
+      for (const Point& p : row.points) least = std::fmin(least, kTwist * a.fine / (p.bend * speed(p, t)));
+    return least * kFrontSafe;
+  }
+
+  // Carries all rows to the pose a step further. False, and nothing is changed, where a step is too long for what is known.
+  bool carry(std::int64_t k, double part, double step, const double* t) {
+    next.clear();
+    const double there = part + step;
+    const Rigid goal = pose(k, there > 1 - kFrontRounding ? 1.0 : there);
+    for (const Row& row : rows) {
+      images.resize(row.points.size());
+      bool all = true;
+      for (std::size_t i = 0; i < row.points.size(); ++i) {
+        const Point& p = row.points[i];
+        Point& q = images[i];
+        q = p;
+        ++looked;
+        for (int j = 0; j < a.n; ++j)
+          for (int c = 0; c < 6; ++c) q.y[j] += step * p.B[j][c] * t[c];
+        if (!curves.settle(goal, q)) return false;
+        const double moved = apart(p, q);
+        if (rough) {
+          if (moved > kLongest) return false;
+        } else {
+          // the carried point is on the same curve as what p and its surroundings become
+          const double delta = moved_by(p, step * speed(p, t) + kFrontRounding),
+                       far = delta + kCover * spacing(p) + moved;
+          if (!(far < 0.9 * q.radius && kCover * spacing(p) + delta < p.radius && far <= kept(q))) return false;
+        }
+        if (a.n > 6) curves.aim(q, p.tangent);
+        all = all && outside(q) <= let_go(q);
+      }
+      if (!take(row.closed, all, goal)) return false;
+    }
+    rows.swap(next);
+    return true;
+  }
+
+  // Makes rows of the images of one.
+  bool take(bool closed, bool all, const Rigid& at) {
+    const std::size_t count = images.size();
+    std::size_t start = 0;
+    if (closed && !all)
+      while (outside(images[start]) <= let_go(images[start])) ++start;
+    Row row;
+    bool seen = false;
+    auto done = [&] {
+      if (seen) next.push_back(std::move(row));
+      row = Row();
+      seen = false;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point& q = images[(start + i) % count];
+      if (outside(q) > let_go(q)) {
+        done();
+        continue;
+      }
+      if (!row.points.empty()) {
+        const double d = apart(row.points.back(), q);
+        if (d < 0.4 * spacing(q) && i + 1 < count) continue;
+        if (!bridge(row, q, at)) return false;
+      }
+      seen = seen || outside(q) <= kept(q);
+      row.points.push_back(q);
+    }
+    if (closed && all && !row.points.empty()) {
+      const Point first = row.points.front();
+      if (!bridge(row, first, at)) return false;
+      row.closed = true;
+    }
+    done();
+    return true;
+  }
+
+  // Puts points between the end of a row and a point that is too far from it.
+  bool bridge(Row& row, const Point& to, const Rigid& at) {
+    const double none[kMostCoordinates] = {};
+    for (int more = 0; more < 20; ++more) {
+      const Point here = row.points.back();
+      const double d = apart(here, to);
+      if (d <= 1.1 * spacing(here) && d <= 1.25 * spacing(to) && (rough || d < 0.9 * here.radius)) return true;
+      Point added;
+      if (a.n == 6 || !ahead(here, at, none, added)) return false;
+      if (apart(added, to) >= d) return false;
+      row.points.push_back(added);
+    }
+    return false;
+  }
+
+  // Lets rows grow at their ends as far as they may be inside, and tells how it stands.
+  FrontEnd settled(const Rigid& at, FrontFound& found) {
+    for (std::size_t r = 0; r < rows.size() && a.n > 6; ++r)
+      for (int side = 0; side < 2 && !rows[r].closed; ++side)
+        if (!stretch(r, side == 0, at)) return FrontEnd::SINGULAR;
+    for (const Row& row : rows)
+      for (const Point& p : row.points) found.narrowest = std::fmin(found.narrowest, 1 / p.bend);
+    if (looked > a.most) return FrontEnd::TIRED;
+    return rows.empty() ? FrontEnd::DIED : FrontEnd::ARRIVED;
+  }
+
+  bool stretch(std::size_t r, bool ahead_of, const Rigid& at) {
+    double bow[kMostCoordinates] = {};
+    std::vector<Point> more;
+    Point here = ahead_of ? rows[r].points.back() : rows[r].points.front();
+    const Point other = ahead_of ? rows[r].points.front() : rows[r].points.back();
+    if (!ahead_of)
+      for (double& t : here.tangent) t = -t;
+    const bool some = rows[r].points.size() > 3;
+    while (looked <= a.most) {
+      Point one;
+      if (!ahead(here, at, bow, one)) return false;
+      const double step = apart(here, one);
+      for (int j = 0; j < a.n; ++j) bow[j] = (one.tangent[j] - here.tangent[j]) / step;
+      if (outside(one) > let_go(one)) break;
+      if ((some || more.size() > 3) && near(one, other)) {
+        rows[r].closed = true;
+        more.push_back(one);
+        break;
+      }
+      bool met = false;
+      for (std::size_t o = 0; o < rows.size() && !met; ++o)
+        if (o != r) met = near(one, rows[o].points.front()) || near(one, rows[o].points.back());
+      more.push_back(one);
+      if (met) break;  // that row goes on from here
+      here = one;
+    }
+    auto& points = rows[r].points;
+    if (ahead_of) {
+      points.insert(points.end(), more.begin(), more.end());
+    } else {
+      for (Point& p : more)
+        for (double& t : p.tangent) t = -t;
+      points.insert(points.begin(), more.rbegin(), more.rend());
+    }
+    return true;
+  }
+
+  // Makes rows of all that hangs together with the points given, as far as it may be inside.
+  FrontEnd spread(const std::vector<Point>& given, const Rigid& at, FrontFound& found) {
+    std::size_t row = 0, index = 0;
+    for (const Point& image : given) {
+      if (outside(image) > kept(image)) continue;
+      if (covered(image, row, index)) continue;
+      Row fresh;
+      fresh.points.push_back(image);
+      if (a.n > 6) curves.aim(fresh.points[0], nullptr);
+      rows.push_back(std::move(fresh));
+      row = rows.size() - 1;
+      index = 0;
+      for (int side = 0; side < 2 && a.n > 6 && !rows[row].closed; ++side)
+        if (!stretch(row, side == 0, at)) return FrontEnd::SINGULAR;
+      if (looked > a.most) return FrontEnd::TIRED;
+    }
+    return settled(at, found);
+  }
+
+  bool covered(const Point& p, std::size_t& row, std::size_t& index) const {
+    if (row < rows.size()) {
+      const auto& points = rows[row].points;
+      const std::size_t from = index > 6 ? index - 6 : 0, to = std::min(points.size(), index + 7);
+      for (std::size_t i = from; i < to; ++i)
+        if (near(p, points[i])) {
+          index = i;
+          return true;
+        }
+    }
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (std::size_t i = 0; i < rows[r].points.size(); ++i)
+        if (near(p, rows[r].points[i])) {
+          row = r, index = i;
+          return true;
+        }
+    return false;
+  }
+  bool near(const Point& p, const Point& q) const {
+    const double d = apart(p, q);
+    return d <= spacing(q) && (rough || d < 0.9 * q.radius);
+  }
+
+  // The next point of a curve, near enough; bow is how the tangent turned before.
+  bool ahead(const Point& here, const Rigid& at, const double* bow, Point& next) {
+    double step = spacing(here);
+    for (int turn = 0; turn < 30; ++turn) {
+      next = here;
+      for (int j = 0; j < a.n; ++j) next.y[j] += step * (here.tangent[j] + 0.5 * step * bow[j]);
+      ++looked;
+      if (curves.settle(at, next)) {
+        const double d = apart(here, next);
+        if (d <= 1.1 * spacing(here) && (rough || d < 0.9 * here.radius) && d <= 1.25 * spacing(next)) {
+          curves.aim(next, here.tangent);
+          return true;
+        }
+        step = std::fmin(0.9 * spacing(next), 0.7 * step);
+      } else {
+        step /= 2;
+      }
+      if (!(step > kFrontStill)) return false;
+    }
+    return false;
+  }
+};
+
+}  // namespace
+
+FrontFound front(const FrontAsked& asked) { return Front(asked).run(); }
+
+}  // namespace pieper

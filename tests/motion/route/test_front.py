@@ -1,0 +1,89 @@
+"""What is followed with proof along a path: nothing that moves inside the limits is ever lost on the way."""
+
+import numpy as np
+import pytest
+
+import pieper
+from oracle.turns import reaches, ring
+from pieper.motion.route.front import Ended, everything_at, follow, modulo_turns
+
+FREE = pieper.Freedom()
+
+
+def covers(front, world, x):
+    """Whether a joint vector (m,) is one that a point of the front stands for."""
+    gap = world.chain.joints.difference(front.q, x) / world.chain.joints.unit
+    return bool((np.linalg.norm(gap, axis=1) <= front.within).any())
+
+
+@pytest.mark.parametrize("fine", [1.0, 0.3])
+def test_a_route_never_leaves_the_front(irb, seam, found, fine):
+    world = found.setting
+    limits = modulo_turns(world)
+    for last in (1, 2):
+        x = np.append(found.q[last], -found.turn[last])
+        front = follow(world, limits, everything_at(world, limits, 0.0), (0.0, found.s[last]), fine, 2_000_000)
+        assert front.ended is Ended.ARRIVED
+        assert covers(front, world, x)
+
+
+def test_a_front_begins_with_all_rows_inside_the_limits(irb, seam, found):
+    world = found.setting
+    limits = modulo_turns(world)
+    front = follow(world, limits, everything_at(world, limits, 0.0), (0.0, 0.0), 0.3, 1_000_000)
+    turns = np.random.default_rng(2).uniform(-np.pi, np.pi, 60)
+    many = irb.ik_many(FREE.turned(seam[0], turns))
+    k, row = np.nonzero(many.in_limits)
+    assert len(k) > 50
+    for i, j in zip(k, row, strict=True):
+        assert covers(front, world, np.append(many.q[i, j], -turns[i]))
+
+
+def test_a_front_of_one_posture_keeps_what_it_can_turn_to(irb, seam, found):
+    world = found.setting
+    start = np.append(found.q[0], -found.turn[0])
+    front = follow(world, world.limits, start[None], (0.0, 0.0), 0.3, 1_000_000)
+    every = follow(world, world.limits, everything_at(world, world.limits, 0.0), (0.0, 0.0), 0.3, 1_000_000)
+    assert covers(front, world, start)
+    assert 0 < len(front.q) < len(every.q)
+
+
+def test_without_limits_nothing_ends(irb, seam, found):
+    world = found.setting
+    none = np.full((world.m, 2), [-np.inf, np.inf])
+    seeds = everything_at(world, modulo_turns(world), 0.0)
+    front = follow(world, none, seeds, (0.0, 0.01), 1.0, 1_000_000)
+    assert front.ended is Ended.ARRIVED
+    assert follow(world, none, seeds, (0.0, 1.0), 1.0, 20_000).ended is Ended.TIRED
+
+
+def test_a_tool_that_is_held_is_refused_with_proof_too(irb):
+    path = ring(30, (1.1, 0.0, 0.6), 0.3, 0.2)
+    held = irb.with_limits({"joint_1": (-0.1, 0.1)}).route(path)
+    assert held.verdict is pieper.Verdict.IMPOSSIBLE
+
+
+def test_another_end_than_the_one_that_is_reached_is_refused(irb, seam, found):
+    # the first joint can be at the start's value only where the tool is on the other side
+    short = seam[:3]
+    here = irb.route(short, free=FREE)
+    other = irb.ik(FREE.turned(short[-1], here.turn[-1]))
+    for q in other.q:
+        to = irb.route(short, free=FREE, start=here.q[0], end=q)
+        assert to.verdict is not pieper.Verdict.UNCERTAIN or "ruled out" in to.reason
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_what_is_refused_is_not_reached_by_many_turns(irb, seed):
+    rng = np.random.default_rng(seed)
+    reach, unknown = irb.chain.length, 0
+    for _ in range(6):
+        out, angle = rng.uniform(0.2, 0.65) * reach, rng.uniform(-2.5, 2.5)
+        centre = (out * np.cos(angle), out * np.sin(angle), rng.uniform(0, 0.55) * reach)
+        path = ring(20, centre, rng.uniform(0.03, 0.17) * reach, rng.uniform(0, 1.2))
+        route = irb.route(path, free=FREE)
+        unknown += route.verdict is pieper.Verdict.UNCERTAIN
+        if route.verdict is pieper.Verdict.IMPOSSIBLE:
+            assert reaches(irb, path, 90) < len(path) - 1
+    assert unknown <= 1
