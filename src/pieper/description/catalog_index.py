@@ -10,6 +10,7 @@ from functools import cache
 from pieper.description import catalog
 from pieper.description.dh import Description
 from pieper.errors import InputError
+from pieper.tolerances import TYPED_DIGITS
 
 FILE = os.path.join(catalog.FOLDER, "index.tsv")
 HEAD = "name\tmanufacturer\tjoint_types\tpayload_kg\treach_mm"
@@ -86,7 +87,7 @@ def find(
             and (maker is None or maker.lower() in arm.manufacturer.lower())
             and (kinds is None or (arm.n == kinds if isinstance(kinds, int) else arm.joint_types == kinds))
             and (payload is None or (arm.payload is not None and arm.payload >= payload))
-            and (reach is None or (arm.reach is not None and arm.reach >= reach - 1e-9))
+            and (reach is None or (arm.reach is not None and arm.reach >= reach - TYPED_DIGITS))
         )
 
     return tuple(arm for arm in entries() if fits(arm))
