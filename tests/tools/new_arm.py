@@ -243,7 +243,7 @@ def _foot(joints: list[Joint]) -> Array:
 
 
 def upright(joints: list[Joint], *, sideways: bool = False) -> tuple[Array, float]:
-    """Return the quarter-turn posture with the highest flange (axis n level if so wished), and its height."""
+    """Return the quarter turns with the highest flange (axis n level if so wished), and its height over axis 2."""
     names = [joint.name for joint in moving(joints)]
     best, last = (np.zeros(len(names)), -math.inf), _axis6(joints, names)
     for turns in itertools.product((0, 1, -1), repeat=len(names) - 2):
