@@ -41,7 +41,7 @@ def page(document: b.Document) -> str:
         '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
-        f'<title>{title}</title>\n<link rel="icon" href="{icon}">\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n'
+        f'<title>{title}</title>\n<link rel="icon" href="{icon}"/>\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n'
         f"<header>{mark}<h1>{title}</h1>{subtitle}</header>\n{summary}\n{contents}\n{body}\n"
         f"<footer>{FOOTER}</footer>\n</main>\n</body>\n</html>\n"
     )
