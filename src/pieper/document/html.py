@@ -33,7 +33,7 @@ def page(document: b.Document) -> str:
     summary = f'<div class="summary"><p>{escaped(document.summary)}</p></div>' if document.summary else ""
     subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>' if document.subtitle else ""
     icon, name = icon_address(), identity()["wordmark"]
-    mark = f'<div class="wordmark"><img src="{icon}" alt="">{name}</div>'
+    mark = f'<div class="wordmark"><img src="{icon}" alt=""/>{name}</div>'
     policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
     own = f":root {{ {custom_properties()} }}\n"
     style = own + _font() + STYLE.read_text(encoding="utf-8") + _running_foot(document)
