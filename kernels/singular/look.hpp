@@ -56,7 +56,7 @@ class Look {
         regular.push_back(k);
         continue;
       }
-      if (!singular_row(T, q, at, d, alone, out.motions)) return false;
+      if (!singular_row(T, q, at, d, {rows, count}, alone, out.motions)) return false;
     }
     if (clear) {
       for (int k = 0; k < count; ++k) add(rows + 6 * k, 1, -1, false, out);
@@ -82,8 +82,8 @@ class Look {
     }
     std::stable_sort(out.rows.begin(), out.rows.end(), [&](const Read::Row& a, const Read::Row& b) {
       for (int i = 0; i < kSix; ++i) {
-        const double scale = arm_.slides[i] ? arm_.length * 1e6 : 1e6, x = std::nearbyint(a.q[i] * scale),
-                     y = std::nearbyint(b.q[i] * scale);
+        const double grid = arm_.slides[i] ? kRowOrderGrid / arm_.length : kRowOrderGrid,
+                     x = std::nearbyint(a.q[i] / grid), y = std::nearbyint(b.q[i] / grid);
         if (x != y) return x < y;
       }
       return false;
@@ -92,6 +92,12 @@ class Look {
   }
 
  private:
+  // All rows of a pose.
+  struct Rows {
+    const double* q;
+    int count;
+  };
+
   static constexpr int kLastDigits = 4;
 
   // Whether a row lies on a self-motion that is known, or on a new one of two axes in one line, which is added.
@@ -145,7 +151,7 @@ class Look {
         for (int r = 0; r < 6; ++r) Q[i][r] -= s * Q[best][r];
       }
     }
-    return last > 1e-8 * total;  // a hundred times what is looked at, squared
+    return last > kSecondFree * total;
   }
 
   void add(const double* q, int branches, int motion, bool singular, Read& out) const {
@@ -160,26 +166,45 @@ class Look {
     return q < kOrthogonal - kPi ? kPi : q;
   }
 
-  bool singular_row(const Rigid& T, const double* q, const Standing& at, const SingularSix& d, std::vector<Root>& alone,
-                    std::vector<SelfMotionRead>& motions) const {
+  bool singular_row(const Rigid& T, const double* q, const Standing& at, const SingularSix& d, const Rows& rows,
+                    std::vector<Root>& alone, std::vector<SelfMotionRead>& motions) const {
     if (d.s[4] <= kOneWayFree * d.s[0]) return two_ways(T, q, alone, motions);
     Free free = Free::NO;
     FourBar bar;
     if (!what_is_free(T, q, at, d, motions, free, bar)) return false;
     if (free == Free::SELF_MOTION) return true;
-    int count = free == Free::BESIDE ? 1 : branches_of_fold(at.J, d);
+    const double bend = bend_of(at.J, d);
+    int count = free == Free::BESIDE ? 1 : branches_of_fold(bend, d);
+    if (count == 1 && free == Free::NO && twin_is_hidden(q, d.s[5], bend, rows)) count = 2;
     if (count == 0) {  // too flat to be told by its second order: what a step along it misses tells
       count = branches_at(arm_, T, q);
       if (next_to_.held(T, q, d.joint[5])) return false;
     }
+    Root root{{}, count};
+    std::copy(q, q + kSix, root.q);
+    if (free == Free::BESIDE) {
+      // a row is known along the self-motion to rounding over its singular value: the same twice is one
+      const double blur = std::fmin(5 * kMergedRounding / std::fmax(d.s[5], kTiny), kSameAlong);
+      for (const Root& other : alone)
+        if (arm_.apart(q, other.q) < blur) return true;
+    }
+    alone.push_back(root);
     if (free == Free::BESIDE && d.s[5] < kRootsApart * d.s[0]) {
       int moving = 0;
       for (double x : d.joint[5]) moving += std::fabs(x) > kLoopMoves;
-      return moving <= 2 ? next_to_.line(T, q, d.joint[5], alone) : next_to_.linkage(T, q, bar, alone);
+      if (moving <= 2) next_to_.line(T, q, d.joint[5], alone);
+      else next_to_.linkage(T, q, bar, alone);
     }
-    Root root{{}, count};
-    std::copy(q, q + kSix, root.q);
-    alone.push_back(root);
+    return true;
+  }
+
+  // Whether the twin of a root, sigma / bend away, was taken for the root itself because half way to it the pose is held as well.
+  bool twin_is_hidden(const double* q, double sigma, double bend, const Rows& rows) const {
+    if (sigma * sigma > 4 * bend * 3 * kClosedPolished) return false;
+    for (int k = 0; k < rows.count; ++k) {
+      const double apart = arm_.apart(rows.q + 6 * k, q);
+      if (apart > 0 && apart < 2 * sigma / bend) return false;
+    }
     return true;
   }
 
@@ -214,7 +239,11 @@ class Look {
     // joints outside the linkage may make up for what it misses, or move it by so much unnoticed: a second look tells
     const bool unnoticed = gap * d.s[4] <= kUnnoticed * d.s[0];
     if (unnoticed && (line ? in_line(T, q, i, j, motions) : in_a_linkage(T, q, bar, motions))) free = Free::SELF_MOTION;
-    else if (!unnoticed && d.s[5] > kNearlyInLine * gap) free = Free::BESIDE;
+    // beside a line of a group there are the wrist's two, whatever the singular value; beside others roots stand apart as far as it is
+    // of the gap, and are known to rounding over it
+    else if ((d.s[5] > kNearlyInLine * gap || d.s[5] * d.s[5] > kMergedAlong * gap ||
+              (line && lone_line(arm_, groups_, at, i, j, rounding))))
+      free = Free::BESIDE;
     return true;
   }
 

@@ -32,8 +32,8 @@ class Bracket {
   double before_[6] = {};
 };
 
-// How many branches merge by what the null direction misses to second order; 0 where that is too little.
-inline int branches_of_fold(const double (*J)[6], const SingularSix& d) {
+// What the null direction misses to second order, per square of its motion.
+inline double bend_of(const double (*J)[6], const SingularSix& d) {
   Bracket bracket;
   for (int i = 0; i < kSix; ++i) {
     double x[6];
@@ -42,10 +42,15 @@ inline int branches_of_fold(const double (*J)[6], const SingularSix& d) {
   }
   double bend = 0;
   for (int r = 0; r < 6; ++r) bend += 0.5 * d.pose[5][r] * bracket.sum[r];
-  if (std::fabs(bend) < kClearFold) return 0;
-  const double sigma = d.s[5], blur = std::fmin(std::sqrt(kMergedRounding / std::fabs(bend)),
-                                                kMergedRounding / std::fmax(sigma, kTiny));
-  return sigma / std::fabs(bend) < std::fmax(kMergedSame, 3 * blur) ? 2 : 1;
+  return std::fabs(bend);
+}
+
+// How many branches merge where that much is missed to second order; 0 where that is too little.
+inline int branches_of_fold(double bend, const SingularSix& d) {
+  if (bend < kClearFold) return 0;
+  const double sigma = d.s[5],
+               blur = std::fmin(std::sqrt(kMergedRounding / bend), kMergedRounding / std::fmax(sigma, kTiny));
+  return sigma / bend < std::fmax(kMergedSame, 3 * blur) ? 2 : 1;
 }
 
 // How many roots of c[0] + c[1] t + ... + c[4] t^4 lie nearer to zero than `within`; vanishing leading coefficients are left out.
@@ -68,12 +73,12 @@ inline int roots_within(const double* c, double within) {
       for (int j = degree - 1; j >= 0; --j) value = value * t[k] + a[j];
       for (int j = 0; j < degree; ++j)
         if (j != k) others *= t[k] - t[j];
-      if (std::abs(others) == 0) others = 1e-30;
+      if (std::abs(others) == 0) others = kRootsCoincide;
       const std::complex<double> step = value / others;
       t[k] -= step;
       most = std::fmax(most, std::abs(step));
     }
-    if (most < 1e-15) break;
+    if (most < kRootsFound) break;
   }
   int count = 0;
   for (int k = 0; k < degree; ++k) count += std::abs(t[k]) * size < within;
@@ -103,7 +108,7 @@ inline int branches_at(const SixJoints& arm, const Rigid& T, const double* q) {
   double blur = INFINITY;
   bool any = false;
   for (int k = 1; k < 5; ++k) {
-    if (k > 1 && std::fabs(c[k]) < 1e-15 / std::pow(h, k)) c[k] = 0;
+    if (k > 1 && std::fabs(c[k]) < kRootsFound / std::pow(h, k)) c[k] = 0;
     if (c[k] != 0) any = true, blur = std::fmin(blur, std::pow(kMergedRounding / std::fabs(c[k]), 1.0 / k));
   }
   return any ? std::max(1, roots_within(c, std::fmax(kMergedSame, 3 * blur))) : 1;

@@ -90,7 +90,7 @@ struct NextToMotion {
   // Where Newton's method ends, each solution once.
   std::vector<Root> ends_of(const Rigid& T, double (*starts)[6], int count) const {
     std::vector<std::pair<double, int>> order;
-    for (int k = 0; k < count; ++k) order.emplace_back(settle(arm, T, starts[k], kSlowSteps, 1e-15), k);
+    for (int k = 0; k < count; ++k) order.emplace_back(settle(arm, T, starts[k], kSlowSteps, kNewtonDone), k);
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Root> ends;
     for (const auto& [miss, k] : order) {
