@@ -2,9 +2,8 @@
 
     python -m tests.tools.corpus ROOT [--list tests/tools/corpus.tsv] [--report out.tsv]
 
-ROOT has one folder a repository, named owner+name, with its files as they are at the commit of the list. A loaded
-URDF is multiplied joint by joint (`own_tree`) at random joint vectors, an MJCF by MuJoCo; nothing of pieper takes part
-in that.
+ROOT has one folder a repository, named owner+name, with its files as they are at the commit of the list. A loaded URDF
+is multiplied joint by joint (`own_tree`) at random joint vectors, an MJCF by MuJoCo; nothing of pieper does that.
 """
 
 from __future__ import annotations

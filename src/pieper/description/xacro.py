@@ -47,6 +47,7 @@ def read(
 def expanded(path: Path, arguments: Mapping[str, str]) -> str:
     """Return the URDF that a xacro file stands for."""
     try:
+        import xacro as expander  # pyright: ignore[reportMissingImports]
         from xacrodoc import XacroDoc, packages
     except ImportError:
         raise InputError(
@@ -58,6 +59,10 @@ def expanded(path: Path, arguments: Mapping[str, str]) -> str:
     try:
         # the expander prints its warnings and where it was; they belong into the message, not onto the screen
         with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
+            # what a failed file left behind (its includes, its packages' folders) is none of this one's, and a file's
+            # own folder is where its includes are
+            expander.init_stacks(str(path))
+            packages.reset()
             packages.look_in([str(folder) for folder in list(path.resolve().parents)[:4]])
             doc = XacroDoc.from_file(
                 str(path),
