@@ -231,14 +231,15 @@ def _foot(joints: list[Joint]) -> Array:
     return w if n @ n < 1e-9 else w + ((np.cross(p - w, u[0]) @ n) / (n @ n)) * u[1]
 
 
-def upright(joints: list[Joint]) -> tuple[Array, float]:
-    """Return the quarter-turn posture with the highest flange and how far it is above axis 2, m."""
+def upright(joints: list[Joint], *, sideways: bool = False) -> tuple[Array, float]:
+    """Return the quarter-turn posture with the highest flange (axis n level if so wished) and its height over axis 2."""
     names = [joint.name for joint in moving(joints)]
-    best = (np.zeros(len(names)), -math.inf)
+    best, last = (np.zeros(len(names)), -math.inf), _axis6(joints, names)
     for turns in itertools.product((0, 1, -1), repeat=len(names) - 2):
         q = np.array([0, *turns, 0]) * np.pi / 2
         height = float(product(joints, dict(zip(names, q, strict=True)))[2, 3])
-        if height > best[1] + 1e-9:
+        level = abs(float((product(joints, dict(zip(names, q, strict=True)))[:3, :3] @ last)[2])) < 1e-6
+        if height > best[1] + 1e-9 and (level or not sideways):
             best = (q, height)
     return best[0], best[1] - float(_foot(joints)[2])
 
@@ -259,6 +260,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument(
         "--zero", type=float, nargs=3, help="where the maker says the flange is, all joints at zero, mm"
     )
+    parser.add_argument("--sideways", action="store_true", help="that reach ends at the wrist's centre")
     parser.add_argument("--zero-source", default="")
     parser.add_argument("--slack", type=float, default=0.0005, help="how far the sources may lie apart, m")
     args = parser.parse_args(argv)
@@ -292,7 +294,7 @@ def main(argv: list[str] | None = None) -> int:
             if min(abs(found[1] - reach), abs(abs(at) - reach)) < slack:
                 checks.append(_reach_check(ours, found[0], reach, args.reach_source, slack))
     if reach is not None and args.stretched:
-        q, rise = upright(ours)
+        q, rise = upright(ours, sideways=args.sideways)
         print(f"{args.name}: drawn out {1000 * rise:.2f} mm above axis 2, the maker says {1000 * reach:g}")
         slack = (0.6 * args.reach_grain + 0.5) / 1000
         if abs(rise - reach) < slack:
