@@ -33,7 +33,7 @@ def page(document: b.Document) -> str:
     summary = f'<div class="summary"><p>{escaped(document.summary)}</p></div>' if document.summary else ""
     subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>' if document.subtitle else ""
     icon, name = icon_address(), identity()["wordmark"]
-    mark = f'<div class="wordmark"><img src="{icon}" alt="">{name}</div>'
+    mark = f'<div class="wordmark"><img src="{icon}" alt=""/>{name}</div>'
     policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
     own = f":root {{ {custom_properties()} }}\n"
     style = own + _font() + STYLE.read_text(encoding="utf-8") + _running_foot(document)
@@ -41,7 +41,7 @@ def page(document: b.Document) -> str:
         '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
-        f'<title>{title}</title>\n<link rel="icon" href="{icon}">\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n'
+        f'<title>{title}</title>\n<link rel="icon" href="{icon}"/>\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n'
         f"<header>{mark}<h1>{title}</h1>{subtitle}</header>\n{summary}\n{contents}\n{body}\n"
         f"<footer>{FOOTER}</footer>\n</main>\n</body>\n</html>\n"
     )

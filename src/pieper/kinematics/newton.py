@@ -109,8 +109,9 @@ def damped(damping: Array | float) -> Step:
 
     def step(J: Array, e: Array) -> Array:
         # of slopes over several decades an absolute damping may be lost: what keeps A regular grows with it
-        least = NEWTON_FINITE * np.einsum("...ij,...ij->...", J, J)
-        A = J @ np.swapaxes(J, -1, -2) + (np.asarray(damping) + least)[..., None, None] * np.eye(J.shape[-2])
+        square: Array = J * J
+        damped_by: Array = np.asarray(damping, np.float64) + NEWTON_FINITE * square.sum((-2, -1))
+        A: Array = J @ np.swapaxes(J, -1, -2) + damped_by[..., None, None] * np.eye(J.shape[-2])
         return np.einsum("bij,bi->bj", J, np.linalg.solve(A, e[..., None])[..., 0])
 
     return step
