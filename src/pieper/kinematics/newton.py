@@ -186,7 +186,7 @@ def newton(
     poses = T if T.ndim == 2 else np.broadcast_to(T, (*q.shape[:-1], 4, 4)).reshape(-1, 4, 4)
 
     start = q.reshape(-1, chain.n)
-    if rows is None:
+    if rows is None and chain.coupling is None:
         moved = _kernel.onto(
             links=chain.links,
             prismatic=chain.prismatic,
@@ -198,7 +198,7 @@ def newton(
             longest=max_step,
         )
         return moved.reshape(q.shape)
-    counted = rows
+    counted = np.eye(6) if rows is None else rows
 
     def miss(at: Array, index: Indices) -> Array:
         return pose_difference(chain, at, poses if poses.ndim == 2 else poses[index]) @ counted.T
