@@ -76,7 +76,7 @@ def _worst(path: Path, arm: pieper.Arm) -> float:
 
         model = with_mujoco.build(said)
         return max(float(np.abs(model.fk(q) - arm.fk(q)).max()) for q in drawn)
-    if path.suffix == ".xacro":
+    if b"xmlns:xacro" in path.read_bytes():
         with tempfile.TemporaryDirectory() as folder:
             plain = Path(folder) / "expanded.urdf"
             plain.write_text(xacro.expanded(path, {}), encoding="utf-8")
