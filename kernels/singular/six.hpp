@@ -223,7 +223,7 @@ inline bool well_posed(const double (*J)[6], int without = -1) {
       for (int r = 0; r < 6; ++r) Q[i][r] -= s * Q[best][r];
     }
   }
-  return last > 1e-8 * total;  // a hundred times what is looked at, squared
+  return last > kSecondFree * total;
 }
 
 }  // namespace pieper::PIEPER_ISA
