@@ -65,7 +65,7 @@ def drawn(rng: np.random.Generator) -> tuple[Arm, str]:
     if kind:
         unit = np.where(arm.chain.prismatic, arm.chain.length, 1.0)
         width = np.array([[0.05, 1.0], [1.0, 3.0], [3.2, 6.2]][kind - 1])
-        half = np.exp(rng.uniform(*np.log(width), arm.n)) * unit
+        half = np.exp(rng.uniform(np.log(width[0]), np.log(width[1]), arm.n)) * unit
         centre = rng.uniform(-1.5, 1.5, arm.n) * unit
         arm = Arm(replace(arm.description, limits=np.c_[centre - half, centre + half]))
     return arm, f"{words}, limits of kind {kind}"
@@ -79,7 +79,7 @@ def postures(arm: Arm, rng: np.random.Generator) -> np.ndarray:
     q = rng.uniform(low, high, (POSES, arm.n))
     for row in q[POSES // 2 :]:
         for joint in rng.choice(arm.n, rng.integers(1, 3), replace=False):
-            special = rng.choice([low[joint], high[joint], 0.0, np.pi / 2, -np.pi / 2, np.pi])
+            special = rng.choice(np.array([low[joint], high[joint], 0.0, np.pi / 2, -np.pi / 2, np.pi]))
             row[joint] = np.clip(special, low[joint], high[joint])
     return q
 
@@ -132,7 +132,7 @@ def laws(arm: Arm, task: str, spare: bool, asked: str | None, rng: np.random.Gen
     """Hold an arm's answers for one task against every law; return how many poses were not certain."""
     q = postures(arm, rng)
     T = slow_forward.fk(arm.chain, q)
-    how = {} if asked is None else {"task": asked}
+    how: dict[str, Any] = {} if asked is None else {"task": asked}
     many = arm.ik_many(T, threads=1, near=q, **how)
     denied = np.isin(many.status, [Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.INVALID])
     at = np.flatnonzero(denied)

@@ -37,6 +37,7 @@ class Look {
     out.rows.clear(), out.motions.clear();
     if (count == 0) return false;
     std::vector<Root> alone;
+    std::vector<Unsure> unsure;
     std::vector<int> regular;
     bool clear = count % 2 == 0;
     for (int k = 0; k < count; ++k) {
@@ -56,12 +57,15 @@ class Look {
         regular.push_back(k);
         continue;
       }
-      if (!singular_row(T, q, at, d, {rows, count}, alone, out.motions)) return false;
+      if (!singular_row(T, q, at, d, {rows, count}, unsure, alone, out.motions)) return false;
     }
     if (clear) {
       for (int k = 0; k < count; ++k) add(rows + 6 * k, 1, -1, false, out);
       return true;
     }
+    if (out.motions.empty() && regular.size() + alone.size() < kMostSolutions &&
+        !searched(T, regular.size(), unsure, alone))
+      return false;
     if (!apart(T, alone)) return false;
     int branches = 0;
     for (const Root& root : alone) branches += root.branches;
@@ -92,6 +96,30 @@ class Look {
   }
 
  private:
+  static constexpr std::size_t kMostSolutions = 8;  // of a closed form
+
+  // A row so near a self-motion that a kernel may have given one point for two.
+  struct Unsure {
+    Root root;
+    FourBar bar;
+    double null[6];
+  };
+  // Adds what hides beside such rows; false where that would be more than there can be.
+  bool searched(const Rigid& T, std::size_t regular, std::vector<Unsure>& unsure, std::vector<Root>& alone) const {
+    std::vector<Root> more = alone;
+    for (Unsure& one : unsure) {
+      int moving = 0;
+      for (double x : one.null) moving += std::fabs(x) > kLoopMoves;
+      if (moving <= 2) {
+        // both of the wrist's are found anew, and better than the row
+        std::erase_if(more, [&](const Root& other) { return arm_.apart(other.q, one.root.q) < kMergedSame; });
+        next_to_.line(T, one.root.q, one.null, more);
+      } else next_to_.linkage(T, one.root.q, one.bar, more);
+    }
+    alone = more;
+    return regular + more.size() <= kMostSolutions;
+  }
+
   // All rows of a pose.
   struct Rows {
     const double* q;
@@ -124,36 +152,6 @@ class Look {
     return kInOneLine * (1 + farthest);
   }
 
-  // Whether the smallest singular value is far above what is looked at, one joint left out or none: the last pivot of an
-  // elimination with full choice of columns.
-  static bool well_posed(const double (*J)[6], int without = -1) {
-    double Q[6][6], total = 0, last = 0;
-    std::copy(&J[0][0], &J[0][0] + 36, &Q[0][0]);
-    bool used[6] = {};
-    if (without >= 0) used[without] = true;
-    for (int step = 0; step < kSix - (without >= 0); ++step) {
-      int best = -1;
-      double most = -1;
-      for (int i = 0; i < kSix; ++i) {
-        if (used[i]) continue;
-        double s = 0;
-        for (int r = 0; r < 6; ++r) s += Q[i][r] * Q[i][r];
-        if (step == 0) total += s;
-        if (s > most) most = s, best = i;
-      }
-      if (!(most > 0)) return false;
-      used[best] = true, last = most;
-      for (int i = 0; i < kSix; ++i) {
-        if (used[i]) continue;
-        double s = 0;
-        for (int r = 0; r < 6; ++r) s += Q[i][r] * Q[best][r];
-        s /= most;
-        for (int r = 0; r < 6; ++r) Q[i][r] -= s * Q[best][r];
-      }
-    }
-    return last > kSecondFree * total;
-  }
-
   void add(const double* q, int branches, int motion, bool singular, Read& out) const {
     Read::Row row{{}, branches, motion, singular};
     for (int i = 0; i < kSix; ++i) row.q[i] = arm_.slides[i] ? q[i] : in_one_turn(q[i]);
@@ -167,7 +165,7 @@ class Look {
   }
 
   bool singular_row(const Rigid& T, const double* q, const Standing& at, const SingularSix& d, const Rows& rows,
-                    std::vector<Root>& alone, std::vector<SelfMotionRead>& motions) const {
+                    std::vector<Unsure>& unsure, std::vector<Root>& alone, std::vector<SelfMotionRead>& motions) const {
     if (d.s[4] <= kOneWayFree * d.s[0]) return two_ways(T, q, alone, motions);
     Free free = Free::NO;
     FourBar bar;
@@ -190,10 +188,8 @@ class Look {
     }
     alone.push_back(root);
     if (free == Free::BESIDE && d.s[5] < kRootsApart * d.s[0]) {
-      int moving = 0;
-      for (double x : d.joint[5]) moving += std::fabs(x) > kLoopMoves;
-      if (moving <= 2) next_to_.line(T, q, d.joint[5], alone);
-      else next_to_.linkage(T, q, bar, alone);
+      unsure.push_back({root, bar, {}});
+      std::copy(d.joint[5], d.joint[5] + 6, unsure.back().null);
     }
     return true;
   }

@@ -196,4 +196,34 @@ struct OnCurve {
   }
 };
 
+// Whether the smallest singular value is far above what is looked at, one joint left out or none: the last pivot of an
+// elimination with full choice of columns.
+inline bool well_posed(const double (*J)[6], int without = -1) {
+  double Q[6][6], total = 0, last = 0;
+  std::copy(&J[0][0], &J[0][0] + 36, &Q[0][0]);
+  bool used[6] = {};
+  if (without >= 0) used[without] = true;
+  for (int step = 0; step < kSix - (without >= 0); ++step) {
+    int best = -1;
+    double most = -1;
+    for (int i = 0; i < kSix; ++i) {
+      if (used[i]) continue;
+      double s = 0;
+      for (int r = 0; r < 6; ++r) s += Q[i][r] * Q[i][r];
+      if (step == 0) total += s;
+      if (s > most) most = s, best = i;
+    }
+    if (!(most > 0)) return false;
+    used[best] = true, last = most;
+    for (int i = 0; i < kSix; ++i) {
+      if (used[i]) continue;
+      double s = 0;
+      for (int r = 0; r < 6; ++r) s += Q[i][r] * Q[best][r];
+      s /= most;
+      for (int r = 0; r < 6; ++r) Q[i][r] -= s * Q[best][r];
+    }
+  }
+  return last > 1e-8 * total;  // a hundred times what is looked at, squared
+}
+
 }  // namespace pieper::PIEPER_ISA

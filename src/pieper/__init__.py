@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from pieper import jax, torch
     from pieper.arm import Arm
     from pieper.arms import catalog, find_arms, load, ur_calibrated
+    from pieper.cell import Cell
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Clearance, Swept
     from pieper.description.dh import DH, Actuator
@@ -61,6 +62,7 @@ _LATER = {
     "load": "pieper.arms",
     "ur_calibrated": "pieper.arms",
     "Arc": "pieper.motion.route.arcs",
+    "Cell": "pieper.cell",
     "Freedom": "pieper.motion.route.freedom",
     "Route": "pieper.motion.route.result",
     "Verdict": "pieper.motion.route.freedom",
@@ -112,6 +114,7 @@ __all__ = [
     "Body",
     "Box",
     "Capsule",
+    "Cell",
     "Clearance",
     "Convex",
     "Cylinder",

@@ -111,7 +111,8 @@ def test_what_shuts_a_route_is_said_where_and_why_and_what_would_open_it(bench):
     assert own.blocked is not None and np.allclose(found["blocked"]["s"], own.blocked.s)
     bench.shot("route-blocked", both=True)
     page.get_by_test_id("route-others").click()
-    page.get_by_test_id("route-list").locator("p").first.wait_for()
+    # some eight seconds of search
+    page.get_by_test_id("route-list").locator("p").first.wait_for(timeout=240_000)
 
 
 def test_a_route_travels_with_the_state(seam, people):

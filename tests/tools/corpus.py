@@ -1,9 +1,9 @@
-"""Run pieper's readers over public robot files: each loads, asks or refuses with a cure, and agrees with its own product.
+"""Run pieper's readers over public robot files: each loads, asks or refuses with a cure, and agrees with a product.
 
     python -m tests.tools.corpus ROOT [--list tests/tools/corpus.tsv] [--report out.tsv]
 
-ROOT has one folder a repository, named owner+name, with its files as they are at the commit of the list. A loaded URDF is
-multiplied joint by joint (`own_tree`) at random joint vectors, an MJCF by MuJoCo; nothing of pieper takes part in that.
+ROOT has one folder a repository, named owner+name, with its files as they are at the commit of the list. A loaded URDF
+is multiplied joint by joint (`own_tree`) at random joint vectors, an MJCF by MuJoCo; nothing of pieper does that.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def _worst(path: Path, arm: pieper.Arm) -> float:
 
         model = with_mujoco.build(said)
         return max(float(np.abs(model.fk(q) - arm.fk(q)).max()) for q in drawn)
-    if path.suffix == ".xacro":
+    if b"xmlns:xacro" in path.read_bytes():
         with tempfile.TemporaryDirectory() as folder:
             plain = Path(folder) / "expanded.urdf"
             plain.write_text(xacro.expanded(path, {}), encoding="utf-8")

@@ -42,7 +42,7 @@ FLOORS = (
     ("at_scale", "jax", "torch"),
     ("along_paths",),
     ("arm",),
-    ("arms",),
+    ("arms", "cell"),
     ("__init__",),
     ("cli", "workbench"),
     ("__main__",),

@@ -14,6 +14,8 @@ import argparse
 import dataclasses
 import itertools
 import math
+import re
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +23,7 @@ import numpy as np
 import pieper
 from pieper.description import catalog, robottext
 from pieper.description.dh import DH, Check, Description
-from tests.tools.own_tree import Array, Joint, joints_of, moving, product, way
+from tests.tools.own_tree import Array, Joint, joints_of, meant, moving, product, way
 
 #: A joint vector without symmetry, deg; a slide takes a tenth of it in mm.
 POSED = (10.0, 20.0, -30.0, 40.0, 50.0, -60.0, 25.0)
@@ -56,6 +58,15 @@ def values(joints: list[Joint], said: tuple[float, ...]) -> dict[str, float]:
         joint.name: said[i % len(said)] / 10_000 if joint.kind == "prismatic" else math.radians(said[i % len(said)])
         for i, joint in enumerate(moving(joints))
     }
+
+
+def exact_text(text: str) -> str:
+    """Return a URDF whose rounded right angles are written to the last digit."""
+
+    def exactly(found: re.Match[str]) -> str:
+        return 'rpy="' + " ".join(repr(meant(float(word), True)) for word in found[1].split()) + '"'
+
+    return re.sub(r'rpy="([^"$]*)"', exactly, text)
 
 
 def clean(arm: Description) -> Description:
@@ -232,7 +243,7 @@ def _foot(joints: list[Joint]) -> Array:
 
 
 def upright(joints: list[Joint], *, sideways: bool = False) -> tuple[Array, float]:
-    """Return the quarter-turn posture with the highest flange (axis n level if so wished) and its height over axis 2."""
+    """Return the quarter turns with the highest flange (axis n level if so wished), and its height over axis 2."""
     names = [joint.name for joint in moving(joints)]
     best, last = (np.zeros(len(names)), -math.inf), _axis6(joints, names)
     for turns in itertools.product((0, 1, -1), repeat=len(names) - 2):
@@ -264,7 +275,11 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--zero-source", default="")
     parser.add_argument("--slack", type=float, default=0.0005, help="how far the sources may lie apart, m")
     args = parser.parse_args(argv)
-    arm = pieper.load(args.file, args.base or None, args.tip or None).description
+    with tempfile.TemporaryDirectory() as folder:
+        # angles typed with three digits are meant as well as those of more, which the reader sees by itself
+        plain = Path(folder) / "plain.urdf"
+        plain.write_text(exact_text(Path(args.file).read_text(encoding="utf-8")), encoding="utf-8")
+        arm = pieper.load(plain, args.base or None, args.tip or None).description
     if arm.origin is None:
         raise SystemExit("not a URDF")
     ours = way(joints_of(args.file), arm.origin.base, arm.origin.tip)
@@ -339,8 +354,9 @@ def _reach_check(ours: list[Joint], q: Array, reach: float, source: str, slack: 
     there = product(ours, dict(zip([j.name for j in moving(ours)], q, strict=True)))[:3, 3]
     T = np.full((4, 4), np.nan)
     T[3] = [0, 0, 0, 1]
-    # axis 1 is vertical and passes the base's origin in every file this is used for, and joint 1 at zero points along x
-    T[0, 3] = math.copysign(reach, there[0])
+    # axis 1 is vertical and passes the base's origin in every file this is used for; joint 1 at zero points along x, y
+    along = int(np.argmax(np.abs(there[:2])))
+    T[along, 3] = math.copysign(reach, there[along])
     return Check(np.radians(np.round(np.degrees(q), 6)), T, source, slack)
 
 

@@ -46,7 +46,7 @@ def test_pyright_in_strict_mode_has_nothing_to_say():
 def test_a_motion_is_columns_with_their_units():
     arm = pieper.load("stanford-arm")
     program = pieper.Program(
-        arm, pieper.Limits(speed=[1.0] * 6, acceleration=[4.0] * 6), start=[0.1, 0.2, 0.3, 0.1, 0.2, 0.3]
+        arm, pieper.Limits(speed=[1.0] * 6, acceleration=[4.0] * 6), start=[0.1, 0.2, 0.5, 0.1, 0.2, 0.3]
     )
     program.move_j([0.2, 0.1, 0.4, 0.3, 0.2, 0.1])
     motion = program.motion()

@@ -86,7 +86,7 @@ def find(
             and (maker is None or maker.lower() in arm.manufacturer.lower())
             and (kinds is None or (arm.n == kinds if isinstance(kinds, int) else arm.joint_types == kinds))
             and (payload is None or (arm.payload is not None and arm.payload >= payload))
-            and (reach is None or (arm.reach is not None and arm.reach >= reach - 1e-9))
+            and (reach is None or (arm.reach is not None and round(arm.reach, 6) >= round(reach, 6)))
         )
 
     return tuple(arm for arm in entries() if fits(arm))

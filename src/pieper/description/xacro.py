@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import re
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -46,6 +47,7 @@ def read(
 def expanded(path: Path, arguments: Mapping[str, str]) -> str:
     """Return the URDF that a xacro file stands for."""
     try:
+        import xacro as expander  # pyright: ignore[reportMissingImports]
         from xacrodoc import XacroDoc, packages
     except ImportError:
         raise InputError(
@@ -57,6 +59,10 @@ def expanded(path: Path, arguments: Mapping[str, str]) -> str:
     try:
         # the expander prints its warnings and where it was; they belong into the message, not onto the screen
         with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
+            # what a failed file left behind (its includes, its packages' folders) is none of this one's, and a file's
+            # own folder is where its includes are
+            expander.init_stacks(str(path))
+            packages.reset()
             packages.look_in([str(folder) for folder in list(path.resolve().parents)[:4]])
             doc = XacroDoc.from_file(
                 str(path),
@@ -66,9 +72,25 @@ def expanded(path: Path, arguments: Mapping[str, str]) -> str:
             return doc.to_urdf_string()
     except (Exception, SystemExit) as error:  # the expander evaluates expressions of the file: anything can come
         reason = " ".join(str(error).split()) or type(error).__name__
+        asked = [name for name in _without_default(path) if name not in arguments]
+        if asked:
+            said_so = ", ".join(f"{name!r}: 'value'" for name in asked)
+            raise InputError(
+                f"{path}: the xacro asks for {', '.join(asked)} and has no default. Say pieper.load(..., "
+                f"xacro_args={{{said_so}}}).",
+                file=str(path),
+                allowed=asked,
+            ) from None
         cure = (
             "Give the argument: pieper.load(..., xacro_args={'name': 'value'})."
             if "rgument" in reason or "substitution" in reason.lower()
             else "Expand it where its packages are installed (xacro in.xacro > out.urdf) and load the .urdf."
         )
         raise InputError(f"{path}: the xacro could not be expanded: {reason[:300]}. {cure}", file=str(path)) from None
+
+
+def _without_default(path: Path) -> list[str]:
+    """Return the names of the arguments that a xacro file has no default for, in order."""
+    words = path.read_text(encoding="utf-8", errors="replace")
+    found = [match for match in re.findall(r"<xacro:arg\b[^>]*>", words) if not re.search(r"\bdefault\s*=", match)]
+    return [name for tag in found for name in re.findall(r"\bname\s*=\s*[\"']([^\"']+)", tag)]

@@ -109,8 +109,9 @@ def damped(damping: Array | float) -> Step:
 
     def step(J: Array, e: Array) -> Array:
         # of slopes over several decades an absolute damping may be lost: what keeps A regular grows with it
-        least = NEWTON_FINITE * np.einsum("...ij,...ij->...", J, J)
-        A = J @ np.swapaxes(J, -1, -2) + (np.asarray(damping) + least)[..., None, None] * np.eye(J.shape[-2])
+        square: Array = J * J
+        damped_by: Array = np.asarray(damping, np.float64) + NEWTON_FINITE * square.sum((-2, -1))
+        A: Array = J @ np.swapaxes(J, -1, -2) + damped_by[..., None, None] * np.eye(J.shape[-2])
         return np.einsum("bij,bi->bj", J, np.linalg.solve(A, e[..., None])[..., 0])
 
     return step
@@ -185,7 +186,7 @@ def newton(
     poses = T if T.ndim == 2 else np.broadcast_to(T, (*q.shape[:-1], 4, 4)).reshape(-1, 4, 4)
 
     start = q.reshape(-1, chain.n)
-    if rows is None:
+    if rows is None and chain.coupling is None:
         moved = _kernel.onto(
             links=chain.links,
             prismatic=chain.prismatic,
@@ -197,7 +198,7 @@ def newton(
             longest=max_step,
         )
         return moved.reshape(q.shape)
-    counted = rows
+    counted = np.eye(6) if rows is None else rows
 
     def miss(at: Array, index: Indices) -> Array:
         return pose_difference(chain, at, poses if poses.ndim == 2 else poses[index]) @ counted.T

@@ -167,10 +167,12 @@ class Continuation:
 
         Where one step ended, as a rule the next begins: that is not worked out again.
         """
-        if self._last is None or self._last[0] != x or not np.array_equal(self._last[1], q):
+        last = self._last
+        if last is None or last[0] != x or not np.array_equal(last[1], q):
             J = self._jacobian(q, x)
-            self._last = x, q.copy(), np.linalg.pinv(J, rcond=TASK_RANK), _side(J)
-        return self._last[2], self._last[3]
+            back: Array = np.asarray(np.linalg.pinv(J, rcond=TASK_RANK), np.float64)
+            last = self._last = x, q.copy(), back, _side(J)
+        return last[2], last[3]
 
     # ------------------------------------------------------------------ steps
 

@@ -96,8 +96,8 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
     ways = [
         lambda: descend(1),
         lambda: descend(few),
-        stand,
         lambda: descend(more),
+        stand,
         slice_up,
         approach,
         lambda: descend(many),
