@@ -14,6 +14,7 @@
 #   make bench    measure beside other solvers (installed in environments of their own)
 #   make cover    run the tests and say which lines they reach (out/coverage)
 #   make mutants  change the code in 200 small ways and say which of them no test notices; goes on where it stopped
+#   make soak     random arms, limits and poses against every law for an hour (MINUTES=60 SEED=0), until the first one broken
 #   make kernel   rebuild the native module in place, for work on the kernels, for one instruction set (ISAS="baseline;avx2" for two)
 #   make sanitize build the kernels with the address and undefined-behaviour sanitizers and run their tests
 #   make clean    remove what these targets made
@@ -30,7 +31,7 @@ WORKERS ?= $(shell nproc 2> /dev/null || echo 2)
 TESTS ?=
 PAGE = src/pieper/workbench/page
 
-.PHONY: tour test check house format dev pages docs wheels site bench cover mutants kernel kernel-now sanitize clean
+.PHONY: tour test check house format dev pages docs wheels site bench soak cover mutants kernel kernel-now sanitize clean
 .DELETE_ON_ERROR:
 
 tour: $(VENV)/.installed
@@ -70,6 +71,11 @@ cover: $(VENV)/.installed-for-checks
 	CHROMIUM="$$(sh tests/browser/find_chromium.sh)" $(BIN)/python -m coverage run -m pytest $(TESTS)
 	$(BIN)/python -m coverage report --skip-covered --sort=cover
 	$(BIN)/python -m coverage html --quiet
+
+MINUTES ?= 60
+SEED ?= 0
+soak: $(VENV)/.installed-for-tests
+	$(BIN)/python -m benchmarks.measure.soak --minutes $(MINUTES) --seed $(SEED) --out out/soak.json
 
 mutants: $(VENV)/.installed-for-checks
 	$(BIN)/python -m tests.tools.mutants

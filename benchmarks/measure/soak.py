@@ -29,6 +29,8 @@ from pieper import Arm, PlanError, Status
 POSES, ALONE, ALONE_SPARE = 24, 4, 1
 #: How far a row may miss its pose (per length; rad).
 CLOSES = 1e-8
+#: Two ways to one answer differ by rounding alone.
+ALIKE = 1e-9
 #: A joint vector that made a pose is met by `nearest` within this (rad; per length), and within rounding over sigma.
 MET, ROUNDED = 1e-6, 1e-13
 #: Relative sigma below which a solution is one of several that merge, of which one is told.
@@ -63,7 +65,7 @@ def drawn(rng: np.random.Generator) -> tuple[Arm, str]:
     if kind:
         unit = np.where(arm.chain.prismatic, arm.chain.length, 1.0)
         width = np.array([[0.05, 1.0], [1.0, 3.0], [3.2, 6.2]][kind - 1])
-        half = np.exp(rng.uniform(*np.log(width), arm.n)) * unit
+        half = np.exp(rng.uniform(np.log(width[0]), np.log(width[1]), arm.n)) * unit
         centre = rng.uniform(-1.5, 1.5, arm.n) * unit
         arm = Arm(replace(arm.description, limits=np.c_[centre - half, centre + half]))
     return arm, f"{words}, limits of kind {kind}"
@@ -77,7 +79,7 @@ def postures(arm: Arm, rng: np.random.Generator) -> np.ndarray:
     q = rng.uniform(low, high, (POSES, arm.n))
     for row in q[POSES // 2 :]:
         for joint in rng.choice(arm.n, rng.integers(1, 3), replace=False):
-            special = rng.choice([low[joint], high[joint], 0.0, np.pi / 2, -np.pi / 2, np.pi])
+            special = rng.choice(np.array([low[joint], high[joint], 0.0, np.pi / 2, -np.pi / 2, np.pi]))
             row[joint] = np.clip(special, low[joint], high[joint])
     return q
 
@@ -130,7 +132,7 @@ def laws(arm: Arm, task: str, spare: bool, asked: str | None, rng: np.random.Gen
     """Hold an arm's answers for one task against every law; return how many poses were not certain."""
     q = postures(arm, rng)
     T = slow_forward.fk(arm.chain, q)
-    how = {} if asked is None else {"task": asked}
+    how: dict[str, Any] = {} if asked is None else {"task": asked}
     many = arm.ik_many(T, threads=1, near=q, **how)
     denied = np.isin(many.status, [Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.INVALID])
     at = np.flatnonzero(denied)
@@ -138,7 +140,7 @@ def laws(arm: Arm, task: str, spare: bool, asked: str | None, rng: np.random.Gen
     order = rng.permutation(len(T))
     again = arm.ik_many(T[order], threads=2, **how)
     same = (again.status == many.status[order]).all() and np.array_equal(again.valid, many.valid[order])
-    holds(same and np.array_equal(again.q, many.q[order]), "no order changes an answer", task=task)
+    holds(same and np.abs(again.q - many.q[order]).max() < ALIKE, "no order changes an answer", task=task)
     copied = pickle.loads(pickle.dumps(again))
     holds(np.array_equal(copied.q, again.q) and np.array_equal(copied.status, again.status), "a batch pickles")
     for i in range(len(T)):
@@ -171,7 +173,7 @@ def alone(
         sols.status == many.status[i], "ik and ik_many say one status", task=task, one=sols.status, many=many.status[i]
     )
     rows = many.q[i][many.valid[i]]
-    alike = len(rows) == len(sols.all_q) and np.allclose(rows, sols.all_q, atol=1e-9)
+    alike = len(rows) == len(sols.all_q) and np.allclose(rows, sols.all_q, atol=ALIKE)
     holds(alike, "ik and ik_many give one answer", task=task, pose=i, one=len(sols.all_q), many=len(rows))
     if sols.status == Status.UNCERTAIN:
         return

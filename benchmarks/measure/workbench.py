@@ -25,6 +25,7 @@ import numpy as np
 
 import pieper
 from benchmarks.kept import RESULTS
+from benchmarks.measure import workbench_parts as parts_of
 from benchmarks.measure.probes import GIZMO, JOINT, WATCH
 from oracle.browser import FLAGS, chromium, free_port
 
@@ -37,7 +38,13 @@ TARGETS = {
     "slider to picture, ms": "<= 35",
     "gizmo updates a second": ">= 30",
     "first load, s": "< 1.5",
-    "shipped, MB": "< 2.5",
+    "shipped, MB": "< 3",
+    "1,000-point path, s": "<= 0.5",
+    "30th joint, s": "<= 0.3",
+    "report, s": "<= 4",
+    "playback at 1920 px, pictures a second": ">= 20",
+    "20 MB of meshes drawn after, s": "<= 3",
+    "  pictures a second as a joint moves": ">= 30",
     "pictures while nothing changes": "0",
     "messages lost": "0",
     "answers for another arm": "0",
@@ -47,7 +54,8 @@ TARGETS = {
 class Served:
     """`pieper workbench` as a process of its own, as a person starts it."""
 
-    def __init__(self) -> None:
+    def __init__(self, arm: str | None = None) -> None:
+        self.arm = arm
         self.port = free_port()
         self.url = f"http://localhost:{self.port}/"
         self.seconds = self.start()
@@ -55,7 +63,8 @@ class Served:
     def start(self) -> float:
         """Start it and return the seconds until it answers."""
         began = time.perf_counter()
-        command = [sys.executable, "-m", "pieper", "workbench", "--no-browser", "--port", str(self.port)]
+        command = [sys.executable, "-m", "pieper", "workbench", *([self.arm] if self.arm else [])]
+        command += ["--no-browser", "--port", str(self.port)]
         self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         while True:
             try:
@@ -292,6 +301,7 @@ def table_of(results: dict) -> str:
         rows += [("shipped, MB", f"{results['load']['shipped_MB']:.2f}")]
     if "idle" in results:
         rows += [("pictures while nothing changes", str(results["idle"]["pictures"]))]
+    rows += parts_of.rows_of(results)
     if "people" in results:
         p = results["people"]
         rows += [("messages lost", f"{p['lost']} of {p['messages']}"), ("answers for another arm", str(p["foreign"]))]
@@ -314,7 +324,8 @@ def table_of(results: dict) -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = ("joint", "gizmo", "load", "idle", "people", "restart")
+    more = ("path", "table", "report", "playback", "mesh")
+    parts = ("joint", "gizmo", "load", "idle", "people", "restart", *more)
     parser.add_argument("--repeats", type=int, default=40, help="keys pressed on a slider")
     parser.add_argument("--loads", type=int, default=7, help="first loads")
     parser.add_argument("--seconds", type=float, default=4.0, help="of each of three drags")
@@ -340,6 +351,18 @@ def main() -> None:
                 results["gizmo"] = measure_gizmo(page, given.seconds)
             if "idle" in given.only:
                 results["idle"] = measure_idle(page)
+            if "path" in given.only:
+                results["path"] = parts_of.measure_path(page, until)
+            if "report" in given.only:
+                results["report"] = parts_of.measure_report(page)
+            if "table" in given.only:
+                results["table"] = parts_of.measure_table(page, until)
+            if "playback" in given.only:
+                results["playback"] = parts_of.measure_playback(browser, opened, served.url, until)
+            if "mesh" in given.only:
+                meshes = Served(parts_of.mesh_arm())
+                results["mesh"] = parts_of.measure_mesh(opened, browser, meshes, until)
+                meshes.stop()
             if "restart" in given.only:
                 results["restart"] = measure_restart(page, served)
             browser.close()

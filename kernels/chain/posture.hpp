@@ -43,7 +43,7 @@ struct Posture {
     Vec3 w = 0.5 * (cross(end.x, goal.x) + cross(end.y, goal.y) + cross(end.z, goal.z));
     const double sine = std::sqrt(dot(w, w));
     const double cosine = 0.5 * (dot(end.x, goal.x) + dot(end.y, goal.y) + dot(end.z, goal.z) - 1);
-    if (sine > 1e-150) w = (std::atan2(sine, cosine) / sine) * w;
+    if (sine > kSineLeast) w = (std::atan2(sine, cosine) / sine) * w;
     else if (cosine < 0) w = {kPi, 0, 0};
     e[0] = p.x, e[1] = p.y, e[2] = p.z, e[3] = w.x, e[4] = w.y, e[5] = w.z;
     double sum = 0;

@@ -20,8 +20,6 @@ using namespace PIEPER_ISA;
 constexpr double kSpacing = 0.3, kTwist = 0.1;
 // Of the distance of points: how far the curve's points may lie from one, and what may be let go beyond what must be kept.
 constexpr double kCover = 0.75, kBeyond = 2.0;
-// A smaller step along the path than this is none (lengths; rad).
-constexpr double kShortest = 1e-7;
 
 // Without proof: what is let go beyond the limits, in distances of points, and the longest move.
 constexpr double kRoughly = 0.1, kLongest = 0.3;
@@ -67,7 +65,7 @@ class Front {
       while (part < 1 && found.end == FrontEnd::ARRIVED) {
         double step = 1 - part;
         step = std::fmin(step, allowed(t));
-        if (step * size < kShortest && step < 1 - part) {
+        if (step * size < kFrontShortest && step < 1 - part) {
           found.end = FrontEnd::SINGULAR;
           break;
         }
@@ -143,7 +141,7 @@ class Front {
       for (int i = 0; i < 6; ++i) v += p.B[j][i] * t[i];
       sum += v * v;
     }
-    return std::sqrt(sum) / kSafe;
+    return std::sqrt(sum) / kFrontSafe;
   }
   // How far all that moves with the path may come from a point's curve while it moves by `way` to first order.
   double moved_by(const Point& p, double way) const {
@@ -153,7 +151,7 @@ class Front {
   }
   double kept(const Point& p) const {
     if (rough) return kRoughly * spacing(p);
-    return spacing(p) + 2.5 * moved_by(p, kTwist * a.fine / p.bend) + kOff;
+    return spacing(p) + 2.5 * moved_by(p, kTwist * a.fine / p.bend) + kFrontOff;
   }
 
   // Points are let go when they are outside by more; between that and `kept` lie points that only hang together with others.
@@ -180,14 +178,14 @@ class Front {
     double least = std::numeric_limits<double>::infinity();
     for (const Row& row : rows)
       for (const Point& p : row.points) least = std::fmin(least, kTwist * a.fine / (p.bend * speed(p, t)));
-    return least * kSafe;
+    return least * kFrontSafe;
   }
 
   // Carries all rows to the pose a step further. False, and nothing is changed, where a step is too long for what is known.
   bool carry(std::int64_t k, double part, double step, const double* t) {
     next.clear();
     const double there = part + step;
-    const Rigid goal = pose(k, there > 1 - 1e-12 ? 1.0 : there);
+    const Rigid goal = pose(k, there > 1 - kFrontRounding ? 1.0 : there);
     for (const Row& row : rows) {
       images.resize(row.points.size());
       bool all = true;
@@ -204,7 +202,8 @@ class Front {
           if (moved > kLongest) return false;
         } else {
           // the carried point is on the same curve as what p and its surroundings become
-          const double delta = moved_by(p, step * speed(p, t) + 1e-12), far = delta + kCover * spacing(p) + moved;
+          const double delta = moved_by(p, step * speed(p, t) + kFrontRounding),
+                       far = delta + kCover * spacing(p) + moved;
           if (!(far < 0.9 * q.radius && kCover * spacing(p) + delta < p.radius && far <= kept(q))) return false;
         }
         if (a.n > 6) curves.aim(q, p.tangent);
@@ -374,7 +373,7 @@ class Front {
       } else {
         step /= 2;
       }
-      if (!(step > 1e-9)) return false;
+      if (!(step > kFrontStill)) return false;
     }
     return false;
   }

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "chain/rigid.hpp"
@@ -19,10 +20,6 @@ namespace pieper::PIEPER_ISA {
 
 inline constexpr int kMostCoordinates = 7;
 inline constexpr double kTurnAround = 6.283185307179586476925286766559;
-// What is left of a pose (lengths; rad), the largest pseudo-inverse that is trusted with it, and how far a point may be off its curve
-// by both. What is claimed is taken this much smaller than shown.
-inline constexpr double kLeft = 1e-9, kLoose = 500, kOff = 1e-6, kSafe = 1 - 1e-6;
-
 // A point with its Jacobian, what bounds it, and the direction of the curve through it.
 struct Point {
   double y[kMostCoordinates], tangent[kMostCoordinates];
@@ -73,7 +70,7 @@ class Curves {
 
   // Takes y onto a pose by the shortest steps. False where it does not come there, or has lost its grip.
   bool settle(const Rigid& goal, Point& at) const {
-    double before = 1e300;
+    double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < 12; ++step) {
       double e[6];
       look(goal, at, e);
@@ -81,7 +78,7 @@ class Curves {
       for (double v : e) left += v * v;
       left = std::sqrt(left);
       if (!factor(at)) return false;
-      if (left < kLeft) {
+      if (left < kFrontLeft) {
         return bound(at);
       }
       if (left > 4 * before) return false;
@@ -148,7 +145,7 @@ class Curves {
         largest = std::fmax(largest, w[j]);
       }
       if (largest == 0) return 0;
-      for (int j = 0; j < n; ++j) y[j] = w[j] / largest + 1e-3;
+      for (int j = 0; j < n; ++j) y[j] = w[j] / largest + kFrontAboveZero;
     }
     return std::sqrt(most);
   }
@@ -174,7 +171,7 @@ class Curves {
         for (int c = 0; c < n; ++c) sum += at.J[i][c] * at.J[j][c];
         for (int c = 0; c < j; ++c) sum -= at.A[i * (i + 1) / 2 + c] * at.A[j * (j + 1) / 2 + c];
         if (i == j) {
-          if (!(sum > 1e-20)) return false;
+          if (!(sum > kFrontPivot)) return false;
           at.A[i * (i + 1) / 2 + i] = std::sqrt(sum);
         } else {
           at.A[i * (i + 1) / 2 + j] = sum / at.A[j * (j + 1) / 2 + j];
@@ -222,7 +219,7 @@ class Curves {
     }
     linear = std::sqrt(linear);
     turning = std::sqrt(turning);
-    if (!(linear + turning < kLoose)) return false;
+    if (!(linear + turning < kFrontLoose)) return false;
     Table h;
     double lever[kMostCoordinates], column[kMostCoordinates] = {};
     for (int j = 0; j < n; ++j)
@@ -260,7 +257,7 @@ class Curves {
                        w = i < j && !slides_[i] && !slides_[j] ? std::sqrt(double(i)) + std::sqrt(double(j)) : 0.0;
           wider[i][j] = h[i][j] + radius * (linear * p + turning * w);
         }
-      at.bend = size_of(wider, y, 1) / kSafe;
+      at.bend = size_of(wider, y, 1) / kFrontSafe;
       if (turn == 0) radius = std::fmin(radius, 0.5 / at.bend);
     }
     at.radius = radius;

@@ -29,7 +29,7 @@ inline std::vector<Group3> groups_of(const SixJoints& arm) {
     const Vec3 n = cross(at.z[a], at.z[b]), m = cross(at.z[b], at.z[c]);
     if (length_of(n) < kGroupExact && length_of(m) < kGroupExact) {
       groups.push_back({first, true, 0});
-    } else if (dot(n, n) > 1e-6 && dot(m, m) > 1e-6) {
+    } else if (dot(n, n) > kClearlyCrossing && dot(m, m) > kClearlyCrossing) {
       const Vec3 gap = at.o[b] - at.o[a];
       const double along = dot(cross(gap, at.z[b]), n) / dot(n, n);
       const Vec3 w = at.o[a] + along * at.z[a];

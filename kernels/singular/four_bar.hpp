@@ -56,7 +56,7 @@ struct FourBar {
     const Harmonic &mine = side[lead][0], &other = side[lead][1];
     const double value = mine.at(angle);
     closed(lead, angle, other.phase + way * other.from_phase(value), out);
-    return std::fabs(value - other.middle) <= other.size * (1 + 1e-14);
+    return std::fabs(value - other.middle) <= other.size * (1 + kDeadCentre);
   }
 
   // The four angles that those of the leading joint and of the one opposite leave.
@@ -112,7 +112,7 @@ inline Vec3 nearest_to_lines(const Vec3* z, const Vec3* o) {
       if (A[order[k]][order[k]] > A[order[best]][order[best]]) best = k;
     std::swap(order[done], order[best]);
     const int p = order[done];
-    if (A[p][p] < 1e-9) break;
+    if (A[p][p] < kLinkagePivot) break;
     for (int k = done + 1; k < 3; ++k) {
       const double f = A[order[k]][p] / A[p][p];
       for (int c = 0; c < 4; ++c) A[order[k]][c] -= f * A[p][c];

@@ -9,7 +9,6 @@ namespace pieper::PIEPER_ISA {
 // Moves q so that gap(Standing, double[6]) vanishes and the pose is held, in the least squares; what is missed of the pose is returned.
 template <class Gap> double into_place(const SixJoints& arm, const Rigid& T, Gap gap, double* q) {
   constexpr int kSteps = 3;
-  constexpr double kDifference = 1e-7, kFixed = 1e-14;  // rad or lengths; relative
   for (int step = 0; step < kSteps; ++step) {
     const Standing at(arm, q);
     double e[6], g[6], slope[6][6], A[6][6], b[6];
@@ -18,9 +17,9 @@ template <class Gap> double into_place(const SixJoints& arm, const Rigid& T, Gap
     for (int i = 0; i < kSix; ++i) {
       double aside[6];
       std::copy(q, q + kSix, aside);
-      aside[i] += kDifference;
+      aside[i] += kIntoPlaceStep;
       gap(Standing(arm, aside), slope[i]);
-      for (int r = 0; r < 6; ++r) slope[i][r] = (slope[i][r] - g[r]) / kDifference;
+      for (int r = 0; r < 6; ++r) slope[i][r] = (slope[i][r] - g[r]) / kIntoPlaceStep;
     }
     for (int i = 0; i < kSix; ++i) {
       b[i] = 0;
@@ -30,7 +29,7 @@ template <class Gap> double into_place(const SixJoints& arm, const Rigid& T, Gap
         for (int r = 0; r < 6; ++r) A[i][j] += at.J[i][r] * at.J[j][r] + slope[i][r] * slope[j][r];
       }
     }
-    step_along(SingularSix(A), b, kFixed, -1, kNextToLinkage, q);
+    step_along(SingularSix(A), b, kIntoPlaceRank, -1, kNextToLinkage, q);
   }
   return missed_at(arm, q, T);
 }

@@ -73,12 +73,12 @@ inline int roots_within(const double* c, double within) {
       for (int j = degree - 1; j >= 0; --j) value = value * t[k] + a[j];
       for (int j = 0; j < degree; ++j)
         if (j != k) others *= t[k] - t[j];
-      if (std::abs(others) == 0) others = 1e-30;
+      if (std::abs(others) == 0) others = kRootsCoincide;
       const std::complex<double> step = value / others;
       t[k] -= step;
       most = std::fmax(most, std::abs(step));
     }
-    if (most < 1e-15) break;
+    if (most < kRootsFound) break;
   }
   int count = 0;
   for (int k = 0; k < degree; ++k) count += std::abs(t[k]) * size < within;
@@ -108,7 +108,7 @@ inline int branches_at(const SixJoints& arm, const Rigid& T, const double* q) {
   double blur = INFINITY;
   bool any = false;
   for (int k = 1; k < 5; ++k) {
-    if (k > 1 && std::fabs(c[k]) < 1e-15 / std::pow(h, k)) c[k] = 0;
+    if (k > 1 && std::fabs(c[k]) < kRootsFound / std::pow(h, k)) c[k] = 0;
     if (c[k] != 0) any = true, blur = std::fmin(blur, std::pow(kMergedRounding / std::fabs(c[k]), 1.0 / k));
   }
   return any ? std::max(1, roots_within(c, std::fmax(kMergedSame, 3 * blur))) : 1;

@@ -39,7 +39,7 @@ struct LineSelfMotion {
 
   double total() const {
     const double sum = short_way(through[i] + sense * through[j]);
-    return sum > 1e-9 - kPi ? sum : sum + kTwoPi;
+    return sum > kEdgeOfTurn - kPi ? sum : sum + kTwoPi;
   }
 
   bool holds(const SixJoints& arm, const double* q, double tolerance) const {
@@ -98,7 +98,7 @@ struct LineSelfMotion {
       const double wanted = whole + sense * kTwoPi * turns;
       const double x = std::fmin(std::fmax(wanted / 2, low), std::fmax(low, high));
       const double away = x * x + (x - wanted) * (x - wanted);
-      if (away < best - 1e-9) best = away, x_best = x, turns_best = turns;
+      if (away < best - kNearerRow) best = away, x_best = x, turns_best = turns;
     }
     if (best == INFINITY) return false;
     q[i] = x_best, q[j] = sense * (whole - x_best) + kTwoPi * turns_best;
@@ -187,7 +187,7 @@ struct LinkageSelfMotion {
     u = std::acos(std::fmin(std::fmax(-off / half, -1.0), 1.0)) / kTwoPi;
     if (opposite < 0) u = 1 - u;
     u -= std::floor(u);
-    return std::fabs(off) <= half * (1 + 1e-9) + 1e-12;
+    return std::fabs(off) <= half * (1 + kOnCourse) + kOnCourseTurn;
   }
   // On which side of its phase the joint opposite is on a course that goes round twice.
   double way_at(double angle) const {

@@ -82,7 +82,7 @@ struct SingularSix {
   void across(int k) {
     double* v = pose[k];
     const double size = norm(v);
-    if (size > 1e-9 * s[0]) {
+    if (size > kAcrossRounding * s[0]) {
       for (int r = 0; r < kSix; ++r) v[r] /= size;
       return;
     }
@@ -96,7 +96,7 @@ struct SingularSix {
           for (int r = 0; r < kSix; ++r) e[r] -= part * pose[m][r];
         }
       const double left = norm(e);
-      if (left > most + 1e-6) most = left, std::copy(e, e + kSix, best);
+      if (left > most + kAcrossMore) most = left, std::copy(e, e + kSix, best);
     }
     const double sign = along(best, v) < 0 ? -1 : 1;
     for (int r = 0; r < kSix; ++r) v[r] = sign * best[r] / std::fmax(most, kTiny);
@@ -124,7 +124,7 @@ struct Standing {
     const Vec3 p = T.t - end.t;
     Vec3 w = 0.5 * (cross(end.x, T.x) + cross(end.y, T.y) + cross(end.z, T.z));
     const double sine = std::sqrt(dot(w, w)), cosine = 0.5 * (dot(end.x, T.x) + dot(end.y, T.y) + dot(end.z, T.z) - 1);
-    if (sine > 1e-150) w = (std::atan2(sine, cosine) / sine) * w;
+    if (sine > kSineLeast) w = (std::atan2(sine, cosine) / sine) * w;
     else if (cosine < 0) w = {kPi, 0, 0};
     e[0] = p.x, e[1] = p.y, e[2] = p.z, e[3] = w.x, e[4] = w.y, e[5] = w.z;
     double sum = 0;
@@ -223,7 +223,7 @@ inline bool well_posed(const double (*J)[6], int without = -1) {
       for (int r = 0; r < 6; ++r) Q[i][r] -= s * Q[best][r];
     }
   }
-  return last > 1e-8 * total;  // a hundred times what is looked at, squared
+  return last > kSecondFree * total;
 }
 
 }  // namespace pieper::PIEPER_ISA

@@ -3,21 +3,18 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from pieper.arm import Arm
-from pieper.arms import catalog, load, ur_calibrated
-from pieper.description.dh import DH, Actuator
-from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
-from pieper.motion.path import line
-from pieper.solver.plan.plan import Plan
-from pieper.solver.results import SolutionBatch, Solutions, Status
-
 if TYPE_CHECKING:
     from pieper import jax, torch
+    from pieper.arm import Arm
+    from pieper.arms import catalog, find_arms, load, ur_calibrated
+    from pieper.cell import Cell
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Clearance, Swept
+    from pieper.description.dh import DH, Actuator
     from pieper.description.quantity import evaluate
     from pieper.description.shapes import Body, Box, Capsule, Convex, Cylinder
     from pieper.document.writing import whole_file
+    from pieper.errors import InputError, NoSolutionError, PieperError, PieperWarning, PlanError
     from pieper.judge import Judgement, check, guess_claims
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.kinematics.spoken_many import poses
@@ -25,6 +22,7 @@ if TYPE_CHECKING:
     from pieper.motion.dialects.files import read_program
     from pieper.motion.limits import Limits
     from pieper.motion.motion import Motion
+    from pieper.motion.path import line
     from pieper.motion.program import Program
     from pieper.motion.program_file import load_program, save_program
     from pieper.motion.recorded import read_motion
@@ -36,6 +34,8 @@ if TYPE_CHECKING:
     from pieper.motion.track import Track
     from pieper.presentation import plot, sections
     from pieper.presentation.report import report, write_report
+    from pieper.solver.plan.plan import Plan
+    from pieper.solver.results import SolutionBatch, Solutions, Status
     from pieper.solver.singular.self_motion import SelfMotion
 
     workbench: Any
@@ -44,7 +44,25 @@ __version__ = "0.1.0"
 
 #: What is imported when it is first asked for: a name and the module that has it, or that it is.
 _LATER = {
+    "Arm": "pieper.arm",
+    "DH": "pieper.description.dh",
+    "Actuator": "pieper.description.dh",
+    "InputError": "pieper.errors",
+    "NoSolutionError": "pieper.errors",
+    "PieperError": "pieper.errors",
+    "PieperWarning": "pieper.errors",
+    "Plan": "pieper.solver.plan.plan",
+    "PlanError": "pieper.errors",
+    "SolutionBatch": "pieper.solver.results",
+    "Solutions": "pieper.solver.results",
+    "Status": "pieper.solver.results",
+    "catalog": "pieper.arms",
+    "find_arms": "pieper.arms",
+    "line": "pieper.motion.path",
+    "load": "pieper.arms",
+    "ur_calibrated": "pieper.arms",
     "Arc": "pieper.motion.route.arcs",
+    "Cell": "pieper.cell",
     "Freedom": "pieper.motion.route.freedom",
     "Route": "pieper.motion.route.result",
     "Verdict": "pieper.motion.route.freedom",
@@ -96,6 +114,7 @@ __all__ = [
     "Body",
     "Box",
     "Capsule",
+    "Cell",
     "Clearance",
     "Convex",
     "Cylinder",
@@ -123,6 +142,7 @@ __all__ = [
     "guess_claims",
     "evaluate",
     "fastest_constant_speed",
+    "find_arms",
     "jax",
     "line",
     "load",

@@ -20,8 +20,6 @@ from pieper.errors import PieperWarning
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.pose import PoseLike
-from pieper.motion.follow import follow
-from pieper.motion.track import Track
 from pieper.solver import verbs
 from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
@@ -34,6 +32,7 @@ if TYPE_CHECKING:
     from pieper.collision.scene import Scene
     from pieper.equations import Symbolic
     from pieper.motion.dialects.configuration import Configuration
+    from pieper.motion.track import Track
 
 #: A pose this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
@@ -367,6 +366,8 @@ class Arm(AlongPaths):
 
     def follow(self, path: PoseLike, *, start: ArrayLike | str | None = None) -> Track:
         """Follow poses (N, 4, 4) from the joint vector start (n,); see `motion.follow`."""
+        from pieper.motion.follow import follow
+
         return follow(self.plan, path, start=None if start is None else self._joints(start, "start"))
 
     def configuration(self, q: ArrayLike | str, maker: str) -> Configuration:

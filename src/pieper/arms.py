@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from pieper.arm import Arm
+
+if TYPE_CHECKING:
+    from pieper.description.catalog_index import Entry
 
 
 def load(
@@ -52,3 +56,31 @@ def catalog() -> list[str]:
     from pieper.description import catalog as shelf
 
     return list(shelf.names())
+
+
+def find_arms(
+    words: str = "",
+    *,
+    maker: str | None = None,
+    joints: int | str | None = None,
+    payload: float | None = None,
+    reach: float | None = None,
+) -> list[Entry]:
+    """Return the arms that ship and answer to everything that is said.
+
+    Args:
+        words: Words that all stand in the name or the maker.
+        maker: A part of the maker's name.
+        joints: How many, or their types, such as "RRPR", "6R".
+        payload: Carries at least this, kg.
+        reach: Reaches at least this far by the maker's own measure, m.
+
+    Returns:
+        Entries with `name`, `manufacturer`, `n`, `joint_types`, `payload` (kg) and `reach` (m), None where not known.
+
+    Raises:
+        InputError: A number is below zero, or the joints cannot be read.
+    """
+    from pieper.description import catalog_index
+
+    return list(catalog_index.find(words, maker=maker, joints=joints, payload=payload, reach=reach))

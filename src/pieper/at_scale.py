@@ -216,6 +216,7 @@ class AtScale:
         executor: Executor | None = None,
         progress: Callable[[int, int], None] | None = None,
         measure: bool = False,
+        scene: Scene | None = None,
     ) -> ReachMap:
         """Fill a box with answers: where the tool gets inside the limits, in which orientations; see docs/maps.md.
 
@@ -229,13 +230,20 @@ class AtScale:
                 without one.
             progress: Told after each tile how many of how many are done.
             measure: Also keep the best manipulability and distance to limits of each voxel.
+            scene: What stands around the arm: only solutions count that touch neither it nor the arm itself; an empty
+                scene for the arm alone. Without it collisions do not count.
 
         Raises:
             InputError: A box or step that is none or in millimetres, a store of another map, a map too large to hold.
         """
         from pieper.maps.reach_map import reach_map
 
-        return reach_map(self.plan, box, step, orientations, symmetry, store, executor, progress, measure)
+        around = None
+        if scene is not None:
+            from pieper.maps.around import Around
+
+            around = Around(self.description, self.chain, self.bodies, self._collision_model(scene).scene)
+        return reach_map(self.plan, box, step, orientations, symmetry, store, executor, progress, measure, around)
 
     def verify(self, toolbox: str, *, poses: int = 100, seed: int = 0) -> Comparison:
         """Compare the arm with what an independent toolbox makes of it; see docs/verify.md.

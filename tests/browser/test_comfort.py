@@ -12,6 +12,7 @@ TABS = [
     "DH table",
     "World",
     "Path",
+    "Route",
     "Program",
     "Sequence",
     "Matrices",

@@ -63,6 +63,31 @@ def test_a_path_and_an_arm_lose_nothing_either(run, width):
     assert not Counter(["-150.64", "210.000", "-75.000"][1:]) - tokens(run("show", "denso-vp6242", width=width))
 
 
+#: Every command that prints a table, on arms of three, six and seven joints.
+TABLES = (
+    ("robots",),
+    *(("show", name) for name in (*ARMS, "adept-cobra-600", "fanuc-lr-mate-200id-controller")),
+    ("fk", "three-r", "10", "20", "30", "--frames"),
+    ("fk", "denso-vp6242", "10", "20", "-150", "40", "50", "60", "--frames"),
+    ("fk", "franka-panda", "10", "20", "30", "-40", "50", "60", "70", "--frames"),
+    ("ik", "franka-panda", *ARMS["franka-panda"], "--near", "0 0 0 -90 0 90 0"),
+    ("ik", "universal-robots-ur5e", "400", "-200", "250", "180", "0", "0", "--all"),
+    ("path", "three-r", "--from", "300 100 100", "--to", "250 100 150", "-n", "5"),
+    ("path", "franka-panda", "--from", "400 0 400 180 0 0", "--to", "450 100 400 180 0 0", "-n", "4"),
+    ("time", "denso-vp6242", "--from", "350 0 400", "--to", "300 50 450", "--speed", "100", "--acceleration", "400"),
+)
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("words", TABLES, ids=lambda words: "-".join(words[:2]))
+def test_no_command_loses_a_word_or_a_number_of_what_a_pipe_gets(run, words, width):
+    whole, out = run(*words), run(*words, width=width)
+    assert max(len(line) for line in out.splitlines()) <= width
+    there, lost = tokens(out.replace("\n", " ")), tokens(whole) - tokens(out)
+    rules = {word for word in lost if set(word) <= {"─"}}
+    assert not set(lost) - rules - {word for word in lost if word in there}, lost
+
+
 def test_a_pipe_gets_one_line_a_row(run):
     out = run("ik", "franka-panda", *ARMS["franka-panda"], "--all")
     assert sum(line.split()[:1] == ["3"] and line.count(".") > 7 for line in out.splitlines()) == 1

@@ -161,3 +161,33 @@ def test_claims_are_guessed_from_an_excerpt_and_can_be_judged():
 def test_symbols_may_be_defined_in_any_order():
     head = TWO + '[symbols]\nb = "a + px"\na = "py"\n'
     assert verdict(head, 'kind = "equation"\nis = "b = px + py"').status == HOLDS
+
+
+OWN_PAGES = [
+    "denso-vp6242",
+    "unimation-puma-560",
+    "universal-robots-ur5e",
+    "stanford-arm",
+    "adept-cobra-600",
+    "three-r",
+]
+OWN_PAGES += ["rrp-wrist", "franka-panda", "staubli-rx160", "abb-irb2400"]
+
+
+@pytest.mark.parametrize("name", OWN_PAGES)
+@pytest.mark.parametrize("form", ["text", "latex"])
+def test_the_judge_reads_the_derivation_that_pieper_prints_and_finds_it_right(name, form):
+    page = getattr(pieper.load(name).symbolic.ik(), form)()
+    file, read, _ = pieper.guess_claims(page, name, "pieper's own page")
+    judged = pieper.check(file)
+    assert read > 8 and len(judged.verdicts) >= pieper.load(name).n
+    assert all(v.holds for v in judged.verdicts), judged.text()
+
+
+def test_a_sign_of_a_page_is_the_same_in_all_its_formulas():
+    page = pieper.load("denso-vp6242").symbolic.ik().text()
+    wrong = page.replace("atan2(-sigma3*u23, -sigma3*u13)", "atan2(sigma3*u23, sigma3*u13)")
+    assert wrong != page
+    judged = pieper.check(pieper.guess_claims(wrong, "denso-vp6242", "a page")[0])
+    (bad,) = [v for v in judged.verdicts if not v.holds]
+    assert "theta4" in bad.claim and bad.wrong

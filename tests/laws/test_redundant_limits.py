@@ -10,6 +10,7 @@ import pytest
 import pieper
 from oracle import slow_forward
 from pieper import DH, Arm, Status
+from pieper.solver.redundant import anywhere, stops
 
 SEVEN = ["franka-panda", "kuka-lbr-iiwa-14-r820", "rethink-sawyer", "kinova-gen3-7dof", "random"]
 WIDTHS = [1.0, 0.5, 0.2, 0.05]
@@ -154,3 +155,45 @@ def test_values_at_which_two_axes_come_to_coincide_are_stepped_over():
     assert all(arm.ik(T[i]).status == Status.REDUNDANT for i in range(5))
     middle = arm.fk(np.full(7, 0.5))
     assert any(m.contains(np.full(7, 0.5), 1e-5) for m in arm.ik(middle, redundancy=0.5).self_motions)
+
+
+@pytest.mark.parametrize("half", [0.0, 1e-16, 1e-12])
+def test_limits_closer_than_rounding_hold_a_joint_and_lose_no_pose(half):
+    for name, joint in (("franka-panda", 2), ("denso-vp6242", 2)):
+        arm = pieper.load(name)
+        q = arm.limits.mean(1) + 0.1
+        limits = arm.limits.copy()
+        limits[joint] = q[joint] - half, q[joint] + half
+        arm = Arm(replace(arm.description, limits=limits))
+        sols = arm.ik(arm.fk(q))
+        assert sols.status == (Status.REDUNDANT if arm.n > 6 else Status.SOLVED)
+        assert np.abs(sols.nearest(q) - q).max() < 1e-6
+
+
+def test_of_a_position_alone_the_posture_that_reaches_it_is_the_nearest_to_itself():
+    rng = np.random.default_rng(6)
+    for name in ("universal-robots-ur5e", "franka-panda"):
+        arm = pieper.load(name)
+        for _ in range(2):
+            q = rng.uniform(*(0.6 * arm.limits).T) if name.startswith("univ") else rng.uniform(*arm.limits.T)
+            nearest = arm.ik(arm.fk(q), task="position").nearest(q)
+            assert np.abs(nearest - q).max() < 1e-6
+
+
+def test_every_pose_that_is_left_is_looked_at_however_many_there_are(monkeypatch):
+    # the parts of the poses that are left are looked at one after the other, while what is found leaves fewer
+    arm, q, T = tight("random", 0.5, 7, 60)
+    looked_at = []
+
+    def all_of_them(plan, poses, threads):
+        of = [int(np.argmin(np.abs(T - pose).sum((1, 2)))) for pose in poses]
+        looked_at.extend(of)
+        return np.arange(len(poses)), q[of]
+
+    monkeypatch.setattr(anywhere, "TOGETHER", 16)
+    monkeypatch.setattr(anywhere, "descended", lambda chain, q, T, low, high: (q, np.full(len(q), 1.0)))
+    monkeypatch.setattr(anywhere, "slices", all_of_them)
+    monkeypatch.setattr(anywhere, "stops", lambda plan, T, threads: stops.stops(plan, T[:0], threads))
+    found = anywhere.anywhere(arm.plan, T)
+    assert sorted(looked_at) == list(range(60))
+    assert (found.kind == anywhere.INSIDE).all()

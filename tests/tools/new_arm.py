@@ -14,6 +14,8 @@ import argparse
 import dataclasses
 import itertools
 import math
+import re
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +23,7 @@ import numpy as np
 import pieper
 from pieper.description import catalog, robottext
 from pieper.description.dh import DH, Check, Description
-from tests.tools.own_tree import Array, Joint, joints_of, moving, product, way
+from tests.tools.own_tree import Array, Joint, joints_of, meant, moving, product, way
 
 #: A joint vector without symmetry, deg; a slide takes a tenth of it in mm.
 POSED = (10.0, 20.0, -30.0, 40.0, 50.0, -60.0, 25.0)
@@ -56,6 +58,15 @@ def values(joints: list[Joint], said: tuple[float, ...]) -> dict[str, float]:
         joint.name: said[i % len(said)] / 10_000 if joint.kind == "prismatic" else math.radians(said[i % len(said)])
         for i, joint in enumerate(moving(joints))
     }
+
+
+def exact_text(text: str) -> str:
+    """Return a URDF whose rounded right angles are written to the last digit."""
+
+    def exactly(found: re.Match[str]) -> str:
+        return 'rpy="' + " ".join(repr(meant(float(word), True)) for word in found[1].split()) + '"'
+
+    return re.sub(r'rpy="([^"$]*)"', exactly, text)
 
 
 def clean(arm: Description) -> Description:
@@ -231,14 +242,15 @@ def _foot(joints: list[Joint]) -> Array:
     return w if n @ n < 1e-9 else w + ((np.cross(p - w, u[0]) @ n) / (n @ n)) * u[1]
 
 
-def upright(joints: list[Joint]) -> tuple[Array, float]:
-    """Return the quarter-turn posture with the highest flange and how far it is above axis 2, m."""
+def upright(joints: list[Joint], *, sideways: bool = False) -> tuple[Array, float]:
+    """Return the quarter-turn posture with the highest flange (axis n level if so wished), and its height."""
     names = [joint.name for joint in moving(joints)]
-    best = (np.zeros(len(names)), -math.inf)
+    best, last = (np.zeros(len(names)), -math.inf), _axis6(joints, names)
     for turns in itertools.product((0, 1, -1), repeat=len(names) - 2):
         q = np.array([0, *turns, 0]) * np.pi / 2
         height = float(product(joints, dict(zip(names, q, strict=True)))[2, 3])
-        if height > best[1] + 1e-9:
+        level = abs(float((product(joints, dict(zip(names, q, strict=True)))[:3, :3] @ last)[2])) < 1e-6
+        if height > best[1] + 1e-9 and (level or not sideways):
             best = (q, height)
     return best[0], best[1] - float(_foot(joints)[2])
 
@@ -259,10 +271,15 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument(
         "--zero", type=float, nargs=3, help="where the maker says the flange is, all joints at zero, mm"
     )
+    parser.add_argument("--sideways", action="store_true", help="that reach ends at the wrist's centre")
     parser.add_argument("--zero-source", default="")
     parser.add_argument("--slack", type=float, default=0.0005, help="how far the sources may lie apart, m")
     args = parser.parse_args(argv)
-    arm = pieper.load(args.file, args.base or None, args.tip or None).description
+    with tempfile.TemporaryDirectory() as folder:
+        # angles typed with three digits are meant as well as those of more, which the reader sees by itself
+        plain = Path(folder) / "plain.urdf"
+        plain.write_text(exact_text(Path(args.file).read_text(encoding="utf-8")), encoding="utf-8")
+        arm = pieper.load(plain, args.base or None, args.tip or None).description
     if arm.origin is None:
         raise SystemExit("not a URDF")
     ours = way(joints_of(args.file), arm.origin.base, arm.origin.tip)
@@ -292,7 +309,7 @@ def main(argv: list[str] | None = None) -> int:
             if min(abs(found[1] - reach), abs(abs(at) - reach)) < slack:
                 checks.append(_reach_check(ours, found[0], reach, args.reach_source, slack))
     if reach is not None and args.stretched:
-        q, rise = upright(ours)
+        q, rise = upright(ours, sideways=args.sideways)
         print(f"{args.name}: drawn out {1000 * rise:.2f} mm above axis 2, the maker says {1000 * reach:g}")
         slack = (0.6 * args.reach_grain + 0.5) / 1000
         if abs(rise - reach) < slack:
@@ -337,8 +354,9 @@ def _reach_check(ours: list[Joint], q: Array, reach: float, source: str, slack: 
     there = product(ours, dict(zip([j.name for j in moving(ours)], q, strict=True)))[:3, 3]
     T = np.full((4, 4), np.nan)
     T[3] = [0, 0, 0, 1]
-    # axis 1 is vertical and passes the base's origin in every file this is used for, and joint 1 at zero points along x
-    T[0, 3] = math.copysign(reach, there[0])
+    # axis 1 is vertical and passes the base's origin in every file this is used for; joint 1 at zero points along x, y
+    along = int(np.argmax(np.abs(there[:2])))
+    T[along, 3] = math.copysign(reach, there[along])
     return Check(np.radians(np.round(np.degrees(q), 6)), T, source, slack)
 
 

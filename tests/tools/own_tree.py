@@ -25,7 +25,7 @@ class Joint:
     origin: Array
     axis: Array
     limits: tuple[float, float] | None
-    mimic: bool
+    mimic: tuple[str, float, float] | None
 
 
 def floats(text: str | None, default: str) -> list[float]:
@@ -86,10 +86,29 @@ def joints_of(path: str | Path, *, exact: bool = True) -> list[Joint]:
                 placed(element.find("origin"), exact),
                 axis / max(float(np.linalg.norm(axis)), 1e-300),
                 bounds,
-                element.find("mimic") is not None,
+                _mimic(element.find("mimic")),
             )
         )
     return out
+
+
+def _mimic(element: ET.Element | None) -> tuple[str, float, float] | None:
+    if element is None:
+        return None
+    return element.get("joint") or "", float(element.get("multiplier") or 1), float(element.get("offset") or 0)
+
+
+def between(joints: list[Joint], base: str, tip: str, values: dict[str, float]) -> Array:
+    """Return the pose (4, 4) of any link seen from any other one."""
+    above = {joint.child: joint for joint in joints}
+
+    def placed_at(link: str) -> Array:
+        top = link
+        while top in above:
+            top = above[top].parent
+        return product(way(joints, top, link), values)
+
+    return np.asarray(np.linalg.inv(placed_at(base)) @ placed_at(tip), np.float64)
 
 
 def way(joints: list[Joint], base: str, tip: str) -> list[Joint]:
@@ -103,11 +122,14 @@ def way(joints: list[Joint], base: str, tip: str) -> list[Joint]:
 
 
 def product(joints: list[Joint], values: dict[str, float]) -> Array:
-    """Return the pose (4, 4) at the end of a way; joints without a value stand at zero."""
+    """Return the pose (4, 4) at the end of a way; joints without a value stand at zero, mimics follow."""
     T = np.eye(4)
     for joint in joints:
         T = T @ joint.origin
         value = values.get(joint.name, 0.0)
+        if joint.mimic is not None:
+            leader, times, plus = joint.mimic
+            value = times * values.get(leader, 0.0) + plus
         if joint.kind in ("revolute", "continuous"):
             T = T @ turn(joint.axis, value)
         elif joint.kind == "prismatic":

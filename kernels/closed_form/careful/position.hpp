@@ -54,6 +54,20 @@ inline void swing_slopes(const Swing& s, double x, bool slides, Vec3& d, Vec3& d
   dd = -c * s.first - n * s.second;
 }
 
+// By how much the squares of the distances of two points, p on a and r on c, from the z axis differ.
+inline Separable aside_of_z(Vec3 p, Vec3 dp, Vec3 ddp, Vec3 r, Vec3 dr, Vec3 ddr) {
+  return {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y),
+          -2 * (r.x * dr.x + r.y * dr.y), 2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
+          -2 * (r.x * ddr.x + r.y * ddr.y + dr.x * dr.x + dr.y * dr.y)};
+}
+
+// The equation with the larger gradient first: the other's may vanish.
+inline void flatter_first(Separable& flat, Separable& bent) {
+  if (flat.a * flat.a + flat.c * flat.c >= bent.a * bent.a + bent.c * bent.c) return;
+  const Separable swap = flat;
+  flat = bent, bent = swap;
+}
+
 // Height and squared distance from the z axis of w(a) - u(c), as a pair of separable equations.
 struct AxisEquations {
   const Swing &w, &u;
@@ -63,13 +77,8 @@ struct AxisEquations {
     swing_slopes(w, a, slides_a, dp, ddp);
     swing_slopes(u, c, slides_c, dr, ddr);
     flat = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
-    bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y),
-            -2 * (r.x * dr.x + r.y * dr.y), 2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
-            -2 * (r.x * ddr.x + r.y * ddr.y + dr.x * dr.x + dr.y * dr.y)};
-    if (flat.a * flat.a + flat.c * flat.c < bent.a * bent.a + bent.c * bent.c) {
-      Separable swap = flat;
-      flat = bent, bent = swap;
-    }
+    bent = aside_of_z(p, dp, ddp, r, dr, ddr);
+    flatter_first(flat, bent);
   }
 };
 

@@ -8,9 +8,8 @@
 // The equations are templates over the number type; the rest is scalar, the careful twin of closed_form/lanes/three_parallel.hpp.
 #pragma once
 
-#include "closed_form/careful/group.hpp"
+#include "closed_form/careful/beside_group.hpp"
 #include "closed_form/careful/planar.hpp"
-#include "closed_form/careful/position.hpp"
 
 namespace pieper::PIEPER_ISA::closed_form {
 
@@ -36,14 +35,9 @@ struct PlaneEquations {
     if (std::fabs(p.z) < 0.5) {
       bent = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
     } else {
-      bent = {(p.x - r.x) * (p.x + r.x) + (p.y - r.y) * (p.y + r.y), 2 * (p.x * dp.x + p.y * dp.y),
-              -2 * (r.x * dr.x + r.y * dr.y), 2 * (p.x * ddp.x + p.y * ddp.y + dp.x * dp.x + dp.y * dp.y),
-              -2 * (r.x * ddr.x + r.y * ddr.y + dr.x * dr.x + dr.y * dr.y)};
+      bent = aside_of_z(p, dp, ddp, r, dr, ddr);
     }
-    if (flat.a * flat.a + flat.c * flat.c < bent.a * bent.a + bent.c * bent.c) {
-      Separable swap = flat;
-      flat = bent, bent = swap;
-    }
+    flatter_first(flat, bent);
   }
 };
 
@@ -143,60 +137,26 @@ template <class Far> void turn_to_reach(Far far, double a, double b, double* out
 // One pose.
 inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, const PlanarLink& l2, const double* T,
                                  double* q, std::uint8_t* valid, std::uint8_t* flag) {
-  constexpr int kSlots = 8;
-  const TrueChain chain = own.chain();
-  const int first = own.first;
-  const bool* slides_in = own.slides + first;
-  Rigid pose = read_rigid(T, chain.length);
-  LoopRest rest(own.links, pose, first);
-  bool slides[3];
-  for (int k = 0; k < 3; ++k) slides[k] = own.slides[rest.joints[k]];
-  double room[kSlots * 6];
-  Found found{6, kSlots, 0, room};
-  // where rows cannot be told from curves the quartic has its say too
-  for (bool apart = own.apart, again = true; again; again = apart && !settled(chain, pose, found), apart = false) {
-    PositionRoots roots;
-    solve_around_plane(rest, slides, apart, own.first_c, roots);
-    found.degenerate |= roots.degenerate;
-    for (int k = 0; k < roots.count; ++k) {
-      double* arm = roots.q[k];
-      const bool turning = !(slides_in[0] || slides_in[1] || slides_in[2] || slides[1]);
-      auto around_at = [&](double middle) {
-        Rigid around = joint(rest.pre, arm[0], slides[0]) * rest.A;
-        around = joint(around, middle, slides[1]) * rest.B;
-        return inverse(joint(around, arm[2], slides[2]) * rest.C);
-      };
-      double values[16] = {arm[1]};
-      int tries = 1;
-      if (roots.free[k] && turning) {
-        tries = 2;
-        turn_to_reach(
-            [&](double turn) {
-              const Rigid around = around_at(arm[1] + turn);
-              return around.t.x * around.t.x + around.t.y * around.t.y;
-            },
-            std::hypot(l1.at.x, l1.at.y), std::hypot(l2.at.x, l2.at.y), values);
-        values[0] += arm[1], values[1] += arm[1];
-      } else if (roots.free[k]) {
-        for (tries = 0; tries < 16; ++tries) values[tries] = arm[1] + tries * (2 * kPi / 16);
-      }
-      const int before = found.count;
-      for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
-        const Rigid around = around_at(values[trial]);
-        double plane[2][3], candidate[6];
-        int bends = solve_planar(l1, l2, slides_in, std::atan2(around.x.y - around.y.x, around.x.x + around.y.y),
-                                 {around.t.x, around.t.y}, plane);
-        for (int s = 0; s < bends; ++s) {
-          for (int j = 0; j < 3; ++j) {
-            candidate[rest.joints[j]] = j == 1 ? values[trial] : arm[j];
-            candidate[first + j] = plane[s][j] * own.sense[j];
+  solve_beside_group(
+      own, T, q, valid, flag,
+      [&](const LoopRest& rest, const bool* slides, bool apart, PositionRoots& roots) {
+        solve_around_plane(rest, slides, apart, own.first_c, roots);
+      },
+      [&](double* arm, bool free, const auto& around, const auto& put, Found& found) {
+        const int tries = free ? 16 : 1, before = found.count;
+        for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
+          arm[1] += trial * (2 * kPi / 16);
+          const Rigid left = around(arm);
+          double plane[2][3];
+          const int bends =
+              solve_planar(l1, l2, own.slides + own.first, std::atan2(left.x.y - left.y.x, left.x.x + left.y.y),
+                           {left.t.x, left.t.y}, plane);
+          for (int s = 0; s < bends; ++s) {
+            for (int j = 0; j < 3; ++j) plane[s][j] *= own.sense[j];
+            put(arm, plane[s]);
           }
-          offer(chain, pose, candidate, found);
         }
-      }
-    }
-  }
-  write_out(chain, pose, found, q, valid, flag);
+      });
 }
 
 }  // namespace pieper::PIEPER_ISA::closed_form

@@ -104,7 +104,14 @@ _DEGREE = re.compile(r"\^\s*(?:\{\s*deg\s*\}|deg)")
 _OF_ANGLE = re.compile(r"\b([cCsS])_?\s*\{?\s*(?:theta|th|q)\s*_?\s*\{?\s*(\d)\s*\}?\s*\}?(?![A-Za-z\d])")
 _SUM_INDEX = re.compile(r"\b([cCsS])_\{\s*(\d(?:\s*[-+]\s*\d)+)\s*\}")
 _COMMA_INDEX = re.compile(r"\b([cCsS])_?\{\s*(\d(?:\s*,\s*\d)+)\s*\}")
+_SUM_OF_ANGLES = re.compile(r"\btheta_?(?:\{\s*(\d(?:\s*[-+]\s*\d)+)\s*\}|(\d(?:[-+]\d)+)(?![\d.*/^]))")
 _STROKES = re.compile(r"\|([^|]+)\|")
+
+
+def _angles(match: re.Match[str]) -> str:
+    """theta1+2-4 and theta_{1+2-4} as the sum of angles that they name."""
+    indices = re.sub(r"\s", "", match.group(1) or match.group(2))
+    return "(" + re.sub(r"(\d)", r"theta\1", indices) + ")"
 
 
 def plain(text: str) -> str:
@@ -128,6 +135,7 @@ def plain(text: str) -> str:
     text = _PROGRAM.sub("", text)
     text = _MATLAB.sub("", text)
     text = _OF_ANGLE.sub(r"\1\2", text)
+    text = _SUM_OF_ANGLES.sub(_angles, text)
     text = _SUM_INDEX.sub(lambda m: _index(m.group(1), m.group(2)), text)
     text = _COMMA_INDEX.sub(lambda m: m.group(1) + re.sub(r"\D", "", m.group(2)), text)
     return _STROKES.sub(r" abs(\1) ", text)

@@ -73,13 +73,16 @@ def table(
     widths = [max([_cells(c.head), *(_cells(row[j]) for row in rows)]) for j, c in enumerate(columns)]
     total = sum(widths) + GAP * (len(widths) - 1)
     rest = math.inf if width is None else width - (total - widths[-1])
+    alone = False
     if width is None or total <= width:
         places = [list(range(len(columns)))]
     elif columns[-1].words and rest >= NARROW_WORDS:
         widths[-1], places = int(rest), [list(range(len(columns)))]
     else:
-        places, widths = _stacked(columns, widths, width)
-    indent = widths[0] + GAP
+        longest = max((_longest(c, [row[j] for row in rows]) for j, c in enumerate(columns) if j), default=0)
+        alone = widths[0] + GAP + longest > width
+        places, widths = _stacked(columns, widths, width, alone)
+    indent = GAP if alone else widths[0] + GAP
     head = _row([c.head for c in columns], columns, places, widths, indent)
     rule = "─" * max(len(line) for line in head) if width is None else "─" * min(width, _widest(places, widths, indent))
     lines = [bold(part) for part in sentences(title, width).splitlines()] + head + [rule]
@@ -89,13 +92,21 @@ def table(
     return "\n".join(lines)
 
 
-def _stacked(columns: Sequence[Column], widths: list[int], width: int) -> tuple[list[list[int]], list[int]]:
-    """Return which columns stand on which line, and their new widths.
+def _longest(column: Column, cells: Sequence[str]) -> int:
+    """Return how wide a column must be at least: its longest word, or its longest number."""
+    texts = [column.head, *cells]
+    return max((_cells(word) for text in texts for word in (text.split() if column.words else [text])), default=0)
+
+
+def _stacked(
+    columns: Sequence[Column], widths: list[int], width: int, alone: bool
+) -> tuple[list[list[int]], list[int]]:
+    """Return which columns stand on which line, and their new widths; the first may be so wide that it stands alone.
 
     Neighbouring columns of numbers get one width and, where one line does not hold them, lines of equal length. What
     fits beside what stands before it goes there.
     """
-    widths, room = list(widths), max(1, width - widths[0] - GAP)
+    widths, room = list(widths), max(1, width - (GAP if alone else widths[0] + GAP))
     places: list[list[int]] = []
     open_line = False
     for group in _groups(columns):
@@ -114,8 +125,7 @@ def _stacked(columns: Sequence[Column], widths: list[int], width: int) -> tuple[
             places += pieces
         open_line = count == 1
     places = places or [[]]
-    places[0] = [0, *places[0]]
-    return places, widths
+    return ([[0], *places] if alone else [[0, *places[0]], *places[1:]]), widths
 
 
 def _groups(columns: Sequence[Column]) -> list[list[int]]:

@@ -46,6 +46,7 @@ class _Progress:
 )
 @click.option("--workers", default=0, help="Processes; without it one process uses all cores.")
 @click.option("--scheduler", default="", metavar="ADDRESS", help="A dask scheduler, such as tcp://host:8786.")
+@click.option("--scene", default="", metavar="FILE", help="Count only what touches neither this nor the arm itself.")
 @click.option("--measure", is_flag=True, help="Keep the best manipulability and distance to limits as well.")
 @click.option("--save", default="", metavar="FILE", help="Write the map as .npz, .parquet or .vtk.")
 @click.option("--picture", default="", metavar="FILE", help="Draw three sections as .png, .svg or .pdf.")
@@ -60,6 +61,7 @@ def command(
     symmetry: str,
     workers: int,
     scheduler: str,
+    scene: str,
     measure: bool,
     save: str,
     picture: str,
@@ -80,6 +82,7 @@ def command(
         )
     sides = [(corners[0], corners[1]), (corners[2], corners[3]), (corners[4], corners[5])]
     asked = {"orientations": (counts[0], counts[1]), "symmetry": symmetry, "store": out or None, "measure": measure}
+    around = pieper.Scene.load(scene) if scene else None
     with ExitStack() as stack:
         executor: Executor | None = None
         if scheduler:
@@ -91,7 +94,7 @@ def command(
         elif workers:
             executor = stack.enter_context(ProcessPoolExecutor(min(workers, os.cpu_count() or 1)))
         progress = _Progress() if sys.stderr.isatty() and not json else None
-        found = arm.reach_map(sides, step * units.metres, executor=executor, progress=progress, **asked)
+        found = arm.reach_map(sides, step * units.metres, executor=executor, progress=progress, scene=around, **asked)
     if save:
         found.save(save)
     if picture:

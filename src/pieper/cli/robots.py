@@ -1,4 +1,4 @@
-"""`pieper robots`: which arms ship."""
+"""`pieper robots`: which arms ship, searched by maker, joints, payload and reach."""
 
 from __future__ import annotations
 
@@ -11,23 +11,59 @@ from pieper.cli.output import as_json as print_json
 from pieper.cli.output import plural, print_table
 from pieper.cli.status import DONE
 
-KEYS = ("name", "joints", "joint_types", "convention", "manufacturer", "source")
 
-
-@click.command("robots", short_help="List the arms that ship.")
-@click.argument("pattern", default="")
+@click.command("robots", short_help="List the arms that ship; search them.")
+@click.argument("words", nargs=-1)
+@click.option("--maker", metavar="NAME", help="A part of the maker's name.")
+@click.option("--joints", metavar="WHICH", help="How many joints, or their types: 6, 7R, RRPR.")
+@click.option("--payload", type=float, metavar="KG", help="Carries at least this, kg.")
+@click.option("--reach", type=float, metavar="MM", help="Reaches at least this far, mm, by the maker's own measure.")
 @as_json
-def command(pattern: str, json: bool) -> int:
-    """List the arms that ship, or those whose name or maker contains PATTERN."""
-    rows = []
-    for name in pieper.catalog():
-        d = pieper.load(name).description
-        if pattern.lower() in f"{name} {d.manufacturer}".lower():
-            rows.append((name, d.n, d.joint_types, d.convention, d.manufacturer, d.source))
+def command(
+    words: tuple[str, ...],
+    maker: str | None,
+    joints: str | None,
+    payload: float | None,
+    reach: float | None,
+    json: bool,
+) -> int:
+    """List the arms that ship, or those whose name or maker has all the WORDS.
+
+    Payload and reach are the maker's figures; an arm for which they are not known is not found by them.
+    """
+    far = None if reach is None else reach / 1000
+    found = pieper.find_arms(" ".join(words), maker=maker, joints=joints, payload=payload, reach=far)
     if json:
-        print_json([dict(zip(KEYS, row, strict=True)) for row in rows])
+        print_json([_said(arm.name) for arm in found])
         return DONE
-    columns = [Column("name", True), Column("joints", True), Column("DH", True), Column("maker", True)]
-    cells = [[name, types, convention, maker] for name, _, types, convention, maker, _ in rows]
-    print_table(plural(len(rows), "arm"), columns, cells)
+    columns = [Column("name", True), Column("joints", True), *(Column(head) for head in ("payload, kg", "reach, mm"))]
+    cells = [
+        [
+            arm.name,
+            _short(arm.joint_types),
+            "" if arm.payload is None else f"{arm.payload:g}",
+            "" if arm.reach is None else f"{1000 * arm.reach:g}",
+            arm.manufacturer,
+        ]
+        for arm in found
+    ]
+    print_table(plural(len(found), "arm"), [*columns, Column("maker", True)], cells)
     return DONE
+
+
+def _said(name: str) -> dict[str, object]:
+    d = pieper.load(name).description
+    return {
+        "name": name,
+        "joints": d.n,
+        "joint_types": d.joint_types,
+        "convention": d.convention,
+        "manufacturer": d.manufacturer,
+        "payload_kg": d.payload,
+        "reach_m": d.reach,
+        "source": d.source,
+    }
+
+
+def _short(kinds: str) -> str:
+    return f"{len(kinds)}{kinds[0]}" if len(set(kinds)) == 1 else kinds

@@ -10,7 +10,6 @@ import numpy.typing as npt
 from pieper.description.dh import Description
 from pieper.description.fold import frames_of
 from pieper.description.shapes import Body
-from pieper.description.tree_bodies import known_bodies
 from pieper.kinematics.pose import inverse
 
 Array = npt.NDArray[np.float64]
@@ -34,6 +33,8 @@ def carried(
         on: Number of a frame of the first (0 base, links, n + 1 tool) -> the one of the second that moves with it.
         world: (4, 4) the first's world in the second's; the identity when left out.
     """
+    from pieper.description.tree_bodies import known_bodies  # reads meshes of URDFs; most arms have none
+
     bodies, _ = known_bodies(old)
     if not bodies:
         return ()

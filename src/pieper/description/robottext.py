@@ -10,7 +10,6 @@ from pieper.description.bodyfield import body_tables
 from pieper.description.dh import Actuator, Check, Description
 from pieper.description.keys import pose_keys, quantity_key
 from pieper.description.quantity import best_unit, in_unit, same_bits
-from pieper.description.tree_bodies import known_bodies
 from pieper.tolerances import TYPED_DIGITS
 
 #: Texts longer than this are folded.
@@ -45,6 +44,8 @@ def contents(description: Description) -> dict:
             top[key] = {name: pose_keys(T) for name, T in poses.items()}
     if description.postures:
         top["postures"] = {name: _joint_vector(q, description.joint_types) for name, q in description.postures.items()}
+    from pieper.description.tree_bodies import known_bodies  # reads meshes of URDFs; most arms have none
+
     if bodies := known_bodies(description)[0]:
         top["bodies"] = body_tables(bodies, description.joint_names)
     if description.allowed:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pieper.description import catalog, mjcf, robotfile, urdf, urdf_text, xacro
+from pieper.description import catalog, robotfile
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.pose import inverse
@@ -65,8 +65,12 @@ def read(
     if ending == ".urdf":
         return _urdf(path, base, tip, missing_limits, xacro_args)
     if ending == ".xacro":
+        from pieper.description import xacro
+
         return xacro.read(path, base=base, tip=tip, missing_limits=missing_limits, arguments=xacro_args)
     if ending in (".xml", ".mjcf"):
+        from pieper.description import mjcf, urdf
+
         first = urdf.first_element(urdf.bytes_of(path, urdf.LARGEST_FILE, "robot file"), text)
         if first == "mujoco":
             return mjcf.read(path, base=base, tip=tip, missing_limits=missing_limits)
@@ -83,6 +87,8 @@ def read(
 def _urdf(
     path: Path, base: str | None, tip: str | None, missing_limits: str, xacro_args: Mapping[str, str] | None
 ) -> Description:
+    from pieper.description import urdf, xacro
+
     try:
         return urdf.read(path, base=base, tip=tip, missing_limits=missing_limits)
     except urdf.NotExpanded:
@@ -114,6 +120,8 @@ def write(arm: Description, path: str | os.PathLike[str]) -> None:
     target = Path(os.fspath(path))
     ending = target.suffix.lower()
     if ending == ".urdf":
+        from pieper.description import urdf_text
+
         urdf_text.write(arm, target)
     elif ending in (".xml", ".mjcf", ".xacro", *_REFUSED):
         raise InputError(

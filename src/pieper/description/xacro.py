@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import re
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -66,9 +67,25 @@ def expanded(path: Path, arguments: Mapping[str, str]) -> str:
             return doc.to_urdf_string()
     except (Exception, SystemExit) as error:  # the expander evaluates expressions of the file: anything can come
         reason = " ".join(str(error).split()) or type(error).__name__
+        asked = [name for name in _without_default(path) if name not in arguments]
+        if asked:
+            said_so = ", ".join(f"{name!r}: 'value'" for name in asked)
+            raise InputError(
+                f"{path}: the xacro asks for {', '.join(asked)} and has no default. Say pieper.load(..., "
+                f"xacro_args={{{said_so}}}).",
+                file=str(path),
+                allowed=asked,
+            ) from None
         cure = (
             "Give the argument: pieper.load(..., xacro_args={'name': 'value'})."
             if "rgument" in reason or "substitution" in reason.lower()
             else "Expand it where its packages are installed (xacro in.xacro > out.urdf) and load the .urdf."
         )
         raise InputError(f"{path}: the xacro could not be expanded: {reason[:300]}. {cure}", file=str(path)) from None
+
+
+def _without_default(path: Path) -> list[str]:
+    """Return the names of the arguments that a xacro file has no default for, in order."""
+    words = path.read_text(encoding="utf-8", errors="replace")
+    found = [match for match in re.findall(r"<xacro:arg\b[^>]*>", words) if not re.search(r"\bdefault\s*=", match)]
+    return [name for tag in found for name in re.findall(r"\bname\s*=\s*[\"']([^\"']+)", tag)]

@@ -6,6 +6,7 @@ with (the number of a step, of its solutions, of an equation) is a field.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
@@ -56,6 +57,9 @@ class Emphasis:
 
     words: str
 
+
+#: A decimal number in a cell, with a unit behind it.
+NUMBER = re.compile(r"([-−]?\d+)(\.\d+)?(°| mm| m)?")
 
 #: What a sentence is made of.
 Piece = str | Code | Emphasis | Formula
@@ -194,12 +198,14 @@ class Document:
         subtitle: A line under the title.
         summary: What a hurried reader needs: one paragraph.
         blocks: The rest in reading order.
+        edition: Who made it and when, at the foot of every printed page.
     """
 
     title: str
     subtitle: str = ""
     summary: str = ""
     blocks: list[Block] = field(default_factory=_blocks)
+    edition: str = ""
 
     def add(self, *blocks: Block | str) -> None:
         """Append blocks; a bare string is a paragraph."""
@@ -222,8 +228,20 @@ class Document:
         self.add(Equation(sides, number))
 
     def table(self, head: Sequence[Piece], rows: Sequence[Sequence[Piece]], caption: str = "", **options: Any) -> None:
-        """Append a table; `options` are those of `Table`."""
-        self.add(Table(tuple(head), tuple(tuple(r) for r in rows), caption, **options))
+        """Append a table, numbers of a column with as many decimals each; `options` are those of `Table`."""
+        self.add(Table(tuple(head), tuple(tuple(r) for r in even(rows)), caption, **options))
+
+
+def even(rows: Sequence[Sequence[Piece]]) -> list[list[Piece]]:
+    """Return the cells of a table with the numbers of each column, units behind them, to as many decimals."""
+    out: list[list[Piece]] = [list(row) for row in rows]
+    for column in range(min(map(len, out), default=0)):
+        found = [NUMBER.fullmatch(cell) if isinstance(cell, str) else None for cell in (row[column] for row in out)]
+        most = max((len(m[2] or ".") - 1 for m in found if m), default=0)
+        for row, m in zip(out, found, strict=True):
+            if m and most:
+                row[column] = f"{m[1]}.{(m[2] or '.')[1:]:0<{most}}{m[3] or ''}"
+    return out
 
 
 def listed(pieces: Sequence[Any], word: str = "and") -> tuple[Any, ...]:

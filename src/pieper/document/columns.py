@@ -37,6 +37,19 @@ class Units:
             for i, (name, slides) in enumerate(zip(names, prismatic, strict=True))
         }
 
+    def rates(
+        self,
+        what: str,
+        names: Sequence[str],
+        prismatic: npt.NDArray[np.bool_],
+        values: npt.NDArray[np.float64],
+        order: int,
+    ) -> dict[str, Column]:
+        """Return derivatives (k, n) by time, of an order, as columns: `dq_joint_1_deg_per_s`, `..._per_s2`."""
+        per = "per_s" if order == 1 else f"per_s{order}"
+        named = self.joints([f"{what}_{name}" for name in names], prismatic, values)
+        return {f"{name}_{per}": column for name, column in named.items()}
+
     def metres(self, name: str, values: npt.NDArray[np.float64]) -> dict[str, Column]:
         """Return lengths (k,), m, as a column."""
         return {f"{name}_{self._unit(True)}": values * self._factor(True)}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import html
 import re
 from pathlib import Path
@@ -14,8 +15,13 @@ from pieper.document.writer import Typesetter
 
 FOOTER = "Made by pieper. Lengths are in millimetres and angles in degrees unless another unit is printed."
 
+NARROW = 0.9  # of the text's width; a figure of one picture is printed smaller than a row of them
+
 #: The look of a page, on screen and on paper.
 STYLE = Path(__file__).with_name("page.css")
+
+#: Letters and signs of formulas, with the sizes of their parts (docs/decisions/math_font.md).
+MATH_FONT = Path(__file__).with_name("math.woff2")
 
 
 def page(document: b.Document) -> str:
@@ -28,15 +34,34 @@ def page(document: b.Document) -> str:
     subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>' if document.subtitle else ""
     icon, name = icon_address(), identity()["wordmark"]
     mark = f'<div class="wordmark"><img src="{icon}" alt="">{name}</div>'
-    policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+    policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
+    own = f":root {{ {custom_properties()} }}\n"
+    style = own + _font() + STYLE.read_text(encoding="utf-8") + _running_foot(document)
     return (
         '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
-        f'<title>{title}</title>\n<link rel="icon" href="{icon}">\n'
-        f"<style>\n:root {{ {custom_properties()} }}\n{STYLE.read_text()}</style>\n</head>\n<body>\n<main>\n"
+        f'<title>{title}</title>\n<link rel="icon" href="{icon}">\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n'
         f"<header>{mark}<h1>{title}</h1>{subtitle}</header>\n{summary}\n{contents}\n{body}\n"
         f"<footer>{FOOTER}</footer>\n</main>\n</body>\n</html>\n"
+    )
+
+
+def _font() -> str:
+    """The font of formulas, in the page: a machine without one sets fractions and powers like anybody's."""
+    data = base64.b64encode(MATH_FONT.read_bytes()).decode("ascii")
+    return f'@font-face {{ font-family: "Pieper Math"; src: url(data:font/woff2;base64,{data}) format("woff2"); }}\n'
+
+
+def _running_foot(document: b.Document) -> str:
+    """What stands at the foot of every printed page: the title, who made it and when, the page's number."""
+    title, edition = (
+        words.replace("\\", "").replace('"', "").replace("<", "") for words in (document.title, document.edition)
+    )
+    number = 'counter(page) " of " counter(pages)'
+    return (
+        f'@page {{ @bottom-left {{ content: "{title}"; }} @bottom-center {{ content: "{edition}"; }} '
+        f"@bottom-right {{ content: {number}; }} }}\n"
     )
 
 
@@ -125,9 +150,10 @@ class _Writer(Typesetter):
 
     def _picture(self, item: b.Picture) -> str:
         self.figures += 1
+        narrow = ' class="narrow"' if item.width < NARROW else ""
         drawing = inline_svg(item.drawing.svg(), f"f{self.figures}-")
         return (
-            f'<figure style="width:{100 * item.width:.0f}%">{drawing}'
+            f'<figure{narrow} style="width:{100 * item.width:.0f}%">{drawing}'
             f"<figcaption><b>Figure {self.figures}.</b> {escaped(item.caption)}</figcaption></figure>"
         )
 

@@ -16,11 +16,14 @@ from pieper.equations.derivation.check import DerivationCheck, check
 from pieper.equations.derivation.closed_form import ClosedForm
 from pieper.equations.derivation.elimination import Eliminator
 from pieper.equations.derivation.general import GeneralInverse, PolynomialCheck
+from pieper.equations.derivation.sign_names import POSES, SignName, add_sign_names, sign_names
 from pieper.equations.derivation.words import write_steps
+from pieper.equations.derivation.worked import WorkedExample
 from pieper.equations.table import symbol_table
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import look
+from pieper.kinematics.pose import checked_pose
 from pieper.solver.plan.plan import Plan
 from pieper.tolerances import ALIGNED
 
@@ -62,6 +65,14 @@ class InverseEquations(Readable):
         return self.form.steps if self.form else ()
 
     @functools.cached_property
+    def sign_names(self) -> list[SignName]:
+        """What the branch signs mean for the posture: shoulder, elbow, wrist; empty where labels follow no sign."""
+        if self.form is None or self.plan is None:
+            return []
+        q = np.random.default_rng(20264).uniform(-np.pi, np.pi, (POSES, self._arm.n))
+        return sign_names(self.form, self.plan, self._arm.fk(q))
+
+    @functools.cached_property
     def page(self) -> Document:
         """Sentences and formulas in reading order."""
         page = Document(f"Inverse kinematics of {self._arm.name}")
@@ -69,6 +80,7 @@ class InverseEquations(Readable):
             if self.plan is not None:
                 page.add(*_how(self._arm, self.plan, self.form))
             write_steps(page, self.form)
+            add_sign_names(page, self.sign_names)
         elif self.general is not None:
             self.general.write(page)
         return page
@@ -88,6 +100,12 @@ class InverseEquations(Readable):
         if self.form is None:
             raise PieperError(f"{self._arm.name} has no closed form; use arm.ik, or .general.polynomial(T).")
         return self.form.evaluate(T, chosen=chosen)
+
+    def worked(self, T: Any) -> WorkedExample:
+        """Work one pose (4, 4) through the derivation, numbers put in line by line; a solution inside limits if any."""
+        if self.form is None:
+            raise PieperError(f"{self._arm.name} has no closed form to work through; arm.ik solves it.")
+        return WorkedExample(self.form, checked_pose(T, "T"), np.asarray(self._arm.limits))
 
     def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> DerivationCheck | PolynomialCheck:
         """Evaluate the formulas at every solution of `n` random poses, and at 50 digits (`DerivationCheck`)."""

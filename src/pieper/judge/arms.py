@@ -11,7 +11,7 @@ from pieper.algebra.expression import Expr, Num
 from pieper.algebra.formula import Mention, number
 from pieper.algebra.parser import parse
 from pieper.description import source as door
-from pieper.description.dh import DH, describe
+from pieper.description.dh import DH, Description, describe
 from pieper.errors import InputError
 from pieper.judge.evidence import under
 from pieper.judge.keys import ARM, MAX_SIZE, UNITS, look, only_known
@@ -37,6 +37,7 @@ def read_arm(place: str, table: dict[str, Any]) -> ArmModel:
             description = door.read(source)
         except InputError as error:
             raise InputError(f"{place}: {error}") from None
+        description = _as_the_page_has_it(place, description, table)
         return model_from_description(description, Solver.of(description))
     convention = table.get("convention")
     if convention not in ("standard", "modified"):
@@ -45,6 +46,20 @@ def read_arm(place: str, table: dict[str, Any]) -> ArmModel:
     if unit not in UNITS:
         raise InputError(f"{place}: length_unit = {unit!r}; say one of {', '.join(UNITS)}")
     return _table(place, table, convention, unit)
+
+
+def _as_the_page_has_it(place: str, d: Description, table: dict[str, Any]) -> Description:
+    """The arm by the table's angles where theta stands for them, and without what the page takes off its poses."""
+    if table.get("angles") == "table":
+        if d.coupling is not None:
+            raise InputError(f"{place}: angles = 'table' goes with arms whose joints are not coupled")
+        turns = np.array([kind == "R" for kind in d.joint_types])
+        zero = d.offset + np.where(turns, [row.theta for row in d.rows], [row.d for row in d.rows])
+        limits = np.sort(d.limits * d.sign[:, None] + zero[:, None], axis=1)
+        rows = tuple(replace(row, **{"theta" if t else "d": 0.0}) for row, t in zip(d.rows, turns, strict=True))
+        d = replace(d, rows=rows, sign=np.ones(d.n), offset=np.zeros(d.n), limits=limits, postures={}, checks=())
+    off = {part: np.eye(4) for part in table.get("taken_off", ())}
+    return replace(d, **off) if off else d
 
 
 def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> ArmModel:

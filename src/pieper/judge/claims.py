@@ -24,7 +24,7 @@ from pieper.judge import keys
 from pieper.judge.arms import describe_arm, read_arm
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, in_order, plain
-from pieper.judge.excerpt import claims_file, guesses
+from pieper.judge.excerpt import claims_file, guesses, of_the_page
 from pieper.judge.judges.angles import judge_joint, judge_together
 from pieper.judge.judges.formulas import judge_entry, judge_equation
 from pieper.judge.judges.freedom import judge_freedom
@@ -148,7 +148,8 @@ def guess_claims(text: str, arm: str, source: str) -> tuple[str, int, int]:
     model = read_arm(source, {key: arm})
     found = guesses(text, model)
     read = sum(not guess.why for guess in found)
-    return claims_file(found, f"{key} = {json.dumps(arm)}", source), read, len(found) - read
+    about = "\n".join([f"{key} = {json.dumps(arm)}", *of_the_page(text, found)])
+    return claims_file(found, about, source), read, len(found) - read
 
 
 def judge_tables(name: str, data: dict[str, Any], arm: Described | None = None) -> Judgement:

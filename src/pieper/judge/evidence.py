@@ -30,6 +30,9 @@ from pieper.tolerances import ENTRY_MATTERS, EVIDENCE_BACK, EVIDENCE_SAME, FLOOR
 DRAWS = 60  # of joint vectors, until enough meet the conditions of a claim
 SOLVER_POSES = 10  # poses at which the other solutions are asked for
 
+#: A branch sign of a page of formulas, as pieper writes it: one value in all formulas of a solution.
+SIGN = re.compile(r"\bsigma\d{1,2}\b")
+
 
 @dataclass
 class Evidence:
@@ -82,8 +85,30 @@ class Evidence:
                 local[name] = self.read(body, {*self.definitions, *local}).substitute(local)
         return local
 
+    def meet_signs(self, text: str) -> None:
+        """Take note of branch signs sigma1, sigma2 ..: until a joint's formula says what one is, it may be anything."""
+        for name in dict.fromkeys(SIGN.findall(re.sub(r"[_{}]", "", plain(text)))):
+            if name not in self.definitions:
+                self.unknown.append(name)
+                self.definitions[name] = Mention(f"{name}?")
+                self.fill_again()
+
+    def tell_sign(self, name: str, meaning: Expr) -> None:
+        """Say what a branch sign is: the one with which its first formula gives the joint's value."""
+        self.unknown.remove(name)
+        self.definitions[name] = meaning.substitute(self.definitions)
+        self.fill_again()
+
+    def fill_again(self) -> None:
+        """Bring joint vectors that were drawn already up to the symbols known now."""
+        if "samples" in self.__dict__:
+            self.fill(self.samples.env)
+        self.__dict__.pop("other_arms", None)
+
     def read(self, text: str, extra: Collection[str]) -> Expr:
         """Read a formula whose letters may be entries of matrices, as in R36[3,3]."""
+        self.meet_signs(text)
+        extra = {*extra, *self.definitions}
         text, letters = pick_letters(text, self.model.n, frozenset(self.matrices))
         new = {name: letter for name, letter in letters.items() if name not in self.letters}
         for letter in list(new.values()):
@@ -97,6 +122,7 @@ class Evidence:
 
     def read_equation(self, text: str, extra: Collection[str]) -> tuple[Expr, Expr]:
         """Read both sides of an equation."""
+        self.meet_signs(text)
         text, _ = pick_letters(text, self.model.n, frozenset(self.matrices))
         if text.count("=") != 1:
             return parse_equation(text, {*self.model.names(), *self.definitions, *extra}, self.model.n)

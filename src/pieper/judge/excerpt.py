@@ -6,6 +6,7 @@ here; what could not be read stands in the file as a remark with its reason.
 
 from __future__ import annotations
 
+import itertools
 import json
 import re
 from dataclasses import dataclass, field
@@ -13,6 +14,7 @@ from dataclasses import dataclass, field
 from pieper.algebra.parser import parse, parse_equation
 from pieper.algebra.spelling import plain
 from pieper.errors import InputError
+from pieper.judge.evidence import SIGN
 from pieper.judge.letters import pick_letters
 from pieper.judge.matrices import parse_product
 from pieper.judge.model import POSE_NAMES, ArmModel
@@ -23,6 +25,10 @@ _WHEN = re.compile(
     r"(?:,|;|\(|\s)\s*(?:\\text\{\s*)?(?:for|if|when|where|provided)\b\s*\}?\s*(.*?[<>].*)$", re.IGNORECASE
 )
 _NUMBER = re.compile(r"\\(?:tag|label)\{([^}]*)\}|\((\d+[a-z]?)\)\s*[.,;]?\s*$")
+_CONDITION = re.compile(r"^[A-Z][a-z]+(?:\s+[a-z]+){1,8}\s+where\s.*=")
+_RELATION = re.compile(r"(?:theta|d)\d+\s*=\s*-?\s*q\d+(?:\s*[-+][^=]*)?")
+_TAKEN_OFF = re.compile(r"with the constant (base|tool)(?: and (tool))? taken off")
+ROUNDS = 4  # definitions that stand below their use, several deep
 _PLACED = re.compile(r"§(\d+)§")
 _LOWER = {f"p{c}": f"P{c}" for c in "xyz"}
 
@@ -37,6 +43,7 @@ class Guess:
         keys: The claim's keys; empty where it is a symbol or was not read.
         symbol: Name and formula of a symbol that it defines.
         why: Why it was not read.
+        relation: Whether it says what an angle of the table is by the maker's coordinate.
     """
 
     line: int
@@ -44,6 +51,7 @@ class Guess:
     keys: dict[str, object] = field(default_factory=dict)
     symbol: tuple[str, str] | None = None
     why: str = ""
+    relation: bool = False
 
 
 def guesses(text: str, model: ArmModel) -> list[Guess]:
@@ -53,14 +61,50 @@ def guesses(text: str, model: ArmModel) -> list[Guess]:
         text: Plain text or LaTeX.
         model: The arm that it is about.
     """
-    found: list[Guess] = []
+    lines, found = _lines(text), list[Guess]()
+    signs = set(SIGN.findall(_unmarked(text)))
+    defined: dict[str, tuple[bool, int]] = {}
     known: set[str] = set()
-    for number, line, matrices in _lines(text):
-        guess = _guess(number, line, matrices, model, known)
-        if guess.symbol:
-            known.add(guess.symbol[0])
+    for _ in range(ROUNDS):  # a symbol may be defined below the line that uses it, by others that are too
+        before = dict(defined)
+        for number, line, matrices in lines:
+            guess = _guess(number, line, matrices, model, signs | (known - _left(line)))
+            if guess.symbol:
+                # of two lines for one symbol the definition is the one made of the pose's letters
+                name, formula = guess.symbol
+                rank = (not _has_pose(formula, known - {name}), number)
+                defined[name] = min(rank, defined.get(name, rank))
+        known = set(defined)
+        if defined == before:
+            break
+    flat = model.n < 6 and not _has_pose(re.sub(r"\bp_?([xyz])\b", "", plain(text), flags=re.IGNORECASE), set())
+    said: list[dict[str, object]] = []
+    for number, line, matrices in lines:
+        own = {name for name, (_, at) in defined.items() if at == number}
+        guess = _guess(number, line, matrices, model, signs | (known - own))
+        if flat and guess.keys.get("kind") == "joint":
+            guess.keys["task"] = "position"
+        what = {key: value for key, value in guess.keys.items() if key != "id"}
+        if what and what in said:
+            continue  # a summary says again what was derived
+        if what:
+            said.append(what)
         found.append(guess)
     return found
+
+
+def _unmarked(text: str) -> str:
+    return re.sub(r"[_{}]", "", plain(text))
+
+
+def _left(line: str) -> set[str]:
+    return {re.sub(r"[\s_{}]", "", plain(line.partition("=")[0]))}
+
+
+def _has_pose(formula: str, symbols: set[str]) -> bool:
+    marks = {"".join(pair) for pair in itertools.product("noap", "xyz")} | {f"r{i}{j}" for i in "123" for j in "1234"}
+    used = set(re.findall(r"[A-Za-z]+\d*", _unmarked(formula)))
+    return bool(used & symbols or marks & {name.lower() for name in used})
 
 
 def _lines(text: str) -> list[tuple[int, str, list[list[list[str]]]]]:
@@ -76,6 +120,9 @@ def _lines(text: str) -> list[tuple[int, str, list[list[list[str]]]]]:
     text = _BLOCK.sub(" ", _MATRIX.sub(keep, text))
     out = []
     for number, line in enumerate(text.split("\n"), 1):
+        if "$" in line and _CONDITION.search(line):
+            out.append((number, line.strip(), matrices))
+            continue
         for piece in re.split(r"\\\\(?:\[[^\]]*\])?|\$\$|(?<!\\)\$|\\\[|\\\]|\\\(|\\\)|;", line):
             if re.search(r"(?<![<>!=])=(?!=)", piece):
                 out.append((number, piece.strip(" \t.,&"), matrices))
@@ -87,10 +134,19 @@ def _guess(number: int, line: str, matrices: list[list[list[str]]], model: ArmMo
     tag = _NUMBER.search(line)
     body = _NUMBER.sub("", line).strip(" .,&")
     condition = _WHEN.search(body)
+    if _CONDITION.search(body):
+        guess.why = "a condition in a sentence, not a claim"
+        return guess
     if condition:
         body = body[: condition.start()].strip(" .,&")
     left, _, right = body.partition("=")
     left, right = left.strip(" &"), right.strip(" &")
+    if _RELATION.fullmatch(_unmarked(f"{left} = {right}").strip()):
+        guess.relation, guess.why = True, "the maker's zero of a joint: theta is the table's angle on this page"
+        return guess
+    if SIGN.fullmatch(_unmarked(left).strip()) and re.fullmatch(r"\s*\+-\s*1\s*", plain(right)):
+        guess.why = "what a sign may be, not a claim"
+        return guess
     words = left.split()
     for first in range(max(1, len(words))):  # a sentence may stand before the formula
         try:
@@ -170,7 +226,7 @@ def _joint(left: str, model: ArmModel) -> dict[str, object]:
     for name, to in model.aliases.items():
         if angle == name:
             return {"joint": int(to.removeprefix("theta"))}
-    return {"for": angle} if re.fullmatch(r"theta\d+(?: \+ theta\d+)+", angle) else {}
+    return {"for": angle} if re.fullmatch(r"theta\d+(?: [-+] theta\d+)+", angle) else {}
 
 
 def _product(text: str) -> str:
@@ -198,6 +254,17 @@ def _matrix(guess: Guess, name: str, rows: list[list[str]], model: ArmModel) -> 
         name = f"T{first}{last}"
     parse_product(name, model.n)
     guess.keys = {"kind": "matrix", "of": name, "is": cells}
+
+
+def of_the_page(text: str, found: list[Guess]) -> list[str]:
+    """The lines of [arm] that say how a page means its letters: the table's angles, base or tool taken off."""
+    lines: list[str] = []
+    if any(guess.relation for guess in found):
+        lines.append('angles = "table"')
+    off = _TAKEN_OFF.search(text)
+    if off:
+        lines.append("taken_off = " + json.dumps([part for part in off.groups() if part]))
+    return lines
 
 
 def claims_file(found: list[Guess], arm: str, source: str) -> str:

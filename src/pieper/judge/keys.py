@@ -272,6 +272,8 @@ ARM: dict[str, Check] = {
     "robot": name,
     "file": name,
     "words": text,
+    "angles": one_of("joint", "table"),
+    "taken_off": several(one_of("base", "tool"), plural="base or tool"),
     "convention": one_of("standard", "modified"),
     "length_unit": UNIT,
     "columns": several(name, 4, plural='the columns as printed, such as ["theta", "d", "a", "alpha"]'),

@@ -108,7 +108,10 @@ def damped(damping: Array | float) -> Step:
     """Return the step J^T (J J^T + damping I)^-1 e: of minimum norm, and bounded where J has lost rank."""
 
     def step(J: Array, e: Array) -> Array:
-        A = J @ np.swapaxes(J, -1, -2) + np.asarray(damping)[..., None, None] * np.eye(J.shape[-2])
+        # of slopes over several decades an absolute damping may be lost: what keeps A regular grows with it
+        square: Array = J * J
+        damped_by: Array = np.asarray(damping, np.float64) + NEWTON_FINITE * square.sum((-2, -1))
+        A: Array = J @ np.swapaxes(J, -1, -2) + damped_by[..., None, None] * np.eye(J.shape[-2])
         return np.einsum("bij,bi->bj", J, np.linalg.solve(A, e[..., None])[..., 0])
 
     return step

@@ -15,11 +15,13 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
 from pieper.kinematics.pose import PoseLike, checked_pose, rotation_z
+from pieper.maps.around import Around
 from pieper.maps.export import export
 from pieper.maps.grid import Grid, grid_of
 from pieper.maps.store import Store, bytes_of, identity
 from pieper.maps.tile import Question, Tile, question_of, reached_exactly, shares, solved
 from pieper.solver.plan.plan import Plan
+from pieper.words_by_number import plural
 
 #: Poses a tile has, about: long enough to be worth sending, short enough to be done again.
 TILE_POSES = 1_000_000
@@ -41,7 +43,7 @@ class Voxels(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ReachMap:
-    """What an arm reaches inside its limits, asked at voxels' centres; self-collisions are not looked at.
+    """What an arm reaches inside its limits, asked at voxels' centres.
 
     Attributes:
         plan: How the arm is solved.
@@ -50,6 +52,7 @@ class ReachMap:
         solutions: (voxels,) inside the limits.
         measures: Best manipulability and margin (voxels,), where they were asked for.
         symmetry: What answered for what, in words.
+        around: The arm's bodies and the scene that solutions keep clear of; None where neither was asked.
         computed: Tiles that were solved now; the others came from the store.
     """
 
@@ -59,6 +62,7 @@ class ReachMap:
     solutions: Indices = field(repr=False)
     measures: tuple[Array, Array] | None = field(repr=False, default=None)
     symmetry: str = ""
+    around: Around | None = field(repr=False, default=None)
     computed: int = 0
 
     @cached_property
@@ -128,7 +132,7 @@ class ReachMap:
             turn = self.grid.turn_of(flat[:, :3, :3])
             found = inside & ((self.bits[voxel, turn // 8] >> (7 - turn % 8)) & 1).astype(bool)
         else:
-            found = reached_exactly(self.plan, flat)
+            found = reached_exactly(self.plan, flat, self.around)
         return np.asarray(found.reshape(poses.shape[:-2]))
 
     def slice(self, *, x: float | None = None, y: float | None = None, z: float | None = None) -> Array:
@@ -170,9 +174,17 @@ class ReachMap:
         return (
             f"{self.plan.name}: {nx} x {ny} x {nz} voxels of {self.grid.step * 1e3:g} mm, {len(self.grid.turns)} "
             f"orientations each, {self.grid.count * len(self.grid.turns):,} poses; {self.symmetry}. {reached:,} voxels "
-            f"are reached in some orientation ({self.volume:.4g} m^3), {whole:,} in every one. Limits "
-            "count, self-collisions do not; a voxel is asked at its centre."
+            f"are reached in some orientation ({self.volume:.4g} m^3), {whole:,} in every one. {self._counts} "
+            "A voxel is asked at its centre."
         )
+
+    @property
+    def _counts(self) -> str:
+        if self.around is None:
+            return "Limits count, collisions do not."
+        bodies = "guessed from its table" if self.around.bodies.guessed else "known"
+        stands = plural(len(self.around.scene), "obstacle") if len(self.around.scene) else "no obstacle"
+        return f"Limits count, and what touches: the arm's own bodies, which are {bodies}, and {stands}."
 
 
 def reach_map(
@@ -185,6 +197,7 @@ def reach_map(
     executor: Executor | None = None,
     progress: Callable[[int, int], None] | None = None,
     measure: bool = False,
+    around: Around | None = None,
 ) -> ReachMap:
     """Ask for a map; see `pieper.Arm.reach_map`.
 
@@ -199,7 +212,7 @@ def reach_map(
             f"this map has {grid.count:,} voxels and {bytes_of(grid) / 1e9:.3g} GB: give a store= or a larger step.",
             bytes=bytes_of(grid),
         )
-    question = question_of(plan, grid, symmetry, measure)
+    question = question_of(plan, grid, symmetry, measure, around)
     per_tile = max(1, TILE_POSES // len(grid.turns))
     kept = None if store is None else Store.opened(store, identity(question, per_tile))
     bits = np.zeros((grid.count, -(-len(grid.turns) // 8)), np.uint8)
@@ -226,7 +239,7 @@ def reach_map(
         else "every pose was solved"
     )
     measures = (whole.manipulability, whole.margin) if measure else None
-    return ReachMap(plan, grid, bits, solutions, measures, words, len(missing))
+    return ReachMap(plan, grid, bits, solutions, measures, words, around, len(missing))
 
 
 def tile_of(question: Question, number: int, per_tile: int, kept: Store | None, threads: int | None) -> Tile:

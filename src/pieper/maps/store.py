@@ -18,7 +18,7 @@ from pieper.maps.grid import Grid
 from pieper.maps.tile import Question, Tile
 
 #: Version of the layout; another one is refused, not guessed at.
-LAYOUT = 2
+LAYOUT = 3
 
 
 def identity(question: Question, per_tile: int) -> dict[str, Any]:
@@ -42,6 +42,7 @@ def identity(question: Question, per_tile: int) -> dict[str, Any]:
         "turns_sha256": hashlib.sha256(np.ascontiguousarray(grid.turns).tobytes()).hexdigest(),
         "voxels_a_tile": per_tile,
         "measured": question.measure,
+        "around_sha256": None if question.around is None else question.around.fingerprint,
     }
 
 

@@ -12,15 +12,19 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Bits, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse
+from pieper.maps.around import Around
 from pieper.maps.grid import Grid
 from pieper.solver import verbs
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Status
 from pieper.solver.rows import Flag
+from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import GEOMETRY_EXACT
 
 #: Poses that are solved at once: what is held in memory, whatever the tile's size.
 AT_ONCE = 32_768
+#: Postures of each interval of a self-motion that are looked at for touching something.
+LOOKED_AT = 33
 _LOOK = int(Flag.DEGENERATE | Flag.UNCERTAIN)
 
 
@@ -51,6 +55,7 @@ class Question:
         rolls_by_last: Whether a roll of the tool is a turn of the last joint, so that one roll answers for all.
         sense: Which way it turns then.
         measure: Whether manipulability and margin are asked for.
+        around: What solutions must keep clear of to count; None where nothing was said.
     """
 
     plan: Plan
@@ -58,13 +63,17 @@ class Question:
     rolls_by_last: bool
     sense: float = 1.0
     measure: bool = False
+    around: Around | None = None
 
 
-def question_of(plan: Plan, grid: Grid, symmetry: str, measure: bool = False) -> Question:
-    """Return the question; symmetry is used where the arm has it, and `none` was not said."""
-    sense = last_joint_rolls(plan.chain) if plan.direct else 0.0
+def question_of(plan: Plan, grid: Grid, symmetry: str, measure: bool = False, around: Around | None = None) -> Question:
+    """Return the question; symmetry is used where the arm has it, and `none` was not said.
+
+    What the last joint carries is seldom round, so that with bodies each roll is a question of its own.
+    """
+    sense = last_joint_rolls(plan.chain) if plan.direct and around is None else 0.0
     use = symmetry == "auto" and grid.rolls > 1 and sense != 0.0
-    return Question(plan, grid, use, sense or 1.0, measure)
+    return Question(plan, grid, use, sense or 1.0, measure, around)
 
 
 def last_joint_rolls(chain: Chain) -> float:
@@ -79,7 +88,7 @@ def last_joint_rolls(chain: Chain) -> float:
 def solved(question: Question, which: Indices, threads: int | None) -> Tile:
     """Return the tile of voxels by their numbers."""
     plan = question.plan
-    if plan.direct and plan.solver.reach is not None:
+    if plan.direct and plan.solver.reach is not None and question.around is None:
         return _fused(question, plan.solver.reach, which, threads)
     grid = question.grid
     each = max(1, AT_ONCE // len(grid.turns))
@@ -148,19 +157,32 @@ def _rows(plan: Plan, T: Array, threads: int | None) -> tuple[Array, Bools, Bool
 def _directly(question: Question, T: Array, threads: int | None) -> tuple[Array, Bools, Bools, Indices]:
     """Return of poses (N, 4, 4) rows and which lie inside, which poses are reached (N,), by how many solutions (N,)."""
     q, _, inside, special = _rows(question.plan, T, threads)
+    around = question.around
+    if around is not None and inside.any():
+        inside = inside.copy()
+        inside[inside] = around.clear(q[inside])
     count = inside.sum(1)
     reached = count > 0
     # a self-motion may pass through the limits where none of its representatives lies there
     for i in np.flatnonzero(~reached & special):
         one = verbs.ik(question.plan, T[i])
-        count[i] = len(one.q)
-        reached[i] = len(one.q) > 0 or any(len(motion.inside) for motion in one.self_motions)
+        rows = one.q if around is None or not len(one.q) else one.q[around.clear(one.q)]
+        count[i] = len(rows)
+        reached[i] = len(rows) > 0 or any(_passes(motion, around) for motion in one.self_motions)
     return q, inside, reached, count
 
 
-def reached_exactly(plan: Plan, T: Array) -> Bools:
-    """Return which poses (N, 4, 4) are reached inside the limits, each solved."""
-    alone = Question(plan, Grid(np.zeros(3), 1.0, (1, 1, 1), np.eye(3)[None], 1), False)
+def _passes(motion: SelfMotion, around: Around | None) -> bool:
+    """Return whether a self-motion lies inside the limits anywhere; with bodies, at one of the postures looked at."""
+    if around is None or not motion.inside:
+        return len(motion.inside) > 0
+    u = np.concatenate([np.linspace(lo, hi, LOOKED_AT) for lo, hi in motion.inside])
+    return bool(around.clear(np.stack([motion.at(value) for value in u])).any())
+
+
+def reached_exactly(plan: Plan, T: Array, around: Around | None = None) -> Bools:
+    """Return which poses (N, 4, 4) are reached inside the limits, each solved; clear of what is around, if anything."""
+    alone = Question(plan, Grid(np.zeros(3), 1.0, (1, 1, 1), np.eye(3)[None], 1), False, around=around)
     return _directly(alone, T, None)[2] if len(T) else np.zeros(0, bool)
 
 

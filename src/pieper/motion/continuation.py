@@ -69,6 +69,8 @@ class Continuation:
         self._why: dict[float, str] = {}
         self._poses: dict[float, Array] = {}
         self._steps = 0
+        self._last: tuple[float, Array, Array, Array] | None = None
+        self._turned: tuple[float, float, Array] | None = None
 
     # ------------------------------------------------------------------ what is known at a place on the path
 
@@ -145,9 +147,12 @@ class Continuation:
         return rows
 
     def _twist(self, xa: float, xb: float) -> Array:
-        Ta, Tb = self.pose(xa), self.pose(xb)
-        move = (Tb[:3, 3] - Ta[:3, 3]) / self.chain.length
-        return np.concatenate([move, rotation_vector(Tb[:3, :3] @ Ta[:3, :3].T)])
+        # asked at both ends of a step
+        if self._turned is None or self._turned[:2] != (xa, xb):
+            Ta, Tb = self.pose(xa), self.pose(xb)
+            move = (Tb[:3, 3] - Ta[:3, 3]) / self.chain.length
+            self._turned = xa, xb, np.concatenate([move, rotation_vector(Tb[:3, :3] @ Ta[:3, :3].T)])
+        return self._turned[2]
 
     def _jacobian(self, q: Array, x: float) -> Array:
         """Return the scaled Jacobians (..., r, n) of joint vectors q (..., n) at x, rows as the task asks."""
@@ -156,6 +161,16 @@ class Continuation:
     def _steps_of(self, J: Array, xa: float, xb: float) -> Array:
         """Return the scaled joint steps (..., n) that scaled Jacobians predict from xa to xb."""
         return np.linalg.pinv(J, rcond=TASK_RANK) @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
+
+    def _inverses(self, q: Array, x: float) -> tuple[Array, Array]:
+        """Return pseudo-inverses (B, n, r) of scaled Jacobians of q (B, n) at x, and the side of a singularity (B,).
+
+        Where one step ended, as a rule the next begins: that is not worked out again.
+        """
+        if self._last is None or self._last[0] != x or not np.array_equal(self._last[1], q):
+            J = self._jacobian(q, x)
+            self._last = x, q.copy(), np.linalg.pinv(J, rcond=TASK_RANK), _side(J)
+        return self._last[2], self._last[3]
 
     # ------------------------------------------------------------------ steps
 
@@ -175,15 +190,16 @@ class Continuation:
             best = np.argmin(size, axis=1)
             d = np.take_along_axis(D, best[:, None, None], 1)[:, 0]
             return q + d * self.unit, size[np.arange(len(q)), best] <= BRANCHES_MET
-        here = self._jacobian(q, xa)
-        forward = self._steps_of(here, xa, xb)
+        back, side = self._inverses(q, xa)
+        forward = back @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
         miss = np.linalg.norm(D - forward[:, None], axis=-1)
         best = np.argmin(miss, axis=1)
         rows = np.arange(len(q))
         d = D[rows, best]
         step = size[rows, best]
-        there = self._jacobian(found[best], xb)
-        backward = self._steps_of(there, xa, xb)
+        stepped = q + d * self.unit
+        back, side_there = self._inverses(stepped, xb)
+        backward = back @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
         allowed = AGREEMENT * step + BRANCH_ROUNDING
         sure = (miss[rows, best] <= allowed) & (np.linalg.norm(d - backward, axis=-1) <= allowed)
         sure &= np.abs(d).max(-1) <= LARGEST_STEP
@@ -193,8 +209,8 @@ class Continuation:
             sure &= others.min(1) >= CLEARANCE * miss[rows, best] + BRANCH_ROUNDING
         counts = np.bincount(best, minlength=len(found))
         sure &= counts[best] == 1
-        sure &= _side(here) == _side(there)
-        return q + d * self.unit, sure
+        sure &= side == side_there
+        return stepped, sure
 
     def is_singular(self, q: Array, x: float) -> bool:
         """Return whether the Jacobian at a joint vector q (n,) has lost rank."""

@@ -95,7 +95,7 @@ def _joints(plan: Plan, q: Array) -> str:
 def _changed(path: Array, kind: str, axis: int, amount: float) -> Array:
     """Return poses (N, 4, 4), the tool turned about its own axis (deg) or the path shifted along the base's (mm)."""
     if kind == "path shifted":
-        return translation(*(amount * 1e-3 * _AXES[axis])) @ path
+        return translation(*(amount / 1000 * _AXES[axis])) @ path
     turn = np.eye(4)
     turn[:3, :3] = rotation_about(_AXES[axis], np.radians(amount))
     return path @ turn
@@ -149,7 +149,7 @@ def _followed(plan: Plan, track: Track, kind: str, axis: int, amount: float, uni
     branch = again.branches[again.chosen or 0]
     if _elsewhere(track, again) and branch.label:
         words += f", starting {branch.label}"
-    si = np.radians(abs(amount)) if unit == "deg" else abs(amount) * 1e-3
+    si = np.radians(abs(amount)) if unit == "deg" else abs(amount) / 1000
     return Cure(kind, words + ".", float(si), again.q[0], path, again)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from pieper.kinematics.arrays import Array
@@ -55,3 +56,24 @@ class Gripper:
 
 
 Instruction = Move | Wait | Output | Gripper
+
+
+@dataclass(frozen=True)
+class Events:
+    """How a language says what is no move.
+
+    Attributes:
+        wait: Takes a rest's seconds.
+        output: Takes a port and its value.
+        gripper: Takes the gripper's value.
+    """
+
+    wait: Callable[[float], str]
+    output: Callable[[int, bool], str]
+    gripper: Callable[[float], str]
+
+    def said(self, item: Wait | Output | Gripper) -> str:
+        """Return an instruction as it is said."""
+        if isinstance(item, Wait):
+            return self.wait(item.seconds)
+        return self.output(item.port, item.value) if isinstance(item, Output) else self.gripper(item.value)

@@ -11,6 +11,7 @@ from typing import Protocol
 import numpy as np
 
 from pieper.description.dh import Description
+from pieper.document.columns import Column, Tabular, Units
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.motion.limits import Limits
@@ -51,7 +52,7 @@ class Tight:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Motion:
+class Motion(Tabular):
     """Joint curves over time.
 
     Attributes:
@@ -94,6 +95,21 @@ class Motion:
         whose = f"{self.description.name}: " if self.description else ""
         near = f", at most {self.margin:.4g} of its limits" if self.limits is not None else ""
         return f"Motion({whose}{self.q.shape[1]} joints, {self.duration:.4g} s, {len(self.t)} samples{near})"
+
+    def columns(self, *, degrees: bool = False, mm: bool = False) -> dict[str, Column]:
+        """Return the samples as columns: t, s where there is one, joints, their rates, accelerations and jerks."""
+        n, units = self.q.shape[1], Units(degrees, mm)
+        known = self.description
+        names = known.joint_names if known else tuple(f"joint_{i + 1}" for i in range(n))
+        slides = np.array([kind == "P" for kind in known.joint_types]) if known else np.zeros(n, bool)
+        found: dict[str, Column] = {"t_s": self.t}
+        if len(self.s):
+            found["s"] = self.s
+        found |= units.joints(names, slides, self.q)
+        for order, (what, values) in enumerate((("dq", self.dq), ("ddq", self.ddq), ("dddq", self.dddq)), 1):
+            if len(values):
+                found |= units.rates(what, names, slides, values, order)
+        return found
 
     @property
     def duration(self) -> float:

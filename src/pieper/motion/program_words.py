@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pieper.motion.instructions import Instruction, Move, Output, Wait
+from pieper.motion.instructions import Events, Instruction, Move
 from pieper.motion.motion import Motion
 from pieper.words_by_number import plural
 
 _WORDS = {"move_j": "joints to", "move_l": "line to", "move_c": "circle to", "move_s": "spline to"}
+_EVENTS = Events(
+    wait=lambda seconds: f"wait {seconds:g} s",
+    output=lambda port, value: f"output {port} {'on' if value else 'off'}",
+    gripper=lambda value: f"gripper {value:g}",
+)
 
 
 def told(name: str, instructions: Sequence[Instruction], motion: Motion, strays: float) -> str:
@@ -29,12 +34,8 @@ def told(name: str, instructions: Sequence[Instruction], motion: Motion, strays:
             x, y, z = (round(float(v) * 1e3, 1) + 0.0 for v in item.T[:3, 3])
             corner = f", blend {item.blend * 1e3:g} mm" if item.blend else ""
             lines.append(f"{number}. {_WORDS[item.kind]} x {x:.1f}, y {y:.1f}, z {z:.1f} mm{corner}")
-        elif isinstance(item, Wait):
-            lines.append(f"   wait {item.seconds:g} s")
-        elif isinstance(item, Output):
-            lines.append(f"   output {item.port} {'on' if item.value else 'off'}")
         else:
-            lines.append(f"   gripper {item.value:g}")
+            lines.append("   " + _EVENTS.said(item))
     kept = f"lines, circles and splines are kept to {strays * 1e6:.2g} um"
     lines.append(f"The largest value over its limit is {motion.margin:.6f}; {kept}.")
     return "\n".join([*lines, *motion.remarks])

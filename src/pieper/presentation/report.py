@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import datetime
 from collections.abc import Sequence
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,6 +26,7 @@ from pieper.presentation.sections_arm import (
     add_plan,
     add_reach,
     add_singularities,
+    add_worked,
 )
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
 from pieper.tolerances import WHOLE_TURN
@@ -57,13 +60,17 @@ def report(
         InputError: pose is not a pose.
     """
     given = pose is not None
-    page = Document(f"Kinematics of the {arm.name}", _subtitle(arm))
+    today = datetime.date.today().isoformat()
+    page = Document(f"Kinematics of the {arm.name}", _subtitle(arm), edition=f"pieper {_version()}, {today}")
     add_arm(page, arm)
     add_plan(page, arm)
     add_peculiarities(page, arm)
     add_forward(page, arm)
     add_derivation(page, arm)
-    solved = _solved(page, arm, checked_pose(pose, "pose") if given else None)
+    T = checked_pose(pose, "pose") if given else _good_pose(arm)
+    if T is not None:
+        add_worked(page, arm, T)
+    solved = _solved(page, arm, T, given=given)
     add_singularities(page, arm)
     add_reach(page, arm)
     if track is not None:
@@ -119,6 +126,13 @@ def add_comparison(page: Document, comparison: Comparison) -> None:
     page.add(*comparison.explain().splitlines())
 
 
+def _version() -> str:
+    try:
+        return version("pieper")
+    except PackageNotFoundError:  # used as it stands, without having been installed
+        return "(not installed)"
+
+
 def _subtitle(arm: Arm) -> str:
     d = arm.description
     kinds = "".join(arm.joint_types)
@@ -140,15 +154,21 @@ def good_pose(arm: Arm) -> np.ndarray:
     return T[int(np.argmax(stiff * (1 + 0.15 * many.in_limits.sum(1))))]
 
 
-def _solved(page: Document, arm: Arm, pose: np.ndarray | None) -> Solutions | None:
+def _good_pose(arm: Arm) -> np.ndarray | None:
+    try:
+        return good_pose(arm)
+    except PlanError:
+        return None
+
+
+def _solved(page: Document, arm: Arm, T: np.ndarray | None, *, given: bool) -> Solutions | None:
     page.section("A pose and all its solutions")
     try:
-        T = good_pose(arm) if pose is None else pose
-        sols = arm.ik(T)
+        sols = arm.ik(good_pose(arm) if T is None else T)
     except PlanError as error:
         page.add(f"No pose is solved here: {error}")
         return None
-    if pose is None:
+    if not given:
         page.add(f"Of {CANDIDATES} random postures inside the limits, this pose's is among the farthest from singular.")
     add_solutions(page, arm, sols)
     return sols

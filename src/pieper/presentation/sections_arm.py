@@ -203,6 +203,16 @@ def add_derivation(page: Document, arm: Arm) -> None:
     attempt(page, "The derivation", derived)
 
 
+def add_worked(page: Document, arm: Arm, T: np.ndarray) -> None:
+    """Add one pose worked through the derivation with its numbers; nothing where that cannot be."""
+    try:
+        worked = arm.symbolic.ik().worked(T)
+    except PieperError:
+        return
+    page.heading("A worked example")
+    page.add(*worked.page.blocks)
+
+
 def add_singularities(page: Document, arm: Arm) -> None:
     """Add the singular configurations in words and equations, with a picture of each kind."""
     page.section("Singular configurations")

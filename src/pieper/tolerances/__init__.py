@@ -19,6 +19,7 @@ from .kernels.descent import *  # noqa: F403
 from .kernels.elimination import *  # noqa: F403
 from .kernels.equations import *  # noqa: F403
 from .kernels.everywhere import *  # noqa: F403
+from .kernels.fronts import *  # noqa: F403
 from .kernels.hidden_angle import *  # noqa: F403
 from .kernels.lanes import *  # noqa: F403
 from .kernels.parallel_wrist import *  # noqa: F403

@@ -1,4 +1,4 @@
-"""Of routes: feasible intervals of the turn, cells that are proved, and how a route is made smooth."""
+"""Of routes: feasible intervals of the turn, what is proved, and how a route is made smooth."""
 
 #: Shortest stretch of a self-motion (of its whole) that is an arc.
 SHORTEST_ARC = 1e-12
@@ -12,10 +12,8 @@ AT_A_LIMIT = 1e-6
 FOLD_FOUND = 1e-13
 #: or nothing is left between its bounds.
 FOLD_NARROW = 1e-15
-#: What Newton's method leaves of a pose (per length; rad) in the middle of a part.
-CELL_ON_POSE = 1e-13
-#: What is added to a matrix of a cell so that a singular one can be solved: it then proves nothing.
-CELL_DAMPING = 1e-14
+#: How far behind a place where a front lost its grip it is taken up again, as a part of the path.
+TAKEN_UP_BEHIND = 1e-4
 #: The outermost ring of a cone lies inside its edge by this part.
 CONE_INSIDE = 1e-9
 #: How far a posture may be off the pose that it is to begin or end with (per length; rad).

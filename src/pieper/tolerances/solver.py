@@ -149,3 +149,29 @@ OPEN_WAYS = 1e-7
 CROSSING_CHANGE = 1e-9
 #: Curves cross where the second singular value comes below this.
 CROSSING_FOUND = 1e-5
+#: A pose that descents inside the limits leave farther away (per length; rad) is not searched for small self-motions.
+NEAR_INSIDE = 3e-2
+#: A pose is out of reach for certain where it is this part farther away than the links laid end to end.
+BEYOND_REACH = 1e-9
+#: A point this near to the polyline of a curve may lie on the curve, and is slid onto it to see.
+NEAR_POLYLINE = 2e-2
+#: How near to a curve inside limits a posture must come to lie on it (rad; per length).
+BOUNDED_ON_CURVE = 1e-6
+#: How precisely the nearest point of a curve is found before it is polished (rad).
+BOUNDED_PRECISE = 1e-4
+#: Damping inside limits at first, its factors where a step helped and where not, and where a row rests.
+BOX_DAMPING = (1e-4, 0.1, 10.0, 1e4)
+#: Least damping: directions that the joints hardly move (1e-7 of the others) carry no step.
+BOX_LEAST_DAMPING = 1e-14
+#: What is missed (per length; rad) below which a row goes on no longer.
+BOX_ON_POSE = 1e-12
+#: Parts of the box's width that are kept free on either side, the widest first, in looking for a point well inside.
+BOX_ROOM = (0.1, 0.01, 1e-4)
+#: The step (rad; per length) at which the nearest point inside limits is reached.
+BOX_SETTLED = 1e-10
+#: A step is taken where the square of the distance falls by more: rounding.
+BOX_NEARER = 1e-14
+#: What keeps the shares of free directions apart, of the largest weight: far below any that counts.
+BOX_REGULAR = 1e-12
+#: Step of a tangent's difference quotient, of the whole course: neither its cube nor rounding over it counts.
+COURSE_STEP = 1e-5

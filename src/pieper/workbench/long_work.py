@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 import pieper
 from pieper.tolerances import NO_DIRECTION, SLOWEST_RATE, TINY
-from pieper.workbench import answers, equation_blocks, programs, routes
+from pieper.workbench import answers, equation_blocks, films, programs, routes
 from pieper.workbench.messages import (
     MAX_CLOUD,
     MAX_POINTS,
@@ -203,5 +203,6 @@ KINDS: dict[str, Callable] = {
     "equations": equations,
     "report": report,
     "program": programs.run,
+    "film": films.film,
     **routes.LONG,
 }

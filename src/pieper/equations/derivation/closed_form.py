@@ -211,6 +211,13 @@ class ClosedForm:
     def _chain(self) -> Chain:
         return chain_of(self.description)
 
+    def values_on_branches(self, T: Array) -> dict:
+        """Every letter of the page at poses T (N, 4, 4), shorthands and joints included: (branches, N) or less."""
+        values = self._values(T, np.zeros((len(T), self.n)))
+        with np.errstate(all="ignore"):
+            self._run(values, NumpyField)
+        return values
+
     def values_at(self, q: Array) -> dict:
         """Values (N,) of lengths, pose letters and every joint at joint vectors (N, n) and their own poses."""
         values = self._values(self.poses(q), q)

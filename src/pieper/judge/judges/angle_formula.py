@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.algebra.arithmetics import NumpyField
-from pieper.algebra.expression import Add, Expr, Mul
+from pieper.algebra.expression import Add, Call, Expr, Mul, Power
 from pieper.algebra.formula import ANGLE, Neg, PlusMinus, has_branch, number, unordered
 from pieper.algebra.notation import joint_sum
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
-from pieper.judge.evidence import Evidence, under, wrapped
+from pieper.judge.evidence import SIGN, Evidence, under, wrapped
 from pieper.judge.matrices import Product
 from pieper.tolerances import JUDGED_ZERO, SEARCH_ARC
 
@@ -50,6 +50,26 @@ def either_of(first: Expr, second: Expr) -> Expr:
         raise InputError("is: a list of branches holds formulas without +-")
     half = number("0.5")
     return Add.of(Mul.of(half, Add.of(first, second)), PlusMinus(Mul.of(half, Add.of(first, Neg.of(second)))))
+
+
+def signed(ev: Evidence, claim: Claim, node: Expr, angle: Expr) -> Expr:
+    """A formula with the branch sign that it introduces as its +-, and that sign known from here on.
+
+    A page writes sigma3 in the formula that leaves it open and in later ones; they hold with the same sign.
+    """
+    new = [name for name in ev.unknown if SIGN.fullmatch(name) and name in node.symbols()]
+    if len(new) > 1:
+        raise claim.error(f"{' and '.join(new)} are both new here; an earlier formula must leave one open")
+    if not new:
+        return node
+    upper, lower = (node.substitute({new[0]: number(value)}) for value in ("1", "-1"))
+    found = ANGLE.match(str(angle))
+    if found and ev.model.sliding(int(found.group(1))):
+        near = [Neg.of(Power(Add.of(side, Neg.of(angle)), number(2))) for side in (upper, lower)]
+    else:
+        near = [Call("cos", Add.of(side, Neg.of(angle))) for side in (upper, lower)]
+    ev.tell_sign(new[0], Call("sign", Add.of(near[0], Neg.of(near[1]))))
+    return node.substitute({new[0]: PlusMinus(number("1"))})
 
 
 def branch_values(node: Expr, env: dict[str, np.ndarray], shape: tuple[int, ...]) -> Iterator[np.ndarray]:

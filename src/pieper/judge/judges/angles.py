@@ -12,7 +12,7 @@ from pieper.judge.claim import Claim, Numbers
 from pieper.judge.degrees import from_degrees
 from pieper.judge.difference import agreeing_digits, digits_wanted
 from pieper.judge.evidence import SOLVER_POSES, Evidence, tried_text, wrapped
-from pieper.judge.judges.angle_formula import AngleFormula, branch_values, either_of, read_angle, right_side
+from pieper.judge.judges.angle_formula import AngleFormula, branch_values, either_of, read_angle, right_side, signed
 from pieper.judge.judges.freedom import completes, undetermined
 from pieper.judge.lengths import decimals, standing
 from pieper.judge.matrices import Product, value_of
@@ -46,6 +46,7 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
         + "".join(f", {k} = {v}" for k, v in claim.where.items())
         + (f", where {claim['when']}" if "when" in claim else "")
     )
+    node = signed(ev, claim, node, angle)
     circle = uses_itself(ev.model, angle, node, ev.definitions, {name: ev.known_for(name) for name in ev.picks(node)})
     frame = ev.frame(claim)
     form = AngleFormula.of(ev, angle, frame)

@@ -100,15 +100,17 @@ MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...]
         "RCONF",
         _yaskawa,
         "Flip (0, B positive) or no flip (1), upper (0) or lower (1) arm, front (0) or rear (1), then R, T and S: 0 "
-        "from -180 to 180 deg, 1 beyond (INFORM manual, RCONF).",
+        "from -180 to 180 deg, 1 beyond. The order and meaning of the six numbers are those of Yaskawa's NX100 and "
+        "DX100 manuals (HW0481924 and HW0482494, Job Data Format, RCONF); that flip is a positive B is from memory.",
     ),
     "denso": (
         "denso",
         "figure",
         _denso,
         "1 if lefty, taken as the wrist behind axis 1, plus 2 if the elbow is below, plus 4 if the wrist is not "
-        "flipped, taken as J5 negative, plus 8 if J6 and 16 if J4 is beyond -180 to 180 deg (DENSO programmer's "
-        "manual, figures).",
+        "flipped, taken as J5 negative, plus 8 if J6 and 16 if J4 is beyond -180 to 180 deg. DENSO's RC8 manual (ID "
+        "1968) has 1 for lefty and 16 for a fourth axis beyond -180 < J4 <= 180 deg, of arms with four axes; the rest "
+        "is from memory of the programmer's manual.",
     ),
 }
 

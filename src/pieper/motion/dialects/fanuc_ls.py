@@ -11,7 +11,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, named
-from pieper.motion.instructions import Gripper, Move, Output, Wait
+from pieper.motion.instructions import Events, Move
 
 _JOINTS = ("J1", "J2", "J3", "J4", "J5", "J6")
 _POSE = ("X", "Y", "Z", "W", "P", "R")
@@ -19,6 +19,13 @@ _POSE = ("X", "Y", "Z", "W", "P", "R")
 _COUPLED = "J3 = joint 3 - joint 2"
 #: A remark has no more characters.
 _REMARK = 32
+
+
+_EVENTS = Events(
+    wait=lambda seconds: f"WAIT {seconds:6.2f}(sec)",
+    output=lambda port, value: f"DO[{port}]={'ON' if value else 'OFF'}",
+    gripper=lambda value: f"! gripper {value:g}",
+)
 
 
 def write(script: Script) -> str:
@@ -37,14 +44,7 @@ def write(script: Script) -> str:
     if coupled:
         lines.append(f"! {_COUPLED}")
     for item in script.instructions:
-        if isinstance(item, Wait):
-            lines.append(f"WAIT {item.seconds:6.2f}(sec)")
-        elif isinstance(item, Output):
-            lines.append(f"DO[{item.port}]={'ON' if item.value else 'OFF'}")
-        elif isinstance(item, Gripper):
-            lines.append(f"! gripper {item.value:g}")
-        else:
-            lines += _move(item, place)
+        lines += _move(item, place) if isinstance(item, Move) else [_EVENTS.said(item)]
     text = [f"/PROG  {script.name.upper()}", "/ATTR", 'COMMENT = "pieper";', "DEFAULT_GROUP = 1,*,*,*,*;", "/MN"]
     text += [f"{number:4d}:{line}    ;" for number, line in enumerate(lines, 1)]
     return "\n".join([*text, "/POS", *places, "/END", ""])

@@ -9,10 +9,17 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
-from pieper.motion.instructions import Gripper, Move, Output, Wait
+from pieper.motion.instructions import Events, Move
 
 #: A comment has no more characters.
 _COMMENT = 32
+
+
+_EVENTS = Events(
+    wait=lambda seconds: f"TIMER T={fixed(seconds, 2)}",
+    output=lambda port, value: f"DOUT OT#({port}) {'ON' if value else 'OFF'}",
+    gripper=lambda value: f"' gripper {value:g}",
+)
 
 
 def write(script: Script) -> str:
@@ -34,14 +41,7 @@ def write(script: Script) -> str:
         return f"C{index:05d}"
 
     for item in script.instructions:
-        if isinstance(item, Wait):
-            lines.append(f"TIMER T={fixed(item.seconds, 2)}")
-        elif isinstance(item, Output):
-            lines.append(f"DOUT OT#({item.port}) {'ON' if item.value else 'OFF'}")
-        elif isinstance(item, Gripper):
-            lines.append(f"' gripper {item.value:g}")
-        else:
-            lines += _move(item, place)
+        lines += _move(item, place) if isinstance(item, Move) else [_EVENTS.said(item)]
     count = sum(line.startswith("C") for line in positions)
     head = ["/JOB", f"//NAME {script.name.upper()}", "//POS", f"///NPOS {count},0,0,0,0,0", "///TOOL 0"]
     head += ["///POSTYPE ROBOT", "///RECTAN", *positions, "//INST", "///ATTR SC,RW,RJ", "///GROUP1 RB1", "NOP"]

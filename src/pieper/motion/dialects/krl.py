@@ -10,10 +10,17 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, named, numbers
-from pieper.motion.instructions import Gripper, Move, Output, Wait
+from pieper.motion.instructions import Events, Move
 
 _AXES = ("A1", "A2", "A3", "A4", "A5", "A6")
 _POSE = ("X", "Y", "Z", "A", "B", "C")
+
+
+_EVENTS = Events(
+    wait=lambda seconds: f"WAIT SEC {fixed(seconds, 3)}",
+    output=lambda port, value: f"$OUT[{port}]={'TRUE' if value else 'FALSE'}",
+    gripper=lambda value: f"; gripper {value:g}",
+)
 
 
 def write(script: Script) -> str:
@@ -21,14 +28,7 @@ def write(script: Script) -> str:
     body = [f"$TOOL={{{_words(_POSE, read_pose(script.description.tool, 'abc', degrees=True, mm=True))}}}"]
     body.append("$BASE=$NULLFRAME")
     for item in script.instructions:
-        if isinstance(item, Wait):
-            body.append(f"WAIT SEC {fixed(item.seconds, 3)}")
-        elif isinstance(item, Output):
-            body.append(f"$OUT[{item.port}]={'TRUE' if item.value else 'FALSE'}")
-        elif isinstance(item, Gripper):
-            body.append(f"; gripper {item.value:g}")
-        else:
-            body += _move(script, item)
+        body += _move(script, item) if isinstance(item, Move) else [_EVENTS.said(item)]
     lines = ["&ACCESS RVP", f"DEF {script.name}()", *script.head(";"), "BAS(#INITMOV,0)", *body, "END", ""]
     return "\n".join(lines)
 

@@ -10,21 +10,18 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, numbers
-from pieper.motion.instructions import Gripper, Move, Output, Wait
+from pieper.motion.instructions import Events, Move
+
+_EVENTS = Events(
+    wait=lambda seconds: f"Delay {round(seconds * 1e3)}",
+    output=lambda port, value: f"{'Set' if value else 'Reset'} IO[{port}]",
+    gripper=lambda value: f"' gripper {value:g}",
+)
 
 
 def write(script: Script) -> str:
     """Return the text of a program."""
-    body: list[str] = []
-    for item in script.instructions:
-        if isinstance(item, Wait):
-            body.append(f"Delay {round(item.seconds * 1e3)}")
-        elif isinstance(item, Output):
-            body.append(f"{'Set' if item.value else 'Reset'} IO[{item.port}]")
-        elif isinstance(item, Gripper):
-            body.append(f"' gripper {item.value:g}")
-        else:
-            body.append(_move(script, item))
+    body = [_move(script, x) if isinstance(x, Move) else _EVENTS.said(x) for x in script.instructions]
     lines = [*script.head("'"), f"Sub {script.name}", "  TakeArm Keep = 0", *("  " + line for line in body)]
     return "\n".join([*lines, "  GiveArm", "End Sub", ""])
 

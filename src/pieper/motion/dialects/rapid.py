@@ -10,9 +10,16 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
-from pieper.motion.instructions import Gripper, Move, Output, Wait
+from pieper.motion.instructions import Events, Move
 
 _NO_AXES = "[9E9,9E9,9E9,9E9,9E9,9E9]"
+
+
+_EVENTS = Events(
+    wait=lambda seconds: f"WaitTime {fixed(seconds, 3)};",
+    output=lambda port, value: f"SetDO do{port},{int(value)};",
+    gripper=lambda value: f"! gripper {value:g}",
+)
 
 
 def write(script: Script) -> str:
@@ -32,13 +39,8 @@ def write(script: Script) -> str:
                 body.append(f"MoveC pv{number},p{number},vp{number},{zone},tPieper;")
             else:
                 body.append(f"{'MoveJ' if item.kind == 'move_j' else 'MoveL'} p{number},vp{number},{zone},tPieper;")
-        elif isinstance(item, Wait):
-            body.append(f"WaitTime {fixed(item.seconds, 3)};")
-        elif isinstance(item, Output):
-            body.append(f"SetDO do{item.port},{int(item.value)};")
         else:
-            assert isinstance(item, Gripper)
-            body.append(f"! gripper {item.value:g}")
+            body.append(_EVENTS.said(item))
     lines = [f"MODULE {script.name}", *("  " + line for line in script.head("!"))]
     lines += [f"  PERS tooldata tPieper:=[TRUE,{_frame(script.description.tool)},[1,[0,0,1],[1,0,0,0],0,0,0]];"]
     lines += [f"  {line}" for line in data]

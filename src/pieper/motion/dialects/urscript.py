@@ -9,10 +9,17 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
-from pieper.motion.instructions import Gripper, Output, Wait
+from pieper.motion.instructions import Events, Move
 
 #: Acceleration of the tool that is written where none is limited, m/s^2: the language's own default.
 _TOOL_ACCELERATION = 1.2
+
+
+_EVENTS = Events(
+    wait=lambda seconds: f"sleep({fixed(seconds, 3)})",
+    output=lambda port, value: f"set_standard_digital_out({port}, {value})",
+    gripper=lambda value: f"# gripper {value:g}",
+)
 
 
 def write(script: Script) -> str:
@@ -21,12 +28,8 @@ def write(script: Script) -> str:
     tool = script.limits.tool_acceleration or _TOOL_ACCELERATION
     body = [f"set_tcp({_pose(script.description.tool)})"]
     for item in script.instructions:
-        if isinstance(item, Wait):
-            body.append(f"sleep({fixed(item.seconds, 3)})")
-        elif isinstance(item, Output):
-            body.append(f"set_standard_digital_out({item.port}, {item.value})")
-        elif isinstance(item, Gripper):
-            body.append(f"# gripper {item.value:g}")
+        if not isinstance(item, Move):
+            body.append(_EVENTS.said(item))
         elif item.kind == "move_j":
             v = float(bound.speed.min()) * (1.0 if item.speed is None else item.speed)
             a = float(bound.acceleration.min())

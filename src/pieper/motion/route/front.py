@@ -1,4 +1,7 @@
-"""How far anything inside the limits can come along a path, followed with proof: `kernels/route/self_motion.hpp` says why it is one."""
+"""How far anything inside the limits can come along a path, followed with proof.
+
+`kernels/route/self_motion.hpp` says why it is one.
+"""
 
 from __future__ import annotations
 
@@ -40,7 +43,7 @@ class Front:
         s: Where it ended.
         q: (k, m) its points there.
         within: (k,) what each of them stands for (rad; lengths).
-        stretch: (r,) how many of the points, one after the other, are one stretch of a curve; below zero where it is closed.
+        stretch: (r,) how many of the points, one after the other, are one stretch of a curve; below zero: a closed one.
         looked: Points looked at.
         narrowest: Least distance met in which the Jacobian could change by as much as itself (rad; lengths).
     """
@@ -98,7 +101,7 @@ def modulo_turns(setting: Setting) -> Array:
 
 
 def everything_at(setting: Setting, limits: Array, s: float) -> Array:
-    """Return joint vectors (k, m) on everything that is inside the limits at a place: where limits are met, and between."""
+    """Return joint vectors (k, m) on everything inside the limits at a place: where limits are met, and between."""
     T = setting.at(np.array([s]))
     found = [np.zeros((0, setting.m))]
     if setting.spare:
@@ -124,4 +127,5 @@ def every_winding(setting: Setting, limits: Array, x: Array) -> Array:
 
 
 def _inside(x: Array, limits: Array) -> Bools:
-    return ((x >= limits[:, 0] - LIMIT_SLACK) & (x <= limits[:, 1] + LIMIT_SLACK)).all(1)
+    ok = (x >= limits[:, 0] - LIMIT_SLACK) & (x <= limits[:, 1] + LIMIT_SLACK)
+    return np.asarray(ok.all(1), np.bool_)

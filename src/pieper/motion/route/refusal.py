@@ -1,14 +1,13 @@
 """Why there is no route: a place that nothing inside the limits gets past, found on a grid and then proved.
 
-A grid of turns and stations tells where the way ends. There the proof begins: at a station, everything inside the limits
-is known (each joint held at each of its limits and the others solved, and rows between); followed along the path
-with bounds of how far anything can stray (`front.py`), it must come to nothing. Where that fails the proof begins earlier, up to the
-first pose, and with smaller steps.
+A grid of turns and stations, and a front that is followed roughly, tell where the way ends. There the proof begins: at
+a station everything inside the limits is known (each joint held at each of its limits and the others solved, and rows
+between); followed along the path with bounds of how far anything can stray (`front.py`), it must come to nothing. Where
+that fails the proof begins earlier, up to the first pose, and with smaller steps.
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -23,18 +22,21 @@ from pieper.motion.route.ladder import Rungs, climb, rungs
 from pieper.motion.route.result import Blocked
 from pieper.motion.route.search import Task
 from pieper.motion.route.setting import Setting
+from pieper.tolerances import TAKEN_UP_BEHIND
 
 #: Stations of the grid where a coordinate is free, and where none is.
 STATIONS, DENSE = 100, 400
 #: Parts of the largest steps that the bounds allow, tried one after the other.
 FINE = (1.0, 0.4, 0.15)
-#: Steps, in those that the bounds allow, with which the end is looked for without proof; where the proof begins before
-#: that end, as parts of the path, and how far behind it goes on.
-ROUGH, BACK, ON = 2.5, (0.003, 0.02), 0.01
-#: Points that may be looked at in all, and how often a front that lost its grip is taken up again behind that place.
+#: Steps, in those that the bounds allow, with which the end is looked for without proof; how far before it the proof
+#: begins, as parts of the path, or None for the first pose, and with what part of the steps that the bounds allow; and
+#: how far behind that end it may go on.
+ROUGH, ON = 2.5, 0.01
+TRIED = ((0.003, 1.0), (0.003, 0.4), (0.02, 1.0), (None, 1.0), (0.02, 0.4), (None, 0.4), (None, 0.15))
+#: Part of the points that are left that one try may look at.
+SHARE = 0.3
+#: Points that may be looked at, and how often a front that lost its grip is taken up again behind that place.
 MOST, AGAIN = 1_500_000, 6
-#: How much farther on it is taken up again, as a part of the path.
-PAST = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,13 +62,12 @@ def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
     cells = grid(setting)
     s = _dense(setting.s, STATIONS if setting.spare else DENSE)
     ladder = rungs(setting, cells, s, np.ones(len(s) - 1))
-    left, reached, proof = MOST, len(s) - 1, None
+    proof, reached = None, len(s) - 1
     for limits in _limits(setting):
         whole = limits is setting.limits
         way = climb(setting, cells, ladder, on_the_spot=True, ends=task.ends, all_turns=whole)
         reached = way.furthest
-        proof, looked = _closed(task, limits, ladder, reached, left)
-        left -= looked
+        proof = _closed(task, limits, ladder, reached, MOST)
         if proof is not None:
             return _told(task, ladder, reached, proof)
     return _uncertain(task)
@@ -78,23 +79,21 @@ def _limits(setting: Setting) -> list[Array]:
     return [setting.limits] if np.array_equal(loose, setting.limits) else [loose, setting.limits]
 
 
-def _closed(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -> tuple[Proof | None, int]:
-    """Return a place that nothing gets past, if one is proved, and how many points were looked at."""
+def _closed(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -> Proof | None:
+    """Return a place that nothing gets past, if one is proved."""
     looked = 0
     for first, last, fine in _windows(task, limits, ladder, reached, most):
         begin = first
         for _ in range(AGAIN):
             seeds = _known(task, limits, begin)
-            found = follow(task.setting, limits, seeds, (begin, last), fine, most - looked)
+            found = follow(task.setting, limits, seeds, (begin, last), fine, int(SHARE * (most - looked)))
             looked += found.looked
             if found.ended is Ended.DIED or (found.ended is Ended.ARRIVED and _misses_end(task, found)):
-                return Proof(begin, found.s, looked), looked
-            if looked >= most:
-                return None, looked
-            begin = found.s + PAST
+                return Proof(begin, found.s, looked)
+            begin = found.s + TAKEN_UP_BEHIND
             if found.ended is not Ended.SINGULAR or begin > last:
                 break
-    return None, looked
+    return None
 
 
 def _windows(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -> Iterator[tuple[float, float, float]]:
@@ -114,10 +113,9 @@ def _windows(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) 
     if rough.ended is Ended.ARRIVED and not _misses_end(task, rough):
         return
     last = min(rough.s + ON, 1.0)
-    for back, fine in itertools.zip_longest(BACK, FINE):
-        if back is not None and back < rough.s:
-            yield rough.s - back, last, FINE[1]
-        yield 0.0, last, fine
+    for back, fine in TRIED:
+        if back is None or back < rough.s:
+            yield 0.0 if back is None else rough.s - back, last, fine
 
 
 def _known(task: Task, limits: Array, begin: float) -> Array:
@@ -139,12 +137,12 @@ def _misses_end(task: Task, found: Front) -> bool:
 
 def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdict, Blocked, str]:
     blocked = blocked_at(task, ladder, reached, proof.begun, proof.s)
-    what = "the posture that it is to end with is not reached" if proof.s >= 1.0 and reached == len(ladder.s) - 1 else ""
-    where = what or (f"gets past {proof.s:.6g} of the path" if proof.s > 0 else "begins at the first pose")
+    where = f"no motion gets past {proof.s:.6g} of the path" if proof.s > 0 else "no motion begins at the first pose"
+    if proof.s >= 1.0 and reached == len(ladder.s) - 1:
+        where = "the posture that it is to end with is not reached"
     reason = (
-        f"Impossible: {'' if what else 'no motion '}{where}, whatever the branch, the turn and the whole turns. Everything inside the "
-        f"limits at {proof.begun:.6g} of the path was followed from there with proved bounds and ends before "
-        f"({proof.looked} points)."
+        f"Impossible: {where}, whatever the branch, the turn and the whole turns. Everything inside the limits at "
+        f"{proof.begun:.6g} of the path was followed with proved bounds and ends before: {proof.looked} points."
     )
     return Verdict.IMPOSSIBLE, blocked, reason
 
@@ -163,8 +161,8 @@ def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:
         return (
             Verdict.UNCERTAIN,
             None,
-            "Uncertain: no route was found that keeps the clearance, the distance to singular postures and the turn rate "
-            "asked for; without these none could be ruled out.",
+            "Uncertain: no route was found that keeps the clearance, the distance to singular postures and the turn "
+            "rate asked for; without these none could be ruled out.",
         )
     return (
         Verdict.UNCERTAIN,

@@ -18,7 +18,7 @@ from pieper.motion.route.keep import Keep
 from pieper.motion.route.others import Others
 from pieper.motion.route.refusal import refusal
 from pieper.motion.route.result import Route
-from pieper.motion.route.search import Task, search
+from pieper.motion.route.search import Found, Task, search, search_between
 from pieper.motion.route.setting import Setting, setting
 from pieper.solver.plan.plan import Plan
 from pieper.tolerances import POSTURE_ON_PATH, ROUTE_SAME_POSE, SAME_SOLUTION
@@ -69,17 +69,26 @@ def route(
     bound = least_motion(world, cost == TIME)
     if found is None:
         verdict, blocked, reason = refusal(task)
+        found = search_between(task) if verdict is Verdict.UNCERTAIN else None
+        if found is not None:
+            return _found(task, asked, plan, free, found)
         none = np.zeros(0)
         return Route(
             asked, s, np.zeros((0, plan.n)), none, none, verdict, blocked, np.inf, bound, 0.0, reason, free, plan, world
         )
+    return _found(task, asked, plan, free, found)
+
+
+def _found(task: Task, asked: Array, plan: Plan, free: Freedom, found: Found) -> Route:
+    world = task.setting
+    bound = least_motion(world, task.largest)
     reason = (
         f"Found: {len(asked)} points, every joint inside its limits, and no jump between points however often a "
         "stretch that is not plainly straight is halved."
     )
     return Route(
         asked,
-        s,
+        world.s,
         found.x[:, : plan.n],
         world.turn_of(found.x),
         world.tilt_of(found.x),

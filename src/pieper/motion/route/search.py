@@ -21,6 +21,8 @@ STATIONS, FINER = 51, (1, 2, 4)
 WIDER = 0.08
 #: Stations where nothing is free.
 DENSE = 1200
+#: Points in all where a route is made short with points between those of the path.
+BETWEEN = 400
 #: Rows that a ladder may have in all: it bounds memory and time.
 MOST_ROWS = 4_000_000
 #: How far the point of a route half way between two others may be off their middle, as a part of their distance, and
@@ -88,6 +90,28 @@ def search(task: Task, ladders: int = len(FINER)) -> Found | None:
         if fixed:
             break
     return None
+
+
+def search_between(task: Task) -> Found | None:
+    """Return a route that was made short with points between those of the path too.
+
+    What is cheapest from point to point may change the branch where points are far apart, which is no route.
+    """
+    setting = task.setting
+    each = -(-BETWEEN // (len(setting.path) - 1))
+    if each < 2:
+        return None
+    part = np.arange(each) / each
+    s = np.append((setting.s[:-1, None] + np.diff(setting.s)[:, None] * part).ravel(), setting.s[-1])
+    poses = setting.at(s)
+    step = None if task.turn_step is None else np.repeat(task.turn_step / each, each)
+    # the axis that is meant is the z of these poses; as they were asked for they serve a bound that is not taken here
+    dense = replace(task, setting=replace(setting, path=poses, asked=poses, s=s), turn_step=step)
+    found = search(dense)
+    if found is None:
+        return None
+    x = found.x[::each]
+    return replace(found, x=x, cost=cost_of(setting, x, task.largest), slope=np.inf)
 
 
 def _inside(setting: Setting, ladder: Rungs) -> Bools:

@@ -194,10 +194,29 @@ def _slope(shape: Shape, x: Array, weight: float, margin: float) -> tuple[Array,
                 slope = weight * _barrier(shape.turn_step - side * e, margin)[1] * -side
                 g[1:, setting.n] += slope
                 g[:-1, setting.n] -= slope
+    return g, _free(setting, x)
+
+
+def _free(setting: Setting, x: Array) -> Array:
+    """Return what each pose leaves free (N, m, d), rad or m: directions in which it does not change."""
     J = scaled_jacobian(setting.chain, x)
-    _, _, Vt = np.linalg.svd(J)
-    Z = np.swapaxes(Vt[:, setting.m - setting.spare :], 1, 2) * setting.chain.joints.unit[:, None]
-    return g, Z
+    if setting.m - setting.spare == J.shape[1]:
+        # of full rank: what is across all rows, for half of what singular values cost
+        free: Array = np.linalg.qr(np.swapaxes(J, 1, 2), mode="complete")[0][:, :, J.shape[1] :]
+    else:
+        free = np.swapaxes(np.linalg.svd(J)[2][:, setting.m - setting.spare :], 1, 2)
+    return np.asarray(free * setting.chain.joints.unit[:, None], np.float64)
+
+
+def _pulled(setting: Setting, J: Array, g: Array) -> Array:
+    """Return the slope (N, 6) of a cost whose slope by the coordinates is g (N, m), as the pose is moved."""
+    if setting.m - setting.spare == J.shape[1]:
+        square = J @ np.swapaxes(J, 1, 2)
+        try:
+            return np.asarray(np.linalg.solve(square, np.einsum("kij,kj->ki", J, g)[..., None])[..., 0], np.float64)
+        except np.linalg.LinAlgError:
+            pass  # a point is singular with all that is free
+    return np.asarray(np.einsum("kji,kj->ki", np.linalg.pinv(J), g), np.float64)
 
 
 def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: float) -> tuple[Array, Array]:
@@ -232,7 +251,7 @@ def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: flo
     E = -np.einsum("kma,km,kmb->kab", Z[:-1], between, Z[1:])
     # what is free is bent: a step along it leaves the pose to second order, and coming back costs slope
     J = scaled_jacobian(chain, x)
-    pull = np.einsum("kji,kj->ki", np.linalg.pinv(J), g * unit)  # (N, 6)
+    pull = _pulled(setting, J, g * unit)
     d = Z.shape[2]
     for a in range(d):
         ahead = scaled_jacobian(chain, x + FREEDOM_PROBE * Z[:, :, a])

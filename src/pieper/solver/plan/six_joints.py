@@ -132,7 +132,8 @@ class Reduction:
     @cached_property
     def kept(self) -> Indices:
         """Joints of full that are solved for."""
-        return np.setdiff1d(np.arange(self.full.n), self.locked)
+        held = set(self.locked)  # numpy.setdiff1d would load numpy.ma
+        return np.array([j for j in range(self.full.n) if j not in held], np.int64)
 
     @cached_property
     def at_ends(self) -> tuple[int, int] | None:

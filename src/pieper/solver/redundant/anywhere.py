@@ -15,18 +15,15 @@ from pieper.solver.redundant.box import box, descended, spread, well_inside
 from pieper.solver.redundant.self_motions import met
 from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.sweep import slices
-from pieper.tolerances import CLOSES
+from pieper.tolerances import BEYOND_REACH, CLOSES, NEAR_INSIDE
 
-#: Starts of the descent inside the limits, first from the middle alone, then from so many.
-STARTS = 8
+#: Starts of the descent inside the limits, where fewer have shown nothing: of postures inside, one start in eighty met
+#: the rarest. The last are for what the other ways have not found either.
+STARTS = 8, 64, 512
 #: Free descents a pose, and poses that are sliced or approached in one go: it bounds the memory.
 FREE_STARTS, TOGETHER = 16, 128
-#: A pose that descents inside the limits leave farther away (per length; rad) is not searched for small self-motions.
-NEAR = 3e-2
 #: What a pose has: no solution at all, solutions outside the limits alone, or some inside.
 NONE, OUTSIDE, INSIDE = 0, 1, 2
-#: A pose is out of reach for certain where it is this much farther away than the links laid end to end.
-BEYOND = 1 + 1e-9
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -64,33 +61,47 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
             kind[first[new]], q[first[new]] = what, rows[of][at[new]]
         left = left[kind[left] < INSIDE]
 
+    def parts() -> list[Indices]:
+        # all of them before the first is looked at: `left` shrinks with what is found
+        return [left[i : i + TOGETHER] for i in range(0, len(left), TOGETHER)]
+
     def descend(count: int) -> None:
-        pose = np.repeat(left, count)
-        starts = np.tile(spread(full, limits, count), (len(left), 1))
-        rows, off = descended(full, starts, T[pose], low, high)
-        np.minimum.at(least, pose, off)
-        held = off <= CLOSES
-        keep(pose[held], rows[held], np.ones(int(held.sum()), bool))
+        starts = spread(full, limits, count)
+        for part in parts():
+            pose = np.repeat(part, count)
+            rows, off = descended(full, np.tile(starts, (len(part), 1)), T[pose], low, high)
+            np.minimum.at(least, pose, off)
+            held = off <= CLOSES
+            keep(pose[held], rows[held], np.ones(int(held.sum()), bool))
 
     def stand() -> None:
         at = stops(plan, T[left], threads)
         keep(left[at.pose], at.q, at.inside)
 
     def slice_up() -> None:
-        for part in (left[i : i + TOGETHER] for i in range(0, len(left), TOGETHER)):
+        for part in parts():
             pose, rows = slices(plan, T[part], threads)
             rows, within = full.joints.inside_limits(rows, limits)
             keep(part[pose], rows, within)
 
     def approach() -> None:
-        for part in (left[i : i + TOGETHER] for i in range(0, len(left), TOGETHER)):
+        for part in parts():
             met_here = from_anywhere(plan, T[part], FREE_STARTS)
             rows, within = full.joints.inside_limits(np.concatenate(met_here), limits)
             keep(np.repeat(part, [len(r) for r in met_here]), rows, within)
 
     least = np.full(len(T), np.inf)
     # descents before stops: they cost less, and what is inside is most often met by one
-    ways = [lambda: descend(1), lambda: descend(STARTS), stand, slice_up, approach]
+    few, more, many = STARTS
+    ways = [
+        lambda: descend(1),
+        lambda: descend(few),
+        lambda: descend(more),
+        stand,
+        slice_up,
+        approach,
+        lambda: descend(many),
+    ]
     for way in ways:
         if len(left):
             way()
@@ -101,7 +112,7 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
         starts = np.tile(spread(full, wide.T, FREE_STARTS), (len(none), 1))
         pose = np.repeat(none, FREE_STARTS)
         np.minimum.at(least, pose, descended(full, starts, T[pose], *wide)[1])
-    for i in left[least[left] < NEAR]:
+    for i in left[least[left] < NEAR_INSIDE]:
         rows = met(plan, T[i], plan.defaults)
         if len(rows):
             poses = np.tile(T[i], (len(rows), 1, 1))
@@ -119,7 +130,7 @@ def _beyond(chain: Chain, limits: Array, T: Array) -> Bools:
     """Return which poses (N,) lie farther from the first axis's frame than the links could reach laid end to end."""
     links = np.linalg.norm(chain.links[1:, :3, 3], axis=1).sum()
     slides = np.abs(np.where(chain.prismatic[:, None], limits, 0.0)).max(1).sum()
-    return np.linalg.norm(T[:, :3, 3] - chain.links[0][:3, 3], axis=1) > BEYOND * (links + slides)
+    return np.linalg.norm(T[:, :3, 3] - chain.links[0][:3, 3], axis=1) > (1 + BEYOND_REACH) * (links + slides)
 
 
 def spare_values(plan: Plan, q: Array) -> Array:

@@ -11,20 +11,16 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.newton import newton
 from pieper.solver.redundant.box import box, closest, descended
 from pieper.solver.singular.self_motion import FREE, SelfMotion, TracedMotion
-from pieper.tolerances import CLOSES, TINY
+from pieper.tolerances import BOUNDED_ON_CURVE, BOUNDED_PRECISE, CLOSES, CURVE_RANK, NEAR_POLYLINE, ROUNDING, TINY
 
-#: A point this near to the polyline of a curve may lie on the curve, and is slid onto it to see.
-NEAR_POLYLINE = 2e-2
-#: How near it must then come (rad; per length).
-ON_CURVE = 1e-6
 #: Halvings that place where a curve leaves the limits between two samples: from 0.12 rad to rounding.
 HALVINGS = 48
 #: A curve is no farther from the chord between two samples than this: half a step, turned as far as a step may turn.
 BESIDE_CHORD = 0.025
 #: An arc is at most this much longer than its chord, which bounds how near to a posture it can come.
 ARC = 1.05
-#: Parts into which a stretch of the curve is cut that may hold the nearest point, how often, and the precision (rad).
-PARTS, ROUNDS, PRECISE = 4, 12, 1e-4
+#: Parts into which a stretch of the curve is cut that may hold the nearest point, and how often.
+PARTS, ROUNDS = 4, 12
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -45,7 +41,7 @@ class BoundedMotion(TracedMotion):
 
     def points(self, u: Array) -> Array:
         """Return the points (k, n) at parameters (k,), the task's virtual joints behind."""
-        return newton(self.chain, self.between(u), self.T, steps=6, cutoff=1e-7)
+        return newton(self.chain, self.between(u), self.T, steps=6, cutoff=CURVE_RANK)
 
     def _within(self, points: Array) -> Bools:
         return self.chain.joints.inside_limits(points, self.limits)[1]
@@ -145,7 +141,7 @@ class BoundedMotion(TracedMotion):
                 least, best = float(away.min()), points[int(np.argmin(away))]
             a, b = away[which[: len(low)]], away[which[len(low) :]]
             span = (high - low) * length
-            open_ = ((a + b - span) / 2 < least - 1e-12) & (span > PRECISE)
+            open_ = ((a + b - span) / 2 < least - ROUNDING) & (span > BOUNDED_PRECISE)
             if not open_.any():
                 break
             cuts = np.linspace(low[open_], high[open_], PARTS + 1)
@@ -190,7 +186,7 @@ def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
     near = np.flatnonzero(motion.distances(ends) < NEAR_POLYLINE)
     placed: list[tuple[float, Array]] = []
     for q in ends[near]:
-        if not motion.contains(q, ON_CURVE):
+        if not motion.contains(q, BOUNDED_ON_CURVE):
             continue
         gap = joints.difference(q, samples[:-1])
         along = np.diff(motion.samples / joints.unit, axis=0)
@@ -217,7 +213,7 @@ def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
 def _turned(motion: SelfMotion, samples: Array, marks: Indices) -> tuple[Array, Indices]:
     """Let a closed curve begin at a point on a limit after which it runs outside, so that no interval is cut there."""
     ahead = samples[marks] + (samples[np.minimum(marks + 1, len(samples) - 1)] - samples[marks]) / 2
-    ahead = newton(motion.chain, ahead, motion.T, steps=6, cutoff=1e-7)
+    ahead = newton(motion.chain, ahead, motion.T, steps=6, cutoff=CURVE_RANK)
     leaving = marks[~motion.chain.joints.inside_limits(ahead, motion.limits)[1]]
     first = int(leaving[0]) if len(leaving) else int(marks[0])
     shift = samples[-1] - samples[0]

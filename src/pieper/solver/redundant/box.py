@@ -9,24 +9,27 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.solver.plan.six_joints import RANK, sample_joints
-from pieper.tolerances import CLOSES, LIMIT_SLACK
+from pieper.tolerances import (
+    BOX_DAMPING,
+    BOX_LEAST_DAMPING,
+    BOX_NEARER,
+    BOX_ON_POSE,
+    BOX_REGULAR,
+    BOX_ROOM,
+    BOX_SETTLED,
+    CLOSES,
+    LIMIT_SLACK,
+    TINY,
+)
 
 #: How often a posture is tried, and the longest step (rad; per length).
 STEPS, LONGEST = 60, 0.5
 #: A step is made again at most so often, each time without the joints that it would carry through a limit.
 MADE_AGAIN = 3
-#: Damping at first, its factors where a step helped and where not, and where a row rests.
-DAMPING = (1e-4, 0.1, 10.0, 1e4)
-#: Least damping: directions that the joints hardly move (1e-7 of the others) carry no step.
-LEAST_DAMPING = 1e-14
-#: What is missed (per length; rad) below which a row goes on no longer.
-ON_POSE = 1e-12
 #: A row rests after so many steps in turn that left more than this of the square that is missed: it is at a minimum.
 IDLE, LEFT = 5, 0.9
-#: Parts of the box's width that are kept free on either side, the widest first, in looking for a point well inside.
-ROOM = (0.1, 0.01, 1e-4)
-#: Steps of the way to the nearest point, and the step (rad; per length) at which it is reached.
-NEARING, SETTLED = 60, 1e-10
+#: Steps of the way to the nearest point.
+NEARING = 60
 
 
 def spread(chain: Chain, limits: Array, count: int, seed: int = 5) -> Array:
@@ -62,8 +65,8 @@ def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tupl
         steps=STEPS,
         again=MADE_AGAIN,
         longest=LONGEST,
-        damping=(*DAMPING, LEAST_DAMPING, LEAST_DAMPING),
-        done=ON_POSE,
+        damping=(*BOX_DAMPING, BOX_LEAST_DAMPING, BOX_LEAST_DAMPING),
+        done=BOX_ON_POSE,
         idle=IDLE,
         left=LEFT,
     )
@@ -77,7 +80,7 @@ def well_inside(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
     """
     low, high = _finite(chain, limits)
     out, left = np.array(q), np.arange(len(q))
-    for part in ROOM:
+    for part in BOX_ROOM:
         margin = part * np.minimum(high - low, np.where(chain.prismatic, chain.length, np.pi))
         inner = low + margin, high - margin
         moved, away = descended(chain, np.clip(q[left], *inner), T[left], *inner)
@@ -129,14 +132,14 @@ def closest(chain: Chain, q: Array, T: Array, limits: Array, now: Array, weights
         at = q[going]
         step = _towards(scaled_jacobian(chain, at), (now - at) / unit, weights, at <= low, at >= high)
         size = np.linalg.norm(step, axis=1)
-        step *= np.minimum(1.0, longest[going] / np.maximum(size, 1e-300))[:, None]
+        step *= np.minimum(1.0, longest[going] / np.maximum(size, TINY))[:, None]
         start = np.clip(at + step * unit, low, high)
         moved, off = descended(chain, start, np.broadcast_to(T, (len(at), 4, 4)), low, high)
         new = away(moved)
-        better = (off <= CLOSES) & (new < least[going] - 1e-14)
+        better = (off <= CLOSES) & (new < least[going] - BOX_NEARER)
         q[going[better]], least[going[better]] = moved[better], new[better]
         longest[going] = np.where(better, 2 * longest[going], np.minimum(size, longest[going]) / 4)
-        going = going[(longest[going] > SETTLED) & (size > SETTLED)]
+        going = going[(longest[going] > BOX_SETTLED) & (size > BOX_SETTLED)]
         if not len(going):
             break
     return q[int(np.argmin(least))]
@@ -150,7 +153,7 @@ def _towards(J: Array, gap: Array, weights: Array, low: Bools, high: Bools) -> A
         _, s, Vt = np.linalg.svd(J * free[:, None])
         rank = np.concatenate([s, np.zeros((len(s), gap.shape[1] - s.shape[1]))], 1) > RANK * s[:, :1]
         N = np.where(rank[..., None], 0.0, Vt) * free[:, None]  # rows that span what is free, held joints taken out
-        A = np.einsum("kin,n,kjn->kij", N, weights, N) + 1e-12 * np.eye(gap.shape[1])
+        A = np.einsum("kin,n,kjn->kij", N, weights, N) + BOX_REGULAR * weights.max() * np.eye(gap.shape[1])
         b = np.einsum("kin,n,kn->ki", N, weights, gap)
         shares = np.asarray(np.linalg.solve(A, b[..., None])[..., 0], np.float64)
         step = np.einsum("kin,ki->kn", N, shares)

@@ -13,7 +13,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
 from pieper.solver.singular.loop import FourBar
 from pieper.solver.singular.self_motion import FREE, SelfMotion
-from pieper.tolerances import LINKAGE_TOGETHER, TINY
+from pieper.tolerances import COURSE_STEP, LINKAGE_TOGETHER, ON_COURSE, ON_COURSE_TURN, ROUNDING, TINY
 
 #: Samples once round: at most 0.12 rad or so of every joint.
 SAMPLES = 241
@@ -120,7 +120,7 @@ class LinkageMotion(SelfMotion):
             return np.where(first, u / 2, u / 2 + 0.5), np.ones(len(u), bool)
         off = short_way(angle - self._middle)
         u = np.arccos(np.clip(-off / self._half, -1.0, 1.0)) / TURN
-        return np.where(above, u, 1.0 - u) % 1.0, np.abs(off) <= self._half * (1 + 1e-9) + 1e-12
+        return np.where(above, u, 1.0 - u) % 1.0, np.abs(off) <= self._half * (1 + ON_COURSE) + ON_COURSE_TURN
 
     @cached_property
     def samples(self) -> Array:
@@ -208,7 +208,7 @@ class LinkageMotion(SelfMotion):
             away = wound(u)[1]
             for k in np.argsort(away)[:3]:
                 a, b = u[max(k - 1, 0)], u[min(k + 1, len(u) - 1)]
-                while b - a > 1e-12:
+                while b - a > ROUNDING:
                     some = np.linspace(a, b, 9)
                     m = int(np.argmin(wound(some)[1]))
                     a, b = some[max(m - 1, 0)], some[min(m + 1, 8)]
@@ -224,6 +224,6 @@ class LinkageMotion(SelfMotion):
         turned = self.chain.joints.way(here, self.through)[self.linkage.joints][None]
         u = float(self.places(turned)[0][0])
         # a step at which neither the cube of it nor rounding over it counts
-        before, after = self.points(np.array([u - 1e-5, u + 1e-5]))
+        before, after = self.points(np.array([u - COURSE_STEP, u + COURSE_STEP]))
         way = self.chain.joints.way(after, before) / self.chain.joints.unit
         return way[: self.shown] / max(float(np.linalg.norm(way)), TINY)

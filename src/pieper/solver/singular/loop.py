@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.tolerances import DEAD_CENTRE
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +82,7 @@ class FourBar:
         """
         mine, other = self.sides(lead)
         value = mine.at(angle)
-        reached = np.abs(value - other.middle) <= other.size * (1 + 1e-14)
+        reached = np.abs(value - other.middle) <= other.size * (1 + DEAD_CENTRE)
         return self.closed(lead, angle, other.phase + side * other.from_phase(value)), reached
 
     def closed(self, lead: int, angle: Array, across: Array) -> Array:

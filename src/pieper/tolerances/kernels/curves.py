@@ -12,5 +12,3 @@ FOLLOW_HOME = 1e-9
 FOLLOW_ALIKE = 1e-7
 #: What is left of the way along a curve, below which the way itself is kept.
 FOLLOW_LOST = 1e-6
-#: A sine above this is not zero: an angle may be divided by it.
-SINE_LEAST = 1e-150

@@ -12,3 +12,5 @@ LEAST_NUMBER = 4.9e-324
 ENDLESS = 1e300
 #: A score or distance from here on was `ENDLESS`.
 NEARLY_ENDLESS = 1e299
+#: A sine above this is not zero: an angle may be divided by it.
+SINE_LEAST = 1e-150

@@ -42,6 +42,8 @@ ORTHOGONAL = 1e-15
 ON_SELF_MOTION = 1e-9
 #: Relative singular values below which kernels may give one point for two solutions beside a self-motion.
 ROOTS_APART = 2e-13
+#: The same below which both roots beside a line are found anew, which costs little.
+LINE_ROOTS_APART = 1e-11
 #: Solutions beside a self-motion are known to rounding over the singular value: nearer than this they are one (rad).
 SAME_ALONG = 0.03
 #: What such solutions may miss the pose by (per length; rad).
@@ -60,3 +62,33 @@ MERGED_BLUR = 5e-3
 MERGED_TWINS = 2e-6
 #: Step for the derivatives of what is missed along the null direction (rad; per length).
 MERGED_STEP = 2e-2
+#: Squared sine between neighbouring axes above which they are clearly not parallel: their point is where they meet.
+CLEARLY_CROSSING = 1e-6
+#: A joint of a four-bar linkage reaches a dead centre that its range misses by this part.
+DEAD_CENTRE = 1e-14
+#: Pivots below this (squared lengths) leave their direction free.
+LINKAGE_PIVOT = 1e-9
+#: Step (rad; lengths) of the difference quotient by which axes are brought into place,
+INTO_PLACE_STEP = 1e-7
+#: and relative singular value below which a direction is not corrected in there.
+INTO_PLACE_RANK = 1e-14
+#: Rows that differ by rounding alone are told apart in their order no finer than this (rad; lengths).
+ROW_ORDER_GRID = 1e-6
+#: Square of the second null direction's part below which one direction is free: a hundred times what is looked at.
+SECOND_FREE = 1e-8
+#: Stands for the distance of two roots of a polynomial that coincide, so that they part.
+ROOTS_COINCIDE = 1e-30
+#: Roots of a polynomial are found when none moves by more; coefficients below it are none.
+ROOTS_FOUND = 1e-15
+#: Angles this near to minus half a turn (rad) are half a turn.
+EDGE_OF_TURN = 1e-9
+#: A row is nearer to a posture than another by more than this (rad; lengths): ties go to the first.
+NEARER_ROW = 1e-9
+#: An angle lies on a course whose half it exceeds by no more than this part,
+ON_COURSE = 1e-9
+#: or by this (rad).
+ON_COURSE_TURN = 1e-12
+#: What is left of a direction below this part of the strongest is rounding: any other may take its place,
+ACROSS_ROUNDING = 1e-9
+#: the one of which more is left by this.
+ACROSS_MORE = 1e-6

@@ -52,10 +52,10 @@ export function bar(root) {
   const steps = h('span', { class: 'group', role: 'group', 'aria-label': 'History' }, back, forth);
   root.append(
     h(
-      'span',
+      'h1',
       { class: 'mark' },
       h('img', { src: 'icon.svg', alt: '', width: '22', height: '22' }),
-      h('b', { text: 'pieper' }),
+      h('span', { text: 'pieper' }),
     ),
     arms,
     h('button', {

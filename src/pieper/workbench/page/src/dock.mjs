@@ -8,7 +8,7 @@ import { kinds, series, csv, svg } from './curves.mjs';
 import { fixed } from './units.mjs';
 import { showMotionRoom } from './scene/arm.mjs';
 import { keepInView, withPicture } from './scene/view.mjs';
-import { film } from './film.mjs';
+import { film, drawn } from './film.mjs';
 
 let motion = null,
   plot = null,
@@ -74,6 +74,8 @@ export function build(root) {
           ['CSV', () => download('motion.csv', csv(motion), 'text/csv')],
           ['PNG', png],
           ['Film', shoot],
+          ['GIF', () => draw3('gif')],
+          ['MP4', () => draw3('mp4')],
           ['SVG', () => download(`${kind}.svg`, svg(motion, kind, colours.curves), 'image/svg+xml')],
         ].map(([t, f]) =>
           h('button', {
@@ -299,6 +301,19 @@ function point() {
     const x = plot.valToPos(el.x ?? motion.xs[index], 'x');
     el.style.setProperty('left', `${x}px`);
     el.classList.toggle('leftward', x > width * 0.7);
+  }
+}
+
+/** Have the library draw it, from where the picture is looked at. */
+async function draw3(kind) {
+  say(`Drawing the ${kind.toUpperCase()} …`);
+  try {
+    const made = await drawn(motion, kind, speed, (done, of) =>
+      say(`Drawing the ${kind.toUpperCase()}: ${done} of ${of} pictures`),
+    );
+    if (made) download(made.name, made.blob);
+  } catch (error) {
+    say(error.message, 'wrong');
   }
 }
 

@@ -1,4 +1,30 @@
-// A motion filmed as it plays: the pictures of the canvas, recorded by the browser as WebM.
+// A motion as a film: the pictures of the canvas, recorded by the browser as WebM; or drawn by the library as GIF or MP4.
+import { askArm } from './library.mjs';
+import { cameraState } from './scene/view.mjs';
+
+/** Samples that are sent, at most. */
+const MOST = 1500;
+const TYPES = { gif: 'image/gif', webp: 'image/webp', mp4: 'video/mp4' };
+/** Have the library draw a motion; {name, blob}, or null where it was stopped. */
+export async function drawn(motion, kind, speed, progress) {
+  const every = Math.max(1, Math.ceil(motion.q.length / MOST)),
+    rows = motion.q.map((_, i) => i).filter((i) => i % every === 0 || i === motion.q.length - 1);
+  const [x, y, z, tx, ty, tz] = cameraState(),
+    [dx, dy, dz] = [x - tx, y - ty, z - tz];
+  const view = [Math.atan2(dz, Math.hypot(dx, dy)), Math.atan2(dy, dx)].map((v) => (v * 180) / Math.PI);
+  const short = (v) => Number(v.toPrecision(8));
+  const body = {
+    kind,
+    speed,
+    view,
+    q: rows.map((i) => motion.q[i].map(short)),
+    t: rows.map((i) => short(motion.seconds[i])),
+  };
+  const got = await askArm('film', body, ({ done, of }) => progress(done, of));
+  if (got.stopped) return null;
+  const bytes = Uint8Array.from(atob(got.data), (c) => c.charCodeAt(0));
+  return { name: got.name, blob: new Blob([bytes], { type: TYPES[kind] }) };
+}
 
 /** Record a canvas while `run` goes on (a promise), and return the film; throws where the browser records nothing. */
 export async function film(canvas, run) {

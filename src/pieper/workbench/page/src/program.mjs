@@ -1,5 +1,6 @@
 // The program of the page: its steps, its limits, and how they are said to the library.
 import { state, tell } from './store.mjs';
+import { identity, invert, mul } from './matrix.mjs';
 
 const DEG = Math.PI / 180;
 /** What a motion keeps before anybody says otherwise: SI, turning and sliding joints apart. */
@@ -13,7 +14,38 @@ export const usualLimits = () => ({
   tool_speed: 0.5,
 });
 
-export const moving = (step) => ['joint', 'line', 'circle'].includes(step.kind);
+export const moving = (step) => ['joint', 'line', 'circle', 'spline'].includes(step.kind);
+
+/** The work frame in which the poses of step k are meant: the last one said before it. */
+export const frameBefore = (k) =>
+  state.program.slice(0, Math.max(k, 0)).findLast((s) => s.kind === 'frame')?.T ?? identity();
+/** Where the tool is now, as a step at place k says it. */
+export const taughtAt = (k) => mul(invert(frameBefore(k)), state.frames.at(-1));
+
+/**
+ * Steps in another order: `to[i]` is where step i goes, or -1 where it is taken out. What calls earlier steps again calls
+ * the same ones; a call that nothing is left of goes too.
+ */
+export function renumbered(steps, to) {
+  const at = (k, way) => {
+    // the end of a called range that was taken out is the nearest one that is left
+    while (k >= 1 && k <= to.length && to[k - 1] < 0) k += way;
+    return k >= 1 && k <= to.length ? to[k - 1] + 1 : null;
+  };
+  const out = [];
+  steps.forEach((s, i) => {
+    if (to[i] < 0) return;
+    if (s.kind !== 'call') {
+      out[to[i]] = s;
+      return;
+    }
+    const ends = [at(s.first, 1), at(s.last, -1)].filter((k) => k !== null);
+    const first = Math.min(...ends),
+      last = Math.min(Math.max(...ends), to[i]);
+    if (ends.length === 2 && first <= last) out[to[i]] = { ...s, first, last };
+  });
+  return out.filter(Boolean);
+}
 
 /** Take other steps; a step of the history by its label. */
 export function setProgram(steps, label, { key, open } = {}) {

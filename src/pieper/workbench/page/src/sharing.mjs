@@ -115,7 +115,17 @@ function tableFrom(t) {
   };
 }
 
-const STEPS = { joint: 0, line: 0, circle: 0, wait: 'seconds', gripper: 'value', output: 'port' };
+const STEPS = {
+  joint: 0,
+  line: 0,
+  circle: 0,
+  spline: 0,
+  frame: 0,
+  call: 0,
+  wait: 'seconds',
+  gripper: 'value',
+  output: 'port',
+};
 function stepFrom(x, n) {
   if (!x || !Object.hasOwn(STEPS, x.kind)) return null;
   const key = STEPS[x.kind];
@@ -123,15 +133,25 @@ function stepFrom(x, n) {
     return isNumber(x[key])
       ? { kind: x.kind, [key]: x[key], ...(x.kind === 'output' ? { value: Boolean(x.value) } : {}) }
       : null;
+  if (x.kind === 'call')
+    return [x.first, x.last, x.times].every((v) => Number.isInteger(v) && v >= 1 && v <= 200)
+      ? { kind: 'call', first: x.first, last: x.last, times: Math.min(x.times, 50) }
+      : null;
+  if (x.kind === 'frame') return pose(x.T) ? { kind: 'frame', T: pose(x.T) } : null;
   const q = x.kind === 'joint' && numbers(x.q, n) ? x.q.slice() : null,
     T = pose(x.T);
-  if (!T || (x.kind === 'circle' && !pose(x.via))) return null;
+  const centre = x.kind === 'circle' && numbers(x.centre, 3) ? x.centre.slice() : null;
+  if (!T || (x.kind === 'circle' && !centre && !pose(x.via))) return null;
+  const through = x.kind === 'spline' && Array.isArray(x.through) ? x.through.slice(0, 100).map(pose) : null;
+  if (x.kind === 'spline' && (!through?.length || through.includes(null))) return null;
   const some = (key, v) => (v === null ? {} : { [key]: v });
   return {
     kind: x.kind,
     ...some('q', q),
     T,
     ...some('via', pose(x.via)),
+    ...some('through', through),
+    ...(centre ? { centre, long_way: Boolean(x.long_way) } : {}),
     ...some('speed', isNumber(x.speed) && x.speed > 0 ? x.speed : null),
     blend: isNumber(x.blend) && x.blend >= 0 ? x.blend : 0,
   };

@@ -7,7 +7,7 @@ const CREASE = Math.cos((38 * Math.PI) / 180);
  * along the diagonal that are tried for them, fine to coarse.
  */
 const SOME = 16000,
-  FEW = 3500,
+  FEW = 1600,
   CELLS = [200, 140, 100, 72, 56, 40, 28, 20, 14];
 
 /** Number equal rows of integers: `key(i, out)` writes three 32-bit integers. Returns the number of each row. */
@@ -42,7 +42,7 @@ function numbered(count, key) {
   return { of, n };
 }
 
-/** @param at nine numbers a triangle. @returns {at, normal, index} of the mesh, and of its coarse copies `some` and `few` */
+/** @param at nine numbers a triangle. @returns {at, normal, index} of the mesh, and of its coarse copies `some` and `few`; whether it is closed */
 export function weld(at) {
   const bits = new Int32Array(at.buffer, at.byteOffset, at.length);
   const same = numbered(at.length / 3, (i, k) => {
@@ -51,9 +51,43 @@ export function weld(at) {
   });
   const points = new Float32Array(3 * same.n);
   for (let i = 0; i < same.of.length; i++) points.set(at.subarray(3 * i, 3 * i + 3), 3 * same.of[i]);
+  const closed = turnedOut(points, same.of);
   const fine = shaded(points, same.of);
   const some = coarse(points, same.of, SOME) ?? fine;
-  return { ...fine, some, few: coarse(points, same.of, FEW) ?? some };
+  return { ...fine, closed, some, few: coarse(points, same.of, FEW) ?? some };
+}
+
+/** Turn the faces of a closed surface outwards; returns whether it is one: then its far side need not be drawn. */
+function turnedOut(points, corner) {
+  const sum = [0, 0, 0];
+  let area = 0,
+    volume = 0;
+  for (let f = 0; f < corner.length; f += 3) {
+    const a = 3 * corner[f],
+      b = 3 * corner[f + 1],
+      c = 3 * corner[f + 2];
+    const ax = points[a],
+      ay = points[a + 1],
+      az = points[a + 2],
+      bx = points[b] - ax,
+      by = points[b + 1] - ay,
+      bz = points[b + 2] - az,
+      cx = points[c] - ax,
+      cy = points[c + 1] - ay,
+      cz = points[c + 2] - az;
+    const x = by * cz - bz * cy,
+      y = bz * cx - bx * cz,
+      z = bx * cy - by * cx;
+    sum[0] += x;
+    sum[1] += y;
+    sum[2] += z;
+    area += Math.hypot(x, y, z);
+    volume += ax * x + ay * y + az * z;
+  }
+  // the areas of a closed surface, as vectors, add up to nothing
+  if (Math.hypot(...sum) > 1e-4 * area || volume === 0) return false;
+  if (volume < 0) for (let f = 0; f < corner.length; f += 3) [corner[f], corner[f + 1]] = [corner[f + 1], corner[f]];
+  return true;
 }
 
 /** Faces of shared points become a mesh with normals that follow smooth places and stop at creases. */

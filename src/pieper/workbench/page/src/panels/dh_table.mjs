@@ -271,9 +271,9 @@ export const dhTable = {
           'tr',
           {},
           h('th', { scope: 'col', text: 'i' }),
-          h('th', { scope: 'col', 'aria-label': 'type' }),
+          h('th', { scope: 'col' }, h('span', { class: 'offscreen', text: 'type' })),
           heads,
-          h('th', { 'aria-label': 'row tools' }),
+          h('td'),
         ),
       );
       replace(

@@ -1,15 +1,15 @@
 // Program: moves, waits, gripper and outputs in order; taught or typed, run with its true times, written for a controller.
 import { h, replace, setText, select, download, say, unreadable } from '../dom.mjs';
 import { state, on } from '../store.mjs';
-import { units, showUnit, show } from '../units.mjs';
+import { showUnit, show } from '../units.mjs';
 import { askArm } from '../library.mjs';
 import { moveTo } from '../animate.mjs';
 import { motionOf } from '../curves.mjs';
-import { position } from '../matrix.mjs';
-import { setProgram, setStart, start, programMessage } from '../program.mjs';
+import { setProgram, setStart, start, programMessage, taughtAt, renumbered } from '../program.mjs';
 import { stepEditor } from './program_step.mjs';
 import { limitFields } from './program_limits.mjs';
 import { kindOf } from './joints.mjs';
+import { words, summary } from './program_words.mjs';
 import * as dock from '../dock.mjs';
 
 const MOST = 200;
@@ -23,15 +23,8 @@ const DIALECTS = [
   ['ros', 'ROS trajectory'],
   ['csv', 'CSV of the motion'],
 ];
-const words = {
-  joint: 'Joints to',
-  line: 'Line to',
-  circle: 'Circle to',
-  wait: 'Wait',
-  gripper: 'Gripper',
-  output: 'Output',
-};
-const tool = () => state.frames.at(-1).slice();
+const here = () => taughtAt(place());
+let place = () => state.program.length;
 
 export const program = {
   id: 'program',
@@ -67,26 +60,52 @@ export const program = {
         addButton('joint', '+ Joints', 'All joints to the present posture', () => ({
           kind: 'joint',
           q: state.q.slice(),
-          T: tool(),
+          T: here(),
           blend: 0,
         })),
         addButton('line', '+ Line', 'The tool on a straight line to the present pose', () => ({
           kind: 'line',
-          T: tool(),
+          T: here(),
           blend: 0,
         })),
         addButton('circle', '+ Circle', 'Over a point on the way to the present pose; both can be typed', () => ({
           kind: 'circle',
           via: lastPose(),
-          T: tool(),
+          T: here(),
           blend: 0,
         })),
+        addButton(
+          'spline',
+          '+ Spline',
+          'A smooth curve through taught poses, the first of them the present one',
+          () => ({
+            kind: 'spline',
+            through: [here()],
+            T: here(),
+            blend: 0,
+          }),
+        ),
         addButton('gripper', '+ Gripper', 'From 0, open, to 1, closed', () => ({
           kind: 'gripper',
           value: lastGrip() > 0.5 ? 0 : 1,
         })),
         addButton('wait', '+ Wait', 'The arm rests', () => ({ kind: 'wait', seconds: 0.5 })),
         addButton('output', '+ Output', 'A digital output', () => ({ kind: 'output', port: 1, value: true })),
+        addButton(
+          'frame',
+          '+ Frame',
+          'The poses that follow are meant in this frame, at first the present pose',
+          () => ({
+            kind: 'frame',
+            T: state.frames.at(-1).slice(),
+          }),
+        ),
+        addButton('call', '+ Again', 'Earlier steps once more, in the frame that holds here', () => ({
+          kind: 'call',
+          first: 1,
+          last: Math.max(place(), 1),
+          times: 1,
+        })),
       ),
       h(
         'div',
@@ -136,7 +155,8 @@ export const program = {
       binds,
     );
 
-    const lastPose = () => state.program.findLast((s) => s.T)?.T ?? tool();
+    place = () => (chosen >= 0 ? chosen + 1 : state.program.length);
+    const lastPose = () => state.program.slice(0, place()).findLast((s) => s.T && s.kind !== 'frame')?.T ?? here();
     const lastGrip = () => state.program.findLast((s) => s.kind === 'gripper')?.value ?? 0;
     function add(step) {
       if (state.program.length >= MOST) {
@@ -145,16 +165,25 @@ export const program = {
       }
       const at = chosen >= 0 ? chosen + 1 : state.program.length;
       chosen = at;
-      setProgram(
-        [...state.program.slice(0, at), step, ...state.program.slice(at)],
-        `add a step: ${words[step.kind].toLowerCase()}`,
+      const moved = renumbered(
+        state.program,
+        state.program.map((_, i) => (i < at ? i : i + 1)),
       );
+      if (step.kind === 'call' && !at) {
+        say('There is no step before it that could be done again.', 'wrong');
+        chosen = -1;
+        return;
+      }
+      setProgram([...moved.slice(0, at), step, ...moved.slice(at)], `add a step: ${words[step.kind].toLowerCase()}`);
     }
     function move(from, to) {
       if (to < 0 || to >= state.program.length || from === to) return;
-      const steps = state.program.slice(),
-        [one] = steps.splice(from, 1);
-      steps.splice(to, 0, one);
+      const order = state.program.map((_, i) => i);
+      order.splice(to, 0, ...order.splice(from, 1));
+      const steps = renumbered(
+        state.program,
+        state.program.map((_, i) => order.indexOf(i)),
+      );
       chosen = to;
       setProgram(steps, `move step ${from + 1} to ${to + 1}`);
       list.children[to]?.querySelector('.step-name')?.focus();
@@ -162,21 +191,14 @@ export const program = {
     function remove(k) {
       chosen = -1;
       setProgram(
-        state.program.filter((_, i) => i !== k),
+        renumbered(
+          state.program,
+          state.program.map((_, i) => (i === k ? -1 : i < k ? i : i - 1)),
+        ),
         `remove step ${k + 1}`,
       );
     }
 
-    function summary(s) {
-      if (s.kind === 'wait') return `${s.seconds} s`;
-      if (s.kind === 'gripper') return s.value === 0 ? 'open' : s.value === 1 ? 'closed' : `${s.value}`;
-      if (s.kind === 'output') return `${s.port} ${s.value ? 'on' : 'off'}`;
-      if (s.kind === 'joint' && s.q)
-        return s.q.map((v, i) => show(v, kindOf(state.table.joints[i] ?? { type: 'R' }), 1)).join(', ');
-      return `${position(s.T)
-        .map((v) => show(v, 'length', 1))
-        .join(', ')} ${units.length}`;
-    }
     function row(s, k) {
       const open = k === chosen;
       const name = h(

@@ -1,13 +1,12 @@
 // One step of a program, opened: what it is, where to, how fast, how its corner is cut.
-import { h, select } from '../dom.mjs';
+import { h, select, choice } from '../dom.mjs';
+import { identity, position } from '../matrix.mjs';
 import { state } from '../store.mjs';
 import { units } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
 import { moveTo } from '../animate.mjs';
-import { changeStep } from '../program.mjs';
+import { changeStep, taughtAt } from '../program.mjs';
 import { poseEditor } from './pose_editor.mjs';
-
-const tool = () => state.frames.at(-1).slice();
 
 /** @param quietly runs what changes a step while its own editor stays as it is */
 export function stepEditor(quietly) {
@@ -30,6 +29,91 @@ export function stepEditor(quietly) {
       f,
     );
   }
+  /** What changes where a step's target does: the last pose of a spline is its target. */
+  const at = (k, T) => {
+    const s = state.program[k];
+    return s.kind === 'spline' ? { T, through: [...s.through.slice(0, -1), T] } : { T };
+  };
+  const isWhole = (v, lo, hi) => Number.isInteger(v) && v >= lo && v <= hi;
+  const typed = (k) => (key, title) =>
+    poseEditor(
+      title,
+      `step-${k + 1}-${key}`,
+      () => state.program[k]?.[key],
+      (T) => {
+        const posture = state.program[k].kind === 'frame' ? {} : { q: null };
+        quietly(() => changed(k, key === 'T' ? { ...at(k, T), ...posture } : { [key]: T }, key));
+      },
+    ).el;
+  /** A circle over a pose, or about a centre the shorter or the longer way. */
+  function circleBy(s, k) {
+    const by = choice(
+      'A circle by',
+      [
+        ['via', 'a pose on it'],
+        ['centre', 'its centre'],
+      ],
+      s.centre ? 'centre' : 'via',
+      (v) =>
+        changeStep(
+          k,
+          v === 'centre' ? { centre: position(s.via ?? s.T), long_way: false } : { centre: null, via: s.via ?? s.T },
+          label(k),
+        ),
+      `step-${k + 1}-by`,
+    );
+    if (!s.centre) return h('div', {}, h('div', { class: 'line' }, by), typed(k)('via', 'Over'));
+    const centre = ['X', 'Y', 'Z'].map((name, i) => {
+      const f = numberField({
+        label: `Step ${k + 1}, centre ${name}`,
+        kind: 'length',
+        testid: `step-${k + 1}-centre-${i}`,
+        input: (v) => {
+          const c = state.program[k].centre.slice();
+          c[i] = v;
+          quietly(() => changed(k, { centre: c }, 'centre'));
+        },
+      });
+      f.put(s.centre[i]);
+      return h('label', { class: 'field' }, h('span', { class: 'field-name', text: name }), f);
+    });
+    const far = h('input', {
+      type: 'checkbox',
+      checked: Boolean(s.long_way),
+      'data-testid': `step-${k + 1}-far`,
+      on: { change: () => changed(k, { long_way: far.checked }, 'far') },
+    });
+    return h(
+      'div',
+      {},
+      h('div', { class: 'line' }, by),
+      h('div', { class: 'line' }, ...centre, h('span', { class: 'unit', text: units.length })),
+      h('label', { class: 'check' }, far, 'the longer way round'),
+    );
+  }
+  /** The poses that a spline goes through before its target. */
+  function throughPoses(s, k) {
+    const change = (through) => changeStep(k, { through, T: through.at(-1) }, label(k));
+    return h(
+      'div',
+      { class: 'line' },
+      h('span', { class: 'field-name', text: `Goes through ${s.through.length} poses, the last one its target` }),
+      h('button', {
+        type: 'button',
+        class: 'quiet',
+        text: 'Add the present pose',
+        'data-testid': `step-${k + 1}-through`,
+        on: { click: () => change([...s.through, taughtAt(k)]) },
+      }),
+      h('button', {
+        type: 'button',
+        class: 'quiet',
+        text: 'Take the last one out',
+        disabled: s.through.length < 2,
+        on: { click: () => change(s.through.slice(0, -1)) },
+      }),
+    );
+  }
   function editor(s, k) {
     if (s.kind === 'wait')
       return h(
@@ -42,6 +126,38 @@ export function stepEditor(quietly) {
         'div',
         { class: 'line step-editor' },
         numberOf(k, 'value', 'value', { check: (v) => (v >= 0 && v <= 1 ? null : 'from 0, open, to 1, closed') }),
+      );
+    if (s.kind === 'call')
+      return h(
+        'div',
+        { class: 'line step-editor' },
+        numberOf(k, 'first', 'from step', { check: (v) => (isWhole(v, 1, k) ? null : `from 1 to ${k}`) }),
+        numberOf(k, 'last', 'to step', { check: (v) => (isWhole(v, s.first, k) ? null : `from ${s.first} to ${k}`) }),
+        numberOf(k, 'times', 'times', { check: (v) => (isWhole(v, 1, 50) ? null : 'a whole number from 1 to 50') }),
+      );
+    if (s.kind === 'frame')
+      return h(
+        'div',
+        { class: 'step-editor' },
+        typed(k)('T', 'The frame, in the base'),
+        h(
+          'div',
+          { class: 'line' },
+          h('button', {
+            type: 'button',
+            class: 'quiet',
+            text: 'Take the present pose',
+            'data-testid': `step-${k + 1}-teach`,
+            on: { click: () => changeStep(k, { T: state.frames.at(-1).slice() }, `teach step ${k + 1}`) },
+          }),
+          h('button', {
+            type: 'button',
+            class: 'quiet',
+            text: 'The base',
+            title: 'The poses that follow are meant in the base again',
+            on: { click: () => changeStep(k, { T: identity() }, `end the frame at step ${k + 1}`) },
+          }),
+        ),
       );
     if (s.kind === 'output')
       return h(
@@ -61,17 +177,6 @@ export function stepEditor(quietly) {
           'on',
         ),
       );
-    const typed = (key, title) => {
-      const e = poseEditor(
-        title,
-        `step-${k + 1}-${key}`,
-        () => state.program[k]?.[key],
-        (T) => {
-          quietly(() => changed(k, key === 'T' ? { T, q: null } : { [key]: T }, key));
-        },
-      );
-      return e.el;
-    };
     return h(
       'div',
       { class: 'step-editor' },
@@ -84,6 +189,7 @@ export function stepEditor(quietly) {
             ['joint', 'Joints'],
             ['line', 'Line'],
             ['circle', 'Circle'],
+            ['spline', 'Spline'],
           ],
           s.kind,
           (kind) =>
@@ -94,6 +200,7 @@ export function stepEditor(quietly) {
                 q: kind === 'joint' ? (s.q ?? null) : null,
                 speed: null,
                 ...(kind === 'circle' && !s.via ? { via: s.T } : {}),
+                ...(kind === 'spline' ? { through: s.through ?? [...(s.via ? [s.via] : []), s.T] } : {}),
               },
               'kind',
             ),
@@ -116,8 +223,9 @@ export function stepEditor(quietly) {
               check: (v) => (v === null || v > 0 ? null : 'more than 0'),
             }),
       ),
-      s.kind === 'circle' ? typed('via', 'Over') : null,
-      typed('T', s.q ? 'To (a taught posture; typing makes it a pose)' : 'To'),
+      s.kind === 'circle' ? circleBy(s, k) : null,
+      s.kind === 'spline' ? throughPoses(s, k) : null,
+      typed(k)('T', s.q ? 'To (a taught posture; typing makes it a pose)' : 'To'),
       h(
         'div',
         { class: 'line' },
@@ -128,7 +236,11 @@ export function stepEditor(quietly) {
           'data-testid': `step-${k + 1}-teach`,
           on: {
             click: () =>
-              changeStep(k, { T: tool(), q: s.kind === 'joint' ? state.q.slice() : null }, `teach step ${k + 1}`),
+              changeStep(
+                k,
+                { ...at(k, taughtAt(k)), q: s.kind === 'joint' ? state.q.slice() : null },
+                `teach step ${k + 1}`,
+              ),
           },
         }),
         s.q

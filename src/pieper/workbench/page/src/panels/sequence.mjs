@@ -108,7 +108,7 @@ export const sequence = {
         h(
           'tr',
           {},
-          h('th', { text: '' }),
+          h('td'),
           joints.map((j, i) =>
             h(
               'th',
@@ -120,7 +120,7 @@ export const sequence = {
           ),
           h('th', { text: 'leg, s' }),
           h('th', { text: 'rest, s' }),
-          h('th', { 'aria-label': 'row tools' }),
+          h('td'),
         ),
       );
       replace(

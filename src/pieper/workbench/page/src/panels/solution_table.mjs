@@ -34,7 +34,7 @@ export function solutionTable() {
       h(
         'tr',
         {},
-        h('th', { text: '' }),
+        h('td'),
         h('th', { class: 'left', text: 'posture' }),
         state.table.joints.map((j, i) =>
           h(

@@ -55,7 +55,13 @@ function build() {
         for (const { mesh, colour } of parts) {
           const fine = geometryOf(mesh),
             some = mesh.some === mesh ? fine : geometryOf(mesh.some);
-          add(s, [fine, some, mesh.few === mesh.some ? some : geometryOf(mesh.few)], s.colour ?? colour, s.size);
+          add(
+            s,
+            [fine, some, mesh.few === mesh.some ? some : geometryOf(mesh.few)],
+            s.colour ?? colour,
+            s.size,
+            mesh.closed,
+          );
         }
       })
       .catch((error) => say(`${s.name}: ${error.message}`, 'wrong'))
@@ -86,8 +92,8 @@ function geometryOf(m) {
 function packed(normal) {
   return new THREE.InterleavedBufferAttribute(new THREE.InterleavedBuffer(normal, 4), 3, 0, true);
 }
-function add(s, [fine, some = fine, few = some], colour, scale = null) {
-  const material = solid();
+function add(s, [fine, some = fine, few = some], colour, scale = null, closed = true) {
+  const material = solid(closed);
   const mesh = new THREE.Mesh(fine, material),
     shadow = new THREE.Mesh(few, shadowMaterial);
   const T = new THREE.Matrix4().set(...s.T);

@@ -76,8 +76,8 @@ export function matte({ opacity = 1, gloss = 0.16, veil = false } = {}) {
   return material;
 }
 
-/** A body's paint of one colour, wherever it stands: both sides of its faces, as the files of the world have them. */
-export function solid() {
+/** A body's paint of one colour, wherever it stands; both sides of the faces of what is not closed. */
+export function solid(closed) {
   const material = new THREE.ShaderMaterial({
     vertexShader: /* glsl */ `
       varying vec3 vNormal;
@@ -95,7 +95,7 @@ export function solid() {
       'vec3 n = normalize(vNormal),',
       'vec3 n = normalize(gl_FrontFacing ? vNormal : -vNormal),',
     ),
-    side: THREE.DoubleSide,
+    side: closed ? THREE.FrontSide : THREE.DoubleSide,
     uniforms: {
       colour: { value: new THREE.Color() },
       opacity: { value: 1 },

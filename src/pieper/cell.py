@@ -1,0 +1,141 @@
+"""A cell: an arm on a positioner, a rail that carries it or a turntable that turns what it works at, as one chain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pieper.arm import Arm
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.pose import PoseLike, inverse, rotation_about, transform
+from pieper.tolerances import TINY
+
+if TYPE_CHECKING:
+    from pieper.motion.route.result import Route
+    from pieper.solver.results import Solutions
+
+RAIL, TABLE = "rail", "table"
+
+
+class Cell:
+    """An arm and one external axis, which comes first in every joint vector (n + 1,).
+
+    With a rail the arm is carried along a direction, and poses are in the frame it stands in when the rail is at zero.
+    With a turntable the arm stands still, and poses are in a frame that turns with the table and is the arm's base
+    frame when the table is at zero: what is welded on the table is said once, as it lies on it.
+
+    Args:
+        arm: The arm, of joints that are not coupled.
+        rail: (3,) direction in which the rail carries the arm, base frame.
+        turntable: (point (3,), axis (3,)) of the table, base frame, m; it turns about the axis by the right hand.
+        limits: (lo, hi) of the external axis, m or rad; None for none.
+
+    Raises:
+        InputError: Both or none of rail and turntable, a direction of no length, limits that are none, coupled joints.
+    """
+
+    def __init__(
+        self,
+        arm: Arm,
+        *,
+        rail: ArrayLike | None = None,
+        turntable: tuple[ArrayLike, ArrayLike] | None = None,
+        limits: Sequence[float] | None = None,
+    ) -> None:
+        if not isinstance(arm, Arm):
+            raise InputError(f"a cell needs an arm, got {type(arm).__name__}.", given=repr(arm))
+        if (rail is None) == (turntable is None):
+            raise InputError("a cell has a rail or a turntable, one of them; say rail= or turntable=.")
+        if arm.chain.coupling is not None:
+            raise InputError(f"{arm.name} has coupled joints; a cell is made of joints that move by themselves.")
+        if turntable is not None:
+            try:
+                point, axis = turntable
+            except (TypeError, ValueError):
+                raise InputError(
+                    f"turntable must be (point, axis), got {turntable!r}.", given=repr(turntable)
+                ) from None
+            self._point, self._axis = _vector(point, "the turntable's point"), _unit(axis, "the turntable's axis")
+            # seen from what lies on the table the arm turns the other way
+            first = -self._axis
+        else:
+            self._point, self._axis = np.zeros(3), _unit(rail, "rail")
+            first = self._axis
+        self.arm = arm
+        self.kind = RAIL if turntable is None else TABLE
+        chain = arm.chain
+        names = (self.kind if self.kind not in arm.joint_names else f"external {self.kind}", *arm.joint_names)
+        both = [_limits(limits), *([None if not np.isfinite(v) else float(v) for v in pair] for pair in arm.limits)]
+        self.whole = Arm.from_axes(
+            np.vstack([first, chain.axes]),
+            np.vstack([self._point, chain.points]),
+            chain.home,
+            joint_types=("P" if self.kind == RAIL else "R") + "".join("P" if p else "R" for p in chain.prismatic),
+            limits=both,
+            name=f"{arm.name} with a {'rail' if self.kind == RAIL else 'turntable'}",
+            joint_names=names,
+        )
+
+    def __repr__(self) -> str:
+        return f"<Cell: {self.whole.name}, {self.n} joints>"
+
+    @property
+    def n(self) -> int:
+        """Number of joints, the external one first."""
+        return self.whole.n
+
+    def fk(self, q: ArrayLike) -> Array:
+        """Return the poses (..., 4, 4) of the tool at q (..., n): in the rail's frame, or in that of the table."""
+        return self.whole.fk(q)
+
+    def ik(self, T: PoseLike, **said: Any) -> Solutions:
+        """Return all joint vectors of a pose (4, 4); `said` is what `Arm.ik` takes."""
+        return self.whole.ik(T, **said)
+
+    def route(self, path: PoseLike, **said: Any) -> Route:
+        """Return the best route along poses (N, 4, 4), external axis and all; `said` is what `Arm.route` takes."""
+        return self.whole.route(path, **said)
+
+    def work(self, external: float) -> Array:
+        """Return the pose (4, 4) of what lies on the table, base frame, at a value of the external axis, rad."""
+        if self.kind == RAIL:
+            return np.eye(4)
+        R = np.asarray(rotation_about(self._axis, np.asarray(float(external))), np.float64)
+        return np.asarray(transform(R, self._point - R @ self._point), np.float64)
+
+    def on_table(self, T: PoseLike, external: float = 0.0) -> Array:
+        """Return poses (..., 4, 4) of the base frame as they are on the table at a value of the external axis, rad."""
+        return inverse(self.work(external)) @ np.asarray(T, np.float64)
+
+
+def _vector(value: ArrayLike, what: str) -> Array:
+    try:
+        v = np.asarray(value, np.float64)
+    except (TypeError, ValueError):
+        raise InputError(f"{what} must be three numbers, got {value!r}.", given=repr(value)) from None
+    if v.shape != (3,) or not np.isfinite(v).all():
+        raise InputError(f"{what} must be three finite numbers, got {value!r}.", given=repr(value))
+    return v
+
+
+def _unit(value: ArrayLike | None, what: str) -> Array:
+    v = _vector(() if value is None else value, what)
+    size = float(np.linalg.norm(v))
+    if size < TINY:
+        raise InputError(f"{what} must have a direction, got a vector of no length.", given=repr(value))
+    return v / size
+
+
+def _limits(limits: Sequence[float] | None) -> list[float | None] | None:
+    if limits is None:
+        return None
+    try:
+        low, high = (float(v) for v in limits)
+    except (TypeError, ValueError):
+        raise InputError(f"limits must be (lo, hi), m or rad, got {limits!r}.", given=repr(limits)) from None
+    if not low < high:
+        raise InputError(f"limits must have the lower end first, got ({low:g}, {high:g}).", given=(low, high))
+    return [low, high]

@@ -1,0 +1,98 @@
+"""One pose worked through a derivation with numbers put in, line by line, as a good book does it."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+
+import numpy as np
+
+from pieper.algebra.arithmetics import NumpyField
+from pieper.algebra.expression import Expr, Num, Sym
+from pieper.document.blocks import Document, Equation, Equations, Piece, listed
+from pieper.document.formulas import equals
+from pieper.document.readable import Readable
+from pieper.equations.derivation.closed_form import ClosedForm
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array
+
+DECIMALS = 5
+LONG = 70  # letters; a formula with longer numbers in it takes two lines
+
+
+class WorkedExample(Readable):
+    """A pose solved by the formulas of a derivation, each with its numbers.
+
+    Attributes:
+        form: The closed form.
+        T: (4, 4) the pose.
+        branch: Which combination of signs is followed.
+        q: (n,) the joint vector that comes out, rad or m.
+    """
+
+    def __init__(self, form: ClosedForm, T: Array, limits: Array) -> None:
+        found = form.evaluate(T)[:, 0]
+        real = np.isfinite(found).all(-1)
+        if not real.any():
+            raise InputError(
+                "the pose cannot be worked through: no choice of signs gives real joints; take one that the arm reaches"
+            )
+        inside = real & ((found >= limits[:, 0]) & (found <= limits[:, 1])).all(-1)
+        self.form, self.T = form, T
+        self.branch = int(np.argmax(inside if inside.any() else real))
+        self.q = found[self.branch]
+
+    @functools.cached_property
+    def values(self) -> dict[Any, float]:
+        """Every letter of the page at this pose and on this branch."""
+        every = self.form.values_on_branches(self.T[None])
+        return {
+            key: float(np.broadcast_to(value, (self.form.branches, 1))[self.branch, 0])
+            for key, value in every.items()
+            if np.size(value) in (1, self.form.branches)
+        }
+
+    @functools.cached_property
+    def page(self) -> Document:
+        """Every shorthand and every joint: its formula, the numbers in it, what comes out."""
+        form, page = self.form, Document("A worked example")
+        letters = [Sym(c, x, 4) for c in form.given for x in "xyz"]
+        page.say(
+            f"Numbers are shown to {DECIMALS} decimals and carried in full. Lengths are in metres; angles that come "
+            "out are in degrees, inside formulas in radians. The pose is"
+        )
+        page.add(Equations(tuple(Equation((x, self._number(self.values[x]))) for x in letters), beside=True))
+        if form.sigmas:
+            signs: list[Piece] = [equals(s, Num(int(self.values[s]))) for s in form.sigmas]
+            page.say("and of the solutions the one with ", *listed(signs), " is followed.")
+        for step in form.steps:
+            for symbol, expr in step.names:
+                self._line(page, symbol, expr)
+            self._line(page, step.symbol, step.formula, angle=self._turns(step.angle[0][0]))
+        missed = float(np.abs(self.form.poses(self.q[None])[0] - self.T).max())
+        page.say(f"Put back through forward kinematics these joints give the pose again, to {missed:.0e} at worst.")
+        return page
+
+    def _turns(self, joint: int) -> bool:
+        return joint not in self.form.table.prismatic
+
+    def _line(self, page: Document, symbol: Sym, expr: Expr, *, angle: bool = False) -> None:
+        atoms = {atom: self._put(float(atom.evaluate(self.values, NumpyField))) for atom in expr.atoms()}
+        value = float(self.values[symbol])
+        shown = self._number(np.degrees(value), "°") if angle else self._number(value)
+        put_in = expr.substitute(atoms)
+        if len(put_in.text()) < LONG:
+            page.show(symbol, expr, put_in, shown)
+        else:
+            page.show(symbol, expr)
+            page.show(symbol, put_in, shown)
+
+    @staticmethod
+    def _put(value: float) -> Sym:
+        """A number where a letter stood: in brackets, so that products and signs stay what they are."""
+        text = str(int(value)) if value in (1.0, -1.0) else f"{round(value, DECIMALS) + 0.0:.{DECIMALS}f}"
+        return Sym(f"({text})", "", 0)
+
+    @staticmethod
+    def _number(value: float, unit: str = "") -> Sym:
+        return Sym(f"{round(value, DECIMALS) + 0.0:.{DECIMALS}f}{unit}", "", 0)
