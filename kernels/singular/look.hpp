@@ -98,24 +98,15 @@ class Look {
  private:
   static constexpr std::size_t kMostSolutions = 8;  // of a closed form
 
-  // A row so near a self-motion that a kernel may have given one point for two.
+  // A row so near the self-motion of a linkage that a kernel may have given one point for two.
   struct Unsure {
     Root root;
     FourBar bar;
-    double null[6];
   };
   // Adds what hides beside such rows; false where that would be more than there can be.
   bool searched(const Rigid& T, std::size_t regular, std::vector<Unsure>& unsure, std::vector<Root>& alone) const {
     std::vector<Root> more = alone;
-    for (Unsure& one : unsure) {
-      int moving = 0;
-      for (double x : one.null) moving += std::fabs(x) > kLoopMoves;
-      if (moving <= 2) {
-        // both of the wrist's are found anew, and better than the row
-        std::erase_if(more, [&](const Root& other) { return arm_.apart(other.q, one.root.q) < kMergedSame; });
-        next_to_.line(T, one.root.q, one.null, more);
-      } else next_to_.linkage(T, one.root.q, one.bar, more);
-    }
+    for (Unsure& one : unsure) next_to_.linkage(T, one.root.q, one.bar, more);
     alone = more;
     return regular + more.size() <= kMostSolutions;
   }
@@ -181,16 +172,17 @@ class Look {
     Root root{{}, count};
     std::copy(q, q + kSix, root.q);
     if (free == Free::BESIDE) {
+      int moving = 0;
+      for (double x : d.joint[5]) moving += std::fabs(x) > kLoopMoves;
+      // beside a line both roots are found anew, which costs little
+      if (moving <= 2 && d.s[5] < kLineRootsApart * d.s[0]) return next_to_.line(T, q, d.joint[5], alone);
       // a row is known along the self-motion to rounding over its singular value: the same twice is one
       const double blur = std::fmin(5 * kMergedRounding / std::fmax(d.s[5], kTiny), kSameAlong);
       for (const Root& other : alone)
         if (arm_.apart(q, other.q) < blur) return true;
+      if (d.s[5] < kRootsApart * d.s[0]) unsure.push_back({root, bar});
     }
     alone.push_back(root);
-    if (free == Free::BESIDE && d.s[5] < kRootsApart * d.s[0]) {
-      unsure.push_back({root, bar, {}});
-      std::copy(d.joint[5], d.joint[5] + 6, unsure.back().null);
-    }
     return true;
   }
 

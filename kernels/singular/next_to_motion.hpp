@@ -11,16 +11,13 @@ struct NextToMotion {
 
   // The solutions beside a self-motion all but in place: kernels give one point of such a line.
   //
-  // What is missed along the line changes sign twice in a turn. Newton's method from four points of it ends at both.
+  // What is missed along the line changes sign twice in a turn. Newton's method from four points of it ends at both; false where it does not.
   bool line(const Rigid& T, const double* q, const double* null, std::vector<Root>& alone) const {
     double starts[4][6];
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i < kSix; ++i) starts[k][i] = q[i] + 0.5 * k * kPi * std::sqrt(2.0) * null[i];
-    std::vector<Root> ends = ends_of(T, starts, 4);
-    if (ends.size() != 2) {
-      ends.resize(1);
-      std::copy(q, q + kSix, ends[0].q);
-    }
+    const std::vector<Root> ends = ends_of(T, starts, 4);
+    if (ends.size() != 2) return false;
     join(ends, alone);
     return true;
   }

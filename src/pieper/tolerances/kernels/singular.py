@@ -42,6 +42,8 @@ ORTHOGONAL = 1e-15
 ON_SELF_MOTION = 1e-9
 #: Relative singular values below which kernels may give one point for two solutions beside a self-motion.
 ROOTS_APART = 2e-13
+#: The same below which both roots beside a line are found anew, which costs little.
+LINE_ROOTS_APART = 1e-11
 #: Solutions beside a self-motion are known to rounding over the singular value: nearer than this they are one (rad).
 SAME_ALONG = 0.03
 #: What such solutions may miss the pose by (per length; rad).
