@@ -16,6 +16,7 @@ ARMS = [
 ]
 #: Wrists that do not meet in a point, or seven joints: the makers' words are not defined for them here.
 WITHOUT = {
+    "denso-cobotta",
     "fanuc-crx-10ia",
     "kuka-lbr-iiwa-14-r820",
     "kuka-lwr-4-plus",

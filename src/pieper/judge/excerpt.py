@@ -77,7 +77,7 @@ def guesses(text: str, model: ArmModel) -> list[Guess]:
         known = set(defined)
         if defined == before:
             break
-    flat = model.n < 6 and not _has_pose(re.sub(r"\bp_?([xyz])\b", "", plain(text), flags=re.IGNORECASE), set())
+    flat = model.n < 6 and not _has_pose(re.sub(r"\bp[xyz]\b", "", _unmarked(text), flags=re.IGNORECASE), set())
     said: list[dict[str, object]] = []
     for number, line, matrices in lines:
         own = {name for name, (_, at) in defined.items() if at == number}
@@ -144,7 +144,7 @@ def _guess(number: int, line: str, matrices: list[list[list[str]]], model: ArmMo
     if _RELATION.fullmatch(_unmarked(f"{left} = {right}").strip()):
         guess.relation, guess.why = True, "the maker's zero of a joint: theta is the table's angle on this page"
         return guess
-    if SIGN.fullmatch(_unmarked(left).strip()) and re.fullmatch(r"\s*\+-\s*1\s*", plain(right)):
+    if SIGN.fullmatch(_unmarked(left).strip()) and re.fullmatch(r"\s*(?:\+-|[+-])?\s*1\s*", plain(right)):
         guess.why = "what a sign may be, not a claim"
         return guess
     words = left.split()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 
 import numpy as np
 import numpy.typing as npt
@@ -68,6 +69,10 @@ def rpy_of(R: npt.NDArray[np.float64]) -> tuple[float, float, float]:
     if across < ROLL_IS_YAW:
         return 0.0, pitch, math.atan2(-R[0, 1], R[1, 1])
     yaw = math.atan2(R[1, 0], R[0, 0])
+    # close to the pole yaw is known to a rounding over `across`: a quarter turn within that is what was meant
+    quarters = round(yaw / (math.pi / 2)) * (math.pi / 2)
+    if abs(yaw - quarters) * across < 4 * sys.float_info.epsilon:
+        yaw = quarters
     # what is left of R behind the yaw that was found, so that the three agree however close the pole is
     c, s = math.cos(yaw), math.sin(yaw)
     return math.atan2(s * R[0, 2] - c * R[1, 2], c * R[1, 1] - s * R[0, 1]), pitch, yaw
