@@ -138,7 +138,7 @@ def search(
     probe.residual(root, 1, values)
     needed = required_values(root, probe.wanted, goal.angle, values)
     stop = time.thread_time() + seconds
-    look = _Look(goal, float(np.mean(goal.fits(root))), out)
+    look = _Look(goal, float(np.mean(goal.fits(root))), out, of_one_letter=len(root.symbols()) == 1)
     likely: list[Slip] = []
     for k, slip in enumerate(candidates):
         out.tried[slip.kind] = out.tried.get(slip.kind, 0) + 1
@@ -170,6 +170,8 @@ class _Look:
     out: Explanation
     seen: set[str] = field(default_factory=set)
     stop: float = float("inf")
+    #: A claim about one letter, as s2^2 + c2^2 = 1, can only be right for any value of it.
+    of_one_letter: bool = False
 
     @cached_property
     def zero(self) -> frozenset[str]:
@@ -184,7 +186,7 @@ class _Look:
     def at(self, slip: Slip) -> None:
         """Look at one."""
         share = float(np.mean(self.goal.fits(slip.tree)))
-        if share == 1.0 and says_nothing(slip.tree, self.zero):
+        if share == 1.0 and not self.of_one_letter and says_nothing(slip.tree, self.zero):
             return
         text = unordered(slip.tree) if share == 1.0 else ""
         if share == 1.0 and text not in self.seen:

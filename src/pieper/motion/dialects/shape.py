@@ -51,6 +51,11 @@ def shape(plan: Plan, q: Array, what: str) -> Shape:
     Raises:
         InputError: The arm is not of the kind that the words are defined for.
     """
+    if plan.chain.coupling is not None:
+        raise InputError(
+            f"{what} are told of the axes, and {plan.name}'s joints are coupled: ask them of arm.uncoupled() at "
+            "arm.coupling @ q."
+        )
     if not has_shape(plan):
         raise InputError(
             f"{what} are words for six turning joints with a shoulder, an elbow and three wrist axes that meet; "
