@@ -16,8 +16,8 @@ nb::tuple descend(nb::handle links, nb::handle prismatic, double length, nb::han
              high = float_array(upper, "upper");
   const npy_intp count = PyArray_NDIM(as_array(q)) == 2 ? PyArray_DIM(as_array(q), 0) : -1;
   const auto whole = [&](const nb::object& a) { return PyArray_SIZE(as_array(a)) == count * n; };
-  if (n == 0 || l.size() != 16u * static_cast<std::size_t>(n + 1) || count < 0 || !whole(q) || !whole(low) || !whole(high) || d.size() != 6 ||
-      PyArray_SIZE(as_array(T)) != 16 * count)
+  if (n == 0 || l.size() != 16u * static_cast<std::size_t>(n + 1) || count < 0 || !whole(q) || !whole(low) ||
+      !whole(high) || d.size() != 6 || PyArray_SIZE(as_array(T)) != 16 * count)
     throw nb::value_error("q, lower, upper must be (k, n), T (k, 4, 4), links (n + 1, 4, 4), damping (6,).");
   const npy_intp shape[] = {count, n};
   nb::object out = new_array(2, shape, NPY_DOUBLE), missed = new_array(1, &count, NPY_DOUBLE);
