@@ -16,7 +16,7 @@ from oracle.browser import free_port
 
 SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
 #: Milliseconds; generous, since a story must not fail because the machine is busy.
-PATIENCE = 60_000
+PATIENCE = 120_000
 
 
 class Server:

@@ -259,3 +259,14 @@ def test_a_limit_of_turning_that_is_never_reached_costs_nothing():
             durations.append(program.move_l(corner, blend=0.01).move_l(end).motion(rate=50).duration)
         assert durations[1] == pytest.approx(durations[0], rel=1e-3)
         assert durations[2] == pytest.approx(durations[0], rel=1e-6)
+
+
+def test_a_curve_that_swings_beyond_the_limits_of_its_arm_says_so():
+    arm = pieper.load("abb-irb2400")
+    points = np.zeros((5, 6))
+    points[:, 1] = [0, 1.919, 1.918, 0, -1]
+    limits = pieper.Limits(speed=2, acceleration=8)
+    (said,) = pieper.time_law(points, limits, arm=arm).remarks
+    assert arm.joint_names[1] in said and "16.2 deg beyond" in said
+    assert pieper.time_law(points * 0.8, limits, arm=arm).remarks == ()
+    assert pieper.time_law(points, limits).remarks == ()

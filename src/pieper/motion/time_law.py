@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from pieper.motion.jerk import smooth_motion
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
 from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
-from pieper.tolerances import TAKEN_BACK
+from pieper.tolerances import LIMIT_SLACK, TAKEN_BACK
 
 
 def time_law(
@@ -56,14 +57,31 @@ def time_law(
     if limits.jerk is not None:
         if asked:
             raise InputError("a section of constant speed and a jerk limit at once are not planned; leave one out.")
-        return smooth_motion(timed, curve, rate)
+        return _told_outside(smooth_motion(timed, curve, rate), timed)
     wanted = None
     if asked:
         timed, wanted = section_grid(timed, curve, asked)
     x, _, done, _ = timed.run(wanted)
     if not done:
         raise why_not(timed, asked)
-    return motion_of(timed, x, curve.between_points(), rate)
+    return _told_outside(motion_of(timed, x, curve.between_points(), rate), timed)
+
+
+def _told_outside(motion: Motion, timed: TimedPath) -> Motion:
+    """Return the motion with a remark for each joint that the curve between the points carries beyond its limits."""
+    if timed.plan is None:
+        return motion
+    said: list[str] = []
+    for j, (low, high) in enumerate(timed.plan.limits):
+        beyond = np.maximum(motion.q[:, j] - high, low - motion.q[:, j])
+        k = int(np.argmax(beyond))
+        if beyond[k] > LIMIT_SLACK:
+            unit, scale = ("mm", 1e3) if timed.plan.prismatic[j] else ("deg", np.degrees(1.0))
+            said.append(
+                f"{timed.names[j]} is {beyond[k] * scale:.3g} {unit} beyond its limits at {motion.t[k]:.3g} s: the "
+                "curve through the points swings out there. Give more points, or keep them farther inside."
+            )
+    return replace(motion, remarks=(*motion.remarks, *said)) if said else motion
 
 
 def motion_of(timed: TimedPath, x: Array, deviation: float, rate: float) -> Motion:

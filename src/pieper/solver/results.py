@@ -13,6 +13,7 @@ from pieper.document.columns import Column, Tabular, Units
 from pieper.errors import InputError, NoSolutionError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 from pieper.kinematics.forward import checked_joint_vector, checked_weights
+from pieper.kinematics.joints import inside
 from pieper.kinematics.pose import reason_against
 from pieper.solver.marked import Marked
 from pieper.solver.plan.plan import Plan
@@ -20,6 +21,7 @@ from pieper.solver.rows import Chosen, Flag, Refused, Rows
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.solution import Closest, Solution, batch_columns, solution_columns
+from pieper.tolerances import CLOSED_VERIFIED
 from pieper.words_by_number import plural
 
 # plain numbers: an IntFlag takes a microsecond to be combined with one
@@ -246,10 +248,17 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         counts = checked_weights(weights, self._plan.n)
         candidates = list(joints.unwound(self.q, now, self._plan.limits))
         candidates += [point for motion in self.self_motions if (point := motion.nearest(now, counts)) is not None]
+        if self._plan.direct and self.self_motions and self._is_solution(now):
+            candidates.append(now)  # on a surface of solutions a search comes near, and no nearer than this
         if not candidates:
             raise NoSolutionError(f"there is no solution to be near to: {self.why}", status=self.status)
         rows = np.array(candidates)
         return rows[np.argmin(joints.straight(rows, now, counts))]
+
+    def _is_solution(self, q: Array) -> bool:
+        """Return whether a joint vector (n,) lies inside the limits and takes the pose."""
+        most = CLOSED_VERIFIED * np.array([self._plan.chain.length, 1.0])
+        return bool(inside(q, self._plan.limits).all() and (self._plan.residual(q[None], self.T)[0] <= most).all())
 
     def nearest_row(self, q_now: ArrayLike) -> tuple[int, Array]:
         """Return which row of q is closest to q_now, and that row (n,) with whole turns resolved inside the limits.

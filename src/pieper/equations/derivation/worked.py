@@ -42,6 +42,9 @@ class WorkedExample(Readable):
         self.branch = int(np.argmax(inside if inside.any() else real))
         self.q = found[self.branch]
 
+    def __str__(self) -> str:
+        return self.text()
+
     @functools.cached_property
     def values(self) -> dict[Any, float]:
         """Every letter of the page at this pose and on this branch."""
