@@ -40,13 +40,13 @@ tour: $(VENV)/.installed
 test: $(VENV)/.installed-for-tests
 	CHROMIUM="$$(sh tests/browser/find_chromium.sh)" $(BIN)/python -m pytest -n $(WORKERS) $(TESTS)
 
-check: $(VENV)/.installed-for-checks page-tools
+check: $(VENV)/.check-tools page-tools
 	PATH="$(BIN):$$PATH" $(BIN)/python -m tests.tools.check
 
-house: $(VENV)/.installed-for-checks
+house: $(VENV)/.check-tools
 	$(BIN)/python -m tests.tools.house
 
-format: $(VENV)/.installed-for-checks page-tools
+format: $(VENV)/.check-tools page-tools
 	$(BIN)/ruff check --fix --quiet . && $(BIN)/ruff format .
 	git ls-files 'kernels/*.hpp' 'kernels/*.cpp' 'oracle/*.cpp' | xargs $(BIN)/clang-format -i
 	if [ -d $(PAGE)/node_modules ]; then cd $(PAGE) && npm run --silent format; fi
@@ -107,6 +107,11 @@ $(VENV)/.installed-for-tests: $(SOURCES) | $(BIN)/python
 $(VENV)/.installed-for-checks: $(SOURCES) | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check ".[dev]"
 	touch $@ $(VENV)/.installed-for-tests $(VENV)/.installed
+
+# Reads the sources, so nothing of pieper is built: what the extra asks for, and no package.
+$(VENV)/.check-tools: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m tests.tools.requirements dev | xargs $(BIN)/python -m pip install --quiet --disable-pip-version-check
+	touch $@
 
 $(VENV)/.installed-for-docs: $(SOURCES) | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check ".[docs]"

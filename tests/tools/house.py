@@ -265,11 +265,12 @@ def upward() -> Iterator[Violation]:
 
 def unexported() -> Iterator[Violation]:
     """Yield what cli and workbench take from the package that it does not offer."""
-    import pieper
-
+    # read off the source: the law is held without the package being built
+    lists = [node for node in ast.parse((SOURCE / "__init__.py").read_text()).body if isinstance(node, ast.Assign)]
+    (offered,) = (ast.literal_eval(node.value) for node in lists if ast.unparse(node.targets[0]) == "__all__")
     for room in rooms().values():
         for module, name in room.imports:
-            if room.wing in PUBLIC_ONLY and module == "pieper" and name and name not in pieper.__all__:
+            if room.wing in PUBLIC_ONLY and module == "pieper" and name and name not in offered:
                 yield Violation("not public", room.where, f"-> pieper.{name}")
 
 
