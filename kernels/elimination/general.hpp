@@ -27,14 +27,15 @@ inline bool even(const Found& found) {
 }
 
 inline bool settled(const Report& report, const Found& found) {
-  return !report.doubtful && report.unresolved == 0 && report.shared == 0 && report.spread < kGeneralAccurate && even(found);
+  return !report.doubtful && report.unresolved == 0 && report.lost == 0 && report.spread < kGeneralAccurate &&
+         even(found);
 }
 
 // A second opinion that added nothing. Special geometry gives some variants real eigenvalues without a solution, always; there
 // only the agreement counts.
 inline bool agreed(const Variant& v, const Report& report, const Found& found, int before) {
   if (found.count != before) return false;
-  return settled(report, found) || (v.open > 0 && !report.doubtful && report.shared == 0 && even(found));
+  return settled(report, found) || (v.open > 0 && !report.doubtful && report.lost == 0 && even(found));
 }
 
 // Solutions of a neighbouring pose, polished onto this one.
