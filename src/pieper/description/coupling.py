@@ -44,9 +44,9 @@ def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.
         if np.linalg.cond(level) < WORST_CONDITION:
             small, large = names[int(np.argmin(size))], names[int(np.argmax(size))]
             raise InputError(
-                f"the coupling is badly scaled: one unit of {large} moves an axis {size.max() / size.min():.3g} times as "
-                f"far as one of {small}, at most {WORST_CONDITION:g} is told from nothing. Give both in rad or m, not in "
-                "steps of a motor.",
+                f"the coupling is badly scaled: one unit of {large} moves an axis {size.max() / size.min():.3g} times "
+                f"as far as one of {small}, at most {WORST_CONDITION:g} is told from nothing. Give both in rad or m, "
+                "not in steps of a motor.",
                 condition=condition,
                 given=C,
             )
