@@ -17,7 +17,7 @@ from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import checked_joints, fk
 from pieper.kinematics.joints import inside
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
-from pieper.motion.circle import circle, via_about
+from pieper.motion.circle import circle, round_of, via_about
 from pieper.motion.instructions import Gripper, Instruction, Move, Output, Wait
 from pieper.motion.joined import event, positive, radius, take, together
 from pieper.motion.limits import SAY_LIMITS, Limits
@@ -294,7 +294,7 @@ class Program:
         """Write the program for a controller, whole or not at all.
 
         Joint moves go to joint values, lines and circles to joint values where the language takes them and to poses
-        with configuration words where not.
+        with configuration words where not. A circle of half a turn or more is written as several shorter ones.
 
         Args:
             path: Where to.
@@ -307,6 +307,7 @@ class Program:
         Raises:
             InputError: The dialect is unknown, the arm is of another maker, or the name is not one the maker takes.
         """
+        from pieper.motion.dialects.circles import in_pieces
         from pieper.motion.dialects.dialect import Script
         from pieper.motion.dialects.files import dialect_of, text_of
 
@@ -314,7 +315,7 @@ class Program:
         called = target.stem if name is None else arguments.text(name, "name")
         script = Script(
             called,
-            tuple(self.instructions),
+            in_pieces(self.instructions, self._segments),
             self.plan,
             self.description,
             self.limits,
@@ -353,9 +354,7 @@ class Program:
         q, middle = way.curve.end, way.curve.at(np.array([0.5]))[0][0]
         if via is not None:
             # where the circle passes the via
-            s = np.linspace(0, 1, 401)
-            p = circle(self._pose, via, T, s)[:, :3, 3]
-            middle = way.curve.at(s[[np.argmin(np.linalg.norm(p - via[:3, 3], axis=1))]])[0][0]
+            middle = way.curve.at(np.array([round_of(self._pose, via, T).part(via[:3, 3])]))[0][0]
         move = replace(move, q=q, q_via=None if via is None else middle)
         self._segments.append(replace(way, move=move))
         self.instructions.append(move)
