@@ -24,7 +24,7 @@ FAMILIES = [
     *("denso-vp6242", "stanford-arm", "universal-robots-ur5e", "aubo-i5", "kinova-gen3-6dof"),
     *("fanuc-crx-10ia", "motoman-hc10", "motoman-ea1400n", "kinova-gen3-lite", "niryo-ned2", "neuromeka-indy12"),
 ]
-#: A pose this far beside (rad) has its roots within so much of the round one's: a fourfold one moves by the fourth root.
+#: A pose this far beside (rad) has its roots within so much of the round one's: a fourfold one by the fourth root.
 BESIDE, NEAR = 1e-8, 3e-2
 
 
