@@ -9,7 +9,7 @@ import click
 import pieper
 from pieper.cli.arguments import joints
 from pieper.cli.options import (
-    NUMBERS,
+    TakesNumbers,
     animate,
     as_csv,
     as_json,
@@ -26,7 +26,7 @@ from pieper.cli.timed import print_data, tell_limits, write
 from pieper.cli.units import Units
 
 
-@click.command("program", context_settings=NUMBERS, short_help="Time a program, draw it, write it for a controller.")
+@click.command("program", cls=TakesNumbers, short_help="Time a program, draw it, write it for a controller.")
 @takes_arm
 @click.argument("file", metavar="FILE")
 @click.option(

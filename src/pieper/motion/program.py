@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import operator
 import os
 from dataclasses import replace
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
+from pieper import arguments
 from pieper.description.dh import Description
 from pieper.description.posture import posture
 from pieper.document.writing import write_whole
@@ -16,11 +16,11 @@ from pieper.errors import InputError, NoSolutionError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import checked_joints, fk
 from pieper.kinematics.joints import inside
-from pieper.kinematics.pose import PoseLike, checked_pose
+from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
 from pieper.motion.circle import circle, round_of, via_about
 from pieper.motion.instructions import FrameChange, Gripper, Instruction, Move, Output, ToolChange, Wait
 from pieper.motion.joined import positive, radius
-from pieper.motion.limits import Limits
+from pieper.motion.limits import SAY_LIMITS, Limits
 from pieper.motion.motion import Motion
 from pieper.motion.path import checked_path
 from pieper.motion.program_motion import motion_of_program
@@ -32,6 +32,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.words_by_number import plural
 
 
+@runtime_checkable
 class ProgramArm(Protocol):
     """What a program needs of an arm."""
 
@@ -63,6 +64,8 @@ class Program:
     """
 
     def __init__(self, arm: ProgramArm, limits: Limits, *, start: ArrayLike | str | None = None) -> None:
+        arguments.like(ProgramArm, arm, "arm", "a pieper.Arm")
+        arguments.a(Limits, limits, "limits", SAY_LIMITS)
         self.plan, self.description, self.limits = arm.plan, arm.description, limits
         self._arm = arm
         limits.of(self.plan.n, self.plan.names)
@@ -88,11 +91,14 @@ class Program:
             InputError: No posture or pose, outside the limits, or where the arm is already.
             NoSolutionError: The pose has no solution inside the limits.
         """
-        if isinstance(target, str) or np.shape(target) == (self.plan.n,):
+        target = target if isinstance(target, str) else as_pose(target)
+        if isinstance(target, str) or arguments.numbers(target, f"target of move {self._number}").shape == (
+            self.plan.n,
+        ):
             q = self._posture(target, f"target of move {self._number}")
         else:
             q = self._solution(self._target(target))
-        share = None if speed is None else positive(speed, "speed", "a part of the joints' limits, at most 1", most=1.0)
+        share = None if speed is None else positive(speed, "speed", "a part of the joints' limits", most=1.0)
         return self._add(Move("move_j", q, fk(self.plan.chain, q), share, radius(blend)))
 
     def move_l(self, T: ArrayLike, *, speed: float | None = None, blend: float = 0.0) -> Program:
@@ -199,15 +205,15 @@ class Program:
             InputError: A program of another arm, or a count that is no whole number from 1.
             NoSolutionError: A line of it cannot be followed from where the arm is.
         """
+        arguments.a(Program, other, "the program to call", "make one with pieper.Program(arm, limits)")
         if other.plan.n != self.plan.n or other.plan.name != self.plan.name:
             raise InputError(
                 f"{other.plan.name}'s program cannot be called by {self.plan.name}'s.", given=other.plan.name
             )
-        if isinstance(times, bool) or int(times) != times or times < 1:
-            raise InputError(f"times must be a whole number from 1, got {times!r}.", given=times)
+        arguments.whole(times, "times", 1)
         items = list(other.instructions)
         kept = self._tool, self.work
-        for _ in range(int(times)):
+        for _ in range(times):
             self.tool(other.description.tool).frame(np.eye(4))
             for item in items:
                 self._repeat(item)
@@ -232,20 +238,14 @@ class Program:
 
     def output(self, port: int, value: bool) -> Program:
         """Set a digital output; the arm does not stop for it."""
-        try:
-            number = -1 if isinstance(port, bool) else operator.index(port)
-        except TypeError:
-            number = -1
-        if number < 0:
-            raise InputError(f"an output's port must be a whole number from 0, got {port!r}.", given=port)
+        number = arguments.whole(port, "an output's port", 0)
+        arguments.like((bool, int, float, np.bool_, np.number), value, "an output", "True or False")
         self.instructions.append(Output(number, bool(value)))
         return self
 
     def gripper(self, value: float) -> Program:
         """Set the gripper, 0 open to 1 closed; the arm does not stop for it: write a wait where it must."""
-        number = float(value)
-        if not 0 <= number <= 1:
-            raise InputError(f"the gripper goes from 0 (open) to 1 (closed), got {number:g}.", given=number)
+        number = arguments.number(value, "the gripper, 0 open to 1 closed,", least=0.0, most=1.0)
         self.instructions.append(Gripper(number))
         return self
 
@@ -263,6 +263,7 @@ class Program:
         Args:
             rate: Samples a second.
         """
+        arguments.number(rate, "rate", "samples a second", above=0.0)
         if self._known is None or self._known[:2] != (len(self.instructions), rate):
             whole = motion_of_program(self.instructions, self._segments, self.start, self.limits, rate)
             described = replace(whole, limits=self.limits, description=self.description)
@@ -305,7 +306,8 @@ class Program:
         from pieper.motion.dialects.dialect import Script
         from pieper.motion.dialects.files import dialect_of, text_of
 
-        called = os.path.splitext(os.path.basename(path))[0] if name is None else name
+        target = arguments.file(path)
+        called = target.stem if name is None else arguments.text(name, "name")
         script = Script(
             called,
             in_pieces(self.instructions, self._segments),
@@ -316,7 +318,7 @@ class Program:
             cartesian,
             lambda: self.motion(rate=rate),
         )
-        write_whole(path, text_of(script, dialect_of(path) if dialect is None else dialect))
+        write_whole(target, text_of(script, dialect_of(target) if dialect is None else dialect))
 
     @property
     def _number(self) -> int:
@@ -333,7 +335,7 @@ class Program:
         return self.work @ checked_pose(T, f"target of move {self._number}")
 
     def _point(self, p: ArrayLike) -> Array:
-        point = np.asarray(p, float)
+        point = arguments.numbers(p, "centre", "a point (3,), m")
         if point.shape != (3,) or not np.isfinite(point).all():
             raise InputError(f"centre must be a point (3,), m, got {p!r}.", given=p)
         return self.work[:3, :3] @ point + self.work[:3, 3]

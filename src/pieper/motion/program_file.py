@@ -9,6 +9,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from pieper import arguments
 from pieper.document.writing import write_whole
 from pieper.errors import InputError, PieperError
 from pieper.kinematics.arrays import Array
@@ -64,7 +65,7 @@ def load_program(arm: ProgramArm, path: str | os.PathLike[str]) -> Program:
         InputError: No such file, no TOML, or a step that is none; the message names file, step and field.
         NoSolutionError: A line of it cannot be followed.
     """
-    file = Path(path)
+    file = arguments.file(path)
     try:
         data = tomllib.loads(file.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
