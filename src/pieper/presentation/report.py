@@ -228,7 +228,7 @@ def _and(words: Sequence[str]) -> str:
 def _summary(arm: Arm, sols: Solutions | None, track: Track | None) -> str:
     text = f"The {arm.name} has {plural(arm.n, 'joint')} ({arm.joint_types})."
     try:
-        text += f" A pose has at most {plural(arm.plan.max_solutions, 'solution')}."
+        text += f" A pose has at most {plural(arm.plan.count.most, 'solution')}."
     except PieperError:
         text += " It is beyond the solver; its geometry and forward kinematics are given."
     if sols is not None:
