@@ -28,6 +28,7 @@ from pieper.presentation.sections_arm import (
     add_singularities,
     add_worked,
 )
+from pieper.presentation.sections_lesson import add_dh_steps, add_jacobian, add_triangle
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
 from pieper.presentation.sections_scale import add_fit, add_map
 from pieper.tolerances import WHOLE_TURN
@@ -74,14 +75,17 @@ def report(
     today = datetime.date.today().isoformat()
     page = Document(f"Kinematics of the {arm.name}", _subtitle(arm), edition=f"pieper {_version()}, {today}")
     add_arm(page, arm)
+    add_dh_steps(page, arm)
     add_plan(page, arm)
     add_peculiarities(page, arm)
     add_forward(page, arm)
     add_derivation(page, arm)
+    add_triangle(page, arm)
     T = checked_pose(pose, "pose") if given else _good_pose(arm)
     if T is not None:
         add_worked(page, arm, T)
     solved = _solved(page, arm, T, given=given)
+    add_jacobian(page, arm)
     add_singularities(page, arm)
     add_reach(page, arm)
     if track is not None:
