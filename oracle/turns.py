@@ -72,3 +72,10 @@ def ring(N, centre, radius, tilt=np.pi / 6):
     out = np.stack([np.cos(a), np.sin(a), 0 * a], -1)
     z = -np.cos(tilt) * np.array([0, 0, 1.0]) - np.sin(tilt) * out
     return np.stack([transform(R, q) for R, q in zip(np.stack([x, np.cross(z, x), z], -1), p, strict=True)])
+
+
+def random_ring(rng, n, reach, *, out, around, up, wide):
+    """Return a ring of n poses; how far out and up its centre is and how wide it is are parts of a reach."""
+    far, angle = rng.uniform(*out) * reach, rng.uniform(-around, around)
+    centre = (far * np.cos(angle), far * np.sin(angle), rng.uniform(*up) * reach)
+    return ring(n, centre, rng.uniform(*wide) * reach, rng.uniform(0, 1.2))

@@ -121,19 +121,6 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
   }
 }
 
-// By how much joint b must turn for three turning joints of the plane to reach: the square of how far they must is a harmonic of it, and
-// is brought as near as it can be to the middle of what they can. With its twin on the other side of the harmonic's phase.
-template <class Far> void turn_to_reach(Far far, double a, double b, double* out) {
-  const double r0 = far(0), r1 = far(2 * kPi / 3), r2 = far(-2 * kPi / 3);
-  const double middle = (r0 + r1 + r2) / 3, cosine = r0 - middle, sine = (r1 - r2) / std::sqrt(3.0),
-               size = std::hypot(cosine, sine), phase = std::atan2(sine, cosine);
-  // what they can reach of [middle - size, middle + size]
-  const double low = std::fmax((a - b) * (a - b), middle - size), high = std::fmin((a + b) * (a + b), middle + size);
-  const double away =
-      std::acos(std::fmin(std::fmax((0.5 * (low + high) - middle) / std::fmax(size, kTiny), -1.0), 1.0));
-  out[0] = phase + away, out[1] = phase - away;
-}
-
 // One pose.
 inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, const PlanarLink& l2, const double* T,
                                  double* q, std::uint8_t* valid, std::uint8_t* flag) {

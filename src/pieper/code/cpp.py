@@ -11,7 +11,7 @@ from pieper import _kernel
 from pieper.code.export import Export
 from pieper.code.kernel_source import HEADERS, fingerprint, joined
 from pieper.code.labels import Manner
-from pieper.code.language import Notation, filled, starred
+from pieper.code.language import Notation, filled
 
 FLAGS = "-std=c++20 -O3 -ffp-contract=fast -fno-math-errno -fno-trapping-math"
 
@@ -204,7 +204,6 @@ def numbers_of(geometry: Any) -> tuple[list[float], list[float]]:
 CPP = Notation(
     infinity="__builtin_inf()",
     truths=("0", "1"),
-    header=starred,
     manner=Manner(
         "__builtin_sin({0})", "__builtin_cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"
     ),

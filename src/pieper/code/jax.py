@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pieper.code.export import Export
 from pieper.code.language import filled
-from pieper.code.python import arrays
+from pieper.code.python import LABEL, arrays
 
 FRAME = '''"""@HEADER@
 
@@ -90,16 +90,7 @@ def NAME_ik(T):
     return q[0][inside[0]]
 
 
-def _side(v, facing):
-    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
-    v = -v if facing < 0 else v
-    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
-
-
-def NAME_label(q):
-    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
-@SUMS@
-    return _NAMES[@PLACE@]
+@LABEL@
 
 
 def NAME_self_test():
@@ -123,4 +114,4 @@ if __name__ == "__main__":
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    return filled(FRAME, arrays("jnp").parts(export), export)
+    return filled(FRAME.replace("@LABEL@", LABEL), arrays("jnp").parts(export), export)

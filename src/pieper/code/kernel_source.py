@@ -18,8 +18,6 @@ HEADERS = {
     "three_parallel": ("ThreeParallel", "closed_form/lanes/three_parallel.hpp"),
     "offset_wrist": ("OffsetWrist", "hidden_angle/offset_wrist.hpp"),
     "two_slides": ("TwoSlides", "hidden_angle/two_slides.hpp"),
-    "position3": ("Position3", "closed_form/careful/position3.hpp"),
-    "orientation3": ("Orientation3", "closed_form/careful/orientation3.hpp"),
     "general": ("General", "elimination/general.hpp"),
 }
 _INCLUDE = re.compile(r'^#include "([^"]+)"\n', re.M)

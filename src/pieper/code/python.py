@@ -22,6 +22,17 @@ def arrays(module: str) -> Language:
     )
 
 
+#: The name of a posture; the same for every module of arrays.
+LABEL = '''def _side(v, facing):
+    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
+    v = -v if facing < 0 else v
+    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
+
+
+def NAME_label(q):
+    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
+@SUMS@
+    return _NAMES[@PLACE@]'''
 FRAME = '''"""@HEADER@
 
 ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits; ik_all(Ts) takes poses
@@ -66,12 +77,12 @@ def _walk(q):
 
 
 def fk(q):
-    """Pose(s) (..., 4, 4) of joint vectors (..., n)."""
+    """Poses (..., 4, 4) of joint vectors (..., n)."""
     return _walk(q)[1]
 
 
 def jacobian(q):
-    """Geometric Jacobian(s) (..., 6, n), base frame, linear rows first."""
+    """Geometric Jacobians (..., 6, n), base frame, linear rows first."""
     frames, T = _walk(q)
     z = frames[..., :3, 2]
     way = np.where(SLIDES[:, None], z, np.cross(z, T[..., None, :3, 3] - frames[..., :3, 3]))
@@ -114,16 +125,7 @@ def ik(T):
     return q[inside]
 
 
-def _side(v, facing):
-    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
-    v = -v if facing < 0 else v
-    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
-
-
-def label(q):
-    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
-@SUMS@
-    return _NAMES[@PLACE@]
+@LABEL@
 
 
 def self_test():
@@ -150,4 +152,4 @@ if __name__ == "__main__":
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    return filled(FRAME, arrays("np").parts(export), export)
+    return filled(FRAME.replace("@LABEL@", LABEL.replace("NAME_", "")), arrays("np").parts(export), export)

@@ -1,6 +1,6 @@
 // Under the picture: play, scrub and speed, and the curves of the motion with their events.
 import uPlot from 'uplot';
-import { h, replace, setText, choice, select, download, perFrame, say } from './dom.mjs';
+import { button, choice, download, h, perFrame, replace, say, select, setText } from './dom.mjs';
 import { state, on, setJoints, tell } from './store.mjs';
 import { play, stop } from './animate.mjs';
 import { colours } from './theme.mjs';
@@ -18,13 +18,7 @@ let motion = null,
   els = null;
 
 export function build(root) {
-  const toggle = h('button', {
-    type: 'button',
-    class: 'primary',
-    text: 'Play',
-    'data-testid': 'play',
-    on: { click: playOrPause },
-  });
+  const toggle = button('Play', { class: 'primary', 'data-testid': 'play' }, playOrPause);
   const scrub = h('input', {
     type: 'range',
     min: '0',
@@ -77,22 +71,8 @@ export function build(root) {
           ['GIF', () => draw3('gif')],
           ['MP4', () => draw3('mp4')],
           ['SVG', () => download(`${kind}.svg`, svg(motion, kind, colours.curves), 'image/svg+xml')],
-        ].map(([t, f]) =>
-          h('button', {
-            type: 'button',
-            class: 'quiet',
-            text: t,
-            'aria-label': `Save as ${t}`,
-            on: { click: () => motion && f() },
-          }),
-        ),
-        h('button', {
-          type: 'button',
-          class: 'icon',
-          text: '×',
-          'aria-label': 'Close the curves',
-          on: { click: () => show(null) },
-        }),
+        ].map(([t, f]) => button(t, { class: 'quiet', 'aria-label': `Save as ${t}` }, () => motion && f())),
+        button('×', { class: 'icon', 'aria-label': 'Close the curves' }, () => show(null)),
       ),
     ),
     h(

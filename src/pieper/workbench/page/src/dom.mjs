@@ -15,6 +15,9 @@ export function h(tag, props = {}, ...children) {
   return el;
 }
 
+/** A button with what it says and does. */
+export const button = (text, props, press) => h('button', { type: 'button', text, ...props, on: { click: press } });
+
 export const $ = (selector, root = document) => root.querySelector(selector);
 export const replace = (el, ...children) => el.replaceChildren(...children.flat().filter(Boolean));
 
@@ -23,8 +26,23 @@ export function setText(el, text) {
   if (el.textContent !== text) el.textContent = text;
 }
 
-let count = 0;
-export const uid = (prefix = 'id') => `${prefix}-${++count}`;
+/** Say in a line that is read aloud how something went: good, note or wrong. */
+export function answer(line, text, tone = 'wrong') {
+  line.hidden = false;
+  line.dataset.tone = tone;
+  setText(line, text);
+}
+
+/** Do something once all fields can be read; what goes wrong is told in the line. */
+export async function attempt(root, line, work) {
+  const bad = unreadable(root);
+  if (bad) return answer(line, bad);
+  try {
+    await work();
+  } catch (error) {
+    answer(line, error.message);
+  }
+}
 
 /** A row of buttons of which one is pressed. */
 export function choice(label, options, current, pick, testid) {

@@ -1,5 +1,5 @@
 // Path: a straight line between two poses, followed from a start posture; where it stops, and which branches would have passed.
-import { h, replace, setText, unreadable } from '../dom.mjs';
+import { answer, attempt, button, h, replace, setText } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -40,33 +40,20 @@ export const path = {
         P.seconds = v;
       },
     });
-    const same = h('button', {
-      type: 'button',
-      class: 'quiet',
-      text: 'Keep the orientation of “From”',
-      on: {
-        click: () => {
-          if (P.from && P.to) {
-            const p = position(P.to);
-            tell('did', { label: 'keep the orientation of the path' });
-            P.to = P.from.slice();
-            [3, 7, 11].forEach((k, i) => {
-              P.to[k] = p[i];
-            });
-            ends.show();
-            tell('path', 'path');
-            preview();
-          }
-        },
-      },
+    const same = button('Keep the orientation of “From”', { class: 'quiet' }, () => {
+      if (P.from && P.to) {
+        const p = position(P.to);
+        tell('did', { label: 'keep the orientation of the path' });
+        P.to = P.from.slice();
+        [3, 7, 11].forEach((k, i) => {
+          P.to[k] = p[i];
+        });
+        ends.show();
+        tell('path', 'path');
+        preview();
+      }
     });
-    const plan = h('button', {
-      type: 'button',
-      class: 'primary',
-      text: 'Plan the line',
-      'data-testid': 'plan',
-      on: { click: () => run(state.q) },
-    });
+    const plan = button('Plan the line', { class: 'primary', 'data-testid': 'plan' }, () => run(state.q));
     const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'path-verdict', hidden: true });
     const branches = h('div', { class: 'branches', 'data-testid': 'branches' });
     root.append(
@@ -96,33 +83,23 @@ export const path = {
       );
       showPath(Array.from({ length: 33 }, (_, i) => position(between(P.from, P.to, i / 32))));
     };
-    async function run(start) {
-      const bad = unreadable(root);
-      if (bad) {
-        verdict.hidden = false;
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, bad);
-        return;
-      }
+    function run(start) {
+      return attempt(root, verdict, () => follow(start));
+    }
+    async function follow(start) {
       setText(plan, 'Planning …');
       plan.disabled = true;
       try {
         const track = await askArm('follow', { T0: P.from, T1: P.to, n: P.n, start });
         state.track = track;
         report(track, start);
-      } catch (error) {
-        verdict.hidden = false;
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, error.message);
       } finally {
         setText(plan, 'Plan the line');
         plan.disabled = false;
       }
     }
     function report(track) {
-      verdict.hidden = false;
-      verdict.dataset.tone = track.complete ? 'good' : 'wrong';
-      setText(verdict, track.explain);
+      answer(verdict, track.explain, track.complete ? 'good' : 'wrong');
       replace(
         branches,
         track.branches.length ? h('h3', { text: 'Branches that start at the first pose' }) : null,

@@ -1,5 +1,5 @@
 // Program: moves, waits, gripper and outputs in order; taught or typed, run with its true times, written for a controller.
-import { h, replace, setText, select, download, say, unreadable } from '../dom.mjs';
+import { answer, attempt, button, download, h, replace, say, select, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { showUnit, show } from '../units.mjs';
 import { askArm } from '../library.mjs';
@@ -43,14 +43,8 @@ export const program = {
       h('p', { class: 'hint prose' }),
     );
     const addButton = (kind, text, title, make) =>
-      h('button', { type: 'button', text, title, 'data-testid': `step-add-${kind}`, on: { click: () => add(make()) } });
-    const run = h('button', {
-      type: 'button',
-      class: 'primary',
-      text: 'Run the program',
-      'data-testid': 'run-program',
-      on: { click: go },
-    });
+      button(text, { title, 'data-testid': `step-add-${kind}` }, () => add(make()));
+    const run = button('Run the program', { class: 'primary', 'data-testid': 'run-program' }, go);
     const startLine = h('span', { class: 'hint', 'data-testid': 'program-start' });
     let dialect = 'rapid';
     root.append(
@@ -114,20 +108,12 @@ export const program = {
         h(
           'span',
           { class: 'line' },
-          h('button', {
-            type: 'button',
-            class: 'quiet',
-            text: 'Start here',
-            'data-testid': 'start-here',
-            title: 'The program begins in the present posture',
-            on: { click: () => setStart(state.q.slice()) },
-          }),
-          h('button', {
-            type: 'button',
-            class: 'quiet',
-            text: 'Go to the start',
-            on: { click: () => moveTo(start().slice(), 0.8, 'go to the start') },
-          }),
+          button(
+            'Start here',
+            { class: 'quiet', 'data-testid': 'start-here', title: 'The program begins in the present posture' },
+            () => setStart(state.q.slice()),
+          ),
+          button('Go to the start', { class: 'quiet' }, () => moveTo(start().slice(), 0.8, 'go to the start')),
         ),
       ),
       list,
@@ -148,7 +134,7 @@ export const program = {
             },
             { 'data-testid': 'dialect' },
           ),
-          h('button', { type: 'button', text: 'Save the program', 'data-testid': 'save-program', on: { click: save } }),
+          button('Save the program', { 'data-testid': 'save-program' }, save),
         ),
       ),
       verdict,
@@ -243,29 +229,15 @@ export const program = {
           h('span', { class: 'grip', 'aria-hidden': 'true', text: '⠿' }),
           h('span', { class: 'hint', text: String(k + 1) }),
           name,
-          h('button', {
-            type: 'button',
-            class: 'icon',
-            text: '↑',
-            disabled: k === 0,
-            'aria-label': `Move step ${k + 1} up`,
-            on: { click: () => move(k, k - 1) },
-          }),
-          h('button', {
-            type: 'button',
-            class: 'icon',
-            text: '↓',
-            disabled: k === state.program.length - 1,
-            'aria-label': `Move step ${k + 1} down`,
-            on: { click: () => move(k, k + 1) },
-          }),
-          h('button', {
-            type: 'button',
-            class: 'icon',
-            text: '×',
-            'aria-label': `Remove step ${k + 1}`,
-            on: { click: () => remove(k) },
-          }),
+          button('↑', { class: 'icon', disabled: k === 0, 'aria-label': `Move step ${k + 1} up` }, () =>
+            move(k, k - 1),
+          ),
+          button(
+            '↓',
+            { class: 'icon', disabled: k === state.program.length - 1, 'aria-label': `Move step ${k + 1} down` },
+            () => move(k, k + 1),
+          ),
+          button('×', { class: 'icon', 'aria-label': `Remove step ${k + 1}` }, () => remove(k)),
         ),
         failed?.step === k ? h('p', { class: 'reason', text: failed.text }) : null,
         open ? editor(s, k) : null,
@@ -323,27 +295,22 @@ export const program = {
           : '',
       );
     }
-    async function go() {
-      verdict.hidden = false;
-      const bad = unreadable(root);
-      if (bad) {
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, bad);
-        return;
-      }
+    function go() {
+      return attempt(root, verdict, plan);
+    }
+    async function plan() {
       run.disabled = true;
       setText(run, 'Planning …');
       try {
         const m = await askArm('program', { ...programMessage(), world: state.world });
         failed = m.failed;
         if (failed) chosen = failed.step;
-        verdict.dataset.tone =
-          failed || m.clear?.verdict === 'HIT' ? 'wrong' : m.clear?.verdict === 'UNCERTAIN' ? 'note' : 'good';
-        setText(
+        answer(
           verdict,
           failed
             ? `Step ${failed.step + 1} cannot be done: ${failed.text}\nShown is what comes before it.`
             : [m.explain, m.clear?.text].filter(Boolean).join('\n'),
+          failed || m.clear?.verdict === 'HIT' ? 'wrong' : m.clear?.verdict === 'UNCERTAIN' ? 'note' : 'good',
         );
         binds.hidden = !m.tight.length;
         setText(binds.lastChild, m.tight.map((x) => x.text).join('\n'));
@@ -370,9 +337,6 @@ export const program = {
             { ddq: m.ddq, happens: m.events, tight: m.tight, limits: programMessage().limits },
           ),
         );
-      } catch (error) {
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, error.message);
       } finally {
         run.disabled = !state.program.length;
         setText(run, 'Run the program');
@@ -384,9 +348,7 @@ export const program = {
         const { text, name: file } = await askArm('program_file', { ...programMessage(), dialect, name });
         download(file, text);
       } catch (error) {
-        verdict.hidden = false;
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, error.message);
+        answer(verdict, error.message);
       }
     }
     on(['program', 'units', 'table'], (what) => {

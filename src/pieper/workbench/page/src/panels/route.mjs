@@ -1,5 +1,5 @@
 // Route: the line with the tool's turn left free; every branch and every turn on one map, the cheapest curve, or what shuts it.
-import { h, replace, setText, say, unreadable } from '../dom.mjs';
+import { answer, button, h, replace, say, setText, unreadable } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { position } from '../matrix.mjs';
@@ -28,15 +28,14 @@ export const route = (open) => ({
       mine = null; // the motion in the dock that is this route's
     const ends = lineEnds('route', () => preview());
     const settings = routeSettings();
-    const button = (text, testid, click, props = {}) =>
-      h('button', { type: 'button', text, 'data-testid': testid, on: { click }, ...props });
-    const plan = button('Find the route', 'find-route', () => run(), { class: 'primary' });
-    const letFree = button('Let both ends free', 'free-ends', () => {
+    const named = (text, testid, click, props = {}) => button(text, { 'data-testid': testid, ...props }, click);
+    const plan = named('Find the route', 'find-route', () => run(), { class: 'primary' });
+    const letFree = named('Let both ends free', 'free-ends', () => {
       setRouting({ start: null, end: null }, 'let the ends of the route free');
       run();
     });
-    const send = button('Send to the program', 'route-to-program', toProgram, { hidden: true });
-    const more = button('', 'route-others', others, { hidden: true });
+    const send = named('Send to the program', 'route-to-program', toProgram, { hidden: true });
+    const more = named('', 'route-others', others, { hidden: true });
     const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'route-verdict', hidden: true });
     const chips = h('div', { class: 'chips', role: 'group', 'aria-label': 'Branches on the map' });
     const list = h('div', { class: 'branches', 'data-testid': 'route-list' });
@@ -67,15 +66,10 @@ export const route = (open) => ({
       if (P.from && P.to && !found)
         showPath(Array.from({ length: 33 }, (_, i) => position(between(P.from, P.to, i / 32))));
     };
-    const tellWrong = (text) => {
-      verdict.hidden = false;
-      verdict.dataset.tone = 'wrong';
-      setText(verdict, text);
-    };
     async function run() {
       const bad = unreadable(root);
       if (bad) {
-        tellWrong(bad);
+        answer(verdict, bad);
         return;
       }
       setText(plan, 'Looking …');
@@ -85,7 +79,7 @@ export const route = (open) => ({
         if (!got.stopped) report(got);
       } catch (error) {
         map.cancel();
-        tellWrong(error.message);
+        answer(verdict, error.message);
       } finally {
         setText(plan, 'Find the route');
         plan.disabled = false;
@@ -236,7 +230,7 @@ export const route = (open) => ({
         );
         more.hidden = true;
       } catch (error) {
-        tellWrong(error.message);
+        answer(verdict, error.message);
       } finally {
         more.disabled = false;
         if (found) setText(more, found.found ? 'Routes that begin with other postures' : 'What would let it through?');
@@ -256,7 +250,7 @@ export const route = (open) => ({
         say(`Sent as a spline through ${got.poses} poses; it strays by at most ${off}.`);
         open()?.('program');
       } catch (error) {
-        tellWrong(error.message);
+        answer(verdict, error.message);
       } finally {
         send.disabled = false;
       }

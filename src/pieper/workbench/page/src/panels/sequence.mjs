@@ -1,5 +1,5 @@
 // Sequence: postures with times, all joints together, at rest in each; its curves and its animation.
-import { h, replace, setText, unreadable } from '../dom.mjs';
+import { answer, attempt, button, h, replace } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { units } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -30,32 +30,22 @@ export const sequence = {
     const head = h('thead'),
       body = h('tbody');
     const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'sequence-verdict', hidden: true });
-    const run = h('button', {
-      type: 'button',
-      class: 'primary',
-      text: 'Run the sequence',
-      'data-testid': 'run-sequence',
-      on: { click: go },
-    });
-    const legSeconds = h('button', {
-      type: 'button',
-      class: 'quiet',
-      text: 'Same times for all legs',
-      title: 'Copy the first leg’s time and rest to the others',
-      on: {
-        click: () => {
-          const first = S.postures[1];
-          if (first) {
-            tell('did', { label: 'use the same times for all legs' });
-            for (const p of S.postures.slice(2)) {
-              p.seconds = first.seconds;
-              p.hold = first.hold;
-            }
-            rebuild();
+    const run = button('Run the sequence', { class: 'primary', 'data-testid': 'run-sequence' }, go);
+    const legSeconds = button(
+      'Same times for all legs',
+      { class: 'quiet', title: 'Copy the first leg’s time and rest to the others' },
+      () => {
+        const first = S.postures[1];
+        if (first) {
+          tell('did', { label: 'use the same times for all legs' });
+          for (const p of S.postures.slice(2)) {
+            p.seconds = first.seconds;
+            p.hold = first.hold;
           }
-        },
+          rebuild();
+        }
       },
-    });
+    );
     root.append(
       h('p', {
         class: 'hint',
@@ -74,18 +64,10 @@ export const sequence = {
       h(
         'div',
         { class: 'line' },
-        h('button', {
-          type: 'button',
-          class: 'add',
-          text: '+ Present posture',
-          'data-testid': 'add-posture',
-          on: { click: () => add(state.q.slice()) },
-        }),
-        h('button', {
-          type: 'button',
-          text: '+ All named postures',
-          on: { click: () => Object.entries(state.table.postures ?? {}).forEach(([name, q]) => add(q.slice(), name)) },
-        }),
+        button('+ Present posture', { class: 'add', 'data-testid': 'add-posture' }, () => add(state.q.slice())),
+        button('+ All named postures', {}, () =>
+          Object.entries(state.table.postures ?? {}).forEach(([name, q]) => add(q.slice(), name)),
+        ),
         legSeconds,
       ),
       h('div', { class: 'line' }, run),
@@ -162,13 +144,7 @@ export const sequence = {
             h(
               'th',
               { scope: 'row' },
-              h('button', {
-                type: 'button',
-                class: 'quiet',
-                text: p.name,
-                title: 'Go there',
-                on: { click: () => moveTo(p.q.slice()) },
-              }),
+              button(p.name, { class: 'quiet', title: 'Go there' }, () => moveTo(p.q.slice())),
             ),
             cells,
             time('seconds', 'Seconds to', (v) => (v > 0 ? null : 'more than 0')),
@@ -176,33 +152,16 @@ export const sequence = {
             h(
               'td',
               { class: 'tools' },
-              h('button', {
-                type: 'button',
-                class: 'icon',
-                text: '↑',
-                disabled: k === 0,
-                'aria-label': `Move ${p.name} up`,
-                on: {
-                  click: () => {
-                    tell('did', { label: `move ${p.name} up` });
-                    S.postures.splice(k - 1, 0, ...S.postures.splice(k, 1));
-                    rebuild();
-                  },
-                },
+              button('↑', { class: 'icon', disabled: k === 0, 'aria-label': `Move ${p.name} up` }, () => {
+                tell('did', { label: `move ${p.name} up` });
+                S.postures.splice(k - 1, 0, ...S.postures.splice(k, 1));
+                rebuild();
               }),
-              h('button', {
-                type: 'button',
-                class: 'icon',
-                text: '×',
-                'aria-label': `Remove ${p.name}`,
-                on: {
-                  click: () => {
-                    tell('did', { label: `remove ${p.name}` });
-                    S.postures.splice(k, 1);
-                    rebuild();
-                    tell('sequence');
-                  },
-                },
+              button('×', { class: 'icon', 'aria-label': `Remove ${p.name}` }, () => {
+                tell('did', { label: `remove ${p.name}` });
+                S.postures.splice(k, 1);
+                rebuild();
+                tell('sequence');
               }),
             ),
           );
@@ -221,14 +180,10 @@ export const sequence = {
           ),
         );
     }
-    async function go() {
-      verdict.hidden = false;
-      const bad = unreadable(root);
-      if (bad) {
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, bad);
-        return;
-      }
+    function go() {
+      return attempt(root, verdict, move);
+    }
+    async function move() {
       run.disabled = true;
       try {
         const P = S.postures;
@@ -245,8 +200,7 @@ export const sequence = {
           short: p.name,
           stop: false,
         }));
-        verdict.dataset.tone = 'good';
-        setText(verdict, `${P.length} postures in ${m.t[m.t.length - 1].toFixed(2)} s. ${limitWords(m.q)}`);
+        answer(verdict, `${P.length} postures in ${m.t[m.t.length - 1].toFixed(2)} s. ${limitWords(m.q)}`, 'good');
         dock.show(
           motionOf({
             table: state.table,
@@ -259,9 +213,6 @@ export const sequence = {
             title: `${state.table.name}: ${P.map((p) => p.name).join(' – ')}`,
           }),
         );
-      } catch (error) {
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, error.message);
       } finally {
         run.disabled = S.postures.length < 2;
       }
