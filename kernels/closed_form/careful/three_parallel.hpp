@@ -121,6 +121,19 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
   }
 }
 
+// By how much joint b must turn for three turning joints of the plane to reach: the square of how far they must is a harmonic of it, and
+// is brought as near as it can be to the middle of what they can. With its twin on the other side of the harmonic's phase.
+template <class Far> void turn_to_reach(Far far, double a, double b, double* out) {
+  const double r0 = far(0), r1 = far(2 * kPi / 3), r2 = far(-2 * kPi / 3);
+  const double middle = (r0 + r1 + r2) / 3, cosine = r0 - middle, sine = (r1 - r2) / std::sqrt(3.0),
+               size = std::hypot(cosine, sine), phase = std::atan2(sine, cosine);
+  // what they can reach of [middle - size, middle + size]
+  const double low = std::fmax((a - b) * (a - b), middle - size), high = std::fmin((a + b) * (a + b), middle + size);
+  const double away =
+      std::acos(std::fmin(std::fmax((0.5 * (low + high) - middle) / std::fmax(size, kTiny), -1.0), 1.0));
+  out[0] = phase + away, out[1] = phase - away;
+}
+
 // One pose.
 inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, const PlanarLink& l2, const double* T,
                                  double* q, std::uint8_t* valid, std::uint8_t* flag) {
@@ -130,9 +143,27 @@ inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, cons
         solve_around_plane(rest, slides, apart, own.first_c, roots);
       },
       [&](double* arm, bool free, const auto& around, const auto& put, Found& found) {
-        const int tries = free ? 16 : 1, before = found.count;
-        for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
-          arm[1] += trial * (2 * kPi / 16);
+        // a free joint turns to where the plane can reach: with slides that is searched
+        const bool* slides = own.slides + own.first;
+        const bool turning = !(slides[0] || slides[1] || slides[2] || own.slides[own.order[1]]);
+        double values[16] = {arm[1]};
+        int tries = 1;
+        if (free && turning) {
+          tries = 2;
+          turn_to_reach(
+              [&](double turn) {
+                double turned[3] = {arm[0], arm[1] + turn, arm[2]};
+                const Rigid left = around(turned);
+                return left.t.x * left.t.x + left.t.y * left.t.y;
+              },
+              std::hypot(l1.at.x, l1.at.y), std::hypot(l2.at.x, l2.at.y), values);
+          values[0] += arm[1], values[1] += arm[1];
+        } else if (free) {
+          for (tries = 0; tries < 16; ++tries) values[tries] = arm[1] + tries * (2 * kPi / 16);
+        }
+        const int before = found.count;
+        for (int trial = 0; trial < tries && (turning || found.count == before); ++trial) {
+          arm[1] = values[trial];
           const Rigid left = around(arm);
           double plane[2][3];
           const int bends =

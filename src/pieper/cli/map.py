@@ -14,7 +14,7 @@ import click
 import pieper
 from pieper import InputError
 from pieper.cli.arguments import numbers
-from pieper.cli.options import NUMBERS, as_json, takes_arm, takes_units
+from pieper.cli.options import TakesNumbers, as_json, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import say
 from pieper.cli.status import DONE
@@ -33,7 +33,7 @@ class _Progress:
         print(f"\r{done} of {tiles} tiles, about {left:.0f} s left   ", end=end, file=sys.stderr, flush=True)
 
 
-@click.command("map", context_settings=NUMBERS, short_help="Fill a box with answers: what the arm reaches.")
+@click.command("map", cls=TakesNumbers, short_help="Fill a box with answers: what the arm reaches.")
 @takes_arm
 @click.option("--box", required=True, metavar="NUMBERS", help="x0 x1 y0 y1 z0 z1, quoted, in --length.")
 @click.option("--step", required=True, type=float, help="Side of a voxel, in --length.")

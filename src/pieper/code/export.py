@@ -10,6 +10,7 @@ from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 
+from pieper import arguments
 from pieper.code.labels import Labels, labels_of
 from pieper.code.program import Program, recorded
 from pieper.errors import InputError, PlanError
@@ -101,7 +102,7 @@ def export(arm: PlannedArm, name: str) -> Export:
         PlanError: The arm cannot be exported.
     """
     if not isinstance(name, str) or not _WORD.fullmatch(name):
-        raise InputError(f"name must be a word of letters, digits and _, got {name!r}.", given=name)
+        raise InputError(f"name must be a word of letters, digits and _, got {arguments.kind_of(name)}.", given=name)
     plan = arm.plan
     _refuse_what_is_not_six_joints(plan)
     q = _postures(plan)

@@ -8,6 +8,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bools, Indices
 from pieper.kinematics.pose import checked_pose, rotation_about, transform
@@ -99,10 +100,7 @@ def grid_of(
     Raises:
         InputError: A box or step that is none, or in millimetres; orientations that are no rotations.
     """
-    try:
-        corners = np.array(box, dtype=np.float64)
-    except (TypeError, ValueError):
-        corners = np.empty(0)
+    corners = arguments.numbers(box, "box", "((x0, x1), (y0, y1), (z0, z1)) with x0 < x1, in metres")
     if corners.shape != (3, 2) or not np.isfinite(corners).all() or (corners[:, 1] <= corners[:, 0]).any():
         raise InputError(f"box must be ((x0, x1), (y0, y1), (z0, z1)) with x0 < x1, in metres, got {box!r}.", given=box)
     side = corners[:, 1] - corners[:, 0]
@@ -112,11 +110,8 @@ def grid_of(
             "millimetres by 1000.",
             given=box,
         )
-    if (
-        not isinstance(step, (int, float, np.number))
-        or not np.isfinite(step)
-        or not 0 < step <= side.min() * (1 + RELATIVE_ROUNDING)
-    ):
+    arguments.number(step, "step", "m")
+    if not 0 < step <= side.min() * (1 + RELATIVE_ROUNDING):
         raise InputError(
             f"step must be positive, in metres, at most the box's smallest side ({side.min():.4g} m), got {step!r}: "
             "20 mm is 0.02.",
@@ -132,8 +127,8 @@ def grid_of(
 
 
 def _orientations(said: Any) -> tuple[Array, int]:
-    if np.ndim(said) == 3:
-        turns = np.array(said, dtype=np.float64)
+    turns = arguments.numbers(said, "orientations", "(directions, rolls) or rotations (k, 3, 3)")
+    if turns.ndim == 3:
         return checked_pose(transform(turns), "orientations", batch=True)[:, :3, :3], 1
     counts = list(said) if isinstance(said, (tuple, list)) else []
     whole = len(counts) == 2 and all(isinstance(n, (int, np.integer)) and n >= 1 for n in counts)

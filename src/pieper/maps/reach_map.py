@@ -8,10 +8,11 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
 from pieper.kinematics.pose import PoseLike, checked_pose, rotation_z
@@ -31,6 +32,15 @@ AHEAD = 64
 MOST_BYTES = 10_000_000_000
 SYMMETRIES = ("auto", "none")
 _BITS_OF_BYTE = np.unpackbits(np.arange(256, dtype=np.uint8)[:, None], axis=1).sum(1, dtype=np.uint8)
+
+
+@runtime_checkable
+class Submits(Protocol):
+    """What executors have."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Any:
+        """Begin a call."""
+        ...
 
 
 class Voxels(NamedTuple):
@@ -204,8 +214,11 @@ def reach_map(
     Raises:
         InputError: A box, step, orientations or symmetry that is none, another map's store, too much without one.
     """
-    if symmetry not in SYMMETRIES:
-        raise InputError(f"symmetry is {symmetry!r}; it may be {' or '.join(SYMMETRIES)}.", given=symmetry)
+    arguments.word(symmetry, "symmetry", SYMMETRIES)
+    arguments.told(progress)
+    arguments.flag(measure, "measure")
+    if executor is not None:
+        arguments.like(Submits, executor, "executor", "one of concurrent.futures, or have a method submit")
     grid = grid_of(box, step, orientations, plan.task, plan.chain.length)
     if store is None and bytes_of(grid) > MOST_BYTES:
         raise InputError(
@@ -288,7 +301,8 @@ def _place(whole: Tile, number: int, per_tile: int, tile: Tile) -> None:
 def base_places(plan: Plan, Ts: PoseLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, yaw: ArrayLike) -> Array:
     """Return the share (nx, ny, nz, nyaw) of poses reached from each base; see `pieper.Arm.base_places`."""
     poses = checked_pose(Ts, "Ts", batch=True).reshape(-1, 4, 4)
-    said = [np.atleast_1d(np.asarray(v, np.float64)) for v in (x, y, z, yaw)]
+    named = (("x", x), ("y", y), ("z", z), ("yaw", yaw))
+    said = [np.atleast_1d(arguments.numbers(v, name)) for name, v in named]
     if not len(poses) or any(v.ndim != 1 or not len(v) or not np.isfinite(v).all() for v in said):
         raise InputError("base_places takes poses and lists of x, y, z (m) and yaw (rad), none empty.", given=said)
     X, Y, Z, A = (v.ravel() for v in np.meshgrid(*said, indexing="ij"))

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from pieper import arguments
 from pieper.document.writing import whole_file
 from pieper.errors import InputError
 from pieper.maps.grid import Grid
@@ -63,7 +64,8 @@ class Store:
         Raises:
             InputError: The folder keeps another map; the message says in what it differs.
         """
-        folder, page = Path(path), Path(path) / "map.json"
+        folder = arguments.file(path, "store")
+        page = folder / "map.json"
         try:
             folder.mkdir(parents=True, exist_ok=True)
             known = json.loads(page.read_text()) if page.exists() else None

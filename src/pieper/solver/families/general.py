@@ -82,7 +82,8 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
         "scale": scale,
         "max_solutions": {0: 16, 1: 16, 2: 8}.get(slides, 2),
     }
-    return KernelSpec(geometry, info)
+    facts = (f"The angle sought first is that of joint {best['hidden_joint']}.",) if exact else ()
+    return KernelSpec(geometry, info, facts)
 
 
 FAMILY = Family(

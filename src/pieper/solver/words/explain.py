@@ -46,6 +46,7 @@ def explain(plan: Plan) -> str:
     if steps:
         lines += ["", "Made a six-joint problem: " + "; ".join(steps) + "."]
     lines += ["", f"Solved by: {plan.family.replace('_', ' ')}, for {family.arrangement}.", f"  {family.words}"]
+    lines += [f"  {fact}" for fact in plan.spec.facts]
     lines += [
         f"  At most {plan.max_solutions} solutions a pose"
         + (" and choice of the spare joints." if plan.redundancy else ".")
@@ -56,7 +57,4 @@ def explain(plan: Plan) -> str:
         lines += [
             f"  Posture names: this arm is {plan.cuspidal}." if plan.cuspidal.found else f"  Cuspidal? {plan.cuspidal}."
         ]
-    for key, value in plan.spec.info.items():
-        if isinstance(value, (str, int, float)):
-            lines.append(f"  {key.replace('_', ' ')}: {value}")
     return "\n".join(lines)

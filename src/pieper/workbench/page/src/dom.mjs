@@ -26,24 +26,6 @@ export function setText(el, text) {
   if (el.textContent !== text) el.textContent = text;
 }
 
-/** Say in a line that is read aloud how something went: good, note or wrong. */
-export function answer(line, text, tone = 'wrong') {
-  line.hidden = false;
-  line.dataset.tone = tone;
-  setText(line, text);
-}
-
-/** Do something once all fields can be read; what goes wrong is told in the line. */
-export async function attempt(root, line, work) {
-  const bad = unreadable(root);
-  if (bad) return answer(line, bad);
-  try {
-    await work();
-  } catch (error) {
-    answer(line, error.message);
-  }
-}
-
 /** A row of buttons of which one is pressed. */
 export function choice(label, options, current, pick, testid) {
   const group = h('div', { class: 'choice', role: 'group', 'aria-label': label, 'data-testid': testid });

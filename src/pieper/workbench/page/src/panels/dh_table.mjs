@@ -9,6 +9,7 @@ import { countWords } from '../library.mjs';
 import { add, asOne, change, limitReason, restructure, swap } from './dh_edits.mjs';
 import { robotOpeners, saveRobot } from './robot_files.mjs';
 import { dhSteps } from './dh_steps.mjs';
+import { rowTools } from './row_tools.mjs';
 import { poseEditor } from './pose_editor.mjs';
 
 const columns = {
@@ -206,17 +207,18 @@ export const dhTable = {
       h(
         'td',
         { class: 'tools' },
-        button('↑', { class: 'icon', 'aria-label': `Move joint ${i + 1} up`, disabled: i === 0 }, () => swap(i, i - 1)),
-        button('↓', { class: 'icon', 'aria-label': `Move joint ${i + 1} down`, disabled: i === n - 1 }, () =>
-          swap(i, i + 1),
-        ),
-        button('×', { class: 'icon', 'aria-label': `Remove joint ${i + 1}` }, () =>
-          restructure(
-            state.table.joints.filter((_, k) => k !== i),
-            (list) => list.filter((_, k) => k !== i),
-            `remove joint ${i + 1}`,
-          ),
-        ),
+        rowTools({
+          k: i,
+          n,
+          name: `joint ${i + 1}`,
+          move: swap,
+          remove: () =>
+            restructure(
+              state.table.joints.filter((_, k) => k !== i),
+              (list) => list.filter((_, k) => k !== i),
+              `remove joint ${i + 1}`,
+            ),
+        }),
       );
     const rebuild = () => {
       cells = [];

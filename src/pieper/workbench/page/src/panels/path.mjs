@@ -1,5 +1,5 @@
 // Path: a straight line between two poses, followed from a start posture; where it stops, and which branches would have passed.
-import { answer, attempt, button, h, replace, setText } from '../dom.mjs';
+import { button, h, replace, setText } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -10,6 +10,7 @@ import { motionOf } from '../curves.mjs';
 import * as dock from '../dock.mjs';
 import { showPath } from '../scene/arm.mjs';
 import { between } from '../rotation.mjs';
+import { longQuestion, verdictLine } from './long_question.mjs';
 import { lineEnds } from './line_ends.mjs';
 
 const tool = () => state.frames[state.frames.length - 1].slice();
@@ -53,8 +54,15 @@ export const path = {
         preview();
       }
     });
-    const plan = button('Plan the line', { class: 'primary', 'data-testid': 'plan' }, () => run(state.q));
-    const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'path-verdict', hidden: true });
+    const verdict = verdictLine('path-verdict');
+    const plan = longQuestion({
+      text: 'Plan the line',
+      working: 'Planning …',
+      testid: 'plan',
+      verdict,
+      root,
+      ask: (start) => run(start ?? state.q),
+    });
     const branches = h('div', { class: 'branches', 'data-testid': 'branches' });
     root.append(
       ends.el,
@@ -83,23 +91,13 @@ export const path = {
       );
       showPath(Array.from({ length: 33 }, (_, i) => position(between(P.from, P.to, i / 32))));
     };
-    function run(start) {
-      return attempt(root, verdict, () => follow(start));
-    }
-    async function follow(start) {
-      setText(plan, 'Planning …');
-      plan.disabled = true;
-      try {
-        const track = await askArm('follow', { T0: P.from, T1: P.to, n: P.n, start });
-        state.track = track;
-        report(track, start);
-      } finally {
-        setText(plan, 'Plan the line');
-        plan.disabled = false;
-      }
+    async function run(start) {
+      const track = await askArm('follow', { T0: P.from, T1: P.to, n: P.n, start });
+      state.track = track;
+      report(track, start);
     }
     function report(track) {
-      answer(verdict, track.explain, track.complete ? 'good' : 'wrong');
+      verdict.say(track.explain, track.complete ? 'good' : 'wrong');
       replace(
         branches,
         track.branches.length ? h('h3', { text: 'Branches that start at the first pose' }) : null,
@@ -116,7 +114,7 @@ export const path = {
               on: {
                 click: async () => {
                   await moveTo(b.q, 0.4, `take branch ${k + 1}`);
-                  run(b.q);
+                  plan.ask(b.q);
                 },
               },
             },
@@ -172,7 +170,7 @@ export const path = {
     on('units', preview);
     on('table', (what) => {
       if (['postures', 'name', 'gripper'].includes(what)) return;
-      verdict.hidden = true;
+      verdict.say('');
       replace(branches);
       showPath([]);
       // the ends are places in the world: another arm may be asked for the same line

@@ -1,5 +1,5 @@
 // Program: moves, waits, gripper and outputs in order; taught or typed, run with its true times, written for a controller.
-import { answer, attempt, button, download, h, replace, say, select, setText } from '../dom.mjs';
+import { button, download, h, replace, say, select, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { showUnit, show } from '../units.mjs';
 import { askArm } from '../library.mjs';
@@ -9,6 +9,8 @@ import { setProgram, setStart, start, programMessage, taughtAt, renumbered } fro
 import { stepEditor } from './program_step.mjs';
 import { limitFields } from './program_limits.mjs';
 import { kindOf } from './joints.mjs';
+import { longQuestion, verdictLine } from './long_question.mjs';
+import { rowTools } from './row_tools.mjs';
 import { words, summary } from './program_words.mjs';
 import * as dock from '../dock.mjs';
 
@@ -35,7 +37,7 @@ export const program = {
       failed = null,
       dragged = -1;
     const list = h('ol', { class: 'steps', 'data-testid': 'program', 'aria-label': 'Steps of the program' });
-    const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'program-verdict', hidden: true });
+    const verdict = verdictLine('program-verdict');
     const binds = h(
       'details',
       { class: 'fold', hidden: true },
@@ -44,7 +46,15 @@ export const program = {
     );
     const addButton = (kind, text, title, make) =>
       button(text, { title, 'data-testid': `step-add-${kind}` }, () => add(make()));
-    const run = button('Run the program', { class: 'primary', 'data-testid': 'run-program' }, go);
+    const run = longQuestion({
+      text: 'Run the program',
+      working: 'Planning …',
+      testid: 'run-program',
+      verdict,
+      root,
+      open: () => state.program.length > 0,
+      ask: plan,
+    });
     const startLine = h('span', { class: 'hint', 'data-testid': 'program-start' });
     let dialect = 'rapid';
     root.append(
@@ -229,15 +239,7 @@ export const program = {
           h('span', { class: 'grip', 'aria-hidden': 'true', text: '⠿' }),
           h('span', { class: 'hint', text: String(k + 1) }),
           name,
-          button('↑', { class: 'icon', disabled: k === 0, 'aria-label': `Move step ${k + 1} up` }, () =>
-            move(k, k - 1),
-          ),
-          button(
-            '↓',
-            { class: 'icon', disabled: k === state.program.length - 1, 'aria-label': `Move step ${k + 1} down` },
-            () => move(k, k + 1),
-          ),
-          button('×', { class: 'icon', 'aria-label': `Remove step ${k + 1}` }, () => remove(k)),
+          rowTools({ k, n: state.program.length, name: `step ${k + 1}`, move, remove }),
         ),
         failed?.step === k ? h('p', { class: 'reason', text: failed.text }) : null,
         open ? editor(s, k) : null,
@@ -286,7 +288,7 @@ export const program = {
             text: 'No steps yet. Move the arm and teach it: Joints or Line takes where it stands; every pose can be typed afterwards.',
           }),
         );
-      run.disabled = !state.program.length;
+      run.show();
       const q = start();
       setText(
         startLine,
@@ -295,52 +297,42 @@ export const program = {
           : '',
       );
     }
-    function go() {
-      return attempt(root, verdict, plan);
-    }
     async function plan() {
-      run.disabled = true;
-      setText(run, 'Planning …');
-      try {
-        const m = await askArm('program', { ...programMessage(), world: state.world });
-        failed = m.failed;
-        if (failed) chosen = failed.step;
-        answer(
-          verdict,
-          failed
-            ? `Step ${failed.step + 1} cannot be done: ${failed.text}\nShown is what comes before it.`
-            : [m.explain, m.clear?.text].filter(Boolean).join('\n'),
-          failed || m.clear?.verdict === 'HIT' ? 'wrong' : m.clear?.verdict === 'UNCERTAIN' ? 'note' : 'good',
-        );
-        binds.hidden = !m.tight.length;
-        setText(binds.lastChild, m.tight.map((x) => x.text).join('\n'));
-        rebuild();
-        const events = m.events.map(([t, kind, value]) => ({
-          x: t,
-          s: 0,
-          text: `${kind} ${value} at ${t.toFixed(2)} s`,
-          short: kind === 'gripper' ? (value > 0.5 ? 'close' : 'open') : kind,
-          stop: false,
-        }));
-        dock.show(
-          Object.assign(
-            motionOf({
-              table: state.table,
-              q: m.q,
-              xs: m.t,
-              xName: 'time',
-              seconds: m.t,
-              dq: m.dq,
-              events,
-              title: `${state.table.name}: program, ${m.duration.toFixed(2)} s`,
-            }),
-            { ddq: m.ddq, happens: m.events, tight: m.tight, limits: programMessage().limits },
-          ),
-        );
-      } finally {
-        run.disabled = !state.program.length;
-        setText(run, 'Run the program');
-      }
+      const m = await askArm('program', { ...programMessage(), world: state.world });
+      failed = m.failed;
+      if (failed) chosen = failed.step;
+      verdict.say(
+        failed
+          ? `Step ${failed.step + 1} cannot be done: ${failed.text}\nShown is what comes before it.`
+          : [m.explain, m.clear?.text].filter(Boolean).join('\n'),
+        failed || m.clear?.verdict === 'HIT' ? 'wrong' : m.clear?.verdict === 'UNCERTAIN' ? 'note' : 'good',
+      );
+      binds.hidden = !m.tight.length;
+      setText(binds.lastChild, m.tight.map((x) => x.text).join('\n'));
+      rebuild();
+      const events = m.events.map(([t, kind, value]) => ({
+        x: t,
+        s: 0,
+        text: `${kind} ${value} at ${t.toFixed(2)} s`,
+        short: kind === 'gripper' ? (value > 0.5 ? 'close' : 'open') : kind,
+        stop: false,
+      }));
+      dock.show(
+        motionOf({
+          table: state.table,
+          q: m.q,
+          xs: m.t,
+          xName: 'time',
+          seconds: m.t,
+          dq: m.dq,
+          ddq: m.ddq,
+          events,
+          title: `${state.table.name}: program, ${m.duration.toFixed(2)} s`,
+          happens: m.events,
+          tight: m.tight,
+          limits: programMessage().limits,
+        }),
+      );
     }
     async function save() {
       try {
@@ -348,7 +340,7 @@ export const program = {
         const { text, name: file } = await askArm('program_file', { ...programMessage(), dialect, name });
         download(file, text);
       } catch (error) {
-        answer(verdict, error.message);
+        verdict.say(error.message);
       }
     }
     on(['program', 'units', 'table'], (what) => {

@@ -1,5 +1,5 @@
 // Route: the line with the tool's turn left free; every branch and every turn on one map, the cheapest curve, or what shuts it.
-import { answer, button, h, replace, say, setText, unreadable } from '../dom.mjs';
+import { button, h, replace, say, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { position } from '../matrix.mjs';
@@ -13,6 +13,7 @@ import { colours } from '../theme.mjs';
 import { setProgram } from '../program.mjs';
 import { routing, setRouting, routeMessage, freedom, isRound } from '../routing.mjs';
 import { routeMap } from '../routemap.mjs';
+import { longQuestion, verdictLine } from './long_question.mjs';
 import { lineEnds } from './line_ends.mjs';
 import { routeSettings } from './route_settings.mjs';
 
@@ -29,14 +30,29 @@ export const route = (open) => ({
     const ends = lineEnds('route', () => preview());
     const settings = routeSettings();
     const named = (text, testid, click, props = {}) => button(text, { 'data-testid': testid, ...props }, click);
-    const plan = named('Find the route', 'find-route', () => run(), { class: 'primary' });
     const letFree = named('Let both ends free', 'free-ends', () => {
       setRouting({ start: null, end: null }, 'let the ends of the route free');
-      run();
+      plan.ask();
     });
     const send = named('Send to the program', 'route-to-program', toProgram, { hidden: true });
     const more = named('', 'route-others', others, { hidden: true });
-    const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'route-verdict', hidden: true });
+    const verdict = verdictLine('route-verdict');
+    const plan = longQuestion({
+      text: 'Find the route',
+      working: 'Looking …',
+      testid: 'find-route',
+      verdict,
+      root,
+      async ask() {
+        try {
+          const got = await askArm('route', routeMessage());
+          if (!got.stopped) report(got);
+        } catch (error) {
+          map.cancel();
+          throw error;
+        }
+      },
+    });
     const chips = h('div', { class: 'chips', role: 'group', 'aria-label': 'Branches on the map' });
     const list = h('div', { class: 'branches', 'data-testid': 'route-list' });
     const map = routeMap({
@@ -66,34 +82,13 @@ export const route = (open) => ({
       if (P.from && P.to && !found)
         showPath(Array.from({ length: 33 }, (_, i) => position(between(P.from, P.to, i / 32))));
     };
-    async function run() {
-      const bad = unreadable(root);
-      if (bad) {
-        answer(verdict, bad);
-        return;
-      }
-      setText(plan, 'Looking …');
-      plan.disabled = true;
-      try {
-        const got = await askArm('route', routeMessage());
-        if (!got.stopped) report(got);
-      } catch (error) {
-        map.cancel();
-        answer(verdict, error.message);
-      } finally {
-        setText(plan, 'Find the route');
-        plan.disabled = false;
-      }
-    }
     function report(got) {
       const r = routing();
       found = state.route = { ...got, turn: asHeld(got, r), asked: [P.from, P.to] };
       // all branches at once lie over each other: the one that is gone comes first
       only = got.found ? got.branches[got.labels[0]] : null;
       if (got.found) line.open = false;
-      verdict.hidden = false;
-      verdict.dataset.tone = got.found ? 'good' : got.verdict === 'IMPOSSIBLE' ? 'wrong' : 'note';
-      setText(verdict, got.text);
+      verdict.say(got.text, got.found ? 'good' : got.verdict === 'IMPOSSIBLE' ? 'wrong' : 'note');
       map.show(found, only, { start: Boolean(r.start), end: Boolean(r.end) });
       showPreview(null);
       letFree.hidden = !(r.start || r.end);
@@ -181,7 +176,7 @@ export const route = (open) => ({
           { [which]: { turn, q: got.q, branch: got.label } },
           `turn the ${which} of the route to ${showUnit(turn, 'angle', 1)}`,
         );
-        await run();
+        await plan.ask();
       } catch (error) {
         showPreview(null);
         map.cancel();
@@ -212,7 +207,7 @@ export const route = (open) => ({
                       { start: { turn: a.turn, q: a.q, branch: a.branch }, end: null },
                       `begin the route ${a.branch}`,
                     );
-                    await run();
+                    await plan.ask();
                   },
                 },
               },
@@ -230,7 +225,7 @@ export const route = (open) => ({
         );
         more.hidden = true;
       } catch (error) {
-        answer(verdict, error.message);
+        verdict.say(error.message);
       } finally {
         more.disabled = false;
         if (found) setText(more, found.found ? 'Routes that begin with other postures' : 'What would let it through?');
@@ -250,7 +245,7 @@ export const route = (open) => ({
         say(`Sent as a spline through ${got.poses} poses; it strays by at most ${off}.`);
         open()?.('program');
       } catch (error) {
-        answer(verdict, error.message);
+        verdict.say(error.message);
       } finally {
         send.disabled = false;
       }
@@ -262,7 +257,7 @@ export const route = (open) => ({
     /** What was found is for another line, another arm or another freedom: it goes. */
     function forget() {
       found = state.route = null;
-      verdict.hidden = true;
+      verdict.say('');
       map.show(null);
       send.hidden = more.hidden = letFree.hidden = true;
       replace(chips);
@@ -290,7 +285,7 @@ export const route = (open) => ({
     on('units', () => map.paint());
     on('routing', (what) => {
       // what was asked for before is looked for again
-      if (what === 'undo' && found) run();
+      if (what === 'undo' && found) plan.ask();
     });
     on(['path', 'path-loaded'], () => {
       if (!found || (found.asked[0] === P.from && found.asked[1] === P.to)) return;

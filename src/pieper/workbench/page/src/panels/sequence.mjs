@@ -1,5 +1,5 @@
 // Sequence: postures with times, all joints together, at rest in each; its curves and its animation.
-import { answer, attempt, button, h, replace } from '../dom.mjs';
+import { button, h, replace } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { units } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -7,6 +7,8 @@ import { askArm } from '../library.mjs';
 import { moveTo } from '../animate.mjs';
 import { motionOf } from '../curves.mjs';
 import { kindOf } from './joints.mjs';
+import { longQuestion, verdictLine } from './long_question.mjs';
+import { rowTools } from './row_tools.mjs';
 import * as dock from '../dock.mjs';
 
 const MOST = 40;
@@ -29,8 +31,16 @@ export const sequence = {
     };
     const head = h('thead'),
       body = h('tbody');
-    const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'sequence-verdict', hidden: true });
-    const run = button('Run the sequence', { class: 'primary', 'data-testid': 'run-sequence' }, go);
+    const verdict = verdictLine('sequence-verdict');
+    const run = longQuestion({
+      text: 'Run the sequence',
+      working: 'Planning …',
+      testid: 'run-sequence',
+      verdict,
+      root,
+      open: () => S.postures.length > 1,
+      ask: plan,
+    });
     const legSeconds = button(
       'Same times for all legs',
       { class: 'quiet', title: 'Copy the first leg’s time and rest to the others' },
@@ -81,10 +91,22 @@ export const sequence = {
       rebuild();
       tell('sequence');
     }
+    function move(from, to) {
+      tell('did', { label: `move ${S.postures[from].name} ${to < from ? 'up' : 'down'}` });
+      S.postures.splice(to, 0, ...S.postures.splice(from, 1));
+      rebuild();
+      tell('sequence');
+    }
+    function remove(k) {
+      tell('did', { label: `remove ${S.postures[k].name}` });
+      S.postures.splice(k, 1);
+      rebuild();
+      tell('sequence');
+    }
     function rebuild() {
       const joints = state.table.joints;
       S.postures = S.postures.filter((p) => p.q.length === joints.length);
-      run.disabled = S.postures.length < 2;
+      run.show();
       replace(
         head,
         h(
@@ -149,21 +171,7 @@ export const sequence = {
             cells,
             time('seconds', 'Seconds to', (v) => (v > 0 ? null : 'more than 0')),
             time('hold', 'Rest after', (v) => (v >= 0 ? null : '0 or more')),
-            h(
-              'td',
-              { class: 'tools' },
-              button('↑', { class: 'icon', disabled: k === 0, 'aria-label': `Move ${p.name} up` }, () => {
-                tell('did', { label: `move ${p.name} up` });
-                S.postures.splice(k - 1, 0, ...S.postures.splice(k, 1));
-                rebuild();
-              }),
-              button('×', { class: 'icon', 'aria-label': `Remove ${p.name}` }, () => {
-                tell('did', { label: `remove ${p.name}` });
-                S.postures.splice(k, 1);
-                rebuild();
-                tell('sequence');
-              }),
-            ),
+            h('td', { class: 'tools' }, rowTools({ k, n: S.postures.length, name: p.name, move, remove })),
           );
         }),
       );
@@ -180,42 +188,34 @@ export const sequence = {
           ),
         );
     }
-    function go() {
-      return attempt(root, verdict, move);
-    }
-    async function move() {
-      run.disabled = true;
-      try {
-        const P = S.postures;
-        const m = await askArm('motion', {
-          postures: P.map((p) => p.q),
-          seconds: P.slice(1).map((p) => p.seconds),
-          holds: P.slice(1).map((p) => p.hold),
-          rate: S.rate,
-        });
-        const events = P.map((p, i) => ({
-          x: m.arrivals[i],
-          s: 0,
-          text: `${p.name} at ${m.arrivals[i].toFixed(2)} s`,
-          short: p.name,
-          stop: false,
-        }));
-        answer(verdict, `${P.length} postures in ${m.t[m.t.length - 1].toFixed(2)} s. ${limitWords(m.q)}`, 'good');
-        dock.show(
-          motionOf({
-            table: state.table,
-            q: m.q,
-            xs: m.t,
-            xName: 'time',
-            seconds: m.t,
-            dq: m.dq,
-            events,
-            title: `${state.table.name}: ${P.map((p) => p.name).join(' – ')}`,
-          }),
-        );
-      } finally {
-        run.disabled = S.postures.length < 2;
-      }
+    async function plan() {
+      const P = S.postures;
+      const m = await askArm('motion', {
+        postures: P.map((p) => p.q),
+        seconds: P.slice(1).map((p) => p.seconds),
+        holds: P.slice(1).map((p) => p.hold),
+        rate: S.rate,
+      });
+      const events = P.map((p, i) => ({
+        x: m.arrivals[i],
+        s: 0,
+        text: `${p.name} at ${m.arrivals[i].toFixed(2)} s`,
+        short: p.name,
+        stop: false,
+      }));
+      verdict.say(`${P.length} postures in ${m.t[m.t.length - 1].toFixed(2)} s. ${limitWords(m.q)}`, 'good');
+      dock.show(
+        motionOf({
+          table: state.table,
+          q: m.q,
+          xs: m.t,
+          xName: 'time',
+          seconds: m.t,
+          dq: m.dq,
+          events,
+          title: `${state.table.name}: ${P.map((p) => p.name).join(' – ')}`,
+        }),
+      );
     }
     on(['table', 'units', 'sequence-loaded'], rebuild);
     rebuild();

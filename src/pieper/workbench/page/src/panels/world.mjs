@@ -6,6 +6,7 @@ import { showBodies } from '../scene/clearance.mjs';
 import { units, showUnit } from '../units.mjs';
 import { position } from '../matrix.mjs';
 import { reach } from '../kinematics.mjs';
+import { rowTools } from './row_tools.mjs';
 import { poseEditor } from './pose_editor.mjs';
 
 const MOST = 60;
@@ -204,12 +205,15 @@ export const world = {
                   (role) => change(k, { role }, `make ${t.name} an ${role}`),
                 ),
           ),
-          button('×', { class: 'icon', 'aria-label': `Remove ${t.name}` }, () =>
-            setWorld(
-              state.world.filter((_, i) => i !== k),
-              `remove ${t.name}`,
-            ),
-          ),
+          rowTools({
+            k,
+            name: t.name,
+            remove: () =>
+              setWorld(
+                state.world.filter((_, i) => i !== k),
+                `remove ${t.name}`,
+              ),
+          }),
         ),
         size.length ? h('div', { class: 'line' }, size) : null,
         at.el,
