@@ -17,7 +17,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from pieper import arguments
-from pieper.algebra.parser import FormulaError
+from pieper.algebra.formula_error import FormulaError
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.judge import keys
