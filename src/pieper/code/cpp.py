@@ -12,7 +12,7 @@ from pieper import _kernel
 from pieper.code import c
 from pieper.code.c import own_parts
 from pieper.code.export import Export
-from pieper.code.kernel_source import HEADERS, fingerprint, joined
+from pieper.code.kernel_source import fingerprint, header_of, joined
 from pieper.code.labels import Manner
 from pieper.code.language import Notation, filled
 
@@ -266,7 +266,7 @@ def _between(parts: dict[str, str]) -> str:
 def text(export: Export) -> str:
     """Return the file's text."""
     plan, own = export.plan, export.between
-    family, header = HEADERS[plan.family]
+    family, header = header_of(plan.family)
     numbers, general = numbers_of(plan.spec.geometry)
     six = plan.reduction.six(plan.defaults)
     direct = own.plain and own.held is None
