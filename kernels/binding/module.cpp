@@ -184,9 +184,10 @@ NB_MODULE(_kernel, m) {
            "The same written into arrays of the caller's, with an outcome (N,) and, near joint vectors, a chosen row a "
            "pose (N, joints).")
       .def("reach", &PySolver::reach, nb::arg("centres"), nb::arg("turns"), nb::arg("rolls"), nb::arg("sense"),
-           nb::arg("links").none(), nb::arg("threads"),
-           "Voxels (v, 3) times orientations (k, 3, 3): bits reached and bits to look at one by one (v, ceil(k / 8)), "
-           "solutions (v,), and with links the best manipulability and margin (v,), else None.")
+           nb::arg("images"), nb::arg("first_sense"), nb::arg("links").none(), nb::arg("length"), nb::arg("threads"),
+           "Voxels (v, 3) times orientations (k, 3, 3), each voxel for its images (v, fold): bits reached and bits to "
+           "look "
+           "at one by one (w, ceil(k / 8)), solutions (w,), measures (w, 6) or (w, 0), by the images' numbers.")
       .def("one", &PySolver::one, nb::arg("T"),
            "(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag.");
 

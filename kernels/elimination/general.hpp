@@ -27,14 +27,15 @@ inline bool even(const Found& found) {
 }
 
 inline bool settled(const Report& report, const Found& found) {
-  return !report.doubtful && report.unresolved == 0 && report.spread < kGeneralAccurate && even(found);
+  return !report.doubtful && report.unresolved == 0 && report.lost == 0 && report.spread < kGeneralAccurate &&
+         even(found);
 }
 
 // A second opinion that added nothing. Special geometry gives some variants real eigenvalues without a solution, always; there
 // only the agreement counts.
 inline bool agreed(const Variant& v, const Report& report, const Found& found, int before) {
   if (found.count != before) return false;
-  return settled(report, found) || (v.open > 0 && !report.doubtful && even(found));
+  return settled(report, found) || (v.open > 0 && !report.doubtful && report.lost == 0 && even(found));
 }
 
 // Solutions of a neighbouring pose, polished onto this one.
@@ -101,7 +102,8 @@ inline bool escalate(const Model& model, const Rigid& pose, Found& found, bool* 
     solve_variant(model, v, perturbed(pose, kGeneralBeside[n], model.scale, random), 1, &near, &report);
     const int before = found.count;
     polish_onto(model, v, pose, near, found);
-    quiet = agreed(v, report, found, before) ? quiet + 1 : 0;
+    if (found.count != before) quiet = 0;
+    else if (agreed(v, report, found, before)) ++quiet;  // an open report that adds nothing says neither yes nor no
   }
   return quiet >= 4;
 }

@@ -344,10 +344,13 @@ class Solver:
         turns: ArrayLike,
         rolls: int,
         sense: float,
+        images: ArrayLike,
+        first_sense: float,
         links: ArrayLike | None,
+        length: float,
         threads: int,
-    ) -> tuple[Bits, Bits, Indices, Array | None, Array | None]:
-        """Voxels (v, 3), turns (k, 3, 3) -> bits, look (v, ceil(k / 8)), solutions, manipulability, margin (v,)."""
+    ) -> tuple[Bits, Bits, Indices, Array]:
+        """Voxels (v, 3), images (v, f), turns (k, 3, 3) -> bits, look (w, ceil(k / 8)), solutions, measures (w, 6)."""
 
     def one(self, T: ArrayLike) -> tuple[Array, Bits, Bools, int]:
         """(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag."""

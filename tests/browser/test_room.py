@@ -54,7 +54,7 @@ def test_the_picture_is_saved_as_it_stands(bench):
     assert content.startswith(b"\x89PNG") and len(content) > 20_000
 
 
-def test_the_catalogue_is_searched_by_maker_name_and_joints(bench):
+def test_the_catalogue_is_searched_by_maker_name_joints_payload_and_reach(bench):
     page = bench.page
     page.get_by_test_id("find-arm").click()
     found = page.get_by_test_id("arms-found").get_by_role("option")
@@ -65,6 +65,13 @@ def test_the_catalogue_is_searched_by_maker_name_and_joints(bench):
     names = [el.get_attribute("data-name") for el in found.all()]
     wanted = [n for n in pieper.catalog() if n.startswith("kuka") and pieper.load(n).n == 7]
     assert names == wanted and names
+    for said, figures in (("5 kg 900mm", (5, 0.9)), ("fanuc 1.2 m", (0, 1.2)), (">2,5kg abb", (2.5, 0))):
+        page.get_by_test_id("search-arms").fill(said)
+        names = [el.get_attribute("data-name") for el in found.all()]
+        maker = next((w for w in ("fanuc", "abb") if w in said), "")
+        entries = pieper.find_arms(maker, payload=figures[0] or None, reach=figures[1] or None)
+        assert names == [e.name for e in entries] and names, "as pieper.find_arms answers"
+    page.get_by_test_id("search-arms").fill("kuka 7r")
     page.keyboard.press("ArrowDown")
     page.keyboard.press("Enter")
     bench.until("name => workbench.table.name === name", wanted[0])

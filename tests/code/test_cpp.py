@@ -129,9 +129,3 @@ def test_the_table_of_headers_is_the_builds_own():
     for own, header in kernel_source.HEADERS.values():
         assert f'"{own} {header}"' in table
     assert table.count('.hpp"\n') + table.count('.hpp")') == len(kernel_source.HEADERS)
-
-
-@pytest.mark.parametrize("name", ["franka-panda", "adept-cobra-600"])
-def test_arms_without_six_joints_are_refused_with_the_reason(name, tmp_path):
-    with pytest.raises(pieper.PlanError, match="six joints"):
-        pieper.load(name).code("c++", tmp_path / "x.hpp")

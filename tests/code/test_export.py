@@ -171,7 +171,7 @@ def test_an_arm_is_exported_or_refused_with_its_reason(name, tmp_path):
 
 def test_other_words_are_refused(tmp_path):
     arm = pieper.load("denso-vp6242")
-    with pytest.raises(pieper.InputError, match="it may be c, "):
+    with pytest.raises(pieper.InputError, match="must be 'c', "):
         arm.code("cobol", tmp_path / "x")
     with pytest.raises(pieper.InputError, match="a word"):
         arm.code("c", tmp_path / "x.c", "two words")

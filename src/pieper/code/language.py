@@ -83,6 +83,7 @@ class Notation:
             "SLIDES": self.listed(self.truths[int(s)] for s in export.slides),
             "LINKS": self.numbers(export.links.reshape(export.n + 1, 12)),
             "VERIFIED": repr(export.verified),
+            "DEFAULT": repr(export.between.default),
             "TEST_Q": self.numbers(export.q),
             "TEST_T": self.numbers(export.T.reshape(-1, 16)),
             "COUNTS": self.listed(str(k) for k in export.counts),
@@ -109,7 +110,7 @@ class Language(Notation):
     def parts(self, export: Export) -> dict[str, str]:
         """Return what stands for the @WORDS@ of a file."""
         lines, said = statements(export.program, self.words, self.entry, self.assign)
-        program, n, between = export.program, export.n, ", "
+        program, n, between = export.program, 6, ", "
         rows = [said(i) for i in program.q]
         if self.per_row is not None:
             around, between = self.per_row

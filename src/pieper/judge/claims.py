@@ -12,12 +12,12 @@ import os
 import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
 
-from pieper.algebra.parser import FormulaError
+from pieper import arguments
+from pieper.algebra.formula_error import FormulaError
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.judge import keys
@@ -223,7 +223,7 @@ def _judged(name: str, claim: Claim, benches: dict[str, Evidence]) -> Verdict:
 def _read(source: str | os.PathLike[str]) -> tuple[str, str]:
     if isinstance(source, str) and ("\n" in source or ("=" in source and not os.path.isfile(source))):
         return "claims", source
-    path = Path(source)
+    path = arguments.file(source)
     try:
         if path.is_dir():
             raise InputError(f"{path}: this is a folder; name a claims file")

@@ -12,21 +12,24 @@ from typing import Any
 import numpy as np
 
 from pieper.algebra.expression import Expr
-from pieper.algebra.formula import Mention
-from pieper.algebra.parser import FormulaError, parse_equation
+from pieper.algebra.formula import ANGLE, Mention
+from pieper.algebra.formula_error import FormulaError
+from pieper.algebra.parser import parse_equation
 from pieper.errors import InputError, PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.conditions import Condition, read_conditions
 from pieper.judge.keys import UNITS
 from pieper.judge.letters import MatrixLetter, known_from, neighbours, of_whole_pose, pick_letters
-from pieper.judge.matrices import Product, parse_product, value_of
+from pieper.judge.matrices import value_of
 from pieper.judge.model import ArmModel
+from pieper.judge.products import Product, factors_of, parse_product
 from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample, some
 from pieper.judge.search.search import Explanation, Goal
 from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips
 from pieper.judge.slips.slip import KINDS
 from pieper.tolerances import ENTRY_MATTERS, EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
 
+MOST_ROWS = 4  # of a matrix of the file's own
 DRAWS = 60  # of joint vectors, until enough meet the conditions of a claim
 SOLVER_POSES = 10  # poses at which the other solutions are asked for
 
@@ -57,11 +60,11 @@ class Evidence:
     matrices: dict[str, list[list[Expr]]] = field(default_factory=dict)
 
     def define_matrix(self, name: str, rows: list[list[Any]]) -> None:
-        """Add a matrix of the file, 3 x 3 or 4 x 4, its entries numbers or formulas of the joints."""
-        if name in self.model.names() or name in ("I", "T") or re.fullmatch(r"[AQTRPv]\d{0,2}", name):
+        """Add a matrix of the file, of 1 to 4 rows and columns, its entries numbers or formulas of the joints."""
+        if name in self.model.names() or name in ("I", "T", "J") or re.fullmatch(r"[AQTRPv]\d{1,2}", name):
             raise InputError(f"the matrix {name!r} already means something for this arm; choose another name")
-        if len(rows) not in (3, 4) or any(len(row) != len(rows) for row in rows):
-            raise InputError("a matrix of one's own has 3 rows of 3 or 4 rows of 4 entries")
+        if len(rows) > MOST_ROWS or len(rows[0]) > MOST_ROWS or any(len(row) != len(rows[0]) for row in rows):
+            raise InputError(f"a matrix of one's own has rows of as many entries, {MOST_ROWS} of each at most")
         self.matrices[name] = [[self.parse(str(cell)).substitute(self.definitions) for cell in row] for row in rows]
 
     def define(self, name: str, text: str) -> None:
@@ -140,25 +143,30 @@ class Evidence:
         (T A6^-1)[1,4] is computed with theta6, but it is the wrist centre, which does not depend on it.
         """
         letter, n = self.letters[name], self.model.n
-        joints = known_from(letter.product, n)
-        if not of_whole_pose(letter.product, n):
+        own = frozenset(self.matrices)
+        joints = known_from(letter.product, n, own)
+        for factor in factors_of(letter.product):
+            for cell in (cell for row in self.matrices.get(factor.name, ()) for cell in row):
+                joints |= {int(found.group(1)) for found in map(ANGLE.match, cell.symbols()) if found}
+        if not of_whole_pose(letter.product, n, own):
             return joints
         drawn = replace(self, when=()).draw(len(self.samples.q), seed=77)
         here, other = self.samples.frames, drawn.frames
-        own = self.samples.nominal & drawn.nominal
+        rows = self.samples.nominal & drawn.nominal
         value = letter.value(here)
+        in_own = joints - known_from(letter.product, n, own)
 
         def moves(joint: int) -> bool:
             changed = letter.value({**here, f"A{joint}": other[f"A{joint}"]})
-            return not np.allclose(changed[own], value[own], rtol=0, atol=ENTRY_MATTERS)
+            return not np.allclose(changed[rows], value[rows], rtol=0, atol=ENTRY_MATTERS)
 
-        return {j for j in joints if moves(j)}
+        return in_own | {j for j in joints if moves(j)}
 
     def pick(self, env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
         """Add the letters that are entries of matrices to an environment, and the file's matrices to the frames."""
         shape = env["theta1"].shape
         for name, rows in self.matrices.items():
-            M = np.empty((*shape, len(rows), len(rows)))
+            M = np.empty((*shape, len(rows), len(rows[0])))
             for i, row in enumerate(rows):
                 for j, cell in enumerate(row):
                     M[..., i, j] = cell.evaluate(env)

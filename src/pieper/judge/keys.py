@@ -260,6 +260,7 @@ FILE: dict[str, Check] = {
     "title": text,
     "source": text,
     "notes": text,
+    "found": text,
     "seconds": finite,
     "arm": table_of(lambda _: ""),
     "arms": table_of(table_of(lambda _: "")),

@@ -29,10 +29,13 @@ from pieper.presentation.sections_arm import (
     add_worked,
 )
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
+from pieper.presentation.sections_scale import add_fit, add_map
 from pieper.tolerances import WHOLE_TURN
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
+    from pieper.calibration.fit import Fit
+    from pieper.maps.reach_map import ReachMap
     from pieper.motion.track import Track
     from pieper.presentation.arm import Arm
     from pieper.solver.results import Solutions
@@ -43,7 +46,13 @@ CANDIDATES = 200
 
 
 def report(
-    arm: Arm, *, pose: np.ndarray | None = None, track: Track | None = None, comparison: Comparison | None = None
+    arm: Arm,
+    *,
+    pose: np.ndarray | None = None,
+    track: Track | None = None,
+    comparison: Comparison | None = None,
+    reach_map: ReachMap | None = None,
+    fit: Fit | None = None,
 ) -> Document:
     """Return the report of an arm as a document.
 
@@ -52,6 +61,8 @@ def report(
         pose: (4, 4) the pose to solve, m; one with many solutions is chosen when left out.
         track: A path study to include.
         comparison: What `arm.verify` found, to include.
+        reach_map: A map of it to include.
+        fit: A calibration of it to include.
 
     Returns:
         The document, to be written by `document.html.page`, `document.latex.source` or `document.markdown.source`.
@@ -78,6 +89,10 @@ def report(
         add_track(page, arm, track)
     if comparison is not None:
         add_comparison(page, comparison)
+    if reach_map is not None:
+        add_map(page, reach_map)
+    if fit is not None:
+        add_fit(page, fit)
     page.summary = _summary(arm, solved, track)
     return page
 
@@ -91,6 +106,8 @@ def write_report(
     pose: np.ndarray | None = None,
     track: Track | None = None,
     comparison: Comparison | None = None,
+    reach_map: ReachMap | None = None,
+    fit: Fit | None = None,
 ) -> list[Path]:
     """Write the report of an arm, each file whole or not at all.
 
@@ -102,6 +119,8 @@ def write_report(
         pose: As in `report`.
         track: As in `report`.
         comparison: As in `report`.
+        reach_map: As in `report`.
+        fit: As in `report`.
 
     Returns:
         The files that were written, the page first.
@@ -109,7 +128,7 @@ def write_report(
     Raises:
         InputError: A place that cannot be written.
     """
-    page = report(arm, pose=pose, track=track, comparison=comparison)
+    page = report(arm, pose=pose, track=track, comparison=comparison, reach_map=reach_map, fit=fit)
     written = [write_whole(out, html_page(page))]
     for path, source in ((latex, latex_source), (markdown, markdown_source)):
         if path is not None:
@@ -228,7 +247,7 @@ def _and(words: Sequence[str]) -> str:
 def _summary(arm: Arm, sols: Solutions | None, track: Track | None) -> str:
     text = f"The {arm.name} has {plural(arm.n, 'joint')} ({arm.joint_types})."
     try:
-        text += f" A pose has at most {plural(arm.plan.max_solutions, 'solution')}."
+        text += f" A pose has at most {plural(arm.plan.count.most, 'solution')}."
     except PieperError:
         text += " It is beyond the solver; its geometry and forward kinematics are given."
     if sols is not None:

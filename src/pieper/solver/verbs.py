@@ -6,11 +6,11 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from numbers import Integral
 from typing import Any
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
@@ -92,6 +92,7 @@ def ik_many(
     threads = _threads(threads)
     poses, refused = without_refused(Ts) if marking(invalid) else (_plain(plan, Ts, redundancy), None)
     near_by = near_what(plan, near, start, weights, len(poses))
+    arguments.told(progress)
     told = None if progress is None else partial(_tell, progress, len(poses))
     solve = partial(_solved, plan, threads=threads, redundancy=redundancy, near=near_by, out=out, told=told)
     try:
@@ -197,7 +198,7 @@ def _plain(plan: Plan, Ts: PoseLike, redundancy: Redundancy) -> Array:
     """Return poses (N, 4, 4) as the solver takes them, unchecked where it looks at them itself."""
     by_value, given = not (isinstance(redundancy, Mapping) and ARM_ANGLE in redundancy), Ts
     if isinstance(given, np.ndarray) and (plan.direct or (plan.immediate and by_value)):
-        poses = np.ascontiguousarray(np.asarray(Ts), dtype=np.float64)
+        poses = np.ascontiguousarray(arguments.numbers(given, "Ts", "(N, 4, 4)"))
         if poses.ndim == 3 and poses.shape[1:] == (4, 4):
             return poses
     return _checked(Ts)
@@ -211,14 +212,7 @@ def _checked(Ts: PoseLike) -> Array:
 
 
 def _threads(threads: Any) -> int:
-    if threads is None:
-        return os.cpu_count() or 1
-    count = int(threads) if isinstance(threads, Integral) else 0
-    if count < 1:
-        raise InputError(
-            f"threads must be a whole number of at least 1, or None for all cores, got {threads!r}.", given=threads
-        )
-    return count
+    return os.cpu_count() or 1 if threads is None else arguments.whole(threads, "threads (None for all cores)", 1)
 
 
 # ---------------------------------------------------------------------------------------------- rows

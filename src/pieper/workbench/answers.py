@@ -43,21 +43,29 @@ def load(message: dict[str, Any], start: pieper.Arm | None, looks: Looks) -> dic
 
 
 def catalogue(message: dict[str, Any], start: pieper.Arm | None, looks: Looks) -> dict[str, Any]:
-    """Return what a person chooses an arm by: name, maker, joints, and the points of its frames at a posture (m)."""
+    """Return what a person chooses an arm by: name, maker, joints, payload (kg), reach (m), points of its frames."""
     return {"arms": _catalogue()}
 
 
 @cache
 def _catalogue() -> list[dict[str, Any]]:
     found = []
-    for name in pieper.catalog():
-        arm = pieper.load(name)
+    for entry in pieper.find_arms():
+        arm = pieper.load(entry.name)
         lower, upper = np.clip(arm.limits.T, -1.2, 1.2)
         named = next((arm.postures[k] for k in ("ready", "home", "work") if k in arm.postures), None)
         q = np.clip(np.full(arm.n, 0.6), lower, upper) if named is None else np.asarray(named)
         points = arm.frames(q)[:, :3, 3]
-        about = {"name": name, "maker": arm.description.manufacturer, "joints": "".join(arm.joint_types)}
-        found.append({**about, "points": np.round(points, 4).tolist()})
+        found.append(
+            {
+                "name": entry.name,
+                "maker": entry.manufacturer,
+                "joints": entry.joint_types,
+                "payload": entry.payload,
+                "reach": entry.reach,
+                "points": np.round(points, 4).tolist(),
+            }
+        )
     return found
 
 
@@ -88,7 +96,7 @@ def take_arm(message: dict[str, Any]) -> tuple[pieper.Arm, dict[str, Any]]:
     return arm, {
         "plan": {
             "family": plan.family,
-            "max_solutions": int(plan.max_solutions),
+            "max_solutions": int(plan.count.most),
             "explain": explain,
             "solvable": True,
             "task": plan.task,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import tempfile
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -180,7 +180,7 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
         "ddq": motion.ddq[kept].tolist(),
         "duration": float(motion.t[-1]),
         "events": [[float(t), kind, value] for t, kind, value in motion.events],
-        "tight": [{"start": x.start, "end": x.end, "text": str(x)} for x in motion.tight],
+        "tight": [asdict(x) | {"text": str(x)} for x in motion.tight],
         "margin": float(motion.margin),
         "explain": "\n".join([program.explain(), *(f"Step {k + 1}: the arm is there already." for k in built.idle)]),
         "failed": built.failed,

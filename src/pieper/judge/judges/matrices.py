@@ -9,7 +9,8 @@ from pieper.errors import InputError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, number, under
 from pieper.judge.judges.formulas import judge_equal
-from pieper.judge.matrices import Product, parse_product, product_slips, value_of
+from pieper.judge.matrices import product_slips, value_of
+from pieper.judge.products import Product, parse_product
 from pieper.judge.search.search import Goal
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import FLOOR_OF_SEARCH, MATRIX_ENTRY

@@ -6,6 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.bounded import nearer
@@ -87,7 +88,8 @@ def _stages(plan: Plan, weights: ArrayLike | None) -> list[tuple[float, int, int
         given = np.zeros(0)
     if given.shape != (2,) or not np.isfinite(given).all() or (given < 0).any() or not given.any():
         raise InputError(
-            f"weights must be two numbers of at least 0, not both 0: what a metre and a radian count; got {weights!r}.",
+            f"weights must be two numbers of at least 0, not both 0: what a metre and a radian count; got "
+            f"{arguments.kind_of(weights)}.",
             given=weights,
         )
     metre, radian = float(given[0]) * plan.chain.length, float(given[1]) * turning

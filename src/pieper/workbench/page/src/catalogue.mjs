@@ -1,4 +1,4 @@
-// The catalogue as a list one can search: by name, maker or joints, each arm with a small picture of its frames.
+// The catalogue as a list one can search: by name, maker, joints, payload or reach, each arm with a small picture.
 import { h, replace, say } from './dom.mjs';
 import { ask } from './link.mjs';
 
@@ -34,6 +34,31 @@ function figure(points) {
   return svg;
 }
 
+const kind = (joints) => (/^(.)\1*$/.test(joints) ? `${joints.length}${joints[0]}` : joints);
+/** How much an arm must carry (kg), and how far it must reach (m), where a word says so: 5kg, 900mm, 1.2m. */
+function figureOf(word) {
+  const found = /^>?(\d+(?:[.,]\d+)?)(kg|mm|m)$/.exec(word);
+  if (!found) return null;
+  const value = Number(found[1].replace(',', '.'));
+  return found[2] === 'kg' ? { payload: value } : { reach: found[2] === 'm' ? value : value / 1000 };
+}
+/** Whether an arm answers to every word; one whose figures are not known answers to none that asks for a figure. */
+function answers(arm, words) {
+  const all = `${arm.name} ${arm.maker} ${arm.joints} ${kind(arm.joints)}`.toLowerCase();
+  return words.every((w) => {
+    const least = figureOf(w);
+    if (!least) return all.includes(w);
+    return Object.entries(least).every(([key, value]) => arm[key] !== null && arm[key] >= value - 1e-9);
+  });
+}
+const about = ({ maker, joints, payload, reach }) =>
+  [
+    maker,
+    kind(joints),
+    payload === null ? '' : `${payload} kg`,
+    reach === null ? '' : `${Math.round(reach * 1000)} mm`,
+  ].filter(Boolean);
+
 /** A dialog over the page; `pick` is called with the name of the chosen arm. */
 export function catalogueDialog(pick) {
   let arms = null;
@@ -41,7 +66,7 @@ export function catalogueDialog(pick) {
   const count = h('span', { class: 'hint', role: 'status' });
   const search = h('input', {
     type: 'text',
-    placeholder: 'Name, maker, or joints such as 7R',
+    placeholder: 'Name, maker, joints (7R), payload (5 kg), reach (900 mm)',
     'aria-label': 'Search the catalogue',
     'data-testid': 'search-arms',
     autocomplete: 'off',
@@ -74,13 +99,11 @@ export function catalogueDialog(pick) {
     list,
   );
   document.body.append(dialog);
-  const kind = (joints) => (/^(.)\1*$/.test(joints) ? `${joints.length}${joints[0]}` : joints);
   function show() {
-    const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
-    const found = (arms ?? []).filter((a) => {
-      const all = `${a.name} ${a.maker} ${a.joints} ${kind(a.joints)}`.toLowerCase();
-      return words.every((w) => all.includes(w));
-    });
+    // a number and its unit are one word, whether or not there is a space between them
+    const said = search.value.toLowerCase().replace(/(\d)\s+(kg|mm|m)\b/g, '$1$2');
+    const words = said.split(/\s+/).filter(Boolean);
+    const found = (arms ?? []).filter((a) => answers(a, words));
     count.textContent = `${found.length} of ${arms?.length ?? 0} arms`;
     replace(
       list,
@@ -106,12 +129,7 @@ export function catalogueDialog(pick) {
             },
           },
           figure(a.points),
-          h(
-            'span',
-            {},
-            h('b', { text: a.name }),
-            h('span', { class: 'hint', text: [a.maker, kind(a.joints)].filter(Boolean).join(', ') }),
-          ),
+          h('span', {}, h('b', { text: a.name }), h('span', { class: 'hint', text: about(a).join(', ') })),
         ),
       ),
     );

@@ -3,7 +3,7 @@ import { h, replace, setText, choice, select, say } from './dom.mjs';
 import { state, on, tell, setTable, presentable } from './store.mjs';
 import { undo, redo, toUndo, toRedo } from './history.mjs';
 import { units, showUnit } from './units.mjs';
-import { setTheme } from './theme.mjs';
+import { setTheme, setTextSize, textSize } from './theme.mjs';
 import { ask } from './link.mjs';
 import { sentence, countWords } from './library.mjs';
 import { catalogueDialog } from './catalogue.mjs';
@@ -97,6 +97,13 @@ export function bar(root) {
           tell('units');
         },
         'unit-length',
+      ),
+      select(
+        'Size of the letters',
+        [1, 1.15, 1.3, 1.5].map((size) => [String(size), `${Math.round(100 * size)} %`]),
+        String(textSize()),
+        (size) => setTextSize(Number(size)),
+        { 'data-testid': 'text-size' },
       ),
       select(
         'Light or dark',

@@ -1,6 +1,6 @@
-// What is drawn against the point number or the time: tool position, joints, joint speeds, distance to singularity.
+// What is drawn against the point number or the time: tool and joints, their speeds, accelerations, what they must keep.
 import { frames as forward, singularValues } from './kinematics.mjs';
-import { position } from './matrix.mjs';
+import { position, norm } from './matrix.mjs';
 import { units } from './units.mjs';
 import { kindOf } from './panels/joints.mjs';
 
@@ -8,15 +8,20 @@ export const kinds = [
   ['position', 'Position'],
   ['joints', 'Joints'],
   ['speeds', 'Joint speeds'],
+  ['accelerations', 'Accelerations'],
+  ['toolspeed', 'Tool speed'],
   ['singularity', 'Distance to singularity'],
 ];
 
 /**
  * A motion that can be played: postures in order.
  * @param xs point numbers or seconds, one a posture; `xEnd` where the axis ends; `seconds` the time of each posture
+ * @param limits speeds and accelerations that it keeps, SI, as a program has them; `tight` where one of them binds
  */
-export function motionOf({ table, q, xs, xName, xEnd = null, seconds, dq = null, events = [], title }) {
-  const F = q.map((v) => forward(table, v));
+export function motionOf({ table, q, xs, xName, xEnd = null, seconds, dq, ddq, events = [], title, ...kept }) {
+  const F = q.map((v) => forward(table, v)),
+    tool = F.map((f) => position(f[f.length - 1])),
+    speeds = dq ?? finiteDifferences(q, seconds);
   return {
     table,
     q,
@@ -26,8 +31,11 @@ export function motionOf({ table, q, xs, xName, xEnd = null, seconds, dq = null,
     seconds,
     events,
     title,
-    tool: F.map((f) => position(f[f.length - 1])),
-    speeds: dq ?? finiteDifferences(q, seconds),
+    ...kept,
+    tool,
+    speeds,
+    accelerations: ddq ?? finiteDifferences(speeds, seconds),
+    toolspeeds: finiteDifferences(tool, seconds).map(norm),
     least: q.map((v, i) => singularValues(table, v, F[i])[0] ?? 0),
   };
 }
@@ -41,24 +49,76 @@ function finiteDifferences(q, t) {
   });
 }
 
-/** The series of one kind, in the units shown: [{name, values}], and what the y axis says. */
+/** Beyond this a limit of a program stands for none. */
+const NO_LIMIT = 1e6;
+/** What joint i must keep in curves of a kind: [lowest, highest], null where nothing is said. */
+function keptBy(motion, kind, i) {
+  const joint = motion.table.joints[i];
+  if (kind === 'joints') return [joint.lower, joint.upper];
+  const said = motion.limits?.[{ speeds: 'speed', accelerations: 'acceleration' }[kind]],
+    most = Array.isArray(said) ? said[i] : (said ?? null);
+  return most === null || most >= NO_LIMIT ? [null, null] : [-most, most];
+}
+const BINDS = { speeds: 'speed', accelerations: 'acceleration', toolspeed: 'tool speed' };
+/** Stretches on which the limit that curves of a kind show binds, of one joint or of the tool. */
+const bindsOn = (motion, kind, joint = null) =>
+  (motion.tight ?? []).filter((x) => x.limit === BINDS[kind] && x.joint === joint);
+/** What binds at a time, in words. */
+export const bindingAt = (motion, t) =>
+  (motion.tight ?? [])
+    .filter((x) => x.start - 1e-9 <= t && t <= x.end + 1e-9)
+    .map((x) => (x.joint ? `${x.limit} of ${x.joint}` : x.limit))
+    .join(', ');
+
+/**
+ * The series of one kind, in the units shown: [{name, values, limits, binds}], and what the y axis says. `limits` are the
+ * lowest and the highest value that is kept, null where there is none; `binds` the stretches on which that limit binds.
+ */
 export function series(motion, kind) {
   const { table } = motion,
     L = units.factor('length');
   if (kind === 'position')
     return {
       y: `tool, ${units.length}`,
-      list: ['X', 'Y', 'Z'].map((name, k) => ({ name, values: motion.tool.map((p) => p[k] * L) })),
+      list: ['X', 'Y', 'Z'].map((name, k) =>
+        one(
+          name,
+          motion.tool.map((p) => p[k] * L),
+        ),
+      ),
     };
-  if (kind === 'singularity') return { y: 'smallest singular value', list: [{ name: 'σ min', values: motion.least }] };
-  const rows = kind === 'joints' ? motion.q : motion.speeds,
-    per = kind === 'joints' ? '' : '/s';
+  if (kind === 'singularity') return { y: 'smallest singular value', list: [one('σ min', motion.least)] };
+  if (kind === 'toolspeed') {
+    const most = motion.limits?.tool_speed ?? null,
+      values = motion.toolspeeds.map((v) => v * L);
+    return {
+      y: `tool, ${units.length}/s`,
+      list: [one('tool speed', values, [null, most && most * L], bindsOn(motion, kind))],
+    };
+  }
+  const rows = { joints: motion.q, speeds: motion.speeds, accelerations: motion.accelerations }[kind],
+    per = { joints: '', speeds: '/s', accelerations: '/s²' }[kind];
   const kindsHere = new Set(table.joints.map(kindOf));
   const unit = [...kindsHere].map((k) => (k === 'angle' ? units.angle : units.length) + per).join(' or ');
-  return {
-    y: unit,
-    list: table.joints.map((j, i) => ({ name: `q${i + 1}`, values: rows.map((r) => r[i] * units.factor(kindOf(j))) })),
-  };
+  const list = table.joints.map((j, i) => {
+    const by = units.factor(kindOf(j));
+    return one(
+      `q${i + 1}`,
+      rows.map((r) => r[i] * by),
+      keptBy(motion, kind, i).map((v) => (v === null ? null : v * by)),
+      bindsOn(motion, kind, j.name),
+    );
+  });
+  return { y: unit, list };
+}
+const one = (name, values, limits = [null, null], binds = []) => ({ name, values, limits, binds });
+
+/** The limits of series as lines: [{value, of}], `of` the number of its series, or null where all have the same. */
+export function limitLines(list) {
+  const lines = list.flatMap((s, of) => s.limits.filter((v) => v !== null).map((value) => ({ value, of })));
+  const at = new Map();
+  for (const l of lines) at.set(l.value, [...(at.get(l.value) ?? []), l.of]);
+  return [...at].map(([value, whose]) => ({ value, of: whose.length === 1 && list.length > 1 ? whose[0] : null }));
 }
 
 export function csv(motion) {
@@ -137,6 +197,11 @@ export function svg(motion, kind, colours) {
     if (Number.isFinite(e.x))
       parts.push(
         `<path d="M${f(X(e.x))} ${box.t}V${H - box.b}" stroke="#b42318" stroke-dasharray="3 3"/><text x="${f(X(e.x) + 4)}" y="${box.t + 10}" fill="#b42318" font-size="11">${esc(e.short)}</text>`,
+      );
+  for (const { value, of } of limitLines(list))
+    if (value >= y0 && value <= y1)
+      parts.push(
+        `<path d="M${box.l} ${f(Y(value))}H${W - box.r}" stroke="${of === null ? '#333' : colours[of % colours.length]}" stroke-dasharray="2 5"/>`,
       );
   list.forEach((s, i) => {
     const c = colours[i % colours.length],

@@ -1,10 +1,10 @@
-// Under the picture: play, scrub and speed, and the curves of the motion with their events.
-import uPlot from 'uplot';
+// Under the picture: play, scrub and speed, and the curves of the motion with their limits and events.
 import { h, replace, setText, choice, select, download, perFrame, say } from './dom.mjs';
 import { state, on, setJoints, tell } from './store.mjs';
 import { play, stop } from './animate.mjs';
 import { colours } from './theme.mjs';
-import { kinds, series, csv, svg } from './curves.mjs';
+import { kinds, series, csv, svg, limitLines, bindingAt } from './curves.mjs';
+import { curvePlot } from './curve_plot.mjs';
 import { fixed } from './units.mjs';
 import { showMotionRoom } from './scene/arm.mjs';
 import { keepInView, withPicture } from './scene/view.mjs';
@@ -16,6 +16,8 @@ let motion = null,
   index = 0,
   speed = 1,
   els = null;
+/** Kinds of curves whose scale holds their limits. */
+const scaled = new Set(['speeds', 'accelerations', 'toolspeed']);
 
 export function build(root) {
   const toggle = h('button', {
@@ -44,6 +46,20 @@ export function build(root) {
   const marks = h('div', { class: 'marks' });
   const chart = h('div', { class: 'chart', 'data-testid': 'chart' });
   const legend = h('div', { class: 'legend' });
+  const binds = h('output', { class: 'binds', 'data-testid': 'binds' });
+  const limits = h('button', {
+    type: 'button',
+    class: 'quiet',
+    text: 'To the limits',
+    title: 'Scale the curves so that their limits, dashed, are seen; thick is where one binds',
+    'data-testid': 'limits-shown',
+    on: {
+      click: () => {
+        if (!scaled.delete(kind)) scaled.add(kind);
+        draw();
+      },
+    },
+  });
   root.append(
     h(
       'div',
@@ -67,9 +83,33 @@ export function build(root) {
       ),
       h('div', { class: 'scrubber' }, scrub, marks),
       where,
+      h('button', {
+        type: 'button',
+        class: 'icon',
+        text: '×',
+        'aria-label': 'Close the curves',
+        on: { click: () => show(null) },
+      }),
+    ),
+    h(
+      'div',
+      { class: 'dock-bar second' },
+      choice(
+        'Curves',
+        kinds,
+        kind,
+        (k) => {
+          kind = k;
+          draw();
+        },
+        'curves',
+      ),
+      limits,
+      legend,
+      binds,
       h(
         'span',
-        { class: 'line' },
+        { class: 'line saves' },
         ...[
           ['CSV', () => download('motion.csv', csv(motion), 'text/csv')],
           ['PNG', png],
@@ -86,36 +126,12 @@ export function build(root) {
             on: { click: () => motion && f() },
           }),
         ),
-        h('button', {
-          type: 'button',
-          class: 'icon',
-          text: '×',
-          'aria-label': 'Close the curves',
-          on: { click: () => show(null) },
-        }),
       ),
-    ),
-    h(
-      'div',
-      { class: 'dock-bar second' },
-      choice(
-        'Curves',
-        kinds,
-        kind,
-        (k) => {
-          kind = k;
-          draw();
-        },
-        'curves',
-      ),
-      legend,
     ),
     chart,
   );
-  els = { root, toggle, scrub, where, marks, chart, legend };
-  new ResizeObserver(
-    perFrame(() => plot && chart.clientWidth && plot.setSize({ width: chart.clientWidth, height: chart.clientHeight })),
-  ).observe(chart);
+  els = { root, toggle, scrub, where, marks, chart, legend, limits, binds };
+  new ResizeObserver(perFrame(() => plot?.resize())).observe(chart);
   on(['units', 'theme'], draw);
   on('moving', (yes) => setText(toggle, yes && playing ? 'Pause' : 'Play'));
   on('table', (what) => {
@@ -178,7 +194,8 @@ export function go(k) {
   els.scrub.setAttribute('aria-valuetext', els.where.textContent);
   setJoints(motion.q[index].slice(), 'scrub');
   tell('played', motion.seconds[index]);
-  point();
+  setText(els.binds, motion.tight ? `Binds: ${bindingAt(motion, motion.seconds[index]) || 'nothing'}` : '');
+  plot?.point(index);
 }
 
 let playing = false;
@@ -211,97 +228,26 @@ function playOrPause(_, ended) {
 
 function draw() {
   if (!motion || !els) return;
-  if (plot) {
-    plot.destroy();
-    plot = null;
-  }
-  const { y, list } = series(motion, kind),
-    grid = { stroke: colours.line, width: 1 },
-    font = `${Math.round(0.78 * rem())}px "Inter Variable", system-ui, sans-serif`;
+  plot?.destroy();
+  const drawn = series(motion, kind);
   replace(
     els.legend,
-    list.map((s, i) => {
+    drawn.list.map((s, i) => {
       const dot = h('span', { class: 'swatch' });
       dot.style.setProperty('background', colours.curves[i % colours.curves.length]);
       return h('span', {}, dot, s.name);
     }),
   );
-  const axis = {
-    stroke: colours.muted,
-    grid,
-    ticks: { ...grid, size: 4 },
-    font,
-    labelFont: font,
-    labelSize: 1.4 * rem(),
-    gap: 4,
-  };
-  plot = new uPlot(
-    {
-      width: els.chart.clientWidth || 600,
-      height: els.chart.clientHeight || 180,
-      pxAlign: 0,
-      legend: { show: false },
-      cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
-      scales: {
-        x: { time: false, range: (_, lo, hi) => [lo, Math.max(hi, motion.xEnd ?? hi, lo + 1e-6)] },
-        y: {
-          range: (_, lo, hi) => (hi - lo > 1e-9 ? [lo - 0.06 * (hi - lo), hi + 0.06 * (hi - lo)] : [lo - 1, hi + 1]),
-        },
-      },
-      series: [
-        {},
-        ...list.map((s, i) => ({
-          label: s.name,
-          stroke: colours.curves[i % colours.curves.length],
-          width: 1.75,
-          pxAlign: 0,
-          points: { show: motion.q.length < 3 },
-        })),
-      ],
-      axes: [
-        { ...axis, label: motion.xName === 'point' ? 'point number' : 'time, s', size: 2.1 * rem() },
-        { ...axis, label: y, size: 4 * rem() },
-      ],
+  els.limits.hidden = !limitLines(drawn.list).length;
+  els.limits.setAttribute('aria-pressed', String(scaled.has(kind)));
+  plot = curvePlot(els.chart, motion, drawn, {
+    withLimits: scaled.has(kind),
+    pick(k) {
+      stop();
+      go(k);
     },
-    [motion.xs, ...list.map((s) => s.values)],
-    els.chart,
-  );
-  const line = h('div', { class: 'now' });
-  plot.over.append(
-    line,
-    ...motion.events.map((e) => {
-      const el = h('div', { class: `event ${e.stop ? 'stop' : ''}`, title: e.text }, h('span', { text: e.short }));
-      el.x = e.x;
-      return el;
-    }),
-  );
-  plot.over.addEventListener('pointerdown', (e) => {
-    const at = (ev) => go(nearestIndex(plot.posToVal(ev.clientX - plot.over.getBoundingClientRect().left, 'x')));
-    stop();
-    at(e);
-    const move = (ev) => at(ev),
-      end = () => {
-        removeEventListener('pointermove', move);
-        removeEventListener('pointerup', end);
-      };
-    addEventListener('pointermove', move);
-    addEventListener('pointerup', end);
   });
-  plot.hooks.setSize = [point];
-  point();
-}
-const rem = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
-const nearestIndex = (x) =>
-  motion.xs.reduce((best, v, i) => (Math.abs(v - x) < Math.abs(motion.xs[best] - x) ? i : best), 0);
-/** Put the line of the present point and the marks of the events where they belong. */
-function point() {
-  if (!plot) return;
-  const width = plot.over.clientWidth;
-  for (const el of plot.over.querySelectorAll('.now, .event')) {
-    const x = plot.valToPos(el.x ?? motion.xs[index], 'x');
-    el.style.setProperty('left', `${x}px`);
-    el.classList.toggle('leftward', x > width * 0.7);
-  }
+  plot.point(index);
 }
 
 /** Have the library draw it, from where the picture is looked at. */
@@ -330,7 +276,7 @@ async function shoot() {
 }
 
 function png() {
-  const c = plot.ctx.canvas,
+  const c = plot.canvas,
     out = document.createElement('canvas'),
     ctx = out.getContext('2d');
   out.width = c.width;

@@ -5,10 +5,11 @@ import { convert } from './convert.mjs';
 import { read } from './expression.mjs';
 import { withPresentNumbers } from './presentnumbers.mjs';
 import { cameraState, picturesDrawn, toScreen, withPicture } from './scene/view.mjs';
-import { ghostCount, traceLength, framesDrawn, beyondDrawn } from './scene/arm.mjs';
+import { ghostCount, traceLength, framesDrawn, beyondDrawn, ghostsOutside } from './scene/arm.mjs';
 import { toUndo, toRedo } from './history.mjs';
 import { handles } from './scene/gizmo.mjs';
 import { thingsDrawn, carriedAt } from './scene/world.mjs';
+import { labelsDrawn } from './scene/labels.mjs';
 import { gripperShown } from './scene/gripper.mjs';
 import { framesOfStep } from './panels/dh_steps.mjs';
 import { bodiesShown } from './scene/clearance.mjs';
@@ -43,6 +44,12 @@ export function expose() {
     },
     get ghosts() {
       return ghostCount();
+    },
+    get ghostsOutside() {
+      return ghostsOutside();
+    },
+    get labels() {
+      return labelsDrawn();
     },
     get history() {
       return [toUndo(), toRedo()];

@@ -2,6 +2,7 @@
 import { h, download, say } from './dom.mjs';
 import { state, on, tell } from './store.mjs';
 import { withPicture } from './scene/view.mjs';
+import { writeLabels } from './scene/labels.mjs';
 import { matrixGrid } from './panels/grid.mjs';
 
 const KEPT = 'pieper-panel-width';
@@ -89,11 +90,17 @@ export function present(overlay) {
   return button;
 }
 
-/** The picture as it stands, without what lies over it. */
+/** The picture as it stands, with its names and without what else lies over it. */
 export function savePicture() {
-  withPicture((canvas) =>
-    canvas.toBlob((blob) =>
+  withPicture((canvas) => {
+    const out = document.createElement('canvas'),
+      context = out.getContext('2d');
+    out.width = canvas.width;
+    out.height = canvas.height;
+    context.drawImage(canvas, 0, 0);
+    writeLabels(context, canvas.width / canvas.clientWidth);
+    out.toBlob((blob) =>
       blob ? download(`${state.table.name || 'arm'}.png`, blob) : say('The picture could not be read.', 'wrong'),
-    ),
-  );
+    );
+  });
 }

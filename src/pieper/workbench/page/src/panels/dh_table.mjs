@@ -9,6 +9,7 @@ import { countWords } from '../library.mjs';
 import { add, asOne, change, limitReason, restructure, swap } from './dh_edits.mjs';
 import { robotOpeners, saveRobot } from './robot_files.mjs';
 import { dhSteps } from './dh_steps.mjs';
+import { rowTools } from './row_tools.mjs';
 import { poseEditor } from './pose_editor.mjs';
 
 const columns = {
@@ -218,35 +219,17 @@ export const dhTable = {
       h(
         'td',
         { class: 'tools' },
-        h('button', {
-          type: 'button',
-          class: 'icon',
-          text: '↑',
-          'aria-label': `Move joint ${i + 1} up`,
-          disabled: i === 0,
-          on: { click: () => swap(i, i - 1) },
-        }),
-        h('button', {
-          type: 'button',
-          class: 'icon',
-          text: '↓',
-          'aria-label': `Move joint ${i + 1} down`,
-          disabled: i === n - 1,
-          on: { click: () => swap(i, i + 1) },
-        }),
-        h('button', {
-          type: 'button',
-          class: 'icon',
-          text: '×',
-          'aria-label': `Remove joint ${i + 1}`,
-          on: {
-            click: () =>
-              restructure(
-                state.table.joints.filter((_, k) => k !== i),
-                (list) => list.filter((_, k) => k !== i),
-                `remove joint ${i + 1}`,
-              ),
-          },
+        rowTools({
+          k: i,
+          n,
+          name: `joint ${i + 1}`,
+          move: swap,
+          remove: () =>
+            restructure(
+              state.table.joints.filter((_, k) => k !== i),
+              (list) => list.filter((_, k) => k !== i),
+              `remove joint ${i + 1}`,
+            ),
         }),
       );
     const rebuild = () => {

@@ -1,5 +1,5 @@
 // Path: a straight line between two poses, followed from a start posture; where it stops, and which branches would have passed.
-import { h, replace, setText, unreadable } from '../dom.mjs';
+import { h, replace, setText } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -10,6 +10,7 @@ import { motionOf } from '../curves.mjs';
 import * as dock from '../dock.mjs';
 import { showPath } from '../scene/arm.mjs';
 import { between } from '../rotation.mjs';
+import { longQuestion, verdictLine } from './long_question.mjs';
 import { lineEnds } from './line_ends.mjs';
 
 const tool = () => state.frames[state.frames.length - 1].slice();
@@ -60,14 +61,15 @@ export const path = {
         },
       },
     });
-    const plan = h('button', {
-      type: 'button',
-      class: 'primary',
+    const verdict = verdictLine('path-verdict');
+    const plan = longQuestion({
       text: 'Plan the line',
-      'data-testid': 'plan',
-      on: { click: () => run(state.q) },
+      working: 'Planning …',
+      testid: 'plan',
+      verdict,
+      root,
+      ask: (start) => run(start ?? state.q),
     });
-    const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'path-verdict', hidden: true });
     const branches = h('div', { class: 'branches', 'data-testid': 'branches' });
     root.append(
       ends.el,
@@ -97,32 +99,12 @@ export const path = {
       showPath(Array.from({ length: 33 }, (_, i) => position(between(P.from, P.to, i / 32))));
     };
     async function run(start) {
-      const bad = unreadable(root);
-      if (bad) {
-        verdict.hidden = false;
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, bad);
-        return;
-      }
-      setText(plan, 'Planning …');
-      plan.disabled = true;
-      try {
-        const track = await askArm('follow', { T0: P.from, T1: P.to, n: P.n, start });
-        state.track = track;
-        report(track, start);
-      } catch (error) {
-        verdict.hidden = false;
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, error.message);
-      } finally {
-        setText(plan, 'Plan the line');
-        plan.disabled = false;
-      }
+      const track = await askArm('follow', { T0: P.from, T1: P.to, n: P.n, start });
+      state.track = track;
+      report(track, start);
     }
     function report(track) {
-      verdict.hidden = false;
-      verdict.dataset.tone = track.complete ? 'good' : 'wrong';
-      setText(verdict, track.explain);
+      verdict.say(track.explain, track.complete ? 'good' : 'wrong');
       replace(
         branches,
         track.branches.length ? h('h3', { text: 'Branches that start at the first pose' }) : null,
@@ -139,7 +121,7 @@ export const path = {
               on: {
                 click: async () => {
                   await moveTo(b.q, 0.4, `take branch ${k + 1}`);
-                  run(b.q);
+                  plan.ask(b.q);
                 },
               },
             },
@@ -195,7 +177,7 @@ export const path = {
     on('units', preview);
     on('table', (what) => {
       if (['postures', 'name', 'gripper'].includes(what)) return;
-      verdict.hidden = true;
+      verdict.say('');
       replace(branches);
       showPath([]);
       // the ends are places in the world: another arm may be asked for the same line

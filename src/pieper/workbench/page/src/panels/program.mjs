@@ -1,5 +1,5 @@
 // Program: moves, waits, gripper and outputs in order; taught or typed, run with its true times, written for a controller.
-import { h, replace, setText, select, download, say, unreadable } from '../dom.mjs';
+import { h, replace, setText, select, download, say } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { showUnit, show } from '../units.mjs';
 import { askArm } from '../library.mjs';
@@ -9,6 +9,8 @@ import { setProgram, setStart, start, programMessage, taughtAt, renumbered } fro
 import { stepEditor } from './program_step.mjs';
 import { limitFields } from './program_limits.mjs';
 import { kindOf } from './joints.mjs';
+import { longQuestion, verdictLine } from './long_question.mjs';
+import { rowTools } from './row_tools.mjs';
 import { words, summary } from './program_words.mjs';
 import * as dock from '../dock.mjs';
 
@@ -35,7 +37,7 @@ export const program = {
       failed = null,
       dragged = -1;
     const list = h('ol', { class: 'steps', 'data-testid': 'program', 'aria-label': 'Steps of the program' });
-    const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'program-verdict', hidden: true });
+    const verdict = verdictLine('program-verdict');
     const binds = h(
       'details',
       { class: 'fold', hidden: true },
@@ -44,12 +46,14 @@ export const program = {
     );
     const addButton = (kind, text, title, make) =>
       h('button', { type: 'button', text, title, 'data-testid': `step-add-${kind}`, on: { click: () => add(make()) } });
-    const run = h('button', {
-      type: 'button',
-      class: 'primary',
+    const run = longQuestion({
       text: 'Run the program',
-      'data-testid': 'run-program',
-      on: { click: go },
+      working: 'Planning …',
+      testid: 'run-program',
+      verdict,
+      root,
+      open: () => state.program.length > 0,
+      ask: plan,
     });
     const startLine = h('span', { class: 'hint', 'data-testid': 'program-start' });
     let dialect = 'rapid';
@@ -243,29 +247,7 @@ export const program = {
           h('span', { class: 'grip', 'aria-hidden': 'true', text: '⠿' }),
           h('span', { class: 'hint', text: String(k + 1) }),
           name,
-          h('button', {
-            type: 'button',
-            class: 'icon',
-            text: '↑',
-            disabled: k === 0,
-            'aria-label': `Move step ${k + 1} up`,
-            on: { click: () => move(k, k - 1) },
-          }),
-          h('button', {
-            type: 'button',
-            class: 'icon',
-            text: '↓',
-            disabled: k === state.program.length - 1,
-            'aria-label': `Move step ${k + 1} down`,
-            on: { click: () => move(k, k + 1) },
-          }),
-          h('button', {
-            type: 'button',
-            class: 'icon',
-            text: '×',
-            'aria-label': `Remove step ${k + 1}`,
-            on: { click: () => remove(k) },
-          }),
+          rowTools({ k, n: state.program.length, name: `step ${k + 1}`, move, remove }),
         ),
         failed?.step === k ? h('p', { class: 'reason', text: failed.text }) : null,
         open ? editor(s, k) : null,
@@ -314,7 +296,7 @@ export const program = {
             text: 'No steps yet. Move the arm and teach it: Joints or Line takes where it stands; every pose can be typed afterwards.',
           }),
         );
-      run.disabled = !state.program.length;
+      run.show();
       const q = start();
       setText(
         startLine,
@@ -323,60 +305,42 @@ export const program = {
           : '',
       );
     }
-    async function go() {
-      verdict.hidden = false;
-      const bad = unreadable(root);
-      if (bad) {
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, bad);
-        return;
-      }
-      run.disabled = true;
-      setText(run, 'Planning …');
-      try {
-        const m = await askArm('program', { ...programMessage(), world: state.world });
-        failed = m.failed;
-        if (failed) chosen = failed.step;
-        verdict.dataset.tone =
-          failed || m.clear?.verdict === 'HIT' ? 'wrong' : m.clear?.verdict === 'UNCERTAIN' ? 'note' : 'good';
-        setText(
-          verdict,
-          failed
-            ? `Step ${failed.step + 1} cannot be done: ${failed.text}\nShown is what comes before it.`
-            : [m.explain, m.clear?.text].filter(Boolean).join('\n'),
-        );
-        binds.hidden = !m.tight.length;
-        setText(binds.lastChild, m.tight.map((x) => x.text).join('\n'));
-        rebuild();
-        const events = m.events.map(([t, kind, value]) => ({
-          x: t,
-          s: 0,
-          text: `${kind} ${value} at ${t.toFixed(2)} s`,
-          short: kind === 'gripper' ? (value > 0.5 ? 'close' : 'open') : kind,
-          stop: false,
-        }));
-        dock.show(
-          Object.assign(
-            motionOf({
-              table: state.table,
-              q: m.q,
-              xs: m.t,
-              xName: 'time',
-              seconds: m.t,
-              dq: m.dq,
-              events,
-              title: `${state.table.name}: program, ${m.duration.toFixed(2)} s`,
-            }),
-            { ddq: m.ddq, happens: m.events, tight: m.tight, limits: programMessage().limits },
-          ),
-        );
-      } catch (error) {
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, error.message);
-      } finally {
-        run.disabled = !state.program.length;
-        setText(run, 'Run the program');
-      }
+    async function plan() {
+      const m = await askArm('program', { ...programMessage(), world: state.world });
+      failed = m.failed;
+      if (failed) chosen = failed.step;
+      verdict.say(
+        failed
+          ? `Step ${failed.step + 1} cannot be done: ${failed.text}\nShown is what comes before it.`
+          : [m.explain, m.clear?.text].filter(Boolean).join('\n'),
+        failed || m.clear?.verdict === 'HIT' ? 'wrong' : m.clear?.verdict === 'UNCERTAIN' ? 'note' : 'good',
+      );
+      binds.hidden = !m.tight.length;
+      setText(binds.lastChild, m.tight.map((x) => x.text).join('\n'));
+      rebuild();
+      const events = m.events.map(([t, kind, value]) => ({
+        x: t,
+        s: 0,
+        text: `${kind} ${value} at ${t.toFixed(2)} s`,
+        short: kind === 'gripper' ? (value > 0.5 ? 'close' : 'open') : kind,
+        stop: false,
+      }));
+      dock.show(
+        motionOf({
+          table: state.table,
+          q: m.q,
+          xs: m.t,
+          xName: 'time',
+          seconds: m.t,
+          dq: m.dq,
+          ddq: m.ddq,
+          events,
+          title: `${state.table.name}: program, ${m.duration.toFixed(2)} s`,
+          happens: m.events,
+          tight: m.tight,
+          limits: programMessage().limits,
+        }),
+      );
     }
     async function save() {
       try {
@@ -384,9 +348,7 @@ export const program = {
         const { text, name: file } = await askArm('program_file', { ...programMessage(), dialect, name });
         download(file, text);
       } catch (error) {
-        verdict.hidden = false;
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, error.message);
+        verdict.say(error.message);
       }
     }
     on(['program', 'units', 'table'], (what) => {

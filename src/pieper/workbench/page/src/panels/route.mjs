@@ -1,5 +1,5 @@
 // Route: the line with the tool's turn left free; every branch and every turn on one map, the cheapest curve, or what shuts it.
-import { h, replace, setText, say, unreadable } from '../dom.mjs';
+import { h, replace, setText, say } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { position } from '../matrix.mjs';
@@ -13,6 +13,7 @@ import { colours } from '../theme.mjs';
 import { setProgram } from '../program.mjs';
 import { routing, setRouting, routeMessage, freedom, isRound } from '../routing.mjs';
 import { routeMap } from '../routemap.mjs';
+import { longQuestion, verdictLine } from './long_question.mjs';
 import { lineEnds } from './line_ends.mjs';
 import { routeSettings } from './route_settings.mjs';
 
@@ -30,14 +31,29 @@ export const route = (open) => ({
     const settings = routeSettings();
     const button = (text, testid, click, props = {}) =>
       h('button', { type: 'button', text, 'data-testid': testid, on: { click }, ...props });
-    const plan = button('Find the route', 'find-route', () => run(), { class: 'primary' });
     const letFree = button('Let both ends free', 'free-ends', () => {
       setRouting({ start: null, end: null }, 'let the ends of the route free');
-      run();
+      plan.ask();
     });
     const send = button('Send to the program', 'route-to-program', toProgram, { hidden: true });
     const more = button('', 'route-others', others, { hidden: true });
-    const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'route-verdict', hidden: true });
+    const verdict = verdictLine('route-verdict');
+    const plan = longQuestion({
+      text: 'Find the route',
+      working: 'Looking …',
+      testid: 'find-route',
+      verdict,
+      root,
+      async ask() {
+        try {
+          const got = await askArm('route', routeMessage());
+          if (!got.stopped) report(got);
+        } catch (error) {
+          map.cancel();
+          throw error;
+        }
+      },
+    });
     const chips = h('div', { class: 'chips', role: 'group', 'aria-label': 'Branches on the map' });
     const list = h('div', { class: 'branches', 'data-testid': 'route-list' });
     const map = routeMap({
@@ -67,39 +83,13 @@ export const route = (open) => ({
       if (P.from && P.to && !found)
         showPath(Array.from({ length: 33 }, (_, i) => position(between(P.from, P.to, i / 32))));
     };
-    const tellWrong = (text) => {
-      verdict.hidden = false;
-      verdict.dataset.tone = 'wrong';
-      setText(verdict, text);
-    };
-    async function run() {
-      const bad = unreadable(root);
-      if (bad) {
-        tellWrong(bad);
-        return;
-      }
-      setText(plan, 'Looking …');
-      plan.disabled = true;
-      try {
-        const got = await askArm('route', routeMessage());
-        if (!got.stopped) report(got);
-      } catch (error) {
-        map.cancel();
-        tellWrong(error.message);
-      } finally {
-        setText(plan, 'Find the route');
-        plan.disabled = false;
-      }
-    }
     function report(got) {
       const r = routing();
       found = state.route = { ...got, turn: asHeld(got, r), asked: [P.from, P.to] };
       // all branches at once lie over each other: the one that is gone comes first
       only = got.found ? got.branches[got.labels[0]] : null;
       if (got.found) line.open = false;
-      verdict.hidden = false;
-      verdict.dataset.tone = got.found ? 'good' : got.verdict === 'IMPOSSIBLE' ? 'wrong' : 'note';
-      setText(verdict, got.text);
+      verdict.say(got.text, got.found ? 'good' : got.verdict === 'IMPOSSIBLE' ? 'wrong' : 'note');
       map.show(found, only, { start: Boolean(r.start), end: Boolean(r.end) });
       showPreview(null);
       letFree.hidden = !(r.start || r.end);
@@ -187,7 +177,7 @@ export const route = (open) => ({
           { [which]: { turn, q: got.q, branch: got.label } },
           `turn the ${which} of the route to ${showUnit(turn, 'angle', 1)}`,
         );
-        await run();
+        await plan.ask();
       } catch (error) {
         showPreview(null);
         map.cancel();
@@ -218,7 +208,7 @@ export const route = (open) => ({
                       { start: { turn: a.turn, q: a.q, branch: a.branch }, end: null },
                       `begin the route ${a.branch}`,
                     );
-                    await run();
+                    await plan.ask();
                   },
                 },
               },
@@ -236,7 +226,7 @@ export const route = (open) => ({
         );
         more.hidden = true;
       } catch (error) {
-        tellWrong(error.message);
+        verdict.say(error.message);
       } finally {
         more.disabled = false;
         if (found) setText(more, found.found ? 'Routes that begin with other postures' : 'What would let it through?');
@@ -256,7 +246,7 @@ export const route = (open) => ({
         say(`Sent as a spline through ${got.poses} poses; it strays by at most ${off}.`);
         open()?.('program');
       } catch (error) {
-        tellWrong(error.message);
+        verdict.say(error.message);
       } finally {
         send.disabled = false;
       }
@@ -268,7 +258,7 @@ export const route = (open) => ({
     /** What was found is for another line, another arm or another freedom: it goes. */
     function forget() {
       found = state.route = null;
-      verdict.hidden = true;
+      verdict.say('');
       map.show(null);
       send.hidden = more.hidden = letFree.hidden = true;
       replace(chips);
@@ -296,7 +286,7 @@ export const route = (open) => ({
     on('units', () => map.paint());
     on('routing', (what) => {
       // what was asked for before is looked for again
-      if (what === 'undo' && found) run();
+      if (what === 'undo' && found) plan.ask();
     });
     on(['path', 'path-loaded'], () => {
       if (!found || (found.asked[0] === P.from && found.asked[1] === P.to)) return;

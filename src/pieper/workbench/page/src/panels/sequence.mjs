@@ -1,5 +1,5 @@
 // Sequence: postures with times, all joints together, at rest in each; its curves and its animation.
-import { h, replace, setText, unreadable } from '../dom.mjs';
+import { h, replace } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { units } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -7,6 +7,8 @@ import { askArm } from '../library.mjs';
 import { moveTo } from '../animate.mjs';
 import { motionOf } from '../curves.mjs';
 import { kindOf } from './joints.mjs';
+import { longQuestion, verdictLine } from './long_question.mjs';
+import { rowTools } from './row_tools.mjs';
 import * as dock from '../dock.mjs';
 
 const MOST = 40;
@@ -29,13 +31,15 @@ export const sequence = {
     };
     const head = h('thead'),
       body = h('tbody');
-    const verdict = h('p', { class: 'verdict', role: 'status', 'data-testid': 'sequence-verdict', hidden: true });
-    const run = h('button', {
-      type: 'button',
-      class: 'primary',
+    const verdict = verdictLine('sequence-verdict');
+    const run = longQuestion({
       text: 'Run the sequence',
-      'data-testid': 'run-sequence',
-      on: { click: go },
+      working: 'Planning …',
+      testid: 'run-sequence',
+      verdict,
+      root,
+      open: () => S.postures.length > 1,
+      ask: plan,
     });
     const legSeconds = h('button', {
       type: 'button',
@@ -99,10 +103,22 @@ export const sequence = {
       rebuild();
       tell('sequence');
     }
+    function move(from, to) {
+      tell('did', { label: `move ${S.postures[from].name} ${to < from ? 'up' : 'down'}` });
+      S.postures.splice(to, 0, ...S.postures.splice(from, 1));
+      rebuild();
+      tell('sequence');
+    }
+    function remove(k) {
+      tell('did', { label: `remove ${S.postures[k].name}` });
+      S.postures.splice(k, 1);
+      rebuild();
+      tell('sequence');
+    }
     function rebuild() {
       const joints = state.table.joints;
       S.postures = S.postures.filter((p) => p.q.length === joints.length);
-      run.disabled = S.postures.length < 2;
+      run.show();
       replace(
         head,
         h(
@@ -173,38 +189,7 @@ export const sequence = {
             cells,
             time('seconds', 'Seconds to', (v) => (v > 0 ? null : 'more than 0')),
             time('hold', 'Rest after', (v) => (v >= 0 ? null : '0 or more')),
-            h(
-              'td',
-              { class: 'tools' },
-              h('button', {
-                type: 'button',
-                class: 'icon',
-                text: '↑',
-                disabled: k === 0,
-                'aria-label': `Move ${p.name} up`,
-                on: {
-                  click: () => {
-                    tell('did', { label: `move ${p.name} up` });
-                    S.postures.splice(k - 1, 0, ...S.postures.splice(k, 1));
-                    rebuild();
-                  },
-                },
-              }),
-              h('button', {
-                type: 'button',
-                class: 'icon',
-                text: '×',
-                'aria-label': `Remove ${p.name}`,
-                on: {
-                  click: () => {
-                    tell('did', { label: `remove ${p.name}` });
-                    S.postures.splice(k, 1);
-                    rebuild();
-                    tell('sequence');
-                  },
-                },
-              }),
-            ),
+            h('td', { class: 'tools' }, rowTools({ k, n: S.postures.length, name: p.name, move, remove })),
           );
         }),
       );
@@ -221,50 +206,34 @@ export const sequence = {
           ),
         );
     }
-    async function go() {
-      verdict.hidden = false;
-      const bad = unreadable(root);
-      if (bad) {
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, bad);
-        return;
-      }
-      run.disabled = true;
-      try {
-        const P = S.postures;
-        const m = await askArm('motion', {
-          postures: P.map((p) => p.q),
-          seconds: P.slice(1).map((p) => p.seconds),
-          holds: P.slice(1).map((p) => p.hold),
-          rate: S.rate,
-        });
-        const events = P.map((p, i) => ({
-          x: m.arrivals[i],
-          s: 0,
-          text: `${p.name} at ${m.arrivals[i].toFixed(2)} s`,
-          short: p.name,
-          stop: false,
-        }));
-        verdict.dataset.tone = 'good';
-        setText(verdict, `${P.length} postures in ${m.t[m.t.length - 1].toFixed(2)} s. ${limitWords(m.q)}`);
-        dock.show(
-          motionOf({
-            table: state.table,
-            q: m.q,
-            xs: m.t,
-            xName: 'time',
-            seconds: m.t,
-            dq: m.dq,
-            events,
-            title: `${state.table.name}: ${P.map((p) => p.name).join(' – ')}`,
-          }),
-        );
-      } catch (error) {
-        verdict.dataset.tone = 'wrong';
-        setText(verdict, error.message);
-      } finally {
-        run.disabled = S.postures.length < 2;
-      }
+    async function plan() {
+      const P = S.postures;
+      const m = await askArm('motion', {
+        postures: P.map((p) => p.q),
+        seconds: P.slice(1).map((p) => p.seconds),
+        holds: P.slice(1).map((p) => p.hold),
+        rate: S.rate,
+      });
+      const events = P.map((p, i) => ({
+        x: m.arrivals[i],
+        s: 0,
+        text: `${p.name} at ${m.arrivals[i].toFixed(2)} s`,
+        short: p.name,
+        stop: false,
+      }));
+      verdict.say(`${P.length} postures in ${m.t[m.t.length - 1].toFixed(2)} s. ${limitWords(m.q)}`, 'good');
+      dock.show(
+        motionOf({
+          table: state.table,
+          q: m.q,
+          xs: m.t,
+          xName: 'time',
+          seconds: m.t,
+          dq: m.dq,
+          events,
+          title: `${state.table.name}: ${P.map((p) => p.name).join(' – ')}`,
+        }),
+      );
     }
     on(['table', 'units', 'sequence-loaded'], rebuild);
     rebuild();

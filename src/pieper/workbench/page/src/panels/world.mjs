@@ -6,6 +6,7 @@ import { showBodies } from '../scene/clearance.mjs';
 import { units, showUnit } from '../units.mjs';
 import { position } from '../matrix.mjs';
 import { reach } from '../kinematics.mjs';
+import { rowTools } from './row_tools.mjs';
 import { poseEditor } from './pose_editor.mjs';
 
 const MOST = 60;
@@ -210,18 +211,14 @@ export const world = {
                   (role) => change(k, { role }, `make ${t.name} an ${role}`),
                 ),
           ),
-          h('button', {
-            type: 'button',
-            class: 'icon',
-            text: '×',
-            'aria-label': `Remove ${t.name}`,
-            on: {
-              click: () =>
-                setWorld(
-                  state.world.filter((_, i) => i !== k),
-                  `remove ${t.name}`,
-                ),
-            },
+          rowTools({
+            k,
+            name: t.name,
+            remove: () =>
+              setWorld(
+                state.world.filter((_, i) => i !== k),
+                `remove ${t.name}`,
+              ),
           }),
         ),
         size.length ? h('div', { class: 'line' }, size) : null,
