@@ -56,7 +56,8 @@ NB_MODULE(_kernel, m) {
       .value("NO_ARM_ANGLE", pieper::Flag::NO_ARM_ANGLE, "The arm angle is undefined here.")
       .value("COUNT_CHANGES", pieper::Flag::COUNT_CHANGES,
              "The arm as described has another number of solutions here than the one solved.")
-      .value("AT_ARM_ANGLE", pieper::Flag::AT_ARM_ANGLE, "Solved at a chosen arm angle.");
+      .value("AT_ARM_ANGLE", pieper::Flag::AT_ARM_ANGLE, "Solved at a chosen arm angle.")
+      .value("EDGE", pieper::Flag::EDGE, "No solution, but perhaps beside it.");
 
   bind_chain(m);
 

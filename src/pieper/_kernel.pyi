@@ -20,6 +20,7 @@ class Flag(IntFlag):
     NO_ARM_ANGLE = 16
     COUNT_CHANGES = 32
     AT_ARM_ANGLE = 64
+    EDGE = 128
 
 class Forward:
     """A chain: its forward kinematics, and what functions of a chain are given."""

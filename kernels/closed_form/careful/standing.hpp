@@ -137,7 +137,7 @@ inline void write_out(const TrueChain& chain, const Rigid& T, const Found& found
   }
   const bool look = found.count ? !settled(chain, T, found) : found.degenerate || found.suspect;
   *flag = (look ? kDegenerate : 0) | (found.near_miss && found.count == 0 ? kUncertain : 0) |
-          (found.count == 0 ? kOutOfReach : 0);
+          (found.count == 0 ? kOutOfReach | kEdge : 0);
 }
 
 }  // namespace pieper::PIEPER_ISA::closed_form
