@@ -18,6 +18,7 @@ import { ellipsoidShown } from './scene/ellipsoid.mjs';
 import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
+import * as voxels from './scene/voxels.mjs';
 
 export function expose() {
   window.workbench = Object.freeze({
@@ -105,6 +106,9 @@ export function expose() {
     },
     get trace() {
       return traceLength();
+    },
+    get voxels() {
+      return voxels.size();
     },
     get cloud() {
       return cloud.size();
