@@ -99,6 +99,9 @@ APPROACH_SIZES = (1e-4, 1e-7)
 ON_POLYLINE = 5e-3
 #: The same for curves that nearly hold the pose, whose samples lie 0.2 apart and whose points are less exact.
 ON_NEAR_POLYLINE = 3e-2
+#: Of unit steps along null directions, pulled back onto the pose, singular values above this are ways that solutions
+#: go: one along them keeps its length, one across them loses it.
+INDEPENDENT_STEPS = 0.5
 #: Relative singular value below which a second direction stays open: the solutions form a surface.
 OPEN_DIRECTION = 1e-7
 #: Relative sigma_min below which a point may lie on a curve that nearly holds the pose.
