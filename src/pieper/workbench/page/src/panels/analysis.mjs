@@ -1,5 +1,5 @@
 // Analysis: how well the arm can move here, how near its limits are, and where its tool can be.
-import { h, replace, setText, choice, select, perFrame } from '../dom.mjs';
+import { button, choice, h, perFrame, replace, select, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { singularValues } from '../kinematics.mjs';
 import { fixed, showUnit } from '../units.mjs';
@@ -127,14 +127,10 @@ function cloudControls() {
   let count = '20000',
     colour = 'manipulability',
     running = false;
-  const start = h('button', {
-    type: 'button',
-    class: 'primary',
-    text: 'Draw the cloud',
-    'data-testid': 'cloud-start',
-    on: { click: () => (running ? ask('cancel', { kind: 'cloud' }) : run()) },
-  });
-  const clear = h('button', { type: 'button', text: 'Clear', on: { click: wipe } });
+  const start = button('Draw the cloud', { class: 'primary', 'data-testid': 'cloud-start' }, () =>
+    running ? ask('cancel', { kind: 'cloud' }) : run(),
+  );
+  const clear = button('Clear', {}, wipe);
   const cut = choice(
     'Cloud shown',
     [
