@@ -54,12 +54,7 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
     jerk = timed.bound.jerk
     assert jerk is not None
     ramp = float((timed.bound.acceleration / jerk).max())
-    best: _Tried | None = None
-    for part in WINDOWS:
-        found = _at_window(timed, curve, part * ramp)
-        if best is None or found.duration < best.duration:
-            best = found
-    assert best is not None
+    best = _best_window(timed, curve, ramp)
     profile, factor = best.profile, best.factor
     while True:
         profile, ratios = peaks(timed, curve, profile.slower(factor))
@@ -84,6 +79,21 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
         limits=timed.limits,
         description=timed.description,
     )
+
+
+def _best_window(timed: TimedPath, curve: JointCurve, ramp: float) -> _Tried:
+    """Return the best of the windows, gone through from the second one on towards what is shorter."""
+    best = _at_window(timed, curve, WINDOWS[1] * ramp)
+    for parts in (WINDOWS[2:], WINDOWS[:1]):
+        before = best
+        for part in parts:
+            found = _at_window(timed, curve, part * ramp)
+            if found.duration >= best.duration:
+                break
+            best = found
+        if best is not before:
+            break
+    return best
 
 
 def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:
