@@ -58,10 +58,17 @@ struct Candidate {
   int solution;    // index in the pose's set, or -1
 };
 
+inline double angle_apart(double a, double b) {
+  const double d = a - b;
+  return __builtin_fabs(d - kTwoPi * __builtin_floor(d / kTwoPi + 0.5));
+}
+
 // What one variant left open for one pose.
 struct Report {
   int real;        // real eigenvalues
   int unresolved;  // of them without a solution of their own
+  int nearly;      // complex ones near enough to the real line to be tried as a double root
+  int lost;        // eigenvalues, real or nearly, that share a regular solution with another, or have none
   bool doubtful;   // eigenvalues missing or the matrix meaningless
   double spread;   // largest distance of an eigenvalue from the hidden angle of its polished solution
   double size;     // largest |determinant| met
@@ -82,14 +89,17 @@ template <class F> void try_candidates(const Model& model, const Variant& v, con
     const int used = count - first < W ? count - first : W;
     Eliminated<G> group;
     G c3(1.0), s3(0.0);
+    int of[W];
     for (int i = 0; i < W; ++i) {
       const Candidate& c = list[first + (i < used ? i : used - 1)];
-      copy_lanes<G, F>(group.eq, i, poses.eq, c.pose);
-      copy_lanes<G, F>(group.right, i, poses.right, c.pose);
-      copy_lanes<G, F>(group.link, i, poses.link, c.pose);
-      if (v.arm) copy_lanes<G, F>(group.arm_link, i, poses.arm_link, c.pose);
+      of[i] = c.pose;
       set_lane(c3, i, c.angle);
     }
+    const LanePicker<W> pick(of);
+    pick_lanes<G, F>(group.eq, poses.eq, pick);
+    pick_lanes<G, F>(group.right, poses.right, pick);
+    pick_lanes<G, F>(group.link, poses.link, pick);
+    if (v.arm) pick_lanes<G, F>(group.arm_link, poses.arm_link, pick);
     sincos(G(c3), s3, c3);
     Motion<G> q[6];
     complete_candidate(group.eq, group.right, group.link, v.roles, v.chart, v.layout, v.swap, start_vector(start), c3,
@@ -109,6 +119,26 @@ template <class F> void try_candidates(const Model& model, const Variant& v, con
   }
 }
 
+// Counts the eigenvalues whose own regular solution was not found though rounding alone made them complex.
+//
+// A root of several solutions, of which special poses have some, is a multiple eigenvalue and may come as pairs that are nearly
+// real: they lie about its solutions, and there must be as many.
+inline void count_lost(const Variant& v, const Candidate* list, int count, const Found* found, Report* report) {
+  const auto about = [&](const Candidate& c) {
+    return c.solution >= 0 && angle_apart(found[c.pose].q[c.solution][v.roles.joint[2]], c.angle - c.partner) <
+                                  kGeneralSplit * __builtin_fabs(c.partner) + kGeneralOneRoot;
+  };
+  for (int k = 0; k < count; ++k) {
+    const Candidate& c = list[k];
+    const bool as_real = c.partner != 0 && __builtin_fabs(c.partner) < kGeneralOneRoot, near = about(c);
+    bool lost = as_real && !near;
+    for (int j = 0; j < k && near && !lost; ++j)
+      lost = list[j].pose == c.pose && list[j].solution == c.solution && about(list[j]) &&
+             found[c.pose].sigma[c.solution] >= kGeneralMerged;
+    report[c.pose].lost += lost;
+  }
+}
+
 // All solutions that one variant finds for `used` poses in lanes; adds to `found`, writes one report per pose.
 template <class F, int N> void solve_variant(const Model& model, const Variant& v, const RigidT<F>& pose, int used,
                                              Found* found, Report* report) {
@@ -125,11 +155,12 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
   for (int i = 0; i < used; ++i) {
     const Spectrum all = spectrum(eigenvalues[i], re[i], im[i], lane(poses.chart_c, i), lane(poses.chart_s, i));
     const double size = lane(poses.largest, i);
-    report[i] = {0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), 0, size};
+    report[i] = {0, 0, 0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), 0, size};
     for (int k = 0; k < all.count; ++k) {
       const double im = all.imaginary[k];
       if (im == 0) ++report[i].real;
       else if (!(__builtin_fabs(im) < kGeneralNearlyReal)) continue;
+      else ++report[i].nearly;
       list[count++] = {i, all.angle[k] + im, im, -1};
     }
   }
@@ -151,13 +182,13 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
     for (int k = 0; k < n; ++k)
       if (open[k].solution >= 0) list[index[k]].solution = open[k].solution;
   }
+  count_lost(v, list, count, found, report);
   for (int k = 0; k < count; ++k) {
     if (list[k].partner != 0) continue;
     bool own = list[k].solution >= 0;
     for (int j = 0; j < count && own; ++j)
       if (j != k && list[j].pose == list[k].pose && list[j].partner == 0 && list[j].solution == list[k].solution) {
-        double d = __builtin_fabs(list[j].angle - list[k].angle);
-        d = d > kPi ? __builtin_fabs(kTwoPi - d) : d;
+        const double d = angle_apart(list[j].angle, list[k].angle);
         Found& all = found[list[k].pose];
         // a double root; roots that coincide where the posture is far from singular belong to two solutions, one of them not found
         if (d < kGeneralOneRoot && all.sigma[list[k].solution] < kGeneralMerged) all.merged[list[k].solution] = true;
@@ -168,8 +199,7 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
       ++r.unresolved;
       continue;
     }
-    double d = __builtin_fabs(found[list[k].pose].q[list[k].solution][v.roles.joint[2]] - list[k].angle);
-    d = __builtin_fabs(d - kTwoPi * static_cast<int>(d / kTwoPi + 0.5));
+    const double d = angle_apart(found[list[k].pose].q[list[k].solution][v.roles.joint[2]], list[k].angle);
     if (d > r.spread) r.spread = d;
   }
 }

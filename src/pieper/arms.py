@@ -48,7 +48,7 @@ def ur_calibrated(path: str | os.PathLike[str]) -> Arm:
     """
     from pieper.description import ur_calibration
 
-    return Arm(ur_calibration.read(os.fspath(path)))
+    return Arm(ur_calibration.read(path))
 
 
 def catalog() -> list[str]:

@@ -91,12 +91,12 @@ def test_too_few_and_identical_poses_say_how_many_are_needed():
 @pytest.mark.parametrize(
     ("said", "words"),
     [
-        ({"kind": "angle"}, "it may be pose"),
-        ({"loss": "cauchy"}, "it may be linear or huber"),
+        ({"kind": "angle"}, "must be 'pose'"),
+        ({"loss": "cauchy"}, "must be 'linear' or 'huber'"),
         ({"joint_terms": ("bending",)}, "it may name 'gain'"),
         ({"hold": ("joint_9",)}, "it may name 'joint_1'"),
         ({"sigma": (0.0, 1e-4)}, "positive noise"),
-        ({"sigma": "small"}, "positive noise"),
+        ({"sigma": "small"}, "metres, radians"),
         ({"holdout": 1.0}, "below 1"),
         ({"kind": "position"}, "shape"),
     ],

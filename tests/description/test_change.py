@@ -96,7 +96,7 @@ def test_limits_are_changed_by_name():
         (lambda arm: arm.with_limits({"joint_1": (1, 0)}), "swapped"),
         (lambda arm: arm.with_limits([(0, 1)] * 6), "dict from joint names"),
         (lambda arm: arm.with_joints_locked({"joint_9": 0}), "no joint 'joint_9'"),
-        (lambda arm: arm.with_joints_locked({"joint_1": np.nan}), "cannot be held at nan"),
+        (lambda arm: arm.with_joints_locked({"joint_1": np.nan}), "joint_1 is held at must be a finite number"),
         (lambda arm: arm.with_joints_locked(dict.fromkeys(arm.joint_names, 0)), "every joint would be held"),
         (lambda arm: arm.to("hayati"), "'standard' or 'modified'"),
         (lambda arm: arm.with_tool(np.eye(3)), "tool must have shape"),

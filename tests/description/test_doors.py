@@ -137,7 +137,7 @@ def test_opw_parameters_give_the_pose_of_their_formulas():
 
 def test_opw_parameters_that_are_none_are_refused():
     lengths = {"a1": 0.1, "a2": -0.135, "b": 0, "c1": 0.615, "c2": 0.705, "c3": 0.755, "c4": 0.085}
-    with pytest.raises(InputError, match="c2 must be a finite length"):
+    with pytest.raises(InputError, match="c2 must be a finite number, a length in m"):
         pieper.Arm.from_opw(**lengths | {"c2": np.nan})
     with pytest.raises(InputError, match="offsets must be six"):
         pieper.Arm.from_opw(**lengths, offsets=[0, 0])

@@ -26,5 +26,5 @@ def test_many_poses_are_those_said_one_by_one(notation):
 def test_an_impossible_orientation_is_refused():
     with pytest.raises(pieper.InputError, match="length 2"):
         pieper.poses(np.zeros((2, 3)), "quat_wxyz", [[1, 0, 0, 0], [2, 0, 0, 0]])
-    with pytest.raises(pieper.InputError, match="unknown"):
+    with pytest.raises(pieper.InputError, match="got 'xyz'"):
         pieper.poses(np.zeros(3), "xyz", np.zeros(3))

@@ -4,22 +4,12 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.makers import AT_HOME
 from pieper.errors import InputError
 from pieper.kinematics.pose import pose_error
 from pieper.motion.dialects.files import DIALECTS
 from pieper.motion.instructions import Move
 
-#: dialect -> an arm of its maker, a posture where lines and circles are at home
-AT_HOME = {
-    "rapid": ("abb-irb2400", [5, 10, 5, 10, 30, 15]),
-    "urscript": ("universal-robots-ur10e", [10, -70, 90, -60, -80, 20]),
-    "krl": ("kuka-kr6-r900-sixx", [-10, -80, 95, 10, 40, -20]),
-    "fanuc-ls": ("fanuc-lr-mate-200id", [10, 20, -10, 15, -60, 200]),
-    "inform": ("motoman-gp7", [10, 10, -10, 15, -60, 20]),
-    "pacscript": ("denso-vs060", [10, 10, 80, 15, 40, 20]),
-    "ros": ("kinova-gen3-7dof", [10, 20, 10, 60, 15, 40, 20]),
-    "csv": ("stanford-arm", [10, 50, 0.6, 20, 40, 15]),
-}
 TOOL = pieper.pose(0.03, -0.02, 0.15, rpy=(0.1, 0.5, -0.3))
 
 
@@ -33,7 +23,7 @@ def built(dialect, tool=True):
     other = T.copy()
     other[:3, 3] += [0.02, 0.05, -0.03]
     via = other.copy()
-    via[:3, 3] += [0.03, -0.03, 0.01]
+    via[:3, 3] += [0.005, -0.025, 0.02]
     p.move_l(other, speed=0.2, blend=0.01).output(2, True).move_c(via, T).wait(0.5)
     p.move_j(q + 0.05, speed=0.4).gripper(1.0).move_j(T)
     return arm, p
@@ -64,7 +54,7 @@ def test_what_is_written_is_read_back(dialect, cartesian, tmp_path):
             if target.via is not None:
                 assert np.abs(target.via[:3, 3] - move.via[:3, 3]).max() < 1e-6
             else:
-                assert np.abs(arm.fk(target.q_via)[:3, 3] - move.via[:3, 3]).max() < 2e-4
+                assert np.abs(arm.fk(target.q_via)[:3, 3] - move.via[:3, 3]).max() < 2e-5
     joint_moves = [t for t in targets if t.kind == "move_j"]
     if dialect != "inform":
         assert all((t.q is None) == cartesian for t in joint_moves)
@@ -151,3 +141,42 @@ def test_files_that_are_no_programs_are_refused(tmp_path):
     (tmp_path / "b.mod").write_text("MODULE b\n PROC main()\n MoveAbsJ p9,v100,fine,tool0;\n ENDPROC\nENDMODULE\n")
     with pytest.raises(InputError, match="not rapid"):
         pieper.read_program(tmp_path / "b.mod")
+
+
+@pytest.mark.parametrize("turned", [100.0, 180.0, 270.0, 350.0])
+@pytest.mark.parametrize("dialect", [d for d, found in DIALECTS.items() if found.maker])
+def test_a_long_circle_is_written_in_pieces_of_less_than_half_a_turn(dialect, turned, tmp_path):
+    name, degrees = AT_HOME[dialect]
+    arm = pieper.load(name)
+    q = np.radians(degrees)
+    T, centre = arm.fk(q), arm.fk(q)[:3, 3] + [0.0, 0.0, -0.03]
+
+    def at(angle):
+        out = T.copy()
+        out[:3, 3] = centre + 0.03 * np.array([0.0, np.sin(angle), np.cos(angle)])
+        return out
+
+    end = np.radians(turned)
+    # the via is not in the middle
+    p = pieper.Program(arm, pieper.Limits(2.0, 8.0), start=q).move_c(at(0.3 * end), at(end), blend=0.004).move_l(T)
+    file = tmp_path / f"c{DIALECTS[dialect].suffixes[0]}"
+    p.write(file, dialect=dialect, name="c", cartesian=True)
+    targets = pieper.read_program(file)
+    assert [t.kind for t in targets] == ["move_c"] * (1 + (turned > 170) + (turned > 340)) + ["move_l"]
+    here, gone = T[:3, 3], 0.0
+    for t in targets[:-1]:
+        for point in (t.via[:3, 3], t.T[:3, 3]):
+            assert abs(np.linalg.norm(point - centre) - 0.03) < 1e-6
+            u, v = here - centre, point - centre
+            angle = np.arctan2(np.cross(v, u) @ [1, 0, 0], u @ v)
+            # between a start, a via and an end there is less than half a turn, the way round that was asked for
+            assert 0 < angle < np.radians(90)
+            here, gone = point, gone + angle
+    assert gone == pytest.approx(end, abs=1e-4)
+    same(targets[-2], p.moves[0])
+    # as joint values, too, every point of the pieces lies on the circle
+    if dialect in ("urscript", "fanuc-ls"):
+        p.write(file, dialect=dialect, name="c")
+        for t in pieper.read_program(file)[:-1]:
+            for posture in (t.q_via, t.q):
+                assert abs(np.linalg.norm(arm.fk(posture)[:3, 3] - centre) - 0.03) < 2e-5

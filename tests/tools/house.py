@@ -26,6 +26,7 @@ SOURCE = ROOT / "src" / "pieper"
 #: motion asks of the surroundings stands under it. `__init__` is the public surface, `arm` the facade behind it.
 FLOORS = (
     ("errors", "words_by_number"),
+    ("arguments",),
     ("tolerances",),
     ("_kernel", "_code"),
     ("document", "kinematics"),
@@ -50,8 +51,8 @@ FLOORS = (
 FLOOR = {wing: i for i, wings in enumerate(FLOORS) for wing in wings}
 #: Wings that may import less than their floor would allow.
 ONLY = {
-    "document": {"errors", "words_by_number"},
-    "algebra": {"errors", "words_by_number", "tolerances", "_kernel", "document", "kinematics"},
+    "document": {"errors", "words_by_number", "arguments"},
+    "algebra": {"errors", "words_by_number", "arguments", "tolerances", "_kernel", "document", "kinematics"},
 }
 PUBLIC_ONLY = ("cli", "workbench")
 #: What the command line opens beside it, the workbench itself and not its rooms; and the thresholds of all.

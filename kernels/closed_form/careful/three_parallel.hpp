@@ -143,9 +143,27 @@ inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, cons
         solve_around_plane(rest, slides, apart, own.first_c, roots);
       },
       [&](double* arm, bool free, const auto& around, const auto& put, Found& found) {
-        const int tries = free ? 16 : 1, before = found.count;
-        for (int trial = 0; trial < tries && (trial == 0 || found.count == before); ++trial) {
-          arm[1] += trial * (2 * kPi / 16);
+        // a free joint turns to where the plane can reach: with slides that is searched
+        const bool* slides = own.slides + own.first;
+        const bool turning = !(slides[0] || slides[1] || slides[2] || own.slides[own.order[1]]);
+        double values[16] = {arm[1]};
+        int tries = 1;
+        if (free && turning) {
+          tries = 2;
+          turn_to_reach(
+              [&](double turn) {
+                double turned[3] = {arm[0], arm[1] + turn, arm[2]};
+                const Rigid left = around(turned);
+                return left.t.x * left.t.x + left.t.y * left.t.y;
+              },
+              std::hypot(l1.at.x, l1.at.y), std::hypot(l2.at.x, l2.at.y), values);
+          values[0] += arm[1], values[1] += arm[1];
+        } else if (free) {
+          for (tries = 0; tries < 16; ++tries) values[tries] = arm[1] + tries * (2 * kPi / 16);
+        }
+        const int before = found.count;
+        for (int trial = 0; trial < tries && (turning || found.count == before); ++trial) {
+          arm[1] = values[trial];
           const Rigid left = around(arm);
           double plane[2][3];
           const int bends =

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from pieper import arguments
 from pieper.calibration.fit import Fit, HeldOut
 from pieper.calibration.least_squares import Fitted, fit, linearised, outlying, sizes_of
 from pieper.calibration.measurements import BLIND, SETUP, WIDTH, Measurements, measured_as, noise_of
@@ -51,8 +52,7 @@ def calibrate(
     joints = checked_joints(q, chain.n)
     if joints.ndim != 2:
         raise InputError(f"q must have shape (N, {chain.n}), one row a pose, got {joints.shape}.", given=joints.shape)
-    if loss not in LOSSES:
-        raise InputError(f"loss is {loss!r}; it may be {' or '.join(LOSSES)}.", given=loss, allowed=LOSSES)
+    arguments.word(loss, "loss", LOSSES)
     data, noise = measured_as(kind, measured, len(joints)), noise_of(sigma)
     parameters = parameters_of(chain, arm.description.joint_names, hold, joint_terms)
     nominal = AxesModel.of(chain)
@@ -92,8 +92,7 @@ def calibrate(
 
 def _held_out(count: int, holdout: float) -> npt.NDArray[np.int64]:
     """Return the rows that are held out, evenly spread."""
-    if not 0 <= holdout < 1:
-        raise InputError(f"holdout is a part of the poses, from 0 to below 1, got {holdout!r}.", given=holdout)
+    arguments.number(holdout, "holdout, a part of the poses,", least=0.0, below=1.0)
     held = round(holdout * count)
     return ((np.arange(held) + 0.5) * count / max(held, 1)).astype(np.int64)
 

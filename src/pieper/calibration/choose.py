@@ -7,8 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
+from pieper import arguments
 from pieper.calibration.least_squares import linearised, sizes_of
-from pieper.calibration.measurements import Measurements, measured_as, noise_of
+from pieper.calibration.measurements import KINDS, Measurements, measured_as, noise_of
 from pieper.calibration.model import AxesModel
 from pieper.calibration.parameters import parameters_of
 from pieper.errors import InputError
@@ -35,11 +36,11 @@ def choose_poses(
     q = checked_joints(candidates, arm.chain.n, "candidates")
     if q.ndim != 2:
         raise InputError(f"candidates must have shape (N, {arm.chain.n}), got {q.shape}.", given=q.shape)
-    if not 1 <= k <= len(q):
-        raise InputError(f"k must be from 1 to the {len(q)} candidates, got {k!r}.", given=k)
+    arguments.whole(k, "k, how many candidates to choose,", 1, len(q))
     model, parameters = AxesModel.of(arm.chain), parameters_of(arm.chain, arm.description.joint_names, (), joint_terms)
     T = model.fk(q)
     seen_from = np.zeros(3) + T[:, :3, 3].mean(0) + [0.0, 0.0, arm.chain.length]
+    arguments.word(kind, "kind", KINDS)
     values = {
         "pose": T,
         "position": T[:, :3, 3],

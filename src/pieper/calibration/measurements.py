@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, rotation_vector, skew
@@ -126,8 +127,7 @@ def measured_as(kind: str, given: PoseLike | None, count: int) -> Measurements:
     Raises:
         InputError: An unknown kind, another shape or number of rows, numbers that are not finite, not poses.
     """
-    if kind not in KINDS:
-        raise InputError(f"kind is {kind!r}; it may be {', '.join(KINDS)}.", given=kind, allowed=KINDS)
+    arguments.word(kind, "kind", KINDS)
     if kind == "pose":
         values = checked_pose([] if given is None else given, "measured", batch=True)
         shape: tuple[int, ...] = (count, 4, 4)
@@ -147,10 +147,7 @@ def measured_as(kind: str, given: PoseLike | None, count: int) -> Measurements:
 
 
 def _numbers(given: PoseLike | None) -> Array:
-    try:
-        values = np.array(as_pose(given), dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InputError(f"measured must be numbers, got {type(given).__name__}.", given=given) from None
+    values = arguments.numbers(as_pose(given), "measured")
     if not np.isfinite(values).all():
         index = tuple(int(i) for i in np.argwhere(~np.isfinite(values))[0])
         raise InputError(f"measured must be finite, got {values[index]} at index {index}.", index=index)
@@ -165,10 +162,7 @@ def noise_of(sigma: ArrayLike | Sequence[float] | None) -> tuple[float, float] |
     """
     if sigma is None:
         return None
-    try:
-        said = np.atleast_1d(np.array(sigma, dtype=np.float64))
-    except (TypeError, ValueError):
-        said = np.zeros(0)
+    said = np.atleast_1d(arguments.numbers(sigma, "sigma", "(metres, radians)"))
     if said.shape not in ((1,), (2,)) or not np.isfinite(said).all() or said.min() <= 0:
         raise InputError(
             f"sigma must be (metres, radians), the positive noise of one number measured, or None; got {sigma!r}.",

@@ -8,6 +8,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
@@ -63,7 +64,7 @@ def parameters_of(
         InputError: A name to hold, or a joint term, that is none.
     """
     _known(joint_terms, TERMS, "joint_terms")
-    hold = (hold,) if isinstance(hold, str) else tuple(hold)
+    hold = (hold,) if isinstance(hold, str) else tuple(arguments.several(hold, "hold", "names"))
     names: list[str] = []
     units: list[str] = []
     owners: list[str] = []
@@ -128,7 +129,7 @@ def parameters_of(
 
 
 def _known(said: Sequence[str], allowed: Sequence[str], what: str) -> None:
-    for name in (said,) if isinstance(said, str) else said:
-        if name not in allowed:
+    for name in (said,) if isinstance(said, str) else arguments.several(said, what, "names"):
+        if not isinstance(name, str) or name not in allowed:
             shown = ", ".join(repr(a) for a in allowed[:12]) + (", ..." if len(allowed) > 12 else "")
             raise InputError(f"{what} names {name!r}; it may name {shown}.", given=name, allowed=tuple(allowed))

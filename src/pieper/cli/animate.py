@@ -8,13 +8,13 @@ import click
 
 import pieper
 from pieper.cli.arguments import numbers
-from pieper.cli.options import NUMBERS, takes_arm
+from pieper.cli.options import TakesNumbers, takes_arm
 from pieper.cli.output import say
 from pieper.cli.status import DONE
 from pieper.cli.timed import drawing
 
 
-@click.command("animate", context_settings=NUMBERS, short_help="Write a motion as a moving picture.")
+@click.command("animate", cls=TakesNumbers, short_help="Write a motion as a moving picture.")
 @takes_arm
 @click.argument("file", metavar="FILE")
 @click.argument("out", metavar="OUT")

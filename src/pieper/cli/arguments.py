@@ -88,7 +88,7 @@ def number(text: str, what: str) -> float:
         try:
             value = pieper.evaluate(text)
         except ValueError as error:
-            raise InputError(f"{what}: {text!r} is not a number ({error}).", given=text) from None
+            raise InputError(f"{what}: {text!r} is not a number ({str(error).rstrip('.')}).", given=text) from None
     if not math.isfinite(value):
         raise InputError(f"{what}: {text!r} is not finite.", given=text)
     return value

@@ -11,14 +11,14 @@ import numpy.typing as npt
 
 import pieper
 from pieper.cli.arguments import joints
-from pieper.cli.options import NUMBERS, as_json, takes_arm, takes_units
+from pieper.cli.options import TakesNumbers, as_json, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import number, say
 from pieper.cli.status import DONE, NO_SOLUTION
 from pieper.cli.units import Units
 
 
-@click.command("clear", context_settings=NUMBERS, short_help="Prove that a path touches nothing.")
+@click.command("clear", cls=TakesNumbers, short_help="Prove that a path touches nothing.")
 @takes_arm
 @click.option("--scene", default="", metavar="FILE", help="What stands around the arm; without it the arm alone.")
 @click.option("--from", "first", default="", metavar="JOINTS", help="Joints at the beginning (quoted), or a posture.")

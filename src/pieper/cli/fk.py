@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 import pieper
 from pieper.cli.arguments import joints as read_joints
-from pieper.cli.options import NUMBERS, as_json, takes_arm, takes_units
+from pieper.cli.options import TakesNumbers, as_json, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import print_pose, say, short
 from pieper.cli.status import DONE
@@ -16,7 +16,7 @@ from pieper.cli.units import Units
 from pieper.tolerances import LIMIT_SLACK
 
 
-@click.command("fk", context_settings=NUMBERS, short_help="From joints to the pose of the tool.")
+@click.command("fk", cls=TakesNumbers, short_help="From joints to the pose of the tool.")
 @takes_arm
 @click.argument("joints", nargs=-1, required=True)
 @click.option("--frames", is_flag=True, help="Every frame on the way, not only the tool.")

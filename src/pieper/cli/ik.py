@@ -13,7 +13,7 @@ import numpy.typing as npt
 import pieper
 from pieper.cli.arguments import Target, joints, numbers, target
 from pieper.cli.layout import Column
-from pieper.cli.options import NUMBERS, as_csv, as_json, figure, order, takes_arm, takes_units
+from pieper.cli.options import TakesNumbers, as_csv, as_json, figure, order, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import (
     joint_cells,
@@ -31,7 +31,7 @@ from pieper.cli.units import Units
 from pieper.tolerances import LIMIT_SLACK
 
 
-@click.command("ik", context_settings=NUMBERS, short_help="From a pose, or a file of poses, to every solution.")
+@click.command("ik", cls=TakesNumbers, short_help="From a pose, or a file of poses, to every solution.")
 @takes_arm
 @click.argument("pose", nargs=-1, required=True)
 @order

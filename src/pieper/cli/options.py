@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import functools
 import sys
 from collections.abc import Callable
@@ -14,10 +15,32 @@ import pieper
 from pieper.cli.arguments import ALSO, NOTATIONS, numbers
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
-#: For commands that take numbers: a negative one is a number, not an option.
-NUMBERS = {"ignore_unknown_options": True}
-
 Command = Callable[..., Any]
+
+
+class TakesNumbers(click.Command):
+    """A command that takes numbers: -5 and -pi/2 are numbers and no options; --word is an option or a mistake."""
+
+    ignore_unknown_options = True
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read the words, after an option that does not exist is said to be one."""
+        known = [name for parameter in self.get_params(ctx) for name in (*parameter.opts, *parameter.secondary_opts)]
+        typed = args[: args.index("--")] if "--" in args else args
+        for word in (word.split("=")[0] for word in typed):
+            if word.startswith("--") and word not in known:
+                raise click.UsageError(f"There is no option {word}.{_meant(word, known)}", ctx)
+        return super().parse_args(ctx, args)
+
+
+def _meant(word: str, known: list[str]) -> str:
+    if "--order" in known and word[2:] in (*NOTATIONS, *ALSO):
+        return f" Say --order {word[2:]}, and the numbers after x y z."
+    near = difflib.get_close_matches(word, known, n=1)
+    return (
+        f" Did you mean {near[0]}?" if near else f" There are {', '.join(name for name in known if name[:2] == '--')}."
+    )
+
 
 as_json = click.option("--json", is_flag=True, help="Print JSON, in metres and radians, for machines.")
 as_csv = click.option(

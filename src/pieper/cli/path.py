@@ -13,7 +13,7 @@ import pieper
 from pieper.cli.arguments import Target, joints
 from pieper.cli.layout import Column
 from pieper.cli.options import (
-    NUMBERS,
+    TakesNumbers,
     as_csv,
     as_json,
     order,
@@ -34,7 +34,7 @@ FEW = 12
 NO_ENDS = 'a path needs --from and --to, for example --from "350 0 400" --to "200 100 500".'
 
 
-@click.command("path", context_settings=NUMBERS, short_help="Follow straight lines with one branch.")
+@click.command("path", cls=TakesNumbers, short_help="Follow straight lines with one branch.")
 @takes_arm
 @takes_straight
 @start

@@ -9,7 +9,7 @@ import click
 import pieper
 from pieper.cli.arguments import joints
 from pieper.cli.options import (
-    NUMBERS,
+    TakesNumbers,
     animate,
     as_csv,
     as_json,
@@ -26,7 +26,7 @@ from pieper.cli.timed import print_data, tell_limits, write
 from pieper.cli.units import Units
 
 
-@click.command("program", context_settings=NUMBERS, short_help="Time a program, draw it, write it for a controller.")
+@click.command("program", cls=TakesNumbers, short_help="Time a program, draw it, write it for a controller.")
 @takes_arm
 @click.argument("file", metavar="FILE")
 @click.option(
@@ -97,7 +97,12 @@ def _read(arm: pieper.Arm, file: str, limits: pieper.Limits | None, start: str, 
     if not targets:
         raise pieper.InputError(f"{file} holds no moves.", path=file)
     program = pieper.Program(arm, limits, start=joints(arm, [start], units, "--start"))
+    tool = arm.tool
     for target in targets:
+        # none that is set is the arm's own
+        if not target.means_tool(tool) and not (target.tool is None and tool is arm.tool):
+            tool = arm.tool if target.tool is None else target.tool
+            program.tool(tool)
         where = target.T if target.q is None else target.q
         assert where is not None
         if target.kind == "move_c" and target.T is not None:

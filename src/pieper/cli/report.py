@@ -8,13 +8,13 @@ import click
 
 import pieper
 from pieper.cli.arguments import target
-from pieper.cli.options import NUMBERS, order, start, takes_arm, takes_units
+from pieper.cli.options import TakesNumbers, order, start, takes_arm, takes_units
 from pieper.cli.status import DONE
 from pieper.cli.straight import Straight, takes_straight
 from pieper.cli.units import Units
 
 
-@click.command("report", context_settings=NUMBERS, short_help="Write everything about an arm on one page.")
+@click.command("report", cls=TakesNumbers, short_help="Write everything about an arm on one page.")
 @takes_arm
 @click.option("--out", "-o", default="", metavar="FILE", help="The HTML page; named after the arm when left out.")
 @click.option("--latex", default="", metavar="FILE", help="Also write LaTeX source into this .tex, figures beside it.")

@@ -11,7 +11,7 @@ import numpy.typing as npt
 import pieper
 from pieper.cli.arguments import joints, numbers
 from pieper.cli.layout import Column
-from pieper.cli.options import NUMBERS, as_csv, as_json, order, takes_arm, takes_units
+from pieper.cli.options import TakesNumbers, as_csv, as_json, order, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import joint_cells, joint_columns, number, print_table, say, si_units
 from pieper.cli.path import DECIMALS, FEW
@@ -21,7 +21,7 @@ from pieper.cli.straight import Straight, takes_straight
 from pieper.cli.units import Units
 
 
-@click.command("route", context_settings=NUMBERS, short_help="The best way along a path that leaves something free.")
+@click.command("route", cls=TakesNumbers, short_help="The best way along a path that leaves something free.")
 @takes_arm
 @takes_straight
 @click.option("--poses", default="", metavar="FILE", help="A table of poses (.csv) instead of --from and --to.")

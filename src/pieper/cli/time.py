@@ -7,7 +7,7 @@ import click
 import pieper
 from pieper.cli.arguments import numbers
 from pieper.cli.options import (
-    NUMBERS,
+    TakesNumbers,
     animate,
     as_csv,
     as_json,
@@ -27,7 +27,7 @@ from pieper.cli.timed import print_data, tell, write
 from pieper.cli.units import Units
 
 
-@click.command("time", context_settings=NUMBERS, short_help="Time a path within limits.")
+@click.command("time", cls=TakesNumbers, short_help="Time a path within limits.")
 @takes_arm
 @takes_straight
 @start

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+from pieper import arguments
 from pieper.code import c, cpp, javascript, jax, matlab, python, wasm
 from pieper.code.export import Export, export
 from pieper.document.writing import whole_file
@@ -42,11 +43,8 @@ def write(arm: PlannedArm, language: str, path: str | os.PathLike[str], name: st
         InputError: An unknown language, a name that is no word, a place that cannot be written, no compiler for wasm.
         PlanError: The arm cannot be exported; the message says why.
     """
-    if language not in PRINTERS:
-        raise InputError(
-            f"language is {language!r}; it may be {', '.join(PRINTERS)}.", given=language, allowed=tuple(PRINTERS)
-        )
-    target = Path(path)
+    arguments.word(language, "language", PRINTERS)
+    target = arguments.file(path)
     files = PRINTERS[language](export(arm, name), target)
     if language == "matlab" and target.suffix != ".m":
         try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from pieper import arguments
 from pieper.collision.guess import guessed
 from pieper.description.bodyfield import BASE, TOOL
 from pieper.description.dh import Description
@@ -123,7 +124,7 @@ def with_bodies(
     """
     places = [BASE, *arm.joint_names, TOOL]
     new: list[Body] = []
-    for place, shapes in where.items():
+    for place, shapes in arguments.by_name(where, "where", '{"tool": pieper.Box(...)}').items():
         if place not in places:
             raise InputError(
                 f"{arm.name} has no {place!r} to carry a body: say {', '.join(places)}.", given=place, allowed=places
@@ -135,7 +136,7 @@ def with_bodies(
                     given=shape,
                 )
             new.append(Body(shape.name or place, places.index(place), shape))
-    kept = () if instead else known_bodies(arm)[0]
+    kept = () if arguments.flag(instead, "instead") else known_bodies(arm)[0]
     taken = [body.name for body in kept]
     for body in new:
         if body.shape.name and (taken + [b.name for b in new if b is not body]).count(body.name):
@@ -143,10 +144,11 @@ def with_bodies(
     names = unique_names([*taken, *(body.name for body in new)])[len(taken) :]
     out = replace(arm, unmeasured=None, bodies=(*kept, *(replace(b, name=n) for b, n in zip(new, names, strict=True))))
     known = bodies_of(out).names
-    for name in (name for pair in allowed for name in pair):
+    touching = arguments.pairs(allowed, "allowed", "names of bodies")
+    for name in (name for pair in touching for name in pair):
         if name not in known:
             raise InputError(
                 f"there is no body {name!r} to allow a touch; there is {', '.join(known)}.", given=name, allowed=known
             )
     pairs = () if instead else arm.allowed
-    return replace(out, allowed=(*pairs, *((str(a), str(b)) for a, b in allowed)))
+    return replace(out, allowed=(*pairs, *touching))

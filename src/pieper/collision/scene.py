@@ -7,6 +7,7 @@ import tomllib
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from pieper import arguments
 from pieper.description.bodyfield import shape_keys, shapes_of
 from pieper.description.place import Place, kind_of
 from pieper.description.robotparse import LARGEST_FILE
@@ -49,7 +50,7 @@ class Scene(Sequence[Shape]):
             raise InputError(f"two obstacles are called {twice[0]!r}; names must differ.", given=twice[0])
         self._obstacles = tuple(obstacles)
         self.names = tuple(unique_names([shape.name or KINDS[type(shape)] for shape in obstacles]))
-        self.allowed = frozenset((str(one), str(other)) for one, other in allowed)
+        self.allowed = frozenset(arguments.pairs(allowed, "allowed", "names of bodies"))
         for one, other in self.allowed:
             if one not in self.names and other not in self.names:
                 raise InputError(
@@ -75,7 +76,7 @@ class Scene(Sequence[Shape]):
         Raises:
             InputError: The file cannot be read or says something impossible; the message names file and line.
         """
-        file = os.fspath(path)
+        file = str(arguments.file(path))
         data = bytes_of(Path(file), LARGEST_FILE, "scene file")
         try:
             document = tomllib.loads(data.decode("utf-8-sig"))

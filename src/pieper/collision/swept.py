@@ -8,6 +8,7 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
+from pieper import arguments
 from pieper.collision.distance import nearest
 from pieper.collision.hulls import Hulls
 from pieper.collision.model import Model
@@ -93,7 +94,9 @@ def clear(model: Model, given: ArrayLike, margin: float = 0.0, *, gap: float = C
     """
     for name, value in (("margin", margin), ("gap", gap)):
         if not isinstance(value, (int, float, np.floating)) or not np.isfinite(value) or value < 0:
-            raise InputError(f"{name} must be a length of at least zero, m, got {value!r}.", given=value)
+            raise InputError(
+                f"{name} must be a length of at least zero, m, got {arguments.kind_of(value)}.", given=value
+            )
     q = np.atleast_2d(checked_joints(given, model.chain.n, "the path", prismatic=model.chain.prismatic))
     if q.ndim != 2 or not len(q):
         raise InputError(f"a path is (N, {model.chain.n}) joint vectors, at least one, got {q.shape}.", given=q.shape)

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pieper import arguments
 from pieper.description.commonnormal import standard_table
 from pieper.description.dh import Actuator, Description, describe
 from pieper.errors import InputError
@@ -118,10 +119,7 @@ def described_by_axes(
 
 
 def _vectors(given: ArrayLike, what: str) -> np.ndarray:
-    try:
-        array = np.array(given, dtype=float)
-    except (TypeError, ValueError):
-        array = np.empty(0)
+    array = np.array(arguments.numbers(given, what, "(n, 3) finite numbers, one row a joint"))
     if array.ndim != 2 or array.shape[-1] != 3 or not np.isfinite(array).all():
         raise InputError(f"{what} must be (n, 3) finite numbers, one row a joint.", given=given)
     return array

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 import os
 from dataclasses import dataclass
 from functools import cache
 
+from pieper import arguments
 from pieper.description import catalog
 from pieper.description.dh import Description
 from pieper.errors import InputError
@@ -73,17 +73,18 @@ def find(
     Raises:
         InputError: A number is below zero or no number, or the joints cannot be read.
     """
-    for what, value in (("payload", payload), ("reach", reach)):
-        if value is not None and not (math.isfinite(value) and value >= 0):
-            raise InputError(f"{what} must be a number of at least 0, got {value!r}.", given=value)
+    for what, value, unit in (("payload", payload, "kg"), ("reach", reach, "m")):
+        if value is not None:
+            arguments.number(value, what, unit, least=0.0)
     kinds = None if joints is None else _kinds(joints)
-    wanted = words.lower().split()
+    wanted = arguments.text(words, "words").lower().split()
+    by = None if maker is None else arguments.text(maker, "maker").lower()
 
     def fits(arm: Entry) -> bool:
         said = f"{arm.name} {arm.manufacturer}".lower()
         return (
             all(word in said for word in wanted)
-            and (maker is None or maker.lower() in arm.manufacturer.lower())
+            and (by is None or by in arm.manufacturer.lower())
             and (kinds is None or (arm.n == kinds if isinstance(kinds, int) else arm.joint_types == kinds))
             and (payload is None or (arm.payload is not None and arm.payload >= payload))
             and (reach is None or (arm.reach is not None and round(arm.reach, 6) >= round(reach, 6)))
@@ -93,7 +94,7 @@ def find(
 
 
 def _kinds(joints: int | str) -> int | str:
-    said = str(joints).strip().upper()
+    said = joints.strip().upper() if isinstance(joints, str) else str(arguments.whole(joints, "joints", 1))
     if said.isdigit() and int(said) > 0:
         return int(said)
     if said[:-1].isdigit() and said[-1:] in ("R", "P") and 0 < int(said[:-1]) < 100:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TypeVar
@@ -10,6 +9,7 @@ from typing import TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from pieper import arguments
 from pieper.description.carry import carried
 from pieper.description.commonnormal import standard_table
 from pieper.description.dh import CONVENTIONS, DH, Check, Description, describe
@@ -70,10 +70,10 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
     Raises:
         InputError: No such joint, a value that is not finite, no joint left, or another joint moves a held one's axis.
     """
-    held = {index: float(value) for index, value in _by_joint(arm, values, "locked joints").items()}
-    for index, value in held.items():
-        if not math.isfinite(value):
-            raise InputError(f"{arm.joint_names[index]} cannot be held at {value}.", joint=arm.joint_names[index])
+    held = {
+        index: arguments.number(value, f"the value {arm.joint_names[index]} is held at", "rad or m")
+        for index, value in _by_joint(arm, values, "locked joints").items()
+    }
     free = [i for i in range(arm.n) if i not in held]
     if not free:
         raise InputError("every joint would be held; an arm has at least one that moves.", given=dict(values))
@@ -127,12 +127,7 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
 
 def to_convention(arm: Description, convention: str) -> Description:
     """Return the same arm with its table in the other DH convention; every number is kept, none computed anew."""
-    if convention not in CONVENTIONS:
-        raise InputError(
-            f"convention {convention!r} is unknown: say 'standard' or 'modified'.",
-            given=convention,
-            allowed=CONVENTIONS,
-        )
+    arguments.word(convention, "convention", CONVENTIONS)
     if convention == arm.convention:
         return arm
     a, alpha = [row.a for row in arm.rows], [row.alpha for row in arm.rows]

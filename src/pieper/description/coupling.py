@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import ArrayLike
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.tolerances import MOVES_NOTHING, WORST_CONDITION
 from pieper.words_by_number import plural
@@ -22,10 +23,7 @@ def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.
     if coupling is None:
         return None
     n = len(names)
-    try:
-        C = np.array(coupling, dtype=float)
-    except (TypeError, ValueError):
-        C = np.empty(0)
+    C = np.array(arguments.numbers(coupling, "coupling", f"{plural(n, 'row')} of {plural(n, 'finite number')}"))
     if C.shape != (n, n) or not np.isfinite(C).all():
         raise InputError(
             f"coupling must be {plural(n, 'row')} of {plural(n, 'finite number')} (chain values = coupling @ "
@@ -41,6 +39,17 @@ def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.
             )
     condition = float(np.linalg.cond(C))
     if not condition < WORST_CONDITION:
+        size = np.abs(C).max(0)
+        level = C / size / np.abs(C / size).max(1, keepdims=True)
+        if np.linalg.cond(level) < WORST_CONDITION:
+            small, large = names[int(np.argmin(size))], names[int(np.argmax(size))]
+            raise InputError(
+                f"the coupling is badly scaled: one unit of {large} moves an axis {size.max() / size.min():.3g} times "
+                f"as far as one of {small}, at most {WORST_CONDITION:g} is told from nothing. Give both in rad or m, "
+                "not in steps of a motor.",
+                condition=condition,
+                given=C,
+            )
         still = np.linalg.svd(C)[2][-1]
         who = [
             f"{value / np.abs(still).max():.3g} of {name}"

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import ArrayLike
 
+from pieper import arguments
 from pieper.description.coupling import checked_coupling, moved_by
 from pieper.description.shapes import Body, Unmeasured
 from pieper.errors import InputError, PieperWarning
@@ -20,6 +21,9 @@ from pieper.words_by_number import plural
 
 CONVENTIONS = ("standard", "modified")
 MAX_JOINTS = 60
+
+
+_COLUMNS = {"a": "m", "alpha": "rad", "d": "m", "theta": "rad"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,14 +47,7 @@ class DH:
 
     def __post_init__(self) -> None:
         for name in ("a", "alpha", "d", "theta"):
-            value = getattr(self, name)
-            try:
-                number = float(value)
-            except (TypeError, ValueError):
-                raise InputError(f"DH {name} must be a number, got {value!r}.", column=name, given=value) from None
-            if not math.isfinite(number):
-                raise InputError(f"DH {name} must be finite, got {number}.", column=name, given=number)
-            object.__setattr__(self, name, number)
+            object.__setattr__(self, name, arguments.number(getattr(self, name), f"DH {name}", _COLUMNS[name]))
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,23 +224,25 @@ def describe(
     Raises:
         InputError: Something said is impossible; the message names the joint and what is allowed.
     """
-    if convention not in CONVENTIONS:
+    if not isinstance(convention, str) or convention not in CONVENTIONS:
         raise InputError(
-            f"convention {convention!r} is unknown: say 'standard' (distal DH) or 'modified' (proximal DH, Craig).",
+            f"convention {arguments.kind_of(convention)} is unknown: say 'standard' (distal DH) or 'modified' "
+            "(proximal DH, Craig).",
             given=convention,
             allowed=CONVENTIONS,
         )
-    table = tuple(_row(row, index) for index, row in enumerate(rows))
+    table = tuple(_row(row, index) for index, row in enumerate(arguments.several(rows, "rows", "DH rows")))
     n = len(table)
     if not 1 <= n <= MAX_JOINTS:
         raise InputError(f"an arm has 1 to {MAX_JOINTS} joints, got {n} DH rows.", given=n)
     types = ("R" * n if joint_types is None else str(joint_types)).upper()
     if len(types) != n or set(types) - {"R", "P"}:
         raise InputError(
-            f"joint_types {joint_types!r} must be {plural(n, 'letter')}, one a DH row: R revolute, P prismatic.",
+            f"joint_types {arguments.kind_of(joint_types)} must be {plural(n, 'letter')}, one a DH row: R revolute, P "
+            "prismatic.",
             given=joint_types,
         )
-    names = tuple(f"joint_{i + 1}" for i in range(n)) if joint_names is None else tuple(str(s) for s in joint_names)
+    names = tuple(f"joint_{i + 1}" for i in range(n)) if joint_names is None else _words(joint_names, "joint_names")
     if len(names) != n:
         raise InputError(f"joint_names has {plural(len(names), 'name')} for {plural(n, 'joint')}.", given=names)
     twice = sorted({s for s in names if names.count(s) > 1})
@@ -264,7 +263,7 @@ def describe(
     bounds = _limits(limits, names, types)
     named = {} if postures is None else {k: _vector(v, n, f"posture {k!r}") for k, v in postures.items()}
     return Description(
-        name=str(name),
+        name=arguments.text(name, "name"),
         convention=convention,
         rows=table,
         joint_types=types,
@@ -306,13 +305,15 @@ def _row(row: object, index: int) -> DH:
 
 
 def _vector(values: ArrayLike, n: int, what: str) -> np.ndarray:
-    try:
-        vector = np.array(values, dtype=float)
-    except (TypeError, ValueError):
-        vector = np.empty(0)
+    wanted = f"{plural(n, 'finite number')}, one a joint"
+    vector = np.array(arguments.numbers(values, what, wanted))
     if vector.shape != (n,) or not np.all(np.isfinite(vector)):
-        raise InputError(f"{what} must be {n} finite numbers, one a joint, got {values!r}.", given=values)
+        raise InputError(f"{what} must be {wanted}, got {values!r}.", given=values, allowed=wanted)
     return vector
+
+
+def _words(names: object, what: str) -> tuple[str, ...]:
+    return tuple(arguments.text(name, f"one of {what}") for name in arguments.several(names, what, "names"))
 
 
 def _limits(limits: object, names: tuple[str, ...], types: str) -> np.ndarray:
@@ -320,7 +321,7 @@ def _limits(limits: object, names: tuple[str, ...], types: str) -> np.ndarray:
     bounds = np.tile([-np.inf, np.inf], (n, 1))
     if limits is None:
         return bounds
-    pairs = list(limits)  # type: ignore[call-overload]
+    pairs = arguments.several(limits, "limits", "(lower, upper) or None, one a joint")
     if len(pairs) != n:
         raise InputError(
             f"limits has {plural(len(pairs), 'entry', 'entries')} for {plural(n, 'joint')}; give one "
@@ -332,8 +333,8 @@ def _limits(limits: object, names: tuple[str, ...], types: str) -> np.ndarray:
             continue
         try:
             lower, upper = pair
-            lower = -np.inf if lower is None else float(lower)
-            upper = np.inf if upper is None else float(upper)
+            lower = -np.inf if lower is None else float(arguments.numbers(lower, "a limit"))
+            upper = np.inf if upper is None else float(arguments.numbers(upper, "a limit"))
         except (TypeError, ValueError):
             raise InputError(
                 f"limits of {names[i]} must be (lower, upper) or None, got {pair!r}.", joint=names[i], given=pair

@@ -44,7 +44,8 @@ def number(value: object, unit: str, place: Place, key: str, *, infinite: bool =
             value = evaluate(value)
         except ExpressionError as error:
             place.fail(
-                f"{value!r} is not a number: {error}. Expressions may use numbers, pi, sqrt( ), + - * / ( ).",
+                f"{value!r} is not a number: {str(error).rstrip('.')}. Expressions may use numbers, pi, sqrt( ), "
+                "+ - * / ( ).",
                 key,
                 given=value,
             )

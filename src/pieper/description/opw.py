@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pieper import arguments
 from pieper.description.axes import described_by_axes
 from pieper.description.dh import Description
 from pieper.errors import InputError
@@ -54,10 +55,9 @@ def from_opw(
     """
     lengths = {"a1": a1, "a2": a2, "b": b, "c1": c1, "c2": c2, "c3": c3, "c4": c4}
     for key, value in lengths.items():
-        if isinstance(value, bool) or not isinstance(value, (int, float, np.number)) or not np.isfinite(value):
-            raise InputError(f"{key} must be a finite length in metres, got {value!r}.", given=value)
+        arguments.number(value, key, "a length in m")
     for key, values in (("offsets", offsets), ("signs", signs)):
-        if np.shape(values) != (6,):
+        if arguments.numbers(values, key, "six numbers, one a joint").shape != (6,):
             raise InputError(f"{key} must be six numbers, one a joint, got {values!r}.", given=values)
     y, z = [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]
     wrist = [a1 + a2, b, c1 + c2 + c3]

@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 import re
 
+from pieper import arguments
+from pieper.errors import InputError
+
 #: unit -> (kind, reading: number in the unit -> SI, writing: SI -> number in the unit)
 UNITS = {
     "deg": ("angle", math.radians, math.degrees),
@@ -18,7 +21,7 @@ _TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|
 _LONGEST_EXPRESSION = 80
 
 
-class ExpressionError(ValueError):
+class ExpressionError(InputError):
     """An expression is not one of numbers, pi, sqrt( ), + - * / and parentheses."""
 
 
@@ -34,29 +37,31 @@ def evaluate(text: str) -> float:
     Raises:
         ExpressionError: Anything else, said in one sentence.
     """
+    if not isinstance(text, str):
+        raise ExpressionError(f'an expression must be a text such as "pi/2", got {arguments.kind_of(text)}.')
     if len(text) > _LONGEST_EXPRESSION:
-        raise ExpressionError(f"the expression has {len(text)} characters, at most {_LONGEST_EXPRESSION} are read")
+        raise ExpressionError(f"the expression has {len(text)} characters, at most {_LONGEST_EXPRESSION} are read.")
     tokens, position = [], 0
     stripped = text.rstrip()
     while position < len(stripped):
         match = _TOKEN.match(stripped, position)
         if match is None:
-            raise ExpressionError(f"{stripped[position:].strip()!r} is not understood")
+            raise ExpressionError(f"{stripped[position:].strip()!r} is not understood.")
         tokens.append(match.group().strip())
         position = match.end()
     if not tokens:
-        raise ExpressionError("the expression is empty")
+        raise ExpressionError("the expression is empty.")
     parser = _Parser(tokens)
     try:
         value = parser.sum()
     except ZeroDivisionError:
-        raise ExpressionError("it divides by zero") from None
+        raise ExpressionError("it divides by zero.") from None
     except ValueError as error:
         raise error if isinstance(error, ExpressionError) else ExpressionError(str(error)) from None
     if parser.rest():
-        raise ExpressionError(f"{parser.rest()[0]!r} stands where the expression should end")
+        raise ExpressionError(f"{parser.rest()[0]!r} stands where the expression should end.")
     if not math.isfinite(value):
-        raise ExpressionError("its value is not finite")
+        raise ExpressionError("its value is not finite.")
     return value
 
 
@@ -104,17 +109,17 @@ class _Parser:
         if self._take("("):
             value = self.sum()
             if not self._take(")"):
-                raise ExpressionError("a closing parenthesis is missing")
+                raise ExpressionError("a closing parenthesis is missing.")
             if root and value < 0:
-                raise ExpressionError("it takes the square root of a negative number")
+                raise ExpressionError("it takes the square root of a negative number.")
             return math.sqrt(value) if root else value
         if root:
-            raise ExpressionError("sqrt needs parentheses, as in sqrt(2)")
+            raise ExpressionError("sqrt needs parentheses, as in sqrt(2).")
         if self._at >= len(self._tokens):
-            raise ExpressionError("it ends too early")
+            raise ExpressionError("it ends too early.")
         token = self._tokens[self._at]
         if token in ("+", "-", "*", "/", ")"):
-            raise ExpressionError(f"{token!r} stands where a number should be")
+            raise ExpressionError(f"{token!r} stands where a number should be.")
         self._at += 1
         return float(token)
 

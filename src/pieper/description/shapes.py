@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.pose import PoseLike, checked_pose
 from pieper.tolerances import FLAT_SHAPE
@@ -117,10 +117,7 @@ class Convex:
     name: str = ""
 
     def __init__(self, points: npt.ArrayLike, r: float = 0.0, name: str = "") -> None:
-        try:
-            given = np.array(points, dtype=float)
-        except (TypeError, ValueError):
-            given = np.empty(0)
+        given = np.array(arguments.numbers(points, "points of a convex body", "(k, 3) finite numbers, m"))
         if given.ndim != 2 or given.shape[-1] != 3 or not np.isfinite(given).all():
             raise InputError("points of a convex body must be (k, 3) finite numbers, m.", given=points)
         if len(given) < 4:
@@ -215,7 +212,7 @@ def _put(shape: object, **said: object) -> None:
 
 
 def _pose(T: PoseLike, what: str) -> Array:
-    given = np.asarray(T) if isinstance(T, (list, tuple, np.ndarray)) else None
+    given = arguments.numbers(T, what) if isinstance(T, (list, tuple, np.ndarray)) else None
     if given is not None and given.shape == (3,):
         pose = np.eye(4)
         pose[:3, 3] = _vector(given, what)
@@ -226,10 +223,7 @@ def _pose(T: PoseLike, what: str) -> Array:
 
 
 def _vector(given: npt.ArrayLike, what: str) -> Array:
-    try:
-        vector = np.array(given, dtype=float)
-    except (TypeError, ValueError):
-        vector = np.empty(0)
+    vector = np.array(arguments.numbers(given, what, "three finite numbers, m"))
     if vector.shape != (3,) or not np.isfinite(vector).all():
         raise InputError(f"{what} must be three finite numbers, m, got {given!r}.", given=given)
     vector.setflags(write=False)
@@ -237,18 +231,8 @@ def _vector(given: npt.ArrayLike, what: str) -> Array:
 
 
 def _length(given: float, what: str, *, zero: bool = False) -> float:
-    try:
-        value = float(given)
-    except (TypeError, ValueError):
-        value = math.nan
-    if not math.isfinite(value) or value < 0 or (value == 0 and not zero):
-        raise InputError(
-            f"{what} must be a number {'of at least' if zero else 'above'} zero, m, got {given!r}.", given=given
-        )
-    return value
+    return arguments.number(given, what, "m", least=0.0) if zero else arguments.number(given, what, "m", above=0.0)
 
 
 def _word(name: str) -> str:
-    if not isinstance(name, str):
-        raise InputError(f"the name of a shape must be a text, got {type(name).__name__}.", given=name)
-    return name
+    return arguments.text(name, "the name of a shape")

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pieper import arguments
 from pieper.description import catalog, robotfile
 from pieper.description.dh import Description
 from pieper.errors import InputError
@@ -49,13 +50,14 @@ def read(
     Raises:
         InputError: No such arm or file, a kind of file that is not read, or one that says something impossible.
     """
-    try:
-        text = os.fsdecode(os.fspath(source))
-    except TypeError:
-        raise InputError(
-            f"a source is the name of an arm or the path of a file, got {type(source).__name__}.", given=source
-        ) from None
-    path = Path(text)
+    path = arguments.file(source, "source", "the name of an arm or the path of a file")
+    text = os.fsdecode(os.fspath(source))
+    for what, name in (("base", base), ("tip", tip)):
+        if name is not None:
+            arguments.text(name, f"{what}, the name of a link,")
+    arguments.word(missing_limits, "missing_limits", ("refuse", "unlimited"))
+    if xacro_args is not None:
+        arguments.by_name(xacro_args, "xacro_args", '{"prefix": "left_"}')
     ending = path.suffix.lower()
     is_file = ending in _FILES or os.sep in text or (ending and path.is_file())
     if not is_file:
@@ -117,7 +119,7 @@ def write(arm: Description, path: str | os.PathLike[str]) -> None:
     Raises:
         InputError: The file cannot be written, or its ending is another format's.
     """
-    target = Path(os.fspath(path))
+    target = arguments.file(path)
     ending = target.suffix.lower()
     if ending == ".urdf":
         from pieper.description import urdf_text

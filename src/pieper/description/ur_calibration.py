@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+import os
 import re
-from pathlib import Path
 
 import numpy as np
 
+from pieper import arguments
 from pieper.description.axes import described_by_axes
 from pieper.description.dh import Description
 from pieper.description.urdf import bytes_of
@@ -24,7 +25,7 @@ JOINTS = (
 _NUMBERS = ("x", "y", "z", "roll", "pitch", "yaw")
 
 
-def read(path: str | Path) -> Description:
+def read(path: str | os.PathLike[str]) -> Description:
     """Read the arm that a UR controller's calibration file describes.
 
     The base is the controller's base frame, the tool its flange; joints are unlimited to two turns either way, as UR's
@@ -36,7 +37,7 @@ def read(path: str | Path) -> Description:
     Raises:
         InputError: The file is missing, or a number of it; the message names link and number.
     """
-    path = Path(path)
+    path = arguments.file(path)
     data = bytes_of(path, LARGEST_FILE, "calibration file")
     try:
         text = data.decode()

@@ -6,6 +6,7 @@ import warnings
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError, PieperWarning
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.chain import Chain
@@ -23,14 +24,10 @@ def checked_joints(q: ArrayLike, n: int, what: str = "q", prismatic: Bools | Non
         what: The name to use in messages.
         prismatic: (n,) bool; where it is given, revolute joints that look like degrees get a warning.
     """
-    try:
-        joints = np.asarray(q, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{what} must be numbers, got {type(q).__name__}.", given=q) from None
+    joints = arguments.numbers(q, what)
     if joints.ndim == 0 or joints.shape[-1] != n:
-        raise InputError(
-            f"{what} must have shape (..., {n}), one number a joint, got {joints.shape}.", given=joints.shape
-        )
+        found = joints.shape if joints.ndim else arguments.kind_of(q)
+        raise InputError(f"{what} must have shape (..., {n}), one number a joint, got {found}.", given=joints.shape)
     # one comparison finds NaN, infinities and degrees
     if not np.abs(joints).max(initial=0.0) < DEGREES_LIKELY:
         _look_closer(joints, what, prismatic)
@@ -49,10 +46,7 @@ def checked_weights(weights: ArrayLike | None, n: int) -> Array:
     """Return how much the square of each joint's difference counts (n,), all the same if None."""
     if weights is None:
         return np.ones(n)
-    try:
-        numbers = np.asarray(weights, float)
-    except (TypeError, ValueError):
-        raise InputError(f"weights must be numbers, got {type(weights).__name__}.", given=weights) from None
+    numbers = arguments.numbers(weights, "weights")
     if numbers.shape != (n,):
         raise InputError(f"weights must have shape ({n},), one a joint, got {numbers.shape}.", given=numbers.shape)
     if not (np.isfinite(numbers).all() and (numbers >= 0).all() and (numbers > 0).any()):

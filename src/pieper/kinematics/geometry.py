@@ -141,34 +141,34 @@ class Geometry:
         return tuple(pair for pair in self.pairs if pair.relation == "coincident")
 
     def sentences(self, names: tuple[str, ...]) -> list[str]:
-        """Say the arrangement in words, one sentence a fact, with margins."""
+        """Say the arrangement in words, one sentence a fact, with the margin where it is more than rounding."""
+
+        def within_mm(metres: float) -> str:
+            return f" (within {metres * 1e3:.2g} mm)" if metres > GEOMETRY_EXACT * self.chain.length else ""
+
+        def within_rad(angle: float) -> str:
+            return f" (within {angle:.2g} rad)" if angle > GEOMETRY_EXACT else ""
+
         said: list[str] = []
         for pair in self.pairs:
             a, b = names[pair.first], names[pair.first + 1]
             if pair.relation == "coincident":
-                said.append(
-                    f"{a} and {b} turn about one line "
-                    f"(they miss by {pair.distance * 1e3:.3g} mm, {pair.angle:.2g} rad)."
-                )
+                said.append(f"{a} and {b} turn about one line{within_mm(pair.distance)}{within_rad(pair.angle)}.")
             elif pair.relation == "parallel":
                 apart = (
                     ""
                     if self.chain.prismatic[pair.first : pair.first + 2].any()
                     else f", {pair.distance * 1e3:.6g} mm apart"
                 )
-                said.append(f"{a} and {b} are parallel (within {pair.angle:.2g} rad){apart}.")
+                said.append(f"{a} and {b} are parallel{within_rad(pair.angle)}{apart}.")
             elif pair.relation == "intersecting":
-                said.append(
-                    f"{a} and {b} meet (within {pair.distance * 1e3:.2g} mm) at {np.degrees(pair.angle):.6g} deg."
-                )
+                said.append(f"{a} and {b} meet{within_mm(pair.distance)} at {np.degrees(pair.angle):.6g} deg.")
             elif self.chain.prismatic[pair.first] or self.chain.prismatic[pair.first + 1]:
                 said.append(f"{a} and {b} are {np.degrees(pair.angle):.6g} deg from parallel; one of them slides.")
             else:
                 said.append(f"{a} and {b} pass {pair.distance * 1e3:.6g} mm apart at {np.degrees(pair.angle):.6g} deg.")
         for group in self.spherical:
-            said.append(
-                f"{_and([names[j] for j in group.joints])} meet in one point (within {group.margin * 1e3:.2g} mm)."
-            )
+            said.append(f"{_and([names[j] for j in group.joints])} meet in one point{within_mm(group.margin)}.")
         return said
 
 

@@ -7,6 +7,7 @@ from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.tolerances import FARTHEST, ROTATION_ACCEPTED, ROTATION_EXACT, SMALL_TURN, TINY
@@ -118,7 +119,8 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
     if pose.shape[-2:] != (4, 4) or (not batch and pose.ndim != 2):
         hint = " It looks like a rotation alone: put it into a 4x4 with a position." if pose.shape == (3, 3) else ""
         wanted = "(..., 4, 4)" if batch else "(4, 4)"
-        raise InputError(f"{what} must have shape {wanted}, got {pose.shape}.{hint}", given=pose.shape)
+        found = pose.shape if pose.ndim else arguments.kind_of(T)
+        raise InputError(f"{what} must have shape {wanted}, got {found}.{hint}", given=pose.shape)
     if pose.size == 0:
         return pose
     bad = ~np.isfinite(pose)
@@ -256,7 +258,8 @@ def skew(v: Array) -> Array:
     v = np.asarray(v, float)
     K = np.zeros((*v.shape[:-1], 3, 3))
     K[..., 2, 1], K[..., 0, 2], K[..., 1, 0] = v[..., 0], v[..., 1], v[..., 2]
-    return K - np.swapaxes(K, -1, -2)
+    K[..., 1, 2], K[..., 2, 0], K[..., 0, 1] = -v[..., 0], -v[..., 1], -v[..., 2]
+    return K
 
 
 def rotation_vector(rotations: Array) -> Array:

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import ArrayLike
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.orientation import quaternion_of, rotation, rpy_of, xyz_of, zyz_of
 from pieper.kinematics.pose import PoseLike, checked_pose, rotation_vector, transform
@@ -97,7 +98,7 @@ def pose(
     given = [key for key, value in said.items() if value is not None]
     if len(given) > 1:
         raise InputError(f"{' and '.join(given)} say the orientation twice; keep one.", given=given)
-    position = _finite([x, y, z], 3, "x, y, z") * (0.001 if mm else 1.0)
+    position = _finite([x, y, z], 3, "x, y, z") * (0.001 if arguments.flag(mm, "mm") else 1.0)
     matrix = np.eye(3) if not given else _spoken(given[0], said[given[0]], degrees)
     return checked_pose(transform(matrix, position), "the pose")
 
@@ -116,18 +117,12 @@ def read_pose(T: PoseLike, notation: str = "rpy", *, degrees: bool = False, mm: 
     Raises:
         InputError: T is not a pose, or the notation is unknown.
     """
-    name = MAKERS.get(notation, notation)
-    if name not in SPOKEN:
-        raise InputError(
-            f"notation {notation!r} is unknown; say one of {', '.join([*SPOKEN, *MAKERS])}.",
-            given=notation,
-            allowed=[*SPOKEN, *MAKERS],
-        )
+    name = notation_called(notation)
     M = checked_pose(T)
     numbers = _read(name, M[:3, :3])
-    if degrees and SPOKEN[name][1]:
+    if arguments.flag(degrees, "degrees") and SPOKEN[name][1]:
         numbers = tuple(math.degrees(value) for value in numbers)
-    scale = 1e3 if mm else 1.0
+    scale = 1e3 if arguments.flag(mm, "mm") else 1.0
     return (*(float(value) * scale for value in M[:3, 3]), *numbers)
 
 
@@ -135,12 +130,12 @@ def _spoken(name: str, value: object, degrees: bool) -> npt.NDArray[np.float64]:
     name = MAKERS.get(name, name)
     count, angles, _ = SPOKEN[name]
     if name == "R":
-        matrix = np.asarray(value, float)
+        matrix = arguments.numbers(value, "R")
         if matrix.shape != (3, 3):
             raise InputError(f"R must be (3, 3), got {matrix.shape}.", given=matrix.shape)
         return matrix
     numbers = _finite(value, count, name)
-    if angles and degrees:
+    if arguments.flag(degrees, "degrees") and angles:
         # one number at a time, as math.radians does it: quarter turns stay exact
         numbers = np.array([math.radians(number) for number in numbers])
     kind = {
@@ -178,10 +173,18 @@ def _read(name: str, R: npt.NDArray[np.float64]) -> tuple[float, ...]:
 
 
 def _finite(value: object, count: int, what: str) -> npt.NDArray[np.float64]:
-    try:
-        numbers = np.array(value, dtype=float)
-    except (TypeError, ValueError):
-        numbers = np.empty(0)
+    wanted = f"{count} finite numbers"
+    numbers = arguments.numbers(value, what, wanted)
     if numbers.shape != (count,) or not np.isfinite(numbers).all():
-        raise InputError(f"{what} must be {count} finite numbers, got {value!r}.", given=value)
+        raise InputError(f"{what} must be {wanted}, got {value!r}.", given=value, allowed=wanted)
     return numbers
+
+
+def notation_called(name: str) -> str:
+    """Return the notation of `SPOKEN` that a name of it, or a maker's, stands for.
+
+    Raises:
+        InputError: It stands for none.
+    """
+    said = arguments.word(name, "notation", (*SPOKEN, *MAKERS))
+    return MAKERS.get(said, said)

@@ -7,10 +7,11 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.orientation import QUATERNION_SLACK
 from pieper.kinematics.pose import checked_pose, rotation_about
-from pieper.kinematics.spoken import MAKERS, SPOKEN
+from pieper.kinematics.spoken import SPOKEN, notation_called
 
 #: Notations that are three turns about axes: the axes, in the order of the matrices' product, and of the numbers.
 _TURNS = {
@@ -45,28 +46,30 @@ def poses(
     Raises:
         InputError: An unknown notation, a wrong shape, numbers that are not finite, no rotation.
     """
-    p = np.asarray(position, float) * (0.001 if mm else 1.0)
+    p = arguments.numbers(position, "positions") * (0.001 if arguments.flag(mm, "mm") else 1.0)
     if p.shape[-1:] != (3,):
         raise InputError(f"positions must be (..., 3), got {p.shape}.", given=p.shape)
     T = np.zeros((*p.shape[:-1], 4, 4))
     T[..., :3, 3], T[..., 3, 3] = p, 1.0
-    T[..., :3, :3] = np.eye(3) if notation is None else _rotations(notation, np.asarray(numbers, float), degrees)
+    T[..., :3, :3] = np.eye(3) if notation is None else _rotations(notation, numbers, degrees, p.shape[:-1])
     return checked_pose(T, "the pose", batch=True)
 
 
-def _rotations(notation: str, v: Floats, degrees: bool) -> Floats:
-    name = MAKERS.get(notation, notation)
-    if name not in SPOKEN:
-        known = [*SPOKEN, *MAKERS]
-        raise InputError(f"notation {notation!r} is unknown; say one of {', '.join(known)}.", given=notation)
+def _rotations(notation: str, numbers: npt.ArrayLike | None, degrees: bool, leading: tuple[int, ...]) -> Floats:
+    name, v = notation_called(notation), arguments.numbers(numbers, notation)
     shape = (3, 3) if name == "R" else (SPOKEN[name][0],)
     if v.shape[-len(shape) :] != shape:
         raise InputError(f"{notation} must be (..., {', '.join(map(str, shape))}), got {v.shape}.", given=v.shape)
+    if v.shape[: -len(shape)] not in ((), leading):
+        raise InputError(
+            f"{notation} must be one for all positions or one a position, {leading}, got {v.shape[: -len(shape)]}.",
+            given=v.shape,
+        )
     if not np.isfinite(v).all():
         raise InputError(f"{notation} must be finite numbers.", given=notation)
     if name == "R":
         return v
-    if degrees and SPOKEN[name][1]:
+    if arguments.flag(degrees, "degrees") and SPOKEN[name][1]:
         v = v * (math.pi / 180)
     if name in _TURNS:
         axes, places = _TURNS[name]

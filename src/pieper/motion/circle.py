@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from pieper.errors import InputError
@@ -11,11 +13,35 @@ from pieper.motion.path import between
 from pieper.tolerances import NO_LENGTH, OFF_CENTRE, THREE_IN_LINE
 
 
-def circle(T0: Array, via: Array, T1: Array, s: Array) -> Array:
-    """Return the poses (k, 4, 4) at s (k,) of the circle from T0 over the point of `via` to T1.
+@dataclass(frozen=True, eq=False)
+class Round:
+    """A circle's arc.
 
-    The centre and the angle follow from the three points; the orientation goes evenly from that of T0 to that of T1
-    about one axis, by the shorter way, as on a line: the one of `via` is not used.
+    Attributes:
+        centre: (3,), m.
+        normal: (3,) axis about which it goes.
+        spoke: (3,) from the centre to where it begins, m.
+        angle: How far it goes, 0 to 2 pi, rad.
+    """
+
+    centre: Array
+    normal: Array
+    spoke: Array
+    angle: float
+
+    def at(self, s: Array) -> Array:
+        """Return points (k, 3) at parts s (k,) of the arc."""
+        return self.centre + rotation_about(self.normal, s * self.angle) @ self.spoke
+
+    def part(self, point: Array) -> float:
+        """Return at which part of the arc a point (3,) lies."""
+        out = point - self.centre
+        turned = np.arctan2(self.normal @ np.cross(self.spoke, out), self.spoke @ out) % (2 * np.pi)
+        return float(turned) / self.angle
+
+
+def round_of(T0: Array, via: Array, T1: Array) -> Round:
+    """Return the arc from the point of T0 over that of `via` to that of T1.
 
     Raises:
         InputError: The three points do not make a circle: two are equal, or all are in line.
@@ -34,8 +60,21 @@ def circle(T0: Array, via: Array, T1: Array, s: Array) -> Array:
     centre = np.linalg.solve(M, [(b - a) @ (a + b) / 2, (c - a) @ (a + c) / 2, normal @ a])
     spoke, last = a - centre, c - centre
     angle = float(np.arctan2(normal @ np.cross(spoke, last), spoke @ last)) % (2 * np.pi)
+    return Round(centre, normal, spoke, angle)
+
+
+def circle(T0: Array, via: Array, T1: Array, s: Array) -> Array:
+    """Return the poses (k, 4, 4) at s (k,) of the circle from T0 over the point of `via` to T1.
+
+    The centre and the angle follow from the three points; the orientation goes evenly from that of T0 to that of T1
+    about one axis, by the shorter way, as on a line: the one of `via` is not used.
+
+    Raises:
+        InputError: The three points do not make a circle: two are equal, or all are in line.
+    """
+    arc = round_of(T0, via, T1)
     T = between(T0, T1, s)
-    T[..., :3, 3] = centre + rotation_about(normal, s * angle) @ spoke
+    T[..., :3, 3] = arc.at(s)
     T[s == 0.0] = T0
     T[s == 1.0] = T1
     return T

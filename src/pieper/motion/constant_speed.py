@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.motion.certificate import joint_peaks, tool_acceleration_peaks, vector_peaks
@@ -70,12 +71,13 @@ def fastest_constant_speed(
 def checked_sections(sections: Sequence[tuple[float, float, float]]) -> list[Section]:
     """Return sections in order of s, or say what is wrong with one."""
     out: list[Section] = []
-    for k, section in enumerate(sections):
+    for k, section in enumerate(arguments.several(sections, "constant_speed", "sections (s0, s1, v)")):
         try:
             s0, s1, v = (float(number) for number in section)
         except (TypeError, ValueError):
             raise InputError(
-                f"section {k + 1} of constant speed must be (s0, s1, v), got {section!r}.", given=section
+                f"section {k + 1} of constant speed must be (s0, s1, v), got {arguments.kind_of(section)}.",
+                given=section,
             ) from None
         if not 0 <= s0 < s1 <= 1:
             raise InputError(

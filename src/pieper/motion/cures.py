@@ -38,11 +38,16 @@ def cures(track: Track) -> tuple[Cure, ...]:
     if track.complete:
         return ()
     plan = track.plan
-    found = [_start(plan, track)]
+    alone = _start(plan, track)
+    found = [alone]
     for kind, ways in _TRIED.items():
         if plan.task == "position" and kind != "path shifted":
             continue
-        some = [cure for amounts, unit, axis in ways if (cure := _least(plan, track, kind, amounts, unit, axis))]
+        some = [
+            cure
+            for amounts, unit, axis in ways
+            if (cure := _least(plan, track, kind, amounts, unit, axis, alone is None))
+        ]
         found.append(min(some, key=lambda cure: cure.amount, default=None))
     return tuple(cure for cure in found if cure is not None)
 
@@ -101,12 +106,27 @@ def _changed(path: Array, kind: str, axis: int, amount: float) -> Array:
     return path @ turn
 
 
-def _least(plan: Plan, track: Track, kind: str, amounts: tuple[int, ...], unit: str, axis: int) -> Cure | None:
-    """Return the least of some changes that lets the path pass, made smaller by halving."""
+def _least(
+    plan: Plan, track: Track, kind: str, amounts: tuple[int, ...], unit: str, axis: int, others: bool
+) -> Cure | None:
+    """Return the least of some changes that lets the path pass, made smaller by halving.
+
+    From the branch the track began on if any change does; from another start only where no start alone is a cure, and
+    then it is a part of this one.
+    """
+    for own in (True, False) if others else (True,):
+        if cure := _least_from(plan, track, kind, amounts, unit, axis, own):
+            return cure
+    return None
+
+
+def _least_from(
+    plan: Plan, track: Track, kind: str, amounts: tuple[int, ...], unit: str, axis: int, own: bool
+) -> Cure | None:
     failed = 0.0
     for size in amounts:
         for amount in (float(size), -float(size)):
-            start = _start_that_passes(plan, track, _changed(track.path, kind, axis, amount))
+            start = _start_that_passes(plan, track, _changed(track.path, kind, axis, amount), own)
             if start is None:
                 continue
             least, passes = np.copysign(failed, amount), amount
@@ -114,12 +134,12 @@ def _least(plan: Plan, track: Track, kind: str, amounts: tuple[int, ...], unit: 
                 middle = _rounded(least + (passes - least) / 2)
                 if middle in (least, passes):
                     break
-                better = _start_that_passes(plan, track, _changed(track.path, kind, axis, middle))
+                better = _start_that_passes(plan, track, _changed(track.path, kind, axis, middle), own)
                 if better is None:
                     least = middle
                 else:
                     passes, start = middle, better
-            if cure := _followed(plan, track, kind, axis, passes, unit, start):
+            if cure := _followed(plan, track, kind, axis, passes, unit, start, own):
                 return cure
         failed = float(size)
     return None
@@ -129,35 +149,37 @@ def _rounded(amount: float) -> float:
     return float(np.sign(amount) * np.ceil(np.abs(amount)))
 
 
-def _start_that_passes(plan: Plan, track: Track, path: Array) -> Array | None:
-    """Return the start nearest to the track's from which a branch passes a path; None where there is none."""
+def _start_that_passes(plan: Plan, track: Track, path: Array, own: bool) -> Array | None:
+    """Return the start nearest to the track's from which a branch passes a path; None where there is none.
+
+    Args:
+        plan: How the arm is solved.
+        track: The track that stops.
+        path: (N, 4, 4) the changed path.
+        own: Only the branch that begins nearest to where the arm is counts.
+    """
     if not ik_many(plan, path, 1).in_limits.any(1).all():
         return None
     step = -(-len(path) // COARSE)
-    if step > 1 and passing(plan, path[::step], track.start) is None:
+    if step > 1 and passing(plan, path[::step], track.start, nearest=own) is None:
         return None
-    return passing(plan, path, track.start)
+    return passing(plan, path, track.start, nearest=own)
 
 
-def _followed(plan: Plan, track: Track, kind: str, axis: int, amount: float, unit: str, start: Array) -> Cure | None:
+def _followed(
+    plan: Plan, track: Track, kind: str, axis: int, amount: float, unit: str, start: Array, own: bool
+) -> Cure | None:
     """Return a change as a cure once more followed from its start to its end; None where that fails."""
     path = _changed(track.path, kind, axis, amount)
     again = followed(plan, path, start=start)
     if not again.complete:
         return None
     words = _SAID[kind](amount, unit, "xyz"[axis])
-    branch = again.branches[again.chosen or 0]
-    if _elsewhere(track, again) and branch.label:
-        words += f", starting {branch.label}"
+    if not own:
+        label = again.branches[again.chosen or 0].label
+        words += f", starting {f'{label}: ' if label else 'at '}{_joints(plan, again.q[0])}"
     si = np.radians(abs(amount)) if unit == "deg" else abs(amount) / 1000
     return Cure(kind, words + ".", float(si), again.q[0], path, again)
-
-
-def _elsewhere(track: Track, again: Track) -> bool:
-    """Whether the cure starts on another branch than the one that was followed."""
-    if track.chosen is None or again.chosen is None:
-        return True
-    return track.branches[track.chosen].label != again.branches[again.chosen].label
 
 
 _SAID: dict[str, Callable[[float, str, str], str]] = {

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper import _kernel
+from pieper import _kernel, arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
 
@@ -76,10 +76,7 @@ def checked_points(q: ArrayLike, what: str = "q") -> Array:
     Raises:
         InputError: Wrong shape, fewer than two points, numbers that are not finite, or a point given twice running.
     """
-    try:
-        points = np.array(q, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{what} must be joint points (N, n), got {type(q).__name__}.", given=type(q)) from None
+    points = np.array(arguments.numbers(q, what, "joint points (N, n)"))
     if points.ndim != 2 or not points.shape[1]:
         raise InputError(f"{what} must be joint points (N, n), got shape {points.shape}.", given=points.shape)
     if len(points) < 2:

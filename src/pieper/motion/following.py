@@ -87,15 +87,18 @@ def followed(
     )
 
 
-def passing(plan: Plan, path: Array, start: Array) -> Array | None:
+def passing(plan: Plan, path: Array, start: Array, *, nearest: bool = False) -> Array | None:
     """Return the first posture (n,) of the branch nearest to a start that passes a path (N, 4, 4); None for none.
 
-    Cheaper than a track: why the others stop is not worked out.
+    Cheaper than a track: why the others stop is not worked out. With `nearest` only the branch counts that begins
+    nearest to the start of all.
     """
     way = Continuation(plan, path)
     best, least = None, np.inf
-    for strand in strands(way, start):
-        free = _wound(way, np.array(strand.q), start)
+    curves = [_wound(way, np.array(strand.q), start) for strand in strands(way, start)]
+    if nearest and curves:
+        curves = [min(curves, key=lambda free: float(np.linalg.norm((free[0] - start) / way.unit)))]
+    for free in curves:
         if len(free) < len(path) or not inside(free, plan.limits).all() or _wrong(way, free).any():
             continue
         away = float(np.linalg.norm((free[0] - start) / way.unit))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.errors import InputError
+from pieper import arguments
 from pieper.kinematics.arrays import Array
 from pieper.motion.instructions import Gripper, Instruction, Output
 from pieper.motion.motion import Motion, Tight
@@ -55,21 +55,9 @@ def together(pieces: list[Motion], events: list[tuple[float, str, object]], rema
 
 def positive(value: object, what: str, unit: str, most: float = np.inf) -> float:
     """Return a positive number that was given, or say what it must be."""
-    try:
-        given = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(f"{what} must be a number, {unit}, got {value!r}.", given=value) from None
-    if not (np.isfinite(given) and 0 < given <= most):
-        raise InputError(f"{what} must be more than zero, {unit}, got {given:g}.", given=given)
-    return given
+    return arguments.number(value, what, unit, above=0.0, most=most)
 
 
 def radius(value: object) -> float:
     """Return the radius of a blend, m, or say what it must be."""
-    try:
-        given = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(f"blend must be a radius, m, got {value!r}.", given=value) from None
-    if not (np.isfinite(given) and given >= 0):
-        raise InputError(f"blend must be a radius of zero or more, m, got {given:g}.", given=given)
-    return given
+    return arguments.number(value, "blend", "a radius, m", least=0.0)

@@ -8,9 +8,12 @@ from typing import cast
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 
+#: What is said to somebody who gives something else.
+SAY_LIMITS = "say pieper.Limits(speed=..., acceleration=...)"
 _UNITS = {"speed": "rad/s or m/s", "acceleration": "rad/s^2 or m/s^2", "jerk": "rad/s^3 or m/s^3"}
 _TOOL_UNITS = {"tool_speed": "m/s", "tool_acceleration": "m/s^2", "turn_speed": "rad/s"}
 
@@ -95,15 +98,12 @@ class JointLimits:
 
 
 def _positive(value: object, what: str) -> Array:
-    unit, said = _UNITS[what], repr(value)
+    unit = _UNITS[what]
     if isinstance(value, (list, tuple)):
         for j, item in enumerate(cast("Sequence[object]", value)):
             if item is None:
                 raise InputError(f"{what} of joint {j + 1} is missing; say how much, {unit}.", joint=j + 1)
-    try:
-        array: Array = np.array(value, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{what} must be one number or one a joint, {unit}, got {said}.", given=said) from None
+    array: Array = np.array(arguments.numbers(value, what, f"one number or one a joint, {unit}"))
     if array.ndim > 1 or array.size == 0:
         raise InputError(f"{what} must be one number or one a joint, got shape {array.shape}.", given=array.shape)
     bad = ~(np.isfinite(array) & (array > 0))
@@ -121,13 +121,4 @@ def _positive(value: object, what: str) -> Array:
 
 
 def _positive_number(value: object, what: str) -> float:
-    try:
-        number = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(f"{what} must be a number, {_TOOL_UNITS[what]}, got {value!r}.", given=value) from None
-    if not (np.isfinite(number) and number > 0):
-        raise InputError(
-            f"{what} must be finite and more than zero, {_TOOL_UNITS[what]}, got {number:g}; leave it out for none.",
-            given=number,
-        )
-    return number
+    return arguments.number(value, what, f"{_TOOL_UNITS[what]} (left out for none)", above=0.0)

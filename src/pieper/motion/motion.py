@@ -6,10 +6,11 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
+from pieper import arguments
 from pieper.description.dh import Description
 from pieper.document.columns import Column, Tabular, Units
 from pieper.errors import InputError
@@ -21,6 +22,7 @@ from pieper.tolerances import LAST_SAMPLE
 MAX_SAMPLES = 10_000_000
 
 
+@runtime_checkable
 class Described(Protocol):
     """Whatever has a description: an arm."""
 
@@ -122,7 +124,10 @@ class Motion(Tabular):
 
     def between(self, times: ArrayLike) -> Array:
         """Return the postures (k, n) at times (k,), s: cubic between samples, held outside them."""
-        return hermite(self.t, self.q, self.dq, np.asarray(times, float))
+        asked = np.atleast_1d(arguments.numbers(times, "times", "finite numbers (k,), s"))
+        if asked.ndim != 1 or not np.isfinite(asked).all():
+            raise InputError(f"times must be finite numbers (k,), s, got {arguments.kind_of(times)}.", given=times)
+        return hermite(self.t, self.q, self.dq, asked)
 
     def animate(
         self,
@@ -155,6 +160,8 @@ class Motion(Tabular):
         """
         from pieper.drawing.animation.animate import animate
 
+        if arm is not None:
+            arguments.like(Described, arm, "arm", "a pieper.Arm")
         if arm is not None and arm.description.n != self.q.shape[1]:
             raise InputError(
                 f"{arm.description.name} has {arm.description.n} joints, the motion has {self.q.shape[1]}.",
@@ -187,7 +194,9 @@ def sample_times(duration: float, rate: float) -> Array:
     try:
         each = float(rate)
     except (TypeError, ValueError):
-        raise InputError(f"rate must be a number of samples a second, got {rate!r}.", given=rate) from None
+        raise InputError(
+            f"rate must be a number of samples a second, got {arguments.kind_of(rate)}.", given=rate
+        ) from None
     if not (np.isfinite(each) and each > 0):
         raise InputError(f"rate must be finite and positive, samples a second, got {each:g}.", given=each)
     if duration * each > MAX_SAMPLES:

@@ -6,9 +6,10 @@ import operator
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
-from pieper.kinematics.pose import PoseLike, checked_pose, rotation_about, rotation_vector
+from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, rotation_about, rotation_vector
 from pieper.tolerances import HALF_TURN_MARGIN
 
 
@@ -37,7 +38,9 @@ def line(T0: PoseLike, T1: PoseLike, n: int = 50) -> Array:
     try:
         n = operator.index(n)
     except TypeError:
-        raise InputError(f"n, the number of poses on the line, must be a whole number, got {n!r}.", given=n) from None
+        raise InputError(
+            f"n, the number of poses on the line, must be a whole number, got {arguments.kind_of(n)}.", given=n
+        ) from None
     if n < 2:
         raise InputError(f"a line needs at least 2 poses, its two ends; got n = {n}.", given=n)
     return between(first, last, np.linspace(0.0, 1.0, n))
@@ -96,10 +99,7 @@ def checked_path(path: PoseLike) -> Array:
     Raises:
         InputError: Not a stack of at least one pose; the message names the first bad one by its index.
     """
-    try:
-        poses = np.array(path, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError("a path must be an array of 4x4 poses with shape (N, 4, 4).", given=type(path)) from None
+    poses = arguments.numbers(as_pose(path), "a path", "an array of 4x4 poses with shape (N, 4, 4)")
     if poses.ndim != 3 or poses.shape[1:] != (4, 4):
         hint = " For a single pose write path[None]." if poses.shape == (4, 4) else ""
         raise InputError(f"a path must have shape (N, 4, 4), got {poses.shape}.{hint}", given=poses.shape)

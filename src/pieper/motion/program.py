@@ -1,14 +1,14 @@
-"""A program: moves, waits, outputs and the gripper in order; one timed motion, and files that controllers read."""
+"""A program: moves, waits, outputs, gripper, tools and frames in order; one timed motion, and files for controllers."""
 
 from __future__ import annotations
 
-import operator
 import os
 from dataclasses import replace
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
+from pieper import arguments
 from pieper.description.dh import Description
 from pieper.description.posture import posture
 from pieper.document.writing import write_whole
@@ -16,15 +16,15 @@ from pieper.errors import InputError, NoSolutionError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import checked_joints, fk
 from pieper.kinematics.joints import inside
-from pieper.kinematics.pose import PoseLike, checked_pose
-from pieper.motion.circle import circle, via_about
-from pieper.motion.instructions import Gripper, Instruction, Move, Output, Wait
-from pieper.motion.joined import event, positive, radius, take, together
-from pieper.motion.limits import Limits
-from pieper.motion.motion import Motion, sample_times
+from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
+from pieper.motion.circle import circle, round_of, via_about
+from pieper.motion.instructions import FrameChange, Gripper, Instruction, Move, Output, ToolChange, Wait
+from pieper.motion.joined import positive, radius
+from pieper.motion.limits import SAY_LIMITS, Limits
+from pieper.motion.motion import Motion
 from pieper.motion.path import checked_path
+from pieper.motion.program_motion import motion_of_program
 from pieper.motion.program_words import told
-from pieper.motion.runs import runs
 from pieper.motion.segments import Segment, segment
 from pieper.motion.spline import spline
 from pieper.solver import verbs
@@ -32,8 +32,13 @@ from pieper.solver.plan.plan import Plan
 from pieper.words_by_number import plural
 
 
+@runtime_checkable
 class ProgramArm(Protocol):
     """What a program needs of an arm."""
+
+    def with_tool(self, tool: PoseLike | str) -> ProgramArm:
+        """Return it with another tool."""
+        ...
 
     @property
     def plan(self) -> Plan:
@@ -47,7 +52,7 @@ class ProgramArm(Protocol):
 
 
 class Program:
-    """Moves, waits, outputs and the gripper in order.
+    """Moves, waits, outputs, the gripper, changes of the tool and the work frame, in order.
 
     Args:
         arm: The arm.
@@ -59,10 +64,13 @@ class Program:
     """
 
     def __init__(self, arm: ProgramArm, limits: Limits, *, start: ArrayLike | str | None = None) -> None:
+        arguments.like(ProgramArm, arm, "arm", "a pieper.Arm")
+        arguments.a(Limits, limits, "limits", SAY_LIMITS)
         self.plan, self.description, self.limits = arm.plan, arm.description, limits
+        self._arm = arm
         limits.of(self.plan.n, self.plan.names)
         q = np.zeros(self.plan.n) if start is None else self._posture(start, "start")
-        self.start, self.work = q, np.eye(4)
+        self.start, self.work, self._tool = q, np.eye(4), arm.description.tool
         self.instructions: list[Instruction] = []
         self._q, self._pose = q, fk(self.plan.chain, q)
         self._segments: list[Segment] = []
@@ -83,11 +91,14 @@ class Program:
             InputError: No posture or pose, outside the limits, or where the arm is already.
             NoSolutionError: The pose has no solution inside the limits.
         """
-        if isinstance(target, str) or np.shape(target) == (self.plan.n,):
+        target = target if isinstance(target, str) else as_pose(target)
+        if isinstance(target, str) or arguments.numbers(target, f"target of move {self._number}").shape == (
+            self.plan.n,
+        ):
             q = self._posture(target, f"target of move {self._number}")
         else:
             q = self._solution(self._target(target))
-        share = None if speed is None else positive(speed, "speed", "a part of the joints' limits, at most 1", most=1.0)
+        share = None if speed is None else positive(speed, "speed", "a part of the joints' limits", most=1.0)
         return self._add(Move("move_j", q, fk(self.plan.chain, q), share, radius(blend)))
 
     def move_l(self, T: ArrayLike, *, speed: float | None = None, blend: float = 0.0) -> Program:
@@ -158,33 +169,62 @@ class Program:
         spline(self._pose, through, np.zeros(1))
         return self._line("move_s", through[-1], None, speed, blend, through)
 
+    def tool(self, T: PoseLike | str) -> Program:
+        """Take another tool from here on; the arm rests where it changes.
+
+        Args:
+            T: (4, 4) in the last frame of the arm's table, m, or the name of one of the arm's tools. What the targets
+                that follow say is where this tool goes.
+
+        Raises:
+            InputError: No pose, or no tool of that name.
+            PlanError: The arm cannot be solved with it.
+        """
+        # frames and tools are changed on the arm as it was given: a tool does not stand on the one before
+        arm = self._arm.with_tool(T)
+        if not np.array_equal(arm.description.tool, self._tool):
+            self.plan, self._tool = arm.plan, arm.description.tool
+            self._pose = fk(self.plan.chain, self._q)
+            self.instructions.append(ToolChange(self._tool))
+        return self
+
     def frame(self, T: PoseLike) -> Program:
         """Take the targets that follow as poses in a work frame (4, 4) in the base; `frame(numpy.eye(4))` ends that."""
-        self.work = checked_pose(T, "frame")
+        work = checked_pose(T, "frame")
+        if not np.array_equal(work, self.work):
+            self.work = work
+            self.instructions.append(FrameChange(work))
         return self
 
     def call(self, other: Program, *, times: int = 1) -> Program:
         """Do what another program of the same arm does, so many times; its own start is not gone to.
 
+        It is done with its own tools and in its own frames; those of this program hold again behind it.
+
         Raises:
             InputError: A program of another arm, or a count that is no whole number from 1.
             NoSolutionError: A line of it cannot be followed from where the arm is.
         """
+        arguments.a(Program, other, "the program to call", "make one with pieper.Program(arm, limits)")
         if other.plan.n != self.plan.n or other.plan.name != self.plan.name:
             raise InputError(
                 f"{other.plan.name}'s program cannot be called by {self.plan.name}'s.", given=other.plan.name
             )
-        if isinstance(times, bool) or int(times) != times or times < 1:
-            raise InputError(f"times must be a whole number from 1, got {times!r}.", given=times)
+        arguments.whole(times, "times", 1)
         items = list(other.instructions)
-        kept, self.work = self.work, np.eye(4)
-        for item in items * int(times):
-            self._repeat(item)
-        self.work = kept
-        return self
+        kept = self._tool, self.work
+        for _ in range(times):
+            self.tool(other.description.tool).frame(np.eye(4))
+            for item in items:
+                self._repeat(item)
+        return self.tool(kept[0]).frame(kept[1])
 
     def _repeat(self, item: Instruction) -> None:
-        if not isinstance(item, Move):
+        if isinstance(item, ToolChange):
+            self.tool(item.T)
+        elif isinstance(item, FrameChange):
+            self.frame(item.T)
+        elif not isinstance(item, Move):
             self.instructions.append(item)
         elif item.kind == "move_j":
             self.move_j(item.q, speed=item.speed, blend=item.blend)
@@ -198,20 +238,14 @@ class Program:
 
     def output(self, port: int, value: bool) -> Program:
         """Set a digital output; the arm does not stop for it."""
-        try:
-            number = -1 if isinstance(port, bool) else operator.index(port)
-        except TypeError:
-            number = -1
-        if number < 0:
-            raise InputError(f"an output's port must be a whole number from 0, got {port!r}.", given=port)
+        number = arguments.whole(port, "an output's port", 0)
+        arguments.like((bool, int, float, np.bool_, np.number), value, "an output", "True or False")
         self.instructions.append(Output(number, bool(value)))
         return self
 
     def gripper(self, value: float) -> Program:
         """Set the gripper, 0 open to 1 closed; the arm does not stop for it: write a wait where it must."""
-        number = float(value)
-        if not 0 <= number <= 1:
-            raise InputError(f"the gripper goes from 0 (open) to 1 (closed), got {number:g}.", given=number)
+        number = arguments.number(value, "the gripper, 0 open to 1 closed,", least=0.0, most=1.0)
         self.instructions.append(Gripper(number))
         return self
 
@@ -229,50 +263,12 @@ class Program:
         Args:
             rate: Samples a second.
         """
+        arguments.number(rate, "rate", "samples a second", above=0.0)
         if self._known is None or self._known[:2] != (len(self.instructions), rate):
-            self._known = len(self.instructions), rate, self._motion(rate)
+            whole = motion_of_program(self.instructions, self._segments, self.start, self.limits, rate)
+            described = replace(whole, limits=self.limits, description=self.description)
+            self._known = len(self.instructions), rate, described
         return self._known[2]
-
-    def _motion(self, rate: float) -> Motion:
-        pieces: list[Motion] = []
-        events: list[tuple[float, str, object]] = []
-        remarks: list[str] = []
-        now, number, k = 0.0, 0, 0
-        items = self.instructions
-        while k < len(items):
-            item = items[k]
-            if isinstance(item, Wait):
-                pieces.append(self._rest(item.seconds, pieces, rate))
-                events.append((now, "wait", item.seconds))
-                now += item.seconds
-                k += 1
-            elif isinstance(item, Move):
-                end = k
-                while end < len(items) and not isinstance(items[end], Wait):
-                    end += 1
-                ways = [
-                    (number + i, self._segments[number + i - 1])
-                    for i in range(1, 1 + sum(isinstance(x, Move) for x in items[k:end]))
-                ]
-                passed: list[float] = []
-                for run in runs(self.plan, self.limits, ways, rate):
-                    passed += [now + t for t in run.passed]
-                    now = take(run, now, pieces, remarks)
-                at = -1
-                for x in items[k:end]:
-                    if isinstance(x, Move):
-                        at += 1
-                    else:
-                        events.append(event(passed[at], x))
-                number += len(ways)
-                k = end
-            else:
-                events.append(event(now, item))
-                k += 1
-        if not pieces:
-            pieces.append(self._rest(0.0, pieces, rate))
-        whole = together(pieces, events, remarks)
-        return replace(whole, limits=self.limits, description=self.description)
 
     def explain(self) -> str:
         """Return the program as sentences: each move with its time, and what is not as asked."""
@@ -293,7 +289,7 @@ class Program:
         """Write the program for a controller, whole or not at all.
 
         Joint moves go to joint values, lines and circles to joint values where the language takes them and to poses
-        with configuration words where not.
+        with configuration words where not. A circle of half a turn or more is written as several shorter ones.
 
         Args:
             path: Where to.
@@ -306,13 +302,15 @@ class Program:
         Raises:
             InputError: The dialect is unknown, the arm is of another maker, or the name is not one the maker takes.
         """
+        from pieper.motion.dialects.circles import in_pieces
         from pieper.motion.dialects.dialect import Script
         from pieper.motion.dialects.files import dialect_of, text_of
 
-        called = os.path.splitext(os.path.basename(path))[0] if name is None else name
+        target = arguments.file(path)
+        called = target.stem if name is None else arguments.text(name, "name")
         script = Script(
             called,
-            tuple(self.instructions),
+            in_pieces(self.instructions, self._segments),
             self.plan,
             self.description,
             self.limits,
@@ -320,7 +318,7 @@ class Program:
             cartesian,
             lambda: self.motion(rate=rate),
         )
-        write_whole(path, text_of(script, dialect_of(path) if dialect is None else dialect))
+        write_whole(target, text_of(script, dialect_of(target) if dialect is None else dialect))
 
     @property
     def _number(self) -> int:
@@ -337,7 +335,7 @@ class Program:
         return self.work @ checked_pose(T, f"target of move {self._number}")
 
     def _point(self, p: ArrayLike) -> Array:
-        point = np.asarray(p, float)
+        point = arguments.numbers(p, "centre", "a point (3,), m")
         if point.shape != (3,) or not np.isfinite(point).all():
             raise InputError(f"centre must be a point (3,), m, got {p!r}.", given=p)
         return self.work[:3, :3] @ point + self.work[:3, 3]
@@ -351,9 +349,7 @@ class Program:
         q, middle = way.curve.end, way.curve.at(np.array([0.5]))[0][0]
         if via is not None:
             # where the circle passes the via
-            s = np.linspace(0, 1, 401)
-            p = circle(self._pose, via, T, s)[:, :3, 3]
-            middle = way.curve.at(s[[np.argmin(np.linalg.norm(p - via[:3, 3], axis=1))]])[0][0]
+            middle = way.curve.at(np.array([round_of(self._pose, via, T).part(via[:3, 3])]))[0][0]
         move = replace(move, q=q, q_via=None if via is None else middle)
         self._segments.append(replace(way, move=move))
         self.instructions.append(move)
@@ -385,9 +381,3 @@ class Program:
             return verbs.ik(self.plan, T).nearest(self._q)
         except NoSolutionError as error:
             raise NoSolutionError(f"move {self._number} has no posture: {error}", move=self._number) from None
-
-    def _rest(self, seconds: float, before: list[Motion], rate: float) -> Motion:
-        q = before[-1].q[-1:] if before else self.start[None]
-        t = sample_times(seconds, rate)
-        zeros, ends = np.zeros((len(t), self.plan.n)), np.array([0.0, seconds])
-        return Motion(t, np.repeat(q, len(t), 0), zeros, zeros, ends, ends, zeros, np.zeros(len(t)))

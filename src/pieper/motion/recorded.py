@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 import re
-from pathlib import Path
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.motion.motion import Described, Motion
@@ -28,7 +28,7 @@ def read_motion(path: str | os.PathLike[str], arm: Described) -> Motion:
     Raises:
         InputError: No such file, another ending, a table without time, or a motion of another arm.
     """
-    file = Path(path)
+    file = arguments.file(path)
     if file.suffix.lower() not in (".csv", ".yaml", ".yml"):
         raise InputError(f"{file.name}: a motion in time is a .csv or a .yaml.", given=file.suffix)
     try:

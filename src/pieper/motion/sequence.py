@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.motion.motion import MAX_SAMPLES, Motion
@@ -200,10 +201,7 @@ def _postures(postures: object) -> Array:
 
 
 def _times(values: object, count: int, what: str, *, zero_allowed: bool) -> Array:
-    try:
-        array = np.array(values, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{what} must be numbers, got {values!r}.", given=values) from None
+    array = arguments.numbers(values, what)
     if array.ndim > 1 or (array.ndim == 1 and len(array) != count):
         raise InputError(
             f"{what} must be one number or {count}, one a leg, got shape {array.shape}.", given=array.shape

@@ -8,14 +8,14 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
-from pieper import _kernel
+from pieper import _kernel, arguments
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.chain import Chain
 from pieper.motion.certificate import vector_peaks
 from pieper.motion.curve import JointCurve, checked_points
-from pieper.motion.limits import JointLimits, Limits
+from pieper.motion.limits import SAY_LIMITS, JointLimits, Limits
 from pieper.motion.route.result import Route
 from pieper.motion.tool_bounds import ToolCurve, tool_curve
 from pieper.motion.track import Track
@@ -200,6 +200,9 @@ def timed_path(
     Raises:
         InputError: No points that a curve can go through, limits for another arm, or limits of a tool nobody knows.
     """
+    arguments.a(Limits, limits, "limits", SAY_LIMITS)
+    if arm is not None:
+        arguments.like(Planned, arm, "arm", "a pieper.Arm")
     plan = None if arm is None else arm.plan
     # a protocol is asked for every name it has, which takes longer than the fastest way: arrays are known sooner
     known: JointPath | None = None if type(path) is np.ndarray else path if isinstance(path, JointPath) else None

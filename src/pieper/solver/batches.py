@@ -9,7 +9,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from pieper import _kernel
+from pieper import _kernel, arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.forward import checked_joints, checked_weights
@@ -125,7 +125,7 @@ def marking(invalid: object) -> bool:
         InputError: Another word than "raise" or "mark".
     """
     if not isinstance(invalid, str) or invalid not in ("raise", "mark"):
-        raise InputError(f'invalid must be "raise" or "mark", got {invalid!r}.', given=invalid)
+        raise InputError(f'invalid must be "raise" or "mark", got {arguments.kind_of(invalid)}.', given=invalid)
     return invalid == "mark"
 
 

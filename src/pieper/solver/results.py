@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
@@ -9,6 +10,7 @@ from typing import overload
 
 import numpy as np
 
+from pieper.description.posture import posture
 from pieper.document.columns import Column, Tabular, Units
 from pieper.errors import InputError, NoSolutionError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
@@ -110,7 +112,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         self._q: Array | None = None
         self._why: str | None = None
         self._closest: Closest | None = None
-        self.keep_clear(None)
+        self._apart = None
 
     @property
     def q(self) -> Array:
@@ -131,7 +133,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         """One solution inside the limits, or several; the rows of q."""
         if isinstance(index, slice):
             return [self[i] for i in range(len(self))[index]]
-        q = self.q[index]  # says what is wrong with an index beyond the last
+        q = self.q[operator.index(index)]  # says what is wrong with an index beyond the last, as a list does
         return Solution(q, self._words.labels(self._plan, q[None])[0], self._plan.residual(q[None], self.T)[0])
 
     def table(self) -> str:
@@ -231,20 +233,20 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         joints, limits = self._plan.chain.joints.first(self._plan.n), self._plan.limits
         return np.concatenate([np.empty((0, self._plan.n)), *(joints.variants(row, limits) for row in self.q)])
 
-    def nearest(self, q_now: ArrayLike, weights: ArrayLike | None = None) -> Array:
+    def nearest(self, q_now: ArrayLike | str, weights: ArrayLike | None = None) -> Array:
         """Return the solution (n,) closest to q_now, whole turns resolved inside the limits, self-motions included.
 
         The distance is Euclidean in radians, prismatic joints divided by the arm's characteristic length.
 
         Args:
-            q_now: (n,) rad or m.
+            q_now: (n,) rad or m, or a posture's name.
             weights: (n,) how much the square of each joint's difference counts, none negative; all the same if None.
 
         Raises:
             InputError: A wrong length or weight.
             NoSolutionError: No solution lies inside the limits; the message says why.
         """
-        joints, now = self._plan.chain.joints, checked_joint_vector(q_now, self._plan.n, "q_now")
+        joints, now = self._plan.chain.joints, self._here(q_now)
         counts = checked_weights(weights, self._plan.n)
         candidates = list(joints.unwound(self.q, now, self._plan.limits))
         candidates += [point for motion in self.self_motions if (point := motion.nearest(now, counts)) is not None]
@@ -255,18 +257,23 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         rows = np.array(candidates)
         return rows[np.argmin(joints.straight(rows, now, counts))]
 
+    def _here(self, q_now: ArrayLike | str) -> Array:
+        """Return where the arm is, (n,): a joint vector, or a posture's name."""
+        q = posture(self._plan.description, q_now, "q_now") if isinstance(q_now, str) else q_now
+        return checked_joint_vector(q, self._plan.n, "q_now")
+
     def _is_solution(self, q: Array) -> bool:
         """Return whether a joint vector (n,) lies inside the limits and takes the pose."""
         most = CLOSED_VERIFIED * np.array([self._plan.chain.length, 1.0])
         return bool(inside(q, self._plan.limits).all() and (self._plan.residual(q[None], self.T)[0] <= most).all())
 
-    def nearest_row(self, q_now: ArrayLike) -> tuple[int, Array]:
+    def nearest_row(self, q_now: ArrayLike | str) -> tuple[int, Array]:
         """Return which row of q is closest to q_now, and that row (n,) with whole turns resolved inside the limits.
 
         Raises:
             NoSolutionError: No solution lies inside the limits; the message says why.
         """
-        joints, now = self._plan.chain.joints, checked_joint_vector(q_now, self._plan.n, "q_now")
+        joints, now = self._plan.chain.joints, self._here(q_now)
         if not len(self.q):
             raise NoSolutionError(f"there is no solution to be near to: {self.why}", status=self.status)
         rows = joints.unwound(self.q, now, self._plan.limits)

@@ -6,11 +6,11 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from numbers import Integral
 from typing import Any
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
@@ -47,7 +47,7 @@ from pieper.solver.words.why import why
 WORDS = Words(why, table, posture_words, labels_beside, closest_to)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
-_ROUNDED = int(Flag.ROUNDED)
+_ROUNDED, _EDGE = int(Flag.ROUNDED), int(Flag.EDGE)
 _SLOTS = np.arange(256)
 #: Status codes of a pose without rows, with rows outside the limits alone, and with one inside.
 _PLAIN = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], np.uint8)
@@ -69,8 +69,8 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
         pose = checked_pose(T)
         q, slots, inside, flag = plan.solver.one(pose)
-    if flag & _DEGENERATE or not len(q):
-        found = _read(plan, pose, q, flag)  # of no rows inside, it is false as a sequence
+    if flag & (_DEGENERATE | _EDGE):
+        found = _read(plan, pose, q, flag & ~_EDGE)  # of no rows inside, it is false as a sequence
         return _careful(plan, checked_pose(pose), q, slots, inside, flag) if found is None else found
     return Solutions(plan, WORDS, pose, q, slots, inside, flag)
 
@@ -92,6 +92,7 @@ def ik_many(
     threads = _threads(threads)
     poses, refused = without_refused(Ts) if marking(invalid) else (_plain(plan, Ts, redundancy), None)
     near_by = near_what(plan, near, start, weights, len(poses))
+    arguments.told(progress)
     told = None if progress is None else partial(_tell, progress, len(poses))
     solve = partial(_solved, plan, threads=threads, redundancy=redundancy, near=near_by, out=out, told=told)
     try:
@@ -197,7 +198,7 @@ def _plain(plan: Plan, Ts: PoseLike, redundancy: Redundancy) -> Array:
     """Return poses (N, 4, 4) as the solver takes them, unchecked where it looks at them itself."""
     by_value, given = not (isinstance(redundancy, Mapping) and ARM_ANGLE in redundancy), Ts
     if isinstance(given, np.ndarray) and (plan.direct or (plan.immediate and by_value)):
-        poses = np.ascontiguousarray(np.asarray(Ts), dtype=np.float64)
+        poses = np.ascontiguousarray(arguments.numbers(given, "Ts", "(N, 4, 4)"))
         if poses.ndim == 3 and poses.shape[1:] == (4, 4):
             return poses
     return _checked(Ts)
@@ -211,14 +212,7 @@ def _checked(Ts: PoseLike) -> Array:
 
 
 def _threads(threads: Any) -> int:
-    if threads is None:
-        return os.cpu_count() or 1
-    count = int(threads) if isinstance(threads, Integral) else 0
-    if count < 1:
-        raise InputError(
-            f"threads must be a whole number of at least 1, or None for all cores, got {threads!r}.", given=threads
-        )
-    return count
+    return os.cpu_count() or 1 if threads is None else arguments.whole(threads, "threads (None for all cores)", 1)
 
 
 # ---------------------------------------------------------------------------------------------- rows
@@ -254,7 +248,7 @@ def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
 def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: int) -> Solutions:
     """Look again at a pose that has no rows, or was marked: self-motions, merged roots, what a kernel overlooked."""
     if not flag & _DEGENERATE and (len(q) or not overlooked(plan, T[None])[0]):
-        return Solutions(plan, WORDS, T, q, slots, inside, flag)
+        return Solutions(plan, WORDS, T, q, slots, inside, flag & ~_EDGE)
     return _with_care(plan, T, q, flag)
 
 
@@ -264,6 +258,7 @@ def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
     q, inside = plan.chain.joints.inside_limits(q if found is None else found.q, plan.limits)
     if found is None:
         return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag)
+    flag &= ~_EDGE
     if len(q):
         flag &= ~_OUT_OF_REACH
     return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag, found, found.self_motions)
@@ -276,7 +271,10 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     if some.all() and not rows.flags.any():
         return status
     marked = (rows.flags & _DEGENERATE) > 0
-    none = np.flatnonzero(~some & ~marked)
+    # a kernel that gives no rows says whether poses beside have none; of a chain within another that says nothing
+    edge = (rows.flags & _EDGE) > 0 if plan.direct else ~some
+    rows.flags[:] = rows.flags & np.uint8(255 ^ _EDGE)
+    none = np.flatnonzero(edge & ~marked)
     for first in range(0, len(none), LOOKED_AT_ONCE):
         part = none[first : first + LOOKED_AT_ONCE]
         marked[part] = overlooked(plan, poses[part])

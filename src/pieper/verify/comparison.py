@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper import arguments
 from pieper.description.dh import Description
-from pieper.errors import InputError, PlanError
+from pieper.errors import PlanError
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.newton import settled, shortest
@@ -111,10 +112,10 @@ def compare(arm: PlannedArm, toolbox: str | Toolbox, *, poses: int = 100, seed: 
     Raises:
         InputError: The toolbox is not known, not installed, or cannot read the arm.
     """
-    if not isinstance(poses, int) or poses < 1:
-        raise InputError(f"poses must be a whole number of at least 1, got {poses!r}.", given=poses)
-    other = open_toolbox(toolbox, arm.description) if isinstance(toolbox, str) else toolbox
-    rng = np.random.default_rng(seed)
+    arguments.whole(poses, "poses", 1)
+    if not isinstance(toolbox, Toolbox):
+        toolbox = open_toolbox(arguments.text(toolbox, "toolbox"), arm.description)
+    other, rng = toolbox, np.random.default_rng(arguments.whole(seed, "seed", 0))
     q = _postures(arm.description, poses, rng)
     lines, remarks = _forward(arm, other, q), list(arm.description.remarks)
     found, missing = [], np.empty((0, arm.chain.n))

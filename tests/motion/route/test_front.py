@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pieper
-from oracle.turns import reaches, ring
+from oracle.turns import random_ring, reaches, ring
 from pieper.motion.route.front import Ended, everything_at, follow, modulo_turns
 
 FREE = pieper.Freedom()
@@ -79,11 +79,38 @@ def test_what_is_refused_is_not_reached_by_many_turns(irb, seed):
     rng = np.random.default_rng(seed)
     reach, unknown = irb.chain.length, 0
     for _ in range(6):
-        out, angle = rng.uniform(0.2, 0.65) * reach, rng.uniform(-2.5, 2.5)
-        centre = (out * np.cos(angle), out * np.sin(angle), rng.uniform(0, 0.55) * reach)
-        path = ring(20, centre, rng.uniform(0.03, 0.17) * reach, rng.uniform(0, 1.2))
+        path = random_ring(rng, 20, reach, out=(0.2, 0.65), around=2.5, up=(0, 0.55), wide=(0.03, 0.17))
         route = irb.route(path, free=FREE)
         unknown += route.verdict is pieper.Verdict.UNCERTAIN
         if route.verdict is pieper.Verdict.IMPOSSIBLE:
             assert reaches(irb, path, 90) < len(path) - 1
     assert unknown <= 1
+
+
+@pytest.mark.parametrize("free", [None, FREE])
+def test_an_end_that_is_out_of_reach_is_told_where_it_is(irb, free):
+    out, inside = (pieper.pose(x, y, 0.9, rpy=(180, 0, 0), degrees=True) for x, y in ((2.5, 0.0), (0.9, 0.2)))
+    first = irb.route(pieper.line(out, inside, 20), free=free)
+    assert first.verdict is pieper.Verdict.IMPOSSIBLE
+    assert first.blocked.s == (0.0, 0.0) and first.blocked.begun == 0.0
+    assert "no motion begins at the first pose" in first.reason
+    assert first.blocked.why.startswith("At the first point of the path the pose is out of reach")
+    last = irb.route(pieper.line(inside, out, 20), free=free)
+    assert last.verdict is pieper.Verdict.IMPOSSIBLE
+    low, high = last.blocked.s
+    # with a spherical wrist the tool is reached where its wrist is; the place is told to a station of a hundred
+    at = np.linspace(0, 1, 401)
+    path = pieper.line(inside, out, 401)
+    can = np.array([len(irb.ik(T, task="position+axis" if free else None).q) > 0 for T in path])
+    ends = at[np.argmin(can)]
+    assert low <= ends <= high + 1 / 400 and high - low < 0.011
+
+
+def test_a_first_pose_that_limits_forbid_is_told_there(irb):
+    path = ring(30, (1.1, 0.0, 0.6), 0.3, 0.2)
+    here = irb.ik(path[0]).q[0, 0]
+    refused = irb.with_limits({"joint_1": (here + 0.4, here + 0.5)}).route(path)
+    assert refused.verdict is pieper.Verdict.IMPOSSIBLE
+    assert refused.blocked.s == (0.0, 0.0)
+    assert "no motion begins at the first pose" in refused.reason
+    assert "joint_1" in {c.joint for c in refused.blocked.closed}

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pieper import arguments
 from pieper.description.dh import Description
 from pieper.document.writing import whole_file, write_whole
 from pieper.drawing.animation import encoders
@@ -36,15 +37,16 @@ def animate(
     progress: Callable[[int, int], None] | None = None,
 ) -> Path:
     """Write a motion of an arm; see `Motion.animate`."""
-    file = Path(path)
+    file = arguments.file(path)
     suffix = file.suffix.lower()
     if suffix not in SUFFIXES:
         raise InputError(
             f"a motion is written as {', '.join(SUFFIXES)}; {file.name!r} ends in {suffix or 'nothing'}.", given=suffix
         )
     for value, name in ((rate, "rate"), (speed, "speed")):
-        if not (np.isfinite(value) and value > 0):
-            raise InputError(f"{name} must be finite and more than zero, got {value:g}.", given=value)
+        arguments.number(value, name, above=0.0)
+    if arguments.numbers(view, "view", "elevation and azimuth, deg").shape != (2,):
+        raise InputError(f"view must be elevation and azimuth, deg, got {view!r}.", given=view)
     width, height = checked_size(size)
     count = int(np.ceil(motion.duration / speed * rate)) + 1
     if count > MAX_PICTURES:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper import arguments
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
@@ -129,8 +130,8 @@ def configuration(plan: Plan, q: ArrayLike, maker: str) -> Configuration:
     key = str(maker).lower()
     if key not in MAKERS:
         raise InputError(
-            f"maker {maker!r} has no configuration words here; those of {', '.join(MAKERS)} are known. Universal "
-            "Robots has none: its poses are solved near the posture the arm is in.",
+            f"maker {arguments.kind_of(maker)} has no configuration words here; those of {', '.join(MAKERS)} are "
+            "known. Universal Robots has none: its poses are solved near the posture the arm is in.",
             given=maker,
             allowed=list(MAKERS),
         )

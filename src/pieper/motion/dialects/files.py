@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.motion.dialects import fanuc_ls, inform, krl, pacscript, rapid, trajectory, urscript
 from pieper.motion.dialects.configuration import is_of
@@ -31,10 +31,7 @@ def text_of(script: Script, dialect: str) -> str:
     Raises:
         InputError: No such dialect, an arm of another maker or with other axes, or a name the maker does not take.
     """
-    if dialect not in DIALECTS:
-        raise InputError(
-            f"dialect {dialect!r} is unknown; there are {', '.join(DIALECTS)}.", given=dialect, allowed=list(DIALECTS)
-        )
+    arguments.word(dialect, "dialect", DIALECTS)
     found = DIALECTS[dialect]
     splines = [number for number, move in enumerate(script.moves, 1) if move.kind == "move_s"]
     if splines and found.maker is not None:
@@ -69,7 +66,7 @@ def dialect_of(path: str | os.PathLike[str]) -> str:
     Raises:
         InputError: The ending is no dialect's.
     """
-    file = Path(path)
+    file = arguments.file(path)
     for name, dialect in DIALECTS.items():
         if file.suffix.lower() in dialect.suffixes:
             return name
@@ -89,7 +86,7 @@ def read_program(path: str | os.PathLike[str]) -> list[Target]:
     Raises:
         InputError: No such file, an unknown ending, or text that is not of the dialect.
     """
-    file, kind = Path(path), DIALECTS[dialect_of(path)]
+    file, kind = arguments.file(path), DIALECTS[dialect_of(path)]
     try:
         text = file.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:

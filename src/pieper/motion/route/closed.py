@@ -32,18 +32,23 @@ def blocked_at(task: Task, ladder: Rungs, reached: int, begun: float, proved: fl
     here = float(ladder.s[at])
     valid = ladder.valid[at]
     if not valid.any():
-        why = f"At {here:.4g} of the path the pose is out of reach, however the tool is turned."
+        turned = ", however the tool is turned" if setting.turns else ""
+        why = f"{_place(here)} the pose is out of reach{turned}."
         return Blocked((first, last), (), why, begun, Opening(task, ()))
     closed = _closed(setting, ladder.x[at], valid)
     if not closed:
         why = (
-            f"At {here:.4g} of the path there are postures inside all limits, but none that is reached from the first "
+            f"{_place(here)} there are postures inside all limits, but none that is reached from the first "
             "pose without leaving limits on the way: the passages to them are closed."
         )
         closed = _closed(setting, ladder.x[at], valid & (_excess(setting, ladder.x[at])[0] > 0), every=True)
         return Blocked((first, last), closed, why, begun, Opening(task, closed))
-    why = f"At {here:.4g} of the path every branch is closed:"
+    why = f"{_place(here)} every branch is closed:"
     return Blocked((first, last), closed, why, begun, Opening(task, closed))
+
+
+def _place(s: float) -> str:
+    return "At the first point of the path" if s == 0 else f"At {s:.4g} of the path"
 
 
 def _excess(setting: Setting, x: Array) -> tuple[Array, Array, Array]:

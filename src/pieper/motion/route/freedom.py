@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.joints import TURN
@@ -45,8 +46,7 @@ class Freedom:
     axis: str = "z"
 
     def __post_init__(self) -> None:
-        if self.axis not in _AXES:
-            raise InputError(f'axis must be "x", "y" or "z", the tool\'s, got {self.axis!r}.', given=self.axis)
+        arguments.word(self.axis, "axis, the tool's,", _AXES)
         object.__setattr__(self, "cone", _cone(self.cone))
         if isinstance(self.turn, str):
             if self.turn != FREE:
@@ -87,14 +87,11 @@ class Freedom:
 
 
 def _cone(value: object) -> float:
-    try:
-        cone = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(f"cone must be an angle, rad, got {value!r}.", given=value) from None
-    if not 0.0 <= cone < np.pi / 2:
-        raise InputError(
-            f"cone must be zero or more and less than 90 degrees, rad, got {cone:g}; pi / 180 is a degree.", given=cone
-        )
+    if isinstance(value, float) and 0.0 <= value < np.pi / 2:
+        return value
+    cone = arguments.number(value, "cone", "rad", least=0.0)
+    if cone >= np.pi / 2:
+        raise InputError(f"cone must be less than 90 degrees, rad, got {cone:g}; pi / 180 is a degree.", given=cone)
     return cone
 
 
@@ -103,7 +100,7 @@ def _interval(value: object) -> tuple[float, float]:
         low, high = (float(v) for v in value)  # type: ignore[union-attr]
     except (TypeError, ValueError):
         raise InputError(
-            f'turn must be "free" or an interval (lo, hi), rad, got {value!r}.', given=repr(value)
+            f'turn must be "free" or an interval (lo, hi), rad, got {arguments.kind_of(value)}.', given=repr(value)
         ) from None
     if not (np.isfinite(low) and np.isfinite(high)):
         raise InputError(f'turn must be finite, got ({low:g}, {high:g}); turn="free" has no ends.', given=(low, high))

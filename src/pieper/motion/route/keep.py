@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.errors import InputError
+from pieper import arguments
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.newton import singular_values
 from pieper.motion.route.setting import Setting
@@ -64,11 +64,4 @@ class Keep:
 
 def checked_number(value: object, what: str, unit: str, most: float = np.inf) -> float:
     """Return a number that is zero or more, or say that it is none."""
-    try:
-        number = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(f"{what} must be a number, {unit}, got {value!r}.", given=repr(value)) from None
-    if not (np.isfinite(number) and 0 <= number < most):
-        below = f" and less than {most:g}" if np.isfinite(most) else ""
-        raise InputError(f"{what} must be zero or more{below}, {unit}, got {number:g}.", given=number)
-    return number
+    return arguments.number(value, what, unit, least=0.0, below=most)

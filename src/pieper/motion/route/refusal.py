@@ -23,6 +23,7 @@ from pieper.motion.route.result import Blocked
 from pieper.motion.route.search import Task
 from pieper.motion.route.setting import Setting
 from pieper.tolerances import TAKEN_UP_BEHIND
+from pieper.words_by_number import plural
 
 #: Stations of the grid where a coordinate is free, and where none is.
 STATIONS, DENSE = 100, 400
@@ -107,8 +108,10 @@ def _windows(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) 
         end = begin
         while end + 1 in empty:
             end += 1
-        for fine in FINE:
-            yield float(s[(begin + end) // 2]), float(s[(begin + end) // 2]), fine
+        # where the way ends is told most nearly by the stretch's first station; its middle is where least is in doubt
+        for station in dict.fromkeys((begin, (begin + end) // 2)):
+            for fine in FINE:
+                yield float(s[station]), float(s[station]), fine
     rough = follow(task.setting, limits, _known(task, limits, 0.0), (0.0, 1.0), ROUGH, most)
     if rough.ended is Ended.ARRIVED and not _misses_end(task, rough):
         return
@@ -140,10 +143,15 @@ def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdic
     where = f"no motion gets past {proof.s:.6g} of the path" if proof.s > 0 else "no motion begins at the first pose"
     if proof.s >= 1.0 and reached == len(ladder.s) - 1:
         where = "the posture that it is to end with is not reached"
-    reason = (
-        f"Impossible: {where}, whatever the branch, the turn and the whole turns. Everything inside the limits at "
-        f"{proof.begun:.6g} of the path was followed with proved bounds and ends before: {proof.looked} points."
-    )
+    if proof.looked:
+        how = (
+            f"Everything inside the limits at {proof.begun:.6g} of the path was followed with proved bounds and ends "
+            f"before: {plural(proof.looked, 'point')}."
+        )
+    else:
+        there = "the first pose" if proof.begun == 0 else f"{proof.begun:.6g} of the path"
+        how = f"At {there} nothing is inside the limits, each joint tried at each of its limits and in between."
+    reason = f"Impossible: {where}, whatever the branch, the turn and the whole turns. {how}"
     return Verdict.IMPOSSIBLE, blocked, reason
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import checked_joints
@@ -58,8 +59,7 @@ def route(
         PlanError: The arm's joints are coupled, or it cannot tilt its tool.
     """
     asked = _checked_points(checked_path(path), plan.chain.length)
-    if cost not in (MOTION, TIME):
-        raise InputError(f'cost must be "motion" or "time", got {cost!r}.', given=cost)
+    arguments.word(cost, "cost", (MOTION, TIME))
     s = np.linspace(0.0, 1.0, len(asked))
     world = setting(turned, curves, free, asked, s)
     step = _turn_step(world, turn_rate)
@@ -125,15 +125,7 @@ def _checked_points(poses: Array, length: float) -> Array:
 def _turn_step(world: Setting, rate: float | None) -> Array | None:
     if rate is None:
         return None
-    try:
-        value = float(rate)
-    except (TypeError, ValueError):
-        raise InputError(f"turn_rate must be a number, rad/m, got {rate!r}.", given=repr(rate)) from None
-    if not (np.isfinite(value) and value > 0):
-        raise InputError(
-            f"turn_rate must be finite and more than zero, rad/m, got {value:g}; turn=(a, a) holds the turn.",
-            given=value,
-        )
+    value = arguments.number(rate, "turn_rate", "rad/m (turn=(a, a) holds the turn)", above=0.0)
     if not world.turns:
         raise InputError("a turn_rate needs a turn that is free; say free=pieper.Freedom(...).", given=value)
     return value * np.linalg.norm(np.diff(world.path[:, :3, 3], axis=0), axis=1)

@@ -21,13 +21,15 @@ class KernelSpec:
 
     Args:
         geometry: What the native kernel is told of the arm; its class names the kernel.
-        info: What the preparation found that a person may want to read (conditioning, chosen split, ...).
+        info: What the preparation found (conditioning, ways left, ...).
+        facts: What a reader of the plan may want to know of it, a sentence each.
         slot_labels: A posture label a slot, where slots have a fixed meaning; else None.
         closed_form: Whether it loses no solution next to a self-motion, so that its rows tell all that is there.
     """
 
     geometry: _kernel.Geometry
     info: dict[str, Any] = field(default_factory=dict[str, Any])
+    facts: tuple[str, ...] = ()
     slot_labels: tuple[str, ...] | None = None
     closed_form: bool = False
 

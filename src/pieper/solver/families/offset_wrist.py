@@ -79,12 +79,10 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
             general=general_model(chain),
             **numbers,
         ),
-        info={
-            "degree": 8 if even else 16,
-            "two_solutions_a_root": even,
-            "wrist_at": "base" if found.backward else "end",
-            "meeting_margin_m": found.margin,
-        },
+        facts=(
+            f"It has at most {'8 roots, each with two solutions' if even else '16 roots, each with one solution'}.",
+            *(("The wrist is at the base: the arm is solved from its tool backwards.",) if found.backward else ()),
+        ),
     )
 
 

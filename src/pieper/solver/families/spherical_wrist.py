@@ -49,7 +49,6 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     links = centred(chain, found.first)
     return KernelSpec(
         _kernel.SphericalWrist(**group(chain, links, found.first, False)),
-        info={"wrist": tuple(range(found.first + 1, found.first + 4)), "margin_m": found.margin},
         closed_form=True,
     )
 

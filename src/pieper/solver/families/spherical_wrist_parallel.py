@@ -117,7 +117,7 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     clean: dict[str, Any] = {name: np.where(np.abs(value) < rounding, 0.0, value) for name, value in numbers.items()}
     return KernelSpec(
         _kernel.SphericalWristParallel(**clean, tilted=tilted),
-        info={"wrist_margin_m": found.margin, "angle_margin_rad": found.angle, "upper_arm_m": L2, "forearm_m": L3},
+        facts=(f"Upper arm {1e3 * L2:.6g} mm; forearm, from the elbow's axis to the wrist centre, {1e3 * L3:.6g} mm.",),
         slot_labels=SLOTS,
         closed_form=True,
     )

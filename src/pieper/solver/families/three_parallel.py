@@ -72,7 +72,6 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     links, sense = planar(chain, found.first, np.array(found.normal))
     return KernelSpec(
         _kernel.ThreeParallel(**group(chain, links, found.first, True), sense=sense),
-        info={"plane": tuple(range(found.first + 1, found.first + 4)), "margin_rad": found.margin},
         closed_form=True,
     )
 

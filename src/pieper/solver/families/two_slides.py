@@ -25,11 +25,9 @@ class Match:
 
     Args:
         hidden: 0-based turning joints whose angle can be the unknown, best first.
-        unclear: Share of test poses that the best of them does not decide.
     """
 
     hidden: tuple[int, ...]
-    unclear: float
 
 
 def match(chain: Chain, geometry: Geometry) -> Match | None:
@@ -49,7 +47,7 @@ def match(chain: Chain, geometry: Geometry) -> Match | None:
         if np.all(found | ~clear) and np.mean(~clear) <= MOST_UNCLEAR:
             tried.append((float(np.mean(~clear)), int(hidden)))
     tried.sort()
-    return Match(tuple(hidden for _, hidden in tried), tried[0][0]) if tried else None
+    return Match(tuple(hidden for _, hidden in tried)) if tried else None
 
 
 def prepare(chain: Chain, found: Match) -> KernelSpec:
@@ -62,12 +60,7 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     """
     return KernelSpec(
         _geometry(chain, found.hidden, general_model(chain)),
-        info={
-            "degree": 8,
-            "hidden_joint": found.hidden[0] + 1,
-            "ways": len(found.hidden),
-            "unclear_in_the_best": found.unclear,
-        },
+        facts=(f"The angle chosen is that of joint {found.hidden[0] + 1}; it has at most 8 values.",),
     )
 
 
@@ -87,5 +80,5 @@ FAMILY = Family(
 
 def _geometry(chain: Chain, hidden: tuple[int, ...], general: _kernel.General | None) -> _kernel.TwoSlides:
     return _kernel.TwoSlides(
-        length=chain.length, links=chain.links, slides=chain.prismatic, hidden=hidden, general=general
+        length=chain.length, links=chain.links, slides=tuple(chain.prismatic.tolist()), hidden=hidden, general=general
     )

@@ -6,14 +6,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from pieper import arguments
 from pieper.description.dh import Description
-from pieper.errors import InputError, PlanError
+from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import look, snapped
 from pieper.solver.families import choose, tier
 from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import without_far_ends
+from pieper.solver.plan.count import count_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import (
     TASKS,
@@ -44,12 +46,10 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         InputError: The task is unknown.
         PlanError: The arm cannot have the task, or no solver takes it; the message names the geometry found.
     """
-    if task is not None and task not in TASKS:
-        raise InputError(
-            f"task {task!r} is unknown; allowed are {', '.join(map(repr, TASKS))}.", given=task, allowed=TASKS
-        )
-    if snap is not None and not 0 <= snap < 0.5:
-        raise InputError(f"snap must be between 0 and 0.5 (rad, and per length of the arm), got {snap!r}.", given=snap)
+    if task is not None:
+        arguments.word(task, "task", TASKS)
+    if snap is not None:
+        arguments.number(snap, "snap", "rad, and per length of the arm", least=0.0, below=0.5)
     if chain.coupling is not None:
         return _coupled(chain, description, task, snap)
     plan = _as_told(chain, description, task, snap)
@@ -114,6 +114,7 @@ def _as_told(chain: Chain, description: Description, task: str | None, snap: flo
         defaults=defaults,
         base=description.base,
         words=explain,
+        counting=count_of,
     )
 
 

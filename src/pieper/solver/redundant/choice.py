@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from pieper import arguments
 from pieper.errors import InputError, PlanError
 from pieper.kinematics.arm_angle import ArmAngle
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
@@ -97,7 +98,7 @@ def _by_name(plan: Plan, redundancy: Mapping[str, Any], count: int) -> Choice:
         )
     values = [_finite(column) for column in columns]
     if any(value is None for value in values):
-        raise InputError(f"redundancy must be finite numbers, got {dict(redundancy)!r}.", given=redundancy)
+        raise InputError(f"redundancy must be finite numbers, got {arguments.kind_of(redundancy)}.", given=redundancy)
     rows = np.stack([np.broadcast_to(np.ravel(value), (count,)) for value in values if value is not None], -1)
     return Choice(held, _values(held, rows, redundancy, count), None, None, False)
 
@@ -167,7 +168,7 @@ def _values(plan: Plan, given: Any, redundancy: Redundancy, count: int) -> Array
     names = plan.redundancy
     values = _finite(given)
     if values is None:
-        raise InputError(f"redundancy must be finite numbers, got {redundancy!r}.", given=redundancy)
+        raise InputError(f"redundancy must be finite numbers, got {arguments.kind_of(redundancy)}.", given=redundancy)
     k = len(names)
     if values.ndim == 0 and k == 1:
         values = np.full((count, 1), float(values))

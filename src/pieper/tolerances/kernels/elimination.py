@@ -14,6 +14,9 @@ GENERAL_LEAST_SIGMA = 1e-12
 GENERAL_NEARLY_REAL = 2e-3
 #: and below which it is tried again, with time.
 GENERAL_TRY_AGAIN = 2e-4
+#: A nearly real pair of eigenvalues belongs to a solution that lies within this many of its imaginary parts: a root of
+#: several solutions splits into pairs about it.
+GENERAL_SPLIT = 4.0
 #: A determinant this much smaller than usual at all angles: the elimination is singular at the pose.
 GENERAL_VANISHING = 1e-13
 #: One this much smaller than usual marks the pose for a second look.
