@@ -38,19 +38,18 @@ def test_names_stand_beside_what_they_name_and_never_over_each_other(bench):
     bench.shot("names", both=True)
 
 
-def test_ghosts_are_outlined_by_whether_they_lie_inside_the_limits(bench):
-    bench.arm("unimation-puma-560")
-    bench.joints([20, -40, 30, 20, 50, 30])
+@pytest.mark.parametrize(("name", "inside"), [("denso-vp6242", 1), ("universal-robots-ur5e", 8)])
+def test_ghosts_are_outlined_by_whether_they_lie_inside_the_limits(bench, name, inside):
+    bench.arm(name)
+    bench.joints([-22, 71, -184, -5, -34, 5] if inside == 1 else [20, -60, 80, -50, 40, 30])
     bench.tab("Inverse")
     bench.until("workbench.ghosts === 7")
-    rows = bench.value("workbench.solutions.rows")
-    shown_inside = sum(r["inside"] for r in rows) - 1  # the arm itself stands in one of them
-    assert 0 < shown_inside < 7
-    assert bench.value("workbench.ghostsOutside") == 7 - shown_inside
-    bench.shot("ghosts-by-limits", both=True)
+    assert sum(r["inside"] for r in bench.value("workbench.solutions.rows")) == inside
+    assert bench.value("workbench.ghostsOutside") == 8 - inside, "the arm itself stands in one that is inside"
+    bench.shot(f"ghosts-{inside}-inside", both=True)
     bench.page.get_by_role("group", name="Ghosts").get_by_role("button", name="In limits").click()
-    bench.until("workbench.ghostsOutside === 0")
-    assert bench.value("workbench.ghosts") == shown_inside
+    bench.until(f"workbench.ghosts === {inside - 1}")
+    assert bench.value("workbench.ghostsOutside") == 0
 
 
 def test_a_map_of_voxels_is_drawn_cut_and_coloured(bench):

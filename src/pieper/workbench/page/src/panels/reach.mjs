@@ -1,5 +1,5 @@
 // Where the tool can be: a cloud of random postures, or a map of voxels solved completely, coloured by a value.
-import { h, replace, setText, choice, select } from '../dom.mjs';
+import { button, choice, h, replace, select, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { units, showUnit, engineering } from '../units.mjs';
 import { ask } from '../link.mjs';
@@ -69,13 +69,10 @@ export function reachControls() {
   let kind = 'cloud',
     running = false;
   const picked = { size: null, colour: null };
-  const start = h('button', {
-    type: 'button',
-    class: 'primary',
-    'data-testid': 'reach-start',
-    on: { click: () => (running ? ask('cancel', { kind: running }) : run()) },
-  });
-  const clear = h('button', { type: 'button', text: 'Clear', on: { click: wipe } });
+  const start = button('', { class: 'primary', 'data-testid': 'reach-start' }, () =>
+    running ? ask('cancel', { kind: running }) : run(),
+  );
+  const clear = button('Clear', {}, wipe);
   const share = h('input', {
     type: 'range',
     min: '-1',
