@@ -19,16 +19,8 @@ from pieper.drawing.style import MM
 from pieper.equations.lettering import checked_letters
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.pose import checked_pose
+from pieper.presentation import sections_arm
 from pieper.presentation.plot_reach import joint_range
-from pieper.presentation.sections_arm import (
-    add_arm,
-    add_derivation,
-    add_forward,
-    add_plan,
-    add_reach,
-    add_singularities,
-    add_worked,
-)
 from pieper.presentation.sections_lesson import add_dh_steps, add_jacobian, add_triangle
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
 from pieper.presentation.sections_scale import add_fit, add_map
@@ -78,20 +70,20 @@ def report(
     checked_letters(letters)
     today = datetime.date.today().isoformat()
     page = Document(f"Kinematics of the {arm.name}", _subtitle(arm), edition=f"pieper {_version()}, {today}")
-    add_arm(page, arm)
+    sections_arm.add_arm(page, arm)
     add_dh_steps(page, arm)
-    add_plan(page, arm)
+    sections_arm.add_plan(page, arm)
     add_peculiarities(page, arm)
-    add_forward(page, arm, letters)
-    add_derivation(page, arm, letters)
+    sections_arm.add_forward(page, arm, letters)
+    sections_arm.add_derivation(page, arm, letters)
     add_triangle(page, arm)
     T = checked_pose(pose, "pose") if given else _good_pose(arm)
     if T is not None:
-        add_worked(page, arm, T, letters)
+        sections_arm.add_worked(page, arm, T, letters)
     solved = _solved(page, arm, T, given=given)
     add_jacobian(page, arm)
-    add_singularities(page, arm)
-    add_reach(page, arm)
+    sections_arm.add_singularities(page, arm)
+    sections_arm.add_reach(page, arm)
     if track is not None:
         page.section("A path")
         add_track(page, arm, track)
