@@ -1,6 +1,7 @@
 // The solver that all inverse families share, as Python sees it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -45,6 +46,8 @@ class PySolver {
     run(poses, threads,
         {static_cast<double*>(PyArray_DATA(as_array(q))), bytes(valid), bytes(in_limits), bytes(flag), bytes(outcome)},
         {}, nb::none());
+    // only who looks at poses without solutions, beside them too, asks for this
+    for (npy_intp i = 0; i < shape[0]; ++i) bytes(flag)[i] &= static_cast<std::uint8_t>(~pieper::kEdge);
     return nb::make_tuple(q, valid, in_limits, flag);
   }
 
@@ -102,26 +105,33 @@ class PySolver {
     return nb::make_tuple(rows, which, inside, static_cast<int>(flag));
   }
 
-  nb::tuple reach(nb::handle centres, nb::handle turns, int rolls, double sense, nb::handle links, int threads) const {
+  nb::tuple reach(nb::handle centres, nb::handle turns, int rolls, double sense, nb::handle images, double first_sense,
+                  nb::handle links, double length, int threads) const {
     nb::object at = float_array(centres, "centres"), R = float_array(turns, "turns"), L;
     const npy_intp count = PyArray_SIZE(as_array(at)) / 3, orientations = PyArray_SIZE(as_array(R)) / 9;
+    const std::vector<std::int64_t> numbers = to_vector<std::int64_t>(images, NPY_INT64);
+    const npy_intp fold = count ? static_cast<npy_intp>(numbers.size()) / count : 1;
     if (PyArray_SIZE(as_array(at)) != 3 * count || PyArray_SIZE(as_array(R)) != 9 * orientations || rolls < 1 ||
-        orientations % rolls)
-      throw nb::value_error("centres must be (v, 3) and turns (k, 3, 3), k a multiple of rolls.");
-    pieper::Voxels asked{doubles(at), count, doubles(R), orientations, rolls, sense, nullptr};
+        fold < 1 || static_cast<npy_intp>(numbers.size()) != fold * count || orientations % (rolls * fold))
+      throw nb::value_error(
+          "centres must be (v, 3), images (v, fold) and turns (k, 3, 3), k a multiple of rolls * fold.");
+    const npy_intp voxels = numbers.empty() ? 0 : 1 + *std::max_element(numbers.begin(), numbers.end());
+    if (std::ranges::count_if(numbers, [](std::int64_t i) { return i >= 0; }) != voxels)
+      throw nb::value_error("images must name each voxel once.");
+    pieper::Voxels asked{doubles(at), count,          doubles(R), orientations, rolls, sense, static_cast<int>(fold),
+                         first_sense, numbers.data(), nullptr,    length};
     if (!links.is_none()) {
       L = float_array(links, "links");
       if (solver_.joints() != 6 || PyArray_SIZE(as_array(L)) != 16 * 7)
         throw nb::value_error("links must be (7, 4, 4): what is measured is a determinant.");
       asked.links = doubles(L);
     }
-    const npy_intp packed[] = {count, (orientations + 7) / 8};
+    const npy_intp packed[] = {voxels, (orientations + 7) / 8}, six[] = {voxels, asked.links ? pieper::kMeasures : 0};
     nb::object bits = new_array(2, packed, NPY_UINT8), look = new_array(2, packed, NPY_UINT8),
-               solutions = new_array(1, &count, NPY_INT64), best = new_array(1, &count, NPY_DOUBLE),
-               margin = new_array(1, &count, NPY_DOUBLE);
+               solutions = new_array(1, &voxels, NPY_INT64), measures = new_array(2, six, NPY_DOUBLE);
     const auto raw = [](const nb::object& o) { return PyArray_DATA(as_array(o)); };
     const pieper::Reached to{bytes(bits), bytes(look), static_cast<std::int64_t*>(raw(solutions)),
-                             static_cast<double*>(raw(best)), static_cast<double*>(raw(margin))};
+                             static_cast<double*>(raw(measures))};
     bool finished;
     {
       nb::gil_scoped_release release;
@@ -131,8 +141,7 @@ class PySolver {
       });
     }
     if (!finished) throw nb::python_error();
-    if (!asked.links) return nb::make_tuple(bits, look, solutions, nb::none(), nb::none());
-    return nb::make_tuple(bits, look, solutions, best, margin);
+    return nb::make_tuple(bits, look, solutions, measures);
   }
 
  private:

@@ -11,32 +11,16 @@
 #include <thread>
 #include <vector>
 
+#include "maps/posture_measures.hpp"
+
 namespace pieper {
 namespace {
 
-constexpr long kBlock = 256;  // poses at once
+constexpr long kBlock = 64;  // poses at once: their answers stay in the first cache
 constexpr auto kAskEvery = std::chrono::milliseconds(20);
 constexpr double kTurn = 6.28318530717958647693;
 
 void set(std::uint8_t* bits, long i) { bits[i >> 3] |= static_cast<std::uint8_t>(0x80 >> (i & 7)); }
-
-// |det J| of rows of six joints (Yoshikawa's manipulability), by elimination with pivots.
-double manipulability(double* J) {
-  double product = 1;
-  for (int k = 0; k < 6; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < 6; ++i)
-      if (std::fabs(J[6 * i + k]) > std::fabs(J[6 * pivot + k])) pivot = i;
-    if (J[6 * pivot + k] == 0) return 0;
-    if (pivot != k) std::swap_ranges(J + 6 * k, J + 6 * k + 6, J + 6 * pivot);
-    product *= J[6 * k + k];
-    for (int i = k + 1; i < 6; ++i) {
-      const double f = J[6 * i + k] / J[6 * k + k];
-      for (int j = k + 1; j < 6; ++j) J[6 * i + j] -= f * J[6 * k + j];
-    }
-  }
-  return std::fabs(product);
-}
 
 class Worker {
  public:
@@ -47,6 +31,9 @@ class Worker {
         n_(solver.joints()),
         slots_(solver.slots()),
         each_(asked.sense != 0 ? asked.rolls : 1),
+        fold_(asked.fold),
+        directions_(asked.orientations / each_),
+        bytes_((asked.orientations + 7) / 8),
         lower_(solver.lower()),
         upper_(solver.upper()),
         T_(16 * kBlock, 0.0),
@@ -55,28 +42,32 @@ class Worker {
         inside_(kBlock * slots_),
         flag_(kBlock),
         outcome_(kBlock),
-        last_(each_),
+        turned_(std::max(each_, fold_)),
         last_in_(each_),
-        one_(each_, 1),
+        first_in_(fold_),
+        one_(std::max(each_, fold_), 1),
+        packed_((each_ + 7) / 8),
+        all_((each_ + 7) / 8),
+        every_roll_(!asked.links && solver.upper()[n_ - 1] - solver.lower()[n_ - 1] >= kTurn),
         J_(asked.links ? 6 * n_ * slots_ * kBlock : 0) {
     for (long k = 0; k < kBlock; ++k) T_[16 * k + 15] = 1;
-    if (each_ > 1) {
-      lower_[n_ - 1] = -std::numeric_limits<double>::infinity();
-      upper_[n_ - 1] = -lower_[n_ - 1];
-    }
+    for (int r = 0; r < each_; ++r) set(all_.data(), r);
+    if (each_ > 1) free(n_ - 1);
+    if (fold_ > 1) free(0);
   }
 
   void voxel(long v) {
-    const long bytes = (asked_.orientations + 7) / 8, directions = asked_.orientations / each_;
-    bits_ = to_.bits + v * bytes;
-    look_ = to_.look + v * bytes;
-    std::memset(bits_, 0, bytes);
-    std::memset(look_, 0, bytes);
-    solutions_ = 0;
-    best_ = margin_ = 0;
+    images_ = asked_.images + v * fold_;
+    for (int i = 0; i < fold_; ++i) {
+      if (images_[i] < 0) continue;
+      std::memset(bits(i), 0, bytes_);
+      std::memset(look(i), 0, bytes_);
+      to_.solutions[images_[i]] = 0;
+      if (asked_.links) std::fill_n(measures(i), kMeasures, 0.0);
+    }
     const double* p = asked_.centres + 3 * v;
-    for (long first = 0; first < directions; first += kBlock) {
-      const long here = std::min(kBlock, directions - first);
+    for (long first = 0; first < directions_; first += kBlock) {
+      const long here = std::min(kBlock, directions_ - first);
       for (long k = 0; k < here; ++k) {
         const double* R = asked_.turns + 9 * each_ * (first + k);
         double* T = &T_[16 * k];
@@ -87,59 +78,127 @@ class Worker {
       }
       block(first, here);
     }
-    to_.solutions[v] = solutions_;
-    if (asked_.links) to_.manipulability[v] = best_, to_.margin[v] = margin_;
   }
 
  private:
+  // What is known of a posture's Jacobian.
+  struct Shape {
+    double determinant = 0, smallest = 0;
+  };
+
+  std::uint8_t* bits(int image) const { return to_.bits + images_[image] * bytes_; }
+  std::uint8_t* look(int image) const { return to_.look + images_[image] * bytes_; }
+  double* measures(int image) const { return to_.measures + images_[image] * kMeasures; }
+  // The number of the direction that takes a direction's place at an image.
+  long direction(long solved, int image) const { return (solved + image * (directions_ / fold_)) % directions_; }
+
+  void free(int joint) {
+    upper_[joint] = std::numeric_limits<double>::infinity();
+    lower_[joint] = -upper_[joint];
+  }
+
   void block(long first, long here) {
     BadPose bad{};
     solver_.solve(T_.data(), here, 1, {q_.data(), valid_.data(), inside_.data(), flag_.data(), outcome_.data()}, {},
                   bad, [](long) { return true; });
-    if (each_ > 1)
+    const bool spread = each_ > 1 || fold_ > 1;
+    if (spread)
       solver_.isa_table().limits(q_.data(), valid_.data(), here * slots_, n_, lower_.data(), upper_.data(),
                                  solver_.prismatic().data(), inside_.data());
+    if (asked_.links)
+      solver_.isa_table().jacobian(asked_.links, solver_.prismatic().data(), n_, q_.data(), here * slots_, J_.data());
     for (long k = 0; k < here; ++k) {
       const std::uint8_t* inside = &inside_[k * slots_];
       const bool doubt = flag_[k] & (kDegenerate | kUncertain);
-      if (each_ > 1) {
-        if (doubt)
-          for (int r = 0; r < each_; ++r) set(look_, (first + k) * each_ + r);
-        else rolled(first + k, &q_[k * slots_ * n_], inside);
+      if (spread) {
+        if (doubt) look_all(first + k);
+        else
+          for (int m = 0; m < slots_; ++m)
+            if (inside[m]) everywhere(first + k, k * slots_ + m);
         continue;
       }
       int count = 0;
       for (int m = 0; m < slots_; ++m) count += inside[m];
-      solutions_ += count;
-      if (count) set(bits_, first + k);
-      else if (doubt) set(look_, first + k);
-      if (asked_.links && count)
+      to_.solutions[images_[0]] += count;
+      if (count) set(bits(0), first + k);
+      else if (doubt) set(look(0), first + k);
+      if (asked_.links)
         for (int m = 0; m < slots_; ++m)
-          if (inside[m]) margin_ = std::max(margin_, away(&q_[(k * slots_ + m) * n_], n_));
+          if (inside[m]) {
+            const double* row = &q_[(k * slots_ + m) * n_];
+            add(0, shape(k * slots_ + m), away(row, 0, n_), 1);
+          }
     }
-    if (asked_.links) measure(here);
   }
 
-  // All rolls of one direction: the last joint turns along.
-  void rolled(long direction, const double* rows, const std::uint8_t* inside) {
-    const auto& low = solver_.lower();
-    const auto& high = solver_.upper();
-    for (int m = 0; m < slots_; ++m) {
-      if (!inside[m]) continue;
-      for (int r = 0; r < each_; ++r) {
-        const double x = rows[m * n_ + n_ - 1] + asked_.sense * kTurn * r / each_;
-        last_[r] = x - kTurn * std::ceil(x / kTurn - 0.5);
-      }
-      const std::uint8_t turning = 0;
-      solver_.isa_table().limits(last_.data(), one_.data(), each_, 1, &low[n_ - 1], &high[n_ - 1], &turning,
-                                 last_in_.data());
+  void look_all(long solved) {
+    for (int i = 0; i < fold_; ++i)
+      if (images_[i] >= 0)
+        for (int r = 0; r < each_; ++r) set(look(i), direction(solved, i) * each_ + r);
+  }
+
+  // Which of `count` equal parts of a whole turn a joint may be turned on by from a value; the values go to turned_ where they are
+  // measured.
+  void turned(double from, int joint, double sense, int count, std::vector<std::uint8_t>& in) {
+    if (!asked_.links && solver_.upper()[joint] - solver_.lower()[joint] >= kTurn) {
+      // every angle has its place inside
+      std::fill(in.begin(), in.end(), 1);
+      return;
+    }
+    const std::uint8_t turning = 0;
+    for (int i = 0; i < count; ++i) {
+      const double x = from + sense * kTurn * i / count;
+      turned_[i] = x - kTurn * std::ceil(x / kTurn - 0.5);
+    }
+    solver_.isa_table().limits(turned_.data(), one_.data(), count, 1, &solver_.lower()[joint], &solver_.upper()[joint],
+                               &turning, in.data());
+  }
+
+  // One row at all rolls, where the last joint turns along, and at all images, where the first one does.
+  void everywhere(long solved, long number) {
+    const double* row = &q_[number * n_];
+    int hits = 1;
+    double least_away = 1, best_last = 0;
+    packed_[0] = 0x80;
+    if (each_ > 1 && every_roll_) {
+      hits = each_;
+      packed_ = all_;
+    } else if (each_ > 1) {
+      turned(row[n_ - 1], n_ - 1, asked_.sense, each_, last_in_);
+      std::fill(packed_.begin(), packed_.end(), 0);
+      hits = 0;
       for (int r = 0; r < each_; ++r) {
         if (!last_in_[r]) continue;
-        ++solutions_;
-        set(bits_, direction * each_ + r);
-        if (asked_.links) margin_ = std::max(margin_, std::min(away(rows + m * n_, n_ - 1), share(last_[r], n_ - 1)));
+        ++hits;
+        set(packed_.data(), r);
+        if (asked_.links) best_last = std::max(best_last, share(turned_[r], n_ - 1));
       }
+      if (!hits) return;
+    } else if (asked_.links) {
+      best_last = share(row[n_ - 1], n_ - 1);
     }
+    Shape own;
+    if (asked_.links) {
+      own = shape(number);
+      least_away = std::min(best_last, away(row, fold_ > 1, n_ - 1));
+    }
+    if (fold_ > 1) turned(row[0], 0, asked_.first_sense, fold_, first_in_);
+    else first_in_[0] = 1;
+    for (int i = 0; i < fold_; ++i) {
+      if (images_[i] < 0 || !first_in_[i]) continue;
+      to_.solutions[images_[i]] += hits;
+      set_all(bits(i), direction(solved, i) * each_);
+      if (asked_.links) add(i, own, fold_ > 1 ? std::min(least_away, share(turned_[i], 0)) : least_away, hits);
+    }
+  }
+
+  // The rolls that are packed_, from one orientation on.
+  void set_all(std::uint8_t* to, long first) const {
+    if (first % 8 == 0)
+      for (std::size_t b = 0; b < packed_.size(); ++b) to[first / 8 + b] |= packed_[b];
+    else
+      for (int r = 0; r < each_; ++r)
+        if (packed_[r >> 3] & (0x80 >> (r & 7))) set(to, first + r);
   }
 
   double share(double value, int joint) const {
@@ -148,32 +207,44 @@ class Worker {
     if (!std::isfinite(low) || !std::isfinite(high) || high <= low) return high <= low ? 0 : 1;
     return std::clamp(2 * std::min(value - low, high - value) / (high - low), 0.0, 1.0);
   }
-  double away(const double* row, int joints) const {
+  double away(const double* row, int from, int to) const {
     double least = 1;
-    for (int j = 0; j < joints; ++j) least = std::min(least, share(row[j], j));
+    for (int j = from; j < to; ++j) least = std::min(least, share(row[j], j));
     return least;
   }
 
-  void measure(long here) {
-    long count = 0;
-    for (long i = 0; i < here * slots_; ++i)
-      if (inside_[i]) std::memmove(&q_[n_ * count++], &q_[n_ * i], sizeof(double) * n_);
-    solver_.isa_table().jacobian(asked_.links, solver_.prismatic().data(), n_, q_.data(), count, J_.data());
-    for (long i = 0; i < count; ++i) best_ = std::max(best_, manipulability(&J_[36 * i]));
+  // Of a row by its number in the block; metres are divided by the arm's length in the singular value.
+  Shape shape(long number) const {
+    double J[36];
+    const double* own = &J_[36 * number];
+    std::copy(own, own + 36, J);
+    const double det = determinant(J);
+    for (int i = 0; i < 36; ++i) J[i] = i < 18 ? own[i] / asked_.length : own[i];
+    return {det, smallest_singular_value(J)};
+  }
+
+  void add(int image, const Shape& own, double margin, int hits) const {
+    double* to = measures(image);
+    to[kManipulability] = std::max(to[kManipulability], std::fabs(own.determinant));
+    to[kMargin] = std::max(to[kMargin], margin);
+    const bool begun = to[kNegative] + to[kPositive] > 0;
+    to[own.determinant < 0 ? kNegative : kPositive] += hits;
+    to[kLeast] = begun ? std::min(to[kLeast], own.smallest) : own.smallest;
+    to[kMost] = std::max(to[kMost], own.smallest);
   }
 
   const Solver& solver_;
   const Voxels& asked_;
   const Reached& to_;
-  const int n_, slots_, each_;
+  const int n_, slots_, each_, fold_;
+  const long directions_, bytes_;
   std::vector<double> lower_, upper_, T_, q_;
   std::vector<std::uint8_t> valid_, inside_, flag_, outcome_;
-  std::vector<double> last_;
-  std::vector<std::uint8_t> last_in_, one_;
+  std::vector<double> turned_;
+  std::vector<std::uint8_t> last_in_, first_in_, one_, packed_, all_;
+  const bool every_roll_;
   std::vector<double> J_;
-  std::uint8_t *bits_ = nullptr, *look_ = nullptr;
-  std::int64_t solutions_ = 0;
-  double best_ = 0, margin_ = 0;
+  const std::int64_t* images_ = nullptr;
 };
 
 }  // namespace

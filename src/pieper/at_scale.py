@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 from weakref import WeakKeyDictionary
 
+import numpy as np
+
 from pieper.description.dh import Description
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.chain import Chain
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Swept
     from pieper.description.visuals import Visuals
+    from pieper.maps.aspects import Aspects
     from pieper.maps.reach_map import ReachMap
     from pieper.verify.comparison import Comparison
 
@@ -51,6 +54,13 @@ class AtScale:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state, _models=WeakKeyDictionary())
+
+    @cached_property
+    def _around(self) -> tuple[list[float], float]:
+        """Where the arm stands, and how far it reaches at most, m."""
+        base, *links = self.chain.links[:, :3, 3]
+        reach = np.linalg.norm(links, axis=1).sum() + np.abs(self.description.limits[self.chain.prismatic]).sum()
+        return base.tolist(), float(reach)
 
     def _joints(self, q: ArrayLike | str, what: str = "q") -> ArrayLike:
         raise NotImplementedError
@@ -224,12 +234,13 @@ class AtScale:
             box: ((x0, x1), (y0, y1), (z0, z1)), m, base frame.
             step: Side of a voxel, m.
             orientations: (directions of the tool's z axis, rolls about it), or rotations (k, 3, 3).
-            symmetry: "auto" uses that the last joint rolls the tool, where it does, limits kept; "none" solves all.
+            symmetry: "auto" uses that the first joint turns voxels into each other and the last one rolls the tool,
+                where they do, limits kept, and says so; "none" solves all.
             store: A folder that keeps finished tiles: asked again, the same map goes on where it stopped.
             executor: Any `concurrent.futures` executor, dask.distributed's among them; all cores of this machine
                 without one.
             progress: Told after each tile how many of how many are done.
-            measure: Also keep the best manipulability and distance to limits of each voxel.
+            measure: Also keep manipulability, distance to limits, aspects and nearness to singular of each voxel.
             scene: What stands around the arm: only solutions count that touch neither it nor the arm itself; an empty
                 scene for the arm alone. Without it collisions do not count.
 
@@ -244,6 +255,15 @@ class AtScale:
 
             around = Around(self.description, self.chain, self.bodies, self._collision_model(scene).scene)
         return reach_map(self.plan, box, step, orientations, symmetry, store, executor, progress, measure, around)
+
+    def aspects(self, q: ArrayLike | str) -> Aspects:
+        """Return sign (...,) of the Jacobian's determinant and its smallest singular value, at joint vectors (..., n).
+
+        Two postures of different sign have a singular one on every way between them; `.smallest` is 0 there.
+        """
+        from pieper.maps.aspects import aspects
+
+        return aspects(self.plan, self._joints(q))
 
     def verify(self, toolbox: str, *, poses: int = 100, seed: int = 0) -> Comparison:
         """Compare the arm with what an independent toolbox makes of it; see docs/verify.md.

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -79,3 +81,28 @@ def test_a_killed_driver_is_taken_over(cluster, whole, tmp_path):
         m = arm.reach_map(**ASK, store=store, executor=client.get_executor())
     assert np.array_equal(m.bits, whole.bits) and np.array_equal(m.count, whole.count)
     assert m.computed <= -(-m.grid.count // (POSES // 512)) - 3
+
+
+def _room(most):
+    resource.setrlimit(resource.RLIMIT_FSIZE, (most, resource.RLIM_INFINITY))
+
+
+def test_a_full_disk_and_a_spoilt_tile_change_no_bit(cluster, whole, tmp_path):
+    arm = pieper.load("universal-robots-ur5e")
+    with distributed.Client(cluster) as client:
+        ask = {**ASK, "store": tmp_path, "executor": client.get_executor(retries=0)}
+        # no file can grow beyond a few bytes in the workers, as on a full disk
+        client.run(_room, 500)
+        with pytest.raises(OSError, match="[Ff]ile too large|[Ss]pace"):
+            arm.reach_map(**ask)
+        assert not list(tmp_path.glob("*.npz"))
+        client.run(_room, resource.RLIM_INFINITY)
+        m = arm.reach_map(**ask)
+        assert np.array_equal(m.bits, whole.bits)
+        spoilt = sorted(tmp_path.glob("*.npz"))[3]
+        before = {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in tmp_path.iterdir()}
+        data = bytearray(spoilt.read_bytes())
+        data[len(data) // 3] ^= 4
+        spoilt.write_bytes(data)
+        assert arm.reach_map(**ask).computed == 1
+        assert {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in tmp_path.iterdir()} == before

@@ -140,10 +140,10 @@ def _descend(
 
 def _decomposed(J: Array) -> tuple[Array, Array]:
     """Return singular values (k,), zeros where there are fewer rows, and all right singular vectors (k, k)."""
-    # of the triangle alone: the same numbers, without the tall matrix
-    R = np.linalg.qr(J, mode="r")
-    _, s, V = np.linalg.svd(R, full_matrices=True)
-    return np.concatenate([s, np.zeros(J.shape[1] - len(s))]), V
+    # from the products of the columns: what is looked at is whether a value is above 1, far above their rounding; and a
+    # decomposition of the tall matrix would wake threads that cost more than they do
+    _, square, V = np.linalg.svd(np.einsum("ri,rj->ij", J, J))
+    return np.sqrt(square), V
 
 
 def _stacked(residuals: list[Array], slopes: list[Array], weights: list[Array]) -> tuple[Array, Array]:

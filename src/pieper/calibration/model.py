@@ -109,8 +109,9 @@ class AxesModel:
             about: (3,) a place amid the arm, m: an axis tilts about its own point nearest to that.
         """
         out = []
-        for w, p, slides in zip(self.axes, self.points, self.prismatic, strict=True):
-            across = np.linalg.svd(w[None])[2][1:].T
+        beside = np.linalg.svd(self.axes[:, None])[2][:, 1:]
+        for w, p, slides, others in zip(self.axes, self.points, self.prismatic, beside, strict=True):
+            across = others.T
             foot = p + ((about - p) @ w) * w
             B = np.zeros((6, 2 if slides else 4))
             B[:3, :2], B[3:, :2] = across, skew(foot) @ across
@@ -139,10 +140,10 @@ class AxesModel:
         values = self.values(q)
         N, turning = len(q), np.zeros((len(q), 6, parameters.count))
         T, before = np.broadcast_to(np.eye(4), (N, 4, 4)), np.broadcast_to(np.eye(6), (N, 6, 6))
-        by_value = np.empty((N, 6, self.n))
+        by_value, steps = np.empty((N, 6, self.n)), screw_motion(values[..., None] * self.screws)
         for i, B in enumerate(self.directions(parameters.about)):
             by_value[..., i] = before @ self.screws[i]
-            T = T @ screw_motion(values[:, i, None] * self.screws[i])
+            T = T @ steps[:, i]
             after = adjoint(T)
             turning[:, :, parameters.of_axis[i]] = (before - after) @ B
             before = after

@@ -27,6 +27,8 @@ def in_words(model: AxesModel, parameters: Parameters, unseen: Array, sizes: Arr
     held = np.flatnonzero(~parameters.free)
     known = np.eye(len(sizes))[held]
     space = _without(unseen, known)
+    if not len(space):
+        return ()
     words: list[str] = []
     whole, told = space, np.zeros((0, len(sizes)))
     for name, direction in _motions(model, parameters):

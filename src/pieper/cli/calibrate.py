@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from pathlib import Path
 
 import click
 import numpy as np
@@ -45,6 +46,7 @@ Numbers = npt.NDArray[np.float64]
     "--loss", default="linear", show_default=True, type=click.Choice(["linear", "huber"]), help="huber: outliers."
 )
 @click.option("--holdout", default=0.25, show_default=True, help="Part of the rows that only judges.")
+@click.option("--report", default="", metavar="FILE", help="Write the arm's report with this calibration (.html).")
 @order
 @as_json
 @takes_units
@@ -58,6 +60,7 @@ def command(
     terms: str,
     loss: str,
     holdout: float,
+    report: str,
     order: str,
     json: bool,
     units: Units,
@@ -88,6 +91,8 @@ def command(
     )
     if out:
         fit.save(out)
+    if report:
+        pieper.write_report(arm, Path(report), fit=fit)
     if json:
         held = None if fit.held_out is None else fit.held_out.as_dict()
         print_json(

@@ -8,6 +8,7 @@ import time
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import ExitStack
 from importlib import import_module
+from pathlib import Path
 
 import click
 
@@ -50,6 +51,7 @@ class _Progress:
 @click.option("--measure", is_flag=True, help="Keep the best manipulability and distance to limits as well.")
 @click.option("--save", default="", metavar="FILE", help="Write the map as .npz, .parquet or .vtk.")
 @click.option("--picture", default="", metavar="FILE", help="Draw three sections as .png, .svg or .pdf.")
+@click.option("--report", default="", metavar="FILE", help="Write the arm's report with this map in it (.html).")
 @as_json
 @takes_units
 def command(
@@ -65,6 +67,7 @@ def command(
     measure: bool,
     save: str,
     picture: str,
+    report: str,
     json: bool,
     units: Units,
 ) -> int:
@@ -99,6 +102,8 @@ def command(
         found.save(save)
     if picture:
         pieper.plot.save_figure(pieper.plot.map_figure(found), picture)
+    if report:
+        pieper.write_report(arm, Path(report), reach_map=found)
     if json:
         print_json({"arm": arm.name, "volume_m3": found.volume, "fraction": found.fraction, "count": found.count})
         return DONE

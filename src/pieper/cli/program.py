@@ -97,7 +97,12 @@ def _read(arm: pieper.Arm, file: str, limits: pieper.Limits | None, start: str, 
     if not targets:
         raise pieper.InputError(f"{file} holds no moves.", path=file)
     program = pieper.Program(arm, limits, start=joints(arm, [start], units, "--start"))
+    tool = arm.tool
     for target in targets:
+        # none that is set is the arm's own
+        if not target.means_tool(tool) and not (target.tool is None and tool is arm.tool):
+            tool = arm.tool if target.tool is None else target.tool
+            program.tool(tool)
         where = target.T if target.q is None else target.q
         assert where is not None
         if target.kind == "move_c" and target.T is not None:

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from pieper.code.between import ASKED
 from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.language import USUAL, Language, filled, functions, starred
+from pieper.code.language import USUAL, Language, filled, functions
+from pieper.tolerances import FILLED_ZERO
 
 C = Language(
     words=USUAL | functions("") | {"abs": "fabs({0})", "angle": "NAME_angle({0}, {1})", "true": "1", "false": "0"},
-    entry=lambda k: f"T[{k}]",
     assign=lambda name, truth, expression: f"  const {'int' if truth else 'double'} {name} = {expression};",
     infinity="HUGE_VAL",
     truths=("0", "1"),
-    header=starred,
     manner=Manner("sin({0})", "cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"),
     texts='{}"',
     brackets="{}",
@@ -23,10 +28,11 @@ C = Language(
 FRAME = """/*
 @HEADER@
 
-int NAME_ik(const double T[16], double q[][N]): the rows inside the limits, at most 8; T row by row, base to tool. A
-    revolute joint comes in (-pi, pi], or where its limits exclude that, inside them. Returns how many.
-int NAME_ik_all(T, q, &unclear): the rows before limits. unclear is set at and next to singular poses, where a row may
-    stand for many and rows may be missing; each row that is given holds all the same.
+int NAME_ik(const double T[16], @VALUE@double q[][N]): the rows inside the limits, at most @SLOTS@; T row by
+    row, base to tool. A revolute joint comes in (-pi, pi], or where its limits exclude that, inside them. Returns how
+    many.
+@SAID@int NAME_ik_all(T, @VALUE_SAID@q, &unclear): the rows before limits. unclear is set at and next to
+    singular poses, where a row may stand for many and rows may be missing; each row that is given holds all the same.
 void NAME_fk(const double q[N], double T[16]); void NAME_jacobian(const double q[N], double J[6][N]), linear rows first.
 const char *NAME_label(const double q[N]): the posture's name, such as "front, elbow up, wrist flip"; "" where the
     postures of this arm have none.
@@ -73,8 +79,8 @@ static void NAME_walk(const double *q, double *T, double (*axes)[6]) {
   }
 }
 
-void NAME_fk(const double q[N], double T[16]) {
-  NAME_walk(q, T, 0);
+@COUPLED@void NAME_fk(const double q[N], double T[16]) {
+@TO_AXES@  NAME_walk(@V@, T, 0);
   T[12] = T[13] = T[14] = 0;
   T[15] = 1;
 }
@@ -82,7 +88,7 @@ void NAME_fk(const double q[N], double T[16]) {
 void NAME_jacobian(const double q[N], double J[6][N]) {
   double T[12], axes[N][6];
   int i, k;
-  NAME_walk(q, T, axes);
+@TO_AXES@  NAME_walk(@V@, T, axes);
   for (i = 0; i < N; ++i)
     for (k = 0; k < 3; ++k) {
       const double *z = axes[i], *p = axes[i] + 3;
@@ -90,7 +96,7 @@ void NAME_jacobian(const double q[N], double J[6][N]) {
       J[k][i] = NAME_slides[i] ? z[k] : z[a] * (T[4 * b + 3] - p[b]) - z[b] * (T[4 * a + 3] - p[a]);
       J[3 + k][i] = NAME_slides[i] ? 0 : z[k];
     }
-}
+@GEARED@}
 
 /* Whole turns apart or not. */
 static int NAME_same(const double *a, const double *b, double most) {
@@ -103,42 +109,47 @@ static int NAME_same(const double *a, const double *b, double most) {
   return 1;
 }
 
-int NAME_ik_all(const double T[16], double q[][N], int *unclear) {
-@PROGRAM@
-  const double rows[8][N] = {@ROWS@};
-  const int valid[8] = {@VALID@};
-  int m, j, k, count = 0;
+int NAME_ik_all(const double @POSE@[16], @VALUE@double q[][N], int *unclear) {
+@MOVED@@PROGRAM@
+@FOUND@  int m, j, k, count = 0;
   *unclear = @UNCLEAR@;
-  for (m = 0; m < 8; ++m) {
+  for (m = 0; m < @SLOTS@; ++m) {
     int keep = valid[m];
-    for (k = 0; keep && k < count; ++k) keep = !NAME_same(rows[m], q[k], 1e-9);
-    if (keep && *unclear) {
+    const double own[N] = {@OWN_ROW@};
+@FILLED@    for (k = 0; keep && k < count; ++k) keep = !NAME_same(own, q[k], 1e-9);
+    if (keep@DOUBT@) {
       double back[12];
-      NAME_walk(rows[m], back, 0);
-      for (k = 0; k < 12; ++k) keep = keep && fabs(back[k] - T[k]) < @VERIFIED@;
+@TESTED@      NAME_walk(own, back, 0);
+      for (k = 0; k < @ENTRIES@; ++k) keep = keep && fabs(back[@ENTRY@] - @POSE@[@ENTRY@]) < @VERIFIED@;
     }
     if (!keep) continue;
-    for (j = 0; j < N; ++j) q[count][j] = rows[m][j];
+    for (j = 0; j < N; ++j) q[count][j] = own[j];
     ++count;
   }
-  return count;
+@FROM_AXES@  return count;
 }
 
-int NAME_ik(const double T[16], double q[][N]) {
-  double all[8][N];
+/* Whole turns where only they lie inside the limits; whether all joints do then. */
+static int NAME_inside(double *q) {
+  int j, inside = 1;
+  const double turn = 6.28318530717958647693;
+@TIED@  for (j = 0; j < N; ++j) {
+    double v = q[j];
+    if (!@KEPT@ && v < NAME_lower[j]) v += turn * ceil((NAME_lower[j] - v) / turn);
+    else if (!@KEPT@ && v > NAME_upper[j]) v -= turn * ceil((v - NAME_upper[j]) / turn);
+    inside = inside && v >= NAME_lower[j] && v <= NAME_upper[j];
+    q[j] = v;
+  }
+  return inside;
+}
+
+int NAME_ik(const double T[16], @VALUE@double q[][N]) {
+  double all[@SLOTS@][N];
   int unclear, m, j, count = 0;
-  const int found = NAME_ik_all(T, all, &unclear);
-  for (m = 0; m < found; ++m) {
-    int inside = 1;
-    for (j = 0; j < N; ++j) {
-      double v = all[m][j];
-      const double turn = 6.28318530717958647693;
-      if (!NAME_slides[j] && v < NAME_lower[j]) v += turn * ceil((NAME_lower[j] - v) / turn);
-      else if (!NAME_slides[j] && v > NAME_upper[j]) v -= turn * ceil((v - NAME_upper[j]) / turn);
-      inside = inside && v >= NAME_lower[j] && v <= NAME_upper[j];
-      q[count][j] = v;
-    }
-    count += inside;
+  const int found = NAME_ik_all(T, @VALUE_SAID@all, &unclear);
+@REFUSED@  for (m = 0; m < found; ++m) {
+    for (j = 0; j < N; ++j) q[count][j] = all[m][j];
+    count += NAME_inside(q[count]);
   }
   return count;
 }
@@ -149,9 +160,9 @@ static inline int NAME_side(double v, double facing) {
   return v > @NO_SIDE@ ? 0 : v < -@NO_SIDE@ ? 1 : 2;
 }
 
-const char *NAME_label(const double q[N]) {
+const char *NAME_label(const double @LABELLED@[N]) {
   static const char *const names[] = @NAMES@;
-@SUMS@
+@LABEL_AXES@@SUMS@
   (void)q;
   return names[@PLACE@];
 }
@@ -162,12 +173,14 @@ int NAME_self_test(void) {
   static const int counts[@TESTS@] = @COUNTS@;
   int i, k, failed = 0;
   for (i = 0; i < @TESTS@; ++i) {
-    double back[16], rows[9][N];
+    double back[16], rows[@SLOTS@ + 1][N];
     int found, ok = 1, met = 0;
     NAME_fk(q[i], back);
     for (k = 0; k < 16; ++k) ok = ok && fabs(back[k] - T[i][k]) < @VERIFIED@;
-    found = NAME_ik(T[i], rows);
-    for (k = 0; k < found; ++k) met = met || NAME_same(rows[k], q[i], 1e-7);
+    found = NAME_ik(T[i], @TEST_VALUE@rows);
+    for (k = 0; k < found; ++k) {
+@FOUND_AXES@      met = met || NAME_same(@FOUND_ROW@, 1e-7);
+    }
     failed += !(ok && met && found == counts[i]);
   }
   return failed;
@@ -184,6 +197,166 @@ int main(void) {
 """
 
 
+def lines(texts: Sequence[str], into: str, margin: str = "  ") -> str:
+    """Return assignments to the entries of an array."""
+    return "".join(f"{margin}{into}[{j}] = {text};\n" for j, text in enumerate(texts))
+
+
+def own_parts(export: Export) -> dict[str, str]:
+    """Return what C says of what lies between the arm's joints and the six that are solved; C++ says it so too."""
+    return {name: re.sub(r"\bN\b", str(export.n), text) for name, text in _own_parts(export).items()}
+
+
+def _own_parts(export: Export) -> dict[str, str]:
+    own, n = export.between, export.n
+    held = own.held is not None
+    value = "value" if own.held is not None else ""
+    tied = own.tied is not None
+    parts = {
+        "SLOTS": str(export.plan.spec.max_solutions),
+        "VALUE": "double value, " if held else "",
+        "VALUE_SAID": "value, " if held else "",
+        "SAID": f"    value: where joint {own.held + 1} is held, rad or m; it has one to spare.\n"
+        if own.held is not None
+        else "",
+        "POSE": "given" if held else "T",
+        "MOVED": _moved(export) if held else "",
+        "OWN_ROW": ", ".join(value if column is None else f"rows[m][{column}]" for column in own.columns),
+        "FILLED": "".join(
+            f"    keep = keep && fabs(rows[m][{column}]) < {FILLED_ZERO * unit!r};\n" for column, unit in own.filled
+        ),
+        "DOUBT": "" if own.always else " && *unclear",
+        "ENTRIES": str(len(own.tested)),
+        "ENTRY": "k" if len(own.tested) == len(ASKED["pose"]) else "tested[k]",
+        "TESTED": ""
+        if len(own.tested) == len(ASKED["pose"])
+        else f"      static const int tested[] = {{{', '.join(map(str, own.tested))}}};\n",
+        "TEST_VALUE": f"q[i][{own.held}], " if held else "",
+        "REFUSED": "",
+        "KEPT": "(NAME_slides[j] || NAME_tied[j])" if tied else "NAME_slides[j]",
+        "FOUND": "",
+        **dict.fromkeys(("COUPLED", "TO_AXES", "GEARED", "FROM_AXES", "TIED", "LABEL_AXES"), ""),
+        "V": "q",
+        "LABELLED": "q",
+        "FOUND_AXES": "",
+        "FOUND_ROW": "rows[k], q[i]",
+    }
+    if own.gears is None:
+        return parts
+    wrap = (
+        f"  for (j = 0; j < {n}; ++j)\n    if (!NAME_slides[j]) q[j] -= 6.28318530717958647693 * "
+        "ceil((q[j] - 3.14159265358979323846) / 6.28318530717958647693);\n"
+    )
+    parts |= {
+        "COUPLED": "/* The joints are coupled: where the axes are at joint vectors q. */\n"
+        "static void NAME_axes(const double *q, double *v) {\n"
+        + lines(own.sums(own.gears, "q[{}]".format), "v")
+        + "}\n\n/* The joints' numbers in place of the values of the axes. */\nstatic void NAME_joints(double *q) {\n"
+        "  double v[N];\n  int j;\n  for (j = 0; j < N; ++j) v[j] = q[j];\n"
+        + lines(own.sums(own.back, "v[{}]".format), "q")
+        + (wrap if own.wraps else "")
+        + "}\n\n",
+        "TO_AXES": "  double v[N];\n  NAME_axes(q, v);\n",
+        "V": "v",
+        "FOUND_AXES": "      double a[N], b[N];\n      NAME_axes(rows[k], a);\n      NAME_axes(q[i], b);\n",
+        "FOUND_ROW": "a, b",
+        "GEARED": "  for (k = 0; k < 6; ++k) {\n    double row[N];\n    for (i = 0; i < N; ++i) row[i] = J[k][i];\n"
+        + lines(own.sums(own.gears.T, "row[{}]".format), "J[k]", "    ")
+        + "  }\n",
+        "FROM_AXES": "  for (m = 0; m < count; ++m) NAME_joints(q[m]);\n",
+        "LABELLED": "given",
+        "LABEL_AXES": "  double q[N];\n  NAME_axes(given, q);\n",
+    }
+    if own.tied is None or own.moves is None or own.weight is None:
+        return parts
+    tied_joints = [int(j) for j in np.flatnonzero(own.tied)]
+    rows = ", ".join("{" + ", ".join(repr(float(move[j])) for j in tied_joints) + "}" for move in own.moves)
+    parts["COUPLED"] += (
+        "/* Joints whose numbers whole turns of the axes move together, and how. */\n"
+        f"static const int NAME_tied[N] = {{{', '.join(str(int(t)) for t in own.tied)}}};\n"
+        f"static const int NAME_together[{len(tied_joints)}] = {{{', '.join(map(str, tied_joints))}}};\n"
+        f"static const double NAME_weight[N] = {{{', '.join(repr(float(w)) for w in own.weight)}}};\n"
+        f"static const double NAME_moves[{len(own.moves)}][{len(tied_joints)}] = {{{rows}}};\n\n"
+        "/* The shortest move that brings them inside, where one does. */\nstatic void NAME_move(double *q) {\n"
+        "  double least = HUGE_VAL;\n  int best = -1, i, k, inside = 1;\n"
+        f"  for (i = 0; i < {len(tied_joints)}; ++i) {{\n    const int j = NAME_together[i];\n"
+        "    inside = inside && q[j] >= NAME_lower[j] && q[j] <= NAME_upper[j];\n  }\n  if (inside) return;\n"
+        f"  for (k = 0; k < {len(own.moves)}; ++k) {{\n    double away = 0;\n    inside = 1;\n"
+        f"    for (i = 0; i < {len(tied_joints)}; ++i) {{\n      const int j = NAME_together[i];\n"
+        "      const double v = q[j] + NAME_moves[k][i];\n"
+        "      inside = inside && v >= NAME_lower[j] && v <= NAME_upper[j];\n"
+        "      away += NAME_weight[j] * NAME_moves[k][i] * NAME_moves[k][i];\n    }\n"
+        "    if (inside && away < least) least = away, best = k;\n  }\n  if (best < 0) return;\n"
+        f"  for (i = 0; i < {len(tied_joints)}; ++i) q[NAME_together[i]] += NAME_moves[best][i];\n}}\n\n"
+    )
+    parts["TIED"] = "  NAME_move(q);\n"
+    return parts
+
+
+def _moved(export: Export) -> str:
+    """Return the lines that take the held joint off a pose."""
+    own = export.between
+    assert own.taken_off is not None and own.held is not None
+    K, slides = own.taken_off, export.slides[own.held]
+    out = "  double T[16], moved[16];\n"
+    out += "" if slides else "  const double turn_c = cos(value), turn_s = sin(value);\n"
+    for i in range(4):
+        for j in range(4):
+            pairs = [
+                (K[i, k], f"given[{4 * k + j}]") if own.at_base else (K[k, j], f"given[{4 * i + k}]") for k in range(4)
+            ]
+            text = " + ".join(f"({float(x)!r}) * {entry}" for x, entry in pairs if x != 0) or "0"
+            out += f"  moved[{4 * i + j}] = {text};\n"
+    for i in range(4):
+        for j in range(4):
+            a, b = (f"moved[{j}]", f"moved[{4 + j}]") if own.at_base else (f"moved[{4 * i}]", f"moved[{4 * i + 1}]")
+            row_or_column = i if own.at_base else j
+            plain = f"moved[{4 * i + j}]"
+            text = plain
+            if slides:
+                if own.at_base and i == 2:
+                    text = f"{plain} - value * moved[{12 + j}]"
+                elif not own.at_base and j == 3:
+                    text = f"{plain} - value * moved[{4 * i + 2}]"
+            elif row_or_column < 2:
+                # seen from the base the turn is taken back from rows, seen from the tool from columns
+                first, sign = ("turn_c", "turn_s"), (1 if own.at_base else -1)
+                plus, minus = ("+", "-") if sign > 0 else ("-", "+")
+                text = (
+                    f"{first[0]} * {a} {plus} {first[1]} * {b}"
+                    if row_or_column == 0
+                    else f"{first[0]} * {b} {minus} {first[1]} * {a}"
+                )
+            out += f"  T[{4 * i + j}] = {text};\n"
+    return out
+
+
+def packed(program: str, width: int = 112) -> str:
+    """Return one definition a line as lists of them that share their type, several a line."""
+    out: list[str] = []
+    kind = ""
+    for line in program.splitlines():
+        _, own, rest = line.strip().rstrip(";").split(" ", 2)
+        if own != kind:
+            if out:
+                out[-1] += ";"
+            out.append(f"  const {own} {rest}")
+        elif len(out[-1]) + len(rest) + 2 < width:
+            out[-1] += f", {rest}"
+        else:
+            out[-1] += ","
+            out.append(f"    {rest}")
+        kind = own
+    return "\n".join(out) + ";"
+
+
 def text(export: Export) -> str:
     """Return the file's text."""
-    return filled(FRAME, C.parts(export), export)
+    parts = own_parts(export) | C.parts(export)
+    parts["PROGRAM"] = packed(parts["PROGRAM"])
+    parts |= {
+        name: parts[name].replace(", ", ",").replace(".0,", ",").replace(".0}", "}") for name in ("TEST_Q", "TEST_T")
+    }
+    rows = "  const double rows[8][6] = {@ROWS@};\n  const int valid[8] = {@VALID@};\n"
+    parts["FOUND"] = rows.replace("@ROWS@", parts["ROWS"]).replace("@VALID@", parts["VALID"])
+    return filled(FRAME, parts, export)

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from typing import Any, cast
 
 import numpy as np
 
 from pieper import _kernel
+from pieper.code import c
+from pieper.code.c import own_parts
 from pieper.code.export import Export
-from pieper.code.kernel_source import HEADERS, fingerprint, joined
+from pieper.code.kernel_source import fingerprint, header_of, joined
 from pieper.code.labels import Manner
-from pieper.code.language import Notation, filled, starred
+from pieper.code.language import Notation, filled
 
 FLAGS = "-std=c++20 -O3 -ffp-contract=fast -fno-math-errno -fno-trapping-math"
 
@@ -25,12 +28,13 @@ and what your processor has (-march=native); do not use -ffast-math, which forge
 std::vector<std::array<double, N>> NAME_ik(T): the rows inside the limits; T 16 numbers row by row, base to tool. A
     revolute joint comes in (-pi, pi], or where its limits exclude that, inside them. Throws std::invalid_argument where
     T is no rigid motion.
-int NAME_ik(const double T[16], double q[][N]): the same into room for @SLOTS@ rows; returns how many, -1 where T is no
-    rigid motion.
-int NAME_ik_all(T, q, &unclear): the rows before limits. unclear is set at and next to singular poses, where a row may
-    stand for many, and where the family cannot vouch that nothing is missing.
-long NAME_ik_many(T, count, q, valid, in_limits, flag): many poses at once, the fastest way: q count x @SLOTS@ x N,
-    valid and in_limits count x @SLOTS@, flag count. Returns the first pose that is no rigid motion, or count.
+@SAID@int NAME_ik(const double T[16], @VALUE@double q[][N]): the same into room for @SLOTS@ rows; returns how
+    many, -1 where T is no rigid motion.
+int NAME_ik_all(T, @VALUE_SAID@q, &unclear): the rows before limits. unclear is set at and next to singular
+    poses, where a row may stand for many, and where the family cannot vouch that nothing is missing.
+long NAME_ik_many(T, count, @VALUE_SAID@q, valid, in_limits, flag): many poses at once, the fastest way: q
+    count x @SLOTS@ x N, valid and in_limits count x @SLOTS@, flag count. Returns the first pose
+    that is no rigid motion, or count.
 void NAME_fk(const double q[N], double T[16]); void NAME_jacobian(const double q[N], double J[6][N]), linear rows first.
 const char* NAME_label(const double q[N]): the posture's name, such as "front, elbow up, wrist flip"; "" where the
     postures of this arm have none.
@@ -71,15 +75,30 @@ using NAME_arm_type = @MARK@::PIEPER_ISA::Taken<@MARK@::@OWN@, @MARK@::PIEPER_IS
 inline const NAME_arm_type& NAME_arm() {
   static const double numbers[] = @NUMBERS@;
   static const double general[] = @GENERAL@;
-  static const double links[] = @LINKS@;
-  static const double lower[] = @LOWER@;
-  static const double upper[] = @UPPER@;
-  static const unsigned char slides[] = @SLIDES@;
+  static const double links[] = @SIX_LINKS@;
+  static const double lower[] = @SIX_LOWER@;
+  static const double upper[] = @SIX_UPPER@;
+  static const unsigned char slides[] = @SIX_SLIDES@;
   static const NAME_arm_type arm(numbers, sizeof general > sizeof(double) ? general : nullptr,
                                  {links, lower, upper, slides});
   return arm;
 }
 
+@OWN_PART@@HANDY@@TEST@}
+
+#ifdef NAME_MAIN
+#include <cstdio>
+int main() {
+  const int failed = NAME_self_test();
+  std::printf("%d of @TESTS@ poses failed\\n", failed);
+  return failed != 0;
+}
+#endif
+"""
+
+
+#: Of an arm whose six joints are its own: the kernel's rows are its rows.
+DIRECT = """\
 inline long NAME_ik_many(const double* T, long count, double* q, unsigned char* valid, unsigned char* in_limits,
                          unsigned char* flag) {
   return NAME_arm().solve(T, count, q, valid, in_limits, flag);
@@ -127,17 +146,21 @@ inline const char* NAME_label(const double q[N]) {
   return names[@PLACE@];
 }
 
-#ifndef NAME_PLAIN
-inline std::vector<std::array<double, N>> NAME_ik(const double T[16]) {
+"""
+
+HANDY = """#ifndef NAME_PLAIN
+inline std::vector<std::array<double, N>> NAME_ik(const double T[16]@VALUE_LAST@) {
   double q[@SLOTS@][N];
-  const int count = NAME_ik(T, q);
+  const int count = NAME_ik(T, @VALUE_SAID@q);
   if (count < 0) throw std::invalid_argument("NAME_ik: T is no rigid motion.");
   std::vector<std::array<double, N>> rows(count);
   for (int m = 0; m < count; ++m)
     for (int j = 0; j < N; ++j) rows[m][j] = q[m][j];
   return rows;
 }
-inline std::vector<std::array<double, N>> NAME_ik(const std::array<double, 16>& T) { return NAME_ik(T.data()); }
+inline std::vector<std::array<double, N>> NAME_ik(const std::array<double, 16>& T@VALUE_LAST@) {
+  return NAME_ik(T.data()@LAST@);
+}
 inline std::array<double, 16> NAME_fk(const std::array<double, N>& q) {
   std::array<double, 16> T;
   NAME_fk(q.data(), T.data());
@@ -145,7 +168,9 @@ inline std::array<double, 16> NAME_fk(const std::array<double, N>& q) {
 }
 #endif
 
-constexpr bool NAME_slides(int joint) { return (@SLIDE_BITS@ >> joint) & 1; }
+"""
+
+TEST = """constexpr bool NAME_slides(int joint) { return (@SLIDE_BITS@ >> joint) & 1; }
 
 inline int NAME_self_test() {
   static const double q[@TESTS@][N] = @TEST_Q@;
@@ -173,16 +198,6 @@ inline int NAME_self_test() {
   }
   return failed;
 }
-}
-
-#ifdef NAME_MAIN
-#include <cstdio>
-int main() {
-  const int failed = NAME_self_test();
-  std::printf("%d of @TESTS@ poses failed\\n", failed);
-  return failed != 0;
-}
-#endif
 """
 
 
@@ -204,7 +219,6 @@ def numbers_of(geometry: Any) -> tuple[list[float], list[float]]:
 CPP = Notation(
     infinity="__builtin_inf()",
     truths=("0", "1"),
-    header=starred,
     manner=Manner(
         "__builtin_sin({0})", "__builtin_cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"
     ),
@@ -213,20 +227,72 @@ CPP = Notation(
 )
 
 
+#: Of any other arm beside C's own: one pose after the other.
+MANY = """inline long NAME_ik_many(const double* T, long count, @VALUE@double* q, unsigned char* valid,
+                         unsigned char* in_limits, unsigned char* flag) {
+  for (long i = 0; i < count; ++i, T += 16, q += N * @SLOTS@, valid += @SLOTS@, in_limits += @SLOTS@) {
+    int unclear = 0;
+    const int found = NAME_ik_all(T, @VALUE_SAID@reinterpret_cast<double (*)[N]>(q), &unclear);
+    if (found < 0) return i;
+    for (int m = 0; m < @SLOTS@; ++m) {
+      valid[m] = m < found;
+      for (int j = 0; m >= found && j < N; ++j) q[N * m + j] = 0;
+      in_limits[m] = m < found && NAME_inside(q + N * m);
+    }
+    flag[i] = static_cast<unsigned char>(unclear);
+  }
+  return count;
+}
+
+"""
+SOLVED = """  double rows[@SLOTS@][6];
+  unsigned char valid[@SLOTS@], inside_six[@SLOTS@], flag = 0;
+  if (NAME_arm().solve(T, 1, rows[0], valid, inside_six, &flag) == 0) return -1;
+"""
+
+
+def _between(parts: dict[str, str]) -> str:
+    """Return what C says of joints that are not the six, around the kernel's rows, as a header says it."""
+    own = c.FRAME[c.FRAME.index("static const double NAME_lower") : c.FRAME.index("#ifdef NAME_MAIN")]
+    first, last = own.index("/* An angle that rounds"), own.index("/* A pose (12 numbers")
+    own = own[:first] + own[last:]
+    own = re.sub(r"^(int|void|const char \*)(?= ?NAME_)", r"inline \1", own, flags=re.MULTILINE)
+    own = re.sub(r"^static (int|void) ", r"static inline \1 ", own, flags=re.MULTILINE)
+    parts["COUPLED"] = re.sub(r"^static (int|void) ", r"static inline \1 ", parts["COUPLED"], flags=re.MULTILINE)
+    at = own.index("/* 0 where v is positive")
+    return "#include <math.h>\n" + own[:at] + MANY + own[at:]
+
+
 def text(export: Export) -> str:
     """Return the file's text."""
-    own, header = HEADERS[export.plan.family]
-    numbers, general = numbers_of(export.plan.spec.geometry)
-    parts = {
+    plan, own = export.plan, export.between
+    family, header = header_of(plan.family)
+    numbers, general = numbers_of(plan.spec.geometry)
+    six = plan.reduction.six(plan.defaults)
+    direct = own.plain and own.held is None
+    ends = np.tile([-np.inf, np.inf], (6, 1))
+    lower, upper = (export.lower, export.upper) if direct else ends.T
+    slots = str(plan.spec.max_solutions)
+    parts = CPP.parts(export) | own_parts(export)
+    parts |= {
         "FLAGS": FLAGS,
         "KERNEL": joined("code/taken.hpp", *(("elimination/general.hpp",) if general else ()), header),
         "ARM": hashlib.sha256(repr((numbers, general, export.header)).encode()).hexdigest()[:12],
         "MARK": f"pieper_{fingerprint()}",
-        "OWN": own,
-        "SLOTS": str(export.plan.spec.max_solutions),
+        "OWN": family,
+        "SLOTS": slots,
         "NUMBERS": CPP.numbers(numbers),
         "GENERAL": CPP.numbers(general or [0.0]),
-        "LINKS": CPP.numbers(export.plan.chain.links.ravel()),
+        "SIX_LINKS": CPP.numbers(six.links.ravel()),
+        "SIX_LOWER": CPP.numbers(lower),
+        "SIX_UPPER": CPP.numbers(upper),
+        "SIX_SLIDES": CPP.listed(CPP.truths[int(s)] for s in six.prismatic),
         "SLIDE_BITS": str(sum(1 << j for j, s in enumerate(export.slides) if s)),
+        "VALUE_LAST": "" if own.held is None else ", double value",
+        "LAST": "" if own.held is None else ", value",
+        "PROGRAM": SOLVED.replace("@SLOTS@", slots).rstrip("\n"),
+        "UNCLEAR": "(flag & 3) != 0",
+        "REFUSED": "  if (found < 0) return found;\n",
     }
-    return filled(FRAME, CPP.parts(export) | parts, export)
+    body = DIRECT + HANDY + TEST if direct else _between(parts) + HANDY
+    return filled(FRAME.replace("@OWN_PART@@HANDY@@TEST@", body), parts, export)

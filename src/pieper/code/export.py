@@ -11,6 +11,7 @@ from importlib.metadata import PackageNotFoundError, version
 import numpy as np
 
 from pieper import arguments
+from pieper.code.between import Between, between
 from pieper.code.labels import Labels, labels_of
 from pieper.code.program import Program, recorded
 from pieper.errors import InputError, PlanError
@@ -19,6 +20,7 @@ from pieper.kinematics.forward import fk
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.planned_arm import PlannedArm
 from pieper.solver.rows import Flag
+from pieper.solver.verbs import ik_many
 from pieper.tolerances import LIMIT_SLACK, VERIFIED
 
 TESTS = 20
@@ -42,6 +44,7 @@ class Export:
         counts: (20,) how many rows lie inside the limits there.
         header: Lines of provenance.
         verified: By how much a row may miss its pose, largest entry, where the program is unsure.
+        between: What lies between the arm's joints and the six that are solved.
     """
 
     name: str
@@ -55,6 +58,7 @@ class Export:
     counts: tuple[int, ...]
     header: tuple[str, ...]
     verified: float
+    between: Between
 
     @property
     def n(self) -> int:
@@ -73,23 +77,13 @@ class Export:
     @cached_property
     def labels(self) -> Labels:
         """How its postures are named."""
-        return labels_of(self.plan)
+        return labels_of(self.plan.uncoupled or self.plan)
 
 
-def _refuse_what_is_not_six_joints(plan: Plan) -> None:
+def _refuse_what_is_no_formula(plan: Plan) -> None:
     name = plan.name
-    if plan.uncoupled is not None:
-        raise PlanError(
-            f"{name}: coupled joints cannot be exported. Export arm.uncoupled(), which takes and returns the values of "
-            "the axes, v = arm.coupling @ q; limits of coupled joints are then the caller's to look at."
-        )
     if plan.snapped:
         raise PlanError(f"{name}: its geometry was snapped, and the polishing that follows is a loop: give exact axes.")
-    if not plan.direct:
-        raise PlanError(
-            f"{name}: only arms of six joints with full poses are exported; this one has {plan.n} joints and task "
-            f"{plan.task!r}."
-        )
     if plan.solver.ends is not None:
         raise PlanError(f"{name}: its base or tool is too far away to be written into one formula; take it off.")
 
@@ -104,10 +98,10 @@ def export(arm: PlannedArm, name: str) -> Export:
     if not isinstance(name, str) or not _WORD.fullmatch(name):
         raise InputError(f"name must be a word of letters, digits and _, got {arguments.kind_of(name)}.", given=name)
     plan = arm.plan
-    _refuse_what_is_not_six_joints(plan)
-    q = _postures(plan)
+    _refuse_what_is_no_formula(plan)
+    own = between(plan)
+    q, counts = _postures(plan, own)
     T = fk(plan.chain, q)
-    _, _, inside, _ = plan.solver.many(np.ascontiguousarray(T), 1)
     try:
         made_by = f"pieper {version('pieper')}"
     except PackageNotFoundError:
@@ -129,18 +123,23 @@ def export(arm: PlannedArm, name: str) -> Export:
         plan.limits[:, 1] + LIMIT_SLACK,
         q,
         T,
-        tuple(int(k) for k in inside.sum(1)),
+        counts,
         header,
         VERIFIED * max(1.0, plan.chain.length),
+        own,
     )
 
 
-def _postures(plan: Plan) -> Array:
-    """Return joint vectors (20, n) inside the limits at poses that are clear of singular ones, always the same."""
+def _postures(plan: Plan, own: Between) -> tuple[Array, tuple[int, ...]]:
+    """Return joint vectors (20, n) inside the limits, always the same, at clear poses, and how many rows lie there."""
     rng = np.random.default_rng(20)
     reach = np.where(plan.prismatic, plan.chain.length, np.pi)[:, None] * [-1.0, 1.0]
     limits = np.where(np.isfinite(plan.limits), plan.limits, reach)
     q = rng.uniform(limits[:, 0], limits[:, 1], (40 * TESTS, plan.n))
-    _, _, inside, flags = plan.solver.many(np.ascontiguousarray(fk(plan.chain, q)), 1)
-    clear = (flags & int(Flag.DEGENERATE | Flag.UNCERTAIN)) == 0
-    return q[clear & inside.any(1)][:TESTS]
+    held = None if own.held is None else q[:, [own.held]]
+    found = ik_many(plan, fk(plan.chain, q), 1, held)
+    count = found.in_limits.sum(1)
+    clear = ((found.flag & int(Flag.DEGENERATE | Flag.UNCERTAIN)) == 0) & (count > 0)
+    # twelve digits are enough for the test and short in the file
+    some = np.round(q[clear][:TESTS], 12)
+    return some, tuple(int(k) for k in count[clear][:TESTS])

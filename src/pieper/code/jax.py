@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from pieper.code.export import Export
 from pieper.code.language import filled
-from pieper.code.python import arrays
+from pieper.code.python import LABEL, arrays, own_parts
 
 FRAME = '''"""@HEADER@
 
-NAME_ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits. NAME_ik_all(Ts)
-takes poses (N, 4, 4) and returns rows (N, 8, n) turned inside the limits where they can be, which of them hold (N, 8),
-which lie inside (N, 8), and which poses are unclear (N,): at and next to singular poses, where a row may stand for many
-and rows may be missing. NAME_fk(q) takes (n,) or, through jax.vmap, more; NAME_label(q) takes (n,). All but NAME_ik
-and NAME_label may be compiled (jax.jit).
+@SAID@NAME_ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits.
+NAME_ik_all(Ts) takes poses (N, 4, 4) and returns rows (N, 8, n) turned inside the limits where they can be, which of
+them hold (N, 8), which lie inside (N, 8), and which poses are unclear (N,): at and next to singular poses, where a row
+may stand for many and rows may be missing. NAME_fk(q) takes (n,) or, through jax.vmap, more; NAME_label(q) takes
+(n,). All but NAME_ik and NAME_label may be compiled (jax.jit).
 Double precision is switched on, since single precision loses rows.
 """
 
@@ -27,6 +27,8 @@ UPPER = jnp.array(@UPPER@)
 SLIDES = @SLIDES@
 LINKS = jnp.array(@LINKS@).reshape(-1, 3, 4)
 _TURN = 6.28318530717958647693
+SLIDES_ = np.array(SLIDES)
+@COUPLED@_ALONE = @ALONE_IS@
 
 
 def _angle(y, x):
@@ -35,8 +37,7 @@ def _angle(y, x):
     return jnp.where(r <= -jnp.pi, jnp.pi, r)
 
 
-def NAME_fk(q):
-    """Pose (4, 4) of a joint vector (n,)."""
+def _walk(q):
     last = jnp.array([[0.0, 0.0, 0.0, 1.0]])
     T = jnp.concatenate([LINKS[0], last])
     for i, slides in enumerate(SLIDES):
@@ -47,6 +48,11 @@ def NAME_fk(q):
         T = T @ Z @ jnp.concatenate([LINKS[i + 1], last])
     return T
 
+
+def NAME_fk(q):
+    """Pose (4, 4) of a joint vector (n,)."""
+@TO_AXES@    return _walk(q)
+@OWN_FUNCTIONS@
 
 def NAME_jacobian(q):
     """Geometric Jacobian (6, n) of a joint vector (n,), base frame, linear rows first."""
@@ -63,20 +69,20 @@ def _rows(T):
     return q, valid, jnp.broadcast_to(@UNCLEAR@, shape)
 
 
-def NAME_ik_all(Ts):
+def NAME_ik_all(Ts@VALUES@):
     """Rows (N, 8, n), which hold (N, 8), which lie inside the limits (N, 8), which poses are unclear (N,)."""
-    q, valid, unclear = _rows(Ts)
-    q = jnp.where(valid[..., None], q, 0.0)
-    slides = jnp.array(SLIDES)
+    six, valid, unclear = _rows(@MOVED@)
+    six = jnp.where(valid[..., None], six, 0.0)
+@ROW_VALUE@@OWN_ROW@    q = jnp.where(valid[..., None], q, 0.0)
     gap = jnp.abs(q[:, :, None] - q[:, None])
-    gap = jnp.where(slides, gap, jnp.abs(gap - _TURN * jnp.round(gap / _TURN))).max(-1)
+    gap = jnp.where(SLIDES_, gap, jnp.abs(gap - _TURN * jnp.round(gap / _TURN))).max(-1)
     earlier = jnp.tril(jnp.ones((8, 8), bool), -1)
     valid = valid & ~((gap < 1e-9) & earlier & valid[:, None]).any(-1)
-    away = jnp.abs(jax.vmap(jax.vmap(NAME_fk))(q) - Ts[:, None]).max((-1, -2))
-    valid = valid & (~unclear[:, None] | (away < @VERIFIED@))
-    low, high = ~slides & (q < LOWER), ~slides & (q > UPPER)
+    away = jnp.abs(jax.vmap(jax.vmap(_walk))(q) - Ts[:, None]).reshape(-1, 8, 16)[..., jnp.array(@TESTED@)].max(-1)
+    valid = valid & (~(@DOUBT@)[:, None] | (away < @VERIFIED@))
+@FROM_AXES@@MOVE@    low, high = _ALONE & (q < LOWER), _ALONE & (q > UPPER)
     q = jnp.where(low, q + _TURN * jnp.ceil(jnp.where(low, LOWER - q, 0.0) / _TURN), q)
-    high = ~slides & (q > UPPER)
+    high = _ALONE & (q > UPPER)
     q = jnp.where(high, q - _TURN * jnp.ceil(jnp.where(high, q - UPPER, 0.0) / _TURN), q)
     return q, valid, valid & ((q >= LOWER) & (q <= UPPER)).all(-1), unclear
 
@@ -84,29 +90,20 @@ def NAME_ik_all(Ts):
 _compiled = jax.jit(NAME_ik_all)
 
 
-def NAME_ik(T):
+def NAME_ik(T@VALUE@):
     """Every joint vector (m, n) inside the limits that reaches a pose (4, 4)."""
-    q, _, inside, _ = _compiled(jnp.asarray(T, jnp.float64)[None])
+    q, _, inside, _ = _compiled(jnp.asarray(T, jnp.float64)[None]@ONE_VALUE@)
     return q[0][inside[0]]
 
 
-def _side(v, facing):
-    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
-    v = -v if facing < 0 else v
-    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
-
-
-def NAME_label(q):
-    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
-@SUMS@
-    return _NAMES[@PLACE@]
+@LABEL@
 
 
 def NAME_self_test():
     """How many of @TESTS@ stored poses fail: 0."""
     q, T, slides = jnp.array(@TEST_Q@), jnp.array(@TEST_T@).reshape(-1, 4, 4), jnp.array(SLIDES)
-    rows, _, inside, _ = _compiled(T)
-    gap = jnp.abs(rows - q[:, None])
+    rows, _, inside, _ = _compiled(T@TEST_VALUES@)
+    gap = jnp.abs((rows - q[:, None])@GEARED_T@)
     gap = jnp.where(slides, gap, jnp.abs(gap - _TURN * jnp.round(gap / _TURN))).max(-1)
     met = ((gap < 1e-7) & inside).any(1)
     closes = jnp.abs(jax.vmap(NAME_fk)(q) - T).max((1, 2)) < @VERIFIED@
@@ -123,4 +120,10 @@ if __name__ == "__main__":
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    return filled(FRAME, arrays("jnp").parts(export), export)
+    own = export.between
+    parts = own_parts(export, "jnp") | {
+        "TEST_VALUES": "" if own.held is None else f", q[:, {own.held}]",
+        "GEARED_T": "" if own.gears is None else " @ _GEARS.T",
+        "ALONE_IS": "~SLIDES_" if own.tied is None else "~SLIDES_ & ~_TIED",
+    }
+    return filled(FRAME.replace("@LABEL@", LABEL), arrays("jnp").parts(export) | parts, export)

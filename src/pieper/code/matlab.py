@@ -5,9 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions
+from pieper.tolerances import FILLED_ZERO
 
 
 class Matlab(Language):
@@ -35,12 +38,12 @@ MATLAB = Matlab(
 )
 
 
-IK_ALL = """function [q, unclear] = NAME_ik_all(T)
+IK_ALL = """function [q, unclear] = NAME_ik_all(T@VALUE@)
 % NAME_IK_ALL  Rows (m, N) of a pose before limits, and whether the pose is unclear: at and next to singular poses a row
-% may stand for many and rows may be missing.
+% may stand for many and rows may be missing.@SAID@
 %
 @HEADER@
-@PROGRAM@
+@MOVED@@PROGRAM@
   rows = [@ROWS@];
   valid = [@VALID@];
   unclear = @UNCLEAR@;
@@ -48,14 +51,17 @@ IK_ALL = """function [q, unclear] = NAME_ik_all(T)
   q = zeros(0, N);
   for m = 1:8
     if ~valid(m), continue; end
-    gap = abs(bsxfun(@minus, q, rows(m, :)));
+@OWN_ROW@    gap = abs(bsxfun(@minus, q, own));
     turned = abs(gap - 2 * pi * round(gap / (2 * pi)));
     gap(:, ~slides) = turned(:, ~slides);
     if any(all(gap < 1e-9, 2)), continue; end
-    if unclear && any(any(abs(NAME_fk(rows(m, :)) - T) >= @VERIFIED@)), continue; end
-    q(end + 1, :) = rows(m, :);
+    if @DOUBT@
+      away = abs(NAME_fk(own@AS_AXES@) - @POSE@)';
+      if any(away(@TESTED@) >= @VERIFIED@), continue; end
+    end
+    q(end + 1, :) = own;
   end
-end
+@FROM_AXES@end
 
 function r = pick(yes, a, b)
   if yes, r = a; else, r = b; end
@@ -72,19 +78,19 @@ function r = angle_of(y, x)
 end
 """
 
-IK = """function q = NAME_ik(T)
-% NAME_IK  Every joint vector (m, N) inside the limits that reaches a pose T (4, 4), base to tool; m and rad.
+IK = """function q = NAME_ik(T@VALUE@)
+% NAME_IK  Every joint vector (m, N) inside the limits that reaches a pose T (4, 4), base to tool; m and rad.@SAID@
 %
 @HEADER@
   lower = @LOWER@;
   upper = @UPPER@;
-  slides = logical(@SLIDES@);
-  q = NAME_ik_all(T);
+  alone = ~logical(@SLIDES@)@ALONE@;
+  q = NAME_ik_all(T@VALUE@);
   turn = 2 * pi;
-  inside = true(size(q, 1), 1);
+@TIED@  inside = true(size(q, 1), 1);
   for j = 1:N
     v = q(:, j);
-    if ~slides(j)
+    if alone(j)
       low = v < lower(j);
       v(low) = v(low) + turn * ceil((lower(j) - v(low)) / turn);
       high = v > upper(j);
@@ -95,15 +101,15 @@ IK = """function q = NAME_ik(T)
   end
   q = q(inside, :);
 end
-"""
+@MOVE@"""
 
-FK = """function [T, J] = NAME_fk(q)
+FK = """function [T, J] = NAME_fk(q@IN_AXES@)
 % NAME_FK  The pose T (4, 4) of joint vector q, base to tool, and its Jacobian J (6, N), base frame, linear rows first.
 %
 @HEADER@
   links = @LINKS@;
   slides = logical(@SLIDES@);
-  T = link(links, 1);
+@TO_AXES@  T = link(links, 1);
   z = zeros(3, N);
   p = zeros(3, N);
   for i = 1:N
@@ -126,7 +132,7 @@ FK = """function [T, J] = NAME_fk(q)
       J(:, i) = [cross(z(:, i), T(1:3, 4) - p(:, i)); z(:, i)];
     end
   end
-end
+@GEARED@end
 
 function L = link(links, i)
   L = [reshape(links(i, :), 4, 3)'; 0 0 0 1];
@@ -139,7 +145,7 @@ LABEL = """function name = NAME_label(q)
 %
 @HEADER@
   names = @NAMES@;
-@SUMS@
+@LABEL_AXES@@SUMS@
   name = names{1 + @PLACE@};
 end
 
@@ -161,8 +167,8 @@ SELF_TEST = """function failed = NAME_self_test()
   failed = 0;
   for i = 1:size(Q, 1)
     pose = reshape(T(i, :), 4, 4)';
-    rows = NAME_ik(pose);
-    gap = abs(bsxfun(@minus, rows, Q(i, :)));
+    rows = NAME_ik(pose@TEST_VALUE@);
+    gap = abs(bsxfun(@minus, rows, Q(i, :))@GEARED_T@);
     turned = abs(gap - 2 * pi * round(gap / (2 * pi)));
     gap(:, ~slides) = turned(:, ~slides);
     met = any(all(gap < 1e-7, 2));
@@ -183,9 +189,76 @@ end
 """
 
 
+def _own_parts(export: Export) -> dict[str, str]:
+    """Return what is said of what lies between the arm's joints and the six that are solved."""
+    own, numbers = export.between, MATLAB.numbers
+    held, coupled, tied = own.held is not None, own.gears is not None, own.tied is not None
+    gears, back = (numbers(np.eye(export.n) if own.gears is None else own.gears), numbers(own.back))
+    columns = ", ".join("value" if column is None else f"rows(m, {column + 1})" for column in own.columns)
+    zero = "".join(f"    if abs(rows(m, {k + 1})) >= {FILLED_ZERO * unit!r}, continue; end\n" for k, unit in own.filled)
+    wrap = "  q(:, ~slides) = q(:, ~slides) - 2 * pi * ceil((q(:, ~slides) - pi) / (2 * pi));\n" if own.wraps else ""
+    return {
+        "SAID": f"\n% value: where joint {own.held + 1} is held, rad or m; it has one to spare."
+        if own.held is not None
+        else "",
+        "VALUE": ", value" if held else "",
+        "POSE": "given" if held else "T",
+        "MOVED": _moved(export),
+        "OWN_ROW": f"{zero}    own = [{columns}];\n",
+        "DOUBT": "true" if own.always else "unclear",
+        "TESTED": "[" + " ".join(str(k + 1) for k in own.tested) + "]",
+        "IN_AXES": ", in_axes" if coupled else "",
+        "AS_AXES": ", true" if coupled else "",
+        "TO_AXES": f"  gears = {gears};\n  if nargin < 2, q = (gears * q(:))'; end\n" if coupled else "",
+        "GEARED": "  if nargin < 2, J = J * gears; end\n" if coupled else "",
+        "FROM_AXES": f"  back = {back};\n  q = q * back';\n{wrap}" if coupled else "",
+        "LABEL_AXES": f"  gears = {gears};\n  q = (gears * q(:))';\n" if coupled else "",
+        "GEARED_T": f" * ({gears})'" if coupled else "",
+        "TEST_VALUE": f", Q(i, {own.held + 1})" if own.held is not None else "",
+        "ALONE": f" & ~logical({[int(t) for t in own.tied]})" if own.tied is not None else "",
+        "TIED": "  for i = 1:size(q, 1), q(i, :) = move_inside(q(i, :), lower, upper); end\n" if tied else "",
+        "MOVE": MOVE.replace("TIED", str([int(t) for t in own.tied]))
+        .replace("WEIGHT", numbers(own.weight))
+        .replace("MOVES", numbers(own.moves))
+        if own.tied is not None
+        else "",
+    }
+
+
+MOVE = """
+function q = move_inside(q, lower, upper)
+  % joints whose numbers whole turns of the axes move together: the shortest move that brings them inside
+  free = ~logical(TIED);
+  moves = MOVES;
+  if all(free | (q >= lower & q <= upper)), return; end
+  least = Inf;
+  now = q;
+  for k = 1:size(moves, 1)
+    there = now + moves(k, :);
+    away = sum(WEIGHT .* moves(k, :) .^ 2);
+    if away < least && all(free | (there >= lower & there <= upper)), least = away; q = there; end
+  end
+end
+"""
+
+
+def _moved(export: Export) -> str:
+    """Return the lines that take the held joint off a pose."""
+    own = export.between
+    if own.taken_off is None or own.held is None:
+        return ""
+    Z = (
+        "[1 0 0 0; 0 1 0 0; 0 0 1 -value; 0 0 0 1]"
+        if export.slides[own.held]
+        else "[cos(value) sin(value) 0 0; -sin(value) cos(value) 0 0; 0 0 1 0; 0 0 0 1]"
+    )
+    product = f"{Z} * (off * given)" if own.at_base else f"(given * off) * {Z}"
+    return f"  given = T;\n  off = {MATLAB.numbers(own.taken_off)};\n  T = {product};\n"
+
+
 def texts(export: Export, path: Path) -> dict[Path, str]:
     """Return the files' texts: into a folder, or beside a .m file, which then hands out the functions."""
-    parts = MATLAB.parts(export)
+    parts = MATLAB.parts(export) | _own_parts(export)
     file = path.suffix == ".m"
     folder = path.parent if file else path
     frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "label": LABEL, "self_test": SELF_TEST}

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from pieper.code.between import held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions, quoted
+from pieper.tolerances import FILLED_ZERO
 
 
 def arrays(module: str) -> Language:
@@ -22,12 +24,108 @@ def arrays(module: str) -> Language:
     )
 
 
+def own_parts(export: Export, module: str) -> dict[str, str]:
+    """Return what is said of what lies between the arm's joints and the six that are solved; JAX says it so too."""
+    own, n = export.between, export.n
+    numbers = arrays(module).numbers
+    held, coupled = own.held is not None, own.gears is not None
+    columns = ", ".join("value" if column is None else f"six[..., {column}]" for column in own.columns)
+    same = columns == ", ".join(f"six[..., {j}]" for j in range(6))
+    filled_joints = "".join(
+        f"    valid = valid & ({module}.abs(six[..., {k}]) < {FILLED_ZERO * unit!r})\n" for k, unit in own.filled
+    )
+    take = f"    columns = [{columns}]\n"
+    take += f"    q = {module}.stack([{module}.broadcast_to(x, valid.shape) for x in columns], -1)\n"
+    lines = ""
+    if coupled:
+        lines += f"_GEARS = {module}.array({numbers(own.gears)})\n_BACK = {module}.array({numbers(own.back)})\n"
+    if own.tied is not None:
+        lines += f"_TIED = np.array({[bool(t) for t in own.tied]})\n_MOVES = {module}.array({numbers(own.moves)})\n"
+        lines += f"_WEIGHT = {module}.array({numbers(own.weight)})\n"
+    if own.taken_off is not None and held:
+        lines += f"_OFF = {module}.array({numbers(own.taken_off)})\n"
+    return {
+        "SAID": held_words(own),
+        "COUPLED": lines,
+        "VALUE": f", value={own.default!r}" if held else "",
+        "VALUE_SAID": ", value" if held else "",
+        "VALUES": ", values" if held else "",
+        "ONE_VALUE": f", {module}.asarray(value, float)[None]" if held else "",
+        "TEST_VALUE": f", q[{own.held}]" if held else "",
+        "MOVED": f"_moved(Ts, {module}.asarray(values, float))" if held else "Ts",
+        "ROW_VALUE": f"    value = {module}.asarray(values, float)[:, None]\n" if held else "",
+        "OWN_ROW": filled_joints + ("    q = six\n" if same else take),
+        "DOUBT": f"{module}.ones_like(unclear)" if own.always else "unclear",
+        "TESTED": str(list(own.tested)),
+        "TO_AXES": "    q = q @ _GEARS.T\n" if coupled else "",
+        "GEARED": " @ _GEARS" if coupled else "",
+        "FROM_AXES": ("    q = q @ _BACK.T\n" if coupled else "")
+        + (
+            f"    q = {module}.where(SLIDES_, q, q - _TURN * {module}.ceil((q - {module}.pi) / _TURN))\n"
+            if own.wraps
+            else ""
+        ),
+        "MOVE": "    q = _move_inside(q)\n" if own.tied is not None else "",
+        "ALONE": "_ALONE",
+        "ALONE_IS": "~SLIDES" if own.tied is None else "~SLIDES & ~_TIED",
+        "GAP": "(rows - q) @ _GEARS.T" if coupled else "rows - q",
+        "OWN_FUNCTIONS": (_MOVED if held else "")
+        .replace("MODULE", module)
+        .replace("Z_SAID", _z_said(export))
+        .replace("PRODUCT", "Z @ (_OFF @ Ts)" if own.at_base else "(Ts @ _OFF) @ Z")
+        + (_MOVE.replace("MODULE", module) if own.tied is not None else ""),
+        "LABEL_AXES": "    q = np.asarray(q, float)\n    q = q @ _GEARS.T\n" if coupled else "",
+        "N_JOINTS": str(n),
+    }
+
+
+def _z_said(export: Export) -> str:
+    """Return the joint's motion taken back, as rows of what is c, s, o, u and v."""
+    slides = export.between.held is not None and export.slides[export.between.held]
+    return "[[u, o, o, o], [o, u, o, o], [o, o, u, -v]]" if slides else "[[c, s, o, o], [-s, c, o, o], [o, o, u, o]]"
+
+
+_MOVED = """
+
+def _moved(Ts, v):
+    # what the held joint does is taken off the poses
+    c, s, o, u = MODULE.cos(v), MODULE.sin(v), MODULE.zeros_like(v), MODULE.ones_like(v)
+    rows = [*Z_SAID, [o, o, o, u]]
+    Z = MODULE.stack([MODULE.stack(row, -1) for row in rows], -2)
+    return PRODUCT
+
+"""
+_MOVE = """
+
+def _move_inside(q):
+    # joints whose numbers whole turns of the axes move together: the shortest move that brings them inside
+    away = (_WEIGHT * _MOVES**2).sum(-1)
+    there = q[..., None, :] + _MOVES
+    ok = (((there >= LOWER) & (there <= UPPER)) | ~_TIED).all(-1)
+    now = (((q >= LOWER) & (q <= UPPER)) | ~_TIED).all(-1)
+    best = MODULE.argmin(MODULE.where(ok, away, MODULE.inf), -1)
+    return MODULE.where((~now & ok.any(-1))[..., None], q + _MOVES[best], q)
+
+"""
+
+
+#: The name of a posture; the same for every module of arrays.
+LABEL = '''def _side(v, facing):
+    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
+    v = -v if facing < 0 else v
+    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
+
+
+def NAME_label(q):
+    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
+@LABEL_AXES@@SUMS@
+    return _NAMES[@PLACE@]'''
 FRAME = '''"""@HEADER@
 
-ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits; ik_all(Ts) takes poses
-(N, 4, 4) and returns rows (N, 8, n) before limits, which of them hold (N, 8), and which poses are unclear (N,): at and
-next to singular poses, where a row may stand for many and rows may be missing. fk(q) and jacobian(q) take (..., n),
-label(q) takes (n,).
+@SAID@ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits; ik_all(Ts)
+takes poses (N, 4, 4) and returns rows (N, 8, n) before limits, which of them hold (N, 8), and which poses are unclear
+(N,): at and next to singular poses, where a row may stand for many and rows may be missing. fk(q) and jacobian(q)
+take (..., n), label(q) takes (n,).
 """
 
 import numpy as np
@@ -37,6 +135,7 @@ UPPER = np.array(@UPPER@)
 SLIDES = np.array(@SLIDES@)
 LINKS = np.array(@LINKS@).reshape(-1, 3, 4)
 _TURN = 6.28318530717958647693
+@COUPLED@_ALONE = @ALONE_IS@
 
 
 def _angle(y, x):
@@ -67,16 +166,16 @@ def _walk(q):
 
 def fk(q):
     """Pose(s) (..., 4, 4) of joint vectors (..., n)."""
-    return _walk(q)[1]
+@TO_AXES@    return _walk(q)[1]
 
 
 def jacobian(q):
     """Geometric Jacobian(s) (..., 6, n), base frame, linear rows first."""
-    frames, T = _walk(q)
+@TO_AXES@    frames, T = _walk(q)
     z = frames[..., :3, 2]
     way = np.where(SLIDES[:, None], z, np.cross(z, T[..., None, :3, 3] - frames[..., :3, 3]))
-    return np.swapaxes(np.concatenate([way, np.where(SLIDES[:, None], 0.0, z)], -1), -1, -2)
-
+    return np.swapaxes(np.concatenate([way, np.where(SLIDES[:, None], 0.0, z)], -1), -1, -2)@GEARED@
+@OWN_FUNCTIONS@
 
 def _rows(T):
 @PROGRAM@
@@ -86,52 +185,45 @@ def _rows(T):
     return q, valid, np.broadcast_to(@UNCLEAR@, shape)
 
 
-def ik_all(Ts):
+def ik_all(Ts@VALUES@):
     """Rows (N, 8, n) of poses (N, 4, 4) before limits, which hold (N, 8), which poses are unclear (N,)."""
     Ts = np.asarray(Ts, float)
     with np.errstate(all="ignore"):
-        q, valid, unclear = _rows(Ts)
-    q = np.where(valid[..., None], q, 0.0)
+        six, valid, unclear = _rows(@MOVED@)
+    six = np.where(valid[..., None], six, 0.0)
+@ROW_VALUE@@OWN_ROW@    q = np.where(valid[..., None], q, 0.0)
     gap = np.abs(q[:, :, None] - q[:, None])
     gap = np.where(SLIDES, gap, np.abs(gap - _TURN * np.round(gap / _TURN))).max(-1)
     earlier = np.tril(np.ones((8, 8), bool), -1)
     valid = valid & ~((gap < 1e-9) & earlier & valid[:, None]).any(-1)
-    away = np.abs(fk(q[unclear]) - Ts[unclear, None]).max((-1, -2))
-    valid[unclear] &= away < @VERIFIED@
-    return q, valid, unclear
+    look = @DOUBT@
+    away = np.abs(_walk(q[look])[1] - Ts[look, None]).reshape(-1, 8, 16)[..., @TESTED@].max(-1)
+    valid[look] &= away < @VERIFIED@
+@FROM_AXES@    return np.where(valid[..., None], q, 0.0), valid, unclear
 
 
 def _inside(q):
-    q = np.where(~SLIDES & (q < LOWER), q + _TURN * np.ceil(np.where(q < LOWER, LOWER - q, 0.0) / _TURN), q)
-    q = np.where(~SLIDES & (q > UPPER), q - _TURN * np.ceil(np.where(q > UPPER, q - UPPER, 0.0) / _TURN), q)
+@MOVE@    q = np.where(_ALONE & (q < LOWER), q + _TURN * np.ceil(np.where(q < LOWER, LOWER - q, 0.0) / _TURN), q)
+    q = np.where(_ALONE & (q > UPPER), q - _TURN * np.ceil(np.where(q > UPPER, q - UPPER, 0.0) / _TURN), q)
     return q, ((q >= LOWER) & (q <= UPPER)).all(-1)
 
 
-def ik(T):
+def ik(T@VALUE@):
     """Every joint vector (m, n) inside the limits that reaches a pose (4, 4)."""
-    q, valid, _ = ik_all(np.asarray(T, float)[None])
+    q, valid, _ = ik_all(np.asarray(T, float)[None]@ONE_VALUE@)
     q, inside = _inside(q[0][valid[0]])
     return q[inside]
 
 
-def _side(v, facing):
-    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
-    v = -v if facing < 0 else v
-    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
-
-
-def label(q):
-    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
-@SUMS@
-    return _NAMES[@PLACE@]
+@LABEL@
 
 
 def self_test():
     """How many of @TESTS@ stored poses fail: 0."""
     failed = 0
     for q, T, count in zip(_Q, _T, _COUNTS):
-        rows = ik(T.reshape(4, 4))
-        gap = np.abs(rows - q)
+        rows = ik(T.reshape(4, 4)@TEST_VALUE@)
+        gap = np.abs(@GAP@)
         gap = np.where(SLIDES, gap, np.abs(gap - _TURN * np.round(gap / _TURN))).max(-1, initial=0.0)
         ok = np.abs(fk(q).ravel() - T).max() < @VERIFIED@
         failed += not (ok and len(rows) == count and (gap < 1e-7).any())
@@ -150,4 +242,5 @@ if __name__ == "__main__":
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    return filled(FRAME, arrays("np").parts(export), export)
+    parts = {name: part.replace("SLIDES_", "SLIDES") for name, part in own_parts(export, "np").items()}
+    return filled(FRAME.replace("@LABEL@", LABEL.replace("NAME_", "")), arrays("np").parts(export) | parts, export)

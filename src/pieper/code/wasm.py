@@ -28,13 +28,13 @@ int __cxa_atexit(void (*)(void*), void*, void*) { return 0; }
 PIEPER_EXPORT("alloc") void* w_alloc(int bytes) { return malloc(bytes); }
 PIEPER_EXPORT("release") void w_release(void* p) { free(p); }
 PIEPER_EXPORT("NAME_slots") int w_slots() { return @SLOTS@; }
-PIEPER_EXPORT("NAME_ik") int w_ik(const double* T, double (*q)[N]) { return NAME_ik(T, q); }
-PIEPER_EXPORT("NAME_ik_all") int w_all(const double* T, double (*q)[N], int* unclear) {
-  return NAME_ik_all(T, q, unclear);
+PIEPER_EXPORT("NAME_ik") int w_ik(const double* T, @VALUE@double (*q)[N]) { return NAME_ik(T, @VALUE_SAID@q); }
+PIEPER_EXPORT("NAME_ik_all") int w_all(const double* T, @VALUE@double (*q)[N], int* unclear) {
+  return NAME_ik_all(T, @VALUE_SAID@q, unclear);
 }
-PIEPER_EXPORT("NAME_ik_many") long w_many(const double* T, long count, double* q, unsigned char* valid,
+PIEPER_EXPORT("NAME_ik_many") long w_many(const double* T, long count, @VALUE@double* q, unsigned char* valid,
                                         unsigned char* inside, unsigned char* flag) {
-  return NAME_ik_many(T, count, q, valid, inside, flag);
+  return NAME_ik_many(T, count, @VALUE_SAID@q, valid, inside, flag);
 }
 PIEPER_EXPORT("NAME_fk") void w_fk(const double* q, double* T) { NAME_fk(q, T); }
 PIEPER_EXPORT("NAME_jacobian") void w_jacobian(const double* q, double (*J)[N]) { NAME_jacobian(q, J); }
@@ -62,14 +62,14 @@ const rowsOf = (where, count, width) =>
 const flat = (pose) => (pose.length === 16 ? pose : [].concat(...pose.map((row) => Array.from(row))));
 const put = (pose) => numbers(at.T, 16).set(flat(pose));
 
-export function ik(pose) {
+export function ik(pose@VALUE_JS@) {
   put(pose);
-  const count = wasm.NAME_ik(at.T, at.q);
+  const count = wasm.NAME_ik(at.T, @VALUE_SAID@at.q);
   return count < 0 ? null : rowsOf(at.q, count, N);
 }
-export function ikAll(pose) {
+export function ikAll(pose@VALUE_JS@) {
   put(pose);
-  const count = wasm.NAME_ik_all(at.T, at.q, at.unclear);
+  const count = wasm.NAME_ik_all(at.T, @VALUE_SAID@at.q, at.unclear);
   if (count < 0) return null;
   const unclear = new Int32Array(wasm.memory.buffer, at.unclear, 1)[0] !== 0;
   return { rows: rowsOf(at.q, count, N), unclear };
@@ -124,7 +124,14 @@ def compiled(sources: dict[str, str], unit: str) -> bytes:
 
 def content(export: Export, suffix: str) -> bytes:
     """Return the file: WebAssembly as it is, or for .mjs a module that holds it."""
-    parts = {"SLOTS": str(export.plan.spec.max_solutions), "HEADER": "\n".join(export.header).replace("*/", "* /")}
+    held = export.between.held is not None
+    parts = {
+        "SLOTS": str(export.plan.spec.max_solutions),
+        "HEADER": "\n".join(export.header).replace("*/", "* /"),
+        "VALUE": "double value, " if held else "",
+        "VALUE_SAID": "value, " if held else "",
+        "VALUE_JS": f", value = {export.between.default!r}" if held else "",
+    }
     code = compiled({"arm.hpp": cpp.text(export), "unit.cpp": filled(API, parts, export)}, "unit.cpp")
     if suffix != ".mjs":
         return code

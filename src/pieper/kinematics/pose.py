@@ -258,7 +258,8 @@ def skew(v: Array) -> Array:
     v = np.asarray(v, float)
     K = np.zeros((*v.shape[:-1], 3, 3))
     K[..., 2, 1], K[..., 0, 2], K[..., 1, 0] = v[..., 0], v[..., 1], v[..., 2]
-    return K - np.swapaxes(K, -1, -2)
+    K[..., 1, 2], K[..., 2, 0], K[..., 0, 1] = -v[..., 0], -v[..., 1], -v[..., 2]
+    return K
 
 
 def rotation_vector(rotations: Array) -> Array:

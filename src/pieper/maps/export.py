@@ -14,6 +14,7 @@ from pieper.document.writing import whole_file
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, Bits, Indices
 from pieper.maps.grid import Grid
+from pieper.maps.tile import MEASURES
 from pieper.solver.plan.plan import Plan
 
 
@@ -36,8 +37,8 @@ class Mapped(Protocol):
         ...
 
     @property
-    def measures(self) -> tuple[Array, Array] | None:
-        """Manipulability and margin (v,), or None."""
+    def measures(self) -> Array:
+        """(v, 6) what was measured, or (v, 0)."""
         ...
 
     @property
@@ -74,10 +75,7 @@ def export(m: Mapped, path: str | os.PathLike[str]) -> Path:
 
 def _layers(m: Mapped) -> dict[str, Array]:
     out = {"fraction": m.fraction, "count": m.count.astype(np.float64)}
-    if m.measures is not None:
-        best, margin = (values.reshape(m.grid.shape) for values in m.measures)
-        out |= {"manipulability": best, "margin": margin}
-    return out
+    return out | {name: v.reshape(m.grid.shape) for name, v in zip(MEASURES, m.measures.T, strict=False)}
 
 
 def _npz(m: Mapped) -> bytes:

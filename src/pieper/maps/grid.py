@@ -29,6 +29,7 @@ class Grid:
         shape: How many voxels along x, y and z.
         turns: (k, 3, 3) orientations of the tool, rolls innermost.
         rolls: How many neighbouring orientations are one direction of the tool's z axis, rolled about it evenly.
+        fold: 4, 2 or 1: turned about z by a whole turn's part, orientation o is number o + k / fold, round and round.
     """
 
     low: Array
@@ -36,6 +37,7 @@ class Grid:
     shape: tuple[int, int, int]
     turns: Array
     rolls: int
+    fold: int = 1
 
     @property
     def count(self) -> int:
@@ -66,23 +68,34 @@ class Grid:
         return T.reshape(-1, 4, 4)
 
 
-def directions(count: int) -> Array:
-    """Return unit vectors (count, 3), evenly on the sphere (Fibonacci's lattice): no crowd at poles."""
-    i = np.arange(count) + 0.5
-    z = 1 - 2 * i / count
-    r = np.sqrt(1 - z * z)
-    return np.asarray(np.stack([r * np.cos(GOLDEN_TURN * i), r * np.sin(GOLDEN_TURN * i), z], -1), np.float64)
+def fold_of(count: int) -> int:
+    """Return by which part of a whole turn about z so many directions are taken to each other: 4, 2 or 1."""
+    return 4 if count % 4 == 0 else 2 if count % 2 == 0 else 1
 
 
 def orientations_of(count: int, rolls: int) -> Array:
-    """Return rotations (count * rolls, 3, 3): z axes evenly on the sphere, each rolled evenly, rolls innermost."""
-    d = directions(count)
+    """Return rotations (count * rolls, 3, 3): z axes evenly on the sphere, each rolled evenly, rolls innermost.
+
+    The z axes are Fibonacci's lattice (no crowd at poles) on the quarter of the sphere, or the half, that `fold_of`
+    allows, and its images turned about z, exactly.
+    """
+    fold = fold_of(count)
+    i = np.arange(count // fold) + 0.5
+    z = 1 - 2 * i / len(i)
+    r, azimuth = np.sqrt(1 - z * z), GOLDEN_TURN / fold * i
+    d = np.stack([r * np.cos(azimuth), r * np.sin(azimuth), z], -1)
     aside = np.where(np.abs(d[:, 2:]) < 0.9, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0])
     x = np.cross(aside, d)
     x /= np.linalg.norm(x, axis=1, keepdims=True)
     first = np.stack([x, np.cross(d, x), d], -1)
+    part = {1: np.eye(3), 2: np.diag([-1.0, -1, 1]), 4: np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])}[fold]
     turn = rotation_about(np.array([0.0, 0.0, 1.0]), 2 * np.pi * np.arange(rolls) / rolls)
-    return np.asarray((first[:, None] @ turn[None]).reshape(-1, 3, 3), np.float64)
+    rolled = (first[:, None] @ turn[None]).reshape(-1, 3, 3)
+    parts = [rolled]
+    for _ in range(fold - 1):
+        # a product with zeros and ones has no rounding
+        parts.append(part @ parts[-1])
+    return np.asarray(np.concatenate(parts), np.float64)
 
 
 def grid_of(
@@ -118,18 +131,18 @@ def grid_of(
             given=step,
         )
     shape = tuple(int(n) for n in np.ceil(side / step - RELATIVE_ROUNDING))
-    turns, rolls = _orientations(orientations)
+    turns, rolls, fold = _orientations(orientations)
     if task == "position":
-        turns, rolls = turns[:1], 1
+        turns, rolls, fold = turns[:1], 1, 1
     elif task == "position+axis":
         turns, rolls = turns[::rolls], 1
-    return Grid(corners[:, 0], float(step), cast("tuple[int, int, int]", shape), turns, rolls)
+    return Grid(corners[:, 0], float(step), cast("tuple[int, int, int]", shape), turns, rolls, fold)
 
 
-def _orientations(said: Any) -> tuple[Array, int]:
+def _orientations(said: Any) -> tuple[Array, int, int]:
     turns = arguments.numbers(said, "orientations", "(directions, rolls) or rotations (k, 3, 3)")
     if turns.ndim == 3:
-        return checked_pose(transform(turns), "orientations", batch=True)[:, :3, :3], 1
+        return checked_pose(transform(turns), "orientations", batch=True)[:, :3, :3], 1, 1
     counts = list(said) if isinstance(said, (tuple, list)) else []
     whole = len(counts) == 2 and all(isinstance(n, (int, np.integer)) and n >= 1 for n in counts)
     if not whole:
@@ -137,4 +150,4 @@ def _orientations(said: Any) -> tuple[Array, int]:
             f"orientations must be (directions, rolls), both at least 1, or rotations (k, 3, 3); got {said!r}.",
             given=said,
         )
-    return orientations_of(int(counts[0]), int(counts[1])), int(counts[1])
+    return orientations_of(int(counts[0]), int(counts[1])), int(counts[1]), fold_of(int(counts[0]))

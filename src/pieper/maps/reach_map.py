@@ -20,7 +20,7 @@ from pieper.maps.around import Around
 from pieper.maps.export import export
 from pieper.maps.grid import Grid, grid_of
 from pieper.maps.store import Store, bytes_of, identity
-from pieper.maps.tile import Question, Tile, question_of, reached_exactly, shares, solved
+from pieper.maps.tile import MEASURES, Question, Tile, question_of, reached_exactly, shares, solved
 from pieper.solver.plan.plan import Plan
 from pieper.words_by_number import plural
 
@@ -60,7 +60,7 @@ class ReachMap:
         grid: Voxels and orientations.
         bits: (voxels, ceil(k / 8)) one bit an orientation.
         solutions: (voxels,) inside the limits.
-        measures: Best manipulability and margin (voxels,), where they were asked for.
+        measures: (voxels, 6) of the solutions inside the limits where they were asked for, (voxels, 0) where not.
         symmetry: What answered for what, in words.
         around: The arm's bodies and the scene that solutions keep clear of; None where neither was asked.
         computed: Tiles that were solved now; the others came from the store.
@@ -70,7 +70,7 @@ class ReachMap:
     grid: Grid = field(repr=False)
     bits: Bits = field(repr=False)
     solutions: Indices = field(repr=False)
-    measures: tuple[Array, Array] | None = field(repr=False, default=None)
+    measures: Array = field(repr=False)
     symmetry: str = ""
     around: Around | None = field(repr=False, default=None)
     computed: int = 0
@@ -89,18 +89,42 @@ class ReachMap:
     @property
     def manipulability(self) -> Array:
         """(nx, ny, nz) best manipulability sqrt(det(J J^T)) of the solutions inside the limits in each voxel."""
-        return self._measured[0].reshape(self.grid.shape)
+        return self.measured("manipulability")
 
     @property
     def margin(self) -> Array:
         """(nx, ny, nz) share of half a joint's range that the nearest limit is away, of the best solution; 0 to 1."""
-        return self._measured[1].reshape(self.grid.shape)
+        return self.measured("margin")
 
     @property
-    def _measured(self) -> tuple[Array, Array]:
-        if self.measures is None:
+    def aspects(self) -> Indices:
+        """(nx, ny, nz, 2) solutions inside the limits with a negative and with a positive determinant of the Jacobian.
+
+        Where the Jacobian is not square all are told as positive.
+        """
+        return np.stack([self.measured("negative"), self.measured("positive")], -1).astype(np.int64)
+
+    @property
+    def least_singular(self) -> Array:
+        """(nx, ny, nz) smallest singular value of the Jacobian, lengths in units of the arm, of the solution nearest to
+        singular: small on the singular surfaces. 0 where `count` is.
+        """
+        return self.measured("least_singular")
+
+    @property
+    def most_singular(self) -> Array:
+        """(nx, ny, nz) the same of the solution farthest from singular."""
+        return self.measured("most_singular")
+
+    def measured(self, name: str) -> Array:
+        """Return a measure (nx, ny, nz) by its name.
+
+        Raises:
+            InputError: The map was not measured.
+        """
+        if not self.measures.shape[1]:
             raise InputError("this map was not measured: ask for it with measure=True.")
-        return self.measures
+        return self.measures[:, list(MEASURES).index(name)].reshape(self.grid.shape)
 
     def minus(self, other: ReachMap) -> Array:
         """Return by how much more of the orientations this map reaches than another arm's or tool's (nx, ny, nz).
@@ -201,13 +225,13 @@ def reach_map(
     plan: Plan,
     box: Sequence[Sequence[float]],
     step: float,
-    orientations: Sequence[int] | ArrayLike = (128, 16),
-    symmetry: str = "auto",
-    store: str | os.PathLike[str] | None = None,
-    executor: Executor | None = None,
-    progress: Callable[[int, int], None] | None = None,
-    measure: bool = False,
-    around: Around | None = None,
+    orientations: Sequence[int] | ArrayLike,
+    symmetry: str,
+    store: str | os.PathLike[str] | None,
+    executor: Executor | None,
+    progress: Callable[[int, int], None] | None,
+    measure: bool,
+    around: Around | None,
 ) -> ReachMap:
     """Ask for a map; see `pieper.Arm.reach_map`.
 
@@ -220,39 +244,33 @@ def reach_map(
     if executor is not None:
         arguments.like(Submits, executor, "executor", "one of concurrent.futures, or have a method submit")
     grid = grid_of(box, step, orientations, plan.task, plan.chain.length)
-    if store is None and bytes_of(grid) > MOST_BYTES:
+    if store is None and bytes_of(grid, measure) > MOST_BYTES:
         raise InputError(
-            f"this map has {grid.count:,} voxels and {bytes_of(grid) / 1e9:.3g} GB: give a store= or a larger step.",
-            bytes=bytes_of(grid),
+            f"this map has {grid.count:,} voxels and {bytes_of(grid, measure) / 1e9:.3g} GB: give a store= or a larger "
+            "step.",
+            bytes=bytes_of(grid, measure),
         )
     question = question_of(plan, grid, symmetry, measure, around)
-    per_tile = max(1, TILE_POSES // len(grid.turns))
+    per_tile = max(1, TILE_POSES // (len(grid.turns) * question.images.fold))
     kept = None if store is None else Store.opened(store, identity(question, per_tile))
     bits = np.zeros((grid.count, -(-len(grid.turns) // 8)), np.uint8)
     solutions = np.zeros(grid.count, np.int64)
-    whole = Tile(bits, solutions, np.zeros(grid.count), np.zeros(grid.count))
-    tiles = -(-grid.count // per_tile)
+    whole = Tile(bits, solutions, np.zeros((grid.count, len(MEASURES) if measure else 0)))
+    tiles = -(-question.images.count // per_tile)
     missing = []
     for number in range(tiles):
         known = kept.get(number) if kept is not None else None
         if known is None:
             missing.append(number)
         else:
-            _place(whole, number, per_tile, known)
+            _place(whole, question, number, per_tile, known)
     done = tiles - len(missing)
     for number, tile in _each(question, missing, per_tile, kept, executor):
-        _place(whole, number, per_tile, tile)
+        _place(whole, question, number, per_tile, tile)
         done += 1
         if progress is not None:
             progress(done, tiles)
-    words = (
-        f"a roll of the tool is a turn of the last joint, so one of {grid.rolls} rolls was solved and answers for "
-        "all, limits kept"
-        if question.rolls_by_last
-        else "every pose was solved"
-    )
-    measures = (whole.manipulability, whole.margin) if measure else None
-    return ReachMap(plan, grid, bits, solutions, measures, words, around, len(missing))
+    return ReachMap(plan, grid, bits, solutions, whole.measures, question.words, around, len(missing))
 
 
 def tile_of(question: Question, number: int, per_tile: int, kept: Store | None, threads: int | None) -> Tile:
@@ -260,8 +278,7 @@ def tile_of(question: Question, number: int, per_tile: int, kept: Store | None, 
     if kept is not None and (known := kept.get(number)) is not None:
         # done by somebody else meanwhile: executors run some tasks twice
         return known
-    which = np.arange(number * per_tile, min((number + 1) * per_tile, question.grid.count))
-    tile = solved(question, which, threads)
+    tile = solved(question, question.images.of(number * per_tile, (number + 1) * per_tile), threads)
     if kept is not None:
         kept.put(number, tile)
     return tile
@@ -292,8 +309,9 @@ def _each(
             future.cancel()
 
 
-def _place(whole: Tile, number: int, per_tile: int, tile: Tile) -> None:
-    at = slice(number * per_tile, number * per_tile + len(tile.count))
+def _place(whole: Tile, question: Question, number: int, per_tile: int, tile: Tile) -> None:
+    images = question.images.of(number * per_tile, (number + 1) * per_tile)
+    at = images[images >= 0]
     for entry in fields(Tile):
         getattr(whole, entry.name)[at] = getattr(tile, entry.name)
 

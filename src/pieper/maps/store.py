@@ -16,10 +16,10 @@ from pieper import arguments
 from pieper.document.writing import whole_file
 from pieper.errors import InputError
 from pieper.maps.grid import Grid
-from pieper.maps.tile import Question, Tile
+from pieper.maps.tile import MEASURES, Question, Tile
 
 #: Version of the layout; another one is refused, not guessed at.
-LAYOUT = 3
+LAYOUT = 4
 
 
 def identity(question: Question, per_tile: int) -> dict[str, Any]:
@@ -41,7 +41,8 @@ def identity(question: Question, per_tile: int) -> dict[str, Any]:
         "rolls": grid.rolls,
         "turns": len(grid.turns),
         "turns_sha256": hashlib.sha256(np.ascontiguousarray(grid.turns).tobytes()).hexdigest(),
-        "voxels_a_tile": per_tile,
+        "voxels_solved_a_tile": per_tile,
+        "images": question.images.fold,
         "measured": question.measure,
         "around_sha256": None if question.around is None else question.around.fingerprint,
     }
@@ -87,7 +88,7 @@ class Store:
     def put(self, number: int, tile: Tile) -> str:
         """Write a tile whole, then its mark; returns its checksum."""
         memory = io.BytesIO()
-        np.savez(memory, bits=tile.bits, count=tile.count, manipulability=tile.manipulability, margin=tile.margin)
+        np.savez(memory, bits=tile.bits, count=tile.count, measures=tile.measures)
         data = memory.getvalue()
         mark = hashlib.sha256(data).hexdigest()
         with whole_file(self._tile(number)) as file:
@@ -105,7 +106,7 @@ class Store:
         if hashlib.sha256(data).hexdigest() != mark:
             return None
         held = np.load(io.BytesIO(data))
-        return Tile(held["bits"], held["count"], held["manipulability"], held["margin"])
+        return Tile(held["bits"], held["count"], held["measures"])
 
     def _tile(self, number: int) -> Path:
         return self.folder / f"tile_{number:06d}.npz"
@@ -114,6 +115,6 @@ class Store:
         return self.folder / f"tile_{number:06d}.sha256"
 
 
-def bytes_of(grid: Grid) -> int:
+def bytes_of(grid: Grid, measure: bool) -> int:
     """Return how many bytes a map takes in memory."""
-    return grid.count * (-(-len(grid.turns) // 8) + 24)
+    return grid.count * (-(-len(grid.turns) // 8) + 8 * (1 + len(MEASURES) * measure))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,9 @@ from pieper.kinematics.arrays import Array, Bits, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import inverse
 from pieper.maps.around import Around
+from pieper.maps.aspects import posture_shapes
 from pieper.maps.grid import Grid
+from pieper.maps.images import Images, images_of
 from pieper.solver import verbs
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Status
@@ -28,6 +31,17 @@ LOOKED_AT = 33
 _LOOK = int(Flag.DEGENERATE | Flag.UNCERTAIN)
 
 
+#: What is measured of the solutions inside the limits of a voxel, and what of two sets makes the measure of both.
+MEASURES = {
+    "manipulability": np.maximum,
+    "margin": np.maximum,
+    "negative": np.add,
+    "positive": np.add,
+    "least_singular": np.minimum,
+    "most_singular": np.maximum,
+}
+
+
 @dataclass(frozen=True, eq=False)
 class Tile:
     """What is known of some voxels.
@@ -35,14 +49,12 @@ class Tile:
     Args:
         bits: (v, ceil(k / 8)) one bit an orientation: reached inside the limits.
         count: (v,) solutions inside the limits, all orientations together.
-        manipulability: (v,) the best of them, sqrt(det(J J^T)); zeros where it was not asked for.
-        margin: (v,) the best of them: the share of half a joint's range by which the nearest limit is away, 0 to 1.
+        measures: (v, 6) `MEASURES` of them, or (v, 0) where they were not asked for; zeros where there is none.
     """
 
     bits: Bits
     count: Indices
-    manipulability: Array
-    margin: Array
+    measures: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,8 +66,9 @@ class Question:
         grid: What is asked.
         rolls_by_last: Whether a roll of the tool is a turn of the last joint, so that one roll answers for all.
         sense: Which way it turns then.
-        measure: Whether manipulability and margin are asked for.
+        measure: Whether `MEASURES` are asked for.
         around: What solutions must keep clear of to count; None where nothing was said.
+        by_first: Whether a turn of the first joint may answer for other voxels.
     """
 
     plan: Plan
@@ -64,16 +77,45 @@ class Question:
     sense: float = 1.0
     measure: bool = False
     around: Around | None = None
+    by_first: bool = False
+
+    @cached_property
+    def images(self) -> Images:
+        """Which voxels answer for which."""
+        nx, ny, nz = self.grid.shape
+        each = Images(1, 1.0, np.arange(nx * ny)[:, None], nz)
+        return images_of(self.grid, self.plan.chain) if self.by_first else each
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {entry.name: getattr(self, entry.name) for entry in fields(self)}
+
+    @property
+    def words(self) -> str:
+        """Which symmetry answered for what."""
+        said = []
+        if self.images.fold > 1:
+            turn = {2: "half a turn", 4: "a quarter turn"}[self.images.fold]
+            said.append(
+                f"{turn} about the first axis is a turn of the first joint, so {self.images.count:,} of "
+                f"{self.grid.count:,} voxels were solved and answer for all, limits kept"
+            )
+        if self.rolls_by_last:
+            said.append(
+                f"a roll of the tool is a turn of the last joint, so one of {self.grid.rolls} rolls was solved and "
+                "answers for all, limits kept"
+            )
+        return "; ".join(said) or "every pose was solved"
 
 
 def question_of(plan: Plan, grid: Grid, symmetry: str, measure: bool = False, around: Around | None = None) -> Question:
     """Return the question; symmetry is used where the arm has it, and `none` was not said.
 
-    What the last joint carries is seldom round, so that with bodies each roll is a question of its own.
+    What the last joint carries is seldom round, and a scene never: with bodies each pose is a question of its own.
     """
-    sense = last_joint_rolls(plan.chain) if plan.direct and around is None else 0.0
+    fused = plan.direct and plan.solver.reach is not None and around is None
+    sense = last_joint_rolls(plan.chain) if fused else 0.0
     use = symmetry == "auto" and grid.rolls > 1 and sense != 0.0
-    return Question(plan, grid, use, sense or 1.0, measure, around)
+    return Question(plan, grid, use, sense or 1.0, measure, around, fused and symmetry == "auto")
 
 
 def last_joint_rolls(chain: Chain) -> float:
@@ -85,59 +127,79 @@ def last_joint_rolls(chain: Chain) -> float:
     return float(np.sign(link[2, 2])) if on_axis and np.hypot(link[0, 2], link[1, 2]) <= nearly else 0.0
 
 
-def solved(question: Question, which: Indices, threads: int | None) -> Tile:
-    """Return the tile of voxels by their numbers."""
+def solved(question: Question, images: Indices, threads: int | None) -> Tile:
+    """Return the tile of voxels by their numbers (v, fold): those that are there, row by row."""
     plan = question.plan
     if plan.direct and plan.solver.reach is not None and question.around is None:
-        return _fused(question, plan.solver.reach, which, threads)
-    grid = question.grid
+        return _fused(question, plan.solver.reach, images, threads)
+    grid, which = question.grid, images[:, 0]
     each = max(1, AT_ONCE // len(grid.turns))
     parts = []
     for first in range(0, len(which), each):
         some = which[first : first + each]
         q, inside, hit, many = _directly(question, grid.poses(some, grid.turns), threads)
         bits = np.packbits(hit.reshape(len(some), -1), axis=1)
-        best, margin = _measures(question, q, inside, len(some))
-        parts.append((bits, many.reshape(len(some), -1).sum(1), best, margin))
-    bits, count, best, margin = (np.concatenate(part) for part in zip(*parts, strict=True))
-    return Tile(bits, count.astype(np.int64), best, margin)
+        parts.append((bits, many.reshape(len(some), -1).sum(1), _measures(question, q, inside, len(some))))
+    bits, count, measures = (np.concatenate(part) for part in zip(*parts, strict=True))
+    return Tile(bits, count.astype(np.int64), measures)
 
 
-def _fused(question: Question, reach: Callable[..., Any], which: Indices, threads: int | None) -> Tile:
+def _fused(question: Question, reach: Callable[..., Any], images: Indices, threads: int | None) -> Tile:
     """Return the tile as the kernel makes it, poses that want a look of their own looked at."""
-    plan, grid = question.plan, question.grid
+    plan, grid, own = question.plan, question.grid, question.images
     sense = question.sense if question.rolls_by_last else 0.0
     links = plan.chain.links if question.measure else None
-    bits, look, count, best, margin = reach(
-        grid.centres(which), grid.turns, grid.rolls, sense, links, threads or os.cpu_count() or 1
-    )
-    voxels = np.flatnonzero(look.any(1))
-    for voxel in voxels:
+    there = images >= 0
+    numbers = np.where(there, np.cumsum(there).reshape(images.shape) - 1, -1)
+    solve = (numbers, own.sense, links, plan.chain.length, threads or os.cpu_count() or 1)
+    bits, look, count, measures = reach(grid.centres(images[:, 0]), grid.turns, grid.rolls, sense, *solve)
+    which = images[there]
+    for voxel in np.flatnonzero(look.any(1)):
         turns = np.flatnonzero(np.unpackbits(look[voxel])[: len(grid.turns)])
-        _, _, hit, many = _directly(question, grid.poses(which[voxel : voxel + 1], grid.turns[turns]), 1)
+        q, inside, hit, many = _directly(question, grid.poses(which[voxel : voxel + 1], grid.turns[turns]), 1)
         known = np.unpackbits(bits[voxel])
         known[turns] = hit
         bits[voxel] = np.packbits(known)
         count[voxel] += many.sum()
-    none = np.zeros(len(which))
-    return Tile(bits, count, none if best is None else best, none if margin is None else margin)
+        measures[voxel] = _together(measures[voxel], _measures(question, q, inside, 1)[0])
+    return Tile(bits, count, measures)
 
 
-def _measures(question: Question, q: Array, inside: Bools, voxels: int) -> tuple[Array, Array]:
-    """Return the best manipulability and margin (voxels,) of rows q (N, M, n), those inside the limits."""
+def _together(a: Array, b: Array) -> Array:
+    """Return the measures of two sets of solutions as one's."""
+    if not a.any() or not b.any():
+        return a if a.any() else b
+    return np.array([both(x, y) for both, x, y in zip(MEASURES.values(), a, b, strict=False)])
+
+
+def _measures(question: Question, q: Array, inside: Bools, voxels: int) -> Array:
+    """Return the measures (voxels, 6) of rows q (N, M, n), those inside the limits; (voxels, 0) where not asked for."""
     plan = question.plan
-    best, margin = np.zeros(inside.shape), np.zeros(inside.shape)
-    if question.measure and inside.any():
-        J = plan.chain.native.jacobian(np.ascontiguousarray(q[inside]))[:, : 3 if plan.task == "position" else 6]
-        small = J @ np.swapaxes(J, 1, 2) if plan.n >= J.shape[1] else np.swapaxes(J, 1, 2) @ J
-        best[inside] = np.sqrt(np.maximum(np.linalg.det(small), 0.0))
-        lower, upper = plan.limits.T
-        limited = np.isfinite(lower) & np.isfinite(upper)
-        half = np.where(limited, (upper - lower) / 2, 1.0)
-        away = np.minimum(q[inside] - lower, upper - q[inside])
-        share = np.where(limited, np.where(half > 0, away / np.where(half > 0, half, 1.0), 0.0), 1.0)
-        margin[inside] = np.clip(share, 0.0, 1.0).min(-1)
-    return best.reshape(voxels, -1).max(1), margin.reshape(voxels, -1).max(1)
+    if not question.measure:
+        return np.zeros((voxels, 0))
+    shape = posture_shapes(plan, q[inside])
+    lower, upper = plan.limits.T
+    limited = np.isfinite(lower) & np.isfinite(upper)
+    half = np.where(limited, (upper - lower) / 2, 1.0)
+    away = np.minimum(q[inside] - lower, upper - q[inside])
+    share = np.where(limited, np.where(half > 0, away / np.where(half > 0, half, 1.0), 0.0), 1.0)
+    values = {
+        "manipulability": shape.manipulability,
+        "margin": np.clip(share, 0.0, 1.0).min(-1),
+        "negative": (shape.sign < 0).astype(np.float64),
+        "positive": (shape.sign >= 0).astype(np.float64),
+        "least_singular": shape.smallest,
+        "most_singular": shape.smallest,
+    }
+    voxel = np.broadcast_to(np.arange(inside.size).reshape(inside.shape) // (inside.size // voxels), inside.shape)[
+        inside
+    ]
+    out = np.zeros((voxels, len(MEASURES)))
+    out[:, list(MEASURES).index("least_singular")] = np.inf
+    for column, (name, both) in enumerate(MEASURES.items()):
+        both.at(out[:, column], voxel, values[name])
+    out[np.isinf(out)] = 0.0
+    return out
 
 
 def _rows(plan: Plan, T: Array, threads: int | None) -> tuple[Array, Bools, Bools, Bools]:

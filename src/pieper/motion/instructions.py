@@ -1,4 +1,4 @@
-"""What a program is made of: moves to targets, waits, outputs and the gripper."""
+"""What a program is made of: moves to targets, waits, outputs, the gripper, changes of the tool and the work frame."""
 
 from __future__ import annotations
 
@@ -55,7 +55,22 @@ class Gripper:
     value: float
 
 
-Instruction = Move | Wait | Output | Gripper
+@dataclass(frozen=True, eq=False)
+class ToolChange:
+    """Another tool (4, 4), in the last frame of the arm's table, m, from here on."""
+
+    T: Array
+
+
+@dataclass(frozen=True, eq=False)
+class FrameChange:
+    """Another work frame (4, 4), in the base, m, in which targets are said from here on."""
+
+    T: Array
+
+
+Happening = Wait | Output | Gripper
+Instruction = Move | Happening | ToolChange | FrameChange
 
 
 @dataclass(frozen=True)
@@ -72,7 +87,7 @@ class Events:
     output: Callable[[int, bool], str]
     gripper: Callable[[float], str]
 
-    def said(self, item: Wait | Output | Gripper) -> str:
+    def said(self, item: Happening) -> str:
         """Return an instruction as it is said."""
         if isinstance(item, Wait):
             return self.wait(item.seconds)

@@ -1,4 +1,4 @@
-"""A program: moves, waits, outputs and the gripper in order; one timed motion, and files that controllers read."""
+"""A program: moves, waits, outputs, gripper, tools and frames in order; one timed motion, and files for controllers."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from pieper.kinematics.forward import checked_joints, fk
 from pieper.kinematics.joints import inside
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
 from pieper.motion.circle import circle, round_of, via_about
-from pieper.motion.instructions import Gripper, Instruction, Move, Output, Wait
-from pieper.motion.joined import event, positive, radius, take, together
+from pieper.motion.instructions import FrameChange, Gripper, Instruction, Move, Output, ToolChange, Wait
+from pieper.motion.joined import positive, radius
 from pieper.motion.limits import SAY_LIMITS, Limits
-from pieper.motion.motion import Motion, sample_times
+from pieper.motion.motion import Motion
 from pieper.motion.path import checked_path
+from pieper.motion.program_motion import motion_of_program
 from pieper.motion.program_words import told
-from pieper.motion.runs import runs
 from pieper.motion.segments import Segment, segment
 from pieper.motion.spline import spline
 from pieper.solver import verbs
@@ -35,6 +35,10 @@ from pieper.words_by_number import plural
 @runtime_checkable
 class ProgramArm(Protocol):
     """What a program needs of an arm."""
+
+    def with_tool(self, tool: PoseLike | str) -> ProgramArm:
+        """Return it with another tool."""
+        ...
 
     @property
     def plan(self) -> Plan:
@@ -48,7 +52,7 @@ class ProgramArm(Protocol):
 
 
 class Program:
-    """Moves, waits, outputs and the gripper in order.
+    """Moves, waits, outputs, the gripper, changes of the tool and the work frame, in order.
 
     Args:
         arm: The arm.
@@ -63,9 +67,10 @@ class Program:
         arguments.like(ProgramArm, arm, "arm", "a pieper.Arm")
         arguments.a(Limits, limits, "limits", SAY_LIMITS)
         self.plan, self.description, self.limits = arm.plan, arm.description, limits
+        self._arm = arm
         limits.of(self.plan.n, self.plan.names)
         q = np.zeros(self.plan.n) if start is None else self._posture(start, "start")
-        self.start, self.work = q, np.eye(4)
+        self.start, self.work, self._tool = q, np.eye(4), arm.description.tool
         self.instructions: list[Instruction] = []
         self._q, self._pose = q, fk(self.plan.chain, q)
         self._segments: list[Segment] = []
@@ -164,13 +169,37 @@ class Program:
         spline(self._pose, through, np.zeros(1))
         return self._line("move_s", through[-1], None, speed, blend, through)
 
+    def tool(self, T: PoseLike | str) -> Program:
+        """Take another tool from here on; the arm rests where it changes.
+
+        Args:
+            T: (4, 4) in the last frame of the arm's table, m, or the name of one of the arm's tools. What the targets
+                that follow say is where this tool goes.
+
+        Raises:
+            InputError: No pose, or no tool of that name.
+            PlanError: The arm cannot be solved with it.
+        """
+        # frames and tools are changed on the arm as it was given: a tool does not stand on the one before
+        arm = self._arm.with_tool(T)
+        if not np.array_equal(arm.description.tool, self._tool):
+            self.plan, self._tool = arm.plan, arm.description.tool
+            self._pose = fk(self.plan.chain, self._q)
+            self.instructions.append(ToolChange(self._tool))
+        return self
+
     def frame(self, T: PoseLike) -> Program:
         """Take the targets that follow as poses in a work frame (4, 4) in the base; `frame(numpy.eye(4))` ends that."""
-        self.work = checked_pose(T, "frame")
+        work = checked_pose(T, "frame")
+        if not np.array_equal(work, self.work):
+            self.work = work
+            self.instructions.append(FrameChange(work))
         return self
 
     def call(self, other: Program, *, times: int = 1) -> Program:
         """Do what another program of the same arm does, so many times; its own start is not gone to.
+
+        It is done with its own tools and in its own frames; those of this program hold again behind it.
 
         Raises:
             InputError: A program of another arm, or a count that is no whole number from 1.
@@ -183,14 +212,19 @@ class Program:
             )
         arguments.whole(times, "times", 1)
         items = list(other.instructions)
-        kept, self.work = self.work, np.eye(4)
-        for item in items * times:
-            self._repeat(item)
-        self.work = kept
-        return self
+        kept = self._tool, self.work
+        for _ in range(times):
+            self.tool(other.description.tool).frame(np.eye(4))
+            for item in items:
+                self._repeat(item)
+        return self.tool(kept[0]).frame(kept[1])
 
     def _repeat(self, item: Instruction) -> None:
-        if not isinstance(item, Move):
+        if isinstance(item, ToolChange):
+            self.tool(item.T)
+        elif isinstance(item, FrameChange):
+            self.frame(item.T)
+        elif not isinstance(item, Move):
             self.instructions.append(item)
         elif item.kind == "move_j":
             self.move_j(item.q, speed=item.speed, blend=item.blend)
@@ -231,49 +265,10 @@ class Program:
         """
         arguments.number(rate, "rate", "samples a second", above=0.0)
         if self._known is None or self._known[:2] != (len(self.instructions), rate):
-            self._known = len(self.instructions), rate, self._motion(rate)
+            whole = motion_of_program(self.instructions, self._segments, self.start, self.limits, rate)
+            described = replace(whole, limits=self.limits, description=self.description)
+            self._known = len(self.instructions), rate, described
         return self._known[2]
-
-    def _motion(self, rate: float) -> Motion:
-        pieces: list[Motion] = []
-        events: list[tuple[float, str, object]] = []
-        remarks: list[str] = []
-        now, number, k = 0.0, 0, 0
-        items = self.instructions
-        while k < len(items):
-            item = items[k]
-            if isinstance(item, Wait):
-                pieces.append(self._rest(item.seconds, pieces, rate))
-                events.append((now, "wait", item.seconds))
-                now += item.seconds
-                k += 1
-            elif isinstance(item, Move):
-                end = k
-                while end < len(items) and not isinstance(items[end], Wait):
-                    end += 1
-                ways = [
-                    (number + i, self._segments[number + i - 1])
-                    for i in range(1, 1 + sum(isinstance(x, Move) for x in items[k:end]))
-                ]
-                passed: list[float] = []
-                for run in runs(self.plan, self.limits, ways, rate):
-                    passed += [now + t for t in run.passed]
-                    now = take(run, now, pieces, remarks)
-                at = -1
-                for x in items[k:end]:
-                    if isinstance(x, Move):
-                        at += 1
-                    else:
-                        events.append(event(passed[at], x))
-                number += len(ways)
-                k = end
-            else:
-                events.append(event(now, item))
-                k += 1
-        if not pieces:
-            pieces.append(self._rest(0.0, pieces, rate))
-        whole = together(pieces, events, remarks)
-        return replace(whole, limits=self.limits, description=self.description)
 
     def explain(self) -> str:
         """Return the program as sentences: each move with its time, and what is not as asked."""
@@ -386,9 +381,3 @@ class Program:
             return verbs.ik(self.plan, T).nearest(self._q)
         except NoSolutionError as error:
             raise NoSolutionError(f"move {self._number} has no posture: {error}", move=self._number) from None
-
-    def _rest(self, seconds: float, before: list[Motion], rate: float) -> Motion:
-        q = before[-1].q[-1:] if before else self.start[None]
-        t = sample_times(seconds, rate)
-        zeros, ends = np.zeros((len(t), self.plan.n)), np.array([0.0, seconds])
-        return Motion(t, np.repeat(q, len(t), 0), zeros, zeros, ends, ends, zeros, np.zeros(len(t)))

@@ -13,15 +13,16 @@ from pieper import arguments
 from pieper.document.writing import write_whole
 from pieper.errors import InputError, PieperError
 from pieper.kinematics.arrays import Array
+from pieper.kinematics.pose import inverse
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.instructions import Instruction, Move, Output, Wait
+from pieper.motion.instructions import FrameChange, Instruction, Move, Output, ToolChange, Wait
 from pieper.motion.limits import Limits
 from pieper.motion.program import Program, ProgramArm
 
 #: Decimals of degrees, millimetres and seconds.
 DECIMALS = 11
 
-_KINDS = ("move_j", "move_l", "move_c", "move_s", "wait", "output", "gripper")
+_KINDS = ("move_j", "move_l", "move_c", "move_s", "wait", "output", "gripper", "tool", "frame")
 _BESIDE = {
     "move_j": {"speed", "blend"},
     "move_l": {"speed", "blend"},
@@ -49,8 +50,11 @@ def save_program(program: Program, path: str | os.PathLike[str]) -> Path:
         value = getattr(program.limits, name)
         if value is not None:
             lines.append(f"{name} = {_number(value * (180 / np.pi if name == 'turn_speed' else 1e3))}")
+    frame = np.eye(4)
     for item in program.instructions:
-        lines += ["", "[[step]]", *_step(program, item)]
+        if isinstance(item, FrameChange):
+            frame = item.T
+        lines += ["", "[[step]]", *_step(program, item, inverse(frame))]
     return write_whole(path, "\n".join([*lines, ""]))
 
 
@@ -112,6 +116,10 @@ def _add(program: Program, said: Any, scale: Array, where: str) -> None:
         program.wait(value)
     elif kind == "gripper":
         program.gripper(value)
+    elif kind == "tool":
+        program.tool(value if isinstance(value, str) else _pose(value, f"{where}: tool"))
+    elif kind == "frame":
+        program.frame(_pose(value, f"{where}: frame"))
     elif kind == "output":
         pair = _list(value, f"{where}: output is [port, true] or [port, false]")
         if len(pair) != 2 or not isinstance(pair[1], bool):
@@ -191,7 +199,10 @@ def _pose(value: Any, what: str) -> Array:
     return pose(x, y, z, rpy=(roll, pitch, yaw), degrees=True, mm=True)
 
 
-def _step(program: Program, item: Instruction) -> list[str]:
+def _step(program: Program, item: Instruction, seen: Array) -> list[str]:
+    """Return the lines of a step; `seen` (4, 4) moves a pose of the base into the work frame."""
+    if isinstance(item, (ToolChange, FrameChange)):
+        return [f"{'tool' if isinstance(item, ToolChange) else 'frame'} = {_row(_pose_out(item.T))}"]
     if isinstance(item, Wait):
         return [f"wait = {_number(item.seconds)}"]
     if isinstance(item, Output):
@@ -201,11 +212,11 @@ def _step(program: Program, item: Instruction) -> list[str]:
     if item.kind == "move_j":
         lines = [f"move_j = {_row(_joints_out(program, item.q))}"]
     elif item.through is not None:
-        lines = [f"move_s = [{', '.join(_row(_pose_out(T)) for T in item.through)}]"]
+        lines = [f"move_s = [{', '.join(_row(_pose_out(seen @ T)) for T in item.through)}]"]
     else:
-        lines = [f"{item.kind} = {_row(_pose_out(item.T))}"]
+        lines = [f"{item.kind} = {_row(_pose_out(seen @ item.T))}"]
     if item.via is not None:
-        lines.append(f"via = {_row(_pose_out(item.via))}")
+        lines.append(f"via = {_row(_pose_out(seen @ item.via))}")
     if item.speed is not None:
         lines.append(f"speed = {_number(item.speed * (1.0 if item.kind == 'move_j' else 1e3))}")
     if item.blend:

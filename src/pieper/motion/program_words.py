@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pieper.motion.instructions import Events, Instruction, Move
+from pieper.kinematics.spoken import read_pose
+from pieper.motion.instructions import Events, FrameChange, Instruction, Move, ToolChange
 from pieper.motion.motion import Motion
 from pieper.words_by_number import plural
 
@@ -34,6 +35,10 @@ def told(name: str, instructions: Sequence[Instruction], motion: Motion, strays:
             x, y, z = (round(float(v) * 1e3, 1) + 0.0 for v in item.T[:3, 3])
             corner = f", blend {item.blend * 1e3:g} mm" if item.blend else ""
             lines.append(f"{number}. {_WORDS[item.kind]} x {x:.1f}, y {y:.1f}, z {z:.1f} mm{corner}")
+        elif isinstance(item, (ToolChange, FrameChange)):
+            what = "tool" if isinstance(item, ToolChange) else "targets in the frame"
+            x, y, z, roll, pitch, yaw = (f"{v:.1f}" for v in read_pose(item.T, "rpy", degrees=True, mm=True))
+            lines.append(f"   {what} at x {x}, y {y}, z {z} mm, roll {roll}, pitch {pitch}, yaw {yaw} deg")
         else:
             lines.append("   " + _EVENTS.said(item))
     kept = f"lines, circles and splines are kept to {strays * 1e6:.2g} um"

@@ -34,12 +34,14 @@ class Segment:
         curve: Its joint curve, s from 0 to 1.
         strays: How far the tool is from the line or circle asked for, at most, m; 0 for joint moves.
         T0: (4, 4) the pose it begins at.
+        plan: How the arm is solved with the tool that it has then.
     """
 
     move: Move
     curve: JointCurve
     strays: float
     T0: Array
+    plan: Plan
 
 
 def segment(plan: Plan, number: int, q0: Array, T0: Array, move: Move) -> Segment:
@@ -53,7 +55,7 @@ def segment(plan: Plan, number: int, q0: Array, T0: Array, move: Move) -> Segmen
         if np.array_equal(q0, move.q):
             raise InputError(f"move {number} has no length: the arm is there already. Leave it out.", move=number)
         s = np.linspace(0.0, 1.0, STRAIGHT_POINTS)
-        return Segment(move, JointCurve.through(s, q0 + s[:, None] * (move.q - q0)), 0.0, T0)
+        return Segment(move, JointCurve.through(s, q0 + s[:, None] * (move.q - q0)), 0.0, T0, plan)
     if move.through is None and (_missed(plan, T0[None], move.T[None]) < PROGRAM_STANDS).all():
         raise InputError(f"move {number} has no length: the tool is there already. Leave it out.", move=number)
     points = POINTS
@@ -70,7 +72,7 @@ def segment(plan: Plan, number: int, q0: Array, T0: Array, move: Move) -> Segmen
         middle = (s[1:] + s[:-1]) / 2
         off = _missed(plan, fk(plan.chain, curve.at(middle)[0]), _poses(T0, move, middle))
         if off.max() <= STRAYS or points >= MOST_POINTS:
-            return Segment(move, curve, float(off[:, 0].max()), T0)
+            return Segment(move, curve, float(off[:, 0].max()), T0, plan)
         points = 2 * points - 1
 
 

@@ -47,3 +47,23 @@ def calibration_figure(fit: Fit) -> Figure:
         axes.bar(names, value, color=COLOURS[2 * place], zorder=3)
         plain_axes(axes, x="joint", y=label, title=("axes tilted", "axes shifted")[place])
     return figure
+
+
+def deviations_figure(fit: Fit) -> Figure:
+    """Draw how sure each fitted number is: one standard deviation, over the size by which it may plausibly depart.
+
+    Args:
+        fit: A calibrated arm.
+
+    Returns:
+        The figure. Numbers that could not be seen, or were held, have no bar.
+    """
+    deviation = np.sqrt(np.maximum(np.diag(fit.covariance), 0.0)) / fit.parameters.sizes
+    figure = new_figure(9.6, 0.22 * len(deviation) + 1.0)
+    axes = figure.add_subplot(1, 1, 1)
+    place = np.arange(len(deviation))
+    axes.barh(place, deviation, color=COLOURS[0], zorder=3)
+    axes.set_yticks(place, fit.parameters.names, fontsize=8)
+    axes.invert_yaxis()
+    plain_axes(axes, x="one deviation / plausible departure", y="", title="how sure each number is")
+    return figure

@@ -11,6 +11,7 @@ from pieper.errors import InputError
 from pieper.maps.reach_map import ReachMap
 
 if TYPE_CHECKING:
+    from matplotlib.colors import LinearSegmentedColormap
     from matplotlib.figure import Figure
 
 #: What can be shaded, and its words.
@@ -19,6 +20,8 @@ SHADES = {
     "count": "solutions, all orientations",
     "manipulability": "best manipulability",
     "margin": "distance to limits, share of half a range",
+    "least_singular": "smallest singular value, nearest to singular",
+    "most_singular": "smallest singular value, farthest from singular",
 }
 
 
@@ -27,7 +30,7 @@ def map_figure(m: ReachMap, *, what: str = "fraction", at: tuple[float, float, f
 
     Args:
         m: The map.
-        what: "fraction", "count", "manipulability" or "margin".
+        what: "fraction", "count", "manipulability", "margin", "least_singular" or "most_singular".
         at: Where the sections lie (x, y, z), m; through the voxel that is best served when left out.
 
     Returns:
@@ -46,9 +49,7 @@ def map_figure(m: ReachMap, *, what: str = "fraction", at: tuple[float, float, f
         if not inside[0]:
             raise InputError(f"at = {at} m lies outside the map's box.", given=at)
         index = np.unravel_index(int(voxel[0]), values.shape)
-    from matplotlib.colors import LinearSegmentedColormap
-
-    shades = LinearSegmentedColormap.from_list("map", ["#d6e9f5", "#56B4E9", "#0072B2", "#003350"])
+    shades = _shades()
     edges = [(low + np.arange(n + 1) * m.grid.step) * MM for low, n in zip(m.grid.low, m.grid.shape, strict=True)]
     most = float(values.max()) or 1.0
     figure = new_figure(10.2, 4.0)
@@ -66,3 +67,41 @@ def map_figure(m: ReachMap, *, what: str = "fraction", at: tuple[float, float, f
     if drawn is not None:
         figure.colorbar(drawn, ax=figure.axes, label=SHADES[what], shrink=0.8)
     return figure
+
+
+def layers_figure(m: ReachMap, *, most: int = 6) -> Figure:
+    """Draw slices across z from below upwards, shaded by the share of orientations that is reached.
+
+    Args:
+        m: The map.
+        most: How many slices at most, evenly spread over the layers in which something is reached.
+
+    Returns:
+        The figure. White is not reached at all.
+    """
+    some = np.flatnonzero((m.fraction > 0).any((0, 1)))
+    some = some if len(some) else np.arange(m.grid.shape[2])
+    layers = some[np.unique(np.linspace(0, len(some) - 1, min(most, len(some))).round().astype(int))]
+    x, y = (
+        (low + np.arange(n + 1) * m.grid.step) * MM for low, n in zip(m.grid.low[:2], m.grid.shape[:2], strict=True)
+    )
+    columns = min(3, len(layers))
+    rows = -(-len(layers) // columns)
+    figure = new_figure(10.2, 3.4 * rows)
+    top, drawn = float(m.fraction.max()) or 1.0, None
+    for place, layer in enumerate(layers):
+        axes = figure.add_subplot(rows, columns, place + 1)
+        plain_axes(axes, x="x, mm", y="y, mm", title=f"z = {m.axes[2][layer] * MM:.0f} mm")
+        axes.locator_params(nbins=5)
+        share = np.ma.masked_equal(m.fraction[:, :, layer], 0.0)
+        drawn = axes.pcolormesh(x, y, share.T, cmap=_shades(), vmin=0.0, vmax=top, rasterized=True, linewidth=0)
+        axes.set_aspect("equal")
+    if drawn is not None:
+        figure.colorbar(drawn, ax=figure.axes, label=SHADES["fraction"], shrink=0.8)
+    return figure
+
+
+def _shades() -> LinearSegmentedColormap:
+    from matplotlib.colors import LinearSegmentedColormap
+
+    return LinearSegmentedColormap.from_list("map", ["#d6e9f5", "#56B4E9", "#0072B2", "#003350"])

@@ -18,21 +18,17 @@ from pieper.document.writing import write_beside, write_whole
 from pieper.drawing.style import MM
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.pose import checked_pose
+from pieper.presentation import sections_arm
 from pieper.presentation.plot_reach import joint_range
-from pieper.presentation.sections_arm import (
-    add_arm,
-    add_derivation,
-    add_forward,
-    add_plan,
-    add_reach,
-    add_singularities,
-    add_worked,
-)
+from pieper.presentation.sections_lesson import add_dh_steps, add_jacobian, add_triangle
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
+from pieper.presentation.sections_scale import add_fit, add_map
 from pieper.tolerances import WHOLE_TURN
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
+    from pieper.calibration.fit import Fit
+    from pieper.maps.reach_map import ReachMap
     from pieper.motion.track import Track
     from pieper.presentation.arm import Arm
     from pieper.solver.results import Solutions
@@ -43,7 +39,13 @@ CANDIDATES = 200
 
 
 def report(
-    arm: Arm, *, pose: np.ndarray | None = None, track: Track | None = None, comparison: Comparison | None = None
+    arm: Arm,
+    *,
+    pose: np.ndarray | None = None,
+    track: Track | None = None,
+    comparison: Comparison | None = None,
+    reach_map: ReachMap | None = None,
+    fit: Fit | None = None,
 ) -> Document:
     """Return the report of an arm as a document.
 
@@ -52,6 +54,8 @@ def report(
         pose: (4, 4) the pose to solve, m; one with many solutions is chosen when left out.
         track: A path study to include.
         comparison: What `arm.verify` found, to include.
+        reach_map: A map of it to include.
+        fit: A calibration of it to include.
 
     Returns:
         The document, to be written by `document.html.page`, `document.latex.source` or `document.markdown.source`.
@@ -62,22 +66,29 @@ def report(
     given = pose is not None
     today = datetime.date.today().isoformat()
     page = Document(f"Kinematics of the {arm.name}", _subtitle(arm), edition=f"pieper {_version()}, {today}")
-    add_arm(page, arm)
-    add_plan(page, arm)
+    sections_arm.add_arm(page, arm)
+    add_dh_steps(page, arm)
+    sections_arm.add_plan(page, arm)
     add_peculiarities(page, arm)
-    add_forward(page, arm)
-    add_derivation(page, arm)
+    sections_arm.add_forward(page, arm)
+    sections_arm.add_derivation(page, arm)
+    add_triangle(page, arm)
     T = checked_pose(pose, "pose") if given else _good_pose(arm)
     if T is not None:
-        add_worked(page, arm, T)
+        sections_arm.add_worked(page, arm, T)
     solved = _solved(page, arm, T, given=given)
-    add_singularities(page, arm)
-    add_reach(page, arm)
+    add_jacobian(page, arm)
+    sections_arm.add_singularities(page, arm)
+    sections_arm.add_reach(page, arm)
     if track is not None:
         page.section("A path")
         add_track(page, arm, track)
     if comparison is not None:
         add_comparison(page, comparison)
+    if reach_map is not None:
+        add_map(page, reach_map)
+    if fit is not None:
+        add_fit(page, fit)
     page.summary = _summary(arm, solved, track)
     return page
 
@@ -91,6 +102,8 @@ def write_report(
     pose: np.ndarray | None = None,
     track: Track | None = None,
     comparison: Comparison | None = None,
+    reach_map: ReachMap | None = None,
+    fit: Fit | None = None,
 ) -> list[Path]:
     """Write the report of an arm, each file whole or not at all.
 
@@ -102,6 +115,8 @@ def write_report(
         pose: As in `report`.
         track: As in `report`.
         comparison: As in `report`.
+        reach_map: As in `report`.
+        fit: As in `report`.
 
     Returns:
         The files that were written, the page first.
@@ -109,7 +124,7 @@ def write_report(
     Raises:
         InputError: A place that cannot be written.
     """
-    page = report(arm, pose=pose, track=track, comparison=comparison)
+    page = report(arm, pose=pose, track=track, comparison=comparison, reach_map=reach_map, fit=fit)
     written = [write_whole(out, html_page(page))]
     for path, source in ((latex, latex_source), (markdown, markdown_source)):
         if path is not None:
@@ -228,7 +243,7 @@ def _and(words: Sequence[str]) -> str:
 def _summary(arm: Arm, sols: Solutions | None, track: Track | None) -> str:
     text = f"The {arm.name} has {plural(arm.n, 'joint')} ({arm.joint_types})."
     try:
-        text += f" A pose has at most {plural(arm.plan.max_solutions, 'solution')}."
+        text += f" A pose has at most {plural(arm.plan.count.most, 'solution')}."
     except PieperError:
         text += " It is beyond the solver; its geometry and forward kinematics are given."
     if sols is not None:

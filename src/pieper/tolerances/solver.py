@@ -93,10 +93,11 @@ SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
 SWEEP_FINEST = 1e-6
 #: A pose is approached from this far to the side (per length; rad) where a row on it is not clear.
 CAREFUL_ASIDE = 1e-9
-#: Poses this far to the side (per length; rad) vouch for one whose own certificate fails: far enough that what meets at a
-#: special pose has parted, near enough that regular solutions are led back.
+#: Poses this far to the side (per length; rad) vouch for one whose own certificate fails: far enough that what meets at
+#: a special pose has parted, near enough that regular solutions are led back.
 SURE_ASIDE = 1e-3
-#: A solution led back onto the pose is one of its rows within this (rad; per length): of merged roots it ends in the blur.
+#: A solution led back onto the pose is one of its rows within this (rad; per length): of merged roots it ends
+#: in the blur.
 SAME_VOUCHED = 1e-4
 #: Sizes of the side steps (per length; rad) from which a singular pose is approached.
 APPROACH_SIZES = (1e-4, 1e-7)

@@ -40,7 +40,7 @@ def _pieces(way: Segment) -> list[Move]:
     count = int(np.ceil(arc.angle / MOST_ROUND))
     if count < 2:
         return [move]
-    s = np.arange(1, 2 * count) / (2 * count)
+    s: Array = np.linspace(0.0, 1.0, 2 * count + 1)[1:-1]
     poses: Array = circle(way.T0, move.via, move.T, s)
     joints = way.curve.at(s)[0]
     chord = 2 * float(np.linalg.norm(arc.spoke)) * np.sin(arc.angle / count / 2)

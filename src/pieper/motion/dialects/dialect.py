@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from textwrap import wrap
 
 import numpy as np
@@ -12,11 +12,13 @@ import numpy as np
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
+from pieper.kinematics.pose import inverse, pose_error
 from pieper.kinematics.spoken import read_pose
-from pieper.motion.instructions import Instruction, Move
+from pieper.motion.instructions import FrameChange, Instruction, Move, ToolChange
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
 from pieper.solver.plan.plan import Plan
+from pieper.tolerances import SAME_TOOL_IN_FILE
 
 #: Tool speed that is written where none was said, mm/s; turns are written in proportion.
 USUAL_SPEED = 250.0
@@ -30,9 +32,11 @@ class Target:
     Attributes:
         kind: "move_j", "move_l", "move_c", or "point" of a trajectory.
         q: (n,) joint values, rad or m, where the file has them.
-        T: (4, 4) pose, m, where the file has it.
+        T: (4, 4) pose in the base, m, where the file has it.
         via: (4, 4) pose that a circle passes, where the file has it.
         q_via: (n,) joint values there, where the file has them.
+        tool: (4, 4) the tool that is meant, m, where the file has it.
+        frame: (4, 4) the work frame in the base that the target stands in, m; None for the base.
     """
 
     kind: str
@@ -40,6 +44,36 @@ class Target:
     T: Array | None = None
     via: Array | None = None
     q_via: Array | None = None
+    tool: Array | None = None
+    frame: Array | None = None
+
+    def means_tool(self, T: Array) -> bool:
+        """Whether the tool that is meant is T (4, 4), as exactly as files say it."""
+        return self.tool is not None and bool((pose_error(self.tool, T) < SAME_TOOL_IN_FILE).all())
+
+    def under(self, tool: Array | None, frame: Array | None) -> Target:
+        """Return a target that was read as it stands in a work frame, its poses moved into the base."""
+        if frame is None:
+            return replace(self, tool=tool)
+        moved = [None if T is None else frame @ T for T in (self.T, self.via)]
+        return replace(self, T=moved[0], via=moved[1], tool=tool, frame=frame)
+
+
+@dataclass(frozen=True, eq=False)
+class Setup:
+    """The tool and the work frame that hold where an instruction stands.
+
+    Attributes:
+        tool: (4, 4) in the last frame of the table, m.
+        frame: (4, 4) in the base, m.
+        tool_number: 1 for the arm's own, then counted as they first come.
+        frame_number: 0 for the base, then counted as they first come.
+    """
+
+    tool: Array
+    frame: Array
+    tool_number: int = 1
+    frame_number: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +104,37 @@ class Script:
     def moves(self) -> list[Move]:
         """The moves alone."""
         return [item for item in self.instructions if isinstance(item, Move)]
+
+    def steps(self) -> Iterator[tuple[Instruction, Setup]]:
+        """Yield each instruction with what holds at it; a change of tool or frame with what holds from there on.
+
+        The poses of moves are those seen from the work frame.
+        """
+        tools, frames = [self.description.tool], [np.eye(4)]
+        now = Setup(tools[0], frames[0])
+        for item in self.instructions:
+            if isinstance(item, ToolChange):
+                k = _numbered(item.T, tools)
+                now = replace(now, tool=tools[k], tool_number=k + 1)
+            elif isinstance(item, FrameChange):
+                k = _numbered(item.T, frames)
+                now = replace(now, frame=frames[k], frame_number=k)
+            elif isinstance(item, Move) and now.frame_number:
+                seen = inverse(now.frame)
+                yield replace(item, T=seen @ item.T, via=None if item.via is None else seen @ item.via), now
+                continue
+            yield item, now
+
+    def setups(self) -> tuple[dict[int, Array], dict[int, Array]]:
+        """Return the tools and the work frames that are changed to, by number."""
+        tools: dict[int, Array] = {}
+        frames: dict[int, Array] = {}
+        for item, now in self.steps():
+            if isinstance(item, ToolChange):
+                tools[now.tool_number] = now.tool
+            elif isinstance(item, FrameChange) and now.frame_number:
+                frames[now.frame_number] = now.frame
+        return tools, frames
 
     def degrees(self, q: Array) -> list[float]:
         """Return joint values as controllers take them: degrees, and millimetres of a slide."""
@@ -106,6 +171,15 @@ class Dialect:
     longest: int
     write: Callable[[Script], str]
     read: Callable[[str], list[Target]]
+
+
+def _numbered(T: Array, known: list[Array]) -> int:
+    """Return which of the known poses one is, put at their end where it is new."""
+    for k, other in enumerate(known):
+        if np.array_equal(T, other):
+            return k
+    known.append(T)
+    return len(known) - 1
 
 
 def numbers(values: Sequence[float], digits: int, between: str = " ") -> str:

@@ -10,17 +10,25 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, named
-from pieper.motion.instructions import Events, Move
+from pieper.motion.dialects.dialect import NUMBER, USUAL_SPEED, Dialect, Script, Setup, Target, fixed, named
+from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 _JOINTS = ("J1", "J2", "J3", "J4", "J5", "J6")
 _POSE = ("X", "Y", "Z", "W", "P", "R")
 #: FANUC counts J3 from the level, whatever J2 does; robot files count joint 3 from the lower arm.
 _COUPLED = "J3 = joint 3 - joint 2"
+#: The position register through which tools and frames are set.
+_REGISTER = 99
 #: A remark has no more characters.
 _REMARK = 32
 
 
+#: A move, an element of a register, a tool or frame set by one, and one taken.
+_LINE = (
+    r"^\s*\d+:\s*(?:([JLC])\s+P\[(\d+)[^\]]*\](?:\s*P\[(\d+)[^\]]*\])?"
+    rf"|PR\[{_REGISTER},(?P<element>\d)\]=\(?(?P<value>{NUMBER})\)?"
+    r"|(?P<setting>UTOOL|UFRAME)\[(?P<number>\d+)\]=PR|(?P<taking>UTOOL|UFRAME)_NUM=(?P<taken>\d+))"
+)
 _EVENTS = Events(
     wait=lambda seconds: f"WAIT {seconds:6.2f}(sec)",
     output=lambda port, value: f"DO[{port}]={'ON' if value else 'OFF'}",
@@ -34,17 +42,26 @@ def write(script: Script) -> str:
     places: list[str] = []
     coupled = "fanuc" in script.description.manufacturer.lower() and not script.cartesian
 
+    now = Setup(script.description.tool, np.eye(4))
+
     def place(q: Array, T: Array) -> int:
         index = len(places) + 1
-        places.append(_place(script, index, q, T, coupled))
+        places.append(_place(script, index, q, T, coupled, now))
         return index
 
     for line in script.head("!", _REMARK):
         lines.append(line)
     if coupled:
         lines.append(f"! {_COUPLED}")
-    for item in script.instructions:
-        lines += _move(item, place) if isinstance(item, Move) else [_EVENTS.said(item)]
+    for item, now in script.steps():
+        if isinstance(item, ToolChange):
+            lines += _set("UTOOL", now.tool_number, now.tool) if now.tool_number > 1 else []
+            lines.append(f"UTOOL_NUM={now.tool_number}")
+        elif isinstance(item, FrameChange):
+            lines += _set("UFRAME", now.frame_number, now.frame) if now.frame_number else []
+            lines.append(f"UFRAME_NUM={now.frame_number}")
+        else:
+            lines += _move(item, place) if isinstance(item, Move) else [_EVENTS.said(item)]
     text = [f"/PROG  {script.name.upper()}", "/ATTR", 'COMMENT = "pieper";', "DEFAULT_GROUP = 1,*,*,*,*;", "/MN"]
     text += [f"{number:4d}:{line}    ;" for number, line in enumerate(lines, 1)]
     return "\n".join([*text, "/POS", *places, "/END", ""])
@@ -63,19 +80,27 @@ def _move(move: Move, place: Callable[[Array, Array], int]) -> list[str]:
     return [f"L P[{place(move.q, move.T)}] {speed}"]
 
 
-def _place(script: Script, index: int, q: Array, T: Array, coupled: bool) -> str:
+def _set(what: str, number: int, T: Array) -> list[str]:
+    """Return lines that set a tool or a frame by way of a position register."""
+    values = [fixed(v, 5) for v in read_pose(T, "wpr", degrees=True, mm=True)]
+    said = [f"({v})" if v.startswith("-") else v for v in values]
+    return [*(f"PR[{_REGISTER},{k}]={v}" for k, v in enumerate(said, 1)), f"{what}[{number}]=PR[{_REGISTER}]"]
+
+
+def _place(script: Script, index: int, q: Array, T: Array, coupled: bool, now: Setup) -> str:
+    stands = f"UF : {now.frame_number}, UT : {now.tool_number}"
     if not script.cartesian:
         values = script.degrees(q)
         if coupled:
             values[2] -= values[1]
         said = ",\n  ".join(f"{n}= {fixed(v, 5)} deg" for n, v in zip(_JOINTS, values, strict=True))
-        return f"P[{index}]{{\n  GP1:\n  UF : 0, UT : 1,\n  {said}\n}};"
+        return f"P[{index}]{{\n  GP1:\n  {stands},\n  {said}\n}};"
     words = configuration(script.plan, q, "fanuc")
     config = f"'{' '.join(words.words)}, {', '.join(str(t) for t in words.turns)}'"
     values = read_pose(T, "wpr", degrees=True, mm=True)
     units = ["mm"] * 3 + ["deg"] * 3
     said = ",\n  ".join(f"{n}= {fixed(v, 5)} {u}" for n, v, u in zip(_POSE, values, units, strict=True))
-    return f"P[{index}]{{\n  GP1:\n  UF : 0, UT : 1, CONFIG : {config},\n  {said}\n}};"
+    return f"P[{index}]{{\n  GP1:\n  {stands}, CONFIG : {config},\n  {said}\n}};"
 
 
 def read(text: str) -> list[Target]:
@@ -91,14 +116,29 @@ def read(text: str) -> list[Target]:
         elif values is not None:
             places[int(m[1])] = None, pose(*values[:3], wpr=values[3:], degrees=True, mm=True)
     out: list[Target] = []
-    for m in re.finditer(r"^\s*\d+:\s*([JLC])\s+P\[(\d+)[^\]]*\](?:\s*P\[(\d+)[^\]]*\])?", text, re.M):
+    register = [0.0] * 6
+    tools: dict[int, Array] = {}
+    frames: dict[int, Array] = {}
+    under: tuple[Array | None, Array | None] = None, None
+    for m in re.finditer(_LINE, text, re.M):
+        if m["element"]:
+            register[int(m["element"]) - 1] = float(m["value"])
+            continue
+        if m["setting"]:
+            made = pose(*register[:3], wpr=register[3:], degrees=True, mm=True)
+            (tools if m["setting"] == "UTOOL" else frames)[int(m["number"])] = made
+            continue
+        if m["taking"]:
+            k = int(m["taken"])
+            under = (tools.get(k), under[1]) if m["taking"] == "UTOOL" else (under[0], frames.get(k))
+            continue
         kind = {"J": "move_j", "L": "move_l", "C": "move_c"}[m[1]]
         if m[3]:
             q_via, via = places[int(m[2])]
             q, T = places[int(m[3])]
-            out.append(Target(kind, q, T, via, q_via))
+            out.append(Target(kind, q, T, via, q_via).under(*under))
         else:
-            out.append(Target(kind, *places[int(m[2])]))
+            out.append(Target(kind, *places[int(m[2])]).under(*under))
     return out
 
 

@@ -5,16 +5,27 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+import numpy as np
+
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
-from pieper.motion.instructions import Events, Move
+from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Setup, Target, fixed, found, numbers
+from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 #: A comment has no more characters.
 _COMMENT = 32
 
 
+#: A move, an element of the variable, a tool set by it, and a frame made of three points.
+_LINE = (
+    r"^(?:(MOVJ|MOVL|MOVC)\s+(C\d+)|SETE P000 \((?P<element>\d)\) (?P<value>-?\d+)"
+    r"|SETTOOL TL#\((?P<tool>\d+)\)|MFRAME UF#\((?P<frame>\d+)\) (?P<corners>C.*))"
+)
+#: Parts of a millimetre and of a degree in which a position variable counts.
+_PARTS = (1000, 1000, 1000, 10000, 10000, 10000)
+#: Points of which a work frame is made, m: far apart, so that their rounding turns it by next to nothing.
+_CORNERS = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 _EVENTS = Events(
     wait=lambda seconds: f"TIMER T={fixed(seconds, 2)}",
     output=lambda port, value: f"DOUT OT#({port}) {'ON' if value else 'OFF'}",
@@ -26,26 +37,48 @@ def write(script: Script) -> str:
     """Return the text of a job. Positions of one RCONF stand together under it."""
     positions: list[str] = []
     lines: list[str] = []
-    last = ""
+    now = Setup(script.description.tool, np.eye(4))
+    last: list[str] = []
 
-    def place(q: Array, T: Array) -> str:
-        nonlocal last
+    def place(q: Array, T: Array, frame: int | None = None) -> str:
         said = configuration(script.plan, q, "yaskawa")
-        words = f"///RCONF {','.join([*said.words, *(str(t) for t in said.turns), '0', '0'])}"
+        stands = now.frame_number if frame is None else frame
+        words = [f"///TOOL {now.tool_number - 1}"]
+        words += [f"///USER {stands}", "///POSTYPE USER"] if stands else ["///POSTYPE ROBOT"]
+        words += ["///RECTAN", f"///RCONF {','.join([*said.words, *(str(t) for t in said.turns), '0', '0'])}"]
         if words != last:
-            positions.append(words)
-            last = words
+            positions.extend(words)
+            last[:] = words
         index = sum(line.startswith("C") for line in positions)
         values = read_pose(T, "yaskawa", degrees=True, mm=True)
         positions.append(f"C{index:05d}={numbers(values[:3], 4, ',')},{numbers(values[3:], 5, ',')}")
         return f"C{index:05d}"
 
-    for item in script.instructions:
-        lines += _move(item, place) if isinstance(item, Move) else [_EVENTS.said(item)]
+    q = script.start
+    for item, now in script.steps():
+        if isinstance(item, ToolChange):
+            lines += _tool(now) if now.tool_number > 1 else []
+        elif isinstance(item, FrameChange):
+            # a frame is made of its origin, a point on its x axis and one on the side of its y axis
+            corners = [now.frame @ pose(*p) for p in _CORNERS] if now.frame_number else []
+            made = [place(q, T, 0) for T in corners]
+            lines += [f"MFRAME UF#({now.frame_number}) {' '.join(made)}"] if made else []
+        elif isinstance(item, Move):
+            lines += _move(item, place)
+            q = item.q
+        else:
+            lines.append(_EVENTS.said(item))
     count = sum(line.startswith("C") for line in positions)
-    head = ["/JOB", f"//NAME {script.name.upper()}", "//POS", f"///NPOS {count},0,0,0,0,0", "///TOOL 0"]
-    head += ["///POSTYPE ROBOT", "///RECTAN", *positions, "//INST", "///ATTR SC,RW,RJ", "///GROUP1 RB1", "NOP"]
+    head = ["/JOB", f"//NAME {script.name.upper()}", "//POS", f"///NPOS {count},0,0,0,0,0"]
+    head += [*positions, "//INST", "///ATTR SC,RW,RJ", "///GROUP1 RB1", "NOP"]
     return "\n".join([*head, *script.head("'", _COMMENT), *lines, "END", ""])
+
+
+def _tool(now: Setup) -> list[str]:
+    """Return lines that set a tool by way of a position variable, in um and 1e-4 degrees."""
+    values = read_pose(now.tool, "yaskawa", degrees=True, mm=True)
+    whole = [round(v * parts) for v, parts in zip(values, _PARTS, strict=True)]
+    return [*(f"SETE P000 ({k}) {v}" for k, v in enumerate(whole, 1)), f"SETTOOL TL#({now.tool_number - 1}) P000"]
 
 
 def _move(move: Move, place: Callable[[Array, Array], str]) -> list[str]:
@@ -63,20 +96,52 @@ def _move(move: Move, place: Callable[[Array, Array], str]) -> list[str]:
 def read(text: str) -> list[Target]:
     """Return the targets of a job, in the order of its moves; two MOVC in a row are one circle."""
     places: dict[str, Array] = {}
-    for m in re.finditer(r"^(C\d+)=(.*)$", text, re.M):
-        v = found(m[2], 6)
-        places[m[1]] = pose(*v[:3], yaskawa=v[3:], degrees=True, mm=True)
+    stands: dict[str, tuple[int, int]] = {}
+    tool, user = 0, 0
+    for m in re.finditer(r"^(C\d+)=(.*)$|^///TOOL (\d+)|^///USER (\d+)|^///POSTYPE ROBOT", text, re.M):
+        if m[1]:
+            v = found(m[2], 6)
+            places[m[1]], stands[m[1]] = pose(*v[:3], yaskawa=v[3:], degrees=True, mm=True), (tool, user)
+        elif m[3]:
+            tool = int(m[3])
+        else:
+            user = int(m[4] or 0)
+    tools: dict[int, Array] = {}
+    frames: dict[int, Array] = {}
+    variable = [0.0] * 6
     out: list[Target] = []
     via: Array | None = None
-    for m in re.finditer(r"^(MOVJ|MOVL|MOVC)\s+(C\d+)", text, re.M):
+    for m in re.finditer(_LINE, text, re.M):
+        if m["element"]:
+            k = int(m["element"]) - 1
+            variable[k] = float(m["value"]) / _PARTS[k]
+            continue
+        if m["tool"]:
+            tools[int(m["tool"])] = pose(*variable[:3], yaskawa=variable[3:], degrees=True, mm=True)
+            continue
+        if m["frame"]:
+            frames[int(m["frame"])] = _frame([places[name] for name in m["corners"].split()])
+            continue
+        tool, user = stands[m[2]]
+        under = tools.get(tool), frames[user] if user else None
         if m[1] == "MOVC" and via is None:
             via = places[m[2]]
         elif m[1] == "MOVC":
-            out.append(Target("move_c", T=places[m[2]], via=via))
+            out.append(Target("move_c", T=places[m[2]], via=via).under(*under))
             via = None
         else:
-            out.append(Target("move_j" if m[1] == "MOVJ" else "move_l", T=places[m[2]]))
+            out.append(Target("move_j" if m[1] == "MOVJ" else "move_l", T=places[m[2]]).under(*under))
     return out
+
+
+def _frame(corners: list[Array]) -> Array:
+    origin, x, y = (T[:3, 3] for T in corners)
+    a = (x - origin) / np.linalg.norm(x - origin)
+    c = np.cross(a, y - origin)
+    c = c / np.linalg.norm(c)
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = np.stack([a, np.cross(c, a), c], -1), origin
+    return T
 
 
 DIALECT = Dialect("inform", (".jbi",), "yaskawa", 32, write, read)

@@ -10,7 +10,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, named, numbers
-from pieper.motion.instructions import Events, Move
+from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 _AXES = ("A1", "A2", "A3", "A4", "A5", "A6")
 _POSE = ("X", "Y", "Z", "A", "B", "C")
@@ -25,10 +25,14 @@ _EVENTS = Events(
 
 def write(script: Script) -> str:
     """Return the text of a source file."""
-    body = [f"$TOOL={{{_words(_POSE, read_pose(script.description.tool, 'abc', degrees=True, mm=True))}}}"]
-    body.append("$BASE=$NULLFRAME")
-    for item in script.instructions:
-        body += _move(script, item) if isinstance(item, Move) else [_EVENTS.said(item)]
+    body = [f"$TOOL={{{_place(script.description.tool)}}}", "$BASE=$NULLFRAME"]
+    for item, now in script.steps():
+        if isinstance(item, ToolChange):
+            body.append(f"$TOOL={{{_place(now.tool)}}}")
+        elif isinstance(item, FrameChange):
+            body.append(f"$BASE={{{_place(now.frame)}}}" if now.frame_number else "$BASE=$NULLFRAME")
+        else:
+            body += _move(script, item) if isinstance(item, Move) else [_EVENTS.said(item)]
     lines = ["&ACCESS RVP", f"DEF {script.name}()", *script.head(";"), "BAS(#INITMOV,0)", *body, "END", ""]
     return "\n".join(lines)
 
@@ -65,17 +69,25 @@ def read(text: str) -> list[Target]:
     """Return the targets of a source file, in the order of its moves."""
     text = re.sub(r";.*", "", text)
     out: list[Target] = []
-    for m in re.finditer(r"^\s*(PTP|LIN|CIRC)\s+(.*)$", text, re.M):
+    tool: Array | None = None
+    frame: Array | None = None
+    for m in re.finditer(r"^\s*(PTP|LIN|CIRC|\$TOOL=|\$BASE=)\s*(.*)$", text, re.M):
+        if m[1] == "$TOOL=":
+            tool = _read_pose(m[2])
+            continue
+        if m[1] == "$BASE=":
+            frame = _read_pose(m[2])
+            continue
         braces = re.findall(r"\{([^}]*)\}", m[2])
         axes = named(braces[0], _AXES) if m[1] == "PTP" else None
         if axes is not None:
-            out.append(Target("move_j", q=np.radians(axes)))
+            out.append(Target("move_j", q=np.radians(axes)).under(tool, frame))
             continue
         places = [_read_pose(brace) for brace in braces]
         if m[1] == "CIRC":
-            out.append(Target("move_c", T=places[1], via=places[0]))
+            out.append(Target("move_c", T=places[1], via=places[0]).under(tool, frame))
         else:
-            out.append(Target("move_j" if m[1] == "PTP" else "move_l", T=places[0]))
+            out.append(Target("move_j" if m[1] == "PTP" else "move_l", T=places[0]).under(tool, frame))
     return out
 
 

@@ -10,7 +10,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, numbers
-from pieper.motion.instructions import Events, Move
+from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 _EVENTS = Events(
     wait=lambda seconds: f"Delay {round(seconds * 1e3)}",
@@ -21,7 +21,17 @@ _EVENTS = Events(
 
 def write(script: Script) -> str:
     """Return the text of a program."""
-    body = [_move(script, x) if isinstance(x, Move) else _EVENTS.said(x) for x in script.instructions]
+    tools, frames = script.setups()
+    # number 1 is the arm's own tool, which is set on the controller
+    body = [f"Tool {k}, {_six(T)}" for k, T in tools.items() if k > 1]
+    body += [f"Work {k}, {_six(T)}" for k, T in frames.items()]
+    for item, now in script.steps():
+        if isinstance(item, ToolChange):
+            body.append(f"ChangeTool {now.tool_number}")
+        elif isinstance(item, FrameChange):
+            body.append(f"ChangeWork {now.frame_number}")
+        else:
+            body.append(_move(script, item) if isinstance(item, Move) else _EVENTS.said(item))
     lines = [*script.head("'"), f"Sub {script.name}", "  TakeArm Keep = 0", *("  " + line for line in body)]
     return "\n".join([*lines, "  GiveArm", "End Sub", ""])
 
@@ -43,15 +53,30 @@ def _move(script: Script, move: Move) -> str:
 
 def _place(script: Script, T: Array, q: Array) -> str:
     figure = configuration(script.plan, q, "denso").words[0]
+    return f"{_six(T)[:-1]}, {figure})"
+
+
+def _six(T: Array) -> str:
     values = read_pose(T, "rpy", degrees=True, mm=True)
-    return f"P({numbers(values[:3], 4, ', ')}, {numbers(values[3:], 5, ', ')}, {figure})"
+    return f"P({numbers(values[:3], 4, ', ')}, {numbers(values[3:], 5, ', ')})"
 
 
 def read(text: str) -> list[Target]:
     """Return the targets of a program, in the order of its moves."""
     text = re.sub(r"'.*", "", text)
     out: list[Target] = []
-    for m in re.finditer(r"^\s*Move\s+([PLC])\s*,(.*)$", text, re.M | re.I):
+    known: dict[str, dict[int, Array]] = {"Tool": {}, "Work": {}}
+    taken: dict[str, Array | None] = {"Tool": None, "Work": None}
+    line = r"^\s*(?:Move\s+([PLC])\s*,(.*)|(Tool|Work)\s+(\d+)\s*,\s*P\(([^)]*)\)|Change(Tool|Work)\s+(\d+))\s*$"
+    for m in re.finditer(line, text, re.M | re.I):
+        if m[3]:
+            v = found(m[5], 6)
+            known[m[3].capitalize()][int(m[4])] = pose(*v[:3], rpy=v[3:], degrees=True, mm=True)
+            continue
+        if m[6]:
+            taken[m[6].capitalize()] = known[m[6].capitalize()].get(int(m[7]))
+            continue
+        under = taken["Tool"], taken["Work"]
         said = [(mark, found(v, 6)) for mark, v in re.findall(r"\b([PJ])\(([^)]*)\)", m[2])]
         kind = {"P": "move_j", "L": "move_l", "C": "move_c"}[m[1].upper()]
         places = [
@@ -59,9 +84,9 @@ def read(text: str) -> list[Target]:
             for mark, v in said
         ]
         if kind == "move_c":
-            out.append(Target(kind, *places[1], via=places[0][1], q_via=places[0][0]))
+            out.append(Target(kind, *places[1], via=places[0][1], q_via=places[0][0]).under(*under))
         else:
-            out.append(Target(kind, *places[0]))
+            out.append(Target(kind, *places[0]).under(*under))
     return out
 
 

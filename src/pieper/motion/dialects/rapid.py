@@ -10,7 +10,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
-from pieper.motion.instructions import Events, Move
+from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 _NO_AXES = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 
@@ -26,28 +26,40 @@ def write(script: Script) -> str:
     """Return the text of a module."""
     data: list[str] = []
     body: list[str] = []
-    for number, move in enumerate(script.moves, 1):
-        data += _data(script, number, move)
     number = 0
-    for item in script.instructions:
+    for item, now in script.steps():
         if isinstance(item, Move):
             number += 1
+            data += _data(script, number, item)
+            tool = _tool(now.tool_number)
+            if now.frame_number and (item.kind != "move_j" or script.cartesian):
+                tool += f"\\WObj:=wPieper{now.frame_number}"
             zone = f"zp{number}" if item.blend else "fine"
             if item.kind == "move_j" and not script.cartesian:
-                body.append(f"MoveAbsJ jp{number},vp{number},{zone},tPieper;")
+                body.append(f"MoveAbsJ jp{number},vp{number},{zone},{tool};")
             elif item.kind == "move_c":
-                body.append(f"MoveC pv{number},p{number},vp{number},{zone},tPieper;")
+                body.append(f"MoveC pv{number},p{number},vp{number},{zone},{tool};")
             else:
-                body.append(f"{'MoveJ' if item.kind == 'move_j' else 'MoveL'} p{number},vp{number},{zone},tPieper;")
-        else:
+                body.append(f"{'MoveJ' if item.kind == 'move_j' else 'MoveL'} p{number},vp{number},{zone},{tool};")
+        elif not isinstance(item, (ToolChange, FrameChange)):
             body.append(_EVENTS.said(item))
     lines = [f"MODULE {script.name}", *("  " + line for line in script.head("!"))]
-    lines += [f"  PERS tooldata tPieper:=[TRUE,{_frame(script.description.tool)},[1,[0,0,1],[1,0,0,0],0,0,0]];"]
+    tools, frames = script.setups()
+    lines += [
+        f"  PERS tooldata {_tool(k)}:=[TRUE,{_frame(T)},[1,[0,0,1],[1,0,0,0],0,0,0]];"
+        for k, T in {1: script.description.tool, **tools}.items()
+    ]
+    none = _frame(np.eye(4))
+    lines += [f'  PERS wobjdata wPieper{k}:=[FALSE,TRUE,"",{_frame(T)},{none}];' for k, T in frames.items()]
     lines += [f"  {line}" for line in data]
     lines += [f"  PROC {'main' if script.name.lower() != 'main' else 'run'}()"]
     # singular lines and configurations that the words leave open are the controller's to refuse
     lines += [f"    {line}" for line in body]
     return "\n".join([*lines, "  ENDPROC", "ENDMODULE", ""])
+
+
+def _tool(number: int) -> str:
+    return f"tPieper{number if number > 1 else ''}"
 
 
 def _data(script: Script, number: int, move: Move) -> list[str]:
@@ -92,15 +104,22 @@ def read(text: str) -> list[Target]:
     for m in re.finditer(r"robtarget\s+(\w+)\s*:=\s*(\[[^;]*)", text):
         v = found(m[2], 7)
         poses[m[1]] = pose(*v[:3], quat_wxyz=v[3:], mm=True)
+    tools: dict[str, Array] = {}
+    frames: dict[str, Array] = {}
+    for m in re.finditer(r"(tooldata|wobjdata)\s+(\w+)\s*:=\s*(\[[^;]*)", text):
+        v = found(re.sub(r'"[^"]*"', "", m[3]), 7)
+        (tools if m[1] == "tooldata" else frames)[m[2]] = pose(*v[:3], quat_wxyz=v[3:], mm=True)
     out: list[Target] = []
     for m in re.finditer(r"\b(MoveAbsJ|MoveJ|MoveL|MoveC)\s+([^;]*);", text):
         args = [a.strip() for a in m[2].split(",")]
+        tool, _, frame = args[-1].partition("\\WObj:=")
+        under = tools.get(tool), frames.get(frame)
         if m[1] == "MoveAbsJ":
-            out.append(Target("move_j", q=joints[args[0]]))
+            out.append(Target("move_j", q=joints[args[0]]).under(*under))
         elif m[1] == "MoveC":
-            out.append(Target("move_c", T=poses[args[1]], via=poses[args[0]]))
+            out.append(Target("move_c", T=poses[args[1]], via=poses[args[0]]).under(*under))
         else:
-            out.append(Target("move_j" if m[1] == "MoveJ" else "move_l", T=poses[args[0]]))
+            out.append(Target("move_j" if m[1] == "MoveJ" else "move_l", T=poses[args[0]]).under(*under))
     return out
 
 

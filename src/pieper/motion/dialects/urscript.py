@@ -8,8 +8,8 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
-from pieper.motion.instructions import Events, Move
+from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Setup, Target, fixed, found, numbers
+from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 #: Acceleration of the tool that is written where none is limited, m/s^2: the language's own default.
 _TOOL_ACCELERATION = 1.2
@@ -27,20 +27,26 @@ def write(script: Script) -> str:
     bound = script.limits.of(script.plan.n, script.plan.names)
     tool = script.limits.tool_acceleration or _TOOL_ACCELERATION
     body = [f"set_tcp({_pose(script.description.tool)})"]
-    for item in script.instructions:
-        if not isinstance(item, Move):
+    for k, T in script.setups()[1].items():
+        body.append(f"frame_{k} = {_pose(T)}")
+    for item, now in script.steps():
+        if isinstance(item, ToolChange):
+            body.append(f"set_tcp({_pose(now.tool)})")
+        elif isinstance(item, FrameChange):
+            body.append(f"# targets in {_frame(now) or 'the base'}")
+        elif not isinstance(item, Move):
             body.append(_EVENTS.said(item))
         elif item.kind == "move_j":
             v = float(bound.speed.min()) * (1.0 if item.speed is None else item.speed)
             a = float(bound.acceleration.min())
-            target = _near(item.T, item.q) if script.cartesian else _joints(item.q)
+            target = _near(item.T, item.q, _frame(now)) if script.cartesian else _joints(item.q)
             body.append(f"movej({target}, a={fixed(a, 4)}, v={fixed(v, 4)}, r={fixed(item.blend, 5)})")
         else:
             v = USUAL_SPEED / 1e3 if item.speed is None else item.speed
             said = f"a={fixed(tool, 4)}, v={fixed(v, 4)}, r={fixed(item.blend, 5)})"
-            target = _pose(item.T) if script.cartesian else _joints(item.q)
+            target = _pose(item.T, _frame(now)) if script.cartesian else _joints(item.q)
             if item.via is not None and item.q_via is not None:
-                via = _pose(item.via) if script.cartesian else _joints(item.q_via)
+                via = _pose(item.via, _frame(now)) if script.cartesian else _joints(item.q_via)
                 body.append(f"movec({via}, {target}, {said}")
             else:
                 body.append(f"movel({target}, {said}")
@@ -52,28 +58,45 @@ def _joints(q: Array) -> str:
     return f"[{numbers([float(v) for v in q], 8, ', ')}]"
 
 
-def _pose(T: Array) -> str:
-    return f"p[{numbers(read_pose(T, 'rotvec'), 8, ', ')}]"
+def _frame(now: Setup) -> str:
+    return f"frame_{now.frame_number}" if now.frame_number else ""
 
 
-def _near(T: Array, q: Array) -> str:
-    return f"get_inverse_kin({_pose(T)}, qnear={_joints(q)})"
+def _pose(T: Array, frame: str = "") -> str:
+    """Return a pose; one that stands in a frame is moved into the base, for the language has no active frame."""
+    said = f"p[{numbers(read_pose(T, 'rotvec'), 8, ', ')}]"
+    return f"pose_trans({frame}, {said})" if frame else said
+
+
+def _near(T: Array, q: Array, frame: str) -> str:
+    return f"get_inverse_kin({_pose(T, frame)}, qnear={_joints(q)})"
 
 
 def read(text: str) -> list[Target]:
     """Return the targets of a script, in the order of its moves."""
     text = re.sub(r"#.*", "", text)
     out: list[Target] = []
-    for m in re.finditer(r"\b(movej|movel|movec)\((.*)\)", text):
+    frames: dict[str, Array] = {}
+    tool: Array | None = None
+    for m in re.finditer(r"\b(movej|movel|movec|set_tcp|frame_\d+ =)\s*\(?(.*?)\)?$", text, re.M):
+        if not m[1].startswith("move"):
+            here = _place("p", found(m[2], 6))[1]
+            if m[1] == "set_tcp":
+                tool = here
+            elif here is not None:
+                frames[m[1].split()[0]] = here
+            continue
+        frame = re.search(r"pose_trans\((\w+)", m[2])
+        under = tool, None if frame is None else frames[frame[1]]
         said = re.findall(r"(p?)\[([^\]]*)\]", m[2])
         values = [(mark, found(numbers_, 6)) for mark, numbers_ in said]
         kind = {"movej": "move_j", "movel": "move_l", "movec": "move_c"}[m[1]]
         places = [_place(mark, v) for mark, v in values]
         if kind == "move_c":
             (q_via, via), (q, T) = places[:2]
-            out.append(Target(kind, q, T, via, q_via))
+            out.append(Target(kind, q, T, via, q_via).under(*under))
         else:
-            out.append(Target(kind, *places[0]))
+            out.append(Target(kind, *places[0]).under(*under))
     return out
 
 

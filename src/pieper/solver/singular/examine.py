@@ -1,4 +1,4 @@
-"""The careful look at one pose: isolated solutions, merged roots and continuous families told apart, none lost.
+"""The careful look at one pose: isolated solutions, merged roots and self-motions told apart, none lost.
 
 A pose on a singularity is approached from generic directions: every isolated solution is the limit of solutions of
 nearby poses, and every self-motion curve is met by some of them. What is found is pulled back onto the pose, and each

@@ -128,9 +128,7 @@ def second_smallest(chain: Chain, q: Array) -> Array:
 def _walk(chain: Chain, q: Array, T: Array, direction: Array, most_steps: int) -> tuple[Array, bool]:
     """Return the points (k, n) from q on along a direction, and whether the curve closed."""
     return _kernel.follow_curve(
-        links=chain.links,
-        prismatic=chain.prismatic,
-        length=chain.length,
+        chain.plain,
         q=q,
         T=T,
         direction=direction,

@@ -7,6 +7,7 @@ import * as link from './link.mjs';
 import * as library from './library.mjs';
 import * as view from './scene/view.mjs';
 import * as arm from './scene/arm.mjs';
+import * as labels from './scene/labels.mjs';
 import * as gizmo from './scene/gizmo.mjs';
 import * as solving from './solving.mjs';
 import * as sharing from './sharing.mjs';
@@ -40,6 +41,7 @@ view.open($('#view'));
 on('theme', view.applyTheme);
 view.applyTheme();
 history.begin();
+labels.begin($('#overlay'));
 arm.begin();
 gizmo.begin();
 world.begin();
@@ -97,6 +99,6 @@ on('online', async (yes) => {
   document.documentElement.dataset.ready = 'yes';
 });
 if (state.online) tell('online', true);
-// Labels in the picture are drawn with the page's own letters once these are here.
+// Labels in the picture are as wide as the page's own letters once these are here.
 document.fonts?.ready.then(() => tell('theme'));
 expose();

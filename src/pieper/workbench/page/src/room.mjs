@@ -1,7 +1,8 @@
 // The room for the picture: a splitter beside the panels, a mode to present in, the picture saved as a file.
-import { h, download, say } from './dom.mjs';
+import { button, download, h, say } from './dom.mjs';
 import { state, on, tell } from './store.mjs';
 import { withPicture } from './scene/view.mjs';
+import { writeLabels } from './scene/labels.mjs';
 import { matrixGrid } from './panels/grid.mjs';
 
 const KEPT = 'pieper-panel-width';
@@ -64,19 +65,15 @@ export function present(overlay) {
   const card = h('div', { class: 'present-card', hidden: true }, grid);
   overlay.append(card);
   const root = document.documentElement;
-  const button = h('button', {
-    type: 'button',
-    text: 'Present',
-    'aria-pressed': 'false',
-    'data-testid': 'present',
-    on: { click: () => set(root.dataset.present !== 'yes') },
-  });
+  const toggle = button('Present', { 'aria-pressed': 'false', 'data-testid': 'present' }, () =>
+    set(root.dataset.present !== 'yes'),
+  );
   const update = () => !card.hidden && grid.show(state.frames.at(-1));
   function set(yes) {
     if (yes) root.dataset.present = 'yes';
     else delete root.dataset.present;
     card.hidden = !yes;
-    button.setAttribute('aria-pressed', String(yes));
+    toggle.setAttribute('aria-pressed', String(yes));
     update();
     tell('units');
     dispatchEvent(new Event('resize'));
@@ -86,14 +83,20 @@ export function present(overlay) {
     'keydown',
     (e) => e.key === 'Escape' && root.dataset.present && !e.target.matches?.('input') && set(false),
   );
-  return button;
+  return toggle;
 }
 
-/** The picture as it stands, without what lies over it. */
+/** The picture as it stands, with its names and without what else lies over it. */
 export function savePicture() {
-  withPicture((canvas) =>
-    canvas.toBlob((blob) =>
+  withPicture((canvas) => {
+    const out = document.createElement('canvas'),
+      context = out.getContext('2d');
+    out.width = canvas.width;
+    out.height = canvas.height;
+    context.drawImage(canvas, 0, 0);
+    writeLabels(context, canvas.width / canvas.clientWidth);
+    out.toBlob((blob) =>
       blob ? download(`${state.table.name || 'arm'}.png`, blob) : say('The picture could not be read.', 'wrong'),
-    ),
-  );
+    );
+  });
 }

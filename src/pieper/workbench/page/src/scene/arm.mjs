@@ -6,9 +6,9 @@ import { frames as forward } from '../kinematics.mjs';
 import { position, norm, sub } from '../matrix.mjs';
 import { scene, invalidate, wake, layGround, fit, remember, keepInView, returnFromWide } from './view.mjs';
 import { debounce } from '../dom.mjs';
-import { proportions, shape, outline } from './shape.mjs';
+import { proportions, shape, outline, outsideOf } from './shape.mjs';
 import { Bodies } from './bodies.mjs';
-import { matte } from './matte.mjs';
+import { matte, rim } from './matte.mjs';
 import { Frames } from './frames.mjs';
 import { framesOfStep } from '../panels/dh_steps.mjs';
 import { isShown as handlesShown } from './gizmo.mjs';
@@ -80,8 +80,9 @@ const main = new Bodies(material, { shadow: { material: shadowMaterial, matrix: 
 export function showSketch(yes, shadowless) {
   main.shown(yes, yes && !shadowless);
 }
-const ghostMaterial = matte({ opacity: 0.2, veil: true });
-const ghosts = new Bodies(ghostMaterial, { veil: true });
+const ghostMaterial = matte({ opacity: 0.1, veil: true });
+const ghostRim = rim();
+const ghosts = new Bodies(ghostMaterial, { veil: true, rim: ghostRim });
 const previewMaterial = matte({ opacity: 0.62, gloss: 0.1 });
 const preview = new Bodies(previewMaterial, { veil: true });
 const axes = new Frames();
@@ -170,7 +171,7 @@ export function frameName(i) {
   return i === 0 ? 'base' : i === n + 1 ? 'tool' : String(i);
 }
 
-/** Ghost arms at joint vectors; the one under the hand is drawn more strongly. */
+/** Ghost arms at joint vectors, outlined, red where one lies outside its limits; the one under the hand is drawn more strongly. */
 export function showGhosts(rows) {
   ghostRows = rows;
   drawGhosts();
@@ -180,8 +181,16 @@ export function showPreview(q) {
   drawGhosts();
 }
 export const ghostCount = () => ghostRows.length;
+/** How many ghosts are outlined in red. */
+export const ghostsOutside = () => ghosts.arms.filter((a) => a.outside).length;
+/** Breadth of a ghost's outline as a share of the arm. */
+const RIM = 0.0035;
 function drawGhosts() {
-  const partsOf = (q) => shape(state.table, forward(state.table, q), form);
+  const partsOf = (q) => ({
+    ...shape(state.table, forward(state.table, q), form),
+    outside: state.table.joints.some((j, i) => outsideOf(j, q[i])),
+    rim: RIM * form.size,
+  });
   ghosts.show(ghostRows.map(partsOf));
   preview.show(previewRow ? [partsOf(previewRow)] : []);
   invalidate();
@@ -252,13 +261,13 @@ export function showPath(points) {
 
 function paint() {
   material.repaint(colours.link, colours.joint, colours.accent, colours.dark, colours.wrong);
-  ghostMaterial.repaint(colours.ghost, colours.ghost, colours.ghost, colours.dark);
+  ghostMaterial.repaint(colours.ghost, colours.ghost, colours.ghost, colours.dark, colours.wrong);
+  ghostRim.repaint(colours.ghost, colours.wrong);
   previewMaterial.repaint(colours.accent, colours.accent, colours.accent, colours.dark);
   traceLine.material.color.set(colours.accent);
   pathLine.material.color.set(colours.trace);
   pathDots.material.color.set(colours.trace);
   shadowMaterial.opacity = colours.dark ? 0.28 : 0.11;
   contact.material.uniforms.strength.value = colours.dark ? 0.75 : 0.34;
-  axes.paint();
   invalidate();
 }

@@ -154,8 +154,9 @@ export class Bodies {
    * @param material a `matte`
    * @param options.shadow {material, matrix} of the flattened copy, or null
    * @param options.veil true for ghosts: fewer triangles, without bands and plates
+   * @param options.rim a `rim` that outlines them, as broad as each arm says
    */
-  constructor(material, { shadow = null, veil = false } = {}) {
+  constructor(material, { shadow = null, veil = false, rim = null } = {}) {
     this.group = new THREE.Group();
     this.veil = veil;
     this.moving = false;
@@ -163,6 +164,11 @@ export class Bodies {
     this.arms = [];
     this.body = new Heap(material);
     this.group.add(this.body.mesh);
+    if (rim) {
+      this.rim = new Heap(rim);
+      this.rim.mesh.renderOrder = 1;
+      this.group.add(this.rim.mesh);
+    }
     if (shadow) {
       this.flat = new Heap(shadow.material);
       this.flat.mesh.matrixAutoUpdate = false;
@@ -193,19 +199,28 @@ export class Bodies {
     const unit = this.veil ? (this.moving ? coarse : middling) : this.moving ? middling : fine;
     for (const arm of this.seen ? arms : []) this.#write(this.body, arm, unit());
     this.body.done();
+    if (this.rim) {
+      this.rim.clear();
+      for (const arm of this.seen ? arms : []) this.#write(this.rim, arm, unit(), { rim: true });
+      this.rim.done();
+    }
     if (!this.flat) return;
     this.flat.clear();
     for (const arm of this.shadowSeen ? arms : [])
-      this.#write(this.flat, arm, this.moving ? coarse() : middling(), true);
+      this.#write(this.flat, arm, this.moving ? coarse() : middling(), { flat: true });
     this.flat.done();
   }
 
-  #write(heap, arm, unit, flat = false) {
+  #write(heap, arm, unit, { flat = false, rim = false } = {}) {
     // A ghost is a little thinner than the arm: where both stand in one place, the arm is seen and not a pattern of the two.
-    const k = this.veil ? 0.95 : 1,
-      whole = !this.veil && !flat;
-    const stand = (part, paint, at, dir, r, h, x, far) => heap.put(part, paint, at, ...across(dir, x), dir, r, h, far);
-    const ball = (paint, at, r) => heap.put(unit.ball, paint, at, X, Y, Z, r, r);
+    const inset = this.rim && !rim ? arm.rim : 0,
+      whole = !this.veil && !flat,
+      fit = (r) => (this.veil ? Math.max(0.96 * r - inset, 0.3 * r) : r),
+      tall = (h) => 2 * fit(h / 2),
+      of = (paint) => (this.veil ? (arm.outside ? BEYOND : LINK) : paint);
+    const stand = (part, paint, at, dir, r, h, x, far) =>
+      heap.put(part, of(paint), at, ...across(dir, x), dir, r, h, far);
+    const ball = (paint, at, r) => heap.put(unit.ball, of(paint), at, X, Y, Z, r, r);
     for (const { a, b, r, far } of arm.rods) {
       const v = sub(b, a),
         len = norm(v);
@@ -215,15 +230,15 @@ export class Bodies {
         LINK,
         middle,
         v.map((c) => c / len),
-        k * r,
+        fit(r),
         len,
         null,
-        k * (far ?? r),
+        fit(far ?? r),
       );
     }
-    for (const { at, r } of arm.balls) ball(LINK, at, k * r);
+    for (const { at, r } of arm.balls) ball(LINK, at, fit(r));
     for (const { at, dir, turned, r, h, beyond } of arm.drums) {
-      stand(unit.drum, beyond && whole ? BEYOND : JOINT, at, dir, k * r, k * h);
+      stand(unit.drum, beyond && whole ? BEYOND : JOINT, at, dir, fit(r), tall(h));
       if (!whole) continue;
       stand(unit.rod, ACCENT, at, dir, r * 1.012, h * 0.13);
       // an index on the moving part, so that a joint that turns in place is seen to turn
@@ -231,7 +246,7 @@ export class Bodies {
       stand(unit.box, LINK, rim, dir, r * 0.11, h * 0.86, turned);
     }
     for (const { at, dir, x, r, h, beyond } of arm.sleeves)
-      stand(unit.box, beyond && whole ? BEYOND : JOINT, at, dir, k * r, k * h, x);
+      stand(unit.box, beyond && whole ? BEYOND : JOINT, at, dir, fit(r), tall(h), x);
     if (arm.pedestal && !this.veil) {
       const { at, dir, r, h } = arm.pedestal;
       stand(
@@ -243,7 +258,7 @@ export class Bodies {
         h,
       );
     }
-    if (arm.flange) stand(unit.drum, JOINT, arm.flange.at, arm.flange.dir, arm.flange.r, arm.flange.h);
+    if (arm.flange) stand(unit.drum, JOINT, arm.flange.at, arm.flange.dir, fit(arm.flange.r), tall(arm.flange.h));
     if (arm.flange && whole) {
       const { at, dir, turned, r, h } = arm.flange;
       stand(

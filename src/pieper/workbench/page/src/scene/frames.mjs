@@ -1,7 +1,7 @@
 // Coordinate frames as three arrows, x red, y green, z blue, with the frame's name beside its origin.
 import * as THREE from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
-import { colours } from '../theme.mjs';
+import { showLabels } from './labels.mjs';
 import identity from '../../../../document/identity.json';
 
 export const axisColours = identity.axes;
@@ -26,78 +26,28 @@ const glyph = mergeGeometries([
   arrow(axisColours[2], along([0, 0, 1])),
 ]);
 
-/** Height of a label as a share of the picture's. */
-const LETTER = 0.021;
-const labels = new Map();
-function label(text) {
-  const key = `${text}/${colours.dark}`;
-  if (labels.has(key)) return labels.get(key);
-  const canvas = document.createElement('canvas'),
-    k = 4,
-    c = canvas.getContext('2d', { willReadFrequently: true });
-  const font = `600 ${13 * k}px "Inter Variable", system-ui, sans-serif`;
-  c.font = font;
-  canvas.width = c.measureText(text).width + 12 * k;
-  canvas.height = 20 * k;
-  c.font = font;
-  c.textAlign = 'center';
-  c.textBaseline = 'middle';
-  c.lineWidth = 4 * k;
-  c.lineJoin = 'round';
-  c.strokeStyle = colours.ground;
-  c.strokeText(text, canvas.width / 2, canvas.height / 2);
-  c.fillStyle = colours.ink;
-  c.fillText(text, canvas.width / 2, canvas.height / 2);
-  const map = new THREE.CanvasTexture(canvas);
-  map.colorSpace = THREE.SRGBColorSpace;
-  const material = new THREE.SpriteMaterial({ map, depthTest: false, sizeAttenuation: false, fog: false });
-  material.userData.aspect = canvas.width / canvas.height;
-  labels.set(key, material);
-  return material;
-}
-
 export class Frames {
   constructor() {
     this.group = new THREE.Group();
     this.mesh = new THREE.InstancedMesh(glyph, new THREE.MeshBasicMaterial({ vertexColors: true, fog: false }), 64);
     this.mesh.frustumCulled = false;
     this.mesh.count = 0;
-    this.sprites = [];
     this.group.add(this.mesh);
   }
 
-  show(list, size) {
+  /** Show frames of a size; other names may stand beside theirs. */
+  show(list, size, names = []) {
     this.last = [list, size];
     const m = new THREE.Matrix4();
     this.mesh.count = list.length;
-    this.sprites.forEach((s, i) => {
-      s.visible = i < list.length;
-    });
-    list.forEach(({ T, name }, i) => {
-      this.mesh.setMatrixAt(i, m.set(...T).scale(new THREE.Vector3(size, size, size)));
-      const sprite = this.sprites[i] ?? (this.sprites[i] = new THREE.Sprite());
-      if (!sprite.parent) this.group.add(sprite);
-      sprite.material = label(name);
-      sprite.scale.set(LETTER * sprite.material.userData.aspect, LETTER, 1);
-      sprite.renderOrder = 5;
-      const d = size * 0.16;
-      sprite.position.set(
-        T[3] - d * (T[0] + T[1] + T[2]),
-        T[7] - d * (T[4] + T[5] + T[6]),
-        T[11] - d * (T[8] + T[9] + T[10]),
-      );
-    });
+    list.forEach(({ T }, i) => this.mesh.setMatrixAt(i, m.set(...T).scale(new THREE.Vector3(size, size, size))));
+    // a name would stand where none of the arrows go
+    const corner = (T, r) => T[r + 3] - size * 0.4 * (T[r] + T[r + 1] + T[r + 2]);
+    showLabels(this, [
+      ...list.map(({ T, name }) => ({ text: name, at: [T[3], T[7], T[11]], wish: [0, 4, 8].map((r) => corner(T, r)) })),
+      ...names,
+    ]);
     this.mesh.instanceMatrix.needsUpdate = true;
     this.mesh.visible = list.length > 0;
-  }
-
-  /** After a change of colours or letters. */
-  paint() {
-    for (const material of labels.values()) {
-      material.map.dispose();
-      material.dispose();
-    }
-    labels.clear();
-    if (this.last) this.show(...this.last);
   }
 }

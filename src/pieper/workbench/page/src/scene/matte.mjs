@@ -36,6 +36,7 @@ const fragmentShader = /* glsl */ `
 
 /** A ghost's paint: the same light, worked out at the corners only; seven translucent arms are many pixels. */
 const veilVertexShader = /* glsl */ `
+  attribute float paint;
   uniform vec3 colours[4];
   uniform vec3 sky;
   uniform vec3 ground;
@@ -43,7 +44,7 @@ const veilVertexShader = /* glsl */ `
   const vec3 SUN = vec3(0.332, -0.443, 0.831);
   void main() {
     vec3 n = normalize(normal);
-    vec3 linear = colours[0] * (mix(ground, sky, 0.5 + 0.5 * n.z) + 0.75 * max(dot(n, SUN), 0.0));
+    vec3 linear = (paint < 2.5 ? colours[0] : colours[3]) * (mix(ground, sky, 0.5 + 0.5 * n.z) + 0.75 * max(dot(n, SUN), 0.0));
     vColour = pow(linear, vec3(1.0 / 2.2));
     gl_Position = projectionMatrix * viewMatrix * modelMatrix * vec4(position, 1.0);
   }`;
@@ -73,6 +74,32 @@ export function matte({ opacity = 1, gloss = 0.16, veil = false } = {}) {
     material.uniforms.sky.value.setScalar(dark ? 0.36 : 0.47);
     material.uniforms.ground.value.setScalar(dark ? 0.1 : 0.2);
   };
+  return material;
+}
+
+/** A ghost's outline: the far side of a slightly larger body, seen only beside the body itself, which is drawn before it. */
+export function rim() {
+  const material = new THREE.ShaderMaterial({
+    vertexShader: /* glsl */ `
+      attribute float paint;
+      uniform vec3 colours[2];
+      varying vec3 vColour;
+      void main() {
+        vColour = paint < 2.5 ? colours[0] : colours[1];
+        gl_Position = projectionMatrix * viewMatrix * modelMatrix * vec4(position, 1.0);
+      }`,
+    fragmentShader: /* glsl */ `
+      varying vec3 vColour;
+      void main() {
+        gl_FragColor = vec4(vColour, 0.85);
+        #include <colorspace_fragment>
+      }`,
+    side: THREE.BackSide,
+    transparent: true,
+    depthWrite: false,
+    uniforms: { colours: { value: [new THREE.Color(), new THREE.Color()] } },
+  });
+  material.repaint = (...two) => two.forEach((colour, i) => material.uniforms.colours.value[i].set(colour));
   return material;
 }
 

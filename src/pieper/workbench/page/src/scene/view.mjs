@@ -119,7 +119,7 @@ function resize() {
   // at once, so that a resized picture does not flicker
   if (drawn) draw();
   else invalidate();
-  keepInView();
+  if (!returnIfRoom()) keepInView();
 }
 
 function onKey(e) {
@@ -251,6 +251,24 @@ export function returnFromWide() {
   nearer = null;
   fly(there);
   setTimeout(keepInView, 500);
+}
+/** Go back to where the camera was if everything is in the picture from there now; returns whether it is. */
+function returnIfRoom() {
+  if (!nearer || handsOff || !controls.enabled) return false;
+  const here = { position: camera.position.clone(), target: controls.target.clone() },
+    there = nearer;
+  const put = ({ position, target }) => {
+    camera.position.copy(position);
+    controls.target.copy(target);
+    camera.lookAt(target);
+  };
+  put(there);
+  const fits = inView();
+  put(here);
+  if (!fits) return false;
+  nearer = null;
+  fly(there, 0);
+  return true;
 }
 export const remember = (points) => {
   lastPoints = points;

@@ -59,6 +59,12 @@ export function bodyMesh(t, colour, opacity = 0.86) {
 /** Everything that stands there, whoever put it. */
 export const things = () => [...state.world, ...(state.things ?? [])];
 
+/** Where a body is and a point over it, on whose side its name stands. */
+const middleOf = (t) => {
+  const T = carried.get(t.name) ?? t.T;
+  return T ? position(T) : t.a.map((v, i) => (v + t.b[i]) / 2);
+};
+const above = (t) => middleOf(t).map((v, i) => v + (i === 2 ? 1 : 0));
 /** Points that a picture of a thing must hold. */
 function corners(t) {
   if (t.kind === 'curve') return t.points.filter((_, i) => i % 20 === 0 || i === t.points.length - 1);
@@ -72,10 +78,7 @@ function corners(t) {
 export function begin() {
   scene.add(group, frames.group);
   on(['world', 'table'], draw);
-  on('theme', () => {
-    frames.paint();
-    draw();
-  });
+  on('theme', draw);
 }
 /** Where a thing is while something holds it, by its name. */
 const carried = new Map();
@@ -85,13 +88,22 @@ export function carry(name, T) {
   const mesh = group.children.find((m) => m.userData.name === name);
   const t = state.world.find((x) => x.name === name);
   if (mesh && t) mesh.matrix.set(...(T ?? t.T));
-  invalidate();
+  name();
 }
 export const carriedAt = (name) => carried.get(name) ?? null;
 export function letAllGo() {
   for (const name of [...carried.keys()]) carry(name, null);
 }
 
+/** Frames, and the names of everything, where they stand now. */
+function name() {
+  const list = things();
+  frames.show(
+    list.filter((t) => t.kind === 'frame'),
+    0.11 * reach(state.table),
+    list.filter((t) => makers[t.kind]).map((t) => ({ text: t.name, at: middleOf(t), wish: above(t) })),
+  );
+}
 function draw() {
   for (const o of group.children) o.geometry.dispose();
   group.clear();
@@ -107,10 +119,7 @@ function draw() {
       group.add(mesh);
     }
   }
-  frames.show(
-    list.filter((t) => t.kind === 'frame'),
-    0.11 * reach(state.table),
-  );
+  name();
   showBeside('world', list.flatMap(corners));
   invalidate();
 }

@@ -1,0 +1,123 @@
+"""The cost of a route by another way: a ladder of 1,440 turns, made short by Newton's method on the turns alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+import pieper
+from pieper import Arm
+from pieper.kinematics.pose import rotation_z
+
+#: Turns of the ladder, and by how many of them the tool may turn from point to point.
+TURNS, NEAR = 1440, 24
+#: The largest step of a joint from point to point, rad.
+STEP = 0.6
+
+
+def ladder(arm: Arm, path: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+    """Return the cheapest chain (N, n) over the grid and its turns (N,), whole turns of wide joints apart."""
+    N = len(path)
+    low, high = arm.limits.T
+    Rz = rotation_z(np.arange(TURNS) * 2 * np.pi / TURNS)
+    wide = high - low >= 2 * np.pi - 1e-9
+    rows, costs, came = [], [], []
+    for i, T in enumerate(path):
+        many = arm.ik_many(T @ Rz)
+        q = np.where(many.in_limits[..., None], many.q, np.nan)
+        keep = many.in_limits.any(0)
+        q = q[:, keep]
+        if not q.size:
+            return None
+        cost = np.where(np.isnan(q[..., 0]), np.inf, 0.0 if i == 0 else np.inf)
+        origin = np.full((*cost.shape, 2), -1)
+        if i:
+            last, before = rows[-1], costs[-1]
+            for shift in range(-NEAR, NEAR + 1):
+                old, paid = np.roll(last, shift, 0), np.roll(before, shift, 0)
+                for d in range(old.shape[1]):
+                    gap = q - old[:, None, d]
+                    gap = np.where(wide, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+                    step = np.where(np.abs(gap).max(-1) > STEP, np.inf, (gap**2).sum(-1)) + paid[:, None, d]
+                    better = step < cost
+                    cost = np.where(better, step, cost)
+                    origin[better] = np.stack(
+                        [np.repeat((np.arange(TURNS)[:, None] - shift) % TURNS, q.shape[1], 1), np.full(cost.shape, d)],
+                        -1,
+                    )[better]
+        rows.append(q)
+        costs.append(cost)
+        came.append(origin)
+    if not np.isfinite(np.nanmin(costs[-1])):
+        return None
+    k, r = np.unravel_index(int(np.nanargmin(costs[-1])), costs[-1].shape)
+    chain, turn = [], []
+    for i in reversed(range(N)):
+        chain.append(rows[i][k, r])
+        turn.append(k * 2 * np.pi / TURNS)
+        k, r = came[i][k, r]
+    q, t = np.array(chain[::-1]), np.unwrap(np.array(turn[::-1]))
+    steps = np.diff(q, axis=0)
+    steps = np.where(wide, steps - 2 * np.pi * np.round(steps / (2 * np.pi)), steps)
+    return q[0] + np.vstack([np.zeros(arm.n), np.cumsum(steps, axis=0)]), t
+
+
+def shortened(arm: Arm, path: np.ndarray, q: np.ndarray, turn: np.ndarray) -> float:
+    """Return the cost of a chain made short: Gauss-Newton on the turns, steps cut so that limits are kept."""
+    low, high = arm.limits.T
+    wide = high - low >= 2 * np.pi - 1e-9
+    low, high = np.where(wide, -np.inf, low), np.where(wide, np.inf, high)
+    cost = float((np.diff(q, axis=0) ** 2).sum())
+    for _ in range(60):
+        axis = (path @ rotation_z(turn))[:, :3, 2]
+        rate = np.zeros((len(q), 6))
+        rate[:, 3:] = axis
+        v = np.stack([np.linalg.lstsq(J, w, rcond=1e-10)[0] for J, w in zip(arm.jacobian(q), rate, strict=True)])
+        # minimise the sum over steps of |q_i+1 + v_i+1 t_i+1 - q_i - v_i t_i|^2
+        e = np.diff(q, axis=0)
+        g = np.zeros(len(q))
+        g[1:] += (v[1:] * e).sum(1)
+        g[:-1] -= (v[:-1] * e).sum(1)
+        H = np.diag((v**2).sum(1) * np.where(np.isin(np.arange(len(q)), (0, len(q) - 1)), 1.0, 2.0))
+        off = -(v[1:] * v[:-1]).sum(1)
+        H += np.diag(off, 1) + np.diag(off, -1)
+        # what stands at a limit and is pushed out stays
+        step = -np.linalg.lstsq(H + 1e-12 * np.eye(len(q)), g, rcond=None)[0]
+        out = (((q + 1e-9 >= high) & (v * step[:, None] > 0)) | ((q - 1e-9 <= low) & (v * step[:, None] < 0))).any(1)
+        if out.any():
+            free = ~out
+            step = np.zeros(len(q))
+            step[free] = -np.linalg.lstsq(H[np.ix_(free, free)], g[free], rcond=None)[0]
+        for part in 0.5 ** np.arange(12):
+            trial = turn + part * step
+            moved = _followed(arm, path @ rotation_z(trial), q + part * v * step[:, None])
+            if moved is not None and (moved >= low - 1e-9).all() and (moved <= high + 1e-9).all():
+                now = float((np.diff(moved, axis=0) ** 2).sum())
+                if now < cost:
+                    break
+        else:
+            return cost
+        gained, q, turn, cost = cost - now, moved, trial, now
+        if gained < 1e-10 * cost:
+            return cost
+    return cost
+
+
+def _followed(arm: Arm, T: np.ndarray, q: np.ndarray) -> np.ndarray | None:
+    for _ in range(12):
+        now = arm.fk(q)
+        R = T[:, :3, :3] @ np.swapaxes(now[:, :3, :3], 1, 2)
+        turn = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], -1) / 2
+        off = np.concatenate([T[:, :3, 3] - now[:, :3, 3], turn], 1)
+        if np.abs(off).max() < 1e-11:
+            return q
+        q = q + np.stack([np.linalg.lstsq(J, e, rcond=1e-10)[0] for J, e in zip(arm.jacobian(q), off, strict=True)])
+    return q if np.abs(off).max() < 1e-8 else None
+
+
+def ladder_cost(arm: Arm, path: np.ndarray, free: pieper.Freedom) -> dict[str, Any]:
+    """Return the route's cost and the shortened ladder's, which is None where it leads nowhere."""
+    route = arm.route(path, free=free)
+    found = ladder(arm, path)
+    return {"cost": route.cost, "ladder": None if found is None else shortened(arm, path, *found)}

@@ -1,0 +1,192 @@
+"""Verdicts of routes along random seams, beside a flood over 7,200 turns of the tool and a search of another kind.
+
+Usage: python -m benchmarks.measure.route_verdicts [--seconds 150] [--seams 100] [--arm NAME ...] [--costs 5]
+
+Seams are rings and lines before ten arms with a tool tilted off joint 6, the turn free; limits as the arms ship and,
+every third seam, those of one joint narrowed. FOUND is looked at point by point and ten times between points, by Newton
+from the route's own neighbours; IMPOSSIBLE and UNCERTAIN by `oracle.turns.flooded`. Seams on which what the poses leave
+free is nearly singular anywhere (pole poses) are counted apart. What was measured is kept, seam by seam, and not
+measured again; `--costs` measures so many routes' costs beside a ladder of 1,440 turns made short by another method.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import pieper
+from benchmarks.kept import RESULTS, write
+from benchmarks.measure.route_costs import ladder_cost
+from oracle.turns import flooded, ring
+from pieper import Arm, Verdict
+from pieper.kinematics.pose import rotation_z
+
+ARMS = (
+    "abb-irb2400",
+    "abb-irb1200-7-70",
+    "kuka-kr6-r900-sixx",
+    "kuka-kr16-2",
+    "fanuc-lr-mate-200id",
+    "fanuc-m-10ia",
+    "motoman-gp7",
+    "denso-vs060",
+    "universal-robots-ur5e",
+    "universal-robots-ur10e",
+)
+FREE = pieper.Freedom()
+#: Turns of the flood, and places of a seam at which it looks: as many as keep its steps small.
+TURNS, PLACES = 7200, 70
+#: Points of a seam, and places between two of them where a route is looked at.
+POINTS, BETWEEN = 24, 10
+#: Least singular value (per length) of what holds the tool's point and axis below which a seam counts as a pole's.
+POLE = 3e-3
+
+
+def drawn(name: str, number: int) -> tuple[Arm, np.ndarray]:
+    """Return the arm with tool and limits of a seam, and its poses (POINTS, 4, 4)."""
+    rng = np.random.default_rng([ARMS.index(name), number])
+    arm = pieper.load(name)
+    length = arm.chain.length
+    tilt, roll = rng.uniform(0.3, 0.9), rng.uniform(-np.pi, np.pi)
+    torch = pieper.pose(*(rng.uniform(-0.03, 0.03, 2) * length), 0.08 * length, rotvec=(0.0, 0.0, roll))
+    arm = arm.with_tool(arm.tool @ torch @ pieper.pose(0.0, 0.0, 0.0, rotvec=(0.0, tilt, 0.0)))
+    if number % 3 == 0:
+        j = int(rng.integers(6))
+        low, high = np.clip(arm.limits[j], -np.pi, np.pi)
+        middle, half = rng.uniform(low, high), rng.uniform(0.15, 0.5) * (high - low)
+        arm = arm.with_limits({arm.joint_names[j]: (max(low, middle - half), min(high, middle + half))})
+    out, angle = rng.uniform(0.15, 0.7) * length, rng.uniform(-np.pi, np.pi)
+    centre = np.array([out * np.cos(angle), out * np.sin(angle), rng.uniform(-0.1, 0.6) * length])
+    if number % 2:
+        return arm, ring(POINTS, centre, rng.uniform(0.03, 0.2) * length, rng.uniform(0.0, 1.2))
+    way = rng.standard_normal(3)
+    way *= rng.uniform(0.1, 0.5) * length / np.linalg.norm(way)
+    ends = []
+    for side in (-0.5, 0.5):
+        lean = pieper.pose(0.0, 0.0, 0.0, rotvec=(np.pi + rng.uniform(-0.6, 0.6), rng.uniform(-0.6, 0.6), 0.0))
+        lean[:3, 3] = centre + side * way
+        ends.append(lean)
+    return arm, pieper.line(*ends, POINTS)
+
+
+def places(path: np.ndarray) -> np.ndarray:
+    """Return the poses of a seam at PLACES places, evenly."""
+    each = -(-PLACES // (len(path) - 1))
+    return np.concatenate(
+        [pieper.line(a, b, each + 1)[:-1] for a, b in zip(path[:-1], path[1:], strict=True)] + [path[-1:]]
+    )
+
+
+def least_singular(arm: Arm, q: np.ndarray, axes: np.ndarray) -> float:
+    """Return the least singular value of what holds the tool's point and its axis (k, 3) at postures q (k, n)."""
+    if not len(q):
+        return np.inf
+    J = arm.jacobian(q)
+    across = np.cross(axes[:, :, None], J[:, 3:], axis=1)
+    held = np.concatenate([J[:, :3] / arm.chain.length, across], axis=1)
+    # three rows hold two directions of the axis: of six singular values one is zero
+    return float(np.linalg.svd(held, compute_uv=False)[:, 4].min())
+
+
+def missed(arm: Arm, route: pieper.Route) -> str:
+    """Return what is wrong with a route that was found, looked at between its points; nothing where all is well."""
+    low, high = arm.limits.T
+    length = arm.chain.length
+    T = arm.fk(route.q)
+    wanted = route.path @ rotation_z(route.turn)
+    if np.abs(T[:, :3, 3] - wanted[:, :3, 3]).max() > 1e-8 * length or np.abs(T - wanted)[:, :3, :3].max() > 1e-8:
+        return "off its poses"
+    if ((route.q < low - 1e-9) | (route.q > high + 1e-9)).any():
+        return "outside the limits"
+    part = np.arange(1, BETWEEN) / BETWEEN
+    for k in range(len(route.q) - 1):
+        poses = pieper.line(route.path[k], route.path[k + 1], BETWEEN + 1)[1:-1]
+        turn = route.turn[k] + part * (route.turn[k + 1] - route.turn[k])
+        q = route.q[k]
+        for T, s in zip(poses @ rotation_z(turn), part, strict=True):
+            q, on = _onto(arm, T, q)
+            if not on:
+                return f"not continued between points {k + 1} and {k + 2}"
+            if ((q < low - 2e-3) | (q > high + 2e-3)).any():
+                return f"outside the limits between points {k + 1} and {k + 2}"
+            if s == part[-1] and np.abs(q - route.q[k + 1]).max() > 0.3:
+                return f"jumps between points {k + 1} and {k + 2}"
+    return ""
+
+
+def _onto(arm: Arm, T: np.ndarray, q: np.ndarray) -> tuple[np.ndarray, bool]:
+    for _ in range(30):
+        now = arm.fk(q)
+        R = T[:3, :3] @ now[:3, :3].T
+        turn = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
+        off = np.concatenate([T[:3, 3] - now[:3, 3], turn])
+        if np.abs(off).max() < 1e-9:
+            return q, True
+        step = np.linalg.lstsq(arm.jacobian(q), off, rcond=1e-9)[0]
+        q = q + step * min(1.0, 0.3 / max(np.abs(step).max(), 1e-300))
+    return q, False
+
+
+def judged(name: str, number: int) -> dict[str, Any]:
+    """Return one seam's verdict and what was seen beside it."""
+    arm, path = drawn(name, number)
+    start = time.process_time()
+    route = arm.route(path, free=FREE)
+    out: dict[str, Any] = {"verdict": route.verdict.name, "seconds": round(time.process_time() - start, 3)}
+    if route.verdict is Verdict.FOUND:
+        out["wrong"] = missed(arm, route)
+        axes = (route.path @ rotation_z(route.turn))[:, :3, 2]
+        out["least"] = least_singular(arm, route.q, axes)
+        return out
+    dense = places(path)
+    windings = np.prod([int(max(0.0, high - low + 1e-9) / (2 * np.pi)) + 1 for low, high in arm.limits])
+    reached = flooded(arm, dense, TURNS, lifted=False)
+    if reached == len(dense) - 1 and windings > 1:
+        reached = flooded(arm, dense, TURNS // (8 if windings > 8 else 1), lifted=True)
+    out["reached"] = reached / (len(dense) - 1)
+    out["wrong"] = "the flood gets there" if reached == len(dense) - 1 and route.verdict is Verdict.IMPOSSIBLE else ""
+    if route.blocked is not None and not out["wrong"] and route.blocked.s[1] < out["reached"] - 1.5 / len(dense):
+        out["wrong"] = "the flood gets past the place"
+    many = arm.ik_many((dense[:, None] @ rotation_z(np.arange(72) * 2 * np.pi / 72)).reshape(-1, 4, 4))
+    axes = np.repeat(dense[:, :3, 2], 72, 0)
+    k, row = np.nonzero(many.in_limits)
+    out["least"] = least_singular(arm, many.q[k, row], axes[k])
+    return out
+
+
+def main() -> None:
+    """Measure what is not measured yet, until time is up, and print the counts."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--seconds", type=float, default=150.0, help="of processor time")
+    parser.add_argument("--seams", type=int, default=100, help="of each arm")
+    parser.add_argument("--arm", action="append", choices=ARMS)
+    parser.add_argument("--costs", type=int, default=0, help="of each arm's found routes")
+    parser.add_argument("--file", type=Path, default=RESULTS / "route_verdicts.json")
+    args = parser.parse_args()
+    kept: dict[str, Any] = json.loads(args.file.read_text()) if args.file.exists() else {"seams": {}}
+    begun = time.process_time()
+    for number in range(args.seams):
+        for name in args.arm or ARMS:
+            seams = kept["seams"].setdefault(name, {})
+            if str(number) not in seams:
+                seams[str(number)] = judged(name, number)
+            seam = seams[str(number)]
+            counted = sum("ladder" in s for s in seams.values())
+            if seam["verdict"] == "FOUND" and "ladder" not in seam and counted < args.costs:
+                seam.update(ladder_cost(*drawn(name, number), FREE))
+            if seam["wrong"] or seam["verdict"] == "UNCERTAIN":
+                print(name, number, seam, flush=True)
+            write(kept, args.file)
+            if time.process_time() - begun > args.seconds:
+                print(sum(map(len, kept["seams"].values())), "seams so far")
+                return
+    print("done:", sum(map(len, kept["seams"].values())), "seams")
+
+
+if __name__ == "__main__":
+    main()
