@@ -140,4 +140,6 @@ def _postures(plan: Plan, own: Between) -> tuple[Array, tuple[int, ...]]:
     found = ik_many(plan, fk(plan.chain, q), 1, held)
     count = found.in_limits.sum(1)
     clear = ((found.flag & int(Flag.DEGENERATE | Flag.UNCERTAIN)) == 0) & (count > 0)
-    return q[clear][:TESTS], tuple(int(k) for k in count[clear][:TESTS])
+    # twelve digits are enough for the test and short in the file
+    some = np.round(q[clear][:TESTS], 12)
+    return some, tuple(int(k) for k in count[clear][:TESTS])

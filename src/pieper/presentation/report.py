@@ -20,6 +20,7 @@ from pieper.errors import PieperError, PlanError
 from pieper.kinematics.pose import checked_pose
 from pieper.presentation import sections_arm
 from pieper.presentation.plot_reach import joint_range
+from pieper.presentation.sections_lesson import add_dh_steps, add_jacobian, add_triangle
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
 from pieper.presentation.sections_scale import add_fit, add_map
 from pieper.tolerances import WHOLE_TURN
@@ -66,14 +67,17 @@ def report(
     today = datetime.date.today().isoformat()
     page = Document(f"Kinematics of the {arm.name}", _subtitle(arm), edition=f"pieper {_version()}, {today}")
     sections_arm.add_arm(page, arm)
+    add_dh_steps(page, arm)
     sections_arm.add_plan(page, arm)
     add_peculiarities(page, arm)
     sections_arm.add_forward(page, arm)
     sections_arm.add_derivation(page, arm)
+    add_triangle(page, arm)
     T = checked_pose(pose, "pose") if given else _good_pose(arm)
     if T is not None:
         sections_arm.add_worked(page, arm, T)
     solved = _solved(page, arm, T, given=given)
+    add_jacobian(page, arm)
     sections_arm.add_singularities(page, arm)
     sections_arm.add_reach(page, arm)
     if track is not None:
