@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from oracle.arms.tables import TABLES
+from oracle.arms.tables import GENERAL_ARMS, TABLES
 
 
 class Pieper:
@@ -25,6 +25,10 @@ class Pieper:
 
     def batch(self, T, threads):
         return lambda: self.arm.ik_many(T, threads=threads)
+
+    def batch_into(self, T, threads):
+        out = self.arm.ik_many(T, threads=threads)
+        return lambda: self.arm.ik_many(T, threads=threads, out=out)
 
     def fk(self, q):
         return lambda: self.arm.fk(q)
@@ -57,6 +61,27 @@ class Eaik:
         return lambda: self.arm.IK_batched(poses, threads)
 
 
+class Ssik:
+    """ssik; its arms are made from the table, as ours are."""
+
+    batch_threads = ()
+    few = 200  # poses: it takes a hundred times as long
+
+    def __init__(self, arm):
+        from ssik import Manipulator  # pyright: ignore[reportMissingImports]
+
+        if arm in GENERAL_ARMS:
+            raise NotImplementedError("minutes to make an arm of no special geometry")
+        d, a, alpha = map(np.array, zip(*TABLES[arm], strict=True))
+        self.arm = Manipulator.from_dh(alpha, a, d)
+
+    def single(self, T):
+        return self.arm.solve(T)
+
+    def rows(self, answer):
+        return np.array([row.q for row in answer], float).reshape(-1, 6)
+
+
 class Crx:
     """crx-kinematics, for Fanuc's CRX arms only; in its own joints (the controller's) and poses (millimetres)."""
 
@@ -81,6 +106,8 @@ class Crx:
         return np.radians(np.array([list(row) for row in answer], float).reshape(-1, 6))
 
 
-CONTESTANTS = {"pieper": Pieper, "eaik": Eaik, "crx-kinematics": Crx}
+CONTESTANTS = {"pieper": Pieper, "pieper-baseline": Pieper, "eaik": Eaik, "ssik": Ssik, "crx-kinematics": Crx}
+#: What a contestant is told by its environment: ours once more, without the wide registers.
+SETTINGS = {"pieper-baseline": {"PIEPER_ISA": "baseline"}}
 #: What to install for each peer.
-PACKAGES = {"eaik": "eaik", "crx-kinematics": "crx-kinematics"}
+PACKAGES = {"eaik": "eaik", "ssik": "ssik", "crx-kinematics": "crx-kinematics"}

@@ -181,11 +181,10 @@ def main() -> None:
                 seam.update(ladder_cost(*drawn(name, number), FREE))
             if seam["wrong"] or seam["verdict"] == "UNCERTAIN":
                 print(name, number, seam, flush=True)
+            write(kept, args.file)
             if time.process_time() - begun > args.seconds:
-                write(kept, args.file)
                 print(sum(map(len, kept["seams"].values())), "seams so far")
                 return
-    write(kept, args.file)
     print("done:", sum(map(len, kept["seams"].values())), "seams")
 
 

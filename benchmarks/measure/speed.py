@@ -22,7 +22,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.kept import RESULTS, ROOT, commit, write_text
-from benchmarks.measure.contestants import PACKAGES
+from benchmarks.measure.contestants import PACKAGES, SETTINGS
 from oracle.arms.tables import GENERAL_ARMS, TABLES, poses
 
 ENVIRONMENT = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
@@ -46,7 +46,8 @@ def python_of(peer: str) -> str | None:
 def measure(interpreter: str, contestant: str, arm: str, count: int) -> dict:
     """Run one worker and return what it printed."""
     command = [interpreter, "-m", "benchmarks.measure.worker", contestant, arm, str(count)]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, env=ENVIRONMENT, timeout=1800)
+    told = ENVIRONMENT | SETTINGS.get(contestant, {})
+    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, env=told, timeout=1800)
     if done.returncode:
         return {"contestant": contestant, "arm": arm, "failed": done.stderr.strip()[-300:]}
     return json.loads(done.stdout.strip().splitlines()[-1])
@@ -150,6 +151,8 @@ def main() -> None:
     from pieper import _kernel
 
     interpreters = {"pieper": sys.executable}
+    if "baseline" in _kernel.isa_available.split() and _kernel.isa != "baseline":
+        interpreters["pieper-baseline"] = sys.executable
     if not args.no_peers:
         interpreters |= {peer: python for peer in PACKAGES if (python := python_of(peer))}
     rows: dict[tuple[str, str], dict] = {}

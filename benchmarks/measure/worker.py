@@ -36,7 +36,7 @@ def main(name, arm, count):
         print(json.dumps(out | {"unsupported": str(reason)}))
         return
     q, T = contestant.poses(count) if hasattr(contestant, "poses") else poses(arm, count)
-    few = [np.ascontiguousarray(t) for t in T[:2000]]
+    few = [np.ascontiguousarray(t) for t in T[: getattr(contestant, "few", 2000)]]
     times = np.empty(len(few))
     for i, pose in enumerate(few):
         contestant.single(pose)
@@ -53,6 +53,12 @@ def main(name, arm, count):
     out["solutions_a_pose"], out["missed"], out["checked"] = found / (len(few) / 4), missed, len(few) // 4
     for threads in contestant.batch_threads:
         out[f"batch_ns_{threads}"] = 1e9 * best_of(contestant.batch(T, threads)) / count
+    if hasattr(contestant, "batch_into"):
+        away = np.array(T)
+        away[:, :3, 3] *= 20  # out of reach, whatever the arm
+        for threads in contestant.batch_threads:
+            out[f"into_ns_{threads}"] = 1e9 * best_of(contestant.batch_into(T, threads)) / count
+        out["away_ns"] = 1e9 * best_of(contestant.batch_into(away, 1)) / count
     if hasattr(contestant, "fk"):
         many = np.tile(q, (max(1, 10**6 // count), 1))
         out["fk_per_s"] = len(many) / best_of(contestant.fk(many))

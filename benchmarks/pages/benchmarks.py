@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from benchmarks.kept import read
 
+#: Ours once more, without the wide registers.
+BASELINE = "pieper-baseline"
+
 
 def ratio(theirs: float | None, ours: float | None) -> str:
     """Return how many times faster ours is, or a dash."""
@@ -15,7 +18,7 @@ def page() -> str:
     result = read("speed")
     measured = {(m["arm"], m["contestant"]): m for m in result["measured"]}
     arms = list(dict.fromkeys(m["arm"] for m in result["measured"]))
-    peers = sorted({m["contestant"] for m in result["measured"]} - {"pieper"})
+    peers = sorted({m["contestant"] for m in result["measured"]} - {"pieper", BASELINE})
     lines = [
         "# Benchmarks",
         "",
@@ -29,12 +32,16 @@ def page() -> str:
         *([result["remeasured"], ""] if "remeasured" in result else []),
         "## Speed, one thread",
         "",
-        "| arm | one pose, us | batch, ns a pose | two threads | "
+        "New arrays for each answer, then arrays that are kept (`out=`), these again out of reach, and on two",
+        "threads; then the same processor without its wide registers (`PIEPER_ISA=baseline`).",
+        "",
+        "| arm | one pose, us | batch, ns a pose | kept arrays | out of reach | two threads | baseline: one pose | "
+        "baseline: batch | "
         + " | ".join(f"one pose: times faster than {p}" for p in peers)
         + " | "
         + " | ".join(f"batch: times faster than {p}" for p in peers)
         + " |",
-        "|---|---|---|---|" + "---|" * (2 * len(peers)),
+        "|---|---|---|---|---|---|---|---|" + "---|" * (2 * len(peers)),
     ]
     for arm in arms:
         ours = measured.get((arm, "pieper"), {})
@@ -47,10 +54,17 @@ def page() -> str:
         cells += [
             ratio(t.get("batch_ns_1"), ours["batch_ns_1"]) if "unsupported" not in t else "not taken" for t in theirs
         ]
-        threads = f"{ours['batch_ns_1'] / ours['batch_ns_2']:.2f} times" if "batch_ns_2" in ours else "-"
-        lines.append(
-            f"| {arm} | {ours['single_us']:.3g} | {ours['batch_ns_1']:.4g} | {threads} | " + " | ".join(cells) + " |"
-        )
+        plain = measured.get((arm, BASELINE), {})
+        own = [
+            f"{ours['single_us']:.3g}",
+            f"{ours['batch_ns_1']:.4g}",
+            f"{ours['into_ns_1']:.4g}",
+            f"{ours['away_ns']:.4g}",
+            f"{ours['into_ns_1'] / ours['into_ns_2']:.2f} times",
+            f"{plain['single_us']:.3g}" if plain else "-",
+            f"{plain['into_ns_1']:.4g}" if plain else "-",
+        ]
+        lines.append(f"| {arm} | " + " | ".join([*own, *cells]) + " |")
     best = [m for m in result["measured"] if m["contestant"] == "pieper" and "fk_per_s" in m]
     lines += [
         "",

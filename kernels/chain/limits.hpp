@@ -2,6 +2,7 @@
 // Lanes for whole groups of rows, and a scalar twin for the rest.
 #pragma once
 
+#include "dispatch/isa.hpp"
 #include "lanes/math.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -28,6 +29,28 @@ template <class F> PIEPER_INLINE F turns_inside(F v, F low, F high) {
   F x = select(v < low, low - v, v - high) * (1 / kTwoPi), n = (x + to_integer) - to_integer;
   n = select(n < x, n + 1.0, n) * kTwoPi;
   return select(v < low, n, select(v > high, -n, F(0.0)));
+}
+
+// Which of the valid rows of F's lanes of poses lie inside; values are moved by a turn where only that is inside.
+template <class F, int M, int N>
+PIEPER_INLINE void turn_inside(F (*q)[N], const Mask<F>* valid, const JointLimits& limits, Mask<F>* inside) {
+  for (int m = 0; m < M; ++m) inside[m] = valid[m];
+#pragma GCC unroll 1
+  for (int j = 0; j < N; ++j) {
+    const double lower = limits.lower[j], upper = limits.upper[j];
+    const F low(lower), high(upper);
+    // angles come in (-pi, pi]: a turn can only help a joint whose limits reach beyond that on one side
+    if (limits.prismatic[j] || (upper <= kPi && lower >= -kPi)) {
+      for (int m = 0; m < M; ++m) inside[m] = inside[m] & (q[m][j] >= low) & (q[m][j] <= high);
+      continue;
+    }
+    for (int m = 0; m < M; ++m) {
+      const F v = q[m][j], moved = v + (select(v < low, kTwoPi, F(0.0)) - select(v > high, kTwoPi, F(0.0)));
+      const Mask<F> there = valid[m] & (moved >= low) & (moved <= high);
+      q[m][j] = select(there, moved, v);
+      inside[m] = inside[m] & there;
+    }
+  }
 }
 
 inline void apply_limits(double* q, const std::uint8_t* valid, long rows, int n, const double* lower,

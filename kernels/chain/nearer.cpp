@@ -63,35 +63,41 @@ struct Bent {
       for (int i = 0; i < m; ++i)
         for (int j = 0; j < m; ++j) (i == j ? all : off) += at(i, j) * at(i, j);
       if (off <= kJacobiDone * (off + all)) break;
+      // what is left of the others together does not count either
+      const double nothing = kJacobiDone * (off + all) / (2 * m * m);
       for (int i = 0; i < m; ++i)
-        for (int j = i + 1; j < m; ++j) turn(i, j);
+        for (int j = i + 1; j < m; ++j)
+          if (at(i, j) * at(i, j) > nothing) turn(i, j);
     }
     double most = 0;
     for (int i = 0; i < m; ++i) most = std::fmax(most, std::fabs(at(i, i)));
     x.assign(m, 0.0);
     for (int k = 0; k < m; ++k) {
       double part = 0;
-      for (int i = 0; i < m; ++i) part += V[i * m + k] * b[i];
+      for (int i = 0; i < m; ++i) part += V[k * m + i] * b[i];
       part /= std::fmax(std::fmax(std::fabs(at(k, k)), kDescentFlat * most) + damping * most, kTiny);
-      for (int i = 0; i < m; ++i) x[i] += part * V[i * m + k];
+      for (int i = 0; i < m; ++i) x[i] += part * V[k * m + i];
     }
   }
 
  private:
+  // Rows are turned as they lie in memory, columns are copied from them; the rows of V become eigenvectors.
   void turn(int i, int j) {
-    if (at(i, j) == 0) return;
     const double zeta = (at(j, j) - at(i, i)) / (2 * at(i, j));
     const double t = (zeta >= 0 ? 1 : -1) / (std::fabs(zeta) + std::sqrt(1 + zeta * zeta)),
                  c = 1 / std::sqrt(1 + t * t), s = c * t;
+    const double first = at(i, i) - t * at(i, j), second = at(j, j) + t * at(i, j);
+    double *a = &at(i, 0), *b = &at(j, 0), *v = &V[i * m], *w = &V[j * m];
     for (int k = 0; k < m; ++k) {
-      const double x = at(k, i), y = at(k, j), v = V[k * m + i], w = V[k * m + j];
-      at(k, i) = c * x - s * y, at(k, j) = s * x + c * y;
-      V[k * m + i] = c * v - s * w, V[k * m + j] = s * v + c * w;
+      const double x = a[k], y = b[k];
+      a[k] = c * x - s * y, b[k] = s * x + c * y;
     }
     for (int k = 0; k < m; ++k) {
-      const double x = at(i, k), y = at(j, k);
-      at(i, k) = c * x - s * y, at(j, k) = s * x + c * y;
+      const double x = v[k], y = w[k];
+      v[k] = c * x - s * y, w[k] = s * x + c * y;
     }
+    for (int k = 0; k < m; ++k) at(k, i) = a[k], at(k, j) = b[k];
+    at(i, i) = first, at(j, j) = second, at(i, j) = at(j, i) = 0;
   }
 };
 

@@ -12,6 +12,15 @@ namespace pieper::PIEPER_ISA {
 using Own = PIEPER_FAMILY;
 using Kernel = PIEPER_JOIN(PIEPER_FAMILY, Kernel);
 
+template <class K> constexpr decltype(FamilyEntry::solve_inside) solve_inside() {
+  if constexpr (!requires { &K::solve_inside; }) return nullptr;
+  else
+    return [](const void* kernel, const double* T, long count, const JointLimits& limits, double* q,
+              std::uint8_t* valid, std::uint8_t* flag, std::uint8_t* in_limits) {
+      static_cast<const K*>(kernel)->solve_inside(T, count, limits, q, valid, flag, in_limits);
+    };
+}
+
 extern const FamilyEntry PIEPER_JOIN(PIEPER_FAMILY, Entry);
 const FamilyEntry PIEPER_JOIN(PIEPER_FAMILY, Entry) = {
     Own::name,
@@ -22,6 +31,7 @@ const FamilyEntry PIEPER_JOIN(PIEPER_FAMILY, Entry) = {
     [](const void* kernel) { delete static_cast<const Kernel*>(kernel); },
     [](const void* kernel, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) {
       static_cast<const Kernel*>(kernel)->solve(T, count, q, valid, flag);
-    }};
+    },
+    solve_inside<Kernel>()};
 
 }  // namespace pieper::PIEPER_ISA

@@ -8,7 +8,8 @@
 
 namespace pieper {
 
-// What `many` and `one` say of a pose, one bit each. Kernels set the first three and the solver the fourth; the others are Python's.
+// What `many` and `one` say of a pose, one bit each. Kernels set the first three and the last, the solver the fourth; the
+// others are Python's.
 enum class Flag : std::uint8_t {
   DEGENERATE = 1,      // so near a singular pose that self-motions or merged roots are possible
   UNCERTAIN = 2,       // the family cannot vouch that nothing is missing
@@ -17,8 +18,9 @@ enum class Flag : std::uint8_t {
   NO_ARM_ANGLE = 16,   // the arm angle is undefined here
   COUNT_CHANGES = 32,  // the arm as described has another number of solutions here than the one that was solved
   AT_ARM_ANGLE = 64,   // solved at a chosen arm angle
+  EDGE = 128,  // no solution, and not far enough beyond the edge of reach to tell that poses beside it have none either
 };
-inline constexpr std::uint8_t kDegenerate = 1, kUncertain = 2, kOutOfReach = 4, kRounded = 8;
+inline constexpr std::uint8_t kDegenerate = 1, kUncertain = 2, kOutOfReach = 4, kRounded = 8, kEdge = 128;
 
 // A direction or a point.
 struct Vector {

@@ -15,6 +15,13 @@ namespace pieper {
 
 struct General;
 
+// Limits of q (rad, m; infinite where there is none), slack included, and which joints slide.
+struct JointLimits {
+  const double *lower, *upper;
+  const std::uint8_t* prismatic;
+  bool once;  // a value in (-pi, pi] that no single turn brings inside is brought there by none
+};
+
 // A family's kernel for one arm, made once from its geometry, which must outlive it.
 // T: count x 16 row-major, proper rotations. q: count x slots x joints, zeros where not valid. valid: count x slots. flag: count.
 struct FamilyEntry {
@@ -24,6 +31,9 @@ struct FamilyEntry {
   const void* (*make)(const Geometry&);
   void (*drop)(const void* kernel);
   void (*solve)(const void* kernel, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag);
+  // The same with limits of which `once` holds, as IsaTable::limits has it; null for a family that leaves them to that.
+  void (*solve_inside)(const void* kernel, const double* T, long count, const JointLimits& limits, double* q,
+                       std::uint8_t* valid, std::uint8_t* flag, std::uint8_t* in_limits);
 };
 
 // How rows of a pose are compared with a joint vector (chain/selection.hpp). lower, upper: of q, slack included, rad or m;

@@ -24,6 +24,7 @@ constexpr long kScratch = 24 * 1024;    // bytes of answers that stay in the fir
 constexpr long kSmallestBlock = 16;     // poses; a multiple of every width of lanes
 constexpr long kUsualCache = 8L << 20;  // bytes, where the processor does not tell
 constexpr long kSerialBelow = 2000;     // starting a thread costs as much as this many closed-form poses
+constexpr double kHalfTurn = 3.14159265358979323846;
 constexpr auto kAskEvery = std::chrono::milliseconds(20);
 
 // Bytes of the cache that all cores share.
@@ -51,6 +52,10 @@ Solver::Solver(const Geometry& geometry, std::vector<double> lower, std::vector<
   if (lower_.size() != size || upper_.size() != size || prismatic_.size() != size)
     throw std::invalid_argument("lower, upper and prismatic must have one entry a joint, " + std::to_string(size) +
                                 " here.");
+  // a second turn leads beyond three half turns
+  for (std::size_t j = 0; j < size; ++j)
+    once_ &= prismatic_[j] || ((lower_[j] <= kHalfTurn || upper_[j] <= 3 * kHalfTurn) &&
+                               (upper_[j] >= -kHalfTurn || lower_[j] >= -3 * kHalfTurn));
   kernel_ = family_.make(geometry);
 }
 
@@ -63,11 +68,15 @@ long Solver::solve_block(const double* T, long count, double* deviation, double*
     isa_.straighten(T, deviation, exact_, count, straight);
     T = straight;
   }
-  family_.solve(kernel_, T, count, to.q, to.valid, to.flag);
+  const JointLimits limits = {lower_.data(), upper_.data(), prismatic_.data(), once_};
+  const bool fused = once_ && family_.solve_inside;
+  if (fused) family_.solve_inside(kernel_, T, count, limits, to.q, to.valid, to.flag, to.in_limits);
+  else family_.solve(kernel_, T, count, to.q, to.valid, to.flag);
   if (!family_.in_order) isa_.put_in_order(to.q, to.valid, count, slots(), joints(), prismatic_.data());
   if (rounded)
     for (long i = 0; i < count; ++i) to.flag[i] |= deviation[i] > exact_ ? kRounded : 0;
-  isa_.limits(to.q, to.valid, count * slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(), to.in_limits);
+  if (!fused)
+    isa_.limits(to.q, to.valid, count * slots(), joints(), limits.lower, limits.upper, limits.prismatic, to.in_limits);
   isa_.outcomes(to.valid, to.in_limits, count, slots(), to.outcome);
   return count;
 }

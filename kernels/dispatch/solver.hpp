@@ -73,6 +73,7 @@ class Solver {
   std::vector<double> lower_, upper_;
   std::vector<std::uint8_t> prismatic_;
   double accepted_, exact_;
+  bool once_ = true;  // JointLimits::once
 };
 
 }  // namespace pieper

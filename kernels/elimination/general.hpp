@@ -115,13 +115,14 @@ inline bool comes_before(const double* a, const double* b) {
   return false;
 }
 
-inline void write_pose(const Model& model, const Found& found, bool certain, double* q, std::uint8_t* valid,
+// `edge`: without solutions it is not said that poses beside it have none.
+inline void write_pose(const Model& model, const Found& found, bool certain, bool edge, double* q, std::uint8_t* valid,
                        std::uint8_t* flag) {
   int order[kMaxFound];
   for (int i = 0; i < found.count; ++i) order[i] = i;
   int count = found.count;
   *flag = 0;
-  if (count > kSlots) {  // members of a continuous family crowd in: isolated solutions first
+  if (count > kSlots) {  // points of a self-motion crowd in: isolated solutions first
     for (int i = 1; i < count; ++i)
       for (int j = i; j > 0 && found.sigma[order[j]] > found.sigma[order[j - 1]]; --j) {
         const int t = order[j];
@@ -145,6 +146,7 @@ inline void write_pose(const Model& model, const Found& found, bool certain, dou
   }
   if (!certain) *flag |= kUncertain;
   else if (count == 0) *flag |= kOutOfReach;
+  if (count == 0 && edge) *flag |= kEdge;
 }
 
 }  // namespace general
@@ -177,8 +179,8 @@ void solve_general(const General& arm, const double* T, long count, double* q, s
         Found found;
         found.count = 0;
         const bool isolated = solve_slides(model, load_poses<double>(poses + 16 * i), found);
-        write_pose(model, found, true, rows + i * 6 * kSlots, good + i * kSlots, say + i);
-        if (!isolated) say[i] = kDegenerate;
+        write_pose(model, found, true, true, rows + i * 6 * kSlots, good + i * kSlots, say + i);
+        if (!isolated) say[i] = kDegenerate | (say[i] & kEdge);
       }
       return;
     }
@@ -192,10 +194,13 @@ void solve_general(const General& arm, const double* T, long count, double* q, s
       bool certain = model.variant[0].noise < kGeneralQuiet && !weak && settled(report[i], found[i]);
       // next to a pose where the elimination is singular, variants may agree on what all of them have lost
       bool fetched = false, healthy = false;
+      const bool at_once = certain;
       if (!certain) certain = escalate(model, load_poses<double>(poses + 16 * i), found[i], &fetched, &healthy);
       const bool singular = (weak && !healthy) || fetched;
+      // no eigenvalue near the real line: a pose beside this one brings none onto it
+      const bool edge = !at_once || report[i].nearly > 0;
       // what only nearby arms vouch for is not certain
-      write_pose(model, found[i], certain && model.variant[0].arm == 0, rows + i * 6 * kSlots, good + i * kSlots,
+      write_pose(model, found[i], certain && model.variant[0].arm == 0, edge, rows + i * 6 * kSlots, good + i * kSlots,
                  say + i);
       if (singular) say[i] |= kDegenerate;
     }

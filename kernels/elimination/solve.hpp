@@ -67,6 +67,7 @@ inline double angle_apart(double a, double b) {
 struct Report {
   int real;        // real eigenvalues
   int unresolved;  // of them without a solution of their own
+  int nearly;      // complex ones near enough to the real line to be tried as a double root
   int lost;        // eigenvalues, real or nearly, that share a regular solution with another, or have none
   bool doubtful;   // eigenvalues missing or the matrix meaningless
   double spread;   // largest distance of an eigenvalue from the hidden angle of its polished solution
@@ -88,14 +89,17 @@ template <class F> void try_candidates(const Model& model, const Variant& v, con
     const int used = count - first < W ? count - first : W;
     Eliminated<G> group;
     G c3(1.0), s3(0.0);
+    int of[W];
     for (int i = 0; i < W; ++i) {
       const Candidate& c = list[first + (i < used ? i : used - 1)];
-      copy_lanes<G, F>(group.eq, i, poses.eq, c.pose);
-      copy_lanes<G, F>(group.right, i, poses.right, c.pose);
-      copy_lanes<G, F>(group.link, i, poses.link, c.pose);
-      if (v.arm) copy_lanes<G, F>(group.arm_link, i, poses.arm_link, c.pose);
+      of[i] = c.pose;
       set_lane(c3, i, c.angle);
     }
+    const LanePicker<W> pick(of);
+    pick_lanes<G, F>(group.eq, poses.eq, pick);
+    pick_lanes<G, F>(group.right, poses.right, pick);
+    pick_lanes<G, F>(group.link, poses.link, pick);
+    if (v.arm) pick_lanes<G, F>(group.arm_link, poses.arm_link, pick);
     sincos(G(c3), s3, c3);
     Motion<G> q[6];
     complete_candidate(group.eq, group.right, group.link, v.roles, v.chart, v.layout, v.swap, start_vector(start), c3,
@@ -151,11 +155,12 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
   for (int i = 0; i < used; ++i) {
     const Spectrum all = spectrum(eigenvalues[i], re[i], im[i], lane(poses.chart_c, i), lane(poses.chart_s, i));
     const double size = lane(poses.largest, i);
-    report[i] = {0, 0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), 0, size};
+    report[i] = {0, 0, 0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), 0, size};
     for (int k = 0; k < all.count; ++k) {
       const double im = all.imaginary[k];
       if (im == 0) ++report[i].real;
       else if (!(__builtin_fabs(im) < kGeneralNearlyReal)) continue;
+      else ++report[i].nearly;
       list[count++] = {i, all.angle[k] + im, im, -1};
     }
   }

@@ -57,6 +57,7 @@ template <class F> PIEPER_INLINE Motion<F> advanced(Motion<F> angle, F change) {
 
 template <int Slots> struct Found {
   int count;
+  bool edge;  // without solutions it is not said that poses beside it have none
   double q[Slots][6];
 };
 
@@ -110,38 +111,35 @@ template <class F, class Family> unsigned solve_group(const HiddenAngle& head, c
   unsigned unclear = bits_of(!(above < kHiddenDegree * size));
   trigonometric::Sectors<F, D> sectors;
   sectors_of(series, sectors);
-  trigonometric::Bracket list[W * 2 * D];
-  int count = 0;
+  const trigonometric::Isolation<F, D> roots(sectors, noise, ~unclear, used);
+  unclear |= roots.unclear;
   for (int i = 0; i < used; ++i) {
     found[i].count = 0;
-    if ((unclear >> i) & 1u) continue;
-    const int before = count;
-    if (!isolate<F, D>(sectors, i, lane(noise, i), list, count)) {
-      unclear |= 1u << i;
-      count = before;
-    }
+    found[i].edge = !(roots.away[i] > kHiddenEdge * lane(size, i));
   }
   const trigonometric::Circle<2 * trigonometric::kSectors>& turn = trigonometric::circle<2 * trigonometric::kSectors>();
-  for (int first = 0; first < count; first += W) {
-    const int lanes = count - first < W ? count - first : W;
+  for (int first = 0; first < roots.count; first += W) {
+    const int lanes = roots.count - first < W ? roots.count - first : W;
     Candidates<F, Family> x;
     trigonometric::Series<F, D> own;
-    F centre_c, centre_s, low, high, at_low, at_high;
+    F centre_c, centre_s, low, high, start;
     int of[W];
+    unsigned rising = 0;
     for (int i = 0; i < W; ++i) {
-      const trigonometric::Bracket& b = list[first + (i < lanes ? i : lanes - 1)];
+      const trigonometric::Bracket& b = roots.list[first + (i < lanes ? i : lanes - 1)];
       of[i] = b.lane;
-      copy_lanes<F, F>(own, i, series, b.lane);
-      copy_lanes<F, F>(x.target, i, target, b.lane);
-      copy_lanes<F, F>(x.tool, i, tool, b.lane);
+      rising |= (b.rising ? 1u : 0u) << i;
       set_lane(centre_c, i, turn.c[2 * b.sector + 1]);
       set_lane(centre_s, i, turn.s[2 * b.sector + 1]);
       set_lane(low, i, b.low);
       set_lane(high, i, b.high);
-      set_lane(at_low, i, b.at_low);
-      set_lane(at_high, i, b.at_high);
+      set_lane(start, i, b.start);
     }
-    trigonometric::refine(own, centre_c, centre_s, low, high, at_low, at_high, x.root.c, x.root.s);
+    const LanePicker<W> pick(of);
+    pick_lanes<F, F>(own, series, pick);
+    pick_lanes<F, F>(x.target, target, pick);
+    pick_lanes<F, F>(x.tool, tool, pick);
+    trigonometric::refine(own, centre_c, centre_s, low, high, start, mask_of_bits<F>(rising), x.root.c, x.root.s);
     x.side = F(Family::both ? 1.0 : 0.0);
     enter<F, Family>(head, arm, truth, x, of, lanes, found, unclear);
     if (!Family::both) continue;
@@ -196,7 +194,7 @@ template <int Slots> struct Waiting {
       while (n < Slots && good[n]) ++n;
       n = joined(head, rows, n, own[i]);
       for (int m = 0; m < n; ++m) good[m] = 1;
-      all_flag[index[i]] = static_cast<std::uint8_t>(n ? flag[i] & ~kOutOfReach : flag[i]);
+      all_flag[index[i]] = static_cast<std::uint8_t>(n ? flag[i] & ~(kOutOfReach | kEdge) : flag[i]);
     }
     count = 0;
   }
@@ -239,7 +237,8 @@ template <class Family> void solve(const HiddenAngle& head, const typename Famil
         valid[M * at + m] = m < found[i].count;
         for (int j = 0; j < 6; ++j) q[6 * M * at + 6 * m + j] = m < found[i].count ? found[i].q[m][j] : 0.0;
       }
-      flag[at] = doubt ? kDegenerate | kUncertain : found[i].count ? 0 : kOutOfReach;
+      const int none = found[i].edge ? kOutOfReach | kEdge : kOutOfReach;
+      flag[at] = doubt ? kDegenerate | kUncertain : found[i].count ? 0 : none;
     }
   });
   waiting.solve(head, q, valid, flag);

@@ -162,6 +162,13 @@ PIEPER_INLINE void on_side(const Arm& arm, F side, Dual<F> along, Dual<F> past, 
   x.on = condition(arm, x.u, x.across, x.out, x.level, x.h);
 }
 
+// All of `from` where `here`, else what `to` is; both are made of nothing but numbers of type F.
+template <class F, class X> PIEPER_INLINE void pick_where(Mask<F> here, const X& from, X& to) {
+  const F* of = reinterpret_cast<const F*>(&from);
+  F* into = reinterpret_cast<F*>(&to);
+  for (unsigned k = 0; k < sizeof(X) / sizeof(F); ++k) into[k] = select(here, of[k], into[k]);
+}
+
 // side 0: the one of +1 and -1 on which the condition is nearer to holding, written to `side`; `apart` tells how much nearer.
 template <class F>
 PIEPER_INLINE Evaluated<F> evaluate(const Arm& arm, const Target<F>& target, Motion<F> theta, F& side, F* apart) {
@@ -180,13 +187,16 @@ PIEPER_INLINE Evaluated<F> evaluate(const Arm& arm, const Target<F>& target, Mot
   x.rho2 = rho2.x;
   x.u = root(rho2 + (-arm.lateral * arm.lateral));
   if (apart) {
-    Evaluated<F> plus = x, minus = x;
+    Evaluated<F> plus = x;
     on_side(arm, F(1.0), along, past, rho2, plus);
-    on_side(arm, F(-1.0), along, past, rho2, minus);
-    const F up = abs(plus.on.N.x), down = abs(minus.on.N.x);
-    side = select(side == 0.0, select(up <= down, F(1.0), F(-1.0)), side);
+    on_side(arm, F(-1.0), along, past, rho2, x);
+    const F up = abs(plus.on.N.x), down = abs(x.on.N.x);
+    const auto first = select(side == 0.0, down - up, side) >= 0.0;
+    side = select(first, F(1.0), F(-1.0));
     apart[0] = min(up, down);
     apart[1] = max(up, down);
+    pick_where<F>(first, plus, x);
+    return x;
   }
   on_side(arm, side, along, past, rho2, x);
   return x;
@@ -195,9 +205,9 @@ PIEPER_INLINE Evaluated<F> evaluate(const Arm& arm, const Target<F>& target, Mot
 // From a root to the joints; lanes where that is not clear are marked in the result.
 template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F side, Motion<F>* q) {
   const double b = arm.lateral, l = arm.fore, l2 = l * l;
-  F apart[2];
+  F apart[2] = {F(0.0), F(0.0)};
   const auto open = side == 0.0;
-  Evaluated<F> now = evaluate(arm, target, theta, side, apart);
+  Evaluated<F> now = evaluate(arm, target, theta, side, any(open) ? apart : nullptr);
   auto size_of = [&](const Evaluated<F>& e) {
     return l2 * (e.on.v0.x * e.on.v0.x + e.on.v1.x * e.on.v1.x) + e.on.K.x * e.on.K.x;
   };

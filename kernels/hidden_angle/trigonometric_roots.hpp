@@ -2,7 +2,7 @@
 //
 // p(theta) = a0 + sum a_m cos(m theta) + b_m sin(m theta) is a form of degree 2D in (cos, sin) of theta / 2. On a sector that
 // form has Bernstein coefficients (of the two edge directions), and the changes of sign among them bound its roots: none
-// means no root, one means exactly one, more are halved by de Casteljau's scheme (Descartes' rule in Bernstein's basis;
+// means no root, one means exactly one, more are parted by de Casteljau's scheme (Descartes' rule in Bernstein's basis;
 // Lane and Riesenfeld, 1981). What is still open in a very narrow sector, a pair of roots about to merge or just gone, is
 // handed back as not clear. Templates over the number type for the polynomials; isolating roots goes lane by lane.
 #pragma once
@@ -13,7 +13,7 @@
 namespace pieper::PIEPER_ISA::trigonometric {
 
 inline constexpr int kSectors = 16;
-inline constexpr int kDeepest = 13;  // halvings: sectors of about 5e-5 rad
+inline constexpr double kNarrowest = 1.0 / 4096;  // of a sector: about 1e-4 rad
 
 template <class F, int D> struct Series {
   F a[D + 1], b[D + 1];  // b[0] is not used
@@ -103,6 +103,12 @@ template <class F, int N> PIEPER_INLINE F sign_changes(const F (&b)[N]) {
   return count;
 }
 
+template <class F, int N> PIEPER_INLINE F smallest(const F (&b)[N]) {
+  F least = abs(b[0]);
+  for (int k = 1; k < N; ++k) least = min(least, abs(b[k]));
+  return least;
+}
+
 template <class F, int D> void sectors_of(const Series<F, D>& p, Sectors<F, D>& out) {
   const SectorBasis<D>& basis = sector_basis<D>();
   const Circle<2 * kSectors>& turn = circle<2 * kSectors>();
@@ -130,95 +136,168 @@ template <class F, int D> void sectors_of(const Series<F, D>& p, Sectors<F, D>& 
   }
   for (int i = 0; i < kSectors; ++i) {
     out.changes[i] = sign_changes(out.coefficient[i]);
-    out.least[i] = abs(out.coefficient[i][0]);
-    for (int k = 1; k <= 2 * D; ++k) out.least[i] = min(out.least[i], abs(out.coefficient[i][k]));
+    out.least[i] = smallest(out.coefficient[i]);
   }
 }
 
 // One simple root, in one lane of the polynomials: e^{i theta} = e^{i centre} (1 + i u)^2 / (1 + u^2) with u between low and high.
 struct Bracket {
   int lane, sector;
-  double low, high;
-  double at_low, at_high;  // of opposite sign
+  double low, high, start;  // start: where the polygon of Bernstein coefficients crosses zero
+  bool rising;              // whether the polynomial is negative at `low`
 };
 
-template <int N> inline int changes_of(const double* b) {
+// The same for one whose coefficients b change sign once between low and high.
+template <int N> inline Bracket bracket_of(int of_lane, int sector, const double* b, double low, double high) {
+  const bool rising = b[0] < 0;
+  int k = 1;
+  while (k < N - 1 && (b[k] < 0) == rising) ++k;
+  const double at = k - 1 + b[k - 1] / (b[k - 1] - b[k]);
+  return {of_lane, sector, low, high, low + (high - low) * at / (N - 1), rising};
+}
+
+// A piece of a sector whose coefficients b change sign more than once; from low to high in units of the sector's edge.
+template <int N> struct Cell {
+  double b[N], low, high;
+  double part;  // where to part it, between 0 and 1
+  int lane, sector;
+};
+
+// Halfway between the first and the last place where the polygon of the coefficients crosses zero: two roots lie on either side, and
+// where there is none the polynomial is nearest to zero about here.
+template <int N> inline double parting(const double* b) {
+  int first = 1, last = N - 1;
+  while ((b[first] < 0) == (b[0] < 0)) ++first;
+  while ((b[last - 1] < 0) == (b[N - 1] < 0)) --last;
+  const auto crossing = [&](int k) { return k - 1 + b[k - 1] / (b[k - 1] - b[k]); };
+  const double at = 0.5 / (N - 1) * (crossing(first) + crossing(last));
+  return at < 0.15 ? 0.15 : at > 0.85 ? 0.85 : at;
+}
+
+// Isolates the roots of W polynomials: `used` of the lanes are asked for.
+template <class F, int D> class Isolation {
+ public:
+  static constexpr int N = 2 * D + 1, W = width_of<F>, kMost = 2 * D;
+
+  Bracket list[W * kMost];
   int count = 0;
-  for (int k = 1; k < N; ++k) count += (b[k] < 0) != (b[k - 1] < 0);
-  return count;
-}
+  unsigned unclear = 0;  // lanes where a coefficient that decides lies below `noise`, or roots do not part
+  double away[W];        // where there is no root a lane's polynomial is no nearer to zero
 
-template <int N> inline double least_of(const double* b) {
-  double least = __builtin_fabs(b[0]);
-  for (int k = 1; k < N; ++k) least = __builtin_fabs(b[k]) < least ? __builtin_fabs(b[k]) : least;
-  return least;
-}
-
-// Appends the roots of one lane to `list`, at most 2D of them; returns false when some of it is not clear: where a coefficient that
-// decides lies below `noise`, or roots do not part.
-template <class F, int D>
-bool isolate(const Sectors<F, D>& sectors, int of_lane, double noise, Bracket* list, int& count) {
-  constexpr int N = 2 * D + 1;
-  const double reach = __builtin_tan(0.78539816339744830962 * 2 / kSectors);  // of u at a sector's edge
-  struct Cell {
-    double b[N], low, high;  // in units of `reach`, from -1 to 1
-    int depth;
-  };
-  Cell stack[kDeepest + 2];
-  const int most = count + 2 * D;
-  for (int i = 0; i < kSectors; ++i) {
-    const double changes = lane(sectors.changes[i], of_lane);
-    if (changes < 2 && lane(sectors.least[i], of_lane) < noise) return false;
-    if (changes == 0) continue;
-    if (count == most) return false;
-    if (changes == 1) {
-      list[count++] = {of_lane,
-                       i,
-                       -reach,
-                       reach,
-                       lane(sectors.coefficient[i][0], of_lane),
-                       lane(sectors.coefficient[i][N - 1], of_lane)};
-      continue;
+  Isolation(const Sectors<F, D>& sectors, F noise, unsigned wanted, int used) : noise_(noise) {
+    int begun = 0;
+    for (int i = 0; i < used; ++i) {
+      away[i] = __builtin_inf();
+      if (!((wanted >> i) & 1u)) continue;
+      for (int k = 0; k < kSectors && !lost(i); ++k) {
+        const int changes = static_cast<int>(lane(sectors.changes[k], i));
+        if (decided(i, changes, lane(sectors.least[k], i))) continue;
+        Cell<N>& cell = stack_[waiting_];
+        for (int j = 0; j < N; ++j) cell.b[j] = lane(sectors.coefficient[k][j], i);
+        if (changes == 1) {
+          enter(i, k, cell.b, -1, 1);
+          continue;
+        }
+        cell.low = -1, cell.high = 1, cell.part = parting<N>(cell.b), cell.lane = i, cell.sector = k;
+        // what is parted makes room for two
+        if (++waiting_ == kRoom - W) part();
+      }
     }
-    int waiting = 1;
-    for (int k = 0; k < N; ++k) stack[0].b[k] = lane(sectors.coefficient[i][k], of_lane);
-    stack[0].low = -1, stack[0].high = 1, stack[0].depth = 0;
-    while (waiting) {
-      Cell& cell = stack[--waiting];
-      const int found = changes_of<N>(cell.b);
-      if (found < 2 && least_of<N>(cell.b) < noise) return false;
-      if (found == 0) continue;
-      if (count == most) return false;
-      if (found == 1) {
-        list[count++] = {of_lane, i, cell.low * reach, cell.high * reach, cell.b[0], cell.b[N - 1]};
+    while (waiting_) part();
+    int kept = 0;
+    for (int k = begun; k < count; ++k)
+      if (!lost(list[k].lane)) list[kept++] = list[k];
+    count = kept;
+  }
+
+ private:
+  static constexpr int kRoom = W * (kSectors + 2);
+
+  bool lost(int i) const { return (unclear >> i) & 1u; }
+
+  // Whether nothing is left to do where coefficients change sign so often, the smallest of them being `least`.
+  bool decided(int i, int changes, double least) {
+    if (changes < 2 && least < lane(noise_, i)) unclear |= 1u << i;
+    else if (changes == 0) away[i] = least < away[i] ? least : away[i];
+    else return false;
+    return true;
+  }
+
+  void enter(int i, int sector, const double* b, double low, double high) {
+    static const double reach = __builtin_tan(0.78539816339744830962 * 2 / kSectors);  // of u at a sector's edge
+    if (found_[i]++ == kMost) unclear |= 1u << i;
+    else list[count++] = bracket_of<N>(i, sector, b, low * reach, high * reach);
+  }
+
+  // Takes up to W pieces off the stack and puts back what is not decided of their halves.
+  void part() {
+    const int taken = waiting_ < W ? waiting_ : W;
+    Cell<N>* const top = stack_ + (waiting_ - taken);
+    double halves[2][N][W];
+    const Cell<N>* from[W];
+    Place place[W];
+    for (int i = 0; i < W; ++i) {
+      from[i] = top + (i < taken ? i : 0);
+      place[i] = {from[i]->low, from[i]->high, from[i]->part, from[i]->lane, from[i]->sector};
+    }
+    F b[N], left[N], at;
+    for (int i = 0; i < W; ++i) set_lane(at, i, place[i].part);
+    for (int j = 0; j < N; ++j) {
+      F row;
+      for (int i = 0; i < W; ++i) set_lane(row, i, from[i]->b[j]);
+      b[j] = row;
+    }
+    for (int k = 0; k < N; ++k) {  // de Casteljau: what is left in b is the right part
+      left[k] = b[0];
+      for (int j = 0; j + k + 1 < N; ++j) b[j] = b[j] + at * (b[j + 1] - b[j]);
+    }
+    F changes[2] = {sign_changes(left), sign_changes(b)}, least[2] = {smallest(left), smallest(b)};
+    for (int j = 0; j < N; ++j) store(halves[0][j], left[j]), store(halves[1][j], b[j]);
+    waiting_ -= taken;
+    for (int i = 0; i < taken; ++i) {
+      const Place& of = place[i];
+      if (lost(of.lane)) continue;
+      if (of.high - of.low < 2 * kNarrowest) {
+        unclear |= 1u << of.lane;
         continue;
       }
-      if (cell.depth == kDeepest) return false;
-      Cell left;
-      for (int k = 0; k < N; ++k) {  // de Casteljau: what is left in the cell is the right half
-        left.b[k] = cell.b[0];
-        for (int j = 0; j + k + 1 < N; ++j) cell.b[j] = 0.5 * (cell.b[j] + cell.b[j + 1]);
+      const double middle = of.low + of.part * (of.high - of.low);
+      for (int half = 0; half < 2 && !lost(of.lane); ++half) {
+        const int signs = static_cast<int>(lane(changes[half], i));
+        if (decided(of.lane, signs, lane(least[half], i))) continue;
+        Cell<N>& cell = stack_[waiting_];
+        for (int j = 0; j < N; ++j) cell.b[j] = halves[half][j][i];
+        cell.low = half ? middle : of.low, cell.high = half ? of.high : middle;
+        cell.lane = of.lane, cell.sector = of.sector;
+        if (signs == 1) {
+          enter(of.lane, of.sector, cell.b, cell.low, cell.high);
+          continue;
+        }
+        cell.part = parting<N>(cell.b);
+        ++waiting_;
       }
-      const double middle = 0.5 * (cell.low + cell.high);
-      left.low = cell.low, left.high = middle, left.depth = ++cell.depth;
-      cell.low = middle;
-      ++waiting;
-      stack[waiting++] = left;
     }
   }
-  return true;
-}
+
+  struct Place {
+    double low, high, part;
+    int lane, sector;
+  };
+
+  const F noise_;
+  int found_[W] = {}, waiting_ = 0;
+  Cell<N> stack_[kRoom];
+};
 
 // Newton's method kept inside the brackets: the roots as cosine and sine. p: of each root's own polynomial.
 template <class F, int D>
-void refine(const Series<F, D>& p, F centre_c, F centre_s, F low, F high, F at_low, F at_high, F& c, F& s) {
-  const auto negative = at_low < 0.0;
-  F u = low + (high - low) * min(max(at_low / (at_low - at_high), F(0.05)), F(0.95));
+void refine(const Series<F, D>& p, F centre_c, F centre_s, F low, F high, F u, Mask<F> rising, F& c, F& s) {
   auto done = mask_of<F>(false);
   for (int step = 0; step < 40; ++step) {
     const F over = 1.0 / (1.0 + u * u), x = (1.0 - u * u) * over, y = 2.0 * u * over;
     c = centre_c * x - centre_s * y;
     s = centre_s * x + centre_c * y;
+    if (all(done)) break;
     // Horner's scheme in e^{i theta} for the sum of (a - i b) e^{i m theta} and its derivative
     F re = p.a[D], im = -p.b[D], dre = F(double(D)) * p.a[D], dim = F(double(-D)) * p.b[D];
     for (int m = D - 1; m >= 0; --m) {
@@ -235,8 +314,7 @@ void refine(const Series<F, D>& p, F centre_c, F centre_s, F low, F high, F at_l
       dre = t;
     }
     const F slope = (0.0 - dim) * 2.0 * over;  // dp/du
-    if (all(done)) break;
-    const auto below = re < 0.0, left = (below & negative) | !(below | negative);
+    const auto below = re < 0.0, left = (below & rising) | !(below | rising);
     low = select(left & !done, u, low);
     high = select(!left & !done, u, high);
     F next = u - re / select(slope == 0.0, F(kTiny), slope);

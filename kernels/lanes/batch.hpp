@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dispatch/geometry.hpp"
+#include "chain/limits.hpp"
 #include "chain/rigid.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -14,6 +15,7 @@ template <class F, int Slots, int Joints> struct Branches {
   Mask<F> degenerate;    // so near a singular pose that families or merged roots are possible
   Mask<F> uncertain;     // the family cannot vouch that nothing is missing
   Mask<F> out_of_reach;  // no solution, for reasons of reach
+  Mask<F> edge;          // nor is it clear that poses beside it have none
 };
 
 // Poses [0, W) of T (row-major 4x4, 16 doubles each) into lanes.
@@ -32,6 +34,20 @@ template <class F> PIEPER_INLINE RigidT<F> load_poses(const double* T) {
       pose.p(i) = column[4 * i + 3];
     }
     return pose;
+  }
+}
+
+// Lane from[i] of `in` becomes lane i of `to`; both are made of nothing but numbers of type F and G.
+template <class G, class F, class To, class From>
+PIEPER_INLINE void pick_lanes(To& to, const From& in, const LanePicker<width_of<G>>& pick) {
+  constexpr unsigned all = sizeof(To), one = sizeof(G), given = sizeof(From), each = sizeof(F);
+  static_assert(all / one == given / each);
+  G* into = reinterpret_cast<G*>(&to);
+  const F* of = reinterpret_cast<const F*>(&in);
+#pragma GCC unroll 4
+  for (unsigned k = 0; k < all / one; ++k) {
+    if constexpr (width_of<F> == 1) into[k] = G(of[k]);
+    else into[k] = pick(of[k]);
   }
 }
 
@@ -65,30 +81,41 @@ template <class F, int K> PIEPER_INLINE void store_records(double* out, F* value
   }
 }
 
-template <class F, class Kernel, class Arm> PIEPER_INLINE void solve_group(const Arm& arm, const double* T, int lanes,
-                                                                           double* q, std::uint8_t* valid,
-                                                                           std::uint8_t* flag) {
-  constexpr int M = Arm::slots, N = Arm::joints;
-  Branches<F, M, N> out;
-  Kernel::template branches<F>(arm, load_poses<F>(T), out);
-  F values[M * N];
-  for (int m = 0; m < M; ++m)
-    for (int j = 0; j < N; ++j) values[m * N + j] = select(out.valid[m], out.q[m][j], F(0.0));
-  store_records<F, M * N>(q, values, lanes);
+// Masks of M slots -> bytes, M for each of the first `lanes` lanes.
+template <class F, int M> PIEPER_INLINE void store_masks(std::uint8_t* out, const Mask<F>* slot, int lanes) {
   // eight slots are the eight bytes of one word per lane
   for (int first = 0; first < M; first += 8) {
     const int slots = M - first < 8 ? M - first : 8;
-    Bits<F> word = word_where(out.valid[first], 1);
-    for (int m = 1; m < slots; ++m) word |= word_where(out.valid[first + m], 1ll << (8 * m));
-    if (M == 8 && lanes == width_of<F>) __builtin_memcpy(valid, &word, sizeof word);
+    Bits<F> word = word_where(slot[first], 1);
+    for (int m = 1; m < slots; ++m) word |= word_where(slot[first + m], 1ll << (8 * m));
+    if (M == 8 && lanes == width_of<F>) __builtin_memcpy(out, &word, sizeof word);
     else
       for (int i = 0; i < lanes; ++i) {
         const std::int64_t bytes = word_of_lane(word, i);
-        for (int m = 0; m < slots; ++m) valid[i * M + first + m] = (bytes >> (8 * m)) & 1;
+        for (int m = 0; m < slots; ++m) out[i * M + first + m] = (bytes >> (8 * m)) & 1;
       }
   }
+}
+
+// limits: null where they are left to others.
+template <class F, class Kernel, class Arm>
+PIEPER_INLINE void solve_group(const Arm& arm, const double* T, int lanes, const JointLimits* limits, double* q,
+                               std::uint8_t* valid, std::uint8_t* flag, std::uint8_t* in_limits) {
+  constexpr int M = Arm::slots, N = Arm::joints;
+  Branches<F, M, N> out;
+  Kernel::template branches<F>(arm, load_poses<F>(T), out);
+  F values[M][N];
+  for (int m = 0; m < M; ++m)
+    for (int j = 0; j < N; ++j) values[m][j] = select(out.valid[m], out.q[m][j], F(0.0));
+  if (limits) {
+    Mask<F> inside[M];
+    turn_inside<F, M, N>(values, out.valid, *limits, inside);
+    store_masks<F, M>(in_limits, inside, lanes);
+  }
+  store_records<F, M * N>(q, values[0], lanes);
+  store_masks<F, M>(valid, out.valid, lanes);
   Bits<F> flags = word_where(out.degenerate, kDegenerate) | word_where(out.uncertain, kUncertain) |
-                  word_where(out.out_of_reach, kOutOfReach);
+                  word_where(out.out_of_reach, kOutOfReach) | word_where(out.edge, kEdge);
   for (int i = 0; i < lanes; ++i) flag[i] = static_cast<std::uint8_t>(word_of_lane(flags, i));
 }
 
@@ -106,11 +133,13 @@ template <class Group> PIEPER_INLINE void in_lanes(const double* T, long count, 
 }
 
 // Any number of poses through a closed form that never branches.
-template <class Kernel, class Arm>
-void solve_batch(const Arm& arm, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+template <class Kernel, class Arm> void solve_batch(const Arm& arm, const double* T, long count,
+                                                    const JointLimits* limits, double* q, std::uint8_t* valid,
+                                                    std::uint8_t* flag, std::uint8_t* in_limits) {
   constexpr int M = Arm::slots, N = Arm::joints;
   in_lanes(T, count, [&](long first, int lanes, const double* poses) {
-    solve_group<Lanes<PIEPER_LANES>, Kernel>(arm, poses, lanes, q + M * N * first, valid + M * first, flag + first);
+    solve_group<Lanes<PIEPER_LANES>, Kernel>(arm, poses, lanes, limits, q + M * N * first, valid + M * first,
+                                             flag + first, limits ? in_limits + M * first : nullptr);
   });
 }
 

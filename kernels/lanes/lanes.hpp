@@ -301,6 +301,36 @@ template <int W> PIEPER_INLINE double lane(Lanes<W> x, int i) { return x.v[i]; }
 PIEPER_INLINE void set_lane(double& x, int, double value) { x = value; }
 template <int W> PIEPER_INLINE void set_lane(Lanes<W>& x, int i, double value) { x.v[i] = value; }
 
+// Lane i of the result is lane from[i] of what it is given.
+template <int W> struct LanePicker {
+  typename LaneTypes<W>::Bits place;
+
+  explicit LanePicker(const int* from) {
+    for (int i = 0; i < W; ++i) {
+#if defined(__AVX2__)
+      // AVX2 moves halves of doubles about: 2 from[i] and the one behind it
+      if constexpr (W == 4) {
+        place[i] = 2ll * from[i] | (2ll * from[i] + 1) << 32;
+        continue;
+      }
+#endif
+      place[i] = from[i];
+    }
+  }
+  PIEPER_INLINE Lanes<W> operator()(Lanes<W> x) const {
+    using V = typename LaneTypes<W>::Values;
+#if defined(__AVX512F__)
+    if constexpr (W == 8) return (V)_mm512_permutexvar_pd((__m512i)place, (__m512d)x.v);
+#endif
+#if defined(__AVX2__)
+    if constexpr (W == 4) return (V)_mm256_permutevar8x32_ps((__m256)x.v, (__m256i)place);
+#endif
+    V out;
+    for (int i = 0; i < W; ++i) out[i] = x.v[place[i]];
+    return out;
+  }
+};
+
 // Transpose a W x W block held in W registers: afterwards r[i] lane j is what r[j] lane i was.
 PIEPER_INLINE void transpose(double*) {}
 template <int W> PIEPER_INLINE void transpose(Lanes<W>* r) {

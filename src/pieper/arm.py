@@ -6,6 +6,7 @@ import os
 import warnings
 from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
+from math import dist
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
@@ -239,7 +240,7 @@ class Arm(AlongPaths):
     @property
     def plan(self) -> Plan:
         """How this arm is solved for its default task."""
-        return self.plan_for(None)
+        return self._plans.get("default") or self.plan_for(None)
 
     def plan_for(self, task: str | None) -> Plan:
         """Return how this arm is solved for a task: "pose", "position", "position+axis", or None for its default.
@@ -278,10 +279,8 @@ class Arm(AlongPaths):
 
     def _remark_far_away(self, T: Array) -> None:
         """Warn where a pose without a solution is so far away that millimetres were probably meant."""
-        reach = sum(float(np.linalg.norm(link[:3, 3])) for link in self.chain.links[1:])
-        slides = self.limits[self.chain.prismatic]
-        reach += float(np.abs(slides).sum()) if len(slides) else 0.0
-        away = float(np.linalg.norm(T[:3, 3] - self.chain.links[0][:3, 3]))
+        base, reach = self._around
+        away = dist(base, T[:3, 3].tolist())
         if away > FAR_AWAY * reach:
             warnings.warn(
                 f"the pose is {away:.4g} m away and {self.name} reaches {reach:.3g} m; metres are meant. Were these "

@@ -11,16 +11,9 @@ import pieper
 from pieper.errors import InputError
 from pieper.judge.claims import check
 from pieper.judge.verdict import HOLDS, PARTLY, WRONG
+from tests.judge.planted.short_arms import two_links
 
-ARM = """
-[arm]
-name = "two links"
-convention = "standard"
-length_unit = "m"
-columns = ["theta", "d", "a", "alpha"]
-rows = [["q1", 0, "a1", 0], ["q2", 0, "a2", 0]]
-values = { a1 = 0.4, a2 = 0.3 }
-"""
+ARM = two_links(0.4, 0.3)
 RIGHT = '[[claim]]\nid = "x"\nkind = "entry"\nof = "Px"\nis = "a1 C1 + a2 C12"\n'
 
 
@@ -178,13 +171,13 @@ def test_a_catalogue_arm_is_named_in_the_file():
         (ARM + RIGHT.replace("a1 C1", "(a1 C1"), ["claim x", "never closed", "^"]),
         (ARM + RIGHT.replace("a1 C1", "__import__('os')"), ["claim x", "__import__", "^"]),
         (ARM + RIGHT.replace("Px", "Tx"), ["claim x", "'Tx' is no matrix"]),
-        (ARM + RIGHT.replace("Px", "T[5,1]"), ["claim x", "rows and columns 1 to 4"]),
+        (ARM + RIGHT.replace("Px", "T[5,1]"), ["claim x", "4 rows and 4 columns"]),
         (ARM + RIGHT.replace("Px", "T"), ["claim x", "say which entry"]),
         (ARM.replace('"standard"', '"normal"') + RIGHT, ["convention", "standard"]),
         (ARM.replace('length_unit = "m"', 'length_unit = "inch"') + RIGHT, ["length_unit", "mm"]),
         (ARM.replace('["q2", 0, "a2", 0]', '["q2", 0, "a2", 90]') + RIGHT, ["row 2", "alpha", "no unit", "90 deg"]),
         (ARM.replace('["q2", 0, "a2", 0]', '["q2", 0, "a2"]') + RIGHT, ["row 2", "four cells"]),
-        (ARM.replace('["q2", 0, "a2", 0]', '[0, 0, "a2", 0]') + RIGHT, ["row 2", "no joint variable"]),
+        (ARM.replace('["q2", 0, "a2", 0]', '[0, 0, "a2", 0]') + RIGHT, ["C12", "joint 2", "1 joint"]),
         (ARM + "[symbols]\na1 = 'C1'\n" + RIGHT, ["[symbols] a1", "already means"]),
         (ARM + "[symbols]\nk = 'C1 + nope'\n" + RIGHT, ["[symbols] k", "nope", "^"]),
     ],

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import tomllib
+
+import numpy as np
 import pytest
 
 import pieper
 from pieper.algebra.parser import parse
 from pieper.judge.verdict import HOLDS, PARTLY, WRONG
+from tests.judge.planted.short_arms import two_links
 
 SIX = """
 [arm]
@@ -24,15 +28,7 @@ v = "(T A6^-1)[2,4]"
 [matrices]
 Rc = [["c1", "-s1", 0], ["s1", "c1", 0], [0, 0, 1]]
 """
-TWO = """
-[arm]
-name = "two links"
-convention = "standard"
-length_unit = "m"
-columns = ["theta", "d", "a", "alpha"]
-rows = [["q1", 0, "a1", 0], ["q2", 0, "a2", 0]]
-values = { a1 = 0.43, a2 = 0.31 }
-"""
+TWO = two_links(0.43, 0.31)
 NAMES = {"a1", "a2", "d4", "px", "py", "P05x", "d7e", "lambda1", "beta"}
 
 
@@ -191,3 +187,130 @@ def test_a_sign_of_a_page_is_the_same_in_all_its_formulas():
     judged = pieper.check(pieper.guess_claims(wrong, "denso-vp6242", "a page")[0])
     (bad,) = [v for v in judged.verdicts if not v.holds]
     assert "theta4" in bad.claim and bad.wrong
+
+
+PRINTED = r"""
+θ4 = atan2(c1 r23 - s1 r13, c1 c23 r13 + c23 r23 s1 + r33 s23), sin(θ5) ≠ 0
+c5 = r33 c23 - r13 c1 s23 - r23 s1 s23
+\theta_5 = \arccos(c_5), \qquad \text{if } s_5 > 0
+The determinant is $\det J = 0$. It is singular when $s_5 = 0$.
+Then $w = h^2$ where $h = p_z - d_1$.
+A1=
+[c1, 0, s1, 0],
+[s1, 0, -c1, 0],
+[0,  1, 0,  0.125],
+[0,  0, 0,  1]
+A6 = np.array([[np.cos(q6), -np.sin(q6), 0, 0], [np.sin(q6), np.cos(q6), 0, 0], [0, 0, 1, 0.07], [0, 0, 0, 1]])
+"""
+
+
+def test_an_excerpt_has_conditions_singular_places_sines_on_the_way_and_matrices():
+    text, read, missed = pieper.guess_claims(PRINTED, "denso-vp6242", "page")
+    claims = {c["id"]: c for c in tomllib.loads(text)["claim"]}
+    assert (read, missed) == (9, 0), text
+    assert claims["line 2"]["kind"] == "joint" and "when" not in claims["line 2"]
+    assert claims["line 4"] == {
+        "id": "line 4",
+        "kind": "joint",
+        "joint": 5,
+        "is": "acos((r33 c23 - r13 c1 s23 - r23 s1 s23))",
+        "when": "s_5 > 0",
+    }
+    assert claims["line 5"]["kind"] == "singular" and claims["line 5'"]["kind"] == "determinant"
+    assert claims["line 7"]["of"] == "A1" and claims["line 12"]["of"] == "A6"
+    assert tomllib.loads(text)["symbols"] == {"w": "h^2", "h": "p_z - d_1"}
+
+
+TABLE = """
+[arm]
+name = "two joints, a constant turn and a gripper"
+convention = "{convention}"
+length_unit = "m"
+columns = ["theta", "d", "a", "alpha"]
+rows = [["q1", "e1", 0, "90 deg"], ["90 deg", 0, "e2", "-90 deg"], ["q2", 0, "e3", 0], [0, "e4", 0, 0]]
+values = {{ e1 = 0.4, e2 = 0.3, e3 = 0.2, e4 = 0.1 }}
+"""
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_constant_rows_of_a_table_go_with_the_joint_above_them(convention):
+    head = TABLE.format(convention=convention)
+    rows = [(0.7, 0.4, 0, 90), (np.pi / 2, 0, 0.3, -90), (-1.1, 0, 0.2, 0), (0, 0.1, 0, 0)]
+    T = np.eye(4)
+    for theta, d, a, alpha in rows:
+        Z, X, r = np.eye(4), np.eye(4), np.radians(alpha)
+        Z[:2, :2], Z[2, 3] = [[np.cos(theta), -np.sin(theta)], [np.sin(theta), np.cos(theta)]], d
+        X[1:3, 1:3], X[0, 3] = [[np.cos(r), -np.sin(r)], [np.sin(r), np.cos(r)]], a
+        T = T @ (Z @ X if convention == "standard" else X @ Z)
+    position = ", ".join(f'"{v:.6f}"' for v in T[:3, 3])
+    assert verdict(head, f'kind = "pose"\nq_rad = [0.7, -1.1]\nunit = "m"\nposition = [{position}]').status == HOLDS
+    assert verdict(head, 'kind = "jacobian"\nof = "J[6,1]"\nis = "1"').status == HOLDS
+    assert (
+        verdict(
+            head, 'kind = "product"\nis = "cross(R01[:,3], P02 - P01) = cross(R01[:,3], P02) - cross(R01[:,3], P01)"'
+        ).status
+        == HOLDS
+    )
+    with pytest.raises(pieper.InputError, match="write q2, not theta3"):
+        verdict(head.replace('"q2"', '"q3"'), 'kind = "count"\ncount = 1')
+
+
+@pytest.mark.parametrize(
+    ("claim", "status"),
+    [
+        ('kind = "product"\nis = "cross(R02[:,3], P06 - P02) = J[1:3,3]"', HOLDS),
+        ('kind = "product"\nis = "cross(P06 - P02, R02[:,3]) = J[1:3,3]"', WRONG),
+        ('kind = "equation"\nis = "dot(R01[:,3], P02 - P01) = 0"', HOLDS),
+        ('kind = "equation"\nis = "norm(cross(R00[:,3], P06)) = hypot(px, py)"', HOLDS),
+        ('kind = "equation"\nis = "cross(R00[:,3], P06)[1] = -py"', HOLDS),
+        ('kind = "equation"\nis = "(M^-1 g)[2] = M2[1,1]"', HOLDS),
+        ('kind = "entry"\nof = "px"\nis = "pow(px, 3)/px**2"', HOLDS),
+        ('kind = "joint"\njoint = 6\nis = "np.deg2rad(np.degrees(theta6 + 0*px))"', WRONG),
+    ],
+)
+def test_cross_products_columns_and_small_matrices(claim, status):
+    more = '[matrices]\nM = [["c1", "-s1"], ["s1", "c1"]]\ng = [["px"], ["py"]]\nM2 = [["c1 py - s1 px"]]\n'
+    assert verdict(SIX.replace("[matrices]\n", more), claim).status == status
+
+
+@pytest.mark.parametrize(
+    ("text", "reads"),
+    [
+        ("pow(px, 2)", "px^2"),
+        ("np.degrees(theta1)", "theta1/(pi/180)"),
+        ("90 degrees (px)", "90 (pi/180) px"),
+        ("math.radians(30)", "30 (pi/180)"),
+        ("wrapToPi(theta1)", "atan2(sin(theta1), cos(theta1))"),
+        ("fmod(px, pi)", "fmod(px, pi)"),
+    ],
+)
+def test_functions_of_programs(text, reads):
+    said = str(parse(text, NAMES, 6))
+    assert said.replace("s1", "sin(theta1)").replace("c1", "cos(theta1)") == reads
+
+
+@pytest.mark.parametrize(
+    ("kind", "claim", "words"),
+    [
+        ("singular", "px^2 + py^2 = 0", "loses rank at 40 of 40"),
+        ("singular", "c3 + 2 = 0", "the smallest value met is 1"),
+        ("joint", "theta1", "(rear)"),
+        ("joint", "theta3", "the elbow's bend"),
+    ],
+)
+def test_sides_of_the_arm_name_regions_and_touching_zeros_are_found(kind, claim, words):
+    head = SIX[: SIX.index("[symbols]")]
+    three = head
+    law = "(px^2 + py^2 + (pz - d1)^2 - a2^2 - a3^2 - d4^2)/(2 a2 hypot(a3, d4))"
+    text = {
+        "theta1": 'joint = 1\nis = "atan2(-py, -px)"\nframe = "T05"',
+        "theta3": f'joint = 3\nframe = "T05"\nis = "atan2(-d4, a3) + acos({law})"',
+    }.get(claim, f'is = "{claim}"\nrows = [1, 2, 3]')
+    if kind == "singular":
+        three = (
+            TABLE.format(convention="standard")
+            .replace('["90 deg", 0, "e2", "-90 deg"], ', "")
+            .replace('[0, "e4", 0, 0]', '["q3", 0, "e2", 0]')
+        )
+    found = verdict(three, f'kind = "{kind}"\n{text}')
+    assert words in found.sentence + str(found.details), (found.sentence, found.details)

@@ -84,10 +84,10 @@ def test_weights_that_weigh_nothing_are_refused(weights):
         sols.nearest(np.zeros(6), weights)
 
 
-@pytest.mark.parametrize("now", [np.zeros(5), np.zeros((2, 6)), [0, 0, 0, 0, 0, np.inf], "home"])
+@pytest.mark.parametrize("now", [np.zeros(5), np.zeros((2, 6)), [0, 0, 0, 0, 0, np.inf], "nowhere"])
 def test_a_posture_that_is_none_is_refused(now):
     arm = pieper.load("denso-vp6242")
     sols = arm.ik(arm.fk([0.3, 0.5, 1.4, 0.6, 0.7, 0.2]))
     for ask in (sols.nearest, sols.nearest_row):
-        with pytest.raises(InputError, match="q_now"):
+        with pytest.raises(InputError, match="q_now|posture"):
             ask(now)

@@ -51,7 +51,8 @@ template <class F> PIEPER_INLINE void put_pair(const GroupArm& arm, const PairLa
 // Lanes of poses through a family, verified by closing the loop, rows in order; bits of the lanes that need the careful road.
 template <class F, class Family>
 __attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family& family, const double* T, int lanes,
-                                               double* q, std::uint8_t* valid, std::uint8_t* flag) {
+                                               const JointLimits* limits, double* q, std::uint8_t* valid,
+                                               std::uint8_t* flag, std::uint8_t* in_limits) {
   constexpr int W = width_of<F>;
   const LoopRestT<F> rest(arm.links, in_lengths(load_poses<F>(T), arm.length), arm.first);
   LaneSolutions<F> out;
@@ -72,10 +73,18 @@ __attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family
   __builtin_memcpy(counts, &count, sizeof counts);
   __builtin_memcpy(all_seen, &seen, sizeof all_seen);
   unsigned unclear = bits_of(out.unclear);
+  std::uint8_t within[8 * W];
+  if (limits) {
+    Mask<F> inside[8];
+    turn_inside<F, 8, 6>(values, out.valid, *limits, inside);
+    store_masks<F, 8>(within, inside, W);
+  }
   double rows[48 * W];
   store_records<F, 48>(rows, values[0], W);
   for (int i = 0; i < lanes; ++i) {
     for (int m = 0; m < 8; ++m) __builtin_memcpy(q + 48 * i + 6 * ranks[m][i], rows + 48 * i + 6 * m, 48);
+    if (limits)
+      for (int m = 0; m < 8; ++m) in_limits[8 * i + ranks[m][i]] = within[8 * i + m];
     if (all_seen[i] != 255) unclear |= 1u << i;
     const std::uint64_t ones = 0x0101010101010101u,
                         word = counts[i] == 8 ? ones : ones & ((1ull << (8 * counts[i])) - 1);
@@ -92,27 +101,40 @@ template <class Geometry, class Lanes_> class GroupKernel {
   explicit GroupKernel(const Geometry& arm) : arm_(arm), family_(arm_) {}
 
   void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
+    solve_all(T, count, nullptr, q, valid, flag, nullptr);
+  }
+  void solve_inside(const double* T, long count, const JointLimits& limits, double* q, std::uint8_t* valid,
+                    std::uint8_t* flag, std::uint8_t* in_limits) const {
+    solve_all(T, count, &limits, q, valid, flag, in_limits);
+  }
+
+ private:
+  void solve_all(const double* T, long count, const JointLimits* limits, double* q, std::uint8_t* valid,
+                 std::uint8_t* flag, std::uint8_t* in_limits) const {
+    auto inside_of = [&](long at) { return limits ? in_limits + 8 * at : nullptr; };
     auto again = [&](unsigned unclear, long first) {
       for (; unclear; unclear &= unclear - 1) {
         const long i = __builtin_ctz(unclear), at = first + i;
         family_.careful(arm_, T + 16 * at, q + 48 * at, valid + 8 * at, flag + at);
         put_in_order(q + 48 * at, valid + 8 * at, 8, 6, reinterpret_cast<const std::uint8_t*>(arm_.slides));
+        if (limits)
+          apply_limits(q + 48 * at, valid + 8 * at, 8, 6, limits->lower, limits->upper, limits->prismatic,
+                       inside_of(at));
       }
     };
     if (!arm_.straight || !family_.straight) {
       for (long i = 0; i < count; ++i) again(1, i);
     } else if (count == 1) {
-      again(solve_clear<double>(arm_, family_, T, 1, q, valid, flag), 0);
+      again(solve_clear<double>(arm_, family_, T, 1, limits, q, valid, flag, in_limits), 0);
     } else {
       in_lanes(T, count, [&](long first, int lanes, const double* poses) {
-        again(solve_clear<Lanes<PIEPER_LANES>>(arm_, family_, poses, lanes, q + 48 * first, valid + 8 * first,
-                                               flag + first),
+        again(solve_clear<Lanes<PIEPER_LANES>>(arm_, family_, poses, lanes, limits, q + 48 * first, valid + 8 * first,
+                                               flag + first, inside_of(first)),
               first);
       });
     }
   }
 
- private:
   GroupArm arm_;
   Lanes_ family_;
 };

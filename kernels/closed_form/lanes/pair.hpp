@@ -22,6 +22,11 @@ template <class F> struct PairLanes {
   Mask<F> unclear;
 };
 
+// Two roots, of which `room` is the square of half the difference, are about to merge or have just gone.
+template <class F> PIEPER_INLINE Mask<F> about_zero(F room, F size) {
+  return !((room > kRootsMerge * size) | (room < -kRootsGone * size));
+}
+
 // Both values of one joint from b . f(x) = rhs.
 template <class F>
 PIEPER_INLINE void one_joint(const F* b, F rhs, bool slides, Motion<F>* x, Mask<F>& found, Mask<F>& unclear) {
@@ -30,7 +35,7 @@ PIEPER_INLINE void one_joint(const F* b, F rhs, bool slides, Motion<F>* x, Mask<
     Mask<F> linear = abs(b[1]) <= kPairLinear * abs(b[0]);
     found = disc >= 0.0;
     // beside it lengths of the arm were added up to rhs: a slide so near zero drowns in their rounding
-    unclear = unclear | (abs(disc) <= kRootsMerge * (size + abs(b[1]))) | !(size > kPairNothing);
+    unclear = unclear | about_zero(disc, size + abs(b[1])) | !(size > kPairNothing);
     F root = sqrt(max(disc, F(0.0))), t = b[0] + select(b[0] < 0.0, -root, root);
     F near = 2.0 * rhs / select(t == 0.0, F(1.0), t);
     F far = -t / select(linear, F(1.0), 2.0 * b[1]);
@@ -41,7 +46,7 @@ PIEPER_INLINE void one_joint(const F* b, F rhs, bool slides, Motion<F>* x, Mask<
   }
   F size2 = b[0] * b[0] + b[1] * b[1], room = size2 - rhs * rhs;
   found = room > 0.0;
-  unclear = unclear | (abs(room) <= kRootsMerge * size2) | !(size2 > kPairRounding);
+  unclear = unclear | about_zero(room, size2) | !(size2 > kPairRounding);
   F k = 1.0 / select(size2 > 0.0, size2, F(1.0)), side = sqrt(max(room, F(0.0)));
   x[0] = {(b[0] * rhs - b[1] * side) * k, (b[1] * rhs + b[0] * side) * k};
   x[1] = {(b[0] * rhs + b[1] * side) * k, (b[1] * rhs - b[0] * side) * k};

@@ -44,7 +44,7 @@ struct PlanarLanes {
     // half of the two roots' difference from its square, `size` being what that is compared with
     auto root_of = [&](F room, F size) {
       exists = wanted & (room > 0.0);
-      unclear = unclear | (wanted & !(abs(room) > kRootsMerge * size));
+      unclear = unclear | (wanted & about_zero(room, size));
       return sqrt(max(room, F(0.0)));
     };
     auto clear_heading = [&](F vx, F vy) {

@@ -65,7 +65,7 @@ struct SphericalWristLanes {
                      rz = {around.x.z, around.y.z, around.z.z};
       F up = rz.z - cos_sum, down = cos_difference - rz.z, side = rz.x * rz.x + rz.y * rz.y;
       Mask<F> exists = s.found[i] & (up > 0.0) & (down > 0.0);
-      out.unclear = out.unclear | (s.found[i] & ((abs(up) < kRootsMerge) | (abs(down) < kRootsMerge)));
+      out.unclear = out.unclear | (s.found[i] & (about_zero(up, F(1.0)) | about_zero(down, F(1.0))));
       out.unclear = out.unclear | (exists & !(side > kRootsMerge));
       F ct = (c0 * c1 - rz.z) * scale, st = sqrt(max(up * down, F(0.0))) * scale;
       F vy = -c0 * s1 * ct - s0 * c1, vx = s1 * st, middle = joint_value(Motion<F>{ct, st}, false);

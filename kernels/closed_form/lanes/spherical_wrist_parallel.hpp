@@ -62,7 +62,11 @@ class SphericalWristParallelKernel {
 
   void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
     if (count == 1) return solve_alone(arm_, load_poses<double>(T), q, valid, flag);
-    solve_batch<SphericalWristParallelKernel>(arm_, T, count, q, valid, flag);
+    solve_batch<SphericalWristParallelKernel>(arm_, T, count, nullptr, q, valid, flag, nullptr);
+  }
+  void solve_inside(const double* T, long count, const JointLimits& limits, double* q, std::uint8_t* valid,
+                    std::uint8_t* flag, std::uint8_t* in_limits) const {
+    solve_batch<SphericalWristParallelKernel>(arm_, T, count, &limits, q, valid, flag, in_limits);
   }
 
   // All branches of W poses: lanes are poses, the branches follow one another.
@@ -71,7 +75,7 @@ class SphericalWristParallelKernel {
     F M[3][3], w[3];
     into_base(P, T, M, w);
     Shoulder<F> shoulder = start_shoulder(P, w);
-    Mask<F> none = mask_of<F>(true);
+    Mask<F> none = mask_of<F>(true), beyond = mask_of<F>(true);
 #pragma GCC unroll 2
     for (int side = 0; side < 2; ++side) {
       Arm<F> arm = turn_shoulder(P, M, w, shoulder, F(side ? -1.0 : 1.0));
@@ -80,8 +84,7 @@ class SphericalWristParallelKernel {
 #pragma GCC unroll 2
       for (int e = 0; e < 2; ++e) {
         Answer<F> answer = bend_and_turn_wrist(P, M, arm, elbow, F(side == e ? -1.0 : 1.0));
-        Mask<F> ok = answer.ok;
-        if (e) ok = ok & elbow.two;
+        const Mask<F> ok = e ? answer.ok & elbow.two : answer.ok;
         const int slot = 4 * side + 2 * e;
         for (int j = 0; j < 6; ++j) out.q[slot][j] = answer.q[j];
         out.valid[slot] = ok;
@@ -93,10 +96,12 @@ class SphericalWristParallelKernel {
         none = none & !ok;
       }
       shoulder.degenerate = shoulder.degenerate | elbow.degenerate;
+      beyond = beyond & elbow.beyond;
     }
     out.degenerate = shoulder.degenerate;
     out.uncertain = none & shoulder.degenerate & shoulder.reached;
     out.out_of_reach = none;
+    out.edge = none & !(shoulder.beyond | beyond);
   }
 
   // One pose alone: lanes are the four postures of shoulder and elbow.
@@ -135,14 +140,15 @@ class SphericalWristParallelKernel {
       }
     }
     *flag = static_cast<std::uint8_t>((degenerate ? kDegenerate : 0) | (bits ? 0 : kOutOfReach) |
-                                      (!bits && degenerate && any(shoulder.reached) ? kUncertain : 0));
+                                      (!bits && degenerate && any(shoulder.reached) ? kUncertain : 0) |
+                                      (bits || all(shoulder.beyond | elbow.beyond) ? 0 : kEdge));
   }
 
  private:
   template <class F> struct Shoulder {
     F R2, x2, x, over_R2;
-    Mask<F> reached, two_sides, degenerate;
-    Mask<F> fixed;  // direction given by c, s below, not by x
+    Mask<F> reached, two_sides, degenerate, beyond;  // beyond: out of reach, and so is every pose beside this one
+    Mask<F> fixed;                                   // direction given by c, s below, not by x
     F c, s;
   };
   template <class F> struct Arm {  // after the first joint has turned
@@ -155,7 +161,7 @@ class SphericalWristParallelKernel {
   template <class F> struct Elbow {
     F D, c3, s3, th3, over_D;
     F along, forward;  // L2 + L3 cos th3, L3 + L2 cos th3
-    Mask<F> ok, two, centred, degenerate;
+    Mask<F> ok, two, centred, degenerate, beyond;
   };
   template <class F> struct Answer {
     F q[6], flipped[3];  // flipped: q4, q5, q6 of the wrist's other turn
@@ -190,9 +196,8 @@ class SphericalWristParallelKernel {
     a.x2 = a.R2 - P.b * P.b;
     a.x = sqrt(max(a.x2, F(0.0)));
     a.over_R2 = 1.0 / a.R2;
-    a.reached = a.two_sides = a.x2 >= 0.0;
-    a.degenerate = a.fixed = mask_of<F>(false);
-    a.c = a.s = F(0.0);
+    a.reached = a.two_sides = a.x2 >= 0.0, a.c = a.s = F(0.0);
+    a.degenerate = a.fixed = a.beyond = mask_of<F>(false);
     if (__builtin_expect(any(a.x2 < shoulder_near(P)), 0)) shoulder_edge(P, w, a);
     return a;
   }
@@ -203,6 +208,7 @@ class SphericalWristParallelKernel {
     const double b = P.b, scale = P.scale, here = kSwpOnSingularity * scale;
     F rho = sqrt(a.R2), gap = rho - __builtin_fabs(b);
     a.degenerate = a.x2 < shoulder_near(P);
+    a.beyond = gap < -kSwpBeyond * scale;
     Mask<F> edge = (gap < 0.0) & (gap >= -kSwpOvershoot * scale);
     Mask<F> on_axis = (rho <= here) & mask_of<F>(__builtin_fabs(b) <= here);
     a.x = sqrt(max(gap * (rho + __builtin_fabs(b)), F(0.0)));
@@ -235,8 +241,7 @@ class SphericalWristParallelKernel {
       arm.ux[k] = arm.c * M[0][k] + arm.s * M[1][k];
       arm.uy[k] = arm.c * M[1][k] - arm.s * M[0][k];
     }
-    arm.X = x - P.a1;
-    arm.Z = w[2];
+    arm.X = x - P.a1, arm.Z = w[2];
     arm.ok = a.reached;
     return arm;
   }
@@ -254,7 +259,7 @@ class SphericalWristParallelKernel {
     e.forward = L3 + L2 * c3;
     e.two = square >= 0.0;
     e.ok = arm.ok & e.two;
-    e.centred = e.degenerate = mask_of<F>(false);
+    e.centred = e.degenerate = e.beyond = mask_of<F>(false);
     if (__builtin_expect(any(square < kSwpEdgeOfElbow), 0)) elbow_edge(P, arm, c3, square, e);
     e.c3 = c3;
     e.th3 = atan2(e.s3, c3);
@@ -285,6 +290,8 @@ class SphericalWristParallelKernel {
     Mask<F> within = select(close, gap, square) >= 0.0;
     e.ok = arm.ok & (within | edge);
     e.centred = (r <= here) & e.ok;
+    // what moves the wrist centre by d moves x, where the shoulder is near its own edge, by d times the distance over x
+    e.beyond = close & (gap < (-kSwpBeyond * scale * scale) / max(abs(arm.X + P.a1), F(here)));
     e.two = within & !(close & (gap <= kSwpRounding * scale)) & !e.centred;
     e.degenerate = e.ok & close &
                    ((sine2 < kSwpNearDouble * kSwpNearDouble) | (gap < overshoot) | (r < kSwpNearSingularity * scale));
@@ -313,10 +320,8 @@ class SphericalWristParallelKernel {
       F c20, s20, th20 = F(P.offset2);
       sincos_of_turns(th20, s20, c20);
       th2 = select(e.centred, th20, th2);
-      c2 = select(e.centred, c20, c2);
-      s2 = select(e.centred, s20, s2);
-      c23 = select(e.centred, -c20, c23);
-      s23 = select(e.centred, -s20, s23);
+      c2 = select(e.centred, c20, c2), s2 = select(e.centred, s20, s2);
+      c23 = select(e.centred, -c20, c23), s23 = select(e.centred, -s20, s23);
     }
     out.q[0] = arm.q1;
     out.q[1] = wrapped(th2 - P.offset2);
@@ -388,7 +393,6 @@ class SphericalWristParallelKernel {
     return kSwpVerified - kJointError * 3 * (lever(P) + kTwoColumns);
   }
 
- private:
   const SphericalWristParallel& arm_;
 };
 

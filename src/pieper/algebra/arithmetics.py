@@ -20,7 +20,7 @@ class NumpyField:
 
     pi = np.pi
     cos, sin, tan, atan, abs, sign = np.cos, np.sin, np.tan, np.arctan, np.abs, np.sign
-    atan2, hypot = np.arctan2, np.hypot
+    atan2, hypot, mod, fmod = np.arctan2, np.hypot, np.mod, np.fmod
 
     @staticmethod
     def rational(value: Fraction) -> Any:
@@ -132,6 +132,14 @@ class DigitsField:
         """Angle of the point (x, y)."""
         return self._mp.nan if y != y or x != x else self._mp.atan2(y, x)
 
+    def mod(self, x: Any, y: Any) -> Any:
+        """The remainder with the divisor's sign."""
+        return x - y * self._mp.floor(x / y) if y else self._mp.nan
+
+    def fmod(self, x: Any, y: Any) -> Any:
+        """The remainder with the dividend's sign."""
+        return x - y * self._mp.sign(x / y) * self._mp.floor(abs(x / y)) if y else self._mp.nan
+
     def sgn(self, x: Any) -> Any:
         """-1 for negative numbers, else 1."""
         return self._mp.mpf(-1 if x < 0 else 1)
@@ -165,6 +173,14 @@ class SympyField:
     def power(self, x: Any, y: Any) -> Any:
         """x^y."""
         return x**y
+
+    def mod(self, x: Any, y: Any) -> Any:
+        """The remainder with the divisor's sign."""
+        return self.sympy.Mod(x, y)
+
+    def fmod(self, x: Any, y: Any) -> Any:
+        """The remainder with the dividend's sign."""
+        return x - y * self.sympy.sign(x / y) * self.sympy.floor(self.sympy.Abs(x / y))
 
     def quartic(self, *arguments: Any) -> Any:
         """2 atan(t) with t as a named root; sympy has no closed form that is useful here."""

@@ -14,28 +14,26 @@ from collections.abc import Collection
 
 from pieper.algebra.expression import Add, Call, Div, Expr, Mul, PiFraction, Power
 from pieper.algebra.formula import Mention, Neg, PlusMinus, angle_sum, number
-from pieper.algebra.parser_words import DEGREES, FUNCTION_NAMES, FUNCTIONS, INVERSE, JOINT_NAME, TOKEN, TRIG_NAME
+from pieper.algebra.formula_error import FormulaError
+from pieper.algebra.formula_error import fail as _fail
+from pieper.algebra.parser_words import (
+    DEGREES,
+    FUNCTION_NAMES,
+    FUNCTIONS,
+    INVERSE,
+    JOINT_NAME,
+    TOKEN,
+    TRIG_NAME,
+    called,
+)
 from pieper.algebra.spelling import plain
-from pieper.errors import InputError
+from pieper.words_by_number import plural
 
 MAX_CHARACTERS = 200_000  # a page of algebra has 5,000; beyond this it is not a formula
 MAXTOKENS = 60_000
 MAX_DEPTH = 60  # brackets inside brackets
 MAX_TREE_DEPTH = 300
 MAX_EXPONENT = 250  # of a number such as 1e-9; doubles end near 308
-
-
-class FormulaError(InputError):
-    """A formula that cannot be read; the message shows the line with a caret under the place."""
-
-
-def _fail(text: str, at: int, message: str, **data: object) -> FormulaError:
-    start = max(0, at - 60)
-    shown = text[start : at + 60].replace("\n", " ")
-    if start:
-        shown = "..." + shown
-        start -= 3
-    return FormulaError(f"{message}\n  {shown}\n  {' ' * (at - start)}^", text=text, position=at, **data)
 
 
 class Parser:
@@ -252,11 +250,12 @@ class Parser:
 
     def _name(self, raw: str, position: int) -> Expr:
         text = re.sub(r"[_{}]", "", raw)
+        lowered, following = text.lower(), self._peek()[1]
+        if lowered == "degrees" and following == "(" and (self.at < 2 or self.tokens[self.at - 2][0] != "num"):
+            return self._call("rad2deg", position)  # np.degrees(x), and not the unit of 90 degrees (..)
         found = self._known(text)
         if found is not None:
             return found
-        lowered = text.lower()
-        following = self._peek()[1]
         if FUNCTION_NAMES.get(lowered, lowered) in DEGREES and following == "(":
             return self._of_degrees(FUNCTION_NAMES.get(lowered, lowered)[:-1], position)
         if lowered in FUNCTION_NAMES:
@@ -325,10 +324,9 @@ class Parser:
     def _of_degrees(self, name: str, position: int) -> Expr:
         """Read MATLAB's cosd(x) and acosd(x): functions whose angles are in degrees."""
         call = self._call(name, position)
-        degree = Div(PiFraction(1), number(180))
         if name in ("sin", "cos", "tan"):
-            return Call(name, Mul.of(Mul.of(*call.args), degree)) if isinstance(call, Call) else call
-        return Div(call, degree)
+            return Call(name, called("deg2rad", [Mul.of(*call.args)])) if isinstance(call, Call) else call
+        return called("rad2deg", [call])
 
     def _call(self, name: str, position: int) -> Expr:
         power = None
@@ -357,7 +355,7 @@ class Parser:
             raise _fail(
                 self.text, position, f"{name} takes {wanted}, but {len(args)} {'is' if len(args) == 1 else 'are'} given"
             )
-        node = Call(name, *args)
+        node = called(name, args)
         return Power(node, power) if power is not None else node
 
     def _unknown(self, raw: str, text: str, position: int) -> FormulaError:
@@ -366,9 +364,9 @@ class Parser:
         near = difflib.get_close_matches(text, pool, 3, 0.5)
         if text.lower() in self.lower and self.lower[text.lower()] not in near:
             near.insert(0, self.lower[text.lower()])
-        joint = JOINT_NAME.match(text) or re.match(r"[cCsS](\d)$", text)
+        joint = JOINT_NAME.match(text) or re.match(r"[cCsS]\d*?(\d)$", text)
         if joint:
-            message = f"{raw!r}: joint {joint.group(1)} does not exist; the arm has {self.joints} joints"
+            message = f"{raw!r}: joint {joint.group(1)} does not exist; the arm has {plural(self.joints, 'joint')}"
         elif text.startswith("__") or raw.startswith("_"):
             message = f"{raw!r} is not a symbol; formulas hold symbols, numbers and known functions only"
         else:

@@ -109,7 +109,14 @@ def _as_data(arm: pieper.Arm, plan: pieper.Plan | None, beyond: str) -> dict[str
         "manufacturer": d.manufacturer,
         "source": d.source,
         "notes": d.notes,
-        "plan": {"family": plan.family, "max_solutions": plan.max_solutions, "task": plan.task, "text": plan.explain()}
+        "plan": {
+            "family": plan.family,
+            "max_solutions": plan.max_solutions,
+            "kind": plan.count.kind,
+            "most": plan.count.most,
+            "task": plan.task,
+            "text": plan.explain(),
+        }
         if plan
         else {"beyond": beyond},
     }

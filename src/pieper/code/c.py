@@ -10,16 +10,14 @@ import numpy as np
 from pieper.code.between import ASKED
 from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.language import USUAL, Language, filled, functions, starred
+from pieper.code.language import USUAL, Language, filled, functions
 from pieper.tolerances import FILLED_ZERO
 
 C = Language(
     words=USUAL | functions("") | {"abs": "fabs({0})", "angle": "NAME_angle({0}, {1})", "true": "1", "false": "0"},
-    entry=lambda k: f"T[{k}]",
     assign=lambda name, truth, expression: f"  const {'int' if truth else 'double'} {name} = {expression};",
     infinity="HUGE_VAL",
     truths=("0", "1"),
-    header=starred,
     manner=Manner("sin({0})", "cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"),
     texts='{}"',
     brackets="{}",

@@ -128,6 +128,7 @@ def compiled(mujoco: Any, path: str | Path) -> Any:
         for body in spec.bodies:
             if body.name != "world":
                 body.mass, body.inertia, body.explicitinertial = 1.0, [1.0, 1.0, 1.0], True
+                body.fullinertia = [np.nan] * 6  # a matrix beside the diagonal would be one too many
         model = spec.compile()
     except (ValueError, RuntimeError, TypeError) as error:
         reason = " ".join(str(error).split())

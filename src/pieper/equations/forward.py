@@ -44,6 +44,34 @@ class Check:
     def __str__(self) -> str:
         return self.what
 
+    @staticmethod
+    def of(
+        equations: Callable[[Array], Array],
+        numeric: Callable[[Array], Array] | None,
+        joints: int,
+        n: int,
+        rng: np.random.Generator | None,
+        says: tuple[str, str, str],
+    ) -> Check:
+        """Compare equations with numbers at n random joint vectors (rad, m).
+
+        Args:
+            equations: Takes joint vectors (n, joints).
+            numeric: The numbers likewise; None where the equations were made without an arm.
+            joints: How many.
+            n: Joint vectors tried.
+            rng: Random numbers.
+            says: The argument that an arm would have been given as; what is counted; what it is compared with.
+        """
+        argument, entries, what = says
+        if numeric is None:
+            raise InputError(f"These equations were made without an arm; pass {argument}= to check them.")
+        q = (rng or np.random.default_rng(20260)).uniform(-np.pi, np.pi, (n, joints))
+        worst = float(np.max(np.abs(equations(q) - numeric(q))))
+        agree = f"All {entries} entries agree with the numeric {what} at {n} random joint vectors to {worst:.1e}"
+        differ = f"The equations differ from the numeric {what} by up to {worst:.1e}"
+        return Check(n, worst, f"{agree if worst < FORMULA_AGREES else differ} (metres or direction cosines).")
+
 
 @dataclass(frozen=True)
 class MatrixEquation:
@@ -260,19 +288,7 @@ class ForwardEquations(Readable):
 
     def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> Check:
         """Compare with the numeric forward kinematics at `n` random joint vectors."""
-        if self._fk is None:
-            raise InputError("These equations were made without an arm; pass fk= to check them.")
-        rng = rng or np.random.default_rng(20260)
-        q = rng.uniform(-np.pi, np.pi, (n, self.n))
-        worst = float(np.max(np.abs(self.evaluate(q) - self._fk(q))))
-        return Check(
-            n,
-            worst,
-            f"All twelve entries agree with the numeric pose at {n} of {n} random joint vectors to {worst:.1e} "
-            "(metres or direction cosines)."
-            if worst < FORMULA_AGREES
-            else f"The equations differ from the numeric pose by up to {worst:.1e}.",
-        )
+        return Check.of(self.evaluate, self._fk, self.n, n, rng, ("fk", "twelve", "pose"))
 
 
 def forward_matrices(description: Description, *, lengths: str = "symbols", angles: str = "theta") -> list:

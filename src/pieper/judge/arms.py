@@ -11,6 +11,7 @@ from pieper.algebra.expression import Expr, Num
 from pieper.algebra.formula import Mention, number
 from pieper.algebra.parser import parse
 from pieper.description import source as door
+from pieper.description.axes import from_axes
 from pieper.description.dh import DH, Description, describe
 from pieper.errors import InputError
 from pieper.judge.evidence import under
@@ -74,7 +75,9 @@ def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> Arm
     cells = table["rows"]
     n = len(cells)
     variables = {f"{c}{i + 1}" for i in range(n) for c in "dbq"} - set(values)
-    rows, aliases = [], {}
+    rows: list[Row] = []
+    above: list[Row] = []  # constant rows before the first joint
+    aliases = {}
     for i, cell_row in enumerate(cells):
         if not isinstance(cell_row, list) or len(cell_row) != 4:
             raise InputError(f"{place}: row {i + 1} must have four cells, {', '.join(columns)}; got {cell_row!r}")
@@ -83,17 +86,23 @@ def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> Arm
             with under(f"{place}: row {i + 1}, {column}"):
                 made[column] = _cell(column, cell, i, values, variables, n, convention)
                 _look_at_value(made[column], values, n, variables)
-        _look_at_variables(f"{place}: row {i + 1}", made, i, variables)
+        joint = len(rows) + 1
+        _look_at_variables(f"{place}: row {i + 1}", made, joint, n, variables)
         slides = [s for s in made["d"].symbols() if s in variables]
         for name in slides:
-            aliases[name] = f"theta{i + 1}"
-            made["d"] = made["d"].substitute({name: Mention(f"theta{i + 1}")})
-        if not slides and f"theta{i + 1}" not in made["theta"].symbols():
-            raise InputError(
-                f"{place}: row {i + 1} has no joint variable; write q{i + 1} under theta, or b{i + 1} under "
-                f"d for a sliding joint"
-            )
-        rows.append(Row(made["a"], made["alpha"], made["d"], made["theta"]))
+            aliases[name] = f"theta{joint}"
+            made["d"] = made["d"].substitute({name: Mention(f"theta{joint}")})
+        row = Row(made["a"], made["alpha"], made["d"], made["theta"])
+        if f"theta{joint}" in row.d.symbols() | row.theta.symbols():
+            rows.append(row if rows else replace(row, before=tuple(above)))
+        elif rows:
+            rows[-1] = replace(rows[-1], after=(*rows[-1].after, row))
+        else:
+            above.append(row)
+    if not rows:
+        raise InputError(
+            f"{place}: no row has a joint variable; write q1 under theta, or b1 under d for a sliding joint"
+        )
     base, tool = (_pose(place, table, key) for key in ("base", "tool"))
     name = str(table.get("name", "the arm of the file"))
     model = ArmModel(name, convention, tuple(rows), values, unit, base, tool, None, aliases)
@@ -126,17 +135,22 @@ def _cell(
     return number(0) if cell == 0 else Mention(name)
 
 
-def _look_at_variables(place: str, made: dict[str, Expr], i: int, variables: set[str]) -> None:
-    """Refuse a variable where none can stand, and a row with two."""
-    joints = {f"theta{j + 1}" for j in range(len(variables))}
+def _look_at_variables(place: str, made: dict[str, Expr], joint: int, n: int, variables: set[str]) -> None:
+    """Refuse a variable where none can stand, one of another joint, and a row with two."""
+    joints = {f"theta{j + 1}" for j in range(n)}
     for column in ("a", "alpha"):
         moving = made[column].symbols() & (variables | joints)
         if moving:
             raise InputError(f"{place}, {column}: {moving.pop()} moves, but {column} is constant in a DH table")
-    slides = made["d"].symbols() & (variables | joints)
-    if slides - {f"{c}{i + 1}" for c in "dbq"} or len(slides) > 1:
-        raise InputError(f"{place}, d: a slide of this row is called b{i + 1} or d{i + 1}, not {', '.join(slides)}")
-    if slides and made["theta"].symbols() & joints:
+    slides, turns = made["d"].symbols() & (variables | joints), made["theta"].symbols() & joints
+    count = f"; this row is joint {joint}, for rows with a variable are counted"
+    if slides - {f"{c}{joint}" for c in "dbq"} or len(slides) > 1:
+        raise InputError(
+            f"{place}, d: a slide of this row is called b{joint} or d{joint}, not {', '.join(sorted(slides))}{count}"
+        )
+    if turns - {f"theta{joint}"}:
+        raise InputError(f"{place}, theta: write q{joint}, not {', '.join(sorted(turns))}{count}")
+    if slides and turns:
         raise InputError(f"{place}: theta and d both move; a row has one variable")
 
 
@@ -171,15 +185,32 @@ def _solver(model: ArmModel) -> Solver | None:
             return None
         sign.append(1 if step > 0 else -1)
         kinds += "P" if slides else "R"
-        a, alpha, d, theta = (float(c.evaluate(zero)) for c in (row.a, row.alpha, row.d, row.theta))
+        a, alpha, d, theta = (float(c.evaluate(zero)) for c in row.cells)
         rows.append(DH(a=a * to_metre, alpha=alpha, d=d * to_metre, theta=theta))
     base, tool = model.base.copy(), model.tool.copy()
     base[:3, 3] *= to_metre
     tool[:3, 3] *= to_metre
+    if any(row.before or row.after for row in model.rows):
+        return Solver.of(_by_axes(model, zero, kinds, sign))
     description = describe(
         rows, convention=model.convention, joint_types=kinds, base=base, tool=tool, sign=sign, name=model.name
     )
     return Solver.of(description)
+
+
+def _by_axes(model: ArmModel, zero: dict[str, float], kinds: str, sign: list[int]) -> Description:
+    """The arm of a table with constant rows, by its axes with all joints at zero."""
+    env: dict[str, Any] = {name: np.full(1, value) for name, value in zero.items()}
+    frames = model.frames(env)
+    T, axes, points = model.base, [], []
+    for k, own in enumerate(model.axis_frames(frames, env)):
+        axis = T @ own[0]
+        axes.append(sign[k] * axis[:3, 2])
+        points.append(axis[:3, 3] * UNITS[model.unit])
+        T = T @ frames[f"A{k + 1}"][0]
+    home = frames["T"][0].copy()
+    home[:3, 3] *= UNITS[model.unit]
+    return from_axes(np.array(axes), np.array(points), home, joint_types=kinds, name=model.name)
 
 
 def describe_arm(model: ArmModel, words: str = "") -> str:

@@ -110,11 +110,10 @@ def axis_senses(model: ArmModel) -> tuple[tuple[int, ...], ...]:
     """For every two joints: 1 where their axes are parallel in every posture, -1 where they are opposed, else 0."""
     samples = sample(model, 6)
     axes = []
-    R = np.broadcast_to(np.eye(3), (6, 3, 3))
-    for joint in range(1, model.n + 1):
-        after = R @ samples.frames[f"A{joint}"][:, :3, :3]
-        axes.append((R if model.convention == "standard" else after)[:, :, 2])
-        R = after
+    R = np.broadcast_to(np.eye(4), (6, 4, 4))
+    for joint, own in enumerate(model.axis_frames(samples.frames, samples.env), 1):
+        axes.append((R @ own)[:, :3, 2])
+        R = R @ samples.frames[f"A{joint}"]
     dots = np.einsum("ikc,jkc->ijk", np.array(axes), np.array(axes))
     senses = np.where(np.all(dots > 1 - ROUNDING, axis=2), 1, np.where(np.all(dots < -1 + ROUNDING, axis=2), -1, 0))
     return tuple(tuple(row) for row in senses.tolist())

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from pieper.algebra.expression import Call, Div, Expr, Mul, PiFraction
-from pieper.algebra.formula import ANGLE, Mention, number, with_args
+from collections.abc import Mapping
+
+from pieper.algebra.expression import Add, Call, Div, Expr, Mul, PiFraction
+from pieper.algebra.formula import ANGLE, Mention, Neg, PlusMinus, number, with_args
 from pieper.algebra.notation import joint_sum
 
 _ARCS = ("acos", "asin", "atan", "atan2")
@@ -17,19 +19,32 @@ def from_degrees(node: Expr) -> Expr:
     Args:
         node: The formula; the sine of a joint, or of a sum of joints, is what it is in either unit.
     """
-    return Mul.of(_degrees(node), DEGREE)
+    if isinstance(node, (Add, Neg, PlusMinus)):
+        return with_args(node, [from_degrees(a) for a in node.args])
+    made = _degrees(node)
+    return made.args[0] if _of_degrees(made) else Mul.of(made, DEGREE)
+
+
+def angles_among(symbols: Mapping[str, Expr]) -> dict[str, Expr]:
+    """Those of a file's symbols that are angles, which a formula in degrees has in degrees too."""
+    return {name: tree for name, tree in symbols.items() if _degrees(tree) is not tree}
+
+
+def _of_degrees(node: Expr) -> bool:
+    return isinstance(node, Div) and str(node.args[1]) == str(DEGREE)
 
 
 def _degrees(node: Expr) -> Expr:
     if isinstance(node, Mention):
         return Div(node, DEGREE) if ANGLE.match(node.name) else node
-    if isinstance(node, Div) and str(node.args[1]) == str(DEGREE):
-        return node  # acosd(..) is in degrees already
+    if _of_degrees(node) and isinstance(node.args[0], Call):
+        # acosd(..) is in degrees already; the sines inside may be of degrees
+        return Div(with_args(node.args[0], [_degrees(a) for a in node.args[0].args]), DEGREE)
     if isinstance(node, Call) and node.name in _TURNS:
         (inner,) = node.args
         if isinstance(inner, Mul) and str(inner.args[-1]) == str(DEGREE):
-            return Call(node.name, Mul.of(*map(_degrees, inner.args[:-1]), DEGREE))
-        return node if joint_sum(inner) else Call(node.name, Mul.of(_degrees(inner), DEGREE))
+            return Call(node.name, from_degrees(Mul.of(*inner.args[:-1])))
+        return node if joint_sum(inner) else Call(node.name, from_degrees(inner))
     inside = [_degrees(a) for a in node.args]
     made = node if all(x is y for x, y in zip(inside, node.args, strict=True)) else with_args(node, inside)
     return Div(made, DEGREE) if isinstance(node, Call) and node.name in _ARCS else made

@@ -12,21 +12,25 @@ from typing import Any
 import numpy as np
 
 from pieper.algebra.expression import Expr
-from pieper.algebra.formula import Mention
-from pieper.algebra.parser import FormulaError, parse_equation
+from pieper.algebra.formula import ANGLE, Mention
+from pieper.algebra.formula_error import FormulaError
+from pieper.algebra.parser import parse_equation
 from pieper.errors import InputError, PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.conditions import Condition, read_conditions
 from pieper.judge.keys import UNITS
 from pieper.judge.letters import MatrixLetter, known_from, neighbours, of_whole_pose, pick_letters
-from pieper.judge.matrices import Product, parse_product, value_of
+from pieper.judge.matrices import value_of
 from pieper.judge.model import ArmModel
+from pieper.judge.products import Product, factors_of, parse_product
 from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample, some
 from pieper.judge.search.search import Explanation, Goal
-from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips
+from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips, two_twists
 from pieper.judge.slips.slip import KINDS
+from pieper.judge.symbols import in_order, plain
 from pieper.tolerances import ENTRY_MATTERS, EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
 
+MOST_ROWS = 4  # of a matrix of the file's own
 DRAWS = 60  # of joint vectors, until enough meet the conditions of a claim
 SOLVER_POSES = 10  # poses at which the other solutions are asked for
 
@@ -57,11 +61,11 @@ class Evidence:
     matrices: dict[str, list[list[Expr]]] = field(default_factory=dict)
 
     def define_matrix(self, name: str, rows: list[list[Any]]) -> None:
-        """Add a matrix of the file, 3 x 3 or 4 x 4, its entries numbers or formulas of the joints."""
-        if name in self.model.names() or name in ("I", "T") or re.fullmatch(r"[AQTRPv]\d{0,2}", name):
+        """Add a matrix of the file, of 1 to 4 rows and columns, its entries numbers or formulas of the joints."""
+        if name in self.model.names() or name in ("I", "T", "J") or re.fullmatch(r"[AQTRPv]\d{1,2}", name):
             raise InputError(f"the matrix {name!r} already means something for this arm; choose another name")
-        if len(rows) not in (3, 4) or any(len(row) != len(rows) for row in rows):
-            raise InputError("a matrix of one's own has 3 rows of 3 or 4 rows of 4 entries")
+        if len(rows) > MOST_ROWS or len(rows[0]) > MOST_ROWS or any(len(row) != len(rows[0]) for row in rows):
+            raise InputError(f"a matrix of one's own has rows of as many entries, {MOST_ROWS} of each at most")
         self.matrices[name] = [[self.parse(str(cell)).substitute(self.definitions) for cell in row] for row in rows]
 
     def define(self, name: str, text: str) -> None:
@@ -140,25 +144,30 @@ class Evidence:
         (T A6^-1)[1,4] is computed with theta6, but it is the wrist centre, which does not depend on it.
         """
         letter, n = self.letters[name], self.model.n
-        joints = known_from(letter.product, n)
-        if not of_whole_pose(letter.product, n):
+        own = frozenset(self.matrices)
+        joints = known_from(letter.product, n, own)
+        for factor in factors_of(letter.product):
+            for cell in (cell for row in self.matrices.get(factor.name, ()) for cell in row):
+                joints |= {int(found.group(1)) for found in map(ANGLE.match, cell.symbols()) if found}
+        if not of_whole_pose(letter.product, n, own):
             return joints
         drawn = replace(self, when=()).draw(len(self.samples.q), seed=77)
         here, other = self.samples.frames, drawn.frames
-        own = self.samples.nominal & drawn.nominal
+        rows = self.samples.nominal & drawn.nominal
         value = letter.value(here)
+        in_own = joints - known_from(letter.product, n, own)
 
         def moves(joint: int) -> bool:
             changed = letter.value({**here, f"A{joint}": other[f"A{joint}"]})
-            return not np.allclose(changed[own], value[own], rtol=0, atol=ENTRY_MATTERS)
+            return not np.allclose(changed[rows], value[rows], rtol=0, atol=ENTRY_MATTERS)
 
-        return {j for j in joints if moves(j)}
+        return in_own | {j for j in joints if moves(j)}
 
     def pick(self, env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
         """Add the letters that are entries of matrices to an environment, and the file's matrices to the frames."""
         shape = env["theta1"].shape
         for name, rows in self.matrices.items():
-            M = np.empty((*shape, len(rows), len(rows)))
+            M = np.empty((*shape, len(rows), len(rows[0])))
             for i, row in enumerate(rows):
                 for j, cell in enumerate(row):
                     M[..., i, j] = cell.evaluate(env)
@@ -277,15 +286,22 @@ class Evidence:
     @cached_property
     def other_arms(self) -> list[tuple[str, str, Samples]]:
         """(kind, words, samples) with the same joint vectors and lengths for the arms one slip away."""
-        base, out = self.samples, []
-        for kind, words, model in arm_slips(self.model):
-            env = {k: base.env[k] for k in base.env if k.startswith("theta") or k in model.values or k in model.aliases}
-            frames = model.frames(env)
-            env.update(pose_symbols(frames["T"]))
-            self.pick(env, frames)
-            self.fill(env)
-            out.append((kind, words, Samples(base.q, env, frames, base.nominal)))
-        return out
+        return [(kind, words, self._as(model)) for kind, words, model in arm_slips(self.model)]
+
+    @property
+    def arms_of_two_twists(self) -> Iterator[tuple[str, str, Samples]]:
+        """The same for the arms with two twists of the other sign."""
+        return ((kind, words, self._as(model)) for kind, words, model in two_twists(self.model))
+
+    def _as(self, model: ArmModel) -> Samples:
+        """The samples of another arm at the same joint vectors and lengths."""
+        base = self.samples
+        env = {k: base.env[k] for k in base.env if k.startswith("theta") or k in model.values or k in model.aliases}
+        frames = model.frames(env)
+        env.update(pose_symbols(frames["T"]))
+        self.pick(env, frames)
+        self.fill(env)
+        return Samples(base.q, env, frames, base.nominal)
 
     def solutions_at(self, k: int) -> np.ndarray:
         """Return all solutions (m, n) of the pose of sample k in the claims' units, before limits.
@@ -354,23 +370,6 @@ def under(key: str) -> Iterator[None]:
         raise InputError(f"{key}: {error}", **error.data) from None
     except np.linalg.LinAlgError:
         raise InputError(f"{key}: a matrix that is inverted here has no inverse") from None
-
-
-def in_order(symbols: Mapping[str, str]) -> dict[str, str]:
-    """Symbols so that each stands after those it uses; what goes in circles stays where it is."""
-    uses = {
-        name: set(re.findall(r"[A-Za-z]\w*'*", plain(body))) & set(symbols) - {name} for name, body in symbols.items()
-    }
-    out: dict[str, str] = {}
-    while len(out) < len(symbols):
-        ready = [name for name in symbols if name not in out and uses[name] <= set(out)]
-        out.update({name: symbols[name] for name in ready[:1] or [n for n in symbols if n not in out][:1]})
-    return out
-
-
-def plain(name: str) -> str:
-    """Return a symbol's name as formulas hold it, without the marks of subscripts."""
-    return name.translate(str.maketrans("", "", "_{}"))
 
 
 def tried_text(explanation: Explanation, arms_tried: dict[str, int] | None = None) -> str:

@@ -15,11 +15,11 @@ from pieper.algebra.parser import parse, parse_equation
 from pieper.algebra.spelling import plain
 from pieper.errors import InputError
 from pieper.judge.evidence import SIGN
+from pieper.judge.excerpt_matrices import PLACED, taken_out
 from pieper.judge.letters import pick_letters
-from pieper.judge.matrices import parse_product
 from pieper.judge.model import POSE_NAMES, ArmModel
+from pieper.judge.products import parse_product
 
-_MATRIX = re.compile(r"\\begin\{([bpv]?matrix|array)\}(?:\{[^}]*\})?(.*?)\\end\{\1\}", re.DOTALL)
 _BLOCK = re.compile(r"\\(?:begin|end)\{(?:equation|align|aligned|gather|split|eqnarray|cases|math|displaymath)\*?\}")
 _WHEN = re.compile(
     r"(?:,|;|\(|\s)\s*(?:\\text\{\s*)?(?:for|if|when|where|provided)\b\s*\}?\s*(.*?[<>].*)$", re.IGNORECASE
@@ -28,8 +28,14 @@ _NUMBER = re.compile(r"\\(?:tag|label)\{([^}]*)\}|\((\d+[a-z]?)\)\s*[.,;]?\s*$")
 _CONDITION = re.compile(r"^[A-Z][a-z]+(?:\s+[a-z]+){1,8}\s+where\s.*=")
 _RELATION = re.compile(r"(?:theta|d)\d+\s*=\s*-?\s*q\d+(?:\s*[-+][^=]*)?")
 _TAKEN_OFF = re.compile(r"with the constant (base|tool)(?: and (tool))? taken off")
+SINGULAR = "§singular§"  # before an equation that says where an arm is singular
 ROUNDS = 4  # definitions that stand below their use, several deep
-_PLACED = re.compile(r"§(\d+)§")
+_UNEQUAL = re.compile(r"(?:,|;|\s(?:if|when|where|for)\b)[^,;]*(?:≠|!=|\\neq?\b).*$", re.IGNORECASE)
+_EQUALS = re.compile(r"(?<![<>!=])=(?!=)")
+_BETWEEN = re.compile(r"\$|\\\(|\\\)|\b(?:when|if|where|for|at|or|and)\b|,")
+_PROSE = re.compile(r"[A-Za-z]{3,}\s+[A-Za-z]{3,}")
+_SPACE = re.compile(r"\\q?quad\b")
+_OWN = re.compile(r"([sc])_?\{?(\d)\}?$")
 _LOWER = {f"p{c}": f"P{c}" for c in "xyz"}
 
 
@@ -79,9 +85,11 @@ def guesses(text: str, model: ArmModel) -> list[Guess]:
             break
     flat = model.n < 6 and not _has_pose(re.sub(r"\bp[xyz]\b", "", _unmarked(text), flags=re.IGNORECASE), set())
     said: list[dict[str, object]] = []
+    sines: dict[str, str] = {}
     for number, line, matrices in lines:
-        own = {name for name, (_, at) in defined.items() if at == number}
+        own = {name for name, (_, at) in defined.items() if at == number} & _left(line)
         guess = _guess(number, line, matrices, model, signs | (known - own))
+        _put_in(guess, sines)
         if flat and guess.keys.get("kind") == "joint":
             guess.keys["task"] = "position"
         what = {key: value for key, value in guess.keys.items() if key != "id"}
@@ -93,12 +101,28 @@ def guesses(text: str, model: ArmModel) -> list[Guess]:
     return found
 
 
+def _put_in(guess: Guess, sines: dict[str, str]) -> None:
+    """Put what a page found s5 and c5 to be into its theta5 = atan2(s5, c5), which would be circular by itself."""
+    kind, formula = guess.keys.get("kind"), str(guess.keys.get("is", ""))
+    if kind == "equation":
+        left, _, right = formula.partition("=")
+        own = _OWN.fullmatch(_unmarked(left).strip().lower())
+        if own:
+            sines[own.group(1) + own.group(2)] = right.strip()
+    elif kind == "joint" and "joint" in guess.keys:
+        for letter in "sc":
+            name = f"{letter}{guess.keys['joint']}"
+            if name in sines:
+                formula = re.sub(rf"\b{letter}_?\{{?{name[1:]}\}}?(?![\d(])", f"({sines[name]})", formula, flags=re.I)
+        guess.keys["is"] = formula
+
+
 def _unmarked(text: str) -> str:
     return re.sub(r"[_{}]", "", plain(text))
 
 
 def _left(line: str) -> set[str]:
-    return {re.sub(r"[\s_{}]", "", plain(line.partition("=")[0]))}
+    return {re.sub(r"[\s_{}&]", "", plain(line.partition("=")[0]))}
 
 
 def _has_pose(formula: str, symbols: set[str]) -> bool:
@@ -109,36 +133,49 @@ def _has_pose(formula: str, symbols: set[str]) -> bool:
 
 def _lines(text: str) -> list[tuple[int, str, list[list[list[str]]]]]:
     """Every equation with the number of its line; matrices are taken out and stand as §0§, §1§."""
-    matrices: list[list[list[str]]] = []
-
-    def keep(match: re.Match[str]) -> str:
-        rows = [row for row in re.split(r"\\\\", match.group(2)) if row.strip()]
-        matrices.append([[cell.strip() for cell in row.split("&")] for row in rows])
-        return f"§{len(matrices) - 1}§" + "\n" * match.group(0).count("\n")
-
-    text = re.sub(r"(?<!\\)%.*", "", text)
-    text = _BLOCK.sub(" ", _MATRIX.sub(keep, text))
+    text, matrices = taken_out(re.sub(r"(?<!\\)%.*", "", text))
+    text = _BLOCK.sub(" ", text)
     out = []
     for number, line in enumerate(text.split("\n"), 1):
+        for sentence in re.split(r"(?<=[.;])\s", line):
+            if re.search(r"\bsingular", sentence, re.IGNORECASE) and _EQUALS.search(sentence):
+                out += [(number, f"{SINGULAR}{piece}", matrices) for piece in _singular(sentence)]
+                line = line.replace(sentence, "")
         if "$" in line and _CONDITION.search(line):
             out.append((number, line.strip(), matrices))
             continue
         for piece in re.split(r"\\\\(?:\[[^\]]*\])?|\$\$|(?<!\\)\$|\\\[|\\\]|\\\(|\\\)|;", line):
-            if re.search(r"(?<![<>!=])=(?!=)", piece):
+            if _EQUALS.search(piece):
                 out.append((number, piece.strip(" \t.,&"), matrices))
     return out
 
 
+def _singular(sentence: str) -> list[str]:
+    """The equations of a sentence about singular configurations, joined by or."""
+    pieces = [piece.strip(" .,;") for piece in _BETWEEN.split(sentence)]
+    equations = [piece for piece in pieces if _EQUALS.search(piece) and not _PROSE.search(piece)]
+    return [" or ".join(equations)] if equations else []
+
+
 def _guess(number: int, line: str, matrices: list[list[list[str]]], model: ArmModel, known: set[str]) -> Guess:
-    guess = Guess(number, _PLACED.sub("[a matrix]", line))
+    guess = Guess(number, PLACED.sub("[a matrix]", line.removeprefix(SINGULAR)))
+    if line.startswith(SINGULAR):
+        text = plain(line.removeprefix(SINGULAR)).strip()
+        try:
+            for part in text.split(" or "):
+                parse_equation(part, model.names() | known, model.n)
+            guess.keys = {"id": f"line {number}", "kind": "singular", "is": re.sub(r"\s+", " ", text)}
+        except InputError as error:
+            guess.why = str(error).splitlines()[0]
+        return guess
     tag = _NUMBER.search(line)
-    body = _NUMBER.sub("", line).strip(" .,&")
+    body = _UNEQUAL.sub("", _NUMBER.sub("", line)).strip(" .,&")  # where nothing vanishes, as everywhere here
     condition = _WHEN.search(body)
     if _CONDITION.search(body):
         guess.why = "a condition in a sentence, not a claim"
         return guess
     if condition:
-        body = body[: condition.start()].strip(" .,&")
+        body = _SPACE.sub(" ", body[: condition.start()]).strip(" .,&")
     left, _, right = body.partition("=")
     left, right = left.strip(" &"), right.strip(" &")
     if _RELATION.fullmatch(_unmarked(f"{left} = {right}").strip()):
@@ -166,11 +203,11 @@ def _guess(number: int, line: str, matrices: list[list[list[str]]], model: ArmMo
 def _read(guess: Guess, left: str, right: str, matrices: list, model: ArmModel, known: set[str]) -> None:
     names = model.names() | known
     bare = re.sub(r"[\s_{}\\]|mathbf|mathrm|boldsymbol|text", "", left)
-    placed = _PLACED.fullmatch(right)
+    placed = PLACED.fullmatch(right)
     if placed:
         _matrix(guess, bare, matrices[int(placed.group(1))], model)
         return
-    if _PLACED.search(right) or _PLACED.search(left):
+    if PLACED.search(right) or PLACED.search(left):
         raise InputError("a matrix among other things; write it as a claim of its own")
     if re.fullmatch(r"(?:det\(?J\)?|\|J\||detJ)", bare):
         guess.keys = {"kind": "determinant", "is": plain(_formula(right, model, names)).strip()}

@@ -14,10 +14,12 @@ from itertools import product
 import numpy as np
 
 from pieper.errors import InputError
-from pieper.judge.matrices import Product, parse_product, value_of
+from pieper.judge.matrices import value_of
+from pieper.judge.products import Product, factors_of, parse_product
 
 _PICKED = re.compile(r"[\[(]\s*(\d)\s*,\s*(\d)\s*[\])]|_?\{\s*(\d)\s*,?\s*(\d)\s*\}|\[\s*(\d)\s*\](?!\s*\[)")
-_NORM = re.compile(r"(?:\bnorm\s*\(|\\?\|\\?\|)")
+_ROW = re.compile(r"[AQv]\d")
+_NORM = re.compile(r"(?:\b(?:norm|dot)\s*\(|\\?\|\\?\|)")
 
 
 @dataclass(frozen=True)
@@ -56,7 +58,9 @@ def pick_letters(text: str, joints: int, own: frozenset[str]) -> tuple[str, dict
         end = _closing(text, inner - 1) if text[inner - 1] == "(" else text.find("||", inner)
         if end < 0:
             break
-        name = _named(found, MatrixLetter(parse_product(text[inner:end], joints, own), True))
+        dotted = hit.group().startswith("dot")
+        body = text[start : end + 1] if dotted else text[inner:end]
+        name = _named(found, MatrixLetter(parse_product(body, joints, own), not dotted))
         after = end + (1 if text[end] == ")" else 2)
         text = f"{text[:start]} {name} {text[after:]}"
         at = start + len(name)
@@ -106,9 +110,10 @@ def _matrix_before(text: str, at: int, own: frozenset[str]) -> int | None:
             depth += (bare[k] == ")") - (bare[k] == "(")
             if not depth:
                 inside = bare[k + 1 : -1]
+                called = re.search(r"cross\s*$", bare[:k])
                 return (
-                    k
-                    if re.search(r"\b(?:[AQTR]\d{0,2}|R[xyz])\b", inside) or own & set(re.findall(r"\w+", inside))
+                    (called.start() if called else k)
+                    if re.search(r"\b(?:[AQTRP]\d{0,2}|R[xyz]|J)\b", inside) or own & set(re.findall(r"\w+", inside))
                     else None
                 )
         return None
@@ -116,7 +121,7 @@ def _matrix_before(text: str, at: int, own: frozenset[str]) -> int | None:
     if last is None:
         return None
     word = last.group()
-    return last.start() if re.fullmatch(r"[AQTRP]\d{0,2}", word) or word in own else None
+    return last.start() if re.fullmatch(r"[AQTRP]\d{0,2}|J", word) or word in own else None
 
 
 def _closing(text: str, opened: int) -> int:
@@ -128,37 +133,39 @@ def _closing(text: str, opened: int) -> int:
     return -1
 
 
-def known_from(of: Product, joints: int) -> set[int]:
+def known_from(of: Product, joints: int, own: frozenset[str] = frozenset()) -> set[int]:
     """The joints (1-based) that must be known before a product of matrices can be computed from the whole pose.
+
+    R36 alone is what the pose leaves when the other joints are known; A4 is the matrix of a row, made of its own joint.
 
     Args:
         of: The product.
         joints: How many joints the arm has.
+        own: Names of matrices that the file defines; what they use is another matter.
     """
-    parts = _spans(of, joints)
-    every = set(range(1, joints + 1))
+    parts, every = _spans(of, joints, own), set(range(1, joints + 1))
     inner = [part for part in parts if part != every]
-    if len(inner) < len(parts) or len(inner) != 1:
-        return set[int]().union(*inner)
-    return every - inner[0]
+    alone = len(parts) == len(inner) == 1 and not any(_ROW.fullmatch(factor.name) for factor in factors_of(of))
+    return every - inner[0] if alone else set[int]().union(*inner)
 
 
-def of_whole_pose(of: Product, joints: int) -> bool:
+def of_whole_pose(of: Product, joints: int, own: frozenset[str] = frozenset()) -> bool:
     """Whether a product is made of the whole pose and matrices that are taken off it."""
-    return set(range(1, joints + 1)) in _spans(of, joints)
+    return set(range(1, joints + 1)) in _spans(of, joints, own)
 
 
-def _spans(of: Product, joints: int) -> list[set[int]]:
+def _spans(of: Product, joints: int, own: frozenset[str]) -> list[set[int]]:
     """The joints inside every matrix of a product."""
     parts: list[set[int]] = []
-    stack = [factor for term in of.terms for factor in term]
-    while stack:
-        factor = stack.pop()
-        stack.extend(factor.inside)
-        digits = [int(d) for d in re.findall(r"\d", factor.name)]
-        if not factor.name or factor.constant or factor.name == "I":
+    for factor in factors_of(of):
+        name = factor.name
+        if not name or factor.constant or factor.of or name == "I" or name in own:
             continue
-        if factor.name[0] in "AQv" and digits:
+        digits = [int(d) for d in re.findall(r"\d", name)]
+        if name == "J":
+            parts += [{j} for j in range(1, joints + 1)]  # it takes every joint, and is not part of the pose
+            continue
+        if name[0] in "AQv" and digits:
             parts.append({digits[0]})
             continue
         first, last = (0, joints) if not digits else (0, digits[0]) if len(digits) == 1 else (digits[0], digits[1])

@@ -31,16 +31,26 @@ Matrix = list[list[Any]]
 
 @dataclass(frozen=True, eq=False)
 class Row:
-    """A DH row as expressions; the joint's variable ``theta<i>`` stands in `theta` or, for sliding, in `d`."""
+    """A DH row as expressions; the joint's variable ``theta<i>`` stands in `theta` or, for sliding, in `d`.
+
+    Constant rows of a table, such as a gripper's, belong to the joint above them; those above the first joint to it.
+    """
 
     a: Expr
     alpha: Expr
     d: Expr
     theta: Expr
+    before: tuple[Row, ...] = ()
+    after: tuple[Row, ...] = ()
+
+    @property
+    def cells(self) -> tuple[Expr, ...]:
+        """The row's own four cells."""
+        return self.a, self.alpha, self.d, self.theta
 
     def renamed(self, new: dict[str, Expr]) -> Row:
         """The row with symbols replaced."""
-        return Row(*(cell.substitute(new) for cell in (self.a, self.alpha, self.d, self.theta)))
+        return Row(*(cell.substitute(new) for cell in self.cells), self.before, self.after)
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,39 +117,72 @@ class ArmModel:
 
     def length(self) -> float:
         """A typical length, in the arm's unit: what errors in position are compared with."""
-        total = sum(abs(float(c.evaluate(self.at_zero))) for r in self.rows for c in (r.a, r.d))
+        every = [r for row in self.rows for r in (*row.before, row, *row.after)]
+        total = sum(abs(float(c.evaluate(self.at_zero))) for r in every for c in (r.a, r.d))
         return total + float(np.abs(self.tool[:3, 3]).sum() + np.abs(self.base[:3, 3]).sum()) or 1.0
 
     def links(self, env: dict, arithmetic: Any = NumpyField) -> list[Matrix]:
-        """Evaluate A_1 .. A_n as 4 by 4 nested lists of the arithmetic's numbers."""
-        out, o, i = [], arithmetic.rational(Fraction(0)), arithmetic.rational(Fraction(1))
+        """Evaluate A_1 .. A_n as 4 by 4 nested lists of the arithmetic's numbers, constant rows included."""
+        out = []
         for row in self.rows:
-            a, d = row.a.evaluate(env, arithmetic), row.d.evaluate(env, arithmetic)
-            ca, sa = _turn(row.alpha, env, arithmetic)
-            ct, st = _turn(row.theta, env, arithmetic)
-            if self.convention == "standard":
-                out.append(
-                    [[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st], [o, sa, ca, d], [o, o, o, i]]
-                )
+            link, *rest = [self._link(r, env, arithmetic) for r in (*row.before, row, *row.after)]
+            for more in rest:
+                link = _matmul(link, more)
+            out.append(link)
+        return out
+
+    def _link(self, row: Row, env: dict, arithmetic: Any) -> Matrix:
+        o, i = arithmetic.rational(Fraction(0)), arithmetic.rational(Fraction(1))
+        a, d = row.a.evaluate(env, arithmetic), row.d.evaluate(env, arithmetic)
+        ca, sa = _turn(row.alpha, env, arithmetic)
+        ct, st = _turn(row.theta, env, arithmetic)
+        if self.convention == "standard":
+            return [[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st], [o, sa, ca, d], [o, o, o, i]]
+        return [[ct, -st, o, a], [st * ca, ct * ca, -sa, -d * sa], [st * sa, ct * sa, ca, d * ca], [o, o, o, i]]
+
+    def axis_frames(self, frames: dict[str, np.ndarray], env: dict) -> list[np.ndarray]:
+        """For every joint the frame (K, 4, 4), seen from the one before it, whose z axis is the joint's.
+
+        Args:
+            frames: A1 .. An, (K, 4, 4) each.
+            env: The symbols of the table at every sample.
+        """
+        count = len(frames["A1"])
+        modified = self.convention == "modified"
+        out = []
+        for k, row in enumerate(self.rows):
+            if row.before or row.after:
+                frame = np.broadcast_to(np.eye(4), (count, 4, 4))
+                for part in (*row.before, row) if modified else row.before:
+                    frame = frame @ _stacked(self._link(part, env, NumpyField), count)
             else:
-                out.append(
-                    [[ct, -st, o, a], [st * ca, ct * ca, -sa, -d * sa], [st * sa, ct * sa, ca, d * ca], [o, o, o, i]]
-                )
+                frame = frames[f"A{k + 1}"] if modified else np.broadcast_to(np.eye(4), (count, 4, 4))
+            out.append(frame)
         return out
 
     def frames(self, env: dict) -> dict[str, np.ndarray]:
-        """Evaluate A1 .. An and the whole pose T (base and tool included), each (K, 4, 4), for sampled symbols."""
+        """Evaluate A1 .. An and the whole pose T (base and tool included), each (K, 4, 4), for sampled symbols.
+
+        J is the geometric Jacobian (K, 6, n) in the base frame, linear rows first.
+        """
         count = max((np.size(v) for v in env.values()), default=1)
-        out = {}
+        out: dict[str, np.ndarray] = {}
         whole = np.broadcast_to(self.base, (count, 4, 4))
+        before = [whole]
         for k, link in enumerate(self.links(env)):
-            A = np.empty((count, 4, 4))
-            for r in range(4):
-                for c in range(4):
-                    A[:, r, c] = link[r][c]
-            out[f"A{k + 1}"] = A
-            whole = whole @ A
+            out[f"A{k + 1}"] = _stacked(link, count)
+            whole = whole @ out[f"A{k + 1}"]
+            before.append(whole)
         out["T"] = whole @ self.tool
+        out["J"] = np.zeros((count, 6, self.n))
+        for k, axis in enumerate(self.axis_frames(out, env)):
+            frame = before[k] @ axis
+            z, arm = frame[:, :3, 2], out["T"][:, :3, 3] - frame[:, :3, 3]
+            # a turning joint moves the tool by z x (p - o) and turns it about z; a sliding one moves it along z
+            if self.sliding(k + 1):
+                out["J"][:, :3, k] = z
+            else:
+                out["J"][:, :3, k], out["J"][:, 3:, k] = np.cross(z, arm), z
         return out
 
     def pose_exact(self, env: dict, arithmetic: Any) -> Matrix:
@@ -148,6 +191,15 @@ class ArmModel:
         for link in (*self.links(env, arithmetic), _constant(self.tool, arithmetic)):
             product = _matmul(product, link)
         return product
+
+
+def _stacked(link: Matrix, count: int) -> np.ndarray:
+    """A nested list of samples as one array (K, 4, 4)."""
+    A = np.empty((count, 4, 4))
+    for r in range(4):
+        for c in range(4):
+            A[:, r, c] = link[r][c]
+    return A
 
 
 def _matmul(x: Matrix, y: Matrix) -> Matrix:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from pieper.algebra.expression import Div, Expr
+from pieper.judge.arm_sides import FORWARD, Feature, arm_features
 from pieper.judge.evidence import Evidence
 from pieper.tolerances import BORDER_OF_REGION, ROUNDING
 
@@ -15,11 +16,13 @@ FRESH = 2000  # joint vectors at which a region is confirmed
 ENOUGH = 20  # of them that must lie in it
 
 
-def region_features(n: int, env: dict[str, np.ndarray], own: list[str]) -> list[tuple[str, np.ndarray]]:
+def region_features(ev: Evidence, env: dict[str, np.ndarray], own: list[str]) -> list[Feature]:
     """Return (words, value) whose signs may bound a region.
 
-    They are sines and cosines of joints and of runs of joints, and the file's symbols.
+    They are sines and cosines of joints and of runs of joints, the file's symbols, how far the arm reaches forward, and
+    to which side its elbows bend.
     """
+    n = ev.model.n
     features = []
     for first in range(1, n + 1):
         for last in range(first, min(n, first + 2) + 1):
@@ -28,10 +31,9 @@ def region_features(n: int, env: dict[str, np.ndarray], own: list[str]) -> list[
             features += [(f"sin({name})", np.sin(angle)), (f"cos({name})", np.cos(angle))]
     features += [(name, env[name]) for name in own if name in env and np.ndim(env[name]) == 1]
     features.sort(key=lambda f: (f[0].count("+"), f[0] not in own))
-    return features
+    return features + arm_features(ev.model, ev.samples)
 
 
-Feature = tuple[str, np.ndarray]
 Inside = Callable[[list[Feature]], np.ndarray]
 
 
@@ -50,7 +52,7 @@ def region_of(ev: Evidence, judged: Callable[[Evidence], tuple[np.ndarray, dict[
         holds, env = judged(at)
         nominal = at.samples.nominal
         rows = nominal if holds[nominal].any() else np.ones_like(nominal)
-        return holds[rows], [(name, value[rows]) for name, value in region_features(at.model.n, env, own)]
+        return holds[rows], [(name, value[rows]) for name, value in region_features(at, env, own)]
 
     holds, features = seen(ev)
     fresh: tuple[np.ndarray, list[Feature]] | None = None
@@ -74,8 +76,9 @@ def _separating(holds: np.ndarray, features: list[Feature]) -> Iterator[tuple[st
 
 def _regions(names: list[str]) -> Iterator[tuple[str, Inside, tuple[int, ...]]]:
     for k, name in enumerate(names):
-        yield f"{name} > 0", (lambda f, k=k: f[k][1] > 0), (k,)
-        yield f"{name} < 0", (lambda f, k=k: ~(f[k][1] > 0)), (k,)
+        front, rear = (" (front)", " (rear)") if name.startswith(FORWARD) else ("", "")
+        yield f"{name} > 0{front}", (lambda f, k=k: f[k][1] > 0), (k,)
+        yield f"{name} < 0{rear}", (lambda f, k=k: ~(f[k][1] > 0)), (k,)
     pairs = list(itertools.combinations(range(len(names)), 2))
     for i, j in pairs:
         both = f"{names[i]} and {names[j]} have"

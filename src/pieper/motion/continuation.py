@@ -271,7 +271,7 @@ class Continuation:
     def project(self, q: Array, x: float) -> tuple[Array, bool]:
         """Move a joint vector q (n,) onto the solutions at x by the smallest steps (Newton, minimum norm).
 
-        This is how a member of a continuous family is chosen: the one nearest to where the arm already is.
+        This is how a point of a self-motion is chosen: the one nearest to where the arm already is.
 
         Returns:
             (n,) joint vector, and whether forward kinematics confirms it.

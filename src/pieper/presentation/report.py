@@ -18,16 +18,9 @@ from pieper.document.writing import write_beside, write_whole
 from pieper.drawing.style import MM
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.pose import checked_pose
+from pieper.presentation import sections_arm
 from pieper.presentation.plot_reach import joint_range
-from pieper.presentation.sections_arm import (
-    add_arm,
-    add_derivation,
-    add_forward,
-    add_plan,
-    add_reach,
-    add_singularities,
-    add_worked,
-)
+from pieper.presentation.sections_lesson import add_dh_steps, add_jacobian, add_triangle
 from pieper.presentation.sections_motion import add_solutions, add_track, scientific
 from pieper.presentation.sections_scale import add_fit, add_map
 from pieper.tolerances import WHOLE_TURN
@@ -73,17 +66,20 @@ def report(
     given = pose is not None
     today = datetime.date.today().isoformat()
     page = Document(f"Kinematics of the {arm.name}", _subtitle(arm), edition=f"pieper {_version()}, {today}")
-    add_arm(page, arm)
-    add_plan(page, arm)
+    sections_arm.add_arm(page, arm)
+    add_dh_steps(page, arm)
+    sections_arm.add_plan(page, arm)
     add_peculiarities(page, arm)
-    add_forward(page, arm)
-    add_derivation(page, arm)
+    sections_arm.add_forward(page, arm)
+    sections_arm.add_derivation(page, arm)
+    add_triangle(page, arm)
     T = checked_pose(pose, "pose") if given else _good_pose(arm)
     if T is not None:
-        add_worked(page, arm, T)
+        sections_arm.add_worked(page, arm, T)
     solved = _solved(page, arm, T, given=given)
-    add_singularities(page, arm)
-    add_reach(page, arm)
+    add_jacobian(page, arm)
+    sections_arm.add_singularities(page, arm)
+    sections_arm.add_reach(page, arm)
     if track is not None:
         page.section("A path")
         add_track(page, arm, track)
@@ -247,7 +243,7 @@ def _and(words: Sequence[str]) -> str:
 def _summary(arm: Arm, sols: Solutions | None, track: Track | None) -> str:
     text = f"The {arm.name} has {plural(arm.n, 'joint')} ({arm.joint_types})."
     try:
-        text += f" A pose has at most {plural(arm.plan.max_solutions, 'solution')}."
+        text += f" A pose has at most {plural(arm.plan.count.most, 'solution')}."
     except PieperError:
         text += " It is beyond the solver; its geometry and forward kinematics are given."
     if sols is not None:

@@ -14,6 +14,7 @@ from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
 from pieper.solver.families import named
+from pieper.solver.words.explain import how_many
 from pieper.tolerances import ROUNDING
 from pieper.words_by_number import plural
 
@@ -159,8 +160,8 @@ def add_plan(page: Document, arm: Arm) -> None:
     page.add(Lines(tuple(plan.geometry.sentences(plan.names))))
     spare = f" The arm has joints to spare: {', '.join(plan.redundancy)} is chosen freely." if plan.redundancy else ""
     page.add(
-        f"That makes it an arm with {family.arrangement}. {family.words} A pose has at most {plan.max_solutions} "
-        f"solutions{' for a chosen value of the spare joint' if plan.redundancy else ''}.{spare}"
+        f"That makes it an arm with {family.arrangement}. {family.words} It is {plan.count.kind}. "
+        f"{' '.join(how_many(plan))}{spare}"
     )
 
 

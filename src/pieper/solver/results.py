@@ -112,7 +112,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         self._q: Array | None = None
         self._why: str | None = None
         self._closest: Closest | None = None
-        self.keep_clear(None)
+        self._apart = None
 
     @property
     def q(self) -> Array:

@@ -17,6 +17,8 @@ JUDGED_ZERO = 1e-9
 #: An equation holds at a posture found for it, and values are one, within this (rad; per length): roots halve the
 #: digits.
 JUDGED_HOLDS = 1e-6
+#: Rad or length: half the width of a difference that gives a formula's slope; exact for the squares it is used on.
+SLOPE_WIDTH = 1e-5
 #: Relative; singular values below are zero.
 JUDGED_RANK = 1e-7
 #: A joint takes part in a freedom when its part of the null direction is larger.

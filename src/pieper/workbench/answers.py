@@ -96,7 +96,7 @@ def take_arm(message: dict[str, Any]) -> tuple[pieper.Arm, dict[str, Any]]:
     return arm, {
         "plan": {
             "family": plan.family,
-            "max_solutions": int(plan.max_solutions),
+            "max_solutions": int(plan.count.most),
             "explain": explain,
             "solvable": True,
             "task": plan.task,

@@ -9,12 +9,12 @@ import numpy as np
 
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Add, Call, Expr, Mul, Power
-from pieper.algebra.formula import ANGLE, Neg, PlusMinus, has_branch, number, unordered
+from pieper.algebra.formula import ANGLE, Mention, Neg, PlusMinus, has_branch, number, unordered
 from pieper.algebra.notation import joint_sum
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import SIGN, Evidence, under, wrapped
-from pieper.judge.matrices import Product
+from pieper.judge.products import Product
 from pieper.tolerances import JUDGED_ZERO, SEARCH_ARC
 
 
@@ -26,7 +26,7 @@ def read_angle(ev: Evidence, claim: Claim) -> tuple[str, Expr]:
         name = str(claim["for"])
     else:
         raise claim.error('say which joint, as joint = 4 or for = "theta1+theta2"')
-    angle = ev.parse(name, key="for")
+    angle = ev.parse(name, key="for").substitute({b: Mention(joint) for b, joint in ev.model.aliases.items()})
     if not (joint_sum(angle) or ANGLE.match(str(angle))):
         raise claim.error(f'for = {name!r} must be a joint or a sum of joints, as in for = "theta1 + theta2"')
     return name, angle

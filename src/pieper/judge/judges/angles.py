@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from pieper.algebra.expression import Expr
@@ -9,13 +11,14 @@ from pieper.algebra.formula import ANGLE, has_branch
 from pieper.errors import PieperError
 from pieper.judge.circular import given_angles, uses_itself
 from pieper.judge.claim import Claim, Numbers
-from pieper.judge.degrees import from_degrees
+from pieper.judge.degrees import angles_among, from_degrees
 from pieper.judge.difference import agreeing_digits, digits_wanted
 from pieper.judge.evidence import SOLVER_POSES, Evidence, tried_text, wrapped
 from pieper.judge.judges.angle_formula import AngleFormula, branch_values, either_of, read_angle, right_side, signed
 from pieper.judge.judges.freedom import completes, undetermined
 from pieper.judge.lengths import decimals, standing
-from pieper.judge.matrices import Product, value_of
+from pieper.judge.matrices import value_of
+from pieper.judge.products import Product
 from pieper.judge.regions import region_of, zero_denominators
 from pieper.judge.rounding import unrounded, with_rounding
 from pieper.judge.samples import pose_of
@@ -36,7 +39,7 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
     printed = claim["is"] if isinstance(claim["is"], list) else [claim["is"]]
     nodes = [ev.parse(right_side(ev, str(text), angle), claim.where) for text in printed]
     if claim.get("unit") == "deg":
-        nodes = [from_degrees(node) for node in nodes]
+        nodes = [from_degrees(node.substitute(angles_among(ev.definitions))) for node in nodes]
     if len(nodes) > 2:
         raise claim.error("is: two branches at most stand in a list; a sign +- goes with each of them")
     node = nodes[0] if len(nodes) == 1 else either_of(*nodes)
@@ -70,7 +73,7 @@ def _circular(
     says = f"Wrong: circular. A formula that is to give {name} uses {name} itself, in {circle}"
     if good.all():
         return claim.wrong(f"{says}; it is true and gives nothing.", slip="circular")
-    found = _slip(ev, node, form)
+    found, _ = _slip(ev, node, form)
     says += f", and it is right at {int(good.sum())} of {len(good)} poses only."
     if not found.best:
         details = [("the slip", "no single slip explains it"), ("tried", tried_text(found))]
@@ -91,11 +94,13 @@ def _joint_fails(ev: Evidence, claim: Claim, node: Expr, form: AngleFormula, goo
     elif len(bad):
         details.append(("counter-example", _angle_example(ev, node, form, env, int(bad[0]))))
     region = region_of(ev, form.with_symbols(node))
-    found = _slip(ev, node, form)
+    found, where = _slip(ev, node, form, branch=not region)
     slip = reading = ""
-    if found.best:
-        slip, reading = found.best.kind, str(found.best.tree)
-        details += [("nearest right reading", f"{name} = {reading}"), ("the slip", found.best.says)]
+    best = found.best
+    if best:
+        slip, reading = best.kind, str(best.tree)
+        where = where and f", where {where}"
+        details += [("nearest right reading", f"{name} = {reading}{where}"), ("the slip", best.says)]
     else:
         details.append(("the slip", "no single slip explains it" + found.closest("poses")))
     details.append(("tried", tried_text(found)))
@@ -113,7 +118,15 @@ def _joint_fails(ev: Evidence, claim: Claim, node: Expr, form: AngleFormula, goo
     return claim.wrong(sentence, details, slip, reading, **counts)
 
 
-def _slip(ev: Evidence, node: Expr, form: AngleFormula) -> Explanation:
+def _slip(ev: Evidence, node: Expr, form: AngleFormula, *, branch: bool = False) -> tuple[Explanation, str]:
+    """What explains a wrong formula, and, of one for a single branch, the region in which it is right then.
+
+    Args:
+        ev: The arm and its samples.
+        node: The formula.
+        form: What it is to give.
+        branch: Whether a slip counts that makes it right on one branch only.
+    """
     goal = ev.goal(form.wanted(ev), angle=not form.slides, frame=form.frame)
 
     def searched(aim: Goal, pairs: bool = False) -> Explanation:
@@ -130,7 +143,16 @@ def _slip(ev: Evidence, node: Expr, form: AngleFormula) -> Explanation:
         # numbers stand for this arm's lengths only
         nominal = searched(goal.restrict(ev.samples.nominal))
         found = nominal if nominal.best else found
-    return found if found.best else searched(goal, pairs=True)
+    if found.best:
+        return found, ""
+    if branch and found.nearest:
+        known = {name: ev.known_for(name) for name in ev.picks(node)}
+        one = found.nearest[0]
+        if not uses_itself(ev.model, form.angle, one.tree, ev.definitions, known):
+            where = region_of(ev, form.with_symbols(one.tree))
+            if where:
+                return replace(found, found=[one]), where
+    return searched(goal, pairs=True), ""
 
 
 def _angle_example(ev: Evidence, node: Expr, form: AngleFormula, env: dict[str, np.ndarray], k: int) -> str:
@@ -164,7 +186,7 @@ def _joint_holds(
     if not good.all():
         stand = standing(ev, node, form.judged)
         if stand.partly:
-            found = _slip(ev, node, form)
+            found, _ = _slip(ev, node, form)
             slip, reading = (found.best.kind, str(found.best.tree)) if found.best else ("", "")
             details = [("nearest right reading", reading), ("the slip", found.best.says)] if found.best else []
             return claim.partly(f"Holds for this arm {stand.words}: {held}.", details, slip, reading, digits=digits)

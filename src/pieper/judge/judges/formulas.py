@@ -16,8 +16,9 @@ from pieper.judge.claim import Claim
 from pieper.judge.difference import agreeing_digits, difference_from_matrix, digits_wanted, simplified_difference
 from pieper.judge.evidence import Evidence, number, tried_text, under
 from pieper.judge.lengths import standing
-from pieper.judge.matrices import Product, parse_product, value_of
+from pieper.judge.matrices import value_of
 from pieper.judge.model import POSE_NAMES
+from pieper.judge.products import Product, parse_product
 from pieper.judge.regions import region_of, zero_denominators
 from pieper.judge.rounding import unrounded, with_rounding
 from pieper.judge.search.search import MAX_SEARCHED, Explanation, Goal, says_nothing, search

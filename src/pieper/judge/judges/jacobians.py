@@ -10,35 +10,14 @@ from pieper.algebra.expression import Expr
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, number
 from pieper.judge.judges.formulas import judge_equal
-from pieper.judge.model import ArmModel
 from pieper.judge.samples import Samples, samples_at
 from pieper.judge.verdict import Verdict
-from pieper.tolerances import JUDGED_HOLDS, JUDGED_ZERO, NO_LENGTH
+from pieper.tolerances import JUDGED_HOLDS, JUDGED_ZERO, NO_LENGTH, SLOPE_WIDTH
 
 MARCHES = 60  # of a search for a zero of a formula
 ZEROS = 40  # joint vectors with the formula at zero that are looked at
 MOST_ROWS = 6
-
-
-def jacobian_of(model: ArmModel, samples: Samples) -> np.ndarray:
-    """The geometric Jacobian (K, 6, n) in the base frame, linear rows first, from the chain alone.
-
-    A turning joint moves the tool by z x (p - o) and turns it about z; a sliding one moves it along z.
-    """
-    count = len(samples.q)
-    T = np.broadcast_to(model.base, (count, 4, 4))
-    p = samples.frames["T"][:, :3, 3]
-    J = np.zeros((count, 6, model.n))
-    for joint in range(1, model.n + 1):
-        after = T @ samples.frames[f"A{joint}"]
-        frame = T if model.convention == "standard" else after
-        z, o = frame[:, :3, 2], frame[:, :3, 3]
-        if model.sliding(joint):
-            J[:, :3, joint - 1] = z
-        else:
-            J[:, :3, joint - 1], J[:, 3:, joint - 1] = np.cross(z, p - o), z
-        T = after
-    return J
+HALVINGS = 8  # of a step that does not help
 
 
 def rows_for(ev: Evidence, claim: Claim) -> list[int]:
@@ -49,7 +28,7 @@ def rows_for(ev: Evidence, claim: Claim) -> list[int]:
         if len(rows) != n or min(rows) < 0 or max(rows) >= MOST_ROWS:
             raise claim.error(f"rows: the determinant of {n} joints takes {n} of the rows 1 to 6 (x, y, z, rx, ry, rz)")
         return rows
-    size = np.abs(jacobian_of(ev.model, ev.samples)).max(axis=(0, 2))
+    size = np.abs(ev.samples.frames["J"]).max(axis=(0, 2))
     moving = [r for r in range(MOST_ROWS) if size[r] > JUDGED_ZERO * max(1.0, ev.model.length())]
     if len(moving) > n and n <= 3:
         moving = moving[:n] if all(r < 3 for r in moving[:n]) else moving
@@ -61,7 +40,7 @@ def rows_for(ev: Evidence, claim: Claim) -> list[int]:
 def judge_jacobian(ev: Evidence, claim: Claim) -> Verdict:
     """Judge an entry of the Jacobian (of = "J[1,2]"), or the whole of it given row by row (keys of, is, where)."""
     ev = ev.holding(claim)
-    J = jacobian_of(ev.model, ev.samples)
+    J = ev.samples.frames["J"]
     given = claim["is"]
     if not isinstance(given, list):
         name = str(claim.get("of", "")).replace(" ", "")
@@ -95,7 +74,7 @@ def judge_jacobian(ev: Evidence, claim: Claim) -> Verdict:
 
 
 def _entry(i: int, j: int) -> Callable[[Evidence], np.ndarray]:
-    return lambda ev: jacobian_of(ev.model, ev.samples)[:, i, j]
+    return lambda ev: ev.samples.frames["J"][:, i, j]
 
 
 def judge_determinant(ev: Evidence, claim: Claim) -> Verdict:
@@ -106,7 +85,7 @@ def judge_determinant(ev: Evidence, claim: Claim) -> Verdict:
     rows = rows_for(ev, claim)
 
     def determinant(at: Evidence) -> np.ndarray:
-        return np.linalg.det(jacobian_of(at.model, at.samples)[:, rows, :])
+        return np.linalg.det(at.samples.frames["J"][:, rows, :])
 
     right = determinant(ev)
     node = ev.parse(str(claim["is"]), claim.where)
@@ -135,12 +114,16 @@ def judge_singular(ev: Evidence, claim: Claim) -> Verdict:
     claim = claim.reads(f"singular where {' or '.join(parts)}")
     lines: list[tuple[str, str]] = []
     bad = 0
+    never = True
     for part, node in zip(parts, nodes, strict=True):
-        q = _zeros(ev, node)
+        q, least = _zeros(ev, node)
         if not len(q):
-            lines.append((part, "no joint vector makes it zero"))
+            lines.append(
+                (part, f"no joint vector was found that makes it zero; the smallest value met is {number(least)}")
+            )
             bad += 1
             continue
+        never = False
         ratio = _least(ev, claim, q)
         fine = ratio < JUDGED_HOLDS
         lines.append((part, f"the Jacobian loses rank at {int(fine.sum())} of {len(q)} joint vectors with it"))
@@ -149,6 +132,8 @@ def judge_singular(ev: Evidence, claim: Claim) -> Verdict:
             joints = ", ".join(f"{np.degrees(v):.4g}" for v in q[k])
             lines.append(("counter-example", f"at joints ({joints}) deg it is zero and the arm is not singular"))
             bad += 1
+    if bad and never:
+        return claim.wrong("Wrong: nothing was found that makes it zero on this arm.", lines)
     if bad:
         return claim.wrong("Wrong: the arm is not singular wherever that is zero.", lines)
     others = _elsewhere(ev, claim, nodes)
@@ -167,7 +152,7 @@ def _samples_at(ev: Evidence, q: np.ndarray) -> Samples:
 
 def _least(ev: Evidence, claim: Claim, q: np.ndarray) -> np.ndarray:
     """The smallest singular value over the largest, of the rows that are meant, (K,)."""
-    J = jacobian_of(ev.model, _samples_at(ev, q))
+    J = _samples_at(ev, q).frames["J"].copy()
     scale = max(ev.model.length(), NO_LENGTH)
     J[:, :3] /= scale
     rows = rows_for(ev, claim) if ev.model.n < MOST_ROWS or "rows" in claim else list(range(MOST_ROWS))
@@ -175,8 +160,12 @@ def _least(ev: Evidence, claim: Claim, q: np.ndarray) -> np.ndarray:
     return values[:, -1] / values[:, 0]
 
 
-def _zeros(ev: Evidence, node: Expr) -> np.ndarray:
-    """Joint vectors (K, n) at which a formula is zero, by halving between samples of opposite signs."""
+def _zeros(ev: Evidence, node: Expr) -> tuple[np.ndarray, float]:
+    """Joint vectors (K, n) at which a formula is zero, and the smallest size that it had.
+
+    They are found by halving between samples of opposite signs; a formula that keeps its sign, as a sum of squares
+    does, is followed down to where it touches zero.
+    """
 
     def value(q: np.ndarray) -> np.ndarray:
         with np.errstate(all="ignore"):
@@ -194,8 +183,38 @@ def _zeros(ev: Evidence, node: Expr) -> np.ndarray:
         same = here * at_a > 0
         a, b = np.where(same[:, None], middle, a), np.where(same[:, None], b, middle)
     q = (a + b) / 2
-    typical = np.median(np.abs(value(start)))
-    return q[np.abs(value(q)) < JUDGED_ZERO * max(typical, NO_LENGTH)] if len(q) else q
+    sizes = np.abs(value(start))
+    typical, least = float(np.nanmedian(sizes)), float(np.nanmin(sizes))
+    slack = JUDGED_ZERO
+    if not len(q):
+        # where it touches zero the joints are known to the root of the value only
+        q, slack = _touching(value, start[:ZEROS]), JUDGED_HOLDS**2
+    off = np.abs(value(q))
+    least = min(least, float(np.nanmin(off, initial=least)))
+    return q[off < slack * max(typical, NO_LENGTH)], least
+
+
+def _touching(value: Callable[[np.ndarray], np.ndarray], q: np.ndarray) -> np.ndarray:
+    """Joint vectors (K, n) after Newton's steps to the nearest zero of a formula that keeps its sign.
+
+    To a zero of even order each step goes half of the way; a step that does not help is halved.
+    """
+    for _ in range(MARCHES):
+        here = value(q)
+        slope = np.stack(
+            [(value(q + SLOPE_WIDTH * e) - value(q - SLOPE_WIDTH * e)) / (2 * SLOPE_WIDTH) for e in np.eye(q.shape[1])],
+            1,
+        )
+        with np.errstate(all="ignore"):
+            step = np.nan_to_num(slope * (here / (slope**2).sum(1))[:, None], nan=0.0, posinf=0.0, neginf=0.0)
+        step /= np.maximum(1.0, np.linalg.norm(step, axis=1))[:, None]
+        for _ in range(HALVINGS):
+            worse = ~(np.abs(value(q - step)) <= np.abs(here))
+            if not worse.any():
+                break
+            step[worse] /= 2
+        q = q - np.where(worse[:, None], 0.0, step)
+    return q
 
 
 def _elsewhere(ev: Evidence, claim: Claim, nodes: list[Expr]) -> str | None:
@@ -207,7 +226,7 @@ def _elsewhere(ev: Evidence, claim: Claim, nodes: list[Expr]) -> str | None:
         return None
     rows = rows_for(ev, claim) if ev.model.n < MOST_ROWS or "rows" in claim else list(range(MOST_ROWS))
     own = ev.samples.nominal
-    det = np.linalg.det(jacobian_of(ev.model, ev.samples)[:, rows, :])[own]
+    det = np.linalg.det(ev.samples.frames["J"][:, rows, :])[own]
     with np.errstate(all="ignore"):
         rest = det.copy()
         for node in nodes:

@@ -10,7 +10,7 @@ import numpy as np
 
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, number
-from pieper.judge.matrices import Product, value_of
+from pieper.judge.matrices import value_of
 from pieper.judge.model import ArmModel
 from pieper.judge.numbers import (
     BLANK,
@@ -24,6 +24,7 @@ from pieper.judge.numbers import (
     read_number,
     unit_of,
 )
+from pieper.judge.products import Product
 from pieper.judge.samples import samples_at
 from pieper.judge.slips.arm_slips import arm_slips
 from pieper.judge.verdict import Verdict

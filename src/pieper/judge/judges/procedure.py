@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.algebra.formula import ANGLE
+from pieper.algebra.formula import ANGLE, Mention
 from pieper.errors import PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, wrapped
@@ -24,8 +24,10 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
     """
     n, samples = ev.model.n, ev.samples
     rows = np.flatnonzero(samples.nominal)[:40]
-    fixed = {k: v[rows] for k, v in samples.env.items() if not ANGLE.match(k)}
+    moving = {*ev.letters, *ev.definitions, *ev.model.aliases}
+    fixed = {k: v[rows] for k, v in samples.env.items() if not ANGLE.match(k) and k not in moving}
     candidates: list[dict[str, np.ndarray]] = [{}]
+    given: set[str] = set()
     lines = []
     for keys in claim["steps"]:
         step = claim.part(claim.id, keys)
@@ -34,17 +36,26 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
         lines.append(f"{name} = " + " or ".join(map(str, texts)))
         if not ANGLE.match(str(angle)):
             raise claim.error(f"a step solves for one joint, not for {name}")
+        if str(angle) in given:
+            raise claim.error(f"two steps give {name}; branches of one joint stand in its list")
+        given.add(str(angle))
         where = {**claim.where, **step.where}
         grown = []
         for known in candidates:
             for node in [ev.parse(str(t), where).substitute(ev.definitions) for t in texts]:
-                missing = {s for s in node.symbols() if ANGLE.match(s)} - set(known)
+                node = node.substitute({b: Mention(joint) for b, joint in ev.model.aliases.items()})
+                picked = {letter: ev.known_for(letter) for letter in ev.picks(node)}
+                used = {s for s in node.symbols() if ANGLE.match(s)}
+                missing = (used | {f"theta{j}" for joints in picked.values() for j in joints}) - set(known)
                 if missing:
                     raise claim.error(
                         f"the step for {name} uses {', '.join(sorted(missing))}, which no step before it gives"
                     )
-                for value in branch_values(node, {**fixed, **known}, rows.shape):
-                    grown.append({**known, str(angle): wrapped(value)})
+                env = {**fixed, **known}
+                env |= {letter: _letter(ev, letter, rows, env) for letter in picked}
+                slides = ev.model.sliding(int(str(angle).removeprefix("theta")))
+                for value in branch_values(node, env, rows.shape):
+                    grown.append({**known, str(angle): value if slides else wrapped(value)})
         candidates = grown
         if len(candidates) > MAX_COMBINATIONS:
             raise claim.error(f"more than {MAX_COMBINATIONS} combinations of branches")
@@ -70,6 +81,27 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
     none = np.mean(found == 0)
     rest = f", none at {100 * none:.0f}% of them" if none else ""
     return claim.partly(f"Finds {found.min()} to {found.max()} solutions of a pose{rest}.", details)
+
+
+def _letter(ev: Evidence, name: str, rows: np.ndarray, env: dict[str, np.ndarray]) -> np.ndarray:
+    """An entry of matrices at some samples, with the joints that a branch has found in place of the right ones.
+
+    The joints it does not need may have any value, so one that is still unknown takes up what is left of the pose: T06
+    is the pose's then, and R36 what remains of it when the first three joints are taken off.
+    """
+    model = ev.model
+    right = {f"theta{j}": ev.samples.env[f"theta{j}"][rows] for j in range(1, model.n + 1)}
+    frames = {**model.frames({**right, **env}), "T": ev.samples.frames["T"][rows]}
+    unknown = min(j for j in range(1, model.n + 1) if f"theta{j}" not in env)
+    left = np.linalg.inv(model.base) @ frames["T"] @ np.linalg.inv(model.tool)
+    for joint in range(1, unknown):
+        left = np.linalg.inv(frames[f"A{joint}"]) @ left
+    for joint in range(model.n, unknown, -1):
+        left = left @ np.linalg.inv(frames[f"A{joint}"])
+    frames[f"A{unknown}"] = left
+    found = {**right, **env}
+    ev.pick(found, frames)
+    return found[name]
 
 
 def _closing(ev: Evidence, rows: np.ndarray, candidates: list[dict[str, np.ndarray]]) -> np.ndarray:

@@ -186,7 +186,7 @@ class _Look:
     def at(self, slip: Slip) -> None:
         """Look at one."""
         share = float(np.mean(self.goal.fits(slip.tree)))
-        if share == 1.0 and not self.of_one_letter and says_nothing(slip.tree, self.zero):
+        if share == 1.0 and not self.of_one_letter and slip.kind != "atan" and says_nothing(slip.tree, self.zero):
             return
         text = unordered(slip.tree) if share == 1.0 else ""
         if share == 1.0 and text not in self.seen:
@@ -194,6 +194,8 @@ class _Look:
             self.out.found.append(slip)
         elif self.share + 0.2 < share < 1.0:
             self.share = share
+            self.out.nearest = (slip, share)
+        elif self.out.nearest and share == self.out.nearest[1] and slip.cost < self.out.nearest[0].cost:
             self.out.nearest = (slip, share)
 
     def all(self, slips: Iterable[Slip]) -> None:

@@ -22,6 +22,9 @@ def angle_slips(root: Expr, joints: int) -> Iterator[Slip]:
     yield whole("half turn", "a quarter of a turn", Add.of(root, quarter), 1.4)
     yield whole("half turn", "a quarter of a turn", Add.of(root, Neg.of(quarter)), 1.4)
     yield whole("branch", "the second branch (+-) left out", PlusMinus(root), 1.0)
+    if is_call(root, "acos"):
+        words = "the angle inside the triangle for the joint's, its supplement, and one branch of it"
+        yield whole("half turn", words, PlusMinus(Add.of(half, Neg.of(root))), 1.6)
     second = Add.of(root, quarter, PlusMinus(quarter))
     yield whole("branch", "the second branch (half a turn on) left out", second, 1.1)
     if isinstance(root, Add):

@@ -6,6 +6,7 @@ formula with that change *undone*, so the first tree that is right is the neares
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -26,6 +27,7 @@ from pieper.algebra.notation import TURNS, turned_joints
 from pieper.judge.slips.angle_slips import angle_slips, unit_slips
 from pieper.judge.slips.slip import Slip
 
+_ENTRY = re.compile(r"\[(\d),(\d)\]$")
 FACTORS = (Sym, Call)  # what people lose or swap as one letter
 
 
@@ -219,7 +221,7 @@ def _call_slips(node: Call, slip: Any, joints: int) -> Iterator[Slip]:
         yield slip("branch", "both signs inside atan2", Call("atan2", Neg.of(y), Neg.of(x)), 0.6)
         yield slip("atan", "atan2 for atan", Call("atan", Div(y, x)), 1.5)
     if name in ("sqrt",):
-        yield slip("power", "a root too many", args[0], 1.5)
+        yield slip("power", "a root too many", args[0], 1.2 if isinstance(args[0], Sym) else 1.5)
 
 
 def _index_cost(parts: Any, new: Any) -> float:
@@ -271,6 +273,11 @@ def _symbol_slips(node: Sym, slip: Any, lengths: Any, others: Any, joints: int) 
         i, j = name[1], name[2]
         family = [f"r{i}{c}" for c in "1234" if c != j] + [f"r{c}{j}" for c in "123" if c != i]
         family += [f"r{j}{i}"] if i != j and j != "4" else []
+    elif _ENTRY.search(name):
+        i, j = _ENTRY.findall(name)[0]
+        stem = name[: _ENTRY.search(name).start()]
+        family = [f"{stem}[{c},{d}]" for c in "123" for d in "1234" if (c, d) != (i, j) and (c == i or d == j)]
+        family += [f"{stem}[{j},{i}]"] if i != j and j != "4" else []
     elif name in others:
         family = [m for m in others if m != name and m[0] == name[0]] + [m for m, v in lengths.items() if v]
     for other in family:

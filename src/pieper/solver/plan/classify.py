@@ -15,6 +15,7 @@ from pieper.kinematics.geometry import look, snapped
 from pieper.solver.families import choose, tier
 from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import without_far_ends
+from pieper.solver.plan.count import count_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import (
     TASKS,
@@ -113,6 +114,7 @@ def _as_told(chain: Chain, description: Description, task: str | None, snap: flo
         defaults=defaults,
         base=description.base,
         words=explain,
+        counting=count_of,
     )
 
 

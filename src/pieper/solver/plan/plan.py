@@ -22,9 +22,30 @@ from pieper.solver.native import SixJointSolver, without_far_ends
 from pieper.solver.plan.cuspidal import Cuspidal, never, search
 from pieper.solver.plan.prepared import UNLIMITED, Prepared
 from pieper.solver.plan.six_joints import Reduction, sample_joints, with_task_joints
+from pieper.words_by_number import plural
 
 #: Most solvers kept for values of locked joints, of the arm that is solved and of a snapped arm as described.
 MOST_SOLVERS, MOST_EXACT_SOLVERS = 512, 64
+
+
+@dataclass(frozen=True)
+class Count:
+    """How many solutions a pose can have, away from singularities, limits not applied.
+
+    Attributes:
+        kind: What the arm is, such as "a SCARA arm".
+        most: The bound, for a chosen value of the spare joints where there are any.
+        argument: Why there are no more, a clause.
+    """
+
+    kind: str
+    most: int
+    argument: str
+
+
+def uncounted(plan: Plan) -> Count:
+    """Count the slots, where nobody handed in how to count."""
+    return Count("an arm", plan.max_solutions, "the equation it is solved by has no more roots")
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +62,7 @@ class Plan:
         names: Joint names.
         task: "pose", "position" or "position+axis".
         family: The family that solves the six-joint chain.
-        max_solutions: The most solutions a pose can have (for a chosen redundancy value).
+        max_solutions: Slots a pose has in a batch, the most that the six-joint problem can have; `count` is the arm's.
         reduction: How arm and task became six joints.
         spec: The prepared kernel.
         rank: How many things the arm can do at once for this task.
@@ -49,6 +70,7 @@ class Plan:
         defaults: Values (k,) of the locked joints when nobody chooses, rad or m.
         base: (4, 4) the frame the arm's table stands in; the arm angle counts from it.
         words: Tells the plan as a teacher would; handed in, since words read plans.
+        counting: Counts by the arm's own axes; handed in, since it reads plans.
         uncoupled: Of coupled joints how the chain itself is solved, its joints free and without limits; else None.
         virtual_limits: (v, 2) limits of the task's virtual joints, rad; None where they have none.
     """
@@ -70,6 +92,7 @@ class Plan:
     defaults: Array = field(default_factory=lambda: np.zeros(0))
     base: Array = field(default_factory=lambda: np.eye(4))
     words: Callable[[Plan], str] = field(default=repr, repr=False)
+    counting: Callable[[Plan], Count] = field(default=uncounted, repr=False)
     uncoupled: Plan | None = field(default=None, repr=False)
     virtual_limits: Array | None = field(default=None, repr=False)
 
@@ -81,6 +104,11 @@ class Plan:
     def n(self) -> int:
         """Number of joints of the arm."""
         return self.chain.n
+
+    @cached_property
+    def count(self) -> Count:
+        """What kind of arm it is and how many solutions a pose can have by what its own axes do, and why."""
+        return self.counting(self)
 
     @property
     def prismatic(self) -> Bools:
@@ -220,4 +248,4 @@ class Plan:
         return self.words(self)
 
     def __repr__(self) -> str:
-        return f"<Plan for {self.name}: {self.task} by {self.family}, at most {self.max_solutions} solutions>"
+        return f"<Plan for {self.name}: {self.task} by {self.family}, at most {plural(self.count.most, 'solution')}>"

@@ -51,12 +51,13 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     chain = plan.exact.full if turning else plan.chain
     limits = plan.full_limits if turning else plan.limits
     stages = _stages(plan, weights)
-    q = _spread(chain, limits)
-    value, angle = _distances(chain, q, T)
+    q, there = _looked_at(chain, limits.tobytes())
+    value, angle = _distances(chain, there, T)
     chosen: list[int] = []
     for turning_first in (stages[0][0], min(stages[0][0], POSITION)):
         cost = value**2 / 2 + turning_first * (1 - np.cos(angle)) if np.isfinite(turning_first) else angle
-        chosen += [int(k) for k in np.argsort(cost, kind="stable")[:STARTS] if int(k) not in chosen][: STARTS // 2]
+        nearest = np.argsort(cost, kind="stable")[:STARTS].tolist()
+        chosen += [k for k in nearest if k not in chosen][: STARTS // 2]
     q = q[chosen]
     if seeds is not None and len(seeds):
         q = np.vstack([q, np.pad(seeds, ((0, 0), (0, chain.n - plan.n)))])
@@ -65,11 +66,11 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
         if stage == 0 and len(stages) > 1:
             by[1::2] = np.minimum(turn, POSITION)
         q, left = nearer(chain, q, T, limits, by, steps)
-        value, angle = _distances(chain, q, T)
+        value, angle = _distances(chain, chain.native.fk(q), T)
         later = stages[min(stage + 1, len(stages) - 1)][0]
         order = left if len(stages) == 1 else value**2 / 2 + later * (1 - np.cos(angle))
-        q = q[np.argsort(order, kind="stable")[:keep]]
-    value, angle = _distances(chain, q, T)
+        kept = np.argsort(order, kind="stable")[:keep]
+        q, value, angle = q[kept], value[kept], angle[kept]
     best = 0 if weights is not None else int(np.lexsort((angle * turning, np.round(value / ALIKE_NEAR)))[0])
     own = q[best, : plan.n]
     miss = plan.residual(own, T)
@@ -95,9 +96,9 @@ def _stages(plan: Plan, weights: ArrayLike | None) -> list[tuple[float, int, int
     return [((radian / metre) ** 2 if metre else np.inf, sum(steps for _, steps, _ in CLOSEST_STAGES), 1)]
 
 
-def _distances(chain: Chain, q: Array, T: Array) -> tuple[Array, Array]:
-    """Return how far tools are from the pose (k,), per length, and how far turned (k,), rad."""
-    gap = chain.native.fk(q) - T
+def _distances(chain: Chain, there: Array, T: Array) -> tuple[Array, Array]:
+    """Return how far tools (k, 4, 4) are from the pose (k,), per length, and how far turned (k,), rad."""
+    gap = there - T
     # of two rotations the chord is 2 sqrt(2) times the sine of half the angle
     chord = np.einsum("kij,kij->k", gap[:, :3, :3], gap[:, :3, :3])
     way = np.sqrt(np.einsum("ki,ki->k", gap[:, :3, 3], gap[:, :3, 3]))
@@ -105,15 +106,12 @@ def _distances(chain: Chain, q: Array, T: Array) -> tuple[Array, Array]:
 
 
 @lru_cache(maxsize=64)
-def _unit_spread(chain: Chain) -> Array:
-    unit = np.where(chain.prismatic, chain.length, np.pi)
-    return sample_joints(chain, LOOKED_AT, seed=5) / unit
-
-
-def _spread(chain: Chain, limits: Array) -> Array:
-    """Return postures (k, n) spread evenly over the limits; else over a turn, or two lengths."""
+def _looked_at(chain: Chain, limited: bytes) -> tuple[Array, Array]:
+    """Return postures (k, n) spread evenly over the limits, else over a turn, or two lengths; and their poses."""
+    limits = np.frombuffer(limited).reshape(-1, 2)
     reach = np.where(chain.prismatic, chain.length, np.pi)
     low, high = np.isfinite(limits[:, 0]), np.isfinite(limits[:, 1])
     lower = np.where(low, limits[:, 0], np.where(high, limits[:, 1] - 2 * reach, -reach))
     upper = np.where(high, limits[:, 1], lower + 2 * reach)
-    return lower + (upper - lower) * (_unit_spread(chain) + 1) / 2
+    q = lower + (upper - lower) * (sample_joints(chain, LOOKED_AT, seed=5) / reach + 1) / 2
+    return q, chain.native.fk(q)

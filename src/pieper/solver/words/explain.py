@@ -2,16 +2,29 @@
 
 from __future__ import annotations
 
+from pieper.solver.counted import POSTURES, most_met
 from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.words_by_number import plural
+
+
+def how_many(plan: Plan) -> list[str]:
+    """Return how many solutions a pose has at most, why, and how many are met, a sentence each."""
+    count, met = plan.count, most_met(plan)
+    spare = f" for a chosen value of {' and '.join(plan.redundancy)}" if plan.redundancy else ""
+    said = [f"A pose has at most {plural(count.most, 'solution')}{spare}: {count.argument}."]
+    if met >= count.most > 1:
+        said += ["There are poses that have them all."]
+    elif met < count.most:
+        said += [f"Of the poses of {POSTURES:,} postures spread over all joints, the fullest has {met}."]
+    return said
 
 
 def explain(plan: Plan) -> str:
     """Tell how an arm is solved and why, as a teacher would."""
     family = named(plan.family)
     kinds = "".join("P" if p else "R" for p in plan.prismatic)
-    lines = [f"{plan.name}: {plural(plan.n, 'joint')} ({kinds}), task: {plan.task}."]
+    lines = [f"{plan.name}: {plan.count.kind}; {plural(plan.n, 'joint')} ({kinds}), task: {plan.task}."]
     lines += ["", "What the axes do:"]
     lines += [f"  {sentence}" for sentence in plan.geometry.sentences(plan.names)]
     if plan.snapped:
@@ -47,10 +60,7 @@ def explain(plan: Plan) -> str:
         lines += ["", "Made a six-joint problem: " + "; ".join(steps) + "."]
     lines += ["", f"Solved by: {plan.family.replace('_', ' ')}, for {family.arrangement}.", f"  {family.words}"]
     lines += [f"  {fact}" for fact in plan.spec.facts]
-    lines += [
-        f"  At most {plan.max_solutions} solutions a pose"
-        + (" and choice of the spare joints." if plan.redundancy else ".")
-    ]
+    lines += [f"  {sentence}" for sentence in how_many(plan)]
     if (
         plan.direct and plan.max_solutions > 8 and plan.cuspidal is not None
     ):  # more than three pairs of words can tell apart

@@ -24,6 +24,8 @@ ROOT_PRECISION = 2e-15
 ROOT_TIE = 1e-9
 #: In lanes a root is not clear when what it is the square root of falls below this: two are about to merge.
 ROOTS_MERGE = 1e-8
+#: It is not clear either that it has no root, at poses beside too, when that lies above minus this.
+ROOTS_GONE = 1e-6
 #: Determinant under which a 2x2 is taken for rank one; pairs are polished, so the place does not matter.
 PAIR_RANK_ONE = 1e-6
 #: A discriminant this little below zero is a double root.

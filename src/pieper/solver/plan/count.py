@@ -1,0 +1,169 @@
+"""What kind of arm it is, and how many solutions a pose can have by what its own axes do.
+
+The slots of a plan (`max_solutions`) are those of the six-joint problem that is solved, padding included; an arm with
+fewer joints cannot fill them all. Here its own axes are counted: each step of the argument is an equation of a known
+degree, and together they bound the number of solutions of a pose that is not singular.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from pieper.kinematics.arrays import Bools
+from pieper.kinematics.geometry import Geometry
+from pieper.solver.plan.plan import Count, Plan
+from pieper.solver.plan.six_joints import generic_rank
+from pieper.words_by_number import plural
+
+#: Turns and slides of the first three joints of a spherical wrist's arm, or of an arm for positions: solutions at most.
+_REGIONAL = {0: 4, 1: 4, 2: 2, 3: 1}
+_QUARTIC = "three joints put a point somewhere by an equation of degree four at most (Pieper 1968)"
+
+
+def count_of(plan: Plan) -> Count:
+    """Return what kind of arm a plan solves and how many solutions a pose can have."""
+    if plan.uncoupled is not None:
+        return count_of(plan.uncoupled)  # the joints' numbers follow from the axes' values, one each
+    geometry, slides = plan.geometry, plan.nominal.prismatic
+    turns = int((~slides).sum())
+    if plan.redundancy:
+        held = " and ".join(plan.redundancy)
+        spare = plural(len(plan.redundancy), "freedom")
+        kind = f"a redundant arm, which has {spare} more than the task needs"
+        return Count(kind, plan.max_solutions, f"with {held} held, the equation it is solved by has no more roots")
+    found = None
+    full = plan.reduction.full
+    if generic_rank(full) == full.n and not plan.snapped:
+        if plan.n == 6:
+            found = _six(geometry, slides)
+        elif plan.task != "position+axis":
+            found = _short(plan, geometry, slides, turns)
+    if found is None or found.most > plan.max_solutions:
+        return Count(_plain_kind(plan, turns), plan.max_solutions, "the equation it is solved by has no more roots")
+    return found
+
+
+def _plain_kind(plan: Plan, turns: int) -> str:
+    rank = generic_rank(plan.nominal)
+    made = f"{plural(turns, 'turn')}" + (f" and {plural(plan.n - turns, 'slide')}" if plan.n > turns else "")
+    return f"an arm of {made}" + (f" that can do {plural(rank, 'thing')} at once" if rank < plan.n else "")
+
+
+# ---------------------------------------------------------------------------------------------- fewer than six joints
+
+
+def _short(plan: Plan, geometry: Geometry, slides: Bools, turns: int) -> Count | None:
+    """Count an arm whose joints are all needed and fewer than six, or a three-joint arm for positions."""
+    if turns == 0:
+        return Count("a gantry", 1, "its joints only slide, and their equations are linear")
+    alike = _all_alike(geometry, ~slides)
+    if plan.task == "position":
+        return _for_positions(slides, turns, alike)
+    if alike:
+        return _planar(geometry, slides, turns)
+    if plan.n == 4 and slides.sum() == 3:
+        return Count("a gantry with one turn", 1, "the turn is read off the orientation, and the slides are linear")
+    return _around_a_plane(plan, slides)
+
+
+def _for_positions(slides: Bools, turns: int, alike: bool) -> Count | None:
+    if turns == 1 and len(slides) == 3:
+        return Count(
+            "an arm of a turn and two slides, for positions",
+            2,
+            "its slides taken out, one linear equation in the cosine and sine of its turn is left, with two roots",
+        )
+    if alike and turns == 2:
+        return Count(
+            "an arm of two parallel turns, for positions", 2, "they put a point where two circles meet, a slide apart"
+        )
+    if len(slides) == 2 and turns == 1:
+        return Count("an arm of a turn and a slide, for positions", 2, "a line meets a circle in at most two points")
+    if len(slides) < 3:
+        return None
+    kind = "an arm of three turns, for positions" if turns == 3 else "an arm of two turns and a slide, for positions"
+    return Count(kind, _REGIONAL[int(slides.sum())], _QUARTIC)
+
+
+def _planar(geometry: Geometry, slides: Bools, turns: int) -> Count | None:
+    """Count an arm whose turns are all about parallel axes: the orientation says their sum."""
+    axes = geometry.chain.axes
+    z = axes[int(np.argmax(~slides))]
+    along = np.abs(axes[slides] @ z) >= 1 - geometry.tolerance
+    across = int((~along).sum())
+    if turns > 3 or turns + across > 3:
+        return None
+    kind = "a planar arm"
+    if along.any():
+        kind = "a SCARA arm" if turns >= 2 else "an arm of a turn and a slide"
+    if turns == 3 or (turns == 2 and across == 1):
+        where = "two circles" if turns == 3 else "a circle and a line"
+        return Count(
+            kind,
+            2,
+            f"the orientation says the sum of its turns, and what is left is where {where} meet"
+            + (", the slide along the axes apart" if along.any() else ""),
+        )
+    return Count(kind, 1, "the orientation says the sum of its turns, and the position says each of them")
+
+
+def _around_a_plane(plan: Plan, slides: Bools) -> Count | None:
+    """Count an arm with three turns in a row about parallel axes and one or two turns beside them."""
+    if slides.any() or plan.n not in (4, 5):
+        return None
+    for group in plan.geometry.parallel:
+        if len(group.joints) != 3:
+            continue
+        others = [j for j in range(plan.n) if j not in group.joints]
+        names = ", ".join(plan.names[j] for j in group.joints)
+        if len(others) == 1:
+            return Count(
+                "a planar arm on a turn",
+                2,
+                f"the orientation says where the common direction of {names} points, and so {plan.names[others[0]]}; "
+                "those three then place a point where two circles meet",
+            )
+        between = others[0] < group.joints[0] < others[1]
+        first, last = (plan.names[j] for j in others)
+        way = (
+            f"two values of {first} give the common direction of {names} its angle to the axis of {last}"
+            if between
+            else f"two pairs of values of {first} and {last} turn the common direction of {names} where it must point"
+        )
+        kind = "a planar arm between two turns" if between else "a planar arm and two turns"
+        return Count(kind, 4, f"{way}, and for each those three place a point where two circles meet")
+    return None
+
+
+# ---------------------------------------------------------------------------------------------- six joints
+
+
+def _six(geometry: Geometry, slides: Bools) -> Count | None:
+    """Count an arm of six joints of which the first or the last three meet in a point."""
+    if not any(group.joints[-1] == 5 or group.joints[0] == 0 for group in geometry.spherical):
+        return None
+    count = int(slides.sum())
+    why = {
+        2: "its slides taken out, one linear equation in a cosine and a sine is left for its centre, with two roots",
+        3: "its slides are linear",
+    }.get(count, _QUARTIC)
+    kind = {
+        0: "an arm with a spherical wrist",
+        1: "an arm of two turns and a slide, with a spherical wrist",
+        2: "an arm of a turn and two slides, with a spherical wrist",
+    }.get(count, "a gantry with a spherical wrist")
+    return Count(kind, 2 * _REGIONAL[count], f"{why}, and the wrist has two ways to an orientation")
+
+
+def _all_alike(geometry: Geometry, which: Bools) -> bool:
+    """Whether the axes of some joints are parallel, wherever the arm stands."""
+    chosen = np.flatnonzero(which)
+    axes, turning = geometry.chain.axes, ~geometry.chain.prismatic
+    for first, last in pairwise(chosen):
+        if 1 - abs(axes[first] @ axes[last]) > geometry.tolerance:
+            return False
+        if turning[first + 1 : last].any():
+            return False
+    return True

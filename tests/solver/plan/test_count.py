@@ -1,0 +1,138 @@
+"""How many solutions a pose can have: bounds by an arm's own axes, met by poses, passed by none a search finds."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pieper
+from pieper.solver.counted import most_met
+from pieper.solver.plan.six_joints import sample_joints
+
+Q = np.pi / 2
+#: joint types, rows (a, alpha, d, theta), task, what it is, the bound that is met.
+ARMS = [
+    ("RR", [(1, 0, 0, 0), (0.7, 0, 0, 0)], "pose", "a planar arm", 1),
+    ("RR", [(1, 0, 0, 0), (0.7, 0, 0, 0)], "position", "two parallel turns", 2),
+    ("RRR", [(1, 0, 0, 0), (0.7, 0, 0, 0), (0.3, 0, 0, 0)], "pose", "a planar arm", 2),
+    ("RP", [(0.1, Q, 0, 0), (0, 0, 0, 0)], "pose", "a planar arm", 1),
+    ("RP", [(0.1, Q, 0, 0), (0, 0, 0, 0)], "position", "a turn and a slide", 2),
+    ("RPR", [(0, Q, 0, 0), (0, -Q, 0, 0), (0.2, 0, 0, 0)], "pose", "a planar arm", 2),
+    ("PPP", [(0, Q, 0, Q), (0, Q, 0, Q), (0, 0, 0, 0)], "position", "a gantry", 1),
+    ("PPPR", [(0, Q, 0, Q), (0, Q, 0, Q), (0, 0, 0, 0), (0.2, 0, 0, 0)], "pose", "a turn and a slide", 1),
+    (
+        "PPPRRR",
+        [(0, Q, 0, Q), (0, Q, 0, Q), (0, 0, 0, 0), (0, Q, 0.1, 0), (0, -Q, 0, 0), (0, 0, 0.2, 0)],
+        "pose",
+        "a gantry with a spherical wrist",
+        2,
+    ),
+    ("RRP", [(0.3, Q, 0.5, 0), (0.1, 1.0, 0.1, 0), (0, 0, 0, 0)], "position", "two turns and a slide", 4),
+    ("PRR", [(0, Q, 0, 0), (0.5, Q, 0, 0), (0.4, 0, 0.1, 0)], "position", "two turns and a slide", 4),
+    ("RPP", [(0.1, 0, 0.5, 0), (0, Q, 0, 0), (0, 0, 0, 0)], "position", "a turn and two slides", 2),
+    ("RRR", [(0.1, Q, 0.5, 0), (0.5, 0.7, 0.1, 0), (0.4, 0, 0, 0)], "position", "three turns", 4),
+    ("RRRP", [(0.4, 0, 0.3, 0), (0.3, np.pi, 0, 0), (0, 0, 0.1, 0), (0, 0, 0, 0)], "pose", "a SCARA arm", 2),
+    ("PRRR", [(0, 0, 0, 0), (0.4, 0, 0.3, 0), (0.3, np.pi, 0, 0), (0, 0, 0.1, 0)], "pose", "a SCARA arm", 2),
+    (
+        "RRRR",
+        [(0.1, Q, 0.4, 0), (0.4, 0, 0.1, 0), (0.3, 0, 0, 0), (0.2, 0, 0, 0)],
+        "pose",
+        "a planar arm on a turn",
+        2,
+    ),
+    (
+        "RRRRR",
+        [(0, Q, 0.4, 0), (0.4, 0, 0, 0), (0.3, 0, 0, 0), (0, Q, 0, 0), (0, 0, 0.1, 0)],
+        "pose",
+        "a planar arm between two turns",
+        4,
+    ),
+    (
+        "RRRRR",
+        [(0, Q, 0.4, 0), (0.1, Q, 0.1, 0), (0.3, 0, 0, 0), (0.4, 0, 0, 0), (0.1, 0, 0.1, 0)],
+        "pose",
+        "a planar arm and two turns",
+        4,
+    ),
+    (
+        "RPPRRR",
+        [(0.1, 0, 0.4, 0), (0, Q, 0, 0), (0, 0, 0, 0), (0, Q, 0, 0), (0, -Q, 0, 0), (0, 0, 0.1, 0)],
+        "pose",
+        "a turn and two slides, with a spherical wrist",
+        4,
+    ),
+]
+
+
+def made(kinds, rows):
+    return pieper.Arm.from_dh([pieper.DH(*row) for row in rows], convention="standard", joint_types=kinds)
+
+
+@pytest.mark.parametrize(("kinds", "rows", "task", "kind", "most"), ARMS)
+def test_the_bound_is_met_and_the_words_say_what_the_arm_is(kinds, rows, task, kind, most):
+    plan = made(kinds, rows).plan_for(task)
+    assert kind in plan.count.kind and plan.count.most == most == most_met(plan)
+    assert plan.max_solutions >= most
+    said = plan.explain()
+    assert f"at most {most} solution" in said and kind in said.splitlines()[0]
+    assert ("There are poses that have them all" in said) == (most > 1)
+
+
+@pytest.mark.parametrize(("kinds", "rows", "task", "kind", "most"), [arm for arm in ARMS if len(arm[0]) < 6])
+def test_no_search_finds_more(kinds, rows, task, kind, most):
+    arm = made(kinds, rows)
+    starts = sample_joints(arm.chain, 400, seed=7)
+    for q in sample_joints(arm.chain, 6, seed=3):
+        T = arm.fk(q)
+        found = _everything(arm, T, task, starts)
+        assert 1 <= len(found) <= most
+
+
+def _everything(arm, T, task, starts):
+    """Every distinct solution that damped Newton from many starts comes to; independent of the solver's families."""
+    count = 3 if task == "position" else 6
+    q = starts.copy()
+    wanted = np.broadcast_to(T, (len(q), 4, 4))
+    for _ in range(150):
+        now = arm.fk(q)
+        error = np.concatenate([wanted[:, :3, 3] - now[:, :3, 3], _turn(now, wanted)], 1)[:, :count]
+        J = arm.jacobian(q)[:, :count]
+        JJ = np.swapaxes(J, 1, 2) @ J + 1e-9 * np.eye(arm.n)
+        step = np.linalg.solve(JJ, np.swapaxes(J, 1, 2) @ error[..., None])[..., 0]
+        q = q + step * np.minimum(1.0, 0.5 / np.maximum(np.abs(step).max(1, keepdims=True), 1e-12))
+    now = arm.fk(q)
+    good = np.abs(np.concatenate([wanted[:, :3, 3] - now[:, :3, 3], _turn(now, wanted)], 1)[:, :count]).max(1) < 1e-9
+    distinct = []
+    turns = np.array([kind == "R" for kind in arm.joint_types])
+    for row in q[good]:
+        if all(np.abs(np.where(turns, np.sin((row - other) / 2), row - other)).max() > 1e-5 for other in distinct):
+            distinct.append(row)
+    return distinct
+
+
+def _turn(now, wanted):
+    R = wanted[:, :3, :3] @ np.swapaxes(now[:, :3, :3], 1, 2)
+    return np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], 1) / 2
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "most"),
+    [
+        ("adept-cobra-600", "a SCARA arm", 2),
+        ("robotis-openmanipulator-x", "a planar arm on a turn", 2),
+        ("ufactory-xarm5", "a planar arm between two turns", 4),
+        ("three-r", "three turns, for positions", 4),
+        ("stanford-arm", "two turns and a slide, with a spherical wrist", 8),
+        ("franka-panda", "a redundant arm", 8),
+    ],
+)
+def test_arms_of_the_catalogue_are_what_they_are(name, kind, most):
+    plan = pieper.load(name).plan
+    assert kind in plan.count.kind and plan.count.most == most == most_met(plan)
+    assert f"at most {most} solution" in repr(plan)
+
+
+def test_where_the_bound_is_not_met_the_fullest_pose_is_told():
+    plan = pieper.load("kinova-jaco-j2n6").plan
+    assert most_met(plan) < plan.count.most
+    assert f"the fullest has {most_met(plan)}." in plan.explain()
