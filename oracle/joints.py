@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from scipy.optimize import brentq
 
@@ -42,10 +44,9 @@ def scaled(chain: Chain, q: np.ndarray) -> np.ndarray:
     return J
 
 
-def near_singular(rng, chain: Chain, count: int) -> np.ndarray:
-    """Return joint vectors at 1e-10 to 1e-2 (log-uniform) from singular ones, which are found along random joints."""
-    out = []
-    for _ in range(6 * count):
+def on_singular(rng, chain: Chain, tries: int) -> Iterator[np.ndarray]:
+    """Yield singular joint vectors, where the determinant changes sign along a random joint from a random posture."""
+    for _ in range(tries):
         q, j = random_joints(chain, rng, 1, slide=0.6)[0], int(rng.integers(chain.n))
         grid = np.repeat(q[None], 33, 0)
         grid[:, j] = np.linspace(-1, 1, 33) * (0.6 if chain.prismatic[j] else np.pi)
@@ -60,8 +61,15 @@ def near_singular(rng, chain: Chain, count: int) -> np.ndarray:
             if at(grid[k, j]) * at(grid[k + 1, j]) >= 0:
                 continue  # rounding: one row alone is summed in another order than many
             q[j] = brentq(at, grid[k, j], grid[k + 1, j], xtol=1e-15)
-            step = rng.standard_normal(chain.n)
-            out.append(q + 10 ** rng.uniform(-10, -2) * step / np.linalg.norm(step))
+            yield q
+
+
+def near_singular(rng, chain: Chain, count: int) -> np.ndarray:
+    """Return joint vectors at 1e-10 to 1e-2 (log-uniform) from singular ones, which are found along random joints."""
+    out = []
+    for q in on_singular(rng, chain, 6 * count):
+        step = rng.standard_normal(chain.n)
+        out.append(q + 10 ** rng.uniform(-10, -2) * step / np.linalg.norm(step))
         if len(out) == count:
             break
     return np.array(out).reshape(-1, chain.n)

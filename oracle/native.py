@@ -13,6 +13,16 @@ from pieper.kinematics.geometry import look
 from pieper.solver.native import SixJointSolver
 
 
+def backwards_alike(family, chain, back, rng, count) -> None:
+    """Assert that a chain and the one walked from tool to base have the same solutions at random poses."""
+    there, here = solver_of(family, back), solver_of(family, chain)
+    for T in fk(chain, random_joints(chain, rng, count)):
+        ours = here.one(np.ascontiguousarray(T))[0]
+        other = there.one(np.ascontiguousarray(np.linalg.inv(T)))[0][:, ::-1]
+        assert len(ours) == len(other)
+        assert all(difference(chain, other, row).min() < 1e-6 for row in ours)
+
+
 def solver_of(family, chain: Chain) -> SixJointSolver:
     """Return the native solver of a chain that the family must recognise."""
     found = family.match(chain, look(chain, 1e-9))

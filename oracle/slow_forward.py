@@ -61,3 +61,16 @@ def motion(value, prismatic):
         Z[..., 1, 0] = np.sin(value)
         Z[..., 0, 1] = -Z[..., 1, 0]
     return Z
+
+
+def placed(quaternion, p):
+    """Return the pose (4, 4) of a quaternion w, x, y, z of any length but zero, and a position."""
+    w, x, y, z = quaternion / np.linalg.norm(quaternion)
+    T = np.eye(4)
+    T[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    T[:3, 3] = p
+    return T

@@ -66,7 +66,7 @@ class Found:
         hits: (k,) how many starts ended there.
         sigma: (k,) smallest singular value of the equations there (0 at a double root or a family).
         residual: (k,) what is left of the equations, lengths by the arm's size.
-        crowded: Whether more clusters were found than `at_most`: a continuous family.
+        crowded: Whether more clusters were found than `at_most`: a self-motion.
     """
 
     q: np.ndarray
@@ -102,7 +102,7 @@ def search(arm, T, *, task="pose", starts=1500, rng=None, library=None, at_most=
         starts: Number of random starts.
         rng: Random numbers.
         library: The compiled search, or None for the one in NumPy.
-        at_most: Number of clusters from which a continuous family is assumed.
+        at_most: Number of clusters from which a self-motion is assumed.
         apart: Distance below which two answers are the same; a cluster gets wider where the equations are singular.
         m: The arm's machine, if it has been made already; arm may then be None.
     """
@@ -114,7 +114,7 @@ def search(arm, T, *, task="pose", starts=1500, rng=None, library=None, at_most=
     ends = compiled_newton(library, m, pose, v, code) if library else damped_newton(m, pose, v, code)
     reps, hits, ends = _clusters(m, ends, apart, at_most)
     if len(ends):
-        # a continuous family: look through what is left for solutions that stand alone
+        # a self-motion: look through what is left for solutions that stand alone
         alone = polish(m, pose, ends, code, rounds=2)[2] > 1e-4
         more, counts, _ = _clusters(m, ends[alone], apart, at_most)
         reps, hits = reps + more, hits + counts
@@ -124,9 +124,16 @@ def search(arm, T, *, task="pose", starts=1500, rng=None, library=None, at_most=
     keep = residual < 1e-11
     v, residual, sigma, hits = v[keep], residual[keep], sigma[keep], np.array(hits)[keep]
     crowded = len(ends) > 0
+    return distinct(m, v, hits, sigma, residual, crowded)
+
+
+def distinct(m, v, hits, sigma, residual, crowded) -> Found:
+    """Return what was found with each root once, the best known one of those that are the same.
+
+    At a double root Newton stops short of it: what lies closer than that is the same root.
+    """
     out, total = [], []
     for i in np.argsort(-sigma, kind="stable"):
-        # near a double root Newton stops short: points closer than their blur are the same root
         wide = max(1e-6, min(1e-3, 1e-12 / max(sigma[i], 1e-300)))
         same = [j for j, k in enumerate(out) if gap(m, v[i], v[k]) < wide]
         if same:

@@ -135,3 +135,10 @@ def flooded(arm, path, turns, step=0.25, beside=0.1, lifted=True):
         now = ok & reached[piece].reshape(turns, rows)
         before = (q, now)
     return len(path) - 1
+
+
+def random_ring(rng, n, reach, *, out, around, up, wide):
+    """Return a ring of n poses; how far out and up its centre is and how wide it is are parts of a reach."""
+    far, angle = rng.uniform(*out) * reach, rng.uniform(-around, around)
+    centre = (far * np.cos(angle), far * np.sin(angle), rng.uniform(*up) * reach)
+    return ring(n, centre, rng.uniform(*wide) * reach, rng.uniform(0, 1.2))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from oracle.model import TASKS, Machine, equations, gap, polish
-from oracle.starts import Found, compiled_newton, damped_newton
+from oracle.starts import Found, compiled_newton, damped_newton, distinct
 
 #: Two answers are the same solution within this (rad, arm lengths), and within as much more as rounding moves one.
 SAME, ROUNDED = 1e-6, 1e-14
@@ -50,19 +50,8 @@ def whole_set(m: Machine, T, *, library, rng, task="pose", least=1500, sure=8, m
     weak = sigma < 1e-4  # near a double root Newton is slow at first
     if weak.any():
         v[weak], residual[weak], sigma[weak] = polish(m, pose, v[weak], code, rounds=8)
-    out, seen = [], []
-    for i in np.argsort(-sigma, kind="stable"):
-        if residual[i] > 1e-11 * (1 + np.abs(pose).max()):
-            continue
-        # at a double root Newton stops short of it: what lies closer than that is the same root
-        wide = max(SAME, min(1e-3, 1e-12 / max(sigma[i], 1e-300)))
-        same = [j for j, k in enumerate(out) if gap(m, v[i], v[k]) < wide]
-        if same:
-            seen[same[0]] += hits[i]
-        else:
-            out.append(i)
-            seen.append(int(hits[i]))
-    return Found(m.outer(v[out]), np.array(seen, int), sigma[out], residual[out], crowded)
+    keep = residual <= 1e-11 * (1 + np.abs(pose).max())
+    return distinct(m, v[keep], hits[keep], sigma[keep], residual[keep], crowded)
 
 
 @dataclass

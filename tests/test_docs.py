@@ -118,6 +118,15 @@ def test_every_command_of_a_page_is_one(page):
                 assert words[1].startswith("-") or words[1] in ("COMMAND",), line
 
 
+@pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md", ROOT / "CONTRIBUTING.md"], ids=lambda page: page.name)
+def test_every_source_file_that_a_page_names_is_there(page):
+    named = re.findall(r"`([\w./]+\.(?:py|hpp|cpp|mjs))`", page.read_text(encoding="utf-8"))
+    rooms = [ROOT / room for room in ("src", "kernels", "examples", "tests", "oracle", "benchmarks", "build_backend")]
+    for name in named:
+        there = (ROOT / name).exists() or any(next(room.glob(f"**/{name}"), None) for room in rooms)
+        assert there, f"{page.name} names {name}"
+
+
 def test_every_page_is_on_the_site():
     listed = set()
     for page in PAGES:

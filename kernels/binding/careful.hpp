@@ -1,6 +1,7 @@
 // The look at singular poses as Python sees it.
 #pragma once
 
+#include "binding/chain.hpp"
 #include "binding/solver.hpp"
 #include "singular/careful.hpp"
 
@@ -8,16 +9,13 @@ namespace {
 
 class PyCarefulLook {
  public:
-  PyCarefulLook(nb::object solver, nb::handle links, nb::handle prismatic, double length, nb::handle lower,
-                nb::handle upper)
-      : solver_(solver) {
+  PyCarefulLook(nb::object solver, const Forward& arm, nb::handle lower, nb::handle upper) : solver_(solver) {
     const PySolver& own = *nb::cast<const PySolver*>(solver);
-    const auto l = to_vector<double>(links, NPY_DOUBLE), low = to_vector<double>(lower, NPY_DOUBLE),
-               high = to_vector<double>(upper, NPY_DOUBLE);
-    const auto slides = to_vector<std::uint8_t>(prismatic, NPY_UINT8);
-    if (l.size() != 7 * 16 || slides.size() != 6 || low.size() != 6 || high.size() != 6)
-      throw nb::value_error("links must be (7, 4, 4); prismatic, lower and upper (6,).");
-    look_ = std::make_unique<pieper::CarefulLook>(own.solver(), l.data(), slides.data(), length, low.data(),
+    const auto low = to_vector<double>(lower, NPY_DOUBLE), high = to_vector<double>(upper, NPY_DOUBLE);
+    const pieper::PlainChain chain = arm.plain();
+    if (chain.n != 6 || low.size() != 6 || high.size() != 6)
+      throw nb::value_error("the chain must have six joints, lower and upper be (6,).");
+    look_ = std::make_unique<pieper::CarefulLook>(own.solver(), chain.links, chain.prismatic, chain.length, low.data(),
                                                   high.data(), own.accepted(), own.exact());
   }
 
@@ -112,8 +110,8 @@ class PyCarefulLook {
 void bind_careful(nb::module_& m) {
   nb::class_<PyCarefulLook>(m, "CarefulLook",
                             "What is free at a singular pose of six joints, read off the axes of a solver's rows.")
-      .def(nb::init<nb::object, nb::handle, nb::handle, double, nb::handle, nb::handle>(), nb::arg("solver"),
-           nb::kw_only(), nb::arg("links"), nb::arg("prismatic"), nb::arg("length"), nb::arg("lower"), nb::arg("upper"))
+      .def(nb::init<nb::object, const Forward&, nb::handle, nb::handle>(), nb::arg("solver"), nb::arg("chain"),
+           nb::kw_only(), nb::arg("lower"), nb::arg("upper"))
       .def("one", &PyCarefulLook::one, nb::arg("T"), nb::arg("q"), nb::arg("flag"),
            "(4, 4), the solver's rows (m, 6) and flag -> q (m, 6), inside (m,), flag, singular (m,), branches (m,), "
            "self_motion (m,), the self-motions; None "

@@ -3,29 +3,28 @@
 
 #include <utility>
 
-#include "binding/arrays.hpp"
+#include "binding/chain.hpp"
 #include "dispatch/isa.hpp"
 
 namespace {
 
-// The bodies of an arm and of what stands around it, and the pairs that must keep apart.
+// The bodies of an arm and of what stands around it, and the pairs that must keep apart. The chain stays where it is.
 class Collision {
  public:
-  Collision(nb::handle links, nb::handle prismatic, nb::handle link, nb::handle place, nb::handle half,
-            nb::handle radius, nb::handle kind, nb::handle pair, nb::handle outer)
-      : links_(to_vector<double>(links, NPY_DOUBLE)),
-        place_(to_vector<double>(place, NPY_DOUBLE)),
+  Collision(const Forward& arm, nb::handle link, nb::handle place, nb::handle half, nb::handle radius, nb::handle kind,
+            nb::handle pair, nb::handle outer)
+      : place_(to_vector<double>(place, NPY_DOUBLE)),
         half_(to_vector<double>(half, NPY_DOUBLE)),
         radius_(to_vector<double>(radius, NPY_DOUBLE)),
-        prismatic_(to_vector<std::uint8_t>(prismatic, NPY_UINT8)),
         kind_(to_vector<std::uint8_t>(kind, NPY_UINT8)),
         outer_(to_vector<std::uint8_t>(outer, NPY_UINT8)),
         link_(to_vector<int>(link, NPY_INT)),
         pair_(to_vector<int>(pair, NPY_INT)),
         isa_(pieper::isa()) {
-    const std::size_t n = prismatic_.size(), bodies = link_.size(), pairs = outer_.size();
-    if (links_.size() != 16 * (n + 1) || place_.size() != 16 * bodies || half_.size() != 3 * bodies ||
-        radius_.size() != bodies || kind_.size() != bodies || pair_.size() != 2 * pairs)
+    const pieper::PlainChain chain = arm.plain();
+    const std::size_t n = chain.n, bodies = link_.size(), pairs = outer_.size();
+    if (place_.size() != 16 * bodies || half_.size() != 3 * bodies || radius_.size() != bodies ||
+        kind_.size() != bodies || pair_.size() != 2 * pairs)
       throw nb::value_error("arrays of a collision model have sizes that do not fit each other.");
     for (std::size_t k = 0; k < bodies; ++k)
       if (link_[k] < 0 || link_[k] > static_cast<int>(n) || kind_[k] > 2)
@@ -42,9 +41,9 @@ class Collision {
       if (i < 0 || j < 0 || i >= static_cast<int>(bodies) || j >= static_cast<int>(bodies) || link_[i] <= link_[j])
         throw nb::value_error("of a pair the first body must be on the higher link.");
     }
-    model_ = {static_cast<int>(n), links_.data(),           prismatic_.data(), static_cast<int>(bodies),
-              link_.data(),        place_.data(),           half_.data(),      radius_.data(),
-              kind_.data(),        static_cast<int>(pairs), pair_.data(),      outer_.data()};
+    model_ = {
+        static_cast<int>(n), chain.links,    chain.prismatic, static_cast<int>(bodies), link_.data(), place_.data(),
+        half_.data(),        radius_.data(), kind_.data(),    static_cast<int>(pairs),  pair_.data(), outer_.data()};
   }
   Collision(const Collision&) = delete;
   Collision& operator=(const Collision&) = delete;
@@ -113,8 +112,8 @@ class Collision {
     isa_.collision_nearest(model_, in, count, room.data(), numbers(distance), pairs, points, normal, each);
   }
 
-  std::vector<double> links_, place_, half_, radius_;
-  std::vector<std::uint8_t> prismatic_, kind_, outer_;
+  std::vector<double> place_, half_, radius_;
+  std::vector<std::uint8_t> kind_, outer_;
   std::vector<int> link_, pair_;
   const pieper::IsaTable& isa_;
   pieper::CollisionModel model_;
@@ -122,9 +121,9 @@ class Collision {
 
 void bind_collision(nb::module_& m) {
   nb::class_<Collision>(m, "Collision", "Bodies on a chain and around it, and the pairs of them that must keep apart.")
-      .def(nb::init<nb::handle, nb::handle, nb::handle, nb::handle, nb::handle, nb::handle, nb::handle, nb::handle,
+      .def(nb::init<const Forward&, nb::handle, nb::handle, nb::handle, nb::handle, nb::handle, nb::handle,
                     nb::handle>(),
-           nb::kw_only(), nb::arg("links"), nb::arg("prismatic"), nb::arg("link"), nb::arg("place"), nb::arg("half"),
+           nb::keep_alive<1, 2>(), nb::arg("chain"), nb::kw_only(), nb::arg("link"), nb::arg("place"), nb::arg("half"),
            nb::arg("radius"), nb::arg("kind"), nb::arg("pair"), nb::arg("outer"))
       .def_prop_ro("pairs", &Collision::pairs)
       .def("nearest", &Collision::nearest, nb::arg("q"), nb::arg("points") = true,

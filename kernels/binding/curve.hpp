@@ -1,20 +1,19 @@
 // Following a self-motion, as Python sees it.
 #pragma once
 
-#include "binding/arrays.hpp"
+#include "binding/chain.hpp"
 #include "chain/curve.hpp"
 
 namespace {
 
-nb::tuple follow_curve(nb::handle links, nb::handle prismatic, double length, nb::handle start, nb::handle pose,
-                       nb::handle direction, double step, double straight, int most_steps) {
-  const auto l = to_vector<double>(links, NPY_DOUBLE), q = to_vector<double>(start, NPY_DOUBLE),
-             T = to_vector<double>(pose, NPY_DOUBLE), along = to_vector<double>(direction, NPY_DOUBLE);
-  const auto slides = to_vector<std::uint8_t>(prismatic, NPY_UINT8);
-  const std::size_t n = slides.size();
-  if (n == 0 || l.size() != 16 * (n + 1) || q.size() != n || along.size() != n || T.size() != 16)
-    throw nb::value_error("q and direction must be (n,), prismatic (n,), links (n + 1, 4, 4), T (4, 4).");
-  const pieper::PlainChain chain{static_cast<int>(n), length, l.data(), slides.data()};
+nb::tuple follow_curve(const Forward& arm, nb::handle start, nb::handle pose, nb::handle direction, double step,
+                       double straight, int most_steps) {
+  const auto q = to_vector<double>(start, NPY_DOUBLE), T = to_vector<double>(pose, NPY_DOUBLE),
+             along = to_vector<double>(direction, NPY_DOUBLE);
+  const pieper::PlainChain chain = arm.plain();
+  const std::size_t n = chain.n;
+  if (q.size() != n || along.size() != n || T.size() != 16)
+    throw nb::value_error("q and direction must be (n,), T (4, 4).");
   std::vector<double> points;
   bool closed;
   {
@@ -28,8 +27,8 @@ nb::tuple follow_curve(nb::handle links, nb::handle prismatic, double length, nb
 }
 
 void bind_curve(nb::module_& m) {
-  m.def("follow_curve", &follow_curve, nb::kw_only(), nb::arg("links"), nb::arg("prismatic"), nb::arg("length"),
-        nb::arg("q"), nb::arg("T"), nb::arg("direction"), nb::arg("step"), nb::arg("straight"), nb::arg("most_steps"),
+  m.def("follow_curve", &follow_curve, nb::arg("chain"), nb::kw_only(), nb::arg("q"), nb::arg("T"),
+        nb::arg("direction"), nb::arg("step"), nb::arg("straight"), nb::arg("most_steps"),
         "Along a self-motion from q (n,) of pose T (4, 4): points (k, n), and whether it closed.");
 }
 

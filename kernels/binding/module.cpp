@@ -3,6 +3,7 @@
 
 #include "binding/boxed.hpp"
 #include "binding/careful.hpp"
+#include "binding/chain.hpp"
 #include "binding/collision.hpp"
 #include "binding/curve.hpp"
 #include "binding/fields.hpp"
@@ -12,87 +13,6 @@
 #include "binding/time_law.hpp"
 
 namespace {
-
-using pieper::IsaTable;
-
-// Forward kinematics of one chain.
-class Forward {
- public:
-  Forward(nb::handle links, nb::handle prismatic, nb::handle after)
-      : isa_(pieper::isa()),
-        links_(to_vector<double>(links, NPY_DOUBLE)),
-        prismatic_(to_vector<std::uint8_t>(prismatic, NPY_UINT8)),
-        after_(to_vector<double>(after, NPY_DOUBLE)),
-        n_(static_cast<int>(prismatic_.size())) {
-    if (links_.size() != 16u * (n_ + 1) || after_.size() != 16u * n_)
-      throw nb::value_error("links must be (n + 1, 4, 4), prismatic (n,) and frames_after (n, 4, 4).");
-  }
-
-  nb::tuple state() const {
-    const npy_intp n = n_;
-    nb::object prismatic = new_array(1, &n, NPY_UINT8);
-    std::copy(prismatic_.begin(), prismatic_.end(), static_cast<std::uint8_t*>(PyArray_DATA(as_array(prismatic))));
-    return nb::make_tuple(shown(links_.data(), {n + 1, 4, 4}), prismatic, shown(after_.data(), {n, 4, 4}));
-  }
-
-  nb::object fk(nb::handle q) const {
-    const npy_intp tail[] = {4, 4};
-    return run(q, tail, 2, [&](const double* in, long count, double* out) {
-      isa_.fk(links_.data(), prismatic_.data(), n_, in, count, out);
-    });
-  }
-  nb::object frames(nb::handle q, nb::handle base) const {
-    const std::vector<double> b = to_vector<double>(base, NPY_DOUBLE);
-    if (b.size() != 16) throw nb::value_error("base must be (4, 4).");
-    const npy_intp tail[] = {n_ + 2, 4, 4};
-    return run(q, tail, 3, [&](const double* in, long count, double* out) {
-      isa_.frames(links_.data(), prismatic_.data(), n_, b.data(), after_.data(), in, count, out);
-    });
-  }
-  nb::object jacobian(nb::handle q) const {
-    const npy_intp tail[] = {6, n_};
-    return run(q, tail, 2, [&](const double* in, long count, double* out) {
-      isa_.jacobian(links_.data(), prismatic_.data(), n_, in, count, out);
-    });
-  }
-
- private:
-  // q (..., n) -> an array (..., *tail). The caller has checked that q is finite.
-  template <class Work> nb::object run(nb::handle given, const npy_intp* tail, int tail_size, Work work) const {
-    nb::object q = float_array(given, "q");
-    PyArrayObject* array = as_array(q);
-    const int leading = PyArray_NDIM(array) - 1;
-    if (leading < 0 || PyArray_DIM(array, leading) != n_ || leading + tail_size > NPY_MAXDIMS) {
-      nb::dict data;
-      raise_input_error(
-          "q must have shape (..., " + std::to_string(n_) + "), one number a joint, got " + shape_text(array) + ".",
-          data);
-    }
-    npy_intp shape[NPY_MAXDIMS];
-    long count = 1;
-    for (int i = 0; i < leading; ++i) {
-      shape[i] = PyArray_DIM(array, i);
-      count *= shape[i];
-    }
-    for (int i = 0; i < tail_size; ++i) shape[leading + i] = tail[i];
-    nb::object out = new_array(leading + tail_size, shape, NPY_DOUBLE);
-    double* data = static_cast<double*>(PyArray_DATA(as_array(out)));
-    const double* in = doubles(q);
-    if (count < 1000) {
-      work(in, count, data);
-    } else {
-      nb::gil_scoped_release release;
-      work(in, count, data);
-    }
-    return out;
-  }
-
-  const IsaTable& isa_;
-  std::vector<double> links_;
-  std::vector<std::uint8_t> prismatic_;
-  std::vector<double> after_;
-  int n_;
-};
 
 nb::object deviations(nb::handle given) {
   nb::object poses = poses_in(given);
@@ -139,15 +59,7 @@ NB_MODULE(_kernel, m) {
       .value("AT_ARM_ANGLE", pieper::Flag::AT_ARM_ANGLE, "Solved at a chosen arm angle.")
       .value("EDGE", pieper::Flag::EDGE, "No solution, but perhaps beside it.");
 
-  nb::class_<Forward>(m, "Forward",
-                      "Forward kinematics of a chain: links (n + 1, 4, 4), prismatic (n,), frames_after (n, 4, 4).")
-      .def(nb::init<nb::handle, nb::handle, nb::handle>(), nb::arg("links"), nb::arg("prismatic"),
-           nb::arg("frames_after"))
-      .def("__getstate__", &Forward::state)
-      .def("__setstate__", [](Forward& self, nb::tuple s) { new (&self) Forward(s[0], s[1], s[2]); })
-      .def("fk", &Forward::fk, nb::arg("q"), "Poses (..., 4, 4) of q (..., n).")
-      .def("frames", &Forward::frames, nb::arg("q"), nb::arg("base"), "Frames (..., n + 2, 4, 4) of q (..., n).")
-      .def("jacobian", &Forward::jacobian, nb::arg("q"), "Jacobians (..., 6, n) of q (..., n), linear rows first.");
+  bind_chain(m);
 
   nb::class_<pieper::Geometry>(
       m, "Geometry", "What a family is told of an arm: made from keyword arguments, unchangeable, picklable.");

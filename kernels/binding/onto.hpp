@@ -1,37 +1,32 @@
 // Newton's method onto a pose, as Python sees it.
 #pragma once
 
-#include "binding/arrays.hpp"
+#include "binding/chain.hpp"
 #include "chain/onto.hpp"
 
 namespace {
 
-nb::object onto(nb::handle links, nb::handle prismatic, double length, nb::handle start, nb::handle poses, int steps,
-                double cutoff, double longest) {
-  const auto l = to_vector<double>(links, NPY_DOUBLE);
-  const auto slides = to_vector<std::uint8_t>(prismatic, NPY_UINT8);
-  const npy_intp n = static_cast<npy_intp>(slides.size());
+nb::object onto(const Forward& arm, nb::handle start, nb::handle poses, int steps, double cutoff, double longest) {
+  const pieper::PlainChain chain = arm.plain();
+  const npy_intp n = chain.n;
   nb::object q = float_array(start, "q"), T = float_array(poses, "T");
   const npy_intp count = PyArray_NDIM(as_array(q)) == 2 ? PyArray_DIM(as_array(q), 0) : -1,
                  numbers = PyArray_SIZE(as_array(T));
-  if (n == 0 || l.size() != 16u * static_cast<std::size_t>(n + 1) || count < 0 ||
-      PyArray_SIZE(as_array(q)) != count * n || (numbers != 16 && numbers != 16 * count))
-    throw nb::value_error("q must be (k, n), T (4, 4) or (k, 4, 4), links (n + 1, 4, 4).");
+  if (count < 0 || PyArray_SIZE(as_array(q)) != count * n || (numbers != 16 && numbers != 16 * count))
+    throw nb::value_error("q must be (k, n), T (4, 4) or (k, 4, 4).");
   nb::object out = new_array(2, PyArray_DIMS(as_array(q)), NPY_DOUBLE);
   double* rows = static_cast<double*>(PyArray_DATA(as_array(out)));
   std::copy(doubles(q), doubles(q) + count * n, rows);
   {
     nb::gil_scoped_release release;
-    pieper::onto({static_cast<int>(n), length, l.data(), slides.data()}, {steps, cutoff, longest}, count, doubles(T),
-                 numbers == 16, rows);
+    pieper::onto(chain, {steps, cutoff, longest}, count, doubles(T), numbers == 16, rows);
   }
   return out;
 }
 
 void bind_onto(nb::module_& m) {
-  m.def("onto", &onto, nb::kw_only(), nb::arg("links"), nb::arg("prismatic"), nb::arg("length"), nb::arg("q"),
-        nb::arg("T"), nb::arg("steps"), nb::arg("cutoff"), nb::arg("longest"),
-        "Newton's method from q (k, n) onto T (4, 4) or (k, 4, 4): (k, n).");
+  m.def("onto", &onto, nb::arg("chain"), nb::kw_only(), nb::arg("q"), nb::arg("T"), nb::arg("steps"), nb::arg("cutoff"),
+        nb::arg("longest"), "Newton's method from q (k, n) onto T (4, 4) or (k, 4, 4): (k, n).");
 }
 
 }  // namespace

@@ -2,18 +2,15 @@
 // joints, coupled ones too; plain types, scalar.
 #pragma once
 
-#include <cstdint>
 #include <vector>
+
+#include "chain/plain.hpp"
 
 namespace pieper {
 
-struct DownhillChain {
-  int n;
-  double length;                  // m
-  const double* links;            // (n + 1) x 16 row-major, m
-  const std::uint8_t* prismatic;  // n
-  const double* coupling;         // n x n: the chain is at coupling @ q; null where no joint is coupled
-  const double *lower, *upper;    // n, of q, rad or m
+struct DownhillChain : PlainChain {
+  const double* coupling;       // n x n: the chain is at coupling @ q; null where no joint is coupled
+  const double *lower, *upper;  // n, of q, rad or m
 };
 
 // Goes downhill from q (n; left at the best) in |p - p_T|^2 / 2 + turning (1 - cos angle), lengths in units of the arm; turning infinite

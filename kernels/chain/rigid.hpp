@@ -106,6 +106,32 @@ PIEPER_INLINE RigidT<F> walk(int n, RigidT<F> start, Link link, Value motion, co
   return start;
 }
 
+// What a joint does to the end of a chain that stands at `at`, linear rows first.
+template <class F>
+PIEPER_INLINE void moved_end(const Vec3T<F>& axis, const Vec3T<F>& point, bool slides, const Vec3T<F>& at, F* column) {
+  const Vec3T<F> zero = {F(0.0), F(0.0), F(0.0)}, v = slides ? axis : cross(axis, at - point), w = slides ? zero : axis;
+  column[0] = v.x, column[1] = v.y, column[2] = v.z, column[3] = w.x, column[4] = w.y, column[5] = w.z;
+}
+
+// The turn from one rotation to another as axis times sine.
+template <class F> PIEPER_INLINE Vec3T<F> sine_between(const RigidT<F>& from, const RigidT<F>& to) {
+  return 0.5 * (cross(from.x, to.x) + cross(from.y, to.y) + cross(from.z, to.z));
+}
+
+// What is missing from one pose to another: way, then rotation vector; returns its size.
+inline double missing_to(const Rigid& from, const Rigid& to, double* e) {
+  const Vec3 p = to.t - from.t;
+  Vec3 w = sine_between(from, to);
+  const double sine = std::sqrt(dot(w, w));
+  const double cosine = 0.5 * (dot(from.x, to.x) + dot(from.y, to.y) + dot(from.z, to.z) - 1);
+  if (sine > kSineLeast) w = (std::atan2(sine, cosine) / sine) * w;
+  else if (cosine < 0) w = {kPi, 0, 0};
+  e[0] = p.x, e[1] = p.y, e[2] = p.z, e[3] = w.x, e[4] = w.y, e[5] = w.z;
+  double sum = 0;
+  for (int k = 0; k < 6; ++k) sum += e[k] * e[k];
+  return std::sqrt(sum);
+}
+
 // By what twist of its end, in base coordinates, a chain misses `goal`, and the Jacobian's columns, linear rows first.
 template <class F> struct Miss {
   RigidT<F> end;
@@ -120,15 +146,9 @@ template <class F, class Link, class Value> PIEPER_INLINE Miss<F> missed_by(int 
     axis[k] = frame.z;
     point[k] = frame.t;
   });
-  const RigidT<F>& at = miss.end;
-  miss.p = goal.t - at.t;
-  miss.w = 0.5 * (cross(at.x, goal.x) + cross(at.y, goal.y) + cross(at.z, goal.z));
-  for (int k = 0; k < n; ++k) {
-    const Vec3T<F> zero = {F(0.0), F(0.0), F(0.0)}, v = slides[k] ? axis[k] : cross(axis[k], at.t - point[k]),
-                   w = slides[k] ? zero : axis[k];
-    column[k][0] = v.x, column[k][1] = v.y, column[k][2] = v.z;
-    column[k][3] = w.x, column[k][4] = w.y, column[k][5] = w.z;
-  }
+  miss.p = goal.t - miss.end.t;
+  miss.w = sine_between(miss.end, goal);
+  for (int k = 0; k < n; ++k) moved_end(axis[k], point[k], slides[k], miss.end.t, column[k]);
   return miss;
 }
 

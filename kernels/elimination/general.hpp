@@ -122,7 +122,7 @@ inline void write_pose(const Model& model, const Found& found, bool certain, boo
   for (int i = 0; i < found.count; ++i) order[i] = i;
   int count = found.count;
   *flag = 0;
-  if (count > kSlots) {  // members of a continuous family crowd in: isolated solutions first
+  if (count > kSlots) {  // points of a self-motion crowd in: isolated solutions first
     for (int i = 1; i < count; ++i)
       for (int j = i; j > 0 && found.sigma[order[j]] > found.sigma[order[j - 1]]; --j) {
         const int t = order[j];

@@ -8,6 +8,7 @@
 // companion matrix to that complement leaves exactly the 4N/3 eigenvalues that matter. Templates over the number type.
 #pragma once
 
+#include "chain/newton_step.hpp"
 #include "elimination/elimination.hpp"
 
 namespace pieper::PIEPER_ISA::general {
@@ -77,31 +78,6 @@ template <class F, int N> void row_space(const LeftSide<F>& left, int layout, Ro
       out.im[j][c] = q[j].im;
     }
   }
-}
-
-// Householder triangulation of the first `columns` columns of m (rows x width), carrying the rest along.
-// Returns the product of the diagonal (the determinant up to sign when square).
-template <class F, int Rows, int Width> F triangulate(F (&m)[Rows][Width], int columns) {
-  F product = 1.0;
-  for (int c = 0; c < columns; ++c) {
-    F tail = 0.0;
-    for (int i = c + 1; i < Rows; ++i) tail += m[i][c] * m[i][c];
-    const F x0 = m[c][c];
-    F norm = sqrt(tail + x0 * x0);
-    norm = select(x0 > 0.0, norm, 0.0 - norm);
-    const F head = x0 + norm, size = norm * head;
-    const F scale = select(size > kHouseholderZero, 1.0 / select(size > kHouseholderZero, size, F(1.0)), F(0.0));
-    for (int j = c + 1; j < Width; ++j) {
-      F w = head * m[c][j];
-      for (int i = c + 1; i < Rows; ++i) w += m[i][c] * m[i][j];
-      w = w * scale;
-      m[c][j] -= w * head;
-      for (int i = c + 1; i < Rows; ++i) m[i][j] -= w * m[i][c];
-    }
-    m[c][c] = 0.0 - norm;
-    product = product * norm;
-  }
-  return product;
 }
 
 // Six by six core of the twelve by twelve matrix [0 A B C; A B C 0]: the columns y^3 and 1 eliminated by orthogonal reflections.

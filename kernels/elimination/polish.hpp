@@ -1,5 +1,5 @@
 // Newton's method on the loop itself: from an approximate joint vector to one that closes to machine precision.
-// A template over the number type: undamped, for candidates in lanes. The careful closed forms damp theirs (closed_form/careful/closing.hpp).
+// A template over the number type: the step of chain/newton_step.hpp undamped, for candidates in lanes; the careful closed forms damp it.
 #pragma once
 
 #include "elimination/candidate.hpp"
@@ -69,19 +69,11 @@ template <class F> Closure<F> polish(const RigidT<F>* link, const Roles& roles, 
     before = size;
     active = active & !(done | lost);
     if (step == steps || !any(active)) break;
-    F d[6], largest = 0.0;
-    for (int k = 5; k >= 0; --k) {
-      F t = m[k][6];
-      for (int j = k + 1; j < 6; ++j) t -= m[k][j] * d[j];
-      const F pivot = m[k][k];
-      d[k] = t / select(abs(pivot) > kPolishPivot, pivot, F(kPolishPivot));
-      largest = max(largest, abs(d[k]));
-    }
-    const F shrink = select(largest > kPolishLongestStep,
-                            kPolishLongestStep / select(largest > kPolishLongestStep, largest, F(1.0)), F(1.0));
+    F d[6];
+    newton_step(m, 6, kPolishPivot, kPolishLongestStep, d);
     for (int k = 0; k < 6; ++k) {
-      if (roles.prismatic[k]) q[k].c += shrink * d[k];
-      else q[k] = advanced(q[k], shrink * d[k]);
+      if (roles.prismatic[k]) q[k].c += d[k];
+      else q[k] = advanced(q[k], d[k]);
     }
   }
   // one step of inverse iteration on R^T R

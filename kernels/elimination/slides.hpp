@@ -14,7 +14,7 @@ inline bool slides_between(const Vec3* along, Vec3 rest, double* d) {
   return true;
 }
 
-// Returns false when a continuous family is possible: turning axes in line, or dependent slides.
+// Returns false when a self-motion is possible: turning axes in line, or dependent slides.
 inline bool solve_slides(const Model& model, const Rigid& pose, Found& found) {
   const Rigid* link = model.link[0];
   int turning[3], slide[3], turns = 0, slides = 0;

@@ -156,11 +156,11 @@ class Curves {
         n, links_[0], [&](int k) { return links_[k + 1]; }, [&](int k) { return motion_of(at.y[k], slides_[k]); },
         slides_, [&](int k, const Rigid& frame) { axis[k] = frame.z, point[k] = frame.t; });
     for (int j = 0; j < n; ++j) {
-      const Vec3 v = slides_[j] ? axis[j] : cross(axis[j], end.t - point[j]), w = slides_[j] ? Vec3{0, 0, 0} : axis[j];
-      at.J[0][j] = v.x, at.J[1][j] = v.y, at.J[2][j] = v.z;
-      at.J[3][j] = w.x, at.J[4][j] = w.y, at.J[5][j] = w.z;
+      double column[6];
+      moved_end(axis[j], point[j], slides_[j], end.t, column);
+      for (int k = 0; k < 6; ++k) at.J[k][j] = column[k];
     }
-    const Vec3 p = goal.t - end.t, w = 0.5 * (cross(end.x, goal.x) + cross(end.y, goal.y) + cross(end.z, goal.z));
+    const Vec3 p = goal.t - end.t, w = sine_between(end, goal);
     e[0] = p.x, e[1] = p.y, e[2] = p.z, e[3] = w.x, e[4] = w.y, e[5] = w.z;
   }
 

@@ -10,6 +10,7 @@
 
 #include "singular/crossed.hpp"
 #include "singular/fibre.hpp"
+#include "singular/into_limits.hpp"
 #include "singular/into_place.hpp"
 #include "singular/next_to_motion.hpp"
 
@@ -78,7 +79,10 @@ class Look {
     // rows of a pose come in an even number, self-motions and double roots counted twice: another number is not believed
     if ((isolated.size() + branches) % 2) return false;
     for (int k : isolated) add(rows + 6 * k, 1, -1, false, out);
-    for (const Root& root : alone) add(root.q, root.branches, -1, true, out);
+    for (Root& root : alone) {
+      into_limits(arm_, T, limits_, root.q);
+      add(root.q, root.branches, -1, true, out);
+    }
     for (std::size_t k = 0; k < out.motions.size(); ++k) {
       double q[6];
       std::visit([&](const auto& motion) { motion.representative(arm_, limits_, q); }, out.motions[k]);

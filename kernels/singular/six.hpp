@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chain/newton_step.hpp"
 #include "chain/rigid.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -114,23 +115,10 @@ struct Standing {
         kSix, arm.links[0], [&](int k) -> const Rigid& { return arm.links[k + 1]; },
         [&](int k) { return motion_of(q[k], arm.slides[k]); }, arm.slides,
         [&](int k, const Rigid& frame) { z[k] = frame.z, o[k] = frame.t; });
-    for (int k = 0; k < kSix; ++k) {
-      const Vec3 v = arm.slides[k] ? z[k] : cross(z[k], end.t - o[k]), w = arm.slides[k] ? Vec3{0, 0, 0} : z[k];
-      J[k][0] = v.x, J[k][1] = v.y, J[k][2] = v.z, J[k][3] = w.x, J[k][4] = w.y, J[k][5] = w.z;
-    }
+    for (int k = 0; k < kSix; ++k) moved_end(z[k], o[k], arm.slides[k], end.t, J[k]);
   }
   // What is missing to T: way, then rotation vector; returns its size.
-  double missing(const Rigid& T, double* e) const {
-    const Vec3 p = T.t - end.t;
-    Vec3 w = 0.5 * (cross(end.x, T.x) + cross(end.y, T.y) + cross(end.z, T.z));
-    const double sine = std::sqrt(dot(w, w)), cosine = 0.5 * (dot(end.x, T.x) + dot(end.y, T.y) + dot(end.z, T.z) - 1);
-    if (sine > kSineLeast) w = (std::atan2(sine, cosine) / sine) * w;
-    else if (cosine < 0) w = {kPi, 0, 0};
-    e[0] = p.x, e[1] = p.y, e[2] = p.z, e[3] = w.x, e[4] = w.y, e[5] = w.z;
-    double sum = 0;
-    for (int k = 0; k < 6; ++k) sum += e[k] * e[k];
-    return std::sqrt(sum);
-  }
+  double missing(const Rigid& T, double* e) const { return missing_to(end, T, e); }
 };
 
 inline double missed_at(const SixJoints& arm, const double* q, const Rigid& T) {
@@ -198,32 +186,6 @@ struct OnCurve {
 
 // Whether the smallest singular value is far above what is looked at, one joint left out or none: the last pivot of an
 // elimination with full choice of columns.
-inline bool well_posed(const double (*J)[6], int without = -1) {
-  double Q[6][6], total = 0, last = 0;
-  std::copy(&J[0][0], &J[0][0] + 36, &Q[0][0]);
-  bool used[6] = {};
-  if (without >= 0) used[without] = true;
-  for (int step = 0; step < kSix - (without >= 0); ++step) {
-    int best = -1;
-    double most = -1;
-    for (int i = 0; i < kSix; ++i) {
-      if (used[i]) continue;
-      double s = 0;
-      for (int r = 0; r < 6; ++r) s += Q[i][r] * Q[i][r];
-      if (step == 0) total += s;
-      if (s > most) most = s, best = i;
-    }
-    if (!(most > 0)) return false;
-    used[best] = true, last = most;
-    for (int i = 0; i < kSix; ++i) {
-      if (used[i]) continue;
-      double s = 0;
-      for (int r = 0; r < 6; ++r) s += Q[i][r] * Q[best][r];
-      s /= most;
-      for (int r = 0; r < 6; ++r) Q[i][r] -= s * Q[best][r];
-    }
-  }
-  return last > kSecondFree * total;
-}
+inline bool well_posed(const double (*J)[6], int without = -1) { return last_pivot(kSix, J, without) > kSecondFree; }
 
 }  // namespace pieper::PIEPER_ISA

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from oracle.arms.kinds import random_pose
@@ -18,7 +20,9 @@ def round_arm(rng: np.random.Generator) -> Arm:
     types[rng.choice(6, rng.choice([0, 0, 0, 1, 2]), replace=False)] = "P"
     twists, zeros = np.radians(rng.choice(TWISTS_DEG, 6)), np.radians(rng.choice([0, 90, -90, 180], 6))
     rows = [DH(*row) for row in zip(rng.choice(LENGTHS, 6), twists, rng.choice(LENGTHS, 6), zeros, strict=True)]
-    place = {"tool": random_pose(rng, 0.3), "base": random_pose(rng, 0.3)} if rng.uniform() < 0.3 else {}
+    place: dict[str, Any] = (
+        {"tool": random_pose(rng, 0.3), "base": random_pose(rng, 0.3)} if rng.uniform() < 0.3 else {}
+    )
     convention = str(rng.choice(["standard", "modified"]))
     return Arm.from_dh(rows, convention=convention, joint_types="".join(types), name="round", **place)
 

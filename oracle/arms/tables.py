@@ -62,8 +62,6 @@ for _size in (1e-3, 1e-4, 1e-5, 1e-6):
     _noise = _size * np.random.default_rng(3).uniform(-1, 1, (6, 3))
     TABLES[f"ur5e-calibrated-{_size:g}"] = [tuple(np.array(r) + e) for r, e in zip(TABLES["ur5e"], _noise, strict=True)]
 
-#: Arms with a spherical wrist and parallel second and third axes.
-WRIST_ARMS = ("denso-vp6242", "fanuc-r2000ic-165f", "puma-560")
 #: Arms without a closed form in the peers.
 GENERAL_ARMS = ("motoman-ea1400n", "fanuc-crx-10ia", "random-6r", *(n for n in TABLES if "calibrated" in n))
 

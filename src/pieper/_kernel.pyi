@@ -1,8 +1,8 @@
 """The native kernels: forward kinematics, and the inverse of every family, several poses per instruction."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from enum import IntFlag
-from typing import Any, Final
+from typing import Any, ClassVar, Final, dataclass_transform
 
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 
@@ -23,9 +23,9 @@ class Flag(IntFlag):
     EDGE = 128
 
 class Forward:
-    """Forward kinematics of a chain."""
+    """A chain: its forward kinematics, and what functions of a chain are given."""
 
-    def __init__(self, links: ArrayLike, prismatic: ArrayLike, frames_after: ArrayLike) -> None: ...
+    def __init__(self, links: ArrayLike, prismatic: ArrayLike, frames_after: ArrayLike, length: float) -> None: ...
     def fk(self, q: ArrayLike) -> Array: ...
     def frames(self, q: ArrayLike, base: ArrayLike) -> Array: ...
     def jacobian(self, q: ArrayLike) -> Array: ...
@@ -35,9 +35,8 @@ class Collision:
 
     def __init__(
         self,
+        chain: Forward,
         *,
-        links: ArrayLike,
-        prismatic: ArrayLike,
         link: ArrayLike,
         place: ArrayLike,
         half: ArrayLike,
@@ -53,226 +52,112 @@ class Collision:
         self, q: Array, margin: float, gap: float, slack: float
     ) -> tuple[bool, float, int, float, int, float, int, float, int, list[tuple[int, int]]]: ...
 
+@dataclass_transform(frozen_default=True, kw_only_default=True, eq_default=False)
 class Geometry:
-    """What a family is told of an arm: made from keyword arguments, unchangeable, picklable."""
+    """What a family is told of an arm: made from its fields as keyword arguments, unchangeable, picklable."""
 
-    name: Final[str]
-    joints: Final[int]
-    slots: Final[int]
+    name: ClassVar[str]
+    joints: ClassVar[int]
+    slots: ClassVar[int]
 
 class SphericalWristParallel(Geometry):
     """Parallel second and third axes, the first across them, a spherical wrist of right angles at the end."""
 
-    def __init__(
-        self,
-        *,
-        base: ArrayLike,
-        tool: ArrayLike,
-        origin: ArrayLike,
-        centre: ArrayLike,
-        a1: float,
-        b: float,
-        upper: float,
-        fore: float,
-        cos_psi: float,
-        sin_psi: float,
-        cos_tau: float,
-        sin_tau: float,
-        offset2: float,
-        offset3: float,
-        offset4: float,
-        offset5: float,
-        sign3: float,
-        cos_offset4: float,
-        sin_offset4: float,
-        scale: float,
-        tilted: bool,
-    ) -> None: ...
-    base: Final[Array]
-    tool: Final[Array]
-    origin: Final[Array]
-    centre: Final[Array]
-    a1: Final[float]
-    b: Final[float]
-    upper: Final[float]
-    fore: Final[float]
-    cos_psi: Final[float]
-    sin_psi: Final[float]
-    cos_tau: Final[float]
-    sin_tau: Final[float]
-    offset2: Final[float]
-    offset3: Final[float]
-    offset4: Final[float]
-    offset5: Final[float]
-    sign3: Final[float]
-    cos_offset4: Final[float]
-    sin_offset4: Final[float]
-    scale: Final[float]
-    tilted: Final[bool]
+    base: Array
+    tool: Array
+    origin: Array
+    centre: Array
+    a1: float
+    b: float
+    upper: float
+    fore: float
+    cos_psi: float
+    sin_psi: float
+    cos_tau: float
+    sin_tau: float
+    offset2: float
+    offset3: float
+    offset4: float
+    offset5: float
+    sign3: float
+    cos_offset4: float
+    sin_offset4: float
+    scale: float
+    tilted: bool
 
-class SphericalWrist(Geometry):
+class _Group(Geometry):
+    length: float
+    links: Array
+    loop: Array
+    slides: tuple[bool, ...]
+    first: int
+    hide_c: bool
+    first_c: bool
+    apart: bool
+
+class SphericalWrist(_Group):
     """Three neighbouring revolute axes through one point; in `loop` their frames stand there."""
 
-    def __init__(
-        self,
-        *,
-        length: float,
-        links: ArrayLike,
-        loop: ArrayLike,
-        slides: Iterable[bool] | Bools,
-        first: int,
-        hide_c: bool,
-        first_c: bool,
-        apart: bool,
-    ) -> None: ...
-    length: Final[float]
-    links: Final[Array]
-    loop: Final[Array]
-    slides: Final[tuple[bool, ...]]
-    first: Final[int]
-    hide_c: Final[bool]
-    first_c: Final[bool]
-    apart: Final[bool]
-
-class ThreeParallel(Geometry):
+class ThreeParallel(_Group):
     """Three neighbouring joints of a plane; in `loop` their frames lie in it, z along its normal."""
 
-    def __init__(
-        self,
-        *,
-        length: float,
-        links: ArrayLike,
-        loop: ArrayLike,
-        slides: Iterable[bool] | Bools,
-        first: int,
-        hide_c: bool,
-        first_c: bool,
-        apart: bool,
-        sense: ArrayLike,
-    ) -> None: ...
-    length: Final[float]
-    links: Final[Array]
-    loop: Final[Array]
-    slides: Final[tuple[bool, ...]]
-    first: Final[int]
-    hide_c: Final[bool]
-    first_c: Final[bool]
-    apart: Final[bool]
-    sense: Final[Array]
+    sense: Array
 
 class OffsetWrist(Geometry):
     """Parallel second and third axes across the first, the fourth and fifth meeting."""
 
-    def __init__(
-        self,
-        *,
-        length: float,
-        links: ArrayLike,
-        general: General | None,
-        backward: bool,
-        alike: bool,
-        to_base: ArrayLike,
-        base: ArrayLike,
-        from_tool: ArrayLike,
-        sixth: ArrayLike,
-        lever: ArrayLike,
-        lever_turned: ArrayLike,
-        fifth: ArrayLike,
-        axis6: ArrayLike,
-        shoulder: float,
-        lateral: float,
-        upper: float,
-        fore: float,
-        elbow_c: float,
-        elbow_s: float,
-        fore_c: float,
-        fore_s: float,
-        lean_c: float,
-        lean_s: float,
-        tilt_c: float,
-        tilt_s: float,
-        bend: float,
-        sense3: float,
-        axis4: ArrayLike,
-        across4: ArrayLike,
-        over4: ArrayLike,
-        across5: ArrayLike,
-        over5: ArrayLike,
-    ) -> None: ...
-    length: Final[float]
-    links: Final[Array]
-    general: Final[General | None]
-    backward: Final[bool]
-    alike: Final[bool]
-    to_base: Final[Array]
-    base: Final[Array]
-    from_tool: Final[Array]
-    sixth: Final[Array]
-    lever: Final[Array]
-    lever_turned: Final[Array]
-    fifth: Final[Array]
-    axis6: Final[Array]
-    shoulder: Final[float]
-    lateral: Final[float]
-    upper: Final[float]
-    fore: Final[float]
-    elbow_c: Final[float]
-    elbow_s: Final[float]
-    fore_c: Final[float]
-    fore_s: Final[float]
-    lean_c: Final[float]
-    lean_s: Final[float]
-    tilt_c: Final[float]
-    tilt_s: Final[float]
-    bend: Final[float]
-    sense3: Final[float]
-    axis4: Final[Array]
-    across4: Final[Array]
-    over4: Final[Array]
-    across5: Final[Array]
-    over5: Final[Array]
+    length: float
+    links: Array
+    general: General | None
+    backward: bool
+    alike: bool
+    to_base: Array
+    base: Array
+    from_tool: Array
+    sixth: Array
+    lever: Array
+    lever_turned: Array
+    fifth: Array
+    axis6: Array
+    shoulder: float
+    lateral: float
+    upper: float
+    fore: float
+    elbow_c: float
+    elbow_s: float
+    fore_c: float
+    fore_s: float
+    lean_c: float
+    lean_s: float
+    tilt_c: float
+    tilt_s: float
+    bend: float
+    sense3: float
+    axis4: Array
+    across4: Array
+    over4: Array
+    across5: Array
+    over5: Array
 
 class TwoSlides(Geometry):
     """Four turning and two sliding joints in any order."""
 
-    def __init__(
-        self,
-        *,
-        length: float,
-        links: ArrayLike,
-        general: General | None,
-        slides: Iterable[bool] | Bools,
-        hidden: Iterable[int],
-    ) -> None: ...
-    length: Final[float]
-    links: Final[Array]
-    general: Final[General | None]
-    slides: Final[tuple[bool, ...]]
-    hidden: Final[tuple[int, ...]]
-
-class Position3(Geometry):
-    """Three joints of any kinds that place the tool's point."""
-
-    def __init__(self, *, length: float, links: ArrayLike, slides: Iterable[bool] | Bools) -> None: ...
-    length: Final[float]
-    links: Final[Array]
-    slides: Final[tuple[bool, ...]]
-
-class Orientation3(Geometry):
-    """Three revolute joints of which the orientation alone counts."""
-
-    def __init__(self, *, links: ArrayLike) -> None: ...
-    links: Final[Array]
+    length: float
+    links: Array
+    general: General | None
+    slides: tuple[bool, ...]
+    hidden: tuple[int, ...]
 
 class General(Geometry):
     """Any six joints; making it tries every way of elimination. `trials` and `usable` say how that went."""
 
-    def __init__(self, *, links: ArrayLike, slides: Iterable[bool] | Bools, scale: float) -> None: ...
-    links: Final[Array]
-    slides: Final[tuple[bool, ...]]
-    scale: Final[float]
-    trials: Final[Array]
-    usable: Final[int]
+    links: Array
+    slides: tuple[bool, ...]
+    scale: float
+    @property
+    def trials(self) -> Array: ...
+    @property
+    def usable(self) -> int: ...
 
 class Selection:
     """How rows are compared with a joint vector: limits, weights, whole turns."""
@@ -290,10 +175,8 @@ class CarefulLook:
     def __init__(
         self,
         solver: Solver,
+        chain: Forward,
         *,
-        links: ArrayLike,
-        prismatic: ArrayLike,
-        length: float,
         lower: ArrayLike,
         upper: ArrayLike,
     ) -> None: ...
@@ -355,7 +238,26 @@ class Solver:
     def one(self, T: ArrayLike) -> tuple[Array, Bits, Bools, int]:
         """(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag."""
 
-def joint_peaks(s: Array, d1: Array, d2: Array, d3: Array, x: Array) -> tuple[Array, Array]: ...
+def evened(t: Array, c: Array, window: float, moment: float) -> tuple[Array, Array]: ...
+def jerk_ratios(
+    *,
+    s: Array,
+    d1: Array,
+    d2: Array,
+    d3: Array,
+    t: Array,
+    c: Array,
+    speed: Array,
+    acceleration: Array,
+    jerk: Array,
+    grid: Array,
+    share: Array,
+    coefficients: Array,
+    moment: float,
+) -> tuple[Array, Array, Array, Array]: ...
+def peak_ratios(
+    *, s: Array, d1: Array, d2: Array, d3: Array, x: Array, speed: Array, acceleration: Array, share: Array
+) -> Array: ...
 def in_time(
     *, s: Array, q: Array, d1: Array, d2: Array, d3: Array, t: Array, c: Array, times: Array
 ) -> tuple[Array, Array, Array, Array, Array]: ...
@@ -384,15 +286,13 @@ def deviations(Ts: ArrayLike) -> Array:
     """(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite."""
 
 def ladder(**given: Any) -> tuple[Array, Indices, float, int, int]: ...
-def front(**given: Any) -> tuple[int, float, Array, Array, Indices, int, float]: ...
+def front(chain: Forward, **given: Any) -> tuple[int, float, Array, Array, Indices, int, float]: ...
 def chain_of_blocks(diagonal: Array, beside: Array, right: Array) -> tuple[Array, bool]: ...
 def sincos(x: ArrayLike) -> Array: ...
 def atan2(yx: ArrayLike) -> Array: ...
 def descend(
+    chain: Forward,
     *,
-    links: ArrayLike,
-    prismatic: ArrayLike,
-    length: float,
     q: ArrayLike,
     T: ArrayLike,
     lower: ArrayLike,
@@ -406,10 +306,8 @@ def descend(
     left: float,
 ) -> tuple[Array, Array]: ...
 def follow_curve(
+    chain: Forward,
     *,
-    links: ArrayLike,
-    prismatic: ArrayLike,
-    length: float,
     q: ArrayLike,
     T: ArrayLike,
     direction: ArrayLike,
@@ -418,10 +316,8 @@ def follow_curve(
     most_steps: int,
 ) -> tuple[Array, bool]: ...
 def onto(
+    chain: Forward,
     *,
-    links: ArrayLike,
-    prismatic: ArrayLike,
-    length: float,
     q: ArrayLike,
     T: ArrayLike,
     steps: int,
@@ -429,10 +325,8 @@ def onto(
     longest: float,
 ) -> Array: ...
 def nearer(
+    chain: Forward,
     *,
-    links: ArrayLike,
-    prismatic: ArrayLike,
-    length: float,
     coupling: ArrayLike | None,
     lower: ArrayLike,
     upper: ArrayLike,

@@ -277,15 +277,11 @@ class Arm(AlongPaths):
             sols.keep_clear(partial(self.distance, scene=scene))
         return sols
 
-    @cached_property
-    def _around(self) -> tuple[list[float], float]:  # where the arm stands, and how far it reaches at most, m
-        base, *links = self.chain.links[:, :3, 3]
-        return base.tolist(), float(np.linalg.norm(links, axis=1).sum() + abs(self.limits[self.chain.prismatic]).sum())
-
     def _remark_far_away(self, T: Array) -> None:
         """Warn where a pose without a solution is so far away that millimetres were probably meant."""
-        base, reach = self._around
-        if (away := dist(base, T[:3, 3].tolist())) > FAR_AWAY * reach:
+        base, reach = self.extent
+        away = dist(base, T[:3, 3].tolist())
+        if away > FAR_AWAY * reach:
             warnings.warn(
                 f"the pose is {away:.4g} m away and {self.name} reaches {reach:.3g} m; metres are meant. Were these "
                 "millimetres? pieper.pose(..., mm=True) takes them.",

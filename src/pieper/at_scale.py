@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 from weakref import WeakKeyDictionary
 
+import numpy as np
+
 from pieper.description.dh import Description
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.chain import Chain
@@ -52,6 +54,13 @@ class AtScale:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state, _models=WeakKeyDictionary())
+
+    @cached_property
+    def extent(self) -> tuple[list[float], float]:
+        """Where the arm stands, and how far it reaches at most, m."""
+        base, *links = self.chain.links[:, :3, 3]
+        reach = np.linalg.norm(links, axis=1).sum() + np.abs(self.description.limits[self.chain.prismatic]).sum()
+        return base.tolist(), float(reach)
 
     def _joints(self, q: ArrayLike | str, what: str = "q") -> ArrayLike:
         raise NotImplementedError

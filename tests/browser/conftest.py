@@ -58,6 +58,16 @@ def server():
     served.stop()
 
 
+#: The postures of a sequence of joint moves of the VS-6577, deg.
+SEED_003 = [
+    [0, -90, 180, 0, 0, 0],
+    [170, -90, 180, 0, 0, 0],
+    [0, -60, 150, 20, 30, 0],
+    [-170, -90, 180, 0, 0, 0],
+    [0, -120, 200, 0, -40, 90],
+]
+
+
 class Workbench:
     """One person in front of one page."""
 
@@ -109,6 +119,38 @@ class Workbench:
         self.tab("Move")
         for i, value in enumerate(values):
             self.fill(f"q-{i + 1}", value)
+
+    def table(self, rows) -> None:
+        """Type a table of turning joints, (a, alpha, d) each, into an empty one."""
+        self.tab("DH table")
+        self.button("Blank")
+        for i, row in enumerate(rows):
+            self.page.get_by_test_id("add-joint").click()
+            for key, value in zip(("a", "alpha", "d"), row, strict=True):
+                self.fill(f"dh-{i + 1}-{key}", value)
+
+    def plan(self, start, end) -> None:
+        """Ask for a straight line between two poses typed in the panel, which is open."""
+        for key, pose in (("from", start), ("to", end)):
+            for i, value in enumerate(pose):
+                self.fill(f"path-{key}-{i}", value)
+        self.page.get_by_test_id("plan").click()
+
+    def sequence(self, q1: float, seconds: float) -> None:
+        """Run a sequence from the arm's posture to one with another first joint."""
+        self.tab("Sequence")
+        self.page.get_by_test_id("add-posture").click()
+        self.page.get_by_test_id("add-posture").click()
+        self.fill("seq-1-q1", q1)
+        self.fill("seq-1-seconds", seconds)
+        self.page.get_by_test_id("run-sequence").click()
+
+    def joint_steps(self, *postures) -> None:
+        """Add a joint move to each posture to the program."""
+        for q in postures:
+            self.joints(q)
+            self.tab("Program")
+            self.page.get_by_test_id("step-add-joint").click()
 
     def value(self, expression: str):
         return self.page.evaluate(expression)

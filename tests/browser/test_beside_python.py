@@ -69,12 +69,7 @@ def test_what_a_script_adds_is_drawn_and_a_motion_plays(beside):
 def test_the_screen_as_a_script_computes_what_is_on_the_screen(bench, capsys):
     bench.tab("DH table")
     bench.fill("dh-2-a", 215)
-    bench.joints([20, 60, -150, 10, 40, 25])
-    bench.tab("Program")
-    bench.page.get_by_test_id("step-add-joint").click()
-    bench.joints([40, 60, -150, 10, 40, 25])
-    bench.tab("Program")
-    bench.page.get_by_test_id("step-add-joint").click()
+    bench.joint_steps([20, 60, -150, 10, 40, 25], [40, 60, -150, 10, 40, 25])
     bench.tab("Inverse")
     bench.until("workbench.solutions && workbench.solutions.rows.length > 0")
     bench.tab("Share")

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.slow_forward import placed
 from pieper.workbench.table import arm_from_table, table_from_arm
 
 
@@ -16,28 +17,16 @@ def random_arm(rng: np.random.Generator, convention: str) -> pieper.Arm:
     angle = lambda: float(rng.choice([0, math.pi / 2, -math.pi / 2, math.pi, rng.uniform(-3, 3)]))  # noqa: E731
     length = lambda: float(rng.choice([0.0, rng.uniform(-1, 1)]))  # noqa: E731
     quaternion = rng.normal(size=4)
-    tool = pose(quaternion, rng.normal(size=3))
+    tool = placed(quaternion, rng.normal(size=3))
     return pieper.Arm.from_dh(
         [pieper.DH(length(), angle(), length(), angle()) for _ in range(n)],
         convention=convention,
         joint_types="".join(rng.choice(["R", "R", "P"], n)),
         sign=rng.choice([-1.0, 1.0], n),
         offset=rng.uniform(-1, 1, n),
-        base=pose(rng.normal(size=4), rng.normal(size=3)),
+        base=placed(rng.normal(size=4), rng.normal(size=3)),
         tool=tool,
     )
-
-
-def pose(quaternion, p) -> np.ndarray:
-    w, x, y, z = quaternion / np.linalg.norm(quaternion)
-    T = np.eye(4)
-    T[:3, :3] = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    T[:3, 3] = p
-    return T
 
 
 @pytest.mark.parametrize("convention", ["standard", "modified"])

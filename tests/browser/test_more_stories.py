@@ -10,6 +10,8 @@ import pytest
 
 import pieper
 
+from .conftest import SEED_003
+
 
 def test_a_wrong_entry_is_marked_and_the_last_good_arm_stays(bench):
     bench.tab("DH table")
@@ -171,13 +173,7 @@ def test_a_joint_sequence_with_times(bench):
     """Seed 003: P0 to P4, 20 s a leg and 10 s to settle."""
     bench.arm("denso-vs6577")
     bench.tab("Sequence")
-    postures = [
-        [0, -90, 180, 0, 0, 0],
-        [170, -90, 180, 0, 0, 0],
-        [0, -60, 150, 20, 30, 0],
-        [-170, -90, 180, 0, 0, 0],
-        [0, -120, 200, 0, -40, 90],
-    ]
+    postures = SEED_003
     for k, q in enumerate(postures):
         bench.page.get_by_test_id("add-posture").click()
         for i, value in enumerate(q):
@@ -196,12 +192,7 @@ def test_a_joint_sequence_with_times(bench):
 
 
 def test_playing_moves_the_arm_along_the_motion(bench):
-    bench.tab("Sequence")
-    bench.page.get_by_test_id("add-posture").click()
-    bench.page.get_by_test_id("add-posture").click()
-    bench.fill("seq-1-q1", 80)
-    bench.fill("seq-1-seconds", 2)
-    bench.page.get_by_test_id("run-sequence").click()
+    bench.sequence(80, 2)
     bench.page.get_by_test_id("speed").select_option("4")
     bench.page.get_by_test_id("play").click()
     bench.until("Math.abs(workbench.q[0] - 80 * Math.PI / 180) < 1e-9")
@@ -211,8 +202,8 @@ def test_playing_moves_the_arm_along_the_motion(bench):
 def test_a_cloud_of_reachable_points_with_progress_and_cancel(bench):
     bench.tab("Analysis")
     bench.until("Number(document.querySelector('[data-testid=fact-condition]').textContent) > 1")
-    bench.page.get_by_test_id("cloud-count").select_option("5000")
-    bench.page.get_by_test_id("cloud-start").click()
+    bench.page.get_by_test_id("reach-size").select_option("5000")
+    bench.page.get_by_test_id("reach-start").click()
     bench.until("workbench.cloud === 5000")
     bench.page.get_by_text("random postures inside the limits").wait_for()
     bench.shot("cloud", both=True)
@@ -220,8 +211,8 @@ def test_a_cloud_of_reachable_points_with_progress_and_cancel(bench):
     bench.button("Cut open")
     bench.until("n => workbench.pictures > n", drawn)
     bench.shot("cloud-cut")
-    bench.page.get_by_test_id("cloud-count").select_option("100000")
-    bench.page.get_by_test_id("cloud-start").click()
+    bench.page.get_by_test_id("reach-size").select_option("100000")
+    bench.page.get_by_test_id("reach-start").click()
     bench.page.get_by_role("button", name="Cancel").click()
     bench.page.get_by_text(re.compile("Cancelled after|100,000 random")).wait_for()
 

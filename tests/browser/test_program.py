@@ -94,12 +94,7 @@ def test_seed_001_picks_and_places_from_typed_poses_and_back(bench, servo_arm):
 
 
 def test_a_program_that_cannot_be_done_says_which_step_and_why(bench):
-    bench.joints([20, 60, -150, 10, 40, 25])
-    bench.tab("Program")
-    bench.page.get_by_test_id("step-add-joint").click()
-    bench.joints([40, 60, -150, 10, 40, 25])
-    bench.tab("Program")
-    bench.page.get_by_test_id("step-add-joint").click()
+    bench.joint_steps([20, 60, -150, 10, 40, 25], [40, 60, -150, 10, 40, 25])
     bench.page.get_by_test_id("step-add-line").click()
     bench.fill("step-3-T-0", 900)
     bench.page.get_by_test_id("start-here").click()
@@ -157,12 +152,7 @@ def test_a_program_is_written_in_the_language_of_its_maker(bench):
 
 
 def test_a_motion_is_filmed_as_it_plays(bench):
-    bench.tab("Sequence")
-    bench.page.get_by_test_id("add-posture").click()
-    bench.page.get_by_test_id("add-posture").click()
-    bench.fill("seq-1-q1", 40)
-    bench.fill("seq-1-seconds", 1)
-    bench.page.get_by_test_id("run-sequence").click()
+    bench.sequence(40, 1)
     bench.page.get_by_test_id("chart").wait_for()
     with bench.page.expect_download() as saved:
         bench.button("Save as Film")

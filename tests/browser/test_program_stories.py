@@ -7,6 +7,8 @@ import pytest
 
 import pieper
 
+from .conftest import SEED_003
+
 
 def add(bench, kind: str) -> None:
     bench.page.get_by_test_id(f"step-add-{kind}").click()
@@ -47,13 +49,7 @@ def test_seed_000_its_line_is_a_program(bench):
 def test_seed_003_its_postures_are_a_program_with_rests(bench):
     """P0 to P4 of the VS-6577, each joint move with a rest of 10 s, seen in the gripper's and the arm's true times."""
     bench.arm("denso-vs6577")
-    postures = [
-        [0, -90, 180, 0, 0, 0],
-        [170, -90, 180, 0, 0, 0],
-        [0, -60, 150, 20, 30, 0],
-        [-170, -90, 180, 0, 0, 0],
-        [0, -120, 200, 0, -40, 90],
-    ]
+    postures = SEED_003
     start_at(bench, postures[0])
     for posture in postures[1:]:
         bench.joints(posture)
@@ -137,12 +133,7 @@ def test_steps_are_called_again_in_another_work_frame(bench, irb):
 
 
 def test_a_motion_is_drawn_as_gif_and_mp4(bench):
-    bench.tab("Sequence")
-    bench.page.get_by_test_id("add-posture").click()
-    bench.page.get_by_test_id("add-posture").click()
-    bench.fill("seq-1-q1", 40)
-    bench.fill("seq-1-seconds", 1)
-    bench.page.get_by_test_id("run-sequence").click()
+    bench.sequence(40, 1)
     bench.page.get_by_test_id("chart").wait_for()
     for name, begins in (("GIF", b"GIF89a"), ("MP4", None)):
         with bench.page.expect_download() as saved:

@@ -32,10 +32,7 @@ OVERLAPS = """() => {
 
 def plan_a_line(bench) -> None:
     bench.tab("Path")
-    for key, p in (("from", (350, 0, 400)), ("to", (200, 100, 500))):
-        for i, value in enumerate((*p, 0, 0, 0)):
-            bench.fill(f"path-{key}-{i}", value)
-    bench.page.get_by_test_id("plan").click()
+    bench.plan((350, 0, 400, 0, 0, 0), (200, 100, 500, 0, 0, 0))
     bench.page.get_by_test_id("chart").wait_for()
 
 

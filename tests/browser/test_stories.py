@@ -66,12 +66,7 @@ def test_seed_000_gui_one_sliders_and_the_live_matrix(bench):
 def test_seed_000_gui_two_a_robot_built_from_its_table_and_its_path(bench):
     """Seed 000, Fig. 9: six links typed into an empty table, joints driven, a path from given coordinates."""
     rows = [(0, "pi/2", 125), (210, 0, 0), (-75, "-pi/2", 0), (0, "90 deg", 210), (0, "-pi/2", 0), (0, 0, 70)]
-    bench.tab("DH table")
-    bench.button("Blank")
-    for i, (a, alpha, d) in enumerate(rows):
-        bench.page.get_by_test_id("add-joint").click()
-        for key, value in (("a", a), ("alpha", alpha), ("d", d)):
-            bench.fill(f"dh-{i + 1}-{key}", value)
+    bench.table(rows)
     bench.page.get_by_text("Up to 8 solutions").first.wait_for()
     arm = pieper.load("denso-vp6242")
     q = [0, 51.49, -150.64, 0, 99.15, 0]
@@ -79,10 +74,7 @@ def test_seed_000_gui_two_a_robot_built_from_its_table_and_its_path(bench):
     bench.joints(q)
     assert np.allclose(shown_pose(bench), arm.fk(np.radians(q)), atol=6e-5)
     bench.tab("Path")
-    for key, p in (("from", (350, 0, 400)), ("to", (200, 100, 500))):
-        for i, value in enumerate((*p, 0, 0, 0)):
-            bench.fill(f"path-{key}-{i}", value)
-    bench.page.get_by_test_id("plan").click()
+    bench.plan((350, 0, 400, 0, 0, 0), (200, 100, 500, 0, 0, 0))
     bench.page.get_by_text("All 50 points were reached.").wait_for()
     assert bench.page.get_by_test_id("branches").get_by_role("button").count() == 8
     scrub = bench.page.get_by_test_id("scrub")
@@ -135,12 +127,7 @@ def test_seed_001_the_panel_with_its_worked_example(bench):
 
 def test_building_the_ea1400n_from_an_empty_table(bench):
     rows = [(150, "pi/2", 450), (570, "pi", 0), (200, "pi/2", 0), (0, "pi/2", 640), (30, "pi/2", 0), (0, 0, 200)]
-    bench.tab("DH table")
-    bench.button("Blank")
-    for i, (a, alpha, d) in enumerate(rows):
-        bench.page.get_by_test_id("add-joint").click()
-        for key, value in (("a", a), ("alpha", alpha), ("d", d)):
-            bench.fill(f"dh-{i + 1}-{key}", value)
+    bench.table(rows)
     bench.fill("arm-name", "my-ea1400n")
     bench.until("document.querySelector('[data-testid=arm-kind]').textContent.includes('16')")
     arm, q = pieper.load("motoman-ea1400n"), [18.78, -78.89, -38.47, 78.25, -23.86, -61.25]
@@ -180,10 +167,7 @@ def test_a_line_that_fails_on_the_way_and_why(bench):
     """Seed 000 with the tool along +y ends out of reach; run backwards it fails at about 70 %."""
     bench.joints([20, 60, -150, 10, 40, 25])
     bench.tab("Path")
-    for key, p in (("from", (200, 100, 500)), ("to", (350, 0, 400))):
-        for i, value in enumerate((*p, -90, 0, 0)):
-            bench.fill(f"path-{key}-{i}", value)
-    bench.page.get_by_test_id("plan").click()
+    bench.plan((200, 100, 500, -90, 0, 0), (350, 0, 400, -90, 0, 0))
     verdict = bench.page.get_by_test_id("path-verdict")
     verdict.get_by_text("of 50 points were reached").wait_for()
     text = verdict.inner_text()

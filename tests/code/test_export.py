@@ -115,6 +115,20 @@ def test_numpy_gives_the_native_rows(name, tmp_path):
     assert differing(arm, T[:50], [solver.ik(pose) for pose in T[:50]], unclear, inside=True) == 0
 
 
+def said_by_node(folder, T, program):
+    """Return what a program says of a module's rows of poses, `out`, which it finds made, as JSON."""
+    (folder / "poses.bin").write_bytes(T.tobytes())
+    imports, rest = program.split("\n", 1)
+    (folder / "run.mjs").write_text(
+        f"import fs from 'fs';\n{imports}\n"
+        "const b = fs.readFileSync('poses.bin'), out = [];\n"
+        "const t = new Float64Array(b.buffer, b.byteOffset, b.length / 8);\n"
+        f"for (let i = 0; i < t.length; i += 16) out.push(ikAll(t.subarray(i, i + 16)));\n{rest}"
+    )
+    ran = subprocess.run(["node", "run.mjs"], cwd=folder, capture_output=True, text=True, check=True)
+    return json.loads(ran.stdout)
+
+
 @needs_node
 @pytest.mark.parametrize("name", ARMS)
 def test_javascript_gives_the_native_rows(name, tmp_path):
@@ -122,19 +136,15 @@ def test_javascript_gives_the_native_rows(name, tmp_path):
     arm.code("javascript", tmp_path / "solver.mjs")
     arm.code("javascript", tmp_path / "solver.js")
     _, T = poses(arm)
-    (tmp_path / "poses.bin").write_bytes(T.tobytes())
-    (tmp_path / "run.mjs").write_text(
-        "import fs from 'fs';\nimport { ikAll, ik, fk, label, selfTest } from './solver.mjs';\n"
-        "const b = fs.readFileSync('poses.bin'), out = [];\n"
-        "const t = new Float64Array(b.buffer, b.byteOffset, b.length / 8);\n"
-        "for (let i = 0; i < t.length; i += 16) out.push(ikAll(t.subarray(i, i + 16)));\n"
+    said = said_by_node(
+        tmp_path,
+        T,
+        "import { ikAll, ik, fk, label, selfTest } from './solver.mjs';\n"
         "const T = fk(out[0].rows[0]);\n"
         "const names = out.slice(0, 500).map((o) => o.rows.map(label));\n"
         "const counts = { failed: selfTest(), rows: ik(T).length, flat: ik(T.flat()).length };\n"
-        "console.log(JSON.stringify({ out, names, ...counts }));\n"
+        "console.log(JSON.stringify({ out, names, ...counts }));\n",
     )
-    ran = subprocess.run(["node", "run.mjs"], cwd=tmp_path, capture_output=True, text=True, check=True)
-    said = json.loads(ran.stdout)
     assert said["failed"] == 0
     assert said["rows"] == said["flat"]
     assert differing(arm, T, [r["rows"] for r in said["out"]], [r["unclear"] for r in said["out"]]) == 0

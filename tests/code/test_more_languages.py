@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import json
 import shutil
 import subprocess
 
@@ -12,7 +11,7 @@ import pytest
 
 import pieper
 from pieper.solver.words.labels import posture_words
-from tests.code.test_export import ARMS, differing, loaded, poses
+from tests.code.test_export import ARMS, differing, loaded, poses, said_by_node
 
 needs_octave = pytest.mark.skipif(shutil.which("octave-cli") is None, reason="no octave")
 needs_wasm = pytest.mark.skipif(
@@ -99,21 +98,17 @@ def test_wasm_gives_the_native_rows(name, tmp_path):
     arm.code("wasm", tmp_path / "arm.wasm", "one")
     arm.code("wasm", tmp_path / "arm.mjs", "one")
     _, T = poses(arm)
-    (tmp_path / "poses.bin").write_bytes(T.tobytes())
-    (tmp_path / "run.mjs").write_text(
-        "import fs from 'fs';\nimport { ik, ikAll, fk, jacobian, label, selfTest } from './arm.mjs';\n"
+    said = said_by_node(
+        tmp_path,
+        T,
+        "import { ik, ikAll, fk, jacobian, label, selfTest } from './arm.mjs';\n"
         "const module = new WebAssembly.Module(fs.readFileSync('arm.wasm'));\n"
-        "const b = fs.readFileSync('poses.bin'), out = [];\n"
-        "const t = new Float64Array(b.buffer, b.byteOffset, b.length / 8);\n"
-        "for (let i = 0; i < t.length; i += 16) out.push(ikAll(t.subarray(i, i + 16)));\n"
         "const q = out[0].rows[0], T = fk(q);\n"
         "console.log(JSON.stringify({ out, q, J: jacobian(q), name: label(q), failed: selfTest(), rows: ik(T).length,\n"
         "  bad: ik([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1]),\n"
         "  imports: WebAssembly.Module.imports(module).length,\n"
-        "  exports: WebAssembly.Module.exports(module).map((e) => e.name) }));\n"
+        "  exports: WebAssembly.Module.exports(module).map((e) => e.name) }));\n",
     )
-    ran = subprocess.run(["node", "run.mjs"], cwd=tmp_path, capture_output=True, text=True, check=True)
-    said = json.loads(ran.stdout)
     assert said["failed"] == 0 and said["imports"] == 0 and said["bad"] is None
     assert {"memory", "alloc", "one_ik", "one_fk", "one_ik_many"} <= set(said["exports"])
     assert np.abs(np.array(said["J"]) - arm.jacobian(np.array(said["q"]))).max() < 1e-12

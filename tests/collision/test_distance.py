@@ -28,8 +28,9 @@ def placed(rng, spread=0.6):
 def kernel_pair(one, other):
     """A chain of one slide, the first body on it and the second in the world."""
     (k1, T1, h1, r1), (k2, T2, h2, r2) = one, other
+    slide = _kernel.Forward(np.stack([EYE, EYE]), [1], EYE[None], 1.0)
     model = _kernel.Collision(
-        links=np.stack([EYE, EYE]), prismatic=[1], link=[0, 1], place=np.stack([T2, T1]), half=[h2, h1],
+        slide, link=[0, 1], place=np.stack([T2, T1]), half=[h2, h1],
         radius=[r2, r1], kind=[k2, k1], pair=[[1, 0]], outer=[0],
     )  # fmt: skip
     d, _, points, normal = model.nearest(np.zeros((3, 1)))

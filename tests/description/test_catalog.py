@@ -168,21 +168,20 @@ def test_the_index_is_that_of_the_files():
     assert Path(catalog_index.FILE).read_text(encoding="utf-8") == catalog_index.text_of(arms)
 
 
-def test_searching_opens_no_robot_file():
+@pytest.mark.parametrize(
+    "asked",
+    [
+        "import pieper; assert len(pieper.find_arms(joints=6)) > 100",
+        "from pieper.description import catalog; assert len(catalog.names()) > 40",
+    ],
+    ids=["searching", "listing the names"],
+)
+def test_finding_an_arm_opens_no_robot_file(asked):
+    said, asked = asked.split("; ")
     code = (
-        "import sys, pieper\n"
+        f"import sys; {said}\n"
         "sys.addaudithook(lambda event, args: (event == 'open' and str(args[0]).endswith('.toml')) and sys.exit(3))\n"
-        "assert len(pieper.find_arms(joints=6)) > 100"
-    )
-    source = Path(catalog.__file__).parents[2]
-    assert subprocess.run([sys.executable, "-c", code], cwd=source, check=False).returncode == 0
-
-
-def test_listing_the_names_opens_no_file():
-    code = (
-        "import sys; from pieper.description import catalog\n"
-        "sys.addaudithook(lambda event, args: (event == 'open' and str(args[0]).endswith('.toml')) and sys.exit(3))\n"
-        "assert len(catalog.names()) > 40"
+        f"{asked}"
     )
     source = Path(catalog.__file__).parents[2]
     assert subprocess.run([sys.executable, "-c", code], cwd=source, check=False).returncode == 0

@@ -144,12 +144,20 @@ def test_a_frame_beside_the_chain_may_be_base_or_tip():
     assert np.abs(_fk(forward, q) - np.diag([-1, -1, 1, 1]) @ _fk(plain, q)).max() < 1e-14
 
 
-@pytest.mark.parametrize("kind", ["floating", "planar", "ball"])
+@pytest.mark.parametrize("kind", ["planar", "ball"])
 def test_a_joint_of_another_kind_inside_the_chain_is_named_with_a_cure(kind):
     with pytest.raises(InputError, match=f"joint 'free' is of type '{kind}'.*base='root'"):
         urdf.loads(robot(joint("free", "world", "root", kind=kind), joint("a", "root", "b"), joint("c", "b", "d")))
     text = robot(joint("free", "world", "root", kind=kind), joint("a", "root", "b"), joint("c", "b", "d"))
     assert urdf.loads(text, base="root").n == 2
+
+
+def test_a_robot_that_floats_as_a_whole_begins_after_that_and_a_floating_joint_further_on_is_named():
+    free = joint("free", "world", "root", kind="floating")
+    arm = urdf.loads(robot(free, joint("a", "root", "b"), joint("c", "b", "d")))
+    assert arm.n == 2 and "The robot floats (joint 'free'); its own body 'root' is the base." in arm.remarks
+    with pytest.raises(InputError, match="joint 'free' is of type 'floating'"):
+        urdf.loads(robot(joint("a", "root", "b"), joint("free", "b", "e", kind="floating"), joint("c", "e", "d")))
 
 
 def test_two_roots_are_asked_for_by_their_bases():

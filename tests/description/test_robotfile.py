@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from oracle.slow_forward import placed
 from pieper.description import catalog, robotfile
 from pieper.description.dh import DH, Actuator, Check, describe
 from pieper.description.quantity import ExpressionError, evaluate
@@ -104,7 +105,6 @@ def test_the_example_files_are_read_and_come_back(path):
 
 finite = st.floats(allow_nan=False, allow_infinity=False, min_value=-50, max_value=50)
 LIMITS = [None, (-1.25, math.inf), (-math.inf, 2.0), (-7.5, 0.1 + 0.2)]
-JAWS = [None, Actuator("jaw", 0.0, 1 / 3, 0.1, "m"), Actuator("jaw", -1.0, 2.0, 0.3, "rad")]
 texts = st.text(st.characters(codec="utf-8", exclude_characters="\r"), max_size=300)
 
 
@@ -117,16 +117,7 @@ def arms(draw):
     poses = []
     for _ in range(2):
         q, p = np.array(draw(st.lists(finite, min_size=4, max_size=4))), draw(st.lists(finite, min_size=3, max_size=3))
-        q = q / np.linalg.norm(q) if np.linalg.norm(q) > 1e-3 else np.array([1.0, 0, 0, 0])
-        w, x, y, z = q
-        T = np.eye(4)
-        T[:3, :3] = [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-        T[:3, 3] = p
-        poses.append(T)
+        poses.append(placed(q if np.linalg.norm(q) > 1e-3 else [1.0, 0, 0, 0], p))
     small = st.floats(-6, 6)
     return describe(
         [DH(draw(finite), draw(small), draw(finite), draw(small)) for _ in range(n)],

@@ -195,3 +195,24 @@ def test_without_its_package_a_model_says_what_to_install(tmp_path, monkeypatch)
     (tmp_path / "arm.xml").write_text(MJCF.format(more="", rest=""))
     with pytest.raises(InputError, match="pip install 'pieper.mujoco.'"):
         pieper.load(tmp_path / "arm.xml")
+
+
+def test_an_inertia_matrix_does_not_stand_in_the_way(tmp_path):
+    pytest.importorskip("mujoco")
+    path = tmp_path / "arm.xml"
+    inertia = '<inertial pos="0 0 0" mass="1" fullinertia="1 1 1 0.1 0 0"/><joint name="j0"'
+    path.write_text(MJCF.format(more="", rest="").replace('<joint name="j0"', inertia))
+    assert pieper.load(path).n == 2
+
+
+def test_a_robot_that_floats_begins_at_its_own_body_and_things_about_are_no_arms(tmp_path):
+    pytest.importorskip("mujoco")
+    path = tmp_path / "scene.xml"
+    block = '<body name="block"><freejoint/><geom size=".1"/></body>'
+    path.write_text(MJCF.format(more="", rest="").replace("<worldbody>", f"<worldbody>{block}"))
+    assert pieper.load(path).joint_names == ("j0", "j1")
+    floating = '<body name="hull"><freejoint name="free"/><geom size=".1"/>'
+    text = MJCF.format(more="", rest="").replace("<worldbody>", f"<worldbody>{floating}")
+    path.write_text(text.replace("</worldbody>", "</body></worldbody>"))
+    for arm in (pieper.load(path), pieper.load(path, tip="tcp")):
+        assert arm.joint_names == ("j0", "j1") and "floats (joint 'free'); its own body 'hull'" in arm.notes[0]

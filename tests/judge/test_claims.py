@@ -11,16 +11,9 @@ import pieper
 from pieper.errors import InputError
 from pieper.judge.claims import check
 from pieper.judge.verdict import HOLDS, PARTLY, WRONG
+from tests.judge.planted.short_arms import two_links
 
-ARM = """
-[arm]
-name = "two links"
-convention = "standard"
-length_unit = "m"
-columns = ["theta", "d", "a", "alpha"]
-rows = [["q1", 0, "a1", 0], ["q2", 0, "a2", 0]]
-values = { a1 = 0.4, a2 = 0.3 }
-"""
+ARM = two_links(0.4, 0.3)
 RIGHT = '[[claim]]\nid = "x"\nkind = "entry"\nof = "Px"\nis = "a1 C1 + a2 C12"\n'
 
 

@@ -10,6 +10,7 @@ import pytest
 import pieper
 from pieper.algebra.parser import parse
 from pieper.judge.verdict import HOLDS, PARTLY, WRONG
+from tests.judge.planted.short_arms import two_links
 
 SIX = """
 [arm]
@@ -27,15 +28,7 @@ v = "(T A6^-1)[2,4]"
 [matrices]
 Rc = [["c1", "-s1", 0], ["s1", "c1", 0], [0, 0, 1]]
 """
-TWO = """
-[arm]
-name = "two links"
-convention = "standard"
-length_unit = "m"
-columns = ["theta", "d", "a", "alpha"]
-rows = [["q1", 0, "a1", 0], ["q2", 0, "a2", 0]]
-values = { a1 = 0.43, a2 = 0.31 }
-"""
+TWO = two_links(0.43, 0.31)
 NAMES = {"a1", "a2", "d4", "px", "py", "P05x", "d7e", "lambda1", "beta"}
 
 

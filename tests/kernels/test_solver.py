@@ -147,13 +147,13 @@ def test_views_lists_and_integers_are_taken_as_they_are_meant():
 
 
 def test_a_geometry_says_what_it_lacks_what_it_does_not_know_and_which_shape_it_wants():
-    links = np.tile(np.eye(4), (4, 1, 1))
-    with pytest.raises(TypeError, match="position3 needs 'slides'"):
-        _kernel.Position3(length=1.0, links=links)
-    with pytest.raises(TypeError, match="position3 takes length, links, slides"):
-        _kernel.Position3(length=1.0, links=links, slides=(0, 0, 0), kind=1)
-    with pytest.raises(ValueError, match=r"position3.links: must have shape \(4, 4, 4\), got \(7, 4, 4\)"):
-        _kernel.Position3(length=1.0, links=np.zeros((7, 4, 4)), slides=(0, 0, 0))
+    links = np.tile(np.eye(4), (7, 1, 1))
+    with pytest.raises(TypeError, match="general needs 'slides'"):
+        _kernel.General(links=links, scale=1.0)
+    with pytest.raises(TypeError, match="general takes links, slides, scale"):
+        _kernel.General(links=links, slides=(0,) * 6, scale=1.0, kind=1)
+    with pytest.raises(ValueError, match=r"general.links: must have shape \(7, 4, 4\), got \(4, 4, 4\)"):
+        _kernel.General(links=np.zeros((4, 4, 4)), slides=(0,) * 6, scale=1.0)
 
 
 def test_the_interpreter_runs_on_while_many_poses_are_solved():

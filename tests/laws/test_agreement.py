@@ -4,24 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from oracle.arms.kinds import KINDS, offset_wrist, random_pose, spherical_wrist_parallel, three_parallel
 from oracle.joints import random_joints, same_set
 from pieper.kinematics.geometry import look
 from pieper.solver.families import choose, general
 from pieper.solver.native import SixJointSolver
+from tests.laws.of_kinds import of_kinds
 
-SEEDS = st.integers(0, 10**6)
 
-
-@pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=6, deadline=None)
-@given(seed=SEEDS)
-def test_one_pose_and_many_poses_agree_to_the_last_solution(kind, seed):
-    rng = np.random.default_rng(seed)
-    arm = kind(rng)
+@of_kinds(KINDS, examples=6)
+def test_one_pose_and_many_poses_agree_to_the_last_solution(arm, rng):
     T = np.concatenate([arm.fk(random_joints(arm, rng, 20)), np.stack([random_pose(rng) for _ in range(10)])])
     many = arm.ik_many(T, threads=2)
     for i, pose in enumerate(T):
@@ -31,12 +24,8 @@ def test_one_pose_and_many_poses_agree_to_the_last_solution(kind, seed):
         assert one.status == many.status[i]
 
 
-@pytest.mark.parametrize("kind", [spherical_wrist_parallel, three_parallel, offset_wrist])
-@settings(max_examples=5, deadline=None)
-@given(seed=SEEDS)
-def test_a_special_family_and_the_general_solver_agree(kind, seed):
-    rng = np.random.default_rng(seed)
-    arm = kind(rng)
+@of_kinds([spherical_wrist_parallel, three_parallel, offset_wrist], examples=5)
+def test_a_special_family_and_the_general_solver_agree(arm, rng):
     _, spec = choose(arm.chain, look(arm.chain, 1e-9), (general.FAMILY,))
     slow = SixJointSolver(arm.chain, spec, arm.limits)
     for pose in arm.fk(random_joints(arm, rng, 20)):

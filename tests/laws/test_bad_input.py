@@ -233,7 +233,7 @@ def test_thirty_joints_give_their_families_in_bounded_time():
     arm = HARD["30 joints"]()
     with within(60):
         sols = arm.ik(arm.fk(np.linspace(-1, 1, 30)))
-        assert sols.self_motions and all(family.dimension > 1 for family in sols.self_motions)
+        assert sols.self_motions and all(motion.dimension > 1 for motion in sols.self_motions)
 
 
 def test_a_bad_pose_of_a_redundant_arm_is_refused_and_named_by_its_index():

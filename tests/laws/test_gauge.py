@@ -3,26 +3,19 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from oracle.arms.gauge import flipped, from_chain, slid
 from oracle.arms.kinds import KINDS, random_pose
 from oracle.joints import random_joints, same_set
 from pieper import Arm
 from pieper.kinematics.chain import Chain
+from tests.laws.of_kinds import of_kinds
 
 TURN = 2 * np.pi
-SEEDS = st.integers(0, 10**6)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=6, deadline=None)
-@given(seed=SEEDS)
-def test_table_frames_and_senses_do_not_matter(kind, seed):
-    rng = np.random.default_rng(seed)
-    arm = kind(rng)
+@of_kinds(KINDS, examples=6)
+def test_table_frames_and_senses_do_not_matter(arm, rng):
     q = random_joints(arm, rng, 8)
     T = arm.fk(q)
     joint = int(rng.integers(6))
@@ -36,12 +29,8 @@ def test_table_frames_and_senses_do_not_matter(kind, seed):
             assert same_set(mine.all_q, theirs.all_q * sign, arm.chain.prismatic)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=6, deadline=None)
-@given(seed=SEEDS)
-def test_base_tool_and_scale_do_not_matter(kind, seed):
-    rng = np.random.default_rng(seed)
-    arm = kind(rng)
+@of_kinds(KINDS, examples=6)
+def test_base_tool_and_scale_do_not_matter(arm, rng):
     q = random_joints(arm, rng, 8)
     base, tool = random_pose(rng), random_pose(rng)
     links = arm.chain.links.copy()
@@ -59,12 +48,8 @@ def test_base_tool_and_scale_do_not_matter(kind, seed):
         assert same_set(mine.all_q, scaled.ik(far).all_q / unit, arm.chain.prismatic)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=6, deadline=None)
-@given(seed=SEEDS)
-def test_the_reversed_arm_has_the_reversed_solutions(kind, seed):
-    rng = np.random.default_rng(seed)
-    arm = kind(rng)
+@of_kinds(KINDS, examples=6)
+def test_the_reversed_arm_has_the_reversed_solutions(arm, rng):
     back = from_chain(arm.chain.reversed())
     for pose in arm.fk(random_joints(arm, rng, 8)):
         mine, theirs = arm.ik(pose), back.ik(np.linalg.inv(pose))

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 import pieper
 from oracle.arms.kinds import (
@@ -18,9 +16,9 @@ from oracle.arms.kinds import (
     three_parallel,
 )
 from oracle.joints import random_joints
+from tests.laws.of_kinds import of_kinds
 
 TURN = 2 * np.pi
-SEEDS = st.integers(0, 10**6)
 
 
 def joint_gap(arm, a, b):
@@ -34,7 +32,7 @@ def missed(arm, q, batch, tolerance):
     """Return indices of the joint vectors q (N, n) that are not among the solutions of their poses."""
     hit = ((joint_gap(arm, batch.q, q[:, None]) < tolerance[:, None]) & batch.valid).any(1)
     left = np.flatnonzero(~hit)
-    # a pose with a family counts as found where the joint vector lies on it
+    # a pose with a self-motion counts as found where the joint vector lies on it
     return [i for i in left if not any(f.contains(q[i], 1e-5) for f in arm.ik(arm.fk(q[i])).self_motions)]
 
 
@@ -52,12 +50,8 @@ def blurred(arm, q, floor=1e-7):
     return np.maximum(floor, np.maximum(np.minimum(1e-13 * size / smallest, 3e-6 * size), 2e-15 * size / smallest))
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=12, deadline=None)
-@given(seed=SEEDS)
-def test_every_solution_closes_and_the_joint_vector_that_made_the_pose_is_found_again(kind, seed):
-    rng = np.random.default_rng(seed)
-    arm = kind(rng)
+@of_kinds(KINDS, examples=12)
+def test_every_solution_closes_and_the_joint_vector_that_made_the_pose_is_found_again(arm, rng):
     q = random_joints(arm, rng, 60)
     T = arm.fk(q)
     batch = arm.ik_many(T, threads=1)
@@ -69,12 +63,8 @@ def test_every_solution_closes_and_the_joint_vector_that_made_the_pose_is_found_
     assert batch.count.max() <= arm.plan.max_solutions
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=8, deadline=None)
-@given(seed=SEEDS)
-def test_solutions_come_in_pairs_away_from_singularities(kind, seed):
-    rng = np.random.default_rng(seed)
-    arm = kind(rng)
+@of_kinds(KINDS, examples=8)
+def test_solutions_come_in_pairs_away_from_singularities(arm, rng):
     if arm.chain.prismatic.any():
         return  # a sliding joint may send one root of a pair to infinity
     batch = arm.ik_many(arm.fk(random_joints(arm, rng, 200)), threads=1)

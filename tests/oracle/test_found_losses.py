@@ -1,8 +1,8 @@
 """Every arm and pose at which a solution was once lost: the joint vector that made the pose must be found again.
 
 Cases are in found_losses.json. A case that is not cured has its reason under "open" and must fail until it is; when it
-is cured, "open" becomes null. "claim" says what must hold: "found" (the joint vector is a row, or lies on a family),
-"certain" (the status is not UNCERTAIN either) or "families" (it lies on one of the families of a redundant arm).
+is cured, "open" becomes null. "claim" says what must hold: "found" (the joint vector is a row or on a self-motion),
+"certain" (the status is not UNCERTAIN either) or "self-motions" (it lies on one of a redundant arm's).
 "full rank" (no joint is to spare) asks without held values. "task" is None for the arm's default task.
 """
 
@@ -54,12 +54,12 @@ def test_a_joint_vector_that_was_once_lost_is_found_again(case):
     # rounding of the pose moves a solution by about this much
     sigma = polish(m, m.pose(T), m.inner(q[None]), rounds=0)[2][0] if len(free) == 6 else 1.0
     wide = 1e-6 + 1e-14 / max(sigma, 1e-300)
-    on_family = not held and any(family.contains(q, 1e-5) for family in one.self_motions)
+    on_motion = not held and any(motion.contains(q, 1e-5) for motion in one.self_motions)
     for rows in (one.all_q, many.q[0][many.valid[0]]):
         near = gap(m, m.inner(rows), m.inner(q)).min() if len(rows) else np.inf
-        assert near < wide or on_family, f"lost: {one.status.name}, {one.why}"
-    if case["claim"] == "families":
-        assert any(family.contains(q, 1e-5) for family in arm.ik(T).self_motions)
+        assert near < wide or on_motion, f"lost: {one.status.name}, {one.why}"
+    if case["claim"] == "self-motions":
+        assert any(motion.contains(q, 1e-5) for motion in arm.ik(T).self_motions)
     if case["claim"] == "certain":
         assert one.status.name != "UNCERTAIN", one.why
 

@@ -114,7 +114,7 @@ def test_a_redundant_arm_at_a_chosen_value_has_the_solutions_of_the_oracle(name)
 
 
 @pytest.mark.parametrize("name", SEVEN[:3])
-def test_families_of_a_redundant_arm_are_curves_of_exact_solutions_through_the_posture(name):
+def test_self_motions_of_a_redundant_arm_are_curves_of_exact_solutions_through_the_posture(name):
     arm = free(name)
     m = machine(arm)
     q = np.array([0.4, -0.7, 0.5, 1.1, -0.6, 0.9, 0.3])
@@ -122,13 +122,13 @@ def test_families_of_a_redundant_arm_are_curves_of_exact_solutions_through_the_p
     sols = arm.ik(T)
     assert sols.status.name == "REDUNDANT"
     assert any(f.contains(q, 1e-5) for f in sols.self_motions)
-    for family in sols.self_motions:
-        points = np.stack([family.at(s) for s in np.linspace(0, 1, 11)])
+    for motion in sols.self_motions:
+        points = np.stack([motion.at(s) for s in np.linspace(0, 1, 11)])
         left = np.linalg.norm(equations(m, m.inner(points), m.pose(T))[0], axis=1)
         assert left.max() < 1e-10
 
 
-def test_dependent_joints_are_a_family_with_the_sum_fixed():
+def test_dependent_joints_make_a_self_motion_with_the_sum_fixed():
     arm = pieper.load("dfrobot-rob0036-as-printed")
     q = np.radians([20.0, 30, 40, 50, 60, 10])
     sols = arm.ik(arm.fk(q))

@@ -1,4 +1,4 @@
-"""At singular poses: isolated solutions complete, the generating posture on a family or among the rows, no doubles."""
+"""At singular poses: isolated solutions complete, what made the pose on a self-motion or among the rows, no doubles."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ def judged(arm, q, starts=600):
     verdict = judge(arm, T, rows=sols.all_q, families=sols.self_motions, m=m, starts=starts)
     assert not verdict.wrong
     assert not [x for x in verdict.missing if x[2] > 1e-6], f"isolated: {verdict.missing[:2]}"
-    assert not verdict.missing, f"neither row nor on a family: {verdict.missing[:2]}"
+    assert not verdict.missing, f"neither row nor on a self-motion: {verdict.missing[:2]}"
     assert verdict.found.crowded == bool(sols.self_motions)
-    for family in sols.self_motions:
-        assert np.abs(arm.fk(family.samples[:, : arm.n]) - T).max() < 1e-9
+    for motion in sols.self_motions:
+        assert np.abs(arm.fk(motion.samples[:, : arm.n]) - T).max() < 1e-9
     apart = gap(m, inner[:, None], inner[None]) + 9 * np.eye(len(inner))
     assert len(inner) < 2 or apart.min() > 1e-4, f"one solution twice, {apart.min():.1e} rad apart"
     return sols, verdict.found
@@ -243,9 +243,9 @@ def test_what_merges_and_along_which_direction_is_in_the_result():
     assert np.linalg.norm(way) == pytest.approx(1) and np.linalg.norm(arm.jacobian(q) @ way) < 1e-7
     q = np.array([0.4, 0.9, -0.3, 0.8, 0.0, -0.5])
     sols = arm.ik(arm.fk(q))
-    for row, family, way, labels in zip(sols.q, sols.in_self_motion, sols.direction, sols.merged_labels, strict=True):
+    for row, motion, way, labels in zip(sols.q, sols.in_self_motion, sols.direction, sols.merged_labels, strict=True):
         assert labels == ()
-        assert bool(way.any()) == (family >= 0)
-        if family >= 0:
+        assert bool(way.any()) == (motion >= 0)
+        if motion >= 0:
             assert np.linalg.norm(arm.jacobian(row) @ way) < 1e-9
-            assert abs(way @ sols.self_motions[family].direction) == pytest.approx(1)
+            assert abs(way @ sols.self_motions[motion].direction) == pytest.approx(1)

@@ -43,7 +43,7 @@ def test_the_oracle_is_right_to_50_digits_and_finds_all_sixteen():
 
 
 @pytest.mark.parametrize("q4_deg", [0.0, 45.0])
-def test_the_oracle_sees_a_continuous_family(q4_deg):
+def test_the_oracle_sees_a_self_motion(q4_deg):
     arm = pieper.load("denso-vp6242")
     found = search(arm, arm.fk(np.radians([10, 20, 30, q4_deg, 0, 5])), starts=300, at_most=25)
     assert found.crowded

@@ -41,7 +41,7 @@ def test_the_printed_positions_have_the_flange_in_the_wrong_column(arm, k):
 
 
 @pytest.mark.parametrize("k", range(3))
-def test_each_set_is_singular_with_its_posture_in_a_family_and_six_isolated_solutions(arm, k):
+def test_each_set_is_singular_with_its_posture_in_a_self_motion_and_six_isolated_solutions(arm, k):
     q = np.radians(SETS["thetas"][k])
     sols = arm.ik(arm.fk(q))
     assert sols.status.name == "SINGULAR"

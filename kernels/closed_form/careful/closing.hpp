@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "chain/newton_step.hpp"
 #include "chain/rigid.hpp"
 
 namespace pieper::PIEPER_ISA::closed_form {
@@ -37,7 +38,6 @@ struct TrueChain {
   double length;       // m
   const Rigid* links;  // n + 1
   const bool* slides;
-  bool position_only;
 };
 
 // What forward kinematics of q misses T by, as a twist of the tool in base coordinates; and the Jacobian's columns.
@@ -46,14 +46,11 @@ inline double missed(const TrueChain& chain, const Rigid& T, const double* q, do
       chain.n, chain.links[0], [&](int k) -> const Rigid& { return chain.links[k + 1]; },
       [&](int k) { return motion_of(q[k], chain.slides[k]); }, chain.slides, T, columns);
   const Rigid& end = miss.end;
-  const Vec3 w = chain.position_only ? Vec3{0, 0, 0} : miss.w;
-  double worst = std::sqrt(dot(miss.p, miss.p));
-  if (chain.position_only) {
-    for (int i = 0; i < chain.n; ++i) columns[i][3] = columns[i][4] = columns[i][5] = 0;
-  } else {  // sees a half turn, which the cross products miss
-    const Vec3 ex = T.x - end.x, ey = T.y - end.y, ez = T.z - end.z;
-    worst = std::fmax(worst, std::sqrt(0.5 * (dot(ex, ex) + dot(ey, ey) + dot(ez, ez))));
-  }
+  const Vec3 w = miss.w;
+  // sees a half turn, which the cross products miss
+  const Vec3 ex = T.x - end.x, ey = T.y - end.y, ez = T.z - end.z;
+  const double worst =
+      std::fmax(std::sqrt(dot(miss.p, miss.p)), std::sqrt(0.5 * (dot(ex, ex) + dot(ey, ey) + dot(ez, ez))));
   error[0] = miss.p.x, error[1] = miss.p.y, error[2] = miss.p.z, error[3] = w.x, error[4] = w.y, error[5] = w.z;
   return worst;
 }
@@ -95,52 +92,9 @@ struct Normal {
   }
 };
 
-// The step dq with (J^T J + damping) dq = J^T e.
-inline void damped_step(int n, const double* error, const double (*J)[6], double damping, double* dq) {
-  for (int i = 0; i < n; ++i) {
-    dq[i] = 0;
-    for (int k = 0; k < 6; ++k) dq[i] += J[i][k] * error[k];
-  }
-  Normal(n, J, damping).solve(dq);
-}
-
 // Whether the Jacobian (columns, lengths in units of the arm) is singular within kClosedSingular.
 inline bool is_singular(int n, const double (*J)[6]) {
-  double largest = 0;
-  for (int i = 0; i < n; ++i) {
-    double s = 0;
-    for (int k = 0; k < 6; ++k) s += J[i][k] * J[i][k];
-    largest += s;
-  }
-  if (!(largest > 0)) return true;
-  // pivoted QR by modified Gram-Schmidt: the last diagonal is within a small factor of the smallest singular value
-  double Q[kMaxJoints][6];
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < 6; ++k) Q[i][k] = J[i][k];
-  bool used[kMaxJoints] = {};
-  double last = 0;
-  for (int step = 0; step < n; ++step) {
-    int best = -1;
-    double most = -1;
-    for (int i = 0; i < n; ++i) {
-      if (used[i]) continue;
-      double s = 0;
-      for (int k = 0; k < 6; ++k) s += Q[i][k] * Q[i][k];
-      if (s > most) most = s, best = i;
-    }
-    used[best] = true;
-    last = most;
-    if (!(most > 0)) return true;
-    double inv = 1 / most;
-    for (int i = 0; i < n; ++i) {
-      if (used[i]) continue;
-      double s = 0;
-      for (int k = 0; k < 6; ++k) s += Q[i][k] * Q[best][k];
-      s *= inv;
-      for (int k = 0; k < 6; ++k) Q[i][k] -= s * Q[best][k];
-    }
-  }
-  return last <= (3 * kClosedSingular) * (3 * kClosedSingular) * largest;
+  return last_pivot(n, J) <= (3 * kClosedSingular) * (3 * kClosedSingular);
 }
 
 // The distinct verified solutions of one pose.
@@ -164,11 +118,8 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
   double damping = kClosedDamping;
   for (int i = 0; i < 12 && miss > kClosedPolished; ++i) {
     double dq[kMaxJoints], trial[kMaxJoints], e2[6], J2[kMaxJoints][6];
-    damped_step(n, error, J, damping, dq);
-    double largest = 0;
-    for (int k = 0; k < n; ++k) largest = std::fmax(largest, std::fabs(dq[k]));
-    double shrink = largest > kClosedLongestStep ? kClosedLongestStep / largest : 1;
-    for (int k = 0; k < n; ++k) trial[k] = q[k] + shrink * dq[k];
+    damped_step(n, error, J, damping, kClosedLongestStep, dq);
+    for (int k = 0; k < n; ++k) trial[k] = q[k] + dq[k];
     double next = missed(chain, T, trial, e2, J2);
     if (next < miss) {
       bool stalled = next > 0.5 * miss && next < kClosedStalled;
@@ -201,7 +152,7 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
       apart = std::fmax(apart, std::fabs(d));
     }
     if (apart < kClosedSame) return;
-    // in a flat valley (a family, or a root too shallow for double precision) two candidates are one answer
+    // in a flat valley (a self-motion, or a root too shallow for double precision) two candidates are one answer
     if (singular && apart < kClosedValley && missed(chain, T, middle, error, J) <= kClosedPolished + 2 * miss) {
       found.suspect = true;
       return;

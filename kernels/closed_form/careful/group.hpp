@@ -41,7 +41,7 @@ struct GroupArm {
     for (const Vec3& v : d) most = std::fmax(most, std::sqrt(dot(v, v)));
     return most;
   }
-  TrueChain chain() const { return {6, length, truth, slides, false}; }
+  TrueChain chain() const { return {6, length, truth, slides}; }
 };
 
 }  // namespace pieper::PIEPER_ISA::closed_form

@@ -63,7 +63,7 @@ inline bool missed_along(const TrueChain& chain, const Rigid& T, const double* q
       for (int k = 0; k < 6; ++k) lean += J[i][k] * d.u[k];
       for (int k = 0; k < 6; ++k) J[i][k] += (d.v[i] - lean) * d.u[k];
     }
-    damped_step(n, error, J, kAloneDamping, dq);
+    damped_step(n, error, J, kAloneDamping, INFINITY, dq);
     for (int i = 0; i < n; ++i) p[i] += dq[i], largest = std::fmax(largest, std::fabs(dq[i]));
     miss = -along_u;
     if (largest < kAloneSettled) return true;

@@ -12,8 +12,10 @@ symbols of derived formulas are pooled.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 from pieper.algebra.node import Node
@@ -196,72 +198,55 @@ class Trig(Expr):
 
 # -- operations ----------------------------------------------------------------------------------------------
 class Operation(Expr):
-    """A node with arguments."""
+    """A node with arguments; `combine` takes the values of two."""
 
     __slots__ = ("args",)
+    combine: Any
 
     def __init__(self, *args: Expr) -> None:
         self.args = args
 
-    def _rebuilt(self, args: Iterable[Any]) -> Any:
+    def rebuilt(self, args: Iterable[Any]) -> Any:
         return type(self)(*args)
 
+    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
+        return reduce(type(self).combine, v)
 
-class Add(Operation):
-    """A sum, in the order it is to be read."""
+
+class Chained(Operation):
+    """An operation of any number of arguments, in the order it is to be read."""
 
     __slots__ = ()
-    op = "sum"
-    precedence = 1
 
     @classmethod
-    def of(cls, *terms: Expr) -> Expr:
-        """The sum as written: sums inside it are joined, nothing else is touched."""
-        flat = [t for term in terms for t in (term.args if isinstance(term, Add) else (term,))]
-        return flat[0] if len(flat) == 1 else Add(*flat)
+    def of(cls, *args: Expr) -> Expr:
+        """The operation as written: the same one inside it is joined, nothing else is touched."""
+        flat = [part for arg in args for part in (arg.args if isinstance(arg, cls) else (arg,))]
+        return flat[0] if len(flat) == 1 else cls(*flat)
 
-    def _rebuilt(self, args: Iterable[Any]) -> Any:
-        return Add.of(*args)
-
-    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
-        total = v[0]
-        for x in v[1:]:
-            total = total + x
-        return total
+    def rebuilt(self, args: Iterable[Any]) -> Any:
+        return self.of(*args)
 
 
-class Mul(Operation):
-    """A product, in the order it is to be read."""
+class Add(Chained):
+    """A sum."""
 
     __slots__ = ()
-    op = "product"
-    precedence = 2
+    op, precedence, combine = "sum", 1, operator.add
 
-    @classmethod
-    def of(cls, *factors: Expr) -> Expr:
-        """The product as written: products inside it are joined, nothing else is touched."""
-        flat = [f for factor in factors for f in (factor.args if isinstance(factor, Mul) else (factor,))]
-        return flat[0] if len(flat) == 1 else Mul(*flat)
 
-    def _rebuilt(self, args: Iterable[Any]) -> Any:
-        return Mul.of(*args)
+class Mul(Chained):
+    """A product."""
 
-    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
-        total = v[0]
-        for x in v[1:]:
-            total = total * x
-        return total
+    __slots__ = ()
+    op, precedence, combine = "product", 2, operator.mul
 
 
 class Div(Operation):
     """A quotient."""
 
     __slots__ = ()
-    op = "quotient"
-    precedence = 3
-
-    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
-        return v[0] / v[1]
+    op, precedence, combine = "quotient", 3, operator.truediv
 
 
 class Power(Operation):
@@ -298,7 +283,7 @@ class Call(Operation):
         super().__init__(*map(as_expr, args))
         self.name = name
 
-    def _rebuilt(self, args: Iterable[Any]) -> Any:
+    def rebuilt(self, args: Iterable[Any]) -> Any:
         return Call(self.name, *args)
 
     def _combined(self, v: list[Any], field: Any, branch: int) -> Any:

@@ -12,9 +12,9 @@ from pieper import _kernel
 from pieper.code import c
 from pieper.code.c import own_parts
 from pieper.code.export import Export
-from pieper.code.kernel_source import HEADERS, fingerprint, joined
+from pieper.code.kernel_source import fingerprint, header_of, joined
 from pieper.code.labels import Manner
-from pieper.code.language import Notation, filled, starred
+from pieper.code.language import Notation, filled
 
 FLAGS = "-std=c++20 -O3 -ffp-contract=fast -fno-math-errno -fno-trapping-math"
 
@@ -219,7 +219,6 @@ def numbers_of(geometry: Any) -> tuple[list[float], list[float]]:
 CPP = Notation(
     infinity="__builtin_inf()",
     truths=("0", "1"),
-    header=starred,
     manner=Manner(
         "__builtin_sin({0})", "__builtin_cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"
     ),
@@ -267,7 +266,7 @@ def _between(parts: dict[str, str]) -> str:
 def text(export: Export) -> str:
     """Return the file's text."""
     plan, own = export.plan, export.between
-    family, header = HEADERS[plan.family]
+    family, header = header_of(plan.family)
     numbers, general = numbers_of(plan.spec.geometry)
     six = plan.reduction.six(plan.defaults)
     direct = own.plain and own.held is None
@@ -278,7 +277,7 @@ def text(export: Export) -> str:
     parts |= {
         "FLAGS": FLAGS,
         "KERNEL": joined("code/taken.hpp", *(("elimination/general.hpp",) if general else ()), header),
-        "ARM": hashlib.sha256(repr((numbers, general, export.header)).encode()).hexdigest()[:12],
+        "ARM": hashlib.sha256(repr((numbers, general, export.header, sorted(parts.items()))).encode()).hexdigest()[:12],
         "MARK": f"pieper_{fingerprint()}",
         "OWN": family,
         "SLOTS": slots,

@@ -5,16 +5,14 @@ from __future__ import annotations
 from pieper.code.between import held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.language import USUAL, Language, filled, functions, starred
+from pieper.code.language import USUAL, Language, filled, functions
 from pieper.tolerances import FILLED_ZERO
 
 JAVASCRIPT = Language(
     words=USUAL | functions("Math.") | {"angle": "angle({0}, {1})", "eq": "{0} === {1}", "ne": "{0} !== {1}"},
-    entry=lambda k: f"T[{k}]",
     assign=lambda name, _, expression: f"  const {name} = {expression};",
     infinity="Infinity",
     truths=("false", "true"),
-    header=starred,
     manner=Manner("Math.sin({0})", "Math.cos({0})", "q[{0}]", 0, "  const {0} = {1};", "side({0}, {1})"),
     per_row=("[{}]", ", "),
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pieper.code.export import Export
 from pieper.code.language import filled
-from pieper.code.python import arrays, own_parts
+from pieper.code.python import LABEL, arrays, own_parts
 
 FRAME = '''"""@HEADER@
 
@@ -96,16 +96,7 @@ def NAME_ik(T@VALUE@):
     return q[0][inside[0]]
 
 
-def _side(v, facing):
-    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
-    v = -v if facing < 0 else v
-    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
-
-
-def NAME_label(q):
-    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
-@LABEL_AXES@@SUMS@
-    return _NAMES[@PLACE@]
+@LABEL@
 
 
 def NAME_self_test():
@@ -135,4 +126,4 @@ def text(export: Export) -> str:
         "GEARED_T": "" if own.gears is None else " @ _GEARS.T",
         "ALONE_IS": "~SLIDES_" if own.tied is None else "~SLIDES_ & ~_TIED",
     }
-    return filled(FRAME, arrays("jnp").parts(export) | parts, export)
+    return filled(FRAME.replace("@LABEL@", LABEL), arrays("jnp").parts(export) | parts, export)

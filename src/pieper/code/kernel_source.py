@@ -11,17 +11,6 @@ from pathlib import Path
 
 from pieper.errors import PlanError
 
-#: Family -> the struct of its geometry and the header of it and its kernel; the build's own table says the same.
-HEADERS = {
-    "spherical_wrist_parallel": ("SphericalWristParallel", "closed_form/lanes/spherical_wrist_parallel.hpp"),
-    "spherical_wrist": ("SphericalWrist", "closed_form/lanes/spherical_wrist.hpp"),
-    "three_parallel": ("ThreeParallel", "closed_form/lanes/three_parallel.hpp"),
-    "offset_wrist": ("OffsetWrist", "hidden_angle/offset_wrist.hpp"),
-    "two_slides": ("TwoSlides", "hidden_angle/two_slides.hpp"),
-    "position3": ("Position3", "closed_form/careful/position3.hpp"),
-    "orientation3": ("Orientation3", "closed_form/careful/orientation3.hpp"),
-    "general": ("General", "elimination/general.hpp"),
-}
 _INCLUDE = re.compile(r'^#include "([^"]+)"\n', re.M)
 _LOOSE = re.compile(r"^(?=(?:void|double|int|bool|long) \w+\()", re.M)
 
@@ -54,6 +43,15 @@ def _lines() -> dict[str, str]:
     place = folder()
     found = {p.relative_to(place).as_posix(): p.read_text() for p in place.rglob("*.hpp")}
     return found | {"tolerances.hpp": _tolerances()}
+
+
+def header_of(family: str) -> tuple[str, str]:
+    """Return the struct of a family's geometry and the header of its kernel, as the headers themselves say."""
+    said = re.compile(rf'struct (\w+) : \w+ {{\s+static constexpr const char\* name = "{family}";')
+    (own,) = [m[1] for text in _lines().values() for m in said.finditer(text)]
+    kernel = re.compile(rf"^(?:class|using) {own}Kernel\b", re.M)
+    (header,) = [name for name, text in _lines().items() if kernel.search(text)]
+    return own, header
 
 
 @lru_cache

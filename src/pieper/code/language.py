@@ -44,6 +44,16 @@ def functions(prefix: str) -> dict[str, str]:
     }
 
 
+def starred(header: Sequence[str]) -> str:
+    """Return a header for a comment between stars, which it must not end."""
+    return "\n".join(header).replace("*/", "* /")
+
+
+def quoted(header: Sequence[str]) -> str:
+    """Return a header for a text between three quotes, which it must not end."""
+    return "\n".join(header).replace("\\", "/").replace('"""', "'''")
+
+
 @dataclass(frozen=True, kw_only=True)
 class Notation:
     """How a language says an arm's numbers.
@@ -59,8 +69,8 @@ class Notation:
 
     infinity: str
     truths: tuple[str, str]
-    header: Callable[[Sequence[str]], str]
     manner: Manner
+    header: Callable[[Sequence[str]], str] = starred
     brackets: str = "[]"
     texts: str = '[]"'
 
@@ -85,7 +95,7 @@ class Notation:
             "VERIFIED": repr(export.verified),
             "DEFAULT": repr(export.between.default),
             "TEST_Q": self.numbers(export.q),
-            "TEST_T": self.numbers(export.T.reshape(-1, 16)),
+            "TEST_T": self.numbers(np.round(export.T.reshape(-1, 16), 12)),
             "COUNTS": self.listed(str(k) for k in export.counts),
             **self.manner.parts(export.labels, first + names + last),
         }
@@ -103,8 +113,8 @@ class Language(Notation):
     """
 
     words: Mapping[str, str]
-    entry: Callable[[int], str]
     assign: Callable[[str, bool, str], str]
+    entry: Callable[[int], str] = "T[{}]".format
     per_row: tuple[str, str] | None = None
 
     def parts(self, export: Export) -> dict[str, str]:
@@ -122,16 +132,6 @@ class Language(Notation):
             "UNCLEAR": said(program.unclear),
         }
         return super().parts(export) | own
-
-
-def starred(header: Sequence[str]) -> str:
-    """Return a header for a comment between stars, which it must not end."""
-    return "\n".join(header).replace("*/", "* /")
-
-
-def quoted(header: Sequence[str]) -> str:
-    """Return a header for a text between three quotes, which it must not end."""
-    return "\n".join(header).replace("\\", "/").replace('"""', "'''")
 
 
 def nested(value: Any, brackets: str, number: Callable[[float], str]) -> str:

@@ -109,6 +109,17 @@ def _move_inside(q):
 """
 
 
+#: The name of a posture; the same for every module of arrays.
+LABEL = '''def _side(v, facing):
+    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
+    v = -v if facing < 0 else v
+    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
+
+
+def NAME_label(q):
+    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
+@LABEL_AXES@@SUMS@
+    return _NAMES[@PLACE@]'''
 FRAME = '''"""@HEADER@
 
 @SAID@ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits; ik_all(Ts)
@@ -204,16 +215,7 @@ def ik(T@VALUE@):
     return q[inside]
 
 
-def _side(v, facing):
-    # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
-    v = -v if facing < 0 else v
-    return 0 if v > @NO_SIDE@ else 1 if v < -@NO_SIDE@ else 2
-
-
-def label(q):
-    """The name of a posture (n,), such as "front, elbow up, wrist flip"; "" where the postures have none."""
-@LABEL_AXES@@SUMS@
-    return _NAMES[@PLACE@]
+@LABEL@
 
 
 def self_test():
@@ -241,4 +243,4 @@ if __name__ == "__main__":
 def text(export: Export) -> str:
     """Return the file's text."""
     parts = {name: part.replace("SLIDES_", "SLIDES") for name, part in own_parts(export, "np").items()}
-    return filled(FRAME, arrays("np").parts(export) | parts, export)
+    return filled(FRAME.replace("@LABEL@", LABEL.replace("NAME_", "")), arrays("np").parts(export) | parts, export)

@@ -117,8 +117,7 @@ def model_of(arm: Description, chain: Chain, bodies: Bodies, scene: Scene) -> Mo
 
     def native(pairs: list[tuple[int, int]], outer: int) -> _kernel.Collision:
         return _kernel.Collision(
-            links=chain.links,
-            prismatic=chain.prismatic,
+            chain.plain,
             link=[s.link for s in ordered],
             place=np.array([s.place for s in ordered]).reshape(-1, 4, 4),
             half=np.array([s.half for s in ordered]).reshape(-1, 3),

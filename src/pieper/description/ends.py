@@ -13,6 +13,8 @@ from pieper.description.tree import MOVING, Joint, Tree, some
 from pieper.errors import InputError
 from pieper.tolerances import SAME_TOOL
 
+#: The kind of joint that lets a robot float as a whole, or a thing lie about.
+FLOATING = "floating"
 #: Names by which files say which frame is the tool's, the strongest first.
 _TOOL_NAMES = ("tool0", "flange", "ee_link", "tcp")
 
@@ -57,10 +59,12 @@ def find_ends(tree: Tree, base: str | None, tip: str | None) -> Ends:
                 given=said,
                 allowed=tree.links,
             )
-    if tip is not None:
-        return Ends(_root_of(tree, tip) if base is None else base, tip)
+    afloat: tuple[str, ...] = ()
     if base is None:
-        base = _root(tree)
+        base = _root(tree) if tip is None else _root_of(tree, tip)
+        afloat = _floats(tree, base)
+    if tip is not None:
+        return Ends(base, tip, afloat)
     moving, rolling = fingers(tree), wheels(tree)
     left_out = moving | rolling | fixed_fingers(tree, moving)
     anchor = _anchor(tree, base)
@@ -70,7 +74,7 @@ def find_ends(tree: Tree, base: str | None, tip: str | None) -> Ends:
         _nothing_moves(tree, base, anchor, left_out)
     candidates = {joint.name: _candidates(tree, reach, joint) for joint in chains}
     tip, why = _decide(tree, reach, chains, candidates)
-    return Ends(base, tip, (*_left_out(tree, _reach(tree, anchor, set()), reach, tip, moving, rolling), *why))
+    return Ends(base, tip, (*afloat, *_left_out(tree, _reach(tree, anchor, set()), reach, tip, moving, rolling), *why))
 
 
 def _left_out(
@@ -103,14 +107,44 @@ def _carrier(tree: Tree, joint: Joint, moving: set[str], reach: _Reach) -> Joint
 
 
 def _root_of(tree: Tree, link: str) -> str:
-    while link in tree.above:
-        link = tree.above[link].parent
-    return link
+    """Return the root that a link hangs from: of the tree, or of a robot that floats in it as a whole."""
+    at = link
+    while at in tree.above:
+        at = tree.above[at].parent
+    afloat = [root for root in _bodies_afloat(tree) if root in _above(tree, link)[1:]]
+    return afloat[0] if afloat else at
+
+
+def _above(tree: Tree, link: str) -> list[str]:
+    found = [link]
+    while found[-1] in tree.above:
+        found.append(tree.above[found[-1]].parent)
+    return found
+
+
+def _bodies_afloat(tree: Tree) -> list[str]:
+    """Return the first link of everything that floats with nothing before it that moves: robots, and things about."""
+    found = []
+    for joint in tree.joints:
+        if joint.kind != FLOATING or any(tree.above[k].moves for k in _above(tree, joint.parent) if k in tree.above):
+            continue
+        # an MJCF's body hangs rigidly from what its own free joint moves
+        below = tree.below.get(joint.child, [])
+        found.append(below[0].child if len(below) == 1 and not below[0].moves else joint.child)
+    return found
+
+
+def _floats(tree: Tree, base: str) -> tuple[str, ...]:
+    """Return in a sentence that the robot floats, where it does."""
+    if base not in _bodies_afloat(tree):
+        return ()
+    joint = next(tree.above[k] for k in _above(tree, base) if tree.above[k].kind == FLOATING)
+    return (f"The robot floats (joint {joint.name!r}); its own body {base!r} is the base.",)
 
 
 def _root(tree: Tree) -> str:
     """Return the one root from which something moves."""
-    roots = [root for root in tree.roots if _moves(tree, root)]
+    roots = [root for root in (*tree.roots, *_bodies_afloat(tree)) if _moves(tree, root)]
     if len(roots) > 1:
         choices = [{"base": root, "joints": [j.name for j in _moving_below(tree, root)]} for root in roots]
         listed = "; ".join(f"base={c['base']!r} (joints {some(c['joints'])})" for c in choices)
@@ -127,6 +161,8 @@ def _moving_below(tree: Tree, link: str) -> list[Joint]:
     found, stack = [], [link]
     while stack:
         for joint in tree.below.get(stack.pop(), []):
+            if joint.kind == FLOATING:
+                continue
             stack.append(joint.child)
             if joint.moves:
                 found.append(joint)
@@ -155,7 +191,7 @@ def _reach(tree: Tree, anchor: str, left_out: set[str]) -> _Reach:
     while stack:
         link = stack.pop()
         for joint in tree.below.get(link, []):
-            if joint.name in left_out:
+            if joint.name in left_out or (joint.kind == FLOATING and last[link] is None):
                 continue
             below.setdefault(link, []).append(joint)
             last[joint.child] = joint if joint.moves else last[link]
@@ -247,8 +283,10 @@ def _nothing_moves(tree: Tree, base: str, anchor: str, left_out: set[str]) -> No
             choices=choices,
             allowed=[joint.child for joint in cut],
         )
+    afloat = [joint.name for joint in tree.joints if joint.kind == FLOATING]
+    loose = f" ({_joints(afloat)} {'is' if len(afloat) == 1 else 'are'} floating)" if afloat else ""
     raise InputError(
-        f"{tree.file}: no moving joint hangs from {base!r}; kinds that move are {', '.join(MOVING)}. "
+        f"{tree.file}: no moving joint hangs from {base!r}{loose}; kinds that move are {', '.join(MOVING)}. "
         "Say base= or tip= of a chain that moves.",
         file=tree.file,
         base=base,

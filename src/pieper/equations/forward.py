@@ -18,6 +18,8 @@ from pieper.document.blocks import Document, Equation, Equations
 from pieper.document.formulas import equals, in_line, matrix, named
 from pieper.document.mathml_fit import displayed
 from pieper.document.readable import Readable
+from pieper.equations.lettering import checked_letters, in_letters
+from pieper.equations.named_parts import broken_lines
 from pieper.equations.table import SymbolTable, symbol_table
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
@@ -43,6 +45,34 @@ class Check:
 
     def __str__(self) -> str:
         return self.what
+
+    @staticmethod
+    def of(
+        equations: Callable[[Array], Array],
+        numeric: Callable[[Array], Array] | None,
+        joints: int,
+        n: int,
+        rng: np.random.Generator | None,
+        says: tuple[str, str, str],
+    ) -> Check:
+        """Compare equations with numbers at n random joint vectors (rad, m).
+
+        Args:
+            equations: Takes joint vectors (n, joints).
+            numeric: The numbers likewise; None where the equations were made without an arm.
+            joints: How many.
+            n: Joint vectors tried.
+            rng: Random numbers.
+            says: The argument that an arm would have been given as; what is counted; what it is compared with.
+        """
+        argument, entries, what = says
+        if numeric is None:
+            raise InputError(f"These equations were made without an arm; pass {argument}= to check them.")
+        q = (rng or np.random.default_rng(20260)).uniform(-np.pi, np.pi, (n, joints))
+        worst = float(np.max(np.abs(equations(q) - numeric(q))))
+        agree = f"All {entries} entries agree with the numeric {what} at {n} random joint vectors to {worst:.1e}"
+        differ = f"The equations differ from the numeric {what} by up to {worst:.1e}"
+        return Check(n, worst, f"{agree if worst < FORMULA_AGREES else differ} (metres or direction cosines).")
 
 
 @dataclass(frozen=True)
@@ -114,6 +144,7 @@ class ForwardEquations(Readable):
         fk: Its numeric forward kinematics, q (..., n) -> (..., 4, 4), against which `check` measures.
         lengths: "symbols" or "numbers".
         angles: "theta" (angles of the DH table) or "q" (the maker's joint coordinates).
+        letters: "noap" or "r", in which the page names the entries of the pose.
     """
 
     def __init__(
@@ -123,8 +154,9 @@ class ForwardEquations(Readable):
         fk: Callable[[np.ndarray], np.ndarray] | None = None,
         lengths: str = "symbols",
         angles: str = "theta",
+        letters: str = "noap",
     ) -> None:
-        self.description, self._fk = description, fk
+        self.description, self._fk, self.letters = description, fk, checked_letters(letters)
         self.table: SymbolTable = symbol_table(description, lengths=lengths, angles=angles)
         self._products: dict[tuple[int, int], list[list[Poly]]] = {}
         self._named: dict[tuple[int, int], MatrixEquation] = {}
@@ -235,7 +267,7 @@ class ForwardEquations(Readable):
             if equations:
                 page.say(words, *in_line(equations))
         page.add(*(m.equation for m in (*self.A, *self.halves)), self.pose.entry_equations)
-        return page
+        return in_letters(broken_lines(page), self.letters)
 
     def sympy(self) -> Any:
         """Base-to-tool pose as a sympy Matrix (4, 4)."""
@@ -260,19 +292,7 @@ class ForwardEquations(Readable):
 
     def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> Check:
         """Compare with the numeric forward kinematics at `n` random joint vectors."""
-        if self._fk is None:
-            raise InputError("These equations were made without an arm; pass fk= to check them.")
-        rng = rng or np.random.default_rng(20260)
-        q = rng.uniform(-np.pi, np.pi, (n, self.n))
-        worst = float(np.max(np.abs(self.evaluate(q) - self._fk(q))))
-        return Check(
-            n,
-            worst,
-            f"All twelve entries agree with the numeric pose at {n} of {n} random joint vectors to {worst:.1e} "
-            "(metres or direction cosines)."
-            if worst < FORMULA_AGREES
-            else f"The equations differ from the numeric pose by up to {worst:.1e}.",
-        )
+        return Check.of(self.evaluate, self._fk, self.n, n, rng, ("fk", "twelve", "pose"))
 
 
 def forward_matrices(description: Description, *, lengths: str = "symbols", angles: str = "theta") -> list:

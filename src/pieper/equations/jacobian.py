@@ -19,7 +19,6 @@ from pieper.document.formulas import matrix, named
 from pieper.document.readable import Readable
 from pieper.equations.forward import Check, ForwardEquations
 from pieper.equations.table import inverse
-from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 
 
@@ -135,16 +134,7 @@ class JacobianEquations(Readable):
 
     def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> Check:
         """Compare with the numeric Jacobian at `n` random joint vectors."""
-        if self._jacobian is None:
-            raise InputError("These equations were made without an arm; pass jacobian= to check them.")
-        rng = rng or np.random.default_rng(20261)
-        q = rng.uniform(-np.pi, np.pi, (n, self.n))
-        worst = float(np.max(np.abs(self.evaluate(q) - self._jacobian(q))))
-        return Check(
-            n,
-            worst,
-            f"All {6 * self.n} entries agree with the numeric Jacobian at {n} random joint vectors to {worst:.1e}.",
-        )
+        return Check.of(self.evaluate, self._jacobian, self.n, n, rng, ("jacobian", f"{6 * self.n}", "Jacobian"))
 
 
 def _together(columns: list[list[Poly]], by: Array) -> list[Poly]:

@@ -23,13 +23,13 @@ from pieper.errors import InputError
 from pieper.judge import keys
 from pieper.judge.arms import describe_arm, read_arm
 from pieper.judge.claim import Claim
-from pieper.judge.evidence import Evidence, in_order, plain
+from pieper.judge.evidence import Evidence
 from pieper.judge.excerpt import claims_file, guesses, of_the_page
 from pieper.judge.judges.angles import judge_joint, judge_together
 from pieper.judge.judges.formulas import judge_entry, judge_equation
 from pieper.judge.judges.freedom import judge_freedom
 from pieper.judge.judges.jacobians import judge_determinant, judge_jacobian, judge_singular
-from pieper.judge.judges.limits import judge_limit
+from pieper.judge.judges.limits import judge_bounds, judge_limit
 from pieper.judge.judges.matrices import judge_matrix, judge_product
 from pieper.judge.judges.poses import judge_pose
 from pieper.judge.judges.procedure import judge_procedure
@@ -37,6 +37,7 @@ from pieper.judge.judges.solutions import judge_count, judge_solutions
 from pieper.judge.judges.tables import judge_errors, judge_number, judge_range, judge_table
 from pieper.judge.model import ArmModel, model_from_description
 from pieper.judge.solver import Solver
+from pieper.judge.symbols import in_order, plain
 from pieper.judge.verdict import Judgement, Verdict
 from pieper.solver.plan.plan import Plan
 
@@ -100,6 +101,7 @@ JUDGES = {
     "errors": Judge(judge_errors, {"rows", "percent"}, set(), {"rows": keys.ERROR_ROWS}),
     "table": Judge(judge_table, {"rows"}, {"unit", "within", "search_zeros"}, {"rows": keys.POSITION_ROWS}),
     "limit": Judge(judge_limit, {"joint", "range_deg"}, {"path", "unit"}),
+    "bounds": Judge(judge_bounds, {"is", "between"}, {"where", "frame", "when", "at_deg"}, {"is": keys.formula}),
     "range": Judge(judge_range, {"joint", "range_deg", "values_deg"}, set()),
     "number": Judge(
         judge_number,

@@ -25,8 +25,9 @@ from pieper.judge.model import ArmModel
 from pieper.judge.products import Product, factors_of, parse_product
 from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample, some
 from pieper.judge.search.search import Explanation, Goal
-from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips
+from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips, two_twists
 from pieper.judge.slips.slip import KINDS
+from pieper.judge.symbols import in_order, plain
 from pieper.tolerances import ENTRY_MATTERS, EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
 
 MOST_ROWS = 4  # of a matrix of the file's own
@@ -285,15 +286,22 @@ class Evidence:
     @cached_property
     def other_arms(self) -> list[tuple[str, str, Samples]]:
         """(kind, words, samples) with the same joint vectors and lengths for the arms one slip away."""
-        base, out = self.samples, []
-        for kind, words, model in arm_slips(self.model):
-            env = {k: base.env[k] for k in base.env if k.startswith("theta") or k in model.values or k in model.aliases}
-            frames = model.frames(env)
-            env.update(pose_symbols(frames["T"]))
-            self.pick(env, frames)
-            self.fill(env)
-            out.append((kind, words, Samples(base.q, env, frames, base.nominal)))
-        return out
+        return [(kind, words, self._as(model)) for kind, words, model in arm_slips(self.model)]
+
+    @property
+    def arms_of_two_twists(self) -> Iterator[tuple[str, str, Samples]]:
+        """The same for the arms with two twists of the other sign."""
+        return ((kind, words, self._as(model)) for kind, words, model in two_twists(self.model))
+
+    def _as(self, model: ArmModel) -> Samples:
+        """The samples of another arm at the same joint vectors and lengths."""
+        base = self.samples
+        env = {k: base.env[k] for k in base.env if k.startswith("theta") or k in model.values or k in model.aliases}
+        frames = model.frames(env)
+        env.update(pose_symbols(frames["T"]))
+        self.pick(env, frames)
+        self.fill(env)
+        return Samples(base.q, env, frames, base.nominal)
 
     def solutions_at(self, k: int) -> np.ndarray:
         """Return all solutions (m, n) of the pose of sample k in the claims' units, before limits.
@@ -362,23 +370,6 @@ def under(key: str) -> Iterator[None]:
         raise InputError(f"{key}: {error}", **error.data) from None
     except np.linalg.LinAlgError:
         raise InputError(f"{key}: a matrix that is inverted here has no inverse") from None
-
-
-def in_order(symbols: Mapping[str, str]) -> dict[str, str]:
-    """Symbols so that each stands after those it uses; what goes in circles stays where it is."""
-    uses = {
-        name: set(re.findall(r"[A-Za-z]\w*'*", plain(body))) & set(symbols) - {name} for name, body in symbols.items()
-    }
-    out: dict[str, str] = {}
-    while len(out) < len(symbols):
-        ready = [name for name in symbols if name not in out and uses[name] <= set(out)]
-        out.update({name: symbols[name] for name in ready[:1] or [n for n in symbols if n not in out][:1]})
-    return out
-
-
-def plain(name: str) -> str:
-    """Return a symbol's name as formulas hold it, without the marks of subscripts."""
-    return name.translate(str.maketrans("", "", "_{}"))
 
 
 def tried_text(explanation: Explanation, arms_tried: dict[str, int] | None = None) -> str:

@@ -238,6 +238,7 @@ CLAIM: dict[str, Check] = {
     "within": finite,
     "search_zeros": several(whole, plural="the numbers of joints"),
     "range_deg": interval,
+    "between": interval,
     "values_deg": several(printed),
     "path": table({"from": several(finite, 3), "to": several(finite, 3)}, {"n": whole}),
     "value": printed,

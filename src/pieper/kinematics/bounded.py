@@ -25,9 +25,7 @@ def nearer(chain: Chain, q: Array, T: Array, limits: Array, turning: Array, step
         (k, n) and the values (k,) that are left.
     """
     return _kernel.nearer(
-        links=chain.links,
-        prismatic=chain.prismatic,
-        length=chain.length,
+        chain.plain,
         coupling=chain.coupling,
         lower=limits[:, 0],
         upper=limits[:, 1],

@@ -94,15 +94,20 @@ class Chain:
     @cached_property
     def native(self) -> _kernel.Forward | CoupledForward:
         """The native forward kinematics of this chain."""
-        return self._forward(self.frames_after)
+        return self._coupled(self.plain)
 
     @cached_property
     def native_axes(self) -> _kernel.Forward | CoupledForward:
         """The native forward kinematics whose frames stand on the joint axes, z along them."""
-        return self._forward(np.tile(np.eye(4), (self.n, 1, 1)))
+        after = np.tile(np.eye(4), (self.n, 1, 1))
+        return self._coupled(_kernel.Forward(self.links, self.prismatic, after, self.length))
 
-    def _forward(self, frames_after: Array) -> _kernel.Forward | CoupledForward:
-        plain = _kernel.Forward(self.links, self.prismatic, frames_after)
+    @cached_property
+    def plain(self) -> _kernel.Forward:
+        """The native chain whose joints move by themselves."""
+        return _kernel.Forward(self.links, self.prismatic, self.frames_after, self.length)
+
+    def _coupled(self, plain: _kernel.Forward) -> _kernel.Forward | CoupledForward:
         return plain if self.coupling is None else CoupledForward(plain, self.coupling)
 
     @property

@@ -165,7 +165,7 @@ def newton(
     max_step: float = 0.5,
     rows: Array | None = None,
 ) -> Array:
-    """Move joint vectors q (..., n) towards the pose(s) T (..., 4, 4) by minimum-norm Newton steps.
+    """Move joint vectors q (..., n) towards the poses T (..., 4, 4), or one by minimum-norm Newton steps.
 
     Singular directions below `cutoff` times the largest singular value are left alone, which lets the iteration settle
     on a point of a self-motion; a step is never longer than `max_step` (rad, or characteristic lengths).
@@ -188,9 +188,7 @@ def newton(
     start = q.reshape(-1, chain.n)
     if rows is None and chain.coupling is None:
         moved = _kernel.onto(
-            links=chain.links,
-            prismatic=chain.prismatic,
-            length=chain.length,
+            chain.plain,
             q=start,
             T=poses,
             steps=steps,

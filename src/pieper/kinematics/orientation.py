@@ -35,17 +35,10 @@ def rotation(notation: str, numbers: list[float]) -> np.ndarray:
         ValueError: The quaternion is not of unit length.
     """
     if notation == "rpy":
-        roll, pitch, yaw = numbers
-        return _about(2, yaw) @ _about(1, pitch) @ _about(0, roll)
-    if notation == "zyx":
-        a, b, c = numbers
-        return _about(2, a) @ _about(1, b) @ _about(0, c)
-    if notation == "zyz":
-        a, b, c = numbers
-        return _about(2, a) @ _about(1, b) @ _about(2, c)
-    if notation == "xyz":
-        x, y, z = numbers
-        return _about(0, x) @ _about(1, y) @ _about(2, z)
+        return rotation("zyx", numbers[::-1])
+    if notation in ("zyx", "zyz", "xyz"):
+        first, second, third = (_about("xyz".index(axis), x) for axis, x in zip(notation, numbers, strict=True))
+        return first @ second @ third
     if notation == "rotation_vector":
         return _of_vector(np.array(numbers, float))
     w, x, y, z = numbers if notation == "quaternion_wxyz" else (numbers[3], *numbers[:3])

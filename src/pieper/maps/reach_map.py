@@ -225,13 +225,13 @@ def reach_map(
     plan: Plan,
     box: Sequence[Sequence[float]],
     step: float,
-    orientations: Sequence[int] | ArrayLike = (128, 16),
-    symmetry: str = "auto",
-    store: str | os.PathLike[str] | None = None,
-    executor: Executor | None = None,
-    progress: Callable[[int, int], None] | None = None,
-    measure: bool = False,
-    around: Around | None = None,
+    orientations: Sequence[int] | ArrayLike,
+    symmetry: str,
+    store: str | os.PathLike[str] | None,
+    executor: Executor | None,
+    progress: Callable[[int, int], None] | None,
+    measure: bool,
+    around: Around | None,
 ) -> ReachMap:
     """Ask for a map; see `pieper.Arm.reach_map`.
 

@@ -149,6 +149,4 @@ def _look(native: _kernel.Solver, chain: Chain, limits: Array, spec: KernelSpec)
     """Return the look at singular poses, where a closed form gives rows of six joints."""
     if chain.n != 6 or not spec.closed_form:
         return None
-    lower, upper = limits.T
-    links, prismatic = chain.links, chain.prismatic
-    return _kernel.CarefulLook(native, links=links, prismatic=prismatic, length=chain.length, lower=lower, upper=upper)
+    return _kernel.CarefulLook(native, chain.plain, lower=limits[:, 0], upper=limits[:, 1])

@@ -16,5 +16,3 @@ SQUARES_LEAST = 1e-150
 CENTRAL_STEP = 1e-6
 #: Relative: by so much a count or a size may miss its edge and still lie on it.
 RELATIVE_ROUNDING = 1e-9
-#: A nanosecond, s: messages count seconds and nanoseconds apart.
-NANOSECOND = 1e-9

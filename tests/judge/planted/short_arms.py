@@ -228,3 +228,16 @@ SKEW = PlantedArm(
     },
     (),
 )
+
+
+def two_links(a1: float, a2: float) -> str:
+    """Return the arm of a claims file: two links in a plane, m."""
+    return f"""
+[arm]
+name = "two links"
+convention = "standard"
+length_unit = "m"
+columns = ["theta", "d", "a", "alpha"]
+rows = [["q1", 0, "a1", 0], ["q2", 0, "a2", 0]]
+values = {{ a1 = {a1}, a2 = {a2} }}
+"""

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pieper
-from oracle.turns import reaches, ring
+from oracle.turns import random_ring, reaches, ring
 from pieper.motion.route.front import Ended, everything_at, follow, modulo_turns
 
 FREE = pieper.Freedom()
@@ -79,9 +79,7 @@ def test_what_is_refused_is_not_reached_by_many_turns(irb, seed):
     rng = np.random.default_rng(seed)
     reach, unknown = irb.chain.length, 0
     for _ in range(6):
-        out, angle = rng.uniform(0.2, 0.65) * reach, rng.uniform(-2.5, 2.5)
-        centre = (out * np.cos(angle), out * np.sin(angle), rng.uniform(0, 0.55) * reach)
-        path = ring(20, centre, rng.uniform(0.03, 0.17) * reach, rng.uniform(0, 1.2))
+        path = random_ring(rng, 20, reach, out=(0.2, 0.65), around=2.5, up=(0, 0.55), wide=(0.03, 0.17))
         route = irb.route(path, free=FREE)
         unknown += route.verdict is pieper.Verdict.UNCERTAIN
         if route.verdict is pieper.Verdict.IMPOSSIBLE:

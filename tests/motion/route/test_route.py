@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pieper
-from oracle.turns import cheapest, reaches, ring
+from oracle.turns import cheapest, random_ring, reaches, ring
 from pieper.kinematics.pose import rotation_about, transform
 
 FREE = pieper.Freedom()
@@ -111,9 +111,7 @@ def test_verdicts_agree_with_a_search_over_many_turns(irb):
     rng = np.random.default_rng(5)
     reach, unknown = irb.chain.length, 0
     for _ in range(6):
-        out, angle = rng.uniform(0.25, 0.6) * reach, rng.uniform(-0.6, 0.6)
-        centre = (out * np.cos(angle), out * np.sin(angle), rng.uniform(0.1, 0.5) * reach)
-        path = ring(30, centre, rng.uniform(0.05, 0.17) * reach, rng.uniform(0, 1.2))
+        path = random_ring(rng, 30, reach, out=(0.25, 0.6), around=0.6, up=(0.1, 0.5), wide=(0.05, 0.17))
         route = irb.route(path, free=FREE)
         unknown += route.verdict is pieper.Verdict.UNCERTAIN
         if route.verdict is not pieper.Verdict.UNCERTAIN:

@@ -70,14 +70,19 @@ def strata(chain):
     yield "wrist centre over the first axis", shoulder, 0.0
 
 
+def moved_onto(chain, rng, apart):
+    """Yield names and random joint vectors (k, 6) at distances (k,) from a singularity."""
+    for stratum, move, bent in strata(chain):
+        q = rng.uniform(-PI, PI, (len(apart), 6))
+        move(q, apart, bent)
+        yield stratum, (q + PI) % (2 * PI) - PI
+
+
 @pytest.mark.parametrize("name", ARMS)
 def test_near_a_singularity_solutions_are_found_again_at_every_distance(name):
     chain = ARMS[name]
     rng = np.random.default_rng(4)
-    for stratum, move, bent in strata(chain):
-        q = rng.uniform(-PI, PI, (2000, 6))
-        move(q, 10 ** rng.uniform(-10, -2, len(q)) * rng.choice([-1, 1], len(q)), bent)
-        q = (q + PI) % (2 * PI) - PI
+    for stratum, q in moved_onto(chain, rng, 10 ** rng.uniform(-10, -2, 2000) * rng.choice([-1, 1], 2000)):
         found, valid, _, error = solved(chain, q)
         assert found_again(chain, q, found, valid).mean() >= 0.9999, stratum
         assert error[..., 1].max() < 1e-12, stratum
@@ -87,10 +92,7 @@ def test_near_a_singularity_solutions_are_found_again_at_every_distance(name):
 def test_on_a_singularity_there_is_an_answer_and_a_flag(name):
     chain = ARMS[name]
     rng = np.random.default_rng(5)
-    for stratum, move, bent in strata(chain):
-        q = rng.uniform(-PI, PI, (600, 6))
-        move(q, 0.0, bent)
-        q = (q + PI) % (2 * PI) - PI
+    for stratum, q in moved_onto(chain, rng, np.zeros(600)):
         on = np.ones(len(q), bool) if "first axis" not in stratum else turns_apart(q[:, 1], 0.5) > 1e-9
         _, valid, flag, error = solved(chain, q)
         assert valid.any(1).all(), stratum

@@ -1,17 +1,19 @@
-"""Judge of a joint's printed range, against a path the arm is said to follow."""
+"""Judges of ranges: a joint's printed one, against a path the arm is said to follow, and a formula's."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from pieper.judge.claim import Claim
-from pieper.judge.evidence import Evidence
+from pieper.judge.evidence import Evidence, number
 from pieper.judge.judges.tables import ZEROS
 from pieper.judge.model import ArmModel
 from pieper.judge.numbers import UNITS, unit_of
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
-from pieper.tolerances import CENTRAL_STEP, LIMIT_DAMPING, LIMIT_FOUND, LIMIT_REACHED
+from pieper.tolerances import CENTRAL_STEP, JUDGED_ZERO, LIMIT_DAMPING, LIMIT_FOUND, LIMIT_REACHED
+
+BOUNDS = 1000  # joint vectors at which a formula's range is looked at
 
 
 def judge_limit(ev: Evidence, claim: Claim) -> Verdict:
@@ -61,6 +63,34 @@ def judge_limit(ev: Evidence, claim: Claim) -> Verdict:
     details.append(("tried", "both senses and zeros at 0, 90, 180, -90 deg"))
     sentence = "Wrong: the range cannot be that of this table's joint, for the path leaves it."
     return claim.wrong(sentence, details, "zero" if maps else "")
+
+
+def judge_bounds(ev: Evidence, claim: Claim) -> Verdict:
+    """Judge between which values a formula stays at all poses (keys is, between = [low, high], where, frame, when).
+
+    What is said of an open interval holds when the formula comes as near to an end as one likes.
+    """
+    ev = ev.holding(claim)
+    low, high = (float(v) for v in claim["between"])
+    node, frame = ev.parse(str(claim["is"]), claim.where), ev.frame(claim)
+    claim = claim.reads(f"{claim['is']} lies in {low:g} .. {high:g}")
+    drawn = ev.drawn(BOUNDS, seed=271_828)
+    with np.errstate(all="ignore"):
+        values = np.broadcast_to(
+            np.asarray(node.evaluate(drawn.environment(frame)), dtype=float), (len(drawn.samples.q),)
+        )
+    slack = JUDGED_ZERO * max(1.0, abs(low), abs(high))
+    fine = (values > low - slack) & (values < high + slack)
+    met = f"the values met go from {number(float(np.nanmin(values)))} to {number(float(np.nanmax(values)))}"
+    said = {"right": int(fine.sum()), "tried": len(fine)}
+    if fine.all():
+        return claim.holds(f"Holds: inside at {len(fine)} of {len(fine)} joint vectors; {met}.", **said)
+    k = int(np.argmax(np.where(fine | ~np.isfinite(values), -np.inf, np.maximum(low - values, values - high))))
+    details = [("counter-example", f"at {drawn.at(k)}{drawn.extra_lengths(k, node)}: it is {number(float(values[k]))}")]
+    if fine.mean() < 1 / 2:
+        return claim.wrong(f"Wrong: inside at {int(fine.sum())} of {len(fine)} joint vectors; {met}.", details, **said)
+    share = f"{100 * fine.mean():.0f}% of the joint vectors"
+    return claim.partly(f"Inside at {share} only; {met}.", details, **said)
 
 
 def _closest(model: ArmModel, point: np.ndarray, joint: int, limits: np.ndarray) -> float:

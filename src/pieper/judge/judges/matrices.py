@@ -61,7 +61,12 @@ def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
     slip, reading = (first.slip, first.reading) if 2 * len(wrong) <= count else ("", "")
     other = _arm_of(ev, product, nodes) if len(wrong) > 1 else None
     if other:
+        # one cause of all: what would put each entry right by itself is beside the point
         slip, reading = other
+        details = [
+            (f"entry ({i},{j})", f"{v.claim}: {v.sentence}" + "".join(f"\n{h}: {b}" for h, b in v.details[:1]))
+            for i, j, v in wrong
+        ]
         details.insert(0, ("the slip", f"{reading}: every entry is right for that arm"))
     places = ", ".join(f"({i},{j})" for i, j, _ in wrong)
     return claim.wrong(f"Wrong in {len(wrong)} of {count} entries: {places}.", details, slip, reading)
@@ -70,7 +75,7 @@ def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
 def _arm_of(ev: Evidence, product: Product, nodes: dict[tuple[int, int], Expr]) -> tuple[str, str] | None:
     """Return (kind, words) of the arm one slip away for which every given entry is right, None when there is none."""
     floor = FLOOR_OF_SEARCH * max(1.0, ev.model.length())
-    for kind, words, samples in ev.other_arms:
+    for kind, words, samples in (*ev.other_arms, *ev.arms_of_two_twists):
         right = value_of(product, samples.frames)
         right = right if right.ndim == 3 else right[:, :, None]
         if all(Goal(samples.env, right[:, i, j], floor=floor).fits(node).all() for (i, j), node in nodes.items()):

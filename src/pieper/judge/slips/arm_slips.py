@@ -64,6 +64,15 @@ def arm_slips(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
         yield "axes", words, replace(model, base=turned @ model.base)
 
 
+def two_twists(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
+    """Yield the arms in which the twists of two rows have the other sign."""
+    values = [abs(_value(model, row.alpha)) for row in model.rows]
+    turned = [i for i, twist in enumerate(values) if twist and abs(twist - np.pi) > WHOLE_TURN]
+    for i, j in itertools.combinations(turned, 2):
+        arm = model.with_row(i, alpha=Neg.of(model.rows[i].alpha)).with_row(j, alpha=Neg.of(model.rows[j].alpha))
+        yield "twist", f"the twists of rows {i + 1} and {j + 1} have the other sign", arm
+
+
 def _exchanged(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
     """Yield the arms in which two lengths of the table stand in each other's place."""
     places = [

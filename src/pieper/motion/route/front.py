@@ -77,9 +77,7 @@ def follow(setting: Setting, limits: Array, seeds: Array, s: tuple[float, float]
     knots = np.unique(np.concatenate([s, setting.s[(setting.s > s[0]) & (setting.s < s[1])]]))
     axis, angle = setting.twists(knots)
     ended, at, q, within, stretch, looked, narrowest = _kernel.front(
-        links=setting.chain.links,
-        prismatic=setting.chain.prismatic,
-        length=setting.chain.length,
+        setting.chain.plain,
         limits=limits,
         poses=setting.at(knots),
         axis=axis,

@@ -59,7 +59,7 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     """
     slides = int(chain.prismatic.sum())
     links, scale = slid(chain)
-    geometry = _kernel.General(links=links, slides=chain.prismatic, scale=scale)
+    geometry = _kernel.General(links=links, slides=tuple(chain.prismatic.tolist()), scale=scale)
     ways = _ways(geometry.trials)
     if geometry.usable == 0 or not full_rank(chain):
         found = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
@@ -129,7 +129,7 @@ def _reason(chain: Chain, slides: int) -> str:
     if not full_rank(chain):
         return (
             "The six joint axes of this arm depend on each other in every posture (under six independent motions), "
-            "so a reachable pose has a continuous family of solutions. Lock a joint, or ask for a partial task."
+            "so a reachable pose has a self-motion, infinitely many solutions. Lock a joint, or ask for a partial task."
         )
     return (
         "Every way to eliminate joints vanishes for the geometry of this arm. "

@@ -80,5 +80,5 @@ FAMILY = Family(
 
 def _geometry(chain: Chain, hidden: tuple[int, ...], general: _kernel.General | None) -> _kernel.TwoSlides:
     return _kernel.TwoSlides(
-        length=chain.length, links=chain.links, slides=chain.prismatic, hidden=hidden, general=general
+        length=chain.length, links=chain.links, slides=tuple(chain.prismatic.tolist()), hidden=hidden, general=general
     )

@@ -12,6 +12,7 @@ from pieper.solver.families import choose
 from pieper.solver.native import without_far_ends
 from pieper.solver.plan import six_joints
 from pieper.solver.plan.plan import Plan
+from pieper.solver.plan.prepared import made_once
 from pieper.tolerances import GEOMETRY_EXACT
 
 #: Values at which a joint is tried when its family is chosen: of no special kind, so that an arrangement that holds at
@@ -32,15 +33,7 @@ def holding(plan: Plan, joints: tuple[int, ...]) -> Plan:
     joints = tuple(sorted(joints))
     if joints == plan.reduction.locked:
         return plan
-    if joints not in plan.held:
-        try:
-            plan.held[joints] = _made(plan, joints)
-        except PlanError as refused:
-            plan.held[joints] = refused.with_traceback(None)
-    found = plan.held[joints]
-    if isinstance(found, PlanError):
-        raise PlanError(str(found), **found.data)
-    return found
+    return made_once(plan.held, joints, lambda: _made(plan, joints))
 
 
 def _made(plan: Plan, joints: tuple[int, ...]) -> Plan:

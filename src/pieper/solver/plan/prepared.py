@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeVar
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from pieper.solver.families import choose
 from pieper.solver.native import SixJointSolver, without_far_ends
 from pieper.tolerances import GEOMETRY_EXACT
 
+Key = TypeVar("Key")
+Made = TypeVar("Made")
 #: Six joints without limits, (6, 2).
 UNLIMITED = np.tile([-np.inf, np.inf], (6, 1))
 
@@ -23,6 +26,19 @@ def solver_of(chain: Chain) -> SixJointSolver:
     six, ends = without_far_ends(chain)
     _, spec = choose(six, look(six, GEOMETRY_EXACT))
     return SixJointSolver(six, spec, UNLIMITED, ends)
+
+
+def made_once(kept: dict[Key, Made | PlanError], key: Key, make: Callable[[], Made]) -> Made:
+    """Return what is kept under a key, made where it is asked for first; a refusal is kept and raised again."""
+    if key not in kept:
+        try:
+            kept[key] = make()
+        except PlanError as refused:
+            kept[key] = refused.with_traceback(None)
+    found = kept[key]
+    if isinstance(found, PlanError):
+        raise PlanError(str(found), **found.data)
+    return found
 
 
 class Prepared:
@@ -46,11 +62,4 @@ class Prepared:
         if values not in self._made:
             if len(self._made) >= self._most:
                 del self._made[next(iter(self._made))]
-            try:
-                self._made[values] = solver_of(self._six(np.array(values)))
-            except PlanError as refused:
-                self._made[values] = refused.with_traceback(None)
-        found = self._made[values]
-        if isinstance(found, PlanError):
-            raise PlanError(str(found), **found.data)
-        return found
+        return made_once(self._made, values, lambda: solver_of(self._six(np.array(values))))

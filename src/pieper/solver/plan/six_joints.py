@@ -89,12 +89,6 @@ def generic_rank(chain: Chain) -> int:
     return int(np.max(np.sum(s > RANK * s[:, :1], axis=1)))
 
 
-def task_freedoms(chain: Chain, task: str) -> tuple[int, int]:
-    """Return the rank of the chain with the task's joints, and the number of joints."""
-    full = with_task_joints(chain, task)
-    return generic_rank(full), full.n
-
-
 def default_task(chain: Chain) -> str:
     """Return the task an arm is asked for when nobody says: the fullest that it can do at every reachable place."""
     if chain.n >= 6 or generic_rank(chain) != chain.n:

@@ -55,9 +55,7 @@ def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tupl
         (k, n), and by how much the pose is missed (k,), per length and rad: held where that is below `CLOSES`.
     """
     return _kernel.descend(
-        links=chain.links,
-        prismatic=chain.prismatic,
-        length=chain.length,
+        chain.plain,
         q=q,
         T=T,
         lower=np.broadcast_to(low, q.shape),

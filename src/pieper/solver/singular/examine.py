@@ -1,4 +1,4 @@
-"""The careful look at one pose: isolated solutions, merged roots and continuous families told apart, none lost.
+"""The careful look at one pose: isolated solutions, merged roots and self-motions told apart, none lost.
 
 A pose on a singularity is approached from generic directions: every isolated solution is the limit of solutions of
 nearby poses, and every self-motion curve is met by some of them. What is found is pulled back onto the pose, and each
@@ -20,7 +20,7 @@ from pieper.kinematics.newton import missed, newton, null_space, singular_values
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.singular import near_curve
 from pieper.solver.singular.examined import Examined, told
-from pieper.solver.singular.merged_roots import branches_at, distinct_roots
+from pieper.solver.singular.merged_roots import branches_at, distinct_roots, into_limits
 from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
 from pieper.tolerances import (
@@ -129,6 +129,7 @@ def examine(
     doubles = distinct_roots(chain, [*doubles, *merged], T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
     pairs = [branches_at(chain, q, T) for q in doubles]
+    doubles = [into_limits(chain, q, T, limits) for q in doubles]
     return told(chain, isolated, doubles, pairs, curves.closed)
 
 

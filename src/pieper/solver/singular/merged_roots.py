@@ -6,10 +6,21 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import determinant, missed, null_space, singular_values
+from pieper.kinematics.joints import inside
+from pieper.kinematics.newton import (
+    determinant,
+    missed,
+    null_space,
+    pose_difference,
+    scaled_jacobian,
+    settled,
+    shortest,
+    singular_values,
+)
 from pieper.solver.singular import near_curve
 from pieper.tolerances import (
     ALL_BUT_ZERO,
+    HELD_FIRMLY,
     MERGED_ALONG,
     MERGED_BLUR,
     MERGED_ROUNDING,
@@ -81,3 +92,35 @@ def distinct_roots(chain: Chain, rows: list[Array], T: Array) -> list[Array]:
         else:
             kept.append(index)
     return [q[k] for k in kept]
+
+
+def into_limits(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
+    """Return a singular solution q (n,) put at limits (n, 2) it lies outside of, where it takes the pose there as well.
+
+    Rounding blurs a merged root along what is free there to first order, and a stop may lie within the blur: then the
+    posture at the stop is as good a solution. Otherwise q is returned as it is.
+    """
+    moved, ok = chain.joints.inside_limits(q, limits)
+    if ok:
+        return q
+    held = ~inside(moved, limits)
+    start = np.where(held, q, 0.0)
+    lower: Array = chain.joints.way(np.where(held, limits[:, 0], 0.0), start)
+    upper: Array = chain.joints.way(np.where(held, limits[:, 1], 0.0), start)
+    way = np.where(np.abs(lower) < np.abs(upper), lower, upper)
+    if not np.all(np.abs(way / chain.joints.unit) < MERGED_BLUR):
+        return q
+    there, _ = settled(
+        lambda at, _: pose_difference(chain, at, T),
+        lambda at, _: np.where(held, 0.0, scaled_jacobian(chain, at)),
+        np.asarray(q + way)[None],
+        chain.joints.unit,
+        steps=6,
+        longest=MERGED_BLUR,
+        step=shortest(HELD_FIRMLY),
+    )
+    rounding = max(
+        MERGED_ROUNDING * (1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length), missed(chain, q[None], T)[0]
+    )
+    near = missed(chain, there, T)[0] <= rounding and chain.joints.apart(there[0], q) < MERGED_BLUR
+    return there[0] if near and chain.joints.inside_limits(there[0], limits)[1] else q

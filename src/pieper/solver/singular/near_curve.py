@@ -1,6 +1,6 @@
 """Curves that nearly hold a pose: next to a self-motion, isolated solutions hide along what is left of it.
 
-A pose at a small distance from one with a self-motion has no continuous family, but the curve is still there on which
+A pose at a small distance from one with a self-motion has none, but the curve is still there on which
 five of the six pose equations hold: all but the one that the weakest direction of the Jacobian cannot reach. What is
 missed of that one changes sign at the isolated solutions, and nowhere else on the curve.
 """

@@ -14,7 +14,6 @@ let beside = false,
   listening = false,
   toldTable = null,
   shownMotion = null;
-export const isBeside = () => beside;
 
 /** What a script that the page stands beside has to show when the page opens. */
 export function open(bench) {

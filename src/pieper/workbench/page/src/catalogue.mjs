@@ -1,5 +1,5 @@
 // The catalogue as a list one can search: by name, maker, joints, payload or reach, each arm with a small picture.
-import { h, replace, say } from './dom.mjs';
+import { button, h, replace, say } from './dom.mjs';
 import { ask } from './link.mjs';
 
 const SVG = 'http://www.w3.org/2000/svg';
@@ -88,13 +88,7 @@ export function catalogueDialog(pick) {
       { class: 'line' },
       search,
       count,
-      h('button', {
-        type: 'button',
-        class: 'icon',
-        text: '×',
-        'aria-label': 'Close the catalogue',
-        on: { click: () => dialog.close() },
-      }),
+      button('×', { class: 'icon', 'aria-label': 'Close the catalogue' }, () => dialog.close()),
     ),
     list,
   );

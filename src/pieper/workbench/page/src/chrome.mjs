@@ -1,5 +1,5 @@
 // Around the arm: the bar at the top, the rail of panels, the buttons over the picture, undo by keyboard.
-import { h, replace, setText, choice, select, say } from './dom.mjs';
+import { button, choice, h, replace, say, select, setText } from './dom.mjs';
 import { state, on, tell, setTable, presentable } from './store.mjs';
 import { undo, redo, toUndo, toRedo } from './history.mjs';
 import { units, showUnit } from './units.mjs';
@@ -23,7 +23,7 @@ export function bar(root) {
   const what = h('p', { class: 'sentence', 'data-testid': 'sentence' });
   const online = h('span', { class: 'online', role: 'status', 'data-testid': 'online' });
   const stepButton = (text, name, go, keys) => {
-    const el = h('button', { type: 'button', text, 'aria-label': name, on: { click: go } });
+    const el = button(text, { 'aria-label': name }, go);
     el.show = (label) => {
       el.disabled = !label;
       el.title = label ? `${name}: ${label} (${keys})` : `Nothing to ${name.toLowerCase()}`;
@@ -58,14 +58,7 @@ export function bar(root) {
       h('span', { text: 'pieper' }),
     ),
     arms,
-    h('button', {
-      type: 'button',
-      class: 'find',
-      text: 'Find…',
-      'aria-label': 'Find an arm in the catalogue',
-      'data-testid': 'find-arm',
-      on: { click: find },
-    }),
+    button('Find…', { class: 'find', 'aria-label': 'Find an arm in the catalogue', 'data-testid': 'find-arm' }, find),
     steps,
     what,
     h(
@@ -164,14 +157,7 @@ export function rail(root, host, pinned, panels) {
       panel.append(inner);
       section.build(inner, panel);
     }
-    const tab = h('button', {
-      type: 'button',
-      role: 'tab',
-      id: `tab-${p.id}`,
-      'aria-controls': panel.id,
-      text: p.title,
-      on: { click: () => show(p.id) },
-    });
+    const tab = button(p.title, { role: 'tab', id: `tab-${p.id}`, 'aria-controls': panel.id }, () => show(p.id));
     if (p.group) tabs.append(h('span', { class: 'tab-group', 'aria-hidden': 'true', text: p.group }));
     tabs.append(tab);
     return { ...p, panel, tab };
@@ -223,8 +209,8 @@ export function overlay(root) {
       ['front', 'Front'],
       ['side', 'Side'],
       ['top', 'Top'],
-    ].map(([v, t]) => h('button', { type: 'button', text: t, on: { click: () => look(v) } })),
-    h('button', { type: 'button', text: 'Fit', on: { click: () => fitArm() } }),
+    ].map(([v, t]) => button(t, {}, () => look(v))),
+    button('Fit', {}, () => fitArm()),
   );
   const frames = h('div', {
     class: 'group frames',
@@ -232,24 +218,12 @@ export function overlay(root) {
     'aria-label': 'Frames shown',
     'data-testid': 'frames',
   });
-  const trace = h('button', {
-    type: 'button',
-    text: 'Trace',
-    'aria-pressed': 'true',
-    on: {
-      click: () => {
-        const yes = trace.getAttribute('aria-pressed') !== 'true';
-        trace.setAttribute('aria-pressed', String(yes));
-        setTracing(yes);
-      },
-    },
+  const trace = button('Trace', { 'aria-pressed': 'true' }, () => {
+    const yes = trace.getAttribute('aria-pressed') !== 'true';
+    trace.setAttribute('aria-pressed', String(yes));
+    setTracing(yes);
   });
-  const clear = h('button', {
-    type: 'button',
-    text: 'Clear',
-    'aria-label': 'Clear the trace',
-    on: { click: clearTrace },
-  });
+  const clear = button('Clear', { 'aria-label': 'Clear the trace' }, clearTrace);
   const scale = h('span', { class: 'scale' });
   const key = h(
     'div',
@@ -272,13 +246,7 @@ export function overlay(root) {
         'div',
         { class: 'group', role: 'group', 'aria-label': 'The picture' },
         present(root),
-        h('button', {
-          type: 'button',
-          text: 'PNG',
-          'aria-label': 'Save the picture',
-          'data-testid': 'save-picture',
-          on: { click: savePicture },
-        }),
+        button('PNG', { 'aria-label': 'Save the picture', 'data-testid': 'save-picture' }, savePicture),
       ),
     ),
     h('div', { class: 'corner bottom' }, key, frames),
@@ -300,23 +268,16 @@ export function overlay(root) {
       frames,
       h('span', { class: 'group-name', text: 'Frames' }),
       all.map((i) =>
-        h('button', {
-          type: 'button',
-          text: frameName(i),
-          'aria-pressed': String(state.shownFrames.includes(i)),
-          'aria-label': `Frame ${frameName(i)}`,
-          on: {
-            click: () =>
-              set(state.shownFrames.includes(i) ? state.shownFrames.filter((k) => k !== i) : [...state.shownFrames, i]),
-          },
-        }),
+        button(
+          frameName(i),
+          { 'aria-pressed': String(state.shownFrames.includes(i)), 'aria-label': `Frame ${frameName(i)}` },
+          () =>
+            set(state.shownFrames.includes(i) ? state.shownFrames.filter((k) => k !== i) : [...state.shownFrames, i]),
+        ),
       ),
-      h('button', {
-        type: 'button',
-        text: state.shownFrames.length === n + 2 ? 'none' : 'all',
-        'aria-label': 'All frames or none',
-        on: { click: () => set(state.shownFrames.length === n + 2 ? [] : all) },
-      }),
+      button(state.shownFrames.length === n + 2 ? 'none' : 'all', { 'aria-label': 'All frames or none' }, () =>
+        set(state.shownFrames.length === n + 2 ? [] : all),
+      ),
     );
     tell('frames');
     setText(scale, `grid ${showUnit(ground.cell, 'length', units.length === 'mm' ? 0 : 2)}`);

@@ -1,5 +1,5 @@
 // Under the picture: play, scrub and speed, and the curves of the motion with their limits and events.
-import { h, replace, setText, choice, select, download, perFrame, say } from './dom.mjs';
+import { button, choice, download, h, perFrame, replace, say, select, setText } from './dom.mjs';
 import { state, on, setJoints, tell } from './store.mjs';
 import { play, stop } from './animate.mjs';
 import { colours } from './theme.mjs';
@@ -20,13 +20,7 @@ let motion = null,
 const scaled = new Set(['speeds', 'accelerations', 'toolspeed']);
 
 export function build(root) {
-  const toggle = h('button', {
-    type: 'button',
-    class: 'primary',
-    text: 'Play',
-    'data-testid': 'play',
-    on: { click: playOrPause },
-  });
+  const toggle = button('Play', { class: 'primary', 'data-testid': 'play' }, playOrPause);
   const scrub = h('input', {
     type: 'range',
     min: '0',
@@ -47,19 +41,18 @@ export function build(root) {
   const chart = h('div', { class: 'chart', 'data-testid': 'chart' });
   const legend = h('div', { class: 'legend' });
   const binds = h('output', { class: 'binds', 'data-testid': 'binds' });
-  const limits = h('button', {
-    type: 'button',
-    class: 'quiet',
-    text: 'To the limits',
-    title: 'Scale the curves so that their limits, dashed, are seen; thick is where one binds',
-    'data-testid': 'limits-shown',
-    on: {
-      click: () => {
-        if (!scaled.delete(kind)) scaled.add(kind);
-        draw();
-      },
+  const limits = button(
+    'To the limits',
+    {
+      class: 'quiet',
+      title: 'Scale the curves so that their limits, dashed, are seen; thick is where one binds',
+      'data-testid': 'limits-shown',
     },
-  });
+    () => {
+      if (!scaled.delete(kind)) scaled.add(kind);
+      draw();
+    },
+  );
   root.append(
     h(
       'div',
@@ -83,13 +76,7 @@ export function build(root) {
       ),
       h('div', { class: 'scrubber' }, scrub, marks),
       where,
-      h('button', {
-        type: 'button',
-        class: 'icon',
-        text: '×',
-        'aria-label': 'Close the curves',
-        on: { click: () => show(null) },
-      }),
+      button('×', { class: 'icon', 'aria-label': 'Close the curves' }, () => show(null)),
     ),
     h(
       'div',
@@ -117,15 +104,7 @@ export function build(root) {
           ['GIF', () => draw3('gif')],
           ['MP4', () => draw3('mp4')],
           ['SVG', () => download(`${kind}.svg`, svg(motion, kind, colours.curves), 'image/svg+xml')],
-        ].map(([t, f]) =>
-          h('button', {
-            type: 'button',
-            class: 'quiet',
-            text: t,
-            'aria-label': `Save as ${t}`,
-            on: { click: () => motion && f() },
-          }),
-        ),
+        ].map(([t, f]) => button(t, { class: 'quiet', 'aria-label': `Save as ${t}` }, () => motion && f())),
       ),
     ),
     chart,

@@ -15,6 +15,9 @@ export function h(tag, props = {}, ...children) {
   return el;
 }
 
+/** A button with what it says and does. */
+export const button = (text, props, press) => h('button', { type: 'button', text, ...props, on: { click: press } });
+
 export const $ = (selector, root = document) => root.querySelector(selector);
 export const replace = (el, ...children) => el.replaceChildren(...children.flat().filter(Boolean));
 
@@ -22,9 +25,6 @@ export const replace = (el, ...children) => el.replaceChildren(...children.flat(
 export function setText(el, text) {
   if (el.textContent !== text) el.textContent = text;
 }
-
-let count = 0;
-export const uid = (prefix = 'id') => `${prefix}-${++count}`;
 
 /** A row of buttons of which one is pressed. */
 export function choice(label, options, current, pick, testid) {

@@ -18,97 +18,47 @@ import { ellipsoidShown } from './scene/ellipsoid.mjs';
 import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
+import * as voxels from './scene/voxels.mjs';
 
 export function expose() {
-  window.workbench = Object.freeze({
-    get q() {
-      return state.q.slice();
-    },
-    get frames() {
-      return structuredClone(state.frames);
-    },
-    get target() {
-      return state.target.slice();
-    },
-    get table() {
-      return structuredClone(state.table);
-    },
-    get solutions() {
-      return structuredClone(state.solutions);
-    },
-    get camera() {
-      return cameraState();
-    },
-    get pictures() {
-      return picturesDrawn();
-    },
-    get ghosts() {
-      return ghostCount();
-    },
-    get ghostsOutside() {
-      return ghostsOutside();
-    },
-    get labels() {
-      return labelsDrawn();
-    },
-    get history() {
-      return [toUndo(), toRedo()];
-    },
-    get beyond() {
-      return beyondDrawn();
-    },
-    get things() {
-      return thingsDrawn();
-    },
-    get looks() {
-      return looksDrawn();
-    },
-    get program() {
-      return structuredClone(state.program);
-    },
-    get route() {
-      return structuredClone(state.route);
-    },
+  const seen = {
+    q: () => state.q.slice(),
+    frames: () => structuredClone(state.frames),
+    target: () => state.target.slice(),
+    table: () => structuredClone(state.table),
+    solutions: () => structuredClone(state.solutions),
+    camera: () => cameraState(),
+    pictures: () => picturesDrawn(),
+    ghosts: () => ghostCount(),
+    ghostsOutside: () => ghostsOutside(),
+    labels: () => labelsDrawn(),
+    history: () => [toUndo(), toRedo()],
+    beyond: () => beyondDrawn(),
+    things: () => thingsDrawn(),
+    looks: () => looksDrawn(),
+    program: () => structuredClone(state.program),
+    route: () => structuredClone(state.route),
+    motion: () => structuredClone(state.motion),
+    gripper: () => gripperShown(),
+    stepFrame: () => (state.dhStep === null ? null : framesOfStep().at(-1).T),
+    clearance: () => structuredClone(state.clearance),
+    bodies: () => bodiesShown(),
+    ellipsoid: () => structuredClone(ellipsoidShown()),
+    world: () => structuredClone(state.world),
+    framesDrawn: () => framesDrawn(),
+    answers: () => counts.answers,
+    trace: () => traceLength(),
+    voxels: () => voxels.size(),
+    cloud: () => cloud.size(),
+  };
+  const page = {
     routePlace(which, turn) {
       const detail = { which, turn };
       document.querySelector('.route-map').dispatchEvent(new CustomEvent('where', { detail }));
       return detail.at;
     },
-    get motion() {
-      return structuredClone(state.motion);
-    },
-    get gripper() {
-      return gripperShown();
-    },
     placeOf: (name) => carriedAt(name) ?? state.world.find((t) => t.name === name)?.T ?? null,
     go,
-    get stepFrame() {
-      return state.dhStep === null ? null : framesOfStep().at(-1).T;
-    },
-    get clearance() {
-      return structuredClone(state.clearance);
-    },
-    get bodies() {
-      return bodiesShown();
-    },
-    get ellipsoid() {
-      return structuredClone(ellipsoidShown());
-    },
-    get world() {
-      return structuredClone(state.world);
-    },
-    get framesDrawn() {
-      return framesDrawn();
-    },
-    get answers() {
-      return counts.answers;
-    },
-    get trace() {
-      return traceLength();
-    },
-    get cloud() {
-      return cloud.size();
-    },
     toScreen,
     withPicture: (f) => withPicture(f),
     handles: () => handles(),
@@ -116,5 +66,7 @@ export function expose() {
     convert: (table, to) => convert(table, to),
     read: (text, kind) => read(text, kind),
     present: (equation, table, q) => withPresentNumbers(equation, table, q),
-  });
+  };
+  for (const [name, get] of Object.entries(seen)) Object.defineProperty(page, name, { get, enumerable: true });
+  window.workbench = Object.freeze(page);
 }

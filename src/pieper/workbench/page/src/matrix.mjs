@@ -48,25 +48,6 @@ export function invert(T) {
 export const position = (T) => [T[3], T[7], T[11]];
 export const column = (T, c) => [T[c], T[4 + c], T[8 + c]];
 export const rows = (T) => [0, 4, 8, 12].map((r) => T.slice(r, r + 4));
-export const withPosition = (T, p) => [
-  T[0],
-  T[1],
-  T[2],
-  p[0],
-  T[4],
-  T[5],
-  T[6],
-  p[1],
-  T[8],
-  T[9],
-  T[10],
-  p[2],
-  0,
-  0,
-  0,
-  1,
-];
-
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const addScaled = (a, b, s) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];

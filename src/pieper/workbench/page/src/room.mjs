@@ -1,5 +1,5 @@
 // The room for the picture: a splitter beside the panels, a mode to present in, the picture saved as a file.
-import { h, download, say } from './dom.mjs';
+import { button, download, h, say } from './dom.mjs';
 import { state, on, tell } from './store.mjs';
 import { withPicture } from './scene/view.mjs';
 import { writeLabels } from './scene/labels.mjs';
@@ -65,19 +65,15 @@ export function present(overlay) {
   const card = h('div', { class: 'present-card', hidden: true }, grid);
   overlay.append(card);
   const root = document.documentElement;
-  const button = h('button', {
-    type: 'button',
-    text: 'Present',
-    'aria-pressed': 'false',
-    'data-testid': 'present',
-    on: { click: () => set(root.dataset.present !== 'yes') },
-  });
+  const toggle = button('Present', { 'aria-pressed': 'false', 'data-testid': 'present' }, () =>
+    set(root.dataset.present !== 'yes'),
+  );
   const update = () => !card.hidden && grid.show(state.frames.at(-1));
   function set(yes) {
     if (yes) root.dataset.present = 'yes';
     else delete root.dataset.present;
     card.hidden = !yes;
-    button.setAttribute('aria-pressed', String(yes));
+    toggle.setAttribute('aria-pressed', String(yes));
     update();
     tell('units');
     dispatchEvent(new Event('resize'));
@@ -87,7 +83,7 @@ export function present(overlay) {
     'keydown',
     (e) => e.key === 'Escape' && root.dataset.present && !e.target.matches?.('input') && set(false),
   );
-  return button;
+  return toggle;
 }
 
 /** The picture as it stands, with its names and without what else lies over it. */

@@ -1,5 +1,5 @@
 // The frames of a DH table built one motion at a time: turn by theta, go d, go a, turn by alpha, joint after joint.
-import { h, setText } from '../dom.mjs';
+import { button, h, setText } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { linkMatrix, rowAt, chainValues } from '../kinematics.mjs';
 import { mul } from '../matrix.mjs';
@@ -33,8 +33,7 @@ export function partial(table, q, step) {
 
 export function dhSteps() {
   const text = h('p', { class: 'step-said', role: 'status', 'data-testid': 'dh-step-said' });
-  const button = (name, label, to) =>
-    h('button', { type: 'button', text: name, 'aria-label': label, on: { click: () => set(to()) } });
+  const go = (name, label, to) => button(name, { 'aria-label': label }, () => set(to()));
   const last = () => 4 * state.table.joints.length - 1;
   const set = (step) => {
     state.dhStep = step === null || step < 0 ? null : Math.min(step, last());
@@ -48,10 +47,10 @@ export function dhSteps() {
     h(
       'div',
       { class: 'line' },
-      button('First', 'To the base', () => 0),
-      button('Back', 'One step back', () => (state.dhStep ?? 1) - 1),
-      button('On', 'One step on', () => (state.dhStep ?? -1) + 1),
-      button('Last', 'To the end', last),
+      go('First', 'To the base', () => 0),
+      go('Back', 'One step back', () => (state.dhStep ?? 1) - 1),
+      go('On', 'One step on', () => (state.dhStep ?? -1) + 1),
+      go('Last', 'To the end', last),
       text,
     ),
   );

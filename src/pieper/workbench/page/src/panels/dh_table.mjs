@@ -1,5 +1,5 @@
 // The DH table, editable in place: numbers or expressions, joints added, removed, reordered; a wrong entry leaves the last good arm.
-import { h, replace, setText, choice, say } from '../dom.mjs';
+import { button, choice, h, replace, say, setText } from '../dom.mjs';
 import { state, on, setTable } from '../store.mjs';
 import { units } from '../units.mjs';
 import { numberField, pasted, fillFrom } from '../numberfield.mjs';
@@ -84,17 +84,11 @@ export const dhTable = {
         h(
           'span',
           { class: 'line' },
-          h('button', {
-            type: 'button',
-            text: 'Blank',
-            title: 'An empty table',
-            on: {
-              click: () =>
-                setTable(blank(state.table.convention), { q: [], what: 'new', label: 'begin a blank table' }),
-            },
-          }),
+          button('Blank', { title: 'An empty table' }, () =>
+            setTable(blank(state.table.convention), { q: [], what: 'new', label: 'begin a blank table' }),
+          ),
           ...robotOpeners(),
-          h('button', { type: 'button', text: 'Save', title: 'As a robot file', on: { click: saveRobot } }),
+          button('Save', { title: 'As a robot file' }, saveRobot),
         ),
       ),
       h(
@@ -120,13 +114,7 @@ export const dhTable = {
       h(
         'div',
         { class: 'line' },
-        h('button', {
-          type: 'button',
-          class: 'add',
-          text: '+ Add joint',
-          'data-testid': 'add-joint',
-          on: { click: () => add() },
-        }),
+        button('+ Add joint', { class: 'add', 'data-testid': 'add-joint' }, () => add()),
         h('span', {
           class: 'hint',
           text: 'Numbers or expressions: pi/2, 90 deg, 0.5 m, 125+85. With pi, an angle is in radians. Arrows and Enter go from cell to cell, Alt and an arrow steps; a table can be pasted.',
@@ -188,33 +176,33 @@ export const dhTable = {
       );
     };
     const typeButton = (joint, i) =>
-      h('button', {
-        type: 'button',
-        class: `type type-${joint.type}`,
-        text: joint.type,
-        'data-testid': `dh-${i + 1}-type`,
-        'aria-label': `Joint ${i + 1} is ${joint.type === 'R' ? 'revolute' : 'prismatic'}; press to change`,
-        title: joint.type === 'R' ? 'Revolute: turns. Press for prismatic.' : 'Prismatic: slides. Press for revolute.',
-        on: {
-          click: () =>
-            restructure(
-              state.table.joints.map((j, k) =>
-                k === i
-                  ? {
-                      ...j,
-                      type: j.type === 'R' ? 'P' : 'R',
-                      lower: null,
-                      upper: null,
-                      offset: 0,
-                      text: { ...j.text, lower: undefined, upper: undefined, offset: undefined },
-                    }
-                  : j,
-              ),
-              (list) => list.map((v, k) => (k === i && typeof v === 'number' ? 0 : v)),
-              `make joint ${i + 1} ${joint.type === 'R' ? 'prismatic' : 'revolute'}`,
-            ),
+      button(
+        joint.type,
+        {
+          class: `type type-${joint.type}`,
+          'data-testid': `dh-${i + 1}-type`,
+          'aria-label': `Joint ${i + 1} is ${joint.type === 'R' ? 'revolute' : 'prismatic'}; press to change`,
+          title:
+            joint.type === 'R' ? 'Revolute: turns. Press for prismatic.' : 'Prismatic: slides. Press for revolute.',
         },
-      });
+        () =>
+          restructure(
+            state.table.joints.map((j, k) =>
+              k === i
+                ? {
+                    ...j,
+                    type: j.type === 'R' ? 'P' : 'R',
+                    lower: null,
+                    upper: null,
+                    offset: 0,
+                    text: { ...j.text, lower: undefined, upper: undefined, offset: undefined },
+                  }
+                : j,
+            ),
+            (list) => list.map((v, k) => (k === i && typeof v === 'number' ? 0 : v)),
+            `make joint ${i + 1} ${joint.type === 'R' ? 'prismatic' : 'revolute'}`,
+          ),
+      );
     const tools = (i, n) =>
       h(
         'td',
@@ -282,20 +270,19 @@ export const dhTable = {
                   h(
                     'td',
                     {},
-                    h('button', {
-                      type: 'button',
-                      class: 'type',
-                      text: joint.sign > 0 ? '+' : '−',
-                      'aria-label': `Joint ${i + 1}, sense of the maker: ${joint.sign > 0 ? 'as the table' : 'against the table'}`,
-                      on: {
-                        click: () =>
-                          restructure(
-                            state.table.joints.map((j, k) => (k === i ? { ...j, sign: -j.sign } : j)),
-                            (list) => list,
-                            `turn the sense of joint ${i + 1}`,
-                          ),
+                    button(
+                      joint.sign > 0 ? '+' : '−',
+                      {
+                        class: 'type',
+                        'aria-label': `Joint ${i + 1}, sense of the maker: ${joint.sign > 0 ? 'as the table' : 'against the table'}`,
                       },
-                    }),
+                      () =>
+                        restructure(
+                          state.table.joints.map((j, k) => (k === i ? { ...j, sign: -j.sign } : j)),
+                          (list) => list,
+                          `turn the sense of joint ${i + 1}`,
+                        ),
+                    ),
                   ),
                 ];
           return h(

@@ -1,5 +1,5 @@
 // Equations: forward and inverse, typeset, with symbols, the arm's lengths or the present numbers, their values beside them.
-import { h, replace, setText, choice, perFrame, debounce, copy } from '../dom.mjs';
+import { button, choice, copy, debounce, h, perFrame, replace, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { askArm } from '../library.mjs';
 import { fixed, show, units } from '../units.mjs';
@@ -120,7 +120,7 @@ export const equations = {
           ),
           lengths,
         ),
-        h('button', { type: 'button', class: 'quiet', text: 'Copy LaTeX', on: { click: () => copy(source()) } }),
+        button('Copy LaTeX', { class: 'quiet' }, () => copy(source())),
       ),
       note,
       values,

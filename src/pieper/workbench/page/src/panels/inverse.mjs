@@ -1,5 +1,5 @@
 // Inverse: a target typed, taken or dragged; every solution as a row and as a ghost; the reason in words when there is none.
-import { h, replace, setText, choice, select, atMostEvery } from '../dom.mjs';
+import { atMostEvery, button, choice, h, replace, select, setText } from '../dom.mjs';
 import { state, on, setTarget, tell } from '../store.mjs';
 import { units, show, showUnit } from '../units.mjs';
 import { moveTo } from '../animate.mjs';
@@ -53,12 +53,7 @@ export const inverse = {
       h(
         'div',
         { class: 'line spread' },
-        h('button', {
-          type: 'button',
-          text: 'Take the present pose',
-          'data-testid': 'take-pose',
-          on: { click: takePresent },
-        }),
+        button('Take the present pose', { 'data-testid': 'take-pose' }, takePresent),
         choice(
           'Target as',
           [
@@ -344,8 +339,8 @@ function showNear(el, s) {
     h(
       'div',
       { class: 'line' },
-      h('button', { type: 'button', text: 'Go there', on: { click: () => moveTo(near.q) } }),
-      h('button', { type: 'button', text: 'Make it the target', on: { click: () => setTarget(near.T, 'chosen') } }),
+      button('Go there', {}, () => moveTo(near.q)),
+      button('Make it the target', {}, () => setTarget(near.T, 'chosen')),
     ),
   );
 }

@@ -1,5 +1,5 @@
 // Joints: a slider and a field each, limits drawn, keyboard steps, named postures; outside the limits is shown, not hidden.
-import { h, replace, setText, say } from '../dom.mjs';
+import { button, h, replace, say, setText } from '../dom.mjs';
 import { state, on, setJoint, setTable, tell } from '../store.mjs';
 import { units, showUnit, plain, fixed } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -168,36 +168,20 @@ function showPostures(root) {
   const n = state.table.joints.length;
   const named = Object.entries(state.table.postures ?? {});
   const go = (name, q) =>
-    h('button', {
-      type: 'button',
-      class: 'chip',
-      text: name,
-      title: q.map((v, i) => showUnit(v, kindOf(state.table.joints[i]))).join(', '),
-      on: { click: () => moveTo(q, 0.8, `move to ${name}`) },
-    });
+    button(name, { class: 'chip', title: q.map((v, i) => showUnit(v, kindOf(state.table.joints[i]))).join(', ') }, () =>
+      moveTo(q, 0.8, `move to ${name}`),
+    );
   const chips = named.map(([name, q]) => go(name, q));
   if (n && !named.some(([, q]) => q.every((v) => v === 0))) chips.unshift(go('zero', new Array(n).fill(0)));
   replace(
     root,
     chips,
     n
-      ? h('button', {
-          type: 'button',
-          class: 'chip quiet',
-          text: 'Random',
-          title: 'A posture inside the limits',
-          on: { click: () => moveTo(randomPosture(), 0.8, 'move to a random posture') },
-        })
+      ? button('Random', { class: 'chip quiet', title: 'A posture inside the limits' }, () =>
+          moveTo(randomPosture(), 0.8, 'move to a random posture'),
+        )
       : null,
-    n
-      ? h('button', {
-          type: 'button',
-          class: 'chip quiet',
-          text: 'Keep this one',
-          title: 'Add the present posture to the arm',
-          on: { click: keep },
-        })
-      : null,
+    n ? button('Keep this one', { class: 'chip quiet', title: 'Add the present posture to the arm' }, keep) : null,
   );
 }
 export function randomPosture() {

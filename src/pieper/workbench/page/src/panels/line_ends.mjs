@@ -1,5 +1,5 @@
 // The two ends of the line that Path follows and Route turns along: typed, or taken from where the arm stands.
-import { h } from '../dom.mjs';
+import { button, h } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { poseEditor } from './pose_editor.mjs';
 
@@ -22,17 +22,9 @@ export function lineEnds(id, changed) {
       () => P[key],
       (T) => set(key, T, `set “${key}” of the path`, `path-${key}`),
     );
-    const capture = h('button', {
-      type: 'button',
-      class: 'quiet',
-      text: 'Take the present pose',
-      'data-testid': `${own}take-${key}`,
-      on: {
-        click: () => {
-          set(key, tool(), `take “${key}” of the path`);
-          editor.show();
-        },
-      },
+    const capture = button('Take the present pose', { class: 'quiet', 'data-testid': `${own}take-${key}` }, () => {
+      set(key, tool(), `take “${key}” of the path`);
+      editor.show();
     });
     return { el: h('div', { class: 'end' }, capture, editor.el), show: editor.show };
   });

@@ -1,5 +1,5 @@
 // Path: a straight line between two poses, followed from a start posture; where it stops, and which branches would have passed.
-import { h, replace, setText } from '../dom.mjs';
+import { button, h, replace, setText } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -41,25 +41,18 @@ export const path = {
         P.seconds = v;
       },
     });
-    const same = h('button', {
-      type: 'button',
-      class: 'quiet',
-      text: 'Keep the orientation of “From”',
-      on: {
-        click: () => {
-          if (P.from && P.to) {
-            const p = position(P.to);
-            tell('did', { label: 'keep the orientation of the path' });
-            P.to = P.from.slice();
-            [3, 7, 11].forEach((k, i) => {
-              P.to[k] = p[i];
-            });
-            ends.show();
-            tell('path', 'path');
-            preview();
-          }
-        },
-      },
+    const same = button('Keep the orientation of “From”', { class: 'quiet' }, () => {
+      if (P.from && P.to) {
+        const p = position(P.to);
+        tell('did', { label: 'keep the orientation of the path' });
+        P.to = P.from.slice();
+        [3, 7, 11].forEach((k, i) => {
+          P.to[k] = p[i];
+        });
+        ends.show();
+        tell('path', 'path');
+        preview();
+      }
     });
     const verdict = verdictLine('path-verdict');
     const plan = longQuestion({

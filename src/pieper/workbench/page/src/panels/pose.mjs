@@ -1,5 +1,5 @@
 // Pose: the live 4x4 matrix, position and orientation in the notation that the person picks, to copy with one click.
-import { h, setText, select, copy, replace } from '../dom.mjs';
+import { button, copy, h, replace, select, setText } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { units, show, fixed } from '../units.mjs';
 import { notations } from '../rotation.mjs';
@@ -29,20 +29,12 @@ export const pose = {
     const copies = h(
       'span',
       { class: 'copies' },
-      h('button', {
-        type: 'button',
-        class: 'quiet',
-        text: 'Copy matrix',
-        title: 'As numbers in metres, row by row',
-        on: { click: () => copy(matrixText(tool())) },
-      }),
-      h('button', {
-        type: 'button',
-        class: 'quiet',
-        text: 'Copy numbers',
-        title: 'Position and orientation, in the units shown',
-        on: { click: () => copy(asNumbers()) },
-      }),
+      button('Copy matrix', { class: 'quiet', title: 'As numbers in metres, row by row' }, () =>
+        copy(matrixText(tool())),
+      ),
+      button('Copy numbers', { class: 'quiet', title: 'Position and orientation, in the units shown' }, () =>
+        copy(asNumbers()),
+      ),
     );
     root.append(
       h('div', { class: 'subhead' }, h('span', { text: 'Tool in the base frame' }), copies),

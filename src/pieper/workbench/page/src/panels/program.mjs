@@ -1,5 +1,5 @@
 // Program: moves, waits, gripper and outputs in order; taught or typed, run with its true times, written for a controller.
-import { h, replace, setText, select, download, say } from '../dom.mjs';
+import { button, download, h, replace, say, select, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { showUnit, show } from '../units.mjs';
 import { askArm } from '../library.mjs';
@@ -45,7 +45,7 @@ export const program = {
       h('p', { class: 'hint prose' }),
     );
     const addButton = (kind, text, title, make) =>
-      h('button', { type: 'button', text, title, 'data-testid': `step-add-${kind}`, on: { click: () => add(make()) } });
+      button(text, { title, 'data-testid': `step-add-${kind}` }, () => add(make()));
     const run = longQuestion({
       text: 'Run the program',
       working: 'Planning …',
@@ -118,20 +118,12 @@ export const program = {
         h(
           'span',
           { class: 'line' },
-          h('button', {
-            type: 'button',
-            class: 'quiet',
-            text: 'Start here',
-            'data-testid': 'start-here',
-            title: 'The program begins in the present posture',
-            on: { click: () => setStart(state.q.slice()) },
-          }),
-          h('button', {
-            type: 'button',
-            class: 'quiet',
-            text: 'Go to the start',
-            on: { click: () => moveTo(start().slice(), 0.8, 'go to the start') },
-          }),
+          button(
+            'Start here',
+            { class: 'quiet', 'data-testid': 'start-here', title: 'The program begins in the present posture' },
+            () => setStart(state.q.slice()),
+          ),
+          button('Go to the start', { class: 'quiet' }, () => moveTo(start().slice(), 0.8, 'go to the start')),
         ),
       ),
       list,
@@ -152,7 +144,7 @@ export const program = {
             },
             { 'data-testid': 'dialect' },
           ),
-          h('button', { type: 'button', text: 'Save the program', 'data-testid': 'save-program', on: { click: save } }),
+          button('Save the program', { 'data-testid': 'save-program' }, save),
         ),
       ),
       verdict,

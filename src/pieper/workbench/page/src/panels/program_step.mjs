@@ -1,5 +1,5 @@
 // One step of a program, opened: what it is, where to, how fast, how its corner is cut.
-import { h, select, choice } from '../dom.mjs';
+import { button, choice, h, select } from '../dom.mjs';
 import { identity, position } from '../matrix.mjs';
 import { state } from '../store.mjs';
 import { units } from '../units.mjs';
@@ -98,20 +98,12 @@ export function stepEditor(quietly) {
       'div',
       { class: 'line' },
       h('span', { class: 'field-name', text: `Goes through ${s.through.length} poses, the last one its target` }),
-      h('button', {
-        type: 'button',
-        class: 'quiet',
-        text: 'Add the present pose',
-        'data-testid': `step-${k + 1}-through`,
-        on: { click: () => change([...s.through, taughtAt(k)]) },
-      }),
-      h('button', {
-        type: 'button',
-        class: 'quiet',
-        text: 'Take the last one out',
-        disabled: s.through.length < 2,
-        on: { click: () => change(s.through.slice(0, -1)) },
-      }),
+      button('Add the present pose', { class: 'quiet', 'data-testid': `step-${k + 1}-through` }, () =>
+        change([...s.through, taughtAt(k)]),
+      ),
+      button('Take the last one out', { class: 'quiet', disabled: s.through.length < 2 }, () =>
+        change(s.through.slice(0, -1)),
+      ),
     );
   }
   function editor(s, k) {
@@ -143,20 +135,12 @@ export function stepEditor(quietly) {
         h(
           'div',
           { class: 'line' },
-          h('button', {
-            type: 'button',
-            class: 'quiet',
-            text: 'Take the present pose',
-            'data-testid': `step-${k + 1}-teach`,
-            on: { click: () => changeStep(k, { T: state.frames.at(-1).slice() }, `teach step ${k + 1}`) },
-          }),
-          h('button', {
-            type: 'button',
-            class: 'quiet',
-            text: 'The base',
-            title: 'The poses that follow are meant in the base again',
-            on: { click: () => changeStep(k, { T: identity() }, `end the frame at step ${k + 1}`) },
-          }),
+          button('Take the present pose', { class: 'quiet', 'data-testid': `step-${k + 1}-teach` }, () =>
+            changeStep(k, { T: state.frames.at(-1).slice() }, `teach step ${k + 1}`),
+          ),
+          button('The base', { class: 'quiet', title: 'The poses that follow are meant in the base again' }, () =>
+            changeStep(k, { T: identity() }, `end the frame at step ${k + 1}`),
+          ),
         ),
       );
     if (s.kind === 'output')
@@ -229,28 +213,14 @@ export function stepEditor(quietly) {
       h(
         'div',
         { class: 'line' },
-        h('button', {
-          type: 'button',
-          class: 'quiet',
-          text: 'Take the present pose',
-          'data-testid': `step-${k + 1}-teach`,
-          on: {
-            click: () =>
-              changeStep(
-                k,
-                { ...at(k, taughtAt(k)), q: s.kind === 'joint' ? state.q.slice() : null },
-                `teach step ${k + 1}`,
-              ),
-          },
-        }),
-        s.q
-          ? h('button', {
-              type: 'button',
-              class: 'quiet',
-              text: 'Go there',
-              on: { click: () => moveTo(s.q.slice(), 0.8, `go to step ${k + 1}`) },
-            })
-          : null,
+        button('Take the present pose', { class: 'quiet', 'data-testid': `step-${k + 1}-teach` }, () =>
+          changeStep(
+            k,
+            { ...at(k, taughtAt(k)), q: s.kind === 'joint' ? state.q.slice() : null },
+            `teach step ${k + 1}`,
+          ),
+        ),
+        s.q ? button('Go there', { class: 'quiet' }, () => moveTo(s.q.slice(), 0.8, `go to step ${k + 1}`)) : null,
       ),
     );
   }

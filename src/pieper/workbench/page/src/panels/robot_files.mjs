@@ -1,5 +1,5 @@
 // Robot files: the arm written as one, and one read as the arm.
-import { h, download, say } from '../dom.mjs';
+import { button, download, h, say } from '../dom.mjs';
 import { state, setTable, presentable } from '../store.mjs';
 import { ask } from '../link.mjs';
 import { askArm } from '../library.mjs';
@@ -22,7 +22,7 @@ export function robotOpeners() {
       ...props,
       on: { change: () => openRobot(input) },
     });
-    return [h('button', { type: 'button', text, title, on: { click: () => input.click() } }), input];
+    return [button(text, { title }, () => input.click()), input];
   };
   return [
     ...one('Open…', 'A robot file (.toml) or a URDF', {

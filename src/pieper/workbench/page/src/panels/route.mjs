@@ -1,5 +1,5 @@
 // Route: the line with the tool's turn left free; every branch and every turn on one map, the cheapest curve, or what shuts it.
-import { h, replace, setText, say } from '../dom.mjs';
+import { button, h, replace, say, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { position } from '../matrix.mjs';
@@ -29,14 +29,13 @@ export const route = (open) => ({
       mine = null; // the motion in the dock that is this route's
     const ends = lineEnds('route', () => preview());
     const settings = routeSettings();
-    const button = (text, testid, click, props = {}) =>
-      h('button', { type: 'button', text, 'data-testid': testid, on: { click }, ...props });
-    const letFree = button('Let both ends free', 'free-ends', () => {
+    const named = (text, testid, click, props = {}) => button(text, { 'data-testid': testid, ...props }, click);
+    const letFree = named('Let both ends free', 'free-ends', () => {
       setRouting({ start: null, end: null }, 'let the ends of the route free');
       plan.ask();
     });
-    const send = button('Send to the program', 'route-to-program', toProgram, { hidden: true });
-    const more = button('', 'route-others', others, { hidden: true });
+    const send = named('Send to the program', 'route-to-program', toProgram, { hidden: true });
+    const more = named('', 'route-others', others, { hidden: true });
     const verdict = verdictLine('route-verdict');
     const plan = longQuestion({
       text: 'Find the route',

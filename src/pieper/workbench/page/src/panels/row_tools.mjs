@@ -1,8 +1,8 @@
 // The small buttons at the end of a row: up, down, take out.
-import { h } from '../dom.mjs';
+import { button } from '../dom.mjs';
 
 const icon = (text, label, click, disabled = false) =>
-  h('button', { type: 'button', class: 'icon', text, 'aria-label': label, disabled, on: { click } });
+  button(text, { class: 'icon', 'aria-label': label, disabled }, click);
 
 /**
  * @param k which row this is, of n; @param name what it is called aloud

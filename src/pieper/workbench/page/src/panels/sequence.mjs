@@ -1,5 +1,5 @@
 // Sequence: postures with times, all joints together, at rest in each; its curves and its animation.
-import { h, replace } from '../dom.mjs';
+import { button, h, replace } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { units } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
@@ -41,25 +41,21 @@ export const sequence = {
       open: () => S.postures.length > 1,
       ask: plan,
     });
-    const legSeconds = h('button', {
-      type: 'button',
-      class: 'quiet',
-      text: 'Same times for all legs',
-      title: 'Copy the first leg’s time and rest to the others',
-      on: {
-        click: () => {
-          const first = S.postures[1];
-          if (first) {
-            tell('did', { label: 'use the same times for all legs' });
-            for (const p of S.postures.slice(2)) {
-              p.seconds = first.seconds;
-              p.hold = first.hold;
-            }
-            rebuild();
+    const legSeconds = button(
+      'Same times for all legs',
+      { class: 'quiet', title: 'Copy the first leg’s time and rest to the others' },
+      () => {
+        const first = S.postures[1];
+        if (first) {
+          tell('did', { label: 'use the same times for all legs' });
+          for (const p of S.postures.slice(2)) {
+            p.seconds = first.seconds;
+            p.hold = first.hold;
           }
-        },
+          rebuild();
+        }
       },
-    });
+    );
     root.append(
       h('p', {
         class: 'hint',
@@ -78,18 +74,10 @@ export const sequence = {
       h(
         'div',
         { class: 'line' },
-        h('button', {
-          type: 'button',
-          class: 'add',
-          text: '+ Present posture',
-          'data-testid': 'add-posture',
-          on: { click: () => add(state.q.slice()) },
-        }),
-        h('button', {
-          type: 'button',
-          text: '+ All named postures',
-          on: { click: () => Object.entries(state.table.postures ?? {}).forEach(([name, q]) => add(q.slice(), name)) },
-        }),
+        button('+ Present posture', { class: 'add', 'data-testid': 'add-posture' }, () => add(state.q.slice())),
+        button('+ All named postures', {}, () =>
+          Object.entries(state.table.postures ?? {}).forEach(([name, q]) => add(q.slice(), name)),
+        ),
         legSeconds,
       ),
       h('div', { class: 'line' }, run),
@@ -178,13 +166,7 @@ export const sequence = {
             h(
               'th',
               { scope: 'row' },
-              h('button', {
-                type: 'button',
-                class: 'quiet',
-                text: p.name,
-                title: 'Go there',
-                on: { click: () => moveTo(p.q.slice()) },
-              }),
+              button(p.name, { class: 'quiet', title: 'Go there' }, () => moveTo(p.q.slice())),
             ),
             cells,
             time('seconds', 'Seconds to', (v) => (v > 0 ? null : 'more than 0')),

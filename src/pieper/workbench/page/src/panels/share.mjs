@@ -1,5 +1,5 @@
 // Share: the whole state in a link and in a file; the arm as a robot file; the report of this arm.
-import { h, setText, copy, download, say } from '../dom.mjs';
+import { button, copy, download, h, say, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { askArm } from '../library.mjs';
 import { link, snapshot, restore } from '../sharing.mjs';
@@ -30,13 +30,7 @@ export const share = (showPanel) => ({
       on: { change: () => open(file) },
     });
     const note = h('p', { class: 'hint', role: 'status', 'data-testid': 'report-note' });
-    const report = h('button', {
-      type: 'button',
-      class: 'primary',
-      text: 'Write the report',
-      'data-testid': 'report',
-      on: { click: write },
-    });
+    const report = button('Write the report', { class: 'primary', 'data-testid': 'report' }, write);
     const code = h('textarea', {
       rows: '9',
       readonly: true,
@@ -54,38 +48,22 @@ export const share = (showPanel) => ({
         'div',
         { class: 'line share-link' },
         address,
-        h('button', {
-          type: 'button',
-          text: 'Copy the link',
-          'data-testid': 'copy-link',
-          on: { click: async () => copy(await link()) },
-        }),
+        button('Copy the link', { 'data-testid': 'copy-link' }, async () => copy(await link())),
       ),
       h('h3', { text: 'As a file' }),
       h(
         'div',
         { class: 'line' },
-        h('button', {
-          type: 'button',
-          text: 'Save the state',
-          'data-testid': 'save-state',
-          on: {
-            click: () =>
-              download(
-                `${state.table.name || 'arm'}.workbench.json`,
-                JSON.stringify(snapshot(), null, 1),
-                'application/json',
-              ),
-          },
-        }),
-        h('button', { type: 'button', text: 'Open a state…', on: { click: () => file.click() } }),
+        button('Save the state', { 'data-testid': 'save-state' }, () =>
+          download(
+            `${state.table.name || 'arm'}.workbench.json`,
+            JSON.stringify(snapshot(), null, 1),
+            'application/json',
+          ),
+        ),
+        button('Open a state…', {}, () => file.click()),
         file,
-        h('button', {
-          type: 'button',
-          text: 'Save the robot file',
-          'data-testid': 'save-robot',
-          on: { click: saveRobot },
-        }),
+        button('Save the robot file', { 'data-testid': 'save-robot' }, saveRobot),
       ),
       h('h3', { text: 'As Python' }),
       h('p', { class: 'hint', text: 'A script that makes and computes what is on the screen, in metres and radians.' }),
@@ -93,17 +71,8 @@ export const share = (showPanel) => ({
       h(
         'div',
         { class: 'line' },
-        h('button', {
-          type: 'button',
-          text: 'Copy the script',
-          'data-testid': 'copy-python',
-          on: { click: () => copy(code.value) },
-        }),
-        h('button', {
-          type: 'button',
-          text: 'Save the script',
-          on: { click: () => download('workbench.py', code.value, 'text/x-python') },
-        }),
+        button('Copy the script', { 'data-testid': 'copy-python' }, () => copy(code.value)),
+        button('Save the script', {}, () => download('workbench.py', code.value, 'text/x-python')),
       ),
       h('h3', { text: 'Report' }),
       h('p', {

@@ -1,5 +1,5 @@
 // World: what stands around the arm; objects that its gripper takes, obstacles, frames, each with its place and size.
-import { h, replace, select, setText } from '../dom.mjs';
+import { button, h, replace, select, setText } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { numberField } from '../numberfield.mjs';
 import { showBodies } from '../scene/clearance.mjs';
@@ -93,22 +93,16 @@ export const world = {
       },
     });
     const list = h('div', { class: 'things', 'data-testid': 'world' });
-    const button = (text, kind, role, title) =>
-      h('button', {
-        type: 'button',
-        text,
-        title,
-        'data-testid': `add-${role}-${kind}`,
-        on: { click: () => add(kind, role) },
-      });
+    const adder = (text, kind, role, title) =>
+      button(text, { title, 'data-testid': `add-${role}-${kind}` }, () => add(kind, role));
     root.append(
       h(
         'div',
         { class: 'line' },
-        button('+ Object', 'box', 'object', 'A box that the gripper can take'),
-        button('+ Box', 'box', 'obstacle', 'A table, a wall'),
-        button('+ Cylinder', 'cylinder', 'obstacle', 'A post, a can'),
-        button('+ Frame', 'frame', 'obstacle', 'A place with a name'),
+        adder('+ Object', 'box', 'object', 'A box that the gripper can take'),
+        adder('+ Box', 'box', 'obstacle', 'A table, a wall'),
+        adder('+ Cylinder', 'cylinder', 'obstacle', 'A post, a can'),
+        adder('+ Frame', 'frame', 'obstacle', 'A place with a name'),
       ),
       h('p', {
         class: 'hint',

@@ -1,4 +1,4 @@
-"""Laws of redundant arms: families are met however small; limits, turns and nearest agree with a slow oracle."""
+"""Laws of redundant arms: self-motions are met however small; limits, turns and nearest agree with a slow oracle."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def turning_point(chain, rng):
     """Return a posture where all seven joints together lose one direction, that direction, and how the pose bends.
 
     There the distance of the tool along that direction has a maximum or a minimum (the two bends have one sign): a
-    pose a little inside has a closed family around the posture, and a pose a little outside has none there.
+    pose a little inside has a closed self-motion around the posture, and a pose a little outside has none there.
     """
     for _ in range(200):
         q = rng.uniform(-3, 3, chain.n)
@@ -58,8 +58,8 @@ def turning_point(chain, rng):
     raise AssertionError("no turning point was found")
 
 
-def small_family(arm, rng, depth):
-    """Return a pose with a family so small that its joints hardly move, and a point of it."""
+def small_self_motion(arm, rng, depth):
+    """Return a pose with a self-motion so small that its joints hardly move, and a point of it."""
     chain = arm.chain
     q, u, side = turning_point(chain, rng)
     twist = side * depth * u
@@ -80,20 +80,20 @@ def small_family(arm, rng, depth):
             x = x + step * min(1.0, 0.1 / max(np.linalg.norm(step), 1e-300))
         if np.linalg.norm(e) < 1e-12 and np.abs(x - q).max() < 0.3:
             return T, x
-    raise AssertionError("the family that must be there was not met")
+    raise AssertionError("the self-motion that must be there was not met")
 
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("name", ["random", "franka-panda", "rethink-sawyer"])
-def test_a_family_that_lies_between_two_slices_is_found(name, seed):
+def test_a_self_motion_that_lies_between_two_slices_is_found(name, seed):
     rng = np.random.default_rng(seed)
     arm = random_seven(rng) if name == "random" else pieper.load(name)
-    T, q = small_family(arm, rng, (1e-3, 1e-4, 1e-5, 1e-6)[seed])
-    family = trace(arm.chain, q, T, arm.limits, arm.joint_names)
-    held = family.samples[:, arm.plan.reduction.locked[0]]
-    assert family.closed
+    T, q = small_self_motion(arm, rng, (1e-3, 1e-4, 1e-5, 1e-6)[seed])
+    motion = trace(arm.chain, q, T, arm.limits, arm.joint_names)
+    held = motion.samples[:, arm.plan.reduction.locked[0]]
+    assert motion.closed
     if seed >= 2:
-        assert np.ptp(held) < 2 * np.pi / 20, "this family is not small"
+        assert np.ptp(held) < 2 * np.pi / 20, "this self-motion is not small"
     found = arm.ik(T).self_motions
     assert any(f.contains(q, 1e-4) for f in found)
 
@@ -167,7 +167,7 @@ def test_limits_turns_and_nearest_of_a_batch_are_those_of_the_oracle(name):
 
 
 @pytest.mark.parametrize("name", ["franka-panda", "kuka-lbr-iiwa-14-r820", "ufactory-xarm7"])
-def test_the_nearest_point_of_the_families_is_not_beaten_on_any_slice(name):
+def test_the_nearest_point_of_the_self_motions_is_not_beaten_on_any_slice(name):
     arm = wide(name)
     rng = np.random.default_rng(7)
     joint = arm.plan.reduction.locked[0]
@@ -184,21 +184,21 @@ def test_the_nearest_point_of_the_families_is_not_beaten_on_any_slice(name):
 
 
 @pytest.mark.parametrize("name", ["franka-panda", "kuka-lbr-iiwa-14-r820"])
-def test_what_the_limits_leave_of_the_families_is_what_slices_leave(name):
+def test_what_the_limits_leave_of_the_self_motions_is_what_slices_leave(name):
     arm = wide(name)
     joint = arm.plan.reduction.locked[0]
     T = arm.fk(POSTURE)
-    families = arm.ik(T).self_motions
+    motions = arm.ik(T).self_motions
     for value in (-2.0, -0.6, 0.1, 0.9, 2.3):
         sols = arm.ik(T, redundancy=value)
-        points = np.concatenate([f.at_joint(joint, value) for f in families])
+        points = np.concatenate([f.at_joint(joint, value) for f in motions])
         for row, ok in zip(sols.all_q, sols.in_limits, strict=True):
             assert np.abs(around(points, row)).max(1).min() < 1e-6
-            family = min(families, key=lambda f: f.distance(row))
-            near = int(np.argmin(np.abs(around(family.samples, row)).max(1)))
-            s = family.u[near]
-            inner = any(a + 0.02 < s < b - 0.02 for a, b in family.inside)
-            outer = not any(a - 0.02 < s < b + 0.02 for a, b in family.inside)
+            motion = min(motions, key=lambda f: f.distance(row))
+            near = int(np.argmin(np.abs(around(motion.samples, row)).max(1)))
+            s = motion.u[near]
+            inner = any(a + 0.02 < s < b - 0.02 for a, b in motion.inside)
+            outer = not any(a - 0.02 < s < b + 0.02 for a, b in motion.inside)
             assert (ok or not inner) and (not ok or not outer)
 
 
@@ -224,7 +224,7 @@ def test_an_arm_on_a_rail_far_from_its_zero_finds_the_rail_s_values():
     sols = arm.ik(T)
     assert sols.status == Status.REDUNDANT and len(sols)
     assert (sols.q[:, 0] >= 8.0 - 1e-9).all() and (sols.q[:, 0] <= 12.0 + 1e-9).all()
-    assert any(family.contains(q, 1e-5) for family in sols.self_motions)
+    assert any(motion.contains(q, 1e-5) for motion in sols.self_motions)
 
 
 def test_a_chosen_value_without_an_answer_is_told_from_a_pose_out_of_reach():

@@ -1,0 +1,41 @@
+// A merged root next to a limit: rounding blurs it along what is free there to first order, and a stop may lie within the blur. Scalar.
+#pragma once
+
+#include "singular/motions.hpp"
+
+namespace pieper::PIEPER_ISA {
+
+// Puts a singular row that is outside the limits at the limits, where a posture there takes the pose to rounding as well.
+inline void into_limits(const SixJoints& arm, const Rigid& T, const Limits& limits, double* q) {
+  constexpr int kSteps = 6;
+  double at[6];
+  bool held[6] = {}, any = false;
+  std::copy(q, q + kSix, at);
+  for (int i = 0; i < kSix; ++i) {
+    double value = q[i];
+    if (turned_inside(value, arm.slides[i], limits.lower[i], limits.upper[i])) continue;
+    const double lower = arm.slides[i] ? limits.lower[i] - q[i] : short_way(limits.lower[i] - q[i]),
+                 upper = arm.slides[i] ? limits.upper[i] - q[i] : short_way(limits.upper[i] - q[i]),
+                 way = std::fabs(lower) < std::fabs(upper) ? lower : upper;
+    if (!(std::fabs(way) < kMergedBlur)) return;
+    at[i] += way, held[i] = any = true;
+  }
+  if (!any) return;
+  for (int step = 0; step < kSteps; ++step) {
+    Standing now(arm, at);
+    double e[6];
+    now.missing(T, e);
+    for (int i = 0; i < kSix; ++i)
+      if (held[i]) std::fill(now.J[i], now.J[i] + 6, 0.0);
+    step_along(SingularSix(now.J), e, kHeldFirmly, -1, kMergedBlur, at);
+  }
+  const double rounding = kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)));
+  bool inside = missed_at(arm, at, T) <= std::fmax(rounding, missed_at(arm, q, T)) && arm.apart(at, q) < kMergedBlur;
+  for (int i = 0; i < kSix && inside; ++i) {
+    double value = at[i];
+    inside = turned_inside(value, arm.slides[i], limits.lower[i], limits.upper[i]);
+  }
+  if (inside) std::copy(at, at + kSix, q);
+}
+
+}  // namespace pieper::PIEPER_ISA
