@@ -14,5 +14,9 @@ gained = longer.reach_map(((-0.45, 0.45), (-0.45, 0.45), (-0.1, 0.7)), 0.05, ori
 print(f"a tool 100 mm long gains in {(gained > 0).sum()} voxels and loses in {(gained < 0).sum()}")
 
 m.save("reach.vtk")
+negative, positive = m.aspects.reshape(-1, 2).sum(0)
+print(f"{negative:,} solutions on one side of the singular postures, {positive:,} on the other")
+pieper.plot.save_figure(pieper.plot.layers_figure(m), "slices.png")
 pieper.plot.save_figure(pieper.plot.map_figure(m), "reach.png")
+pieper.plot.save_figure(pieper.plot.map_figure(m, what="least_singular"), "singular.png")
 pieper.plot.save_figure(pieper.plot.map_figure(m, what="margin"), "margin.png")

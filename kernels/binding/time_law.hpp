@@ -4,6 +4,7 @@
 #include "binding/arrays.hpp"
 #include "time_law/fastest.hpp"
 #include "time_law/in_time.hpp"
+#include "time_law/smooth.hpp"
 #include "time_law/spline.hpp"
 
 namespace {
@@ -90,14 +91,20 @@ struct HeldPieces {
 
 double* written(const nb::object& o) { return static_cast<double*>(PyArray_DATA(as_array(o))); }
 
-nb::tuple joint_peaks(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3, nb::handle given) {
+nb::object peak_ratios(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3, nb::handle given_x,
+                       nb::handle given_speed, nb::handle given_acceleration, nb::handle given_share) {
   const HeldPieces curve(s, d1, d1, d2, d3);
-  nb::object x = float_array(given, "x");
-  if (PyArray_SIZE(as_array(x)) != curve.pieces.cells + 1) throw nb::value_error("x must be (k + 1,).");
-  const npy_intp shape[] = {curve.pieces.cells, curve.pieces.joints};
-  nb::object rates = new_array(2, shape, NPY_DOUBLE), bends = new_array(2, shape, NPY_DOUBLE);
-  pieper::joint_peaks(curve.pieces, doubles(x), written(rates), written(bends));
-  return nb::make_tuple(rates, bends);
+  const npy_intp cells = curve.pieces.cells, joints = curve.pieces.joints;
+  nb::object x = float_array(given_x, "x"), share = float_array(given_share, "share");
+  nb::object speed = float_array(given_speed, "speed"), bend = float_array(given_acceleration, "acceleration");
+  if (PyArray_SIZE(as_array(x)) != cells + 1) throw nb::value_error("x must be (k + 1,).");
+  if (PyArray_SIZE(as_array(share)) != cells) throw nb::value_error("share must be (k,).");
+  if (PyArray_SIZE(as_array(speed)) != joints || PyArray_SIZE(as_array(bend)) != joints)
+    throw nb::value_error("speed and acceleration must be (n,).");
+  const npy_intp shape[] = {2 * joints, cells};
+  nb::object out = new_array(2, shape, NPY_DOUBLE);
+  pieper::peak_ratios(curve.pieces, doubles(x), doubles(speed), doubles(bend), doubles(share), written(out));
+  return out;
 }
 
 nb::tuple in_time(nb::handle s, nb::handle q, nb::handle d1, nb::handle d2, nb::handle d3, nb::handle given_t,
@@ -115,9 +122,64 @@ nb::tuple in_time(nb::handle s, nb::handle q, nb::handle d1, nb::handle d2, nb::
   return nb::make_tuple(out[0], out[1], out[2], out[3], out[4]);
 }
 
+pieper::Profile profile_of(nb::handle given_t, nb::handle given_c) {
+  nb::object t = float_array(given_t, "t"), c = float_array(given_c, "c");
+  const npy_intp times = PyArray_SIZE(as_array(t));
+  if (times < 2 || PyArray_SIZE(as_array(c)) != 4 * (times - 1))
+    throw nb::value_error("c must be (k, 4) and t (k + 1,).");
+  return {{doubles(t), doubles(t) + times}, {doubles(c), doubles(c) + 4 * (times - 1)}};
+}
+
+nb::tuple arrays_of(const pieper::Profile& profile) {
+  const npy_intp times = profile.pieces() + 1, shape[] = {profile.pieces(), 4};
+  nb::object t = new_array(1, &times, NPY_DOUBLE), c = new_array(2, shape, NPY_DOUBLE);
+  std::copy(profile.t.begin(), profile.t.end(), written(t));
+  std::copy(profile.c.begin(), profile.c.end(), written(c));
+  return nb::make_tuple(t, c);
+}
+
+nb::tuple evened(nb::handle t, nb::handle c, double window, double moment) {
+  if (!(window > 0)) throw nb::value_error("window must be positive.");
+  return arrays_of(pieper::evened(profile_of(t, c), window, moment));
+}
+
+nb::tuple jerk_ratios(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3, nb::handle t, nb::handle c,
+                      nb::handle given_speed, nb::handle given_acceleration, nb::handle given_jerk,
+                      nb::handle given_grid, nb::handle given_share, nb::handle given_coefficients, double moment) {
+  const HeldPieces curve(s, d1, d1, d2, d3);
+  const npy_intp joints = curve.pieces.joints;
+  nb::object speed = float_array(given_speed, "speed"), bend = float_array(given_acceleration, "acceleration");
+  nb::object jerk = float_array(given_jerk, "jerk"), grid = float_array(given_grid, "grid");
+  nb::object share = float_array(given_share, "share"), held = float_array(given_coefficients, "coefficients");
+  for (const nb::object* limit : {&speed, &bend, &jerk})
+    if (PyArray_SIZE(as_array(*limit)) != joints) throw nb::value_error("limits must be (n,).");
+  const npy_intp cells = PyArray_SIZE(as_array(share)), asked = PyArray_DIM(as_array(held), 0);
+  if (PyArray_SIZE(as_array(grid)) != cells + 1) throw nb::value_error("grid must be (cells + 1,).");
+  if (PyArray_NDIM(as_array(held)) != 2 || PyArray_DIM(as_array(held), 1) != asked || asked == 1)
+    throw nb::value_error("coefficients must be square, or (0, 0).");
+  const pieper::Profile profile = pieper::split_at(profile_of(t, c), curve.pieces, moment);
+  const npy_intp pieces = profile.pieces(), shape[] = {3 * joints, pieces};
+  nb::object out = new_array(2, shape, NPY_DOUBLE), fastest = new_array(1, &pieces, NPY_DOUBLE);
+  const pieper::Bounds bounds{doubles(speed), doubles(bend), doubles(jerk), cells, doubles(grid), doubles(share)};
+  pieper::jerk_ratios(curve.pieces, profile, bounds, asked ? doubles(held) : nullptr,
+                      asked ? static_cast<int>(asked) : 3, written(out), written(fastest));
+  const nb::tuple split = arrays_of(profile);
+  return nb::make_tuple(split[0], split[1], out, fastest);
+}
+
 void bind_time_law(nb::module_& m) {
-  m.def("joint_peaks", &joint_peaks, nb::arg("s"), nb::arg("d1"), nb::arg("d2"), nb::arg("d3"), nb::arg("x"),
-        "The largest speeds and accelerations (k, n) of each piece of a cubic curve, x (k + 1,) linear on it.");
+  m.def(
+      "peak_ratios", &peak_ratios, nb::kw_only(), nb::arg("s"), nb::arg("d1"), nb::arg("d2"), nb::arg("d3"),
+      nb::arg("x"), nb::arg("speed"), nb::arg("acceleration"), nb::arg("share"),
+      "(2 n, k): the largest parts of speed and acceleration, joint by joint, on each piece; x (k + 1,) linear there.");
+  m.def("evened", &evened, nb::arg("t"), nb::arg("c"), nb::arg("window"), nb::arg("moment"),
+        "t (k + 1,), c (k, 4) of a profile averaged over a window of time before each moment.");
+  m.def(
+      "jerk_ratios", &jerk_ratios, nb::kw_only(), nb::arg("s"), nb::arg("d1"), nb::arg("d2"), nb::arg("d3"),
+      nb::arg("t"), nb::arg("c"), nb::arg("speed"), nb::arg("acceleration"), nb::arg("jerk"), nb::arg("grid"),
+      nb::arg("share"), nb::arg("coefficients"), nb::arg("moment"),
+      "t (p + 1,), c (p, 4) split where the curve's pieces meet; (3 n, p) parts of speed, acceleration and jerk, joint "
+      "by joint; (p,) the largest ds/dt.");
   m.def("in_time", &in_time, nb::kw_only(), nb::arg("s"), nb::arg("q"), nb::arg("d1"), nb::arg("d2"), nb::arg("d3"),
         nb::arg("t"), nb::arg("c"), nb::arg("times"),
         "s (m,), q, dq, ddq, dddq (m, n) at times (m,) that do not fall.");

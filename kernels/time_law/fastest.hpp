@@ -35,8 +35,8 @@ struct Timing {
 
 class FastestPass {
  public:
-  explicit FastestPass(const TimedPath& path)
-      : p_(path), rows_(3 * path.joints + path.extra), slope_(rows_), room_(rows_), cap_(path.cells + 1) {
+  explicit FastestPass(const TimedPath& path) : p_(path), cap_(path.cells + 1), cells_(path.cells) {
+    rows_.reserve(path.cells * 6);
     caps();
   }
 
@@ -46,28 +46,39 @@ class FastestPass {
     if (!std::isnan(p_.wanted[n])) end = p_.wanted[n];
     lowest[n] = highest[n] = end;
     for (long i = n - 1; i >= 0; --i) {
-      const double most = set(i, lowest[i + 1], highest[i + 1]);
+      const Cell& c = set(i, lowest[i + 1], highest[i + 1]);
       if (!std::isnan(p_.wanted[i])) {
         const double w = p_.wanted[i];
-        if (w > most * (1 + kSetRounding) || !holds(w)) return {false, i, x, highest};
+        if (w > c.most * (1 + kSetRounding) || !room_at(c, w).open()) return {false, i, x, highest};
         lowest[i] = highest[i] = w;
         continue;
       }
-      if (!(largest(most, highest[i]) && smallest(highest[i], lowest[i]))) return {false, i, x, highest};
+      if (!(largest(c, highest[i]) && smallest(c, highest[i], lowest[i]))) return {false, i, x, highest};
     }
     if (start < lowest[0] * (1 - kSetRounding) || start > highest[0] * (1 + kSetRounding))
       return {false, -1, x, highest};
     x[0] = start;
     for (long i = 0; i < n; ++i) {
-      set(i, lowest[i + 1], highest[i + 1]);
-      x[i + 1] = std::clamp(x[i] + 2 * width(i) * above(x[i]).value, lowest[i + 1], highest[i + 1]);
+      const double u = room_at(cells_[i], x[i]).above;
+      x[i + 1] = std::clamp(x[i] + 2 * width(i) * u, lowest[i + 1], highest[i + 1]);
     }
     return {true, n, x, highest};
   }
 
  private:
-  struct Line {
-    double value, offset, slope;
+  // u + slope x within +- room
+  struct Row {
+    double slope, room;
+  };
+  // The rows of a cell, and x + 2 h u within the next set: u + next x within low and high.
+  struct Cell {
+    long first, rows;
+    double next, low, high, most, narrowest;  // most: the bound of x; narrowest: the least room
+  };
+  // What is left for u at some x: up to `above` and down to `below`, and the slopes of the rows that say so.
+  struct Room {
+    double above, above_slope, above_offset, below, below_slope, below_offset;
+    bool open() const { return above >= below - kSetRounding * (std::fabs(above) + std::fabs(below)); }
   };
 
   double width(long i) const { return p_.s[i + 1] - p_.s[i]; }
@@ -76,7 +87,6 @@ class FastestPass {
   void caps() {
     const long n = p_.cells;
     const int m = p_.joints;
-    std::fill(cap_.begin(), cap_.end(), std::numeric_limits<double>::infinity());
     for (long i = 0; i <= n; ++i) cap_[i] = std::min(p_.most[i], std::isnan(p_.wanted[i]) ? kFastest : p_.wanted[i]);
     for (long i = 0; i < n; ++i) {
       const double h = width(i);
@@ -96,7 +106,9 @@ class FastestPass {
         const double r2 = r0 + h * (p_.d2[i * m + j] + h / 2 * p_.d3[i * m + j]), v = p_.speed[i * m + j];
         const double sq[5] = {r0 * r0, std::max(r0 * r1, 0.0), std::max((r0 * r2 + 2 * r1 * r1) / 3, 0.0),
                               std::max(r1 * r2, 0.0), r2 * r2};
-        for (int k = 1; k <= 4; ++k) worst = std::max(worst, ((5 - k) * sq[k] * x0 + k * sq[k - 1] * x1) / (5 * v * v));
+        double top = 0;
+        for (int k = 1; k <= 4; ++k) top = std::max(top, (5 - k) * sq[k] * x0 + k * sq[k - 1] * x1);
+        if (top > worst * 5 * v * v) worst = top / (5 * v * v);
       }
       shrink[i] = std::max(shrink[i], worst);
       shrink[i + 1] = std::max(shrink[i + 1], worst);
@@ -104,23 +116,24 @@ class FastestPass {
     for (long i = 0; i <= n; ++i) cap_[i] /= shrink[i];
   }
 
-  // Takes up the rows of cell i: u + slope x within +- room, and x + 2 h u within the next set. Returns the bound of x.
-  double set(long i, double low, double high) {
-    const double h = width(i);
-    double most = cap_[i];
-    const double reach = std::max(cap_[i], high) / (2 * h);  // no |u| is larger
-    int k = 0;
+  // Takes up the rows of cell i, kept for the way back, and x + 2 h u within the next set.
+  const Cell& set(long i, double low, double high) {
+    const double h = width(i), next = 1 / (2 * h);
+    double most = cap_[i], narrowest = std::numeric_limits<double>::infinity();
+    const double reach = std::max(cap_[i], high) * next;  // no |u| is larger
+    const long first = static_cast<long>(rows_.size());
     auto row = [&](double a, double b, double c) {
       // a joint that rests has rows of rounding alone: what cannot bind, whatever u and x are, is left out, and what u
       // cannot move by more than rounding bounds x alone
-      const double push = std::fabs(a) * reach, pull = std::fabs(b) * cap_[i];
+      const double size = std::fabs(a), push = size * reach, pull = std::fabs(b) * cap_[i];
       if (push + pull <= c) return;
       if (push <= kRowFlat * c) {
         most = std::min(most, (c - push) / std::fabs(b));
         return;
       }
-      slope_[k] = b / a;
-      room_[k++] = c / std::fabs(a);
+      const double per = 1 / a, room = c * std::fabs(per);
+      rows_.push_back({b * per, room});
+      narrowest = std::min(narrowest, room);
     };
     const int m = p_.joints;
     for (int j = 0; j < m; ++j) {
@@ -131,57 +144,44 @@ class FastestPass {
       row(d1 + h * (d2 + h / 2 * d3) + 2 * h * e2, e2, c);
     }
     for (int j = 0; j < p_.extra; ++j) row(p_.a[i * p_.extra + j], p_.b[i * p_.extra + j], p_.c[i * p_.extra + j]);
-    used_ = k;
-    next_ = 1 / (2 * h);
-    low_ = low * next_;
-    high_ = high * next_;
-    return most;
+    return cells_[i] = {first, static_cast<long>(rows_.size()) - first, next, low * next, high * next, most, narrowest};
   }
 
-  Line above(double x) const {
-    Line best{high_ - next_ * x, high_, next_};
-    for (int k = 0; k < used_; ++k) {
-      const double u = room_[k] - slope_[k] * x;
-      if (u < best.value) best = {u, room_[k], slope_[k]};
+  Room room_at(const Cell& c, double x) const {
+    Room best{c.high - c.next * x, c.next, c.high, c.low - c.next * x, c.next, c.low};
+    const Row* row = rows_.data() + c.first;
+    for (long k = 0; k < c.rows; ++k) {
+      const double t = row[k].slope * x, above = row[k].room - t, below = -row[k].room - t;
+      if (above < best.above) best.above = above, best.above_slope = row[k].slope, best.above_offset = row[k].room;
+      if (below > best.below) best.below = below, best.below_slope = row[k].slope, best.below_offset = -row[k].room;
     }
     return best;
   }
-  Line below(double x) const {
-    Line best{low_ - next_ * x, low_, next_};
-    for (int k = 0; k < used_; ++k) {
-      const double u = -room_[k] - slope_[k] * x;
-      if (u > best.value) best = {u, -room_[k], slope_[k]};
-    }
-    return best;
-  }
-  static bool open(const Line& hi, const Line& lo) {
-    return hi.value >= lo.value - kSetRounding * (std::fabs(hi.value) + std::fabs(lo.value));
-  }
-  bool holds(double x) const { return open(above(x), below(x)); }
 
   // The room for u is a concave function of x, linear in pieces: Newton from outside ends after as many steps as pieces.
-  bool largest(double most, double& x) const {
-    x = most;
-    for (int round = 0; round < 4 * rows_ + 8; ++round) {
-      const Line hi = above(x), lo = below(x);
-      if (open(hi, lo)) return true;
-      const double narrowing = hi.slope - lo.slope;
+  bool largest(const Cell& c, double& x) const {
+    x = c.most;
+    for (long round = 0; round < 4 * c.rows + 8; ++round) {
+      const Room room = room_at(c, x);
+      if (room.open()) return true;
+      const double narrowing = room.above_slope - room.below_slope;
       if (narrowing <= 0) return false;
-      const double next = (hi.offset - lo.offset) / narrowing;
+      const double next = (room.above_offset - room.below_offset) / narrowing;
       if (next < 0) return false;
       if (next >= x) return true;
       x = next;
     }
     return true;
   }
-  bool smallest(double most, double& x) const {
+  bool smallest(const Cell& c, double most, double& x) const {
     x = 0.0;
-    for (int round = 0; round < 4 * rows_ + 8; ++round) {
-      const Line hi = above(x), lo = below(x);
-      if (open(hi, lo)) return x <= most * (1 + kSetRounding);
-      const double widening = lo.slope - hi.slope;
+    if (c.low <= c.narrowest) return true;  // at rest
+    for (long round = 0; round < 4 * c.rows + 8; ++round) {
+      const Room room = room_at(c, x);
+      if (room.open()) return x <= most * (1 + kSetRounding);
+      const double widening = room.below_slope - room.above_slope;
       if (widening <= 0) return false;
-      const double next = (lo.offset - hi.offset) / widening;
+      const double next = (room.below_offset - room.above_offset) / widening;
       if (next > most * (1 + kSetRounding)) return false;
       if (next <= x) return true;
       x = next;
@@ -190,9 +190,9 @@ class FastestPass {
   }
 
   const TimedPath& p_;
-  int rows_, used_ = 0;
-  std::vector<double> slope_, room_, cap_;
-  double next_ = 0, low_ = 0, high_ = 0;
+  std::vector<double> cap_;
+  std::vector<Row> rows_;
+  std::vector<Cell> cells_;
 };
 
 }  // namespace pieper

@@ -13,27 +13,38 @@ struct CubicPieces {
   const double *s, *q, *d1, *d2, *d3;
 };
 
-// The largest |dq/dt| and |d2q/dt2| (cells x joints) of each piece, x = (ds/dt)^2 (cells + 1) linear on it. The acceleration
-// is a quadratic of s and the speed has it, over sqrt(x), as its derivative: both are looked at in the ends and wherever
-// they can peak between.
-inline void joint_peaks(const CubicPieces& p, const double* x, double* rates, double* bends) {
-  for (long i = 0; i < p.cells; ++i) {
-    const double h = p.s[i + 1] - p.s[i], x0 = x[i], u = (x[i + 1] - x0) / (2 * h);
-    for (int j = 0; j < p.joints; ++j) {
-      const long k = i * p.joints + j;
-      const double a = p.d1[k], b = p.d2[k], c = p.d3[k];
+// The largest part of each joint's limits that each piece uses, x = (ds/dt)^2 (cells + 1) linear on it: of the speed
+// (row 2 j) and of the acceleration (row 2 j + 1), rows of `cells`. The acceleration is a quadratic of s and the speed has
+// it, over sqrt(x), as its derivative: both are looked at in the ends and wherever they peak between. share (cells): the
+// part of the speeds that is meant.
+inline void peak_ratios(const CubicPieces& p, const double* x, const double* speed, const double* acceleration,
+                        const double* share, double* out) {
+  const int n = p.joints;
+  for (int j = 0; j < n; ++j) {
+    double *rates = out + 2 * j * p.cells, *bends = rates + p.cells;
+    const double per_bend = 1 / acceleration[j];
+    for (long i = 0; i < p.cells; ++i) {
+      const double h = p.s[i + 1] - p.s[i], x0 = x[i], u = (x[i + 1] - x0) / (2 * h);
+      const double a = p.d1[i * n + j], b = p.d2[i * n + j], c = p.d3[i * n + j];
       // acceleration A + B r + C r^2 at r behind the beginning
       const double A = a * u + b * x0, B = 3 * b * u + c * x0, C = 2.5 * c * u;
-      auto inside = [&](double r) { return r > 0 ? (r < h ? r : h) : 0.0; };  // of NaN: 0
-      auto bend = [&](double r) { return std::fabs(A + r * (B + r * C)); };
+      auto bend = [&](double r) { return A + r * (B + r * C); };
       auto square = [&](double r) {
         const double v = a + r * (b + r * c / 2);
         return v * v * std::max(x0 + 2 * u * r, 0.0);
       };
-      const double root = std::sqrt(std::max(B * B - 4 * A * C, 0.0)), half = -(B + std::copysign(root, B)) / 2;
-      bends[k] = std::max(std::max(bend(0), bend(h)), bend(inside(-B / (2 * C))));
-      rates[k] = std::sqrt(
-          std::max(std::max(square(0), square(h)), std::max(square(inside(half / C)), square(inside(A / half)))));
+      const double last = bend(h);
+      double most = std::max(std::fabs(A), std::fabs(last)), fastest = std::max(square(0), square(h));
+      if (B * C < 0 && std::fabs(B) < 2 * std::fabs(C) * h) most = std::max(most, std::fabs(bend(-B / (2 * C))));
+      // Bernstein coefficients of one sign: no root, and the speed does not peak between
+      const double middle = A + h / 2 * B;
+      if (!((A > 0 && middle > 0 && last > 0) || (A < 0 && middle < 0 && last < 0))) {
+        auto inside = [&](double r) { return r > 0 ? (r < h ? r : h) : 0.0; };  // of NaN: 0
+        const double half = -(B + std::copysign(std::sqrt(std::max(B * B - 4 * A * C, 0.0)), B)) / 2;
+        fastest = std::max(fastest, std::max(square(inside(half / C)), square(inside(A / half))));
+      }
+      rates[i] = std::sqrt(fastest) / (speed[j] * share[i]);
+      bends[i] = most * per_bend;
     }
   }
 }

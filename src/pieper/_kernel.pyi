@@ -238,7 +238,26 @@ class Solver:
     def one(self, T: ArrayLike) -> tuple[Array, Bits, Bools, int]:
         """(4, 4) -> q (m, joints) of the valid slots in order, slots (m,), in_limits (m,), flag."""
 
-def joint_peaks(s: Array, d1: Array, d2: Array, d3: Array, x: Array) -> tuple[Array, Array]: ...
+def evened(t: Array, c: Array, window: float, moment: float) -> tuple[Array, Array]: ...
+def jerk_ratios(
+    *,
+    s: Array,
+    d1: Array,
+    d2: Array,
+    d3: Array,
+    t: Array,
+    c: Array,
+    speed: Array,
+    acceleration: Array,
+    jerk: Array,
+    grid: Array,
+    share: Array,
+    coefficients: Array,
+    moment: float,
+) -> tuple[Array, Array, Array, Array]: ...
+def peak_ratios(
+    *, s: Array, d1: Array, d2: Array, d3: Array, x: Array, speed: Array, acceleration: Array, share: Array
+) -> Array: ...
 def in_time(
     *, s: Array, q: Array, d1: Array, d2: Array, d3: Array, t: Array, c: Array, times: Array
 ) -> tuple[Array, Array, Array, Array, Array]: ...

@@ -143,4 +143,7 @@ class AlongPaths(AtScale):
         def is_clear(q: Array) -> bool:
             return self.clear(q, scene, room).verdict.name == "CLEAR"
 
-        return Keep(ratio, room, away, is_clear)
+        def nearest(q: Array) -> str:
+            return " and ".join(self.distance(q, scene).pair)
+
+        return Keep(ratio, room, away, is_clear, nearest)

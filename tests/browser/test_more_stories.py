@@ -202,8 +202,8 @@ def test_playing_moves_the_arm_along_the_motion(bench):
 def test_a_cloud_of_reachable_points_with_progress_and_cancel(bench):
     bench.tab("Analysis")
     bench.until("Number(document.querySelector('[data-testid=fact-condition]').textContent) > 1")
-    bench.page.get_by_test_id("cloud-count").select_option("5000")
-    bench.page.get_by_test_id("cloud-start").click()
+    bench.page.get_by_test_id("reach-size").select_option("5000")
+    bench.page.get_by_test_id("reach-start").click()
     bench.until("workbench.cloud === 5000")
     bench.page.get_by_text("random postures inside the limits").wait_for()
     bench.shot("cloud", both=True)
@@ -211,8 +211,8 @@ def test_a_cloud_of_reachable_points_with_progress_and_cancel(bench):
     bench.button("Cut open")
     bench.until("n => workbench.pictures > n", drawn)
     bench.shot("cloud-cut")
-    bench.page.get_by_test_id("cloud-count").select_option("100000")
-    bench.page.get_by_test_id("cloud-start").click()
+    bench.page.get_by_test_id("reach-size").select_option("100000")
+    bench.page.get_by_test_id("reach-start").click()
     bench.page.get_by_role("button", name="Cancel").click()
     bench.page.get_by_text(re.compile("Cancelled after|100,000 random")).wait_for()
 

@@ -9,6 +9,7 @@ import pytest
 
 import pieper
 from tests.calibration.planted import NOISE, noisy, planted, postures
+from tests.calibration.test_calibrate import COUNT, measured
 
 MIRROR = np.array([1.0, -1.0, 1.0])
 
@@ -119,3 +120,34 @@ def test_numbers_that_are_none_are_refused():
         arm.calibrate(q[0], Y[:1])
     with pytest.raises(pieper.InputError, match="candidates"):
         arm.choose_poses(100, q)
+
+
+@pytest.mark.parametrize("kind", ["distance", "plane"])
+@pytest.mark.parametrize("name", ["universal-robots-ur5e", "denso-vp6242", "stanford-arm"])
+def test_single_numbers_are_read_right_too(name, kind):
+    arm, rng = pieper.load(name), np.random.default_rng(3)
+    q = postures(arm, rng, COUNT[kind])
+    Y = measured(kind, planted(arm, rng).fk(q), rng)
+    flip = np.array([1.0, 1, -1, 1, 1, 1])
+    cases = {
+        "in degrees": (np.where(arm.chain.prismatic, q, np.degrees(q)), Y),
+        "is in millimetres": (q, Y * 1e3),
+        "the other way": (q * flip, Y),
+        "3 rows out of step": (np.roll(q, 3, 0), Y),
+        "do not belong together": (q[rng.permutation(len(q))], Y),
+        "only 1 are different": (np.repeat(q[:1], len(q), 0), np.repeat(Y[:1], len(q), 0)),
+        "are needed": (q[:8], Y[:8]),
+    }
+    for words, (a, b) in cases.items():
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", pieper.PieperWarning)
+            with pytest.raises(pieper.InputError, match=words):
+                arm.calibrate(a, b, kind=kind, sigma=NOISE)
+
+
+def test_heights_that_are_noise_alone_are_a_plane_that_was_touched():
+    arm, rng = pieper.load("universal-robots-ur5e"), np.random.default_rng(8)
+    flat = [pieper.pose(*rng.uniform([-0.5, 0.2, 0.1], [0.5, 0.6, 0.1]), rpy=(np.pi, 0.2, a)) for a in range(120)]
+    q = np.array([rows[0] for rows in (arm.ik(T).q for T in flat) if len(rows)])
+    for heights in (None, rng.normal(0, NOISE[0], len(q))):
+        assert arm.calibrate(q, heights, kind="plane", sigma=NOISE).spread < 1.5

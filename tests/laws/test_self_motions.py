@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from oracle.arms.known import free
-from pieper import Arm
+from pieper import DH, Arm
 from pieper.kinematics.newton import missed
 from pieper.solver.singular.self_motion import TracedMotion
 from pieper.solver.singular.trace import trace
@@ -158,3 +158,14 @@ def test_no_solution_is_lost_all_but_on_a_wrist_singularity(name, size, request)
         near = arm.chain.joints.apart(sols.all_q, q).min()
         assert near < 1e-6 + 2e-14 / size or any(motion.contains(q, 1e-6) for motion in sols.self_motions)
         assert len(sols.all_q) % 2 == 0 or sols.self_motions
+
+
+def test_a_fold_on_every_point_of_a_surface_is_no_third_degree_of_freedom():
+    """Axes 1 and 2 are one line, 5 and 6 another; the straight elbow between them adds a third null direction only."""
+    rows = [(0, 0, 0), (0.4, 0, 0), (0.3, 0, 0), (0.2, np.pi / 2, 0), (0, 0, 0.1), (0.1, 0.5, 0.2)]
+    arm = Arm.from_dh([DH(*row, 0) for row in rows], convention="standard")
+    for elbow in (0.0, 0.7):
+        q = np.array([0.3, 0.4, elbow, 0.5, -0.2, 0.1])
+        along = np.array([1.0, -1.0, 0, 0, 0, 0]) / np.sqrt(2)
+        motion = trace(arm.chain, q, arm.fk(q), np.tile([-np.inf, np.inf], (6, 1)), arm.joint_names, along)
+        assert motion.dimension == 2

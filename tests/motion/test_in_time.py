@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pieper.motion.certificate import joint_peaks
+from pieper import _kernel
 from pieper.motion.curve import JointCurve
 from pieper.motion.in_time import profile_of, sampled
 
@@ -18,6 +18,14 @@ def curve_and_profile(seed, points=12, n=5):
     x = rng.uniform(0.1, 3.0, points)
     x[[0, -1]] = 0.0
     return curve, x
+
+
+def joint_peaks(curve, x):
+    """The largest rates and accelerations (k, n): what is used of limits that are one."""
+    n = curve.q.shape[1]
+    one = {"speed": np.ones(n), "acceleration": np.ones(n), "share": np.ones(len(curve.q))}
+    used = _kernel.peak_ratios(s=curve.s, d1=curve.d1, d2=curve.d2, d3=curve.d3, x=x, **one)
+    return used[::2].T, used[1::2].T
 
 
 @pytest.mark.parametrize("seed", range(8))

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.workbench import films, programs, routes, snippet
+from pieper.workbench import films, programs, reach, routes, snippet
 from pieper.workbench.messages import Refused
 from tests.workbench.test_messages import table
 
@@ -53,6 +53,7 @@ def wholes() -> dict:
         "program": {**program, "rate": 50, "world": []},
         "program_file": {**program, "dialect": "csv", "name": "p"},
         "python": {"q": [0, 0], "target": POSE, "path": {"from": POSE, "to": POSE, "n": 3}, "program": program},
+        "voxels": {"step": 2e-4, "colour": "margin"},
         "film": {"kind": "gif", "q": [[0, 0], [0, 0.1]], "t": [0, 0.01], "view": [20, 30], "speed": 1},
     }
 
@@ -81,7 +82,7 @@ def broken(message: dict, rng: random.Random) -> dict:
 
 def answer(kind: str, one: pieper.Arm, message: dict) -> None:
     stop = threading.Event()
-    long = {**routes.LONG, "program": programs.run, "film": films.film}
+    long = {**routes.LONG, **reach.LONG, "program": programs.run, "film": films.film}
     if kind in long:
         long[kind](one, message, lambda part: None, stop)
     else:
@@ -89,7 +90,15 @@ def answer(kind: str, one: pieper.Arm, message: dict) -> None:
 
 
 #: How many of each: what is refused late, or comes through and draws, takes longer.
-COUNTS = {"route": 4500, "route_posture": 4500, "python": 400, "program": 250, "program_file": 250, "film": 100}
+COUNTS = {
+    "route": 4500,
+    "route_posture": 4500,
+    "python": 400,
+    "program": 250,
+    "program_file": 250,
+    "film": 100,
+    "voxels": 60,
+}
 
 
 # numbers that look like degrees are warned of, as everywhere

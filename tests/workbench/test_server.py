@@ -186,13 +186,13 @@ def random_message(rng: random.Random, seq: int) -> str | bytes:
     """A message that is wrong in some way, or right by accident."""
     junk = lambda: rng.choice([None, True, -1, 1e308, "", "x" * 90, [], [[]], {}, {"a": 1}, [1] * 16, "pi/2", 2**70])  # noqa: E731
     ops = (
-        "hello load open arm ik nearest save follow self_motions motion cloud equations cancel report program "
+        "hello load open arm ik nearest save follow self_motions motion cloud voxels equations cancel report program "
         "program_file python clearance bodies catalog shown no "
     ).split()
     message = {"op": rng.choice(ops), "seq": rng.choice([seq, seq, seq, seq, -3, "1", None])}
     keys = (
         "T T0 T1 n start q table name text count which kind postures redundancy digits steps limits world "
-        "program path target dialect "
+        "program path target dialect step colour "
     ).split()
     for key in rng.sample(keys, 5):
         message[key] = junk()

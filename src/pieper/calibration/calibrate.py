@@ -23,7 +23,7 @@ from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.pose import PoseLike
 from pieper.solver.plan.planned_arm import NominalArm
-from pieper.tolerances import FIRST_NOISE, LEAST_NOISE, SAME_MEASUREMENT
+from pieper.tolerances import EXPLAINS_NOTHING, FIRST_NOISE, LEAST_NOISE, SAME_MEASUREMENT
 
 LOSSES = ("linear", "huber")
 #: How often the noise of a fit is estimated, where none is said.
@@ -63,6 +63,7 @@ def calibrate(
     start = data.rows(fitted_on).placed(nominal.fk(joints[fitted_on])[:, :3, 3])
     sizes = sizes_of(parameters, data, chain.length)
     found, used = _fitted(nominal, parameters, joints[fitted_on], start, noise, sizes, loss)
+    _refuse_strangers(found, joints[fitted_on])
     # noise that was said too small would make the prediction too good
     covariance = (found.seen.T / found.strength**2) @ found.seen * max(1.0, found.spread) ** 2
     free = sizes * np.concatenate([parameters.free, np.ones(SETUP[kind], bool)])
@@ -116,6 +117,23 @@ def _refuse_too_few(q: Array, parameters: Parameters, data: Measurements, held: 
         distinct=distinct,
         needed=needed,
     )
+
+
+def _refuse_strangers(found: Fitted, q: Array) -> None:
+    """Refuse measurements that even the fitted arm tells next to nothing about."""
+    T = found.model.fk(q)
+    way, _ = found.data.misses(T)
+    missed = float(np.median(np.linalg.norm(way[~found.outliers], axis=1))) if (~found.outliers).any() else 0.0
+    said = found.data.values[:, None] if found.data.kind == "distance" else T[:, :3, 3]
+    vary = float(np.median(np.linalg.norm(said - np.median(said, axis=0), axis=1)))
+    if vary > 0 and missed > EXPLAINS_NOTHING * vary:
+        raise InputError(
+            f"even the fitted arm misses the data by {missed:.3g} m (median), where they vary by {vary:.3g} m: "
+            "joints and measurements do not belong together. Rows may be shuffled or out of step by "
+            "many, or it is another arm.",
+            missed=missed,
+            vary=vary,
+        )
 
 
 def _fitted(

@@ -11,6 +11,7 @@ from pieper.calibration.measurements import Measurements
 from pieper.calibration.model import AxesModel
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
+from pieper.kinematics.joints import TURN
 from pieper.kinematics.pose import inverse
 from pieper.tolerances import MISREAD, SUSPICIOUS
 
@@ -60,7 +61,7 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
     if not now > SUSPICIOUS:
         return
     best, least = None, min(MISREAD * now, SUSPICIOUS)
-    for reading in _readings(model, q, data, names):
+    for reading in _readings(model, q, data, names, length):
         left = misfit(model, reading.q, reading.data, length)
         if left * reading.freedom < least:
             best, least = reading, left
@@ -82,15 +83,24 @@ def misfit(model: AxesModel, q: Array, data: Measurements, length: float) -> flo
     return size + float(np.median(np.linalg.norm(turn, axis=1))) if turn.shape[1] else size
 
 
-def _readings(model: AxesModel, q: Array, data: Measurements, names: tuple[str, ...]) -> Iterator[Reading]:
+def _readings(
+    model: AxesModel, q: Array, data: Measurements, names: tuple[str, ...], length: float
+) -> Iterator[Reading]:
     turning = ~model.prismatic
     radians, metres = np.where(turning, np.radians(q), q), _shorter(data)
     in_degrees = "Give radians: numpy.radians(q)."
     in_metres = "Give metres: divide the measured lengths by 1000."
-    yield Reading("the joint angles are in degrees", in_degrees, radians, data, {"unit": "deg"})
-    yield Reading("what was measured is in millimetres", in_metres, q, metres, {"unit": "mm"})
-    both = "the joint angles are in degrees and what was measured is in millimetres"
-    yield Reading(both, f"{in_degrees} {in_metres}", radians, metres, {"unit": "deg, mm"})
+    # numbers as small as radians and metres are would be shrunk to a point, which any arm explains
+    degrees = bool(turning.any()) and np.abs(q[:, turning]).max(initial=0.0) > TURN
+    lengths = data.values[:, :3, 3] if data.kind == "pose" else data.values
+    millimetres = np.abs(lengths).max(initial=0.0) > length
+    if degrees:
+        yield Reading("the joint angles are in degrees", in_degrees, radians, data, {"unit": "deg"})
+    if millimetres:
+        yield Reading("what was measured is in millimetres", in_metres, q, metres, {"unit": "mm"})
+    if degrees and millimetres:
+        both = "the joint angles are in degrees and what was measured is in millimetres"
+        yield Reading(both, f"{in_degrees} {in_metres}", radians, metres, {"unit": "deg, mm"})
     if not turning.all():
         slides = np.where(turning, q, q / 1000)
         yield Reading(

@@ -331,9 +331,32 @@ def _moved(export: Export) -> str:
     return out
 
 
+def packed(program: str, width: int = 112) -> str:
+    """Return one definition a line as lists of them that share their type, several a line."""
+    out: list[str] = []
+    kind = ""
+    for line in program.splitlines():
+        _, own, rest = line.strip().rstrip(";").split(" ", 2)
+        if own != kind:
+            if out:
+                out[-1] += ";"
+            out.append(f"  const {own} {rest}")
+        elif len(out[-1]) + len(rest) + 2 < width:
+            out[-1] += f", {rest}"
+        else:
+            out[-1] += ","
+            out.append(f"    {rest}")
+        kind = own
+    return "\n".join(out) + ";"
+
+
 def text(export: Export) -> str:
     """Return the file's text."""
     parts = own_parts(export) | C.parts(export)
+    parts["PROGRAM"] = packed(parts["PROGRAM"])
+    parts |= {
+        name: parts[name].replace(", ", ",").replace(".0,", ",").replace(".0}", "}") for name in ("TEST_Q", "TEST_T")
+    }
     rows = "  const double rows[8][6] = {@ROWS@};\n  const int valid[8] = {@VALID@};\n"
     parts["FOUND"] = rows.replace("@ROWS@", parts["ROWS"]).replace("@VALID@", parts["VALID"])
     return filled(FRAME, parts, export)

@@ -89,17 +89,25 @@ def statements(
         assign: Takes a name, whether it is a truth, and an expression.
     """
 
+    names = {i: f"v{_short(k)}" for k, i in enumerate(program.order)}
+
     def said(i: int) -> str:
         op, a, _, _, value = program.nodes[i]
         if op == "const":
             return repr(value) if value >= 0 else f"({value!r})"
         if op == "in":
             return entry(a)
-        return words[op] if op in ("true", "false") else f"v{i}"
+        return words[op] if op in ("true", "false") else names[i]
 
     lines = []
     for i in program.order:
         op, *arguments, _ = program.nodes[i]
         text = words[op].format(*(said(a) if a >= 0 else "" for a in arguments))
-        lines.append(assign(f"v{i}", op in TRUTHS, text))
+        lines.append(assign(names[i], op in TRUTHS, text))
     return lines, said
+
+
+def _short(number: int) -> str:
+    """Return a number in few signs, none of them a small letter: no word of a language ends so."""
+    first, last = divmod(number, 36)
+    return ("" if not first else _short(first)) + "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ"[last]

@@ -119,7 +119,8 @@ class Convex:
     def __init__(self, points: npt.ArrayLike, r: float = 0.0, name: str = "") -> None:
         given = np.array(arguments.numbers(points, "points of a convex body", "(k, 3) finite numbers, m"))
         if given.ndim != 2 or given.shape[-1] != 3 or not np.isfinite(given).all():
-            raise InputError("points of a convex body must be (k, 3) finite numbers, m.", given=points)
+            said = "none" if not given.size else f"shape {given.shape}"
+            raise InputError(f"points of a convex body must be (k, 3) finite numbers, m, got {said}.", given=points)
         if len(given) < 4:
             raise InputError(f"a convex body needs at least four points, got {len(given)}.", given=len(given))
         spread = np.linalg.svd(given - given.mean(0), compute_uv=False)
@@ -167,7 +168,7 @@ class Unmeasured:
     """A file whose shapes have not been looked at: meshes are read when somebody asks for bodies.
 
     Args:
-        data: The text of the URDF.
+        data: The text of the URDF; nothing of an MJCF, which is read again from its place.
         file: Its place.
         exact_angles: How it was read.
         base: Link of the base.

@@ -1,27 +1,11 @@
-"""The largest value over its limit on the whole continuous curve: exact for the joints, a proven bound for the tool."""
+"""Proven bounds of the tool's speed and acceleration on each piece of a curve."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from pieper import _kernel
 from pieper.kinematics.arrays import Array
-from pieper.motion.curve import JointCurve
 from pieper.motion.tool_bounds import ToolCurve
-
-
-def joint_peaks(curve: JointCurve, x: Array) -> tuple[Array, Array]:
-    """Return the largest speeds and accelerations (k, n) of each piece, x = (ds/dt)^2 linear on it.
-
-    The acceleration q' u + q'' x is a quadratic of s: it peaks at an end or where its derivative vanishes. The speed
-    q' sqrt(x) has the acceleration over sqrt(x) as its derivative: it peaks at an end or where that vanishes. Both are
-    computed at all of these places, so that nothing lies between.
-
-    Args:
-        curve: The joint curve, k pieces.
-        x: (k + 1,) 1/s^2.
-    """
-    return _kernel.joint_peaks(curve.s, curve.d1, curve.d2, curve.d3, x)
 
 
 def vector_peaks(value: Array, strays: Array, x: Array) -> Array:

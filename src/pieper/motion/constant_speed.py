@@ -10,9 +10,9 @@ import numpy as np
 from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
-from pieper.motion.certificate import joint_peaks, tool_acceleration_peaks, vector_peaks
 from pieper.motion.curve import JointCurve
 from pieper.motion.limits import Limits
+from pieper.motion.ratios import peak_ratios
 from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
 from pieper.motion.tool_bounds import tool_curve
 from pieper.tolerances import EVEN_SPEED, SPEED_ABOVE, SPEED_LOWERED, SPEED_SETTLED, TOOL_STANDS
@@ -195,23 +195,10 @@ def _by_limits(timed: TimedPath, section: Section) -> tuple[float, float, str, s
     x = wanted_x(timed, [(section[0], section[1], 1.0)])
     inside = ~np.isnan(x[1:]) & ~np.isnan(x[:-1])
     filled = np.where(np.isnan(x), 0.0, x)
-    rates, bends = joint_peaks(timed.curve, filled)
-    tool, limits = timed.tool, timed.limits
-    assert tool is not None
-    ratios: list[tuple[str, str | None, Array]] = []
-    for j, name in enumerate(timed.names):
-        ratios.append(("speed", name, rates[:, j] / (timed.bound.speed[j] * timed.share)))
-        ratios.append(("acceleration", name, np.sqrt(bends[:, j] / timed.bound.acceleration[j])))
-    ratios.append(("tool speed", None, vector_peaks(tool.point, tool.point_strays, filled) / timed.tool_speed))
-    if limits.turn_speed is not None:
-        peaks = vector_peaks(tool.turn, tool.turn_strays, filled)
-        ratios.append(("turn speed", None, peaks / (limits.turn_speed * timed.share)))
-    if limits.tool_acceleration is not None:
-        peaks = tool_acceleration_peaks(tool, timed.h, filled)
-        ratios.append(("tool acceleration", None, np.sqrt(peaks / limits.tool_acceleration)))
-    values = np.stack([r for _, _, r in ratios])[:, inside]
+    ratios = peak_ratios(timed, filled)
+    values = ratios.values[:, inside] ** (1 / ratios.powers[:, None])
     row, column = np.unravel_index(int(values.argmax()), values.shape)
-    limit, joint, _ = ratios[row]
+    limit, joint = ratios.kinds[row]
     place = float(timed.curve.s[:-1][inside][column])
     return 1 / float(values[row, column]), place, limit, joint
 

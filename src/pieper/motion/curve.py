@@ -57,6 +57,8 @@ class JointCurve:
 
     def split(self, s: Array) -> JointCurve:
         """Return the same curve whose pieces begin and end at s (k + 1,), which holds all of its own."""
+        if len(s) == len(self.s):
+            return self
         i = self.piece(s[:-1])
         h = (s[:-1] - self.s[i])[:, None]
         q, d1, d2, d3 = self.q[i], self.d1[i], self.d2[i], self.d3[i]

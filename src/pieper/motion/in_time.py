@@ -9,6 +9,7 @@ from pieper.kinematics.arrays import Array
 from pieper.motion.curve import JointCurve
 from pieper.motion.motion import Tight, sample_times
 from pieper.motion.profile import Profile
+from pieper.motion.ratios import Ratios
 from pieper.tolerances import LIMIT_BINDS
 
 
@@ -28,14 +29,14 @@ def sampled(curve: JointCurve, profile: Profile, rate: float) -> tuple[Array, Ar
     return t, q, dq, ddq, dddq, s
 
 
-def binding(t: Array, ratios: list[tuple[str, str | None, Array]]) -> list[Tight]:
+def binding(t: Array, ratios: Ratios) -> list[Tight]:
     """Return which limit binds when, neighbouring pieces together."""
-    values = np.stack([r for _, _, r in ratios])
+    values = ratios.values
     which = np.where(values.max(0) >= 1 - LIMIT_BINDS, values.argmax(0), -1)
     edges = np.flatnonzero(np.diff(which)) + 1
     starts, ends = np.concatenate([[0], edges]), np.append(edges, len(which))
     return [
-        Tight(float(t[a]), float(t[b]), *ratios[which[a]][:2])
+        Tight(float(t[a]), float(t[b]), *ratios.kinds[which[a]])
         for a, b in zip(starts, ends, strict=True)
         if which[a] >= 0
     ]

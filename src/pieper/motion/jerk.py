@@ -7,12 +7,14 @@ from math import comb
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Indices
 from pieper.motion.curve import JointCurve
 from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.motion import Motion
 from pieper.motion.profile import Profile
+from pieper.motion.ratios import Ratios, joint_kinds, limits_of_tool
 from pieper.motion.timed_path import TimedPath
 from pieper.tolerances import JERK_GAIN, ONE_MOMENT, TAKEN_BACK
 
@@ -31,7 +33,6 @@ class _Tried:
     duration: float
     factor: float
     profile: Profile
-    ratios: list[tuple[str, str | None, Array]]
 
 
 def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
@@ -53,21 +54,13 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
     jerk = timed.bound.jerk
     assert jerk is not None
     ramp = float((timed.bound.acceleration / jerk).max())
-    best: _Tried | None = None
-    for part in WINDOWS:
-        found = _at_window(timed, curve, part * ramp)
-        if best is None or found.duration < best.duration:
-            best = found
-    assert best is not None
-    profile, ratios = best.profile, best.ratios
-    factor = best.factor
+    best = _best_window(timed, curve, ramp)
+    profile, factor = best.profile, best.factor
     while True:
-        profile = profile.slower(factor)
-        profile, ratios = peaks(timed, curve, profile)
-        margin = max(float(r.max()) for _, _, r in ratios)
-        if margin <= 1:
+        profile, ratios = peaks(timed, curve, profile.slower(factor))
+        if ratios.margin <= 1:
             break
-        factor = margin * (1 + TAKEN_BACK)
+        factor = float(ratios.stretch().max()) * (1 + TAKEN_BACK)
     t, q, dq, ddq, dddq, s = sampled(curve, profile, rate)
     ends = np.array([0.0, profile.duration])
     tight = tuple(binding(profile.t, ratios))
@@ -81,11 +74,26 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
         dddq,
         s,
         tight,
-        margin,
+        ratios.margin,
         deviation=curve.between_points(),
         limits=timed.limits,
         description=timed.description,
     )
+
+
+def _best_window(timed: TimedPath, curve: JointCurve, ramp: float) -> _Tried:
+    """Return the best of the windows, gone through from the second one on towards what is shorter."""
+    best = _at_window(timed, curve, WINDOWS[1] * ramp)
+    for parts in (WINDOWS[2:], WINDOWS[:1]):
+        before = best
+        for part in parts:
+            found = _at_window(timed, curve, part * ramp)
+            if found.duration >= best.duration:
+                break
+            best = found
+        if best is not before:
+            break
+    return best
 
 
 def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:
@@ -93,13 +101,12 @@ def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:
     best: _Tried | None = None
     easing = np.ones(len(timed.share))
     for _ in range(ROUNDS):
-        slowed = replace(timed, easing=easing)
-        x, _, _, _ = slowed.run()
+        x, _, _, _ = replace(timed, easing=easing).run()
         even = averaged(profile_of(timed.curve.s, x), window)
         profile, ratios = peaks(timed, curve, even, proved=False)
-        need = _need(ratios)
-        factor = float(need.max())
-        found = _Tried(profile.duration * max(factor, 1.0), max(factor, 1.0), profile, ratios)
+        need = ratios.stretch()
+        factor = max(float(need.max()), 1.0)
+        found = _Tried(profile.duration * factor, factor, profile)
         if best is None or found.duration < best.duration * (1 - JERK_GAIN):
             best = found
         else:
@@ -107,23 +114,27 @@ def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:
         if factor <= 1 + JERK_GAIN:
             break
         # where the evened motion is too fast the profile under the window is taken back
-        worst = np.ones(len(easing))
-        first = np.searchsorted(timed.curve.s, even.at(np.maximum(profile.t[:-1] - window, 0))[0]) - 1
-        last = np.searchsorted(timed.curve.s, profile.at(profile.t[1:])[0])
-        low = np.clip(first, 0, len(easing) - 1)
-        high = np.clip(last, 1, len(easing))
         over = np.flatnonzero(need > 1)
-        for i, k, most in zip(low[over], high[over], need[over], strict=True):
-            np.maximum(worst[i:k], most, out=worst[i:k])
-        easing = easing / worst**BACK
+        s = timed.curve.s
+        first = np.searchsorted(s, even.at(np.maximum(profile.t[over] - window, 0.0))[0]) - 1
+        last = np.searchsorted(s, profile.at(profile.t[over + 1])[0])
+        easing = easing / _largest_over(np.maximum(first, 0), np.maximum(last, 1), need[over], len(easing)) ** BACK
     assert best is not None
     return best
 
 
-def _need(ratios: list[tuple[str, str | None, Array]]) -> Array:
-    """Return by how much time must stretch on each piece (k,)."""
-    power = {"acceleration": 1 / 2, "jerk": 1 / 3}
-    return np.max([r ** power.get(name, 1.0) for name, _, r in ratios], axis=0)
+def _largest_over(first: Indices, last: Indices, values: Array, count: int) -> Array:
+    """Return for each of `count` cells the largest of the values (m,), above one, whose cells [first, last) hold it.
+
+    Both ends ascend, so that the values over a cell stand in a row.
+    """
+    cell = np.arange(count)
+    begin, end = np.searchsorted(last, cell, side="right"), np.searchsorted(first, cell, side="right")
+    over = end > begin
+    out = np.ones(count)
+    pairs = np.stack([begin[over], end[over]], 1).ravel()
+    out[over] = np.maximum.reduceat(np.append(values, 1.0), pairs)[::2] if len(pairs) else 1.0
+    return out
 
 
 def averaged(profile: Profile, window: float) -> Profile:
@@ -131,34 +142,7 @@ def averaged(profile: Profile, window: float) -> Profile:
 
     Its pieces are cubic where the given ones are quadratic: ds/dt becomes (s(t) - s(t - window)) / window, and so on.
     """
-    T, w = profile.duration, window
-    t = np.union1d(profile.t, profile.t + w)
-    t = t[np.append(True, np.diff(t) > ONE_MOMENT * (T + w))]
-    t[-1] = T + w
-    begun = profile.t
-    s, v, a, j = profile.c.T
-    h = np.diff(profile.t)
-    area = np.concatenate([[0.0], np.cumsum(h * (s + h * (v / 2 + h * (a / 6 + h * j / 24))))])
-    end = float(profile.at(np.array([T]))[0][0])
-
-    def at(time: Array) -> tuple[Array, Array, Array, Array]:
-        inner = np.asarray(np.clip(time, 0.0, T), float)
-        i = np.clip(np.searchsorted(begun, inner, side="right") - 1, 0, len(h) - 1)
-        tau = inner - begun[i]
-        tau = np.asarray(tau, float)
-        whole = area[i] + tau * (s[i] + tau * (v[i] / 2 + tau * (a[i] / 6 + tau * j[i] / 24)))
-        inside = (time >= 0) & (time < T)
-        place = np.where(time < 0, 0.0, np.where(time >= T, end, s[i] + tau * (v[i] + tau * a[i] / 2)))
-        rate = np.where(inside, v[i] + tau * a[i], 0.0)
-        return whole + end * np.maximum(time - T, 0.0), place, rate, np.where(inside, a[i], 0.0)
-
-    begins = t[:-1]
-    now, before = at(begins), at(begins - w)
-    # the bend on a piece is that of its middle: at its ends two pieces meet
-    middle = (t[1:] + t[:-1]) / 2
-    bend = (at(middle)[3] - at(middle - w)[3]) / w
-    c = np.stack([(now[k] - before[k]) / w for k in range(3)] + [bend], 1)
-    return Profile(t, c)
+    return Profile(*_kernel.evened(profile.t, profile.c, window, ONE_MOMENT))
 
 
 def _bernstein() -> Array:
@@ -169,77 +153,42 @@ def _bernstein() -> Array:
     return np.asarray(np.linalg.inv(binomial * u**k * (1 - u) ** (DEGREE - k)), float)
 
 
-_COEFFICIENTS = _bernstein()
+_COEFFICIENTS, _NONE = _bernstein(), np.zeros((0, 0))
 
 
-def peaks(
-    timed: TimedPath, curve: JointCurve, profile: Profile, *, proved: bool = True
-) -> tuple[Profile, list[tuple[str, str | None, Array]]]:
-    """Return a profile split where the curve's pieces meet, and bounds of every limit's ratio (k,) on its pieces.
+def peaks(timed: TimedPath, curve: JointCurve, profile: Profile, *, proved: bool = True) -> tuple[Profile, Ratios]:
+    """Return a profile split where the curve's pieces meet, and bounds of what it uses of every limit on its pieces.
 
     Where they need not be `proved` the largest of three values is taken instead: enough for a search.
     """
-    t = np.union1d(profile.t, crossings(profile, curve.s[1:-1]))
-    t = t[np.append(True, np.diff(t) > ONE_MOMENT * profile.duration)]
-    t[-1] = profile.duration
-    s, v, a, j = profile.at(t[:-1])
-    split = Profile(t, np.stack([s, v, a, j], 1))
-    h = np.diff(t)
-    tau = h[:, None] * np.linspace(0, 1, DEGREE + 1 if proved else 3)
-    half = tau.shape[1] // 2
-    places = s[:, None] + tau * (v[:, None] + tau * (a[:, None] / 2 + tau * j[:, None] / 6))
-    rate = v[:, None] + tau * (a[:, None] + tau * j[:, None] / 2)
-    bend = a[:, None] + tau * j[:, None]
-    # each piece has one piece of the curve, that of its middle, and is looked at beyond its ends if rounding wants it
-    i = curve.piece(places[:, half])
-    r = (places - curve.s[i][:, None])[..., None]
-    d1, d2, d3 = (x[i][:, None] for x in (curve.d1, curve.d2, curve.d3))
-    q2 = d2 + r * d3
-    q1 = d1 + r * (d2 + r * d3 / 2)
-    rate, bend, sharp = rate[..., None], bend[..., None], j[:, None, None]
-    rates = _most(q1 * rate)
-    bends = _most(q2 * rate**2 + q1 * bend)
-    jerks = _most(d3 * rate**3 + 3 * q2 * rate * bend + q1 * sharp)
-    jerk = timed.bound.jerk
-    assert jerk is not None
-    cell = timed.curve.piece(places[:, half])
-    share = timed.share[cell]
-    ratios: list[tuple[str, str | None, Array]] = []
-    for k, name in enumerate(timed.names):
-        ratios.append(("speed", name, rates[:, k] / (timed.bound.speed[k] * share)))
-        ratios.append(("acceleration", name, bends[:, k] / timed.bound.acceleration[k]))
-        ratios.append(("jerk", name, jerks[:, k] / jerk[k]))
-    if timed.tool is not None:
-        fastest = _most(rate)[:, 0]
-        first, last = timed.curve.piece(places[:, 0]), timed.curve.piece(places[:, -1])
-        speeds = [("tool speed", timed.tool.point, timed.tool.point_strays, timed.tool_speed)]
-        if timed.limits.turn_speed is not None:
-            speeds.append(
-                ("turn speed", timed.tool.turn, timed.tool.turn_strays, timed.limits.turn_speed * timed.share)
-            )
-        for name, value, strays, most in speeds:
-            size = np.linalg.norm(value, axis=1)
-            top = np.maximum(size[:-1], size[1:]) + strays
-            ratio = np.maximum.reduceat(np.append(top / most, 0.0), np.stack([first, last + 1], 1).ravel())[::2]
-            ratios.append((name, None, ratio * fastest))
-    return split, ratios
-
-
-def _most(values: Array) -> Array:
-    """Return bounds (k, n) of |polynomials| given at DEGREE + 1 even places; at fewer, the largest."""
-    if values.shape[1] <= DEGREE:
-        return np.abs(values).max(1)
-    return np.abs(_COEFFICIENTS @ values).max(1)
-
-
-def crossings(profile: Profile, s: Array) -> Array:
-    """Return the times (m,) at which a profile that never goes back passes s (m,)."""
-    starts = np.append(profile.c[:, 0], profile.at(np.array([profile.duration]))[0][0])
-    i = np.clip(np.searchsorted(starts, s, side="right") - 1, 0, len(profile.c) - 1)
-    low, high = np.zeros(len(s)), profile.t[i + 1] - profile.t[i]
-    start, v, a, j = profile.c[i].T
-    for _ in range(50):
-        middle = (low + high) / 2
-        below = start + middle * (v + middle * (a / 2 + middle * j / 6)) < s
-        low, high = np.where(below, middle, low), np.where(below, high, middle)
-    return profile.t[i] + (low + high) / 2
+    bound = timed.bound
+    assert bound.jerk is not None
+    t, c, values, fastest = _kernel.jerk_ratios(
+        s=curve.s,
+        d1=curve.d1,
+        d2=curve.d2,
+        d3=curve.d3,
+        t=profile.t,
+        c=profile.c,
+        speed=bound.speed,
+        acceleration=bound.acceleration,
+        jerk=bound.jerk,
+        grid=timed.curve.s,
+        share=timed.share,
+        coefficients=_COEFFICIENTS if proved else _NONE,
+        moment=ONE_MOMENT,
+    )
+    split, kinds = Profile(t, c), joint_kinds(timed.names, "speed", "acceleration", "jerk")
+    if timed.tool is None or not limits_of_tool(timed):
+        return split, Ratios(kinds, values)
+    first, last = timed.curve.piece(c[:, 0]), timed.curve.piece(np.append(c[1:, 0], 1.0))
+    speeds = [("tool speed", timed.tool.point, timed.tool.point_strays, timed.tool_speed)]
+    if timed.limits.turn_speed is not None:
+        speeds.append(("turn speed", timed.tool.turn, timed.tool.turn_strays, timed.limits.turn_speed * timed.share))
+    rows: list[Array] = []
+    for _, value, strays, most in speeds:
+        size = np.linalg.norm(value, axis=1)
+        top = np.maximum(size[:-1], size[1:]) + strays
+        ratio = np.maximum.reduceat(np.append(top / most, 0.0), np.stack([first, last + 1], 1).ravel())[::2]
+        rows.append(ratio * fastest)
+    return split, Ratios((*kinds, *((name, None) for name, *_ in speeds)), np.vstack([values, *rows]))

@@ -9,12 +9,12 @@ import numpy as np
 
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
-from pieper.motion.certificate import joint_peaks, tool_acceleration_peaks, vector_peaks
 from pieper.motion.constant_speed import checked_sections, section_grid, why_not
 from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.jerk import smooth_motion
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
+from pieper.motion.ratios import peak_ratios
 from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
 from pieper.tolerances import LIMIT_SLACK, TAKEN_BACK
 
@@ -87,11 +87,9 @@ def _told_outside(motion: Motion, timed: TimedPath) -> Motion:
 def motion_of(timed: TimedPath, x: Array, deviation: float, rate: float) -> Motion:
     """Return the motion of a profile x (k + 1,), slowed down where it passes a limit."""
     ratios = peak_ratios(timed, x)
-    margin = max(float(r.max()) for _, _, r in ratios)
-    while margin > 1:
-        x = x / (margin * (1 + TAKEN_BACK)) ** 2
-        ratios = peak_ratios(timed, x)
-        margin = max(float(r.max()) for _, _, r in ratios)
+    while ratios.margin > 1:
+        factor = float(ratios.stretch().max()) * (1 + TAKEN_BACK)
+        x, ratios = x / factor**2, ratios.slower(factor)
     profile = profile_of(timed.curve.s, x)
     motion = sampled(timed.curve, profile, rate)
     ends = np.array([0.0, profile.duration])
@@ -101,29 +99,8 @@ def motion_of(timed: TimedPath, x: Array, deviation: float, rate: float) -> Moti
         ends,
         *motion[4:],
         tuple(binding(profile.t, ratios)),
-        margin,
+        ratios.margin,
         deviation=deviation,
         limits=timed.limits,
         description=timed.description,
     )
-
-
-def peak_ratios(timed: TimedPath, x: Array) -> list[tuple[str, str | None, Array]]:
-    """Return each limit's name, joint and largest value over it (k,) on each piece."""
-    rates, bends = joint_peaks(timed.curve, x)
-    speed = timed.bound.speed * timed.share[:, None]
-    out: list[tuple[str, str | None, Array]] = []
-    for j, name in enumerate(timed.names):
-        out.append(("speed", name, rates[:, j] / speed[:, j]))
-        out.append(("acceleration", name, bends[:, j] / timed.bound.acceleration[j]))
-    tool, limits = timed.tool, timed.limits
-    if tool is None:
-        return out
-    if np.isfinite(timed.tool_speed).any():
-        out.append(("tool speed", None, vector_peaks(tool.point, tool.point_strays, x) / timed.tool_speed))
-    if limits.turn_speed is not None:
-        most = limits.turn_speed * timed.share
-        out.append(("turn speed", None, vector_peaks(tool.turn, tool.turn_strays, x) / most))
-    if limits.tool_acceleration is not None:
-        out.append(("tool acceleration", None, tool_acceleration_peaks(tool, timed.h, x) / limits.tool_acceleration))
-    return out

@@ -23,7 +23,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.tolerances import ONE_POINT_OF_PATH, SQUARES_LEAST, TINY
 from pieper.words_by_number import plural
 
-#: Pieces of the grid on which a profile is made, at least; a curve through few points bends more on each of its pieces,
+#: Points of the grid on which a profile is made, at least; a curve through few points bends more on each of its pieces,
 GRID = 1000
 #: which get this many where they are few,
 GRID_OF_A_PIECE = 400
@@ -240,7 +240,7 @@ def on_grid(
     bound = limits.of(curve.q.shape[1], names)
     # with a jerk the profile is evened out anyway
     few = len(curve.q) <= FEW and limits.jerk is None
-    each = max(-(-GRID // len(curve.q)), min(GRID_OF_A_PIECE, GRID_OF_FEW // len(curve.q)) if few else 1)
+    each = max(-(-(GRID - 1) // len(curve.q)), min(GRID_OF_A_PIECE, GRID_OF_FEW // len(curve.q)) if few else 1)
     part = np.arange(each) / each
     grid = np.append((curve.s[:-1, None] + np.diff(curve.s)[:, None] * part).ravel(), curve.s[-1])
     if len(at):

@@ -32,13 +32,17 @@ def route_figure(route: Route, *, title: str = "") -> Figure:
     figure = new_figure(7.2, 1.2 + 1.15 * rows)
     grid = figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0]
     labels = route.labels
-    low, high = float(np.degrees(known.turn[0])), float(np.degrees(known.turn[-1]))
-    step = (high - low) / max(len(known.turn) - 1, 1)
+    degrees = np.degrees(known.turn)
+    step = float(np.ptp(degrees)) / max(len(degrees) - 1, 1)
+    # all the way round: the first turn is the last one too
+    whole = float(np.ptp(degrees)) > 360.0 - 1.5 * step
+    degrees = np.append(degrees, degrees[0] + 360.0) if whole else degrees
+    low, high = float(degrees[0]), float(degrees[-1])
     drawn = False
     for k, axes in enumerate(grid):
         plain_axes(axes, x="path, s" if k == rows - 1 else "", y="turn, deg")
         axes.set_xlim(0, 1)
-        axes.set_ylim(low - step / 2, high + step / 2)
+        axes.set_ylim(low, high)
         if not branches:
             axes.text(0.5, 0.5, "no turn is open anywhere", transform=axes.transAxes, ha="center", color=INK)
             break
@@ -46,28 +50,29 @@ def route_figure(route: Route, *, title: str = "") -> Figure:
             axes.set_yticks(np.arange(0, 361, 90))
         axes.set_title(branches[k], color=INK, fontsize=9, loc="left")
         colour = COLOURS[k % (len(COLOURS) - 1)]
+        is_open = known.open[k].T.astype(float)
         axes.contourf(
             known.s,
-            np.degrees(known.turn),
-            known.open[k].T.astype(float),
+            degrees,
+            np.vstack([is_open, is_open[:1]]) if whole else is_open,
             levels=[0.5, 1.5],
             colors=[colour],
             alpha=0.3,
         )
         if route.found:
             mine = np.array([label == branches[k] for label in labels])
-            turn = (np.degrees(route.turn) - low + step / 2) % 360.0 + low - step / 2
-            if known.turn[-1] - known.turn[0] < 2 * np.pi - 2 * np.radians(step):
-                turn = np.degrees(route.turn)
-            shown = np.where(mine, turn, np.nan)
-            shown[1:][np.abs(np.diff(turn)) > 180] = np.nan
-            axes.plot(route.s, shown, color=INK, linewidth=1.8, label=None if drawn or not mine.any() else "route")
-            drawn |= bool(mine.any())
-            if mine.any() and drawn:
+            shown = np.where(mine, np.degrees(route.turn), np.nan)
+            # the curve goes on at the other end of the strip as often as it goes round
+            first, last = (int(np.floor((np.degrees(v) - low) / 360.0)) for v in (route.turn.min(), route.turn.max()))
+            for round_ in range(first, last + 1) if whole else (0,):
+                named = "route" if mine.any() and not drawn else None
+                axes.plot(route.s, shown - 360.0 * round_, color=INK, linewidth=1.8, label=named)
+                drawn |= bool(mine.any())
+            if axes.get_legend_handles_labels()[1]:
                 legend(axes, loc="best")
         elif route.blocked is not None:
             first, last = route.blocked.s
-            axes.axvspan(first, max(last, first + 0.004), color=COLOURS[1], alpha=0.8, label="blocked")
+            axes.axvspan(first, max(last, first + 0.004), color=INK, alpha=0.85, linewidth=0, label="blocked")
             if k == 0:
                 legend(axes, loc="best")
     name = title or f"{route.plan.name}: {route.verdict.name.lower()}"

@@ -36,7 +36,7 @@ from pieper.solver.redundant.elsewhere import choose_elsewhere
 from pieper.solver.redundant.self_motions import self_motions_of
 from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
-from pieper.solver.singular.careful import clear, every_solution, overlooked
+from pieper.solver.singular.careful import clear, every_solution, overlooked, sure_beside, vouched
 from pieper.solver.singular.read_off import examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.words.closest import closest_to
@@ -48,6 +48,7 @@ WORDS = Words(why, table, posture_words, labels_beside, closest_to)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
 _ROUNDED, _EDGE = int(Flag.ROUNDED), int(Flag.EDGE)
+_DOUBTFUL = _DEGENERATE | _UNCERTAIN
 _SLOTS = np.arange(256)
 #: Status codes of a pose without rows, with rows outside the limits alone, and with one inside.
 _PLAIN = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.SOLVED], np.uint8)
@@ -69,7 +70,7 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
         pose = checked_pose(T)
         q, slots, inside, flag = plan.solver.one(pose)
-    if flag & (_DEGENERATE | _EDGE):
+    if flag & (_DOUBTFUL | _EDGE):
         found = _read(plan, pose, q, flag & ~_EDGE)  # of no rows inside, it is false as a sequence
         return _careful(plan, checked_pose(pose), q, slots, inside, flag) if found is None else found
     return Solutions(plan, WORDS, pose, q, slots, inside, flag)
@@ -247,20 +248,27 @@ def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
 
 def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: int) -> Solutions:
     """Look again at a pose that has no rows, or was marked: self-motions, merged roots, what a kernel overlooked."""
-    if not flag & _DEGENERATE and (len(q) or not overlooked(plan, T[None])[0]):
-        return Solutions(plan, WORDS, T, q, slots, inside, flag & ~_EDGE)
+    if not flag & _DEGENERATE:
+        doubted = bool(flag & _UNCERTAIN) and plan.direct and bool(sure_beside(plan, T[None])[0])
+        if not doubted and (len(q) or not overlooked(plan, T[None])[0]):
+            return Solutions(plan, WORDS, T, q, slots, inside, flag & ~_EDGE)
     return _with_care(plan, T, q, flag)
 
 
 def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
     """Return all there is at a pose that may be singular, of which rows q (m, n) are known."""
+    flag &= ~_EDGE
+    if (flag & _DOUBTFUL) == _UNCERTAIN and plan.direct and len(q) and vouched(plan, T, q):
+        q, inside = plan.chain.joints.inside_limits(q, plan.limits)
+        return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag & ~_UNCERTAIN)
     found = None if clear(plan, q) else every_solution(plan, T, q)
     q, inside = plan.chain.joints.inside_limits(q if found is None else found.q, plan.limits)
     if found is None:
         return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag)
-    flag &= ~_EDGE
     if len(q):
         flag &= ~_OUT_OF_REACH
+    if flag & _UNCERTAIN and plan.direct and not found.self_motions and vouched(plan, T, q):
+        flag &= ~_UNCERTAIN
     return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag, found, found.self_motions)
 
 
@@ -274,6 +282,11 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     # a kernel that gives no rows says whether poses beside have none; of a chain within another that says nothing
     edge = (rows.flags & _EDGE) > 0 if plan.direct else ~some
     rows.flags[:] = rows.flags & np.uint8(255 ^ _EDGE)
+    if plan.direct:
+        doubted = np.flatnonzero((rows.flags & _DOUBTFUL) == _UNCERTAIN)
+        for first in range(0, len(doubted), LOOKED_AT_ONCE):
+            part = doubted[first : first + LOOKED_AT_ONCE]
+            marked[part] = sure_beside(plan, poses[part])
     none = np.flatnonzero(edge & ~marked)
     for first in range(0, len(none), LOOKED_AT_ONCE):
         part = none[first : first + LOOKED_AT_ONCE]

@@ -17,6 +17,9 @@ CALIBRATION_STEPS = 60
 MISREAD = 0.2
 #: Data that miss the nominal arm by less than this part of its length are not suspected of a wrong reading.
 SUSPICIOUS = 0.03
+#: Where a fitted arm misses what was measured by more than this part of how much it varies, it explains nothing:
+#: measurements that belong to the joints leave a hundredth at most.
+EXPLAINS_NOTHING = 0.3
 #: The noise (m, rad) that a fit begins with where none is said.
 FIRST_NOISE = (1e-4, 2e-4)
 #: Noise (m, rad) below which there is none: rounding.

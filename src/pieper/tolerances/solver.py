@@ -93,12 +93,21 @@ SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
 SWEEP_FINEST = 1e-6
 #: A pose is approached from this far to the side (per length; rad) where a row on it is not clear.
 CAREFUL_ASIDE = 1e-9
+#: Poses this far to the side (per length; rad) vouch for one whose own certificate fails: far enough that what meets at
+#: a special pose has parted, near enough that regular solutions are led back.
+SURE_ASIDE = 1e-3
+#: A solution led back onto the pose is one of its rows within this (rad; per length): of merged roots it ends
+#: in the blur.
+SAME_VOUCHED = 1e-4
 #: Sizes of the side steps (per length; rad) from which a singular pose is approached.
 APPROACH_SIZES = (1e-4, 1e-7)
 #: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.
 ON_POLYLINE = 5e-3
 #: The same for curves that nearly hold the pose, whose samples lie 0.2 apart and whose points are less exact.
 ON_NEAR_POLYLINE = 3e-2
+#: Of unit steps along null directions, pulled back onto the pose, singular values above this are ways that solutions
+#: go: one along them keeps its length, one across them loses it.
+INDEPENDENT_STEPS = 0.5
 #: Relative singular value below which a second direction stays open: the solutions form a surface.
 OPEN_DIRECTION = 1e-7
 #: Relative sigma_min below which a point may lie on a curve that nearly holds the pose.

@@ -1,8 +1,7 @@
-"""Work that may take longer than a blink: paths, clouds, equations, reports; with progress and a stop."""
+"""Work that may take longer than a blink: paths, sequences, equations, reports; with progress and a stop."""
 
 from __future__ import annotations
 
-import base64
 import tempfile
 import threading
 from collections.abc import Callable
@@ -10,16 +9,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 import pieper
-from pieper.tolerances import NO_DIRECTION, SLOWEST_RATE, TINY
-from pieper.workbench import answers, equation_blocks, films, programs, routes
+from pieper.tolerances import SLOWEST_RATE
+from pieper.workbench import answers, equation_blocks, films, programs, reach, routes
 from pieper.workbench.messages import (
-    MAX_CLOUD,
     MAX_POINTS,
     MAX_POSTURES,
     Refused,
+    go_on,
     number,
     pose,
     vector,
@@ -28,19 +26,9 @@ from pieper.workbench.messages import (
     word,
 )
 
-CHUNK = 5_000
 #: Seconds of a whole sequence, and samples that are sent of one.
 LONGEST_SEQUENCE, MAX_SAMPLES = 3_600, 4_000
 Progress = Callable[[dict[str, Any]], None]
-
-
-class Stopped(Exception):
-    """The page no longer wants the result."""
-
-
-def _go_on(stop: threading.Event) -> None:
-    if stop.is_set():
-        raise Stopped
 
 
 def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
@@ -49,7 +37,7 @@ def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     n = whole(message.get("n"), "N", 1, MAX_POINTS)
     path = pieper.line(start_pose, end_pose, n=n)
     start = vector(message.get("start"), arm.n, "start")
-    _go_on(stop)
+    go_on(stop)
     track = arm.follow(path, start=start)
     return {
         "path": path.reshape(n, 16).tolist(),
@@ -79,7 +67,7 @@ def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
 def self_motions(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
     """Return the self-motions of a pose of a redundant arm."""
     found = answers.solve(arm, message).self_motions
-    _go_on(stop)
+    go_on(stop)
     return {"self_motions": [answers.motion_points(motion, arm.n) for motion in found]}
 
 
@@ -96,7 +84,7 @@ def motion(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
         raise Refused(f"Legs take more than 0 s, rests 0 s or more, and all together at most {LONGEST_SEQUENCE} s.")
     rate = min(number(message.get("rate", 50), "rate", largest=1000), MAX_SAMPLES / total)
     moved = pieper.sequence(postures, seconds, holds, rate=max(rate, SLOWEST_RATE))
-    _go_on(stop)
+    go_on(stop)
     return {
         "t": moved.t.tolist(),
         "q": moved.q.tolist(),
@@ -104,60 +92,6 @@ def motion(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
         "arrivals": moved.arrivals.tolist(),
         "departures": moved.departures.tolist(),
     }
-
-
-def cloud(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
-    """Send reachable tool points of random postures inside the limits, each with the value it is coloured by.
-
-    Points go out in pieces of CHUNK, four float32 each: x, y, z (m) and the value.
-    """
-    count = whole(message.get("count"), "number of points", 1, MAX_CLOUD)
-    colour = word(message.get("colour", "height"), "colour", ("height", "manipulability", "condition", "limits"))
-    seed = whole(message.get("seed", 1), "seed", 0, 2**31)
-    lower, upper = _ranges(arm)
-    rng = np.random.default_rng(seed)
-    done = 0
-    while done < count:
-        _go_on(stop)
-        size = min(CHUNK, count - done)
-        q = rng.uniform(lower, upper, (size, arm.n))
-        points = arm.fk(q)[:, :3, 3]
-        values = _values(arm, q, points, colour, lower, upper)
-        done += size
-        block = np.column_stack([points, values]).astype("<f4")
-        progress({"points": base64.b64encode(block.tobytes()).decode("ascii"), "done": done, "of": count})
-    return {"done": done, "of": count}
-
-
-def _ranges(arm: pieper.Arm) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
-    """Return limits with a full turn, or one length of the arm, where there is none."""
-    slides = np.array([t == "P" for t in arm.joint_types])
-    size = max(sum(abs(r.a) + abs(r.d) for r in arm.description.rows), 0.1)
-    free = np.where(slides, size, np.pi)
-    lower = np.where(np.isfinite(arm.limits[:, 0]), arm.limits[:, 0], -free)
-    upper = np.where(np.isfinite(arm.limits[:, 1]), arm.limits[:, 1], free)
-    return np.minimum(lower, upper), upper
-
-
-def _values(
-    arm: pieper.Arm,
-    q: npt.NDArray[np.float64],
-    points: npt.NDArray[np.float64],
-    colour: str,
-    lower: npt.NDArray[np.float64],
-    upper: npt.NDArray[np.float64],
-) -> npt.NDArray[np.float64]:
-    if colour == "height":
-        return points[:, 2]
-    if colour == "limits":
-        span = np.where(upper > lower, upper - lower, 1.0)
-        return 2 * np.min(np.minimum(q - lower, upper - q) / span, axis=1)
-    J = arm.jacobian(q).copy()
-    J[:, :3] /= max(sum(abs(r.a) + abs(r.d) for r in arm.description.rows), NO_DIRECTION)
-    values = np.linalg.svd(J, compute_uv=False)
-    if colour == "manipulability":
-        return np.prod(values, axis=1)
-    return values[:, -1] / np.maximum(values[:, 0], TINY)
 
 
 def equations(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
@@ -182,7 +116,7 @@ def report(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     q = vector(message.get("q"), arm.n, "q")
     progress({"note": "Writing the report …"})
     with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
-        _go_on(stop)
+        go_on(stop)
         path = Path(folder) / "report.html"
         try:
             pieper.write_report(arm, path, pose=arm.fk(q))
@@ -199,10 +133,10 @@ KINDS: dict[str, Callable] = {
     "follow": follow,
     "self_motions": self_motions,
     "motion": motion,
-    "cloud": cloud,
     "equations": equations,
     "report": report,
     "program": programs.run,
     "film": films.film,
+    **reach.LONG,
     **routes.LONG,
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import threading
 from collections.abc import Callable
 from typing import Any
 
@@ -61,6 +62,16 @@ def number(value: object, what: str, *, largest: float = LARGEST_NUMBER) -> floa
     if not math.isfinite(out) or abs(out) > largest:
         raise Refused(f"{what} must be finite and at most {largest:g}.")
     return out
+
+
+class Stopped(Exception):
+    """The page no longer wants the result."""
+
+
+def go_on(stop: threading.Event) -> None:
+    """Stop here where the page no longer wants the result."""
+    if stop.is_set():
+        raise Stopped
 
 
 def whole(value: object, what: str, lowest: int, highest: int) -> int:

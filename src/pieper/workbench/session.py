@@ -15,7 +15,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 import pieper
 from pieper.workbench import answers, around, long_work, programs, routes, snippet
 from pieper.workbench.looks import Looks
-from pieper.workbench.messages import Refused, parse
+from pieper.workbench.messages import Refused, Stopped, parse
 
 QUICK = {
     **answers.QUICK,
@@ -190,7 +190,7 @@ class Session:
         def progress(part: dict[str, Any]) -> None:
             """Send a piece on its way from the working thread; waits, so that a slow page slows the work."""
             if stop.is_set():
-                raise long_work.Stopped
+                raise Stopped
             asyncio.run_coroutine_threadsafe(
                 self._send({"seq": seq, "ok": True, "progress": True, **part}), loop
             ).result(30)
@@ -198,7 +198,7 @@ class Session:
         try:
             result = await self._in_pool(long_work.KINDS[kind], arm, message, progress, stop)
             await self._send({"seq": seq, "ok": True, **result})
-        except long_work.Stopped:
+        except Stopped:
             await self._send({"seq": seq, "ok": True, "stopped": True})
         except (Refused, pieper.PieperError) as error:
             await self._send({"seq": seq, "ok": False, "error": _short(error)})

@@ -71,3 +71,11 @@ def test_the_elbow_of_a_scara_arm_is_left_or_right_as_seen_from_above():
     bent = np.array([[0.3, 0.8, 0.1, 0.0], [0.3, -0.8, 0.1, 0.0]])
     # the second link turned to the left (counterclockwise) leaves the elbow on the right
     assert posture_words(arm.plan, bent) == ["elbow right", "elbow left"]
+
+
+@pytest.mark.parametrize("name", ["jaka-zu30", "jaka-zu20"])
+def test_last_axes_that_pass_each_other_by_a_hair_leave_every_row_its_own_label(name):
+    arm, rng = free(name), np.random.default_rng(0)
+    for q in rng.uniform(-3, 3, (40, 6)):
+        labels = arm.ik(arm.fk(q)).labels
+        assert len(set(labels)) == len(labels)

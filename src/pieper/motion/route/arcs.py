@@ -8,16 +8,16 @@ the turn goes back and one branch becomes another.
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.joints import TURN
+from pieper.motion.route.curves_at import curves_at
 from pieper.motion.route.setting import Setting
 from pieper.solver.redundant.bounded_motion import BoundedMotion
-from pieper.solver.redundant.self_motions import self_motions_of
 from pieper.solver.words.labels import posture_words
 from pieper.tolerances import (
     ARC_STILL,
@@ -89,11 +89,13 @@ _Lifted: TypeAlias = "list[tuple[Array, list[tuple[float, float]]]]"
 
 def arcs_at(setting: Setting, T: Array) -> tuple[Arc, ...]:
     """Return every arc of a pose (4, 4), its z axis the one that is meant, by branch and turn."""
-    plan = setting.curves
+    plan = setting.plan
     out: list[Arc] = []
-    for motion in self_motions_of(plan, T, plan.defaults):
-        if isinstance(motion, BoundedMotion) and motion.dimension == 1 and len(motion.samples) > 1:
+    for motion in curves_at(setting, T):
+        if motion.dimension == 1 and len(motion.samples) > 1:
             out += _arcs_of(setting, motion)
+    middles = np.reshape([arc.q[len(arc.q) // 2] for arc in out], (-1, setting.n))
+    out = [replace(arc, branch=label) for arc, label in zip(out, posture_words(plan, middles), strict=True)]
     return tuple(sorted(out, key=lambda arc: (arc.branch, arc.winding, arc.lo)))
 
 
@@ -104,14 +106,14 @@ def coordinate(setting: Setting) -> int:
 
 def _arcs_of(setting: Setting, motion: BoundedMotion) -> list[Arc]:
     curve = _Curve(setting, motion)
-    out: list[Arc] = []
+    found: list[tuple[float, float, Array, float, float]] = []
     for lift, pieces in curve.lifted():
         for a, b in pieces:
             cuts = [a, *(f for f in curve.folds if a < f < b), b]
-            for c, d in itertools.pairwise(cuts):
-                if d - c > SHORTEST_ARC:
-                    out.append(curve.arc(c, d, lift, a, b))
-    return out
+            found += [(c, d, lift, a, b) for c, d in itertools.pairwise(cuts) if d - c > SHORTEST_ARC]
+    # all ends at once
+    ends = curve.points(np.array([u for arc in found for u in arc[:2]])).reshape(len(found), 2, setting.m)
+    return [curve.arc(*arc, at) for arc, at in zip(found, ends, strict=True)]
 
 
 class _Curve:
@@ -286,9 +288,17 @@ class _Curve:
                 break
         return at
 
-    def arc(self, c: float, d: float, lift: Array, first: float, last: float) -> Arc:
-        """Return the arc of u from c to d; `first` and `last` are where its stretch inside the limits ends."""
-        ends_of = self.points(np.array([c, d]))
+    def arc(self, c: float, d: float, lift: Array, first: float, last: float, ends_of: Array) -> Arc:
+        """Return the arc of u from c to d, its label left out.
+
+        Args:
+            c: Where it begins.
+            d: Where it ends.
+            lift: (m,) whole turns that are added.
+            first: Where its stretch inside the limits begins.
+            last: Where that ends.
+            ends_of: (2, m) its ends, whole turns not added.
+        """
         x = np.concatenate([ends_of[:1], self.q[(self.u > c) & (self.u < d)], ends_of[1:]]) + TURN * lift
         v = self.sign * x[:, self.by]
         ends = [self._end(c, x[0], c == first), self._end(d, x[-1], d == last)]
@@ -303,9 +313,8 @@ class _Curve:
         back = 0.0
         if self.setting.turns and np.isinf(self.limits[self.by]).all():
             back = TURN * np.ceil((v[0] - np.pi) / TURN)
-        label = posture_words(self.setting.plan, middle[None])[0]
         return Arc(
-            label,
+            "",
             tuple(int(t) for t in turns),
             float(v[0] - back),
             float(v[-1] - back),

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from pieper import arguments
+from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.newton import singular_values
 from pieper.motion.route.setting import Setting
@@ -23,12 +24,14 @@ class Keep:
         clearance: Least distance to everything, m.
         distance: Distances (k,) of joint vectors (k, n), m; None without a scene.
         clear: Whether joint moves through (N, n) are proved clear by the clearance; None without a scene.
+        nearest: What is nearest to what at a joint vector (n,), in words; None without a scene.
     """
 
     singularity: float = 0.0
     clearance: float = 0.0
     distance: Callable[[Array], Array] | None = None
     clear: Callable[[Array], bool] | None = None
+    nearest: Callable[[Array], str] | None = None
 
     @property
     def anything(self) -> bool:
@@ -50,6 +53,29 @@ class Keep:
         if not bool(self._holds(setting, x).all()):
             return False
         return self.clear is None or self.clear(x[:, : setting.n])
+
+    def check(self, setting: Setting, q: Array, what: str) -> None:
+        """Say what is wrong with a posture (n,) that a route was told to begin or end with.
+
+        Raises:
+            InputError: It is in collision, nearer than the clearance, or nearer to singular than what is kept.
+        """
+        cure = f"Leave {what} out, or give another posture of that pose."
+        if self.distance is not None and self.nearest is not None:
+            room = float(np.asarray(self.distance(q)))
+            if room < self.clearance:
+                said = f"in collision, {-room * 1e3:.4g} mm deep" if room < 0 else f"{room * 1e3:.4g} mm from touching"
+                asked = f"; a clearance of {self.clearance * 1e3:.4g} mm is asked for" if self.clearance else ""
+                raise InputError(f"{what} is {said}: {self.nearest(q)}{asked}. {cure}", given=q, metres=room)
+        if self.singularity > 0 and not replace(self, distance=None).holds_alone(setting, q):
+            raise InputError(
+                f"{what} is nearer to a singular posture than the {self.singularity:g} that is asked for. {cure}",
+                given=q,
+            )
+
+    def holds_alone(self, setting: Setting, q: Array) -> bool:
+        """Whether one posture (n,) keeps it."""
+        return bool(self._holds(setting, q[None])[0])
 
     def _holds(self, setting: Setting, x: Array) -> Bools:
         ok = np.ones(len(x), bool)

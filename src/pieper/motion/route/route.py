@@ -64,7 +64,11 @@ def route(
     world = setting(turned, curves, free, asked, s)
     step = _turn_step(world, turn_rate)
     ends = (_end(world, start, 0, "start"), _end(world, end, -1, "end"))
-    task = Task(world, cost == TIME, ends, step, Keep() if keep is None else keep)
+    kept = Keep() if keep is None else keep
+    for posture, what in zip(ends, ("start", "end"), strict=True):
+        if posture is not None and kept.anything:
+            kept.check(world, posture[: plan.n], what)
+    task = Task(world, cost == TIME, ends, step, kept)
     found = search(task)
     bound = least_motion(world, cost == TIME)
     if found is None:

@@ -67,9 +67,9 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
         if spare == 1:
             more = _within(plan, T, motion)
             for other in motions[:-1]:
-                more = more[~_on(other, more)]
+                more = more[~on_curve(other, more)]
             seeds = np.concatenate([seeds, more])
-        seeds = seeds[~_on(motion, seeds)]
+        seeds = seeds[~on_curve(motion, seeds)]
     return tuple(bounded_motion(motion, ends) for motion in motions)
 
 
@@ -102,7 +102,7 @@ def _holding(plan: Plan, T: Array, found: Solved | Sweep) -> Array:
     return rows[missed(plan.exact.full, rows, T) < CLOSES]
 
 
-def _on(motion: SelfMotion, seeds: Array) -> Bools:
+def on_curve(motion: SelfMotion, seeds: Array) -> Bools:
     """Return which of the seeds (m, n) lie on a traced curve."""
     parts = [motion.distances(seeds[i : i + CHUNK]) for i in range(0, len(seeds), CHUNK)]
     away = np.concatenate(parts) if parts else np.zeros(0)

@@ -8,9 +8,17 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.newton import missed, newton, singular_values
 from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
+from pieper.solver.rows import Flag
 from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
 from pieper.solver.singular.examined import Examined
-from pieper.tolerances import CAREFUL_ASIDE, CLEARLY_REGULAR, SAME_AFTER_CUT, SLOW_RANK
+from pieper.tolerances import (
+    CAREFUL_ASIDE,
+    CLEARLY_REGULAR,
+    SAME_AFTER_CUT,
+    SAME_VOUCHED,
+    SLOW_RANK,
+    SURE_ASIDE,
+)
 
 
 def near_rows(plan: Plan, poses: Array) -> Array:
@@ -85,6 +93,30 @@ def clear(plan: Plan, rows: Array) -> bool:
         return False
     s = singular_values(plan.chain, rows)
     return bool(np.all(s[:, -1] > CLEARLY_REGULAR * s[:, 0]))
+
+
+def sure_beside(plan: Plan, poses: Array) -> Bools:
+    """Return of which poses (N, 4, 4) all those at small generic side steps are solved for certain (N,)."""
+    aside = side_steps(plan.chain, poses, (SURE_ASIDE,))
+    flags = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[3]
+    return np.all((flags & Flag.UNCERTAIN).reshape(len(poses), -1) == 0, axis=1)
+
+
+def vouched(plan: Plan, T: Array, rows: Array) -> bool:
+    """Whether poses beside T, each solved for certain, have no other solutions than rows (m, n).
+
+    A solution of T in a regular posture has one of every pose beside it, near its own; a merged root of some of them.
+    So what all of them lead back to is all there is, where Newton's method leads a solution back at all.
+    """
+    aside = side_steps(plan.chain, T, (SURE_ASIDE,))
+    q, valid, _, flags = plan.solver.many(np.ascontiguousarray(aside), 1)
+    if np.any(flags & Flag.UNCERTAIN) or not np.any(valid):
+        return False
+    back = newton(plan.chain, q[valid], T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
+    back = back[missed(plan.chain, back, T) < HOLDS]
+    if not len(rows):
+        return not len(back)
+    return bool(np.all(plan.chain.joints.apart(back[:, None], rows[None]).min(1) < SAME_VOUCHED))
 
 
 def overlooked(plan: Plan, poses: Array) -> Bools:

@@ -7,12 +7,24 @@ import numpy as np
 from pieper import _kernel
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import newton_on_plane, null_space, singular_values
+from pieper.kinematics.newton import missed, newton, newton_on_plane, null_space, singular_values
 from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
-from pieper.tolerances import CROSSING_CHANGE, CROSSING_FOUND, CURVE_STEP, ON_CURVE, OPEN_WAYS, TINY
+from pieper.tolerances import (
+    CROSSING_CHANGE,
+    CROSSING_FOUND,
+    CURVE_STEP,
+    HOLDS,
+    INDEPENDENT_STEPS,
+    ON_CURVE,
+    OPEN_WAYS,
+    PRECISE_RANK,
+    TINY,
+)
 
 #: The most steps a trace may take, and the cosine by which a step may depart from the tangent it sets out along.
 MOST_STEPS, STRAIGHT = 1500, 0.95
+#: How far along a null direction it is asked whether the solutions go that way (rad; per length).
+DIMENSION_PROBE = 0.05
 
 
 def step_along(chain: Chain, q: Array, T: Array, direction: Array, probe: float = 0.05) -> Array | None:
@@ -57,10 +69,27 @@ def trace(
     if not closed:
         backward, _ = _walk(chain, q, T, -set_out, most_steps)
         samples = np.concatenate([backward[:0:-1], forward])
-    s, _ = null_space(chain, samples[len(samples) // 2])
-    open_ways = int(np.count_nonzero(s <= OPEN_WAYS * max(s[0], TINY)))
     arm_joints = chain.n if shown is None else shown
-    return TracedMotion(chain, T, samples, closed, max(1, open_ways), limits, names, arm_joints)
+    return TracedMotion(chain, T, samples, closed, _dimension(chain, T, samples), limits, names, arm_joints)
+
+
+def _dimension(chain: Chain, T: Array, samples: Array) -> int:
+    """Return how many degrees of freedom the self-motion has that a line of samples (k, n) lies on.
+
+    Where the Jacobian has full rank it is the number of spare joints. Elsewhere the null directions are too many where
+    some of them only lead nowhere to first order: counted are the independent ways that steps along them really go.
+    """
+    s, Vt = null_space(chain, samples)
+    ways = np.count_nonzero(s <= OPEN_WAYS * np.maximum(s[:, :1], TINY), axis=1)
+    plainest = int(np.argmin(ways))
+    least = int(ways[plainest])
+    if least <= max(1, chain.n - 6):
+        return max(1, least)
+    # along the solutions a step stays; across them, where the pose is left to second order, it is taken back
+    steps = DIMENSION_PROBE * Vt[plainest, chain.n - least :]
+    there = newton(chain, samples[plainest] + steps * chain.joints.unit, T, steps=40, cutoff=PRECISE_RANK)
+    gone = chain.joints.difference(there, samples[plainest])[missed(chain, there, T) < HOLDS] / DIMENSION_PROBE
+    return max(1, int(np.count_nonzero(np.linalg.svd(gone, compute_uv=False) > INDEPENDENT_STEPS)))
 
 
 def crossings(motion: SelfMotion) -> list[Array]:

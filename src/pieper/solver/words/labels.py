@@ -2,7 +2,8 @@
 
 - front / rear: on which side of the first axis the wrist lies, seen along the arm's own forward direction: the side of
   the shoulder offset; where there is none, the side the wrist has with all joints at zero. With three parallel axes
-  the wrist is where the last two axes meet: its crossing of the first axis is the shoulder's singularity.
+  the wrist is where the last two axes meet, or come closest: its crossing of the first axis is the shoulder's
+  singularity.
 - elbow up / down: whether the elbow lies above the line from shoulder to wrist (with three parallel axes: to the third
   of them), for somebody who looks along the arm.
 - elbow left / right: on which side of that line the elbow lies, seen from above, where the first two axes are parallel.
@@ -94,7 +95,7 @@ def _shoulder_and_elbow(plan: Plan, q: Array) -> list[Sides]:
     center = _wrist_joint(plan)
     if center is not None:
         wrist = _spherical_point(plan, q)
-    elif plan.n >= 6 and _three_parallel(plan) and plan.geometry.pairs[4].relation == "intersecting":
+    elif plan.n >= 6 and _three_parallel(plan) and plan.geometry.pairs[4].angle > LABELLED_ANGLE:
         wrist = _meeting(z[:, 4], o[:, 4], z[:, 5], o[:, 5])
     elif plan.n >= 5:
         wrist = o[:, 4]

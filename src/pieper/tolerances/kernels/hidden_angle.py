@@ -6,8 +6,8 @@ HIDDEN_NOISE = 3e-14
 HIDDEN_DEGREE = 1e-12
 #: Solutions of two ways that are one (rad; lengths), where a pose is not clear.
 HIDDEN_SAME = 1e-5
-#: A root is found when Newton moves it by less: its error is of the order of the square then, and two more steps are taken
-#: on the arm's own condition, which say when they are longer than they should be.
+#: A root is found when Newton moves it by less: its error is of the order of the square then, and two more steps
+#: are taken on the arm's own condition, which say when they are longer than they should be.
 HIDDEN_ROOT_STEP = 1e-5
 #: One side of a root is believed when the other misses a hundred times more,
 HIDDEN_SIDE = 1e-2
@@ -25,6 +25,6 @@ HIDDEN_ASIDE = 1e-4
 HIDDEN_PARALLEL = 1e-10
 #: Squared distance from axis 1 that a reciprocal is kept above.
 HIDDEN_ON_AXIS = 1e-30
-#: A polynomial that stays farther from zero than this, relative to the sum of its coefficients, has no root at poses beside
-#: either: those that the careful look asks lie 1e-9 aside.
+#: A polynomial that stays farther from zero than this, relative to the sum of its coefficients, has no root at poses
+#: beside either: those that the careful look asks lie 1e-9 aside.
 HIDDEN_EDGE = 1e-7

@@ -10,7 +10,8 @@ SWP_ROUNDING = 8 * 2.2e-16
 SWP_NEAR_DOUBLE = 1e-6
 #: A reach exceeded by no more than this is the edge of reach.
 SWP_OVERSHOOT = 5e-13
-#: A reach exceeded by more than this is exceeded by every pose beside: a hundred times what the careful look steps aside.
+#: A reach exceeded by more than this is exceeded by every pose beside: a hundred times what the careful look
+#: steps aside.
 SWP_BEYOND = 1e-7
 #: Squared sine of joint 3 below which cancellation is avoided.
 SWP_EDGE_OF_ELBOW = 1e-3

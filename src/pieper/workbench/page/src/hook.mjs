@@ -18,6 +18,7 @@ import { ellipsoidShown } from './scene/ellipsoid.mjs';
 import { go } from './dock.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
+import * as voxels from './scene/voxels.mjs';
 
 export function expose() {
   const seen = {
@@ -47,6 +48,7 @@ export function expose() {
     framesDrawn: () => framesDrawn(),
     answers: () => counts.answers,
     trace: () => traceLength(),
+    voxels: () => voxels.size(),
     cloud: () => cloud.size(),
   };
   const page = {

@@ -51,3 +51,7 @@ export function halfDigit(texts, kind) {
   const decimals = Math.max(0, ...typed) || units.digits(kind);
   return (0.5 * 10 ** -decimals) / units.factor(kind);
 }
+
+/** A figure without a unit: four places, or three digits and a power of ten where it is very small or large. */
+export const engineering = (v) =>
+  v === 0 ? '0' : Math.abs(v) >= 1e-3 && Math.abs(v) < 1e4 ? fixed(v, 4) : v.toExponential(2).replace('-', '−');

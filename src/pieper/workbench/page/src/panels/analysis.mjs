@@ -1,23 +1,11 @@
 // Analysis: how well the arm can move here, how near its limits are, and where its tool can be.
-import { button, choice, h, perFrame, replace, select, setText } from '../dom.mjs';
+import { h, replace, setText, choice, perFrame } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { singularValues } from '../kinematics.mjs';
-import { fixed, showUnit } from '../units.mjs';
-import { ask } from '../link.mjs';
-import { askArm } from '../library.mjs';
+import { fixed, showUnit, engineering } from '../units.mjs';
 import { showEllipsoid, ellipsoidShown } from '../scene/ellipsoid.mjs';
-import * as cloud from '../scene/cloud.mjs';
-import { showBeside, fitArm } from '../scene/arm.mjs';
 import { kindOf } from './joints.mjs';
-
-const colourings = [
-  ['height', 'height of the tool'],
-  ['manipulability', 'manipulability'],
-  ['condition', 'inverse condition number'],
-  ['limits', 'distance to the limits'],
-];
-const engineering = (v) =>
-  v === 0 ? '0' : Math.abs(v) >= 1e-3 && Math.abs(v) < 1e4 ? fixed(v, 4) : v.toExponential(2).replace('-', '−');
+import { reachControls } from './reach.mjs';
 
 export const analysis = {
   id: 'analysis',
@@ -67,8 +55,8 @@ export const analysis = {
       axesText,
       h('h3', { text: 'Distance to the limits' }),
       limits,
-      h('h3', { text: 'Reachable points' }),
-      cloudControls(),
+      h('h3', { text: 'Where the tool can be' }),
+      reachControls(),
     );
 
     const rebuild = () => {
@@ -122,107 +110,3 @@ export const analysis = {
     rebuild();
   },
 };
-
-function cloudControls() {
-  let count = '20000',
-    colour = 'manipulability',
-    running = false;
-  const start = button('Draw the cloud', { class: 'primary', 'data-testid': 'cloud-start' }, () =>
-    running ? ask('cancel', { kind: 'cloud' }) : run(),
-  );
-  const clear = button('Clear', {}, wipe);
-  const cut = choice(
-    'Cloud shown',
-    [
-      ['whole', 'Whole'],
-      ['half', 'Cut open'],
-    ],
-    'whole',
-    (v) => cloud.cutAt(v === 'half' ? state.table.base[7] : null),
-    'cloud-cut',
-  );
-  const progress = h('progress', {
-    max: '1',
-    'aria-label': 'Progress of the cloud',
-    'data-testid': 'cloud-progress',
-    hidden: true,
-  });
-  const note = h('p', { class: 'hint', role: 'status', 'data-testid': 'cloud-note' });
-  const lo = h('span'),
-    hi = h('span');
-  const legend = h('div', { class: 'legend-scale', hidden: true }, lo, h('span', { class: 'scale-bar' }), hi);
-  function wipe() {
-    cloud.clear();
-    showBeside('cloud', []);
-    legend.hidden = true;
-    setText(note, '');
-  }
-  async function run() {
-    running = true;
-    setText(start, 'Cancel');
-    progress.hidden = false;
-    progress.value = 0;
-    legend.hidden = false;
-    cloud.begin(Number(count));
-    try {
-      const end = await askArm('cloud', { count: Number(count), colour, seed: 1 }, (m) => {
-        cloud.take(m.points);
-        progress.value = m.done / m.of;
-        setText(lo, engineering(cloud.range.lo));
-        setText(hi, engineering(cloud.range.hi));
-        setText(note, `${m.done.toLocaleString('en')} of ${m.of.toLocaleString('en')} points`);
-      });
-      setText(
-        note,
-        end.stopped
-          ? `Cancelled after ${cloud.size().toLocaleString('en')} points.`
-          : `${end.done.toLocaleString('en')} random postures inside the limits, coloured by ${colourings.find(([k]) => k === colour)[1]}${colour === 'height' ? ' (m)' : ''}.`,
-      );
-    } catch (error) {
-      setText(note, error.message);
-    }
-    running = false;
-    showBeside('cloud', cloud.corners());
-    fitArm();
-    setText(start, 'Draw the cloud');
-    progress.hidden = true;
-  }
-  on('table', (what) => {
-    if (what !== 'postures' && what !== 'name' && cloud.size()) wipe();
-  });
-  return h(
-    'div',
-    {},
-    h(
-      'div',
-      { class: 'line' },
-      select(
-        'Number of points',
-        [
-          ['5000', '5,000 points'],
-          ['20000', '20,000 points'],
-          ['100000', '100,000 points'],
-        ],
-        count,
-        (v) => {
-          count = v;
-        },
-        { 'data-testid': 'cloud-count' },
-      ),
-      h('span', { class: 'field-name', text: 'coloured by' }),
-      select(
-        'Coloured by',
-        colourings,
-        colour,
-        (v) => {
-          colour = v;
-        },
-        { 'data-testid': 'cloud-colour' },
-      ),
-    ),
-    h('div', { class: 'line' }, start, clear, cut),
-    progress,
-    legend,
-    note,
-  );
-}

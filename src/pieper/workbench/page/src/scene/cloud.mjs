@@ -1,9 +1,8 @@
 // The cloud of reachable points, coloured by a value from low to high.
 import * as THREE from 'three';
 import { scene, renderer, invalidate } from './view.mjs';
+import { rangeOf, colourAt, unpacked } from './scale.mjs';
 
-/** Stops of a colour scale that reads in grey too (after viridis). */
-const stops = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725'].map((c) => new THREE.Color(c));
 const material = new THREE.PointsMaterial({ size: 2.2, sizeAttenuation: false, vertexColors: true, fog: false });
 const points = new THREE.Points(new THREE.BufferGeometry(), material);
 points.frustumCulled = false;
@@ -29,8 +28,7 @@ export function begin(total) {
 }
 /** Take a piece as the server sends it: x, y, z, value as float32, in base64. */
 export function take(base64) {
-  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)),
-    block = new Float32Array(bytes.buffer);
+  const block = unpacked(base64);
   for (let i = 0; i < block.length && count < values.length; i += 4, count++) {
     at.set(block.subarray(i, i + 3), 3 * count);
     values[count] = block[i + 3];
@@ -38,20 +36,9 @@ export function take(base64) {
   recolour();
 }
 function recolour() {
-  const sorted = values.slice(0, count).sort();
-  range.lo = sorted[Math.floor(count * 0.02)] ?? 0;
-  range.hi = sorted[Math.max(Math.ceil(count * 0.98) - 1, 0)] ?? 1;
-  const c = new THREE.Color(),
-    rgb = points.geometry.attributes.color.array,
-    span = range.hi - range.lo || 1;
-  for (let i = 0; i < count; i++) {
-    const v = Math.min(Math.max((values[i] - range.lo) / span, 0), 1) * (stops.length - 1),
-      k = Math.min(Math.floor(v), stops.length - 2);
-    c.lerpColors(stops[k], stops[k + 1], v - k);
-    rgb[3 * i] = c.r;
-    rgb[3 * i + 1] = c.g;
-    rgb[3 * i + 2] = c.b;
-  }
+  Object.assign(range, rangeOf(values.subarray(0, count)));
+  const rgb = points.geometry.attributes.color.array;
+  for (let i = 0; i < count; i++) colourAt(values[i], range).toArray(rgb, 3 * i);
   points.geometry.setDrawRange(0, count);
   points.geometry.attributes.position.needsUpdate = true;
   points.geometry.attributes.color.needsUpdate = true;

@@ -1,0 +1,268 @@
+"""Maps, calibration and exported solvers, measured in slices: python -m benchmarks.measure.scale SLICE [NAME ...].
+
+Slices: maps, whole (a map of 1e8 poses with and without symmetry), rm4d (the grid of RM4D filled at its cells'
+centres), calibration (--seed), exports (arms by name or the catalogue, --poses, --language c, python or javascript).
+Each adds to benchmarks/results/scale.json; processor times, one thread, unless said otherwise.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ctypes
+import importlib.util
+import json
+import shutil
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import pieper
+from benchmarks.kept import RESULTS, read, write
+from pieper.maps.grid import grid_of
+from tests.calibration.planted import ARMS, NOISE, noisy, planted, postures
+
+#: Rows of two ways to one answer differ by no more than rounding at the exported arms (rad, m).
+ALIKE = 1e-7
+
+
+def least(work: Any, rounds: int = 3) -> float:
+    """Return the least processor time of a work, s."""
+    took = []
+    for _ in range(rounds):
+        start = time.process_time()
+        work()
+        took.append(time.process_time() - start)
+    return min(took)
+
+
+def maps() -> dict[str, Any]:
+    """Millions of checks a second: the kernel pose by pose, with the last joint's symmetry, and poses in arrays."""
+    said = {}
+    for name in ("universal-robots-ur5e", "denso-vp6242", "fanuc-crx-10ia"):
+        plan = pieper.load(name).plan
+        grid = grid_of(((-0.9, 0.9), (-0.9, 0.9), (-0.3, 1.0)), 0.1, (128, 16), "pose", plan.chain.length)
+        centres = grid.centres(np.random.default_rng(0).choice(grid.count, 60, replace=False))
+        own, reach, checks = np.arange(60)[:, None], plan.solver.reach, 60 * len(grid.turns) / 1e6
+        T = grid.poses(np.arange(30), grid.turns)
+
+        def fused(sense: float, each: Any = None) -> None:
+            reach(centres, grid.turns, grid.rolls, sense, own, 1.0, each, plan.chain.length, 1)  # noqa: B023
+
+        said[name] = {
+            "direct": checks / least(lambda: fused(0.0)),
+            "last_joint": checks / least(lambda: fused(1.0)),
+            "measured": checks / least(lambda: fused(1.0, plan.chain.links), 1),  # noqa: B023
+            "arrays": len(T) / 1e6 / least(lambda: plan.solver.many(T, 1)),  # noqa: B023
+        }
+    return said
+
+
+def whole() -> dict[str, Any]:
+    """Maps of up to 4e8 poses of a UR5e, with symmetry and without: seconds, and whether they agree."""
+    arm, said = pieper.load("universal-robots-ur5e"), {}
+    box, bits = ((-0.9, 0.9), (-0.9, 0.9), (-0.3, 0.9)), []
+    for symmetry, step in (("auto", 0.05), ("none", 0.05), ("auto", 0.02)):
+        start, wall = time.process_time(), time.perf_counter()
+        m = arm.reach_map(box, step, (128, 16), symmetry=symmetry)
+        poses = m.grid.count * len(m.grid.turns)
+        said[f"{symmetry} {step}"] = {
+            "poses": poses,
+            "cpu_s": time.process_time() - start,
+            "s": time.perf_counter() - wall,
+        }
+        bits.append((m.bits, m.count))
+    said["same"] = bool(np.array_equal(bits[0][0], bits[1][0]) and np.array_equal(bits[0][1], bits[1][1]))
+    return said
+
+
+def rm4d() -> dict[str, Any]:
+    """RM4D's own grid of a UR5e: 5 cm in x*, y* and z, 36 angles of the axis; and how often a look-up is right."""
+    plan = pieper.load("universal-robots-ur5e").plan
+    x, z = np.arange(-1.025, 1.05, 0.05), np.arange(0.025, 1.35, 0.05)
+    tilt = (np.arange(36) + 0.5) * np.pi / 36
+    R = np.stack([pieper.pose(0, 0, 0, rpy=(0, t, 0))[:3, :3] for t in tilt])
+    centres = np.stack(np.meshgrid(z, x, x, indexing="ij"), -1).reshape(-1, 3)[:, [1, 2, 0]] * [-1, -1, 1]
+    out = []
+
+    def fill() -> None:
+        ask = (R, 1, 0.0, np.arange(len(centres))[:, None], 1.0, None, plan.chain.length, 1)
+        out.append(plan.solver.reach(centres, *ask))
+
+    took = least(fill, 2)
+    bits = np.unpackbits(out[0][0], axis=1)[:, :36].reshape(len(z), len(x), len(x), 36).astype(bool)
+    rng = np.random.default_rng(0)
+    turns = np.linalg.qr(rng.normal(size=(20000, 3, 3)))[0]
+    turns[np.linalg.det(turns) < 0, :, 0] *= -1
+    T = np.tile(np.eye(4), (20000, 1, 1))
+    T[:, :3, :3], T[:, :3, 3] = turns, rng.uniform([-1.05, -1.05, 0], [1.05, 1.05, 1.35], (20000, 3))
+    truth = plan.solver.many(T, 1)[2].any(1)
+    turn = np.arctan2(turns[:, 1, 2], turns[:, 0, 2])
+    p, c, s = T[:, :3, 3], np.cos(turn), np.sin(turn)
+    at = [-(c * p[:, 0] + s * p[:, 1]), -(c * p[:, 1] - s * p[:, 0])]
+    inside = (np.abs(at[0]) < 1.05) & (np.abs(at[1]) < 1.05)
+    cell = lambda v, low, step, n: np.clip(((v - low) / step).astype(int), 0, n - 1)  # noqa: E731
+    found = bits[
+        cell(p[:, 2], 0, 0.05, len(z)),
+        cell(at[0], -1.05, 0.05, len(x)),
+        cell(at[1], -1.05, 0.05, len(x)),
+        cell(np.arccos(turns[:, 2, 2]), 0, np.pi / 36, 36),
+    ]
+    return {"cells": bits.size, "cpu_s": took, "right": float(((found & inside) == truth).mean())}
+
+
+def calibration(seed: int) -> dict[str, Any]:
+    """Held-out error over its prediction on planted arms, ms a fit of 50 poses, us a pose of the fitted arm's ik."""
+    said: dict[str, Any] = {"seed": seed}
+    for name in ARMS:
+        arm, squares, predicted, took = pieper.load(name), [], [], []
+        for trial in range(8):
+            rng = np.random.default_rng([seed, trial])
+            true, q = planted(arm, rng), postures(arm, rng, 67)
+            Y = noisy(true.fk(q), rng)
+            start = time.process_time()
+            fit = arm.calibrate(q, Y, sigma=NOISE)
+            took.append(time.process_time() - start)
+            squares.append(fit.held_out.metres**2)
+            predicted.append(fit.held_out.predicted_metres**2)
+        T = np.repeat(fit.arm.fk(q), 8, 0)
+        value = None if not fit.arm.plan.redundancy else np.repeat(q[:, list(fit.arm.plan.reduction.locked)], 8, 0)
+        each = least(lambda: fit.arm.ik_many(T, threads=1, redundancy=value), 2) / len(T) * 1e6  # noqa: B023
+        said[name] = {
+            "over_prediction": float(np.sqrt(np.sum(squares) / np.sum(predicted))),
+            "fit_ms": 1e3 * float(np.median(took)),
+            "inverse_us": each,
+        }
+    return said
+
+
+def exported(name: str, language: str, poses: int) -> dict[str, Any]:
+    """An arm's solver in a language against the native one, row by row inside the limits; us a pose, kB, s to write."""
+    arm = pieper.load(name)
+    spare = arm.plan.reduction.locked[0] if arm.plan.reduction.locked else None
+    rng = np.random.default_rng(17)
+    reach = np.where(arm.chain.prismatic, arm.chain.length, np.pi)[:, None] * [-1.0, 1.0]
+    limits = np.where(np.isfinite(arm.limits), arm.limits, reach)
+    q = rng.uniform(limits[:, 0], limits[:, 1], (poses, arm.n))
+    T = np.ascontiguousarray(arm.fk(q))
+    many = arm.ik_many(T, threads=1, redundancy=None if spare is None else q[:, [spare]])
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        ending = {"c": "c", "python": "py", "javascript": "mjs"}[language]
+        start = time.process_time()
+        path = arm.code(language, folder / f"solver.{ending}", "one")
+        wrote, size = time.process_time() - start, path.stat().st_size
+        rows, counts, took = RUN[language](path, q, T, spare)
+    wanted = many.in_limits.sum(1)
+    wrong = counts != wanted
+    first = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    for k in range(int(counts.max(initial=0))):
+        some = np.flatnonzero((counts > k) & ~wrong)
+        gap = np.abs(many.q[some] - rows[first[some] + k][:, None]).max(-1)
+        wrong[some] |= np.where(many.in_limits[some], gap, np.inf).min(1) > ALIKE
+    return {
+        "poses": poses,
+        "rows": int(wanted.sum()),
+        "differ": int(wrong.sum()),
+        "of_which_marked": int((wrong & ((many.flag & 3) != 0)).sum()),
+        "us": took / poses * 1e6,
+        "kB": size / 1e3,
+        "written_s": wrote,
+    }
+
+
+def run_c(path: Path, q: Any, T: Any, spare: int | None) -> tuple[Any, Any, float]:
+    """Compile and run C in one loop; rows (k, n), counts (N,), processor time."""
+    n = q.shape[1]
+    value = "" if spare is None else f"q[{n} * i + {spare}], "
+    loop = (
+        f'#include "{path.name}"\nvoid all(const double *T, const double *q, long count, double (*out)[{n}], '
+        f"long *counts) {{\n"
+        f"  long i;\n  (void)q;\n  for (i = 0; i < count; ++i) {{\n    counts[i] = one_ik(T + 16 * i, {value}out);\n"
+        "    out += counts[i];\n  }\n}\n"
+    )
+    (path.parent / "loop.c").write_text(loop)
+    made = path.parent / "loop.so"
+    subprocess.run(["gcc", "-O2", "-shared", "-fPIC", "-o", made, path.parent / "loop.c", "-lm"], check=True)
+    library, out, counts = ctypes.CDLL(str(made)), np.zeros((8 * len(T), n)), np.zeros(len(T), np.int64)
+    at = lambda array: ctypes.c_void_p(array.ctypes.data)  # noqa: E731
+    took = least(lambda: library.all(at(T), at(q), ctypes.c_long(len(T)), at(out), at(counts)), 2)
+    return out, counts, took
+
+
+def run_python(path: Path, q: Any, T: Any, spare: int | None) -> tuple[Any, Any, float]:
+    """Run the NumPy file on blocks of poses."""
+    spec = importlib.util.spec_from_file_location("solver", path)
+    solver = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(solver)
+    rows, counts, start = [], [], time.process_time()
+    for first in range(0, len(T), 5000):
+        at = np.s_[first : first + 5000]
+        found, valid, _ = solver.ik_all(T[at], *(() if spare is None else (q[at, spare],)))
+        found, inside = solver._inside(found)
+        inside &= valid
+        rows.append(found[inside])
+        counts.append(inside.sum(1))
+    return np.concatenate(rows), np.concatenate(counts), time.process_time() - start
+
+
+def run_javascript(path: Path, q: Any, T: Any, spare: int | None) -> tuple[Any, Any, float]:
+    """Run the module in Node."""
+    folder, value = path.parent, "" if spare is None else f", q[{q.shape[1]} * i + {spare}]"
+    (folder / "q.bin").write_bytes(q.tobytes())
+    (folder / "T.bin").write_bytes(T.tobytes())
+    (folder / "run.mjs").write_text(
+        f"import fs from 'fs';\nimport {{ ik }} from './{path.name}';\n"
+        "const read = (name) => { const b = fs.readFileSync(name); "
+        "return new Float64Array(b.buffer, b.byteOffset, b.length / 8); };\n"
+        "const q = read('q.bin'), T = read('T.bin'), rows = [], counts = [], start = process.cpuUsage().user;\n"
+        f"for (let i = 0; 16 * i < T.length; ++i) {{ const found = ik(T.subarray(16 * i, 16 * i + 16){value}); "
+        "counts.push(found.length); for (const row of found) rows.push(...row); }\n"
+        "const took = process.cpuUsage().user - start;\n"
+        "fs.writeFileSync('rows.bin', Buffer.from(new Float64Array(rows).buffer));\n"
+        "console.log(JSON.stringify({ counts, took }));\n"
+    )
+    ran = subprocess.run(["node", "run.mjs"], cwd=folder, capture_output=True, text=True, check=True)
+    said = json.loads(ran.stdout)
+    rows = np.fromfile(folder / "rows.bin").reshape(-1, q.shape[1])
+    return rows, np.array(said["counts"]), said["took"] / 1e6
+
+
+RUN = {"c": run_c, "python": run_python, "javascript": run_javascript}
+NEEDS = {"c": "gcc", "javascript": "node"}
+
+
+def main() -> None:
+    """Measure what is asked and keep it."""
+    ask = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    ask.add_argument("slice", choices=["maps", "whole", "rm4d", "calibration", "exports"])
+    ask.add_argument("names", nargs="*")
+    ask.add_argument("--seed", type=int, default=2026)
+    ask.add_argument("--poses", type=int, default=100_000)
+    ask.add_argument("--language", choices=list(RUN), default="c")
+    said = ask.parse_args()
+    state = read("scale") or {}
+    if said.slice != "exports":
+        work = {"maps": maps, "whole": whole, "rm4d": rm4d, "calibration": lambda: calibration(said.seed)}
+        state[said.slice] = work[said.slice]()
+        print(json.dumps(state[said.slice], indent=1))
+    elif (tool := NEEDS.get(said.language)) and shutil.which(tool) is None:
+        print(f"no {tool} here")
+        return
+    else:
+        kept = state.setdefault("exports", {}).setdefault(said.language, {})
+        for name in said.names or pieper.catalog():
+            try:
+                kept[name] = exported(name, said.language, said.poses)
+            except pieper.PlanError as refused:
+                kept[name] = {"refused": str(refused)}
+            print(name, kept[name], flush=True)
+            write(state, RESULTS / "scale.json", indent=1)
+    write(state, RESULTS / "scale.json", indent=1)
+
+
+if __name__ == "__main__":
+    main()
