@@ -95,3 +95,17 @@ def test_a_linkage_stretched_to_its_end_has_its_rows(name):
     q[:, 3], q[:, 4] = rng.choice([0.0, quarter, -quarter, np.pi], 300), rng.choice([0.0, np.pi], 300)
     status = arm.ik_many(arm.fk(q), threads=1).status
     assert np.isin(status, [Status.SOLVED, Status.SINGULAR]).all(), np.unique(status)
+
+
+@pytest.mark.parametrize("name", ["universal-robots-ur5e", "aubo-i5"])
+def test_nothing_is_lost_where_elbow_and_wrist_are_all_but_straight_at_once(name):
+    arm, rng, count = free(name, placed=True), np.random.default_rng(1), 40
+    q = rng.uniform(-np.pi, np.pi, (count, 6))
+    for joint in (2, 4):
+        q[:, joint] = rng.choice([0.0, np.pi], count) * (joint == 4)
+        q[:, joint] += rng.choice([-1, 1], count) * 10 ** rng.uniform(-13, -5, count)
+    many = arm.ik_many(T := arm.fk(q), threads=1)
+    told = 1e-6 + 1e-14 / np.maximum(np.linalg.svd(arm.jacobian(q), compute_uv=False)[:, -1], 1e-300)
+    for i in np.flatnonzero(apart(arm, many.q, many.valid, q[:, None])[:, 0] > told):
+        motions = arm.ik(T[i]).self_motions
+        assert any(motion.contains(q[i], told[i]) for motion in motions), f"{q[i].tolist()}, {Status(many.status[i])}"

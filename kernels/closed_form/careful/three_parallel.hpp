@@ -116,7 +116,10 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
         continue;
       }
       out.degenerate |= free;
-      out.add(a, middle, c, free);
+      // all but free, rounding leaves it open to more than the plane's reach may bear
+      const bool nearly =
+          !slides[1] && std::fmin(from.x * from.x + from.y * from.y, to.x * to.x + to.y * to.y) < kNearMiddleAxis;
+      out.add(a, middle, c, free || nearly);
     }
   }
 }
@@ -149,15 +152,15 @@ inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, cons
         double values[16] = {arm[1]};
         int tries = 1;
         if (free && turning) {
-          tries = 2;
+          tries = 3;
           turn_to_reach(
               [&](double turn) {
                 double turned[3] = {arm[0], arm[1] + turn, arm[2]};
                 const Rigid left = around(turned);
                 return left.t.x * left.t.x + left.t.y * left.t.y;
               },
-              std::hypot(l1.at.x, l1.at.y), std::hypot(l2.at.x, l2.at.y), values);
-          values[0] += arm[1], values[1] += arm[1];
+              std::hypot(l1.at.x, l1.at.y), std::hypot(l2.at.x, l2.at.y), values + 1);
+          values[1] += arm[1], values[2] += arm[1];
         } else if (free) {
           for (tries = 0; tries < 16; ++tries) values[tries] = arm[1] + tries * (2 * kPi / 16);
         }

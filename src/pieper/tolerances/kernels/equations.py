@@ -56,6 +56,8 @@ PAIR_NOTHING = 1e-20
 ONE_POINT = 1e-13
 #: Squared distance from the middle axis below which its joint is free.
 ON_MIDDLE_AXIS = 1e-26
+#: Below this it is also put where the others reach, beside where its equations put it.
+NEAR_MIDDLE_AXIS = 1e-12
 #: A wrist reaches directions that its twists miss by this much.
 WRIST_REACH = 1e-9
 #: Sine between outer wrist axes below which they line up.
@@ -63,7 +65,7 @@ WRIST_LINED_UP = 1e-12
 #: Cosine of a twist that is a right angle.
 WRIST_SQUARE = 1e-15
 #: A triangle, or a circle and a line, that fail to meet by this much (relative, squared) touch.
-PLANE_REACH = 1e-9
+PLANE_REACH = 1e-6
 #: The same, absolute.
 PLANE_ZERO = 1e-15
 #: Two slides whose directions are nearer than this are one.
