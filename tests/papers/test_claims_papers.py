@@ -104,13 +104,14 @@ EXPECTED = {
         WRONG: {
             "2, T1 for (4) to (7)": "sign",
             "2, T3 for (4) to (7)": "twist",
-            "4 to 7": "",
+            "4 to 7": "twist",
             "Table 1, limit of joint 1": "",
             "Table 1, limit of joint 3": "",
             "Table 1, limit of joint 4": "",
             "Table 2, P0 by (7)": "",
             "Table 2, reference": "axes",
-            "Table 2, simulation at q = 0": "misprint",
+            "Table 2, simulation at q = 0": "",
+            "Table 2, time of a leg": "misprint",
             "height at q = 0, d1 = 395": "",
             "forward reach at q = 0, d6 = 80": "",
         },
@@ -146,7 +147,7 @@ EXPECTED = {
             "singular, second": "half turn",
             "singular, free joints": "index",
         },
-        PARTLY: {"q2": "branch", "number of solutions": ""},
+        PARTLY: {"q2": "branch", "alternative, range of c3": "", "number of solutions": ""},
     },
 }
 
