@@ -30,3 +30,9 @@ def test_no_derivation_of_a_random_arm_says_anything_false(first):
     arms = {number: random_arm(number)[0] for number in RANDOM[first : first + 20]}
     bad = {number: false_sentences(arm) for number, arm in arms.items()}
     assert {number: said for number, said in bad.items() if said} == {}
+
+
+def test_an_order_of_steps_that_needs_a_later_angle_is_no_derivation():
+    arm, _ = random_arm(81)
+    assert not arm.symbolic.ik().closed
+    assert false_sentences(arm) == []

@@ -133,7 +133,10 @@ def _closed_form(arm: Arm, plan: Plan | None, task: str) -> ClosedForm | None:
     for chosen in _choices(arm, plan, task):
         eliminator = Eliminator(table, given=GIVEN[task], chosen=chosen, fold_tool=fold)
         if eliminator.solve():
-            return ClosedForm(eliminator, arm.description, fold_tool=fold)
+            try:
+                return ClosedForm(eliminator, arm.description, fold_tool=fold)
+            except KeyError:  # a step uses an angle that only a later one gives: this order of steps is no derivation
+                continue
     return None
 
 
