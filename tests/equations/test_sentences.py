@@ -32,7 +32,6 @@ def test_no_derivation_of_a_random_arm_says_anything_false(first):
     assert {number: said for number, said in bad.items() if said} == {}
 
 
-def test_an_order_of_steps_that_needs_a_later_angle_is_no_derivation():
+def test_an_order_of_steps_that_needs_a_later_angle_is_left_for_another():
     arm, _ = random_arm(81)
-    assert not arm.symbolic.ik().closed
     assert false_sentences(arm) == []
