@@ -5,15 +5,17 @@ python -m static_page.build OUT [NAME ...]
 
 from __future__ import annotations
 
+import base64
 import json
 import sys
-import tempfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import pieper
+from pieper.document.html import MATH_FONT
+from static_page.kernel import kernel, prepared
 
 HERE = Path(__file__).parent
 
@@ -27,7 +29,7 @@ def arm_data(arm: pieper.Arm) -> dict[str, Any]:
     """Return what the page says of an arm: joints, links, where it starts, its equations and how it is solved."""
     low, high = np.where(np.isfinite(arm.limits), arm.limits, [-np.pi, np.pi]).T
     # off the middle of the ranges, where many arms are singular
-    home = np.clip((low + high) / 2 + 0.15 * (np.arange(arm.n) % 3 - 1), low, high)
+    home = np.clip((low + high) / 2 + 0.3 * (np.arange(arm.n) % 3 - 1.3), low, high)
     return {
         "name": arm.name,
         "joints": list(arm.joint_names),
@@ -35,43 +37,47 @@ def arm_data(arm: pieper.Arm) -> dict[str, Any]:
         "limits": [[float(x) if np.isfinite(x) else None for x in row] for row in arm.limits],
         "links": arm.chain.links[:, :3].reshape(len(arm.chain.links), 12).tolist(),
         "home": [round(float(x), 3) for x in home],
-        "equations": arm.symbolic.fk().text(),
+        "gears": None if arm.chain.coupling is None else arm.chain.coupling.tolist(),
+        "forward": arm.symbolic.fk().mathml(),
+        "inverse": arm.symbolic.ik().mathml(),
         "plan": arm.plan.explain(),
-        "solver": identifier(arm.name),
     }
 
 
 def arm_script(arm: pieper.Arm) -> tuple[str, bool]:
-    """Return an arm's script, its data and its solver where that is a list of operations; and whether it is."""
+    """Return an arm's script, its data and its prepared numbers where the page can solve it; and whether it can."""
     data = arm_data(arm)
-    solver = ""
     try:
-        with tempfile.TemporaryDirectory() as folder:
-            text = arm.code("javascript", Path(folder) / "solver.js", identifier(arm.name)).read_text()
-        # a function of its own: arms must not see each other's names
-        solver = f"(() => {{\nconst module = undefined;\n{text}\n}})();\n"
+        data["solver"] = prepared(arm)
     except pieper.PlanError as refused:
         data["solver"], data["refused"] = None, str(refused)
-    return f"{solver}window.PIEPER.arrived({json.dumps(data)});\n", bool(solver)
+    return f"window.PIEPER.arrived({json.dumps(data)});\n", data["solver"] is not None
 
 
-def build(out: Path, names: list[str]) -> int:
-    """Write the folder; returns how many arms have a solver in it."""
+def build(out: Path, names: list[str], code: bytes | None = None) -> int:
+    """Write the folder; returns how many arms are solved on it.
+
+    Args:
+        out: The folder.
+        names: Arms of the catalogue.
+        code: The kernels as WebAssembly; compiled when left out.
+    """
     (out / "arms").mkdir(parents=True, exist_ok=True)
+    listed = json.dumps([[name, identifier(name)] for name in names])
+    texts = {
+        "index.html": (HERE / "page.html").read_text(),
+        "page.js": (HERE / "page.js").read_text().replace("/* NAMES */ []", listed),
+        "solver.js": (HERE / "solver.js").read_text(),
+        "kernel.js": f'window.PIEPER = {{ kernel: "{base64.b64encode(code or kernel()).decode()}" }};\n',
+    }
     solved = 0
     for name in names:
-        text, own = arm_script(pieper.load(name))
+        texts[f"arms/{identifier(name)}.js"], own = arm_script(pieper.load(name))
         solved += own
-        with pieper.whole_file(out / "arms" / f"{identifier(name)}.js") as file:
-            file.write(text.encode())
-    page = (HERE / "page.html").read_text()
-    listed = json.dumps([[name, identifier(name)] for name in names])
-    for file_name, text in (
-        ("index.html", page),
-        ("page.js", (HERE / "page.js").read_text().replace("/* NAMES */ []", listed)),
-    ):
+    files = {file_name: text.encode() for file_name, text in texts.items()} | {"math.woff2": MATH_FONT.read_bytes()}
+    for file_name, data in files.items():
         with pieper.whole_file(out / file_name) as file:
-            file.write(text.encode())
+            file.write(data)
     return solved
 
 

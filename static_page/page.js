@@ -1,23 +1,21 @@
-// The page without a server: an arm's script is fetched as a script, so that it works from a file; the solver in it is the library's
-// own arithmetic, written as JavaScript.
+// The page without a server: an arm's script is fetched as a script, so that it works from a file; solver.js solves it with the
+// library's own kernels.
 "use strict";
 const NAMES = /* NAMES */ [];
 const $ = (id) => document.getElementById(id);
 const state = { arm: null, q: [], view: { yaw: -0.9, tilt: 0.35 } };
 const known = {};
 
-window.PIEPER = {
-  arrived(arm) {
-    known[arm.name] = arm;
-    show(arm);
-  },
+window.PIEPER.arrived = (arm) => {
+  known[arm.name] = arm;
+  window.PIEPER.ready.then(() => show(arm));
 };
 
-const solver = () => (state.arm && state.arm.solver ? window[`${state.arm.solver}_solver`] : null);
 const words = (value, slides) => (slides ? `${(value * 1e3).toFixed(1)} mm` : `${((value * 180) / Math.PI).toFixed(2)}°`);
 
 // Where each joint is, its axis, and the tool: frames down the chain.
-function frames(arm, q) {
+// Values are the axes'.
+function frames(arm, values) {
   const times = (T, L) => {
     const out = new Array(12);
     for (let i = 0; i < 12; i += 4)
@@ -27,7 +25,7 @@ function frames(arm, q) {
   };
   let T = arm.links[0];
   const out = [];
-  q.forEach((value, i) => {
+  values.forEach((value, i) => {
     const c = Math.cos(value), s = Math.sin(value);
     T = times(T, arm.slides[i] ? [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, value] : [c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0]);
     out.push(T);
@@ -36,6 +34,11 @@ function frames(arm, q) {
   out.push(T);
   return out;
 }
+
+window.PIEPER.frames = frames;
+
+// Where the axes are at joint vector q.
+const axes = (arm, q) => (arm.gears ? arm.gears.map((row) => row.reduce((sum, x, j) => sum + x * q[j], 0)) : q);
 
 function table(element, rows) {
   const most = Math.max(...rows.flat().map(Math.abs));
@@ -53,27 +56,27 @@ function jacobian(all, arm) {
       J[3 + k].push(slides ? 0 : z[k]);
     }
   });
-  return J;
+  if (!arm.gears) return J;
+  return J.map((row) => row.map((_, j) => row.reduce((sum, x, i) => sum + x * arm.gears[i][j], 0)));
 }
 
-function same(a, b) {
-  return a.every((x, j) => {
-    const d = Math.abs(x - b[j]);
-    return (state.arm.slides[j] ? d : Math.abs(d - 2 * Math.PI * Math.round(d / (2 * Math.PI)))) < 1e-6;
-  });
-}
+const same = (a, b) => window.PIEPER.same(state.arm, axes(state.arm, a), axes(state.arm, b), 1e-6);
 
 function update() {
-  const { arm, q } = state, all = frames(arm, q), tool = all[all.length - 1];
+  const { arm, q } = state, all = frames(arm, axes(arm, q)), tool = all[all.length - 1];
   const T = [tool.slice(0, 4), tool.slice(4, 8), tool.slice(8, 12), [0, 0, 0, 1]];
   table($("pose"), T);
   table($("jacobian"), jacobian(all, arm));
   let rows = [], note = arm.refused || "";
-  if (solver()) {
-    const found = solver().ikAll(T), inside = solver().ik(T);
-    rows = found.rows.map((row) => ({ q: inside.find((other) => same(other, row)) || row, inside: inside.some((o) => same(o, row)) }));
-    const out = rows.length - inside.length;
-    note = `${inside.length} inside the limits${out ? `, ${out} outside` : ""}.`;
+  if (arm.solver) {
+    const { held } = arm.solver, found = window.PIEPER.ikAll(arm, T.flat(), held === null ? 0 : q[held]);
+    rows = found.rows.map((row) => {
+      const inside = window.PIEPER.inside(arm, row);
+      return { q: inside || row, inside: inside !== null };
+    });
+    const out = rows.filter((row) => !row.inside).length;
+    note = `${rows.length - out} inside the limits${out ? `, ${out} outside` : ""}`;
+    note += held === null ? "." : `, with ${arm.joints[held]}, the joint to spare, where it is.`;
     if (found.unclear) note += " At or next to a singular pose: a row may stand for many, and some may be missing.";
   }
   const head = arm.joints.map((name) => `<th>${name}</th>`).join("");
@@ -129,14 +132,14 @@ function draw() {
     line([to(x, -r, 0), to(x, r, 0)], "#e8ebee", 1);
     line([to(-r, x, 0), to(r, x, 0)], "#e8ebee", 1);
   }
-  const bones = (posture) => [to(0, 0, 0), ...frames(arm, posture).map(at)];
+  const bones = (posture) => [to(0, 0, 0), ...frames(arm, axes(arm, posture)).map(at)];
   for (const other of state.others || []) line(bones(other), "rgba(0,114,178,0.22)", 4);
   line(bones(q), "#0072b2", 7);
-  for (const T of frames(arm, q).slice(0, -1)) {
+  for (const T of frames(arm, axes(arm, q)).slice(0, -1)) {
     const h = 0.03 * reach;
     line([to(T[3] - h * T[2], T[7] - h * T[6], T[11] - h * T[10]), to(T[3] + h * T[2], T[7] + h * T[6], T[11] + h * T[10])], "#c77d0a", 9);
   }
-  const tool = frames(arm, q).pop();
+  const tool = frames(arm, axes(arm, q)).pop();
   ["#d55e00", "#009e73", "#0072b2"].forEach((colour, k) => {
     const h = 0.09 * reach;
     line([at(tool), to(tool[3] + h * tool[k], tool[7] + h * tool[4 + k], tool[11] + h * tool[8 + k])], colour, 3);
@@ -145,9 +148,10 @@ function draw() {
 
 function show(arm) {
   state.arm = arm;
-  $("says").textContent = solver() ? "solved on this page" : "moves on this page; its solver needs the library";
+  $("says").textContent = arm.solver ? "solved on this page" : "moves on this page; its solver needs the library";
   $("plan").textContent = arm.plan;
-  $("equations").textContent = arm.equations;
+  $("forward").innerHTML = arm.forward;
+  $("inverse").innerHTML = arm.inverse;
   $("joints").innerHTML = arm.joints
     .map((name, i) => {
       const most = arm.slides[i] ? 1 : Math.PI, [low, high] = arm.limits[i].map((x, k) => x ?? (k ? most : -most));

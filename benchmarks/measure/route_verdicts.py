@@ -4,7 +4,8 @@ Usage: python -m benchmarks.measure.route_verdicts [--seconds 150] [--seams 100]
 
 Seams are rings and lines before ten arms with a tool tilted off joint 6, the turn free; limits as the arms ship and,
 every third seam, those of one joint narrowed. FOUND is looked at point by point and ten times between points, by Newton
-from the route's own neighbours; IMPOSSIBLE and UNCERTAIN by `oracle.turns.flooded`. Seams on which what the poses leave
+from the route's own neighbours; IMPOSSIBLE by `oracle.turns.flooded`, from everything inside the limits where its proof
+begins, and UNCERTAIN by the same along the whole seam. Seams on which what the poses leave
 free is nearly singular anywhere (pole poses) are counted apart. What was measured is kept, seam by seam, and not
 measured again; `--costs` measures so many routes' costs beside a ladder of 1,440 turns made short by another method.
 """
@@ -18,10 +19,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 import pieper
 from benchmarks.kept import RESULTS, write
 from benchmarks.measure.route_costs import ladder_cost
+from benchmarks.pages.route_verdicts import table
 from oracle.turns import flooded, ring
 from pieper import Arm, Verdict
 from pieper.kinematics.pose import rotation_z
@@ -41,10 +44,12 @@ ARMS = (
 FREE = pieper.Freedom()
 #: Turns of the flood, and places of a seam at which it looks: as many as keep its steps small.
 TURNS, PLACES = 7200, 70
+#: How far behind the place told the flood may get: the width of its own steps.
+PAST = 0.01
 #: Points of a seam, and places between two of them where a route is looked at.
 POINTS, BETWEEN = 24, 10
-#: Least singular value (per length) of what holds the tool's point and axis below which a seam counts as a pole's.
-POLE = 3e-3
+#: How far a joint may be beyond its limits between points, and how far it may go on a tenth of the way (rad).
+BEYOND, JUMP = 2e-3, 0.25
 
 
 def drawn(name: str, number: int) -> tuple[Arm, np.ndarray]:
@@ -82,6 +87,18 @@ def places(path: np.ndarray) -> np.ndarray:
     )
 
 
+def at(path: np.ndarray, s: np.ndarray) -> np.ndarray:
+    """Return the poses (k, 4, 4) of a seam at s (k,), 0 to 1."""
+    place = s * (len(path) - 1)
+    k = np.clip(place.astype(int), 0, len(path) - 2)
+    out = path[k].copy()
+    for i, part in enumerate(place - k):
+        turn = Rotation.from_matrix(path[k[i], :3, :3].T @ path[k[i] + 1, :3, :3]).as_rotvec()
+        out[i, :3, :3] = out[i, :3, :3] @ Rotation.from_rotvec(part * turn).as_matrix()
+        out[i, :3, 3] += part * (path[k[i] + 1, :3, 3] - path[k[i], :3, 3])
+    return out
+
+
 def least_singular(arm: Arm, q: np.ndarray, axes: np.ndarray) -> float:
     """Return the least singular value of what holds the tool's point and its axis (k, 3) at postures q (k, n)."""
     if not len(q):
@@ -105,29 +122,39 @@ def missed(arm: Arm, route: pieper.Route) -> str:
         return "outside the limits"
     part = np.arange(1, BETWEEN) / BETWEEN
     for k in range(len(route.q) - 1):
-        poses = pieper.line(route.path[k], route.path[k + 1], BETWEEN + 1)[1:-1]
-        turn = route.turn[k] + part * (route.turn[k + 1] - route.turn[k])
-        q = route.q[k]
-        for T, s in zip(poses @ rotation_z(turn), part, strict=True):
-            q, on = _onto(arm, T, q)
+        a, b = route.q[k], route.q[k + 1]
+        before = a
+        for T, s in zip(pieper.line(route.path[k], route.path[k + 1], BETWEEN + 1)[1:-1], part, strict=True):
+            # from the straight joint line, the turn as it comes: what is left free is free between points too
+            q, on = _onto(arm, T, a + s * (b - a))
+            beyond = (q < low) | (q > high)
+            if on and beyond.any():
+                # a joint that would leave its limits stands still at them: the turn gives way
+                q, on = _onto(arm, T, np.clip(q, low, high), ~beyond)
             if not on:
                 return f"not continued between points {k + 1} and {k + 2}"
-            if ((q < low - 2e-3) | (q > high + 2e-3)).any():
+            if ((q < low - BEYOND) | (q > high + BEYOND)).any():
                 return f"outside the limits between points {k + 1} and {k + 2}"
-            if s == part[-1] and np.abs(q - route.q[k + 1]).max() > 0.3:
+            if np.abs(q - before).max() > JUMP:
                 return f"jumps between points {k + 1} and {k + 2}"
+            before = q
+        if np.abs(b - before).max() > JUMP:
+            return f"jumps between points {k + 1} and {k + 2}"
     return ""
 
 
-def _onto(arm: Arm, T: np.ndarray, q: np.ndarray) -> tuple[np.ndarray, bool]:
+def _onto(arm: Arm, T: np.ndarray, q: np.ndarray, moves: np.ndarray | None = None) -> tuple[np.ndarray, bool]:
+    """Return the posture near q (n,) at which the tool has the place and z axis of T, and whether it was reached."""
     for _ in range(30):
         now = arm.fk(q)
-        R = T[:3, :3] @ now[:3, :3].T
-        turn = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
-        off = np.concatenate([T[:3, 3] - now[:3, 3], turn])
+        off = np.concatenate([T[:3, 3] - now[:3, 3], np.cross(now[:3, 2], T[:3, 2])])
         if np.abs(off).max() < 1e-9:
             return q, True
-        step = np.linalg.lstsq(arm.jacobian(q), off, rcond=1e-9)[0]
+        J = arm.jacobian(q)
+        z = now[:3, 2]
+        J[3:] -= np.outer(z, z @ J[3:])
+        J = J if moves is None else J * moves
+        step = np.linalg.lstsq(J, off, rcond=1e-7)[0]
         q = q + step * min(1.0, 0.3 / max(np.abs(step).max(), 1e-300))
     return q, False
 
@@ -144,19 +171,32 @@ def judged(name: str, number: int) -> dict[str, Any]:
         out["least"] = least_singular(arm, route.q, axes)
         return out
     dense = places(path)
-    windings = np.prod([int(max(0.0, high - low + 1e-9) / (2 * np.pi)) + 1 for low, high in arm.limits])
-    reached = flooded(arm, dense, TURNS, lifted=False)
-    if reached == len(dense) - 1 and windings > 1:
-        reached = flooded(arm, dense, TURNS // (8 if windings > 8 else 1), lifted=True)
-    out["reached"] = reached / (len(dense) - 1)
-    out["wrong"] = "the flood gets there" if reached == len(dense) - 1 and route.verdict is Verdict.IMPOSSIBLE else ""
-    if route.blocked is not None and not out["wrong"] and route.blocked.s[1] < out["reached"] - 1.5 / len(dense):
-        out["wrong"] = "the flood gets past the place"
+    out["wrong"] = ""
+    if route.verdict is Verdict.IMPOSSIBLE:
+        assert route.blocked is not None
+        begun, end = route.blocked.begun, route.blocked.s[1]
+        # what the proof says: of everything inside the limits where it begins, nothing gets past where it ends
+        window = at(path, np.linspace(begun, min(1.0, end + PAST), 2 + int(np.ceil((end - begun) * 8 * PLACES))))
+        if _flood(arm, window) == len(window) - 1 and end < 1.0:
+            out["wrong"] = "the flood gets past the place"
+    if out["wrong"] or route.verdict is Verdict.UNCERTAIN:
+        out["reached"] = _flood(arm, dense) / (len(dense) - 1)
+        if out["wrong"] and out["reached"] == 1.0:
+            out["wrong"] = "the flood gets there"
     many = arm.ik_many((dense[:, None] @ rotation_z(np.arange(72) * 2 * np.pi / 72)).reshape(-1, 4, 4))
     axes = np.repeat(dense[:, :3, 2], 72, 0)
     k, row = np.nonzero(many.in_limits)
     out["least"] = least_singular(arm, many.q[k, row], axes[k])
     return out
+
+
+def _flood(arm: Arm, poses: np.ndarray) -> int:
+    """Return how far the flood gets; whole turns are told apart where it matters, of many sets with fewer turns."""
+    reached = flooded(arm, poses, TURNS, lifted=False)
+    windings = np.prod([int(max(0.0, high - low + 1e-9) / (2 * np.pi)) + 1 for low, high in arm.limits])
+    if reached == len(poses) - 1 and windings > 1:
+        reached = flooded(arm, poses, TURNS // (8 if windings > 8 else 1), lifted=True)
+    return reached
 
 
 def main() -> None:
@@ -185,7 +225,7 @@ def main() -> None:
             if time.process_time() - begun > args.seconds:
                 print(sum(map(len, kept["seams"].values())), "seams so far")
                 return
-    print("done:", sum(map(len, kept["seams"].values())), "seams")
+    print(table(kept))
 
 
 if __name__ == "__main__":

@@ -279,7 +279,7 @@ class Arm(AlongPaths):
 
     def _remark_far_away(self, T: Array) -> None:
         """Warn where a pose without a solution is so far away that millimetres were probably meant."""
-        base, reach = self._around
+        base, reach = self.extent
         away = dist(base, T[:3, 3].tolist())
         if away > FAR_AWAY * reach:
             warnings.warn(

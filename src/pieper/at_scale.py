@@ -56,7 +56,7 @@ class AtScale:
         self.__dict__.update(state, _models=WeakKeyDictionary())
 
     @cached_property
-    def _around(self) -> tuple[list[float], float]:
+    def extent(self) -> tuple[list[float], float]:
         """Where the arm stands, and how far it reaches at most, m."""
         base, *links = self.chain.links[:, :3, 3]
         reach = np.linalg.norm(links, axis=1).sum() + np.abs(self.description.limits[self.chain.prismatic]).sum()

@@ -88,7 +88,7 @@ def test_the_page_solves_what_the_library_solves(site, browser):
     page.on("pageerror", lambda error: faults.append(str(error)))
     began = time.perf_counter()
     page.goto((site / "index.html").as_uri())
-    page.wait_for_selector("#solutions tr.here")
+    page.wait_for_selector("#solutions tr.row")
     print(f"first answer after {time.perf_counter() - began:.2f} s")
     for name in NAMES:
         page.select_option("#arm", name)

@@ -62,9 +62,7 @@ def test_the_sides_and_the_joint_are_the_arms(arm):
     rng = np.random.default_rng(4)
     for _ in range(6):
         q = rng.uniform(-2, 2, arm.n)
-        (a, z), (b, _), (c, _) = (
-            _corner(arm, q, found, w) for w in (str(found.shoulder), str(found.elbow), end)
-        )
+        (a, z), (b, _), (c, _) = (_corner(arm, q, found, w) for w in (str(found.shoulder), str(found.elbow), end))
         one, two, three = (v - z * (z @ v) for v in (b - a, c - b, c - a))
         assert np.allclose([np.linalg.norm(one), np.linalg.norm(two)], [found.first, found.second], atol=1e-9)
         assert abs(np.linalg.norm(three) - found.third(q)) < 1e-9

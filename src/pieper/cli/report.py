@@ -22,6 +22,12 @@ from pieper.cli.units import Units
 @click.option(
     "--verify-with", "toolbox", default="", metavar="TOOLBOX", help="Also compare with a toolbox, as `verify` does."
 )
+@click.option(
+    "--letters",
+    type=click.Choice(["noap", "r"]),
+    default="noap",
+    help="The entries of a pose in the equations: n, o, a, p (Paul) or r11 to r33 (Craig).",
+)
 @takes_straight
 @start
 @order
@@ -32,6 +38,7 @@ def command(
     latex: str,
     pose: str,
     toolbox: str,
+    letters: str,
     straight: Straight,
     start: str,
     order: str,
@@ -47,6 +54,6 @@ def command(
     found = arm.verify(toolbox) if toolbox else None
     place = Path(out or f"{arm.name}.html")
     into = Path(latex) if latex else None
-    for file in pieper.write_report(arm, place, latex=into, pose=T, track=track, comparison=found):
+    for file in pieper.write_report(arm, place, latex=into, pose=T, track=track, comparison=found, letters=letters):
         print(file)
     return DONE

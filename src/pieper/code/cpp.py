@@ -277,7 +277,7 @@ def text(export: Export) -> str:
     parts |= {
         "FLAGS": FLAGS,
         "KERNEL": joined("code/taken.hpp", *(("elimination/general.hpp",) if general else ()), header),
-        "ARM": hashlib.sha256(repr((numbers, general, export.header)).encode()).hexdigest()[:12],
+        "ARM": hashlib.sha256(repr((numbers, general, export.header, sorted(parts.items()))).encode()).hexdigest()[:12],
         "MARK": f"pieper_{fingerprint()}",
         "OWN": family,
         "SLOTS": slots,

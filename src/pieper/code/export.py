@@ -106,11 +106,12 @@ def export(arm: PlannedArm, name: str) -> Export:
         made_by = f"pieper {version('pieper')}"
     except PackageNotFoundError:
         made_by = "pieper"
-    said = np.ascontiguousarray(np.concatenate([plan.chain.links.ravel(), plan.limits.ravel()]))
+    coupling = np.zeros(0) if plan.chain.coupling is None else plan.chain.coupling
+    said = np.ascontiguousarray(np.concatenate([plan.chain.links.ravel(), plan.limits.ravel(), coupling.ravel()]))
     header = (
         f"Inverse and forward kinematics of {plan.name}: every solution of a pose.",
         f"Written by {made_by} from its own kernel, family {plan.family}; do not edit.",
-        f"Links and limits: sha256 {hashlib.sha256(said.tobytes()).hexdigest()[:16]}. Metres and radians.",
+        f"Links, limits and couplings: sha256 {hashlib.sha256(said.tobytes()).hexdigest()[:16]}. Metres and radians.",
         f"Source of the numbers: {' '.join((arm.description.source or 'not said').split())}",
         LICENCE,
     )

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from pieper.description.dh import Description
+from pieper.description.ends import find_ends
+from pieper.description.shapes import Unmeasured
 from pieper.description.tree import Joint, Mimic, Tree
 from pieper.description.treearm import arm_of
 from pieper.description.urdf import LARGEST_FILE, bytes_of
@@ -41,7 +45,10 @@ def read(
     """
     path = Path(path)
     bytes_of(path, LARGEST_FILE, "MJCF file")
-    return arm_of(tree_of(path), base=base, tip=tip, missing_limits=missing_limits)
+    tree = tree_of(path)
+    arm = arm_of(tree, base=base, tip=tip, missing_limits=missing_limits)
+    ends = find_ends(tree, base, tip)
+    return replace(arm, unmeasured=Unmeasured(b"", str(path), True, ends.base, ends.tip, arm.base))
 
 
 def tree_of(path: Path) -> Tree:
@@ -50,31 +57,50 @@ def tree_of(path: Path) -> Tree:
     return _links(compiled(mujoco, path), mujoco, str(path))
 
 
-def looks(path: Path) -> tuple[Tree, list[tuple[str, Any, dict[str, Any]]], dict[str, npt.NDArray[np.float32]]]:
+Shapes: TypeAlias = "list[tuple[str, Any, dict[str, Any]]]"
+Corners: TypeAlias = "dict[str, npt.NDArray[np.float32]]"
+
+
+def looks(path: Path) -> tuple[Tree, Shapes, Corners]:
     """Return the tree, the shapes of each body to look at (groups 0 to 2), and the corners (k, 3, 3) of the meshes.
 
     Raises:
         InputError: A mesh is missing, or it is no model; the message says what MuJoCo said.
     """
+    tree, shapes, corners = _geoms(path, "looks", lambda model, g: int(model.geom_group[g]) <= 2)
+    return tree, [shape for shape in shapes if shape[2]["kind"] != "ellipsoid"], corners
+
+
+def solids(path: Path) -> tuple[Tree, Shapes, Corners]:
+    """Return the same of the shapes that can touch something: those with a contype or a conaffinity.
+
+    Raises:
+        InputError: As for `looks`.
+    """
+    return _geoms(path, "shapes", lambda model, g: bool(model.geom_contype[g] or model.geom_conaffinity[g]))
+
+
+def _geoms(path: Path, what: str, wanted: Callable[[Any, int], bool]) -> tuple[Tree, Shapes, Corners]:
     mujoco = _package(path)
     try:
         model: Any = mujoco.MjModel.from_xml_path(str(path))
     except (ValueError, RuntimeError, TypeError) as error:
         reason = " ".join(str(error).split())
-        raise InputError(f"{path}: its looks cannot be read: {reason[:300]}", file=str(path)) from None
+        raise InputError(f"{path}: its {what} cannot be read: {reason[:300]}", file=str(path)) from None
     bodies = [model.body(i).name or f"body_{i}" for i in range(model.nbody)]
     kinds = {
         int(mujoco.mjtGeom.mjGEOM_BOX): "box",
         int(mujoco.mjtGeom.mjGEOM_CYLINDER): "cylinder",
         int(mujoco.mjtGeom.mjGEOM_CAPSULE): "capsule",
         int(mujoco.mjtGeom.mjGEOM_SPHERE): "sphere",
+        int(mujoco.mjtGeom.mjGEOM_ELLIPSOID): "ellipsoid",
         int(mujoco.mjtGeom.mjGEOM_MESH): "mesh",
     }
-    found: list[tuple[str, Any, dict[str, Any]]] = []
-    triangles: dict[str, npt.NDArray[np.float32]] = {}
+    found: Shapes = []
+    triangles: Corners = {}
     for g in range(model.ngeom):
         kind = kinds.get(int(model.geom_type[g]))
-        if kind is None or int(model.geom_group[g]) > 2 or int(model.geom_bodyid[g]) == 0:
+        if kind is None or not wanted(model, g) or int(model.geom_bodyid[g]) == 0:
             continue
         size = [float(v) for v in model.geom_size[g]]
         material = int(model.geom_matid[g])
@@ -92,6 +118,7 @@ def looks(path: Path) -> tuple[Tree, list[tuple[str, Any, dict[str, Any]]], dict
             "cylinder": (size[0], 2 * size[1]),
             "capsule": (size[0], 2 * size[1]),
             "sphere": (size[0],),
+            "ellipsoid": tuple(2 * v for v in size),
         }
         found.append((body, T, {"kind": kind, "size": sizes[kind], "colour": colour}))
     return _links(model, mujoco, str(path)), found, triangles

@@ -168,7 +168,7 @@ class Unmeasured:
     """A file whose shapes have not been looked at: meshes are read when somebody asks for bodies.
 
     Args:
-        data: The text of the URDF.
+        data: The text of the URDF; nothing of an MJCF, which is read again from its place.
         file: Its place.
         exact_angles: How it was read.
         base: Link of the base.

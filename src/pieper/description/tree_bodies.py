@@ -10,10 +10,12 @@ import numpy.typing as npt
 
 from pieper.description.dh import Description
 from pieper.description.fold import frames_of
+from pieper.description.mjcf_solids import Geoms
 from pieper.description.shapes import Body, unique_names
 from pieper.description.tree import Joint, Tree
 from pieper.description.urdf import parse
 from pieper.description.urdf_solids import Solids
+from pieper.errors import InputError
 from pieper.kinematics.pose import inverse
 
 Array = npt.NDArray[np.float64]
@@ -28,8 +30,14 @@ def known_bodies(arm: Description) -> tuple[tuple[Body, ...], tuple[str, ...]]:
     source = arm.unmeasured
     if arm.bodies or source is None:
         return arm.bodies, ()
-    shapes = Solids(source.data, source.file)
-    tree = parse(source.data, source.file, source.exact_angles)
+    if source.data:
+        shapes, tree = Solids(source.data, source.file), parse(source.data, source.file, source.exact_angles)
+    else:
+        try:
+            shapes = Geoms(source.file)
+        except InputError as error:
+            return (), (f"The shapes of the file were left out: {error}",)
+        tree = shapes.tree
     still: list[str] = []
     bodies = [
         Body(link, on, shape.moved(T), said)

@@ -93,8 +93,14 @@ def svg(figure: Figure) -> str:
 
 
 def _saved(figure: Figure, **options: Any) -> bytes:
-    out = io.BytesIO()
+    out, engine = io.BytesIO(), figure.get_layout_engine()
+    if engine is not None:
+        # laid out here and not by savefig, which draws the whole figure for it first and throws the drawing away
+        engine.execute(figure)
+        figure.set_layout_engine(None)
     figure.savefig(out, **options)
+    if engine is not None:
+        figure.set_layout_engine(engine)
     return out.getvalue()
 
 

@@ -23,24 +23,28 @@ class Symbolic:
 
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
-        self._forward: dict[tuple[str, str], ForwardEquations] = {}
+        self._forward: dict[tuple[str, str, str], ForwardEquations] = {}
         self._jacobian: dict[tuple[str, str], JacobianEquations] = {}
         self._singularities: dict[str, SingularityEquations] = {}
-        self._inverse: dict[str | None, InverseEquations] = {}
+        self._inverse: dict[tuple[str | None, str], InverseEquations] = {}
 
-    def fk(self, *, lengths: str = "symbols", angles: str = "theta") -> ForwardEquations:
+    def fk(self, *, lengths: str = "symbols", angles: str = "theta", letters: str = "noap") -> ForwardEquations:
         """Return forward kinematics as equations.
 
         Args:
             lengths: "symbols" or "numbers".
             angles: "theta" (angles of the DH table) or "q" (the maker's joint coordinates).
+            letters: "noap" (Paul) or "r" (r11 .. r33, Craig): the entries of the pose on the page.
         """
-        if (lengths, angles) not in self._forward:
+        key = lengths, angles, letters
+        if key not in self._forward:
             from pieper.equations.forward import ForwardEquations
 
-            made = ForwardEquations(self._arm.description, fk=self._arm.fk, lengths=lengths, angles=angles)
-            self._forward[lengths, angles] = made
-        return self._forward[lengths, angles]
+            arm = self._arm
+            self._forward[key] = ForwardEquations(
+                arm.description, fk=arm.fk, lengths=lengths, angles=angles, letters=letters
+            )
+        return self._forward[key]
 
     def jacobian(self, *, lengths: str = "symbols", angles: str = "theta") -> JacobianEquations:
         """Return the geometric Jacobian as equations; the options are those of `fk`."""
@@ -66,10 +70,15 @@ class Symbolic:
             self._singularities[task] = made
         return self._singularities[task]
 
-    def ik(self, *, task: str | None = None) -> InverseEquations:
-        """Return the derivation of the inverse, or what is true of an arm without a closed form."""
-        if task not in self._inverse:
+    def ik(self, *, task: str | None = None, letters: str = "noap") -> InverseEquations:
+        """Return the derivation of the inverse, or what is true of an arm without a closed form.
+
+        Args:
+            task: "pose", "position" or "position+axis"; the plan's task when left out.
+            letters: "noap" (Paul) or "r" (r11 .. r33, Craig): the entries of the pose on the page.
+        """
+        if (task, letters) not in self._inverse:
             from pieper.equations.inverse import InverseEquations
 
-            self._inverse[task] = InverseEquations(self._arm, task=task)
-        return self._inverse[task]
+            self._inverse[task, letters] = InverseEquations(self._arm, task=task, letters=letters)
+        return self._inverse[task, letters]

@@ -18,6 +18,8 @@ from pieper.document.blocks import Document, Equation, Equations
 from pieper.document.formulas import equals, in_line, matrix, named
 from pieper.document.mathml_fit import displayed
 from pieper.document.readable import Readable
+from pieper.equations.lettering import checked_letters, in_letters
+from pieper.equations.named_parts import broken_lines
 from pieper.equations.table import SymbolTable, symbol_table
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
@@ -142,6 +144,7 @@ class ForwardEquations(Readable):
         fk: Its numeric forward kinematics, q (..., n) -> (..., 4, 4), against which `check` measures.
         lengths: "symbols" or "numbers".
         angles: "theta" (angles of the DH table) or "q" (the maker's joint coordinates).
+        letters: "noap" or "r", in which the page names the entries of the pose.
     """
 
     def __init__(
@@ -151,8 +154,9 @@ class ForwardEquations(Readable):
         fk: Callable[[np.ndarray], np.ndarray] | None = None,
         lengths: str = "symbols",
         angles: str = "theta",
+        letters: str = "noap",
     ) -> None:
-        self.description, self._fk = description, fk
+        self.description, self._fk, self.letters = description, fk, checked_letters(letters)
         self.table: SymbolTable = symbol_table(description, lengths=lengths, angles=angles)
         self._products: dict[tuple[int, int], list[list[Poly]]] = {}
         self._named: dict[tuple[int, int], MatrixEquation] = {}
@@ -263,7 +267,7 @@ class ForwardEquations(Readable):
             if equations:
                 page.say(words, *in_line(equations))
         page.add(*(m.equation for m in (*self.A, *self.halves)), self.pose.entry_equations)
-        return page
+        return in_letters(broken_lines(page), self.letters)
 
     def sympy(self) -> Any:
         """Base-to-tool pose as a sympy Matrix (4, 4)."""

@@ -19,6 +19,8 @@ from pieper.equations.derivation.general import GeneralInverse, PolynomialCheck
 from pieper.equations.derivation.sign_names import POSES, SignName, add_sign_names, sign_names
 from pieper.equations.derivation.words import write_steps
 from pieper.equations.derivation.worked import WorkedExample
+from pieper.equations.lettering import checked_letters, in_letters
+from pieper.equations.named_parts import broken_lines
 from pieper.equations.table import symbol_table
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.arrays import Array
@@ -37,10 +39,12 @@ class InverseEquations(Readable):
         form: The closed form (`ClosedForm`), or None.
         general: What is true of an arm without one (`GeneralInverse`), or None.
         task: "pose", "position" or "position+axis".
+        letters: "noap" or "r", in which the page names the entries of the pose.
     """
 
-    def __init__(self, arm: Arm, *, task: str | None = None) -> None:
+    def __init__(self, arm: Arm, *, task: str | None = None, letters: str = "noap") -> None:
         self._arm = arm
+        self.letters = checked_letters(letters)
         self.plan = _plan(arm, task)
         self.task = task or (self.plan.task if self.plan else "pose")
         self.form = _closed_form(arm, self.plan, self.task)
@@ -83,7 +87,7 @@ class InverseEquations(Readable):
             add_sign_names(page, self.sign_names)
         elif self.general is not None:
             self.general.write(page)
-        return page
+        return in_letters(broken_lines(page), self.letters)
 
     def sympy(self) -> dict:
         """{name: sympy expression} in the order of evaluation, shorthands included."""

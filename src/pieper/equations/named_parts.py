@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from pieper.algebra.expression import Add, Expr, Mul, Sym
+from pieper.algebra.formula import with_args
 from pieper.document.blocks import Block, Document, Equation, Equations, Paragraph
 
-WIDE = 100  # characters of a formula in plain text that a page is wide
+WIDE = 112  # characters of a formula in plain text that a page is wide
+INNER = WIDE - 6  # of a part, its name and the equals sign before it
 SMALL = 24  # characters of the smallest part that is worth a name
 LETTER = "h"
 
@@ -31,34 +33,43 @@ class Parts:
     def broken(self, formula: Expr, room: int) -> tuple[list[tuple[Sym, Expr]], Expr]:
         """Names and their parts, each defined before it is used, and the formula with them.
 
+        The parts are found from the inside out, so that what is looked at is never longer than a few lines.
+
         Args:
             formula: What is too long.
             room: How many characters it may have.
         """
         defined: list[tuple[Sym, Expr]] = []
-        while len(formula.text()) > room:
-            part = _part_of(formula, room)
+        return defined, self._shrunk(formula, room, defined, {})
+
+    def _shrunk(self, node: Expr, room: int, defined: list[tuple[Sym, Expr]], seen: dict[Expr, Expr]) -> Expr:
+        if not node.args:
+            return node
+        args = [seen[a] if a in seen else seen.setdefault(a, self._shrunk(a, INNER, defined, seen)) for a in node.args]
+        if not all(x is y for x, y in zip(args, node.args, strict=True)):
+            node = with_args(node, args)
+        while len(node.text()) > room:
+            part = _part_of(node)
             if part is None:
                 break
-            inner, short = self.broken(part, WIDE - 6) if len(part.text()) > WIDE - 6 else ([], part)
-            name, new = self.named(short)
-            defined += inner
+            name, new = self.named(part)
             if new:
-                defined.append((name, short))
-            formula = _put(formula, part, name)
-        return defined, formula
+                defined.append((name, part))
+            node = _put(node, part, name)
+        return node
 
 
-def _part_of(formula: Expr, room: int) -> Expr | None:
-    """The part to be named next: the longest sum inside that fits a line, else the longest that is inside at all."""
+def _part_of(formula: Expr) -> Expr | None:
+    """The part to be named next: the longest sum inside that fits a line, else as many members as fit one."""
     sums = {n.text(): n for n in formula.walk() if isinstance(n, Add) and n is not formula}
-    fits = {text: n for text, n in sums.items() if SMALL <= len(text) <= WIDE - 6}
+    fits = {text: n for text, n in sums.items() if SMALL <= len(text) <= INNER}
     if fits:
         return fits[max(fits, key=len)]
-    if isinstance(formula, (Add, Mul)) and len(formula.args) > 2:
-        # a flat sum or product: its longer half
-        half = len(formula.args) // 2
-        return formula._rebuilt(formula.args[:half])
+    if isinstance(formula, (Add, Mul)):
+        for count in range(len(formula.args) - 1, 1, -1):
+            part = with_args(formula, formula.args[:count])
+            if len(part.text()) <= INNER:
+                return part
     return None
 
 
@@ -67,14 +78,14 @@ def _put(formula: Expr, part: Expr, name: Sym) -> Expr:
     text = part.text()
     if isinstance(formula, type(part)) and isinstance(formula, (Add, Mul)):
         count = len(part.args)
-        if len(formula.args) > count and formula._rebuilt(formula.args[:count]).text() == text:
-            return formula._rebuilt([name, *formula.args[count:]])
+        if len(formula.args) > count and with_args(formula, formula.args[:count]).text() == text:
+            return with_args(formula, [name, *formula.args[count:]])
     if not formula.args:
         return formula
     if formula.text() == text:
         return name
     inside = [_put(a, part, name) for a in formula.args]
-    return formula if all(x is y for x, y in zip(inside, formula.args, strict=True)) else formula._rebuilt(inside)
+    return formula if all(x is y for x, y in zip(inside, formula.args, strict=True)) else with_args(formula, inside)
 
 
 def broken_lines(page: Document) -> Document:
@@ -92,7 +103,7 @@ def broken_lines(page: Document) -> Document:
         if not defined:
             blocks.append(block if all(a is b for a, b in zip(rows, made, strict=True)) else _same(block, made))
             continue
-        blocks.append(Paragraph(("With the parts",)))
+        blocks.append(Paragraph(("With the parts" if len(defined) > 1 else "With the part",)))
         blocks += [Equation((name, part)) for name, part in defined]
         blocks.append(_same(block, made))
     return replace(page, blocks=blocks)

@@ -20,6 +20,7 @@ from pieper.document.formulas import ZERO, Written
 from pieper.document.readable import Readable
 from pieper.equations.forward import Check
 from pieper.equations.jacobian import JacobianEquations
+from pieper.equations.named_parts import broken_lines
 from pieper.equations.one_block import one_long_block
 from pieper.equations.singular_facts import facts_on, roots_on_factor, still_joints
 from pieper.kinematics.arrays import Array
@@ -298,8 +299,7 @@ class SingularityEquations(Readable):
     def page(self) -> Document:
         """Sentences and formulas in reading order."""
         page = Document(f"Singular configurations of {self.jacobian.forward.description.name}")
-        for sentence in self.sentences():
-            page.say(sentence)
+        page.add(*self.sentences())
         if self.determinant is not None and self.minors and len(self.minors[0].poly().terms) <= 200:
             page.show(Written("det J", r"\det J", "<mi>det</mi><mi>J</mi>"), self.determinant)
         for s in self.configurations:
@@ -317,7 +317,7 @@ class SingularityEquations(Readable):
                     page.heading("Besides" if self.configurations else "Singular configurations")
                     page.say("Rank is lost where all of these vanish together:")
                 page.show(minor)
-        return page
+        return broken_lines(page)
 
     def _remaining(self) -> list[Expr]:
         """What is left of each minor without the shared factors, shortest first; nothing when one is a constant."""

@@ -92,6 +92,7 @@ def off_line(way: Continuation, q: Array) -> OffLine:
     away = np.linalg.norm(T[..., :3, 3] - a - at[..., None] * along, axis=-1)
     turned = 0.0
     if way.plan.task == "pose":
-        on = np.array([[between(way.path[k], way.path[k + 1], s)[:3, :3] for k in range(len(q) - 1)] for s in PARTS])
+        legs = zip(way.path[: len(q) - 1], way.path[1 : len(q)], strict=True)
+        on = np.stack([between(start, end, PARTS)[:, :3, :3] for start, end in legs], axis=1)
         turned = float(np.linalg.norm(rotation_vector(np.swapaxes(on, -1, -2) @ T[..., :3, :3]), axis=-1).max())
     return OffLine(float(away.max()), turned, int(np.argmax(away.max(0))))

@@ -47,6 +47,11 @@ BUDGET = 600
 SPARE_VALUES = 25
 
 
+#: Picks the whole of a twist.
+WHOLE = np.eye(6)
+WHOLE.setflags(write=False)
+
+
 class Continuation:
     """Everything needed to carry solutions of an arm along a path.
 
@@ -71,6 +76,7 @@ class Continuation:
         self._steps = 0
         self._last: tuple[float, Array, Array, Array] | None = None
         self._turned: tuple[float, float, Array] | None = None
+        self._legs = self._twists(path[:-1], path[1:])
 
     # ------------------------------------------------------------------ what is known at a place on the path
 
@@ -138,29 +144,39 @@ class Continuation:
 
     def _task_rows(self, T: Array) -> Array:
         """Return the matrix (r, 6) that picks what the task asks for from a twist, lengths per length of the arm."""
+        if self.plan.task == "pose":
+            return WHOLE
         rows = np.eye(6)
         if self.plan.task == "position":
             return rows[:3]
-        if self.plan.task == "position+axis":
-            rows[3:, 3:] = T[:3, :3].T
-            return rows[:5]
-        return rows
+        rows[3:, 3:] = T[:3, :3].T
+        return rows[:5]
+
+    def _asked(self, x: float, twists: Array) -> Array:
+        """Return the rows (r, ...) of twists (..., 6, ...) that the task asks for at x."""
+        return twists if self.plan.task == "pose" else self._task_rows(self.pose(x)) @ twists
+
+    def _twists(self, start: Array, end: Array) -> Array:
+        """Return the twists (..., 6) from poses to poses (..., 4, 4), lengths per length of the arm."""
+        move = (end[..., :3, 3] - start[..., :3, 3]) / self.chain.length
+        turn = rotation_vector(end[..., :3, :3] @ np.swapaxes(start[..., :3, :3], -1, -2))
+        return np.concatenate([move, turn], -1)
 
     def _twist(self, xa: float, xb: float) -> Array:
+        if xb == xa + 1 and xa == int(xa):
+            return self._legs[int(xa)]
         # asked at both ends of a step
         if self._turned is None or self._turned[:2] != (xa, xb):
-            Ta, Tb = self.pose(xa), self.pose(xb)
-            move = (Tb[:3, 3] - Ta[:3, 3]) / self.chain.length
-            self._turned = xa, xb, np.concatenate([move, rotation_vector(Tb[:3, :3] @ Ta[:3, :3].T)])
+            self._turned = xa, xb, self._twists(self.pose(xa), self.pose(xb))
         return self._turned[2]
 
     def _jacobian(self, q: Array, x: float) -> Array:
         """Return the scaled Jacobians (..., r, n) of joint vectors q (..., n) at x, rows as the task asks."""
-        return self._task_rows(self.pose(x)) @ scaled_jacobian(self.chain, q)
+        return self._asked(x, scaled_jacobian(self.chain, q))
 
     def _steps_of(self, J: Array, xa: float, xb: float) -> Array:
         """Return the scaled joint steps (..., n) that scaled Jacobians predict from xa to xb."""
-        return np.linalg.pinv(J, rcond=TASK_RANK) @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
+        return np.linalg.pinv(J, rcond=TASK_RANK) @ self._asked(xa, self._twist(xa, xb))
 
     def _inverses(self, q: Array, x: float) -> tuple[Array, Array]:
         """Return pseudo-inverses (B, n, r) of scaled Jacobians of q (B, n) at x, and the side of a singularity (B,).
@@ -170,8 +186,7 @@ class Continuation:
         last = self._last
         if last is None or last[0] != x or not np.array_equal(last[1], q):
             J = self._jacobian(q, x)
-            back: Array = np.asarray(np.linalg.pinv(J, rcond=TASK_RANK), np.float64)
-            last = self._last = x, q.copy(), back, _side(J)
+            last = self._last = x, q.copy(), _inverse(J), _side(J)
         return last[2], last[3]
 
     # ------------------------------------------------------------------ steps
@@ -193,7 +208,7 @@ class Continuation:
             d = np.take_along_axis(D, best[:, None, None], 1)[:, 0]
             return q + d * self.unit, size[np.arange(len(q)), best] <= BRANCHES_MET
         back, side = self._inverses(q, xa)
-        forward = back @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
+        forward = back @ self._asked(xa, self._twist(xa, xb))
         miss = np.linalg.norm(D - forward[:, None], axis=-1)
         best = np.argmin(miss, axis=1)
         rows = np.arange(len(q))
@@ -201,7 +216,7 @@ class Continuation:
         step = size[rows, best]
         stepped = q + d * self.unit
         back, side_there = self._inverses(stepped, xb)
-        backward = back @ (self._task_rows(self.pose(xa)) @ self._twist(xa, xb))
+        backward = back @ self._asked(xa, self._twist(xa, xb))
         allowed = AGREEMENT * step + BRANCH_ROUNDING
         sure = (miss[rows, best] <= allowed) & (np.linalg.norm(d - backward, axis=-1) <= allowed)
         sure &= np.abs(d).max(-1) <= LARGEST_STEP
@@ -288,6 +303,21 @@ class Continuation:
     def residuals(self, q: Array) -> Array:
         """Return (k, 2) metres and radians by which q (k, n) misses the first k points, as far as the task asks."""
         return self.plan.residual(q, self.path[: len(q)])
+
+
+def _inverse(J: Array) -> Array:
+    """Return the pseudo-inverses (..., n, r) of Jacobians (..., r, n), of rank as `TASK_RANK` sees it."""
+    if J.shape[-1] == J.shape[-2]:
+        try:
+            back: Array = np.linalg.inv(J)
+        except np.linalg.LinAlgError:
+            pass
+        else:
+            # the product of both norms is at least the condition number: below it nothing is cut, and this is the same
+            size = np.linalg.norm(J, axis=(-2, -1)) * np.linalg.norm(back, axis=(-2, -1))
+            if np.all(size < 1 / TASK_RANK):
+                return back
+    return np.asarray(np.linalg.pinv(J, rcond=TASK_RANK), np.float64)
 
 
 def _side(J: Array) -> Array:

@@ -16,6 +16,7 @@ from pieper.document.latex import source as latex_source
 from pieper.document.markdown import source as markdown_source
 from pieper.document.writing import write_beside, write_whole
 from pieper.drawing.style import MM
+from pieper.equations.lettering import checked_letters
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.pose import checked_pose
 from pieper.presentation import sections_arm
@@ -46,6 +47,7 @@ def report(
     comparison: Comparison | None = None,
     reach_map: ReachMap | None = None,
     fit: Fit | None = None,
+    letters: str = "noap",
 ) -> Document:
     """Return the report of an arm as a document.
 
@@ -56,6 +58,7 @@ def report(
         comparison: What `arm.verify` found, to include.
         reach_map: A map of it to include.
         fit: A calibration of it to include.
+        letters: "noap" (Paul) or "r" (r11 .. r33, Craig): the entries of a pose in the equations.
 
     Returns:
         The document, to be written by `document.html.page`, `document.latex.source` or `document.markdown.source`.
@@ -64,18 +67,19 @@ def report(
         InputError: pose is not a pose.
     """
     given = pose is not None
+    checked_letters(letters)
     today = datetime.date.today().isoformat()
     page = Document(f"Kinematics of the {arm.name}", _subtitle(arm), edition=f"pieper {_version()}, {today}")
     sections_arm.add_arm(page, arm)
     add_dh_steps(page, arm)
     sections_arm.add_plan(page, arm)
     add_peculiarities(page, arm)
-    sections_arm.add_forward(page, arm)
-    sections_arm.add_derivation(page, arm)
+    sections_arm.add_forward(page, arm, letters)
+    sections_arm.add_derivation(page, arm, letters)
     add_triangle(page, arm)
     T = checked_pose(pose, "pose") if given else _good_pose(arm)
     if T is not None:
-        sections_arm.add_worked(page, arm, T)
+        sections_arm.add_worked(page, arm, T, letters)
     solved = _solved(page, arm, T, given=given)
     add_jacobian(page, arm)
     sections_arm.add_singularities(page, arm)
@@ -104,6 +108,7 @@ def write_report(
     comparison: Comparison | None = None,
     reach_map: ReachMap | None = None,
     fit: Fit | None = None,
+    letters: str = "noap",
 ) -> list[Path]:
     """Write the report of an arm, each file whole or not at all.
 
@@ -117,6 +122,7 @@ def write_report(
         comparison: As in `report`.
         reach_map: As in `report`.
         fit: As in `report`.
+        letters: As in `report`.
 
     Returns:
         The files that were written, the page first.
@@ -124,7 +130,7 @@ def write_report(
     Raises:
         InputError: A place that cannot be written.
     """
-    page = report(arm, pose=pose, track=track, comparison=comparison, reach_map=reach_map, fit=fit)
+    page = report(arm, pose=pose, track=track, comparison=comparison, reach_map=reach_map, fit=fit, letters=letters)
     written = [write_whole(out, html_page(page))]
     for path, source in ((latex, latex_source), (markdown, markdown_source)):
         if path is not None:
@@ -252,5 +258,5 @@ def _summary(arm: Arm, sols: Solutions | None, track: Track | None) -> str:
             text += f", put back to within {scientific(sols.residual[:, 0].max() * MM)} mm"
         text += "."
     if track is not None:
-        text += f" The path is followed over {track.points} of its {len(track.path)} points."
+        text += f" The path is followed over {track.points} of its {plural(len(track.path), 'point')}."
     return text

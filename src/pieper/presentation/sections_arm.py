@@ -9,6 +9,8 @@ import numpy as np
 from pieper.document.blocks import Document, Emphasis, Equations, Lines, Note
 from pieper.document.formulas import in_line
 from pieper.drawing.style import MM, picture
+from pieper.equations.lettering import in_letters
+from pieper.equations.named_parts import broken_lines
 from pieper.errors import PieperError
 from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import arm_figure, postures_figure
@@ -165,7 +167,7 @@ def add_plan(page: Document, arm: Arm) -> None:
     )
 
 
-def add_forward(page: Document, arm: Arm) -> None:
+def add_forward(page: Document, arm: Arm, letters: str = "noap") -> None:
     """Add the matrices and the forward equations, with the numbers that check them."""
     page.section("Forward kinematics")
 
@@ -184,34 +186,35 @@ def add_forward(page: Document, arm: Arm) -> None:
         if forward.halves:
             page.add("Their partial products, sums of parallel joints gathered:")
             page.add(*(matrix.equation for matrix in forward.halves))
-        page.add(
+        entries = Document("")
+        entries.add(
             "The pose of the tool, entry by entry; n, o, a are the columns of the rotation and p is the position:",
             forward.pose.entry_equations,
-            str(forward.check()),
         )
+        page.add(*in_letters(broken_lines(entries), letters).blocks, str(forward.check()))
 
     attempt(page, "The equations", equations)
 
 
-def add_derivation(page: Document, arm: Arm) -> None:
+def add_derivation(page: Document, arm: Arm, letters: str = "noap") -> None:
     """Add the derivation of the inverse, when the symbolic wing has one for this arm."""
     page.section("The inverse, derived")
 
     def derived() -> None:
-        inverse = arm.symbolic.ik()
+        inverse = arm.symbolic.ik(letters=letters)
         page.add(*inverse.page.blocks, str(inverse.check()))
 
     attempt(page, "The derivation", derived)
 
 
-def add_worked(page: Document, arm: Arm, T: np.ndarray) -> None:
+def add_worked(page: Document, arm: Arm, T: np.ndarray, letters: str = "noap") -> None:
     """Add one pose worked through the derivation with its numbers; nothing where that cannot be."""
     try:
         worked = arm.symbolic.ik().worked(T)
     except PieperError:
         return
     page.heading("A worked example")
-    page.add(*worked.page.blocks)
+    page.add(*in_letters(worked.page, letters).blocks)
 
 
 def add_singularities(page: Document, arm: Arm) -> None:

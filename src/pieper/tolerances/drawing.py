@@ -8,3 +8,5 @@ DRAWN_TIME = 1e-9
 DRAWN_CELL = 1e-6
 #: Cosine above which the first axis is upright: 0.08 deg.
 UPRIGHT_AXIS = 0.999999
+#: Side of a voxel of a drawn map, at least, m: finer ones cannot be told apart on a screen, and are too many.
+SMALLEST_VOXEL = 1e-4

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.tolerances import NO_DIRECTION, TINY
+from pieper.tolerances import NO_DIRECTION, SMALLEST_VOXEL, TINY
 from pieper.workbench.messages import MAX_CLOUD, Refused, go_on, number, whole, word
 
 CHUNK = 5_000
@@ -20,8 +20,6 @@ CHUNK = 5_000
 MAX_VOXELS, SOUNDINGS = 200_000, 4_000
 #: Seconds that a page waits for a piece of a map, and poses that say how long one will take.
 PATIENCE, TRIED = 1.0, 16
-#: Side of a voxel, at least, m.
-SMALLEST = 1e-4
 #: Directions of the tool's z axis that a voxel is asked in, and rolls about each.
 ORIENTATIONS = (32, 4)
 COLOURS = ("fraction", "count", "manipulability", "margin")
@@ -94,8 +92,8 @@ def voxels(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     """
     step = number(message.get("step"), "voxel, m")
     colour = word(message.get("colour", "fraction"), "colour", COLOURS)
-    if step < SMALLEST:
-        raise Refused(f"A voxel's side must be at least {SMALLEST:g} m, not {step:g}.")
+    if step < SMALLEST_VOXEL:
+        raise Refused(f"A voxel's side must be at least {SMALLEST_VOXEL:g} m, not {step:g}.")
     low, shape = _box(arm, step)
     progress({"low": low.tolist(), "shape": list(shape), "step": step, "done": 0, "of": 1})
     x, y, z = (
