@@ -32,8 +32,8 @@ def page() -> str:
         "## Speed, one thread",
         "",
         "New arrays for each answer, then arrays that are kept (`out=`), these again out of reach, and on two",
-        "threads; then the same processor without its wide registers (`PIEPER_ISA=baseline`). What one thread does is in",
-        "processor time; what two threads gain is not told where others had the processor too.",
+        "threads; then the same processor without its wide registers (`PIEPER_ISA=baseline`). One thread's work is",
+        "in processor time; what two threads gain is not told where others had the processor too.",
         "",
         "| arm | one pose, us | batch, ns a pose | kept arrays | out of reach | two threads | baseline: one pose | "
         "baseline: batch | "
