@@ -143,7 +143,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--poses", type=int, default=100_000)
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--recall", type=int, default=100_000)
+    parser.add_argument("--recall", type=int, default=100_000, help="poses an arm; 0 keeps the rows of the last run")
     parser.add_argument("--no-peers", action="store_true")
     parser.add_argument("--arms", nargs="*", default=list(TABLES))
     parser.add_argument("--out", type=Path, default=RESULTS / "speed.json")
@@ -162,8 +162,11 @@ def main() -> None:
                 count = args.poses if arm not in GENERAL_ARMS else max(2000, args.poses // 20)
                 rows[arm, name] = best(rows.get((arm, name)), measure(interpreter, name, arm, count))
                 print(f"round {turn + 1}: {json.dumps(rows[arm, name])}", flush=True)
-    recalled = []
-    for arm in args.arms:
+    recalled, recalled_at = [], commit()
+    if not args.recall:
+        last = json.loads(args.out.read_text())
+        recalled, recalled_at = last["recall"], last.get("recalled_at", last["commit"])
+    for arm in args.arms if args.recall else []:
         recalled.append(recall(arm, args.recall))
         print(json.dumps(recalled[-1]), flush=True)
     result = {
@@ -174,6 +177,7 @@ def main() -> None:
         "numpy": np.__version__,
         "measured": list(rows.values()),
         "recall": recalled,
+        "recalled_at": recalled_at,
         "start_up": start_up(),
     }
     write_text(json.dumps(result, indent=1) + "\n", args.out)

@@ -29,7 +29,6 @@ def page() -> str:
         f"Commit {result['commit']}, {result['cpu']}, instruction set {result['instruction_set']}, "
         f"Python {result['python']}, NumPy {result['numpy']}.",
         "",
-        *([result["remeasured"], ""] if "remeasured" in result else []),
         "## Speed, one thread",
         "",
         "New arrays for each answer, then arrays that are kept (`out=`), these again out of reach, and on two",
@@ -74,7 +73,8 @@ def page() -> str:
         "## Recall",
         "",
         "Generating joint vectors, uniform over the whole turn, not found again within 1e-6 rad; poses with an odd",
-        "number of solutions; poses marked uncertain; worst residual over the first 50,000 poses.",
+        "number of solutions; poses marked uncertain; worst residual over the first 50,000 poses; at commit "
+        f"{result['recalled_at']}.",
         "",
         "| arm | family | poses | missed | odd | uncertain | worst, m | worst, rad | us a pose |",
         "|---|---|---|---|---|---|---|---|---|",

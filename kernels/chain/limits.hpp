@@ -2,7 +2,7 @@
 // Lanes for whole groups of rows, and a scalar twin for the rest.
 #pragma once
 
-#include "dispatch/isa.hpp"
+#include "dispatch/geometry.hpp"
 #include "lanes/math.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -38,8 +38,10 @@ PIEPER_INLINE void turn_inside(F (*q)[N], const Mask<F>* valid, const JointLimit
 #pragma GCC unroll 1
   for (int j = 0; j < N; ++j) {
     const double lower = limits.lower[j], upper = limits.upper[j];
+    // angles come in (-pi, pi]: a whole turn of room holds them all, and a turn can only help a joint whose limits reach beyond
+    // that on one side
+    if (!limits.prismatic[j] && lower <= -kPi && upper >= kPi) continue;
     const F low(lower), high(upper);
-    // angles come in (-pi, pi]: a turn can only help a joint whose limits reach beyond that on one side
     if (limits.prismatic[j] || (upper <= kPi && lower >= -kPi)) {
       for (int m = 0; m < M; ++m) inside[m] = inside[m] & (q[m][j] >= low) & (q[m][j] <= high);
       continue;

@@ -32,6 +32,13 @@ struct Choice {
   int count = 0, at[6] = {};
 };
 
+// Limits of q (rad, m; infinite where there is none), slack included, and which joints slide.
+struct JointLimits {
+  const double *lower, *upper;
+  const std::uint8_t* prismatic;
+  bool once;  // a value in (-pi, pi] that no single turn brings inside is brought there by none
+};
+
 struct Geometry {
   int family = -1;  // its place in the table of families
 };

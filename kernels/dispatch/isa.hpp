@@ -15,13 +15,6 @@ namespace pieper {
 
 struct General;
 
-// Limits of q (rad, m; infinite where there is none), slack included, and which joints slide.
-struct JointLimits {
-  const double *lower, *upper;
-  const std::uint8_t* prismatic;
-  bool once;  // a value in (-pi, pi] that no single turn brings inside is brought there by none
-};
-
 // A family's kernel for one arm, made once from its geometry, which must outlive it.
 // T: count x 16 row-major, proper rotations. q: count x slots x joints, zeros where not valid. valid: count x slots. flag: count.
 struct FamilyEntry {

@@ -4,7 +4,7 @@
 // form has Bernstein coefficients (of the two edge directions), and the changes of sign among them bound its roots: none
 // means no root, one means exactly one, more are parted by de Casteljau's scheme (Descartes' rule in Bernstein's basis;
 // Lane and Riesenfeld, 1981). What is still open in a very narrow sector, a pair of roots about to merge or just gone, is
-// handed back as not clear. Templates over the number type for the polynomials; isolating roots goes lane by lane.
+// handed back as not clear. Templates over the number type; only what is decided of each piece goes lane by lane.
 #pragma once
 
 #include "lanes/lanes.hpp"

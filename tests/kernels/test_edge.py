@@ -71,7 +71,7 @@ def test_far_out_of_reach_most_poses_are_clearly_so(name):
     T[:, :3, 3] *= 4
     rows = [arm.plan.solver.one(np.ascontiguousarray(pose)) for pose in T]
     told = [bool(row[3] & Flag.EDGE) for row in rows if not len(row[0])]
-    assert len(told) > 250 and np.mean(told) < 0.1
+    assert len(told) > 250 and np.mean(told) < 0.2
 
 
 def test_the_word_is_the_kernels_alone():
