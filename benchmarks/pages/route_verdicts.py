@@ -23,6 +23,8 @@ benchmarks.measure.route_verdicts`, which goes on where it was left; written by 
   among them.
 - *cost*: of as many found routes as were measured, how many cost at most 1 percent more than a ladder of 1,440 turns
   that was made short by another method, and the largest excess.
+- The ladder takes joints that can turn all the way round as if they had no limits: an excess may be theirs, or a
+  cheaper route that was missed; which of the two was not looked into.
 - *s*: processor time of a verdict on a machine shared by many, middle and largest.
 
 """
