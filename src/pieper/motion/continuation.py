@@ -309,7 +309,7 @@ def _inverse(J: Array) -> Array:
     """Return the pseudo-inverses (..., n, r) of Jacobians (..., r, n), of rank as `TASK_RANK` sees it."""
     if J.shape[-1] == J.shape[-2]:
         try:
-            back: Array = np.linalg.inv(J)
+            back: Array = np.asarray(np.linalg.inv(J), np.float64)
         except np.linalg.LinAlgError:
             pass
         else:
