@@ -198,7 +198,7 @@ def test_a_full_disk_leaves_nothing_half(tmp_path, monkeypatch):
         ({"orientations": (0, 4)}, "at least 1"),
         ({"orientations": 128}, "at least 1"),
         ({"orientations": 2 * np.eye(3)[None]}, "not a rotation"),
-        ({"symmetry": "mirror"}, "auto or none"),
+        ({"symmetry": "mirror"}, "'auto' or 'none'"),
         ({"step": 0.0005}, "give a store="),
     ],
 )
