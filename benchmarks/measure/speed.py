@@ -175,6 +175,7 @@ def main() -> None:
         "instruction_set": getattr(_kernel, "isa", ""),
         "python": platform.python_version(),
         "numpy": np.__version__,
+        "shared": os.getloadavg()[0] > (os.cpu_count() or 1),
         "measured": list(rows.values()),
         "recall": recalled,
         "recalled_at": recalled_at,
