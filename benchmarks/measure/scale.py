@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import argparse
 import ctypes
-import importlib.util
 import json
+import runpy
 import shutil
 import subprocess
 import tempfile
 import time
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -39,6 +40,11 @@ def least(work: Any, rounds: int = 3) -> float:
     return min(took)
 
 
+def fused_kernel(plan: Any) -> Any:
+    """Return the kernel of maps of an arm that is its own six-joint chain."""
+    return plan.solver.reach
+
+
 def maps() -> dict[str, Any]:
     """Millions of checks a second: the kernel pose by pose, with the last joint's symmetry, and poses in arrays."""
     said = {}
@@ -46,7 +52,7 @@ def maps() -> dict[str, Any]:
         plan = pieper.load(name).plan
         grid = grid_of(((-0.9, 0.9), (-0.9, 0.9), (-0.3, 1.0)), 0.1, (128, 16), "pose", plan.chain.length)
         centres = grid.centres(np.random.default_rng(0).choice(grid.count, 60, replace=False))
-        own, reach, checks = np.arange(60)[:, None], plan.solver.reach, 60 * len(grid.turns) / 1e6
+        own, reach, checks = np.arange(60)[:, None], fused_kernel(plan), 60 * len(grid.turns) / 1e6
         T = grid.poses(np.arange(30), grid.turns)
 
         def fused(sense: float, each: Any = None) -> None:
@@ -90,7 +96,7 @@ def rm4d() -> dict[str, Any]:
 
     def fill() -> None:
         ask = (R, 1, 0.0, np.arange(len(centres))[:, None], 1.0, None, plan.chain.length, 1)
-        out.append(plan.solver.reach(centres, *ask))
+        out.append(fused_kernel(plan)(centres, *ask))
 
     took = least(fill, 2)
     bits = np.unpackbits(out[0][0], axis=1)[:, :36].reshape(len(z), len(x), len(x), 36).astype(bool)
@@ -126,8 +132,9 @@ def calibration(seed: int) -> dict[str, Any]:
             start = time.process_time()
             fit = arm.calibrate(q, Y, sigma=NOISE)
             took.append(time.process_time() - start)
-            squares.append(fit.held_out.metres**2)
-            predicted.append(fit.held_out.predicted_metres**2)
+            if (held := fit.held_out) is not None:
+                squares.append(held.metres**2)
+                predicted.append(held.predicted_metres**2)
         T = np.repeat(fit.arm.fk(q), 8, 0)
         value = None if not fit.arm.plan.redundancy else np.repeat(q[:, list(fit.arm.plan.reduction.locked)], 8, 0)
         each = least(lambda: fit.arm.ik_many(T, threads=1, redundancy=value), 2) / len(T) * 1e6  # noqa: B023
@@ -195,9 +202,7 @@ def run_c(path: Path, q: Any, T: Any, spare: int | None) -> tuple[Any, Any, floa
 
 def run_python(path: Path, q: Any, T: Any, spare: int | None) -> tuple[Any, Any, float]:
     """Run the NumPy file on blocks of poses."""
-    spec = importlib.util.spec_from_file_location("solver", path)
-    solver = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(solver)
+    solver: Any = SimpleNamespace(**runpy.run_path(str(path)))
     rows, counts, start = [], [], time.process_time()
     for first in range(0, len(T), 5000):
         at = np.s_[first : first + 5000]
@@ -237,7 +242,7 @@ NEEDS = {"c": "gcc", "javascript": "node"}
 
 def main() -> None:
     """Measure what is asked and keep it."""
-    ask = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    ask = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     ask.add_argument("slice", choices=["maps", "whole", "rm4d", "calibration", "exports"])
     ask.add_argument("names", nargs="*")
     ask.add_argument("--seed", type=int, default=2026)
