@@ -77,6 +77,7 @@ def main() -> int:
     parser.add_argument("--machines", nargs="+", choices=MACHINES, default=MACHINES)
     parser.add_argument("--pythons", nargs="+", default=["3.11", "3.12"], help="3.12 makes the wheel for all after it.")
     asked = parser.parse_args()
+    asked.out = asked.out.resolve()  # it is installed from another folder
     asked.out.mkdir(parents=True, exist_ok=True)
     there = interpreters()
     made: list[Path] = []

@@ -9,7 +9,7 @@ import numpy as np
 import pieper
 from pieper.code.between import between
 from pieper.code.cpp import numbers_of
-from pieper.code.kernel_source import HEADERS, fingerprint, joined
+from pieper.code.kernel_source import fingerprint, header_of, joined
 from pieper.code.wasm import compiled
 from pieper.tolerances import FILLED_ZERO, LIMIT_SLACK, VERIFIED
 
@@ -66,12 +66,14 @@ def kernel() -> bytes:
         InputError: There is no zig.
     """
     mark = f"pieper_{fingerprint()}"
-    cases = []
+    cases: list[str] = []
+    headers: list[str] = []
     for number, family in enumerate(FAMILIES):
-        own = HEADERS[family][0]
+        own, header = header_of(family)
+        headers.append(header)
         taken = f"lanes::Taken<{mark}::{own}, lanes::{own}Kernel>"
         cases.append(f"    case {number}: return made<{taken}>(numbers, general, chain);")
-    source = joined("code/taken.hpp", *(HEADERS[family][1] for family in FAMILIES))
+    source = joined("code/taken.hpp", *headers)
     unit = UNIT.replace("@KERNEL@", source).replace("@MARK@", mark).replace("@CASES@", "\n".join(cases))
     return compiled({"unit.cpp": unit}, "unit.cpp")
 

@@ -5,9 +5,9 @@ Usage: python -m benchmarks.measure.route_verdicts [--seconds 150] [--seams 100]
 Seams are rings and lines before ten arms with a tool tilted off joint 6, the turn free; limits as the arms ship and,
 every third seam, those of one joint narrowed. FOUND is looked at point by point and ten times between points, by Newton
 from the route's own neighbours; IMPOSSIBLE by `oracle.turns.flooded`, from everything inside the limits where its proof
-begins, and UNCERTAIN by the same along the whole seam. Seams on which what the poses leave
-free is nearly singular anywhere (pole poses) are counted apart. What was measured is kept, seam by seam, and not
-measured again; `--costs` measures so many routes' costs beside a ladder of 1,440 turns made short by another method.
+begins. Seams on which what the poses leave free is nearly singular anywhere (pole poses) are counted apart. What was
+measured is kept, seam by seam, and not measured again; `--costs` measures so many routes' costs beside a ladder of
+1,440 turns made short by another method.
 """
 
 from __future__ import annotations
@@ -179,7 +179,7 @@ def judged(name: str, number: int) -> dict[str, Any]:
         window = at(path, np.linspace(begun, min(1.0, end + PAST), 2 + int(np.ceil((end - begun) * 8 * PLACES))))
         if _flood(arm, window) == len(window) - 1 and end < 1.0:
             out["wrong"] = "the flood gets past the place"
-    if out["wrong"] or route.verdict is Verdict.UNCERTAIN:
+    if out["wrong"]:
         out["reached"] = _flood(arm, dense) / (len(dense) - 1)
         if out["wrong"] and out["reached"] == 1.0:
             out["wrong"] = "the flood gets there"

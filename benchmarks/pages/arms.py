@@ -7,10 +7,11 @@ from benchmarks.kept import read
 HEAD = """\
 # The arms of the catalogue
 
-One line an arm, written by `make pages` from what `python -m benchmarks.measure.catalogue` measured. *Counts*: how many
-solutions random joint vectors' poses have (limits not applied), as smallest to largest and mean. *Missed*: generating
-joint vectors not found again within 1e-6. *us*: time a pose in `ik_many`, one thread, on a shared machine; only the
-ratios between lines mean something. Redundant arms: at the generating value of the spare joint.
+One line an arm, written by `make pages` from what `python -m benchmarks.measure.catalogue` measured. *Most*: the
+bound by the arm's own axes (`plan.count`). *Counts*: how many solutions random joint vectors' poses have (limits not
+applied), as smallest to largest and mean. *Missed*: generating joint vectors not found again within 1e-6. *us*: time
+a pose in `ik_many`, one thread, on shared and busy machines, lines at different times; it tells families apart and no
+more. Redundant arms: at the generating value of the spare joint.
 
 | arm | joints | task | family | spare | most | counts (mean) | missed | us |
 |---|---|---|---|---|---|---|---|---|

@@ -12,6 +12,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.pose import PoseLike, inverse, rotation_about, transform
 from pieper.tolerances import TINY
+from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from pieper.motion.route.result import Route
@@ -80,7 +81,7 @@ class Cell:
         )
 
     def __repr__(self) -> str:
-        return f"<Cell: {self.whole.name}, {self.n} joints>"
+        return f"<Cell: {self.whole.name}, {plural(self.n, 'joint')}>"
 
     @property
     def n(self) -> int:

@@ -116,7 +116,7 @@ def test_fanuc_counts_joint_3_from_the_level(tmp_path):
 @pytest.mark.parametrize(
     "dialect, arm_dialect, name, word",
     [
-        ("fortran", "rapid", None, "rapid, urscript, krl"),
+        ("fortran", "rapid", None, "'rapid', 'urscript', 'krl'"),
         ("krl", "rapid", None, "another maker"),
         ("urscript", "fanuc-ls", None, "another maker"),
         ("krl", "krl", "a" * 25, "24 characters"),

@@ -10,14 +10,17 @@
 
 namespace pieper::PIEPER_ISA::closed_form {
 
+// Whether a joint may have any value: all but free, rounding leaves it open to more than the others may bear.
+enum class Free { NO, NEARLY, YES };
+
 struct PositionRoots {
   static constexpr int most = 2 * kMostPairs;
   double q[most][3];
-  bool free[most];  // the middle joint may have any value
+  Free free[most];  // whether the middle joint may have any value
   int count = 0;
   bool degenerate = false;
 
-  void add(double a, double b, double c, bool any_b) {
+  void add(double a, double b, double c, Free any_b) {
     if (count == most) return;
     for (int k = 0; k < count; ++k)
       if (std::fabs(q[k][0] - a) + std::fabs(q[k][1] - b) + std::fabs(q[k][2] - c) < kOnePoint) return;
@@ -154,7 +157,7 @@ inline void solve_position(const Rigid& A, const Rigid& B, Vec3 c, Vec3 g, const
       bool free = false;
       double middle = slides[1] ? to.z - from.z : turn_between(from, to, free);
       out.degenerate |= free;
-      out.add(refined[k][0], middle, refined[k][1], free);
+      out.add(refined[k][0], middle, refined[k][1], free ? Free::YES : Free::NO);
     }
   }
 }

@@ -20,7 +20,7 @@ inline void solve_spherical_wrist(const GroupArm& own, const Wrist& wrist, const
         const Vec3 centre = turn_back(rest.pre, -1.0 * rest.pre.t);
         solve_position(rest.A, rest.B, rest.C.t, centre, slides, apart, own.first_c, roots);
       },
-      [&](const double* arm, bool, const auto& around, const auto& put, Found& found) {
+      [&](const double* arm, Free, const auto& around, const auto& put, Found& found) {
         double angles[2][3];
         bool lined_up;
         const int turns = solve_wrist(wrist, around(arm), angles, lined_up);

@@ -116,10 +116,9 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
         continue;
       }
       out.degenerate |= free;
-      // all but free, rounding leaves it open to more than the plane's reach may bear
       const bool nearly =
           !slides[1] && std::fmin(from.x * from.x + from.y * from.y, to.x * to.x + to.y * to.y) < kNearMiddleAxis;
-      out.add(a, middle, c, free || nearly);
+      out.add(a, middle, c, free ? Free::YES : nearly ? Free::NEARLY : Free::NO);
     }
   }
 }
@@ -145,27 +144,29 @@ inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, cons
       [&](const LoopRest& rest, const bool* slides, bool apart, PositionRoots& roots) {
         solve_around_plane(rest, slides, apart, own.first_c, roots);
       },
-      [&](double* arm, bool free, const auto& around, const auto& put, Found& found) {
+      [&](double* arm, Free free, const auto& around, const auto& put, Found& found) {
         // a free joint turns to where the plane can reach: with slides that is searched
         const bool* slides = own.slides + own.first;
         const bool turning = !(slides[0] || slides[1] || slides[2] || own.slides[own.order[1]]);
         double values[16] = {arm[1]};
         int tries = 1;
-        if (free && turning) {
-          tries = 3;
+        if (free != Free::NO && turning) {
+          double* to_reach = values + (free == Free::NEARLY);
           turn_to_reach(
               [&](double turn) {
                 double turned[3] = {arm[0], arm[1] + turn, arm[2]};
                 const Rigid left = around(turned);
                 return left.t.x * left.t.x + left.t.y * left.t.y;
               },
-              std::hypot(l1.at.x, l1.at.y), std::hypot(l2.at.x, l2.at.y), values + 1);
-          values[1] += arm[1], values[2] += arm[1];
-        } else if (free) {
+              std::hypot(l1.at.x, l1.at.y), std::hypot(l2.at.x, l2.at.y), to_reach);
+          to_reach[0] += arm[1], to_reach[1] += arm[1];
+          tries = static_cast<int>(to_reach - values) + 2;
+        } else if (free == Free::YES) {
           for (tries = 0; tries < 16; ++tries) values[tries] = arm[1] + tries * (2 * kPi / 16);
         }
+        const bool all = turning && free == Free::YES;  // both sides of what is free; elsewhere the first that reaches
         const int before = found.count;
-        for (int trial = 0; trial < tries && (turning || found.count == before); ++trial) {
+        for (int trial = 0; trial < tries && (all || found.count == before); ++trial) {
           arm[1] = values[trial];
           const Rigid left = around(arm);
           double plane[2][3];

@@ -206,7 +206,7 @@ class Operation(Expr):
     def __init__(self, *args: Expr) -> None:
         self.args = args
 
-    def rebuilt(self, args: Iterable[Any]) -> Any:
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return type(self)(*args)
 
     def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
@@ -224,7 +224,7 @@ class Chained(Operation):
         flat = [part for arg in args for part in (arg.args if isinstance(arg, cls) else (arg,))]
         return flat[0] if len(flat) == 1 else cls(*flat)
 
-    def rebuilt(self, args: Iterable[Any]) -> Any:
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return self.of(*args)
 
 
@@ -283,7 +283,7 @@ class Call(Operation):
         super().__init__(*map(as_expr, args))
         self.name = name
 
-    def rebuilt(self, args: Iterable[Any]) -> Any:
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return Call(self.name, *args)
 
     def _combined(self, v: list[Any], field: Any, branch: int) -> Any:

@@ -51,7 +51,7 @@ class Neg(Operation):
         """Minus x, without piling up signs."""
         return x.args[0] if isinstance(x, Neg) else Neg(x)
 
-    def rebuilt(self, args: Iterable[Any]) -> Any:
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return Neg.of(*args)
 
     def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
@@ -69,7 +69,7 @@ class PlusMinus(Operation):
         super().__init__(x)
         self.sign = sign
 
-    def rebuilt(self, args: Iterable[Any]) -> Any:
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         return PlusMinus(next(iter(args)), self.sign)
 
     def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
@@ -133,12 +133,12 @@ def replaced(root: Expr, path: tuple[int, ...], new: Expr) -> Expr:
         return new
     args = list(root.args)
     args[path[0]] = replaced(args[path[0]], path[1:], new)
-    return root.rebuilt(args)
+    return root._rebuilt(args)
 
 
 def with_args(node: Expr, args: Iterable[Expr]) -> Expr:
     """The same operation on other arguments."""
-    return node.rebuilt(args)
+    return node._rebuilt(args)
 
 
 def replaced_everywhere(root: Expr, new: Mapping[int, Expr]) -> Expr:
@@ -146,4 +146,4 @@ def replaced_everywhere(root: Expr, new: Mapping[int, Expr]) -> Expr:
     if id(root) in new:
         return new[id(root)]
     args = [replaced_everywhere(a, new) for a in root.args]
-    return root if all(x is y for x, y in zip(args, root.args, strict=True)) else root.rebuilt(args)
+    return root if all(x is y for x, y in zip(args, root.args, strict=True)) else root._rebuilt(args)

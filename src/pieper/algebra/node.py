@@ -51,14 +51,14 @@ class Node:
         raise TypeError(f"a {type(self).__name__} is no atom")
 
     # -- structure -------------------------------------------------------------------------------------------
-    def rebuilt(self, args: Iterable[Any]) -> Any:
+    def _rebuilt(self, args: Iterable[Any]) -> Any:
         """The same operation on other arguments; sums and products inside one another are joined."""
         return self
 
     def substitute(self, table: Mapping) -> Any:
         """Replace symbols by expressions (the keys are pooled symbols, or the names of mentions)."""
         args = [a.substitute(table) for a in self.args]
-        return self if all(x is y for x, y in zip(args, self.args, strict=True)) else self.rebuilt(args)
+        return self if all(x is y for x, y in zip(args, self.args, strict=True)) else self._rebuilt(args)
 
     def walk(self) -> Iterator[Any]:
         """Every node, arguments before what holds them, without recursion."""

@@ -244,7 +244,9 @@ class Parser:
         for k, digit in enumerate(digits):
             joint = int(digit)
             if not 1 <= joint <= self.joints:
-                raise _fail(self.text, position, f"joint {joint} does not exist; the arm has {self.joints} joints")
+                raise _fail(
+                    self.text, position, f"joint {joint} does not exist; the arm has {plural(self.joints, 'joint')}"
+                )
             parts.append((signs[k] if signs else 1, joint))
         return Call("cos" if letter in "cC" else "sin", angle_sum(tuple(parts)))
 

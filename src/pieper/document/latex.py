@@ -19,6 +19,9 @@ HEAD = r"""\documentclass[11pt,a4paper]{article}
 \usepackage[margin=22mm]{geometry}
 \usepackage[hidelinks]{hyperref}
 \allowdisplaybreaks
+% a figure stands above text, and alone on a page only when it fills it
+\renewcommand{\topfraction}{0.92}\renewcommand{\bottomfraction}{0.8}
+\renewcommand{\textfraction}{0.05}\renewcommand{\floatpagefraction}{0.85}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.6ex plus 0.2ex}
 \setlength{\tabcolsep}{4pt}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from pieper.algebra.expression import Add, Expr, Mul, Sym
+from pieper.algebra.formula import with_args
 from pieper.document.blocks import Block, Document, Equation, Equations, Paragraph
 
 WIDE = 112  # characters of a formula in plain text that a page is wide
@@ -46,7 +47,7 @@ class Parts:
             return node
         args = [seen[a] if a in seen else seen.setdefault(a, self._shrunk(a, INNER, defined, seen)) for a in node.args]
         if not all(x is y for x, y in zip(args, node.args, strict=True)):
-            node = node.rebuilt(args)
+            node = with_args(node, args)
         while len(node.text()) > room:
             part = _part_of(node)
             if part is None:
@@ -66,7 +67,7 @@ def _part_of(formula: Expr) -> Expr | None:
         return fits[max(fits, key=len)]
     if isinstance(formula, (Add, Mul)):
         for count in range(len(formula.args) - 1, 1, -1):
-            part = formula.rebuilt(formula.args[:count])
+            part = with_args(formula, formula.args[:count])
             if len(part.text()) <= INNER:
                 return part
     return None
@@ -77,14 +78,14 @@ def _put(formula: Expr, part: Expr, name: Sym) -> Expr:
     text = part.text()
     if isinstance(formula, type(part)) and isinstance(formula, (Add, Mul)):
         count = len(part.args)
-        if len(formula.args) > count and formula.rebuilt(formula.args[:count]).text() == text:
-            return formula.rebuilt([name, *formula.args[count:]])
+        if len(formula.args) > count and with_args(formula, formula.args[:count]).text() == text:
+            return with_args(formula, [name, *formula.args[count:]])
     if not formula.args:
         return formula
     if formula.text() == text:
         return name
     inside = [_put(a, part, name) for a in formula.args]
-    return formula if all(x is y for x, y in zip(inside, formula.args, strict=True)) else formula.rebuilt(inside)
+    return formula if all(x is y for x, y in zip(inside, formula.args, strict=True)) else with_args(formula, inside)
 
 
 def broken_lines(page: Document) -> Document:

@@ -15,12 +15,14 @@ import numpy as np
 from pieper.algebra.parser import parse
 from pieper.errors import InputError
 from pieper.tolerances import ALL_BUT_ZERO
+from pieper.words_by_number import plural
 
 _PIECE = re.compile(
     r"\s*(?:(?P<turn>(?:Rot|Trans|[RT])[xyzXYZ]\s*\([^()]*\))|(?P<call>(?:cross|dot)\s*\()|(?P<name>[A-Za-z]\w*)"
     r"|(?P<inv>\^\s*(?:-1|\(-1\)|\{-1\}))|(?P<tr>\^T|')|(?P<op>[()+*=,-])"
     r"|(?P<part>\[\s*\d?\s*:\s*\d?\s*,\s*\d\s*\])|(?P<entry>\[\s*\d\s*,\s*\d\s*\]\s*$))"
 )
+
 MAX_DEPTH = 40  # brackets inside brackets
 
 
@@ -233,4 +235,4 @@ def check_name(word: str, joints: int, fail: Callable[[str], InputError]) -> Non
         raise fail(f"{word!r} is no matrix; known are A1..A{joints}, Q1.., v1.., T, T0{joints}, R03, P03, J and I")
     for digit in m.groups():
         if digit is not None and int(digit) > joints:
-            raise fail(f"{word!r}: the arm has {joints} joints")
+            raise fail(f"{word!r}: the arm has {plural(joints, 'joint')}")

@@ -10,6 +10,7 @@ from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion, Tight, sample_times
 from pieper.motion.profile import Profile, phases, rest_to_rest
 from pieper.tolerances import LIMIT_KEPT, TOP_REACHED
+from pieper.words_by_number import plural
 
 
 def joint_move(q0: ArrayLike, q1: ArrayLike, limits: Limits, *, rate: float = 500.0) -> Motion:
@@ -131,5 +132,7 @@ def _two(q0: ArrayLike, q1: ArrayLike) -> tuple[Array, Array]:
             raise InputError(f"{what} must be finite, got {array[index]} at joint {index + 1}.", joint=index + 1)
         pair.append(array)
     if len(pair[0]) != len(pair[1]):
-        raise InputError(f"q0 has {len(pair[0])} joints and q1 has {len(pair[1])}.", given=(len(pair[0]), len(pair[1])))
+        raise InputError(
+            f"q0 has {plural(len(pair[0]), 'joint')} and q1 has {len(pair[1])}.", given=(len(pair[0]), len(pair[1]))
+        )
     return pair[0], pair[1] - pair[0]

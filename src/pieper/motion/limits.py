@@ -11,6 +11,7 @@ import numpy as np
 from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.words_by_number import plural
 
 #: What is said to somebody who gives something else.
 SAY_LIMITS = "say pieper.Limits(speed=..., acceleration=...)"
@@ -72,7 +73,7 @@ class Limits:
                 continue
             array = np.asarray(value, float)
             if array.ndim and len(array) != n:
-                said = f"{len(array)} were given for {n} joints"
+                said = f"{len(array)} {'was' if len(array) == 1 else 'were'} given for {plural(n, 'joint')}"
                 if len(array) < n:
                     first = names[len(array)] if names is not None else f"joint {len(array) + 1}"
                     said += f"; {first} has none"

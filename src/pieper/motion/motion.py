@@ -17,6 +17,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.motion.limits import Limits
 from pieper.tolerances import LAST_SAMPLE
+from pieper.words_by_number import plural
 
 #: More samples than this are asked for by mistake (a rate in the wrong unit), not on purpose.
 MAX_SAMPLES = 10_000_000
@@ -96,7 +97,7 @@ class Motion(Tabular):
         """Say how long it is, of how many joints, and how near to its limits."""
         whose = f"{self.description.name}: " if self.description else ""
         near = f", at most {self.margin:.4g} of its limits" if self.limits is not None else ""
-        return f"Motion({whose}{self.q.shape[1]} joints, {self.duration:.4g} s, {len(self.t)} samples{near})"
+        return f"Motion({whose}{plural(self.q.shape[1], 'joint')}, {self.duration:.4g} s, {len(self.t)} samples{near})"
 
     def columns(self, *, degrees: bool = False, mm: bool = False) -> dict[str, Column]:
         """Return the samples as columns: t, s where there is one, joints, their rates, accelerations and jerks."""
@@ -164,7 +165,7 @@ class Motion(Tabular):
             arguments.like(Described, arm, "arm", "a pieper.Arm")
         if arm is not None and arm.description.n != self.q.shape[1]:
             raise InputError(
-                f"{arm.description.name} has {arm.description.n} joints, the motion has {self.q.shape[1]}.",
+                f"{arm.description.name} has {plural(arm.description.n, 'joint')}, the motion has {self.q.shape[1]}.",
                 given=arm.description.name,
             )
         description = self.description if arm is None else arm.description

@@ -11,6 +11,7 @@ from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.motion.motion import Described, Motion
+from pieper.words_by_number import plural
 
 _YAML = re.compile(
     r"positions:\s*\[([^\]]*)\]\s*velocities:\s*\[([^\]]*)\]\s*accelerations:\s*\[([^\]]*)\]\s*"
@@ -42,7 +43,7 @@ def read_motion(path: str | os.PathLike[str], arm: Described) -> Motion:
     except ValueError as error:
         raise InputError(f"{file.name}: {error}.", path=path) from None
     if q.ndim != 2 or q.shape[1] != n or len(q) == 0:
-        raise InputError(f"{file.name} is no motion of {n} joints.", path=path)
+        raise InputError(f"{file.name} is no motion of {plural(n, 'joint')}.", path=path)
     if not (np.isfinite(q).all() and np.isfinite(t).all() and (np.diff(t) >= 0).all()):
         raise InputError(f"{file.name}: times must rise and all numbers be finite.", path=path)
     s = t / t[-1] if t[-1] > 0 else np.ones(len(t))

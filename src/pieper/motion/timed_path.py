@@ -21,6 +21,7 @@ from pieper.motion.tool_bounds import ToolCurve, tool_curve
 from pieper.motion.track import Track
 from pieper.solver.plan.plan import Plan
 from pieper.tolerances import ONE_POINT_OF_PATH, SQUARES_LEAST, TINY
+from pieper.words_by_number import plural
 
 #: Points of the grid on which a profile is made, at least; a curve through few points bends more on each of its pieces,
 GRID = 1000
@@ -215,7 +216,7 @@ def timed_path(
         s = np.linspace(0.0, 1.0, len(points))
     n = points.shape[1]
     if plan is not None and plan.n != n:
-        raise InputError(f"the points have {n} joints, {plan.name} has {plan.n}.", given=n)
+        raise InputError(f"the points have {plural(n, 'joint')}, {plan.name} has {plan.n}.", given=n)
     names = tuple(f"joint {j + 1}" for j in range(n)) if plan is None else plan.names
     curve = JointCurve.through(s, points)
     return on_grid(curve, limits, names, plan, at=at), curve

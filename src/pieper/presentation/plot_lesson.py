@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 Matrix = npt.NDArray[np.float64]
 AZIMUTH, ELEVATION = np.radians(28.0), np.radians(24.0)  # from where the frames are seen
 ROWS = 4  # of a table in one picture
+HEAD = 0.055  # length of an arrow's head, in panels
 WHITE = {"bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1.0}}  # behind words that a line may run under
 SHIFT = 1.25  # of the longest shift of a row, in axes' lengths
 
@@ -36,32 +38,52 @@ def dh_steps_figure(arm: Arm, q: Matrix, first: int = 0, last: int | None = None
     """
     rows = range(first, arm.n if last is None else last)
     figure = new_figure(7.2, 1.72 * len(rows))
+    axes = figure.add_subplot(1, 1, 1)
+    axes.set_axis_off()
+    axes.set_xlim(-0.25, 4)
+    axes.set_ylim(-len(rows), 0)
     for line, i in enumerate(rows):
-        T = np.eye(4)
+        T, panels, titles = np.eye(4), [], []
         moves = _moves(arm, q, i)
         longest = max(abs(size) for kind, _, size, _ in moves if kind == "shift")
-        for column, (kind, axis, size, words) in enumerate(moves):
-            axes = figure.add_subplot(len(rows), 4, 4 * line + column + 1)
+        for kind, axis, size, words in moves:
             move = np.eye(4)
             if kind == "shift":
                 move[axis, 3] = SHIFT * size / longest if longest else 0.0
             else:
                 move[:3, :3] = _turn(axis, size)
-            after = T @ move
-            still = not size
-            _frame(axes, T, 0.3 if not still else 0.85, names=still)
-            if not still:
-                _between(axes, T, kind, axis, size, move)
-                _frame(axes, after, 0.95, names=True)
-            axes.set_title(words, fontsize=8.5, color=FAINT if still else INK, pad=2)
-            axes.set_aspect("equal")
-            axes.set_axis_off()
-            T = after
-        _same_view(figure.axes[-4:])
-        figure.axes[-4].text(
-            -0.08, 0.5, f"{i} → {i + 1}", transform=figure.axes[-4].transAxes, fontsize=9, color=INK, ha="right"
-        )
+            lines = _frame(T, 0.85 if not size else 0.3, names=not size)
+            if size:
+                lines += [_between(T, kind, axis, size, move), *_frame(T @ move, 0.95, names=True)]
+            panels.append(lines)
+            titles.append((words, FAINT if not size else INK))
+            T = T @ move
+        _drawn(axes, panels, titles, line)
+        axes.text(-0.22, -line - 0.55, f"{i} → {i + 1}", fontsize=9, color=INK, va="center")
     return figure
+
+
+def _drawn(axes: Any, panels: list[list[Line]], titles: list[tuple[str, str]], line: int) -> None:
+    """The four pictures of a row, on the same piece of paper each, so that nothing jumps."""
+    points = np.concatenate([part.points for lines in panels for part in lines])
+    low, high = points.min(0), points.max(0)
+    # a panel is 1 wide and 1 high in the axes' units, and 1.69 by 1.72 inches
+    scale = 0.74 / max(high - low)
+    for column, (lines, (words, colour)) in enumerate(zip(panels, titles, strict=True)):
+        centre = np.array([column + 0.5, -line - 0.56])
+        axes.text(column + 0.5, -line - 0.02, words, fontsize=8.5, color=colour, ha="center", va="top")
+        for part in lines:
+            at = centre + scale * (part.points - (low + high) / 2)
+            if part.letter:
+                axes.text(*at[0], part.letter, fontsize=7.5, color=part.colour, ha="center", va="center")
+                continue
+            axes.plot(*at.T, color=part.colour, alpha=part.alpha, linewidth=1.4, linestyle=part.dashes)
+            if part.arrow:
+                along = (at[-1] - at[0]) / (np.linalg.norm(at[-1] - at[0]) or 1.0)
+                if np.linalg.norm(at[-1] - at[0]) > HEAD:
+                    side = HEAD * 0.4 * np.array([along[1], -along[0]])
+                    head = np.array([at[-1], at[-1] - HEAD * along + side, at[-1] - HEAD * along - side])
+                    axes.fill(*head.T, color=part.colour, alpha=part.alpha, linewidth=0)
 
 
 def _moves(arm: Arm, q: Matrix, i: int) -> list[tuple[str, int, float, str]]:
@@ -110,37 +132,35 @@ def _seen(points: Matrix) -> Matrix:
     return np.asarray(points) @ np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce]]).T
 
 
-def _frame(axes: Any, T: Matrix, alpha: float, *, names: bool) -> None:
-    start = _seen(T[:3, 3])
+@dataclass(frozen=True)
+class Line:
+    """A stroke on the paper, or a letter at its first point."""
+
+    points: Matrix
+    colour: str
+    alpha: float = 1.0
+    dashes: Any = "-"
+    arrow: bool = False
+    letter: str = ""
+
+
+def _frame(T: Matrix, alpha: float, *, names: bool) -> list[Line]:
+    lines: list[Line] = []
     for k, (letter, colour) in enumerate(zip("xyz", AXES, strict=True)):
-        end = _seen(T[:3, 3] + T[:3, k])
-        axes.annotate(
-            "", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "alpha": alpha, "lw": 1.3, "shrinkA": 0}
-        )
-        axes.plot(*np.array([start, end]).T, alpha=0)  # arrows alone do not widen the view
+        lines.append(Line(_seen(np.array([T[:3, 3], T[:3, 3] + T[:3, k]])), colour, alpha, arrow=True))
         if names:
-            beyond = _seen(T[:3, 3] + 1.17 * T[:3, k])
-            axes.text(*beyond, letter, fontsize=7.5, color=colour, ha="center", va="center")
+            lines.append(Line(_seen((T[:3, 3] + 1.17 * T[:3, k])[None]), colour, letter=letter))
+    return lines
 
 
-def _between(axes: Any, T: Matrix, kind: str, axis: int, size: float, move: Matrix) -> None:
-    """The path of the move: a dashed line, or the arc of the axis that turns most visibly."""
+def _between(T: Matrix, kind: str, axis: int, size: float, move: Matrix) -> Line:
+    """The path of the move: a dashed line, or the arc of an axis that turns."""
     if kind == "shift":
-        ends = np.array([T[:3, 3], (T @ move)[:3, 3]])
-        axes.plot(*_seen(ends).T, color=COLOURS[0], linewidth=1.4, linestyle=(0, (3, 1.5)))
-        return
+        return Line(_seen(np.array([T[:3, 3], (T @ move)[:3, 3]])), COLOURS[0], dashes=(0, (3, 1.5)))
     other = np.eye(3)[(axis + 1) % 3] * 0.62
-    arc = np.array([T[:3, 3] + T[:3, :3] @ _turn(axis, t) @ other for t in np.linspace(0, size, 30)])
-    axes.plot(*_seen(arc).T, color=COLOURS[0], linewidth=1.4)
-
-
-def _same_view(panels: list[Any]) -> None:
-    """The four pictures of a row show the same piece of paper, so that nothing jumps."""
-    boxes = np.array([[*p.dataLim.min, *p.dataLim.max] for p in panels])
-    low, high = boxes[:, :2].min(0) - 0.25, boxes[:, 2:].max(0) + 0.25
-    for panel in panels:
-        panel.set_xlim(low[0], high[0])
-        panel.set_ylim(low[1], high[1])
+    return Line(
+        _seen(np.array([T[:3, 3] + T[:3, :3] @ _turn(axis, t) @ other for t in np.linspace(0, size, 30)])), COLOURS[0]
+    )
 
 
 def triangle_figure(triangle: Triangle, q: Matrix) -> Figure:

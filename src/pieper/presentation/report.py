@@ -258,5 +258,5 @@ def _summary(arm: Arm, sols: Solutions | None, track: Track | None) -> str:
             text += f", put back to within {scientific(sols.residual[:, 0].max() * MM)} mm"
         text += "."
     if track is not None:
-        text += f" The path is followed over {track.points} of its {len(track.path)} points."
+        text += f" The path is followed over {track.points} of its {plural(len(track.path), 'point')}."
     return text

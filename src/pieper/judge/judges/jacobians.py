@@ -13,6 +13,7 @@ from pieper.judge.judges.formulas import judge_equal
 from pieper.judge.samples import Samples, samples_at
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_HOLDS, JUDGED_ZERO, NO_LENGTH, SLOPE_WIDTH
+from pieper.words_by_number import plural
 
 MARCHES = 60  # of a search for a zero of a formula
 ZEROS = 40  # joint vectors with the formula at zero that are looked at
@@ -69,7 +70,7 @@ def judge_jacobian(ev: Evidence, claim: Claim) -> Verdict:
                 slip = slip or one.slip
     claim = claim.reads("J = [" + "; ".join(", ".join(map(str, row)) for row in rows) + "]")
     if wrong:
-        return claim.wrong(f"Wrong in {len(wrong)} entries of {sum(map(len, rows))}.", wrong, slip)
+        return claim.wrong(f"Wrong in {plural(len(wrong), 'entry', 'entries')} of {sum(map(len, rows))}.", wrong, slip)
     return claim.holds("Holds identically: every entry that is given is that of the Jacobian in the base frame.")
 
 

@@ -19,6 +19,7 @@ from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
 from pieper.solver.plan.plan import Plan
 from pieper.tolerances import SAME_TOOL_IN_FILE
+from pieper.words_by_number import plural
 
 #: Tool speed that is written where none was said, mm/s; turns are written in proportion.
 USUAL_SPEED = 250.0
@@ -144,7 +145,7 @@ class Script:
         """Return what a reader must know, as comments of at most `width` characters."""
         tool = read_pose(self.description.tool, "rpy", degrees=True, mm=True)
         said = [
-            f"{self.plan.name}, {len(self.moves)} moves; joints as in its robot file.",
+            f"{self.plan.name}, {plural(len(self.moves), 'move')}; joints as in its robot file.",
             f"Tool in the last frame of its table: x y z {numbers(tool[:3], 3)} mm, rpy {numbers(tool[3:], 4)} deg; "
             "set the same on the controller.",
             "Not confirmed on a controller.",

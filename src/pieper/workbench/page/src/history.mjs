@@ -104,5 +104,6 @@ export function begin() {
   present = snapshot();
   on('did', did);
   on('let-go', letGo);
-  on(['table', 'q', 'target', 'path', 'sequence', 'program', 'world', 'task', 'routing'], refresh);
+  // a panel that opens may fill in what nobody has said yet: that is no step, and it is there from then on
+  on(['table', 'q', 'target', 'path', 'sequence', 'program', 'world', 'task', 'routing', 'panel'], refresh);
 }

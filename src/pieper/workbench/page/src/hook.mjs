@@ -16,12 +16,14 @@ import { bodiesShown } from './scene/clearance.mjs';
 import { looksDrawn } from './scene/looks.mjs';
 import { ellipsoidShown } from './scene/ellipsoid.mjs';
 import { go } from './dock.mjs';
+import { snapshot } from './sharing.mjs';
 import { counts } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
 import * as voxels from './scene/voxels.mjs';
 
 export function expose() {
   const seen = {
+    said: () => structuredClone(snapshot()),
     q: () => state.q.slice(),
     frames: () => structuredClone(state.frames),
     target: () => state.target.slice(),

@@ -19,7 +19,7 @@ export function snapshot() {
     table,
     q,
     target: hasTarget ? target : null,
-    digits: state.digits,
+    digits: hasTarget ? state.digits : null,
     task: options.task,
     redundancy: options.redundancy,
     follow: options.follow,

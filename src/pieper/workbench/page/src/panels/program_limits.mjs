@@ -41,7 +41,7 @@ export function limitFields() {
     );
   };
   on(['table', 'units'], rebuild);
-  on('program', (what) => what === 'undo' && rebuild());
+  on('program', (what) => what !== 'limits' && rebuild());
   rebuild();
   return box;
 }

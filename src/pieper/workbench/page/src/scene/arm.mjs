@@ -80,7 +80,9 @@ const main = new Bodies(material, { shadow: { material: shadowMaterial, matrix: 
 export function showSketch(yes, shadowless) {
   main.shown(yes, yes && !shadowless);
 }
-const ghostMaterial = matte({ opacity: 0.1, veil: true });
+/** How much of what is behind it a ghost covers inside its outline; without one, twice as much. */
+const FILL = 0.1;
+const ghostMaterial = matte({ opacity: FILL, veil: true });
 const ghostRim = rim();
 const ghosts = new Bodies(ghostMaterial, { veil: true, rim: ghostRim });
 const previewMaterial = matte({ opacity: 0.62, gloss: 0.1 });
@@ -108,6 +110,7 @@ export function begin() {
   on('frames', drawFrames);
   on('theme', paint);
   on('hurry', (yes) => {
+    ghostMaterial.uniforms.opacity.value = yes ? 2 * FILL : FILL;
     for (const bodies of [main, ghosts, preview]) bodies.hurry(yes);
   });
   paint();

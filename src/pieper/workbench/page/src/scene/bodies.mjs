@@ -201,7 +201,8 @@ export class Bodies {
     this.body.done();
     if (this.rim) {
       this.rim.clear();
-      for (const arm of this.seen ? arms : []) this.#write(this.rim, arm, unit(), { rim: true });
+      // an outline costs as much as the body: where the processor draws, it waits until things rest
+      for (const arm of this.seen && !this.moving ? arms : []) this.#write(this.rim, arm, unit(), { rim: true });
       this.rim.done();
     }
     if (!this.flat) return;
@@ -213,7 +214,7 @@ export class Bodies {
 
   #write(heap, arm, unit, { flat = false, rim = false } = {}) {
     // A ghost is a little thinner than the arm: where both stand in one place, the arm is seen and not a pattern of the two.
-    const inset = this.rim && !rim ? arm.rim : 0,
+    const inset = this.rim && !this.moving && !rim ? arm.rim : 0,
       whole = !this.veil && !flat,
       fit = (r) => (this.veil ? Math.max(0.96 * r - inset, 0.3 * r) : r),
       tall = (h) => 2 * fit(h / 2),

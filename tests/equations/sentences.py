@@ -1,0 +1,76 @@
+"""What a page on the inverse says, checked sentence by sentence: formulas, counts, degenerate cases, conditions."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from oracle.arms.numbered import random_arm
+from pieper import Arm
+from pieper.equations.derivation.degenerate import ELSEWHERE, FREE, IMPOSSIBLE, UNREACHED, _vanishing
+
+POSES = 4
+SAME, MISSED, MET = 1e-4, 1e-5, 1e-4
+__all__ = ["false_sentences", "random_arm"]
+
+
+def false_sentences(arm: Arm, poses: int = POSES) -> list[str]:
+    """The sentences of an arm's derivation that do not hold, with why; empty where all do.
+
+    Args:
+        arm: The arm.
+        poses: Random poses at which the formulas are tried.
+    """
+    ik = arm.symbolic.ik()
+    text = ik.text()
+    bad: list[str] = []
+    found = ik.check(poses)
+    if not found.holds:
+        bad.append(f"formulas: {found.what}")
+    if not ik.closed:
+        return bad
+    bad += [f"count: {words}" for words in _counts(arm, text)]
+    for number, case in ik.form.cases.items():
+        if case.kind in (FREE, ELSEWHERE):
+            bad += [f"step {number}, {case.kind}: {words}" for words in _at_postures(arm, ik, case)]
+        elif case.kind in (IMPOSSIBLE, UNREACHED):
+            q = np.random.default_rng(8).uniform(-np.pi, np.pi, (2000, arm.n))
+            gap = np.abs(_vanishing(ik.form, ik.steps[number - 1], q)).max(axis=1)
+            if gap.min() <= MET:
+                bad.append(f"step {number}, {case.kind}: a posture comes within {gap.min():.1e}")
+            if "is free" in text.split(f"Step {number}:")[1].split("Step ")[0]:
+                bad.append(f"step {number}, {case.kind}: called free all the same")
+    return bad
+
+
+def _counts(arm: Arm, text: str) -> list[str]:
+    """A pose has no more solutions than the page says, and the page's choices of signs are as many as it says."""
+    said = re.search(r"A pose has at most (\d+) solution", text)
+    if not said:
+        return []
+    q = np.random.default_rng(4).uniform(-2, 2, (12, arm.n))
+    counts = [len(arm.ik(T).all_q) for T in arm.fk(q)]
+    return [f"{max(counts)} for {said.group(1)}"] if max(counts) > int(said.group(1)) else []
+
+
+def _at_postures(arm: Arm, ik, case) -> list[str]:
+    """At a degenerate posture the formulas give it back with what is free chosen, and reach nothing else."""
+    bad = []
+    T = arm.fk(case.postures)
+    rows = ik.evaluate(T, chosen=case.postures)
+    turns = np.array([kind == "R" for kind in arm.joint_types])
+    gap = rows - case.postures
+    gap = np.abs(np.where(turns, np.angle(np.exp(1j * gap)), gap)).max(axis=2)
+    if not (np.nanmin(gap, axis=0) < SAME).all():
+        bad.append(f"a posture is not given back, off by {np.nanmin(gap, axis=0).max():.1e}")
+    real = np.isfinite(rows).all(axis=2)
+    given = ["noap".index(c) for c in ik.form.given]
+    miss = np.abs(arm.fk(np.nan_to_num(rows)) - T)[..., :3, given].max(axis=(2, 3))
+    if miss[real].max(initial=0.0) >= MISSED:
+        bad.append(f"a real choice of signs misses the pose by {miss[real].max():.1e}")
+    if case.kind == FREE and not ik.form.chosen:
+        for q in case.postures[:1]:
+            if not arm.ik(arm.fk(q)).self_motions:
+                bad.append("called free, and the solver finds nothing that moves")
+    return bad
