@@ -61,7 +61,7 @@ def main(name, arm, count):
             out[f"into_ns_{threads}"] = 1e9 * best_of(contestant.batch_into(T, threads), threads) / count
         out["away_ns"] = 1e9 * best_of(contestant.batch_into(away, 1)) / count
     if hasattr(contestant, "fk"):
-        many = np.tile(q, (max(1, 10**6 // count), 1))
+        many = np.tile(q, (max(1, 10**5 // count), 1))
         out["fk_per_s"] = len(many) / best_of(contestant.fk(many))
         out["jacobian_per_s"] = len(many) / best_of(contestant.jacobian(many))
     print(json.dumps(out))

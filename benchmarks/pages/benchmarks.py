@@ -6,11 +6,23 @@ from benchmarks.kept import read
 
 #: Ours once more, without the wide registers.
 BASELINE = "pieper-baseline"
+#: What the columns of ours are.
+WHAT = [
+    "New arrays for each answer, then arrays that are kept (`out=`), these again out of reach, and on two",
+    "threads; then the same processor without its wide registers (`PIEPER_ISA=baseline`). One thread's work is",
+    "in processor time; what two threads gain is not told where others had the processor too.",
+    "",
+]
 
 
 def ratio(theirs: float | None, ours: float | None) -> str:
     """Return how many times faster ours is, or a dash."""
     return f"{theirs / ours:.1f}" if theirs and ours else "-"
+
+
+def number(value: float | None) -> str:
+    """Return a number, or a dash where it was not measured."""
+    return f"{value:.4g}" if value else "-"
 
 
 def page() -> str:
@@ -29,12 +41,10 @@ def page() -> str:
         f"Commit {result['commit']}, {result['cpu']}, instruction set {result['instruction_set']}, "
         f"Python {result['python']}, NumPy {result['numpy']}.",
         "",
+        *([result["remeasured"], ""] if "remeasured" in result else []),
         "## Speed, one thread",
         "",
-        "New arrays for each answer, then arrays that are kept (`out=`), these again out of reach, and on two",
-        "threads; then the same processor without its wide registers (`PIEPER_ISA=baseline`). One thread's work is",
-        "in processor time; what two threads gain is not told where others had the processor too.",
-        "",
+        *(WHAT if "shared" in result else []),
         "| arm | one pose, us | batch, ns a pose | kept arrays | out of reach | two threads | baseline: one pose | "
         "baseline: batch | "
         + " | ".join(f"one pose: times faster than {p}" for p in peers)
@@ -58,11 +68,11 @@ def page() -> str:
         own = [
             f"{ours['single_us']:.3g}",
             f"{ours['batch_ns_1']:.4g}",
-            f"{ours['into_ns_1']:.4g}",
-            f"{ours['away_ns']:.4g}",
-            "not told" if result["shared"] else f"{ours['into_ns_1'] / ours['into_ns_2']:.2f} times",
-            f"{plain['single_us']:.3g}" if plain else "-",
-            f"{plain['into_ns_1']:.4g}" if plain else "-",
+            number(ours.get("into_ns_1")),
+            number(ours.get("away_ns")),
+            "not told" if result.get("shared") else f"{ours['batch_ns_1'] / ours['batch_ns_2']:.2f} times",
+            number(plain.get("single_us")),
+            number(plain.get("into_ns_1")),
         ]
         lines.append(f"| {arm} | " + " | ".join([*own, *cells]) + " |")
     best = [m for m in result["measured"] if m["contestant"] == "pieper" and "fk_per_s" in m]
@@ -75,7 +85,7 @@ def page() -> str:
         "",
         "Generating joint vectors, uniform over the whole turn, not found again within 1e-6 rad; poses with an odd",
         "number of solutions; poses marked uncertain; worst residual over the first 50,000 poses; at commit "
-        f"{result['recalled_at']}.",
+        f"{result.get('recalled_at', result['commit'])}.",
         "",
         "| arm | family | poses | missed | odd | uncertain | worst, m | worst, rad | us a pose |",
         "|---|---|---|---|---|---|---|---|---|",
