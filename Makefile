@@ -85,7 +85,9 @@ dev:
 	$(MAKE) --no-print-directory VENV=.venv-dev .venv-dev/.for-work kernel
 	@echo "say: . .venv-dev/bin/activate; after a change in kernels/: make kernel VENV=.venv-dev"
 
+# The compiler of the page's kernels is an extra that nothing else asks for.
 site: $(VENV)/.installed-for-tests
+	$(BIN)/python -m tests.tools.requirements wasm | xargs $(BIN)/python -m pip install --quiet --disable-pip-version-check
 	$(BIN)/python -m static_page.build out/site
 
 bench: $(VENV)/.installed-for-tests
