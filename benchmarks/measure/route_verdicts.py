@@ -58,7 +58,8 @@ def drawn(name: str, number: int) -> tuple[Arm, np.ndarray]:
     arm = pieper.load(name)
     length = arm.chain.length
     tilt, roll = rng.uniform(0.3, 0.9), rng.uniform(-np.pi, np.pi)
-    torch = pieper.pose(*(rng.uniform(-0.03, 0.03, 2) * length), 0.08 * length, rotvec=(0.0, 0.0, roll))
+    x, y = rng.uniform(-0.03, 0.03, 2) * length
+    torch = pieper.pose(x, y, 0.08 * length, rotvec=(0.0, 0.0, roll))
     arm = arm.with_tool(arm.tool @ torch @ pieper.pose(0.0, 0.0, 0.0, rotvec=(0.0, tilt, 0.0)))
     if number % 3 == 0:
         j = int(rng.integers(6))
@@ -76,7 +77,7 @@ def drawn(name: str, number: int) -> tuple[Arm, np.ndarray]:
         lean = pieper.pose(0.0, 0.0, 0.0, rotvec=(np.pi + rng.uniform(-0.6, 0.6), rng.uniform(-0.6, 0.6), 0.0))
         lean[:3, 3] = centre + side * way
         ends.append(lean)
-    return arm, pieper.line(*ends, POINTS)
+    return arm, pieper.line(ends[0], ends[1], POINTS)
 
 
 def places(path: np.ndarray) -> np.ndarray:

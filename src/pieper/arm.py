@@ -328,7 +328,9 @@ class Arm(AlongPaths):
             Ts,
             threads,
             redundancy,
-            near=near if isinstance(near, str) and near == PREVIOUS else self._where(near, "near"),
+            near=posture(self.description, near, "near", (PREVIOUS,))
+            if isinstance(near, str) and near != PREVIOUS
+            else near,
             start=self._where(start, "start"),
             weights=weights,
             invalid=invalid,

@@ -256,3 +256,9 @@ def test_nothing_heavy_is_loaded_for_a_solution():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_rows_outside_the_limits_alone_are_no_solution_self_motions_or_not(run):
+    status, out, _ = run("ik", "adept-cobra", "400", "100", "300")
+    assert "OUTSIDE_LIMITS" in out and "self-motions" in out
+    assert status == 1

@@ -86,7 +86,8 @@ def command(
         return solve_file(Request(arm, pose[0][1:], units, order, task or None, spare, now, everything, csv, json))
     solved = _solve(arm, target(pose, units, order), task or None, spare)
     found = _Rows.of(arm, solved.sols, solved.plan, everything)
-    status = DONE if len(solved.sols) or solved.sols.self_motions else NO_SOLUTION
+    held = solved.sols.status in (pieper.Status.SOLVED, pieper.Status.SINGULAR, pieper.Status.REDUNDANT)
+    status = DONE if held or len(solved.sols) else NO_SOLUTION
     if figure and len(solved.sols):
         pieper.plot.save_figure(pieper.plot.solutions_figure(arm, solved.sols), figure)
     if csv:

@@ -146,7 +146,7 @@ def _wrist(arm: Arm, frames: Vectors) -> Vectors | None:
         axis, point = _axis(arm, frames, joint)
         across = np.eye(3) - np.outer(axis, axis)
         sides, at = sides + across, at + across @ point
-    return np.linalg.solve(sides, at)
+    return np.asarray(np.linalg.solve(sides, at), np.float64)
 
 
 def _words(arm: Arm, q: Vectors, shoulder: int, end: str) -> str:

@@ -60,7 +60,7 @@ def _value(factor: Factor, frames: dict[str, np.ndarray]) -> np.ndarray:
     else:
         M = _named(factor.name, frames) if factor.name else value_of(factor.inside, frames)
     if factor.part:
-        M = _part(factor, M)
+        M = _part(factor, factor.part, M)
     if (factor.inverse or factor.transpose) and M.ndim != 3:
         raise InputError(f"{factor}: a vector has no inverse and is not transposed here")
     if factor.inverse:
@@ -73,12 +73,13 @@ def _of_vectors(factor: Factor, vectors: list[np.ndarray]) -> np.ndarray:
     columns = [v[:, :, 0] if v.ndim == 3 and v.shape[2] == 1 else v for v in vectors]
     if any(v.ndim != 2 or v.shape[1] != 3 for v in columns):
         raise InputError(f"{factor}: {factor.name} takes two vectors of three entries, such as R03[:,3] or P06 - P03")
-    return np.cross(*columns) if factor.name == "cross" else (columns[0] * columns[1]).sum(1)
+    a, b = columns
+    return np.cross(a, b) if factor.name == "cross" else (a * b).sum(1)
 
 
-def _part(factor: Factor, M: np.ndarray) -> np.ndarray:
+def _part(factor: Factor, part: tuple[int, int, int], M: np.ndarray) -> np.ndarray:
     """The rows first .. last of one column."""
-    first, last, column = factor.part
+    first, last, column = part
     if M.ndim != 3 or column > M.shape[2] or (last or 1) > M.shape[1]:
         raise InputError(f"{factor}: this matrix has no such part")
     return M[:, first - 1 : last or M.shape[1], column - 1]
@@ -131,7 +132,7 @@ def _term_slips(term: tuple[Factor, ...], joints: int) -> Iterator[tuple[str, st
     for i in range(len(term) + 1):
         for joint in range(1, joints + 1):
             for inverse in (False, True):
-                extra = Factor(f"A{joint}", (), inverse)
+                extra = Factor(f"A{joint}", inverse=inverse)
                 yield "missing factor", f"{extra} lost", (*term[:i], extra, *term[i:])
     for i, f in enumerate(term):
         if len(term) > 1:

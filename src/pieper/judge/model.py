@@ -50,7 +50,8 @@ class Row:
 
     def renamed(self, new: dict[str, Expr]) -> Row:
         """The row with symbols replaced."""
-        return Row(*(cell.substitute(new) for cell in self.cells), self.before, self.after)
+        a, alpha, d, theta = (cell.substitute(new) for cell in self.cells)
+        return Row(a, alpha, d, theta, self.before, self.after)
 
 
 @dataclass(frozen=True, eq=False)

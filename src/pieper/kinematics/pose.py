@@ -116,6 +116,8 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
         raise
     except (TypeError, ValueError):
         raise InputError(f"{what} must be a 4x4 matrix of numbers, got {type(T).__name__}.", given=T) from None
+    if batch and pose.shape == (0,):
+        return pose.reshape(0, 4, 4)  # an empty list holds no pose of a wrong shape
     if pose.shape[-2:] != (4, 4) or (not batch and pose.ndim != 2):
         hint = " It looks like a rotation alone: put it into a 4x4 with a position." if pose.shape == (3, 3) else ""
         wanted = "(..., 4, 4)" if batch else "(4, 4)"

@@ -60,7 +60,7 @@ def round_of(T0: Array, via: Array, T1: Array) -> Round:
     centre = np.linalg.solve(M, [(b - a) @ (a + b) / 2, (c - a) @ (a + c) / 2, normal @ a])
     spoke, last = a - centre, c - centre
     angle = float(np.arctan2(normal @ np.cross(spoke, last), spoke @ last)) % (2 * np.pi)
-    return Round(centre, normal, spoke, angle)
+    return Round(np.asarray(centre, np.float64), normal, spoke, angle)
 
 
 def circle(T0: Array, via: Array, T1: Array, s: Array) -> Array:

@@ -189,8 +189,8 @@ def triangle_figure(triangle: Triangle, q: Matrix) -> Figure:
     centre = corners.mean(0)
     names = (f"axis {triangle.shoulder}", f"axis {triangle.elbow}", triangle.end)
     for k, (words, side) in enumerate(zip(names, ("top", "bottom", "top"), strict=True)):
-        place = corners[k] + np.array([0.0, -0.05 if side == "top" else 0.05]) * size
-        axes.text(*place, words, fontsize=9, color=INK, ha="center", va=side)
+        x, y = corners[k] + np.array([0.0, -0.05 if side == "top" else 0.05]) * size
+        axes.text(x, y, words, fontsize=9, color=INK, ha="center", va=side)
     for (i, j), words in (
         ((0, 1), f"L₁ = {one:.1f} mm"),
         ((1, 2), f"L₂ = {two:.1f} mm"),
@@ -201,8 +201,10 @@ def triangle_figure(triangle: Triangle, q: Matrix) -> Figure:
         across = np.array([along[1], -along[0]]) / (np.linalg.norm(along) or 1.0)
         across = across if across @ (middle - centre) > 0 else -across
         turn = np.degrees(np.arctan2(along[1], along[0]))
+        x, y = middle + 0.05 * size * across
         axes.text(
-            *(middle + 0.05 * size * across),
+            x,
+            y,
             words,
             fontsize=9,
             color=INK,

@@ -82,15 +82,16 @@ def judge_bounds(ev: Evidence, claim: Claim) -> Verdict:
     slack = JUDGED_ZERO * max(1.0, abs(low), abs(high))
     fine = (values > low - slack) & (values < high + slack)
     met = f"the values met go from {number(float(np.nanmin(values)))} to {number(float(np.nanmax(values)))}"
-    said = {"right": int(fine.sum()), "tried": len(fine)}
+    right, tried = int(fine.sum()), len(fine)
     if fine.all():
-        return claim.holds(f"Holds: inside at {len(fine)} of {len(fine)} joint vectors; {met}.", **said)
+        return claim.holds(f"Holds: inside at {tried} of {tried} joint vectors; {met}.", right=right, tried=tried)
     k = int(np.argmax(np.where(fine | ~np.isfinite(values), -np.inf, np.maximum(low - values, values - high))))
     details = [("counter-example", f"at {drawn.at(k)}{drawn.extra_lengths(k, node)}: it is {number(float(values[k]))}")]
     if fine.mean() < 1 / 2:
-        return claim.wrong(f"Wrong: inside at {int(fine.sum())} of {len(fine)} joint vectors; {met}.", details, **said)
+        said = f"Wrong: inside at {right} of {tried} joint vectors; {met}."
+        return claim.wrong(said, details, right=right, tried=tried)
     share = f"{100 * fine.mean():.0f}% of the joint vectors"
-    return claim.partly(f"Inside at {share} only; {met}.", details, **said)
+    return claim.partly(f"Inside at {share} only; {met}.", details, right=right, tried=tried)
 
 
 def _closest(model: ArmModel, point: np.ndarray, joint: int, limits: np.ndarray) -> float:

@@ -273,9 +273,9 @@ def _symbol_slips(node: Sym, slip: Any, lengths: Any, others: Any, joints: int) 
         i, j = name[1], name[2]
         family = [f"r{i}{c}" for c in "1234" if c != j] + [f"r{c}{j}" for c in "123" if c != i]
         family += [f"r{j}{i}"] if i != j and j != "4" else []
-    elif _ENTRY.search(name):
-        i, j = _ENTRY.findall(name)[0]
-        stem = name[: _ENTRY.search(name).start()]
+    elif entry := _ENTRY.search(name):
+        i, j = entry.groups()
+        stem = name[: entry.start()]
         family = [f"{stem}[{c},{d}]" for c in "123" for d in "1234" if (c, d) != (i, j) and (c == i or d == j)]
         family += [f"{stem}[{j},{i}]"] if i != j and j != "4" else []
     elif name in others:
