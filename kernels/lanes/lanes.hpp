@@ -325,7 +325,7 @@ template <int W> struct LanePicker {
 #if defined(__AVX2__)
     if constexpr (W == 4) return (V)_mm256_permutevar8x32_ps((__m256)x.v, (__m256i)place);
 #endif
-    V out;
+    V out = {};  // every lane is written below, which not every compiler sees
     for (int i = 0; i < W; ++i) out[i] = x.v[place[i]];
     return out;
   }

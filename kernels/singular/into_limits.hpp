@@ -5,18 +5,21 @@
 
 namespace pieper::PIEPER_ISA {
 
-// Puts a singular row that is outside the limits at the limits, where a posture there takes the pose to rounding as well.
-inline void into_limits(const SixJoints& arm, const Rigid& T, const Limits& limits, double* q) {
+// Puts a singular row at the limits it lies outside of, where a posture there takes the pose to rounding as well; or, with
+// `turns`, at limits whole turns apart that it lies beside: a turn on, the row would be outside by no more than its blur.
+inline void into_limits(const SixJoints& arm, const Rigid& T, const Limits& limits, bool turns, double* q) {
   constexpr int kSteps = 6;
   double at[6];
   bool held[6] = {}, any = false;
   std::copy(q, q + kSix, at);
   for (int i = 0; i < kSix; ++i) {
     double value = q[i];
-    if (turned_inside(value, arm.slides[i], limits.lower[i], limits.upper[i])) continue;
+    const bool within = turned_inside(value, arm.slides[i], limits.lower[i], limits.upper[i]);
+    if (within != turns || (within && arm.slides[i])) continue;
     const double lower = arm.slides[i] ? limits.lower[i] - q[i] : short_way(limits.lower[i] - q[i]),
                  upper = arm.slides[i] ? limits.upper[i] - q[i] : short_way(limits.upper[i] - q[i]),
                  way = std::fabs(lower) < std::fabs(upper) ? lower : upper;
+    if (within && !(std::fabs(way) < kMergedBlur && std::fabs(lower - upper) < kLimitSlack)) continue;
     if (!(std::fabs(way) < kMergedBlur)) return;
     at[i] += way, held[i] = any = true;
   }

@@ -80,7 +80,7 @@ class Look {
     if ((isolated.size() + branches) % 2) return false;
     for (int k : isolated) add(rows + 6 * k, 1, -1, false, out);
     for (Root& root : alone) {
-      into_limits(arm_, T, limits_, root.q);
+      for (bool turns : {false, true}) into_limits(arm_, T, limits_, turns, root.q);
       add(root.q, root.branches, -1, true, out);
     }
     for (std::size_t k = 0; k < out.motions.size(); ++k) {

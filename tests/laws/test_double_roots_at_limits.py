@@ -55,3 +55,19 @@ def test_a_double_root_clearly_outside_stays_outside():
     q = np.array([0.3, -1.1, 0.0, 0.7, 0.9, 0.2])  # the elbow straight
     short = limited(arm, 2, 1e-5, 1.0)
     assert not len(short.ik(arm.fk(q)).q) or short.chain.joints.apart(short.ik(arm.fk(q)).q, q).min() > 1e-3
+
+
+@pytest.mark.parametrize("name", ["motoman-hc10", "universal-robots-ur5e", "unimation-puma-560"])
+def test_a_double_root_at_limits_a_turn_apart_is_there_both_ways_round(name):
+    arm, rng, tried = free(name), np.random.default_rng(5), 0
+    arm = arm.with_limits(dict.fromkeys(arm.joint_names, (-np.pi, np.pi)))
+    for _ in range(40):
+        q = np.deg2rad(rng.choice([-180, -90, -60, 0, 30, 60, 90, 135, 180], 6))
+        sols = arm.ik(arm.fk(q))
+        if sols.self_motions or not len(sols):
+            continue
+        many = arm.ik_many(arm.fk(q)[None], threads=1, near=q)
+        for near in (sols.nearest(q), many.nearest[0]):
+            assert np.abs(near - q).max() < 1e-5, f"{np.rad2deg(q)}: {near}"
+        tried += 1
+    assert tried > 10

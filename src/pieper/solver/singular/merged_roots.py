@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.joints import inside
+from pieper.kinematics.joints import TURN, inside
 from pieper.kinematics.newton import (
     determinant,
     missed,
@@ -21,6 +21,7 @@ from pieper.solver.singular import near_curve
 from pieper.tolerances import (
     ALL_BUT_ZERO,
     HELD_FIRMLY,
+    LIMIT_SLACK,
     MERGED_ALONG,
     MERGED_BLUR,
     MERGED_ROUNDING,
@@ -98,12 +99,23 @@ def into_limits(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
     """Return a singular solution q (n,) put at limits (n, 2) it lies outside of, where it takes the pose there as well.
 
     Rounding blurs a merged root along what is free there to first order, and a stop may lie within the blur: then the
-    posture at the stop is as good a solution. Otherwise q is returned as it is.
+    posture at the stop is as good a solution. Otherwise q is returned as it is. Beside limits whole turns apart it is
+    put at them too: a turn on it would lie outside by no more than its blur.
     """
-    moved, ok = chain.joints.inside_limits(q, limits)
-    if ok:
-        return q
-    held = ~inside(moved, limits)
+    moved, _ = chain.joints.inside_limits(q, limits)
+    out = ~inside(moved, limits)
+    q = _at_stops(chain, q, T, limits, out) if out.any() else q
+    spans = limits[:, 1] - limits[:, 0]
+    with np.errstate(invalid="ignore"):
+        whole = ~chain.prismatic & np.isfinite(spans) & (np.abs(spans - TURN * np.round(spans / TURN)) < LIMIT_SLACK)
+    beside = whole & (
+        np.abs(chain.joints.way(np.where(whole, limits[:, 0], 0.0), np.where(whole, q, 0.0))) < MERGED_BLUR
+    )
+    return _at_stops(chain, q, T, limits, beside) if beside.any() else q
+
+
+def _at_stops(chain: Chain, q: Array, T: Array, limits: Array, held: Bools) -> Array:
+    """Return q (n,) with joints held at the nearer of their limits, or q where the pose is not taken there."""
     start = np.where(held, q, 0.0)
     lower: Array = chain.joints.way(np.where(held, limits[:, 0], 0.0), start)
     upper: Array = chain.joints.way(np.where(held, limits[:, 1], 0.0), start)
