@@ -94,8 +94,8 @@ def test_without_ffmpeg_the_cure_is_said(motion, tmp_path, monkeypatch):
     ("words", "how"),
     [
         ("ends in .avi", dict(path="m.avi")),
-        ("rate must be finite", dict(rate=0)),
-        ("speed must be finite", dict(speed=float("nan"))),
+        ("rate must be a finite", dict(rate=0)),
+        ("speed must be a finite", dict(speed=float("nan"))),
         ("two even numbers", dict(size=(641, 480))),
         ("two even numbers", dict(size=(10, 10))),
         ("a width and a height", dict(size=3)),

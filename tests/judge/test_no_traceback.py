@@ -110,7 +110,7 @@ values = { a1 = 0.4, a2 = 0.3 }
         ('kind = "joint"\njoint = 2\nis = "w"\nwhere = { w = "px (" }', ["where w", "something must follow"]),
         ('kind = "joint"\njoint = true\nis = "px"', ["joint must be", "whole number"]),
         ('kind = "joint"\nfor = "2 theta2"\nis = "px"', ["for", "a joint or a sum of joints"]),
-        ('kind = "product"\nis = "(A1 + A1)^-1 = T"', ["claim x"]),
+        ('kind = "product"\nis = "(A1 - A1)^-1 = T"', ["claim x", "no inverse"]),
         ('kind = "joint"\njoint = 2\nis = "px"\nwhen = "s2"', ["when", "comparison"]),
         ('kind = "joint"\njoint = 2\nis = "px"\nwhen = "s2 > 2"', ["when", "too few"]),
         ('kind = "pose"\nq_deg = [0, 0]\nof = "P02"\nposition = [1, 2, 3]', ["P02", "shape"]),

@@ -16,6 +16,7 @@ ARMS = [
 ]
 #: Wrists that do not meet in a point, or seven joints: the makers' words are not defined for them here.
 WITHOUT = {
+    "abb-gofa-crb15000-5-95",
     "denso-cobotta",
     "fanuc-crx-10ia",
     # their joints are coupled: words are said of arm.uncoupled()

@@ -95,7 +95,7 @@ def test_equal_postures_need_no_time_and_tight_says_which_joint_binds():
     "q0, q1, word",
     [
         ([0.0], [np.nan], "finite"),
-        ([0.0], [1.0, 2.0], "joints"),
+        ([0.0], [1.0, 2.0], "joint"),
         ([[0.0]], [1.0], "shape"),
         ("a", [1.0], "joint vector"),
     ],

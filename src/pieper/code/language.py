@@ -95,7 +95,7 @@ class Notation:
             "VERIFIED": repr(export.verified),
             "DEFAULT": repr(export.between.default),
             "TEST_Q": self.numbers(export.q),
-            "TEST_T": self.numbers(np.round(export.T.reshape(-1, 16), 12)),
+            "TEST_T": self.numbers(np.round(export.T.reshape(-1, 16), 15)),
             "COUNTS": self.listed(str(k) for k in export.counts),
             **self.manner.parts(export.labels, first + names + last),
         }
