@@ -88,7 +88,7 @@ export function carry(name, T) {
   const mesh = group.children.find((m) => m.userData.name === name);
   const t = state.world.find((x) => x.name === name);
   if (mesh && t) mesh.matrix.set(...(T ?? t.T));
-  name();
+  showNames();
 }
 export const carriedAt = (name) => carried.get(name) ?? null;
 export function letAllGo() {
@@ -96,7 +96,7 @@ export function letAllGo() {
 }
 
 /** Frames, and the names of everything, where they stand now. */
-function name() {
+function showNames() {
   const list = things();
   frames.show(
     list.filter((t) => t.kind === 'frame'),
@@ -119,7 +119,7 @@ function draw() {
       group.add(mesh);
     }
   }
-  name();
+  showNames();
   showBeside('world', list.flatMap(corners));
   invalidate();
 }
