@@ -81,7 +81,13 @@ export const equations = {
       live = [],
       blocks = [];
     const note = h('p', { class: 'hint', role: 'status', 'data-testid': 'equations-note' });
-    const body = h('div', { class: 'equations', 'data-testid': 'equations' });
+    const body = h('div', {
+      class: 'equations',
+      tabindex: '0',
+      role: 'region',
+      'aria-label': 'Equations',
+      'data-testid': 'equations',
+    });
     const lengths = choice(
       'Written with',
       [
