@@ -276,3 +276,10 @@ def test_arms_used_or_not_go_to_other_processes_and_batches_come_back(name):
         assert np.array_equal(twin.nearest, here.nearest) and twin.reasons == here.reasons
     again = used.ik_many(T, invalid="mark", near="previous", out=pickle.loads(pickle.dumps(here)))
     assert np.array_equal(again.q, here.q)
+
+
+def test_no_poses_are_an_empty_batch():
+    arm = pieper.load("denso-vp6242")
+    for none in ([], np.zeros((0,)), np.zeros((0, 4, 4))):
+        many = arm.ik_many(none)
+        assert many.q.shape[0] == len(many.status) == 0

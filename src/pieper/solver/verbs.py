@@ -43,6 +43,7 @@ from pieper.solver.words.closest import closest_to
 from pieper.solver.words.labels import labels_beside, posture_words
 from pieper.solver.words.table import table
 from pieper.solver.words.why import why
+from pieper.tolerances import FARTHEST
 
 WORDS = Words(why, table, posture_words, labels_beside, closest_to)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
@@ -73,6 +74,8 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
     if flag & (_DOUBTFUL | _EDGE):
         found = _read(plan, pose, q, flag & ~_EDGE)  # of no rows inside, it is false as a sequence
         return _careful(plan, checked_pose(pose), q, slots, inside, flag) if found is None else found
+    if not len(q):
+        pose = checked_pose(pose)  # the kernel refuses no place, however far
     return Solutions(plan, WORDS, pose, q, slots, inside, flag)
 
 
@@ -278,6 +281,8 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     status = _PLAIN[some.astype(np.uint8) + _any(rows.inside)]
     if some.all() and not rows.flags.any():
         return status
+    if not np.all(np.abs(poses[~some, :3, 3]) <= FARTHEST):
+        checked_pose(poses, "Ts", batch=True)  # the kernel refuses no place, however far
     marked = (rows.flags & _DEGENERATE) > 0
     # a kernel that gives no rows says whether poses beside have none; of a chain within another that says nothing
     edge = (rows.flags & _EDGE) > 0 if plan.direct else ~some
