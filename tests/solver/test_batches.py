@@ -283,3 +283,12 @@ def test_no_poses_are_an_empty_batch():
     for none in ([], np.zeros((0,)), np.zeros((0, 4, 4))):
         many = arm.ik_many(none)
         assert many.q.shape[0] == len(many.status) == 0
+
+
+def test_a_pose_farther_than_metres_can_be_meant_is_refused_or_marked():
+    arm = pieper.load("denso-vp6242")
+    both = np.tile(arm.fk(np.zeros(6)), (2, 1, 1))
+    both[1, 0, 3] = 1e300
+    with pytest.raises(pieper.InputError, match="metres"):
+        arm.ik_many(both)
+    assert arm.ik_many(both, invalid="mark").status[1] == pieper.Status.INVALID
