@@ -88,7 +88,6 @@ def statements(
         entry: Says an entry (0 to 15, row by row) of the pose.
         assign: Takes a name, whether it is a truth, and an expression.
     """
-
     names = {i: f"v{_short(k)}" for k, i in enumerate(program.order)}
 
     def said(i: int) -> str:

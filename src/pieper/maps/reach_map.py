@@ -106,8 +106,9 @@ class ReachMap:
 
     @property
     def least_singular(self) -> Array:
-        """(nx, ny, nz) smallest singular value of the Jacobian, lengths in units of the arm, of the solution nearest to
-        singular: small on the singular surfaces. 0 where `count` is.
+        """(nx, ny, nz) smallest singular value of the Jacobian of the solution nearest to singular; 0 where `count` is.
+
+        Lengths are in units of the arm; it is small on the singular surfaces.
         """
         return self.measured("least_singular")
 
