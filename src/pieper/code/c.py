@@ -210,7 +210,6 @@ def own_parts(export: Export) -> dict[str, str]:
 def _own_parts(export: Export) -> dict[str, str]:
     own, n = export.between, export.n
     held = own.held is not None
-    value = "value" if own.held is not None else ""
     tied = own.tied is not None
     parts = {
         "SLOTS": str(export.plan.spec.max_solutions),
@@ -221,7 +220,7 @@ def _own_parts(export: Export) -> dict[str, str]:
         else "",
         "POSE": "given" if held else "T",
         "MOVED": _moved(export) if held else "",
-        "OWN_ROW": ", ".join(value if column is None else f"rows[m][{column}]" for column in own.columns),
+        "OWN_ROW": ", ".join("value" if column is None else f"rows[m][{column}]" for column in own.columns),
         "FILLED": "".join(
             f"    keep = keep && fabs(rows[m][{column}]) < {FILLED_ZERO * unit!r};\n" for column, unit in own.filled
         ),

@@ -39,7 +39,7 @@ def uses_itself(
         return ""
     if len(own) == 1:
         (joint,) = own
-        for name, joints in (known or {}).items():
+        for name, joints in sorted((known or {}).items()):
             if joint in joints:
                 return name
         return _place(model, joint, node, definitions, set())
