@@ -22,7 +22,7 @@ from pieper.equations.derivation.worked import WorkedExample
 from pieper.equations.lettering import checked_letters, in_letters
 from pieper.equations.named_parts import broken_lines
 from pieper.equations.table import symbol_table
-from pieper.errors import PieperError, PlanError
+from pieper.errors import InputError, PieperError, PlanError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import look
 from pieper.kinematics.pose import checked_pose
@@ -109,7 +109,21 @@ class InverseEquations(Readable):
         """Work one pose (4, 4) through the derivation, numbers put in line by line; a solution inside limits if any."""
         if self.form is None:
             raise PieperError(f"{self._arm.name} has no closed form to work through; arm.ik solves it.")
-        return WorkedExample(self.form, checked_pose(T, "T"), np.asarray(self._arm.limits))
+        T = checked_pose(T, "T")
+        limits = np.asarray(self._arm.limits)
+        if not (self.form.chosen or self.form.free or any(s.degenerate for s in self.form.steps)):
+            return WorkedExample(self.form, T, limits)
+        try:  # what may be chosen is taken from a solution: not every value of it has one
+            sols = self._arm.ik(T)
+            rows = [*sols.q, *sols.all_q]
+        except PieperError:
+            rows = []
+        for row in (*rows[:8], None):
+            try:
+                return WorkedExample(self.form, T, limits, row)
+            except InputError:
+                continue
+        return WorkedExample(self.form, T, limits)
 
     def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> DerivationCheck | PolynomialCheck:
         """Evaluate the formulas at every solution of `n` random poses, and at 50 digits (`DerivationCheck`)."""

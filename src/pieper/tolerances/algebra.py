@@ -8,7 +8,8 @@ REAL_ROOT = 1e-7
 EXACT_DEGREES = 1e-11
 #: How far from the unit circle a root e^(i theta) may lie and still be real before it is polished.
 ON_UNIT_CIRCLE = 1e-3
-#: A characteristic polynomial whose harmonics are below this vanishes: another cut is asked; smaller ones are trimmed.
+#: Harmonics of a characteristic polynomial below this part of the largest are none. How large the largest is says
+#: nothing: a determinant of twelve rows may be 1e-17 throughout and exact to fourteen digits.
 POLYNOMIAL_VANISHES = 1e-13
 #: What a cut leaves outside the polynomial's degree, relative, below which it is of use.
 POLYNOMIAL_CLEAN = 1e-6
@@ -78,3 +79,8 @@ SAMPLED_GEOMETRY = 1e-6
 PARALLEL_SAMPLED = 1e-9
 #: Grids of postures begin this far (rad) off the round values, at which special arms are singular by chance.
 OFF_THE_GRID = 1e-3
+#: A branch on which a step degenerates leads back to its pose within this (per size of the pose's entries): the root
+#: that vanishes there keeps half the digits, and the angle of two such numbers fewer.
+LED_BACK = 1e-5
+#: At a degenerate posture formulas give the joints back to this (rad; m): they too follow from vanishing roots.
+CASE_SAME = 1e-4

@@ -8,8 +8,9 @@ there are none, the lengths rule them out, or no pose that the arm reaches is on
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -88,16 +89,19 @@ class Case:
             UNREACHED (no pose that the arm reaches), MIXED (free at some of its poses).
         postures: (m, n) joint vectors, rad or m, at which it was visited.
         rest: What the step's equation then says, 0 = rest, as (left, right); None when it says nothing.
-        other: The move that decides instead, None when there is none of one unknown.
-        eliminator: The elimination that the move belongs to.
+        options: Moves that may decide instead, the simplest first, each with the elimination that it belongs to.
+        chosen: The one of them that leads to every posture, None when none does.
+        conditions: What tells solutions from other choices of signs there; None where all are solutions, () where it
+            takes forward kinematics to tell.
         sigma: The branch sign that its two solutions go with: that of the step whose branches meet there.
     """
 
     kind: str
     postures: Array
     rest: Expr | None = None
-    other: Move | None = None
-    eliminator: Eliminator | None = None
+    options: tuple[tuple[Move, Eliminator], ...] = ()
+    chosen: tuple[Move, Eliminator] | None = None
+    conditions: tuple[Any, ...] | None = None
     sigma: Sym | None = None
 
 
@@ -111,9 +115,9 @@ def visit(form: Form, step: Step) -> Case:
     free = _free(form, step, postures[:LOOKED], rng)
     if free.all():
         return Case(FREE, postures[:LOOKED])
-    other, eliminator = _other(form, step, postures[:LOOKED][~free])
     sigma = _meeting(form, step, postures[:LOOKED][~free])
-    return Case(MIXED if free.any() else ELSEWHERE, postures[:LOOKED], None, other, eliminator, sigma)
+    options = tuple(_others(form, step, postures[:LOOKED][~free], sigma is not None))
+    return Case(MIXED if free.any() else ELSEWHERE, postures[:LOOKED], None, options, sigma=sigma)
 
 
 def _meeting(form: Form, step: Step, postures: Array) -> Sym | None:
@@ -246,25 +250,28 @@ def _rest(form: Form, step: Step) -> Expr | None:
     return (rest if next(iter(left.values())) > 0 else -rest).expr() if abs(value) > COEFFICIENT_VANISHES else None
 
 
-def _other(form: Form, step: Step, postures: Array) -> tuple[Move | None, Eliminator | None]:
-    """The equation of one unknown that decides the step's joint at degenerate postures (m, n)."""
+def _others(form: Form, step: Step, postures: Array, two: bool) -> Iterator[tuple[Move, Eliminator]]:
+    """Equations of one unknown that may decide the step's joint at degenerate postures (m, n).
+
+    Only where the two branches of an earlier step meet may one of `two` solutions: their sign tells those apart.
+    """
     e = form.replayed(step.number - 1)
     values = truth(form, postures, step.number - 1)
-    wanted = np.asarray(sum(k * values[angle_symbol(j)] for j, k in step.angle), dtype=float)
     if step.symbol in e.knowledge.prismatic.values():
         wanted = np.asarray(values[step.symbol], dtype=float)
+    else:
+        wanted = np.asarray(sum(k * values[angle_symbol(j)] for j, k in step.angle), dtype=float)
     sigma, name = Sym("sigma", str(step.number), 0), Sym("h", str(step.number), 4)
     options: list[tuple] = []
     for equations in e.tiers():
         options += [o for o in e.options(equations, sigma, name) if o[1] == step.angle]
     for _, angle, used, recipe, polys in sorted(options, key=lambda option: option[0]):
         solved = recipe.build()
-        if solved is None or not _gives(e, solved, sigma, values, wanted):
+        if solved is None or (solved.branches > 1 and not two) or not _gives(e, solved, sigma, values, wanted):
             continue
         shown = [*polys, solved.formula, *(x for _, x in solved.definitions)]
         names = tuple(e.target.show([*shown, *_sides(used)]))
-        return Move(step.symbol, angle, used, solved, sigma if solved.branches > 1 else None, names), e
-    return None, None
+        yield Move(step.symbol, angle, used, solved, sigma if solved.branches > 1 else None, names), e
 
 
 def _sides(equations: tuple[Equation, ...]) -> list:
