@@ -149,8 +149,8 @@ def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdic
     if proof.looked:
         ends = "no posture so reached at the last pose is that one" if proof.arrived else "ends before"
         how = (
-            f"Everything inside the limits at {proof.begun:.6g} of the path was followed with proved bounds and {ends}: "
-            f"{plural(proof.looked, 'point')}."
+            f"Everything inside the limits at {proof.begun:.6g} of the path was followed with proved bounds and "
+            f"{ends}: {plural(proof.looked, 'point')}."
         )
     else:
         there = "the first pose" if proof.begun == 0 else f"{proof.begun:.6g} of the path"
