@@ -1,5 +1,7 @@
 """Programs for controllers: read back they are the same targets, and what a maker does not take is refused."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -180,3 +182,81 @@ def test_a_long_circle_is_written_in_pieces_of_less_than_half_a_turn(dialect, tu
         for t in pieper.read_program(file)[:-1]:
             for posture in (t.q_via, t.q):
                 assert abs(np.linalg.norm(arm.fk(posture)[:3, 3] - centre) - 0.03) < 2e-5
+
+
+#: How each dialect says the speed of a line or circle, and how many of its units are a metre a second.
+LINE_SPEED = {
+    "rapid": (r"speeddata vp[3-6]:=\[([\d.]+)", 1000.0),
+    "urscript": (r"mov[e][lc]\(.*v=([\d.]+)", 1.0),
+    "krl": (r"\$VEL\.CP=([\d.]+)", 1.0),
+    "fanuc-ls": (r" ([\d.]+)mm/sec", 1000.0),
+    "inform": (r"MOV[LC].* V=([\d.]+)", 1000.0),
+    "pacscript": (r"Move [LC].*' ([\d.]+) mm/s", 1000.0),
+}
+
+
+@pytest.mark.parametrize("dialect", LINE_SPEED)
+def test_every_line_says_its_own_speed_within_the_limit_of_the_tools(dialect, tmp_path):
+    name, degrees = AT_HOME[dialect]
+    arm, q = pieper.load(name), np.radians(degrees)
+    T = arm.fk(q)
+    near, via = T.copy(), T.copy()
+    near[:3, 3] += [0.01, 0.01, 0.0]
+    via[:3, 3] += [0.01, 0.0, 0.01]
+    for most, written in ((0.05, {0.05, 0.01}), (None, {0.25, 0.01, 0.4})):
+        p = pieper.Program(arm, pieper.Limits(0.1, 1.0, tool_speed=most), start=q)
+        p.move_j(q + 0.01).move_j(q, speed=0.5).move_l(near, speed=0.01).move_l(T).move_l(near, speed=0.4).move_c(
+            via, T
+        )
+        file = tmp_path / f"s{DIALECTS[dialect].suffixes[0]}"
+        p.write(file, dialect=dialect, name="s", cartesian=True)
+        text = file.read_text()
+        pattern, unit = LINE_SPEED[dialect]
+        speeds = [float(v) / unit for v in re.findall(pattern, text)]
+        # none is inherited from the move before
+        assert len(speeds) >= 4 and speeds[:2] == [0.01, min(written - {0.01, 0.4})]
+        assert set(speeds) == written
+        words = " ".join(re.sub(r"[!;#'\d:]+", " ", text).split())
+        assert ("not of the limits" in words) == (dialect != "urscript")
+
+
+def arc_job(tmp_path, between):
+    name, degrees = AT_HOME["inform"]
+    arm, q = pieper.load(name), np.radians(degrees)
+    T = arm.fk(q)
+    end, via = T.copy(), T.copy()
+    end[:3, 3] += [0.03, 0.03, 0.01]
+    via[:3, 3] += [0.01, 0.02, 0.01]
+    p = pieper.Program(arm, pieper.Limits(2.0, 8.0), start=q).move_l(end).move_c(via, T)
+    if between:
+        p.wait(0.1)
+    p.move_c(via, end).move_l(T)
+    file = tmp_path / "a.jbi"
+    p.write(file)
+    return p, file
+
+
+@pytest.mark.parametrize("between", [False, True])
+def test_an_arc_of_inform_is_three_movc(between, tmp_path):
+    p, file = arc_job(tmp_path, between)
+    words = re.findall(r"^(MOV.) (C\d+)", file.read_text(), re.M)
+    assert "".join(word[-1] for word, _ in words) == "LCCCLCCCL"
+    # an arc begins where the way before it ends
+    assert words[1][1] == words[0][1] and words[5][1] == words[4][1] == words[3][1]
+    targets = pieper.read_program(file)
+    assert [t.kind for t in targets] == ["move_l", "move_c", "move_c", "move_l"]
+    for target, move in zip(targets, p.moves, strict=True):
+        same(target, move)
+
+
+def test_other_counts_of_movc_are_refused(tmp_path):
+    _, file = arc_job(tmp_path, False)
+    lines = file.read_text().splitlines()
+    at = next(k for k, line in enumerate(lines) if line.startswith("MOVC"))
+    for changed in (lines[:at] + lines[at + 1 :], lines[:at] + [lines[at]] + lines[at:]):
+        file.write_text("\n".join(changed))
+        with pytest.raises(InputError, match="three MOVC"):
+            pieper.read_program(file)
+    # from elsewhere the way to an arc's beginning is a line
+    file.write_text("\n".join(lines[: at - 1] + ["MOVL C00001 V=100.0"] + lines[at:]))
+    assert [t.kind for t in pieper.read_program(file)][:3] == ["move_l", "move_l", "move_c"]

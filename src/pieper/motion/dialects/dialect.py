@@ -21,8 +21,8 @@ from pieper.solver.plan.plan import Plan
 from pieper.tolerances import SAME_TOOL_IN_FILE
 from pieper.words_by_number import plural
 
-#: Tool speed that is written where none was said, mm/s; turns are written in proportion.
-USUAL_SPEED = 250.0
+#: Tool speed that is written where none was said, m/s, as long as the limit of the tool's speed allows it.
+USUAL_SPEED = 0.25
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 
@@ -141,16 +141,43 @@ class Script:
         """Return joint values as controllers take them: degrees, and millimetres of a slide."""
         return [float(v) for v in np.where(self.plan.prismatic, q * 1e3, np.degrees(q))]
 
-    def head(self, mark: str, width: int = 110) -> list[str]:
-        """Return what a reader must know, as comments of at most `width` characters."""
+    def line_speed(self, move: Move) -> float:
+        """Return the speed of the tool's point that is written for a line or circle, m/s, within its limit."""
+        said = USUAL_SPEED if move.speed is None else move.speed
+        return said if self.limits.tool_speed is None else min(said, self.limits.tool_speed)
+
+    def head(self, mark: str, width: int = 110, shares: bool = True) -> list[str]:
+        """Return what a reader must know, as comments of at most `width` characters.
+
+        Args:
+            mark: What a comment begins with.
+            width: Most characters of a line.
+            shares: Whether joint moves are told in parts of the controller's full speed.
+        """
         tool = read_pose(self.description.tool, "rpy", degrees=True, mm=True)
         said = [
             f"{self.plan.name}, {plural(len(self.moves), 'move')}; joints as in its robot file.",
             f"Tool in the last frame of its table: x y z {numbers(tool[:3], 3)} mm, rpy {numbers(tool[3:], 4)} deg; "
             "set the same on the controller.",
+            *self._speeds(shares),
             "Not confirmed on a controller.",
         ]
         return [f"{mark} {line}" for text in said for line in wrap(text, width - len(mark) - 1)]
+
+    def _speeds(self, shares: bool) -> list[str]:
+        """Return what the written speeds are, where that is not plain from the file."""
+        out: list[str] = []
+        if any(move.kind not in ("move_j", "move_s") and move.speed is None for move in self.moves):
+            usual = self.line_speed(Move("move_l", self.start, np.eye(4))) * 1e3
+            out.append(f"Lines of no given speed run at {usual:.6g} mm/s.")
+        if shares and any(move.kind == "move_j" for move in self.moves):
+            most = np.degrees(self.limits.of(self.plan.n, self.plan.names).speed)
+            said = f"{most.min():.6g}" if np.ptp(most) == 0 else f"{most.min():.6g} to {most.max():.6g}"
+            out.append(
+                "Speeds of joint moves are parts of the controller's own full speed, not of the limits the motion was "
+                f"timed with ({said} deg/s): lower the override where those are less."
+            )
+        return out
 
 
 @dataclass(frozen=True)

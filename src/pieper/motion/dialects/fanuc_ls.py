@@ -10,7 +10,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import NUMBER, USUAL_SPEED, Dialect, Script, Setup, Target, fixed, named
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, named
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 _JOINTS = ("J1", "J2", "J3", "J4", "J5", "J6")
@@ -61,19 +61,19 @@ def write(script: Script) -> str:
             lines += _set("UFRAME", now.frame_number, now.frame) if now.frame_number else []
             lines.append(f"UFRAME_NUM={now.frame_number}")
         else:
-            lines += _move(item, place) if isinstance(item, Move) else [_EVENTS.said(item)]
+            lines += _move(script, item, place) if isinstance(item, Move) else [_EVENTS.said(item)]
     text = [f"/PROG  {script.name.upper()}", "/ATTR", 'COMMENT = "pieper";', "DEFAULT_GROUP = 1,*,*,*,*;", "/MN"]
     text += [f"{number:4d}:{line}    ;" for number, line in enumerate(lines, 1)]
     return "\n".join([*text, "/POS", *places, "/END", ""])
 
 
-def _move(move: Move, place: Callable[[Array, Array], int]) -> list[str]:
+def _move(script: Script, move: Move, place: Callable[[Array, Array], int]) -> list[str]:
     # a percentage of the corner, not a radius: the controller rounds by speed
     stop = f"CNT{min(100, max(1, round(move.blend * 1e3)))}" if move.blend else "FINE"
     if move.kind == "move_j":
         share = 100 if move.speed is None else max(1, round(100 * move.speed))
         return [f"J P[{place(move.q, move.T)}] {share}% {stop}"]
-    speed = f"{fixed(USUAL_SPEED if move.speed is None else move.speed * 1e3, 1)}mm/sec {stop}"
+    speed = f"{fixed(script.line_speed(move) * 1e3, 1)}mm/sec {stop}"
     if move.via is not None and move.q_via is not None:
         via = place(move.q_via, move.via)
         return [f"C P[{via}] P[{place(move.q, move.T)}] {speed}"]

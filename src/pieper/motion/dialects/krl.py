@@ -50,8 +50,7 @@ def _move(script: Script, move: Move) -> list[str]:
             target = f"{{{_place(move.T)},S {said.words[0]},T {said.turns[0]}}}"
         out.append(f"PTP {target}{' C_DIS' if move.blend else ''}")
         return out
-    if move.speed is not None:
-        out.append(f"$VEL.CP={fixed(move.speed, 5)}")
+    out.append(f"$VEL.CP={fixed(script.line_speed(move), 5)}")
     way = f"CIRC {{{_place(move.via)}}},{{{_place(move.T)}}}" if move.via is not None else f"LIN {{{_place(move.T)}}}"
     out.append(way + (" C_DIS" if move.blend else ""))
     return out

@@ -44,7 +44,7 @@ def _move(script: Script, move: Move) -> str:
         if script.cartesian:
             target = _place(script, move.T, move.q)
         return f"Move P, {stop} {target}, Speed = {fixed(share, 1)}"
-    said = "" if move.speed is None else f" ' {fixed(move.speed * 1e3, 1)} mm/s"
+    said = f" ' {fixed(script.line_speed(move) * 1e3, 1)} mm/s"
     target = _place(script, move.T, move.q)
     if move.via is not None and move.q_via is not None:
         return f"Move C, {_place(script, move.via, move.q_via)}, {stop} {target}{said}"

@@ -9,9 +9,11 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
+from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, numbers
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
+#: Speed of the tool's point that leaves a joint move its full speed, m/s: the language's own `vmax` for most arms.
+_FULL_SPEED = 7.0
 _NO_AXES = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 
 
@@ -71,8 +73,8 @@ def _data(script: Script, number: int, move: Move) -> list[str]:
         out.append(f"CONST robtarget p{number}:={_robtarget(script, move.T, move.q)};")
     if move.via is not None and move.q_via is not None:
         out.append(f"CONST robtarget pv{number}:={_robtarget(script, move.via, move.q_via)};")
-    speed = USUAL_SPEED if move.speed is None else move.speed * (1000.0 if move.kind != "move_j" else 7000.0)
-    out.append(f"CONST speeddata vp{number}:=[{fixed(speed, 3)},500,5000,1000];")
+    speed = script.line_speed(move) if move.kind != "move_j" else _FULL_SPEED * (move.speed or 1.0)
+    out.append(f"CONST speeddata vp{number}:=[{fixed(speed * 1e3, 3)},500,5000,1000];")
     if move.blend:
         r = move.blend * 1e3
         out.append(
