@@ -4,6 +4,11 @@
 SINE_SETTLED = 1e-12
 #: Imaginary part, relative, that rounding may give to a real root: a double one is known to half its digits.
 REAL_ROOT = 1e-7
+#: Farther from the axis, up to this (relative), where the polynomial vanishes on it to this part of its terms' size:
+#: two roots that meet, with coefficients that lost some digits.
+DOUBLE_ROOT_APART, DOUBLE_ROOT_VANISHES = 1e-4, 1e-13
+#: A leading coefficient below this part of the largest is none: a root is infinite.
+LEADING_NONE = 1e-15
 #: An angle is the fraction of a degree that it misses by no more than this, relative.
 EXACT_DEGREES = 1e-11
 #: How far from the unit circle a root e^(i theta) may lie and still be real before it is polished.

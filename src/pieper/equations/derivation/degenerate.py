@@ -23,14 +23,13 @@ from pieper.equations.derivation.patterns import Solved
 from pieper.equations.derivation.step import Step
 from pieper.equations.derivation.witness import branch_values, single_joint
 from pieper.equations.table import SymbolTable
+from pieper.equations.vanishing import NEWTON, random_postures, vanishing_near
 from pieper.tolerances import (
     COEFFICIENT_VANISHES,
     DAMPING_LEAST,
     DAMPING_OF_MISS,
     DEGENERATE_CLEAR,
     DEGENERATE_CLOSES,
-    DEGENERATE_EXACT,
-    DEGENERATE_RANK,
     DEGENERATE_STEP,
     NO_DIRECTION,
 )
@@ -40,7 +39,6 @@ Array = npt.NDArray[np.float64]
 FREE, ELSEWHERE, IMPOSSIBLE, UNREACHED, MIXED = "free", "elsewhere", "impossible", "unreached", "mixed"
 STARTS = 16  # random postures from which a degenerate one is looked for
 LOOKED = 4  # degenerate postures that are tried
-NEWTON = 30  # steps; those that converge need about ten
 MOVES = (0.05, -0.03)  # rad (or of the longest length) by which a joint is moved that may be free; how far it can
 # go on is for the steps after it to say
 OTHER_STARTS = 7  # random postures for the joints after it
@@ -158,19 +156,8 @@ def _vanishing(form: Form, step: Step, q: Array) -> Array:
 def _postures(form: Form, step: Step, rng: np.random.Generator) -> Array:
     """Postures (m, n) at which the step degenerates, none when there are none."""
     size = _scale(form)
-    q = rng.uniform(-np.pi, np.pi, (STARTS, form.n))
-    sliding = [j - 1 for j in form.table.prismatic]
-    q[:, sliding] = rng.uniform(-1, 1, (STARTS, len(sliding))) * size
-    with np.errstate(all="ignore"):
-        for _ in range(NEWTON):
-            points = np.concatenate([q, *(q + h for h in DEGENERATE_STEP * np.eye(form.n))])
-            every = _vanishing(form, step, points).reshape(form.n + 1, len(q), -1)
-            here, J = np.nan_to_num(every[0]), np.nan_to_num((every[1:] - every[0]) / DEGENERATE_STEP)
-            if np.abs(here).max() < DEGENERATE_EXACT:
-                break
-            move = np.einsum("kij,kj->ki", np.linalg.pinv(np.moveaxis(J, 0, 2), rcond=DEGENERATE_RANK), here)
-            q = q - np.clip(move, -0.5, 0.5)
-        gap = np.abs(_vanishing(form, step, q)).max(axis=1)
+    start = random_postures(STARTS, form.n, [j - 1 for j in form.table.prismatic], size, rng)
+    q, gap = vanishing_near(lambda points: _vanishing(form, step, points), start)
     order = np.argsort(gap)  # the solver asks for the last digits
     return q[order[gap[order] < COEFFICIENT_VANISHES * max(1.0, size)]]
 

@@ -87,7 +87,9 @@ def _opening(page: Document, form: ClosedForm) -> None:
             page.show(symbol, expr)
     if form.chosen:
         names = listed([form.table.variable(j) for j in form.chosen])
-        page.say("The arm has a joint to spare: ", *names, " is chosen freely, and the rest follows.")
+        one = len(form.chosen) == 1
+        head = "The arm has a joint to spare: " if one else "The arm has joints to spare: "
+        page.say(head, *names, f" {'is' if one else 'are'} chosen freely, and the rest follows.")
 
 
 def _step(page: Document, form: ClosedForm, step: Step) -> None:
@@ -255,7 +257,11 @@ def _summary(page: Document, form: ClosedForm) -> None:
         page.show(step.symbol, step.formula, number=step.number)
     if form.free:
         free = listed([form.table.variable(j) for j in form.free])
-        page.say(*free, " is free: only its sum with the joints about the same line moves anything. Choose it first.")
+        if len(form.free) == 1:
+            said = " is free: only its sum with the joints about the same line moves anything. Choose it first."
+        else:
+            said = " are free: only their sums with the joints about the same line move anything. Choose them first."
+        page.say(*free, said)
     if form.conditions:
         page.say("This arm cannot reach every pose. Of the combinations, keep those that also satisfy")
         for left, right, source in form.conditions:

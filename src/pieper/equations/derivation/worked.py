@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pieper.algebra.arithmetics import NumpyField
-from pieper.algebra.expression import Expr, Num, Sym
+from pieper.algebra.expression import Expr, Num, Sym, angle_symbol
 from pieper.document.blocks import Document, Equation, Equations, Piece, listed
 from pieper.document.formulas import equals
 from pieper.document.readable import Readable
@@ -16,6 +16,7 @@ from pieper.equations.derivation.closed_form import CHOSEN, INSTEAD, REGULAR, Cl
 from pieper.equations.derivation.step import Step
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
+from pieper.tolerances import LED_BACK
 
 DECIMALS = 5
 LONG = 70  # letters; a formula with longer numbers in it takes two lines
@@ -42,9 +43,12 @@ class WorkedExample(Readable):
                 "the arm reaches, and not where a step degenerates without another equation to decide it"
             )
         inside = real & ((found >= limits[:, 0]) & (found <= limits[:, 1])).all(-1)
+        miss = form.missed(self._solved.q, T[None])[:, 0]
+        self.reached = miss < LED_BACK * max(1.0, float(np.abs(T[:3]).max()))
         self.form, self.T = form, T
-        self.branch = int(np.argmax(inside if inside.any() else real))
-        self.q = found[self.branch]
+        ranked = [self.reached & inside, self.reached, real]
+        self.branch = int(np.argmax(next(rows for rows in ranked if rows.any())))
+        self.q, self.miss = found[self.branch], float(miss[self.branch])
 
     def __str__(self) -> str:
         return self.text()
@@ -77,9 +81,29 @@ class WorkedExample(Readable):
             page.say(symbol, " may be chosen; it is taken as ", self._joint(symbol, joint), ".")
         for step in form.steps:
             self._step(page, step)
-        missed = float(np.abs(self.form.poses(self.q[None])[0] - self.T).max())
-        page.say(f"Put back through forward kinematics these joints give the pose again, to {missed:.0e} at worst.")
+        self._joints(page)
+        if not self.reached[self.branch]:
+            page.say(
+                "Put back through forward kinematics these joints do not give the pose: an entry of it is missed by "
+                f"{self.miss:.2g}. The arm cannot take it; the formulas use some of its entries, and others do not fit."
+            )
+            return page
+        given = {"p": "its position", "ap": "its position and approach"}.get(form.given, "the pose")
+        to = f"to {self.miss:.0e} at worst" if self.miss else "to the last digit"
+        page.say(f"Put back through forward kinematics these joints give {given} again, {to}.")
         return page
+
+    def _joints(self, page: Document) -> None:
+        """Say the joints' own numbers, where an angle or slide of the table is another one."""
+        relations = [(s, expr) for s, expr in self.form.table.relation.values() if s.base != "q"]
+        if all(expr == angle_symbol(k, "q") for k, (_, expr) in enumerate(relations, 1)):
+            return
+        turning = [k + 1 not in self.form.table.prismatic for k in range(self.form.n)]
+        numbers = [
+            equals(angle_symbol(k + 1, "q"), self._number(np.degrees(v), "°") if turning[k] else self._number(v))
+            for k, v in enumerate(self.q)
+        ]
+        page.say("In the joints' own numbers that is ", *listed(numbers), ".")
 
     def _step(self, page: Document, step: Step) -> None:
         """The lines of a step; where it degenerates those of what decides it instead."""
