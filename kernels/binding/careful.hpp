@@ -85,8 +85,11 @@ class PyCarefulLook {
   }
 
  private:
-  // A line as (through, (i, j), sense), a linkage as (through, joints, axes, spots or None, senses, lead, low, high, course).
+  // A line as (through, (i, j), sense), a linkage as (through, joints, axes, spots or None, senses, lead, low, high, course),
+  // one that was followed as (points, closed).
   static nb::object told(const pieper::SelfMotionSaid& said) {
+    const npy_intp points[] = {static_cast<npy_intp>(said.points.size() / 6), 6};
+    if (points[0]) return nb::make_tuple(copied(said.points.data(), 2, points, NPY_DOUBLE), said.closed);
     const npy_intp six[] = {6}, four[] = {4}, wide[] = {4, 3};
     nb::object through = copied(said.through, 1, six, NPY_DOUBLE);
     if (said.line) return nb::make_tuple(through, nb::make_tuple(said.joints[0], said.joints[1]), said.sense);

@@ -101,7 +101,7 @@ bool CarefulLook::operator()(const double* T, CarefulPose& out) const {
 bool CarefulLook::look(const double* T, const double* q, int count, std::uint8_t flag, CarefulPose& out) const {
   const Own& own = *own_;
   double rows[kMostRows * 6], deviation, straight[16];
-  if (count > kMostRows || (!own.closed_form && (flag & (kDegenerate | kUncertain)) != kDegenerate)) return false;
+  if (count > kMostRows || (!own.closed_form && !(flag & kDegenerate))) return false;
   isa().deviation(T, 1, &deviation);
   if (deviation > own.exact) {
     isa().straighten(T, &deviation, own.exact, 1, straight);
@@ -112,7 +112,10 @@ bool CarefulLook::look(const double* T, const double* q, int count, std::uint8_t
   const Rigid pose = read_rigid(T, own.arm.length);
   if (!(own.closed_form ? own.look(pose, rows, count, read) : own.by_poses_beside(pose, rows, count, read)))
     return false;
-  out.motions.clear(), out.flag = flag;
+  if (!own.closed_form && read.rows.empty()) return false;
+  out.motions.clear();
+  // of poses beside that are certain all solutions were seen to follow from these
+  out.flag = own.closed_form ? flag : flag & ~(kUncertain | kOutOfReach);
   out.count = static_cast<int>(read.rows.size());
   out.q.clear(), out.inside.clear(), out.singular.clear(), out.branches.clear(), out.motion.clear();
   for (const Read::Row& row : read.rows) {
@@ -144,6 +147,13 @@ bool CarefulLook::look(const double* T, const double* q, int count, std::uint8_t
     }
     for (int i = 0; i < 6; ++i) said.through[i] *= own.unit(i);
     out.motions.push_back(said);
+  }
+  for (const NearCurve& curve : read.curves) {
+    SelfMotionSaid said{};
+    said.closed = curve.closed;
+    for (const CurvePoint& p : curve.points)
+      for (int i = 0; i < 6; ++i) said.points.push_back(p.q[i] * own.unit(i));
+    out.motions.push_back(std::move(said));
   }
   return true;
 }

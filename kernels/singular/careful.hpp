@@ -9,7 +9,7 @@
 
 namespace pieper {
 
-// A self-motion as its own words: two joints in one line, or a linkage.
+// A self-motion as its own words: two joints in one line, a linkage, or points that were followed.
 struct SelfMotionSaid {
   double through[6];  // rad; m
   bool line;
@@ -21,6 +21,9 @@ struct SelfMotionSaid {
   int lead;
   double low, high;
   int course;
+  // of one that was followed, else none
+  std::vector<double> points;  // k x 6, rad; m
+  bool closed;
 };
 
 // All there is at one pose, rows in order, limits applied.

@@ -9,7 +9,6 @@
 #include "dispatch/geometry.hpp"
 #include "singular/into_limits.hpp"
 #include "singular/merged.hpp"
-#include "singular/near_curve.hpp"
 #include "singular/read.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -51,20 +50,22 @@ class FromAside {
 
   // What there is at T, of which a kernel gave rows (count x 6); false where that is not told by the poses beside.
   bool operator()(const Rigid& T, const double* rows, int count, const SolvedBeside* beside, Read& out) const {
-    out.rows.clear(), out.motions.clear();
+    out.clear();
     std::vector<Known> known;
     std::vector<NearCurve> curves;
     for (int k = 0; k < count; ++k) known.push_back(look_at(T, rows + 6 * k));
     for (int k = 0; k < count; ++k)
-      if (!twin_is_known(T, known, k) && !through(T, known[k], known, curves)) return false;
+      if (!on_motion(known[k], out) && !twin_is_known(T, known, k) && !through(T, known[k], known, curves, out))
+        return false;
     for (int b = 0; b < kPoses; ++b) {
       if (beside[b].flag & kUncertain) return false;
       double e[6];
       const double far = missing_to(T, beside[b].T, e);
       for (int k = 0; k < beside[b].count; ++k) {
         const double* row = beside[b].rows + 6 * k;
-        if (follows(row, e, far, known, curves)) continue;
-        if (!through(T, look_at(T, row, false), known, curves) || !follows(row, e, far, known, curves)) return false;
+        if (follows(row, e, far, known, curves, out)) continue;
+        if (!through(T, look_at(T, row, false), known, curves, out) || !follows(row, e, far, known, curves, out))
+          return false;
       }
     }
     tell(T, known, out);
@@ -101,9 +102,10 @@ class FromAside {
       return std::fabs(along - sigma * t - bend * t * t) <=
              kAsideAstray * (sigma * std::fabs(t) + std::fabs(bend) * t * t);
     }
-    // How far roots lie from each other that are counted as one in this row.
+    // How far from it rounding lets a solution be that is counted in it.
     double blur() const {
-      if (!singular || branches < 2) return 0;
+      if (!singular) return 0;
+      if (branches < 2) return std::fmin(5 * kMergedRounding / std::fmax(sigma, kTiny), kSameAlong);
       return std::fmin(3 * std::sqrt(kMergedRounding / std::fmax(std::fabs(bend), kTiny)), kMergedBlur);
     }
     // How far along the weakest direction its second order says what is missed.
@@ -113,22 +115,34 @@ class FromAside {
   };
 
   bool follows(const double* row, const double* e, double far, const std::vector<Known>& known,
-               const std::vector<NearCurve>& curves) const {
+               const std::vector<NearCurve>& curves, const Read& out) const {
     for (const Known& one : known)
       if (one.leads_to(arm_, row, e, far)) return true;
-    for (const NearCurve& curve : curves)
-      if (curve.leads_to(arm_, row, e, far)) return true;
+    for (const auto* all : {&curves, &out.curves})
+      for (const NearCurve& curve : *all)
+        if (curve.leads_to(arm_, row, e, far)) return true;
+    return false;
+  }
+  bool on_motion(const Known& one, const Read& out) const {
+    if (!one.singular) return false;
+    for (const NearCurve& motion : out.curves)
+      if (motion.holds(arm_, one.q, kDoublesFromCurve)) return true;
     return false;
   }
 
-  // Follows the curve through a row that nearly holds the pose, and adds what hides on it; false where it does hold it, or is none.
-  bool through(const Rigid& T, const Known& row, std::vector<Known>& known, std::vector<NearCurve>& curves) const {
+  // Follows the curve through a row that nearly holds the pose, and adds what hides on it, or the curve as a
+  // self-motion; false where it is neither.
+  bool through(const Rigid& T, const Known& row, std::vector<Known>& known, std::vector<NearCurve>& curves,
+               Read& out) const {
     if (!row.weak || curves.size() == kMostCurves) return false;
     CurvePoint start{};
     std::copy(row.q, row.q + kSix, start.q);
     std::copy(row.null, row.null + 6, start.null), std::copy(row.left, row.left + 6, start.left);
     NearCurve curve;
-    if (!curve.follow(arm_, T, start) || curve.holds()) return false;
+    if (!curve.follow(arm_, T, start)) return false;
+    const NearCurve::Held held = curve.held(arm_);
+    if (held == NearCurve::Held::ALONG) out.curves.push_back(std::move(curve));
+    if (held != NearCurve::Held::NOWHERE) return held == NearCurve::Held::ALONG;
     std::vector<double> places;
     for (int k = 0; k < curve.pieces(); ++k) {
       const CurvePiece piece = curve.piece(arm_, k);
@@ -183,6 +197,7 @@ class FromAside {
     out.singular = d.s[5] <= kSingularExamined * d.s[0];
     if (out.singular && own) {
       // kernels stop where Newton's method is slow: the last digits of a merged root are fetched here
+      settle(arm_, T, out.q, kSlowSteps, kHeldFirmly);
       settle(arm_, T, out.q, kSlowSteps, kPreciseRank);
       at = Standing(arm_, out.q);
       d = SingularSix(at.J);
@@ -230,10 +245,13 @@ class FromAside {
     std::vector<Root> merged;
     std::vector<const Known*> isolated;
     for (const Known& one : known) {
+      if (on_motion(one, out)) continue;
       if (one.singular) {
         bool counted = false;
-        for (const Known* other = known.data(); other != &one; ++other)
-          counted |= arm_.apart(one.q, other->q) < std::fmin(one.blur(), other->blur());
+        for (const Known& other : known) {
+          const bool better = other.blur() < one.blur() || (other.blur() == one.blur() && &other < &one);
+          counted |= better && arm_.apart(one.q, other.q) < one.blur();
+        }
         if (counted) continue;
         merged.push_back({{}, one.branches});
         std::copy(one.q, one.q + kSix, merged.back().q);
@@ -251,6 +269,11 @@ class FromAside {
       if (again) continue;
       for (bool turns : {false, true}) into_limits(arm_, T, limits_, turns, root.q);
       out.add(arm_, root.q, root.branches, -1, true);
+    }
+    for (std::size_t k = 0; k < out.curves.size(); ++k) {
+      double q[6];
+      out.curves[k].representative(arm_, T, limits_, q);
+      out.add(arm_, q, 1, static_cast<int>(k), true);
     }
     out.in_order(arm_);
   }

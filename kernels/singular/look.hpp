@@ -23,7 +23,7 @@ class Look {
 
   // What there is at T, of which a closed-form kernel gave rows (count x 6); false where that cannot be read off.
   bool operator()(const Rigid& T, const double* rows, int count, Read& out) const {
-    out.rows.clear(), out.motions.clear();
+    out.clear();
     if (count == 0) return false;
     std::vector<Root> alone;
     std::vector<Unsure> unsure;

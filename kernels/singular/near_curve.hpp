@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "singular/six.hpp"
+#include "singular/motions.hpp"
 
 namespace pieper::PIEPER_ISA {
 
@@ -35,6 +35,11 @@ class Bordered {
         for (int c = k + 1; c < 7; ++c) A_[r][c] -= A_[r][k] * A_[k][c];
       }
     }
+  }
+  double determinant() const {
+    double out = 1;
+    for (int k = 0; k < 7; ++k) out *= from_[k] == k ? A_[k][k] : -A_[k][k];
+    return out;
   }
   void solve(double* b) const {
     for (int k = 0; k < 7; ++k) std::swap(b[k], b[from_[k]]);
@@ -62,7 +67,7 @@ class Bordered {
 
 // A point of such a curve (rad; lengths): what is missing there along `left`, and how that changes along `null`.
 struct CurvePoint {
-  double q[6], null[6], left[6], miss, slope;
+  double q[6], null[6], left[6], miss, slope, pivots;  // pivots: determinant of the bordered matrix
 
   // Brings q onto the curve by steps across `null`; false where that does not succeed.
   bool settle(const SixJoints& arm, const Rigid& T) {
@@ -77,7 +82,7 @@ struct CurvePoint {
       for (int i = 0; i < kSix; ++i) size += b[i] * b[i], q[i] += b[i];
       if (!(size < 1)) return false;
       if (size > kCurveSettled * kCurveSettled) continue;
-      miss = b[6];
+      miss = b[6], pivots = A.determinant();
       double along[7] = {0, 0, 0, 0, 0, 0, 1}, missed[7] = {0, 0, 0, 0, 0, 0, 1}, joints = 0, pose = 0;
       A.solve(along), A.solve_turned(missed);
       for (int i = 0; i < 6; ++i) joints += along[i] * along[i], pose += missed[i] * missed[i];
@@ -165,46 +170,82 @@ class NearCurve {
   int pieces() const { return static_cast<int>(points.size()) - 1; }
   CurvePiece piece(const SixJoints& arm, int k) const { return {arm, points[k], points[k + 1]}; }
 
-  // Whether some of it holds the pose all along: then it is a self-motion, or has one in it.
-  bool holds() const {
-    double way = 0;
+  // How far it holds the pose at a stretch: nowhere, or along some of it, which is left to a slower look, or all along, closed and
+  // not crossed by another: where one crosses the determinant changes its sign, or comes near to zero.
+  enum class Held { NOWHERE, SOMEWHERE, ALONG };
+  Held held(const SixJoints& arm) const {
+    double way = 0, longest = 0, most = 0;
+    bool all = true, crossed = !closed, slides = false;
+    for (const CurvePoint& p : points) most = std::fmax(most, std::fabs(p.pivots)), all &= std::fabs(p.miss) < kOnCurve;
+    for (bool one : arm.slides) slides |= one;
     for (int k = 0; k < pieces(); ++k) {
-      double square = 0;
-      for (int i = 0; i < kSix; ++i) square += std::pow(points[k + 1].q[i] - points[k].q[i], 2);
-      way = std::fmax(std::fabs(points[k].miss), std::fabs(points[k + 1].miss)) < 10 * kOnCurve
-                ? way + std::sqrt(square)
-                : 0;
-      if (way > kProbe) return true;
+      const CurvePiece piece = this->piece(arm, k);
+      const bool on = std::fmax(std::fabs(piece.a.miss), std::fabs(piece.b.miss)) < kOnCurve;
+      way = on ? way + piece.length : 0, longest = std::fmax(longest, way);
+      crossed |= piece.a.pivots * piece.b.pivots <= 0 || std::fabs(piece.a.pivots) < kCurvesCross * most;
     }
+    if (all && !crossed) return Held::ALONG;
+    // where joints only turn, what does not hold the pose all along holds it nowhere
+    return (all || slides) && longest > kProbe ? Held::SOMEWHERE : Held::NOWHERE;
+  }
+  // Whether a joint vector lies on it.
+  bool holds(const SixJoints& arm, const double* q, double within) const {
+    double s, foot[6];
+    for (int k = 0; k < pieces(); ++k)
+      if (beside(arm, piece(arm, k), q, within, s, foot)) return true;
     return false;
+  }
+  // The point that stands for it: inside the limits if any is, and of those the one with the smallest joint values.
+  void representative(const SixJoints& arm, const Rigid& T, const Limits& limits, double* q) const {
+    double least = INFINITY;
+    bool within = false;
+    for (const CurvePoint& p : points) {
+      double at[6], square = 0;
+      bool inside = true;
+      for (int i = 0; i < kSix; ++i) {
+        at[i] = arm.slides[i] ? p.q[i] : unwound(p.q[i], 0, -INFINITY, INFINITY);
+        inside &= turned_inside(at[i], arm.slides[i], limits.lower[i], limits.upper[i]);
+        square += at[i] * at[i];
+      }
+      // rounding makes equal costs unequal: a coarse key first, then the first point
+      const double cost = std::nearbyint(std::sqrt(square) / kRowOrderGrid);
+      if ((inside && !within) || (inside == within && cost < least))
+        least = cost, within = inside, std::copy(at, at + kSix, q);
+    }
+    pieper::PIEPER_ISA::settle(arm, T, q, 6, kCurveRank);
   }
 
   // Whether a solution of a pose that is missed by e, of size `far`, is one of this curve that has moved.
   bool leads_to(const SixJoints& arm, const double* a, const double* e, double far) const {
     for (int k = 0; k < pieces(); ++k) {
       const CurvePiece piece = this->piece(arm, k);
-      double s = 0.5, there[6];
-      for (int turn = 0; turn < 4; ++turn) {
-        piece.point(arm, s, there);
-        double along = 0;
-        for (int i = 0; i < kSix; ++i)
-          along += arm.way(a, there, i) * ((1 - s) * piece.a.null[i] + s * piece.b.null[i]);
-        if (std::fabs(along) > 2 * piece.length) break;
-        s = std::fmin(std::fmax(s + along / piece.length, -kCurveOver), 1 + kCurveOver);
-      }
-      piece.point(arm, s, there);
-      if (arm.apart(a, there) > kCurveBeside) continue;
-      double lean = piece.miss(s);
-      const double missed = lean;
+      double s, foot[6];
+      if (!beside(arm, piece, a, kCurveBeside, s, foot)) continue;
+      const double missed = piece.miss(s);
+      double lean = missed;
       for (int r = 0; r < 6; ++r) lean += e[r] * ((1 - s) * piece.a.left[r] + s * piece.b.left[r]);
-      if (std::fabs(lean) <= kAsideAstray * std::fmax(std::fabs(missed), kCurveTold * far)) return true;
+      if (std::fabs(lean) <= kAsideAstray * std::fabs(missed) + kCurveLeans * far) return true;
     }
     return false;
   }
 
  private:
   static constexpr int kMostPoints = 400;
-  static constexpr double kProbe = 0.04, kFirst = 0.02, kLongest = 0.2, kGrow = 1.6;
+  static constexpr double kProbe = 0.04, kFirst = 0.02, kGrow = 1.6;
+
+  // The foot of a joint vector on a piece, s there, and whether it is near.
+  static bool beside(const SixJoints& arm, const CurvePiece& piece, const double* q, double within, double& s,
+                     double* foot) {
+    s = 0.5;
+    for (int turn = 0; turn < 5; ++turn) {
+      piece.point(arm, s, foot);
+      double along = 0;
+      for (int i = 0; i < kSix; ++i) along += arm.way(q, foot, i) * ((1 - s) * piece.a.null[i] + s * piece.b.null[i]);
+      if (turn == 4 || std::fabs(along) > 2 * piece.length) break;
+      s = std::fmin(std::fmax(s + along / piece.length, -kCurveOver), 1 + kCurveOver);
+    }
+    return arm.apart(q, foot) <= within;
+  }
 
   // Appends points onwards; false where there are too many.
   bool walk(const SixJoints& arm, const Rigid& T, std::vector<CurvePoint>& to) {
@@ -235,17 +276,27 @@ class NearCurve {
       before = third, last = size;
       to.push_back(next);
       if (std::fabs(next.miss) > kCurveMisses || std::fabs(next.slope) > kCurveSteepens) return true;
-      double home = 0, ahead = 0;
+      step = std::fmin(kCurveStep, step * kGrow);
+      double home = 0, ahead = 0, same = 0;
       for (int i = 0; i < kSix; ++i) {
         const double gap = arm.way(first.q, next.q, i);
-        home += gap * gap, ahead += gap * next.null[i];
+        home += gap * gap, ahead += gap * next.null[i], same += first.null[i] * next.null[i];
       }
-      if (to.size() > 4 && home < step * step && ahead > 0) {
+      if (to.size() > 4 && home < step * step && ahead > 0 && same > 0.8) {
+        // home: the first point once more, as many turns on as the curve went round
         to.push_back(first);
+        for (int i = 0; i < kSix; ++i)
+          if (!arm.slides[i]) to.back().q[i] += kTwoPi * std::round((next.q[i] - first.q[i]) / kTwoPi);
+        double side = 0;
+        for (int r = 0; r < 6; ++r) side += next.left[r] * first.left[r];
+        if (side < 0) {
+          // the missed direction came home the other way round
+          for (double& x : to.back().left) x = -x;
+          to.back().miss = -first.miss, to.back().slope = -first.slope;
+        }
         closed = true;
         return true;
       }
-      step = std::fmin(kLongest, step * kGrow);
     }
     return false;
   }

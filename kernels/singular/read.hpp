@@ -1,6 +1,7 @@
 // All there is at a singular pose, as a look tells it: rows in order, and the self-motions some of them stand for. Scalar.
 #pragma once
 
+#include "singular/near_curve.hpp"
 #include "singular/pieces.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -9,11 +10,14 @@ struct Read {
   struct Row {
     double q[6];   // rad; lengths
     int branches;  // that merge in it
-    int motion;    // the self-motion it stands for, or -1
+    int motion;    // the self-motion it stands for, of `motions` or behind them of `curves`, or -1
     bool singular;
   };
   std::vector<Row> rows;
   std::vector<SelfMotionRead> motions;
+  std::vector<NearCurve> curves;  // self-motions that were followed
+
+  void clear() { rows.clear(), motions.clear(), curves.clear(); }
 
   void add(const SixJoints& arm, const double* q, int branches, int motion, bool singular) {
     Row row{{}, branches, motion, singular};

@@ -112,6 +112,16 @@ CURVE_MISSES = 1e-5
 CURVE_STEEPENS = 1e-2
 #: Between points of a curve its cubic says what is missed to this part of a step aside.
 CURVE_TOLD = 0.02
+#: and which direction is missed, to this part of it.
+CURVE_LEANS = 0.02
+#: Another self-motion may cross where the bordered determinant falls below this part of its largest.
+CURVES_CROSS = 1e-4
+#: Longest step along a self-motion (rad; per length): joints turn visibly, and chords cut corners by about 2e-3.
+CURVE_STEP = 0.12
+#: Directions that the pose feels less than this part of the most carry no step onto a curve: it is moved along freely.
+CURVE_RANK = 1e-7
+#: Double roots, whose place is known to half the digits, are farther than this from every self-motion.
+DOUBLES_FROM_CURVE = 1e-4
 #: Solutions of poses beside lie this near to a curve (rad; per length): their step over the weakest direction but one.
 CURVE_BESIDE = 1e-3
 #: A piece of a curve reaches this part beyond its ends.
