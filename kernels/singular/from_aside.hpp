@@ -68,7 +68,7 @@ class FromAside {
           return false;
       }
     }
-    tell(T, known, out);
+    tell(T, known, curves, out);
     return true;
   }
 
@@ -78,6 +78,7 @@ class FromAside {
     int branches;
     bool singular, regular, fold, weak;
     double inverse[6][6];                                // of the Jacobian of a regular row: [joint][pose]
+    double miss;                                         // of a singular row
     double sigma, second, bend, size, null[6], left[6];  // of a row with a weak direction
 
     // Whether a solution of a pose that is missed by e, of size `miss`, is this one that has moved.
@@ -105,7 +106,7 @@ class FromAside {
     // How far from it rounding lets a solution be that is counted in it.
     double blur() const {
       if (!singular) return 0;
-      if (branches < 2) return std::fmin(5 * kMergedRounding / std::fmax(sigma, kTiny), kSameAlong);
+      if (branches < 2) return fold ? 0 : std::fmin(2 * kMergedRounding / std::fmax(sigma, kTiny), kSameAlong);
       return std::fmin(3 * std::sqrt(kMergedRounding / std::fmax(std::fabs(bend), kTiny)), kMergedBlur);
     }
     // How far along the weakest direction its second order says what is missed.
@@ -127,6 +128,14 @@ class FromAside {
     if (!one.singular) return false;
     for (const NearCurve& motion : out.curves)
       if (motion.holds(arm_, one.q, kDoublesFromCurve)) return true;
+    return false;
+  }
+
+  // Whether a row is a point of a curve that only nearly holds the pose, where it is missed by more than rounding: kernels give such.
+  bool nearly_holds(const Rigid& T, const Known& one, const std::vector<NearCurve>& curves) const {
+    if (!one.singular || one.fold || one.miss <= 5 * kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)))) return false;
+    for (const NearCurve& curve : curves)
+      if (curve.holds(arm_, one.q, kDoublesFromCurve)) return true;
     return false;
   }
 
@@ -198,7 +207,7 @@ class FromAside {
     if (out.singular && own) {
       // kernels stop where Newton's method is slow: the last digits of a merged root are fetched here
       settle(arm_, T, out.q, kSlowSteps, kHeldFirmly);
-      settle(arm_, T, out.q, kSlowSteps, kPreciseRank);
+      out.miss = settle(arm_, T, out.q, kSlowSteps, kPreciseRank);
       at = Standing(arm_, out.q);
       d = SingularSix(at.J);
     } else {
@@ -241,11 +250,11 @@ class FromAside {
     return true;
   }
 
-  void tell(const Rigid& T, const std::vector<Known>& known, Read& out) const {
+  void tell(const Rigid& T, const std::vector<Known>& known, const std::vector<NearCurve>& curves, Read& out) const {
     std::vector<Root> merged;
     std::vector<const Known*> isolated;
     for (const Known& one : known) {
-      if (on_motion(one, out)) continue;
+      if (on_motion(one, out) || nearly_holds(T, one, curves)) continue;
       if (one.singular) {
         bool counted = false;
         for (const Known& other : known) {
