@@ -52,9 +52,9 @@ class Linkage {
 
 class CarefulLook {
  public:
-  // links: 7 x 16 row-major, m. lower, upper: 6, without slack.
+  // links: 7 x 16 row-major, m. lower, upper: 6, without slack. closed_form: whether the solver loses nothing where roots meet.
   CarefulLook(const Solver& solver, const double* links, const std::uint8_t* prismatic, double length,
-              const double* lower, const double* upper, double accepted, double exact);
+              const double* lower, const double* upper, double exact, bool closed_form);
   ~CarefulLook();
 
   // Looks at a pose that is one, of which the solver has these rows (count x 6, rad, m) and this flag; false where what there is

@@ -204,6 +204,7 @@ class CarefulLook:
         *,
         lower: ArrayLike,
         upper: ArrayLike,
+        closed_form: bool,
     ) -> None: ...
     def one(self, T: ArrayLike, q: ArrayLike, flag: int) -> tuple[Any, ...] | None:
         """What `pieper.solver.native.Read` holds of a pose (4, 4), rows (m, 6), flag; None if not read off."""

@@ -146,7 +146,9 @@ class SixJointSolver:
 
 
 def _look(native: _kernel.Solver, chain: Chain, limits: Array, spec: KernelSpec) -> _kernel.CarefulLook | None:
-    """Return the look at singular poses, where a closed form gives rows of six joints."""
-    if chain.n != 6 or not spec.closed_form:
+    """Return the look at singular poses of six joints."""
+    if chain.n != 6:
         return None
-    return _kernel.CarefulLook(native, chain.plain, lower=limits[:, 0], upper=limits[:, 1])
+    return _kernel.CarefulLook(
+        native, chain.plain, lower=limits[:, 0], upper=limits[:, 1], closed_form=spec.closed_form
+    )

@@ -66,8 +66,6 @@ ASPECT_SIGN = 1e-12
 TOLD_AS_HIT = 1e-7
 #: Positions missed by less (per length) are reached, turns (rad) are right.
 TOLD_AS_TURN = 1e-6
-#: Directions that a singular pose feels less than this part of the most carry no step onto it.
-PRECISE_RANK = 1e-13
 #: The same where a row is pulled from the side, and must not wander off along what is free.
 SLOW_RANK = 1e-9
 #: Damping of the descent to self-motions: at first, its factor where a step helped and where not, and where a row

@@ -92,3 +92,15 @@ ON_COURSE_TURN = 1e-12
 ACROSS_ROUNDING = 1e-9
 #: the one of which more is left by this.
 ACROSS_MORE = 1e-6
+#: Size of the generic steps to the poses beside a singular one (per length; rad): double roots part there by 3e-4 and more.
+ASIDE_STEP = 1e-7
+#: A solution of a pose beside is a row that has moved when it departs from where the row leads by less than this part.
+ASIDE_ASTRAY = 0.25
+#: Across the weakest direction it may depart by this many squares of the way along it, and of the step itself.
+ASIDE_ACROSS = 3.0
+#: What a fold misses to second order (per rad^2) times this is how far along it (rad) third orders count little.
+FOLD_REACHES = 0.5
+#: Square of the last pivot's part above which a row is regular beyond doubt: its singular value is far from the smallest.
+PLAINLY_REGULAR = 1e-3
+#: Directions that a singular pose feels less than this part of the most carry no step onto it.
+PRECISE_RANK = 1e-13
