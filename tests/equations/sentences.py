@@ -81,8 +81,9 @@ def _at_postures(arm: Arm, ik, case) -> list[str]:
     turns = np.array([kind == "R" for kind in arm.joint_types])
     gap = rows - case.postures
     gap = np.abs(np.where(turns, np.angle(np.exp(1j * gap)), gap)).max(axis=2)
-    if not (np.nanmin(gap, axis=0) < SAME).all():
-        bad.append(f"a posture is not given back, off by {np.nanmin(gap, axis=0).max():.1e}")
+    nearest = np.nan_to_num(gap, nan=np.inf).min(axis=0)
+    if not (nearest < SAME).all() and (case.kind == FREE or case.chosen is not None):
+        bad.append(f"a posture is not given back, off by {nearest.max():.1e}")
     real = np.isfinite(rows).all(axis=2)
     given = ["noap".index(c) for c in ik.form.given]
     miss = np.abs(arm.fk(np.nan_to_num(rows)) - T)[..., :3, given].max(axis=(2, 3))

@@ -22,7 +22,7 @@ from pieper.equations.derivation.worked import WorkedExample
 from pieper.equations.lettering import checked_letters, in_letters
 from pieper.equations.named_parts import broken_lines
 from pieper.equations.table import symbol_table
-from pieper.errors import PieperError, PlanError
+from pieper.errors import InputError, PieperError, PlanError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import look
 from pieper.kinematics.pose import checked_pose
@@ -109,7 +109,21 @@ class InverseEquations(Readable):
         """Work one pose (4, 4) through the derivation, numbers put in line by line; a solution inside limits if any."""
         if self.form is None:
             raise PieperError(f"{self._arm.name} has no closed form to work through; arm.ik solves it.")
-        return WorkedExample(self.form, checked_pose(T, "T"), np.asarray(self._arm.limits))
+        T = checked_pose(T, "T")
+        limits = np.asarray(self._arm.limits)
+        if not (self.form.chosen or self.form.free or any(s.degenerate for s in self.form.steps)):
+            return WorkedExample(self.form, T, limits)
+        try:  # what may be chosen is taken from a solution: not every value of it has one
+            sols = self._arm.ik(T)
+            rows = [*sols.q, *sols.all_q]
+        except PieperError:
+            rows = []
+        for row in (*rows[:8], None):
+            try:
+                return WorkedExample(self.form, T, limits, row)
+            except InputError:
+                continue
+        return WorkedExample(self.form, T, limits)
 
     def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> DerivationCheck | PolynomialCheck:
         """Evaluate the formulas at every solution of `n` random poses, and at 50 digits (`DerivationCheck`)."""
@@ -153,13 +167,28 @@ def _choices(arm: Arm, plan: Plan | None, task: str) -> Iterator[tuple[int, ...]
     yield from seen
     if not seen and not spare:
         yield ()
+    free = functools.partial(_may_be_chosen, arm, task)
     if spare == 1:
         order = [1, arm.n, *range(2, arm.n)]
-        yield from ((j,) for j in order if (j,) not in seen and _promising(arm, j))
+        yield from ((j,) for j in order if (j,) not in seen and free((j,)) and _promising(arm, j))
     elif spare > 1:
-        yield from itertools.islice(
-            (c for c in itertools.combinations(range(1, arm.n + 1), spare) if c not in seen), 20
-        )
+        others = (c for c in itertools.combinations(range(1, arm.n + 1), spare) if c not in seen and free(c))
+        yield from itertools.islice(others, 20)
+
+
+def _may_be_chosen(arm: Arm, task: str, chosen: tuple[int, ...]) -> bool:
+    """Whether the other joints can do all that the arm can do without these (1-based): no pose fixes one of them."""
+    kept = [j for j in range(arm.n) if j + 1 not in chosen]
+    for q in np.random.default_rng(6).uniform(-2.5, 2.5, (3, arm.n)):
+        J = arm.jacobian(q)
+        if task == "position":
+            J = J[:3]
+        elif task == "position+axis":
+            across = np.linalg.svd(arm.fk(q)[:3, 2][None])[2][1:]
+            J = np.vstack([J[:3], across @ J[3:]])
+        if np.linalg.matrix_rank(J[:, kept], ALIGNED) < np.linalg.matrix_rank(J, ALIGNED):
+            return False
+    return True
 
 
 def _promising(arm: Arm, joint: int) -> bool:

@@ -206,7 +206,7 @@ class GeneralInverse:
         return self._kept[poly.joint - 1] + 1
 
     def _symbol(self, joint: int) -> Sym:
-        """What stands for the turn of an axis (1-based): the joint's own number, of coupled joints a letter of its own."""
+        """What stands for the turn of an axis (1-based): the joint's number, of coupled joints another letter."""
         return angle_symbol(joint, "q" if self._arm.chain.coupling is None else "theta")
 
     def _meaning(self, page: Document) -> None:
@@ -216,7 +216,10 @@ class GeneralInverse:
             return
         names = [angle_symbol(k + 1, "q").text() for k in range(self._arm.n)]
         moved = [f"{self._symbol(j + 1).text()} = {moved_by(coupling[j], names)}" for j in range(self._arm.n)]
-        page.say(f"The joints are coupled; axes 1 to {self._arm.n} turn by {', '.join(moved)}, counted from where all joints are at zero.")
+        page.say(
+            f"The joints are coupled; axes 1 to {self._arm.n} turn by {', '.join(moved)}, counted from where all "
+            "joints are at zero."
+        )
 
     def _method(self, page: Document, poly: CharacteristicPolynomial) -> None:
         names = [j + 1 for j in self._kept]
