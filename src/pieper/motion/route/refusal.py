@@ -226,7 +226,7 @@ def _nearest_kept(task: Task) -> str:
     if worst is None or worst[0] >= keep.clearance:
         return ""
     return (
-        f" At {worst[1]:.4g} of the path none of the postures that were looked at keeps {keep.clearance * 1e3:.4g} mm: at "
+        f" At {worst[1]:.4g} of the path no posture that was looked at keeps {keep.clearance * 1e3:.4g} mm: at "
         f"best {keep.nearest(worst[2])} are {worst[0] * 1e3:.4g} mm apart."
     )
 
