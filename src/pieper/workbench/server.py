@@ -108,6 +108,7 @@ def create_app(
     files = {address: (path.read_bytes(), TYPES[path.suffix]) for address, path in _files().items()}
     looks = Looks()
     pool = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench")
+    slow = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench-long")
     sessions: set[Session] = set()
     headers_of_all = HEADERS if bench is None else {**HEADERS, "Content-Security-Policy": POLICY_FRAMED}
 
@@ -134,7 +135,7 @@ def create_app(
         if len(sessions) >= MAX_SESSIONS:
             await websocket.close(1013, f"{MAX_SESSIONS} pages are open already; close one")
             return
-        session = Session(websocket, pool, looks=looks, start=first, bench=bench)
+        session = Session(websocket, pool, slow, looks=looks, start=first, bench=bench)
         sessions.add(session)
         try:
             await session.run()
@@ -144,7 +145,8 @@ def create_app(
     @asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:
         yield
-        pool.shutdown(wait=False, cancel_futures=True)
+        for threads in (pool, slow):
+            threads.shutdown(wait=False, cancel_futures=True)
 
     app = Starlette(
         routes=[
@@ -207,6 +209,7 @@ def serve(
         ws_max_size=LARGEST_FRAME,
         ws="auto",
         server_header=False,
+        timeout_graceful_shutdown=2,
     )
     server = uvicorn.Server(config)
     listener = config.bind_socket()
