@@ -29,7 +29,7 @@ def false_sentences(arm: Arm, poses: int = POSES) -> list[str]:
     if not found.holds:
         bad.append(f"formulas: {found.what}")
     if not ik.closed:
-        return bad
+        return [*bad, *_polynomial(arm, ik.general)]
     bad += [f"count: {words}" for words in _counts(arm, text)]
     for number, case in ik.form.cases.items():
         if case.kind in (FREE, ELSEWHERE):
@@ -41,6 +41,25 @@ def false_sentences(arm: Arm, poses: int = POSES) -> list[str]:
                 bad.append(f"step {number}, {case.kind}: a posture comes within {gap.min():.1e}")
             if "is free" in text.split(f"Step {number}:")[1].split("Step ")[0]:
                 bad.append(f"step {number}, {case.kind}: called free all the same")
+    return bad
+
+
+def _polynomial(arm: Arm, general) -> list[str]:
+    """The postures that the page prints reach its pose, the one that made it among them, and no pose has more."""
+    q, chosen = general.example, list(general.chosen)
+    T = arm.fk(q)
+    found = general.polynomial(T, q[chosen])
+    if found is None:
+        return []
+    rows = np.tile(q, (len(found.solutions), 1))
+    rows[:, [j for j in range(arm.n) if j not in chosen]] = found.solutions
+    bad = []
+    if len(rows) and np.abs(arm.fk(rows) - T).max() > MISSED * max(1.0, arm.chain.length):
+        bad.append(f"polynomial: a printed posture misses its pose by {np.abs(arm.fk(rows) - T).max():.1e}")
+    if not (arm.chain.joints.apart(rows, q) < SAME).any():
+        bad.append("polynomial: the posture that made the pose is not printed")
+    if len(rows) > found.degree:
+        bad.append(f"polynomial: {len(rows)} postures of a polynomial of degree {found.degree}")
     return bad
 
 

@@ -39,6 +39,8 @@ SMOOTH_FLAT = 1e-9
 SMOOTH_STALLED = 1e-7
 #: and the cost falls by less than this part;
 SMOOTH_NO_GAIN = 1e-15
+#: or, where ways are only compared before the best is made short, by less than this part;
+SMOOTH_ROUGH = 1e-3
 #: steps below this may be taken
 SMOOTH_TINY_STEP = 1e-6
 #: where the cost rises by no more than this part: rounding.

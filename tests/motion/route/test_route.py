@@ -225,3 +225,12 @@ def test_what_cannot_be_asked_is_said(irb, seam, change, noun):
 def test_a_freedom_that_is_none_is_refused(said, noun):
     with pytest.raises(pieper.InputError, match=noun):
         pieper.Freedom(**said)
+
+
+def test_what_turns_slowly_is_not_passed_over_for_what_stands():
+    # of two ways on one branch the cheaper one turns by 29 degrees, less than half a cell a step
+    from benchmarks.measure.route_costs import ladder_cost
+    from benchmarks.measure.route_verdicts import drawn
+
+    said = ladder_cost(*drawn("abb-irb2400", 0), FREE)
+    assert said["fits"] and said["cost"] <= 1.001 * said["ladder"]

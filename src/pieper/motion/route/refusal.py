@@ -48,11 +48,13 @@ class Proof:
         begun: Where everything inside the limits was known.
         s: What is followed from there ends before.
         looked: Points looked at.
+        arrived: Whether it gets to the last pose, and only the posture that it is to end with is not among it.
     """
 
     begun: float
     s: float
     looked: int
+    arrived: bool = False
 
 
 def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
@@ -89,8 +91,9 @@ def _closed(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -
             seeds = _known(task, limits, begin)
             found = follow(task.setting, limits, seeds, (begin, last), fine, int(SHARE * (most - looked)))
             looked += found.looked
-            if found.ended is Ended.DIED or (found.ended is Ended.ARRIVED and _misses_end(task, found)):
-                return Proof(begin, found.s, looked)
+            arrived = found.ended is Ended.ARRIVED and _misses_end(task, found)
+            if found.ended is Ended.DIED or arrived:
+                return Proof(begin, found.s, looked, arrived)
             begin = found.s + TAKEN_UP_BEHIND
             if found.ended is not Ended.SINGULAR or begin > last:
                 break
@@ -141,12 +144,13 @@ def _misses_end(task: Task, found: Front) -> bool:
 def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdict, Blocked, str]:
     blocked = blocked_at(task, ladder, reached, proof.begun, proof.s)
     where = f"no motion gets past {proof.s:.6g} of the path" if proof.s > 0 else "no motion begins at the first pose"
-    if proof.s >= 1.0 and reached == len(ladder.s) - 1:
+    if proof.arrived:
         where = "the posture that it is to end with is not reached"
     if proof.looked:
+        ends = "no posture so reached at the last pose is that one" if proof.arrived else "ends before"
         how = (
-            f"Everything inside the limits at {proof.begun:.6g} of the path was followed with proved bounds and ends "
-            f"before: {plural(proof.looked, 'point')}."
+            f"Everything inside the limits at {proof.begun:.6g} of the path was followed with proved bounds and "
+            f"{ends}: {plural(proof.looked, 'point')}."
         )
     else:
         there = "the first pose" if proof.begun == 0 else f"{proof.begun:.6g} of the path"
@@ -156,12 +160,12 @@ def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdic
 
 
 def _nothing_proved(task: Task) -> tuple[Verdict, Blocked | None, str]:
-    return (
-        Verdict.UNCERTAIN,
-        None,
-        f"Uncertain: no route was found with {task.setting.spare} coordinates free; a route can be ruled out "
-        "for one free coordinate only.",
-    )
+    spare = task.setting.spare
+    if spare > 1:
+        why = f"{plural(spare, 'coordinate')} are free, and with more than one a route is not ruled out."
+    else:
+        why = "of an arm whose joints decide this task in no regular way a route is not ruled out."
+    return Verdict.UNCERTAIN, None, f"Uncertain: no route was found; {why}"
 
 
 def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:
