@@ -9,6 +9,7 @@
 #include "dispatch/geometry.hpp"
 #include "singular/into_limits.hpp"
 #include "singular/merged.hpp"
+#include "singular/near_curve.hpp"
 #include "singular/read.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -24,6 +25,7 @@ struct SolvedBeside {
 class FromAside {
  public:
   static constexpr int kPoses = 6;
+  static constexpr std::size_t kMostCurves = 24;
   static constexpr int kSlowSteps = 40;  // at merged roots each step only halves what is left
 
   FromAside(const SixJoints& arm, const Limits& limits) : arm_(arm), limits_(limits) {}
@@ -51,19 +53,18 @@ class FromAside {
   bool operator()(const Rigid& T, const double* rows, int count, const SolvedBeside* beside, Read& out) const {
     out.rows.clear(), out.motions.clear();
     std::vector<Known> known;
+    std::vector<NearCurve> curves;
     for (int k = 0; k < count; ++k) known.push_back(look_at(T, rows + 6 * k));
-    const std::size_t given = known.size();
-    for (std::size_t k = 0; k < given; ++k)
-      if (!twin_is_known(T, known, k)) return false;
+    for (int k = 0; k < count; ++k)
+      if (!twin_is_known(T, known, k) && !through(T, known[k], known, curves)) return false;
     for (int b = 0; b < kPoses; ++b) {
-      if (beside[b].flag & (kDegenerate | kUncertain)) return false;
+      if (beside[b].flag & kUncertain) return false;
       double e[6];
-      const double size = missing_to(T, beside[b].T, e);
+      const double far = missing_to(T, beside[b].T, e);
       for (int k = 0; k < beside[b].count; ++k) {
-        bool follows = false;
-        for (std::size_t m = 0; m < known.size() && !follows; ++m)
-          follows = known[m].leads_to(arm_, beside[b].rows + 6 * k, e, size);
-        if (!follows) return false;
+        const double* row = beside[b].rows + 6 * k;
+        if (follows(row, e, far, known, curves)) continue;
+        if (!through(T, look_at(T, row, false), known, curves) || !follows(row, e, far, known, curves)) return false;
       }
     }
     tell(T, known, out);
@@ -74,9 +75,9 @@ class FromAside {
   struct Known {
     double q[6];
     int branches;
-    bool singular, regular, fold;
+    bool singular, regular, fold, weak;
     double inverse[6][6];                                // of the Jacobian of a regular row: [joint][pose]
-    double sigma, second, bend, size, null[6], left[6];  // of a row next to a fold
+    double sigma, second, bend, size, null[6], left[6];  // of a row with a weak direction
 
     // Whether a solution of a pose that is missed by e, of size `miss`, is this one that has moved.
     bool leads_to(const SixJoints& arm, const double* a, const double* e, double miss) const {
@@ -100,13 +101,76 @@ class FromAside {
       return std::fabs(along - sigma * t - bend * t * t) <=
              kAsideAstray * (sigma * std::fabs(t) + std::fabs(bend) * t * t);
     }
+    // How far roots lie from each other that are counted as one in this row.
+    double blur() const {
+      if (!singular || branches < 2) return 0;
+      return std::fmin(3 * std::sqrt(kMergedRounding / std::fmax(std::fabs(bend), kTiny)), kMergedBlur);
+    }
     // How far along the weakest direction its second order says what is missed.
     double reach() const { return kFoldReaches * std::fabs(bend); }
     // Where the other root of the fold lies, along the weakest direction.
     double twin() const { return -sigma / bend; }
   };
 
-  Known look_at(const Rigid& T, const double* row) const {
+  bool follows(const double* row, const double* e, double far, const std::vector<Known>& known,
+               const std::vector<NearCurve>& curves) const {
+    for (const Known& one : known)
+      if (one.leads_to(arm_, row, e, far)) return true;
+    for (const NearCurve& curve : curves)
+      if (curve.leads_to(arm_, row, e, far)) return true;
+    return false;
+  }
+
+  // Follows the curve through a row that nearly holds the pose, and adds what hides on it; false where it does hold it, or is none.
+  bool through(const Rigid& T, const Known& row, std::vector<Known>& known, std::vector<NearCurve>& curves) const {
+    if (!row.weak || curves.size() == kMostCurves) return false;
+    CurvePoint start{};
+    std::copy(row.q, row.q + kSix, start.q);
+    std::copy(row.null, row.null + 6, start.null), std::copy(row.left, row.left + 6, start.left);
+    NearCurve curve;
+    if (!curve.follow(arm_, T, start) || curve.holds()) return false;
+    std::vector<double> places;
+    for (int k = 0; k < curve.pieces(); ++k) {
+      const CurvePiece piece = curve.piece(arm_, k);
+      places.clear();
+      piece.roots(kCurveTold * kAsideStep, places);
+      for (double s : places) {
+        CurvePoint at = s < 0.5 ? piece.a : piece.b;
+        piece.point(arm_, s, at.q);
+        if (!refine(T, piece.length, at) || is_known(known, at.q, kMergedTwins)) continue;
+        if (!(settle(arm_, T, at.q, kSlowSteps, kPreciseRank) < kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)))))
+          continue;
+        if (!is_known(known, at.q, kMergedSame)) known.push_back(look_at(T, at.q));
+      }
+    }
+    curves.push_back(std::move(curve));
+    return true;
+  }
+  bool is_known(const std::vector<Known>& known, const double* q, double within) const {
+    for (const Known& one : known)
+      if (arm_.apart(one.q, q) < std::fmax(within, one.blur())) return true;
+    return false;
+  }
+  // Newton's method along a curve; false where it leads away.
+  bool refine(const Rigid& T, double length, CurvePoint& at) const {
+    double least = INFINITY;
+    for (int step = 0; step < 10; ++step) {
+      CurvePoint next = at;
+      if (step > 0) {
+        const double way = -at.miss / at.slope;
+        if (!(std::fabs(way) < length)) return least < kCurveTold * kAsideStep;
+        for (int i = 0; i < kSix; ++i) next.q[i] += way * at.null[i];
+      }
+      if (!next.settle(arm_, T)) return false;
+      if (step > 0 && !(std::fabs(next.miss) < 0.5 * least)) break;
+      at = next, least = std::fabs(at.miss);
+      if (least < kMergedAlong) break;
+    }
+    return true;
+  }
+
+  // A row as it stands; one of the pose itself is brought to its last digits where it is singular.
+  Known look_at(const Rigid& T, const double* row, bool own = true) const {
     Known out{};
     std::copy(row, row + kSix, out.q);
     out.branches = 1;
@@ -117,7 +181,7 @@ class FromAside {
     }
     SingularSix d(at.J);
     out.singular = d.s[5] <= kSingularExamined * d.s[0];
-    if (out.singular) {
+    if (out.singular && own) {
       // kernels stop where Newton's method is slow: the last digits of a merged root are fetched here
       settle(arm_, T, out.q, kSlowSteps, kPreciseRank);
       at = Standing(arm_, out.q);
@@ -126,10 +190,11 @@ class FromAside {
       out.regular = invert(at.J, out.inverse);
     }
     out.sigma = d.s[5], out.second = d.s[4], out.bend = second_order(at.J, d);
+    out.weak = out.second > kOneWayFree * d.s[0] && out.sigma < kNearlySingular * d.s[0];
     out.fold = std::fabs(out.bend) > kClearFold && out.second > kOneWayFree * d.s[0];
     std::copy(d.joint[5], d.joint[5] + kSix, out.null);
     std::copy(d.pose[5], d.pose[5] + 6, out.left);
-    if (out.singular) {
+    if (out.singular && own) {
       out.branches = branches_of_fold(std::fabs(out.bend), d);
       if (out.branches == 0) out.branches = branches_at(arm_, T, out.q);
     }
@@ -140,6 +205,7 @@ class FromAside {
   bool twin_is_known(const Rigid& T, std::vector<Known>& known, std::size_t k) const {
     const Known one = known[k];
     if (!one.fold) return !one.singular;
+    if (one.branches > 1) return true;
     const double t = one.twin();
     double twin[6], apart = 0;
     for (int i = 0; i < kSix; ++i)
@@ -165,6 +231,10 @@ class FromAside {
     std::vector<const Known*> isolated;
     for (const Known& one : known) {
       if (one.singular) {
+        bool counted = false;
+        for (const Known* other = known.data(); other != &one; ++other)
+          counted |= arm_.apart(one.q, other->q) < std::fmin(one.blur(), other->blur());
+        if (counted) continue;
         merged.push_back({{}, one.branches});
         std::copy(one.q, one.q + kSix, merged.back().q);
         continue;

@@ -108,8 +108,6 @@ ON_NEAR_POLYLINE = 3e-2
 INDEPENDENT_STEPS = 0.5
 #: Relative singular value below which a second direction stays open: the solutions form a surface.
 OPEN_DIRECTION = 1e-7
-#: Relative sigma_min below which a point may lie on a curve that nearly holds the pose.
-NEARLY_SINGULAR = 1e-3
 #: A solution must hold the pose this well (per length; rad). At a double root this fixes q to its square root only.
 HOLDS = 1e-11
 #: A solution that the kernel did not give must hold it this well, so that poses just out of reach get none.
@@ -138,8 +136,6 @@ CURVE_STEEP = 1e-2
 NEAR_CURVE_HOLDS = 1e-3
 #: Below this they hold whatever is missed.
 NEAR_CURVE_ROUNDING = 1e-10
-#: A curve ends where a step shorter than this (rad; per length) does not go on.
-NEAR_CURVE_SHORTEST = 1e-3
 #: A joint turns along a self-motion when it moves by more (rad; per length).
 JOINT_TURNS = 1e-6
 #: Directions that the pose feels less than this part of the most carry no step onto a curve: it is moved along freely.
