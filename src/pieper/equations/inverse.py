@@ -48,10 +48,12 @@ class InverseEquations(Readable):
         self.plan = _plan(arm, task)
         self.task = task or (self.plan.task if self.plan else "pose")
         self.form = _closed_form(arm, self.plan, self.task)
+        self._fell_back = ""
         if self.form is None and task is None and self.task != "pose" and arm.n < 6:
             # the whole pose says more than the task asks for, and an arm with few joints needs it all the same
             self.form = _closed_form(arm, self.plan, "pose")
-            self.task = "pose" if self.form is not None else self.task
+            if self.form is not None:
+                self._fell_back, self.task = self.task, "pose"
 
     @functools.cached_property
     def general(self) -> GeneralInverse | None:
@@ -81,7 +83,12 @@ class InverseEquations(Readable):
         """Sentences and formulas in reading order."""
         page = Document(f"Inverse kinematics of {self._arm.name}")
         if self.form is not None:
-            if self.plan is not None:
+            if self._fell_back:
+                page.say(
+                    f"By the {self._fell_back.replace('+', ' and the ')} alone, which is what the solver takes of this "
+                    "arm, no joint stands alone in an equation. What follows is for the whole pose."
+                )
+            elif self.plan is not None:
                 page.add(*_how(self._arm, self.plan, self.form))
             write_steps(page, self.form)
             add_sign_names(page, self.sign_names)
@@ -211,7 +218,7 @@ def _how(arm: Arm, plan: Plan, form: ClosedForm) -> tuple[str, ...]:
         sentence += (
             " The formulas are those of the table as it stands; the solver takes " + "; ".join(plan.snapped) + "."
         )
-    most = min(plan.max_solutions, form.branches)
+    most = min(plan.count.most, form.branches)
     counted = f" A pose has at most {most} solution{'s' * (most != 1)}." if not form.chosen else ""
     said = (sentence + counted).strip()
     return (said,) if said else ()

@@ -32,6 +32,9 @@ TWO_POSTURES = 1e-6
 POLYNOMIAL_ENDS = 1e-12
 #: Rad or m: a branch is the solution; half the digits remain beside a singular pose.
 DERIVED_SAME = 1e-6
+#: Where a link is a hundred thousandth of the arm, rounding of the pose moves joints farther: up to this (rad; m) a
+#: branch that is at the pose to its last digits (per size of its entries) is the solution all the same.
+DERIVED_NEAR, DERIVED_AT_POSE = 1e-3, 1e-10
 #: Branches of a derivation are two where they are farther apart (rad; m).
 MERGED_BRANCHES = 1e-5
 #: A chosen joint has the value that was asked for when it misses it by less (rad; m).
