@@ -216,7 +216,9 @@ class GeneralInverse:
             return
         names = [angle_symbol(k + 1, "q").text() for k in range(self._arm.n)]
         moved = [f"{self._symbol(j + 1).text()} = {moved_by(coupling[j], names)}" for j in range(self._arm.n)]
-        page.say(f"The joints are coupled; axes 1 to {self._arm.n} turn by {', '.join(moved)}, counted from where all joints are at zero.")
+        page.say(
+            f"The joints are coupled; axes 1 to {self._arm.n} turn by {', '.join(moved)}, counted from where all joints are at zero."
+        )
 
     def _method(self, page: Document, poly: CharacteristicPolynomial) -> None:
         names = [j + 1 for j in self._kept]
