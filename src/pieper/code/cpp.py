@@ -261,7 +261,7 @@ SOLVED = """  double rows[@SLOTS@][6];
 def _between(parts: dict[str, str]) -> str:
     """Return what C says of joints that are not the six, around the kernel's rows, as a header says it."""
     own = c.FRAME[c.FRAME.index("static const double NAME_lower") : c.FRAME.index("#ifdef NAME_MAIN")]
-    first, last = own.index("/* An angle that rounds"), own.index("/* A pose (12 numbers")
+    first, last = own.index("/* An angle that rounds"), own.index("/* The pose that T means")
     own = own[:first] + own[last:]
     own = re.sub(r"^(int|void|const char \*)(?= ?NAME_)", r"inline \1", own, flags=re.MULTILINE)
     own = re.sub(r"^static (int|void) ", r"static inline \1 ", own, flags=re.MULTILINE)
