@@ -80,7 +80,7 @@ def _drawn(axes: Any, panels: list[list[Line]], titles: list[tuple[str, str]], l
             if part.letter:
                 axes.text(*at[0], part.letter, fontsize=7.5, color=part.colour, ha="center", va="center")
                 continue
-            # a stroke as it is: `plot` would look for limits, units and colours that are settled here, five times as long
+            # `plot` would look for limits, units and colours that are settled here, five times as long
             stroke = Line2D(*at.T, color=part.colour, alpha=part.alpha, linewidth=1.4, linestyle=part.dashes)
             axes.add_artist(stroke)
             if part.arrow:
