@@ -33,7 +33,18 @@ ON_THE_WAY = 64
 #: Seconds to wait for the last answers.
 LAST = 120
 #: How often each kind of message is sent in a fuzz, beside the others.
-WEIGHTS = {"report": 0.02, "film": 0.1, "equations": 0.2, "route_others": 0.2, "voxels": 0.2, "cloud": 0.3}
+WEIGHTS = {
+    "report": 0.004,
+    "film": 0.03,
+    "route_others": 0.1,
+    "route_program": 0.2,
+    "equations": 0.2,
+    "voxels": 0.2,
+    "program": 0.3,
+    "cloud": 0.3,
+    "formulas": 0.4,
+    "self_motions": 0.4,
+}
 
 
 def spread(values: list[float]) -> dict[str, float]:
