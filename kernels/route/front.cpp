@@ -37,13 +37,27 @@ class Front {
         curves(asked.n, asked.links, asked.prismatic, asked.length),
         low(asked.n),
         high(asked.n),
+        alone(asked.n),
         ring(asked.n) {
     std::vector<double> slide(a.n, 0.0);
+    for (int i = 0; i < a.n; ++i) {
+      const double unit = curves.slides(i) ? a.length : 1.0;
+      double square = 0;
+      for (int j = 0; j < a.n; ++j) {
+        of[i][j] = a.joints[i * a.n + j] * (curves.slides(j) ? a.length : 1.0) / unit;
+        square += of[i][j] * of[i][j];
+      }
+      // a limit of a combination is told by how far the coordinates are from it
+      const double size = std::sqrt(square);
+      for (int j = 0; j < a.n; ++j) of[i][j] /= size;
+      low[i] = a.lower[i] / unit / size, high[i] = a.upper[i] / unit / size;
+      alone[i] = of[i][i] == 1.0;
+      if (curves.slides(i)) slide[i] = std::fmax(std::fabs(low[i]), std::fabs(high[i])) + 0.1;
+    }
     for (int j = 0; j < a.n; ++j) {
-      const double unit = curves.slides(j) ? a.length : 1.0;
-      low[j] = a.lower[j] / unit, high[j] = a.upper[j] / unit;
-      ring[j] = !curves.slides(j) && !std::isfinite(low[j]) && !std::isfinite(high[j]);
-      if (curves.slides(j)) slide[j] = std::fmax(std::fabs(low[j]), std::fabs(high[j])) + 0.1;
+      ring[j] = !curves.slides(j);
+      for (int i = 0; i < a.n; ++i)
+        if (of[i][j] != 0.0 && (std::isfinite(low[i]) || std::isfinite(high[i]))) ring[j] = 0;
     }
     curves.reach(slide.data());
   }
@@ -102,7 +116,8 @@ class Front {
   const bool rough;
   Curves curves;
   std::vector<double> low, high;
-  std::vector<std::uint8_t> ring;
+  double of[kMostCoordinates][kMostCoordinates];  // what is limited, each row of length one
+  std::vector<std::uint8_t> alone, ring;          // whether that is one coordinate
   std::vector<Row> rows, next;
   std::vector<Point> images;
   std::int64_t looked = 0;
@@ -159,7 +174,14 @@ class Front {
 
   double outside(const Point& p) const {
     double most = -std::numeric_limits<double>::infinity();
-    for (int j = 0; j < a.n; ++j) most = std::fmax(most, std::fmax(low[j] - p.y[j], p.y[j] - high[j]));
+    for (int i = 0; i < a.n; ++i) {
+      double value = p.y[i];
+      if (!alone[i]) {
+        value = 0;
+        for (int j = 0; j < a.n; ++j) value += of[i][j] * p.y[j];
+      }
+      most = std::fmax(most, std::fmax(low[i] - value, value - high[i]));
+    }
     return most;
   }
 
