@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
+#include "route/box.hpp"
 #include "route/self_motion.hpp"
 
 namespace pieper {
@@ -32,32 +34,14 @@ struct Row {
 class Front {
  public:
   explicit Front(const FrontAsked& asked)
-      : a(asked),
-        rough(asked.fine > 1),
-        curves(asked.n, asked.links, asked.prismatic, asked.length),
-        low(asked.n),
-        high(asked.n),
-        alone(asked.n),
-        ring(asked.n) {
-    std::vector<double> slide(a.n, 0.0);
-    for (int i = 0; i < a.n; ++i) {
-      const double unit = curves.slides(i) ? a.length : 1.0;
-      double square = 0;
-      for (int j = 0; j < a.n; ++j) {
-        of[i][j] = a.joints[i * a.n + j] * (curves.slides(j) ? a.length : 1.0) / unit;
-        square += of[i][j] * of[i][j];
-      }
-      // a limit of a combination is told by how far the coordinates are from it
-      const double size = std::sqrt(square);
-      for (int j = 0; j < a.n; ++j) of[i][j] /= size;
-      low[i] = a.lower[i] / unit / size, high[i] = a.upper[i] / unit / size;
-      alone[i] = of[i][i] == 1.0;
-      if (curves.slides(i)) slide[i] = std::fmax(std::fabs(low[i]), std::fabs(high[i])) + 0.1;
-    }
+      : a(asked), rough(asked.fine > 1), curves(asked.n, asked.links, asked.prismatic, asked.length), ring(asked.n) {
+    std::vector<double> slide(a.n, 0.0), units(a.n, 1.0);
+    for (int j = 0; j < a.n; ++j)
+      if (curves.slides(j)) units[j] = a.length;
+    box.emplace(a.n, a.joints, a.lower, a.upper, units.data());
     for (int j = 0; j < a.n; ++j) {
-      ring[j] = !curves.slides(j);
-      for (int i = 0; i < a.n; ++i)
-        if (of[i][j] != 0.0 && (std::isfinite(low[i]) || std::isfinite(high[i]))) ring[j] = 0;
+      ring[j] = !curves.slides(j) && box->free(j);
+      if (curves.slides(j)) slide[j] = std::fmax(std::fabs(box->low[j]), std::fabs(box->high[j])) + 0.1;
     }
     curves.reach(slide.data());
   }
@@ -115,9 +99,8 @@ class Front {
   const FrontAsked& a;
   const bool rough;
   Curves curves;
-  std::vector<double> low, high;
-  double of[kMostCoordinates][kMostCoordinates];  // what is limited, each row of length one
-  std::vector<std::uint8_t> alone, ring;          // whether that is one coordinate
+  std::optional<Box> box;
+  std::vector<std::uint8_t> ring;
   std::vector<Row> rows, next;
   std::vector<Point> images;
   std::int64_t looked = 0;
@@ -172,18 +155,7 @@ class Front {
   // Points are let go when they are outside by more; between that and `kept` lie points that only hang together with others.
   double let_go(const Point& p) const { return kept(p) + (rough ? 0.0 : kBeyond * spacing(p)); }
 
-  double outside(const Point& p) const {
-    double most = -std::numeric_limits<double>::infinity();
-    for (int i = 0; i < a.n; ++i) {
-      double value = p.y[i];
-      if (!alone[i]) {
-        value = 0;
-        for (int j = 0; j < a.n; ++j) value += of[i][j] * p.y[j];
-      }
-      most = std::fmax(most, std::fmax(low[i] - value, value - high[i]));
-    }
-    return most;
-  }
+  double outside(const Point& p) const { return box->outside(p.y); }
 
   double apart(const Point& p, const Point& q) const {
     double sum = 0;

@@ -80,9 +80,7 @@ def command(
         return DONE
     tell(arm, motion)
     off = _off_the_lines(arm, motion, track.path[:, :3, 3])
-    say(
-        f"At its samples the tool's point is up to {off * 1e3:.3g} mm off the lines: -n with more points keeps it nearer."
-    )
+    say(f"At its samples the tool's point is up to {off * 1e3:.3g} mm off the lines; more points (-n) keep it nearer.")
     for sentence in written:
         say(sentence)
     return DONE
