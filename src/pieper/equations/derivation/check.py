@@ -83,7 +83,7 @@ def check(form: ClosedForm, arm: Arm, n: int, rng: np.random.Generator) -> Deriv
     turning = np.array([kind == "R" for kind in d.joint_types])
     total = reproduced = real = valid = 0
     worst = 0.0
-    formulas: dict = {}
+    told: list[tuple[Array, np.ndarray]] = []
     for k in range(n):
         found = _solutions(arm, T[k], q[k], form)
         branches = values[:, k]
@@ -99,8 +99,8 @@ def check(form: ClosedForm, arm: Arm, n: int, rng: np.random.Generator) -> Deriv
         if len(branches):
             miss = np.abs(_asked(arm.fk(branches), form) - _asked(T[k], form)).max(axis=1)
             valid += int(np.sum(miss < DERIVED_SAME * max(1.0, float(np.abs(T[k]).max()))))
-        if len(mine):
-            _by_formula(form, T[k], np.array(mine), formulas)
+        told += [(T[k], np.array(mine))] if len(mine) else []
+    formulas = _by_formula(form, told)
     return DerivationCheck(n, total, reproduced, worst, real, valid, _digits(form, arm, rng), formulas)
 
 
@@ -151,13 +151,25 @@ def _asked(T: np.ndarray, form: ClosedForm) -> np.ndarray:
     return T[..., :3, columns].reshape(*T.shape[:-2], -1)
 
 
-def _by_formula(form: ClosedForm, T: Array, solutions: np.ndarray, formulas: dict) -> None:
-    """Evaluate each formula with everything before it taken from the solver's solutions."""
+def _by_formula(form: ClosedForm, told: list[tuple[Array, np.ndarray]]) -> dict:
+    """Evaluate each formula with everything before it taken from the solver's solutions, at all poses at once.
+
+    Args:
+        form: The formulas.
+        told: Poses (4, 4), each with its solutions (m, n).
+
+    Returns:
+        How often each formula was tried and held, and the largest gap where it held.
+    """
+    formulas: dict = {}
+    if not told:
+        return formulas
     d = form.description
-    M = np.linalg.inv(d.base) @ T @ (np.eye(4) if form.fold_tool else np.linalg.inv(d.tool))
-    truth = form.table.values(solutions.T, NumpyField)
+    poses = np.concatenate([np.repeat(T[None], len(rows), axis=0) for T, rows in told])
+    M = np.linalg.inv(d.base) @ poses @ (np.eye(4) if form.fold_tool else np.linalg.inv(d.tool))
+    truth = form.table.values(np.concatenate([rows for _, rows in told]).T, NumpyField)
     values = dict(truth)
-    values |= {Sym(c, x, 4): M[r, k] for k, c in enumerate("noap") for r, x in enumerate("xyz")}
+    values |= {Sym(c, x, 4): M[:, r, k] for k, c in enumerate("noap") for r, x in enumerate("xyz")}
     for step in form.steps:
         for symbol, expression in step.names:
             values[symbol] = expression.evaluate(values, NumpyField)
@@ -175,14 +187,10 @@ def _by_formula(form: ClosedForm, T: Array, solutions: np.ndarray, formulas: dic
         if step.sigma is not None:
             values[step.sigma] = np.array(signs)[np.argmin(gaps, axis=0)]
         best = np.min(gaps, axis=0)
-        tried, held, worst = formulas.get(step.symbol, (0, 0, 0.0))
         good = best < DERIVED_SAME
-        formulas[step.symbol] = (
-            tried + len(best),
-            held + int(good.sum()),
-            max(worst, float(best[good].max(initial=0.0))),
-        )
+        formulas[step.symbol] = (len(best), int(good.sum()), float(best[good].max(initial=0.0)))
         values[step.symbol] = want
+    return formulas
 
 
 def _digits(form: ClosedForm, arm: Arm, rng: np.random.Generator) -> float | None:
