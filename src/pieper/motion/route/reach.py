@@ -21,7 +21,7 @@ def reach(chain: Chain, limits: Array) -> tuple[Array, float]:
     """
     n = chain.n
     A, o = chain.axes, np.vstack([chain.points, chain.home[:3, 3]])
-    u = np.zeros(n)
+    u: Array = np.zeros(n)
 
     def ways(u: Array) -> Array:
         moved = o.copy()
@@ -38,7 +38,8 @@ def reach(chain: Chain, limits: Array) -> tuple[Array, float]:
         t = ways(u)
         w = 1 / np.maximum(np.linalg.norm(t, axis=1), TINY**0.25)
         H = np.einsum("k,kic,kjc->ij", w, rate, rate)
-        u = u - np.linalg.lstsq(H, np.einsum("k,kic,kc->i", w, rate, t), rcond=None)[0]
+        slope: Array = np.einsum("k,kic,kc->i", w, rate, t)
+        u = u - np.asarray(np.linalg.lstsq(H, slope, rcond=None)[0], np.float64)
         total = float(np.linalg.norm(ways(u), axis=1).sum())
         if total < least:
             best, least = u, total
