@@ -149,6 +149,7 @@ class Evidence:
         for factor in factors_of(letter.product):
             for cell in (cell for row in self.matrices.get(factor.name, ()) for cell in row):
                 joints |= {int(found.group(1)) for found in map(ANGLE.match, cell.symbols()) if found}
+                joints |= {j for inner in cell.symbols() & set(self.letters) - {name} for j in self.known_for(inner)}
         if not of_whole_pose(letter.product, n, own):
             return joints
         drawn = replace(self, when=()).draw(len(self.samples.q), seed=77)
@@ -166,17 +167,25 @@ class Evidence:
     def pick(self, env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
         """Add the letters that are entries of matrices to an environment, and the file's matrices to the frames."""
         shape = env["theta1"].shape
+        own = set(self.matrices)
+        used = {name: own & {f.name for f in factors_of(letter.product)} for name, letter in self.letters.items()}
+        self._pick_letters([name for name in used if not used[name]], env, frames)
+        done = set[str]()
         for name, rows in self.matrices.items():
             M = np.empty((*shape, len(rows), len(rows[0])))
             for i, row in enumerate(rows):
                 for j, cell in enumerate(row):
                     M[..., i, j] = cell.evaluate(env)
             frames[name] = M
-        for name, letter in self.letters.items():
+            done.add(name)
+            self._pick_letters([k for k, by in used.items() if name in by and by <= done], env, frames)
+
+    def _pick_letters(self, names: list[str], env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
+        for name in names:
             try:
-                env[name] = letter.value(frames)
+                env[name] = self.letters[name].value(frames)
             except (InputError, np.linalg.LinAlgError):
-                env[name] = np.full(shape, np.nan)  # a neighbour of what was asked for may not exist
+                env[name] = np.full(env["theta1"].shape, np.nan)  # a neighbour of what was asked for may not exist
 
     def parse(self, text: str, where: Mapping[str, Any] | None = None, key: str = "is") -> Expr:
         """Read a formula.

@@ -42,7 +42,7 @@ class Standing:
 def standing(ev: Evidence, node: Expr, judged: Judged) -> Standing:
     """Say how a formula stands that is right for the arm's own lengths and not for all others; see `coincidence`."""
     root = node.substitute(ev.definitions)
-    used = root.symbols() & set(ev.model.values)
+    used = root.symbols() & set(ev.model.values) or ev.model.named_zeros
     numbers = decimals(root)
     if numbers and only_for_used(ev, node, judged):
         return Standing(False, "")
@@ -52,7 +52,8 @@ def standing(ev: Evidence, node: Expr, judged: Judged) -> Standing:
     for reading in readings:
         because = coincidence(ev, reading, judged)
         if because:
-            return Standing(bool(reading.symbols() & set(ev.model.values)), f"only because {because}")
+            named = reading.symbols() & set(ev.model.values) or ev.model.named_zeros
+            return Standing(bool(named), f"only because {because}")
     if used and not numbers:
         return Standing(True, "only, and not for others of its build")
     return Standing(False, "")
@@ -122,12 +123,16 @@ def _ties(model: ArmModel) -> Iterator[Tie]:
         for ratio, words in RATIOS:
             if _same(x, ratio * y):
                 yield a, words, b
+    yield from ((name, "", "0") for name in sorted(model.named_zeros))
 
 
 def _groups(model: ArmModel, ties: list[Tie]) -> dict[str, str]:
     """Name -> group for every length, tied ones in one group."""
     group = {name: name for name in model.values}
     for a, _, b in ties:
+        if b == "0":
+            del group[a]  # it keeps its value
+            continue
         old, new = group[b], group[a]
         group = {name: new if g == old else g for name, g in group.items()}
     return group

@@ -136,7 +136,8 @@ def _closing(text: str, opened: int) -> int:
 def known_from(of: Product, joints: int, own: frozenset[str] = frozenset()) -> set[int]:
     """The joints (1-based) that must be known before a product of matrices can be computed from the whole pose.
 
-    R36 alone is what the pose leaves when the other joints are known; A4 is the matrix of a row, made of its own joint.
+    R36 alone is what the pose leaves when the other joints are known; A4 is the matrix of a row, made of its own joint,
+    and so is R34; R02, which begins at the base and ends before the tool, is made of the joints before it.
 
     Args:
         of: The product.
@@ -146,6 +147,7 @@ def known_from(of: Product, joints: int, own: frozenset[str] = frozenset()) -> s
     parts, every = _spans(of, joints, own), set(range(1, joints + 1))
     inner = [part for part in parts if part != every]
     alone = len(parts) == len(inner) == 1 and not any(_ROW.fullmatch(factor.name) for factor in factors_of(of))
+    alone = alone and len(inner[0]) > 1 and (1 not in inner[0] or joints in inner[0])
     return every - inner[0] if alone else set[int]().union(*inner)
 
 

@@ -134,10 +134,13 @@ def unit_of(claim: Claim, model: ArmModel) -> str:
 
 def joint_tolerance(values: Any, degrees: bool) -> np.ndarray:
     """Return half a unit of the last printed digit of each joint, in rad."""
-    half = np.array(
-        [0.51 * last_digit(v) if not (isinstance(v, str) and any(c.isalpha() for c in v)) else 0.0 for v in values]
-    )
+    half = 0.51 * joint_units(values)
     return np.radians(half) if degrees else half
+
+
+def joint_units(values: Any) -> np.ndarray:
+    """Return one unit of the last printed digit of each joint, as printed; 0 for formulas, which are exact."""
+    return np.array([0.0 if isinstance(v, str) and any(c.isalpha() for c in v) else last_digit(v) for v in values])
 
 
 def read_matrix(claim: Claim, key: str = "matrix") -> list[list]:

@@ -65,6 +65,8 @@ def sample(
         lengths[name] = np.full(count, float(value))
         if name in groups:
             lengths[name][count // 2 :] *= factors.setdefault(groups[name], drawn)
+            if name in model.named_zeros:
+                lengths[name][count // 2 :] = drawn * scale
     return samples_at(model, q, lengths=lengths, nominal=~second)
 
 

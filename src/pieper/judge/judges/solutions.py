@@ -8,9 +8,19 @@ from pieper.errors import PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
 from pieper.judge.judges.poses import joint_slips
-from pieper.judge.numbers import UNITS, joint_tolerance, last_digit, read_joints, read_matrix, read_number, unit_of
+from pieper.judge.numbers import (
+    UNITS,
+    joint_tolerance,
+    joint_units,
+    last_digit,
+    read_joints,
+    read_matrix,
+    read_number,
+    unit_of,
+)
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
+from pieper.judge.within_digits import nearest_inside, room, turn_between
 from pieper.tolerances import JUDGED_ZERO
 from pieper.words_by_number import plural
 
@@ -22,7 +32,9 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     """
     model, unit = ev.model, unit_of(claim, ev.model)
     factor = UNITS[model.unit] / UNITS[unit]
-    T, slack = _wanted_pose(ev, claim, factor)
+    T, slack, tilt = _wanted_pose(ev, claim, factor)
+    position = claim.get("task") == "position"
+    turning = np.array([not model.sliding(k + 1) for k in range(model.n)])
     solutions = claim.get("solutions_deg")
     if not solutions:
         raise claim.error("solutions_deg must list at least one joint vector")
@@ -33,19 +45,20 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     ]
     slips: list[tuple[str, str]] = []
     for k, (row, q) in enumerate(zip(solutions, given, strict=True)):
-        half = joint_tolerance(row, True)
+        units = joint_units(row)
+        units = np.where(turning, np.radians(units), units)
 
         def off(q: np.ndarray) -> tuple[np.ndarray, float, float]:
             got = _in_unit(pose_of(model, q)[0], factor)
-            turn = 0.0 if claim.get("task") == "position" else _rotation_between(got[:3, :3], T[:3, :3])
+            turn = 0.0 if position else float(np.degrees(np.linalg.norm(turn_between(got[:3, :3], T[:3, :3]))))
             return got, float(np.linalg.norm(got[:3, 3] - T[:3, 3])), turn
 
-        def closes(gap: float, turn: float, half: np.ndarray = half) -> bool:
-            allowed = slack * 2 + float(half.sum()) * model.length() * factor
-            return gap <= allowed and turn <= max(0.02, np.degrees(half.sum()) * 2)
+        def closes(q: np.ndarray, row: list = row, units: np.ndarray = units) -> bool:
+            gap, turn = nearest_inside(model, q, room(row, q, units), _in_unit(T, 1 / factor), position)
+            return gap * factor <= slack * 2 and turn <= tilt * 2
 
         got, gap, turn = off(q)
-        fine = closes(gap, turn)
+        fine = closes(q)
         bad += not fine
         reached = "" if fine else f"; it reaches ({', '.join(f'{v:.3f}' for v in got[:3, 3])})"
         words = "closes" if fine else "is NO solution"
@@ -55,7 +68,7 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
             near = [
                 (kind, says)
                 for kind, says, other in joint_slips(model, q)
-                if closes(*off(other)[1:], half * (180 / np.pi if kind == "degrees" else 1.0))
+                if closes(other, units=units * (180 / np.pi if kind == "degrees" else 1.0))
             ]
             slips += near[:1]
             lines += [("the slip", f"solution {k + 1}: {says}") for _, says in near[:1]]
@@ -102,28 +115,23 @@ def _twice(ev: Evidence, printed: list, given: list[np.ndarray]) -> list[tuple[i
     return found
 
 
-def _wanted_pose(ev: Evidence, claim: Claim, factor: float) -> tuple[np.ndarray, float]:
-    """Return the pose in the claim's unit, and how far its printed position may be off."""
+def _wanted_pose(ev: Evidence, claim: Claim, factor: float) -> tuple[np.ndarray, float, float]:
+    """Return the pose in the claim's unit, and how far its printed position and rotation (rad) may be off."""
+    none = JUDGED_ZERO * ev.model.length() * factor
     if "matrix" not in claim:
-        return _in_unit(pose_of(ev.model, read_joints(claim, ev.model))[0], factor), JUDGED_ZERO * ev.model.length()
+        return _in_unit(pose_of(ev.model, read_joints(claim, ev.model))[0], factor), none, JUDGED_ZERO
     printed = read_matrix(claim)[:3]
     T = np.eye(4)
     for i, row in enumerate(printed):
         T[i, : len(row)] = [read_number(v) for v in row]
-    return T, max((last_digit(v) for r in printed for v in r[3:]), default=0.0)
+    digits = [last_digit(v) for r in printed for v in r[:3] if read_number(v) % 1]
+    return T, max([none, *(last_digit(v) for r in printed for v in r[3:])]), max([JUDGED_ZERO, *digits])
 
 
 def _in_unit(T: np.ndarray, factor: float) -> np.ndarray:
     T = T.copy()
     T[:3, 3] *= factor
     return T
-
-
-def _rotation_between(A: np.ndarray, B: np.ndarray) -> float:
-    """Return the angle (deg) between two rotations, exact also where it is small and B is rounded."""
-    R = A.T @ B
-    spin = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-    return float(np.degrees(np.arctan2(np.linalg.norm(spin), (np.trace(R) - 1) / 2)))
 
 
 def judge_count(ev: Evidence, claim: Claim) -> Verdict:
