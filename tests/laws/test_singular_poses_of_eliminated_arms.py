@@ -33,7 +33,7 @@ ARMS = {
 
 
 def strata(arm: Arm, count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return joint vectors (count, 6), singular or 1e-12 to 1e-3 away, and what a pose tells of each (rad; per length)."""
+    """Return joint vectors (count, 6), singular or 1e-12 to 1e-3 away, and what a pose tells of each."""
     rng = np.random.default_rng(seed)
     q = np.array(list(islice(on_singular(rng, arm.chain, 40 * count), count)))
     way = rng.standard_normal(q.shape)
