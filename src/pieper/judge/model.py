@@ -67,6 +67,7 @@ class ArmModel:
         base, tool: (4, 4) constant poses before the first and after the last row.
         solver: solves the same rows (SI), or None; used only to ask for the other solutions of a pose.
         aliases: names of sliding variables, such as b3 -> theta3.
+        zeros: the source's own length symbols that are zero for this arm, as e1 in a table with values = { e1 = 0 }.
     """
 
     name: str
@@ -78,6 +79,7 @@ class ArmModel:
     tool: np.ndarray = field(default_factory=lambda: np.eye(4))
     solver: Solver | None = None
     aliases: dict[str, str] = field(default_factory=dict)
+    zeros: frozenset[str] = frozenset()
 
     @property
     def n(self) -> int:

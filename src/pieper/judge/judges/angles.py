@@ -13,7 +13,7 @@ from pieper.judge.circular import given_angles, uses_itself
 from pieper.judge.claim import Claim, Numbers
 from pieper.judge.degrees import angles_among, from_degrees
 from pieper.judge.difference import agreeing_digits, digits_wanted
-from pieper.judge.evidence import SOLVER_POSES, Evidence, tried_text, wrapped
+from pieper.judge.evidence import SOLVER_POSES, Evidence, wrapped
 from pieper.judge.judges.angle_formula import AngleFormula, branch_values, either_of, read_angle, right_side, signed
 from pieper.judge.judges.freedom import completes, undetermined
 from pieper.judge.lengths import decimals, standing
@@ -23,6 +23,7 @@ from pieper.judge.regions import region_of, zero_denominators
 from pieper.judge.rounding import unrounded, with_rounding
 from pieper.judge.samples import pose_of
 from pieper.judge.search.search import Explanation, Goal, search
+from pieper.judge.search.tried import tried_text
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
@@ -50,6 +51,7 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
         + (f", where {claim['when']}" if "when" in claim else "")
     )
     node = signed(ev, claim, node, angle)
+    ev = ev.naming(node)
     circle = uses_itself(ev.model, angle, node, ev.definitions, {name: ev.known_for(name) for name in ev.picks(node)})
     frame = ev.frame(claim)
     form = AngleFormula.of(ev, angle, frame)
@@ -128,9 +130,12 @@ def _slip(ev: Evidence, node: Expr, form: AngleFormula, *, branch: bool = False)
         branch: Whether a slip counts that makes it right on one branch only.
     """
     goal = ev.goal(form.wanted(ev), angle=not form.slides, frame=form.frame)
+    other = ~ev.samples.nominal
+    if form.judged(ev, node)[~other].all() and other.any():
+        goal = goal.restrict(other)  # what is wrong shows with other lengths only
 
     def searched(aim: Goal, pairs: bool = False) -> Explanation:
-        near = slips(node, ev.model.values, ev.model.n, ev.own_names, angle=True)
+        near = slips(node, ev.lengths, ev.model.n, ev.own_names, angle=True)
         lost = lost_from(ev, node, aim, form.angle)
         found = search(aim, node, near, lost=lost, seconds=ev.seconds, pairs=pairs)
         # an explanation that uses what it explains is none
@@ -299,6 +304,7 @@ def judge_together(ev: Evidence, claim: Claim) -> Verdict:
         _, angle = read_angle(ev, claim.part(claim.id, {"for": name}))
         forms[name] = AngleFormula.of(ev, angle, frame), ev.parse(str(text), claim.where, f"is {name}")
     claim = claim.reads("; ".join(f"{k} = {v}" for k, v in claim["is"].items()))
+    ev = ev.naming(*(node for _, node in forms.values()))
     for name, (form, node) in forms.items():
         circle = uses_itself(
             ev.model, form.angle, node, ev.definitions, {name: ev.known_for(name) for name in ev.picks(node)}

@@ -14,7 +14,7 @@ from pieper.algebra.formula import Equation
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
 from pieper.judge.difference import agreeing_digits, difference_from_matrix, digits_wanted, simplified_difference
-from pieper.judge.evidence import Evidence, number, tried_text, under
+from pieper.judge.evidence import Evidence, number, under
 from pieper.judge.lengths import standing
 from pieper.judge.matrices import value_of
 from pieper.judge.model import POSE_NAMES
@@ -22,6 +22,7 @@ from pieper.judge.products import Product, parse_product
 from pieper.judge.regions import region_of, zero_denominators
 from pieper.judge.rounding import unrounded, with_rounding
 from pieper.judge.search.search import MAX_SEARCHED, Explanation, Goal, says_nothing, search
+from pieper.judge.search.tried import tried_text
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
@@ -83,6 +84,9 @@ def judge_equal(
         source: where the right values come from, if neither from a product nor from the formula itself.
     """
     right = _Right(product, frame, source)
+    named = ev.naming(node)
+    if named is not ev:
+        ev, wanted = named, None if wanted is None else right.wanted(named)
     goal = ev.goal(wanted, frame=frame)
     good, own = goal.residual(node) < 1, ev.samples.nominal
     if good[own].all():
@@ -153,7 +157,7 @@ def _equal_holds(
     if digits is not None and 0 < digits < digits_wanted(ev.model, node.substitute(ev.definitions)):
         gap = ""
         if right.product is not None and right.product.entry and str(Product(right.product.terms)) == "T":
-            gap = difference_from_matrix(node, ev.model, right.product.entry[0] - 1, right.product.entry[1] - 1)
+            gap = difference_from_matrix(node, ev.model, right.product.entry, ev.varied_zeros)
         details = [("difference", f"printed minus right = {gap}")] if gap else []
         sentence = f"Wrong, if only just: at 50-digit arithmetic it agrees to {digits} digits and no more."
         return claim.wrong(sentence, details, digits=digits, difference=gap)
@@ -173,9 +177,16 @@ def _equal_holds(
     if stand.partly:
         goal = ev.goal(right.wanted(ev), frame=right.frame)
         found = _explanation(ev, node, goal, good, right.product, right.frame)
+        example = ("counter-example", _counter_example(ev, node, goal, good, goal.wanted))
         sentence = f"Holds for this arm {stand.words}: right at {own} of {own} joint vectors with its lengths."
         return claim.partly(
-            sentence, found.details, found.slip, found.reading, right=int(good.sum()), tried=len(good), digits=digits
+            sentence,
+            [example, *found.details],
+            found.slip,
+            found.reading,
+            right=int(good.sum()),
+            tried=len(good),
+            digits=digits,
         )
     tied = f", {stand.words}" if stand.words else ""
     sentence = f"Holds for this arm's lengths{tied}{where}: right at {own} of {own} joint vectors{more}."
@@ -197,13 +208,15 @@ def _explanation(
 ) -> _Explained:
     """Look for the one slip that explains a wrong formula."""
     own, model = ev.samples.nominal, ev.model
+    if good[own].all():
+        goal, good, own = goal.restrict(~own), good[~own], own[~own]  # what is wrong shows with other lengths only
 
     def searched(aim: Goal, pairs: bool = False) -> Explanation:
-        near = slips(node, model.values, model.n, ev.own_names)
+        near = slips(node, ev.lengths, model.n, ev.own_names)
         return search(aim, node, near, lost=lost_from(ev, node, aim), seconds=ev.seconds, pairs=pairs)
 
     found = searched(goal)
-    if not found.best and not good[~own].any() and not _uses_lengths(ev, node):
+    if not found.best and own.any() and not good[~own].any() and not _uses_lengths(ev, node):
         nominal = searched(goal.restrict(own))
         found = nominal if nominal.best else found
     short = node.size() <= MAX_SEARCHED
@@ -232,7 +245,7 @@ def _explanation(
         return _Explained([("the slip", f"{other[1]}: the formula is right for that arm"), tried], other[0])
     details, gap = [], ""
     if product is not None and product.entry and str(Product(product.terms)) in ("T", f"T0{model.n}"):
-        gap = difference_from_matrix(node, model, product.entry[0] - 1, product.entry[1] - 1)
+        gap = difference_from_matrix(node, model, product.entry, ev.varied_zeros)
         if gap:
             details.append(("difference", f"printed minus right = {gap}"))
     details.append(("the slip", "no single slip explains it" + found.closest("joint vectors")))
