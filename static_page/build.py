@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 import pieper
+from pieper.document import identity
 from pieper.document.html import MATH_FONT
 from static_page.kernel import kernel, prepared
 
@@ -64,11 +65,16 @@ def build(out: Path, names: list[str], code: bytes | None = None) -> int:
     """
     (out / "arms").mkdir(parents=True, exist_ok=True)
     listed = json.dumps([[name, identifier(name)] for name in names])
+    page = (HERE / "page.html").read_text()
+    said = {"identity": identity.both_themes(), "icon": identity.icon_address()}
+    for name, text in {**said, "wordmark": identity.identity()["wordmark"]}.items():
+        page = page.replace("{{" + name + "}}", text)
+    begun = {"kernel": base64.b64encode(code or kernel()).decode(), "axes": identity.axes()}
     texts = {
-        "index.html": (HERE / "page.html").read_text(),
+        "index.html": page,
         "page.js": (HERE / "page.js").read_text().replace("/* NAMES */ []", listed),
         "solver.js": (HERE / "solver.js").read_text(),
-        "kernel.js": f'window.PIEPER = {{ kernel: "{base64.b64encode(code or kernel()).decode()}" }};\n',
+        "kernel.js": f"window.PIEPER = {json.dumps(begun)};\n",
     }
     solved = 0
     for name in names:

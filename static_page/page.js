@@ -11,6 +11,8 @@ window.PIEPER.arrived = (arm) => {
   window.PIEPER.ready.then(() => show(arm));
 };
 
+// The colours of the one identity, as the page's style has them for the reader's screen.
+const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 const words = (value, slides) => (slides ? `${(value * 1e3).toFixed(1)} mm` : `${((value * 180) / Math.PI).toFixed(2)}°`);
 
 // Where each joint is, its axis, and the tool: frames down the chain.
@@ -119,30 +121,34 @@ function draw() {
     return [size.width / 2 + scale * u, 0.66 * size.height - scale * (a * z - b * v)];
   };
   const at = (T) => to(T[3], T[7], T[11]);
-  const line = (points, colour, width) => {
+  const line = (points, stroke, width) => {
     pen.beginPath();
     points.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
-    pen.strokeStyle = colour;
+    pen.strokeStyle = stroke;
     pen.lineWidth = width;
     pen.lineJoin = pen.lineCap = "round";
     pen.stroke();
   };
   for (let k = -4; k <= 4; ++k) {
     const r = 0.5 * reach, x = (k / 4) * r;
-    line([to(x, -r, 0), to(x, r, 0)], "#e8ebee", 1);
-    line([to(-r, x, 0), to(r, x, 0)], "#e8ebee", 1);
+    line([to(x, -r, 0), to(x, r, 0)], colour("grid-coarse"), 1);
+    line([to(-r, x, 0), to(r, x, 0)], colour("grid-coarse"), 1);
   }
   const bones = (posture) => [to(0, 0, 0), ...frames(arm, axes(arm, posture)).map(at)];
-  for (const other of state.others || []) line(bones(other), "rgba(0,114,178,0.22)", 4);
-  line(bones(q), "#0072b2", 7);
+  for (const other of state.others || []) {
+    pen.globalAlpha = 0.3;
+    line(bones(other), colour("ghost"), 4);
+  }
+  pen.globalAlpha = 1;
+  line(bones(q), colour("link"), 7);
   for (const T of frames(arm, axes(arm, q)).slice(0, -1)) {
     const h = 0.03 * reach;
-    line([to(T[3] - h * T[2], T[7] - h * T[6], T[11] - h * T[10]), to(T[3] + h * T[2], T[7] + h * T[6], T[11] + h * T[10])], "#c77d0a", 9);
+    line([to(T[3] - h * T[2], T[7] - h * T[6], T[11] - h * T[10]), to(T[3] + h * T[2], T[7] + h * T[6], T[11] + h * T[10])], colour("joint"), 9);
   }
   const tool = frames(arm, axes(arm, q)).pop();
-  ["#d55e00", "#009e73", "#0072b2"].forEach((colour, k) => {
+  window.PIEPER.axes.forEach((stroke, k) => {
     const h = 0.09 * reach;
-    line([at(tool), to(tool[3] + h * tool[k], tool[7] + h * tool[4 + k], tool[11] + h * tool[8 + k])], colour, 3);
+    line([at(tool), to(tool[3] + h * tool[k], tool[7] + h * tool[4 + k], tool[11] + h * tool[8 + k])], stroke, 3);
   });
 }
 
@@ -191,6 +197,7 @@ $("view").addEventListener("pointermove", (event) => {
   draw();
 });
 $("view").addEventListener("pointerup", () => (held = null));
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => state.arm && draw());
 window.addEventListener("resize", () => state.arm && draw());
 const start = NAMES.find(([name]) => name === "denso-vp6242") || NAMES[0];
 $("arm").value = start[0];

@@ -10,13 +10,13 @@ the browser stories do; CHROMIUM may name the executable.
 from __future__ import annotations
 
 import argparse
-import asyncio
 import json
 import os
 import platform
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
 import urllib.request
 from pathlib import Path
@@ -27,6 +27,7 @@ import pieper
 from benchmarks.kept import RESULTS
 from benchmarks.measure import workbench_parts as parts_of
 from benchmarks.measure.probes import GIZMO, JOINT, WATCH
+from benchmarks.measure.workbench_people import measure_fuzz, measure_people, spread
 from oracle.browser import FLAGS, chromium, free_port
 
 #: A spherical-wrist arm and a pose of it with eight solutions, degrees.
@@ -48,6 +49,7 @@ TARGETS = {
     "pictures while nothing changes": "0",
     "messages lost": "0",
     "answers for another arm": "0",
+    "faults, tracebacks, connections lost": "0, 0, 0",
 }
 
 
@@ -58,6 +60,7 @@ class Served:
         self.arm = arm
         self.port = free_port()
         self.url = f"http://localhost:{self.port}/"
+        self.said = Path(tempfile.mkdtemp(prefix="pieper-workbench-")) / "said"
         self.seconds = self.start()
 
     def start(self) -> float:
@@ -65,7 +68,8 @@ class Served:
         began = time.perf_counter()
         command = [sys.executable, "-m", "pieper", "workbench", *([self.arm] if self.arm else [])]
         command += ["--no-browser", "--port", str(self.port)]
-        self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        with self.said.open("ab") as said:
+            self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said)
         while True:
             try:
                 urllib.request.urlopen(self.url, timeout=5).read()
@@ -75,20 +79,13 @@ class Served:
                     raise SystemExit("the workbench did not start") from None
                 time.sleep(0.005)
 
+    def tracebacks(self) -> int:
+        """Return how many tracebacks the server has written."""
+        return self.said.read_text(errors="replace").count("Traceback")
+
     def stop(self) -> None:
         self.process.terminate()
         self.process.wait(10)
-
-
-def spread(values: list[float]) -> dict[str, float]:
-    """Return the median, the best and the 95th percentile."""
-    ordered = sorted(values)
-    return {
-        "median": statistics.median(ordered),
-        "best": ordered[0],
-        "p95": ordered[min(int(0.95 * len(ordered)), len(ordered) - 1)],
-        "n": len(ordered),
-    }
 
 
 def python_loop() -> float:
@@ -227,54 +224,6 @@ def measure_restart(page, served: Served) -> dict:
     }
 
 
-async def _person(port: int, k: int, updates: int) -> dict:
-    from websockets.asyncio.client import connect
-    from websockets.typing import Origin
-
-    from pieper.workbench.table import table_from_arm
-
-    names = ["denso-vp6242", "fanuc-r2000ic-165f", "abb-irb140", "unimation-puma-560", "kuka-kr5-arc"]
-    arm, rng = pieper.load(names[k % len(names)]), np.random.default_rng(k)
-    found = {"lost": 0, "foreign": 0, "late": [], "ms": []}
-    url, origin = f"ws://localhost:{port}/session", f"http://localhost:{port}"
-    async with connect(url, origin=Origin(origin), open_timeout=60) as socket_:
-        await socket_.send(json.dumps({"op": "arm", "seq": 1, "table": table_from_arm(arm)}))
-        await socket_.recv()
-        await asyncio.sleep(rng.uniform(0, 0.1))
-        began = time.perf_counter()
-        for r in range(updates):
-            q = rng.uniform(-1, 1, arm.n)
-            asked = time.perf_counter()
-            message = {"op": "ik", "seq": r + 2, "T": arm.fk(q).ravel().tolist(), "q": q.tolist(), "brief": True}
-            await socket_.send(json.dumps(message))
-            answer = json.loads(await socket_.recv())
-            found["ms"].append(1e3 * (time.perf_counter() - asked))
-            found["lost"] += answer["seq"] != r + 2 or not answer["ok"]
-            rows = np.array([row["q"] for row in answer.get("rows", [])]).reshape(-1, arm.n)
-            miss = np.abs(np.angle(np.exp(1j * (rows - q)))).max(1).min(initial=np.inf)
-            found["foreign"] += bool(miss > 1e-6)
-            due = began + 0.1 * (r + 1)
-            found["late"].append(max(0.0, time.perf_counter() - due))
-            await asyncio.sleep(max(0.0, due - time.perf_counter()))
-    return found
-
-
-def measure_people(port: int, updates: int) -> dict:
-    """Fifty sessions at ten updates a second each."""
-
-    async def all_of_them():
-        return await asyncio.gather(*(_person(port, k, updates) for k in range(50)))
-
-    found = asyncio.run(all_of_them())
-    return {
-        "messages": 50 * updates,
-        "lost": sum(f["lost"] for f in found),
-        "foreign": sum(f["foreign"] for f in found),
-        "latency_ms": spread([ms for f in found for ms in f["ms"]]),
-        "late": sum(late > 0 for f in found for late in f["late"]),
-    }
-
-
 def machine(page) -> dict:
     """The fixed loops, best and median of five, and the load average."""
     return {
@@ -302,21 +251,33 @@ def table_of(results: dict) -> str:
     if "idle" in results:
         rows += [("pictures while nothing changes", str(results["idle"]["pictures"]))]
     rows += parts_of.rows_of(results)
-    if "people" in results:
-        p = results["people"]
-        rows += [("messages lost", f"{p['lost']} of {p['messages']}"), ("answers for another arm", str(p["foreign"]))]
-        rows += [("  latency, ms", f"{p['latency_ms']['median']:.1f} (95 %: {p['latency_ms']['p95']:.1f})")]
+    for part in ("people", "programs"):
+        if part in results:
+            p = results[part]
+            rows += [(f"{p['sessions']} sessions, {p['messages']} messages, {p['programs']} programs", "")]
+            rows += [("messages lost", str(p["lost"])), ("answers for another arm", str(p["foreign"]))]
+            rows += [("  latency, ms", f"{p['latency_ms']['median']:.1f} (95 %: {p['latency_ms']['p95']:.1f})")]
+            if "program_ms" in p:
+                rows += [("  a program, ms", f"{p['program_ms']['median']:.0f} (95 %: {p['program_ms']['p95']:.0f})")]
+    if "fuzz" in results:
+        f = results["fuzz"]
+        rows += [(f"fuzz: {f['messages'] + f['not_json_or_binary']} messages", f"{f['refused']} refused")]
+        rows += [("messages lost", str(f["lost"])), ("answers for another arm", str(len(f["foreign"])))]
+        rows += [
+            ("faults, tracebacks, connections lost", f"{len(f['faults'])}, {f['tracebacks']}, {f['connections_lost']}")
+        ]
     if "restart" in results:
         r = results["restart"]
         rows += [("restart: nothing lost", "yes" if r["same"] else "NO"), ("  back after, s", f"{r['back_s']:.2f}")]
         rows += [("  server start, s", f"{r['server_start_s']:.2f}")]
     m = results["machine"]
+    for key, name in (
+        ("page_loop_ms", "machine: loop in the page, ms"),
+        ("python_loop_ms", "machine: loop in Python, ms"),
+    ):
+        if key in m:
+            rows += [(name, f"{m[key]['median']:.0f} (best {m[key]['best']:.0f})")]
     rows += [
-        ("machine: loop in the page, ms", f"{m['page_loop_ms']['median']:.0f} (best {m['page_loop_ms']['best']:.0f})"),
-        (
-            "machine: loop in Python, ms",
-            f"{m['python_loop_ms']['median']:.0f} (best {m['python_loop_ms']['best']:.0f})",
-        ),
         ("machine: load average, cores", f"{m['load_average']:.1f}, {os.cpu_count()}"),
     ]
     return "\n".join(f"{name:48} {value:>22}   {TARGETS.get(name, '')}".rstrip() for name, value in rows)
@@ -324,55 +285,71 @@ def table_of(results: dict) -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    more = ("path", "table", "report", "playback", "mesh")
-    parts = ("joint", "gizmo", "load", "idle", "people", "restart", *more)
+    browsed = ("joint", "gizmo", "load", "idle", "restart", "path", "table", "report", "playback", "mesh")
+    parts = (*browsed, "people", "programs", "fuzz")
     parser.add_argument("--repeats", type=int, default=40, help="keys pressed on a slider")
     parser.add_argument("--loads", type=int, default=7, help="first loads")
     parser.add_argument("--seconds", type=float, default=4.0, help="of each of three drags")
     parser.add_argument("--updates", type=int, default=60, help="of each of fifty sessions")
+    parser.add_argument("--messages", type=int, default=10_000, help="of the fuzz")
     parser.add_argument("--only", nargs="+", choices=parts, default=parts)
     parser.add_argument("--out", type=Path, default=RESULTS / "workbench.json")
     given = parser.parse_args()
-    from playwright.sync_api import sync_playwright
-
     served = Served()
     results: dict = {"python": platform.python_version(), "cores": os.cpu_count(), "server_start_s": served.seconds}
     try:
-        with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(executable_path=chromium(), args=FLAGS)
-            results["chromium"] = browser.version
-            if "load" in given.only:
-                results["load"] = measure_loads(browser, served.url, given.loads)
-            page = opened(browser, served.url)
-            results["machine"] = machine(page)
-            if "joint" in given.only:
-                results["joint"] = measure_joint(page, given.repeats)
-            if "gizmo" in given.only:
-                results["gizmo"] = measure_gizmo(page, given.seconds)
-            if "idle" in given.only:
-                results["idle"] = measure_idle(page)
-            if "path" in given.only:
-                results["path"] = parts_of.measure_path(page, until)
-            if "report" in given.only:
-                results["report"] = parts_of.measure_report(page)
-            if "table" in given.only:
-                results["table"] = parts_of.measure_table(page, until)
-            if "playback" in given.only:
-                results["playback"] = parts_of.measure_playback(browser, opened, served.url, until)
-            if "mesh" in given.only:
-                meshes = Served(parts_of.mesh_arm())
-                results["mesh"] = parts_of.measure_mesh(opened, browser, meshes, until)
-                meshes.stop()
-            if "restart" in given.only:
-                results["restart"] = measure_restart(page, served)
-            browser.close()
+        if set(browsed) & set(given.only):
+            measure_in_browser(served, given, results)
+        # after the browser has gone: the fifty share the two cores with nobody
         if "people" in given.only:
-            # after the browser has gone: the fifty share the two cores with nobody
-            results["people"] = measure_people(served.port, given.updates)
+            results["people"] = measure_people(served.port, given.updates, 0)
+        if "programs" in given.only:
+            results["programs"] = measure_people(served.port, given.updates, 3)
+        if "fuzz" in given.only:
+            results["fuzz"] = measure_fuzz(served.port, given.messages) | {"tracebacks": served.tracebacks()}
     finally:
         served.stop()
-    given.out.write_text(json.dumps(results, indent=1) + "\n")
+    results.setdefault("machine", {"python_loop_ms": spread([python_loop() for _ in range(5)])})
+    results["machine"]["load_average"] = os.getloadavg()[0]
+    for part in set(parts) & set(results):
+        results[part]["load_average"] = results["machine"]["load_average"]
+    kept = json.loads(given.out.read_text()) if given.out.exists() else {}
+    given.out.write_text(json.dumps(kept | results, indent=1) + "\n")
     print(table_of(results))
+
+
+def measure_in_browser(served: Served, given: argparse.Namespace, results: dict) -> None:
+    """Measure what needs a page, in one browser."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium(), args=FLAGS)
+        results["chromium"] = browser.version
+        if "load" in given.only:
+            results["load"] = measure_loads(browser, served.url, given.loads)
+        page = opened(browser, served.url)
+        results["machine"] = machine(page)
+        if "joint" in given.only:
+            results["joint"] = measure_joint(page, given.repeats)
+        if "gizmo" in given.only:
+            results["gizmo"] = measure_gizmo(page, given.seconds)
+        if "idle" in given.only:
+            results["idle"] = measure_idle(page)
+        if "path" in given.only:
+            results["path"] = parts_of.measure_path(page, until)
+        if "report" in given.only:
+            results["report"] = parts_of.measure_report(page)
+        if "table" in given.only:
+            results["table"] = parts_of.measure_table(page, until)
+        if "playback" in given.only:
+            results["playback"] = parts_of.measure_playback(browser, opened, served.url, until)
+        if "mesh" in given.only:
+            meshes = Served(parts_of.mesh_arm())
+            results["mesh"] = parts_of.measure_mesh(opened, browser, meshes, until)
+            meshes.stop()
+        if "restart" in given.only:
+            results["restart"] = measure_restart(page, served)
+        browser.close()
 
 
 if __name__ == "__main__":

@@ -1,11 +1,64 @@
 // The look at singular poses as Python sees it.
 #pragma once
 
+#include <complex>
+
 #include "binding/chain.hpp"
 #include "binding/solver.hpp"
 #include "singular/careful.hpp"
 
 namespace {
+
+class PyLinkage {
+ public:
+  PyLinkage(const Forward& arm, nb::handle through, nb::handle joints, nb::handle axes, nb::handle spots,
+            nb::handle senses, int lead, double low, double high, int course) {
+    const pieper::PlainChain chain = arm.plain();
+    pieper::SelfMotionSaid said{};
+    said.flat = !spots.is_none(), said.lead = lead, said.low = low, said.high = high, said.course = course;
+    const auto q = to_vector<double>(through, NPY_DOUBLE), z = to_vector<double>(axes, NPY_DOUBLE),
+               turns = to_vector<double>(senses, NPY_DOUBLE);
+    const auto which = to_vector<std::int64_t>(joints, NPY_INT64);
+    if (chain.n != 6 || q.size() != 6 || z.size() != 12 || turns.size() != 4 || which.size() != 4)
+      throw nb::value_error("the chain must have six joints, through be (6,), axes (4, 3), senses and joints (4,).");
+    std::copy(q.begin(), q.end(), said.through);
+    std::copy(z.begin(), z.end(), &said.axes[0][0]);
+    std::copy(turns.begin(), turns.end(), said.senses);
+    for (int k = 0; k < 4; ++k) said.joints[k] = static_cast<int>(which[k]);
+    if (said.flat) {
+      const auto at = to_vector<std::complex<double>>(spots, NPY_CDOUBLE);
+      if (at.size() != 4) throw nb::value_error("spots must be (4,).");
+      for (int k = 0; k < 4; ++k) said.spots[k][0] = at[k].real(), said.spots[k][1] = at[k].imag();
+    }
+    linkage_ = std::make_unique<pieper::Linkage>(said, chain.prismatic, chain.length);
+  }
+
+  nb::object points(nb::handle given) const {
+    const auto u = to_vector<double>(given, NPY_DOUBLE);
+    const npy_intp shape[] = {static_cast<npy_intp>(u.size()), 6};
+    nb::object out = new_array(2, shape, NPY_DOUBLE);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      linkage_->point(u[k], static_cast<double*>(PyArray_DATA(as_array(out))) + 6 * k);
+    return out;
+  }
+  double place(nb::handle given) const {
+    const auto q = to_vector<double>(given, NPY_DOUBLE);
+    if (q.size() != 6) throw nb::value_error("q must be (6,).");
+    return linkage_->place(q.data());
+  }
+  nb::object inside(nb::handle lower, nb::handle upper) const {
+    const auto low = to_vector<double>(lower, NPY_DOUBLE), high = to_vector<double>(upper, NPY_DOUBLE);
+    if (low.size() != 6 || high.size() != 6) throw nb::value_error("lower and upper must be (6,).");
+    const std::vector<double> ends = linkage_->inside(low.data(), high.data());
+    const npy_intp shape[] = {static_cast<npy_intp>(ends.size() / 2), 2};
+    nb::object out = new_array(2, shape, NPY_DOUBLE);
+    std::copy(ends.begin(), ends.end(), static_cast<double*>(PyArray_DATA(as_array(out))));
+    return out;
+  }
+
+ private:
+  std::unique_ptr<pieper::Linkage> linkage_;
+};
 
 class PyCarefulLook {
  public:
@@ -108,6 +161,14 @@ class PyCarefulLook {
 };
 
 void bind_careful(nb::module_& m) {
+  nb::class_<PyLinkage>(m, "Linkage", "A self-motion of four joints that are a linkage, of six.")
+      .def(nb::init<const Forward&, nb::handle, nb::handle, nb::handle, nb::handle, nb::handle, int, double, double,
+                    int>(),
+           nb::arg("chain"), nb::arg("through"), nb::arg("joints"), nb::arg("axes"), nb::arg("spots").none(),
+           nb::arg("senses"), nb::arg("lead"), nb::arg("low"), nb::arg("high"), nb::arg("course"))
+      .def("points", &PyLinkage::points, nb::arg("u"), "(k,) -> (k, 6), angles the short way round from `through`.")
+      .def("place", &PyLinkage::place, nb::arg("q"), "(6,) -> u; NaN where q is not on this piece of the curve.")
+      .def("inside", &PyLinkage::inside, nb::arg("lower"), nb::arg("upper"), "(6,), (6,) -> intervals of u (k, 2).");
   nb::class_<PyCarefulLook>(m, "CarefulLook",
                             "What is free at a singular pose of six joints, read off the axes of a solver's rows.")
       .def(nb::init<nb::object, const Forward&, nb::handle, nb::handle>(), nb::arg("solver"), nb::arg("chain"),

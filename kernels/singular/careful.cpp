@@ -20,12 +20,51 @@ namespace {
 
 constexpr int kMostRows = 256;
 
-SixJoints arm_of(const double* links, const std::uint8_t* prismatic, double length) {
+SixJoints joints_of(const std::uint8_t* prismatic, double length) {
   SixJoints arm{};
   arm.length = length;
-  for (int k = 0; k < 7; ++k) arm.links[k] = read_rigid(links + 16 * k, length);
   for (int k = 0; k < 6; ++k) arm.slides[k] = prismatic[k];
   return arm;
+}
+
+SixJoints arm_of(const double* links, const std::uint8_t* prismatic, double length) {
+  SixJoints arm = joints_of(prismatic, length);
+  for (int k = 0; k < 7; ++k) arm.links[k] = read_rigid(links + 16 * k, length);
+  return arm;
+}
+
+SelfMotionSaid said_of(const SelfMotionRead& motion) {
+  SelfMotionSaid said{};
+  if (const auto* line = std::get_if<LineSelfMotion>(&motion)) {
+    said.line = true, said.joints[0] = line->i, said.joints[1] = line->j, said.sense = line->sense;
+    std::copy(line->through, line->through + 6, said.through);
+    return said;
+  }
+  const auto& linkage = std::get<LinkageSelfMotion>(motion);
+  said.flat = linkage.bar.flat, said.lead = linkage.lead, said.low = linkage.low, said.high = linkage.high,
+  said.course = static_cast<int>(linkage.course);
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 z = linkage.bar.axis[k];
+    said.joints[k] = linkage.bar.joint[k], said.senses[k] = linkage.bar.sense[k];
+    said.axes[k][0] = z.x, said.axes[k][1] = z.y, said.axes[k][2] = z.z;
+    if (said.flat) said.spots[k][0] = linkage.bar.spot[k].real(), said.spots[k][1] = linkage.bar.spot[k].imag();
+  }
+  std::copy(linkage.through, linkage.through + 6, said.through);
+  return said;
+}
+
+LinkageSelfMotion linkage_of(const SelfMotionSaid& said) {
+  LinkageSelfMotion linkage{};
+  linkage.lead = said.lead, linkage.low = said.low, linkage.high = said.high,
+  linkage.course = static_cast<Course>(said.course), linkage.bar.flat = said.flat;
+  for (int k = 0; k < 4; ++k) {
+    linkage.bar.joint[k] = said.joints[k], linkage.bar.sense[k] = said.senses[k];
+    linkage.bar.axis[k] = {said.axes[k][0], said.axes[k][1], said.axes[k][2]};
+    linkage.bar.spot[k] = {said.spots[k][0], said.spots[k][1]};
+  }
+  linkage.bar.prepare();
+  std::copy(said.through, said.through + 6, linkage.through);
+  return linkage;
 }
 
 Limits limits_of(const SixJoints& arm, const double* lower, const double* upper) {
@@ -38,6 +77,38 @@ Limits limits_of(const SixJoints& arm, const double* lower, const double* upper)
 }
 
 }  // namespace
+
+struct Linkage::Own {
+  SixJoints arm;
+  LinkageSelfMotion linkage;
+};
+
+Linkage::Linkage(const SelfMotionSaid& said, const std::uint8_t* prismatic, double length)
+    : own_(new Own{joints_of(prismatic, length), linkage_of(said)}) {}
+Linkage::~Linkage() = default;
+
+void Linkage::point(double u, double* q) const { own_->linkage.point(u, q); }
+
+double Linkage::place(const double* q) const {
+  const LinkageSelfMotion& linkage = own_->linkage;
+  double turned[4], u;
+  for (int k = 0; k < 4; ++k) {
+    const int joint = linkage.bar.joint[k];
+    turned[k] = short_way(q[joint] - linkage.through[joint]);
+  }
+  return linkage.place(turned, u) ? u : NAN;
+}
+
+std::vector<double> Linkage::inside(const double* lower, const double* upper) const {
+  const SixJoints& arm = own_->arm;
+  LinkageSelfMotion per_length = own_->linkage;
+  for (int i = 0; i < 6; ++i)
+    if (arm.slides[i]) per_length.through[i] /= arm.length;
+  std::vector<double> ends;
+  for (const auto& stretch : per_length.inside(arm, limits_of(arm, lower, upper)))
+    ends.push_back(stretch.from), ends.push_back(stretch.to);
+  return ends;
+}
 
 CarefulLook::CarefulLook(const Solver& solver, const double* links, const std::uint8_t* prismatic, double length,
                          const double* lower, const double* upper, double accepted, double exact) {
@@ -87,22 +158,7 @@ bool CarefulLook::look(const double* T, const double* q, int count, std::uint8_t
     out.branches.push_back(row.branches), out.motion.push_back(row.motion);
   }
   for (const SelfMotionRead& motion : read.motions) {
-    SelfMotionSaid said{};
-    if (const auto* line = std::get_if<LineSelfMotion>(&motion)) {
-      said.line = true, said.joints[0] = line->i, said.joints[1] = line->j, said.sense = line->sense;
-      std::copy(line->through, line->through + 6, said.through);
-    } else {
-      const auto& linkage = std::get<LinkageSelfMotion>(motion);
-      said.flat = linkage.bar.flat, said.lead = linkage.lead, said.low = linkage.low, said.high = linkage.high,
-      said.course = static_cast<int>(linkage.course);
-      for (int k = 0; k < 4; ++k) {
-        const Vec3 z = linkage.bar.axis[k];
-        said.joints[k] = linkage.bar.joint[k], said.senses[k] = linkage.bar.sense[k];
-        said.axes[k][0] = z.x, said.axes[k][1] = z.y, said.axes[k][2] = z.z;
-        if (said.flat) said.spots[k][0] = linkage.bar.spot[k].real(), said.spots[k][1] = linkage.bar.spot[k].imag();
-      }
-      std::copy(linkage.through, linkage.through + 6, said.through);
-    }
+    SelfMotionSaid said = said_of(motion);
     for (int i = 0; i < 6; ++i) said.through[i] *= unit(i);
     out.motions.push_back(said);
   }

@@ -33,6 +33,23 @@ struct CarefulPose {
   std::uint8_t flag;
 };
 
+// What a linkage that was said can be asked.
+class Linkage {
+ public:
+  Linkage(const SelfMotionSaid& said, const std::uint8_t* prismatic, double length);
+  ~Linkage();
+  // The joint vector (6, rad; m) at u, each angle the short way round from `through`.
+  void point(double u, double* q) const;
+  // u of a joint vector by its linkage's angles; NaN where they are not on this piece of the curve.
+  double place(const double* q) const;
+  // Intervals of u inside limits (6, rad; m, without slack), two numbers each.
+  std::vector<double> inside(const double* lower, const double* upper) const;
+
+ private:
+  struct Own;
+  std::unique_ptr<Own> own_;
+};
+
 class CarefulLook {
  public:
   // links: 7 x 16 row-major, m. lower, upper: 6, without slack.

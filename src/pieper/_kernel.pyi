@@ -169,6 +169,31 @@ class Selection:
     def in_turn(self, q: Array, inside: Bools, start: ArrayLike | None, chosen: Array, has: Bools) -> None:
         """The same, each near to the one chosen before it."""
 
+class Linkage:
+    """A self-motion of four joints that are a linkage, of six."""
+
+    def __init__(
+        self,
+        chain: Forward,
+        through: Array,
+        joints: Indices,
+        axes: Array,
+        spots: Any,
+        senses: Array,
+        lead: int,
+        low: float,
+        high: float,
+        course: int,
+    ) -> None: ...
+    def points(self, u: Array) -> Array:
+        """(k,) -> (k, 6), angles the short way round from `through`."""
+
+    def place(self, q: Array) -> float:
+        """(6,) -> u; NaN where q is not on this piece of the curve."""
+
+    def inside(self, lower: ArrayLike, upper: ArrayLike) -> Array:
+        """(6,), (6,) -> intervals of u (k, 2)."""
+
 class CarefulLook:
     """What is free at a singular pose of six joints, read off the axes of a solver's rows."""
 

@@ -36,6 +36,25 @@ def test_reports_figures_and_the_page_have_one_icon_and_one_set_of_colours():
     assert all(colour in script for colour in (*identity.curves(), *identity.curves("dark"), *identity.axes()))
 
 
+@pytest.mark.parametrize("made", ["animation", "page without a server"])
+def test_pages_that_stand_alone_have_both_themes_of_the_file_and_no_colour_of_their_own(made, tmp_path):
+    arm = pieper.load("three-r")
+    if made == "animation":
+        motion = pieper.sequence([[0.0, 0, 0], [0.5, 0.4, 0.3]], [1.0], [0.0], rate=20)
+        motion.animate(tmp_path / "index.html", arm=arm)
+        template = (Path(pieper.__file__).parent / "drawing/animation/page.html").read_text()
+    else:
+        from static_page.build import HERE, build
+
+        build(tmp_path, ["three-r"], code=b"not run here")
+        template = (HERE / "page.html").read_text() + (HERE / "page.js").read_text()
+    written = (tmp_path / "index.html").read_text()
+    assert identity.both_themes() in written and identity.icon_address() in written and "{{" not in written
+    assert not re.search(r"#[0-9a-fA-F]{3,8}\b|rgba?\(", template), "colours come from the one file"
+    for name in set(re.findall(r"var\(--([\w-]+)|colour\(['\"]([\w-]+)", template)):
+        assert f"--{name[0] or name[1]}:" in identity.both_themes()
+
+
 def _luminance(colour: str) -> float:
     channels = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
     r, g, b = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels)

@@ -260,3 +260,73 @@ def test_other_counts_of_movc_are_refused(tmp_path):
     # from elsewhere the way to an arc's beginning is a line
     file.write_text("\n".join(lines[: at - 1] + ["MOVL C00001 V=100.0"] + lines[at:]))
     assert [t.kind for t in pieper.read_program(file)][:3] == ["move_l", "move_l", "move_c"]
+
+
+#: Lines of each language that say or change a target in another way than is written here.
+FOREIGN = {
+    "rapid": ["MoveL Offs(p1,0,0,50),v100,fine,tool0;", "MoveJ *,v100,z10,tool0;", "MoveL p1,v100,fine,tool0\\CRobT;"],
+    "urscript": [
+        "movej([0, d2r(-90), 1.57, 0, 0, 0])",
+        "movep(p[.3,.2,.1,0,3.14,0])",
+        "movel(pose_add(p[0,0,0,0,0,0], p[.3,.2,.1,0,3.14,0]))",
+        "servoj([0,0,0,0,0,0])",
+    ],
+    "krl": [
+        "LIN_REL {Z 50}",
+        "SLIN {X 500,Y 0,Z 650,A 0,B 90,C 0}",
+        "lin {X 500,Y 0,Z 650,A 0,B 90,C 0}",
+        "CIRC {X 500,Y 10,Z 600,A 0,B 0,C 0},{X 510,Y 20,Z 600,A 0,B 90,C 0},CA 360",
+        "PTP {A1 30}",
+        "$BASE=BASE_DATA[1]",
+    ],
+    "fanuc-ls": [
+        "  99:J PR[1] 100% FINE ;",
+        "  99:L P[1] 100mm/sec FINE Offset,PR[1] ;",
+        "  99:A P[2] 100mm/sec CNT50 ;",
+    ],
+    "inform": [
+        "///POSTYPE PULSE",
+        "MOVL P001 V=100.0",
+        "MOVS C00001 V=100.0",
+        "IMOV P001 V=10.0",
+        "MOVL C00001 V=10 FPL=1",
+    ],
+    "pacscript": ["Approach P, P1, 50", "Move L, @P P1", "Move P, @E J(1, 2, 3, 4, 5, 6) , Next", "Draw L, P(0, 0, 5)"],
+}
+
+
+@pytest.mark.parametrize("dialect", FOREIGN)
+def test_no_line_is_passed_over_and_none_taken_for_another(dialect, tmp_path):
+    _, p = built(dialect)
+    file = tmp_path / f"f{DIALECTS[dialect].suffixes[0]}"
+    p.write(file, dialect=dialect, cartesian=True, name="f")
+    lines = file.read_text().splitlines()
+    known = len(pieper.read_program(file))
+    for foreign in [*FOREIGN[dialect], "JUMP TO LABEL"]:
+        for at in (1, len(lines) // 2, len(lines) - 1):
+            file.write_text("\n".join([*lines[:at], foreign, *lines[at:]]))
+            with pytest.raises(InputError, match=f"line {at + 1} is not {dialect}"):
+                pieper.read_program(file)
+    file.write_text("\n".join(lines))
+    assert len(pieper.read_program(file)) == known
+
+
+@pytest.mark.parametrize(
+    "dialect, was, becomes",
+    [
+        ("rapid", r",tPieper;", r",tOther;"),
+        ("rapid", r",tPieper;", r",tPieper\\WObj:=wOther;"),
+        ("fanuc-ls", r"/POS", "  99:UFRAME_NUM=4 ;\n/POS"),
+        ("pacscript", r"  GiveArm", "  ChangeWork 3\n  GiveArm"),
+        ("ros", r"- joint_2\n", ""),
+    ],
+)
+def test_a_tool_or_frame_that_the_file_does_not_set_is_told(dialect, was, becomes, tmp_path):
+    _, p = built(dialect if dialect != "ros" else "rapid")
+    file = tmp_path / f"f{DIALECTS[dialect].suffixes[0]}"
+    p.write(file, dialect=dialect, cartesian=True, name="f")
+    text, count = re.subn(was, becomes, file.read_text(), count=1)
+    assert count == 1
+    file.write_text(text)
+    with pytest.raises(InputError, match="nowhere set" if dialect != "ros" else "positions for 5 joints"):
+        pieper.read_program(file)

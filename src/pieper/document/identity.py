@@ -44,6 +44,14 @@ def custom_properties(theme: Literal["light", "dark"] = "light") -> str:
     return " ".join(f"--{re.sub('[A-Z]', lambda m: '-' + m.group().lower(), k)}: {v};" for k, v in named.items())
 
 
+def both_themes() -> str:
+    """Return the custom properties of both themes as rules of CSS, for a page that goes by what the reader's screen is."""
+    return (
+        f":root {{ color-scheme: light dark; {custom_properties()} }}\n"
+        f"  @media (prefers-color-scheme: dark) {{ :root {{ {custom_properties('dark')} }} }}"
+    )
+
+
 def icon_address() -> str:
     """Return the icon as an address that needs no file beside the page."""
     return "data:image/svg+xml;base64," + base64.b64encode(ICON.read_bytes()).decode("ascii")

@@ -44,6 +44,11 @@ class JointCurve:
         h = self.s[-1] - self.s[-2]
         return self.q[-1] + h * (self.d1[-1] + h * (self.d2[-1] / 2 + h * self.d3[-1] / 6))
 
+    @property
+    def points(self) -> Array:
+        """(k + 1, n) where pieces begin and end."""
+        return np.vstack([self.q, self.end])
+
     def piece(self, s: Array) -> Indices:
         """Return the number of the piece at s (...)."""
         return np.clip(np.searchsorted(self.s, s, side="right") - 1, 0, len(self.q) - 1)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from pieper.description.dh import Description
+from pieper.document import identity
 from pieper.drawing.animation.moving import Moving
 from pieper.drawing.animation.painter import way_of_the_tool
 from pieper.drawing.animation.telling import happenings
@@ -52,9 +53,13 @@ def page(
         "tools": [np.round(p.frames[-1][:3], METRES).tolist() for p in parts],
         "way": np.round(way, METRES).tolist(),
         "q": np.round(shown, DEGREES).tolist(),
+        "axes": identity.axes(),
         "told": [happenings(motion, float(t)) for t in times],
     }
     # "<" cannot end the script that holds the numbers
     numbers = json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")
     template = resources.files("pieper.drawing.animation").joinpath("page.html").read_text(encoding="utf-8")
-    return template.replace("{{title}}", escape(description.name)).replace("{{numbers}}", numbers)
+    said = {"identity": identity.both_themes(), "icon": identity.icon_address(), "title": escape(description.name)}
+    for name, text in said.items():
+        template = template.replace("{{" + name + "}}", text)
+    return template.replace("{{numbers}}", numbers)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from textwrap import wrap
+from typing import TypeVar
 
 import numpy as np
 
@@ -24,6 +25,9 @@ from pieper.words_by_number import plural
 #: Tool speed that is written where none was said, m/s, as long as the limit of the tool's speed allows it.
 USUAL_SPEED = 0.25
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+
+
+_Key = TypeVar("_Key", str, int)
 
 
 @dataclass(frozen=True, eq=False)
@@ -191,6 +195,7 @@ class Dialect:
         longest: Most characters of a program's name.
         write: The text of a script.
         read: The targets of a text.
+        lines: What lines of a text may be, patterns of whole lines without the blanks around; none for any.
     """
 
     name: str
@@ -199,6 +204,26 @@ class Dialect:
     longest: int
     write: Callable[[Script], str]
     read: Callable[[str], list[Target]]
+    lines: tuple[str, ...] = ()
+
+    def targets(self, text: str) -> list[Target]:
+        """Return the targets of a text, or say which line is not understood: none is passed over.
+
+        Raises:
+            InputError: A line that is none of the dialect as it is written here.
+        """
+        known = re.compile("|".join(f"(?:{line})" for line in self.lines))
+        for number, line in enumerate(text.splitlines() if self.lines else (), 1):
+            said = line.strip()
+            if said and not known.fullmatch(said):
+                raise InputError(
+                    f"line {number} is not {self.name} as it is written here: {said[:80]!r}. Only what Program.write "
+                    "makes is read, and nothing is passed over: write such lines as moves to named or plain targets, "
+                    "or leave them out.",
+                    line=number,
+                    given=said,
+                )
+        return self.read(text)
 
 
 def _numbered(T: Array, known: list[Array]) -> int:
@@ -219,6 +244,22 @@ def fixed(value: float, digits: int) -> str:
     """Return a number with a fixed count of decimals, zero without a sign."""
     text = f"{value:.{digits}f}"
     return text[1:] if text.startswith("-") and not float(text) else text
+
+
+def listed(count: int, number: str = NUMBER) -> str:
+    """Return the pattern of so many numbers between commas."""
+    return r"\s*,\s*".join([number] * count)
+
+
+def known_one(what: str, name: _Key, known: Mapping[_Key, Array]) -> Array:
+    """Return a tool or frame by its name, or say that the file does not set it."""
+    if name not in known:
+        raise InputError(
+            f"{what} {name} is taken and nowhere set in the file: where its targets stand is not known. Set it in the "
+            "file as Program.write does.",
+            given=name,
+        )
+    return known[name]
 
 
 def found(text: str, count: int, pattern: str = NUMBER) -> list[float]:

@@ -10,7 +10,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, named
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, known_one, named
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 _JOINTS = ("J1", "J2", "J3", "J4", "J5", "J6")
@@ -130,7 +130,11 @@ def read(text: str) -> list[Target]:
             continue
         if m["taking"]:
             k = int(m["taken"])
-            under = (tools.get(k), under[1]) if m["taking"] == "UTOOL" else (under[0], frames.get(k))
+            # the arm's own tool is number 1, the base is frame 0
+            if m["taking"] == "UTOOL":
+                under = tools.get(k) if k < 2 else known_one("tool", k, tools), under[1]
+            else:
+                under = under[0], known_one("frame", k, frames) if k else None
             continue
         kind = {"J": "move_j", "L": "move_l", "C": "move_c"}[m[1]]
         if m[3]:
@@ -142,4 +146,18 @@ def read(text: str) -> list[Target]:
     return out
 
 
-DIALECT = Dialect("fanuc-ls", (".ls",), "fanuc", 36, write, read)
+_STOP = r"(?:FINE|CNT\d+)"
+_TAKEN = r"P\[\d+(?:: ?[^\]]*)?\]"
+_INSTRUCTIONS = (
+    r"!.*",
+    rf"J {_TAKEN} {NUMBER}% {_STOP}|L {_TAKEN} {NUMBER}mm/sec {_STOP}|C {_TAKEN} {_TAKEN} {NUMBER}mm/sec {_STOP}",
+    rf"PR\[{_REGISTER},[1-6]\]=(?:{NUMBER}|\({NUMBER}\))|U(?:TOOL|FRAME)\[\d+\]=PR\[{_REGISTER}\]",
+    rf"U(?:TOOL|FRAME)_NUM=\d+|WAIT +{NUMBER}\(sec\)|DO\[\d+\]=(?:ON|OFF)",
+)
+_LINES = (
+    r"/(?:PROG|ATTR|MN|POS|END).*|[A-Z_]+\s*=\s*[^;:]*;",
+    rf"\d+: *(?:{'|'.join(_INSTRUCTIONS)})? *;",
+    r"P\[\d+(?:: ?[^\]]*)?\] *\{|GP1:|\};",
+    rf"UF : \d+, UT : \d+,(?: *CONFIG : '[^']*',)?|[A-Z]\d? *= *{NUMBER} (?:mm|deg),?",
+)
+DIALECT = Dialect("fanuc-ls", (".ls",), "fanuc", 36, write, read, _LINES)

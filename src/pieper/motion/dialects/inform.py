@@ -12,7 +12,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import inverse, pose_error
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import Dialect, Script, Setup, Target, fixed, found, numbers
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, found, listed, numbers
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 from pieper.tolerances import SAME_TOOL_IN_FILE
 
@@ -208,4 +208,13 @@ def _frame(corners: list[Array]) -> Array:
     return T
 
 
-DIALECT = Dialect("inform", (".jbi",), "yaskawa", 32, write, read)
+_LINES = (
+    r"'.*",
+    r"/JOB|//(?:NAME|POS|INST).*|///(?:NPOS|TOOL|USER|RECTAN|RCONF|DATE|ATTR|GROUP1|COMM|FRAME).*",
+    r"///POSTYPE (?:ROBOT|USER)|NOP|END",
+    rf"C\d+={listed(6)}",
+    rf"MOVJ C\d+ VJ={NUMBER}(?: PL=\d)?|MOV[LC] C\d+ V={NUMBER}(?: PL=\d)?",
+    rf"TIMER T={NUMBER}|DOUT OT#\(\d+\) (?:ON|OFF)",
+    r"SETE P000 \([1-6]\) -?\d+|SETTOOL TL#\(\d+\) P000|MFRAME UF#\(\d+\) C\d+ C\d+ C\d+",
+)
+DIALECT = Dialect("inform", (".jbi",), "yaskawa", 32, write, read, _LINES)

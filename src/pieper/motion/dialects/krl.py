@@ -9,7 +9,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, named, numbers
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Target, fixed, named, numbers
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 _AXES = ("A1", "A2", "A3", "A4", "A5", "A6")
@@ -95,4 +95,18 @@ def _read_pose(brace: str) -> Array | None:
     return None if values is None else pose(*values[:3], abc=values[3:], degrees=True, mm=True)
 
 
-DIALECT = Dialect("krl", (".src",), "kuka", 24, write, read)
+def _braces(names: tuple[str, ...], more: str = "") -> str:
+    """Return the pattern of an aggregate of all these names."""
+    return r"\{" + ",".join(rf"\s*{name} {NUMBER}" for name in names) + more + r"\}"
+
+
+_APPROACH = r"(?: C_PTP| C_DIS| C_VEL| C_ORI)*(?: *;.*)?"
+_LINES = (
+    r"[;&].*",
+    r"DEF \w+\( *\)|END|BAS\(#\w+, ?\d+\)",
+    rf"\$TOOL={_braces(_POSE)}|\$BASE=(?:\$NULLFRAME|{_braces(_POSE)})",
+    rf"\$APO\.\w+={NUMBER}|\$VEL\.\w+={NUMBER}|\$OUT\[\d+\]=(?:TRUE|FALSE)|WAIT SEC {NUMBER}",
+    rf"PTP (?:{_braces(_AXES)}|{_braces(_POSE, r'(?:,S -?[0-9]+,T -?[0-9]+)?')}){_APPROACH}",
+    rf"LIN {_braces(_POSE)}{_APPROACH}|CIRC {_braces(_POSE)}, ?{_braces(_POSE)}{_APPROACH}",
+)
+DIALECT = Dialect("krl", (".src",), "kuka", 24, write, read, _LINES)

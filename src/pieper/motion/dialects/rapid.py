@@ -9,7 +9,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, numbers
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Target, fixed, found, known_one, numbers
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 #: Speed of the tool's point that leaves a joint move its full speed, m/s: the language's own `vmax` for most arms.
@@ -115,7 +115,8 @@ def read(text: str) -> list[Target]:
     for m in re.finditer(r"\b(MoveAbsJ|MoveJ|MoveL|MoveC)\s+([^;]*);", text):
         args = [a.strip() for a in m[2].split(",")]
         tool, _, frame = args[-1].partition("\\WObj:=")
-        under = tools.get(tool), frames.get(frame)
+        own = tool in ("tool0", "")
+        under = None if own else known_one("tool", tool, tools), known_one("frame", frame, frames) if frame else None
         if m[1] == "MoveAbsJ":
             out.append(Target("move_j", q=joints[args[0]]).under(*under))
         elif m[1] == "MoveC":
@@ -125,4 +126,13 @@ def read(text: str) -> list[Target]:
     return out
 
 
-DIALECT = Dialect("rapid", (".mod", ".prg"), "abb", 32, write, read)
+_WORD = r"[A-Za-z]\w*"
+_LINES = (
+    r"!.*",
+    rf"MODULE {_WORD}|ENDMODULE|PROC {_WORD}\(\)|ENDPROC",
+    rf"(?:PERS|CONST) (?:tooldata|wobjdata|jointtarget|robtarget|speeddata|zonedata) {_WORD}\s*:=\s*\[[^;]*\];",
+    rf"(?:MoveAbsJ|MoveJ|MoveL) {_WORD},{_WORD},{_WORD},{_WORD}(?:\\WObj:={_WORD})?;",
+    rf"MoveC {_WORD},{_WORD},{_WORD},{_WORD},{_WORD}(?:\\WObj:={_WORD})?;",
+    rf"WaitTime {NUMBER};|SetDO {_WORD},[01];",
+)
+DIALECT = Dialect("rapid", (".mod", ".prg"), "abb", 32, write, read, _LINES)

@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.dialect import Dialect, Script, Setup, Target, fixed, found, numbers
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, found, listed, numbers
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 #: Acceleration of the tool that is written where none is limited, m/s^2: the language's own default.
@@ -107,4 +107,15 @@ def _place(mark: str, v: list[float]) -> tuple[Array | None, Array | None]:
     return (None, pose(*v[:3], rotvec=v[3:])) if mark else (np.array(v), None)
 
 
-DIALECT = Dialect("urscript", (".script", ".urscript"), "ur", 64, write, read)
+_POSE = rf"(?:p\[{listed(6)}\]|pose_trans\(frame_\d+, p\[{listed(6)}\]\))"
+_TARGET = rf"(?:\[{listed(6)}\]|{_POSE}|get_inverse_kin\({_POSE}, qnear=\[{listed(6)}\]\))"
+_WORD = r"[A-Za-z]\w*"
+_LINES = (
+    r"#.*",
+    rf"def {_WORD}\(\):|end|{_WORD}\(\)",
+    rf"set_tcp\(p\[{listed(6)}\]\)|frame_\d+ = p\[{listed(6)}\]",
+    rf"(?:movej|movel)\({_TARGET}(?:, [avrt]={NUMBER})*\)",
+    rf"movec\({_TARGET}, {_TARGET}(?:, [avr]={NUMBER})*\)",
+    rf"sleep\({NUMBER}\)|set_standard_digital_out\(\d+, (?:True|False)\)",
+)
+DIALECT = Dialect("urscript", (".script", ".urscript"), "ur", 64, write, read, _LINES)

@@ -160,12 +160,12 @@ def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdic
 
 
 def _nothing_proved(task: Task) -> tuple[Verdict, Blocked | None, str]:
-    return (
-        Verdict.UNCERTAIN,
-        None,
-        f"Uncertain: no route was found with {task.setting.spare} coordinates free; a route can be ruled out "
-        "for one free coordinate only.",
-    )
+    spare = task.setting.spare
+    if spare > 1:
+        why = f"{plural(spare, 'coordinate')} are free, and with more than one a route is not ruled out."
+    else:
+        why = "of an arm whose joints decide this task in no regular way a route is not ruled out."
+    return Verdict.UNCERTAIN, None, f"Uncertain: no route was found; {why}"
 
 
 def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:

@@ -75,6 +75,12 @@ class Setting:
         return appended(full, _TILTS) if self.tilts else full
 
     @cached_property
+    def filled(self) -> Chain:
+        """The same with virtual joints for what a short arm cannot do; they stand at zero."""
+        fill = self.curves.exact.fill
+        return appended(self.chain, fill) if fill and not self.tilts else self.chain
+
+    @cached_property
     def m(self) -> int:
         """Number of coordinates."""
         return self.chain.n

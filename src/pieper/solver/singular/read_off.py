@@ -18,8 +18,7 @@ from pieper.solver.native import Read, SelfMotionSaid
 from pieper.solver.plan.plan import Plan
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.in_one_line import LineMotion
-from pieper.solver.singular.linkage_motion import Course, LinkageMotion
-from pieper.solver.singular.loop import FourBar
+from pieper.solver.singular.linkage_motion import LinkageMotion
 from pieper.solver.singular.merged_roots import null_direction
 from pieper.solver.singular.self_motion import SelfMotion
 
@@ -47,6 +46,4 @@ def _told(plan: Plan, T: Array, said: SelfMotionSaid) -> SelfMotion:
     if len(said) == 3:
         through, pair, sense = said
         return LineMotion(*whose, through=through, pair=pair, sense=sense)
-    through, joints, axes, spots, senses, lead, low, high, course = said
-    linkage = FourBar(joints, axes, spots, senses)
-    return LinkageMotion(*whose, through=through, linkage=linkage, lead=lead, span=(low, high), course=Course(course))
+    return LinkageMotion(*whose, through=said[0], linkage=said[1:])
