@@ -101,11 +101,13 @@ def test_numbers_are_about_this_arm_and_its_zeros():
         ('kind = "matrix"\nof = "P02"\nis = [["c1 (e1 + l2 c2) + e2 s1"], [""], ["l1 + l2 s2"]]', "holds"),
         ('kind = "matrix"\nof = "P02"\nis = [["c1 (e1 + l2 c2) - e2 s1"], [""], ["l1 + l2 s2"]]', "holds only in part"),
         (
-            'kind = "joint"\njoint = 1\ntask = "position"\nis = "atan2(py, px) + atan2(e2, +-sqrt(px^2 + py^2 - e2^2))"',
+            'kind = "joint"\njoint = 1\ntask = "position"\n'
+            'is = "atan2(py, px) + atan2(e2, +-sqrt(px^2 + py^2 - e2^2))"',
             "holds",
         ),
         (
-            'kind = "joint"\njoint = 1\ntask = "position"\nis = "atan2(py, px) - atan2(e2, +-sqrt(px^2 + py^2 - e2^2))"',
+            'kind = "joint"\njoint = 1\ntask = "position"\n'
+            'is = "atan2(py, px) - atan2(e2, +-sqrt(px^2 + py^2 - e2^2))"',
             "holds only in part",
         ),
     ],

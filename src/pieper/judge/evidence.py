@@ -12,22 +12,22 @@ from typing import Any
 import numpy as np
 
 from pieper.algebra.expression import Expr
-from pieper.algebra.formula import ANGLE, Mention
+from pieper.algebra.formula import Mention
 from pieper.algebra.formula_error import FormulaError
 from pieper.algebra.parser import parse_equation
 from pieper.errors import InputError, PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.conditions import Condition, read_conditions
 from pieper.judge.keys import UNITS
-from pieper.judge.letters import MatrixLetter, known_from, neighbours, of_whole_pose, pick_letters
+from pieper.judge.letters import MatrixLetter, neighbours, pick_letters
 from pieper.judge.matrices import value_of
 from pieper.judge.model import ArmModel
-from pieper.judge.products import Product, factors_of, parse_product
+from pieper.judge.products import Product, parse_product
 from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample, some
 from pieper.judge.search.search import Goal
 from pieper.judge.slips.arm_slips import arm_slips
 from pieper.judge.symbols import in_order, plain
-from pieper.tolerances import ENTRY_MATTERS, EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
+from pieper.tolerances import EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
 
 MOST_ROWS = 4  # of a matrix of the file's own
 DRAWS = 60  # of joint vectors, until enough meet the conditions of a claim
@@ -154,31 +154,6 @@ class Evidence:
     def picks(self, node: Expr) -> set[str]:
         """The letters of a formula that are entries of matrices."""
         return node.substitute(self.definitions).symbols() & set(self.letters)
-
-    def known_for(self, name: str) -> set[int]:
-        """The joints (1-based) that must be known before a letter taken from matrices is.
-
-        (T A6^-1)[1,4] is computed with theta6, but it is the wrist centre, which does not depend on it.
-        """
-        letter, n = self.letters[name], self.model.n
-        own = frozenset(self.matrices)
-        joints = known_from(letter.product, n, own)
-        for factor in factors_of(letter.product):
-            for cell in (cell for row in self.matrices.get(factor.name, ()) for cell in row):
-                joints |= {int(found.group(1)) for found in map(ANGLE.match, cell.symbols()) if found}
-        if not of_whole_pose(letter.product, n, own):
-            return joints
-        drawn = replace(self, when=()).draw(len(self.samples.q), seed=77)
-        here, other = self.samples.frames, drawn.frames
-        rows = self.samples.nominal & drawn.nominal
-        value = letter.value(here)
-        in_own = joints - known_from(letter.product, n, own)
-
-        def moves(joint: int) -> bool:
-            changed = letter.value({**here, f"A{joint}": other[f"A{joint}"]})
-            return not np.allclose(changed[rows], value[rows], rtol=0, atol=ENTRY_MATTERS)
-
-        return in_own | {j for j in joints if moves(j)}
 
     def pick(self, env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
         """Add the letters that are entries of matrices to an environment, and the file's matrices to the frames."""

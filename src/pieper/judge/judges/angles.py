@@ -16,6 +16,7 @@ from pieper.judge.difference import agreeing_digits, digits_wanted
 from pieper.judge.evidence import SOLVER_POSES, Evidence, wrapped
 from pieper.judge.judges.angle_formula import AngleFormula, branch_values, either_of, read_angle, right_side, signed
 from pieper.judge.judges.freedom import completes, undetermined
+from pieper.judge.known import known_in
 from pieper.judge.lengths import decimals, standing
 from pieper.judge.matrices import value_of
 from pieper.judge.products import Product
@@ -52,8 +53,8 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
     )
     node = signed(ev, claim, node, angle)
     ev = ev.naming(node)
-    circle = uses_itself(ev.model, angle, node, ev.definitions, {name: ev.known_for(name) for name in ev.picks(node)})
     frame = ev.frame(claim)
+    circle = uses_itself(ev.model, angle, node, ev.definitions, known_in(ev, node, angle, frame))
     form = AngleFormula.of(ev, angle, frame)
     good, own = form.judged(ev, node), ev.samples.nominal
     if circle:
@@ -139,7 +140,7 @@ def _slip(ev: Evidence, node: Expr, form: AngleFormula, *, branch: bool = False)
         lost = lost_from(ev, node, aim, form.angle)
         found = search(aim, node, near, lost=lost, seconds=ev.seconds, pairs=pairs)
         # an explanation that uses what it explains is none
-        known = {name: ev.known_for(name) for name in ev.picks(node)}
+        known = known_in(ev, node, form.angle, form.frame)
         found.found = [s for s in found.found if not uses_itself(ev.model, form.angle, s.tree, ev.definitions, known)]
         return found
 
@@ -151,7 +152,7 @@ def _slip(ev: Evidence, node: Expr, form: AngleFormula, *, branch: bool = False)
     if found.best:
         return found, ""
     if branch and found.nearest:
-        known = {name: ev.known_for(name) for name in ev.picks(node)}
+        known = known_in(ev, node, form.angle, form.frame)
         one = found.nearest[0]
         if not uses_itself(ev.model, form.angle, one.tree, ev.definitions, known):
             where = region_of(ev, form.with_symbols(one.tree))
@@ -242,7 +243,7 @@ def _both_signs(
     poses = value_of(frame, ev.samples.frames) if frame is not None else ev.samples.frames["T"]
     used, known = given_angles(node, ev.definitions)
     used |= set(ev.held)
-    used |= {j for name in ev.picks(node) for j in ev.known_for(name)}
+    used = used.union(*known_in(ev, node, angle).values())
     given = {j for j in used if before < j <= before + model.n and j - before != joint}
     sums = [{j - before: k for j, k in s.items()} for s in known if all(before < j <= before + model.n for j in s)]
     values = wrapped(np.array(list(branch_values(node, ev.environment(frame), (len(poses),)))))
@@ -306,9 +307,7 @@ def judge_together(ev: Evidence, claim: Claim) -> Verdict:
     claim = claim.reads("; ".join(f"{k} = {v}" for k, v in claim["is"].items()))
     ev = ev.naming(*(node for _, node in forms.values()))
     for name, (form, node) in forms.items():
-        circle = uses_itself(
-            ev.model, form.angle, node, ev.definitions, {name: ev.known_for(name) for name in ev.picks(node)}
-        )
+        circle = uses_itself(ev.model, form.angle, node, ev.definitions, known_in(ev, node, form.angle, form.frame))
         if circle:
             return claim.wrong(
                 f"Wrong: circular. The formula for {name} uses {name} itself, in {circle}.", (), "circular"

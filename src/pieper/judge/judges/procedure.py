@@ -9,6 +9,7 @@ from pieper.errors import PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, wrapped
 from pieper.judge.judges.angle_formula import branch_values, read_angle
+from pieper.judge.known import known_in
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_HOLDS
@@ -44,7 +45,7 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
         for known in candidates:
             for node in [ev.parse(str(t), where).substitute(ev.definitions) for t in texts]:
                 node = node.substitute({b: Mention(joint) for b, joint in ev.model.aliases.items()})
-                picked = {letter: ev.known_for(letter) for letter in ev.picks(node)}
+                picked = known_in(ev, node, angle)
                 used = {s for s in node.symbols() if ANGLE.match(s)}
                 missing = (used | {f"theta{j}" for joints in picked.values() for j in joints}) - set(known)
                 if missing:
