@@ -63,3 +63,6 @@ SEARCH_ARC = 1e-7
 VALUE_TOLERANCE = 1e-9
 #: A value is the one that is needed within this, relative to both.
 NEED_MET = 1e-6
+#: Of the interval of a printed number: joints found in theirs give a pose in its own but for this, the rounding of the
+#: search.
+BEYOND_DIGITS = 1e-3

@@ -6,9 +6,10 @@ import numpy as np
 
 from pieper.errors import PieperError
 from pieper.judge.claim import Claim
+from pieper.judge.digits import ROUNDED, Interval, reaches
 from pieper.judge.evidence import Evidence
 from pieper.judge.judges.poses import joint_slips
-from pieper.judge.numbers import UNITS, joint_tolerance, last_digit, read_joints, read_matrix, read_number, unit_of
+from pieper.judge.numbers import UNITS, digit_units, joint_units, read_joints, read_matrix, read_number, unit_of
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_ZERO
@@ -22,40 +23,38 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     """
     model, unit = ev.model, unit_of(claim, ev.model)
     factor = UNITS[model.unit] / UNITS[unit]
-    T, slack = _wanted_pose(ev, claim, factor)
+    pose = _wanted_pose(ev, claim, factor)
+    T = np.vstack([pose.value, [0.0, 0.0, 0.0, 1.0]])
     solutions = claim.get("solutions_deg")
     if not solutions:
         raise claim.error("solutions_deg must list at least one joint vector")
     lines, bad = [], 0
-    given = [
-        read_joints(claim.part(f"{claim.id} solution {k + 1}", {"q_deg": row}), model)
-        for k, row in enumerate(solutions)
-    ]
+    parts = [claim.part(f"{claim.id} solution {k + 1}", {"q_deg": row}) for k, row in enumerate(solutions)]
+    given = [Interval(read_joints(part, model), joint_units(part, model)) for part in parts]
+    position = claim.get("task") == "position"
     slips: list[tuple[str, str]] = []
-    for k, (row, q) in enumerate(zip(solutions, given, strict=True)):
-        half = joint_tolerance(row, True)
-
-        def off(q: np.ndarray) -> tuple[np.ndarray, float, float]:
-            got = _in_unit(pose_of(model, q)[0], factor)
-            turn = 0.0 if claim.get("task") == "position" else _rotation_between(got[:3, :3], T[:3, :3])
-            return got, float(np.linalg.norm(got[:3, 3] - T[:3, 3])), turn
-
-        def closes(gap: float, turn: float, half: np.ndarray = half) -> bool:
-            allowed = slack * 2 + float(half.sum()) * model.length() * factor
-            return gap <= allowed and turn <= max(0.02, np.degrees(half.sum()) * 2)
-
-        got, gap, turn = off(q)
-        fine = closes(gap, turn)
+    for k, joints in enumerate(given):
+        got = _in_unit(pose_of(model, joints.value)[0], factor)
+        gap = float(np.linalg.norm(got[:3, 3] - factor * pose.value[:, 3]))
+        turn = 0.0 if position else _rotation_between(got[:3, :3], pose.value[:, :3])
+        fine = reaches(model, joints, pose, position=position)
         bad += not fine
         reached = "" if fine else f"; it reaches ({', '.join(f'{v:.3f}' for v in got[:3, 3])})"
         words = "closes" if fine else "is NO solution"
-        said = f"position off by {gap:.{3 if fine else 6}g} {unit}, orientation by {turn:.1g} deg"
+        said = f"position off by {gap:.{3 if fine else 6}g} {unit}" + (
+            "" if position else f", orientation by {turn:.1g} deg"
+        )
         lines.append((f"solution {k + 1}", f"{words}: {said}{reached}"))
         if not fine:
             near = [
                 (kind, says)
-                for kind, says, other in joint_slips(model, q)
-                if closes(*off(other)[1:], half * (180 / np.pi if kind == "degrees" else 1.0))
+                for kind, says, q in joint_slips(model, joints.value)
+                if reaches(
+                    model,
+                    Interval(q, joints.unit * (180 / np.pi if kind == "degrees" else 1.0)),
+                    pose,
+                    position=position,
+                )
             ]
             slips += near[:1]
             lines += [("the slip", f"solution {k + 1}: {says}") for _, says in near[:1]]
@@ -68,16 +67,16 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
         kind = slips[0][0] if len(slips) == bad and len({kind for kind, _ in slips}) == 1 else ""
         reading = "; ".join(says for _, says in slips) if kind else ""
         return claim.wrong(f"Wrong: {bad} of {count} given joint vectors do not reach the pose.", lines, kind, reading)
-    twice = _twice(ev, solutions, given)
+    twice = _twice(ev, given)
     different = count - len(twice)
     same = "; ".join(f"{j + 1} and {i + 1} are one and the same" for i, j in twice)
     if complete:
         try:
-            rows = ev.solved(_in_unit(T, 1 / factor), claim.get("task"))
+            rows = ev.solved(T, claim.get("task"))
         except PieperError as error:
             return claim.partly(f"Every one is a solution; whether they are all could not be checked: {error}", lines)
         total = len(rows)
-        if model.solver is not None and model.solver.endless(_in_unit(T, UNITS[unit]), claim.get("task")):
+        if model.solver is not None and model.solver.endless(_in_unit(T, UNITS[model.unit]), claim.get("task")):
             return claim.partly("Every one is a solution, but they are not all: there are infinitely many.", lines)
         if total != different:
             again = f" Of the {count} given, {same}." if twice else ""
@@ -90,27 +89,34 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     return claim.holds(f"Holds: {count} of {count} reach the pose{others}", lines)
 
 
-def _twice(ev: Evidence, printed: list, given: list[np.ndarray]) -> list[tuple[int, int]]:
+def _twice(ev: Evidence, given: list[Interval]) -> list[tuple[int, int]]:
     """Return (later, earlier) for joint vectors that are the same to their digits, whole turns apart or not."""
     found = []
-    for i, q in enumerate(given):
+    for i, joints in enumerate(given):
         for j in range(i):
-            near = JUDGED_ZERO + joint_tolerance(printed[i], True) + joint_tolerance(printed[j], True)
-            if np.all(ev.apart(q[None], given[j])[0] <= near):
+            near = JUDGED_ZERO + ROUNDED * (joints.unit + given[j].unit)
+            if np.all(ev.apart(joints.value[None], given[j].value)[0] <= near):
                 found.append((i, j))
                 break
     return found
 
 
-def _wanted_pose(ev: Evidence, claim: Claim, factor: float) -> tuple[np.ndarray, float]:
-    """Return the pose in the claim's unit, and how far its printed position may be off."""
+def _wanted_pose(ev: Evidence, claim: Claim, factor: float) -> Interval:
+    """Return the pose (3, 4) in the arm's unit of length, and one unit of the last digit of each number."""
     if "matrix" not in claim:
-        return _in_unit(pose_of(ev.model, read_joints(claim, ev.model))[0], factor), JUDGED_ZERO * ev.model.length()
+        T = pose_of(ev.model, read_joints(claim, ev.model))[0, :3]
+        return Interval(T, np.zeros((3, 4)))
     printed = read_matrix(claim)[:3]
-    T = np.eye(4)
-    for i, row in enumerate(printed):
-        T[i, : len(row)] = [read_number(v) for v in row]
-    return T, max((last_digit(v) for r in printed for v in r[3:]), default=0.0)
+    T, unit = np.eye(4)[:3], np.zeros((3, 4))
+    for columns, scale in ((slice(0, 3), 1.0), (slice(3, 4), 1 / factor)):
+        cells = [value for row in printed for value in row[columns]]
+        if cells:
+            shape = (3, len(cells) // 3)
+            T[:, columns] = scale * np.reshape([read_number(value) for value in cells], shape)
+            units = scale * digit_units(cells).reshape(shape)
+            # whole numbers alone are a rotation by quarter turns, which is exact
+            unit[:, columns] = units if columns.start or units.min() < 1 else 0.0
+    return Interval(T, unit)
 
 
 def _in_unit(T: np.ndarray, factor: float) -> np.ndarray:
