@@ -291,6 +291,7 @@ def main() -> None:
     parser.add_argument("--loads", type=int, default=7, help="first loads")
     parser.add_argument("--seconds", type=float, default=4.0, help="of each of three drags")
     parser.add_argument("--updates", type=int, default=60, help="of each of fifty sessions")
+    parser.add_argument("--programs", type=int, default=2, help="that each of fifty sessions plans meanwhile")
     parser.add_argument("--messages", type=int, default=10_000, help="of the fuzz")
     parser.add_argument("--only", nargs="+", choices=parts, default=parts)
     parser.add_argument("--out", type=Path, default=RESULTS / "workbench.json")
@@ -304,7 +305,7 @@ def main() -> None:
         if "people" in given.only:
             results["people"] = measure_people(served.port, given.updates, 0)
         if "programs" in given.only:
-            results["programs"] = measure_people(served.port, given.updates, 3)
+            results["programs"] = measure_people(served.port, given.updates, given.programs)
         if "fuzz" in given.only:
             results["fuzz"] = measure_fuzz(served.port, given.messages) | {"tracebacks": served.tracebacks()}
     finally:

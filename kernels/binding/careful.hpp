@@ -62,14 +62,15 @@ class PyLinkage {
 
 class PyCarefulLook {
  public:
-  PyCarefulLook(nb::object solver, const Forward& arm, nb::handle lower, nb::handle upper) : solver_(solver) {
+  PyCarefulLook(nb::object solver, const Forward& arm, nb::handle lower, nb::handle upper, bool closed_form)
+      : solver_(solver) {
     const PySolver& own = *nb::cast<const PySolver*>(solver);
     const auto low = to_vector<double>(lower, NPY_DOUBLE), high = to_vector<double>(upper, NPY_DOUBLE);
     const pieper::PlainChain chain = arm.plain();
     if (chain.n != 6 || low.size() != 6 || high.size() != 6)
       throw nb::value_error("the chain must have six joints, lower and upper be (6,).");
     look_ = std::make_unique<pieper::CarefulLook>(own.solver(), chain.links, chain.prismatic, chain.length, low.data(),
-                                                  high.data(), own.accepted(), own.exact());
+                                                  high.data(), own.exact(), closed_form);
   }
 
   // None where what there is cannot be read off.
@@ -137,8 +138,11 @@ class PyCarefulLook {
   }
 
  private:
-  // A line as (through, (i, j), sense), a linkage as (through, joints, axes, spots or None, senses, lead, low, high, course).
+  // A line as (through, (i, j), sense), a linkage as (through, joints, axes, spots or None, senses, lead, low, high, course),
+  // one that was followed as (points, closed).
   static nb::object told(const pieper::SelfMotionSaid& said) {
+    const npy_intp points[] = {static_cast<npy_intp>(said.points.size() / 6), 6};
+    if (points[0]) return nb::make_tuple(copied(said.points.data(), 2, points, NPY_DOUBLE), said.closed);
     const npy_intp six[] = {6}, four[] = {4}, wide[] = {4, 3};
     nb::object through = copied(said.through, 1, six, NPY_DOUBLE);
     if (said.line) return nb::make_tuple(through, nb::make_tuple(said.joints[0], said.joints[1]), said.sense);
@@ -171,8 +175,8 @@ void bind_careful(nb::module_& m) {
       .def("inside", &PyLinkage::inside, nb::arg("lower"), nb::arg("upper"), "(6,), (6,) -> intervals of u (k, 2).");
   nb::class_<PyCarefulLook>(m, "CarefulLook",
                             "What is free at a singular pose of six joints, read off the axes of a solver's rows.")
-      .def(nb::init<nb::object, const Forward&, nb::handle, nb::handle>(), nb::arg("solver"), nb::arg("chain"),
-           nb::kw_only(), nb::arg("lower"), nb::arg("upper"))
+      .def(nb::init<nb::object, const Forward&, nb::handle, nb::handle, bool>(), nb::arg("solver"), nb::arg("chain"),
+           nb::kw_only(), nb::arg("lower"), nb::arg("upper"), nb::arg("closed_form"))
       .def("one", &PyCarefulLook::one, nb::arg("T"), nb::arg("q"), nb::arg("flag"),
            "(4, 4), the solver's rows (m, 6) and flag -> q (m, 6), inside (m,), flag, singular (m,), branches (m,), "
            "self_motion (m,), the self-motions; None "

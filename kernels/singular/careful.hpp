@@ -9,7 +9,7 @@
 
 namespace pieper {
 
-// A self-motion as its own words: two joints in one line, or a linkage.
+// A self-motion as its own words: two joints in one line, a linkage, or points that were followed.
 struct SelfMotionSaid {
   double through[6];  // rad; m
   bool line;
@@ -21,6 +21,9 @@ struct SelfMotionSaid {
   int lead;
   double low, high;
   int course;
+  // of one that was followed, else none
+  std::vector<double> points;  // k x 6, rad; m
+  bool closed;
 };
 
 // All there is at one pose, rows in order, limits applied.
@@ -52,9 +55,9 @@ class Linkage {
 
 class CarefulLook {
  public:
-  // links: 7 x 16 row-major, m. lower, upper: 6, without slack.
+  // links: 7 x 16 row-major, m. lower, upper: 6, without slack. closed_form: whether the solver loses nothing where roots meet.
   CarefulLook(const Solver& solver, const double* links, const std::uint8_t* prismatic, double length,
-              const double* lower, const double* upper, double accepted, double exact);
+              const double* lower, const double* upper, double exact, bool closed_form);
   ~CarefulLook();
 
   // Looks at a pose that is one, of which the solver has these rows (count x 6, rad, m) and this flag; false where what there is

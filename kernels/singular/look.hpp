@@ -5,7 +5,6 @@
 // off the fibre of the closed form's group of three. Surfaces, and linkages of five and six joints, are not read. Scalar.
 #pragma once
 
-#include <cstdint>
 #include <utility>
 
 #include "singular/crossed.hpp"
@@ -13,20 +12,9 @@
 #include "singular/into_limits.hpp"
 #include "singular/into_place.hpp"
 #include "singular/next_to_motion.hpp"
+#include "singular/read.hpp"
 
 namespace pieper::PIEPER_ISA {
-
-// All there is at a pose.
-struct Read {
-  struct Row {
-    double q[6];   // rad; lengths
-    int branches;  // that merge in it
-    int motion;    // the self-motion it stands for, or -1
-    bool singular;
-  };
-  std::vector<Row> rows;
-  std::vector<SelfMotionRead> motions;
-};
 
 class Look {
  public:
@@ -35,7 +23,7 @@ class Look {
 
   // What there is at T, of which a closed-form kernel gave rows (count x 6); false where that cannot be read off.
   bool operator()(const Rigid& T, const double* rows, int count, Read& out) const {
-    out.rows.clear(), out.motions.clear();
+    out.clear();
     if (count == 0) return false;
     std::vector<Root> alone;
     std::vector<Unsure> unsure;
@@ -61,13 +49,13 @@ class Look {
       if (!singular_row(T, q, at, d, {rows, count}, unsure, alone, out.motions)) return false;
     }
     if (clear) {
-      for (int k = 0; k < count; ++k) add(rows + 6 * k, 1, -1, false, out);
+      for (int k = 0; k < count; ++k) out.add(arm_, rows + 6 * k, 1, -1, false);
       return true;
     }
     if (out.motions.empty() && regular.size() + alone.size() < kMostSolutions &&
         !searched(T, regular.size(), unsure, alone))
       return false;
-    if (!apart(T, alone)) return false;
+    one_of_each(arm_, T, alone);
     int branches = 0;
     for (const Root& root : alone) branches += root.branches;
     std::vector<int> isolated;
@@ -78,24 +66,17 @@ class Look {
     }
     // rows of a pose come in an even number, self-motions and double roots counted twice: another number is not believed
     if ((isolated.size() + branches) % 2) return false;
-    for (int k : isolated) add(rows + 6 * k, 1, -1, false, out);
+    for (int k : isolated) out.add(arm_, rows + 6 * k, 1, -1, false);
     for (Root& root : alone) {
       for (bool turns : {false, true}) into_limits(arm_, T, limits_, turns, root.q);
-      add(root.q, root.branches, -1, true, out);
+      out.add(arm_, root.q, root.branches, -1, true);
     }
     for (std::size_t k = 0; k < out.motions.size(); ++k) {
       double q[6];
       std::visit([&](const auto& motion) { motion.representative(arm_, limits_, q); }, out.motions[k]);
-      add(q, 1, static_cast<int>(k), true, out);
+      out.add(arm_, q, 1, static_cast<int>(k), true);
     }
-    std::stable_sort(out.rows.begin(), out.rows.end(), [&](const Read::Row& a, const Read::Row& b) {
-      for (int i = 0; i < kSix; ++i) {
-        const double grid = arm_.slides[i] ? kRowOrderGrid / arm_.length : kRowOrderGrid,
-                     x = std::nearbyint(a.q[i] / grid), y = std::nearbyint(b.q[i] / grid);
-        if (x != y) return x < y;
-      }
-      return false;
-    });
+    out.in_order(arm_);
     return true;
   }
 
@@ -145,18 +126,6 @@ class Look {
     double farthest = 0;
     for (const Vec3& o : at.o) farthest = std::fmax(farthest, largest(o));
     return kInOneLine * (1 + farthest);
-  }
-
-  void add(const double* q, int branches, int motion, bool singular, Read& out) const {
-    Read::Row row{{}, branches, motion, singular};
-    for (int i = 0; i < kSix; ++i) row.q[i] = arm_.slides[i] ? q[i] : in_one_turn(q[i]);
-    out.rows.push_back(row);
-  }
-
-  // An angle in (-pi, pi]; a rounding away from -pi it is pi, so that it does not change places with its twin.
-  static double in_one_turn(double q) {
-    if (!(q > -kPi && q <= kPi)) q = kPi - (kPi - q - kTwoPi * std::floor((kPi - q) / kTwoPi));
-    return q < kOrthogonal - kPi ? kPi : q;
   }
 
   bool singular_row(const Rigid& T, const double* q, const Standing& at, const SingularSix& d, const Rows& rows,
@@ -366,17 +335,6 @@ class Look {
       if (!known) fresh.push_back(one);
     }
     motions.insert(motions.end(), fresh.begin(), fresh.end());
-    return true;
-  }
-
-  // Makes one of roots that rounding cannot tell apart.
-  bool apart(const Rigid& T, std::vector<Root>& alone) const {
-    double least = INFINITY;
-    for (std::size_t a = 0; a < alone.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b) least = std::fmin(least, arm_.apart(alone[a].q, alone[b].q));
-    if (least >= kMergedBlur) return true;
-    distinct_roots(arm_, T, alone);
-    for (Root& root : alone) root.branches = branches_at(arm_, T, root.q);
     return true;
   }
 

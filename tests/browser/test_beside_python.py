@@ -20,6 +20,15 @@ def beside(browser):
     script.close()
 
 
+def heard(script, so) -> None:
+    """Wait until what a person did has come to Python."""
+    for _ in range(100):
+        if so():
+            return
+        script.wait(0.2)
+    raise AssertionError("Python has not heard of it")
+
+
 def test_a_script_moves_the_page_and_reads_what_a_person_did(beside):
     script, page = beside
     q = np.radians([10, 70, -140, 25, 50, 30])
@@ -64,6 +73,60 @@ def test_what_a_script_adds_is_drawn_and_a_motion_plays(beside):
     script.clear()
     page.until("workbench.things === 0")
     assert page.page.get_by_test_id("chart").is_hidden()
+
+
+def test_a_script_reads_the_program_and_the_world_that_a_person_made(beside):
+    script, page = beside
+    page.joint_steps([20, 60, -150, 10, 40, 25], [40, 60, -150, 10, 40, 25])
+    page.page.get_by_test_id("step-add-gripper").click()
+    page.page.get_by_test_id("step-add-line").click()
+    page.fill("step-4-T-2", 300)
+    page.tab("World")
+    page.page.get_by_test_id("add-obstacle-box").click()
+    page.fill("world-1-0", 420)
+    heard(script, lambda: len(script.scene) == 1 and script.scene[0].T[0, 3] == pytest.approx(0.42))
+    heard(script, lambda: script.program is not None and len(script.program.instructions) == 3)
+    taught = script.program
+    assert np.allclose(taught.start, np.radians([20, 60, -150, 10, 40, 25]))
+    assert np.allclose(taught.moves[0].q, np.radians([40, 60, -150, 10, 40, 25]))
+    assert script.arm.fk(taught.motion().q[-1])[2, 3] == pytest.approx(0.3, abs=1e-9)
+    page.tab("Program")
+    for _ in range(40):
+        if page.value("workbench.program.length") == 0:
+            break
+        page.page.keyboard.press("Control+z")
+    heard(script, lambda: script.program is None)
+
+
+def test_a_hand_on_the_handles_another_arm_and_a_second_page_are_read(beside, browser):
+    script, page = beside
+    page.tab("Inverse")
+    page.until("workbench.solutions && workbench.solutions.rows.length > 0")
+    page.settle()
+    x, y = page.value("workbench.handles()")["move-x"]
+    page.page.mouse.move(x, y)
+    page.page.mouse.down()
+    page.page.mouse.move(x + 20, y + 8, steps=5)
+    page.page.mouse.up()
+    page.settle()
+    said = page.value("workbench.target")
+    heard(script, lambda: script.target is not None and script.target.ravel().tolist() == said)
+    heard(script, lambda: script.q.tolist() == page.value("workbench.q"))
+    page.arm("abb-irb140")
+    heard(script, lambda: script.arm.name == "abb-irb140")
+    script.add(pieper.pose(0.3, 0.1, 0.2), "here")
+    script.q = "zero" if "zero" in script.arm.postures else np.full(6, 0.2)
+    other = Workbench(browser.new_context(reduced_motion="reduce").new_page(), script.url).open()
+    other.until("workbench.table.name === 'abb-irb140' && workbench.things === 1")
+    assert other.value("workbench.q") == script.q.tolist(), "a page that opens later shows the same"
+    other.page.reload()
+    other.page.wait_for_selector("html[data-ready=yes]")
+    other.until("workbench.table.name === 'abb-irb140' && workbench.things === 1")
+    assert other.value("workbench.q") == script.q.tolist()
+    other.page.context.close()
+    with pytest.raises(pieper.InputError, match="6 finite numbers"):
+        script.q = [1, 2]
+    assert script.url in script._repr_html_() and "iframe" in script._repr_html_()
 
 
 def test_the_screen_as_a_script_computes_what_is_on_the_screen(bench, capsys):

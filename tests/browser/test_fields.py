@@ -31,6 +31,13 @@ def test_a_field_says_why_restores_and_understands_a_comma(bench):
     assert bench.value("workbench.q[0]") == pytest.approx(np.radians(12.5))
     field.press("Escape")
     assert bench.value("workbench.q[0]") == pytest.approx(np.radians(float(before)), abs=1e-4)
+    for leave in ("Enter", "Tab"):
+        field.fill("12..3")
+        assert "“.3” is not expected" in bench.text("why"), "the words are the person's own"
+        field.press(leave)
+        field.focus()
+        field.press("Escape")
+        assert field.input_value() == before, "Escape puts back what could be read, also after Enter and from elsewhere"
 
 
 @pytest.mark.parametrize("form", ["tabs", "python", "matlab"])

@@ -339,8 +339,5 @@ PAGES: dict[str, Callable[[], Checks]] = {
     f.__name__: f
     for f in (puma_course, six_axis_ur, ur5e_numpy, three_r_matlab, two_links_readme, surrey_coursework, scara_paste)
 }
-PAGES |= {
-    f.__name__: f
-    for f in (rrr_paste, rrr_degrees, three_r_question, robotic_dog, slide_turn_slide)
-}
+PAGES |= {f.__name__: f for f in (rrr_paste, rrr_degrees, three_r_question, robotic_dog, slide_turn_slide)}
 PAGES |= {f.__name__: f for f in (simple_manipulator, ur5_review, quadruped_thread, quaternion_paste)}

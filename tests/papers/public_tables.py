@@ -1,4 +1,4 @@
-"""The public pages about a KUKA KR210 and a student's Puma once more in plain NumPy, as `public_pages` does the others."""
+"""The public pages about a KUKA KR210 and a student's Puma again in plain NumPy, as `public_pages` has others."""
 
 from __future__ import annotations
 

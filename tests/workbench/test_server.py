@@ -216,6 +216,7 @@ def test_ten_thousand_random_messages_leave_it_standing(served, monkeypatch):
     monkeypatch.setattr(session, "RATE", 1e9)
     monkeypatch.setattr(session, "BURST", 1e9)
     monkeypatch.setattr(session, "PATIENCE", 10**9)
+    monkeypatch.setattr(session, "MOST_WAITING", 10**9)
     port, app = served
 
     async def fuzz(seed: int, count: int) -> int:

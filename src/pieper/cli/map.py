@@ -48,6 +48,9 @@ class _Progress:
 @click.option("--workers", default=0, help="Processes; without it one process uses all cores.")
 @click.option("--scheduler", default="", metavar="ADDRESS", help="A dask scheduler, such as tcp://host:8786.")
 @click.option("--scene", default="", metavar="FILE", help="Count only what touches neither this nor the arm itself.")
+@click.option(
+    "--task", default=None, type=click.Choice(["pose", "position", "position+axis"]), help="What a voxel is asked."
+)
 @click.option("--measure", is_flag=True, help="Keep the best manipulability and distance to limits as well.")
 @click.option("--save", default="", metavar="FILE", help="Write the map as .npz, .parquet or .vtk.")
 @click.option("--picture", default="", metavar="FILE", help="Draw three sections as .png, .svg or .pdf.")
@@ -64,6 +67,7 @@ def command(
     workers: int,
     scheduler: str,
     scene: str,
+    task: str | None,
     measure: bool,
     save: str,
     picture: str,
@@ -84,7 +88,13 @@ def command(
             given=(box, orientations),
         )
     sides = [(corners[0], corners[1]), (corners[2], corners[3]), (corners[4], corners[5])]
-    asked = {"orientations": (counts[0], counts[1]), "symmetry": symmetry, "store": out or None, "measure": measure}
+    asked = {
+        "orientations": (counts[0], counts[1]),
+        "symmetry": symmetry,
+        "store": out or None,
+        "measure": measure,
+        "task": task,
+    }
     around = pieper.Scene.load(scene) if scene else None
     with ExitStack() as stack:
         executor: Executor | None = None

@@ -45,7 +45,7 @@ def custom_properties(theme: Literal["light", "dark"] = "light") -> str:
 
 
 def both_themes() -> str:
-    """Return the custom properties of both themes as rules of CSS, for a page that goes by what the reader's screen is."""
+    """Return the custom properties of both themes as rules of CSS, of which the reader's screen chooses."""
     return (
         f":root {{ color-scheme: light dark; {custom_properties()} }}\n"
         f"  @media (prefers-color-scheme: dark) {{ :root {{ {custom_properties('dark')} }} }}"

@@ -7,7 +7,6 @@ is a least-squares problem in a box, whose least value is zero only where such j
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -29,11 +28,10 @@ class Interval:
     value: np.ndarray
     unit: np.ndarray
 
-    def boxes(self) -> tuple[tuple[np.ndarray, np.ndarray], ...]:
-        """Middle and half width of where the numbers lie, rounded and cut off."""
-        half = CUT_OFF / 2 * self.unit
-        cut = self.value + np.sign(self.value) * half, np.where(self.value == 0, 2 * half, half)
-        return ((self.value, ROUNDED * self.unit), cut) if self.unit.any() else ((self.value, self.unit),)
+    def box(self) -> tuple[np.ndarray, np.ndarray]:
+        """Middle and half width of where the numbers lie, each of them rounded or cut off."""
+        low, high = -ROUNDED * self.unit, np.where(self.value == 0, ROUNDED, CUT_OFF) * self.unit
+        return self.value + np.where(self.value < 0, -1, 1) * (low + high) / 2, (high - low) / 2
 
 
 def reaches(model: ArmModel, joints: Interval, pose: Interval, *, position: bool = False) -> bool:
@@ -63,13 +61,9 @@ def reaches(model: ArmModel, joints: Interval, pose: Interval, *, position: bool
 
     turning = np.array([not model.sliding(j + 1) for j in range(model.n)])
     least = JUDGED_ZERO * size
-    if not near(joints.value, joints.unit, pose.value[:, columns].ravel(), pose.unit[:, columns].ravel() + least):
-        return False
-    for (q, width), (T, slack) in itertools.product(joints.boxes(), pose.boxes()):
-        wanted, allowed = T[:, columns].ravel(), np.maximum(slack[:, columns].ravel(), least)
-        if near(q, width, wanted, allowed) and _within(at, q, width, wanted, allowed):
-            return True
-    return False
+    (q, width), (T, slack) = joints.box(), pose.box()
+    wanted, allowed = T[:, columns].ravel(), np.maximum(slack[:, columns].ravel(), least)
+    return near(q, width, wanted, allowed) and _within(at, q, width, wanted, allowed)
 
 
 def _within(

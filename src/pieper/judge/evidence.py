@@ -22,7 +22,7 @@ from pieper.judge.keys import UNITS
 from pieper.judge.letters import MatrixLetter, neighbours, pick_letters
 from pieper.judge.matrices import value_of
 from pieper.judge.model import ArmModel
-from pieper.judge.products import Product, parse_product
+from pieper.judge.products import Product, factors_of, parse_product
 from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample, some
 from pieper.judge.search.search import Goal
 from pieper.judge.slips.arm_slips import arm_slips
@@ -158,17 +158,25 @@ class Evidence:
     def pick(self, env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
         """Add the letters that are entries of matrices to an environment, and the file's matrices to the frames."""
         shape = env["theta1"].shape
+        own = set(self.matrices)
+        used = {name: own & {f.name for f in factors_of(letter.product)} for name, letter in self.letters.items()}
+        self._pick_letters([name for name in used if not used[name]], env, frames)
+        done = set[str]()
         for name, rows in self.matrices.items():
             M = np.empty((*shape, len(rows), len(rows[0])))
             for i, row in enumerate(rows):
                 for j, cell in enumerate(row):
                     M[..., i, j] = cell.evaluate(env)
             frames[name] = M
-        for name, letter in self.letters.items():
+            done.add(name)
+            self._pick_letters([k for k, by in used.items() if name in by and by <= done], env, frames)
+
+    def _pick_letters(self, names: list[str], env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
+        for name in names:
             try:
-                env[name] = letter.value(frames)
+                env[name] = self.letters[name].value(frames)
             except (InputError, np.linalg.LinAlgError):
-                env[name] = np.full(shape, np.nan)  # a neighbour of what was asked for may not exist
+                env[name] = np.full(env["theta1"].shape, np.nan)  # a neighbour of what was asked for may not exist
 
     def parse(self, text: str, where: Mapping[str, Any] | None = None, key: str = "is") -> Expr:
         """Read a formula.

@@ -58,7 +58,8 @@ def standing(ev: Evidence, node: Expr, judged: Judged) -> Standing:
     for reading in readings:
         because = coincidence(ev, reading, judged)
         if because:
-            return Standing(bool(reading.symbols() & set(ev.model.values)), f"only because {because}")
+            named = reading.symbols() & set(ev.model.values) or (ev.model.zeros and not numbers)
+            return Standing(bool(named), f"only because {because}")
     if used and not numbers:
         return Standing(True, "only, and not for others of its build")
     return Standing(False, "")

@@ -65,6 +65,9 @@ def dh_steps_figure(arm: Arm, q: Matrix, first: int = 0, last: int | None = None
 
 def _drawn(axes: Any, panels: list[list[Line]], titles: list[tuple[str, str]], line: int) -> None:
     """The four pictures of a row, on the same piece of paper each, so that nothing jumps."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Polygon
+
     points = np.concatenate([part.points for lines in panels for part in lines])
     low, high = points.min(0), points.max(0)
     # a panel is 1 wide and 1 high in the axes' units, and 1.69 by 1.72 inches
@@ -77,13 +80,15 @@ def _drawn(axes: Any, panels: list[list[Line]], titles: list[tuple[str, str]], l
             if part.letter:
                 axes.text(*at[0], part.letter, fontsize=7.5, color=part.colour, ha="center", va="center")
                 continue
-            axes.plot(*at.T, color=part.colour, alpha=part.alpha, linewidth=1.4, linestyle=part.dashes)
+            # `plot` would look for limits, units and colours that are settled here, five times as long
+            stroke = Line2D(*at.T, color=part.colour, alpha=part.alpha, linewidth=1.4, linestyle=part.dashes)
+            axes.add_artist(stroke)
             if part.arrow:
                 along = (at[-1] - at[0]) / (np.linalg.norm(at[-1] - at[0]) or 1.0)
                 if np.linalg.norm(at[-1] - at[0]) > HEAD:
                     side = HEAD * 0.4 * np.array([along[1], -along[0]])
                     head = np.array([at[-1], at[-1] - HEAD * along + side, at[-1] - HEAD * along - side])
-                    axes.fill(*head.T, color=part.colour, alpha=part.alpha, linewidth=0)
+                    axes.add_artist(Polygon(head, color=part.colour, alpha=part.alpha, linewidth=0))
 
 
 def _moves(arm: Arm, q: Matrix, i: int) -> list[tuple[str, int, float, str]]:

@@ -165,6 +165,21 @@ def add_plan(page: Document, arm: Arm) -> None:
         f"That makes it an arm with {family.arrangement}. {family.words} It is {plan.count.kind}. "
         f"{' '.join(how_many(plan))}{spare}"
     )
+    fewer = by_formulas(arm)
+    if fewer is not None and fewer < plan.count.most:
+        page.add(
+            f"Step by step it has a closed form all the same, derived below, by which a pose has at most "
+            f"{plural(fewer, 'solution')}."
+        )
+
+
+def by_formulas(arm: Arm) -> int | None:
+    """How many solutions a pose has at most by the derivation of the inverse; None where there is none."""
+    try:
+        ik = arm.symbolic.ik()
+    except (PieperError, ImportError):
+        return None
+    return ik.form.branches if ik.form is not None and not ik.form.chosen and not ik.form.free else None
 
 
 def add_forward(page: Document, arm: Arm, letters: str = "noap") -> None:

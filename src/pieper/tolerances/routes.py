@@ -14,6 +14,8 @@ FOLD_FOUND = 1e-13
 FOLD_NARROW = 1e-15
 #: How far behind a place where a front lost its grip it is taken up again, as a part of the path.
 TAKEN_UP_BEHIND = 1e-4
+#: What is added to how far an arm reaches, relative: sums of lengths round.
+REACH_ROUNDING = 1e-9
 #: The outermost ring of a cone lies inside its edge by this part.
 CONE_INSIDE = 1e-9
 #: How far a posture may be off the pose that it is to begin or end with (per length; rad).

@@ -13,7 +13,9 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
+from pieper.workbench.around import scene_of
 from pieper.workbench.messages import Refused, pose, vector
+from pieper.workbench.programs import build
 from pieper.workbench.table import arm_from_table, is_of_catalog, table_from_arm
 from pieper.workbench.things import thing
 
@@ -37,6 +39,8 @@ class Bench:
         self._arm = pieper.load(arm) if isinstance(arm, str) else arm
         self._q = np.clip(np.zeros(self._arm.n), *self._arm.limits.T)
         self._target: npt.NDArray[np.float64] | None = None
+        self._program: dict[str, Any] | None = None
+        self._world: list[Any] = []
         self._things: dict[str, dict[str, Any]] = {}
         self._pages: set[Session] = set()
         self._said = self._heard = self._noticed = 0
@@ -135,6 +139,24 @@ class Bench:
         """Every solution of the target, as `arm.ik` gives them; None without a target."""
         target = self.target
         return None if target is None else self.arm.ik(target)
+
+    @property
+    def program(self) -> pieper.Program | None:
+        """What a person taught in *Program*, up to the first step that cannot be done; None where nothing is taught."""
+        with self._changed:
+            arm, program = self._arm, self._program
+        if program is None:
+            return None
+        try:
+            return build(arm, program).program
+        except Refused as refused:
+            raise pieper.InputError(f"The page's program cannot be read: {refused}") from None
+
+    @property
+    def scene(self) -> pieper.Scene:
+        """The obstacles that a person put into *World*; what a gripper takes is none."""
+        with self._changed:
+            return scene_of(self._world)
 
     def add(self, what: object, name: str | None = None, *, kind: str | None = None, every: float = 0.02) -> str:
         """Show something beside the arm, and return its name; the same name again replaces it.
@@ -239,12 +261,21 @@ class Bench:
         said = message.get("said")
         if not isinstance(said, int):
             raise Refused("said must be a whole number.")
+        program, world = message.get("program"), message.get("world")
+        if program is not None and not isinstance(program, dict):
+            raise Refused("program must be an object of start, limits and steps, or null.")
+        if world is not None:
+            scene_of(world)
         with self._changed:
             if said < self._said:
                 return {"late": True}
             if arm is not None:
                 self._arm = arm
             self._q, self._target = q, target
+            if "program" in message:
+                self._program = program
+            if world is not None:
+                self._world = world
             self._heard += 1
             self._changed.notify_all()
         return {}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import importlib
 import tempfile
 import threading
 from collections.abc import Callable
@@ -109,6 +111,13 @@ def equations(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop
         }
     except ImportError as missing:
         raise Refused(f"These equations are not available in this installation ({missing}).") from None
+
+
+def prepare() -> None:
+    """Import what figures are drawn with, so that the first report does not wait for it."""
+    with contextlib.suppress(ImportError):
+        importlib.import_module("mpl_toolkits.mplot3d")
+        importlib.import_module("matplotlib.backends.backend_svg")
 
 
 def report(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:

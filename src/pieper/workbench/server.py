@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import ipaddress
 import sys
 import webbrowser
@@ -19,6 +20,7 @@ from starlette.websockets import WebSocket
 
 import pieper
 from pieper import InputError
+from pieper.workbench.long_work import prepare
 from pieper.workbench.looks import Looks
 from pieper.workbench.session import Beside, Session
 
@@ -47,6 +49,8 @@ HEADERS = {
 MESH = "application/octet-stream"
 LOOPBACK = ("localhost", "127.0.0.1", "[::1]")
 MAX_SESSIONS = 200
+#: Seconds from a page's opening until what reports need is imported; before that a page has better things to wait for.
+AT_EASE = 4.0
 #: A frame above this closes the connection before it is read into memory; the session refuses smaller ones politely.
 LARGEST_FRAME = 1 << 20
 
@@ -108,6 +112,7 @@ def create_app(
     files = {address: (path.read_bytes(), TYPES[path.suffix]) for address, path in _files().items()}
     looks = Looks()
     pool = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench")
+    slow = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench-long")
     sessions: set[Session] = set()
     headers_of_all = HEADERS if bench is None else {**HEADERS, "Content-Security-Policy": POLICY_FRAMED}
 
@@ -134,7 +139,10 @@ def create_app(
         if len(sessions) >= MAX_SESSIONS:
             await websocket.close(1013, f"{MAX_SESSIONS} pages are open already; close one")
             return
-        session = Session(websocket, pool, looks=looks, start=first, bench=bench)
+        if not sessions:
+            # once the first page has had what it opens with
+            asyncio.get_running_loop().call_later(AT_EASE, slow.submit, prepare)
+        session = Session(websocket, pool, slow, looks=looks, start=first, bench=bench)
         sessions.add(session)
         try:
             await session.run()
@@ -144,7 +152,8 @@ def create_app(
     @asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:
         yield
-        pool.shutdown(wait=False, cancel_futures=True)
+        for threads in (pool, slow):
+            threads.shutdown(wait=False, cancel_futures=True)
 
     app = Starlette(
         routes=[
@@ -207,6 +216,7 @@ def serve(
         ws_max_size=LARGEST_FRAME,
         ws="auto",
         server_header=False,
+        timeout_graceful_shutdown=2,
     )
     server = uvicorn.Server(config)
     listener = config.bind_socket()

@@ -27,6 +27,8 @@ QUICK = {
 }
 #: Messages a second that one page may send on average, and how many at once; a hand on a gizmo sends about 60.
 RATE, BURST = 200.0, 400.0
+#: Messages of one page that may wait for their turn; more are refused at once.
+MOST_WAITING = 400
 #: Refusals in a row after which the connection is closed.
 PATIENCE = 200
 
@@ -59,7 +61,8 @@ class Session:
 
     Args:
         websocket: The accepted connection.
-        pool: Threads for everything that computes.
+        pool: Threads for quick answers.
+        slow: Threads for long work, apart: a report of somebody else keeps no answer waiting.
         looks: What arms look like, and the meshes that pages may fetch.
         start: The arm that a new page opens with, or None.
         bench: The script or notebook that the page stands beside, or None.
@@ -69,13 +72,14 @@ class Session:
         self,
         websocket: WebSocket,
         pool: Executor,
+        slow: Executor,
         *,
         looks: Looks,
         start: pieper.Arm | None = None,
         bench: Beside | None = None,
     ) -> None:
         self._websocket = websocket
-        self._pool = pool
+        self._pool, self._slow = pool, slow
         self._looks = looks
         self._start = start
         self._bench = bench
@@ -89,46 +93,66 @@ class Session:
         self._sending = asyncio.Lock()
 
     async def run(self) -> None:
-        """Answer messages until the page goes away; then stop whatever still runs for it."""
+        """Answer messages until the page goes away; then stop whatever still runs for it.
+
+        Messages are taken off the line while earlier ones are answered: what lies unread there would keep the signs of
+        life behind it from being read, and the line would be given up.
+        """
+        waiting: asyncio.Queue[tuple[int | None, dict[str, Any]]] = asyncio.Queue()
+        hand = asyncio.create_task(self._work(waiting))
         try:
-            while self._refusals < PATIENCE:
-                message = await self._websocket.receive()
-                if message["type"] == "websocket.disconnect":
+            while (message := await self._websocket.receive())["type"] != "websocket.disconnect":
+                await self._take(message.get("text"), waiting)
+                if self._refusals >= PATIENCE:
+                    await self._websocket.close(1008, "too many messages were refused")
                     break
-                await self._take(message.get("text"))
-            else:
-                await self._websocket.close(1008, "too many messages were refused")
         except (WebSocketDisconnect, RuntimeError):
             pass
         finally:
+            hand.cancel()
             if self._bench is not None:
                 self._bench.left(self)
             for task, stop in self._tasks.values():
                 stop.set()
                 task.cancel()
 
-    async def _take(self, text: str | None) -> None:
-        """Check one message and answer it or refuse it; nothing a page says ends the session."""
+    async def _take(self, text: str | None, waiting: asyncio.Queue) -> None:
+        """Check one message and put it behind those that wait, or refuse it."""
         seq = None
         try:
-            if not self._within_rate():
-                raise Refused(f"Too many messages: at most {RATE:g} a second.")
+            allowed = self._within_rate()
             if text is None:
                 raise Refused("Messages are text, not binary.")
             message = parse(text)
             seq = message["seq"]
+            if not allowed:
+                raise Refused(f"Too many messages: at most {RATE:g} a second.")
+            if waiting.qsize() >= MOST_WAITING:
+                raise Refused(f"Too many messages: {MOST_WAITING} wait for their answers already.")
             if seq <= self._last_seq:
-                raise Refused(f"Message {seq} is out of order: {self._last_seq} was answered already.")
+                raise Refused(f"Message {seq} is out of order: {self._last_seq} was sent already.")
             self._last_seq = seq
-            await self._answer(message["op"], seq, message)
-            self._refusals = 0
-        except (Refused, pieper.PieperError) as error:
-            self._refusals += isinstance(error, Refused)
-            await self._send({"seq": seq, "ok": False, "error": _short(error)})
-        except (WebSocketDisconnect, asyncio.CancelledError):
-            raise
-        except Exception as error:  # a fault of ours must reach the reader of the page, and must not end the session
-            await self._send({"seq": seq, "ok": False, "error": _fault(error)})
+            waiting.put_nowait((seq, message))
+        except Refused as error:
+            await self._refuse(seq, error)
+
+    async def _work(self, waiting: asyncio.Queue) -> None:
+        """Answer one message after the other; nothing a page says ends the session."""
+        while True:
+            seq, message = await waiting.get()
+            try:
+                await self._answer(message["op"], seq, message)
+                self._refusals = 0
+            except (Refused, pieper.PieperError) as error:
+                await self._refuse(seq, error)
+            except WebSocketDisconnect:
+                return
+            except Exception as error:  # a fault of ours must reach the reader of the page, and not end the session
+                await self._send({"seq": seq, "ok": False, "error": _fault(error)})
+
+    async def _refuse(self, seq: int | None, error: Exception) -> None:
+        self._refusals += isinstance(error, Refused)
+        await self._send({"seq": seq, "ok": False, "error": _short(error)})
 
     async def _answer(self, op: str, seq: int, message: dict[str, Any]) -> None:
         if op == "cancel":
@@ -166,7 +190,7 @@ class Session:
         return self._arm
 
     async def _in_pool(self, work: Any, *args: object) -> Any:
-        return await asyncio.get_running_loop().run_in_executor(self._pool, work, *args)
+        return await self.loop.run_in_executor(self._pool, work, *args)
 
     def _begin(self, kind: str, seq: int, arm: pieper.Arm, message: dict[str, Any]) -> None:
         """Start long work; a newer request of the same kind takes the place of an older one."""
@@ -196,7 +220,7 @@ class Session:
             ).result(30)
 
         try:
-            result = await self._in_pool(long_work.KINDS[kind], arm, message, progress, stop)
+            result = await loop.run_in_executor(self._slow, long_work.KINDS[kind], arm, message, progress, stop)
             await self._send({"seq": seq, "ok": True, **result})
         except Stopped:
             await self._send({"seq": seq, "ok": True, "stopped": True})

@@ -15,7 +15,14 @@ from pieper.equations.derivation.closed_form import ClosedForm
 from pieper.equations.derivation.witness import branch_values
 from pieper.errors import PieperError
 from pieper.kinematics.arrays import Array
-from pieper.tolerances import CHOSEN_VALUE, DERIVED_SAME, MERGED_BRANCHES, UNLIMITED
+from pieper.tolerances import (
+    CHOSEN_VALUE,
+    DERIVED_AT_POSE,
+    DERIVED_NEAR,
+    DERIVED_SAME,
+    MERGED_BRANCHES,
+    UNLIMITED,
+)
 
 DIGITS_POSES = 3
 
@@ -76,7 +83,7 @@ def check(form: ClosedForm, arm: Arm, n: int, rng: np.random.Generator) -> Deriv
     turning = np.array([kind == "R" for kind in d.joint_types])
     total = reproduced = real = valid = 0
     worst = 0.0
-    formulas: dict = {}
+    told: list[tuple[Array, np.ndarray]] = []
     for k in range(n):
         found = _solutions(arm, T[k], q[k], form)
         branches = values[:, k]
@@ -85,15 +92,15 @@ def check(form: ClosedForm, arm: Arm, n: int, rng: np.random.Generator) -> Deriv
         total += len(mine)
         for solution in mine:
             gap = _gap(_axes(branches, form), _axes(solution, form), turning)
-            if len(gap) and gap.min() < DERIVED_SAME:
+            if len(gap) and _same(branches[int(np.argmin(gap))], float(gap.min()), T[k], arm, form):
                 reproduced += 1
                 worst = max(worst, float(gap.min()))
         real += len(branches)
         if len(branches):
             miss = np.abs(_asked(arm.fk(branches), form) - _asked(T[k], form)).max(axis=1)
             valid += int(np.sum(miss < DERIVED_SAME * max(1.0, float(np.abs(T[k]).max()))))
-        if len(mine):
-            _by_formula(form, T[k], np.array(mine), formulas)
+        told += [(T[k], np.array(mine))] if len(mine) else []
+    formulas = _by_formula(form, told)
     return DerivationCheck(n, total, reproduced, worst, real, valid, _digits(form, arm, rng), formulas)
 
 
@@ -125,6 +132,14 @@ def _gap(rows: np.ndarray, solution: np.ndarray, turning: np.ndarray) -> np.ndar
     return np.where(turning, turn, gap).max(axis=1) if len(rows) else np.zeros(0)
 
 
+def _same(branch: np.ndarray, gap: float, T: Array, arm: Arm, form: ClosedForm) -> bool:
+    """Whether a branch is a solution: the same joints, or joints near them that take the pose to its last digits."""
+    if gap < DERIVED_SAME:
+        return True
+    miss = float(np.abs(_asked(arm.fk(branch), form) - _asked(T, form)).max())
+    return gap < DERIVED_NEAR and miss < DERIVED_AT_POSE * max(1.0, float(np.abs(T).max()))
+
+
 def _axes(q: np.ndarray, form: ClosedForm) -> np.ndarray:
     """Values of the axes, in which whole turns count for nothing, at joint vectors (..., n)."""
     return chain_values(q, form.description.coupling)
@@ -136,13 +151,25 @@ def _asked(T: np.ndarray, form: ClosedForm) -> np.ndarray:
     return T[..., :3, columns].reshape(*T.shape[:-2], -1)
 
 
-def _by_formula(form: ClosedForm, T: Array, solutions: np.ndarray, formulas: dict) -> None:
-    """Evaluate each formula with everything before it taken from the solver's solutions."""
+def _by_formula(form: ClosedForm, told: list[tuple[Array, np.ndarray]]) -> dict:
+    """Evaluate each formula with everything before it taken from the solver's solutions, at all poses at once.
+
+    Args:
+        form: The formulas.
+        told: Poses (4, 4), each with its solutions (m, n).
+
+    Returns:
+        How often each formula was tried and held, and the largest gap where it held.
+    """
+    formulas: dict = {}
+    if not told:
+        return formulas
     d = form.description
-    M = np.linalg.inv(d.base) @ T @ (np.eye(4) if form.fold_tool else np.linalg.inv(d.tool))
-    truth = form.table.values(solutions.T, NumpyField)
+    poses = np.concatenate([np.repeat(T[None], len(rows), axis=0) for T, rows in told])
+    M = np.linalg.inv(d.base) @ poses @ (np.eye(4) if form.fold_tool else np.linalg.inv(d.tool))
+    truth = form.table.values(np.concatenate([rows for _, rows in told]).T, NumpyField)
     values = dict(truth)
-    values |= {Sym(c, x, 4): M[r, k] for k, c in enumerate("noap") for r, x in enumerate("xyz")}
+    values |= {Sym(c, x, 4): M[:, r, k] for k, c in enumerate("noap") for r, x in enumerate("xyz")}
     for step in form.steps:
         for symbol, expression in step.names:
             values[symbol] = expression.evaluate(values, NumpyField)
@@ -160,14 +187,10 @@ def _by_formula(form: ClosedForm, T: Array, solutions: np.ndarray, formulas: dic
         if step.sigma is not None:
             values[step.sigma] = np.array(signs)[np.argmin(gaps, axis=0)]
         best = np.min(gaps, axis=0)
-        tried, held, worst = formulas.get(step.symbol, (0, 0, 0.0))
         good = best < DERIVED_SAME
-        formulas[step.symbol] = (
-            tried + len(best),
-            held + int(good.sum()),
-            max(worst, float(best[good].max(initial=0.0))),
-        )
+        formulas[step.symbol] = (len(best), int(good.sum()), float(best[good].max(initial=0.0)))
         values[step.symbol] = want
+    return formulas
 
 
 def _digits(form: ClosedForm, arm: Arm, rng: np.random.Generator) -> float | None:

@@ -180,8 +180,7 @@ class GeneralInverse:
         page.say(
             f"The joints satisfy one polynomial equation of degree {poly.degree} in ",
             half,
-            f", so a pose has at most {poly.degree} solutions. Its coefficients depend on the pose; there is no "
-            "formula for its roots.",
+            f"{self._most(poly)} Its coefficients depend on the pose; there is no formula for its roots.",
         )
         self._method(page, poly)
         page.heading("The polynomial at one pose")
@@ -205,8 +204,15 @@ class GeneralInverse:
     def _name(self, poly: CharacteristicPolynomial) -> int:
         return self._kept[poly.joint - 1] + 1
 
+    def _most(self, poly: CharacteristicPolynomial) -> str:
+        """How many solutions a pose has by the polynomial, and by what the solver knows of the arm."""
+        most = self.plan.count.most if self.plan is not None and not self.chosen else poly.degree
+        if most >= poly.degree:
+            return f", so a pose has at most {poly.degree} solutions."
+        return f"; of its roots no more than {most} belong to different postures, which is the most that a pose has."
+
     def _symbol(self, joint: int) -> Sym:
-        """What stands for the turn of an axis (1-based): the joint's own number, of coupled joints a letter of its own."""
+        """What stands for the turn of an axis (1-based): the joint's number, of coupled joints another letter."""
         return angle_symbol(joint, "q" if self._arm.chain.coupling is None else "theta")
 
     def _meaning(self, page: Document) -> None:
@@ -216,7 +222,10 @@ class GeneralInverse:
             return
         names = [angle_symbol(k + 1, "q").text() for k in range(self._arm.n)]
         moved = [f"{self._symbol(j + 1).text()} = {moved_by(coupling[j], names)}" for j in range(self._arm.n)]
-        page.say(f"The joints are coupled; axes 1 to {self._arm.n} turn by {', '.join(moved)}, counted from where all joints are at zero.")
+        page.say(
+            f"The joints are coupled; axes 1 to {self._arm.n} turn by {', '.join(moved)}, counted from where all "
+            "joints are at zero."
+        )
 
     def _method(self, page: Document, poly: CharacteristicPolynomial) -> None:
         names = [j + 1 for j in self._kept]

@@ -11,6 +11,7 @@ from pieper.kinematics.joints import inside
 from pieper.motion.route.grid import TURNS, Grid, grid
 from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import Rungs, Way, climb, fitted, rungs
+from pieper.motion.route.reach import beyond_reach
 from pieper.motion.route.setting import Setting
 from pieper.motion.route.smooth import Shape, Smoothed, smooth
 from pieper.tolerances import LIMIT_SLACK, NO_LOOK_BETWEEN
@@ -74,6 +75,8 @@ def search(task: Task, ladders: int = len(FINER)) -> Found | None:
     """Return the cheapest route that so many ladders, each finer than the one before, lead to; None for none."""
     setting = task.setting
     N = len(setting.path)
+    if setting.spare > 1 and beyond_reach(setting) is not None:
+        return None
     for finer in FINER[:ladders]:
         cells = grid(setting, finer, 0.0)
         fixed = len(cells.cells) == 1

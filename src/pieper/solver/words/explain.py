@@ -25,8 +25,8 @@ def explain(plan: Plan) -> str:
     family = named(plan.family)
     kinds = "".join("P" if p else "R" for p in plan.prismatic)
     lines = [f"{plan.name}: {plan.count.kind}; {plural(plan.n, 'joint')} ({kinds}), task: {plan.task}."]
-    lines += ["", "What the axes do:"]
-    lines += [f"  {sentence}" for sentence in plan.geometry.sentences(plan.names)]
+    if axes := plan.geometry.sentences(plan.names):
+        lines += ["", "What the axes do:", *(f"  {sentence}" for sentence in axes)]
     if plan.snapped:
         lines += ["", "Made special to be solved: " + "; ".join(plan.snapped) + "."]
         lines += ["Each solution of that nominal arm is then refined on the arm as described."]

@@ -4,6 +4,7 @@ import { ask } from './link.mjs';
 import { bare } from './library.mjs';
 import { atMostEvery } from './dom.mjs';
 import { motionOf } from './curves.mjs';
+import { programMessage } from './program.mjs';
 import * as dock from './dock.mjs';
 import * as looks from './scene/looks.mjs';
 
@@ -13,6 +14,8 @@ let beside = false,
   said = 0,
   listening = false,
   toldTable = null,
+  toldWorld = [],
+  toldProgram = 'null',
   shownMotion = null;
 
 /** What a script that the page stands beside has to show when the page opens. */
@@ -21,6 +24,7 @@ export function open(bench) {
   beside = true;
   toldTable = state.table;
   take(bench);
+  if (state.program.length || state.world.length) report.soon();
 }
 function take(push) {
   listening = true;
@@ -72,13 +76,20 @@ function show(things) {
 }
 
 const report = atMostEvery(OFTEN, () => {
-  const table = state.table === toldTable ? undefined : bare(state.table);
-  toldTable = state.table;
   if (!state.table.joints.length) return;
-  ask('shown', { q: state.q, target: state.hasTarget ? state.target : null, table, said }).catch(() => {});
+  const q = state.q,
+    target = state.hasTarget ? state.target : null,
+    program = state.program.length ? programMessage() : null,
+    more = {},
+    mark = JSON.stringify(program);
+  if (state.table !== toldTable) more.table = bare(state.table);
+  if (state.world !== toldWorld) more.world = state.world;
+  if (mark !== toldProgram) more.program = program;
+  [toldTable, toldWorld, toldProgram] = [state.table, state.world, mark];
+  ask('shown', { q, target, said, ...more }).catch(() => {});
 });
 
 export function begin() {
   on('push', take);
-  on(['q', 'target', 'table'], () => beside && !listening && report.soon());
+  on(['q', 'target', 'table', 'program', 'world'], () => beside && !listening && report.soon());
 }

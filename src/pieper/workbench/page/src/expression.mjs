@@ -23,7 +23,7 @@ function tokens(text) {
     const at = TOKEN.lastIndex,
       m = TOKEN.exec(trimmed);
     if (!m) throw new Error(`cannot read “${trimmed.slice(at).trim().slice(0, 8)}” at character ${at + 1}`);
-    if (m[1] !== undefined) out.push({ number: Number(m[1]) });
+    if (m[1] !== undefined) out.push({ number: Number(m[1]), text: m[1] });
     else if (m[2] !== undefined) out.push({ word: m[2] });
     else out.push({ sign: { '−': '-', '·': '*', '**': '^' }[m[3]] ?? m[3] });
   }
@@ -129,7 +129,7 @@ export function read(text, kind = 'plain') {
     throw new Error(`“${t.sign}” is not expected here`);
   }
   const raw = sum();
-  if (i < list.length) throw new Error(`“${list[i].sign ?? list[i].word ?? list[i].number}” is not expected here`);
+  if (i < list.length) throw new Error(`“${list[i].sign ?? list[i].word ?? list[i].text}” is not expected here`);
   if (!Number.isFinite(raw)) throw new Error('not a finite number');
   const factor = unit ?? (kind === 'angle' && sawPi ? 1 : units.factor(kind));
   return { value: raw / factor + 0, symbolic: sawPi || unit !== null || list.length > 2 };

@@ -57,9 +57,17 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
   el.addEventListener('change', () => {
     if (hear(commit ?? input)) el.blurred?.();
   });
-  let came = ''; // what stood here when the person came
+  let came = ''; // what stood here, and could be read, when the person came
+  const keep = () => {
+    try {
+      parse();
+      came = el.value;
+    } catch {
+      /* Escape puts back what could be read */
+    }
+  };
   el.addEventListener('focus', () => {
-    came = el.value;
+    keep();
     if (el.classList.contains('wrong')) sayWhy(el, el.title);
     el.select();
   });
@@ -76,7 +84,7 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
     if (inTable && walk(el, e)) return;
     const way = { ArrowUp: 1, ArrowDown: -1 }[e.key];
     if (e.key === 'Enter') {
-      came = el.value;
+      keep();
       el.select();
     }
     if (!way || (inTable && !e.altKey)) return;

@@ -30,9 +30,9 @@ const words = {
   REFUSED: 'Refused',
 };
 
-/** What is said of these begins with the number of solutions. */
-const countedBefore = new Set(['REDUNDANT', 'UNCERTAIN']);
-/** Of a singular pose the sentence counts self-motions and isolated solutions; the rows stand for both. */
+/** What is said of these begins with the number of solutions, of a singular pose with that of its self-motions. */
+const counted = new Set(['REDUNDANT', 'UNCERTAIN', 'SINGULAR']);
+/** The rows stand for all of it, also for what lies outside the limits. */
 const listed = (n, inside) =>
   `Listed ${n === 1 ? 'is 1 posture' : `are ${n} postures`}${inside === n ? '' : `, ${inside} inside the limits`}.`;
 
@@ -275,20 +275,21 @@ function showVerdict(el, s) {
   const n = s.rows.length,
     inside = s.rows.filter((r) => r.inside).length;
   el.dataset.tone = tones[s.status] ?? 'note';
+  const said = n > 0 && counted.has(s.status);
   const told =
     s.status === 'SOLVED' && n
       ? roundedBy(s.missed)
-      : [s.why, s.status === 'SINGULAR' ? listed(n, inside) : '', roundedBy(s.missed)].filter(Boolean).join(' ');
+      : [s.why, said && (s.status === 'SINGULAR' || inside < n) ? listed(n, inside) : '', roundedBy(s.missed)]
+          .filter(Boolean)
+          .join(' ');
   const head =
     words[s.status] && !inside
       ? s.why.toLowerCase().includes(words[s.status].toLowerCase())
         ? ''
         : words[s.status]
-      : s.status === 'SINGULAR'
+      : said
         ? ''
-        : countedBefore.has(s.status) && inside === n
-          ? ''
-          : `${n} solution${n === 1 ? '' : 's'}${inside === n ? '' : `, ${inside} inside the limits`}`;
+        : `${n} solution${n === 1 ? '' : 's'}${inside === n ? '' : `, ${inside} inside the limits`}`;
   replace(
     el,
     h('strong', { text: head }),

@@ -28,6 +28,7 @@ export function solutionTable() {
     if (key === made) return;
     made = key;
     rows = [];
+    el.classList.toggle('many', state.table.joints.length > 6);
     replace(body);
     replace(
       head,
