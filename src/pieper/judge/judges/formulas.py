@@ -13,7 +13,13 @@ from pieper.algebra.expression import Expr
 from pieper.algebra.formula import Equation
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
-from pieper.judge.difference import agreeing_digits, difference_from_matrix, digits_wanted, simplified_difference
+from pieper.judge.difference import (
+    IDENTICAL,
+    agreeing_digits,
+    difference_from_matrix,
+    digits_wanted,
+    simplified_difference,
+)
 from pieper.judge.evidence import Evidence, number, under
 from pieper.judge.lengths import standing
 from pieper.judge.matrices import value_of
@@ -26,6 +32,7 @@ from pieper.judge.search.tried import tried_text
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
+from pieper.tolerances import NEARLY, NEARLY_ROUNDED
 
 _ENTRY_OF = {name: (i, j) for name, i, j in POSE_NAMES}
 
@@ -88,9 +95,13 @@ def judge_equal(
     if named is not ev:
         ev, wanted = named, None if wanted is None else right.wanted(named)
     goal = ev.goal(wanted, frame=frame)
-    good, own = goal.residual(node) < 1, ev.samples.nominal
+    off, own = goal.residual(node), ev.samples.nominal
+    good = off < 1
     if good[own].all():
         return _equal_holds(ev, claim, node, good, right)
+    nearly = _nearly(ev, node, off[good & own])
+    if nearly:
+        good = off < nearly  # a small difference that is there everywhere, and below the tolerance at some
     exact = unrounded(ev, node, right.gap, right.judged)
     if exact:
         off = f"as printed it is off by {exact.off:.2g} at most"
@@ -102,7 +113,7 @@ def judge_equal(
         details.append(("undefined", f"the denominator {vanish[0]} is zero for all joints"))
     else:
         details.append(("counter-example", _counter_example(ev, node, goal, good, wanted)))
-    region = region_of(ev, lambda at: (right.judged(at, node), at.environment(frame)))
+    region = "" if nearly else region_of(ev, lambda at: (right.judged(at, node), at.environment(frame)))
     found = _explanation(ev, node, goal, good, product, frame)
     details += found.details
     said: dict[str, Any] = {
@@ -123,6 +134,19 @@ def judge_equal(
     return claim.wrong(sentence, **said)
 
 
+def _nearly(ev: Evidence, node: Expr, off: np.ndarray) -> float:
+    """The size below which a formula is right that is off by little where it seems right; 0 where it is off by none.
+
+    Args:
+        ev: The arm.
+        node: The formula.
+        off: How far it is off, in units of the tolerance, where that is below one.
+    """
+    rounded = digits_wanted(ev.model, node.substitute(ev.definitions)) < IDENTICAL
+    size = NEARLY_ROUNDED if rounded else NEARLY
+    return size if len(off) and float(np.median(off)) > size else 0.0
+
+
 @dataclass(frozen=True)
 class _Right:
     """Where a formula's right values come from: an entry of a product, or, of an equation, its other side."""
@@ -137,9 +161,13 @@ class _Right:
             return self.source(ev)
         return None if self.product is None else value_of(self.product, ev.samples.frames)
 
+    def off(self, ev: Evidence, node: Expr) -> np.ndarray:
+        """How far the formula is off, in units of the tolerance."""
+        return ev.goal(self.wanted(ev), frame=self.frame).residual(node)
+
     def judged(self, ev: Evidence, node: Expr) -> np.ndarray:
         """Where the formula is right."""
-        return ev.goal(self.wanted(ev), frame=self.frame).residual(node) < 1
+        return self.off(ev, node) < 1
 
     def gap(self, ev: Evidence, node: Expr, more: dict[str, np.ndarray]) -> np.ndarray:
         """The formula minus what is right; of an equation, the left side minus the right one."""
@@ -161,6 +189,14 @@ def _equal_holds(
         details = [("difference", f"printed minus right = {gap}")] if gap else []
         sentence = f"Wrong, if only just: at 50-digit arithmetic it agrees to {digits} digits and no more."
         return claim.wrong(sentence, details, digits=digits, difference=gap)
+    off = right.off(ev, node) if digits is None and not rounding else np.zeros(0)
+    if _nearly(ev, node, off[ev.samples.nominal[: len(off)]]):
+        example = _counter_example(
+            ev, node, ev.goal(right.wanted(ev), frame=right.frame), np.zeros(len(off), dtype=bool), right.wanted(ev)
+        )
+        return claim.wrong(
+            "Wrong, if only just: it misses by more than the rounding of numbers.", [("counter-example", example)]
+        )
     if good.all():
         lengths = ", for any lengths" if _uses_lengths(ev, node) else ""
         more = f"; at 50-digit arithmetic it agrees to {digits} digits" if digits else ""
@@ -277,7 +313,10 @@ def _counter_example(ev: Evidence, node: Expr, goal: Goal, good: np.ndarray, wan
     order = np.argsort(-np.nan_to_num(np.abs(left - right)[bad], nan=-1.0, posinf=-1.0))
     k = int(bad[order[len(order) // 4]])
     words = "left side {}, right side {}" if wanted is None else "the formula gives {}, right is {}"
-    return f"at {ev.at(k)}{ev.extra_lengths(k, node)}: {words.format(number(left[k]), number(right[k]))}"
+    shown = [number(float(side[k])) for side in (left, right)]
+    if shown[0] == shown[1]:
+        shown = [f"{side[k]:.15g}" for side in (left, right)]
+    return f"at {ev.at(k)}{ev.extra_lengths(k, node)}: {words.format(*shown)}"
 
 
 def _other_arm(
