@@ -308,7 +308,7 @@ class Evidence:
         Raises:
             PieperError: What the solver raises, or its solutions do not hold.
         """
-        rows = self.in_unit(self.solved(self.samples.frames["T"][k]))
+        rows = self.in_unit(self.solved(self.samples.frames["T"][k], "pose"))
         if not len(rows) or self.apart(rows, self.samples.q[k]).max(1).min() > EVIDENCE_SAME:
             raise PieperError("the solver does not return the joints the pose was made from")
         back = pose_of(self.model, rows)

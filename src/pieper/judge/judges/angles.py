@@ -19,6 +19,7 @@ from pieper.judge.judges.freedom import completes, undetermined
 from pieper.judge.known import known_in
 from pieper.judge.lengths import decimals, standing
 from pieper.judge.matrices import value_of
+from pieper.judge.model import POSE_NAMES
 from pieper.judge.products import Product
 from pieper.judge.regions import region_of, zero_denominators
 from pieper.judge.rounding import unrounded, with_rounding
@@ -29,6 +30,8 @@ from pieper.judge.slips.formula_slips import slips
 from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_HOLDS, JUDGED_SAME_JOINTS
+
+MOST_JOINTS = 6  # an arm of fewer cannot take every pose
 
 
 def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
@@ -219,6 +222,13 @@ def _joint_holds(
     both, why = _both_signs(ev, node, angle, form.frame, claim.get("task"))
     if why:
         details.append(("both signs", why))
+    if both is False and "task" not in claim and form.frame is None and _of_position(ev, node):
+        # short arms: a page that works with px, py and pz alone is about positions
+        both, why = _both_signs(ev, node, angle, None, "position")
+        if both:
+            told = 'with the orientation of a pose asked for too only one is (task = "position" says what is meant)'
+            details[-1] = ("both signs", f"{why}; {told}")
+            held = f"{held}; both signs are solutions of a position, which is all that the formula uses"
     if both is False:
         return claim.partly(
             f"Holds on one branch only: the right angle is always one of the two ({held}), but the other sign is no "
@@ -228,6 +238,14 @@ def _joint_holds(
             digits=digits,
         )
     return claim.holds(f"Holds{tied}{where} with its two branches: {held}.", details, digits=digits)
+
+
+def _of_position(ev: Evidence, node: Expr) -> bool:
+    """Whether a formula about a short arm uses the position of the tool and nothing else of the pose."""
+    used = node.substitute(ev.definitions).symbols()
+    letters = {name: column for name, _, column in POSE_NAMES if name in used}
+    turned = used & {"roll", "pitch", "yaw"} or ev.picks(node)
+    return ev.model.n < MOST_JOINTS and bool(letters) and set(letters.values()) == {3} and not turned
 
 
 def _both_signs(
@@ -260,7 +278,8 @@ def _both_signs(
     if not checked:
         return None, ""
     same = [f"theta{j}" for j in sorted(given)] + [" + ".join(f"theta{j}" for j in s) for s in known]
-    words = "for the same " + " and ".join(same) if same else "of the pose"
+    place = "position" if task == "position" else "pose"
+    words = "for the same " + " and ".join(same) if same else f"of the {place}"
     if both == checked:
         return True, f"both are solutions {words}, at {both} of {checked} poses"
     if both == 0:

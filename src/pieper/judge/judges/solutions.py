@@ -15,6 +15,9 @@ from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_ZERO
 from pieper.words_by_number import plural
 
+COUNTED = 40  # random poses
+FULL = 6  # joints of an arm that can take every pose
+
 
 def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     """Judge joint vectors said to be solutions of a pose, and whether they are all.
@@ -31,7 +34,8 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     lines, bad = [], 0
     parts = [claim.part(f"{claim.id} solution {k + 1}", {"q_deg": row}) for k, row in enumerate(solutions)]
     given = [Interval(read_joints(part, model), joint_units(part, model)) for part in parts]
-    position = claim.get("task") == "position"
+    task = claim.get("task", "pose")  # the turn is asked for unless the claim says it is not
+    position = task == "position"
     slips: list[tuple[str, str]] = []
     for k, joints in enumerate(given):
         got = _in_unit(pose_of(model, joints.value)[0], factor)
@@ -72,11 +76,11 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     same = "; ".join(f"{j + 1} and {i + 1} are one and the same" for i, j in twice)
     if complete:
         try:
-            rows = ev.solved(T, claim.get("task"))
+            rows = ev.solved(T, task)
         except PieperError as error:
             return claim.partly(f"Every one is a solution; whether they are all could not be checked: {error}", lines)
         total = len(rows)
-        if model.solver is not None and model.solver.endless(_in_unit(T, UNITS[model.unit]), claim.get("task")):
+        if model.solver is not None and model.solver.endless(_in_unit(T, UNITS[model.unit]), task):
             return claim.partly("Every one is a solution, but they are not all: there are infinitely many.", lines)
         if total != different:
             again = f" Of the {count} given, {same}." if twice else ""
@@ -133,25 +137,61 @@ def _rotation_between(A: np.ndarray, B: np.ndarray) -> float:
 
 
 def judge_count(ev: Evidence, claim: Claim) -> Verdict:
-    """Judge how many solutions a pose has, at random poses the arm can reach (keys count, task)."""
+    """Judge how many solutions a pose has, at random poses the arm can reach (keys count, task).
+
+    A page about a short arm counts the solutions of a position and seldom says so; where its number is that of the
+    positions and the claim names no task, the verdict says which it is.
+    """
     count = claim.whole("count")
     if ev.model.solver is None:
         raise claim.error("this arm's table cannot be given to the solver, so its solutions cannot be counted")
-    claim = claim.reads(f"a pose has {plural(count, 'solution')}")
-    counts = []
-    for k in np.flatnonzero(ev.samples.nominal)[:40]:
-        try:
-            counts.append(len(ev.solved(ev.samples.frames["T"][k], claim.get("task"))))
-        except PieperError as error:
-            return claim.partly(f"Could not be checked: {error}")
-    found = {c: counts.count(c) for c in sorted(set(counts))}
-    spread = ", ".join(f"{c} at {100 * m / len(counts):.0f}%" for c, m in found.items())
-    details = [("solutions found", f"{spread} of {len(counts)} random poses")]
+    task = claim.get("task")
+    claim = claim.reads(f"a {'position' if task == 'position' else 'pose'} has {plural(count, 'solution')}")
+    try:
+        found = _counted(ev, task or "pose")
+    except PieperError as error:
+        return claim.partly(f"Could not be checked: {error}")
+    total = sum(found.values())
+    what = "positions" if task == "position" else "poses"
+    details = [("solutions found", f"{_spread(found)} of {total} random {what}")]
     if set(found) == {count}:
-        return claim.holds(
-            f"Holds: {plural(count, 'solution')} at {len(counts)} of {len(counts)} random poses.", details
-        )
+        return claim.holds(f"Holds: {plural(count, 'solution')} at {total} of {total} random {what}.", details)
+    if task is None and ev.model.n < FULL:
+        other = _of_positions(ev)
+        if set(other) == {count}:
+            details.append(("positions", f"{_spread(other)} of {total} random positions"))
+            return claim.holds(
+                f"Holds for positions: {plural(count, 'solution')} at {total} of {total} random positions. With the "
+                f'orientation of a pose asked for too there are {_spread(found)} of the poses; task = "position" says '
+                "which is meant.",
+                details,
+            )
+        if other:
+            details.append(("positions", f'{_spread(other)} of {total} random positions (task = "position")'))
     if max(found) == count:
-        return claim.partly(f"Holds as the largest number only; there are {spread} of the poses.", details)
+        return claim.partly(f"Holds as the largest number only; there are {_spread(found)} of the {what}.", details)
     never = "" if count in found else f", never {count}"
-    return claim.wrong(f"Wrong: there are {spread} of {len(counts)} random poses{never}.", details)
+    return claim.wrong(f"Wrong: there are {_spread(found)} of {total} random {what}{never}.", details)
+
+
+def _counted(ev: Evidence, task: str | None) -> dict[int, int]:
+    """How many solutions there are, and at how many random poses."""
+    poses = [ev.samples.frames["T"][k] for k in np.flatnonzero(ev.samples.nominal)[:COUNTED]]
+    counts = [len(ev.solved(T, task)) for T in poses]
+    return {c: counts.count(c) for c in sorted(set(counts))}
+
+
+def _of_positions(ev: Evidence) -> dict[int, int]:
+    """The same of positions; empty where the arm has no such task, or endlessly many solutions."""
+    T = ev.samples.frames["T"][int(np.flatnonzero(ev.samples.nominal)[0])].copy()
+    T[:3, 3] *= UNITS[ev.model.unit]
+    try:
+        endless = ev.model.solver is None or ev.model.solver.endless(T, "position")
+        return {} if endless else _counted(ev, "position")
+    except PieperError:
+        return {}
+
+
+def _spread(found: dict[int, int]) -> str:
+    total = sum(found.values())
+    return ", ".join(f"{c} at {100 * m / total:.0f}%" for c, m in found.items())
