@@ -43,6 +43,8 @@ SPOILT = {
     "another frame": lambda q, Y, rng: (q, pieper.pose(1.0, 2.0, 0.5, rpy=(0.3, 0.5, 1.2)) @ Y),
     "seen from the tool": lambda q, Y, rng: (q, np.linalg.inv(Y)),
     "another point or frame of the tool": lambda q, Y, rng: (q, Y @ pieper.pose(0.2, 0.05, 0.08, rpy=(0.4, 0.2, 0))),
+    "are exchanged": lambda q, Y, rng: (q[:, [0, 2, 1, *range(3, q.shape[1])]], Y),
+    "move the other way": lambda q, Y, rng: (q * ([1, -1, 1, -1] + [1] * (q.shape[1] - 4)), Y),
     "the zero of .* lies -90 deg away": lambda q, Y, rng: (q + np.eye(q.shape[1])[1] * np.pi / 2, Y),
 }
 
@@ -160,7 +162,7 @@ def test_heights_that_are_noise_alone_are_a_plane_that_was_touched():
 def test_a_frame_is_named_of_an_arm_that_is_itself_millimetres_off_and_its_cure_works(kind):
     arm, q, _, rng = case("denso-vp6242")
     model = planted(arm, rng)
-    model = replace(model, home=model.home @ pieper.pose(0.004, -0.003, 0.002, rotvec=(3e-3, -2e-3, 1e-3)))
+    model = replace(model, home=model.home @ pieper.pose(0.01, -0.005, 0.005, rotvec=(5e-3, 1e-2, -5e-3)))
     X = pieper.pose(1, 2, 3, rpy=(0.3, 0.2, 1)) if kind == "frame" else pieper.pose(0.1, 0.1, 0.15, rpy=(0.1, 0.4, 1))
     Y = noisy(model.fk(q), rng)
     Y = X @ Y if kind == "frame" else Y @ X

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -19,8 +20,11 @@ from pieper.tolerances import MISREAD, SUSPICIOUS
 LAGS = (1, -1, 2, -2, 3, -3, 4, -4, 5, -5)
 #: A reading that aligned a frame first must be this many times better than one that did not.
 ALIGNED = 3.0
-#: Whole quarters of a turn, deg, that a joint's zero is often off by, and how much better than others that must be.
-QUARTERS, ZEROED = (90, -90, 180), 1.5
+#: Whole quarters of a turn, deg, that a joint's zero is often off by; how much better readings of which there are
+#: several must be than others.
+QUARTERS, SEVERAL = (90, -90, 180), 1.5
+#: The same of two joints' senses: to positions of many arms a mirror looks just as they do, and is likelier.
+TWO = 4.0
 #: Rows that are compared each with each when they may be shuffled.
 COMPARED = 400
 
@@ -66,7 +70,7 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
     for reading in _readings(model, q, data, names, length):
         left = misfit(model, reading.q, reading.data, length)
         # an arm that is itself off leaves that much in any reading
-        if left < SUSPICIOUS and left * reading.freedom < least_by:
+        if left < max(SUSPICIOUS, MISREAD**2 * now) and left * reading.freedom < least_by:
             best, least, least_by = reading, left, left * reading.freedom
     if best is not None:
         raise InputError(
@@ -119,6 +123,18 @@ def _readings(
             data,
             {"joint": name},
         )
+    for i, j in itertools.combinations(range(len(names)), 2):
+        if turning[i] != turning[j]:
+            continue
+        other = q.copy()
+        other[:, [i, j]] = -other[:, [i, j]]
+        both = f"{names[i]} and {names[j]}"
+        cure = f"Give their values with the other sign, or describe the arm with sign = -1 for {both}."
+        yield Reading(f"{both} move the other way", cure, other, data, {"joints": (names[i], names[j])}, TWO)
+        other = q.copy()
+        other[:, [i, j]] = other[:, [j, i]]
+        cure = "Give the joints in the arm's order."
+        yield Reading(f"{both} are exchanged", cure, other, data, {"joints": (names[i], names[j])}, SEVERAL)
     for i, name in enumerate(names):
         for quarter in QUARTERS if turning[i] else ():
             moved = q.copy()
@@ -129,7 +145,7 @@ def _readings(
                 moved,
                 data,
                 {"joint": name, "offset": float(np.radians(quarter))},
-                ZEROED,
+                SEVERAL,
             )
     for lag in LAGS:
         if len(q) > 4 * abs(lag):

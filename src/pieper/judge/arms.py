@@ -135,7 +135,7 @@ def _cell(
         raise InputError(f"the number {cell!r} and [values] {name} = {values[name]!r} contradict each other")
     values[name] = float(cell)
     variables.discard(name)
-    return number(0) if cell == 0 else Mention(name)
+    return Mention(name)
 
 
 def _look_at_variables(place: str, made: dict[str, Expr], joint: int, n: int, variables: set[str]) -> None:

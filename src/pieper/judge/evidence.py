@@ -12,25 +12,25 @@ from typing import Any
 import numpy as np
 
 from pieper.algebra.expression import Expr
-from pieper.algebra.formula import ANGLE, Mention
+from pieper.algebra.formula import Mention
 from pieper.algebra.formula_error import FormulaError
 from pieper.algebra.parser import parse_equation
 from pieper.errors import InputError, PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.conditions import Condition, read_conditions
 from pieper.judge.keys import UNITS
-from pieper.judge.letters import MatrixLetter, known_from, neighbours, of_whole_pose, pick_letters
+from pieper.judge.letters import MatrixLetter, neighbours, pick_letters
 from pieper.judge.matrices import value_of
-from pieper.judge.model import ArmModel
+from pieper.judge.model import POSE_NAMES, ArmModel
 from pieper.judge.products import Product, factors_of, parse_product
 from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample, some
-from pieper.judge.search.search import Explanation, Goal
-from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips, two_twists
-from pieper.judge.slips.slip import KINDS
-from pieper.judge.symbols import in_order, plain
-from pieper.tolerances import ENTRY_MATTERS, EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
+from pieper.judge.search.search import Goal
+from pieper.judge.slips.arm_slips import arm_slips
+from pieper.judge.symbols import in_order, plain, refuse, refuse_another
+from pieper.tolerances import EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
 
 MOST_ROWS = 4  # of a matrix of the file's own
+SIGNS = 24  # joint vectors at which a page's sine is compared with the joint's
 DRAWS = 60  # of joint vectors, until enough meet the conditions of a claim
 SOLVER_POSES = 10  # poses at which the other solutions are asked for
 
@@ -49,6 +49,7 @@ class Evidence:
         unknown: symbols that the source never defines.
         held: joints (1-based) that a claim holds at a value.
         when: what a claim says of the joints it is about.
+        zeros: lengths that are zero for this arm and that a formula names, so that they are varied too.
     """
 
     model: ArmModel
@@ -59,6 +60,23 @@ class Evidence:
     when: tuple[Condition, ...] = ()
     letters: dict[str, MatrixLetter] = field(default_factory=dict)
     matrices: dict[str, list[list[Expr]]] = field(default_factory=dict)
+    zeros: frozenset[str] = frozenset()
+
+    @property
+    def varied_zeros(self) -> frozenset[str]:
+        """The lengths that are zero for this arm and not for every one of its build."""
+        return self.zeros | self.model.zeros
+
+    @property
+    def lengths(self) -> dict[str, float]:
+        """The lengths by name, those that are zero here and are varied with the length of the arm."""
+        return {**self.model.values, **dict.fromkeys(self.varied_zeros, self.model.length())}
+
+    def naming(self, *nodes: Expr) -> Evidence:
+        """Return evidence in which the lengths that formulas name are varied, those that are zero here included."""
+        used = set[str]().union(*(node.substitute(self.definitions).symbols() for node in nodes))
+        named = frozenset(name for name, value in self.model.values.items() if not value and name in used)
+        return self if named <= self.varied_zeros else replace(self, zeros=self.zeros | named)
 
     def define_matrix(self, name: str, rows: list[list[Any]]) -> None:
         """Add a matrix of the file, of 1 to 4 rows and columns, its entries numbers or formulas of the joints."""
@@ -71,21 +89,25 @@ class Evidence:
     def define(self, name: str, text: str) -> None:
         """Add a symbol of the file; "?" marks one that the source uses and never defines."""
         name = plain(name)
-        if name in self.model.names():
-            raise InputError(
-                f"the symbol {name!r} already means something for this arm; choose another name", symbol=name
-            )
+        turned = refuse(name, self.model.n, self.model.names())
         if str(text).strip() == "?":
             self.unknown.append(name)
             self.definitions[name] = Mention(f"{name}?")
             return
-        self.definitions[name] = self.parse(str(text)).substitute(self.definitions)
+        node = self.parse(str(text)).substitute(self.definitions)
+        if turned is not None and not node.symbols() & {pose[0] for pose in POSE_NAMES}:
+            env = self.draw(SIGNS, vary={}).env
+            refuse_another(name, node, *(np.asarray(tree.evaluate(env), dtype=float) for tree in (node, turned)))
+        self.definitions[name] = node
 
     def local(self, where: Mapping[str, Any]) -> dict[str, Expr]:
         """Read definitions that belong to one claim alone; later ones may use earlier ones."""
         local: dict[str, Expr] = {}
-        for name, body in in_order({plain(k): str(v) for k, v in where.items()}).items():
+        with under("where"):
+            ordered = in_order({plain(k): str(v) for k, v in where.items()}, {*self.model.names(), *self.definitions})
+        for name, body in ordered.items():
             with under(f"where {name}"):
+                refuse(name, self.model.n)
                 local[name] = self.read(body, {*self.definitions, *local}).substitute(local)
         return local
 
@@ -137,32 +159,6 @@ class Evidence:
     def picks(self, node: Expr) -> set[str]:
         """The letters of a formula that are entries of matrices."""
         return node.substitute(self.definitions).symbols() & set(self.letters)
-
-    def known_for(self, name: str) -> set[int]:
-        """The joints (1-based) that must be known before a letter taken from matrices is.
-
-        (T A6^-1)[1,4] is computed with theta6, but it is the wrist centre, which does not depend on it.
-        """
-        letter, n = self.letters[name], self.model.n
-        own = frozenset(self.matrices)
-        joints = known_from(letter.product, n, own)
-        for factor in factors_of(letter.product):
-            for cell in (cell for row in self.matrices.get(factor.name, ()) for cell in row):
-                joints |= {int(found.group(1)) for found in map(ANGLE.match, cell.symbols()) if found}
-                joints |= {j for inner in cell.symbols() & set(self.letters) - {name} for j in self.known_for(inner)}
-        if not of_whole_pose(letter.product, n, own):
-            return joints
-        drawn = replace(self, when=()).draw(len(self.samples.q), seed=77)
-        here, other = self.samples.frames, drawn.frames
-        rows = self.samples.nominal & drawn.nominal
-        value = letter.value(here)
-        in_own = joints - known_from(letter.product, n, own)
-
-        def moves(joint: int) -> bool:
-            changed = letter.value({**here, f"A{joint}": other[f"A{joint}"]})
-            return not np.allclose(changed[rows], value[rows], rtol=0, atol=ENTRY_MATTERS)
-
-        return in_own | {j for j in joints if moves(j)}
 
     def pick(self, env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
         """Add the letters that are entries of matrices to an environment, and the file's matrices to the frames."""
@@ -232,7 +228,8 @@ class Evidence:
         parts: list[Samples] = []
         found = 0
         for attempt in range(DRAWS):
-            drawn = sample(self.model, count, seed=seed + 7919 * attempt, vary=vary, held=self.held)
+            start, zeros = seed + 7919 * attempt, self.varied_zeros
+            drawn = sample(self.model, count, seed=start, vary=vary, held=self.held, zeros=zeros)
             self.pick(drawn.env, drawn.frames)
             self.fill(drawn.env)
             if not self.when:
@@ -268,8 +265,7 @@ class Evidence:
             joint = name.removeprefix("theta").removeprefix("q")
             if not (joint.isascii() and joint.isdigit()) or not 1 <= int(joint[:3]) <= self.model.n:
                 raise InputError(f"at_deg: {name!r} is no joint of this arm; write theta1 .. theta{self.model.n}")
-            slides = self.model.sliding(int(joint))
-            held[int(joint)] = float(degrees) if slides else float(np.radians(float(degrees)))
+            held[int(joint)] = float(degrees) if self.model.sliding(int(joint)) else float(np.radians(float(degrees)))
         conditions = read_conditions(str(when), lambda text: self.parse(text, claim.where, "when")) if when else ()
         return replace(self, held=held, when=conditions)
 
@@ -295,12 +291,11 @@ class Evidence:
     @cached_property
     def other_arms(self) -> list[tuple[str, str, Samples]]:
         """(kind, words, samples) with the same joint vectors and lengths for the arms one slip away."""
-        return [(kind, words, self._as(model)) for kind, words, model in arm_slips(self.model)]
+        return list(self.arms(arm_slips(self.model)))
 
-    @property
-    def arms_of_two_twists(self) -> Iterator[tuple[str, str, Samples]]:
-        """The same for the arms with two twists of the other sign."""
-        return ((kind, words, self._as(model)) for kind, words, model in two_twists(self.model))
+    def arms(self, others: Iterator[tuple[str, str, ArmModel]]) -> Iterator[tuple[str, str, Samples]]:
+        """The same joint vectors and lengths for other arms, with what is said of them."""
+        return ((kind, words, self._as(model)) for kind, words, model in others)
 
     def _as(self, model: ArmModel) -> Samples:
         """The samples of another arm at the same joint vectors and lengths."""
@@ -318,7 +313,7 @@ class Evidence:
         Raises:
             PieperError: What the solver raises, or its solutions do not hold.
         """
-        rows = self.in_unit(self.solved(self.samples.frames["T"][k]))
+        rows = self.in_unit(self.solved(self.samples.frames["T"][k], "pose"))
         if not len(rows) or self.apart(rows, self.samples.q[k]).max(1).min() > EVIDENCE_SAME:
             raise PieperError("the solver does not return the joints the pose was made from")
         back = pose_of(self.model, rows)
@@ -360,7 +355,8 @@ class Evidence:
         """Write the lengths of sample k where they are not the arm's own."""
         if self.samples.nominal[k]:
             return ""
-        names = [m for m in self.model.values if m in node.symbols()]
+        used = node.substitute(self.definitions).symbols() | self.varied_zeros
+        names = [m for m in self.model.values if m in used]
         return " with " + ", ".join(f"{m} = {self.samples.env[m][k]:g}" for m in names)
 
     def goal(self, wanted: np.ndarray | None, *, angle: bool = False, frame: Product | None = None) -> Goal:
@@ -379,14 +375,6 @@ def under(key: str) -> Iterator[None]:
         raise InputError(f"{key}: {error}", **error.data) from None
     except np.linalg.LinAlgError:
         raise InputError(f"{key}: a matrix that is inverted here has no inverse") from None
-
-
-def tried_text(explanation: Explanation, arms_tried: dict[str, int] | None = None) -> str:
-    """Say what a search tried, by kind."""
-    parts = [f"{KINDS.get(kind, kind)} ({count})" for kind, count in explanation.tried.items()]
-    parts += [f"{ARM_KINDS.get(kind, kind)} ({count})" for kind, count in (arms_tried or {}).items()]
-    text = ", ".join(parts)
-    return text + ("" if explanation.complete else "; the search stopped at its limit of time or length")
 
 
 def wrapped(x: Any) -> Any:
