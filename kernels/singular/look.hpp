@@ -24,6 +24,7 @@ class Look {
         groups_(groups_of(arm)),
         departs_(departs(arm)),
         held_(10 * std::fmax(kOnCurve, departs_)),
+        unnoticed_(std::fmax(kUnnoticed, 4 * departs_)),
         next_to_{arm} {}
 
   // What there is at T, of which a closed-form kernel gave rows (count x 6); false where that cannot be read off.
@@ -346,8 +347,9 @@ class Look {
   SixJoints arm_;
   Limits limits_;
   std::vector<Group3> groups_;
-  double departs_, held_,
-      unnoticed_;  // what points of its self-motions may miss the pose by, and axes in place cost it
+  double departs_;
+  double held_;       // what points of its self-motions may miss the pose by,
+  double unnoticed_;  // and what axes that are brought into place may cost it
   NextToMotion next_to_;
 };
 

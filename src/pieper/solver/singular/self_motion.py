@@ -27,6 +27,8 @@ from pieper.tolerances import (
 
 #: No limits at all, for joints as many as there are.
 FREE = np.array([[-np.inf, np.inf]])
+#: On a surface a posture is walked to from so many of a line's samples, in steps of so much (rad; per length), so many.
+MOST_WALKS, WALK, MOST_WALKED = 24, 0.2, 120
 
 
 class SelfMotion:
@@ -227,13 +229,34 @@ class SelfMotion:
         return np.sqrt(np.minimum(to_samples, np.min(np.einsum("mkn,mkn->mk", foot, foot), axis=1)))
 
     def contains(self, q: Array, tolerance: float = CONTAINS) -> bool:
-        """Whether q (n,) lies on the curve within a tolerance (rad)."""
+        """Whether q (n,) lies on the self-motion within a tolerance (rad); a surface: whether the pose leads to it."""
         q = self.padded(q)
-        if self.distance(q) > 0.05:
+        if self.dimension == 1 and self.distance(q) > 0.05:
             return False
         sizes = np.linalg.norm(self.gaps(q, self.samples), axis=1)
-        point = self._slid(self.samples[int(np.argmin(sizes))], lambda p: self.gaps(q, p), None, self.counts())
-        return bool(np.linalg.norm(self.gaps(q, point)) <= tolerance)
+        nearest = self.samples[int(np.argmin(sizes))]
+        point = self._slid(nearest, lambda p: self.gaps(q, p), None, self.counts())
+        if np.linalg.norm(self.gaps(q, point)) <= tolerance:
+            return True
+        # what does not hold the pose need not be walked to; values of virtual joints are not known of a posture
+        held = self.shown < self.chain.n or missed(self.chain, q, self.T) < 10 * max(tolerance, CLOSES)
+        return self.dimension > 1 and bool(held) and self._leads_to(q, sizes, tolerance)
+
+    def _leads_to(self, q: Array, sizes: Array, tolerance: float) -> bool:
+        """Whether q (n,) is reached on the pose from one of the samples, at distances (k,), step by step towards it."""
+        spread = np.unique(np.linspace(0, len(sizes) - 1, MOST_WALKS).astype(int))
+        for start in (int(np.argmin(sizes)), *spread[np.argsort(sizes[spread], kind="stable")]):
+            point = self.samples[start]
+            for _ in range(MOST_WALKED):
+                gap = self.gaps(q, point)
+                left = float(np.linalg.norm(gap))
+                if left <= tolerance:
+                    return True
+                ahead = point + min(1.0, WALK / left) * gap * self.chain.joints.unit
+                point = newton(self.chain, ahead, self.T, steps=8, cutoff=CURVE_RANK)
+                if missed(self.chain, point, self.T) > CLOSES or np.linalg.norm(self.gaps(q, point)) > 0.999 * left:
+                    break
+        return False
 
     def __repr__(self) -> str:
         ends = "closed" if self.closed else "open"

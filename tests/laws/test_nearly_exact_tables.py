@@ -1,0 +1,53 @@
+"""Tables off by a little more than rounding: at round singular postures the posture that made a pose is told."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from oracle.arms.known import free
+from pieper import DH, Arm
+from pieper.solver.singular import near_curve
+
+#: What of the pose may be missed between two joint vectors that rounding does not tell apart (per length; rad).
+ALONG, BESIDE = 1.2e-15, 3e-15
+NAMES = ["universal-robots-ur5e", "denso-vp6242", "aubo-i5", "unimation-puma-560"]
+
+
+def off_by(name: str, size: float, seed: int) -> Arm:
+    """Return an arm of the catalogue with every length and twist off by up to so much (m; rad)."""
+    given, rng = free(name).description, np.random.default_rng(seed)
+    errors = size * rng.uniform(-1, 1, (6, 3))
+    rows = [
+        DH(a=row.a + e[0], alpha=row.alpha + e[1], d=row.d + e[2], theta=row.theta)
+        for row, e in zip(given.rows, errors, strict=True)
+    ]
+    return Arm.from_dh(rows, convention=given.convention, limits=[(-np.pi, np.pi)] * 6)
+
+
+def told(arm: Arm, q: np.ndarray) -> bool:
+    """Whether q (6,) is a row of its pose, as well as the pose tells, or on a self-motion."""
+    T = arm.fk(q)
+    sols = arm.ik(T)
+    if any(motion.contains(q, 1e-5) for motion in sols.self_motions):
+        return True
+    apart = np.abs((sols.all_q - q + np.pi) % (2 * np.pi) - np.pi).max(1)
+    sigma = np.linalg.svd(arm.jacobian(q), compute_uv=False)[-1]
+    if apart.min(initial=np.inf) < (1e-6 + 1e-14 / sigma if sigma > 3e-14 else 1e-6):
+        return True
+    near = sols.all_q[apart.argmin()]
+    chord = near + np.linspace(0.1, 0.9, 9)[:, None] * arm.chain.joints.way(q, near)
+    between = near_curve.onto(arm.chain, chord, T, 4)
+    return bool(apart.min() < 0.3 and np.abs(between.miss).max() < ALONG and between.rest.max() < BESIDE)
+
+
+@pytest.mark.parametrize("size", [1e-13, 3e-13])
+@pytest.mark.parametrize("name", NAMES)
+def test_the_posture_of_a_table_off_by_rounding_is_told(name, size):
+    rng = np.random.default_rng(77)
+    for seed in range(3):
+        arm = off_by(name, size, seed)
+        for _ in range(8):
+            q = rng.choice(np.deg2rad(np.arange(-180, 181, 30)), 6)
+            q[4] = rng.choice([0.0, np.pi])
+            assert told(arm, q), f"{np.rad2deg(q).round().tolist()}, seed {seed}: {arm.ik(arm.fk(q)).status.name}"
