@@ -362,9 +362,9 @@ def text(export: Export) -> str:
     """Return the file's text."""
     parts = own_parts(export) | C.parts(export)
     parts["PROGRAM"] = packed(parts["PROGRAM"])
-    parts |= {
-        name: parts[name].replace(", ", ",").replace(".0,", ",").replace(".0}", "}") for name in ("TEST_Q", "TEST_T")
-    }
+    for name in ("TEST_Q", "TEST_T"):
+        short = parts[name].replace(", ", ",").replace(".0,", ",").replace(".0}", "}")
+        parts[name] = re.sub(r"(?<![0-9.])0\.", ".", short)
     rows = "  const double rows[8][6] = {@ROWS@};\n  const int valid[8] = {@VALID@};\n"
     parts["FOUND"] = rows.replace("@ROWS@", parts["ROWS"]).replace("@VALID@", parts["VALID"])
     return filled(FRAME, parts, export)

@@ -22,7 +22,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.planned_arm import PlannedArm
 from pieper.solver.rows import Flag
 from pieper.solver.verbs import ik_many
-from pieper.tolerances import LIMIT_SLACK, VERIFIED
+from pieper.tolerances import LIMIT_SLACK, SAME_SOLUTION, VERIFIED
 
 TESTS = 20
 #: How many of them are poses rounded to so many digits after the point, as people write them down.
@@ -142,9 +142,11 @@ def _postures(plan: Plan, own: Between) -> tuple[Array, Array, tuple[int, ...]]:
     rng = np.random.default_rng(20)
     reach = np.where(plan.prismatic, plan.chain.length, np.pi)[:, None] * [-1.0, 1.0]
     limits = np.where(np.isfinite(plan.limits), plan.limits, reach)
-    q = rng.uniform(limits[:, 0], limits[:, 1], (40 * TESTS, plan.n))
-    T = fk(plan.chain, q)
-    count, clear, _ = _asked(plan, own, q, T)
+    # six digits of a joint vector and twelve of what follows are enough for the test, and short in the file
+    q = np.round(rng.uniform(limits[:, 0], limits[:, 1], (40 * TESTS, plan.n)), DIGITS)
+    T = np.round(fk(plan.chain, q), 12)
+    count, clear, back = _asked(plan, own, q, T)
+    clear &= np.abs(back - q).max(1) < 0.1 * SAME_SOLUTION  # not next to a singular one, where digits are lost
     some = np.flatnonzero(clear)[: 2 * ROUNDED]
     rounded = np.round(T[some], DIGITS)
     again, held, nearest = _asked(plan, own, q[some], rounded)
@@ -153,11 +155,9 @@ def _postures(plan: Plan, own: Between) -> tuple[Array, Array, tuple[int, ...]]:
     kept = np.flatnonzero(held & meant)[:ROUNDED]
     last = some[kept]
     first = np.setdiff1d(np.flatnonzero(clear), last)[: TESTS - len(last)]
-    # twelve digits are enough for the test and short in the file
-    exact = np.round(q[first], 12)
     return (
-        np.concatenate([exact, np.round(nearest[kept], 12)]),
-        np.concatenate([fk(plan.chain, exact), rounded[kept]]),
+        np.concatenate([q[first], np.round(nearest[kept], 12)]),
+        np.concatenate([T[first], rounded[kept]]),
         tuple(int(k) for k in (*count[first], *again[kept])),
     )
 

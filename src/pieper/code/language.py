@@ -97,7 +97,7 @@ class Notation:
             "ACCEPTED": repr(ROTATION_ACCEPTED),
             "DEFAULT": repr(export.between.default),
             "TEST_Q": self.numbers(export.q),
-            "TEST_T": self.numbers(np.round(export.T.reshape(-1, 16), 15)),
+            "TEST_T": self.numbers(np.round(export.T.reshape(-1, 16), 12)),
             "COUNTS": self.listed(str(k) for k in export.counts),
             **self.manner.parts(export.labels, first + names + last),
         }
