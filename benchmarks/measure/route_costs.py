@@ -16,8 +16,11 @@ TURNS, NEAR = 1440, 24
 STEP = 0.6
 
 
-def ladder(arm: Arm, path: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
-    """Return the cheapest chain (N, n) over the grid and its turns (N,), whole turns of wide joints apart."""
+def ladder(arm: Arm, path: np.ndarray, most: float) -> tuple[np.ndarray, np.ndarray] | None:
+    """Return the cheapest chain (N, n) over the grid and its turns (N,), whole turns of wide joints apart.
+
+    What costs more than `most` is let go on the way.
+    """
     N = len(path)
     low, high = arm.limits.T
     Rz = rotation_z(np.arange(TURNS) * 2 * np.pi / TURNS)
@@ -34,18 +37,16 @@ def ladder(arm: Arm, path: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
         origin = np.full((*cost.shape, 2), -1)
         if i:
             last, before = rows[-1], costs[-1]
-            for shift in range(-NEAR, NEAR + 1):
-                old, paid = np.roll(last, shift, 0), np.roll(before, shift, 0)
-                for d in range(old.shape[1]):
-                    gap = q - old[:, None, d]
+            for d in np.flatnonzero(np.isfinite(before).any(0)).tolist():
+                source = np.flatnonzero(np.isfinite(before[:, d]))
+                for shift in range(-NEAR, NEAR + 1):
+                    k = (source + shift) % TURNS
+                    gap = q[k] - last[source, None, d]
                     gap = np.where(wide, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
-                    step = np.where(np.abs(gap).max(-1) > STEP, np.inf, (gap**2).sum(-1)) + paid[:, None, d]
-                    better = step < cost
-                    cost = np.where(better, step, cost)
-                    origin[better] = np.stack(
-                        [np.repeat((np.arange(TURNS)[:, None] - shift) % TURNS, q.shape[1], 1), np.full(cost.shape, d)],
-                        -1,
-                    )[better]
+                    step = np.where(np.abs(gap).max(-1) > STEP, np.inf, (gap**2).sum(-1)) + before[source, None, d]
+                    at, row = np.nonzero((step < cost[k]) & (step <= most))
+                    cost[k[at], row] = step[at, row]
+                    origin[k[at], row] = np.stack([source[at], np.full(len(at), d)], -1)
         rows.append(q)
         costs.append(cost)
         came.append(origin)
@@ -63,8 +64,8 @@ def ladder(arm: Arm, path: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
     return q[0] + np.vstack([np.zeros(arm.n), np.cumsum(steps, axis=0)]), t
 
 
-def shortened(arm: Arm, path: np.ndarray, q: np.ndarray, turn: np.ndarray) -> float:
-    """Return the cost of a chain made short: Gauss-Newton on the turns, steps cut so that limits are kept."""
+def shortened(arm: Arm, path: np.ndarray, q: np.ndarray, turn: np.ndarray) -> tuple[float, np.ndarray]:
+    """Return the cost of a chain made short, and it: Gauss-Newton on the turns, steps cut so that limits are kept."""
     low, high = arm.limits.T
     wide = high - low >= 2 * np.pi - 1e-9
     low, high = np.where(wide, -np.inf, low), np.where(wide, np.inf, high)
@@ -97,11 +98,33 @@ def shortened(arm: Arm, path: np.ndarray, q: np.ndarray, turn: np.ndarray) -> fl
                 if now < cost:
                     break
         else:
-            return cost
+            return cost, q
         gained, q, turn, cost = cost - now, moved, trial, now
         if gained < 1e-10 * cost:
-            return cost
-    return cost
+            return cost, q
+    return cost, q
+
+
+def fits(arm: Arm, q: np.ndarray) -> bool:
+    """Whether a chain (N, n), continuous, fits the limits with some whole turns."""
+    low, high = arm.limits.T
+    turn = 2 * np.pi
+    return bool((np.ceil((low - 1e-6 - q.min(0)) / turn) <= np.floor((high + 1e-6 - q.max(0)) / turn)).all())
+
+
+def ladder_cost(arm: Arm, path: np.ndarray, free: pieper.Freedom) -> dict[str, Any]:
+    """Return the route's cost, the shortened ladder's (None where it leads nowhere), and whether that fits the limits.
+
+    The ladder takes joints that can turn all the way round as if they had no limits: what costs less than the route and
+    does not fit says nothing.
+    """
+    route = arm.route(path, free=free)
+    # a chain on the grid costs a little more than made short, never half as much again
+    found = ladder(arm, path, 1.5 * route.cost)
+    if found is None:
+        return {"cost": route.cost, "ladder": None}
+    cost, q = shortened(arm, path, *found)
+    return {"cost": route.cost, "ladder": cost, "fits": fits(arm, q)}
 
 
 def _followed(arm: Arm, T: np.ndarray, q: np.ndarray) -> np.ndarray | None:
@@ -114,10 +137,3 @@ def _followed(arm: Arm, T: np.ndarray, q: np.ndarray) -> np.ndarray | None:
             return q
         q = q + np.stack([np.linalg.lstsq(J, e, rcond=1e-10)[0] for J, e in zip(arm.jacobian(q), off, strict=True)])
     return q if np.abs(off).max() < 1e-8 else None
-
-
-def ladder_cost(arm: Arm, path: np.ndarray, free: pieper.Freedom) -> dict[str, Any]:
-    """Return the route's cost and the shortened ladder's, which is None where it leads nowhere."""
-    route = arm.route(path, free=free)
-    found = ladder(arm, path)
-    return {"cost": route.cost, "ladder": None if found is None else shortened(arm, path, *found)}

@@ -22,9 +22,8 @@ benchmarks.measure.route_verdicts`, which goes on where it was left; written by 
   singular value below 3e-3, lengths per length of the arm); *uncertain there*: how many of the uncertain ones are
   among them.
 - *cost*: of as many found routes as were measured, how many cost at most 1 percent more than a ladder of 1,440 turns
-  that was made short by another method, and the largest excess.
-- The ladder takes joints that can turn all the way round as if they had no limits: an excess may be theirs, or a
-  cheaper route that was missed; which of the two was not looked into.
+  that was made short by another method, and the largest excess. The ladder takes joints that can turn all the way
+  round as if they had no limits: where it costs less and its chain does not fit the limits, nothing is compared.
 - *s*: processor time of a verdict on a machine shared by many, middle and largest.
 
 """
@@ -37,8 +36,8 @@ def line(name: str, seams: list[dict[str, Any]]) -> str:
     wrong = sum(bool(s["wrong"]) for s in seams)
     pole = sum(s["least"] < POLE for s in seams)
     there = sum(s["least"] < POLE and s["verdict"] == "UNCERTAIN" for s in seams)
-    both = [(s["cost"], s["ladder"]) for s in seams if s.get("ladder") is not None]
-    excess = [cost / ladder - 1 for cost, ladder in both]
+    both = [s for s in seams if s.get("ladder") is not None]
+    excess = [s["cost"] / s["ladder"] - 1 for s in both if s.get("fits", True) or s["cost"] <= s["ladder"]]
     cost = f"{sum(e <= 0.01 for e in excess)} of {len(excess)}, {100 * max(excess):+.2g} %" if excess else "-"
     took = np.array([s["seconds"] for s in seams])
     said = [name, len(seams), *count.values(), wrong, pole, there, cost, f"{np.median(took):.2f}, {took.max():.1f}"]

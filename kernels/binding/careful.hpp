@@ -1,22 +1,76 @@
 // The look at singular poses as Python sees it.
 #pragma once
 
+#include <complex>
+
 #include "binding/chain.hpp"
 #include "binding/solver.hpp"
 #include "singular/careful.hpp"
 
 namespace {
 
+class PyLinkage {
+ public:
+  PyLinkage(const Forward& arm, nb::handle through, nb::handle joints, nb::handle axes, nb::handle spots,
+            nb::handle senses, int lead, double low, double high, int course) {
+    const pieper::PlainChain chain = arm.plain();
+    pieper::SelfMotionSaid said{};
+    said.flat = !spots.is_none(), said.lead = lead, said.low = low, said.high = high, said.course = course;
+    const auto q = to_vector<double>(through, NPY_DOUBLE), z = to_vector<double>(axes, NPY_DOUBLE),
+               turns = to_vector<double>(senses, NPY_DOUBLE);
+    const auto which = to_vector<std::int64_t>(joints, NPY_INT64);
+    if (chain.n != 6 || q.size() != 6 || z.size() != 12 || turns.size() != 4 || which.size() != 4)
+      throw nb::value_error("the chain must have six joints, through be (6,), axes (4, 3), senses and joints (4,).");
+    std::copy(q.begin(), q.end(), said.through);
+    std::copy(z.begin(), z.end(), &said.axes[0][0]);
+    std::copy(turns.begin(), turns.end(), said.senses);
+    for (int k = 0; k < 4; ++k) said.joints[k] = static_cast<int>(which[k]);
+    if (said.flat) {
+      const auto at = to_vector<std::complex<double>>(spots, NPY_CDOUBLE);
+      if (at.size() != 4) throw nb::value_error("spots must be (4,).");
+      for (int k = 0; k < 4; ++k) said.spots[k][0] = at[k].real(), said.spots[k][1] = at[k].imag();
+    }
+    linkage_ = std::make_unique<pieper::Linkage>(said, chain.prismatic, chain.length);
+  }
+
+  nb::object points(nb::handle given) const {
+    const auto u = to_vector<double>(given, NPY_DOUBLE);
+    const npy_intp shape[] = {static_cast<npy_intp>(u.size()), 6};
+    nb::object out = new_array(2, shape, NPY_DOUBLE);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      linkage_->point(u[k], static_cast<double*>(PyArray_DATA(as_array(out))) + 6 * k);
+    return out;
+  }
+  double place(nb::handle given) const {
+    const auto q = to_vector<double>(given, NPY_DOUBLE);
+    if (q.size() != 6) throw nb::value_error("q must be (6,).");
+    return linkage_->place(q.data());
+  }
+  nb::object inside(nb::handle lower, nb::handle upper) const {
+    const auto low = to_vector<double>(lower, NPY_DOUBLE), high = to_vector<double>(upper, NPY_DOUBLE);
+    if (low.size() != 6 || high.size() != 6) throw nb::value_error("lower and upper must be (6,).");
+    const std::vector<double> ends = linkage_->inside(low.data(), high.data());
+    const npy_intp shape[] = {static_cast<npy_intp>(ends.size() / 2), 2};
+    nb::object out = new_array(2, shape, NPY_DOUBLE);
+    std::copy(ends.begin(), ends.end(), static_cast<double*>(PyArray_DATA(as_array(out))));
+    return out;
+  }
+
+ private:
+  std::unique_ptr<pieper::Linkage> linkage_;
+};
+
 class PyCarefulLook {
  public:
-  PyCarefulLook(nb::object solver, const Forward& arm, nb::handle lower, nb::handle upper) : solver_(solver) {
+  PyCarefulLook(nb::object solver, const Forward& arm, nb::handle lower, nb::handle upper, bool closed_form)
+      : solver_(solver) {
     const PySolver& own = *nb::cast<const PySolver*>(solver);
     const auto low = to_vector<double>(lower, NPY_DOUBLE), high = to_vector<double>(upper, NPY_DOUBLE);
     const pieper::PlainChain chain = arm.plain();
     if (chain.n != 6 || low.size() != 6 || high.size() != 6)
       throw nb::value_error("the chain must have six joints, lower and upper be (6,).");
     look_ = std::make_unique<pieper::CarefulLook>(own.solver(), chain.links, chain.prismatic, chain.length, low.data(),
-                                                  high.data(), own.accepted(), own.exact());
+                                                  high.data(), own.exact(), closed_form);
   }
 
   // None where what there is cannot be read off.
@@ -84,8 +138,11 @@ class PyCarefulLook {
   }
 
  private:
-  // A line as (through, (i, j), sense), a linkage as (through, joints, axes, spots or None, senses, lead, low, high, course).
+  // A line as (through, (i, j), sense), a linkage as (through, joints, axes, spots or None, senses, lead, low, high, course),
+  // one that was followed as (points, closed).
   static nb::object told(const pieper::SelfMotionSaid& said) {
+    const npy_intp points[] = {static_cast<npy_intp>(said.points.size() / 6), 6};
+    if (points[0]) return nb::make_tuple(copied(said.points.data(), 2, points, NPY_DOUBLE), said.closed);
     const npy_intp six[] = {6}, four[] = {4}, wide[] = {4, 3};
     nb::object through = copied(said.through, 1, six, NPY_DOUBLE);
     if (said.line) return nb::make_tuple(through, nb::make_tuple(said.joints[0], said.joints[1]), said.sense);
@@ -108,10 +165,18 @@ class PyCarefulLook {
 };
 
 void bind_careful(nb::module_& m) {
+  nb::class_<PyLinkage>(m, "Linkage", "A self-motion of four joints that are a linkage, of six.")
+      .def(nb::init<const Forward&, nb::handle, nb::handle, nb::handle, nb::handle, nb::handle, int, double, double,
+                    int>(),
+           nb::arg("chain"), nb::arg("through"), nb::arg("joints"), nb::arg("axes"), nb::arg("spots").none(),
+           nb::arg("senses"), nb::arg("lead"), nb::arg("low"), nb::arg("high"), nb::arg("course"))
+      .def("points", &PyLinkage::points, nb::arg("u"), "(k,) -> (k, 6), angles the short way round from `through`.")
+      .def("place", &PyLinkage::place, nb::arg("q"), "(6,) -> u; NaN where q is not on this piece of the curve.")
+      .def("inside", &PyLinkage::inside, nb::arg("lower"), nb::arg("upper"), "(6,), (6,) -> intervals of u (k, 2).");
   nb::class_<PyCarefulLook>(m, "CarefulLook",
                             "What is free at a singular pose of six joints, read off the axes of a solver's rows.")
-      .def(nb::init<nb::object, const Forward&, nb::handle, nb::handle>(), nb::arg("solver"), nb::arg("chain"),
-           nb::kw_only(), nb::arg("lower"), nb::arg("upper"))
+      .def(nb::init<nb::object, const Forward&, nb::handle, nb::handle, bool>(), nb::arg("solver"), nb::arg("chain"),
+           nb::kw_only(), nb::arg("lower"), nb::arg("upper"), nb::arg("closed_form"))
       .def("one", &PyCarefulLook::one, nb::arg("T"), nb::arg("q"), nb::arg("flag"),
            "(4, 4), the solver's rows (m, 6) and flag -> q (m, 6), inside (m,), flag, singular (m,), branches (m,), "
            "self_motion (m,), the self-motions; None "

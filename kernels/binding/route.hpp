@@ -82,15 +82,15 @@ nb::tuple chain_of_blocks(nb::handle diagonal, nb::handle beside, nb::handle rig
   return nb::make_tuple(x, positive);
 }
 
-nb::tuple front(const Forward& arm, nb::handle limits, nb::handle poses, nb::handle axis, nb::handle angle,
-                nb::handle seeds, double fine, std::int64_t most) {
+nb::tuple front(const Forward& arm, nb::handle joints, nb::handle limits, nb::handle poses, nb::handle axis,
+                nb::handle angle, nb::handle seeds, double fine, std::int64_t most) {
   const auto b = to_vector<double>(limits, NPY_DOUBLE), T = to_vector<double>(poses, NPY_DOUBLE),
              u = to_vector<double>(axis, NPY_DOUBLE), t = to_vector<double>(angle, NPY_DOUBLE),
-             q = to_vector<double>(seeds, NPY_DOUBLE);
+             q = to_vector<double>(seeds, NPY_DOUBLE), combined = to_vector<double>(joints, NPY_DOUBLE);
   const pieper::PlainChain chain = arm.plain();
   const std::size_t n = chain.n, N = T.size() / 16;
   if (n < 6 || n > 7 || b.size() != 2 * n || N < 1 || T.size() != 16 * N || u.size() != 3 * (N - 1) ||
-      t.size() != N - 1 || q.size() % n)
+      t.size() != N - 1 || q.size() % n || combined.size() != n * n)
     throw nb::value_error("a front's arrays do not fit together.");
   std::vector<double> lower(n), upper(n);
   for (std::size_t j = 0; j < n; ++j) lower[j] = b[2 * j], upper[j] = b[2 * j + 1];
@@ -98,6 +98,7 @@ nb::tuple front(const Forward& arm, nb::handle limits, nb::handle poses, nb::han
                                  chain.links,
                                  chain.prismatic,
                                  chain.length,
+                                 combined.data(),
                                  lower.data(),
                                  upper.data(),
                                  static_cast<std::int64_t>(N),
@@ -125,8 +126,8 @@ nb::tuple front(const Forward& arm, nb::handle limits, nb::handle poses, nb::han
 
 void bind_route(nb::module_& m) {
   m.def(
-      "front", &front, nb::arg("chain"), nb::kw_only(), nb::arg("limits"), nb::arg("poses"), nb::arg("axis"),
-      nb::arg("angle"), nb::arg("seeds"), nb::arg("fine"), nb::arg("most"),
+      "front", &front, nb::arg("chain"), nb::kw_only(), nb::arg("joints"), nb::arg("limits"), nb::arg("poses"),
+      nb::arg("axis"), nb::arg("angle"), nb::arg("seeds"), nb::arg("fine"), nb::arg("most"),
       "How it ended (0 died, 1 arrived, 2 singular, 3 tired), where, the front's points (k, n) and how far each stands "
       "for (k,), points of each stretch (below zero: closed), points looked at, the narrowest.");
   m.def("ladder", &ladder, nb::kw_only(), nb::arg("q"), nb::arg("valid"), nb::arg("limits"), nb::arg("circle"),

@@ -34,7 +34,6 @@ class PySolver {
 
   nb::object geometry() const { return geometry_; }
   const pieper::Solver& solver() const { return solver_; }
-  double accepted() const { return accepted_; }
   double exact() const { return exact_; }
 
   nb::tuple many(nb::handle given, int threads) const {

@@ -2,64 +2,77 @@
 #pragma once
 
 #include "binding/arrays.hpp"
-#include "time_law/fastest.hpp"
-#include "time_law/in_time.hpp"
+#include "dispatch/isa.hpp"
 #include "time_law/smooth.hpp"
 #include "time_law/spline.hpp"
 
 namespace {
 
-nb::object spline(nb::handle given_s, nb::handle given_q) {
+double* written(const nb::object& o) { return static_cast<double*>(PyArray_DATA(as_array(o))); }
+
+// Room of a thread that is not handed back to the system from call to call.
+double* scratch(long doubles) {
+  static thread_local std::vector<double> room;
+  if (static_cast<long>(room.size()) < doubles) room.resize(doubles);
+  return room.data();
+}
+
+nb::tuple spline(nb::handle given_s, nb::handle given_q) {
   nb::object s = float_array(given_s, "s"), q = float_array(given_q, "q");
   PyArrayObject *S = as_array(s), *Q = as_array(q);
-  if (PyArray_NDIM(S) != 1 || PyArray_NDIM(Q) != 2 || PyArray_DIM(Q, 0) != PyArray_DIM(S, 0))
-    throw nb::value_error("s must be (N,) and q (N, n).");
-  nb::object out = new_array(2, PyArray_DIMS(Q), NPY_DOUBLE);
-  pieper::spline_second_derivatives(doubles(s), doubles(q), PyArray_DIM(S, 0), static_cast<int>(PyArray_DIM(Q, 1)),
-                                    static_cast<double*>(PyArray_DATA(as_array(out))));
-  return out;
+  if (PyArray_NDIM(S) != 1 || PyArray_NDIM(Q) != 2 || PyArray_DIM(Q, 0) != PyArray_DIM(S, 0) || PyArray_DIM(S, 0) < 2)
+    throw nb::value_error("s must be (N,) and q (N, n), N at least 2.");
+  const npy_intp shape[] = {PyArray_DIM(Q, 0) - 1, PyArray_DIM(Q, 1)};
+  nb::object out[3] = {new_array(2, shape, NPY_DOUBLE), new_array(2, shape, NPY_DOUBLE),
+                       new_array(2, shape, NPY_DOUBLE)};
+  pieper::spline_pieces(doubles(s), doubles(q), PyArray_DIM(S, 0), static_cast<int>(shape[1]), written(out[0]),
+                        written(out[1]), written(out[2]));
+  return nb::make_tuple(out[0], out[1], out[2]);
 }
 
 nb::tuple fastest(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3, nb::handle speed, nb::handle acceleration,
-                  nb::handle a, nb::handle b, nb::handle c, nb::handle most, nb::handle wanted, double start,
-                  double end) {
-  const nb::handle given[] = {s, d1, d2, d3, speed, acceleration, a, b, c, most, wanted};
-  const char* names[] = {"s", "d1", "d2", "d3", "speed", "acceleration", "a", "b", "c", "most", "wanted"};
-  nb::object held[11];
-  for (int k = 0; k < 11; ++k) held[k] = float_array(given[k], names[k]);
+                  nb::handle share, nb::handle easing, nb::handle a, nb::handle b, nb::handle c, nb::handle most,
+                  nb::handle wanted, double start, double end) {
+  const nb::handle given[] = {s, d1, d2, d3, speed, acceleration, share, easing, a, b, c, most, wanted};
+  const char* names[] = {"s",      "d1", "d2", "d3", "speed", "acceleration", "share",
+                         "easing", "a",  "b",  "c",  "most",  "wanted"};
+  nb::object held[13];
+  for (int k = 0; k < 13; ++k) held[k] = float_array(given[k], names[k]);
   const npy_intp points = PyArray_SIZE(as_array(held[0])), cells = points - 1;
-  if (points < 2 || PyArray_NDIM(as_array(held[1])) != 2 || PyArray_NDIM(as_array(held[6])) != 2)
+  if (points < 2 || PyArray_NDIM(as_array(held[1])) != 2 || PyArray_NDIM(as_array(held[8])) != 2)
     throw nb::value_error("s must be (cells + 1,), d1 (cells, n) and a (cells, rows).");
-  const npy_intp joints = PyArray_DIM(as_array(held[1]), 1), extra = PyArray_DIM(as_array(held[6]), 1);
-  for (int k = 1; k < 11; ++k) {
-    const npy_intp size = k < 6 ? cells * joints : k < 9 ? cells * extra : points;
+  const npy_intp joints = PyArray_DIM(as_array(held[1]), 1), extra = PyArray_DIM(as_array(held[8]), 1);
+  for (int k = 1; k < 13; ++k) {
+    const npy_intp size = k < 4 ? cells * joints : k < 6 ? joints : k < 8 ? cells : k < 11 ? cells * extra : points;
     if (PyArray_SIZE(as_array(held[k])) != size)
       throw nb::value_error((std::string(names[k]) + " has a wrong size.").c_str());
   }
+  const double* in[13];
+  for (int k = 0; k < 13; ++k) in[k] = doubles(held[k]);
   const pieper::TimedPath path{cells,
                                static_cast<int>(joints),
                                static_cast<int>(extra),
-                               doubles(held[0]),
-                               doubles(held[1]),
-                               doubles(held[2]),
-                               doubles(held[3]),
-                               doubles(held[4]),
-                               doubles(held[5]),
-                               doubles(held[6]),
-                               doubles(held[7]),
-                               doubles(held[8]),
-                               doubles(held[9]),
-                               doubles(held[10])};
+                               in[0],
+                               in[1],
+                               in[2],
+                               in[3],
+                               in[4],
+                               in[5],
+                               in[6],
+                               in[7],
+                               in[8],
+                               in[9],
+                               in[10],
+                               in[11],
+                               in[12]};
   nb::object x = new_array(1, &points, NPY_DOUBLE), highest = new_array(1, &points, NPY_DOUBLE);
-  double* out = static_cast<double*>(PyArray_DATA(as_array(x)));
-  double* sets = static_cast<double*>(PyArray_DATA(as_array(highest)));
+  double *out = written(x), *sets = written(highest);
   std::fill(out, out + points, 0.0);
   std::fill(sets, sets + points, 0.0);
   pieper::Timing timing;
   {
     nb::gil_scoped_release release;
-    pieper::FastestPass pass(path);
-    timing = pass.run(start, end, out, sets);
+    timing = pieper::isa().fastest(path, start, end, scratch(pieper::isa().fastest_doubles(path)), out, sets);
   }
   return nb::make_tuple(x, highest, timing.done, timing.where);
 }
@@ -89,7 +102,32 @@ struct HeldPieces {
   }
 };
 
-double* written(const nb::object& o) { return static_cast<double*>(PyArray_DATA(as_array(o))); }
+double strays(nb::handle s, nb::handle d2, nb::handle d3) {
+  const HeldPieces curve(s, d2, d2, d2, d3);
+  const pieper::CubicPieces& p = curve.pieces;
+  return pieper::strays(p.s, p.d2, p.d3, p.cells, p.joints);
+}
+
+// Runs of pieces (k) on which one row of values (r, k) is the largest and at least `least`: (m,) first piece, one behind the
+// last, row.
+nb::tuple tightest(nb::handle given, double least) {
+  nb::object values = float_array(given, "values");
+  if (PyArray_NDIM(as_array(values)) != 2) throw nb::value_error("values must be (r, k).");
+  const npy_intp rows = PyArray_DIM(as_array(values), 0), pieces = PyArray_DIM(as_array(values), 1);
+  const double* v = doubles(values);
+  std::vector<int> which(pieces, 0);
+  std::vector<double> top(v, v + (rows ? pieces : 0));
+  for (npy_intp r = 1; r < rows; ++r)
+    for (npy_intp k = 0; k < pieces; ++k)
+      if (v[r * pieces + k] > top[k]) top[k] = v[r * pieces + k], which[k] = static_cast<int>(r);
+  nb::list out;
+  for (npy_intp k = 0, end = 0; k < (rows ? pieces : 0); k = end) {
+    const bool tight = top[k] >= least;
+    for (end = k + 1; end < pieces && (top[end] >= least) == tight && (!tight || which[end] == which[k]);) ++end;
+    if (tight) out.append(nb::make_tuple(k, end, which[k]));
+  }
+  return nb::tuple(out);
+}
 
 nb::object peak_ratios(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3, nb::handle given_x,
                        nb::handle given_speed, nb::handle given_acceleration, nb::handle given_share) {
@@ -103,7 +141,7 @@ nb::object peak_ratios(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3
     throw nb::value_error("speed and acceleration must be (n,).");
   const npy_intp shape[] = {2 * joints, cells};
   nb::object out = new_array(2, shape, NPY_DOUBLE);
-  pieper::peak_ratios(curve.pieces, doubles(x), doubles(speed), doubles(bend), doubles(share), written(out));
+  pieper::isa().peak_ratios(curve.pieces, doubles(x), doubles(speed), doubles(bend), doubles(share), written(out));
   return out;
 }
 
@@ -117,8 +155,8 @@ nb::tuple in_time(nb::handle s, nb::handle q, nb::handle d1, nb::handle d2, nb::
   nb::object out[5] = {new_array(1, shape, NPY_DOUBLE), new_array(2, shape, NPY_DOUBLE),
                        new_array(2, shape, NPY_DOUBLE), new_array(2, shape, NPY_DOUBLE),
                        new_array(2, shape, NPY_DOUBLE)};
-  pieper::in_time(curve.pieces, pieces, doubles(t), doubles(c), doubles(times), count, written(out[0]), written(out[1]),
-                  written(out[2]), written(out[3]), written(out[4]));
+  pieper::isa().in_time(curve.pieces, pieces, doubles(t), doubles(c), doubles(times), count, written(out[0]),
+                        written(out[1]), written(out[2]), written(out[3]), written(out[4]));
   return nb::make_tuple(out[0], out[1], out[2], out[3], out[4]);
 }
 
@@ -155,14 +193,15 @@ nb::tuple jerk_ratios(nb::handle s, nb::handle d1, nb::handle d2, nb::handle d3,
     if (PyArray_SIZE(as_array(*limit)) != joints) throw nb::value_error("limits must be (n,).");
   const npy_intp cells = PyArray_SIZE(as_array(share)), asked = PyArray_DIM(as_array(held), 0);
   if (PyArray_SIZE(as_array(grid)) != cells + 1) throw nb::value_error("grid must be (cells + 1,).");
-  if (PyArray_NDIM(as_array(held)) != 2 || PyArray_DIM(as_array(held), 1) != asked || asked == 1)
-    throw nb::value_error("coefficients must be square, or (0, 0).");
+  if (PyArray_NDIM(as_array(held)) != 2 || PyArray_DIM(as_array(held), 1) != asked || asked == 1 || asked > 9)
+    throw nb::value_error("coefficients must be square, at most (9, 9), or (0, 0).");
   const pieper::Profile profile = pieper::split_at(profile_of(t, c), curve.pieces, moment);
   const npy_intp pieces = profile.pieces(), shape[] = {3 * joints, pieces};
   nb::object out = new_array(2, shape, NPY_DOUBLE), fastest = new_array(1, &pieces, NPY_DOUBLE);
-  const pieper::Bounds bounds{doubles(speed), doubles(bend), doubles(jerk), cells, doubles(grid), doubles(share)};
-  pieper::jerk_ratios(curve.pieces, profile, bounds, asked ? doubles(held) : nullptr,
-                      asked ? static_cast<int>(asked) : 3, written(out), written(fastest));
+  const pieper::JerkBounds bounds{doubles(speed), doubles(bend), doubles(jerk), cells, doubles(grid), doubles(share)};
+  pieper::isa().jerk_ratios(curve.pieces, pieces, profile.t.data(), profile.c.data(), bounds,
+                            asked ? doubles(held) : nullptr, asked ? static_cast<int>(asked) : 3, written(out),
+                            written(fastest));
   const nb::tuple split = arrays_of(profile);
   return nb::make_tuple(split[0], split[1], out, fastest);
 }
@@ -184,10 +223,15 @@ void bind_time_law(nb::module_& m) {
         nb::arg("t"), nb::arg("c"), nb::arg("times"),
         "s (m,), q, dq, ddq, dddq (m, n) at times (m,) that do not fall.");
   m.def("spline", &spline, nb::arg("s"), nb::arg("q"),
-        "(N,), (N, n) -> (N, n) second derivatives of the cubic spline.");
+        "(N,), (N, n) -> three (N - 1, n): the first three derivatives at the beginning of each piece of the spline.");
+  m.def("strays", &strays, nb::arg("s"), nb::arg("d2"), nb::arg("d3"),
+        "How far pieces of third degree stray from their own chords, the largest of all joints.");
+  m.def("tightest", &tightest, nb::arg("values"), nb::arg("least"),
+        "Runs (first piece, one behind the last, row) on which one row of values (r, k) is largest and at least so "
+        "much.");
   m.def("fastest", &fastest, nb::kw_only(), nb::arg("s"), nb::arg("d1"), nb::arg("d2"), nb::arg("d3"), nb::arg("speed"),
-        nb::arg("acceleration"), nb::arg("a"), nb::arg("b"), nb::arg("c"), nb::arg("most"), nb::arg("wanted"),
-        nb::arg("start"), nb::arg("end"),
+        nb::arg("acceleration"), nb::arg("share"), nb::arg("easing"), nb::arg("a"), nb::arg("b"), nb::arg("c"),
+        nb::arg("most"), nb::arg("wanted"), nb::arg("start"), nb::arg("end"),
         "x (N,), upper ends of the controllable sets (N,), whether it can be done, where not.");
 }
 

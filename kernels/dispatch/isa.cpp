@@ -13,6 +13,8 @@
 #include "collision/sweep.hpp"
 #include "elimination/entry.hpp"
 #include "lanes/stream.hpp"
+#include "time_law/fastest.hpp"
+#include "time_law/in_time.hpp"
 
 namespace pieper {
 namespace PIEPER_ISA {
@@ -73,6 +75,11 @@ const IsaTable& PIEPER_JOIN(isa_, PIEPER_ISA)() {
                                  &collision_sweep,
                                  &sweep_bytes,
                                  &sweep_levels,
+                                 &fastest_doubles,
+                                 &fastest,
+                                 &peak_ratios,
+                                 &jerk_ratios,
+                                 &in_time,
                                  &elementary};
   return table;
 }

@@ -5,6 +5,7 @@
 
 #include "collision/model.hpp"
 #include "dispatch/geometry.hpp"
+#include "time_law/timed_path.hpp"
 
 #define PIEPER_TEXT2(x) #x
 #define PIEPER_TEXT(x) PIEPER_TEXT2(x)
@@ -82,6 +83,16 @@ struct IsaTable {
                            double slack, void* room, int* lists, const OuterPairs& outer);
   long (*sweep_bytes)(const CollisionModel& m);
   int (*sweep_levels)();
+
+  // Time laws (time_law/fastest.hpp, in_time.hpp); the room, in doubles, comes from the caller.
+  long (*fastest_doubles)(const TimedPath& path);
+  Timing (*fastest)(const TimedPath& path, double start, double end, double* room, double* x, double* highest);
+  void (*peak_ratios)(const CubicPieces& p, const double* x, const double* speed, const double* acceleration,
+                      const double* share, double* out);
+  void (*jerk_ratios)(const CubicPieces& curve, long pieces, const double* t, const double* c, const JerkBounds& bounds,
+                      const double* coefficients, int places, double* out, double* fastest);
+  void (*in_time)(const CubicPieces& p, long pieces, const double* t, const double* c, const double* times, long count,
+                  double* s, double* q, double* dq, double* ddq, double* dddq);
 
   // sin and cos (what = 0: out is count x 2) or atan2 of pairs (what = 1: x is count x 2), for the tests.
   void (*elementary)(int what, const double* x, long count, double* out);

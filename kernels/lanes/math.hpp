@@ -134,4 +134,10 @@ template <class F> PIEPER_INLINE F wrapped(F angle) {
   return select(angle <= -kPi, angle + kTwoPi, angle);
 }
 
+// An angle in (-pi, pi] turned by half a turn, there again: rounding takes one next to zero to either end.
+template <class F> PIEPER_INLINE F half_a_turn_on(F angle) {
+  angle = select(angle > 0.0, angle - kPi, angle + kPi);
+  return select(angle <= -kPi, F(kPi), angle);
+}
+
 }  // namespace pieper::PIEPER_ISA

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
+#include "route/box.hpp"
 #include "route/self_motion.hpp"
 
 namespace pieper {
@@ -32,18 +34,14 @@ struct Row {
 class Front {
  public:
   explicit Front(const FrontAsked& asked)
-      : a(asked),
-        rough(asked.fine > 1),
-        curves(asked.n, asked.links, asked.prismatic, asked.length),
-        low(asked.n),
-        high(asked.n),
-        ring(asked.n) {
-    std::vector<double> slide(a.n, 0.0);
+      : a(asked), rough(asked.fine > 1), curves(asked.n, asked.links, asked.prismatic, asked.length), ring(asked.n) {
+    std::vector<double> slide(a.n, 0.0), units(a.n, 1.0);
+    for (int j = 0; j < a.n; ++j)
+      if (curves.slides(j)) units[j] = a.length;
+    box.emplace(a.n, a.joints, a.lower, a.upper, units.data());
     for (int j = 0; j < a.n; ++j) {
-      const double unit = curves.slides(j) ? a.length : 1.0;
-      low[j] = a.lower[j] / unit, high[j] = a.upper[j] / unit;
-      ring[j] = !curves.slides(j) && !std::isfinite(low[j]) && !std::isfinite(high[j]);
-      if (curves.slides(j)) slide[j] = std::fmax(std::fabs(low[j]), std::fabs(high[j])) + 0.1;
+      ring[j] = !curves.slides(j) && box->free(j);
+      if (curves.slides(j)) slide[j] = std::fmax(std::fabs(box->low[j]), std::fabs(box->high[j])) + 0.1;
     }
     curves.reach(slide.data());
   }
@@ -101,7 +99,7 @@ class Front {
   const FrontAsked& a;
   const bool rough;
   Curves curves;
-  std::vector<double> low, high;
+  std::optional<Box> box;
   std::vector<std::uint8_t> ring;
   std::vector<Row> rows, next;
   std::vector<Point> images;
@@ -157,11 +155,7 @@ class Front {
   // Points are let go when they are outside by more; between that and `kept` lie points that only hang together with others.
   double let_go(const Point& p) const { return kept(p) + (rough ? 0.0 : kBeyond * spacing(p)); }
 
-  double outside(const Point& p) const {
-    double most = -std::numeric_limits<double>::infinity();
-    for (int j = 0; j < a.n; ++j) most = std::fmax(most, std::fmax(low[j] - p.y[j], p.y[j] - high[j]));
-    return most;
-  }
+  double outside(const Point& p) const { return box->outside(p.y); }
 
   double apart(const Point& p, const Point& q) const {
     double sum = 0;

@@ -12,7 +12,8 @@ struct FrontAsked {
   const double* links;            // (n + 1, 4, 4), m
   const std::uint8_t* prismatic;  // (n)
   double length;                  // of the arm: lengths and slides are counted in it
-  const double* lower;            // (n) limits, rad or m; infinite for none
+  const double* joints;           // (n, n) what is limited, as combinations of the coordinates, rad or m
+  const double* lower;            // (n) limits of these, rad or m; infinite for none
   const double* upper;            // (n)
   std::int64_t stations;          // poses of the path
   const double* poses;            // (stations, 4, 4)

@@ -2,6 +2,7 @@
 #include "singular/careful.hpp"
 
 #include "chain/posecheck.hpp"
+#include "singular/from_aside.hpp"
 #include "singular/look.hpp"
 
 namespace pieper {
@@ -12,20 +13,96 @@ struct CarefulLook::Own {
   const Solver& solver;
   SixJoints arm;
   Limits limits;
-  double accepted, exact;
+  double exact;
+  bool closed_form;
   Look look;
+  FromAside from_aside;
+
+  // What there is at a pose by the poses beside it.
+  bool by_poses_beside(const Rigid& T, const double* rows, int count, Read& out) const {
+    constexpr int kPoses = FromAside::kPoses;
+    const int slots = solver.slots();
+    double poses[16 * kPoses];
+    static thread_local std::vector<double> q;
+    static thread_local std::vector<std::uint8_t> valid, inside;
+    std::uint8_t flag[kPoses], outcome[kPoses];
+    q.resize(6 * slots * kPoses), valid.resize(slots * kPoses), inside.resize(slots * kPoses);
+    SolvedBeside beside[kPoses];
+    for (int k = 0; k < kPoses; ++k) {
+      beside[k].T = FromAside::aside(T, k);
+      double* m = poses + 16 * k;
+      for (int c = 0; c < 3; ++c) {
+        for (int r = 0; r < 3; ++r) m[4 * r + c] = beside[k].T.r(r, c);
+        m[4 * c + 3] = beside[k].T.p(c) * arm.length, m[12 + c] = 0;
+      }
+      m[15] = 1;
+    }
+    BadPose bad{};
+    const Answers to = {q.data(), valid.data(), inside.data(), flag, outcome};
+    if (solver.solve(poses, kPoses, 1, to, {}, bad, [](long) { return true; }) != Outcome::FINISHED) return false;
+    for (int k = 0; k < kPoses; ++k) {
+      double* own = q.data() + 6 * slots * k;
+      beside[k].rows = own, beside[k].count = 0, beside[k].flag = flag[k];
+      for (int s = 0; s < slots; ++s) {
+        if (!valid[slots * k + s]) continue;
+        for (int i = 0; i < 6; ++i) own[6 * beside[k].count + i] = own[6 * s + i] / unit(i);
+        ++beside[k].count;
+      }
+    }
+    return from_aside(T, rows, count, beside, out);
+  }
+  double unit(int i) const { return arm.slides[i] ? arm.length : 1.0; }
 };
 
 namespace {
 
 constexpr int kMostRows = 256;
 
-SixJoints arm_of(const double* links, const std::uint8_t* prismatic, double length) {
+SixJoints joints_of(const std::uint8_t* prismatic, double length) {
   SixJoints arm{};
   arm.length = length;
-  for (int k = 0; k < 7; ++k) arm.links[k] = read_rigid(links + 16 * k, length);
   for (int k = 0; k < 6; ++k) arm.slides[k] = prismatic[k];
   return arm;
+}
+
+SixJoints arm_of(const double* links, const std::uint8_t* prismatic, double length) {
+  SixJoints arm = joints_of(prismatic, length);
+  for (int k = 0; k < 7; ++k) arm.links[k] = read_rigid(links + 16 * k, length);
+  return arm;
+}
+
+SelfMotionSaid said_of(const SelfMotionRead& motion) {
+  SelfMotionSaid said{};
+  if (const auto* line = std::get_if<LineSelfMotion>(&motion)) {
+    said.line = true, said.joints[0] = line->i, said.joints[1] = line->j, said.sense = line->sense;
+    std::copy(line->through, line->through + 6, said.through);
+    return said;
+  }
+  const auto& linkage = std::get<LinkageSelfMotion>(motion);
+  said.flat = linkage.bar.flat, said.lead = linkage.lead, said.low = linkage.low, said.high = linkage.high,
+  said.course = static_cast<int>(linkage.course);
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 z = linkage.bar.axis[k];
+    said.joints[k] = linkage.bar.joint[k], said.senses[k] = linkage.bar.sense[k];
+    said.axes[k][0] = z.x, said.axes[k][1] = z.y, said.axes[k][2] = z.z;
+    if (said.flat) said.spots[k][0] = linkage.bar.spot[k].real(), said.spots[k][1] = linkage.bar.spot[k].imag();
+  }
+  std::copy(linkage.through, linkage.through + 6, said.through);
+  return said;
+}
+
+LinkageSelfMotion linkage_of(const SelfMotionSaid& said) {
+  LinkageSelfMotion linkage{};
+  linkage.lead = said.lead, linkage.low = said.low, linkage.high = said.high,
+  linkage.course = static_cast<Course>(said.course), linkage.bar.flat = said.flat;
+  for (int k = 0; k < 4; ++k) {
+    linkage.bar.joint[k] = said.joints[k], linkage.bar.sense[k] = said.senses[k];
+    linkage.bar.axis[k] = {said.axes[k][0], said.axes[k][1], said.axes[k][2]};
+    linkage.bar.spot[k] = {said.spots[k][0], said.spots[k][1]};
+  }
+  linkage.bar.prepare();
+  std::copy(said.through, said.through + 6, linkage.through);
+  return linkage;
 }
 
 Limits limits_of(const SixJoints& arm, const double* lower, const double* upper) {
@@ -39,11 +116,43 @@ Limits limits_of(const SixJoints& arm, const double* lower, const double* upper)
 
 }  // namespace
 
+struct Linkage::Own {
+  SixJoints arm;
+  LinkageSelfMotion linkage;
+};
+
+Linkage::Linkage(const SelfMotionSaid& said, const std::uint8_t* prismatic, double length)
+    : own_(new Own{joints_of(prismatic, length), linkage_of(said)}) {}
+Linkage::~Linkage() = default;
+
+void Linkage::point(double u, double* q) const { own_->linkage.point(u, q); }
+
+double Linkage::place(const double* q) const {
+  const LinkageSelfMotion& linkage = own_->linkage;
+  double turned[4], u;
+  for (int k = 0; k < 4; ++k) {
+    const int joint = linkage.bar.joint[k];
+    turned[k] = short_way(q[joint] - linkage.through[joint]);
+  }
+  return linkage.place(turned, u) ? u : NAN;
+}
+
+std::vector<double> Linkage::inside(const double* lower, const double* upper) const {
+  const SixJoints& arm = own_->arm;
+  LinkageSelfMotion per_length = own_->linkage;
+  for (int i = 0; i < 6; ++i)
+    if (arm.slides[i]) per_length.through[i] /= arm.length;
+  std::vector<double> ends;
+  for (const auto& stretch : per_length.inside(arm, limits_of(arm, lower, upper)))
+    ends.push_back(stretch.from), ends.push_back(stretch.to);
+  return ends;
+}
+
 CarefulLook::CarefulLook(const Solver& solver, const double* links, const std::uint8_t* prismatic, double length,
-                         const double* lower, const double* upper, double accepted, double exact) {
+                         const double* lower, const double* upper, double exact, bool closed_form) {
   const SixJoints arm = arm_of(links, prismatic, length);
   const Limits limits = limits_of(arm, lower, upper);
-  own_.reset(new Own{solver, arm, limits, accepted, exact, Look(arm, limits)});
+  own_.reset(new Own{solver, arm, limits, exact, closed_form, Look(arm, limits), FromAside(arm, limits)});
 }
 
 CarefulLook::~CarefulLook() = default;
@@ -63,17 +172,21 @@ bool CarefulLook::operator()(const double* T, CarefulPose& out) const {
 bool CarefulLook::look(const double* T, const double* q, int count, std::uint8_t flag, CarefulPose& out) const {
   const Own& own = *own_;
   double rows[kMostRows * 6], deviation, straight[16];
-  if (count > kMostRows) return false;
+  if (count > kMostRows || (!own.closed_form && !(flag & kDegenerate))) return false;
   isa().deviation(T, 1, &deviation);
   if (deviation > own.exact) {
     isa().straighten(T, &deviation, own.exact, 1, straight);
     T = straight;
   }
-  auto unit = [&](int i) { return own.arm.slides[i] ? own.arm.length : 1.0; };
-  for (int k = 0; k < 6 * count; ++k) rows[k] = q[k] / unit(k % 6);
+  for (int k = 0; k < 6 * count; ++k) rows[k] = q[k] / own.unit(k % 6);
   static thread_local Read read;
-  if (!own.look(read_rigid(T, own.arm.length), rows, count, read)) return false;
-  out.motions.clear(), out.flag = flag;
+  const Rigid pose = read_rigid(T, own.arm.length);
+  if (!(own.closed_form ? own.look(pose, rows, count, read) : own.by_poses_beside(pose, rows, count, read)))
+    return false;
+  if (!own.closed_form && read.rows.empty()) return false;
+  out.motions.clear();
+  // of poses beside that are certain all solutions were seen to follow from these
+  out.flag = own.closed_form ? flag : flag & ~(kUncertain | kOutOfReach);
   out.count = static_cast<int>(read.rows.size());
   out.q.clear(), out.inside.clear(), out.singular.clear(), out.branches.clear(), out.motion.clear();
   for (const Read::Row& row : read.rows) {
@@ -81,30 +194,22 @@ bool CarefulLook::look(const double* T, const double* q, int count, std::uint8_t
     for (int i = 0; i < 6; ++i) {
       double value = row.q[i];
       ok &= turned_inside(value, own.arm.slides[i], own.limits.lower[i], own.limits.upper[i]);
-      out.q.push_back(value * unit(i));
+      out.q.push_back(value * own.unit(i));
     }
     out.inside.push_back(ok), out.singular.push_back(row.singular);
     out.branches.push_back(row.branches), out.motion.push_back(row.motion);
   }
   for (const SelfMotionRead& motion : read.motions) {
-    SelfMotionSaid said{};
-    if (const auto* line = std::get_if<LineSelfMotion>(&motion)) {
-      said.line = true, said.joints[0] = line->i, said.joints[1] = line->j, said.sense = line->sense;
-      std::copy(line->through, line->through + 6, said.through);
-    } else {
-      const auto& linkage = std::get<LinkageSelfMotion>(motion);
-      said.flat = linkage.bar.flat, said.lead = linkage.lead, said.low = linkage.low, said.high = linkage.high,
-      said.course = static_cast<int>(linkage.course);
-      for (int k = 0; k < 4; ++k) {
-        const Vec3 z = linkage.bar.axis[k];
-        said.joints[k] = linkage.bar.joint[k], said.senses[k] = linkage.bar.sense[k];
-        said.axes[k][0] = z.x, said.axes[k][1] = z.y, said.axes[k][2] = z.z;
-        if (said.flat) said.spots[k][0] = linkage.bar.spot[k].real(), said.spots[k][1] = linkage.bar.spot[k].imag();
-      }
-      std::copy(linkage.through, linkage.through + 6, said.through);
-    }
-    for (int i = 0; i < 6; ++i) said.through[i] *= unit(i);
+    SelfMotionSaid said = said_of(motion);
+    for (int i = 0; i < 6; ++i) said.through[i] *= own.unit(i);
     out.motions.push_back(said);
+  }
+  for (const NearCurve& curve : read.curves) {
+    SelfMotionSaid said{};
+    said.closed = curve.closed;
+    for (const CurvePoint& p : curve.points)
+      for (int i = 0; i < 6; ++i) said.points.push_back(p.q[i] * own.unit(i));
+    out.motions.push_back(std::move(said));
   }
   return true;
 }

@@ -59,6 +59,54 @@ struct FourBar {
     return std::fabs(value - other.middle) <= other.size * (1 + kDeadCentre);
   }
 
+  // The same of a joint that turns back at `low` and `high`, at u of its way there and back: how near it is to an end, and so how far
+  // the joint opposite is from its phase, is told by half angles, to the last digit.
+  void back(int lead, double low, double high, double u, double* out) const {
+    const Harmonic &mine = side[lead][0], &other = side[lead][1];
+    const double sine = std::sin(kPi * u), cosine = std::cos(kPi * u), gone = (high - low) * sine * sine,
+                 left = (high - low) * cosine * cosine;
+    const bool above = mine.at(low) > other.middle, alike = above == (mine.at(high) > other.middle);
+    const double from_low = alike ? 2 * mine.size / other.size * std::fabs(std::sin(gone / 2) * std::sin(left / 2))
+                                  : beyond(lead, low, gone),
+                 from_high = alike ? 2 - from_low : beyond(lead, high, -left);
+    const double turn = 2 * std::atan2(std::sqrt(from_low), std::sqrt(std::fmax(from_high, 0.0))),
+                 across = above ? turn : kPi - turn;
+    closed(lead, low + gone, other.phase + (u - std::floor(u) < 0.5 ? across : -across), out);
+  }
+  // u of angles on that way.
+  double place_back(int lead, double low, double high, double angle, double across) const {
+    const Harmonic &mine = side[lead][0], &other = side[lead][1];
+    const double off = short_way(angle - (low + high) / 2), half = (high - low) / 2, end = off < 0 ? low : high,
+                 way = off < 0 ? 1 : -1, from_phase = short_way(across - other.phase);
+    double gone = half - std::fabs(off);
+    if (gone < half / 2) {  // what is left of a difference is refined by the joint opposite, which moves as its root
+      const double from = mine.at(end) > other.middle ? from_phase : kPi - std::fabs(from_phase),
+                   wanted = 2 * std::sin(from / 2) * std::sin(from / 2);
+      for (int step = 0; step < 3; ++step) {
+        const double slope = mine.size / other.size * std::fabs(std::sin(end + way * gone - mine.phase));
+        if (!(slope > kLoopCritical)) break;
+        gone = std::fmax(0.0, gone - (std::copysign(beyond(lead, end, way * gone), gone) - wanted) / slope);
+      }
+    }
+    const double u = std::asin(std::sqrt(std::fmin(gone / (2 * half), 1.0))) / kPi, there = off < 0 ? u : 0.5 - u;
+    return from_phase < 0 ? 1 - there : there;
+  }
+
+  // The same on a course that goes round twice and crosses itself where the leading joint is at `crosses`: by how much the joint
+  // opposite is off there is the sine of half of what the leading one is, and changes its sign from round to round.
+  void twice(int lead, double crosses, double angle, double* out) const {
+    const bool top = std::cos(crosses - side[lead][0].phase) > 0;
+    const double off = off_crossing(lead, angle - crosses), phase = side[lead][1].phase;
+    closed(lead, angle, top ? phase + off : phase + kPi - off, out);
+  }
+  // The leading angle of such a place, the second round a turn on.
+  double place_twice(int lead, double crosses, double angle, double across) const {
+    const bool top = std::cos(crosses - side[lead][0].phase) > 0;
+    const double gone = short_way(angle - crosses), off = off_crossing(lead, gone),
+                 from_phase = across - side[lead][1].phase, there = short_way(top ? from_phase : kPi - from_phase);
+    return crosses + gone + (std::fabs(there - off) <= std::fabs(there + off) ? 0 : kTwoPi);
+  }
+
   // The four angles that those of the leading joint and of the one opposite leave.
   void closed(int lead, double angle, double across, double* out) const {
     const int i1 = lead, i2 = (lead + 1) % 4, i3 = (lead + 2) % 4, i4 = (lead + 3) % 4;
@@ -75,6 +123,15 @@ struct FourBar {
   }
 
  private:
+  double off_crossing(int lead, double gone) const {
+    const double part = std::sqrt(side[lead][0].size / side[lead][1].size) * std::sin(gone / 2);
+    return 2 * std::asin(std::fmin(std::fmax(part, -1.0), 1.0));
+  }
+  // By how much the cosine of the joint opposite departs from what it is where the leading joint turns back, `gone` from there.
+  double beyond(int lead, double end, double gone) const {
+    const Harmonic& mine = side[lead][0];
+    return 2 * mine.size / side[lead][1].size * std::fabs(std::sin(gone / 2) * std::sin(end + gone / 2 - mine.phase));
+  }
   static Vec3 rotated(Vec3 about, double angle, Vec3 v) {
     const Vec3 along = dot(about, v) * about;
     return along + std::cos(angle) * (v - along) + std::sin(angle) * cross(about, v);

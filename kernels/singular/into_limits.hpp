@@ -6,7 +6,7 @@
 namespace pieper::PIEPER_ISA {
 
 // Puts a singular row at the limits it lies outside of, where a posture there takes the pose to rounding as well; or, with
-// `turns`, at limits whole turns apart that it lies beside: a turn on, the row would be outside by no more than its blur.
+// `turns`, at limits that it lies just outside of while it is inside a turn on: there the posture is at the stop, a turn nearer to it.
 inline void into_limits(const SixJoints& arm, const Rigid& T, const Limits& limits, bool turns, double* q) {
   constexpr int kSteps = 6;
   double at[6];
@@ -19,7 +19,8 @@ inline void into_limits(const SixJoints& arm, const Rigid& T, const Limits& limi
     const double lower = arm.slides[i] ? limits.lower[i] - q[i] : short_way(limits.lower[i] - q[i]),
                  upper = arm.slides[i] ? limits.upper[i] - q[i] : short_way(limits.upper[i] - q[i]),
                  way = std::fabs(lower) < std::fabs(upper) ? lower : upper;
-    if (within && !(std::fabs(way) < kMergedBlur && std::fabs(lower - upper) < kLimitSlack)) continue;
+    const bool out = (way == lower && way > 0) || (way == upper && way < 0) || std::fabs(lower - upper) < kLimitSlack;
+    if (within && !(std::fabs(way) < kMergedBlur && out)) continue;
     if (!(std::fabs(way) < kMergedBlur)) return;
     at[i] += way, held[i] = any = true;
   }

@@ -5,7 +5,6 @@
 // off the fibre of the closed form's group of three. Surfaces, and linkages of five and six joints, are not read. Scalar.
 #pragma once
 
-#include <cstdint>
 #include <utility>
 
 #include "singular/crossed.hpp"
@@ -13,29 +12,23 @@
 #include "singular/into_limits.hpp"
 #include "singular/into_place.hpp"
 #include "singular/next_to_motion.hpp"
+#include "singular/read.hpp"
 
 namespace pieper::PIEPER_ISA {
-
-// All there is at a pose.
-struct Read {
-  struct Row {
-    double q[6];   // rad; lengths
-    int branches;  // that merge in it
-    int motion;    // the self-motion it stands for, or -1
-    bool singular;
-  };
-  std::vector<Row> rows;
-  std::vector<SelfMotionRead> motions;
-};
 
 class Look {
  public:
   Look(const SixJoints& arm, const Limits& limits)
-      : arm_(arm), limits_(limits), groups_(groups_of(arm)), next_to_{arm} {}
+      : arm_(arm),
+        limits_(limits),
+        groups_(groups_of(arm)),
+        departs_(departs(arm)),
+        held_(10 * std::fmax(kOnCurve, departs_)),
+        next_to_{arm} {}
 
   // What there is at T, of which a closed-form kernel gave rows (count x 6); false where that cannot be read off.
   bool operator()(const Rigid& T, const double* rows, int count, Read& out) const {
-    out.rows.clear(), out.motions.clear();
+    out.clear();
     if (count == 0) return false;
     std::vector<Root> alone;
     std::vector<Unsure> unsure;
@@ -61,13 +54,13 @@ class Look {
       if (!singular_row(T, q, at, d, {rows, count}, unsure, alone, out.motions)) return false;
     }
     if (clear) {
-      for (int k = 0; k < count; ++k) add(rows + 6 * k, 1, -1, false, out);
+      for (int k = 0; k < count; ++k) out.add(arm_, rows + 6 * k, 1, -1, false);
       return true;
     }
     if (out.motions.empty() && regular.size() + alone.size() < kMostSolutions &&
         !searched(T, regular.size(), unsure, alone))
       return false;
-    if (!apart(T, alone)) return false;
+    one_of_each(arm_, T, alone);
     int branches = 0;
     for (const Root& root : alone) branches += root.branches;
     std::vector<int> isolated;
@@ -78,24 +71,17 @@ class Look {
     }
     // rows of a pose come in an even number, self-motions and double roots counted twice: another number is not believed
     if ((isolated.size() + branches) % 2) return false;
-    for (int k : isolated) add(rows + 6 * k, 1, -1, false, out);
+    for (int k : isolated) out.add(arm_, rows + 6 * k, 1, -1, false);
     for (Root& root : alone) {
       for (bool turns : {false, true}) into_limits(arm_, T, limits_, turns, root.q);
-      add(root.q, root.branches, -1, true, out);
+      out.add(arm_, root.q, root.branches, -1, true);
     }
     for (std::size_t k = 0; k < out.motions.size(); ++k) {
       double q[6];
       std::visit([&](const auto& motion) { motion.representative(arm_, limits_, q); }, out.motions[k]);
-      add(q, 1, static_cast<int>(k), true, out);
+      out.add(arm_, q, 1, static_cast<int>(k), true);
     }
-    std::stable_sort(out.rows.begin(), out.rows.end(), [&](const Read::Row& a, const Read::Row& b) {
-      for (int i = 0; i < kSix; ++i) {
-        const double grid = arm_.slides[i] ? kRowOrderGrid / arm_.length : kRowOrderGrid,
-                     x = std::nearbyint(a.q[i] / grid), y = std::nearbyint(b.q[i] / grid);
-        if (x != y) return x < y;
-      }
-      return false;
-    });
+    out.in_order(arm_);
     return true;
   }
 
@@ -140,23 +126,11 @@ class Look {
     return false;
   }
 
-  // What axes may miss for rounding.
-  static double rounding_at(const Standing& at) {
+  // What axes may miss for rounding, and as the arm departs from what it is taken for: each of four by as much.
+  double rounding_at(const Standing& at) const {
     double farthest = 0;
     for (const Vec3& o : at.o) farthest = std::fmax(farthest, largest(o));
-    return kInOneLine * (1 + farthest);
-  }
-
-  void add(const double* q, int branches, int motion, bool singular, Read& out) const {
-    Read::Row row{{}, branches, motion, singular};
-    for (int i = 0; i < kSix; ++i) row.q[i] = arm_.slides[i] ? q[i] : in_one_turn(q[i]);
-    out.rows.push_back(row);
-  }
-
-  // An angle in (-pi, pi]; a rounding away from -pi it is pi, so that it does not change places with its twin.
-  static double in_one_turn(double q) {
-    if (!(q > -kPi && q <= kPi)) q = kPi - (kPi - q - kTwoPi * std::floor((kPi - q) / kTwoPi));
-    return q < kOrthogonal - kPi ? kPi : q;
+    return std::fmax(kInOneLine, 4 * departs_) * (1 + farthest);
   }
 
   bool singular_row(const Rigid& T, const double* q, const Standing& at, const SingularSix& d, const Rows& rows,
@@ -229,7 +203,7 @@ class Look {
     }
     if (gap > kNextToLinkage) return true;
     // joints outside the linkage may make up for what it misses, or move it by so much unnoticed: a second look tells
-    const bool unnoticed = gap * d.s[4] <= kUnnoticed * d.s[0];
+    const bool unnoticed = gap * d.s[4] <= unnoticed_ * d.s[0];
     if (unnoticed && (line ? in_line(T, q, i, j, motions) : in_a_linkage(T, q, bar, motions))) free = Free::SELF_MOTION;
     // beside a line of a group there are the wrist's two, whatever the singular value; beside others roots stand apart as far as it is
     // of the gap, and are known to rounding over it
@@ -265,7 +239,7 @@ class Look {
   bool brought(const Rigid& T, const double* q, std::vector<SelfMotionRead>& motions, Gap gap) const {
     double there[6];
     std::copy(q, q + kSix, there);
-    if (!(into_place(arm_, T, gap, there) < kUnnoticed)) return false;
+    if (!(into_place(arm_, T, gap, there) < unnoticed_)) return false;
     const Standing at(arm_, there);
     for (const Group3& group : groups_) {
       const Fibre fibre = fibre_over(arm_, group, there, at, rounding_at(at));
@@ -349,14 +323,14 @@ class Look {
       if (const auto* linkage = std::get_if<LinkageSelfMotion>(&one)) {
         for (int k = 0; k < 7; ++k) {
           linkage->point(k / 6.0, at);
-          if (missed_at(arm_, at, T) > 10 * kOnCurve) return false;
+          if (missed_at(arm_, at, T) > held_) return false;
         }
         linkage->point(0.377, at);
       } else {
         const LineSelfMotion& line = std::get<LineSelfMotion>(one);
         std::copy(line.through, line.through + kSix, at);
         at[line.i] += 0.377, at[line.j] -= 0.377 * line.sense;
-        if (missed_at(arm_, at, T) > 10 * kOnCurve) return false;
+        if (missed_at(arm_, at, T) > held_) return false;
       }
       bool known = false;
       for (const auto* some : {&std::as_const(motions), &std::as_const(fresh)})
@@ -369,20 +343,11 @@ class Look {
     return true;
   }
 
-  // Makes one of roots that rounding cannot tell apart.
-  bool apart(const Rigid& T, std::vector<Root>& alone) const {
-    double least = INFINITY;
-    for (std::size_t a = 0; a < alone.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b) least = std::fmin(least, arm_.apart(alone[a].q, alone[b].q));
-    if (least >= kMergedBlur) return true;
-    distinct_roots(arm_, T, alone);
-    for (Root& root : alone) root.branches = branches_at(arm_, T, root.q);
-    return true;
-  }
-
   SixJoints arm_;
   Limits limits_;
   std::vector<Group3> groups_;
+  double departs_, held_,
+      unnoticed_;  // what points of its self-motions may miss the pose by, and axes in place cost it
   NextToMotion next_to_;
 };
 

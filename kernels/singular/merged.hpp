@@ -32,8 +32,8 @@ class Bracket {
   double before_[6] = {};
 };
 
-// What the null direction misses to second order, per square of its motion.
-inline double bend_of(const double (*J)[6], const SingularSix& d) {
+// What the null direction misses to second order along `pose[5]`, per square of its motion.
+inline double second_order(const double (*J)[6], const SingularSix& d) {
   Bracket bracket;
   for (int i = 0; i < kSix; ++i) {
     double x[6];
@@ -42,8 +42,9 @@ inline double bend_of(const double (*J)[6], const SingularSix& d) {
   }
   double bend = 0;
   for (int r = 0; r < 6; ++r) bend += 0.5 * d.pose[5][r] * bracket.sum[r];
-  return std::fabs(bend);
+  return bend;
 }
+inline double bend_of(const double (*J)[6], const SingularSix& d) { return std::fabs(second_order(J, d)); }
 
 // How many branches merge where that much is missed to second order; 0 where that is too little.
 inline int branches_of_fold(double bend, const SingularSix& d) {
@@ -173,6 +174,16 @@ inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Roo
   }
   roots.clear();
   for (const Row& row : kept) roots.push_back(row.root);
+}
+
+// Makes one of roots that rounding cannot tell apart.
+inline void one_of_each(const SixJoints& arm, const Rigid& T, std::vector<Root>& roots) {
+  double least = INFINITY;
+  for (std::size_t a = 0; a < roots.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) least = std::fmin(least, arm.apart(roots[a].q, roots[b].q));
+  if (least >= kMergedBlur) return;
+  distinct_roots(arm, T, roots);
+  for (Root& root : roots) root.branches = branches_at(arm, T, root.q);
 }
 
 }  // namespace pieper::PIEPER_ISA

@@ -2,6 +2,9 @@
 // that stands for each. Scalar; rad and lengths.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "singular/four_bar.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -140,8 +143,7 @@ struct LinkageSelfMotion {
     double turned[4], angle = start() + kTwoPi * u;
     switch (course) {
       case Course::BACK:
-        angle = (low + high) / 2 - (high - low) / 2 * std::cos(kTwoPi * u);
-        bar.turned(lead, angle, u - std::floor(u) < 0.5 ? 1 : -1, turned);
+        bar.back(lead, low, high, u, turned);
         break;
       case Course::ABOVE:
         bar.turned(lead, angle, 1, turned);
@@ -154,8 +156,7 @@ struct LinkageSelfMotion {
         bar.closed(lead, angle, bar.opposite(lead).phase + sense() * (angle - bar.side[lead][0].phase), turned);
         break;
       case Course::ROUND_TWICE:
-        angle = start() + 2 * kTwoPi * u;
-        bar.turned(lead, angle, way_at(angle), turned);
+        bar.twice(lead, low, start() + 2 * kTwoPi * u, turned);
         break;
     }
     std::copy(through, through + kSix, q);
@@ -177,22 +178,16 @@ struct LinkageSelfMotion {
       case Course::AGAINST:
         return std::fabs(short_way(across - sense() * (angle - bar.side[lead][0].phase))) < kLinkageTogether;
       case Course::ROUND_TWICE:
-        u /= 2;
-        if (way_at(start() + 2 * kTwoPi * u) != (opposite >= 0 ? 1.0 : -1.0)) u += 0.5;
+        u = (bar.place_twice(lead, low, angle, turned[(lead + 2) % 4]) - start()) / (2 * kTwoPi);
+        u -= std::floor(u);
         return true;
       case Course::BACK:
         break;
     }
-    const double off = short_way(angle - (low + high) / 2), half = (high - low) / 2;
-    u = std::acos(std::fmin(std::fmax(-off / half, -1.0), 1.0)) / kTwoPi;
-    if (opposite < 0) u = 1 - u;
+    u = bar.place_back(lead, low, high, angle, turned[(lead + 2) % 4]);
     u -= std::floor(u);
+    const double off = short_way(angle - (low + high) / 2), half = (high - low) / 2;
     return std::fabs(off) <= half * (1 + kOnCourse) + kOnCourseTurn;
-  }
-  // On which side of its phase the joint opposite is on a course that goes round twice.
-  double way_at(double angle) const {
-    const double turns = std::floor((angle - low) / kTwoPi);
-    return turns - 2 * std::floor(turns / 2) == 0 ? 1 : -1;
   }
 
   bool holds(const SixJoints& arm, const double* q, double tolerance) const {
@@ -206,38 +201,76 @@ struct LinkageSelfMotion {
     return arm.apart(at, q) < std::sqrt(tolerance);
   }
 
-  // Values of u where a joint meets a limit, the ends of [0, 1] included, ascending; any joint of a linkage may lead.
-  int crossings(const Limits& limits, double* ends) const {
-    int count = 0;
-    ends[count++] = 0, ends[count++] = 1;
+  // Values of u where a joint meets a limit that lies `beyond` further out, the ends of [0, 1] included, ascending; any joint of a
+  // linkage may lead.
+  std::vector<double> crossings(const Limits& limits, double beyond) const {
+    std::vector<double> ends = {0, 1};
     for (int k = 0; k < 4; ++k) {
       const int joint = bar.joint[k];
       if (limits.upper[joint] - limits.lower[joint] >= kTwoPi) continue;
-      for (double value : {limits.lower[joint], limits.upper[joint]}) {
+      for (double value : {limits.lower[joint] - beyond, limits.upper[joint] + beyond}) {
         if (!std::isfinite(value)) continue;
         for (double way : {1.0, -1.0}) {
           double turned[4], u;
-          if (bar.turned(k, short_way(value - through[joint]), way, turned) && place(turned, u)) ends[count++] = u;
+          if (bar.turned(k, short_way(value - through[joint]), way, turned) && place(turned, u)) ends.push_back(u);
         }
       }
     }
-    std::sort(ends, ends + count);
-    return static_cast<int>(std::unique(ends, ends + count) - ends);
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    return ends;
+  }
+
+  struct Stretch {
+    double from, to;
+  };
+
+  // Where it is inside limits, ascending. What limits with their slack leave is sought, so that a posture with several joints at their
+  // limits has a stretch however short; its ends are then where the limits themselves are met.
+  std::vector<Stretch> inside(const SixJoints& arm, const Limits& limits) const {
+    const std::vector<double> ends = crossings(limits, kLimitSlack);
+    std::vector<double> exact;
+    std::vector<Stretch> out;
+    bool open = false;
+    for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
+      double q[6];
+      point((ends[n] + ends[n + 1]) / 2, q);
+      bool ok = true;
+      for (int i = 0; i < kSix; ++i) ok &= turned_inside(q[i], arm.slides[i], limits.lower[i], limits.upper[i]);
+      if (ok && open) out.back().to = ends[n + 1];
+      else if (ok) out.push_back({ends[n], ends[n + 1]});
+      open = ok;
+    }
+    if (!out.empty()) exact = crossings(limits, 0);
+    for (Stretch& stretch : out) {
+      std::vector<double> at = {stretch.from};
+      for (double u : exact)
+        if (u > stretch.from && u < stretch.to) at.push_back(u);
+      at.push_back(stretch.to);
+      std::size_t first = at.size(), last = 0, best = 0;
+      double least = INFINITY;
+      for (std::size_t n = 0; n < at.size(); ++n) {
+        if (n + 1 < at.size() && outside(limits, (at[n] + at[n + 1]) / 2) <= 0)
+          first = std::min(first, n), last = n + 1;
+        const double out_by = outside(limits, at[n]);
+        if (out_by < least) least = out_by, best = n;
+      }
+      stretch = first < last ? Stretch{at[first], at[last]} : Stretch{at[best], at[best]};
+    }
+    return out;
   }
 
   // The point with the smallest joint values of those inside the limits, or of all, among even steps of u: every few at first, then
   // all those about the best.
   void representative(const SixJoints& arm, const Limits& limits, double* q) const {
-    double ends[18], cost = INFINITY;
-    struct Stretch {
+    double cost = INFINITY;
+    struct Steps {
       double from, to;
       int steps, best;
       double u(int k) const { return k + 1 == steps ? to : from + k * ((to - from) / (steps - 1)); }
     } best{0, 1, kLinkageSamples, 0};
-    const int count = crossings(limits, ends);
-    bool any = false;
     double at[6];
-    auto offer = [&](const Stretch& along, int k) {
+    auto offer = [&](const Steps& along, int k) {
       point(along.u(k), at);
       double square = 0;
       for (int i = 0; i < kSix; ++i) {
@@ -247,35 +280,33 @@ struct LinkageSelfMotion {
       const double now = std::nearbyint(std::sqrt(square) * 1e6);  // rounding makes equal costs unequal: a coarse key
       if (now < cost) cost = now, best = along, best.best = k, std::copy(at, at + kSix, q);
     };
-    auto spread = [&](const Stretch& along) {
+    auto spread = [&](const Steps& along) {
       const int stride = along.steps > 2 * kLinkageStride ? kLinkageStride : 1;
       for (int k = 0; k < along.steps; k += stride) offer(along, k);
       if (stride > 1) offer(along, along.steps - 1);
     };
-    for (int n = 0; n + 1 < count;) {
-      auto inside = [&](int m) {
-        bool ok = true;
-        point((ends[m] + ends[m + 1]) / 2, at);
-        for (int i = 0; i < kSix; ++i) ok &= turned_inside(at[i], arm.slides[i], limits.lower[i], limits.upper[i]);
-        return ok;
-      };
-      if (!inside(n)) {
-        ++n;
-        continue;
-      }
-      const double from = ends[n];
-      while (n + 1 < count && inside(n)) ++n;
-      const double to = ends[n];
-      const int steps = std::max(3, 1 + static_cast<int>(std::ceil((to - from) * (kLinkageSamples - 1))));
-      spread({from, to, steps, 0});
-      any = true;
-    }
-    if (!any) spread({0, 1, kLinkageSamples, 0});
-    const Stretch about = best;
+    const std::vector<Stretch> stretches = inside(arm, limits);
+    for (const Stretch& one : stretches)
+      spread({one.from, one.to,
+              std::max(3, 1 + static_cast<int>(std::ceil((one.to - one.from) * (kLinkageSamples - 1)))), 0});
+    if (stretches.empty()) spread(best);
+    const Steps about = best;
     if (about.steps <= 2 * kLinkageStride) return;
     for (int k = std::max(0, about.best - kLinkageStride + 1); k < std::min(about.steps, about.best + kLinkageStride);
          ++k)
       offer(about, k);
+  }
+
+ private:
+  // How far (rad) the linkage's own joints are outside their limits at most, whole turns counted.
+  double outside(const Limits& limits, double u) const {
+    double q[6], most = 0;
+    point(u, q);
+    for (int joint : bar.joint) {
+      const double value = unwound(q[joint], q[joint], limits.lower[joint], limits.upper[joint]);
+      most = std::fmax(most, std::fmax(limits.lower[joint] - value, value - limits.upper[joint]));
+    }
+    return most;
   }
 };
 

@@ -1,12 +1,11 @@
-// A profile of the path's parameter evened out over a window of time, and what a curve under a profile uses of its limits,
-// jerk included.
+// A profile of the path's parameter evened out over a window of time, and split where the curve's pieces meet.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "time_law/in_time.hpp"
+#include "time_law/timed_path.hpp"
 
 namespace pieper {
 
@@ -140,64 +139,6 @@ inline Profile split_at(const Profile& p, const CubicPieces& curve, double momen
   Walk walk(p);
   for (long k = 0; k < out.pieces(); ++k) walk.at(out.t[k], &out.c[4 * k]);
   return out;
-}
-
-// What is kept: limits of the joints; on piece k of the grid (cells + 1 places s) the part share[k] of the speeds.
-struct Bounds {
-  const double *speed, *acceleration, *jerk;
-  long cells;
-  const double *s, *share;
-};
-
-// The largest parts of each joint's speed, acceleration and jerk (rows 3 j, 3 j + 1, 3 j + 2 of `pieces`) under a profile
-// split by `split_at`, and the largest ds/dt of each piece. Proved where `coefficients` (places x places, from values at
-// even places to Bernstein coefficients) are given, else the largest of three values.
-inline void jerk_ratios(const CubicPieces& curve, const Profile& p, const Bounds& bounds, const double* coefficients,
-                        int places, double* out, double* fastest) {
-  const int n = curve.joints;
-  const long pieces = p.pieces();
-  std::vector<double> values(3 * places), r(places), rate(places), bend(places);
-  auto most = [&](const double* v) {
-    double best = 0;
-    for (int k = 0; k < places; ++k) {
-      double sum = v[k];
-      if (coefficients) {
-        sum = 0;
-        for (int i = 0; i < places; ++i) sum += coefficients[k * places + i] * v[i];
-      }
-      best = std::max(best, std::fabs(sum));
-    }
-    return best;
-  };
-  long at = 0, cell = 0;
-  for (long k = 0; k < pieces; ++k) {
-    const double *c = &p.c[4 * k], h = p.t[k + 1] - p.t[k];
-    for (int i = 0; i < places; ++i) {
-      const double tau = h * i / (places - 1);
-      r[i] = c[0] + tau * (c[1] + tau * (c[2] / 2 + tau * c[3] / 6));
-      rate[i] = c[1] + tau * (c[2] + tau * c[3] / 2);
-      bend[i] = c[2] + tau * c[3];
-    }
-    // each piece has one piece of the curve, that of its middle, and is looked at beyond its ends if rounding wants it
-    const double middle = r[places / 2];
-    while (at + 1 < curve.cells && middle >= curve.s[at + 1]) ++at;
-    while (cell + 1 < bounds.cells && middle >= bounds.s[cell + 1]) ++cell;
-    for (int i = 0; i < places; ++i) r[i] -= curve.s[at];
-    fastest[k] = most(rate.data());
-    const double sharp = c[3];
-    for (int j = 0; j < n; ++j) {
-      const double d1 = curve.d1[at * n + j], d2 = curve.d2[at * n + j], d3 = curve.d3[at * n + j];
-      for (int i = 0; i < places; ++i) {
-        const double q2 = d2 + r[i] * d3, q1 = d1 + r[i] * (d2 + r[i] * d3 / 2), v = rate[i];
-        values[i] = q1 * v;
-        values[places + i] = q2 * v * v + q1 * bend[i];
-        values[2 * places + i] = d3 * v * v * v + 3 * q2 * v * bend[i] + q1 * sharp;
-      }
-      const double limits[] = {bounds.speed[j] * bounds.share[cell], bounds.acceleration[j], bounds.jerk[j]};
-      for (int what = 0; what < 3; ++what)
-        out[(3 * j + what) * pieces + k] = most(&values[what * places]) / limits[what];
-    }
-  }
 }
 
 }  // namespace pieper

@@ -169,6 +169,31 @@ class Selection:
     def in_turn(self, q: Array, inside: Bools, start: ArrayLike | None, chosen: Array, has: Bools) -> None:
         """The same, each near to the one chosen before it."""
 
+class Linkage:
+    """A self-motion of four joints that are a linkage, of six."""
+
+    def __init__(
+        self,
+        chain: Forward,
+        through: Array,
+        joints: Indices,
+        axes: Array,
+        spots: Any,
+        senses: Array,
+        lead: int,
+        low: float,
+        high: float,
+        course: int,
+    ) -> None: ...
+    def points(self, u: Array) -> Array:
+        """(k,) -> (k, 6), angles the short way round from `through`."""
+
+    def place(self, q: Array) -> float:
+        """(6,) -> u; NaN where q is not on this piece of the curve."""
+
+    def inside(self, lower: ArrayLike, upper: ArrayLike) -> Array:
+        """(6,), (6,) -> intervals of u (k, 2)."""
+
 class CarefulLook:
     """What is free at a singular pose of six joints, read off the axes of a solver's rows."""
 
@@ -179,6 +204,7 @@ class CarefulLook:
         *,
         lower: ArrayLike,
         upper: ArrayLike,
+        closed_form: bool,
     ) -> None: ...
     def one(self, T: ArrayLike, q: ArrayLike, flag: int) -> tuple[Any, ...] | None:
         """What `pieper.solver.native.Read` holds of a pose (4, 4), rows (m, 6), flag; None if not read off."""
@@ -261,8 +287,12 @@ def peak_ratios(
 def in_time(
     *, s: Array, q: Array, d1: Array, d2: Array, d3: Array, t: Array, c: Array, times: Array
 ) -> tuple[Array, Array, Array, Array, Array]: ...
-def spline(s: ArrayLike, q: ArrayLike) -> Array:
-    """(N,), (N, n) -> (N, n) second derivatives of the cubic spline through points."""
+def spline(s: ArrayLike, q: ArrayLike) -> tuple[Array, Array, Array]:
+    """(N,), (N, n) -> three (N - 1, n): the derivatives at the beginning of each piece of the cubic spline."""
+
+def strays(s: ArrayLike, d2: ArrayLike, d3: ArrayLike) -> float: ...
+def tightest(values: ArrayLike, least: float) -> tuple[tuple[int, int, int], ...]:
+    """Runs of pieces (first, one behind the last, row) on which one row of values (r, k) is largest, at least so much."""
 
 def fastest(
     *,
@@ -272,6 +302,8 @@ def fastest(
     d3: ArrayLike,
     speed: ArrayLike,
     acceleration: ArrayLike,
+    share: ArrayLike,
+    easing: ArrayLike,
     a: ArrayLike,
     b: ArrayLike,
     c: ArrayLike,

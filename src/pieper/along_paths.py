@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -63,7 +64,7 @@ class AlongPaths(AtScale):
 
         Raises:
             InputError: What was given is impossible; the message says what, what is allowed, and the cure.
-            PlanError: The arm's joints are coupled, or it cannot tilt its tool.
+            PlanError: The arm's joints are coupled in parts of turns, or it cannot tilt its tool.
         """
         from pieper.motion.route.freedom import checked_freedom
         from pieper.motion.route.route import route
@@ -111,16 +112,20 @@ class AlongPaths(AtScale):
 
     def _plans_of(self, free: Freedom) -> tuple[Plan, Plan]:
         """Return the plan of the arm with the axis meant as its tool's z, and that of what a freedom leaves."""
-        from pieper.motion.route.setting import with_turn_limits
+        from pieper.motion.route.setting import limits_of_axes, with_turn_limits
 
         if not free.turns and free.cone == 0 and free.interval == (0.0, 0.0):
             return self.plan, self.plan
-        if free.axis == "z":
+        if free.axis == "z" and self.plan.uncoupled is None:
             return self.plan, with_turn_limits(self.plan_for("position+axis"), free)
-        turned = change.with_tool(self.description, self.description.tool @ free.to_z)
+        turned = self.description
+        if free.axis != "z":
+            turned = change.with_tool(turned, turned.tool @ free.to_z)
         chain = chain_of(turned)
         own = make_plan(chain, turned, task=None)
-        return own, with_turn_limits(make_plan(chain, turned, task="position+axis"), free)
+        # of coupled joints the axes are solved, with the limits of those that one joint moves alone
+        axes = replace(turned, coupling=None, limits=limits_of_axes(chain.coupling, turned.limits))
+        return own, with_turn_limits(make_plan(chain.uncoupled, axes, task="position+axis"), free)
 
     def _keep(self, clearance: float, singularity: float, scene: Scene | None) -> Keep:
         from pieper.collision.scene import Scene

@@ -48,6 +48,10 @@ class AtScale:
         """How the arm is solved for its default task."""
         raise NotImplementedError
 
+    def plan_for(self, task: str | None) -> Plan:
+        """Return how the arm is solved for a task; its own where none is said."""
+        raise NotImplementedError
+
     def __getstate__(self) -> dict[str, Any]:
         """What pickle keeps: all but the models of scenes, which are made again."""
         return {key: value for key, value in self.__dict__.items() if key != "_models"}
@@ -227,6 +231,7 @@ class AtScale:
         progress: Callable[[int, int], None] | None = None,
         measure: bool = False,
         scene: Scene | None = None,
+        task: str | None = None,
     ) -> ReachMap:
         """Fill a box with answers: where the tool gets inside the limits, in which orientations; see docs/maps.md.
 
@@ -243,18 +248,21 @@ class AtScale:
             measure: Also keep manipulability, distance to limits, aspects and nearness to singular of each voxel.
             scene: What stands around the arm: only solutions count that touch neither it nor the arm itself; an empty
                 scene for the arm alone. Without it collisions do not count.
+            task: "pose", "position" or "position+axis". None: the arm's own, but where an arm of fewer than six joints
+                is asked in sampled directions, which it cannot hold, what it can; `explain` says which.
 
         Raises:
             InputError: A box or step that is none or in millimetres, a store of another map, a map too large to hold.
         """
-        from pieper.maps.reach_map import reach_map
+        from pieper.maps.reach_map import reach_map, task_of_samples
 
         around = None
         if scene is not None:
             from pieper.maps.around import Around
 
             around = Around(self.description, self.chain, self.bodies, self._collision_model(scene).scene)
-        return reach_map(self.plan, box, step, orientations, symmetry, store, executor, progress, measure, around)
+        plan = task_of_samples(self.plan_for, task, orientations)
+        return reach_map(plan, box, step, orientations, symmetry, store, executor, progress, measure, around)
 
     def aspects(self, q: ArrayLike | str) -> Aspects:
         """Return sign (...,) of the Jacobian's determinant and its smallest singular value, at joint vectors (..., n).

@@ -137,6 +137,10 @@ def _limits(limits: Sequence[float] | None) -> list[float | None] | None:
         low, high = (float(v) for v in limits)
     except (TypeError, ValueError):
         raise InputError(f"limits must be (lo, hi), m or rad, got {limits!r}.", given=repr(limits)) from None
+    if np.isnan(low) or np.isnan(high):
+        raise InputError(
+            f"limits must be two numbers, m or rad, infinite for none, got ({low:g}, {high:g}).", given=limits
+        )
     if not low < high:
         raise InputError(f"limits must have the lower end first, got ({low:g}, {high:g}).", given=(low, high))
     return [low, high]

@@ -36,6 +36,23 @@ needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
 needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="no node")
 
 
+def written_down(T):
+    """Return poses (N, 4, 4) of which every second one is rounded, as people and files round: to digits, to float32."""
+    T = T.copy()
+    for k, places in enumerate((6, 8, 10, 12)):
+        T[1 + 2 * k :: 10] = np.round(T[1 + 2 * k :: 10], places)
+    T[9::10] = np.float32(T[9::10])
+    return T
+
+
+def no_poses():
+    """Return matrices (6, 4, 4) that are no rigid motion: scaled, sheared, a mirror, no numbers, another last row."""
+    T = np.tile(np.eye(4), (6, 1, 1))
+    T[0, :3, :3] *= 1.001
+    T[1, 0, 1], T[2, 2, 2], T[3, 0, 0], T[4, 0, 3], T[5, 3, 3] = 1e-3, -1.0, np.nan, np.inf, 1.1
+    return T
+
+
 def poses(arm, count=POSES, seed=3):
     rng = np.random.default_rng(seed)
     reach = np.where(arm.chain.prismatic, 1.0, np.pi)[:, None] * [-1.0, 1.0]
@@ -76,7 +93,8 @@ def test_c_gives_the_native_rows(name, tmp_path):
         "0 of 20 poses failed" in subprocess.run([tmp_path / "arm"], capture_output=True, text=True, check=True).stdout
     )
     solver, numbers = ctypes.CDLL(str(library)), ctypes.POINTER(ctypes.c_double)
-    q, T = poses(arm)
+    q, exact = poses(arm)
+    T = written_down(exact)
     rows, inside, unclear = [], [], []
     room, flag = np.zeros((8, 6)), ctypes.c_int()
     for pose in T:
@@ -91,6 +109,10 @@ def test_c_gives_the_native_rows(name, tmp_path):
     J = np.zeros((6, 6))
     solver.one_jacobian(q[0].ctypes.data_as(numbers), J.ctypes.data_as(numbers))
     assert np.abs(J - arm.jacobian(q[0])).max() < 1e-13
+    for pose in no_poses():
+        at = pose.ctypes.data_as(numbers)
+        assert solver.one_ik(at, room.ctypes.data_as(numbers)) == -1
+        assert solver.one_ik_all(at, room.ctypes.data_as(numbers), ctypes.byref(flag)) == -1
     solver.one_label.restype = ctypes.c_char_p
     said = [solver.one_label(row.ctypes.data_as(numbers)).decode() for row in q[:500]]
     assert said == posture_words(arm.plan, q[:500])
@@ -102,17 +124,34 @@ def test_numpy_gives_the_native_rows(name, tmp_path):
     text = (path := arm.code("python", tmp_path / "solver.py")).read_text()
     assert set(re.findall(r"^(?:import|from) (\w+)", text, re.M)) == {"numpy"}
     solver = loaded(path)
-    q, T = poses(arm)
+    q, exact = poses(arm)
+    T = written_down(exact)
     rows, valid, unclear = solver.ik_all(T)
     assert differing(arm, T, [r[v] for r, v in zip(rows, valid, strict=True)], unclear) == 0
     assert solver.self_test() == 0
-    assert np.abs(solver.fk(q) - T).max() < 1e-12
+    assert np.abs(solver.fk(q) - exact).max() < 1e-12
+    for k, pose in enumerate(no_poses()):
+        with pytest.raises(ValueError, match="pose 0 is no rigid motion"):
+            solver.ik(pose)
+        with pytest.raises(ValueError, match=f"pose {k + 1} is no rigid motion"):
+            solver.ik_all(np.concatenate([T[: k + 1], pose[None]]))
     assert np.abs(solver.jacobian(q[:50]) - arm.jacobian(q[:50])).max() < 1e-12
     edges = np.round(q[:500] / (np.pi / 2)) * (np.pi / 2)
     # where the wrist stands on axis 1, rounding decides which way somebody faces
     edges = edges[np.abs(sides(arm.plan, edges)[0].values) > NO_SIDE]
     assert [solver.label(row) for row in [*q, *edges]] == posture_words(arm.plan, np.concatenate([q, edges]))
     assert differing(arm, T[:50], [solver.ik(pose) for pose in T[:50]], unclear, inside=True) == 0
+
+
+#: What ik says of matrices that are no rigid motion, in JavaScript.
+REFUSED_BY_NODE = (
+    ", ".join(
+        f"(() => {{ try {{ return ik({row.tolist()}).length; }} catch (e) {{ return e.message.slice(12, 27); }} }})()"
+        for row in no_poses().reshape(-1, 16)
+    )
+    .replace("inf", "Infinity")
+    .replace("nan", "NaN")
+)
 
 
 def said_by_node(folder, T, program):
@@ -135,17 +174,18 @@ def test_javascript_gives_the_native_rows(name, tmp_path):
     arm = pieper.load(name)
     arm.code("javascript", tmp_path / "solver.mjs")
     arm.code("javascript", tmp_path / "solver.js")
-    _, T = poses(arm)
+    T = written_down(poses(arm)[1])
     said = said_by_node(
         tmp_path,
         T,
         "import { ikAll, ik, fk, label, selfTest } from './solver.mjs';\n"
+        f"const refused = [{REFUSED_BY_NODE}];\n"
         "const T = fk(out[0].rows[0]);\n"
         "const names = out.slice(0, 500).map((o) => o.rows.map(label));\n"
-        "const counts = { failed: selfTest(), rows: ik(T).length, flat: ik(T.flat()).length };\n"
+        "const counts = { refused, failed: selfTest(), rows: ik(T).length, flat: ik(T.flat()).length };\n"
         "console.log(JSON.stringify({ out, names, ...counts }));\n",
     )
-    assert said["failed"] == 0
+    assert said["failed"] == 0 and said["refused"] == ["no rigid motion"] * 6
     assert said["rows"] == said["flat"]
     assert differing(arm, T, [r["rows"] for r in said["out"]], [r["unclear"] for r in said["out"]]) == 0
     for found, names in zip(said["out"], said["names"], strict=False):

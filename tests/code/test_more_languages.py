@@ -11,7 +11,16 @@ import pytest
 
 import pieper
 from pieper.solver.words.labels import posture_words
-from tests.code.test_export import ARMS, differing, loaded, poses, said_by_node
+from tests.code.test_export import (
+    ARMS,
+    REFUSED_BY_NODE,
+    differing,
+    loaded,
+    no_poses,
+    poses,
+    said_by_node,
+    written_down,
+)
 
 needs_octave = pytest.mark.skipif(shutil.which("octave-cli") is None, reason="no octave")
 needs_wasm = pytest.mark.skipif(
@@ -33,7 +42,9 @@ def octave(folder, script):
 def test_matlab_gives_the_native_rows(name, tmp_path):
     arm = pieper.load(name)
     assert arm.code("matlab", tmp_path / "robot.m", "one") == tmp_path / "robot.m"
-    q, T = poses(arm, 150)
+    q, exact = poses(arm, 150)
+    T = written_down(exact)
+    np.savetxt(tmp_path / "no.txt", no_poses().reshape(-1, 16), fmt="%.17g")
     np.savetxt(tmp_path / "T.txt", T.reshape(-1, 16), fmt="%.17g")
     np.savetxt(tmp_path / "q0.txt", q[:1], fmt="%.17g")
     octave(
@@ -47,8 +58,11 @@ def test_matlab_gives_the_native_rows(name, tmp_path):
         "dlmwrite('fk.txt', [P(:)', J(:)'], 'precision', '%.17g', 'delimiter', ' ');\n"
         "dlmwrite('failed.txt', one_self_test());\nfile = fopen('names.txt', 'w');\n"
         "for i = 1:size(out, 1)\n  fprintf(file, '%s\\n', one_label(out(i, 4:9)));\nend\nfclose(file);\n"
-        "disp('run_it done')\n",
+        "no = load('no.txt'); refused = 0;\nfor i = 1:size(no, 1)\n  try, s.ik(reshape(no(i, :), 4, 4)');\n"
+        "  catch e, refused = refused + ~isempty(strfind(e.message, 'no rigid motion')); end\nend\n"
+        "dlmwrite('refused.txt', refused);\ndisp('run_it done')\n",
     )
+    assert float(np.loadtxt(tmp_path / "refused.txt")) == 6
     out = np.loadtxt(tmp_path / "out.txt", delimiter=",", ndmin=2)
     for inside in (0, 1):
         part = out[out[:, 2] == inside]
@@ -79,11 +93,17 @@ def test_jax_gives_the_native_rows(name, tmp_path):
     pytest.importorskip("jax")
     arm = pieper.load(name)
     solver = loaded(arm.code("jax", tmp_path / "solver.py", "one"))
-    q, T = poses(arm)
+    q, exact = poses(arm)
+    T = written_down(exact)
     rows, valid, inside, unclear = map(np.asarray, solver._compiled(T))
     assert differing(arm, T, [r[v] for r, v in zip(rows, valid, strict=True)], unclear) == 0
     assert differing(arm, T, [r[v] for r, v in zip(rows, inside, strict=True)], unclear, inside=True) == 0
     assert np.asarray(solver.one_ik(T[0])).shape == solver.ik(T[0]).shape == (inside[0].sum(), 6)
+    for pose in no_poses():
+        with pytest.raises(ValueError, match="no rigid motion"):
+            solver.ik(pose)
+        there, mixed = solver.one_ik_all(np.stack([T[0], pose]))[1::2]
+        assert not there[1].any() and mixed[1]
     assert np.abs(np.asarray(solver.fk(q[0])) - T[0]).max() < 1e-12
     assert np.abs(np.asarray(solver.one_jacobian(q[0])) - arm.jacobian(q[0])).max() < 1e-12
     assert [solver.one_label(row) for row in q[:100]] == posture_words(arm.plan, q[:100])
@@ -97,7 +117,7 @@ def test_wasm_gives_the_native_rows(name, tmp_path):
     arm = pieper.load(name)
     arm.code("wasm", tmp_path / "arm.wasm", "one")
     arm.code("wasm", tmp_path / "arm.mjs", "one")
-    _, T = poses(arm)
+    T = written_down(poses(arm)[1])
     said = said_by_node(
         tmp_path,
         T,
@@ -105,11 +125,11 @@ def test_wasm_gives_the_native_rows(name, tmp_path):
         "const module = new WebAssembly.Module(fs.readFileSync('arm.wasm'));\n"
         "const q = out[0].rows[0], T = fk(q);\n"
         "console.log(JSON.stringify({ out, q, J: jacobian(q), name: label(q), failed: selfTest(), rows: ik(T).length,\n"
-        "  bad: ik([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1]),\n"
+        f"  refused: [{REFUSED_BY_NODE}],\n"
         "  imports: WebAssembly.Module.imports(module).length,\n"
         "  exports: WebAssembly.Module.exports(module).map((e) => e.name) }));\n",
     )
-    assert said["failed"] == 0 and said["imports"] == 0 and said["bad"] is None
+    assert said["failed"] == 0 and said["imports"] == 0 and said["refused"] == ["no rigid motion"] * 6
     assert {"memory", "alloc", "one_ik", "one_fk", "one_ik_many"} <= set(said["exports"])
     assert np.abs(np.array(said["J"]) - arm.jacobian(np.array(said["q"]))).max() < 1e-12
     assert [said["name"]] == posture_words(arm.plan, np.array([said["q"]]))

@@ -15,7 +15,7 @@ import pytest
 
 import pieper
 from pieper.solver.words.labels import posture_words, sides
-from tests.code.test_export import loaded, needs_gcc, needs_node, poses
+from tests.code.test_export import loaded, needs_gcc, needs_node, poses, written_down
 from tests.code.test_more_languages import needs_octave, needs_wasm, octave
 
 
@@ -48,10 +48,11 @@ def held(arm):
 
 
 def asked(arm, count):
-    """Return joint vectors, their poses, and the native solutions at the values of joints to spare."""
+    """Return joint vectors, poses of which every second one is rounded, and their rows at values of spare joints."""
     q, T = poses(arm, count)
-    spare = held(arm)
-    return q, T, arm.ik_many(T, redundancy=None if spare is None else q[:, [spare]])
+    T, spare = written_down(T), held(arm)
+    many = arm.ik_many(T, redundancy=None if spare is None else q[:, [spare]])
+    return q, T, many
 
 
 def wrong(arm, many, found):
@@ -77,7 +78,7 @@ def test_numpy_takes_and_gives_the_joints_own_numbers(kind, tmp_path):
     assert wrong(arm, many, found) == 0 and solver.self_test() == 0
     values = () if spare is None else (q[:, spare],)
     assert np.array_equal(solver.ik_all(T, *values)[1].sum(1), many.valid.sum(1))
-    assert np.abs(solver.fk(q) - T).max() < 1e-13
+    assert np.abs(solver.fk(q)[::2] - T[::2]).max() < 1e-13
     assert np.abs(solver.jacobian(q[:9]) - arm.jacobian(q[:9])).max() < 1e-13
     assert [solver.label(row) for row in q[:30]] == names(arm, q[:30])
     assert not len(solver.ik(pieper.pose(40.0, 0, 0)))

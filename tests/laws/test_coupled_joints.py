@@ -93,6 +93,17 @@ def test_many_poses_come_out_as_one_by_one_and_the_nearest_row_is_the_nearest(na
         now = turn.nearest[i]
 
 
+def test_without_a_start_the_first_pose_takes_its_first_row_and_the_others_the_nearest_to_the_one_before():
+    arm, _, _, joints = coupled("motoman-gp8", 7)
+    Ts = arm.fk(joints)
+    many, turn = arm.ik_many(Ts), arm.ik_many(Ts, near="previous")
+    first = int(np.flatnonzero(many.in_limits.any(1))[0])
+    assert np.array_equal(turn.nearest[first], many.q[first][many.in_limits[first]][0])
+    for i in range(first + 1, len(Ts)):
+        if many.in_limits[i].any() and many.in_limits[i - 1].any():
+            assert np.abs(turn.nearest[i] - arm.ik(Ts[i]).nearest(turn.nearest[i - 1])).max() < 1e-7
+
+
 def test_a_self_motion_of_coupled_joints_holds_the_pose_and_its_joints():
     plain = pieper.load("motoman-gp8")
     C = np.eye(6)

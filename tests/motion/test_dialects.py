@@ -1,5 +1,7 @@
 """Programs for controllers: read back they are the same targets, and what a maker does not take is refused."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -180,3 +182,151 @@ def test_a_long_circle_is_written_in_pieces_of_less_than_half_a_turn(dialect, tu
         for t in pieper.read_program(file)[:-1]:
             for posture in (t.q_via, t.q):
                 assert abs(np.linalg.norm(arm.fk(posture)[:3, 3] - centre) - 0.03) < 2e-5
+
+
+#: How each dialect says the speed of a line or circle, and how many of its units are a metre a second.
+LINE_SPEED = {
+    "rapid": (r"speeddata vp[3-6]:=\[([\d.]+)", 1000.0),
+    "urscript": (r"mov[e][lc]\(.*v=([\d.]+)", 1.0),
+    "krl": (r"\$VEL\.CP=([\d.]+)", 1.0),
+    "fanuc-ls": (r" ([\d.]+)mm/sec", 1000.0),
+    "inform": (r"MOV[LC].* V=([\d.]+)", 1000.0),
+    "pacscript": (r"Move [LC].*' ([\d.]+) mm/s", 1000.0),
+}
+
+
+@pytest.mark.parametrize("dialect", LINE_SPEED)
+def test_every_line_says_its_own_speed_within_the_limit_of_the_tools(dialect, tmp_path):
+    name, degrees = AT_HOME[dialect]
+    arm, q = pieper.load(name), np.radians(degrees)
+    T = arm.fk(q)
+    near, via = T.copy(), T.copy()
+    near[:3, 3] += [0.01, 0.01, 0.0]
+    via[:3, 3] += [0.01, 0.0, 0.01]
+    for most, written in ((0.05, {0.05, 0.01}), (None, {0.25, 0.01, 0.4})):
+        p = pieper.Program(arm, pieper.Limits(0.1, 1.0, tool_speed=most), start=q)
+        p.move_j(q + 0.01).move_j(q, speed=0.5).move_l(near, speed=0.01).move_l(T).move_l(near, speed=0.4).move_c(
+            via, T
+        )
+        file = tmp_path / f"s{DIALECTS[dialect].suffixes[0]}"
+        p.write(file, dialect=dialect, name="s", cartesian=True)
+        text = file.read_text()
+        pattern, unit = LINE_SPEED[dialect]
+        speeds = [float(v) / unit for v in re.findall(pattern, text)]
+        # none is inherited from the move before
+        assert len(speeds) >= 4 and speeds[:2] == [0.01, min(written - {0.01, 0.4})]
+        assert set(speeds) == written
+        words = " ".join(re.sub(r"[!;#'\d:]+", " ", text).split())
+        assert ("not of the limits" in words) == (dialect != "urscript")
+
+
+def arc_job(tmp_path, between):
+    name, degrees = AT_HOME["inform"]
+    arm, q = pieper.load(name), np.radians(degrees)
+    T = arm.fk(q)
+    end, via = T.copy(), T.copy()
+    end[:3, 3] += [0.03, 0.03, 0.01]
+    via[:3, 3] += [0.01, 0.02, 0.01]
+    p = pieper.Program(arm, pieper.Limits(2.0, 8.0), start=q).move_l(end).move_c(via, T)
+    if between:
+        p.wait(0.1)
+    p.move_c(via, end).move_l(T)
+    file = tmp_path / "a.jbi"
+    p.write(file)
+    return p, file
+
+
+@pytest.mark.parametrize("between", [False, True])
+def test_an_arc_of_inform_is_three_movc(between, tmp_path):
+    p, file = arc_job(tmp_path, between)
+    words = re.findall(r"^(MOV.) (C\d+)", file.read_text(), re.M)
+    assert "".join(word[-1] for word, _ in words) == "LCCCLCCCL"
+    # an arc begins where the way before it ends
+    assert words[1][1] == words[0][1] and words[5][1] == words[4][1] == words[3][1]
+    targets = pieper.read_program(file)
+    assert [t.kind for t in targets] == ["move_l", "move_c", "move_c", "move_l"]
+    for target, move in zip(targets, p.moves, strict=True):
+        same(target, move)
+
+
+def test_other_counts_of_movc_are_refused(tmp_path):
+    _, file = arc_job(tmp_path, False)
+    lines = file.read_text().splitlines()
+    at = next(k for k, line in enumerate(lines) if line.startswith("MOVC"))
+    for changed in (lines[:at] + lines[at + 1 :], lines[:at] + [lines[at]] + lines[at:]):
+        file.write_text("\n".join(changed))
+        with pytest.raises(InputError, match="three MOVC"):
+            pieper.read_program(file)
+    # from elsewhere the way to an arc's beginning is a line
+    file.write_text("\n".join(lines[: at - 1] + ["MOVL C00001 V=100.0"] + lines[at:]))
+    assert [t.kind for t in pieper.read_program(file)][:3] == ["move_l", "move_l", "move_c"]
+
+
+#: Lines of each language that say or change a target in another way than is written here.
+FOREIGN = {
+    "rapid": ["MoveL Offs(p1,0,0,50),v100,fine,tool0;", "MoveJ *,v100,z10,tool0;", "MoveL p1,v100,fine,tool0\\CRobT;"],
+    "urscript": [
+        "movej([0, d2r(-90), 1.57, 0, 0, 0])",
+        "movep(p[.3,.2,.1,0,3.14,0])",
+        "movel(pose_add(p[0,0,0,0,0,0], p[.3,.2,.1,0,3.14,0]))",
+        "servoj([0,0,0,0,0,0])",
+    ],
+    "krl": [
+        "LIN_REL {Z 50}",
+        "SLIN {X 500,Y 0,Z 650,A 0,B 90,C 0}",
+        "lin {X 500,Y 0,Z 650,A 0,B 90,C 0}",
+        "CIRC {X 500,Y 10,Z 600,A 0,B 0,C 0},{X 510,Y 20,Z 600,A 0,B 90,C 0},CA 360",
+        "PTP {A1 30}",
+        "$BASE=BASE_DATA[1]",
+    ],
+    "fanuc-ls": [
+        "  99:J PR[1] 100% FINE ;",
+        "  99:L P[1] 100mm/sec FINE Offset,PR[1] ;",
+        "  99:A P[2] 100mm/sec CNT50 ;",
+    ],
+    "inform": [
+        "///POSTYPE PULSE",
+        "MOVL P001 V=100.0",
+        "MOVS C00001 V=100.0",
+        "IMOV P001 V=10.0",
+        "MOVL C00001 V=10 FPL=1",
+    ],
+    "pacscript": ["Approach P, P1, 50", "Move L, @P P1", "Move P, @E J(1, 2, 3, 4, 5, 6) , Next", "Draw L, P(0, 0, 5)"],
+}
+
+
+@pytest.mark.parametrize("dialect", FOREIGN)
+def test_no_line_is_passed_over_and_none_taken_for_another(dialect, tmp_path):
+    _, p = built(dialect)
+    file = tmp_path / f"f{DIALECTS[dialect].suffixes[0]}"
+    p.write(file, dialect=dialect, cartesian=True, name="f")
+    lines = file.read_text().splitlines()
+    known = len(pieper.read_program(file))
+    for foreign in [*FOREIGN[dialect], "JUMP TO LABEL"]:
+        for at in (1, len(lines) // 2, len(lines) - 1):
+            file.write_text("\n".join([*lines[:at], foreign, *lines[at:]]))
+            with pytest.raises(InputError, match=f"line {at + 1} is not {dialect}"):
+                pieper.read_program(file)
+    file.write_text("\n".join(lines))
+    assert len(pieper.read_program(file)) == known
+
+
+@pytest.mark.parametrize(
+    "dialect, was, becomes",
+    [
+        ("rapid", r",tPieper;", r",tOther;"),
+        ("rapid", r",tPieper;", r",tPieper\\WObj:=wOther;"),
+        ("fanuc-ls", r"/POS", "  99:UFRAME_NUM=4 ;\n/POS"),
+        ("pacscript", r"  GiveArm", "  ChangeWork 3\n  GiveArm"),
+        ("ros", r"- joint_2\n", ""),
+    ],
+)
+def test_a_tool_or_frame_that_the_file_does_not_set_is_told(dialect, was, becomes, tmp_path):
+    _, p = built(dialect if dialect != "ros" else "rapid")
+    file = tmp_path / f"f{DIALECTS[dialect].suffixes[0]}"
+    p.write(file, dialect=dialect, cartesian=True, name="f")
+    text, count = re.subn(was, becomes, file.read_text(), count=1)
+    assert count == 1
+    file.write_text(text)
+    with pytest.raises(InputError, match="nowhere set" if dialect != "ros" else "positions for 5 joints"):
+        pieper.read_program(file)

@@ -212,6 +212,7 @@ def test_what_is_no_path_is_refused(q, word):
         ((0.2, 1.5, 1.0), "0 to 1"),
         ((0.2, 0.5), "s0, s1, v"),
         ((0.0, 0.5, 0.1), "run-up"),
+        ((0.5, 1.0, 0.05), "run-out"),
         ((0.2, 0.5, 100.0), "highest speed"),
     ],
 )

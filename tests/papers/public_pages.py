@@ -252,36 +252,6 @@ def rrr_degrees() -> Checks:
     yield "th1", same(arctan2(P["py"], P["px"]), q[:, 0])
 
 
-def kr210(q: np.ndarray) -> list[np.ndarray]:
-    rows = [(0, 0, 0.75, 0), (0.35, -H, 0, -H), (1.25, 0, 0, 0), (-0.054, -H, 1.5, 0), (0, H, 0, 0), (0, -H, 0, 0)]
-    return chain([(a, x, d, (k, z)) for k, (a, x, d, z) in enumerate(rows)], q, "modified")
-
-
-def kr210_euler() -> Checks:
-    q = joints(6)
-    F = kr210(q)
-    R = (np.linalg.inv(F[3]) @ F[6])[:, :3, :3]
-    yield "theta6", same(arctan2(R[:, 1, 0], R[:, 0, 0]), q[:, 5])
-    yield "theta5", same(arctan2(-R[:, 2, 0], hypot(R[:, 0, 0], R[:, 1, 0])), q[:, 4])
-    yield "theta4", same(arctan2(R[:, 2, 1], R[:, 2, 2]), q[:, 3])
-    turn = np.array([[0.0, 0, 1, 0], [0, -1, 0, 0], [1, 0, 0, 0.303], [0, 0, 0, 1]])
-    at_zero = kr210(np.zeros((1, 6)))[6][0] @ turn
-    right = np.array([[1, 0, 0, 2.153], [0, 1, 0, 0], [0, 0, 1, 1.946], [0, 0, 0, 1]])
-    yield "T_total at zero", np.array([np.allclose(at_zero, right, atol=1e-9)])
-    T = F[6] @ turn
-    yield "the wrist centre from the gripper's pose", equal(F[6][:, 0, 3], T[:, 0, 3] - 0.303 * T[:, 0, 0])
-
-
-def kr210_writeup() -> Checks:
-    q = joints(6)
-    F = kr210(q)
-    c, s = cos(q[:, 5]), sin(q[:, 5])
-    given = [[c, -s, 0, 0], [0, 0, 1, 0.303], [-s, -c, 0, 0]]
-    yield "T5_6", entries(np.linalg.inv(F[5]) @ F[6], given)
-    c, s = cos(q[:, 1] - H), sin(q[:, 1] - H)
-    yield "T1_2", entries(np.linalg.inv(F[1]) @ F[2], [[c, -s, 0, 0.35], [0, 0, 1, 0], [-s, -c, 0, 0]])
-
-
 def three_r_question() -> Checks:
     q, (l1, l2) = joints(3), (0.4, 0.3)
     rows: Rows = [(0, 0, 0, (0, 0.0)), (l1, H, 0, (1, 0.0)), (l2, 0, 0, (2, 0.0))]
@@ -369,8 +339,5 @@ PAGES: dict[str, Callable[[], Checks]] = {
     f.__name__: f
     for f in (puma_course, six_axis_ur, ur5e_numpy, three_r_matlab, two_links_readme, surrey_coursework, scara_paste)
 }
-PAGES |= {
-    f.__name__: f
-    for f in (rrr_paste, rrr_degrees, kr210_euler, kr210_writeup, three_r_question, robotic_dog, slide_turn_slide)
-}
+PAGES |= {f.__name__: f for f in (rrr_paste, rrr_degrees, three_r_question, robotic_dog, slide_turn_slide)}
 PAGES |= {f.__name__: f for f in (simple_manipulator, ur5_review, quadruped_thread, quaternion_paste)}

@@ -12,10 +12,12 @@ import pieper
 from pieper.judge.pages import page
 from pieper.judge.verdict import HOLDS, PARTLY, WRONG
 from tests.papers.public_pages import PAGES
+from tests.papers.public_tables import TABLES
 
 ROOT = Path(__file__).parents[2]
 CLAIMS = ROOT / "examples" / "pages"
 NAMES = sorted(path.stem for path in CLAIMS.glob("*.toml"))
+TWINS = PAGES | TABLES
 ONE_ARM = {", this arm": True, ", another arm": False}  # formulas that hold for the page's lengths only
 
 
@@ -24,11 +26,11 @@ def judged(name: str):
     return pieper.check(CLAIMS / f"{name}.toml")
 
 
-@pytest.mark.parametrize("name", sorted(PAGES))
+@pytest.mark.parametrize("name", NAMES)
 def test_plain_numpy_says_the_same(name):
     status = {v.id: (v.status, v.sentence) for v in judged(name).verdicts}
     with np.errstate(all="ignore"):
-        for claim, good in PAGES[name]():
+        for claim, good in TWINS[name]():
             ending = next((e for e in ONE_ARM if claim.endswith(e)), "")
             if ending:
                 said, sentence = status[claim.removesuffix(ending)]

@@ -292,3 +292,17 @@ def test_a_pose_farther_than_metres_can_be_meant_is_refused_or_marked():
     with pytest.raises(pieper.InputError, match="metres"):
         arm.ik_many(both)
     assert arm.ik_many(both, invalid="mark").status[1] == pieper.Status.INVALID
+
+
+@pytest.mark.parametrize("name", ["franka-panda", "kuka-lbr-iiwa-7-r800", "adept-cobra-600", "three-r"])
+def test_a_rounded_pose_has_the_same_rows_alone_and_in_a_batch(name):
+    arm = pieper.load(name)
+    q = np.random.default_rng(4).uniform(*np.clip(arm.limits, -3, 3).T, (20, arm.n))
+    spare = arm.plan.reduction.locked
+    values = q[:, list(spare)] if spare else None
+    for T in (np.round(arm.fk(q), 6), np.float32(arm.fk(q)).astype(float)):
+        many = arm.ik_many(T, redundancy=values)
+        for i, pose in enumerate(T):
+            alone = arm.ik(pose, redundancy=None if values is None else values[i, 0])
+            together = many.q[i][many.valid[i]]
+            assert alone.all_q.shape == together.shape and np.abs(alone.all_q - together).max(initial=0.0) < 1e-9

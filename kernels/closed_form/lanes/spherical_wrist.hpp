@@ -78,8 +78,7 @@ struct SphericalWristLanes {
         q[arm.first + 1] = wrapped((n ? -middle : middle) + shift[1]);
         if (n && square) {
           for (int j = 0; j < 3; j += 2) {
-            const F first = out.q[2 * i][arm.first + j];
-            q[arm.first + j] = select(first > 0.0, first - kPi, first + kPi);
+            q[arm.first + j] = half_a_turn_on(out.q[2 * i][arm.first + j]);
           }
           continue;
         }

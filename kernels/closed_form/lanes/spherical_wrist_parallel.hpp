@@ -354,9 +354,9 @@ class SphericalWristParallelKernel {
     out.q[3] = wrapped(th4 - P.offset4);
     out.q[4] = wrapped(th5 - P.offset5);
     out.q[5] = q6;
-    out.flipped[0] = select(out.q[3] > 0.0, out.q[3] - kPi, out.q[3] + kPi);
+    out.flipped[0] = half_a_turn_on(out.q[3]);
     out.flipped[1] = wrapped(-th5 - P.offset5);
-    out.flipped[2] = select(q6 > 0.0, q6 - kPi, q6 + kPi);
+    out.flipped[2] = half_a_turn_on(q6);
     out.two = !on_singularity;
     // the arm's plane: the wrist centre, and the forearm's direction as it was used against that of joints 2 and 3
     F off = (abs(P.upper * c2 + P.fore * c23 - arm.X) + abs(P.upper * s2 + P.fore * s23 - arm.Z)) * (1.0 / P.scale);

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from pieper.tolerances import REAL_ROOT, SINE_SETTLED
+from pieper.tolerances import DOUBLE_ROOT_APART, DOUBLE_ROOT_VANISHES, LEADING_NONE, REAL_ROOT, SINE_SETTLED
 
 
 class NumpyField:
@@ -71,12 +71,23 @@ class NumpyField:
 
 
 def _real_roots(coefficients: np.ndarray) -> np.ndarray:
-    """Return the real roots of a polynomial, ascending, after two steps of Newton's method on all of them."""
+    """Return the real roots of a polynomial, ascending, after two steps of Newton's method on all of them.
+
+    Two that meet may come out as a pair beside the axis: they are real where the polynomial vanishes there to its last
+    digit. Where leading coefficients vanish the roots are infinite, the angle half a turn.
+    """
+    leading = int(np.argmax(np.abs(coefficients) > LEADING_NONE * np.abs(coefficients).max()))
+    coefficients = coefficients[leading:]
     roots: npt.NDArray[np.complex128] = np.asarray(np.roots(coefficients), complex)
-    slope = np.polyder(coefficients)
-    for _ in range(2):
-        roots -= np.polyval(coefficients, roots) / np.polyval(slope, roots)
-    return np.sort(roots[np.abs(roots.imag) < REAL_ROOT * (1 + np.abs(roots))].real)
+    slope, size = np.polyder(coefficients), np.abs(coefficients)
+    with np.errstate(all="ignore"):
+        for _ in range(2):
+            moved = roots - np.polyval(coefficients, roots) / np.polyval(slope, roots)
+            roots = np.where(np.isfinite(moved) & (np.abs(moved - roots) < 1 + np.abs(roots)), moved, roots)
+    off, far = np.abs(roots.imag), 1 + np.abs(roots)
+    meeting = np.abs(np.polyval(coefficients, roots.real)) < DOUBLE_ROOT_VANISHES * np.polyval(size, np.abs(roots.real))
+    real = (off < REAL_ROOT * far) | ((off < DOUBLE_ROOT_APART * far) & meeting)
+    return np.concatenate([np.sort(roots[real].real), np.full(leading, np.inf)])
 
 
 def _settled(x: Any) -> Any:

@@ -79,9 +79,19 @@ def command(
         return DONE
     say(program.explain() + "\n")
     tell_limits(arm, motion)
-    for sentence in written:
+    for sentence in [*_unread(file), *written]:
         say(sentence)
     return DONE
+
+
+def _unread(file: str) -> list[str]:
+    """Return what of a file is not in the program that was read from it, in a sentence."""
+    if Path(file).suffix.lower() == ".toml":
+        return []
+    return [
+        f"Of {Path(file).name} the targets, tools and frames are read, not its speeds, blends, waits, outputs and "
+        "gripper: the times are those of stops at each target within the limits. A .toml keeps all."
+    ]
 
 
 def _read(arm: pieper.Arm, file: str, limits: pieper.Limits | None, start: str, units: Units) -> pieper.Program:
@@ -104,7 +114,8 @@ def _read(arm: pieper.Arm, file: str, limits: pieper.Limits | None, start: str, 
             tool = arm.tool if target.tool is None else target.tool
             program.tool(tool)
         where = target.T if target.q is None else target.q
-        assert where is not None
+        if where is None:
+            raise pieper.InputError(f"{file} has a move without a target.", path=file)
         if target.kind == "move_c" and target.T is not None:
             program.move_c(target.via, target.T)
         elif target.kind == "move_l":

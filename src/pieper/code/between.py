@@ -25,6 +25,8 @@ class Between:
     Args:
         columns: For each joint of the arm the solved joint it is, or None where it is held at the value asked for.
         filled: (solved joint, its unit) that must come out as zero.
+        weights: Of the tested entries, whose squares add up to what is missed, squared; for arms with filled joints,
+            whose rows are brought nearest to the pose.
         tested: The entries of a pose that forward kinematics must return, of rows that are put back.
         always: Whether all rows are put back, and not those of unclear poses alone.
         held: The joint that is held, from 0; None where none is.
@@ -41,6 +43,7 @@ class Between:
     columns: tuple[int | None, ...]
     filled: tuple[tuple[int, float], ...] = ()
     tested: tuple[int, ...] = ASKED["pose"]
+    weights: tuple[float, ...] = ()
     always: bool = False
     held: int | None = None
     at_base: bool = False
@@ -106,6 +109,7 @@ def between(plan: Plan) -> Between:
         columns=tuple(None if j == held else kept.index(j) for j in range(plan.n)),
         filled=tuple((real + k, chain.length if slides else 1.0) for k, (_, slides) in enumerate(reduction.fill)),
         tested=ASKED[plan.task],
+        weights=_weights(plan) if reduction.fill else (),
         always=short,
         held=held,
         at_base=at_base,
@@ -113,6 +117,12 @@ def between(plan: Plan) -> Between:
         default=float(plan.defaults[0]) if held is not None else 0.0,
     )
     return own if chain.coupling is None else _coupled(plan, own, chain.coupling)
+
+
+def _weights(plan: Plan) -> tuple[float, ...]:
+    """Return what each tested entry counts: lengths per length of the arm, entries of a rotation half, squared."""
+    turn = 0.5**0.5 if plan.task == "pose" else 1.0
+    return tuple(1.0 / plan.chain.length if entry % 4 == 3 else turn for entry in ASKED[plan.task])
 
 
 def _coupled(plan: Plan, own: Between, coupling: Array) -> Between:

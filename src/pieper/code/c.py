@@ -8,10 +8,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from pieper.code.between import ASKED
+from pieper.code.c_pose import RIGID, nearest_of
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import USUAL, Language, filled, functions
-from pieper.tolerances import FILLED_ZERO
+from pieper.tolerances import CLOSES, FILLED_ZERO
 
 C = Language(
     words=USUAL | functions("") | {"abs": "fabs({0})", "angle": "NAME_angle({0}, {1})", "true": "1", "false": "0"},
@@ -29,8 +30,8 @@ FRAME = """/*
 @HEADER@
 
 int NAME_ik(const double T[16], @VALUE@double q[][N]): the rows inside the limits, at most @SLOTS@; T row by
-    row, base to tool. A revolute joint comes in (-pi, pi], or where its limits exclude that, inside them. Returns how
-    many.
+    row, base to tool; a rotation that was rounded is taken as the nearest one. A revolute joint comes in (-pi, pi],
+    or where its limits exclude that, inside them. Returns how many, -1 where T is no rigid motion.
 @SAID@int NAME_ik_all(T, @VALUE_SAID@q, &unclear): the rows before limits. unclear is set at and next to
     singular poses, where a row may stand for many and rows may be missing; each row that is given holds all the same.
 void NAME_fk(const double q[N], double T[16]); void NAME_jacobian(const double q[N], double J[6][N]), linear rows first.
@@ -50,7 +51,7 @@ static double NAME_angle(double y, double x) {
   const double r = atan2(y, x);
   return r <= -3.14159265358979323846 ? 3.14159265358979323846 : r;
 }
-
+@RIGID@
 /* A pose (12 numbers, row by row) times a link. */
 static void NAME_times(double *T, const double *L) {
   int i, j;
@@ -79,7 +80,7 @@ static void NAME_walk(const double *q, double *T, double (*axes)[6]) {
   }
 }
 
-@COUPLED@void NAME_fk(const double q[N], double T[16]) {
+@NEAREST@@COUPLED@void NAME_fk(const double q[N], double T[16]) {
 @TO_AXES@  NAME_walk(@V@, T, 0);
   T[12] = T[13] = T[14] = 0;
   T[15] = 1;
@@ -109,13 +110,15 @@ static int NAME_same(const double *a, const double *b, double most) {
   return 1;
 }
 
-int NAME_ik_all(const double @POSE@[16], @VALUE@double q[][N], int *unclear) {
+int NAME_ik_all(const double asked[16], @VALUE@double q[][N], int *unclear) {
+  double @POSE@[16];
+  if (!NAME_rigid(asked, @POSE@)) return -1;
 @MOVED@@PROGRAM@
 @FOUND@  int m, j, k, count = 0;
   *unclear = @UNCLEAR@;
   for (m = 0; m < @SLOTS@; ++m) {
     int keep = valid[m];
-    const double own[N] = {@OWN_ROW@};
+    @CONST@double own[N] = {@OWN_ROW@};
 @FILLED@    for (k = 0; keep && k < count; ++k) keep = !NAME_same(own, q[k], 1e-9);
     if (keep@DOUBT@) {
       double back[12];
@@ -147,7 +150,8 @@ int NAME_ik(const double T[16], @VALUE@double q[][N]) {
   double all[@SLOTS@][N];
   int unclear, m, j, count = 0;
   const int found = NAME_ik_all(T, @VALUE_SAID@all, &unclear);
-@REFUSED@  for (m = 0; m < found; ++m) {
+  if (found < 0) return found;
+  for (m = 0; m < found; ++m) {
     for (j = 0; j < N; ++j) q[count][j] = all[m][j];
     count += NAME_inside(q[count]);
   }
@@ -173,10 +177,10 @@ int NAME_self_test(void) {
   static const int counts[@TESTS@] = @COUNTS@;
   int i, k, failed = 0;
   for (i = 0; i < @TESTS@; ++i) {
-    double back[16], rows[@SLOTS@ + 1][N];
-    int found, ok = 1, met = 0;
+    double back[16], pose[16], rows[@SLOTS@ + 1][N];
+    int found, met = 0, ok = NAME_rigid(T[i], pose);
     NAME_fk(q[i], back);
-    for (k = 0; k < 16; ++k) ok = ok && fabs(back[k] - T[i][k]) < @VERIFIED@;
+    for (k = 0; k < 16; ++k) ok = ok && fabs(back[k] - pose[k]) < @VERIFIED@;
     found = NAME_ik(T[i], @TEST_VALUE@rows);
     for (k = 0; k < found; ++k) {
 @FOUND_AXES@      met = met || NAME_same(@FOUND_ROW@, 1e-7);
@@ -194,7 +198,7 @@ int main(void) {
   return failed != 0;
 }
 #endif
-"""
+""".replace("@RIGID@", RIGID)
 
 
 def lines(texts: Sequence[str], into: str, margin: str = "  ") -> str:
@@ -204,7 +208,10 @@ def lines(texts: Sequence[str], into: str, margin: str = "  ") -> str:
 
 def own_parts(export: Export) -> dict[str, str]:
     """Return what C says of what lies between the arm's joints and the six that are solved; C++ says it so too."""
-    return {name: re.sub(r"\bN\b", str(export.n), text) for name, text in _own_parts(export).items()}
+    return {
+        name: re.sub(r"\bN\b", str(export.n), re.sub(r"\bN1\b", str(export.n + 1), text))
+        for name, text in _own_parts(export).items()
+    }
 
 
 def _own_parts(export: Export) -> dict[str, str]:
@@ -221,9 +228,12 @@ def _own_parts(export: Export) -> dict[str, str]:
         "POSE": "given" if held else "T",
         "MOVED": _moved(export) if held else "",
         "OWN_ROW": ", ".join("value" if column is None else f"rows[m][{column}]" for column in own.columns),
+        "NEAREST": nearest_of(own),
+        "CONST": "" if own.filled else "const ",
         "FILLED": "".join(
             f"    keep = keep && fabs(rows[m][{column}]) < {FILLED_ZERO * unit!r};\n" for column, unit in own.filled
-        ),
+        )
+        + (f"    keep = keep && NAME_nearest(own, {'given' if held else 'T'}) < {CLOSES!r};\n" if own.filled else ""),
         "DOUBT": "" if own.always else " && *unclear",
         "ENTRIES": str(len(own.tested)),
         "ENTRY": "k" if len(own.tested) == len(ASKED["pose"]) else "tested[k]",
@@ -231,7 +241,6 @@ def _own_parts(export: Export) -> dict[str, str]:
         if len(own.tested) == len(ASKED["pose"])
         else f"      static const int tested[] = {{{', '.join(map(str, own.tested))}}};\n",
         "TEST_VALUE": f"q[i][{own.held}], " if held else "",
-        "REFUSED": "",
         "KEPT": "(NAME_slides[j] || NAME_tied[j])" if tied else "NAME_slides[j]",
         "FOUND": "",
         **dict.fromkeys(("COUPLED", "TO_AXES", "GEARED", "FROM_AXES", "TIED", "LABEL_AXES"), ""),

@@ -11,6 +11,7 @@ import numpy as np
 from pieper import _kernel
 from pieper.code import c
 from pieper.code.c import own_parts
+from pieper.code.c_pose import RIGID
 from pieper.code.export import Export
 from pieper.code.kernel_source import fingerprint, header_of, joined
 from pieper.code.labels import Manner
@@ -170,7 +171,12 @@ inline std::array<double, 16> NAME_fk(const std::array<double, N>& q) {
 
 """
 
-TEST = """constexpr bool NAME_slides(int joint) { return (@SLIDE_BITS@ >> joint) & 1; }
+TEST = (
+    re.sub(r"^static int", "inline int", RIGID, flags=re.MULTILINE)
+    .replace("fabs", "__builtin_fabs")
+    .replace("HUGE_VAL", "__builtin_inf()")
+    + """
+constexpr bool NAME_slides(int joint) { return (@SLIDE_BITS@ >> joint) & 1; }
 
 inline int NAME_self_test() {
   static const double q[@TESTS@][N] = @TEST_Q@;
@@ -178,15 +184,15 @@ inline int NAME_self_test() {
   static const int counts[@TESTS@] = @COUNTS@;
   int failed = 0;
   for (int i = 0; i < @TESTS@; ++i) {
-    double back[16], rows[@SLOTS@][N];
+    double back[16], pose[16], rows[@SLOTS@][N];
     NAME_fk(q[i], back);
-    bool ok = true, met = false;
-    for (int k = 0; k < 16; ++k) ok = ok && __builtin_fabs(back[k] - T[i][k]) < @VERIFIED@;
+    bool ok = NAME_rigid(T[i], pose), met = false;
+    for (int k = 0; k < 16; ++k) ok = ok && __builtin_fabs(back[k] - pose[k]) < @VERIFIED@;
     const int found = NAME_ik(T[i], rows);
     for (int m = 0; m < found && !met; ++m) {
       double reached[16], worst = 0;
       NAME_fk(rows[m], reached);
-      for (int k = 0; k < 16; ++k) worst = __builtin_fmax(worst, __builtin_fabs(reached[k] - T[i][k]));
+      for (int k = 0; k < 16; ++k) worst = __builtin_fmax(worst, __builtin_fabs(reached[k] - pose[k]));
       ok = ok && worst < @VERIFIED@;
       met = true;
       for (int j = 0; j < N; ++j) {
@@ -199,6 +205,7 @@ inline int NAME_self_test() {
   return failed;
 }
 """
+)
 
 
 def numbers_of(geometry: Any) -> tuple[list[float], list[float]]:
@@ -254,11 +261,12 @@ SOLVED = """  double rows[@SLOTS@][6];
 def _between(parts: dict[str, str]) -> str:
     """Return what C says of joints that are not the six, around the kernel's rows, as a header says it."""
     own = c.FRAME[c.FRAME.index("static const double NAME_lower") : c.FRAME.index("#ifdef NAME_MAIN")]
-    first, last = own.index("/* An angle that rounds"), own.index("/* A pose (12 numbers")
+    first, last = own.index("/* An angle that rounds"), own.index("/* The pose that T means")
     own = own[:first] + own[last:]
     own = re.sub(r"^(int|void|const char \*)(?= ?NAME_)", r"inline \1", own, flags=re.MULTILINE)
     own = re.sub(r"^static (int|void) ", r"static inline \1 ", own, flags=re.MULTILINE)
-    parts["COUPLED"] = re.sub(r"^static (int|void) ", r"static inline \1 ", parts["COUPLED"], flags=re.MULTILINE)
+    for name in ("COUPLED", "NEAREST"):
+        parts[name] = re.sub(r"^static (int|void|double) ", r"static inline \1 ", parts[name], flags=re.MULTILINE)
     at = own.index("/* 0 where v is positive")
     return "#include <math.h>\n" + own[:at] + MANY + own[at:]
 
@@ -292,7 +300,6 @@ def text(export: Export) -> str:
         "LAST": "" if own.held is None else ", value",
         "PROGRAM": SOLVED.replace("@SLOTS@", slots).rstrip("\n"),
         "UNCLEAR": "(flag & 3) != 0",
-        "REFUSED": "  if (found < 0) return found;\n",
     }
     body = DIRECT + HANDY + TEST if direct else _between(parts) + HANDY
     return filled(FRAME.replace("@OWN_PART@@HANDY@@TEST@", body), parts, export)

@@ -15,8 +15,9 @@ from pieper.code.between import Between, between
 from pieper.code.labels import Labels, labels_of
 from pieper.code.program import Program, recorded
 from pieper.errors import InputError, PlanError
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.forward import fk
+from pieper.kinematics.pose import checked_pose
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.planned_arm import PlannedArm
 from pieper.solver.rows import Flag
@@ -24,6 +25,8 @@ from pieper.solver.verbs import ik_many
 from pieper.tolerances import LIMIT_SLACK, VERIFIED
 
 TESTS = 20
+#: How many of them are poses rounded to so many digits after the point, as people write them down.
+ROUNDED, DIGITS = 5, 6
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 LICENCE = "MIT licence, as pieper itself."
 
@@ -40,7 +43,7 @@ class Export:
         lower: (n,) limits, rad or m, a rounding wider than said; infinite where there is none.
         upper: (n,) the same.
         q: (20, n) joint vectors of the self-test.
-        T: (20, 4, 4) their poses.
+        T: (20, 4, 4) their poses, the last of them rounded where the arm holds rounded poses.
         counts: (20,) how many rows lie inside the limits there.
         header: Lines of provenance.
         verified: By how much a row may miss its pose, largest entry, where the program is unsure.
@@ -100,8 +103,7 @@ def export(arm: PlannedArm, name: str) -> Export:
     plan = arm.plan
     _refuse_what_is_no_formula(plan)
     own = between(plan)
-    q, counts = _postures(plan, own)
-    T = fk(plan.chain, q)
+    q, T, counts = _postures(plan, own)
     try:
         made_by = f"pieper {version('pieper')}"
     except PackageNotFoundError:
@@ -131,16 +133,38 @@ def export(arm: PlannedArm, name: str) -> Export:
     )
 
 
-def _postures(plan: Plan, own: Between) -> tuple[Array, tuple[int, ...]]:
-    """Return joint vectors (20, n) inside the limits, always the same, at clear poses, and how many rows lie there."""
+def _postures(plan: Plan, own: Between) -> tuple[Array, Array, tuple[int, ...]]:
+    """Return joint vectors (20, n) inside the limits, always the same, their poses, and how many rows lie there.
+
+    The last poses are rounded, and their joint vectors are rows of the rotation nearest to what was rounded; of an arm
+    that holds no rounded pose (one of five joints, for one) none is.
+    """
     rng = np.random.default_rng(20)
     reach = np.where(plan.prismatic, plan.chain.length, np.pi)[:, None] * [-1.0, 1.0]
     limits = np.where(np.isfinite(plan.limits), plan.limits, reach)
     q = rng.uniform(limits[:, 0], limits[:, 1], (40 * TESTS, plan.n))
-    held = None if own.held is None else q[:, [own.held]]
-    found = ik_many(plan, fk(plan.chain, q), 1, held)
+    T = fk(plan.chain, q)
+    count, clear, _ = _asked(plan, own, q, T)
+    some = np.flatnonzero(clear)[: 2 * ROUNDED]
+    rounded = np.round(T[some], DIGITS)
+    again, held, nearest = _asked(plan, own, q[some], rounded)
+    # of an arm that was asked for less than a pose the whole of it is not what rows return
+    meant = np.abs(fk(plan.chain, nearest) - checked_pose(rounded, batch=True)).max((1, 2)) < VERIFIED
+    kept = np.flatnonzero(held & meant)[:ROUNDED]
+    last = some[kept]
+    first = np.setdiff1d(np.flatnonzero(clear), last)[: TESTS - len(last)]
+    # twelve digits are enough for the test and short in the file
+    exact = np.round(q[first], 12)
+    return (
+        np.concatenate([exact, np.round(nearest[kept], 12)]),
+        np.concatenate([fk(plan.chain, exact), rounded[kept]]),
+        tuple(int(k) for k in (*count[first], *again[kept])),
+    )
+
+
+def _asked(plan: Plan, own: Between, q: Array, T: Array) -> tuple[Array, Bools, Array]:
+    """Return how many rows of poses lie inside (N,), at which there is a clear one, and the row nearest to q (N, n)."""
+    found = ik_many(plan, T, 1, None if own.held is None else q[:, [own.held]], near=q)
     count = found.in_limits.sum(1)
     clear = ((found.flag & int(Flag.DEGENERATE | Flag.UNCERTAIN)) == 0) & (count > 0)
-    # twelve digits are enough for the test and short in the file
-    some = np.round(q[clear][:TESTS], 12)
-    return some, tuple(int(k) for k in count[clear][:TESTS])
+    return count, clear, found.nearest

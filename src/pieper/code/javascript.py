@@ -6,7 +6,7 @@ from pieper.code.between import held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import USUAL, Language, filled, functions
-from pieper.tolerances import FILLED_ZERO
+from pieper.tolerances import CLOSES, FILLED_ZERO, NEWTON_FINITE
 
 JAVASCRIPT = Language(
     words=USUAL | functions("Math.") | {"angle": "angle({0}, {1})", "eq": "{0} === {1}", "ne": "{0} !== {1}"},
@@ -22,7 +22,8 @@ FRAME = """/*
 @HEADER@
 
 @SAID@ik(T): every joint vector inside the limits that reaches a pose, an array of arrays; T as 16 numbers row by
-row, or as 4 rows of 4. ikAll(T): {rows, unclear} before limits; unclear at and next to singular poses, where a row may
+row, or as 4 rows of 4; a rotation that was rounded is taken as the nearest one, and what is no rigid motion throws a
+RangeError. ikAll(T): {rows, unclear} before limits; unclear at and next to singular poses, where a row may
 stand for many and rows may be missing. fk(q): the pose as 4 rows of 4. jacobian(q): 6 rows, linear ones first.
 label(q): the posture's name, such as "front, elbow up, wrist flip"; "" where the postures of this arm have none.
 */
@@ -36,6 +37,32 @@ const TURN = 6.28318530717958647693;
 function angle(y, x) {
   const r = Math.atan2(y, x);
   return r <= -Math.PI ? Math.PI : r;
+}
+
+// The 16 numbers of the pose that is meant: a rotation that was rounded becomes the nearest one.
+function rigid(pose) {
+  const X = Array.from(pose.length === 16 ? pose : [].concat(...Array.from(pose, (row) => Array.from(row))));
+  const G = [];
+  let off = Math.abs(X[12]) + Math.abs(X[13]) + Math.abs(X[14]) + Math.abs(X[15] - 1);
+  for (let step = 0; step < 2; ++step) {
+    for (let a = 0; a < 3; ++a)
+      for (let b = 0; b < 3; ++b) {
+        const g = (G[3 * a + b] = X[a] * X[b] + X[4 + a] * X[4 + b] + X[8 + a] * X[8 + b]);
+        if (!step) off = Math.max(off, Math.abs(a === b ? g - 1 : g));
+      }
+    if (!step) {
+      const side = X[0] * (X[5] * X[10] - X[6] * X[9]) + X[1] * (X[6] * X[8] - X[4] * X[10]) +
+        X[2] * (X[4] * X[9] - X[5] * X[8]);
+      if (!(off <= @ACCEPTED@ && side > 0 && Number.isFinite(X[3] + X[7] + X[11])))
+        throw new RangeError("the pose is no rigid motion: R^T R departs from I by over @ACCEPTED@, or R is a mirror");
+      X.splice(12, 4, 0, 0, 0, 1);
+    }
+    for (let k = 0; k < 12; k += 4) {
+      const x = X[k], y = X[k + 1], z = X[k + 2];
+      for (let j = 0; j < 3; ++j) X[k + j] = 1.5 * X[k + j] - 0.5 * (x * G[j] + y * G[3 + j] + z * G[6 + j]);
+    }
+  }
+  return X;
 }
 
 function walk(q, visit) {
@@ -54,7 +81,7 @@ function walk(q, visit) {
   return T;
 }
 
-@COUPLED@function fk(q) {
+@NEAREST@@COUPLED@function fk(q) {
   const T = walk(@V@);
   return [T.slice(0, 4), T.slice(4, 8), T.slice(8, 12), [0, 0, 0, 1]];
 }
@@ -85,7 +112,7 @@ function same(a, b, most) {
 }
 
 function ikAll(pose@VALUE@) {
-  const @POSE@ = pose.length === 16 ? pose : [].concat(...Array.from(pose, (row) => Array.from(row)));
+  const @POSE@ = rigid(pose);
 @MOVED@@PROGRAM@
   const rows = [@ROWS@];
   const valid = [@VALID@];
@@ -93,7 +120,7 @@ function ikAll(pose@VALUE@) {
   const kept = [];
   for (let m = 0; m < 8; ++m) {
     const own = [@OWN_ROW@];
-    if (!valid[m] || @FILLED@kept.some((row) => same(row, own, 1e-9))) continue;
+    if (!valid[m] || @FILLED@@BROUGHT@kept.some((row) => same(row, own, 1e-9))) continue;
     if (@DOUBT@) {
       const back = walk(own);
       if (!@TESTED@.every((k) => Math.abs(back[k] - @POSE@[k]) < @VERIFIED@)) continue;
@@ -139,14 +166,42 @@ function selfTest() {
   const counts = @COUNTS@;
   let failed = 0;
   for (let i = 0; i < Q.length; ++i) {
-    const back = [].concat(...fk(Q[i])), rows = ik(T[i]@TEST_VALUE@);
-    const ok = back.every((x, k) => Math.abs(x - T[i][k]) < @VERIFIED@);
+    const back = [].concat(...fk(Q[i])), rows = ik(T[i]@TEST_VALUE@), pose = rigid(T[i]);
+    const ok = back.every((x, k) => Math.abs(x - pose[k]) < @VERIFIED@);
     if (!(ok && rows.length === counts[i] && rows.some((row) => same(@FOUND_ROW@, 1e-7)))) ++failed;
   }
   return failed;
 }
 """
 
+#: Of arms with filled joints: a row becomes the joint vector whose pose comes nearest to what was asked.
+NEAREST = """// Least squares: q becomes the joint vector whose pose comes nearest to T; by how much it misses.
+function nearest(q, T) {
+  const tested = @TESTED@, weights = @WEIGHTS@;
+  for (let step = 0; ; ++step) {
+    const axes = [], P = walk(q, (i, F) => axes.push([F[2], F[6], F[10], F[3], F[7], F[11]]));
+    const r = tested.map((e, k) => weights[k] * (T[e] - P[e]));
+    if (step === 3) return Math.sqrt(r.reduce((sum, x) => sum + x * x, 0));
+    const D = axes.map((z, j) => tested.map((e, k) => {
+      const c = e % 4, o = c === 3 ? 1 : 0, i = (e - c) / 4, a = (i + 1) % 3, b = (i + 2) % 3;
+      const turned = z[a] * (P[4 * b + c] - o * z[3 + b]) - z[b] * (P[4 * a + c] - o * z[3 + a]);
+      return weights[k] * (SLIDES[j] ? o * z[i] : turned);
+    }));
+    const times = (u, v) => u.reduce((sum, x, k) => sum + x * v[k], 0);
+    const A = D.map((u, i) => [...D.map((v, j) => times(u, v) * (i === j ? 1 + @DAMPED@ : 1)), times(u, r)]);
+    for (let i = 0; i < N; ++i)
+      for (let k = i + 1; k < N; ++k) {
+        const by = A[k][i] / A[i][i];
+        for (let j = i; j <= N; ++j) A[k][j] -= by * A[i][j];
+      }
+    for (let i = N - 1; i >= 0; --i) {
+      for (let j = i + 1; j < N; ++j) A[i][N] -= A[i][j] * A[j][N];
+      q[i] += A[i][N] /= A[i][i];
+    }
+  }
+}
+
+"""
 MODULE = "\nexport { ik, ikAll, fk, jacobian, label, selfTest };\n"
 SCRIPT = """
 if (typeof module !== "undefined") module.exports = { ik, ikAll, fk, jacobian, label, selfTest };
@@ -167,6 +222,16 @@ def _own_parts(export: Export) -> dict[str, str]:
         "MOVED": _moved(export) if held else "",
         "OWN_ROW": ", ".join("value" if column is None else f"rows[m][{column}]" for column in own.columns),
         "FILLED": "".join(f"Math.abs(rows[m][{k}]) >= {FILLED_ZERO * unit!r} || " for k, unit in own.filled),
+        "BROUGHT": f"!(nearest(own, {'given' if held else 'T'}) < {CLOSES!r}) || " if own.filled else "",
+        "NEAREST": NEAREST.replace("@TESTED@", str(list(own.tested)))
+        .replace("@WEIGHTS@", str(list(own.weights)))
+        .replace("@DAMPED@", repr(NEWTON_FINITE))
+        .replace("N;", f"{export.n};")
+        .replace("<= N", f"<= {export.n}")
+        .replace("N - 1", f"{export.n} - 1")
+        .replace("[N]", f"[{export.n}]")
+        if own.filled
+        else "",
         "DOUBT": "true" if own.always else "unclear",
         "TESTED": str(list(own.tested)),
         "KEPT": "kept",

@@ -4,14 +4,34 @@ from __future__ import annotations
 
 from pieper.code.export import Export
 from pieper.code.language import filled
-from pieper.code.python import LABEL, arrays, own_parts
+from pieper.code.python import LABEL, RIGID, arrays, own_parts
+from pieper.tolerances import NEWTON_FINITE
 
+NEAREST = """
+
+def _nearest(q, Ts):
+    # least squares: joint vectors (N, 8, n) whose poses come nearest to those asked for; by how much each misses
+    tested, weights = jnp.array(@TESTED@), jnp.array(@WEIGHTS@)
+
+    def one(q, T):
+        miss = lambda q: weights * (T - _walk(q)).ravel()[tested]
+        for _ in range(3):
+            D = -jax.jacfwd(miss)(q)
+            A = D.T @ D
+            q = q + jnp.linalg.solve(A + @DAMPED@ * jnp.trace(A) * jnp.eye(len(q)), D.T @ miss(q))
+        return q, jnp.sqrt((miss(q) ** 2).sum())
+
+    return jax.vmap(jax.vmap(one, (0, None)))(q, Ts)
+
+"""
 FRAME = '''"""@HEADER@
 
 @SAID@NAME_ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits.
 NAME_ik_all(Ts) takes poses (N, 4, 4) and returns rows (N, 8, n) turned inside the limits where they can be, which of
 them hold (N, 8), which lie inside (N, 8), and which poses are unclear (N,): at and next to singular poses, where a row
-may stand for many and rows may be missing. NAME_fk(q) takes (n,) or, through jax.vmap, more; NAME_label(q) takes
+may stand for many and rows may be missing. A rotation that was rounded is taken as the nearest one; what is no rigid
+motion is a ValueError of NAME_ik, and has no rows and is unclear in NAME_ik_all.
+NAME_fk(q) takes (n,) or, through jax.vmap, more; NAME_label(q) takes
 (n,). All but NAME_ik and NAME_label may be compiled (jax.jit).
 Double precision is switched on, since single precision loses rows.
 """
@@ -60,6 +80,9 @@ def NAME_jacobian(q):
     W = jnp.einsum("abj,cb->acj", dT[:3, :3], T[:3, :3])
     return jnp.concatenate([dT[:3, 3], jnp.stack([W[2, 1], W[0, 2], W[1, 0]])])
 
+@NEAREST@
+@RIGID@
+
 
 def _rows(T):
 @PROGRAM@
@@ -71,7 +94,9 @@ def _rows(T):
 
 def NAME_ik_all(Ts@VALUES@):
     """Rows (N, 8, n), which hold (N, 8), which lie inside the limits (N, 8), which poses are unclear (N,)."""
+    Ts, good = _rigid(jnp.asarray(Ts, jnp.float64))
     six, valid, unclear = _rows(@MOVED@)
+    valid, unclear = valid & good[:, None], unclear | ~good
     six = jnp.where(valid[..., None], six, 0.0)
 @ROW_VALUE@@OWN_ROW@    q = jnp.where(valid[..., None], q, 0.0)
     gap = jnp.abs(q[:, :, None] - q[:, None])
@@ -92,7 +117,10 @@ _compiled = jax.jit(NAME_ik_all)
 
 def NAME_ik(T@VALUE@):
     """Every joint vector (m, n) inside the limits that reaches a pose (4, 4)."""
-    q, _, inside, _ = _compiled(jnp.asarray(T, jnp.float64)[None]@ONE_VALUE@)
+    T = jnp.asarray(T, jnp.float64)[None]
+    if not _rigid(T)[1][0]:
+        raise ValueError(_NO_POSE.format(0))
+    q, _, inside, _ = _compiled(T@ONE_VALUE@)
     return q[0][inside[0]]
 
 
@@ -106,7 +134,7 @@ def NAME_self_test():
     gap = jnp.abs((rows - q[:, None])@GEARED_T@)
     gap = jnp.where(slides, gap, jnp.abs(gap - _TURN * jnp.round(gap / _TURN))).max(-1)
     met = ((gap < 1e-7) & inside).any(1)
-    closes = jnp.abs(jax.vmap(NAME_fk)(q) - T).max((1, 2)) < @VERIFIED@
+    closes = jnp.abs(jax.vmap(NAME_fk)(q) - _rigid(T)[0]).max((1, 2)) < @VERIFIED@
     return int((~(met & closes & (inside.sum(1) == jnp.array(@COUNTS@)))).sum())
 
 
@@ -122,8 +150,14 @@ def text(export: Export) -> str:
     """Return the file's text."""
     own = export.between
     parts = own_parts(export, "jnp") | {
+        "NEAREST": NEAREST.replace("@TESTED@", str(list(own.tested)))
+        .replace("@WEIGHTS@", str(list(own.weights)))
+        .replace("@DAMPED@", repr(NEWTON_FINITE))
+        if own.filled
+        else "",
         "TEST_VALUES": "" if own.held is None else f", q[:, {own.held}]",
         "GEARED_T": "" if own.gears is None else " @ _GEARS.T",
         "ALONE_IS": "~SLIDES_" if own.tied is None else "~SLIDES_ & ~_TIED",
     }
-    return filled(FRAME.replace("@LABEL@", LABEL), arrays("jnp").parts(export) | parts, export)
+    frame = FRAME.replace("@LABEL@", LABEL).replace("@RIGID@", RIGID.replace("MODULE", "jnp"))
+    return filled(frame, arrays("jnp").parts(export) | parts, export)

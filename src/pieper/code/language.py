@@ -12,6 +12,7 @@ import numpy as np
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.program import statements
+from pieper.tolerances import ROTATION_ACCEPTED
 
 #: How most languages say an operation, with {0} {1} {2} for its arguments.
 USUAL = {
@@ -93,6 +94,7 @@ class Notation:
             "SLIDES": self.listed(self.truths[int(s)] for s in export.slides),
             "LINKS": self.numbers(export.links.reshape(export.n + 1, 12)),
             "VERIFIED": repr(export.verified),
+            "ACCEPTED": repr(ROTATION_ACCEPTED),
             "DEFAULT": repr(export.between.default),
             "TEST_Q": self.numbers(export.q),
             "TEST_T": self.numbers(np.round(export.T.reshape(-1, 16), 15)),

@@ -10,7 +10,7 @@ import numpy as np
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions
-from pieper.tolerances import FILLED_ZERO
+from pieper.tolerances import CLOSES, FILLED_ZERO
 
 
 class Matlab(Language):
@@ -38,11 +38,45 @@ MATLAB = Matlab(
 )
 
 
+#: What a matrix means as a pose; the same in every file that asks.
+RIGID = """function T = rigid(T)
+  % a rotation that was rounded becomes the nearest one
+  R = T(1:3, 1:3);
+  off = max(max(max(abs(R' * R - eye(3)))), sum(abs(T(4, :) - [0 0 0 1])));
+  if ~all(isfinite(T(:))) || ~(off <= @ACCEPTED@) || det(R) < 0
+    error('T is no rigid motion: R^T R departs from I by %g, or R is a mirror; allowed is @ACCEPTED@.', off);
+  end
+  for k = 1:2, R = 1.5 * R - 0.5 * R * (R' * R); end
+  T = [R, T(1:3, 4); 0 0 0 1];
+end
+"""
+#: Of arms with filled joints: a row becomes the joint vector whose pose comes nearest to what was asked.
+NEAREST = """
+function [q, miss] = nearest(q, T)
+  % least squares: the joint vector whose pose comes nearest to T; by how much it misses
+  tested = @TESTED@;
+  weights = @WEIGHTS@';
+  for step = 0:3
+    [P, J] = NAME_fk(q@AS_AXES@);
+    r = (T - P)';
+    r = weights .* r(tested)';
+    miss = norm(r);
+    if step == 3, break; end
+    D = zeros(numel(tested), numel(q));
+    for j = 1:numel(q)
+      way = [cross(repmat(J(4:6, j), 1, 3), P(1:3, 1:3)), J(1:3, j); 0 0 0 0]';
+      D(:, j) = weights .* way(tested)';
+    end
+    q = q + (pinv(D) * r)';
+  end
+end
+"""
 IK_ALL = """function [q, unclear] = NAME_ik_all(T@VALUE@)
 % NAME_IK_ALL  Rows (m, N) of a pose before limits, and whether the pose is unclear: at and next to singular poses a row
 % may stand for many and rows may be missing.@SAID@
 %
 @HEADER@
+  T = rigid(T);
 @MOVED@@PROGRAM@
   rows = [@ROWS@];
   valid = [@VALID@];
@@ -63,6 +97,7 @@ IK_ALL = """function [q, unclear] = NAME_ik_all(T@VALUE@)
   end
 @FROM_AXES@end
 
+@RIGID@@NEAREST@
 function r = pick(yes, a, b)
   if yes, r = a; else, r = b; end
 end
@@ -79,7 +114,8 @@ end
 """
 
 IK = """function q = NAME_ik(T@VALUE@)
-% NAME_IK  Every joint vector (m, N) inside the limits that reaches a pose T (4, 4), base to tool; m and rad.@SAID@
+% NAME_IK  Every joint vector (m, N) inside the limits that reaches a pose T (4, 4), base to tool; m and rad. A rotation
+% that was rounded is taken as the nearest one; what is no rigid motion is an error.@SAID@
 %
 @HEADER@
   lower = @LOWER@;
@@ -172,11 +208,12 @@ SELF_TEST = """function failed = NAME_self_test()
     turned = abs(gap - 2 * pi * round(gap / (2 * pi)));
     gap(:, ~slides) = turned(:, ~slides);
     met = any(all(gap < 1e-7, 2));
-    ok = all(all(abs(NAME_fk(Q(i, :)) - pose) < @VERIFIED@));
+    ok = all(all(abs(NAME_fk(Q(i, :)) - rigid(pose)) < @VERIFIED@));
     failed = failed + ~(ok && met && size(rows, 1) == counts(i));
   end
 end
-"""
+
+@RIGID@"""
 
 ENTRY = """function s = STEM()
 % The functions of this arm as one struct: s.ik(T), s.ik_all(T), s.fk(q), s.label(q), s.self_test(); they stand beside
@@ -204,7 +241,13 @@ def _own_parts(export: Export) -> dict[str, str]:
         "VALUE": ", value" if held else "",
         "POSE": "given" if held else "T",
         "MOVED": _moved(export),
-        "OWN_ROW": f"{zero}    own = [{columns}];\n",
+        "OWN_ROW": f"{zero}    own = [{columns}];\n"
+        + (f"    [own, miss] = nearest(own, T);\n    if ~(miss < {CLOSES!r}), continue; end\n" if own.filled else ""),
+        "NEAREST": NEAREST.replace("@TESTED@", str([k + 1 for k in own.tested]))
+        .replace("@WEIGHTS@", str(list(own.weights)))
+        .replace("@AS_AXES@", ", true" if coupled else "")
+        if own.filled
+        else "",
         "DOUBT": "true" if own.always else "unclear",
         "TESTED": "[" + " ".join(str(k + 1) for k in own.tested) + "]",
         "IN_AXES": ", in_axes" if coupled else "",
@@ -262,7 +305,11 @@ def texts(export: Export, path: Path) -> dict[Path, str]:
     file = path.suffix == ".m"
     folder = path.parent if file else path
     frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "label": LABEL, "self_test": SELF_TEST}
-    out = {folder / f"{export.name}_{what}.m": filled(frame, parts, export) for what, frame in frames.items()}
+    frames = {what: frame.replace("@RIGID@", RIGID) for what, frame in frames.items()}
+    out = {
+        folder / f"{export.name}_{what}.m": filled(frame.replace("@RIGID@", RIGID), parts, export)
+        for what, frame in frames.items()
+    }
     if file and path not in out:
         out[path] = filled(ENTRY.replace("STEM", path.stem), parts, export)
     return out

@@ -6,7 +6,7 @@ from pieper.code.between import held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions, quoted
-from pieper.tolerances import FILLED_ZERO
+from pieper.tolerances import CLOSES, FILLED_ZERO, NEWTON_FINITE
 
 
 def arrays(module: str) -> Language:
@@ -54,7 +54,14 @@ def own_parts(export: Export, module: str) -> dict[str, str]:
         "TEST_VALUE": f", q[{own.held}]" if held else "",
         "MOVED": f"_moved(Ts, {module}.asarray(values, float))" if held else "Ts",
         "ROW_VALUE": f"    value = {module}.asarray(values, float)[:, None]\n" if held else "",
-        "OWN_ROW": filled_joints + ("    q = six\n" if same else take),
+        "OWN_ROW": filled_joints
+        + ("    q = six\n" if same else take)
+        + (f"    q, miss = _nearest(q, Ts)\n    valid = valid & (miss < {CLOSES!r})\n" if own.filled else ""),
+        "NEAREST": NEAREST.replace("@TESTED@", str(list(own.tested)))
+        .replace("@WEIGHTS@", str(list(own.weights)))
+        .replace("@DAMPED@", repr(NEWTON_FINITE))
+        if own.filled
+        else "",
         "DOUBT": f"{module}.ones_like(unclear)" if own.always else "unclear",
         "TESTED": str(list(own.tested)),
         "TO_AXES": "    q = q @ _GEARS.T\n" if coupled else "",
@@ -109,6 +116,43 @@ def _move_inside(q):
 """
 
 
+#: Of arms with filled joints: rows become the joint vectors whose poses come nearest to what was asked.
+NEAREST = """
+
+def _nearest(q, Ts):
+    # least squares: joint vectors (N, 8, n) whose poses come nearest to those asked for; by how much each misses
+    tested, weights, point = @TESTED@, np.array(@WEIGHTS@), np.array([0.0, 0.0, 0.0, 1.0])[:, None]
+    for step in range(4):
+        frames, P = _walk(q)
+        r = weights * (Ts[:, None] - P).reshape(*q.shape[:2], 16)[..., tested]
+        if step == 3:
+            return q, np.sqrt((r * r).sum(-1))
+        z, p = frames[..., None, :3, 2], frames[..., None, :3, 3]
+        columns = np.swapaxes(P[..., None, :3, :], -1, -2)
+        way = np.where(SLIDES[:, None, None], point * z, np.cross(z, columns - point * p))
+        D = weights * np.swapaxes(way, -1, -2).reshape(*q.shape, 12)[..., tested]
+        A = D @ np.swapaxes(D, -1, -2)
+        A = A + @DAMPED@ * np.trace(A, axis1=-2, axis2=-1)[..., None, None] * np.eye(q.shape[-1])
+        q = q + np.linalg.solve(A, D @ r[..., None])[..., 0]
+
+"""
+#: What a matrix means as a pose; the same for every module of arrays.
+RIGID = """_NO_POSE = "pose {} is no rigid motion: R^T R departs from I by more than @ACCEPTED@, or R is a mirror."
+
+
+def _rigid(T):
+    # poses whose rotations, where they were rounded, are the nearest ones; and which are rigid motions at all
+    good = MODULE.isfinite(T).all((1, 2))
+    T = MODULE.where(good[:, None, None], T, MODULE.eye(4))
+    R = T[:, :3, :3]
+    off = MODULE.abs(MODULE.swapaxes(R, 1, 2) @ R - MODULE.eye(3)).max((1, 2))
+    off = off + MODULE.abs(T[:, 3] - MODULE.array([0.0, 0.0, 0.0, 1.0])).sum(1)
+    good = good & (off <= @ACCEPTED@) & (MODULE.linalg.det(R) > 0)
+    X = MODULE.where(good[:, None, None], R, MODULE.eye(3))
+    for _ in range(2):  # each step of Newton's iteration for the polar factor squares what is off
+        X = 1.5 * X - 0.5 * X @ (MODULE.swapaxes(X, 1, 2) @ X)
+    last = MODULE.broadcast_to(MODULE.array([[[0.0, 0.0, 0.0, 1.0]]]), (len(T), 1, 4))
+    return MODULE.concatenate([MODULE.concatenate([X, T[:, :3, 3:]], 2), last], 1), good"""
 #: The name of a posture; the same for every module of arrays.
 LABEL = '''def _side(v, facing):
     # 0 where v is positive, 1 where it is negative, 2 where it has no side; seen by somebody who faces that way
@@ -124,8 +168,9 @@ FRAME = '''"""@HEADER@
 
 @SAID@ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits; ik_all(Ts)
 takes poses (N, 4, 4) and returns rows (N, 8, n) before limits, which of them hold (N, 8), and which poses are unclear
-(N,): at and next to singular poses, where a row may stand for many and rows may be missing. fk(q) and jacobian(q)
-take (..., n), label(q) takes (n,).
+(N,): at and next to singular poses, where a row may stand for many and rows may be missing. A rotation that was rounded
+is taken as the nearest one; what is no rigid motion is a ValueError. fk(q) and jacobian(q) take (..., n), label(q)
+takes (n,).
 """
 
 import numpy as np
@@ -176,6 +221,9 @@ def jacobian(q):
     way = np.where(SLIDES[:, None], z, np.cross(z, T[..., None, :3, 3] - frames[..., :3, 3]))
     return np.swapaxes(np.concatenate([way, np.where(SLIDES[:, None], 0.0, z)], -1), -1, -2)@GEARED@
 @OWN_FUNCTIONS@
+@NEAREST@
+@RIGID@
+
 
 def _rows(T):
 @PROGRAM@
@@ -187,7 +235,9 @@ def _rows(T):
 
 def ik_all(Ts@VALUES@):
     """Rows (N, 8, n) of poses (N, 4, 4) before limits, which hold (N, 8), which poses are unclear (N,)."""
-    Ts = np.asarray(Ts, float)
+    Ts, good = _rigid(np.asarray(Ts, float))
+    if not good.all():
+        raise ValueError(_NO_POSE.format(int(np.argmin(good))))
     with np.errstate(all="ignore"):
         six, valid, unclear = _rows(@MOVED@)
     six = np.where(valid[..., None], six, 0.0)
@@ -225,7 +275,7 @@ def self_test():
         rows = ik(T.reshape(4, 4)@TEST_VALUE@)
         gap = np.abs(@GAP@)
         gap = np.where(SLIDES, gap, np.abs(gap - _TURN * np.round(gap / _TURN))).max(-1, initial=0.0)
-        ok = np.abs(fk(q).ravel() - T).max() < @VERIFIED@
+        ok = np.abs(fk(q) - _rigid(T.reshape(1, 4, 4))[0]).max() < @VERIFIED@
         failed += not (ok and len(rows) == count and (gap < 1e-7).any())
     return failed
 
@@ -243,4 +293,5 @@ if __name__ == "__main__":
 def text(export: Export) -> str:
     """Return the file's text."""
     parts = {name: part.replace("SLIDES_", "SLIDES") for name, part in own_parts(export, "np").items()}
-    return filled(FRAME.replace("@LABEL@", LABEL.replace("NAME_", "")), arrays("np").parts(export) | parts, export)
+    frame = FRAME.replace("@LABEL@", LABEL.replace("NAME_", "")).replace("@RIGID@", RIGID.replace("MODULE", "np"))
+    return filled(frame, arrays("np").parts(export) | parts, export)

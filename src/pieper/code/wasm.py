@@ -47,8 +47,9 @@ MODULE = """/*
 @HEADER@
 
 The kernel as WebAssembly inside this module; nothing is fetched. ik(T): every joint vector inside the limits, an array
-of arrays; T as 16 numbers row by row, or as 4 rows of 4; null where T is no rigid motion. ikAll(T): {rows, unclear}
-before limits. fk(q): 4 rows of 4. jacobian(q): 6 rows, linear ones first. label(q): the posture's name. selfTest():
+of arrays; T as 16 numbers row by row, or as 4 rows of 4; a rotation that was rounded is taken as the nearest one, and
+what is no rigid motion throws a RangeError. ikAll(T): {rows, unclear} before limits.
+fk(q): 4 rows of 4. jacobian(q): 6 rows, linear ones first. label(q): the posture's name. selfTest():
 stored poses that fail, 0.
 */
 const bytes = Uint8Array.from(atob("@BYTES@"), (letter) => letter.charCodeAt(0));
@@ -62,15 +63,20 @@ const rowsOf = (where, count, width) =>
 const flat = (pose) => (pose.length === 16 ? pose : [].concat(...pose.map((row) => Array.from(row))));
 const put = (pose) => numbers(at.T, 16).set(flat(pose));
 
+const held = (count) => {
+  if (count < 0) throw new RangeError("the pose is no rigid motion");
+  return count;
+};
+
 export function ik(pose@VALUE_JS@) {
   put(pose);
   const count = wasm.NAME_ik(at.T, @VALUE_SAID@at.q);
-  return count < 0 ? null : rowsOf(at.q, count, N);
+  return rowsOf(at.q, held(count), N);
 }
 export function ikAll(pose@VALUE_JS@) {
   put(pose);
   const count = wasm.NAME_ik_all(at.T, @VALUE_SAID@at.q, at.unclear);
-  if (count < 0) return null;
+  held(count);
   const unclear = new Int32Array(wasm.memory.buffer, at.unclear, 1)[0] !== 0;
   return { rows: rowsOf(at.q, count, N), unclear };
 }

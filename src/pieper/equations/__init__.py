@@ -61,7 +61,7 @@ class Symbolic:
         Args:
             task: "pose", "position" or "position+axis"; the plan's task when left out.
         """
-        task = task or self._arm.plan.task
+        task = task or self._task()
         if task not in self._singularities:
             from pieper.equations.singularities import SingularityEquations
 
@@ -69,6 +69,15 @@ class Symbolic:
             made = SingularityEquations(self.jacobian(), numeric=arm.jacobian, frames=arm.frames, task=task)
             self._singularities[task] = made
         return self._singularities[task]
+
+    def _task(self) -> str:
+        """The task that the solver takes; of an arm that it has no plan for the whole pose."""
+        from pieper.errors import PlanError
+
+        try:
+            return self._arm.plan.task
+        except PlanError:
+            return "pose"
 
     def ik(self, *, task: str | None = None, letters: str = "noap") -> InverseEquations:
         """Return the derivation of the inverse, or what is true of an arm without a closed form.

@@ -22,7 +22,7 @@ from pieper.equations.derivation.worked import WorkedExample
 from pieper.equations.lettering import checked_letters, in_letters
 from pieper.equations.named_parts import broken_lines
 from pieper.equations.table import symbol_table
-from pieper.errors import PieperError, PlanError
+from pieper.errors import InputError, PieperError, PlanError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.geometry import look
 from pieper.kinematics.pose import checked_pose
@@ -48,10 +48,12 @@ class InverseEquations(Readable):
         self.plan = _plan(arm, task)
         self.task = task or (self.plan.task if self.plan else "pose")
         self.form = _closed_form(arm, self.plan, self.task)
+        self._fell_back = ""
         if self.form is None and task is None and self.task != "pose" and arm.n < 6:
             # the whole pose says more than the task asks for, and an arm with few joints needs it all the same
             self.form = _closed_form(arm, self.plan, "pose")
-            self.task = "pose" if self.form is not None else self.task
+            if self.form is not None:
+                self._fell_back, self.task = self.task, "pose"
 
     @functools.cached_property
     def general(self) -> GeneralInverse | None:
@@ -81,7 +83,12 @@ class InverseEquations(Readable):
         """Sentences and formulas in reading order."""
         page = Document(f"Inverse kinematics of {self._arm.name}")
         if self.form is not None:
-            if self.plan is not None:
+            if self._fell_back:
+                page.say(
+                    f"By the {self._fell_back.replace('+', ' and the ')} alone, which is what the solver takes of this "
+                    "arm, no joint stands alone in an equation. What follows is for the whole pose."
+                )
+            elif self.plan is not None:
                 page.add(*_how(self._arm, self.plan, self.form))
             write_steps(page, self.form)
             add_sign_names(page, self.sign_names)
@@ -109,7 +116,21 @@ class InverseEquations(Readable):
         """Work one pose (4, 4) through the derivation, numbers put in line by line; a solution inside limits if any."""
         if self.form is None:
             raise PieperError(f"{self._arm.name} has no closed form to work through; arm.ik solves it.")
-        return WorkedExample(self.form, checked_pose(T, "T"), np.asarray(self._arm.limits))
+        T = checked_pose(T, "T")
+        limits = np.asarray(self._arm.limits)
+        if not (self.form.chosen or self.form.free or any(s.degenerate for s in self.form.steps)):
+            return WorkedExample(self.form, T, limits)
+        try:  # what may be chosen is taken from a solution: not every value of it has one
+            sols = self._arm.ik(T)
+            rows = [*sols.q, *sols.all_q]
+        except PieperError:
+            rows = []
+        for row in (*rows[:8], None):
+            try:
+                return WorkedExample(self.form, T, limits, row)
+            except InputError:
+                continue
+        return WorkedExample(self.form, T, limits)
 
     def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> DerivationCheck | PolynomialCheck:
         """Evaluate the formulas at every solution of `n` random poses, and at 50 digits (`DerivationCheck`)."""
@@ -153,13 +174,28 @@ def _choices(arm: Arm, plan: Plan | None, task: str) -> Iterator[tuple[int, ...]
     yield from seen
     if not seen and not spare:
         yield ()
+    free = functools.partial(_may_be_chosen, arm, task)
     if spare == 1:
         order = [1, arm.n, *range(2, arm.n)]
-        yield from ((j,) for j in order if (j,) not in seen and _promising(arm, j))
+        yield from ((j,) for j in order if (j,) not in seen and free((j,)) and _promising(arm, j))
     elif spare > 1:
-        yield from itertools.islice(
-            (c for c in itertools.combinations(range(1, arm.n + 1), spare) if c not in seen), 20
-        )
+        others = (c for c in itertools.combinations(range(1, arm.n + 1), spare) if c not in seen and free(c))
+        yield from itertools.islice(others, 20)
+
+
+def _may_be_chosen(arm: Arm, task: str, chosen: tuple[int, ...]) -> bool:
+    """Whether the other joints can do all that the arm can do without these (1-based): no pose fixes one of them."""
+    kept = [j for j in range(arm.n) if j + 1 not in chosen]
+    for q in np.random.default_rng(6).uniform(-2.5, 2.5, (3, arm.n)):
+        J = arm.jacobian(q)
+        if task == "position":
+            J = J[:3]
+        elif task == "position+axis":
+            across = np.linalg.svd(arm.fk(q)[:3, 2][None])[2][1:]
+            J = np.vstack([J[:3], across @ J[3:]])
+        if np.linalg.matrix_rank(J[:, kept], ALIGNED) < np.linalg.matrix_rank(J, ALIGNED):
+            return False
+    return True
 
 
 def _promising(arm: Arm, joint: int) -> bool:
@@ -182,7 +218,7 @@ def _how(arm: Arm, plan: Plan, form: ClosedForm) -> tuple[str, ...]:
         sentence += (
             " The formulas are those of the table as it stands; the solver takes " + "; ".join(plan.snapped) + "."
         )
-    most = min(plan.max_solutions, form.branches)
+    most = min(plan.count.most, form.branches)
     counted = f" A pose has at most {most} solution{'s' * (most != 1)}." if not form.chosen else ""
     said = (sentence + counted).strip()
     return (said,) if said else ()

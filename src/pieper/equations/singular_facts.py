@@ -12,6 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from pieper.algebra.arithmetics import NumpyField
+from pieper.algebra.expression import Expr
 from pieper.description.dh import Description
 from pieper.document.blocks import listed
 from pieper.kinematics.arrays import Array
@@ -160,3 +162,10 @@ def _wrist_centre(axes: Sequence[Any], points: Sequence[Any], turning: Any, size
         ):
             return name, point
     return None
+
+
+def first_harmonic(expr: Expr, symbol: Any, constants: dict) -> tuple[float, float, float]:
+    """a, b, c of a cos x + b sin x + c."""
+    x = np.arange(8) * np.pi / 4
+    y = np.broadcast_to(expr.evaluate(constants | {symbol: x}, NumpyField), x.shape)
+    return float(2 * np.mean(y * np.cos(x))), float(2 * np.mean(y * np.sin(x))), float(np.mean(y))

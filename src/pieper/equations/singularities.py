@@ -22,7 +22,8 @@ from pieper.equations.forward import Check
 from pieper.equations.jacobian import JacobianEquations
 from pieper.equations.named_parts import broken_lines
 from pieper.equations.one_block import one_long_block
-from pieper.equations.singular_facts import facts_on, roots_on_factor, still_joints
+from pieper.equations.singular_facts import facts_on, first_harmonic, roots_on_factor, still_joints
+from pieper.equations.vanishing import vanish_together
 from pieper.kinematics.arrays import Array
 from pieper.tolerances import ROUNDING, TINY, WHOLE_TURN
 
@@ -91,7 +92,7 @@ class SingularityEquations(Readable):
         """(linear frame, angular frame, point, rows of polynomials) with the smallest blocks, then the fewest terms."""
         n = self.n
         # The outermost frames never give more zeros than their neighbours; a long arm is looked at from its middle.
-        middle = range(2, n - 1) if n > 6 else range(1, n)
+        middle = range(2, n - 1) if n > 6 else range(1, max(n, 2))
         points = [n + 1] if self.task != "pose" else (range(3, n - 1) if n > 6 else range(1, n + 1))
         linear = {(k, m): self._linear(k, m) for k in middle for m in points}
         angular = {k: self._angular(k) for k in ({"position": [], "position+axis": [n + 1]}.get(self.task, middle))}
@@ -251,7 +252,7 @@ class SingularityEquations(Readable):
         if joint in self.table.prismatic:
             at = [float(expr.evaluate(constants | {symbol: x}, NumpyField)) for x in (0.0, 1.0)]
             return (at[0] / (at[0] - at[1]) + 0.0,) if at[0] != at[1] else ()
-        a, b, c = _first_harmonic(expr, symbol, constants)
+        a, b, c = first_harmonic(expr, symbol, constants)
         size = np.hypot(a, b)
         if size == 0 or abs(c) > size * (1 + ROUNDING):
             return ()
@@ -270,14 +271,15 @@ class SingularityEquations(Readable):
             if not self.minors:
                 return ["The determinant is identically zero: two joints do the same in every posture."]
             largest, count = self.minors[0].largest, len(self.minors[0].factors)
-            told = "is block triangular; its determinant is the product of the blocks' determinants."
-            said = [f"The Jacobian, {where}, {told}"]
             if count == 1 and largest > 2:
                 kept = f"keeps one block of {largest} by {largest}."
-                said = [f"The determinant does not factor: the Jacobian, {where}, {kept}"]
-            return said
+                return [f"The determinant does not factor: the Jacobian, {where}, {kept}"]
+            told = "is block triangular; its determinant is the product of the blocks' determinants."
+            return [f"The Jacobian, {where}, {told}"]
         if not self.minors:
             return ["The Jacobian never has full rank: joints repeat each other's motion in every posture."]
+        if any(not minor.factors for minor in self.minors):
+            return [f"The Jacobian is {len(matrix)} by {self.n} and keeps its rank in every posture."]
         which = (
             f"all its {len(self.minors)} different largest minors vanish"
             if len(self.minors) > 1
@@ -286,14 +288,8 @@ class SingularityEquations(Readable):
         told = f"The Jacobian is {len(matrix)} by {self.n}; it loses rank where {which}"
         if len(self.minors) == 1:
             return [told + "."]
-        return [
-            told
-            + (
-                ", which they do together where a factor that they share does."
-                if self.common_factors
-                else "; they share no factor."
-            )
-        ]
+        shared = ", which they do together where a factor that they share does."
+        return [told + (shared if self.common_factors else "; they share no factor.")]
 
     @functools.cached_property
     def page(self) -> Document:
@@ -303,6 +299,9 @@ class SingularityEquations(Readable):
         if self.determinant is not None and self.minors and len(self.minors[0].poly().terms) <= 200:
             page.show(Written("det J", r"\det J", "<mi>det</mi><mi>J</mi>"), self.determinant)
         for s in self.configurations:
+            if not s.possible:
+                page.say("The factor ", s.factor, " never vanishes with the lengths of this arm.")
+                continue
             page.heading(NAMES[s.kind])
             if s.kind == "other" and len(s.factor.text()) > 150:
                 page.say("They are where this determinant vanishes.")
@@ -311,12 +310,17 @@ class SingularityEquations(Readable):
             page.say(" ".join(s.words))
             if s.where:
                 page.say("That is at ", *self._places(s), ".")
-        if not self.square and self.minors:
-            for place, minor in enumerate(self._remaining()):
-                if not place:
-                    page.heading("Besides" if self.configurations else "Singular configurations")
-                    page.say("Rank is lost where all of these vanish together:")
-                page.show(minor)
+        rest = self._remaining() if not self.square and self.minors else []
+        if rest:
+            page.heading("Besides" if any(s.possible for s in self.configurations) else "Singular configurations")
+            d, sliding = self.jacobian.forward.description, [j - 1 for j in self.table.prismatic]
+            size = sum(abs(row.a) + abs(row.d) for row in d.rows) or 1.0
+            can = vanish_together([self._value_of(expr) for expr in rest], self.n, sliding, size)
+            page.say("Rank is lost where all of these vanish together:" if can else "Rank would be lost where")
+            for minor in rest:
+                page.show(minor, *([] if can else [ZERO]))
+            if not can:
+                page.say("together, which cannot be with the lengths of this arm.")
         return broken_lines(page)
 
     def _remaining(self) -> list[Expr]:
@@ -391,10 +395,3 @@ def _bare(expr: Expr) -> Expr:
     if isinstance(expr, Mul) and isinstance(expr.args[0], Num):
         return mul(*expr.args[1:])
     return expr
-
-
-def _first_harmonic(expr: Expr, symbol: Any, constants: dict) -> tuple[float, float, float]:
-    """a, b, c of a cos x + b sin x + c."""
-    x = np.arange(8) * np.pi / 4
-    y = np.broadcast_to(expr.evaluate(constants | {symbol: x}, NumpyField), x.shape)
-    return float(2 * np.mean(y * np.cos(x))), float(2 * np.mean(y * np.sin(x))), float(np.mean(y))

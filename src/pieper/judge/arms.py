@@ -72,6 +72,7 @@ def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> Arm
             f"got {columns!r}"
         )
     values = {str(k): float(v) for k, v in table.get("values", {}).items()}
+    zeros = {name for name, value in values.items() if not value}
     cells = table["rows"]
     n = len(cells)
     variables = {f"{c}{i + 1}" for i in range(n) for c in "dbq"} - set(values)
@@ -105,7 +106,9 @@ def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> Arm
         )
     base, tool = (_pose(place, table, key) for key in ("base", "tool"))
     name = str(table.get("name", "the arm of the file"))
-    model = ArmModel(name, convention, tuple(rows), values, unit, base, tool, None, aliases)
+    every = [r for row in rows for r in (*row.before, row, *row.after)]
+    zeros &= {name for r in every for cell in (r.a, r.d) for name in cell.symbols()}
+    model = ArmModel(name, convention, tuple(rows), values, unit, base, tool, None, aliases, frozenset(zeros))
     return replace(model, solver=_solver(model))
 
 
@@ -132,7 +135,7 @@ def _cell(
         raise InputError(f"the number {cell!r} and [values] {name} = {values[name]!r} contradict each other")
     values[name] = float(cell)
     variables.discard(name)
-    return number(0) if cell == 0 else Mention(name)
+    return Mention(name)
 
 
 def _look_at_variables(place: str, made: dict[str, Expr], joint: int, n: int, variables: set[str]) -> None:

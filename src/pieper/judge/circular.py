@@ -44,6 +44,9 @@ def uses_itself(
                 return name
         return _place(model, joint, node, definitions, set())
     # a formula for a sum is circular when it uses the sum, or every member of it
+    for name, joints in sorted((known or {}).items()):
+        if own <= joints:
+            return name
     places = [_place(model, joint, node, definitions, set()) for joint in own]
     return "" if "" in places else places[0]
 

@@ -89,7 +89,7 @@ JUDGES = {
         {"is": keys.FORMULAS, "unit": keys.ANGLE_UNIT},
     ),
     "together": Judge(judge_together, {"is"}, {"where", "frame", "at_deg", "when"}, {"is": keys.TOGETHER}),
-    "procedure": Judge(judge_procedure, {"steps"}, {"where"}),
+    "procedure": Judge(judge_procedure, {"steps"}, {"where", "task"}),
     "pose": Judge(judge_pose, set(), {"q", "q_deg", "q_rad", "of", "matrix", "position", "unit", "rounded"}),
     "solutions": Judge(
         judge_solutions,

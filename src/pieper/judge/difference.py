@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -80,14 +80,19 @@ def _polynomial(formula: Expr) -> bool:
     )
 
 
-def difference_from_matrix(printed: Expr, model: ArmModel, i: int, j: int) -> str:
-    """Return a printed entry minus the entry of T, simplified; "" when that is too long to be of use."""
+def difference_from_matrix(printed: Expr, model: ArmModel, entry: tuple[int, int], zeros: Collection[str]) -> str:
+    """Return a printed entry minus the entry (1-based) of T, simplified; "" when that is too long to be of use.
+
+    Lengths that are zero for this arm are left out, but for `zeros`, which stay letters.
+    """
     if printed.size() > 150 or model.n > 6 or not _polynomial(printed):
         return ""
     field = _Polynomials()
     names = {*(f"theta{k + 1}" for k in range(model.n)), *model.values, *printed.symbols()}
-    env = {name: field.sympy.Integer(0) if model.values.get(name) == 0 else field.sympy.Symbol(name) for name in names}
-    return field.factored(printed.evaluate(env, field) - model.pose_exact(env, field)[i][j], 12)
+    gone = {name for name, value in model.values.items() if not value and name not in zeros}
+    env = {name: field.sympy.Integer(0) if name in gone else field.sympy.Symbol(name) for name in names}
+    right = model.pose_exact(env, field)[entry[0] - 1][entry[1] - 1]
+    return field.factored(printed.evaluate(env, field) - right, 12)
 
 
 def _exact_environment(model: ArmModel, samples: Samples, k: int, definitions: dict[str, Expr], field: Any) -> dict:

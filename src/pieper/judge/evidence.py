@@ -12,23 +12,22 @@ from typing import Any
 import numpy as np
 
 from pieper.algebra.expression import Expr
-from pieper.algebra.formula import ANGLE, Mention
+from pieper.algebra.formula import Mention
 from pieper.algebra.formula_error import FormulaError
 from pieper.algebra.parser import parse_equation
 from pieper.errors import InputError, PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.conditions import Condition, read_conditions
 from pieper.judge.keys import UNITS
-from pieper.judge.letters import MatrixLetter, known_from, neighbours, of_whole_pose, pick_letters
+from pieper.judge.letters import MatrixLetter, neighbours, pick_letters
 from pieper.judge.matrices import value_of
 from pieper.judge.model import ArmModel
 from pieper.judge.products import Product, factors_of, parse_product
 from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample, some
-from pieper.judge.search.search import Explanation, Goal
-from pieper.judge.slips.arm_slips import ARM_KINDS, arm_slips, two_twists
-from pieper.judge.slips.slip import KINDS
+from pieper.judge.search.search import Goal
+from pieper.judge.slips.arm_slips import arm_slips
 from pieper.judge.symbols import in_order, plain
-from pieper.tolerances import ENTRY_MATTERS, EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
+from pieper.tolerances import EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
 
 MOST_ROWS = 4  # of a matrix of the file's own
 DRAWS = 60  # of joint vectors, until enough meet the conditions of a claim
@@ -49,6 +48,7 @@ class Evidence:
         unknown: symbols that the source never defines.
         held: joints (1-based) that a claim holds at a value.
         when: what a claim says of the joints it is about.
+        zeros: lengths that are zero for this arm and that a formula names, so that they are varied too.
     """
 
     model: ArmModel
@@ -59,6 +59,23 @@ class Evidence:
     when: tuple[Condition, ...] = ()
     letters: dict[str, MatrixLetter] = field(default_factory=dict)
     matrices: dict[str, list[list[Expr]]] = field(default_factory=dict)
+    zeros: frozenset[str] = frozenset()
+
+    @property
+    def varied_zeros(self) -> frozenset[str]:
+        """The lengths that are zero for this arm and not for every one of its build."""
+        return self.zeros | self.model.zeros
+
+    @property
+    def lengths(self) -> dict[str, float]:
+        """The lengths by name, those that are zero here and are varied with the length of the arm."""
+        return {**self.model.values, **dict.fromkeys(self.varied_zeros, self.model.length())}
+
+    def naming(self, *nodes: Expr) -> Evidence:
+        """Return evidence in which the lengths that formulas name are varied, those that are zero here included."""
+        used = set[str]().union(*(node.substitute(self.definitions).symbols() for node in nodes))
+        named = frozenset(name for name, value in self.model.values.items() if not value and name in used)
+        return self if named <= self.varied_zeros else replace(self, zeros=self.zeros | named)
 
     def define_matrix(self, name: str, rows: list[list[Any]]) -> None:
         """Add a matrix of the file, of 1 to 4 rows and columns, its entries numbers or formulas of the joints."""
@@ -138,45 +155,28 @@ class Evidence:
         """The letters of a formula that are entries of matrices."""
         return node.substitute(self.definitions).symbols() & set(self.letters)
 
-    def known_for(self, name: str) -> set[int]:
-        """The joints (1-based) that must be known before a letter taken from matrices is.
-
-        (T A6^-1)[1,4] is computed with theta6, but it is the wrist centre, which does not depend on it.
-        """
-        letter, n = self.letters[name], self.model.n
-        own = frozenset(self.matrices)
-        joints = known_from(letter.product, n, own)
-        for factor in factors_of(letter.product):
-            for cell in (cell for row in self.matrices.get(factor.name, ()) for cell in row):
-                joints |= {int(found.group(1)) for found in map(ANGLE.match, cell.symbols()) if found}
-        if not of_whole_pose(letter.product, n, own):
-            return joints
-        drawn = replace(self, when=()).draw(len(self.samples.q), seed=77)
-        here, other = self.samples.frames, drawn.frames
-        rows = self.samples.nominal & drawn.nominal
-        value = letter.value(here)
-        in_own = joints - known_from(letter.product, n, own)
-
-        def moves(joint: int) -> bool:
-            changed = letter.value({**here, f"A{joint}": other[f"A{joint}"]})
-            return not np.allclose(changed[rows], value[rows], rtol=0, atol=ENTRY_MATTERS)
-
-        return in_own | {j for j in joints if moves(j)}
-
     def pick(self, env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
         """Add the letters that are entries of matrices to an environment, and the file's matrices to the frames."""
         shape = env["theta1"].shape
+        own = set(self.matrices)
+        used = {name: own & {f.name for f in factors_of(letter.product)} for name, letter in self.letters.items()}
+        self._pick_letters([name for name in used if not used[name]], env, frames)
+        done = set[str]()
         for name, rows in self.matrices.items():
             M = np.empty((*shape, len(rows), len(rows[0])))
             for i, row in enumerate(rows):
                 for j, cell in enumerate(row):
                     M[..., i, j] = cell.evaluate(env)
             frames[name] = M
-        for name, letter in self.letters.items():
+            done.add(name)
+            self._pick_letters([k for k, by in used.items() if name in by and by <= done], env, frames)
+
+    def _pick_letters(self, names: list[str], env: dict[str, np.ndarray], frames: dict[str, np.ndarray]) -> None:
+        for name in names:
             try:
-                env[name] = letter.value(frames)
+                env[name] = self.letters[name].value(frames)
             except (InputError, np.linalg.LinAlgError):
-                env[name] = np.full(shape, np.nan)  # a neighbour of what was asked for may not exist
+                env[name] = np.full(env["theta1"].shape, np.nan)  # a neighbour of what was asked for may not exist
 
     def parse(self, text: str, where: Mapping[str, Any] | None = None, key: str = "is") -> Expr:
         """Read a formula.
@@ -223,7 +223,8 @@ class Evidence:
         parts: list[Samples] = []
         found = 0
         for attempt in range(DRAWS):
-            drawn = sample(self.model, count, seed=seed + 7919 * attempt, vary=vary, held=self.held)
+            start, zeros = seed + 7919 * attempt, self.varied_zeros
+            drawn = sample(self.model, count, seed=start, vary=vary, held=self.held, zeros=zeros)
             self.pick(drawn.env, drawn.frames)
             self.fill(drawn.env)
             if not self.when:
@@ -259,8 +260,7 @@ class Evidence:
             joint = name.removeprefix("theta").removeprefix("q")
             if not (joint.isascii() and joint.isdigit()) or not 1 <= int(joint[:3]) <= self.model.n:
                 raise InputError(f"at_deg: {name!r} is no joint of this arm; write theta1 .. theta{self.model.n}")
-            slides = self.model.sliding(int(joint))
-            held[int(joint)] = float(degrees) if slides else float(np.radians(float(degrees)))
+            held[int(joint)] = float(degrees) if self.model.sliding(int(joint)) else float(np.radians(float(degrees)))
         conditions = read_conditions(str(when), lambda text: self.parse(text, claim.where, "when")) if when else ()
         return replace(self, held=held, when=conditions)
 
@@ -286,12 +286,11 @@ class Evidence:
     @cached_property
     def other_arms(self) -> list[tuple[str, str, Samples]]:
         """(kind, words, samples) with the same joint vectors and lengths for the arms one slip away."""
-        return [(kind, words, self._as(model)) for kind, words, model in arm_slips(self.model)]
+        return list(self.arms(arm_slips(self.model)))
 
-    @property
-    def arms_of_two_twists(self) -> Iterator[tuple[str, str, Samples]]:
-        """The same for the arms with two twists of the other sign."""
-        return ((kind, words, self._as(model)) for kind, words, model in two_twists(self.model))
+    def arms(self, others: Iterator[tuple[str, str, ArmModel]]) -> Iterator[tuple[str, str, Samples]]:
+        """The same joint vectors and lengths for other arms, with what is said of them."""
+        return ((kind, words, self._as(model)) for kind, words, model in others)
 
     def _as(self, model: ArmModel) -> Samples:
         """The samples of another arm at the same joint vectors and lengths."""
@@ -309,7 +308,7 @@ class Evidence:
         Raises:
             PieperError: What the solver raises, or its solutions do not hold.
         """
-        rows = self.in_unit(self.solved(self.samples.frames["T"][k]))
+        rows = self.in_unit(self.solved(self.samples.frames["T"][k], "pose"))
         if not len(rows) or self.apart(rows, self.samples.q[k]).max(1).min() > EVIDENCE_SAME:
             raise PieperError("the solver does not return the joints the pose was made from")
         back = pose_of(self.model, rows)
@@ -351,7 +350,8 @@ class Evidence:
         """Write the lengths of sample k where they are not the arm's own."""
         if self.samples.nominal[k]:
             return ""
-        names = [m for m in self.model.values if m in node.symbols()]
+        used = node.substitute(self.definitions).symbols() | self.varied_zeros
+        names = [m for m in self.model.values if m in used]
         return " with " + ", ".join(f"{m} = {self.samples.env[m][k]:g}" for m in names)
 
     def goal(self, wanted: np.ndarray | None, *, angle: bool = False, frame: Product | None = None) -> Goal:
@@ -370,14 +370,6 @@ def under(key: str) -> Iterator[None]:
         raise InputError(f"{key}: {error}", **error.data) from None
     except np.linalg.LinAlgError:
         raise InputError(f"{key}: a matrix that is inverted here has no inverse") from None
-
-
-def tried_text(explanation: Explanation, arms_tried: dict[str, int] | None = None) -> str:
-    """Say what a search tried, by kind."""
-    parts = [f"{KINDS.get(kind, kind)} ({count})" for kind, count in explanation.tried.items()]
-    parts += [f"{ARM_KINDS.get(kind, kind)} ({count})" for kind, count in (arms_tried or {}).items()]
-    text = ", ".join(parts)
-    return text + ("" if explanation.complete else "; the search stopped at its limit of time or length")
 
 
 def wrapped(x: Any) -> Any:

@@ -15,25 +15,21 @@ from pieper.algebra.parser import parse, parse_equation
 from pieper.algebra.spelling import plain
 from pieper.errors import InputError
 from pieper.judge.evidence import SIGN
-from pieper.judge.excerpt_matrices import PLACED, taken_out
+from pieper.judge.excerpt_lengths import lengths_meant
+from pieper.judge.excerpt_lines import BRANCH, CONDITION, SINGULAR, Line, equations
+from pieper.judge.excerpt_matrices import PLACED
 from pieper.judge.letters import pick_letters
 from pieper.judge.model import POSE_NAMES, ArmModel
 from pieper.judge.products import parse_product
 
-_BLOCK = re.compile(r"\\(?:begin|end)\{(?:equation|align|aligned|gather|split|eqnarray|cases|math|displaymath)\*?\}")
 _WHEN = re.compile(
     r"(?:,|;|\(|\s)\s*(?:\\text\{\s*)?(?:for|if|when|where|provided)\b\s*\}?\s*(.*?[<>].*)$", re.IGNORECASE
 )
-_NUMBER = re.compile(r"\\(?:tag|label)\{([^}]*)\}|\((\d+[a-z]?)\)\s*[.,;]?\s*$")
-_CONDITION = re.compile(r"^[A-Z][a-z]+(?:\s+[a-z]+){1,8}\s+where\s.*=")
 _RELATION = re.compile(r"(?:theta|d)\d+\s*=\s*-?\s*q\d+(?:\s*[-+][^=]*)?")
 _TAKEN_OFF = re.compile(r"with the constant (base|tool)(?: and (tool))? taken off")
-SINGULAR = "§singular§"  # before an equation that says where an arm is singular
 ROUNDS = 4  # definitions that stand below their use, several deep
 _UNEQUAL = re.compile(r"(?:,|;|\s(?:if|when|where|for)\b)[^,;]*(?:≠|!=|\\neq?\b).*$", re.IGNORECASE)
-_EQUALS = re.compile(r"(?<![<>!=])=(?!=)")
-_BETWEEN = re.compile(r"\$|\\\(|\\\)|\b(?:when|if|where|for|at|or|and)\b|,")
-_PROSE = re.compile(r"[A-Za-z]{3,}\s+[A-Za-z]{3,}")
+_SQUARE = re.compile(r"([A-Za-z]+\d*)\^\(?2\)?")
 _SPACE = re.compile(r"\\q?quad\b")
 _OWN = re.compile(r"([sc])_?\{?(\d)\}?$")
 _LOWER = {f"p{c}": f"P{c}" for c in "xyz"}
@@ -67,18 +63,19 @@ def guesses(text: str, model: ArmModel) -> list[Guess]:
         text: Plain text or LaTeX.
         model: The arm that it is about.
     """
-    lines, found = _lines(text), list[Guess]()
-    signs = set(SIGN.findall(_unmarked(text)))
+    lines, found = equations(text), list[Guess]()
+    stands = _undefined(lines, model)
+    signs = set(SIGN.findall(_unmarked(text))) | set(stands)
     defined: dict[str, tuple[bool, int]] = {}
     known: set[str] = set()
     for _ in range(ROUNDS):  # a symbol may be defined below the line that uses it, by others that are too
         before = dict(defined)
-        for number, line, matrices in lines:
-            guess = _guess(number, line, matrices, model, signs | (known - _left(line)))
+        for line in lines:
+            guess = _guess(line, model, signs | (known - _left(line.text)), stands)
             if guess.symbol:
                 # of two lines for one symbol the definition is the one made of the pose's letters
                 name, formula = guess.symbol
-                rank = (not _has_pose(formula, known - {name}), number)
+                rank = (not _has_pose(formula, known - {name}), line.number)
                 defined[name] = min(rank, defined.get(name, rank))
         known = set(defined)
         if defined == before:
@@ -86,9 +83,9 @@ def guesses(text: str, model: ArmModel) -> list[Guess]:
     flat = model.n < 6 and not _has_pose(re.sub(r"\bp[xyz]\b", "", _unmarked(text), flags=re.IGNORECASE), set())
     said: list[dict[str, object]] = []
     sines: dict[str, str] = {}
-    for number, line, matrices in lines:
-        own = {name for name, (_, at) in defined.items() if at == number} & _left(line)
-        guess = _guess(number, line, matrices, model, signs | (known - own))
+    for line in lines:
+        own = {name for name, (_, at) in defined.items() if at == line.number} & _left(line.text)
+        guess = _guess(line, model, signs | (known - own), stands)
         _put_in(guess, sines)
         if flat and guess.keys.get("kind") == "joint":
             guess.keys["task"] = "position"
@@ -98,12 +95,35 @@ def guesses(text: str, model: ArmModel) -> list[Guess]:
         if what:
             said.append(what)
         found.append(guess)
-    return found
+    return _of_letters(found, stands, model)
+
+
+def _of_letters(found: list[Guess], stands: dict[str, str], model: ArmModel) -> list[Guess]:
+    """The guesses with what letters of the page stand for; what uses one that stands for nothing known is not read."""
+    own = [name for name, meaning in stands.items() if meaning == "?"]
+    meant = lengths_meant(model, own, [guess.keys for guess in found if guess.keys]) if own else {}
+    first: list[Guess] = []
+    for name, meaning in stands.items():
+        if meaning != "?":
+            first.append(Guess(0, f"{name}, for the tool's place", symbol=(name, meaning)))
+        elif name in meant:
+            told = f"{name}: with {meant[name]} for it the lines come out right; is that what the page means by it?"
+            first.append(Guess(0, told, symbol=(name, meant[name])))
+    lost = {name for name in own if name not in meant}
+    for guess in found if lost else []:
+        text = str(guess.keys.get("is", "")) + (guess.symbol[1] if guess.symbol else "")
+        used = sorted(lost & set(re.findall(r"[A-Za-z]+\d+", _unmarked(text))))
+        if used:
+            guess.keys, guess.symbol = {}, None
+            guess.why = f"{', '.join(used)}: no length of this arm; write the arm's own name for it"
+    return first + found
 
 
 def _put_in(guess: Guess, sines: dict[str, str]) -> None:
     """Put what a page found s5 and c5 to be into its theta5 = atan2(s5, c5), which would be circular by itself."""
-    kind, formula = guess.keys.get("kind"), str(guess.keys.get("is", ""))
+    kind, formula = guess.keys.get("kind"), guess.keys.get("is", "")
+    if not isinstance(formula, str):
+        return
     if kind == "equation":
         left, _, right = formula.partition("=")
         own = _OWN.fullmatch(_unmarked(left).strip().lower())
@@ -122,7 +142,28 @@ def _unmarked(text: str) -> str:
 
 
 def _left(line: str) -> set[str]:
-    return {re.sub(r"[\s_{}&]", "", plain(line.partition("=")[0]))}
+    name = re.sub(r"[\s_{}&]", "", plain(line.partition("=")[0]))
+    return {name, re.sub(r"\^\(?2\)?$", "", name)}
+
+
+def _undefined(lines: list[Line], model: ArmModel) -> dict[str, str]:
+    """Letters that the page uses and never defines: x, y, z for the tool's place, and lengths of its own naming."""
+    given, used, lefts = model.names(), list[tuple[str, str]](), dict[str, list[str]]()
+    cells = [" ".join(itertools.chain(*rows)) for rows in (lines[0].matrices if lines else [])]
+    for text in [*(line.text.removeprefix(SINGULAR) for line in lines), *cells]:
+        left, _, right = _unmarked(text).partition("=")
+        lefts.setdefault(left.strip(), []).append(right)
+        used += re.findall(r"(?<![A-Za-z\d.])([A-Za-z])(\d*)(?![\w(\[])", _unmarked(text))
+    stands: dict[str, str] = {}
+    place = {letter for letter, digits in used if not digits and letter.lower() in "xyz"} - given
+    if len(place) > 1:
+        own = {name for name in place if any(_has_pose(right, set()) for right in lefts.get(name, []))}
+        stands |= {name: f"p{name.lower()}" for name in sorted(place - own)}
+    for letter, digits in used:
+        name = letter + digits
+        if digits and letter in "lLhHedab" and name not in given and name not in lefts:
+            stands[name] = "?"
+    return stands
 
 
 def _has_pose(formula: str, symbols: set[str]) -> bool:
@@ -131,47 +172,20 @@ def _has_pose(formula: str, symbols: set[str]) -> bool:
     return bool(used & symbols or marks & {name.lower() for name in used})
 
 
-def _lines(text: str) -> list[tuple[int, str, list[list[list[str]]]]]:
-    """Every equation with the number of its line; matrices are taken out and stand as §0§, §1§."""
-    text, matrices = taken_out(re.sub(r"(?<!\\)%.*", "", text))
-    text = _BLOCK.sub(" ", text)
-    out = []
-    for number, line in enumerate(text.split("\n"), 1):
-        for sentence in re.split(r"(?<=[.;])\s", line):
-            if re.search(r"\bsingular", sentence, re.IGNORECASE) and _EQUALS.search(sentence):
-                out += [(number, f"{SINGULAR}{piece}", matrices) for piece in _singular(sentence)]
-                line = line.replace(sentence, "")
-        if "$" in line and _CONDITION.search(line):
-            out.append((number, line.strip(), matrices))
-            continue
-        for piece in re.split(r"\\\\(?:\[[^\]]*\])?|\$\$|(?<!\\)\$|\\\[|\\\]|\\\(|\\\)|;", line):
-            if _EQUALS.search(piece):
-                out.append((number, piece.strip(" \t.,&"), matrices))
-    return out
-
-
-def _singular(sentence: str) -> list[str]:
-    """The equations of a sentence about singular configurations, joined by or."""
-    pieces = [piece.strip(" .,;") for piece in _BETWEEN.split(sentence)]
-    equations = [piece for piece in pieces if _EQUALS.search(piece) and not _PROSE.search(piece)]
-    return [" or ".join(equations)] if equations else []
-
-
-def _guess(number: int, line: str, matrices: list[list[list[str]]], model: ArmModel, known: set[str]) -> Guess:
-    guess = Guess(number, PLACED.sub("[a matrix]", line.removeprefix(SINGULAR)))
-    if line.startswith(SINGULAR):
-        text = plain(line.removeprefix(SINGULAR)).strip()
+def _guess(line: Line, model: ArmModel, known: set[str], stands: dict[str, str]) -> Guess:
+    guess = Guess(line.number, PLACED.sub("[a matrix]", line.text.removeprefix(SINGULAR)).replace(BRANCH, "or"))
+    if line.text.startswith(SINGULAR):
+        text = plain(line.text.removeprefix(SINGULAR)).strip()
         try:
             for part in text.split(" or "):
                 parse_equation(part, model.names() | known, model.n)
-            guess.keys = {"id": f"line {number}", "kind": "singular", "is": re.sub(r"\s+", " ", text)}
+            guess.keys = {"id": f"line {line.number}", "kind": "singular", "is": re.sub(r"\s+", " ", text)}
         except InputError as error:
             guess.why = str(error).splitlines()[0]
         return guess
-    tag = _NUMBER.search(line)
-    body = _UNEQUAL.sub("", _NUMBER.sub("", line)).strip(" .,&")  # where nothing vanishes, as everywhere here
+    body = _UNEQUAL.sub("", line.text).strip(" .,&")  # where nothing vanishes, as everywhere here
     condition = _WHEN.search(body)
-    if _CONDITION.search(body):
+    if CONDITION.search(body):
         guess.why = "a condition in a sentence, not a claim"
         return guess
     if condition:
@@ -187,14 +201,14 @@ def _guess(number: int, line: str, matrices: list[list[list[str]]], model: ArmMo
     words = left.split()
     for first in range(max(1, len(words))):  # a sentence may stand before the formula
         try:
-            _read(guess, " ".join(words[first:]), right, matrices, model, known)
+            first_words = " ".join(words[first:])
+            _read(guess, stands.get(first_words, first_words), right, line.matrices, model, known)
             guess.why = ""
             break
         except InputError as error:
             guess.keys, guess.symbol, guess.why = {}, None, guess.why or str(error).splitlines()[0]
     if guess.keys:
-        head = next((group for group in tag.groups() if group), "") if tag else ""
-        guess.keys = {"id": head or f"line {number}", **guess.keys}
+        guess.keys = {"id": line.tag or f"line {line.number}", **guess.keys}
         if condition and guess.keys["kind"] in ("entry", "equation", "joint"):
             guess.keys["when"] = plain(condition.group(1)).strip(" .,)}")
     return guess
@@ -205,12 +219,18 @@ def _read(guess: Guess, left: str, right: str, matrices: list, model: ArmModel, 
     bare = re.sub(r"[\s_{}\\]|mathbf|mathrm|boldsymbol|text", "", left)
     placed = PLACED.fullmatch(right)
     if placed:
-        _matrix(guess, bare, matrices[int(placed.group(1))], model)
+        _matrix(guess, bare, matrices[int(placed.group(1))], model, names)
         return
     if PLACED.search(right) or PLACED.search(left):
         raise InputError("a matrix among other things; write it as a claim of its own")
     if re.fullmatch(r"(?:det\(?J\)?|\|J\||detJ)", bare):
         guess.keys = {"kind": "determinant", "is": plain(_formula(right, model, names)).strip()}
+        return
+    if BRANCH in right:
+        joint, parts = _joint(left, model), right.split(BRANCH)
+        if not joint or len(parts) != 2:
+            raise InputError("two branches are read of a joint's formula; write a claim for each")
+        guess.keys = {"kind": "joint", **joint, "is": [_formula(part, model, names) for part in parts]}
         return
     entry = next((name for name, _, _ in POSE_NAMES if bare in (name, _LOWER.get(name, name))), "")
     if entry:
@@ -236,6 +256,10 @@ def _read(guess: Guess, left: str, right: str, matrices: list, model: ArmModel, 
         if not re.fullmatch(r"[cCsS]\d+", symbol):
             guess.symbol = (symbol, text)
             return
+    square = _SQUARE.fullmatch(symbol)
+    if square and square.group(1) not in names and not re.fullmatch(r"[cCsS]\d*", square.group(1)):
+        guess.symbol = (square.group(1), f"sqrt({_formula(right, model, names)})")
+        return
     made, _ = pick_letters(f"{left} = {right}", model.n, frozenset())
     parse_equation(made, names | _picked(made, model), model.n)
     guess.keys = {"kind": "equation", "is": f"{plain(left).strip()} = {plain(right).strip()}"}
@@ -280,8 +304,10 @@ def _is_product(text: str, model: ArmModel) -> bool:
     return True
 
 
-def _matrix(guess: Guess, name: str, rows: list[list[str]], model: ArmModel) -> None:
+def _matrix(guess: Guess, name: str, rows: list[list[str]], model: ArmModel, names: set[str]) -> None:
     cells = [[plain(cell).strip() or "" for cell in row] for row in rows]
+    for cell in (cell for row in cells for cell in row if cell not in ("", "*")):
+        _formula(cell, model, names)
     if name in ("J", "Jv"):
         guess.keys = {"kind": "jacobian", "is": cells}
         return
@@ -326,7 +352,8 @@ def claims_file(found: list[Guess], arm: str, source: str) -> str:
         lines.append("[symbols]")
         for guess in symbols:
             assert guess.symbol is not None
-            lines += [f"# line {guess.line}: {guess.text}", f"{guess.symbol[0]} = {_quoted(guess.symbol[1])}"]
+            head = f"line {guess.line}: " if guess.line else ""
+            lines += [f"# {head}{guess.text}", f"{guess.symbol[0]} = {_quoted(guess.symbol[1])}"]
         lines.append("")
     used: set[str] = set()
     for guess in found:

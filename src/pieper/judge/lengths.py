@@ -7,7 +7,7 @@ what holds only for the arm's own is varied again with some lengths tied togethe
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +21,7 @@ from pieper.tolerances import EQUAL_LENGTHS
 RATIOS = ((1.0, ""), (-1.0, "-"), (2.0, "2 "), (-2.0, "-2 "), (0.5, "1/2 "), (-0.5, "-1/2 "))
 MOST_READINGS = 64  # of numbers as lengths
 TRIED = 48  # joint vectors, half of them with other lengths
+ZERO = "0"  # what a length is tied to that is zero here
 
 Judged = Callable[[Evidence, Expr], np.ndarray]
 Tie = tuple[str, str, str]
@@ -49,10 +50,16 @@ def standing(ev: Evidence, node: Expr, judged: Judged) -> Standing:
     readings = list(as_lengths(node, ev)) if numbers else [root]
     if numbers and any(judged(ev, reading).all() for reading in readings):
         return Standing(False, "")
+    if numbers and not used & ev.varied_zeros:
+        # numbers are about this arm, whose zeros they leave out
+        build = ev.drawn(TRIED, 7, {name: name for name, value in ev.model.values.items() if value})
+        if any(judged(build, reading).all() for reading in readings):
+            return Standing(False, "")
     for reading in readings:
         because = coincidence(ev, reading, judged)
         if because:
-            return Standing(bool(reading.symbols() & set(ev.model.values)), f"only because {because}")
+            named = reading.symbols() & set(ev.model.values) or (ev.model.zeros and not numbers)
+            return Standing(bool(named), f"only because {because}")
     if used and not numbers:
         return Standing(True, "only, and not for others of its build")
     return Standing(False, "")
@@ -66,7 +73,7 @@ def coincidence(ev: Evidence, node: Expr, judged: Judged) -> str:
         node: a formula that is right for the arm's own lengths and not for others.
         judged: evidence and a formula -> where it is right, (K,) bool.
     """
-    ties = list(_ties(ev.model))
+    ties = list(_ties(ev.model, ev.varied_zeros))
 
     def right(kept: list[Tie]) -> bool:
         return bool(judged(ev.drawn(TRIED, 5, _groups(ev.model, kept)), node).all())
@@ -115,8 +122,9 @@ def _same(x: float, y: float) -> bool:
     return abs(x - y) <= EQUAL_LENGTHS * max(abs(x), abs(y))
 
 
-def _ties(model: ArmModel) -> Iterator[Tie]:
-    """Yield (a, ratio in words, b) for the lengths in a simple ratio."""
+def _ties(model: ArmModel, zeros: Collection[str]) -> Iterator[Tie]:
+    """Yield (a, ratio in words, b) for the lengths in a simple ratio, and (a, "", "0") for those that are zero here."""
+    yield from ((name, "", ZERO) for name in model.values if name in zeros)
     lengths = {name: value for name, value in model.values.items() if value}
     for (a, x), (b, y) in itertools.combinations(lengths.items(), 2):
         for ratio, words in RATIOS:
@@ -125,9 +133,12 @@ def _ties(model: ArmModel) -> Iterator[Tie]:
 
 
 def _groups(model: ArmModel, ties: list[Tie]) -> dict[str, str]:
-    """Name -> group for every length, tied ones in one group."""
-    group = {name: name for name in model.values}
+    """Name -> group for every length, tied ones in one group; those that are to be zero are left out."""
+    none = {a for a, _, b in ties if b == ZERO}
+    group = {name: name for name in model.values if name not in none}
     for a, _, b in ties:
+        if b == ZERO:
+            continue
         old, new = group[b], group[a]
         group = {name: new if g == old else g for name, g in group.items()}
     return group

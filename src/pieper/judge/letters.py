@@ -15,10 +15,9 @@ import numpy as np
 
 from pieper.errors import InputError
 from pieper.judge.matrices import value_of
-from pieper.judge.products import Product, factors_of, parse_product
+from pieper.judge.products import Product, parse_product
 
 _PICKED = re.compile(r"[\[(]\s*(\d)\s*,\s*(\d)\s*[\])]|_?\{\s*(\d)\s*,?\s*(\d)\s*\}|\[\s*(\d)\s*\](?!\s*\[)")
-_ROW = re.compile(r"[AQv]\d")
 _NORM = re.compile(r"(?:\b(?:norm|dot)\s*\(|\\?\|\\?\|)")
 
 
@@ -131,43 +130,3 @@ def _closing(text: str, opened: int) -> int:
         if not depth:
             return k
     return -1
-
-
-def known_from(of: Product, joints: int, own: frozenset[str] = frozenset()) -> set[int]:
-    """The joints (1-based) that must be known before a product of matrices can be computed from the whole pose.
-
-    R36 alone is what the pose leaves when the other joints are known; A4 is the matrix of a row, made of its own joint.
-
-    Args:
-        of: The product.
-        joints: How many joints the arm has.
-        own: Names of matrices that the file defines; what they use is another matter.
-    """
-    parts, every = _spans(of, joints, own), set(range(1, joints + 1))
-    inner = [part for part in parts if part != every]
-    alone = len(parts) == len(inner) == 1 and not any(_ROW.fullmatch(factor.name) for factor in factors_of(of))
-    return every - inner[0] if alone else set[int]().union(*inner)
-
-
-def of_whole_pose(of: Product, joints: int, own: frozenset[str] = frozenset()) -> bool:
-    """Whether a product is made of the whole pose and matrices that are taken off it."""
-    return set(range(1, joints + 1)) in _spans(of, joints, own)
-
-
-def _spans(of: Product, joints: int, own: frozenset[str]) -> list[set[int]]:
-    """The joints inside every matrix of a product."""
-    parts: list[set[int]] = []
-    for factor in factors_of(of):
-        name = factor.name
-        if not name or factor.constant or factor.of or name == "I" or name in own:
-            continue
-        digits = [int(d) for d in re.findall(r"\d", name)]
-        if name == "J":
-            parts += [{j} for j in range(1, joints + 1)]  # it takes every joint, and is not part of the pose
-            continue
-        if name[0] in "AQv" and digits:
-            parts.append({digits[0]})
-            continue
-        first, last = (0, joints) if not digits else (0, digits[0]) if len(digits) == 1 else (digits[0], digits[1])
-        parts.append(set(range(min(first, last) + 1, max(first, last) + 1)))
-    return parts

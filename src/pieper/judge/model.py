@@ -67,6 +67,7 @@ class ArmModel:
         base, tool: (4, 4) constant poses before the first and after the last row.
         solver: solves the same rows (SI), or None; used only to ask for the other solutions of a pose.
         aliases: names of sliding variables, such as b3 -> theta3.
+        zeros: the source's own length symbols that are zero for this arm, as e1 in a table with values = { e1 = 0 }.
     """
 
     name: str
@@ -78,6 +79,7 @@ class ArmModel:
     tool: np.ndarray = field(default_factory=lambda: np.eye(4))
     solver: Solver | None = None
     aliases: dict[str, str] = field(default_factory=dict)
+    zeros: frozenset[str] = frozenset()
 
     @property
     def n(self) -> int:
@@ -92,6 +94,13 @@ class ArmModel:
     def sliding(self, joint: int) -> bool:
         """Say whether joint (1-based) slides."""
         return f"theta{joint}" in self.rows[joint - 1].d.symbols()
+
+    def sense(self, joint: int) -> float:
+        """How the cell that moves goes with the value of joint (1-based): -1 where the table has -q."""
+        row = self.rows[joint - 1]
+        cell = row.d if self.sliding(joint) else row.theta
+        zero = self.at_zero
+        return float(cell.evaluate({**zero, f"theta{joint}": 1.0})) - float(cell.evaluate(zero))
 
     def with_row(self, index: int, **columns: Expr) -> ArmModel:
         """Return the arm with some columns of one row (0-based) replaced."""
@@ -178,7 +187,7 @@ class ArmModel:
         out["J"] = np.zeros((count, 6, self.n))
         for k, axis in enumerate(self.axis_frames(out, env)):
             frame = before[k] @ axis
-            z, arm = frame[:, :3, 2], out["T"][:, :3, 3] - frame[:, :3, 3]
+            z, arm = self.sense(k + 1) * frame[:, :3, 2], out["T"][:, :3, 3] - frame[:, :3, 3]
             # a turning joint moves the tool by z x (p - o) and turns it about z; a sliding one moves it along z
             if self.sliding(k + 1):
                 out["J"][:, :3, k] = z

@@ -132,12 +132,22 @@ def unit_of(claim: Claim, model: ArmModel) -> str:
     return unit
 
 
-def joint_tolerance(values: Any, degrees: bool) -> np.ndarray:
-    """Return half a unit of the last printed digit of each joint, in rad."""
-    half = np.array(
-        [0.51 * last_digit(v) if not (isinstance(v, str) and any(c.isalpha() for c in v)) else 0.0 for v in values]
-    )
-    return np.radians(half) if degrees else half
+def digit_units(values: list[Any]) -> np.ndarray:
+    """Return one unit of the last digit of each of some numbers that stand together; 0 for those given as formulas.
+
+    A file's plain numbers lose their last zeros, so 250 beside 464.4252 has as many digits as that; text keeps its own.
+    """
+    own = [0.0 if isinstance(v, str) and any(c.isalpha() for c in v) else last_digit(v) for v in values]
+    finest = min((unit for unit in own if unit), default=0.0)
+    return np.array([unit if isinstance(v, str) else finest for v, unit in zip(values, own, strict=True)])
+
+
+def joint_units(claim: Claim, model: ArmModel, key: str = "q") -> np.ndarray:
+    """Return one unit of the last printed digit of each joint, in rad or the arm's unit of length."""
+    found = next(k for k in (f"{key}_deg", f"{key}_rad", key) if k in claim)
+    unit = digit_units(claim[found])
+    turning = np.array([not model.sliding(k + 1) for k in range(model.n)])
+    return np.where(turning, np.radians(unit), unit) if found.endswith("_deg") else unit
 
 
 def read_matrix(claim: Claim, key: str = "matrix") -> list[list]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,6 +34,7 @@ def sample(
     seed: int = 20_24,
     vary: Mapping[str, str] | None = None,
     held: Mapping[int, float] | None = None,
+    zeros: Collection[str] = (),
 ) -> Samples:
     """Draw joint vectors (and, in the second half, other lengths) and evaluate everything a formula can name.
 
@@ -44,6 +45,7 @@ def sample(
         vary: the lengths that get other values in the second half, so that "identically" means for every arm of this
             build; lengths of one group keep their ratio. None varies every length by itself.
         held: joints (1-based) that stay at a value, rad or the unit of length.
+        zeros: the lengths that are zero for this arm and get values all the same, where they are varied.
     """
     rng = np.random.default_rng(seed)
     n = model.n
@@ -64,7 +66,8 @@ def sample(
         drawn = np.round(rng.uniform(0.7, 1.4, count - count // 2), 3)
         lengths[name] = np.full(count, float(value))
         if name in groups:
-            lengths[name][count // 2 :] *= factors.setdefault(groups[name], drawn)
+            other = factors.setdefault(groups[name], drawn)
+            lengths[name][count // 2 :] = np.round(other * scale, 3) if name in zeros else value * other
     return samples_at(model, q, lengths=lengths, nominal=~second)
 
 

@@ -141,13 +141,16 @@ def grid_of(
 
 def _orientations(said: Any) -> tuple[Array, int, int]:
     turns = arguments.numbers(said, "orientations", "(directions, rolls) or rotations (k, 3, 3)")
-    if turns.ndim == 3:
-        return checked_pose(transform(turns), "orientations", batch=True)[:, :3, :3], 1, 1
+    if turns.ndim == 3 and len(turns):
+        poses = turns if turns.shape[1:] == (4, 4) else transform(turns) if turns.shape[1:] == (3, 3) else None
+        if poses is not None:
+            return checked_pose(poses, "orientations", batch=True)[:, :3, :3], 1, 1
     counts = list(said) if isinstance(said, (tuple, list)) else []
     whole = len(counts) == 2 and all(isinstance(n, (int, np.integer)) and n >= 1 for n in counts)
     if not whole:
         raise InputError(
-            f"orientations must be (directions, rolls), both at least 1, or rotations (k, 3, 3); got {said!r}.",
+            "orientations must be (directions, rolls), both at least 1, or rotations (k, 3, 3), at least one, or poses "
+            f"(k, 4, 4), whose rotations are taken; got {arguments.kind_of(said)}.",
             given=said,
         )
     return orientations_of(int(counts[0]), int(counts[1])), int(counts[1]), fold_of(int(counts[0]))

@@ -13,8 +13,9 @@ from typing import Any, NamedTuple, Protocol, runtime_checkable
 import numpy as np
 
 from pieper import arguments
-from pieper.errors import InputError
+from pieper.errors import InputError, PlanError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
+from pieper.kinematics.meant import remark_long, remark_turned
 from pieper.kinematics.pose import PoseLike, checked_pose, rotation_z
 from pieper.maps.around import Around
 from pieper.maps.export import export
@@ -31,6 +32,8 @@ AHEAD = 64
 #: Bytes of a map that is refused without a store.
 MOST_BYTES = 10_000_000_000
 SYMMETRIES = ("auto", "none")
+#: What one orientation of a task is called.
+WORDS = {"pose": "orientation", "position+axis": "direction", "position": "place"}
 _BITS_OF_BYTE = np.unpackbits(np.arange(256, dtype=np.uint8)[:, None], axis=1).sum(1, dtype=np.uint8)
 
 
@@ -121,10 +124,11 @@ class ReachMap:
         """Return a measure (nx, ny, nz) by its name.
 
         Raises:
-            InputError: The map was not measured.
+            InputError: The map was not measured, or another name.
         """
         if not self.measures.shape[1]:
             raise InputError("this map was not measured: ask for it with measure=True.")
+        arguments.word(name, "name", MEASURES)
         return self.measures[:, list(MEASURES).index(name)].reshape(self.grid.shape)
 
     def minus(self, other: ReachMap) -> Array:
@@ -133,6 +137,7 @@ class ReachMap:
         Raises:
             InputError: The other map has other voxels or orientations.
         """
+        arguments.like(ReachMap, other, "other", "a reach map")
         a, b = self.grid, other.grid
         same = a.shape == b.shape and a.step == b.step and np.array_equal(a.low, b.low)
         if not same or not np.array_equal(a.turns, b.turns):
@@ -179,7 +184,7 @@ class ReachMap:
         said = [(axis, value) for axis, value in enumerate((x, y, z)) if value is not None]
         if len(said) != 1:
             raise InputError("slice takes exactly one of x, y, z, in metres.", given=said)
-        axis, value = said[0]
+        axis, value = said[0][0], arguments.number(said[0][1], "xyz"[said[0][0]], "m")
         index = int(np.floor((value - self.grid.low[axis]) / self.grid.step))
         if not 0 <= index < self.grid.shape[axis]:
             high = self.grid.low[axis] + self.grid.shape[axis] * self.grid.step
@@ -206,12 +211,32 @@ class ReachMap:
         """Tell what was asked and what came out."""
         nx, ny, nz = self.grid.shape
         reached, whole = int((self.fraction > 0).sum()), int((self.fraction == 1).sum())
+        each, some = "", "reached"
+        if self.plan.task != "position":
+            each = f", {plural(len(self.grid.turns), WORDS[self.plan.task])} each"
+            some = f"reached in some {WORDS[self.plan.task]}"
+        every = f", {whole:,} in every one" if each else ""
         return (
-            f"{self.plan.name}: {nx} x {ny} x {nz} voxels of {self.grid.step * 1e3:g} mm, {len(self.grid.turns)} "
-            f"orientations each, {self.grid.count * len(self.grid.turns):,} poses; {self.symmetry}. {reached:,} voxels "
-            f"are reached in some orientation ({self.volume:.4g} m^3), {whole:,} in every one. {self._counts} "
-            "A voxel is asked at its centre."
+            f"{self.plan.name}: {nx} x {ny} x {nz} voxel{'s' * (self.grid.count != 1)} of {self.grid.step * 1e3:g} mm"
+            f"{each}, "
+            f"{plural(self.grid.count * len(self.grid.turns), 'question')}; {self.symmetry}. {self._asked}"
+            f"{plural(reached, 'voxel')} {'is' if reached == 1 else 'are'} {some} ({self.volume:.4g} m^3){every}. "
+            f"{self._counts} A voxel is asked at its centre."
         )
+
+    @property
+    def _asked(self) -> str:
+        """What was asked of an arm that cannot hold every pose."""
+        plan = self.plan
+        if plan.task == "pose" and plan.reduction.fill:
+            return (
+                f"The whole pose was asked, of which the arm's {plural(plan.n, 'joint')} hold {plan.rank} of 6 "
+                'numbers: task="position" asks for the place alone. '
+            )
+        if plan.task == "pose" or self.plan.n >= 6:
+            return ""
+        what = "The position alone was asked" if plan.task == "position" else "Position and the tool's axis were asked"
+        return f"{what}, since {plural(plan.n, 'joint')} hold no pose in general. "
 
     @property
     def _counts(self) -> str:
@@ -220,6 +245,23 @@ class ReachMap:
         bodies = "guessed from its table" if self.around.bodies.guessed else "known"
         stands = plural(len(self.around.scene), "obstacle") if len(self.around.scene) else "no obstacle"
         return f"Limits count, and what touches: the arm's own bodies, which are {bodies}, and {stands}."
+
+
+def task_of_samples(plan_for: Callable[[str | None], Plan], task: str | None, orientations: Any) -> Plan:
+    """Return the plan that a map asks: as said, or of sampled directions the most that the arm holds in any of them.
+
+    A pose of six numbers taken at random is none that an arm of fewer joints holds: the map would be empty.
+    """
+    plan = plan_for(task)
+    if task is None and plan.reduction.fill and np.ndim(orientations) == 1:
+        for less in ("position+axis", "position"):
+            try:
+                other = plan_for(less)
+            except PlanError:
+                continue
+            if not other.reduction.fill:
+                return other
+    return plan
 
 
 def reach_map(
@@ -324,6 +366,8 @@ def base_places(plan: Plan, Ts: PoseLike, x: ArrayLike, y: ArrayLike, z: ArrayLi
     said = [np.atleast_1d(arguments.numbers(v, name)) for name, v in named]
     if not len(poses) or any(v.ndim != 1 or not len(v) or not np.isfinite(v).all() for v in said):
         raise InputError("base_places takes poses and lists of x, y, z (m) and yaw (rad), none empty.", given=said)
+    remark_turned(said[3], "yaw")
+    remark_long(max(float(np.abs(v).max()) for v in said[:3]), "a place of the base is as far away as")
     X, Y, Z, A = (v.ravel() for v in np.meshgrid(*said, indexing="ij"))
     B = rotation_z(A)
     B[:, :3, 3] = np.stack([X, Y, Z], -1)

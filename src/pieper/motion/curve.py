@@ -32,17 +32,18 @@ class JointCurve:
     @staticmethod
     def through(s: Array, q: Array) -> JointCurve:
         """Return the spline through points q (N, n) at s (N,), twice continuously differentiable."""
-        bend = _kernel.spline(s, q)
-        h = np.diff(s)[:, None]
-        d3 = np.diff(bend, axis=0) / h
-        d1 = np.diff(q, axis=0) / h - h * (bend[1:] + 2 * bend[:-1]) / 6
-        return JointCurve(s, q[:-1], d1, bend[:-1], d3)
+        return JointCurve(s, q[:-1], *_kernel.spline(s, q))
 
     @property
     def end(self) -> Array:
         """(n,) where it ends."""
         h = self.s[-1] - self.s[-2]
         return self.q[-1] + h * (self.d1[-1] + h * (self.d2[-1] / 2 + h * self.d3[-1] / 6))
+
+    @property
+    def points(self) -> Array:
+        """(k + 1, n) where pieces begin and end."""
+        return np.vstack([self.q, self.end])
 
     def piece(self, s: Array) -> Indices:
         """Return the number of the piece at s (...)."""
@@ -66,10 +67,7 @@ class JointCurve:
 
     def between_points(self) -> float:
         """Return how far the pieces stray from their own chords, the largest of all joints: rad, or m of a slide."""
-        h = np.diff(self.s)[:, None]
-        # a cubic minus its chord is u (1 - u) times a line, and u (1 - u) is at most 1/4
-        left, right = h**2 * (self.d2 / 2 + h * self.d3 / 6), h**2 * (self.d2 / 2 + h * self.d3 / 3)
-        return float(np.maximum(np.abs(left), np.abs(right)).max() / 4)
+        return _kernel.strays(self.s, self.d2, self.d3)
 
 
 def checked_points(q: ArrayLike, what: str = "q") -> Array:

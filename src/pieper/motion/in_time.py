@@ -31,12 +31,5 @@ def sampled(curve: JointCurve, profile: Profile, rate: float) -> tuple[Array, Ar
 
 def binding(t: Array, ratios: Ratios) -> list[Tight]:
     """Return which limit binds when, neighbouring pieces together."""
-    values = ratios.values
-    which = np.where(values.max(0) >= 1 - LIMIT_BINDS, values.argmax(0), -1)
-    edges = np.flatnonzero(np.diff(which)) + 1
-    starts, ends = np.concatenate([[0], edges]), np.append(edges, len(which))
-    return [
-        Tight(float(t[a]), float(t[b]), *ratios.kinds[which[a]])
-        for a, b in zip(starts, ends, strict=True)
-        if which[a] >= 0
-    ]
+    runs = _kernel.tightest(ratios.values, 1 - LIMIT_BINDS)
+    return [Tight(float(t[a]), float(t[b]), *ratios.kinds[row]) for a, b, row in runs]

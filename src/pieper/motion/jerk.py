@@ -116,8 +116,8 @@ def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:
         # where the evened motion is too fast the profile under the window is taken back
         over = np.flatnonzero(need > 1)
         s = timed.curve.s
-        first = np.searchsorted(s, even.at(np.maximum(profile.t[over] - window, 0.0))[0]) - 1
-        last = np.searchsorted(s, profile.at(profile.t[over + 1])[0])
+        first = np.searchsorted(s, even.place(np.maximum(profile.t[over] - window, 0.0))) - 1
+        last = np.searchsorted(s, np.append(profile.c[1:, 0], s[-1])[over])
         easing = easing / _largest_over(np.maximum(first, 0), np.maximum(last, 1), need[over], len(easing)) ** BACK
     assert best is not None
     return best

@@ -120,7 +120,8 @@ class Motion(Tabular):
         return float(self.t[-1])
 
     def at(self, time: float) -> int:
-        """Return the index of the sample nearest to a time, s."""
+        """Return the index of the sample nearest to one time, s; `between` takes many."""
+        time = arguments.number(time, "time", "s; between(times) takes many")
         return int(np.argmin(np.abs(self.t - time)))
 
     def between(self, times: ArrayLike) -> Array:

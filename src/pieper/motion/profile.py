@@ -33,6 +33,13 @@ class Profile:
         tau = t - self.t[i]
         return s + tau * (v + tau * (a / 2 + tau * j / 6)), v + tau * (a + tau * j / 2), a + tau * j, j
 
+    def place(self, t: Array) -> Array:
+        """Return s (...) at times (...), s."""
+        i = np.clip(np.searchsorted(self.t, t, side="right") - 1, 0, len(self.c) - 1)
+        s, v, a, j = self.c.T[:, i]
+        tau = t - self.t[i]
+        return np.asarray(s + tau * (v + tau * (a / 2 + tau * j / 6)), np.float64)
+
     def slower(self, factor: float) -> Profile:
         """Return the same way, every time multiplied by a factor."""
         return Profile(self.t * factor, self.c / factor ** np.arange(4))

@@ -64,7 +64,7 @@ class Program:
     """
 
     def __init__(self, arm: ProgramArm, limits: Limits, *, start: ArrayLike | str | None = None) -> None:
-        arguments.like(ProgramArm, arm, "arm", "a pieper.Arm")
+        arguments.like(ProgramArm, arm, "arm", "a pieper.Arm (of a Cell: cell.whole)")
         arguments.a(Limits, limits, "limits", SAY_LIMITS)
         self.plan, self.description, self.limits = arm.plan, arm.description, limits
         self._arm = arm

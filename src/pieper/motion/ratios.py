@@ -13,6 +13,8 @@ from pieper.motion.timed_path import TimedPath
 
 #: With what power of the time a value falls that is no speed.
 _POWERS = {"acceleration": 2, "tool acceleration": 2, "jerk": 3}
+#: The powers, and what undoes them.
+_ROOTS = ((1, np.asarray), (2, np.sqrt), (3, np.cbrt))
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +42,16 @@ class Ratios:
     def stretch(self) -> Array:
         """Return by how much time must stretch on each piece (k,) for its limits to be kept."""
         powers = self.powers
-        return np.max([self.values[powers == p].max(0) ** (1 / p) for p in np.unique(powers)], axis=0)
+        most: list[Array] = []
+        for power, root in _ROOTS:
+            rows = np.flatnonzero(powers == power)
+            if len(rows):
+                # rows that stand evenly apart are looked at where they are
+                step = int(rows[1] - rows[0]) if len(rows) > 1 else 1
+                even = bool((np.diff(rows) == step).all())
+                mine = self.values[rows[0] : rows[-1] + 1 : step] if even else self.values[rows]
+                most.append(np.asarray(root(mine.max(0)), np.float64))
+        return np.maximum.reduce(most)
 
     def slower(self, factor: float) -> Ratios:
         """Return what is used when every time is multiplied by a factor."""

@@ -10,6 +10,7 @@ import numpy as np
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.motion.constant_speed import checked_sections, section_grid, why_not
+from pieper.motion.curve import JointCurve
 from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.jerk import smooth_motion
 from pieper.motion.limits import Limits
@@ -57,17 +58,18 @@ def time_law(
     if limits.jerk is not None:
         if asked:
             raise InputError("a section of constant speed and a jerk limit at once are not planned; leave one out.")
-        return _told_outside(smooth_motion(timed, curve, rate), timed)
+        return _told_outside(smooth_motion(timed, curve, rate), timed, curve)
     wanted = None
     if asked:
         timed, wanted = section_grid(timed, curve, asked)
     x, _, done, _ = timed.run(wanted)
-    if not done:
+    # a motion ends at rest, whatever speed is wanted there
+    if not done or (asked and asked[-1][1] >= 1):
         raise why_not(timed, asked)
-    return _told_outside(motion_of(timed, x, curve.between_points(), rate), timed)
+    return _told_outside(motion_of(timed, x, curve.between_points(), rate), timed, curve)
 
 
-def _told_outside(motion: Motion, timed: TimedPath) -> Motion:
+def _told_outside(motion: Motion, timed: TimedPath, curve: JointCurve) -> Motion:
     """Return the motion with a remark for each joint that the curve between the points carries beyond its limits."""
     if timed.plan is None:
         return motion
@@ -77,9 +79,14 @@ def _told_outside(motion: Motion, timed: TimedPath) -> Motion:
         k = int(np.argmax(beyond))
         if beyond[k] > LIMIT_SLACK:
             unit, scale = ("mm", 1e3) if timed.plan.prismatic[j] else ("deg", np.degrees(1.0))
+            asked = curve.points[:, j]
+            why = (
+                "the points themselves are. Give points inside, a whole turn away where that helps."
+                if max(asked.max() - high, low - asked.min()) > LIMIT_SLACK
+                else "the curve through the points swings out there. Give more points, or keep them farther inside."
+            )
             said.append(
-                f"{timed.names[j]} is {beyond[k] * scale:.3g} {unit} beyond its limits at {motion.t[k]:.3g} s: the "
-                "curve through the points swings out there. Give more points, or keep them farther inside."
+                f"{timed.names[j]} is {beyond[k] * scale:.3g} {unit} beyond its limits at {motion.t[k]:.3g} s: {why}"
             )
     return replace(motion, remarks=(*motion.remarks, *said)) if said else motion
 

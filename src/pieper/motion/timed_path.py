@@ -147,15 +147,16 @@ class TimedPath:
     def run(self, wanted: Array | None = None, start: float = 0.0, end: float = 0.0) -> tuple[Array, Array, bool, int]:
         """Return x (k + 1,), upper ends of the controllable sets (k + 1,), whether it can be done, and where not."""
         a, b, c = self.rows()
-        k, n = self.curve.d1.shape
-        eased = np.ones((k, 1)) if self.easing is None else self.easing[:, None]
+        k = len(self.share)
         return _kernel.fastest(
             s=self.curve.s,
             d1=self.curve.d1,
             d2=self.curve.d2,
             d3=self.curve.d3,
-            speed=np.ascontiguousarray(self.bound.speed * self.share[:, None] * eased),
-            acceleration=np.ascontiguousarray(np.broadcast_to(self.bound.acceleration * eased**2, (k, n))),
+            speed=self.bound.speed,
+            acceleration=self.bound.acceleration,
+            share=self.share,
+            easing=np.ones(k) if self.easing is None else self.easing,
             a=a,
             b=b,
             c=c,
@@ -241,21 +242,26 @@ def on_grid(
     # with a jerk the profile is evened out anyway
     few = len(curve.q) <= FEW and limits.jerk is None
     each = max(-(-(GRID - 1) // len(curve.q)), min(GRID_OF_A_PIECE, GRID_OF_FEW // len(curve.q)) if few else 1)
-    part = np.arange(each) / each
-    grid = np.append((curve.s[:-1, None] + np.diff(curve.s)[:, None] * part).ravel(), curve.s[-1])
+    grid = curve.s
+    if each > 1:
+        part = np.arange(each) / each
+        grid = np.append((curve.s[:-1, None] + np.diff(curve.s)[:, None] * part).ravel(), curve.s[-1])
     if len(at):
         grid = np.union1d(grid, np.asarray(at, float))
         # a grid point next to one that must be there makes a cell of no length
         must = np.union1d(curve.s, at)
         gap = np.abs(grid[:, None] - must[None]).min(1)
         grid = grid[(gap == 0) | (gap > ONE_POINT_OF_PATH)]
-    i = curve.piece(grid[:-1])
-    split = curve.split(grid)
+    whole = len(grid) == len(curve.s)
+    i = np.arange(len(curve.q)) if whole else curve.piece(grid[:-1])
+    split = curve if whole else curve.split(grid)
     shares = np.ones(len(i)) if share is None else share[i]
     most = np.full(len(i), np.inf if limits.tool_speed is None else limits.tool_speed)
     if tool_speed is not None:
         most = np.minimum(most, tool_speed[i])
-    tool = None if plan is None else tool_curve(plan.chain, split)
+    # what nothing limits is not looked at; sections of constant speed ask for it
+    wanted = limits.of_the_tool or tool_speed is not None or bool(len(at))
+    tool = tool_curve(plan.chain, split) if plan is not None and wanted else None
     return TimedPath(split, tool, bound, limits, shares, most, names, plan)
 
 

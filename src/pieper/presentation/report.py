@@ -249,7 +249,8 @@ def _and(words: Sequence[str]) -> str:
 def _summary(arm: Arm, sols: Solutions | None, track: Track | None) -> str:
     text = f"The {arm.name} has {plural(arm.n, 'joint')} ({arm.joint_types})."
     try:
-        text += f" A pose has at most {plural(arm.plan.count.most, 'solution')}."
+        counts = [arm.plan.count.most, sections_arm.by_formulas(arm)]
+        text += f" A pose has at most {plural(min(c for c in counts if c is not None), 'solution')}."
     except PieperError:
         text += " It is beyond the solver; its geometry and forward kinematics are given."
     if sols is not None:

@@ -6,10 +6,11 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.newton import missed, newton
+from pieper.kinematics.pose import checked_pose
 from pieper.solver.kernel_rows import Solved, kernel_rows, without_repeats
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import Reduction
-from pieper.solver.rows import Rows
+from pieper.solver.rows import Flag, Rows
 from pieper.solver.snap_count import counted
 from pieper.tolerances import CLOSES
 
@@ -18,8 +19,17 @@ def arm_rows(plan: Plan, T: Array, values: Array, threads: int) -> Rows:
     """Solve poses T (N, 4, 4) with redundant coordinates at values (N, k)."""
     reduction = plan.reduction
     if plan.immediate and reduction.full.n == plan.n:
-        poses = np.ascontiguousarray(reduction.moved_pose(T, values))
-        q6, valid, inside, flags = plan.solver.many(poses, threads)
+        q6, valid, inside, flags = plan.solver.many(np.ascontiguousarray(reduction.moved_pose(T, values)), threads)
+        rounded = np.flatnonzero(flags & int(Flag.ROUNDED))
+        if len(rounded):
+            # the arm's own pose is made a rotation, not the pose moved along the held joint's link
+            straight = reduction.moved_pose(checked_pose(T[rounded], batch=True), values[rounded])
+            q6, valid, inside, flags = q6.copy(), valid.copy(), inside.copy(), flags.copy()
+            for into, again in zip(
+                (q6, valid, inside, flags), plan.solver.many(np.ascontiguousarray(straight), threads), strict=True
+            ):
+                into[rounded] = again
+            flags[rounded] |= np.uint8(Flag.ROUNDED)
         return Rows(_with_locked(reduction, q6, valid, values), valid, inside, flags)
     found = full_rows(plan, T, values, threads)
     q, valid = found.q[..., : plan.n], found.valid

@@ -47,9 +47,12 @@ def _into_between(native: _kernel.Solver, before: Array, after: Array, T: Array,
 
 #: A self-motion as the kernel tells it: a line of joint space as a joint vector (6,) on it, its two joints and their
 #: sense; a linkage as a joint vector, its joints (4,), axes (4, 3), places in the plane (4,) complex or None, senses
-#: (4,), which joint leads, from where to where (rad from the joint vector), and its course.
+#: (4,), which joint leads, from where to where (rad from the joint vector), and its course; one that was followed as
+#: points (k, 6) and whether it closes.
 SelfMotionSaid = (
-    tuple[Array, tuple[int, int], float] | tuple[Array, Indices, Array, Array | None, Array, int, float, float, int]
+    tuple[Array, bool]
+    | tuple[Array, tuple[int, int], float]
+    | tuple[Array, Indices, Array, Array | None, Array, int, float, float, int]
 )
 
 
@@ -146,7 +149,9 @@ class SixJointSolver:
 
 
 def _look(native: _kernel.Solver, chain: Chain, limits: Array, spec: KernelSpec) -> _kernel.CarefulLook | None:
-    """Return the look at singular poses, where a closed form gives rows of six joints."""
-    if chain.n != 6 or not spec.closed_form:
+    """Return the look at singular poses of six joints."""
+    if chain.n != 6:
         return None
-    return _kernel.CarefulLook(native, chain.plain, lower=limits[:, 0], upper=limits[:, 1])
+    return _kernel.CarefulLook(
+        native, chain.plain, lower=limits[:, 0], upper=limits[:, 1], closed_form=spec.closed_form
+    )

@@ -4,11 +4,17 @@
 SINE_SETTLED = 1e-12
 #: Imaginary part, relative, that rounding may give to a real root: a double one is known to half its digits.
 REAL_ROOT = 1e-7
+#: Farther from the axis, up to this (relative), where the polynomial vanishes on it to this part of its terms' size:
+#: two roots that meet, with coefficients that lost some digits.
+DOUBLE_ROOT_APART, DOUBLE_ROOT_VANISHES = 1e-4, 1e-13
+#: A leading coefficient below this part of the largest is none: a root is infinite.
+LEADING_NONE = 1e-15
 #: An angle is the fraction of a degree that it misses by no more than this, relative.
 EXACT_DEGREES = 1e-11
 #: How far from the unit circle a root e^(i theta) may lie and still be real before it is polished.
 ON_UNIT_CIRCLE = 1e-3
-#: A characteristic polynomial whose harmonics are below this vanishes: another cut is asked; smaller ones are trimmed.
+#: Harmonics of a characteristic polynomial below this part of the largest are none. How large the largest is says
+#: nothing: a determinant of twelve rows may be 1e-17 throughout and exact to fourteen digits.
 POLYNOMIAL_VANISHES = 1e-13
 #: What a cut leaves outside the polynomial's degree, relative, below which it is of use.
 POLYNOMIAL_CLEAN = 1e-6
@@ -26,6 +32,9 @@ TWO_POSTURES = 1e-6
 POLYNOMIAL_ENDS = 1e-12
 #: Rad or m: a branch is the solution; half the digits remain beside a singular pose.
 DERIVED_SAME = 1e-6
+#: Where a link is a hundred thousandth of the arm, rounding of the pose moves joints farther: up to this (rad; m) a
+#: branch that is at the pose to its last digits (per size of its entries) is the solution all the same.
+DERIVED_NEAR, DERIVED_AT_POSE = 1e-3, 1e-10
 #: Branches of a derivation are two where they are farther apart (rad; m).
 MERGED_BRANCHES = 1e-5
 #: A chosen joint has the value that was asked for when it misses it by less (rad; m).
@@ -78,3 +87,8 @@ SAMPLED_GEOMETRY = 1e-6
 PARALLEL_SAMPLED = 1e-9
 #: Grids of postures begin this far (rad) off the round values, at which special arms are singular by chance.
 OFF_THE_GRID = 1e-3
+#: A branch on which a step degenerates leads back to its pose within this (per size of the pose's entries): the root
+#: that vanishes there keeps half the digits, and the angle of two such numbers fewer.
+LED_BACK = 1e-5
+#: At a degenerate posture formulas give the joints back to this (rad; m): they too follow from vanishing roots.
+CASE_SAME = 1e-4

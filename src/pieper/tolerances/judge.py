@@ -63,3 +63,11 @@ SEARCH_ARC = 1e-7
 VALUE_TOLERANCE = 1e-9
 #: A value is the one that is needed within this, relative to both.
 NEED_MET = 1e-6
+#: Of the interval of a printed number: joints found in theirs give a pose in its own but for this, the rounding of the
+#: search.
+BEYOND_DIGITS = 1e-3
+#: Of the tolerance of values: a right formula misses by the rounding of doubles, a millionth of the tolerance; one that
+#: misses by more than this in the middle of the joint vectors is wrong, if only just.
+NEARLY = 1e-3
+#: The same where the arm or the formula has numbers that are rounded to a dozen digits.
+NEARLY_ROUNDED = 1e-2

@@ -58,8 +58,8 @@ HALF_TURN_MARGIN = 1e-9
 STRAYS = 1e-5
 #: A move begins where the one before it ended, when the joints depart by no more (rad; m).
 PROGRAM_FOLLOWS_ON = 1e-6
-#: A tool read from a controller's file is one known when nothing departs by more (m; rad): files say 1e-3 mm and 1e-3
-#: degrees.
+#: A tool or place read from a controller's file is one known when nothing departs by more (m; rad): files say 1e-3 mm
+#: and 1e-3 degrees.
 SAME_TOOL_IN_FILE = 2e-5
 #: A move to a pose that the tool misses by less (m; rad) is none.
 PROGRAM_STANDS = 1e-9

@@ -14,6 +14,8 @@ FOLD_FOUND = 1e-13
 FOLD_NARROW = 1e-15
 #: How far behind a place where a front lost its grip it is taken up again, as a part of the path.
 TAKEN_UP_BEHIND = 1e-4
+#: What is added to how far an arm reaches, relative: sums of lengths round.
+REACH_ROUNDING = 1e-9
 #: The outermost ring of a cone lies inside its edge by this part.
 CONE_INSIDE = 1e-9
 #: How far a posture may be off the pose that it is to begin or end with (per length; rad).
@@ -39,6 +41,8 @@ SMOOTH_FLAT = 1e-9
 SMOOTH_STALLED = 1e-7
 #: and the cost falls by less than this part;
 SMOOTH_NO_GAIN = 1e-15
+#: or, where ways are only compared before the best is made short, by less than this part;
+SMOOTH_ROUGH = 1e-3
 #: steps below this may be taken
 SMOOTH_TINY_STEP = 1e-6
 #: where the cost rises by no more than this part: rounding.

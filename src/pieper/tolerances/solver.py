@@ -4,8 +4,6 @@ from .kernels.everywhere import SAME_SOLUTION
 
 #: What a solution may miss its pose by after polishing (per length; rad).
 CLOSES = 1e-9
-#: Longest step along a self-motion (rad; per length): joints turn visibly, and chords cut corners by about 2e-3.
-CURVE_STEP = 0.12
 #: Rows of a kernel closer than this (rad; per length) are one: a double root is known to ten times `SAME_SOLUTION`.
 SAME_ROW = 10 * SAME_SOLUTION
 #: A filled joint that comes out below this was meant to be zero: the pose is one the arm can reach (rad; per length).
@@ -66,8 +64,6 @@ ASPECT_SIGN = 1e-12
 TOLD_AS_HIT = 1e-7
 #: Positions missed by less (per length) are reached, turns (rad) are right.
 TOLD_AS_TURN = 1e-6
-#: Directions that a singular pose feels less than this part of the most carry no step onto it.
-PRECISE_RANK = 1e-13
 #: The same where a row is pulled from the side, and must not wander off along what is free.
 SLOW_RANK = 1e-9
 #: Damping of the descent to self-motions: at first, its factor where a step helped and where not, and where a row
@@ -110,8 +106,6 @@ ON_NEAR_POLYLINE = 3e-2
 INDEPENDENT_STEPS = 0.5
 #: Relative singular value below which a second direction stays open: the solutions form a surface.
 OPEN_DIRECTION = 1e-7
-#: Relative sigma_min below which a point may lie on a curve that nearly holds the pose.
-NEARLY_SINGULAR = 1e-3
 #: A solution must hold the pose this well (per length; rad). At a double root this fixes q to its square root only.
 HOLDS = 1e-11
 #: A solution that the kernel did not give must hold it this well, so that poses just out of reach get none.
@@ -122,10 +116,8 @@ ENDS_ON_CURVE = 2e-3
 APART_SINGULAR = 1e-3
 #: What a point on a curve that nearly holds the pose may miss otherwise (per length; rad).
 FLAT_REST = 1e-9
-#: Isolated solutions are farther than this from every curve (rad; per length),
+#: Isolated solutions are farther than this from every curve (rad; per length).
 ISOLATED_FROM_CURVE = 1e-5
-#: and double roots, whose place is known to half the digits, than this.
-DOUBLES_FROM_CURVE = 1e-4
 #: Along a curve what is missed otherwise stays below this part of what is missed along it.
 PROBE_REST = 1e-2
 #: Angles this near to minus half a turn (rad) are half a turn.
@@ -140,12 +132,8 @@ CURVE_STEEP = 1e-2
 NEAR_CURVE_HOLDS = 1e-3
 #: Below this they hold whatever is missed.
 NEAR_CURVE_ROUNDING = 1e-10
-#: A curve ends where a step shorter than this (rad; per length) does not go on.
-NEAR_CURVE_SHORTEST = 1e-3
 #: A joint turns along a self-motion when it moves by more (rad; per length).
 JOINT_TURNS = 1e-6
-#: Directions that the pose feels less than this part of the most carry no step onto a curve: it is moved along freely.
-CURVE_RANK = 1e-7
 #: Points of one value that are nearer than this (rad; m) are one.
 ONE_OF_MANY = 1e-7
 #: A step along a curve that is shorter than this (rad; per length) leads nowhere.

@@ -1,7 +1,7 @@
 """Judge planted claims and count: called right, explained by the planted slip first, by another one, by none.
 
-Run as ``python -m tests.judge.held_out.measure formulas|numbers|unusual SEED COUNT [RESULTS.json]``; what is not as it
-should be is printed, and the counts are added to the results.
+Run as ``python -m tests.judge.held_out.measure formulas|double|numbers|unusual SEED COUNT [RESULTS.json]``; what is not
+as it should be is printed, and the counts are added to the results.
 """
 
 from __future__ import annotations
@@ -40,9 +40,9 @@ def outcome(p: Planted, verdict: Verdict) -> str:
         return "not read"
 
 
-def formulas(seed: int, count: int) -> Iterator[Outcome]:
-    """Formulas with one slip each."""
-    found = plant.drawn(seed, count)
+def formulas(seed: int, count: int, twice: bool = False) -> Iterator[Outcome]:
+    """Formulas with one slip each, or two."""
+    found = plant.drawn(seed, count, twice)
     for arm in ARMS:
         mine = [p for p in found if p.arm is arm]
         verdicts = pieper.check(plant.claims_file(arm, mine)).verdicts if mine else ()
@@ -81,7 +81,17 @@ def forms(seed: int, count: int) -> Iterator[Outcome]:
             yield v.status, p.slip, f"{arm.name} | {p.kind} {p.of} | {write(p.wrong)} | {v.sentence}"
 
 
-KINDS: dict[str, Callable[[int, int], Iterator[Outcome]]] = {"formulas": formulas, "numbers": numbers, "unusual": forms}
+def double(seed: int, count: int) -> Iterator[Outcome]:
+    """Formulas with two slips each."""
+    return formulas(seed, count, twice=True)
+
+
+KINDS: dict[str, Callable[[int, int], Iterator[Outcome]]] = {
+    "formulas": formulas,
+    "double": double,
+    "numbers": numbers,
+    "unusual": forms,
+}
 
 
 def run(what: str, seed: int, count: int) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from tests.judge.held_out.arms import ARMS, HeldOutArm
 from tests.judge.held_out.formula_slips import slips
 from tests.judge.held_out.oracle import facts, shares
-from tests.judge.held_out.tree import Tree, write
+from tests.judge.held_out.tree import Tree, write, written_alike
 
 
 @dataclass(frozen=True)
@@ -34,8 +34,11 @@ class Planted:
     share: float
 
 
-def drawn(seed: int, count: int) -> list[Planted]:
-    """Draw planted claims: an arm, a fact, a kind of slip, a place; what is right by chance is drawn again."""
+def drawn(seed: int, count: int, twice: bool = False) -> list[Planted]:
+    """Draw planted claims: an arm, a fact, a kind of slip, a place; what is right by chance is drawn again.
+
+    Two slips in one formula (`twice`) are of any two kinds at any two places, each wrong by itself.
+    """
     rng = random.Random(seed)
     out: list[Planted] = []
     while len(out) < count:
@@ -46,6 +49,12 @@ def drawn(seed: int, count: int) -> list[Planted]:
             continue
         name = rng.choice(sorted({m[0] for m in made}))
         wrong = rng.choice([m[1] for m in made if m[0] == name])
+        if twice:
+            more = [m for m in slips(arm, kind, wrong) if not written_alike(m[1], right)]
+            if not more:
+                continue
+            second, wrong = rng.choice(more)
+            name = " and ".join(sorted((name, second)))
         share = shares(kind, of, wrong, arm, rng.randrange(10**9))
         if share < 1:
             out.append(Planted(arm, kind, of, right, wrong, name, share))

@@ -105,7 +105,10 @@ def write(x: Tree, place: int = 0) -> str:
     if kind == "^":
         return f"{write(x[1], 2)}^{x[2]}"
     if kind == "*":
-        text = " ".join(write(p, 2) for p in x[1])
+        parts = [write(p, 2) for p in x[1]]
+        text = parts[0]
+        for part in parts[1:]:
+            text += ("*" if text[-1].isdigit() and part[0].isdigit() else " ") + part
         return f"({text})" if place > 1 else text
     if kind == "/":
         text = f"{write(x[1], 1)}/{write(x[2], 2)}"

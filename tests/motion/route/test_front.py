@@ -71,6 +71,11 @@ def test_another_end_than_the_one_that_is_reached_is_refused(irb, seam, found):
     for q in other.q:
         to = irb.route(short, free=FREE, start=here.q[0], end=q)
         assert to.verdict is not pieper.Verdict.UNCERTAIN or "ruled out" in to.reason
+        if to.verdict is pieper.Verdict.IMPOSSIBLE:
+            # every pose can be reached, only not in that posture
+            assert "the posture that it is to end with is not reached" in to.reason
+    with_limits = irb.with_limits({"joint_1": (-0.1, 0.1)}).route(seam, free=FREE)
+    assert "to end with" not in with_limits.reason
 
 
 @pytest.mark.slow

@@ -6,6 +6,7 @@ import pytest
 import pieper
 from oracle.turns import cheapest, random_ring, reaches, ring
 from pieper.kinematics.pose import rotation_about, transform
+from pieper.motion.route.reach import reach
 
 FREE = pieper.Freedom()
 
@@ -225,3 +226,43 @@ def test_what_cannot_be_asked_is_said(irb, seam, change, noun):
 def test_a_freedom_that_is_none_is_refused(said, noun):
     with pytest.raises(pieper.InputError, match=noun):
         pieper.Freedom(**said)
+
+
+def test_what_turns_slowly_is_not_passed_over_for_what_stands():
+    # of two ways on one branch the cheaper one turns by 29 degrees, less than half a cell a step
+    from benchmarks.measure.route_costs import ladder_cost
+    from benchmarks.measure.route_verdicts import drawn
+
+    said = ladder_cost(*drawn("abb-irb2400", 0), FREE)
+    assert said["fits"] and said["cost"] <= 1.001 * said["ladder"]
+
+
+@pytest.mark.parametrize("name", ["universal-robots-ur5e", "franka-panda"])
+def test_what_no_links_reach_is_refused_whatever_is_free(name):
+    arm = pieper.load(name)
+    q = np.mean(np.clip(arm.limits, -3, 3), axis=1) + 0.3
+    near, far = arm.fk(q), arm.fk(q)
+    far[0, 3] += 2.5
+    route = arm.route(pieper.line(near, far, 30), free=pieper.Freedom(cone=0.2))
+    assert route.verdict is pieper.Verdict.IMPOSSIBLE and "links" in route.blocked.why
+    # random postures come as near to the bound as their number allows, and never beyond it
+    low, high = np.clip(arm.limits, -np.pi, np.pi).T
+    p = arm.fk(np.random.default_rng(1).uniform(low, high, (100_000, arm.n)))[:, :3, 3]
+    centre, most = reach(arm.plan.chain, arm.limits)
+    away = np.linalg.norm(p - centre, axis=1).max()
+    assert 0.85 * most < away <= most
+    # the place told is where the line leaves the ball
+    at = near[:3, 3] + route.blocked.s[1] * (far[:3, 3] - near[:3, 3])
+    assert np.linalg.norm(at - centre) == pytest.approx(most, rel=1e-6)
+
+
+def test_a_clearance_that_nothing_keeps_is_told_with_place_and_pair():
+    arm = pieper.load("universal-robots-ur5e").with_tool(pieper.pose(0.05, 0, 0.15, rpy=(0, 0.44, 0)))
+    T = arm.fk([0.2, -1.3, 1.5, -1.6, -1.57, 0])
+    U = T.copy()
+    U[:3, 3] += [-0.1, 0.25, -0.05]
+    far = pieper.Scene([pieper.Box([5, 5, 5], [0.1, 0.1, 0.1])])
+    route = arm.route(pieper.line(T, U, 4), free=FREE, scene=far, clearance=0.05)
+    assert route.verdict is pieper.Verdict.UNCERTAIN
+    # the arm's own bodies: no obstacle is near
+    assert "keeps 50 mm: at best wrist" in route.reason and "mm apart" in route.reason

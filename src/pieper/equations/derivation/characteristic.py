@@ -93,7 +93,7 @@ def characteristic_polynomial(
         harmonics = np.fft.fftshift(np.fft.fft(cut.samples()) / SAMPLES)
         middle = SAMPLES // 2
         peak = np.abs(harmonics).max()
-        if peak < POLYNOMIAL_VANISHES:
+        if not peak > 0:
             continue
         kept = harmonics[middle - HARMONIC : middle + HARMONIC + 1] / peak
         outside = (

@@ -15,7 +15,14 @@ from pieper.equations.derivation.closed_form import ClosedForm
 from pieper.equations.derivation.witness import branch_values
 from pieper.errors import PieperError
 from pieper.kinematics.arrays import Array
-from pieper.tolerances import CHOSEN_VALUE, DERIVED_SAME, MERGED_BRANCHES, UNLIMITED
+from pieper.tolerances import (
+    CHOSEN_VALUE,
+    DERIVED_AT_POSE,
+    DERIVED_NEAR,
+    DERIVED_SAME,
+    MERGED_BRANCHES,
+    UNLIMITED,
+)
 
 DIGITS_POSES = 3
 
@@ -85,7 +92,7 @@ def check(form: ClosedForm, arm: Arm, n: int, rng: np.random.Generator) -> Deriv
         total += len(mine)
         for solution in mine:
             gap = _gap(_axes(branches, form), _axes(solution, form), turning)
-            if len(gap) and gap.min() < DERIVED_SAME:
+            if len(gap) and _same(branches[int(np.argmin(gap))], float(gap.min()), T[k], arm, form):
                 reproduced += 1
                 worst = max(worst, float(gap.min()))
         real += len(branches)
@@ -123,6 +130,14 @@ def _gap(rows: np.ndarray, solution: np.ndarray, turning: np.ndarray) -> np.ndar
     gap = np.abs(rows - solution)
     turn = np.abs(np.angle(np.exp(1j * (rows - solution))))
     return np.where(turning, turn, gap).max(axis=1) if len(rows) else np.zeros(0)
+
+
+def _same(branch: np.ndarray, gap: float, T: Array, arm: Arm, form: ClosedForm) -> bool:
+    """Whether a branch is a solution: the same joints, or joints near them that take the pose to its last digits."""
+    if gap < DERIVED_SAME:
+        return True
+    miss = float(np.abs(_asked(arm.fk(branch), form) - _asked(T, form)).max())
+    return gap < DERIVED_NEAR and miss < DERIVED_AT_POSE * max(1.0, float(np.abs(T).max()))
 
 
 def _axes(q: np.ndarray, form: ClosedForm) -> np.ndarray:

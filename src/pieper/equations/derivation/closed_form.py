@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import itertools
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -16,9 +16,10 @@ from pieper.algebra.expression import Expr, Num, Sym, Trig, add, angle_symbol, m
 from pieper.description.coupling import joint_values
 from pieper.description.dh import Description
 from pieper.description.fold import chain_of
-from pieper.equations.derivation.degenerate import FREE, MIXED, Array, Case, visit
-from pieper.equations.derivation.elimination import Eliminator, Move, Source
-from pieper.equations.derivation.step import Step
+from pieper.equations.derivation.degenerate import ELSEWHERE, FREE, MIXED, Array, Case, visit
+from pieper.equations.derivation.elimination import Eliminator, Move
+from pieper.equations.derivation.step import Step, step_of, steps_of
+from pieper.equations.derivation.telling import Condition, telling
 from pieper.equations.derivation.witness import branch_values
 from pieper.equations.table import SymbolTable
 from pieper.equations.target import pretty_names
@@ -26,11 +27,11 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.tolerances import (
     BRANCH_MISSES,
-    BRANCH_OTHER_ANGLE,
     BRANCH_SAME_ANGLE,
+    CASE_SAME,
     DEGENERATE_NOISE,
+    LED_BACK,
     ROOT_ARGUMENT,
-    ROUNDING,
     SIDE_CONDITION,
 )
 
@@ -45,6 +46,25 @@ class _Rounded(NumpyField):
         """Square root; of numbers just below zero, zero."""
         x = np.asarray(x, dtype=float)
         return np.sqrt(np.where((x < 0) & (x > -self._slack), 0.0, x))
+
+
+#: How a step was decided: by its own formula, by another one, by a value that was chosen, or by nothing on the page.
+REGULAR, INSTEAD, CHOSEN, UNDECIDED = WAYS = range(4)
+
+
+@dataclass(frozen=True, eq=False)
+class Branches:
+    """Every branch at some poses.
+
+    Attributes:
+        q: (branches, N, n) joint vectors, NaN where a branch is no solution.
+        values: Every letter of the page, (branches, N) or less.
+        ways: Step -> (branches, N) which of `WAYS` decided it; steps that never degenerate are left out.
+    """
+
+    q: Array
+    values: dict
+    ways: dict[int, np.ndarray]
 
 
 class ClosedForm:
@@ -63,11 +83,11 @@ class ClosedForm:
         self.chosen = tuple(sorted(set(eliminator.chosen)))
         self.free = tuple(eliminator.free)
         self.renamed = pretty_names([name for move in eliminator.moves for name in move.names])
-        self.steps = _steps(eliminator, self.renamed)
+        self.steps = steps_of(eliminator, self.renamed)
         self.given = eliminator.target.given
         self._eliminator = eliminator
         self._cases: dict[int, Case] = {}
-        self.conditions: tuple[tuple[Expr, Expr, Source], ...] = ()
+        self.conditions: tuple[Condition, ...] = ()
         self.conditions = self._side_conditions()
 
     @property
@@ -101,19 +121,42 @@ class ClosedForm:
             (branches, N, n) joint vectors; NaN where a branch is not real. The sign of branch b in `sigmas[k]` is the
             k-th of the b-th row of the product of (1, -1).
         """
+        return self.solved(T, chosen).q
+
+    def solved(self, T: Array, chosen: Any = None, *, checked: bool = True) -> Branches:
+        """Every branch at poses T with every letter of the page, see `evaluate`.
+
+        Args:
+            T: (N, 4, 4) poses.
+            chosen: (N, n) as of `evaluate`.
+            checked: Whether branches on which a step degenerates must lead back to the pose: where coefficients
+                vanish, a step's own equation says no more whether there is a solution.
+        """
         T = np.asarray(T, float).reshape(-1, 4, 4)
         q = np.zeros((len(T), self.n)) if chosen is None else np.asarray(chosen, float).reshape(len(T), self.n)
         values = self._values(T, q)
         with np.errstate(all="ignore"):
             size = max(1.0, float(np.abs(T[:, :3]).max(initial=0.0)))
-            self._run(values, _Rounded(ROOT_ARGUMENT * size**2), q)
+            ways = self._run(values, _Rounded(ROOT_ARGUMENT * size**2), q)
         shape = (self.branches, len(T))
         found = [np.broadcast_to(self._joint(values, j, NumpyField), shape) for j in range(1, self.n + 1)]
         found = joint_values(np.stack(found, axis=-1), self.description.coupling)
         for left, right, _ in self.conditions:
             miss = np.abs(left.evaluate(values, NumpyField) - right.evaluate(values, NumpyField))
             found = np.where((miss < SIDE_CONDITION * (1 + np.abs(T[:, :3]).max()))[..., None], found, np.nan)
-        return found
+        ways = {number: np.broadcast_to(way, shape) for number, way in ways.items()}
+        if checked and ways:
+            lost = np.any([way != REGULAR for way in ways.values()], axis=0) & ~(
+                self.missed(found, T) < LED_BACK * size
+            )
+            found = np.where(lost[..., None], np.nan, found)
+        return Branches(found, values, ways)
+
+    def missed(self, q: Array, T: Array) -> Array:
+        """By how much joint vectors (branches, N, n) miss what is given of poses (N, 4, 4); NaN where they are."""
+        columns = ["noap".index(c) for c in self.given]
+        miss = np.abs(self.poses(np.nan_to_num(q)) - T)[..., :3, columns].max(axis=(2, 3))
+        return np.where(np.isfinite(q).all(axis=2), miss, np.nan)
 
     def _side_conditions(self) -> tuple:
         """Equations that no step used and that some real branches violate (arms with fewer joints than T has freedoms).
@@ -123,41 +166,13 @@ class ClosedForm:
         """
         e = self._eliminator
         q = np.random.default_rng(11).uniform(-2.5, 2.5, (6, self.n))
-        truth = self.table.values(q.T, NumpyField)
-        M = np.zeros((6, 4, 4))
-        for r, c in itertools.product(range(4), range(4)):
-            M[:, r, c] = e.product(0, self.n)[r][c].evaluate(truth)
         T = self.poses(q)
-        found = self.evaluate(T, chosen=q)
-        values = self._values(T, q)
-        self._run(values, NumpyField)
-        back = self.table.values(np.moveaxis(found, -1, 0), NumpyField)
-        columns = ["noap".index(c) for c in self.given]
-        miss = np.zeros(found.shape[:2])
-        for r, c in itertools.product(range(3), columns):
-            miss = np.maximum(miss, np.abs(e.product(0, self.n)[r][c].evaluate(back) - M[:, r, c]))
-        real = np.isfinite(miss)
-        wrong = real & (miss > BRANCH_MISSES)
+        found = self.solved(T, q, checked=False)
+        miss = self.missed(found.q, T)
+        wrong = miss > BRANCH_MISSES
         if not wrong.any():
             return ()
-        chosen = []
-        for equation in sorted(e.spare_equations(), key=lambda q: len(q.left.terms) + len(q.right.terms)):
-            if not wrong.any() or len(chosen) == 3:
-                break
-            left, right = (p.expr().substitute(self.renamed) for p in (equation.left, equation.right))
-            if not (left.atoms() | right.atoms()) <= set(values) | {
-                t for t in left.atoms() | right.atoms() if isinstance(t, Trig)
-            }:
-                continue
-            gap = np.broadcast_to(
-                np.abs(left.evaluate(values, NumpyField) - right.evaluate(values, NumpyField)), real.shape
-            )
-            if (gap[real & ~(miss > BRANCH_MISSES)] < BRANCH_SAME_ANGLE).all() and (
-                gap[wrong] > BRANCH_OTHER_ANGLE
-            ).any():
-                chosen.append((left, right, equation.source))
-                wrong = wrong & ~(gap > BRANCH_OTHER_ANGLE)
-        return tuple(chosen)
+        return telling(e, self.renamed, found.values, np.isfinite(miss) & ~wrong, wrong)
 
     @property
     def moves(self) -> list[Move]:
@@ -175,19 +190,52 @@ class ClosedForm:
         return {step.number: self.case(step) for step in self.steps if step.degenerate}
 
     def case(self, step: Step) -> Case:
-        """What happens where a step degenerates."""
-        if step.number not in self._cases:
-            self._cases[step.number] = visit(self, step)
-        return self._cases[step.number]
+        """What happens where a step degenerates: what is said is tried at the postures that were visited."""
+        number = step.number
+        if number not in self._cases:
+            case = visit(self, step)
+            self._cases[number] = case
+            for option in case.options:
+                self._cases[number] = replace(case, chosen=option)
+                if self._gives_back(case):
+                    break
+            else:
+                self._cases[number] = case
+            if case.kind in (FREE, MIXED, ELSEWHERE):
+                self._cases[number] = replace(self._cases[number], conditions=self._told_apart(step, case))
+        return self._cases[number]
+
+    def _gives_back(self, case: Case) -> bool:
+        """Whether the formulas lead to the postures at which a case was visited."""
+        rows = self.solved(self.poses(case.postures), case.postures).q
+        gap = rows - case.postures
+        turning = [j for j in range(self.n) if j + 1 not in self.table.prismatic]
+        gap[..., turning] = np.angle(np.exp(1j * gap[..., turning]))
+        return bool((np.nan_to_num(np.abs(gap).max(axis=2), nan=np.inf).min(axis=0) < CASE_SAME).all())
+
+    def _told_apart(self, step: Step, case: Case) -> tuple[Condition, ...] | None:
+        """What tells solutions from other choices where a step degenerates; None where all are solutions."""
+        rng = np.random.default_rng(17)
+        T, q = (np.repeat(x, 3, axis=0) for x in (self.poses(case.postures), case.postures))
+        held = [j - 1 for j in self.chosen]
+        q[1::3, held] += rng.uniform(-1, 1, (len(case.postures), len(held)))
+        found = self.solved(T, q, checked=False)
+        miss, here = self.missed(found.q, T), found.ways[step.number] != REGULAR
+        size = max(1.0, float(np.abs(T[:, :3]).max(initial=0.0)))
+        wrong = here & (miss > CASE_SAME * size)
+        if not wrong.any():
+            return None
+        right = here & (miss < LED_BACK * size)
+        return telling(self._eliminator, self.renamed, found.values, right, wrong, LED_BACK / BRANCH_SAME_ANGLE)
 
     def instead(self, step: Step) -> Step | None:
         """The step that decides where this one degenerates, None where none does."""
         case = self.case(step) if step.degenerate else None
-        if case is None or case.other is None or case.eliminator is None:
+        if case is None or case.chosen is None:
             return None
-        moves = [*self.moves[: step.number - 1], case.other]
-        renamed = {**pretty_names([n for m in [*self.moves, case.other] for n in m.names]), **self.renamed}
-        found = _step(case.eliminator, renamed, step.number, moves[-1])
+        other, eliminator = case.chosen
+        renamed = {**pretty_names([n for m in [*self.moves, other] for n in m.names]), **self.renamed}
+        found = step_of(eliminator, renamed, step.number, other)
         if found.sigma is None or case.sigma is None:
             return found
         swap = {found.sigma: case.sigma}
@@ -210,13 +258,6 @@ class ClosedForm:
     @functools.cached_property
     def _chain(self) -> Chain:
         return chain_of(self.description)
-
-    def values_on_branches(self, T: Array) -> dict:
-        """Every letter of the page at poses T (N, 4, 4), shorthands and joints included: (branches, N) or less."""
-        values = self._values(T, np.zeros((len(T), self.n)))
-        with np.errstate(all="ignore"):
-            self._run(values, NumpyField)
-        return values
 
     def values_at(self, q: Array) -> dict:
         """Values (N,) of lengths, pose letters and every joint at joint vectors (N, n) and their own poses."""
@@ -295,77 +336,45 @@ class ClosedForm:
             values[symbol] = expression.evaluate({angle_symbol(k + 1, "q"): q[k] for k in range(self.n)}, field)
         return values
 
-    def _run(self, values: dict, field: Any, chosen: Array | None = None) -> None:
+    def _run(self, values: dict, field: Any, chosen: Array | None = None) -> dict[int, np.ndarray]:
+        """Fill in every letter; return how each step that degenerates somewhere was decided, number -> `WAYS`."""
+        ways: dict[int, np.ndarray] = {}
         for step in self.steps:
             for symbol, expression in step.names:
                 values[symbol] = expression.evaluate(values, field)
             value = step.formula.evaluate(values, field)
             if step.degenerate and chosen is not None:
-                value = self._where_degenerate(step, value, values, chosen)
+                value, ways[step.number] = self._where_degenerate(step, value, values, chosen)
             values[step.symbol] = value
             (joint, factor), *others = step.angle
             if others or factor != 1:
                 group = self.table.groups[joint - 1]
                 values[Trig("c", step.angle, group)] = field.cos(value)
                 values[Trig("s", step.angle, group)] = field.sin(value)
+        return ways
 
-    def _where_degenerate(self, step: Step, value: Any, values: dict, chosen: Array) -> Array:
+    def _where_degenerate(self, step: Step, value: Any, values: dict, chosen: Array) -> tuple[Array, np.ndarray]:
         """The value of a step, where it degenerates that of the step which decides instead, or the chosen one."""
         sizes = [np.abs(c.evaluate(values, NumpyField)) for c in step.degenerate]
         gone = np.max(np.broadcast_arrays(*sizes), axis=0) < DEGENERATE_NOISE
         if not gone.any():
-            return value
+            return value, gone.astype(int)
         case, instead = self.case(step), self.instead(step)
         if instead is not None:
             for symbol, expression in instead.names:
                 values.setdefault(symbol, expression.evaluate(values, NumpyField))
             if instead.sigma is not None:
                 values.setdefault(instead.sigma, 1.0)
-            return np.where(gone, instead.formula.evaluate(values, NumpyField), value)
+            return np.where(gone, instead.formula.evaluate(values, NumpyField), value), gone * INSTEAD
         if case.kind not in (FREE, MIXED):
-            return value
+            return value, gone * UNDECIDED
         here = self.table.values(chosen.T, NumpyField)
         group = self.table.variable(step.angle[0][0])
         free = here[group] if len(step.angle) == 1 else sum(k * here[angle_symbol(j)] for j, k in step.angle)
-        return np.where(gone, free, value)
+        return np.where(gone, free, value), gone * CHOSEN
 
     def _joint(self, values: dict, joint: int, field: Any) -> Any:
         """The value of an axis from its table variable: theta = sign value + constant."""
         return (values[self.table.variable(joint)] - self.table.constant(joint, field)) * int(
             round(float(self.description.sign[joint - 1]))
         )
-
-
-def _steps(eliminator: Eliminator, table: dict) -> tuple[Step, ...]:
-    return tuple(_step(eliminator, table, number, move) for number, move in enumerate(eliminator.moves, 1))
-
-
-def _step(eliminator: Eliminator, table: dict, number: int, move: Move) -> Step:
-    constants = eliminator.table.constants(NumpyField)
-
-    def tidy(expr: Expr) -> Expr:
-        return expr.substitute(table)
-
-    names = [(table[s], tidy(eliminator.target.definitions[s].expr())) for s in move.names]
-    names += [(s, tidy(x)) for s, x in move.solved.definitions]
-    return Step(
-        number,
-        move.symbol,
-        move.angle,
-        tuple(e.source for e in move.equations),
-        tuple(names),
-        tuple((tidy(e.left.expr()), tidy(e.right.expr())) for e in move.equations),
-        tidy(move.solved.formula),
-        move.sigma,
-        move.solved.kind,
-        _vanishing([tidy(x) for x in move.solved.degenerate], constants),
-        tidy(move.solved.merge) if move.solved.merge is not None else None,
-    )
-
-
-def _vanishing(conditions: list[Expr], constants: dict) -> tuple[Expr, ...]:
-    """The conditions, or nothing when one of them is a length that does not vanish."""
-    for condition in conditions:
-        if condition.atoms() <= set(constants) and abs(condition.evaluate(constants, NumpyField)) > ROUNDING:
-            return ()
-    return tuple(c for c in conditions if not (isinstance(c, Num) and c.value == 0))

@@ -8,8 +8,9 @@ there are none, the lengths rule them out, or no pose that the arm reaches is on
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -22,14 +23,13 @@ from pieper.equations.derivation.patterns import Solved
 from pieper.equations.derivation.step import Step
 from pieper.equations.derivation.witness import branch_values, single_joint
 from pieper.equations.table import SymbolTable
+from pieper.equations.vanishing import NEWTON, random_postures, vanishing_near
 from pieper.tolerances import (
     COEFFICIENT_VANISHES,
     DAMPING_LEAST,
     DAMPING_OF_MISS,
     DEGENERATE_CLEAR,
     DEGENERATE_CLOSES,
-    DEGENERATE_EXACT,
-    DEGENERATE_RANK,
     DEGENERATE_STEP,
     NO_DIRECTION,
 )
@@ -39,7 +39,6 @@ Array = npt.NDArray[np.float64]
 FREE, ELSEWHERE, IMPOSSIBLE, UNREACHED, MIXED = "free", "elsewhere", "impossible", "unreached", "mixed"
 STARTS = 16  # random postures from which a degenerate one is looked for
 LOOKED = 4  # degenerate postures that are tried
-NEWTON = 30  # steps; those that converge need about ten
 MOVES = (0.05, -0.03)  # rad (or of the longest length) by which a joint is moved that may be free; how far it can
 # go on is for the steps after it to say
 OTHER_STARTS = 7  # random postures for the joints after it
@@ -88,16 +87,19 @@ class Case:
             UNREACHED (no pose that the arm reaches), MIXED (free at some of its poses).
         postures: (m, n) joint vectors, rad or m, at which it was visited.
         rest: What the step's equation then says, 0 = rest, as (left, right); None when it says nothing.
-        other: The move that decides instead, None when there is none of one unknown.
-        eliminator: The elimination that the move belongs to.
+        options: Moves that may decide instead, the simplest first, each with the elimination that it belongs to.
+        chosen: The one of them that leads to every posture, None when none does.
+        conditions: What tells solutions from other choices of signs there; None where all are solutions, () where it
+            takes forward kinematics to tell.
         sigma: The branch sign that its two solutions go with: that of the step whose branches meet there.
     """
 
     kind: str
     postures: Array
     rest: Expr | None = None
-    other: Move | None = None
-    eliminator: Eliminator | None = None
+    options: tuple[tuple[Move, Eliminator], ...] = ()
+    chosen: tuple[Move, Eliminator] | None = None
+    conditions: tuple[Any, ...] | None = None
     sigma: Sym | None = None
 
 
@@ -111,9 +113,9 @@ def visit(form: Form, step: Step) -> Case:
     free = _free(form, step, postures[:LOOKED], rng)
     if free.all():
         return Case(FREE, postures[:LOOKED])
-    other, eliminator = _other(form, step, postures[:LOOKED][~free])
     sigma = _meeting(form, step, postures[:LOOKED][~free])
-    return Case(MIXED if free.any() else ELSEWHERE, postures[:LOOKED], None, other, eliminator, sigma)
+    options = tuple(_others(form, step, postures[:LOOKED][~free], sigma is not None))
+    return Case(MIXED if free.any() else ELSEWHERE, postures[:LOOKED], None, options, sigma=sigma)
 
 
 def _meeting(form: Form, step: Step, postures: Array) -> Sym | None:
@@ -154,19 +156,8 @@ def _vanishing(form: Form, step: Step, q: Array) -> Array:
 def _postures(form: Form, step: Step, rng: np.random.Generator) -> Array:
     """Postures (m, n) at which the step degenerates, none when there are none."""
     size = _scale(form)
-    q = rng.uniform(-np.pi, np.pi, (STARTS, form.n))
-    sliding = [j - 1 for j in form.table.prismatic]
-    q[:, sliding] = rng.uniform(-1, 1, (STARTS, len(sliding))) * size
-    with np.errstate(all="ignore"):
-        for _ in range(NEWTON):
-            points = np.concatenate([q, *(q + h for h in DEGENERATE_STEP * np.eye(form.n))])
-            every = _vanishing(form, step, points).reshape(form.n + 1, len(q), -1)
-            here, J = np.nan_to_num(every[0]), np.nan_to_num((every[1:] - every[0]) / DEGENERATE_STEP)
-            if np.abs(here).max() < DEGENERATE_EXACT:
-                break
-            move = np.einsum("kij,kj->ki", np.linalg.pinv(np.moveaxis(J, 0, 2), rcond=DEGENERATE_RANK), here)
-            q = q - np.clip(move, -0.5, 0.5)
-        gap = np.abs(_vanishing(form, step, q)).max(axis=1)
+    start = random_postures(STARTS, form.n, [j - 1 for j in form.table.prismatic], size, rng)
+    q, gap = vanishing_near(lambda points: _vanishing(form, step, points), start)
     order = np.argsort(gap)  # the solver asks for the last digits
     return q[order[gap[order] < COEFFICIENT_VANISHES * max(1.0, size)]]
 
@@ -246,25 +237,28 @@ def _rest(form: Form, step: Step) -> Expr | None:
     return (rest if next(iter(left.values())) > 0 else -rest).expr() if abs(value) > COEFFICIENT_VANISHES else None
 
 
-def _other(form: Form, step: Step, postures: Array) -> tuple[Move | None, Eliminator | None]:
-    """The equation of one unknown that decides the step's joint at degenerate postures (m, n)."""
+def _others(form: Form, step: Step, postures: Array, two: bool) -> Iterator[tuple[Move, Eliminator]]:
+    """Equations of one unknown that may decide the step's joint at degenerate postures (m, n).
+
+    Only where the two branches of an earlier step meet may one of `two` solutions: their sign tells those apart.
+    """
     e = form.replayed(step.number - 1)
     values = truth(form, postures, step.number - 1)
-    wanted = np.asarray(sum(k * values[angle_symbol(j)] for j, k in step.angle), dtype=float)
     if step.symbol in e.knowledge.prismatic.values():
         wanted = np.asarray(values[step.symbol], dtype=float)
+    else:
+        wanted = np.asarray(sum(k * values[angle_symbol(j)] for j, k in step.angle), dtype=float)
     sigma, name = Sym("sigma", str(step.number), 0), Sym("h", str(step.number), 4)
     options: list[tuple] = []
     for equations in e.tiers():
         options += [o for o in e.options(equations, sigma, name) if o[1] == step.angle]
     for _, angle, used, recipe, polys in sorted(options, key=lambda option: option[0]):
         solved = recipe.build()
-        if solved is None or not _gives(e, solved, sigma, values, wanted):
+        if solved is None or (solved.branches > 1 and not two) or not _gives(e, solved, sigma, values, wanted):
             continue
         shown = [*polys, solved.formula, *(x for _, x in solved.definitions)]
         names = tuple(e.target.show([*shown, *_sides(used)]))
-        return Move(step.symbol, angle, used, solved, sigma if solved.branches > 1 else None, names), e
-    return None, None
+        yield Move(step.symbol, angle, used, solved, sigma if solved.branches > 1 else None, names), e
 
 
 def _sides(equations: tuple[Equation, ...]) -> list:

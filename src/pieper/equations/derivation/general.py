@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from pieper.algebra.expression import angle_symbol
+from pieper.algebra.expression import Sym, angle_symbol
+from pieper.description.coupling import chain_values, joint_values, moved_by
 from pieper.document.blocks import Document
 from pieper.document.formulas import NOTHING, ZERO, Written
 from pieper.equations.arm import Arm
@@ -78,15 +79,35 @@ class GeneralInverse:
         middle = np.random.default_rng(4).uniform(-1.2, 1.2, arm.n)
         self.example = np.radians(np.round(np.degrees(middle)))
 
+    @property
+    def _kept(self) -> list[int]:
+        """The joints (0-based) that are solved for."""
+        return [j for j in range(self._arm.n) if j not in self.chosen]
+
     def polynomial(self, T: Array, chosen: Any = None) -> CharacteristicPolynomial | None:
-        """The characteristic polynomial at a pose (4, 4); `chosen` are the values of the spare joints, rad."""
-        chain = self._six(np.zeros(len(self.chosen)) if chosen is None else np.atleast_1d(chosen))
+        """The characteristic polynomial at a pose (4, 4); `chosen` are the values of the spare joints, rad.
+
+        Of coupled joints it is in the turn of an axis, and its solutions are in the joints' own numbers.
+        """
+        values = np.zeros(len(self.chosen)) if chosen is None else np.atleast_1d(chosen)
+        poly = self._of_axes(T, values)
+        coupling = self._arm.chain.coupling
+        if poly is None or coupling is None:
+            return poly
+        axes = np.zeros((len(poly.solutions), self._arm.n))
+        axes[:, self._kept], axes[:, self.chosen] = poly.solutions, values
+        rows = self._arm.chain.joints.wrapped(joint_values(axes, coupling))
+        return replace(poly, solutions=rows[:, self._kept])
+
+    def _of_axes(self, T: Array, values: Array) -> CharacteristicPolynomial | None:
+        """The polynomial with its solutions as turns of the axes."""
+        chain = self._six(values)
         if chain.n != 6 or chain.prismatic.any():
             return None
         return characteristic_polynomial(np.array(chain.links), np.asarray(T, float), chain.native.fk)
 
     def _six(self, values: Any) -> Any:
-        chain = self._arm.chain
+        chain = self._arm.chain.uncoupled
         for joint, value in sorted(zip(self.chosen, values, strict=True), reverse=True):
             chain = chain.locked(joint, float(value))
         return chain
@@ -95,7 +116,7 @@ class GeneralInverse:
     def why(self) -> list[str]:
         """Which axes would have to meet or be parallel for a closed form, and by how much they miss."""
         chain = self._six(self.example[list(self.chosen)])
-        names = [j + 1 for j in range(self._arm.n) if j not in self.chosen]
+        names = [j + 1 for j in self._kept]
         geometry = look(chain, MEETS)
         meets, turns = [], []
         for i in range(chain.n - 2):
@@ -136,30 +157,30 @@ class GeneralInverse:
         """Write what is true onto a page."""
         arm = self._arm
         page.say(" ".join(self.why()))
-        names = [f"theta{j + 1}" for j in self.chosen]
+        names = [self._symbol(j + 1).text() for j in self.chosen]
         if names:
             page.say(
                 f"The arm has a joint to spare; {', '.join(names)} is chosen first, and what follows is for that value."
             )
         T = arm.fk(self.example)
-        poly = self.polynomial(T, self.example[list(self.chosen)])
+        poly = self.polynomial(T, chain_values(self.example, self._arm.chain.coupling)[list(self.chosen)])
         if poly is None:
             page.say(
                 "All six ways to eliminate joints vanish for this arm's geometry, so no polynomial is given here; "
                 "the solver finds its solutions numerically and certifies their number."
             )
             return
-        unknown = angle_symbol(self._name(poly))
+        unknown = self._symbol(self._name(poly))
         half = (
             Written("t = tan(", r"t = \tan(", "<mi>t</mi><mo>=</mo><mi>tan</mi><mo>(</mo>")
             + unknown
             + Written("/2)", "/2)", "<mo>/</mo><mn>2</mn><mo>)</mo>")
         )
+        self._meaning(page)
         page.say(
             f"The joints satisfy one polynomial equation of degree {poly.degree} in ",
             half,
-            f", so a pose has at most {poly.degree} solutions. Its coefficients depend on the pose; there is no "
-            "formula for its roots.",
+            f"{self._most(poly)} Its coefficients depend on the pose; there is no formula for its roots.",
         )
         self._method(page, poly)
         page.heading("The polynomial at one pose")
@@ -181,12 +202,35 @@ class GeneralInverse:
         page.say(f"(The harmonics that must vanish by theory do so to {poly.noise:.0e} of the largest.)")
 
     def _name(self, poly: CharacteristicPolynomial) -> int:
-        return [j + 1 for j in range(self._arm.n) if j not in self.chosen][poly.joint - 1]
+        return self._kept[poly.joint - 1] + 1
+
+    def _most(self, poly: CharacteristicPolynomial) -> str:
+        """How many solutions a pose has by the polynomial, and by what the solver knows of the arm."""
+        most = self.plan.count.most if self.plan is not None and not self.chosen else poly.degree
+        if most >= poly.degree:
+            return f", so a pose has at most {poly.degree} solutions."
+        return f"; of its roots no more than {most} belong to different postures, which is the most that a pose has."
+
+    def _symbol(self, joint: int) -> Sym:
+        """What stands for the turn of an axis (1-based): the joint's number, of coupled joints another letter."""
+        return angle_symbol(joint, "q" if self._arm.chain.coupling is None else "theta")
+
+    def _meaning(self, page: Document) -> None:
+        """Say what turns the axes of coupled joints."""
+        coupling = self._arm.chain.coupling
+        if coupling is None:
+            return
+        names = [angle_symbol(k + 1, "q").text() for k in range(self._arm.n)]
+        moved = [f"{self._symbol(j + 1).text()} = {moved_by(coupling[j], names)}" for j in range(self._arm.n)]
+        page.say(
+            f"The joints are coupled; axes 1 to {self._arm.n} turn by {', '.join(moved)}, counted from where all "
+            "joints are at zero."
+        )
 
     def _method(self, page: Document, poly: CharacteristicPolynomial) -> None:
-        names = [j + 1 for j in range(self._arm.n) if j not in self.chosen]
+        names = [j + 1 for j in self._kept]
         cut = [names[(poly.joint - 3 + k) % 6] for k in range(6)]
-        one, two, three, four, five, six = (angle_symbol(j) for j in cut)
+        one, two, three, four, five, six = map(self._symbol, cut)
         page.heading("How it comes about")
         page.say(
             f"Close the loop of the arm and the wanted pose and cut it at joint {cut[5]}: the axis l of that joint "
@@ -231,15 +275,16 @@ class GeneralInverse:
         arm = self._arm
         poses = solutions = found = extra = own = 0
         worst = 0.0
-        kept = [j for j in range(arm.n) if j not in self.chosen]
+        kept, coupling = self._kept, arm.chain.coupling
         for q in rng.uniform(-np.pi, np.pi, (n, arm.n)):
             T = arm.fk(q)
-            poly = self.polynomial(T, q[list(self.chosen)])
+            axes = chain_values(q, coupling)
+            poly = self._of_axes(T, axes[list(self.chosen)])
             if poly is None:
                 continue
             poses += 1
-            own += _among(q[kept], poly.solutions) < DERIVED_SAME
-            rows = _solver_rows(arm, T, q, self.chosen)
+            own += _among(axes[kept], poly.solutions) < DERIVED_SAME
+            rows = [chain_values(row, coupling) for row in _solver_rows(arm, T, q, self.chosen)]
             matched = [_among(row[kept], poly.solutions) for row in rows]
             solutions += len(rows)
             good = [m for m in matched if m < DERIVED_SAME]

@@ -12,7 +12,7 @@ import itertools
 from collections.abc import Iterator
 from typing import Any
 
-from pieper.algebra.determinant import one_circle
+from pieper.algebra.determinant import monomial_content, one_circle
 from pieper.algebra.expression import Call, Expr, Sym, Trig
 from pieper.algebra.harmonic import Poly
 from pieper.equations.derivation.patterns import Recipe, Solved, divided, shared
@@ -83,9 +83,10 @@ def _named_constants(equations: tuple) -> tuple[list[tuple], list[tuple[Sym, Pol
 
 def _eliminated(first: tuple, second: tuple) -> Poly | None:
     (A1, B1, C1), (A2, B2, C2) = first, second
-    if not (A1 and B1 and A2 and B2):
+    if not ((A1 or B1) and (A2 or B2)):
         return None
-    alpha, beta = shared(A1, B1), shared(A2, B2)
+    # of crossed offsets that vanish (d3 = 0) one equation holds the sine alone and the other the cosine
+    alpha, beta = (shared(A, B) if A and B else monomial_content(A or B)[0] for A, B in ((A1, B1), (A2, B2)))
     k1, k2 = divided(A1, alpha), divided(B1, alpha)
     a2, b2 = divided(A2, beta), divided(B2, beta)
     if not ((a2 == k2 and b2 == -k1) or (a2 == -k2 and b2 == k1)):

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pieper.algebra.expression import Expr, Sym
-from pieper.equations.derivation.elimination import Source
+from pieper.algebra.arithmetics import NumpyField
+from pieper.algebra.expression import Expr, Num, Sym
+from pieper.equations.derivation.elimination import Eliminator, Move, Source
+from pieper.tolerances import ROUNDING
 
 
 @dataclass(frozen=True)
@@ -42,3 +44,40 @@ class Step:
     def branches(self) -> int:
         """How many solutions the step has."""
         return 1 if self.sigma is None else 4 if self.kind == "quartic" else 2
+
+
+def steps_of(eliminator: Eliminator, table: dict) -> tuple[Step, ...]:
+    """The moves of an elimination as steps; `table` has its names -> those of the page."""
+    return tuple(step_of(eliminator, table, number, move) for number, move in enumerate(eliminator.moves, 1))
+
+
+def step_of(eliminator: Eliminator, table: dict, number: int, move: Move) -> Step:
+    """One move as a step, see `steps_of`."""
+    constants = eliminator.table.constants(NumpyField)
+
+    def tidy(expr: Expr) -> Expr:
+        return expr.substitute(table)
+
+    names = [(table[s], tidy(eliminator.target.definitions[s].expr())) for s in move.names]
+    names += [(s, tidy(x)) for s, x in move.solved.definitions]
+    return Step(
+        number,
+        move.symbol,
+        move.angle,
+        tuple(e.source for e in move.equations),
+        tuple(names),
+        tuple((tidy(e.left.expr()), tidy(e.right.expr())) for e in move.equations),
+        tidy(move.solved.formula),
+        move.sigma,
+        move.solved.kind,
+        _vanishing([tidy(x) for x in move.solved.degenerate], constants),
+        tidy(move.solved.merge) if move.solved.merge is not None else None,
+    )
+
+
+def _vanishing(conditions: list[Expr], constants: dict) -> tuple[Expr, ...]:
+    """The conditions, or nothing when one of them is a length that does not vanish."""
+    for condition in conditions:
+        if condition.atoms() <= set(constants) and abs(condition.evaluate(constants, NumpyField)) > ROUNDING:
+            return ()
+    return tuple(c for c in conditions if not (isinstance(c, Num) and c.value == 0))

@@ -85,9 +85,16 @@ def _opening(page: Document, form: ClosedForm) -> None:
         page.say("The angles and slides of the table belong to the joint coordinates as follows.")
         for symbol, expr in relations:
             page.show(symbol, expr)
+    twists = [(s, x) for s, x in form.table.meaning.items() if isinstance(x, Call)]
+    if twists:
+        page.say("Turns of the table that are no quarter turns have names for their cosines and sines.")
+        for symbol, expr in twists:
+            page.show(symbol, expr)
     if form.chosen:
         names = listed([form.table.variable(j) for j in form.chosen])
-        page.say("The arm has a joint to spare: ", *names, " is chosen freely, and the rest follows.")
+        one = len(form.chosen) == 1
+        head = "The arm has a joint to spare: " if one else "The arm has joints to spare: "
+        page.say(head, *names, f" {'is' if one else 'are'} chosen freely, and the rest follows.")
 
 
 def _step(page: Document, form: ClosedForm, step: Step) -> None:
@@ -182,6 +189,7 @@ def _degenerate(page: Document, form: ClosedForm, step: Step) -> None:
             " is free. Any value may be chosen for it with which the steps after this one have a solution, and they go "
             "on from that value.",
         )
+        _told_apart(page, form, case)
     else:
         _decided(page, form, step, case, conditions)
 
@@ -192,7 +200,9 @@ def _decided(page: Document, form: ClosedForm, step: Step, case: Case, condition
     if case.kind == MIXED:
         page.say("At some of these poses ", step.symbol, " is free, and any value may be chosen for it; at others not.")
     if other is None:
-        page.say("What decides it there is that all other equations hold too; no single one of them gives it.")
+        if case.kind != MIXED:
+            page.say("What decides it there is that all other equations hold too; no single one of them gives it.")
+        _told_apart(page, form, case)
         return
     page.say("Another equation decides it there. ", *_source(form, other))
     for left, right in other.equations:
@@ -205,6 +215,26 @@ def _decided(page: Document, form: ClosedForm, step: Step, case: Case, condition
     page.show(other.symbol, other.formula)
     if other.sigma is not None and other.sigma in form.sigmas:
         page.say("The two branches of ", other.sigma, ", which meet in the step that brought it, are told apart here.")
+    _told_apart(page, form, case)
+
+
+def _told_apart(page: Document, form: ClosedForm, case: Case) -> None:
+    """Say which combinations of signs, and which chosen values, are solutions where a step degenerates."""
+    if case.conditions is None:
+        if form.chosen:
+            page.say("A value that was chosen may have no solution there: forward kinematics tells.")
+        return
+    chosen = " and of the values that were chosen" if form.chosen else ""
+    if not case.conditions:
+        page.say(
+            f"Not every combination of the signs{chosen} has a solution there: keep those that forward kinematics "
+            "leads back to the pose."
+        )
+        return
+    page.say(f"Not every combination of the signs{chosen} has a solution there: keep those that also satisfy")
+    for left, right, source in case.conditions:
+        page.show(left, right)
+        page.say(f"({_entries(list(source.places))} of ", matrix_equation(source.i, source.j, form.n), ").")
 
 
 def _joints(page: Document, form: ClosedForm) -> None:
@@ -232,7 +262,11 @@ def _summary(page: Document, form: ClosedForm) -> None:
         page.show(step.symbol, step.formula, number=step.number)
     if form.free:
         free = listed([form.table.variable(j) for j in form.free])
-        page.say(*free, " is free: only its sum with the joints about the same line moves anything. Choose it first.")
+        if len(form.free) == 1:
+            said = " is free: only its sum with the joints about the same line moves anything. Choose it first."
+        else:
+            said = " are free: only their sums with the joints about the same line move anything. Choose them first."
+        page.say(*free, said)
     if form.conditions:
         page.say("This arm cannot reach every pose. Of the combinations, keep those that also satisfy")
         for left, right, source in form.conditions:

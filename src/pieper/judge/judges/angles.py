@@ -13,20 +13,25 @@ from pieper.judge.circular import given_angles, uses_itself
 from pieper.judge.claim import Claim, Numbers
 from pieper.judge.degrees import angles_among, from_degrees
 from pieper.judge.difference import agreeing_digits, digits_wanted
-from pieper.judge.evidence import SOLVER_POSES, Evidence, tried_text, wrapped
+from pieper.judge.evidence import SOLVER_POSES, Evidence, wrapped
 from pieper.judge.judges.angle_formula import AngleFormula, branch_values, either_of, read_angle, right_side, signed
 from pieper.judge.judges.freedom import completes, undetermined
+from pieper.judge.known import known_in
 from pieper.judge.lengths import decimals, standing
 from pieper.judge.matrices import value_of
+from pieper.judge.model import POSE_NAMES
 from pieper.judge.products import Product
 from pieper.judge.regions import region_of, zero_denominators
 from pieper.judge.rounding import unrounded, with_rounding
 from pieper.judge.samples import pose_of
 from pieper.judge.search.search import Explanation, Goal, search
+from pieper.judge.search.tried import tried_text
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_HOLDS, JUDGED_SAME_JOINTS
+
+MOST_JOINTS = 6  # an arm of fewer cannot take every pose
 
 
 def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
@@ -50,8 +55,9 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
         + (f", where {claim['when']}" if "when" in claim else "")
     )
     node = signed(ev, claim, node, angle)
-    circle = uses_itself(ev.model, angle, node, ev.definitions, {name: ev.known_for(name) for name in ev.picks(node)})
+    ev = ev.naming(node)
     frame = ev.frame(claim)
+    circle = uses_itself(ev.model, angle, node, ev.definitions, known_in(ev, node, angle, frame))
     form = AngleFormula.of(ev, angle, frame)
     good, own = form.judged(ev, node), ev.samples.nominal
     if circle:
@@ -128,13 +134,16 @@ def _slip(ev: Evidence, node: Expr, form: AngleFormula, *, branch: bool = False)
         branch: Whether a slip counts that makes it right on one branch only.
     """
     goal = ev.goal(form.wanted(ev), angle=not form.slides, frame=form.frame)
+    other = ~ev.samples.nominal
+    if form.judged(ev, node)[~other].all() and other.any():
+        goal = goal.restrict(other)  # what is wrong shows with other lengths only
 
     def searched(aim: Goal, pairs: bool = False) -> Explanation:
-        near = slips(node, ev.model.values, ev.model.n, ev.own_names, angle=True)
+        near = slips(node, ev.lengths, ev.model.n, ev.own_names, angle=True)
         lost = lost_from(ev, node, aim, form.angle)
         found = search(aim, node, near, lost=lost, seconds=ev.seconds, pairs=pairs)
         # an explanation that uses what it explains is none
-        known = {name: ev.known_for(name) for name in ev.picks(node)}
+        known = known_in(ev, node, form.angle, form.frame)
         found.found = [s for s in found.found if not uses_itself(ev.model, form.angle, s.tree, ev.definitions, known)]
         return found
 
@@ -146,7 +155,7 @@ def _slip(ev: Evidence, node: Expr, form: AngleFormula, *, branch: bool = False)
     if found.best:
         return found, ""
     if branch and found.nearest:
-        known = {name: ev.known_for(name) for name in ev.picks(node)}
+        known = known_in(ev, node, form.angle, form.frame)
         one = found.nearest[0]
         if not uses_itself(ev.model, form.angle, one.tree, ev.definitions, known):
             where = region_of(ev, form.with_symbols(one.tree))
@@ -213,6 +222,13 @@ def _joint_holds(
     both, why = _both_signs(ev, node, angle, form.frame, claim.get("task"))
     if why:
         details.append(("both signs", why))
+    if both is False and "task" not in claim and form.frame is None and _of_position(ev, node):
+        # short arms: a page that works with px, py and pz alone is about positions
+        both, why = _both_signs(ev, node, angle, None, "position")
+        if both:
+            told = 'with the orientation of a pose asked for too only one is (task = "position" says what is meant)'
+            details[-1] = ("both signs", f"{why}; {told}")
+            held = f"{held}; both signs are solutions of a position, which is all that the formula uses"
     if both is False:
         return claim.partly(
             f"Holds on one branch only: the right angle is always one of the two ({held}), but the other sign is no "
@@ -222,6 +238,14 @@ def _joint_holds(
             digits=digits,
         )
     return claim.holds(f"Holds{tied}{where} with its two branches: {held}.", details, digits=digits)
+
+
+def _of_position(ev: Evidence, node: Expr) -> bool:
+    """Whether a formula about a short arm uses the position of the tool and nothing else of the pose."""
+    used = node.substitute(ev.definitions).symbols()
+    letters = {name: column for name, _, column in POSE_NAMES if name in used}
+    turned = used & {"roll", "pitch", "yaw"} or ev.picks(node)
+    return ev.model.n < MOST_JOINTS and bool(letters) and set(letters.values()) == {3} and not turned
 
 
 def _both_signs(
@@ -237,7 +261,7 @@ def _both_signs(
     poses = value_of(frame, ev.samples.frames) if frame is not None else ev.samples.frames["T"]
     used, known = given_angles(node, ev.definitions)
     used |= set(ev.held)
-    used |= {j for name in ev.picks(node) for j in ev.known_for(name)}
+    used = used.union(*known_in(ev, node, angle).values())
     given = {j for j in used if before < j <= before + model.n and j - before != joint}
     sums = [{j - before: k for j, k in s.items()} for s in known if all(before < j <= before + model.n for j in s)]
     values = wrapped(np.array(list(branch_values(node, ev.environment(frame), (len(poses),)))))
@@ -254,7 +278,8 @@ def _both_signs(
     if not checked:
         return None, ""
     same = [f"theta{j}" for j in sorted(given)] + [" + ".join(f"theta{j}" for j in s) for s in known]
-    words = "for the same " + " and ".join(same) if same else "of the pose"
+    place = "position" if task == "position" else "pose"
+    words = "for the same " + " and ".join(same) if same else f"of the {place}"
     if both == checked:
         return True, f"both are solutions {words}, at {both} of {checked} poses"
     if both == 0:
@@ -299,10 +324,9 @@ def judge_together(ev: Evidence, claim: Claim) -> Verdict:
         _, angle = read_angle(ev, claim.part(claim.id, {"for": name}))
         forms[name] = AngleFormula.of(ev, angle, frame), ev.parse(str(text), claim.where, f"is {name}")
     claim = claim.reads("; ".join(f"{k} = {v}" for k, v in claim["is"].items()))
+    ev = ev.naming(*(node for _, node in forms.values()))
     for name, (form, node) in forms.items():
-        circle = uses_itself(
-            ev.model, form.angle, node, ev.definitions, {name: ev.known_for(name) for name in ev.picks(node)}
-        )
+        circle = uses_itself(ev.model, form.angle, node, ev.definitions, known_in(ev, node, form.angle, form.frame))
         if circle:
             return claim.wrong(
                 f"Wrong: circular. The formula for {name} uses {name} itself, in {circle}.", (), "circular"

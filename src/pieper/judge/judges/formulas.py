@@ -13,8 +13,14 @@ from pieper.algebra.expression import Expr
 from pieper.algebra.formula import Equation
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
-from pieper.judge.difference import agreeing_digits, difference_from_matrix, digits_wanted, simplified_difference
-from pieper.judge.evidence import Evidence, number, tried_text, under
+from pieper.judge.difference import (
+    IDENTICAL,
+    agreeing_digits,
+    difference_from_matrix,
+    digits_wanted,
+    simplified_difference,
+)
+from pieper.judge.evidence import Evidence, number, under
 from pieper.judge.lengths import standing
 from pieper.judge.matrices import value_of
 from pieper.judge.model import POSE_NAMES
@@ -22,9 +28,11 @@ from pieper.judge.products import Product, parse_product
 from pieper.judge.regions import region_of, zero_denominators
 from pieper.judge.rounding import unrounded, with_rounding
 from pieper.judge.search.search import MAX_SEARCHED, Explanation, Goal, says_nothing, search
+from pieper.judge.search.tried import tried_text
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.slips.lost_parts import lost_from
 from pieper.judge.verdict import Verdict
+from pieper.tolerances import NEARLY, NEARLY_ROUNDED
 
 _ENTRY_OF = {name: (i, j) for name, i, j in POSE_NAMES}
 
@@ -83,10 +91,17 @@ def judge_equal(
         source: where the right values come from, if neither from a product nor from the formula itself.
     """
     right = _Right(product, frame, source)
+    named = ev.naming(node)
+    if named is not ev:
+        ev, wanted = named, None if wanted is None else right.wanted(named)
     goal = ev.goal(wanted, frame=frame)
-    good, own = goal.residual(node) < 1, ev.samples.nominal
+    off, own = goal.residual(node), ev.samples.nominal
+    good = off < 1
     if good[own].all():
         return _equal_holds(ev, claim, node, good, right)
+    nearly = _nearly(ev, node, off[good & own])
+    if nearly:
+        good = off < nearly  # a small difference that is there everywhere, and below the tolerance at some
     exact = unrounded(ev, node, right.gap, right.judged)
     if exact:
         off = f"as printed it is off by {exact.off:.2g} at most"
@@ -98,7 +113,7 @@ def judge_equal(
         details.append(("undefined", f"the denominator {vanish[0]} is zero for all joints"))
     else:
         details.append(("counter-example", _counter_example(ev, node, goal, good, wanted)))
-    region = region_of(ev, lambda at: (right.judged(at, node), at.environment(frame)))
+    region = "" if nearly else region_of(ev, lambda at: (right.judged(at, node), at.environment(frame)))
     found = _explanation(ev, node, goal, good, product, frame)
     details += found.details
     said: dict[str, Any] = {
@@ -119,6 +134,19 @@ def judge_equal(
     return claim.wrong(sentence, **said)
 
 
+def _nearly(ev: Evidence, node: Expr, off: np.ndarray) -> float:
+    """The size below which a formula is right that is off by little where it seems right; 0 where it is off by none.
+
+    Args:
+        ev: The arm.
+        node: The formula.
+        off: How far it is off, in units of the tolerance, where that is below one.
+    """
+    rounded = digits_wanted(ev.model, node.substitute(ev.definitions)) < IDENTICAL
+    size = NEARLY_ROUNDED if rounded else NEARLY
+    return size if len(off) and float(np.median(off)) > size else 0.0
+
+
 @dataclass(frozen=True)
 class _Right:
     """Where a formula's right values come from: an entry of a product, or, of an equation, its other side."""
@@ -133,9 +161,13 @@ class _Right:
             return self.source(ev)
         return None if self.product is None else value_of(self.product, ev.samples.frames)
 
+    def off(self, ev: Evidence, node: Expr) -> np.ndarray:
+        """How far the formula is off, in units of the tolerance."""
+        return ev.goal(self.wanted(ev), frame=self.frame).residual(node)
+
     def judged(self, ev: Evidence, node: Expr) -> np.ndarray:
         """Where the formula is right."""
-        return ev.goal(self.wanted(ev), frame=self.frame).residual(node) < 1
+        return self.off(ev, node) < 1
 
     def gap(self, ev: Evidence, node: Expr, more: dict[str, np.ndarray]) -> np.ndarray:
         """The formula minus what is right; of an equation, the left side minus the right one."""
@@ -153,10 +185,18 @@ def _equal_holds(
     if digits is not None and 0 < digits < digits_wanted(ev.model, node.substitute(ev.definitions)):
         gap = ""
         if right.product is not None and right.product.entry and str(Product(right.product.terms)) == "T":
-            gap = difference_from_matrix(node, ev.model, right.product.entry[0] - 1, right.product.entry[1] - 1)
+            gap = difference_from_matrix(node, ev.model, right.product.entry, ev.varied_zeros)
         details = [("difference", f"printed minus right = {gap}")] if gap else []
         sentence = f"Wrong, if only just: at 50-digit arithmetic it agrees to {digits} digits and no more."
         return claim.wrong(sentence, details, digits=digits, difference=gap)
+    off = right.off(ev, node) if digits is None and not rounding else np.zeros(0)
+    if _nearly(ev, node, off[ev.samples.nominal[: len(off)]]):
+        example = _counter_example(
+            ev, node, ev.goal(right.wanted(ev), frame=right.frame), np.zeros(len(off), dtype=bool), right.wanted(ev)
+        )
+        return claim.wrong(
+            "Wrong, if only just: it misses by more than the rounding of numbers.", [("counter-example", example)]
+        )
     if good.all():
         lengths = ", for any lengths" if _uses_lengths(ev, node) else ""
         more = f"; at 50-digit arithmetic it agrees to {digits} digits" if digits else ""
@@ -173,9 +213,16 @@ def _equal_holds(
     if stand.partly:
         goal = ev.goal(right.wanted(ev), frame=right.frame)
         found = _explanation(ev, node, goal, good, right.product, right.frame)
+        example = ("counter-example", _counter_example(ev, node, goal, good, goal.wanted))
         sentence = f"Holds for this arm {stand.words}: right at {own} of {own} joint vectors with its lengths."
         return claim.partly(
-            sentence, found.details, found.slip, found.reading, right=int(good.sum()), tried=len(good), digits=digits
+            sentence,
+            [example, *found.details],
+            found.slip,
+            found.reading,
+            right=int(good.sum()),
+            tried=len(good),
+            digits=digits,
         )
     tied = f", {stand.words}" if stand.words else ""
     sentence = f"Holds for this arm's lengths{tied}{where}: right at {own} of {own} joint vectors{more}."
@@ -197,13 +244,15 @@ def _explanation(
 ) -> _Explained:
     """Look for the one slip that explains a wrong formula."""
     own, model = ev.samples.nominal, ev.model
+    if good[own].all():
+        goal, good, own = goal.restrict(~own), good[~own], own[~own]  # what is wrong shows with other lengths only
 
     def searched(aim: Goal, pairs: bool = False) -> Explanation:
-        near = slips(node, model.values, model.n, ev.own_names)
+        near = slips(node, ev.lengths, model.n, ev.own_names)
         return search(aim, node, near, lost=lost_from(ev, node, aim), seconds=ev.seconds, pairs=pairs)
 
     found = searched(goal)
-    if not found.best and not good[~own].any() and not _uses_lengths(ev, node):
+    if not found.best and own.any() and not good[~own].any() and not _uses_lengths(ev, node):
         nominal = searched(goal.restrict(own))
         found = nominal if nominal.best else found
     short = node.size() <= MAX_SEARCHED
@@ -232,7 +281,7 @@ def _explanation(
         return _Explained([("the slip", f"{other[1]}: the formula is right for that arm"), tried], other[0])
     details, gap = [], ""
     if product is not None and product.entry and str(Product(product.terms)) in ("T", f"T0{model.n}"):
-        gap = difference_from_matrix(node, model, product.entry[0] - 1, product.entry[1] - 1)
+        gap = difference_from_matrix(node, model, product.entry, ev.varied_zeros)
         if gap:
             details.append(("difference", f"printed minus right = {gap}"))
     details.append(("the slip", "no single slip explains it" + found.closest("joint vectors")))
@@ -264,7 +313,10 @@ def _counter_example(ev: Evidence, node: Expr, goal: Goal, good: np.ndarray, wan
     order = np.argsort(-np.nan_to_num(np.abs(left - right)[bad], nan=-1.0, posinf=-1.0))
     k = int(bad[order[len(order) // 4]])
     words = "left side {}, right side {}" if wanted is None else "the formula gives {}, right is {}"
-    return f"at {ev.at(k)}{ev.extra_lengths(k, node)}: {words.format(number(left[k]), number(right[k]))}"
+    shown = [number(float(side[k])) for side in (left, right)]
+    if shown[0] == shown[1]:
+        shown = [f"{side[k]:.15g}" for side in (left, right)]
+    return f"at {ev.at(k)}{ev.extra_lengths(k, node)}: {words.format(*shown)}"
 
 
 def _other_arm(

@@ -91,7 +91,11 @@ def judge_determinant(ev: Evidence, claim: Claim) -> Verdict:
     right = determinant(ev)
     node = ev.parse(str(claim["is"]), claim.where)
     claim = claim.reads(f"det J = {claim['is']}")
-    if ev.goal(-right).fits(node).all() and not ev.goal(right).fits(node).all():
+    other, own = ev.goal(-right).fits(node), ev.samples.nominal
+    if other[own].all() and not ev.goal(right).fits(node).all():
+        named = ev.naming(node)
+        if not (named.goal(-determinant(named)).fits(node)).all():
+            return judge_equal(ev, claim, node, -right, source=lambda at: -determinant(at))
         return claim.holds(
             "Holds but for the sign of the whole, which goes with the order of rows and the frame: equal to -det J at "
             f"{len(right)} of {len(right)} joint vectors."

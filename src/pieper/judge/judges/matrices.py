@@ -12,8 +12,10 @@ from pieper.judge.judges.formulas import judge_equal
 from pieper.judge.matrices import product_slips, value_of
 from pieper.judge.products import Product, parse_product
 from pieper.judge.search.search import Goal
+from pieper.judge.slips.arm_slips import two_twists
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import FLOOR_OF_SEARCH, MATRIX_ENTRY
+from pieper.words_by_number import plural
 
 
 def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
@@ -36,6 +38,7 @@ def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
     ev = ev.on(ev.samples)
     ev.seconds = min(ev.seconds, max(0.3, 2 * ev.seconds / sum(map(len, given))))
     nodes: dict[tuple[int, int], Expr] = {}
+    by_chance = 0  # entries that are right for this arm's own lengths only
     for i, row in enumerate(given):
         for j, text in enumerate(row):
             if str(text).strip() in ("", "*", '"'):
@@ -46,6 +49,7 @@ def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
             one = judge_equal(ev, part, node, right[:, i, j], product=entry)
             if not one.holds:
                 wrong.append((i + 1, j + 1, one))
+                by_chance += bool(ev.goal(right[:, i, j]).fits(node)[ev.samples.nominal].all())
     count = len(nodes)
     claim = claim.reads(f"{claim['of']} = [" + "; ".join(", ".join(map(str, r)) for r in given) + "]")
     if not wrong:
@@ -69,13 +73,21 @@ def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
         ]
         details.insert(0, ("the slip", f"{reading}: every entry is right for that arm"))
     places = ", ".join(f"({i},{j})" for i, j, _ in wrong)
+    if by_chance == len(wrong):
+        entries = plural(by_chance, "entry", "entries")
+        return claim.partly(
+            f"Holds for this arm's lengths; for others of its build {entries} of {count} would be wrong: {places}.",
+            details,
+            slip,
+            reading,
+        )
     return claim.wrong(f"Wrong in {len(wrong)} of {count} entries: {places}.", details, slip, reading)
 
 
 def _arm_of(ev: Evidence, product: Product, nodes: dict[tuple[int, int], Expr]) -> tuple[str, str] | None:
     """Return (kind, words) of the arm one slip away for which every given entry is right, None when there is none."""
     floor = FLOOR_OF_SEARCH * max(1.0, ev.model.length())
-    for kind, words, samples in (*ev.other_arms, *ev.arms_of_two_twists):
+    for kind, words, samples in (*ev.other_arms, *ev.arms(two_twists(ev.model))):
         right = value_of(product, samples.frames)
         right = right if right.ndim == 3 else right[:, :, None]
         if all(Goal(samples.env, right[:, i, j], floor=floor).fits(node).all() for (i, j), node in nodes.items()):

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from pieper.judge.claim import Claim
+from pieper.judge.digits import ROUNDED
 from pieper.judge.evidence import Evidence, number
 from pieper.judge.matrices import value_of
 from pieper.judge.model import ArmModel
@@ -16,7 +17,7 @@ from pieper.judge.numbers import (
     BLANK,
     UNITS,
     cut_off,
-    joint_tolerance,
+    joint_units,
     last_digit,
     misprint,
     read_joints,
@@ -128,7 +129,7 @@ def _slack(claim: Claim, model: ArmModel, q: np.ndarray, product: Product, facto
     slack = np.zeros_like(_value(product, model, q))
     if not claim.get("rounded"):
         return slack
-    half = joint_tolerance(claim.get("q_deg", claim.get("q_rad", [])), "q_deg" in claim)
+    half = ROUNDED * joint_units(claim, model)
     base = _value(product, model, q)
     for k, h in enumerate(half):
         moved = q.copy()

@@ -9,18 +9,21 @@ from pieper.errors import PieperError
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence, wrapped
 from pieper.judge.judges.angle_formula import branch_values, read_angle
+from pieper.judge.known import known_in
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_HOLDS
 from pieper.words_by_number import plural
 
 MAX_COMBINATIONS = 512
+MOST_JOINTS = 6  # an arm of fewer cannot take every pose
 
 
 def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
     """Follow formulas in their order and count the solutions that close under forward kinematics.
 
-    Keys: steps, a list of {joint, is} where `is` may be a list of alternatives; where.
+    Keys: steps, a list of {joint, is} where `is` may be a list of alternatives; where; task. Of a short arm whose task
+    nobody names, a method that finds every solution of a position is right, and the verdict says that it is meant so.
     """
     n, samples = ev.model.n, ev.samples
     rows = np.flatnonzero(samples.nominal)[:40]
@@ -44,7 +47,7 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
         for known in candidates:
             for node in [ev.parse(str(t), where).substitute(ev.definitions) for t in texts]:
                 node = node.substitute({b: Mention(joint) for b, joint in ev.model.aliases.items()})
-                picked = {letter: ev.known_for(letter) for letter in ev.picks(node)}
+                picked = known_in(ev, node, angle)
                 used = {s for s in node.symbols() if ANGLE.match(s)}
                 missing = (used | {f"theta{j}" for joints in picked.values() for j in joints}) - set(known)
                 if missing:
@@ -62,25 +65,40 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
     if any(len(c) != n for c in candidates):
         raise claim.error(f"the steps give {len(candidates[0])} of {plural(n, 'joint')}")
     claim = claim.reads("; ".join(lines))
-    found, truth = _closing(ev, rows, candidates), _existing(ev, rows)
+    task = claim.get("task")
+    found, truth = _closing(ev, rows, candidates, task), _existing(ev, rows, task or "pose")
+    said = "pose"
+    if task == "position":
+        said = "position"
+    elif task is None and n < MOST_JOINTS and not (truth is not None and np.array_equal(found, truth)):
+        positions = _closing(ev, rows, candidates, "position"), _existing(ev, rows, "position")
+        if positions[1] is not None and np.array_equal(*positions):
+            (found, truth), said = positions, 'position (task = "position" says so; not of a pose with its orientation)'
     spread = ", ".join(f"{v} at {100 * np.mean(found == v):.0f}%" for v in sorted(set(found.tolist())))
-    there = "how many there are was not checked" if truth is None else f"there are {sorted(set(truth.tolist()))}"
+    there = "how many there are was not checked"
+    if truth is not None:
+        there = "there are " + " or ".join(map(str, sorted(set(truth.tolist()))))
+    what = said.partition(" ")[0]
+    combinations = plural(len(candidates), "combination")
     details = [
         (
             "candidates",
-            f"{plural(len(candidates), 'combination')} of branches at {len(rows)} poses: {int(found.sum())} of "
-            f"{len(rows) * len(candidates)} close under forward kinematics",
+            f"{combinations} of branches at {len(rows)} {what}s: {plural(int(found.sum()), 'different solution')} "
+            f"among {len(rows) * len(candidates)} that forward kinematics confirms",
         ),
-        ("solutions", f"found {spread} of the poses; {there}"),
+        ("solutions", f"found {spread} of the {what}s; {there}"),
     ]
     if truth is not None and np.array_equal(found, truth):
         every = f"all {int(truth.max())} solutions" if truth.max() > 1 else "the one solution"
-        return claim.holds(f"Holds: finds {every} at {len(rows)} of {len(rows)} poses.", details)
+        return claim.holds(f"Holds: finds {every} of a {said} at {len(rows)} of {len(rows)} {what}s.", details)
     if not found.any():
-        return claim.wrong(f"Wrong: finds no solution at any of {len(rows)} poses.", details)
+        return claim.wrong(f"Wrong: finds no solution at any of {len(rows)} {what}s.", details)
     none = np.mean(found == 0)
     rest = f", none at {100 * none:.0f}% of them" if none else ""
-    return claim.partly(f"Finds {found.min()} to {found.max()} solutions of a pose{rest}.", details)
+    least, most = int(found.min()), int(found.max())
+    number = plural(most, "solution") if least == most else f"{least} to {plural(most, 'solution')}"
+    missing = f", {there}" if truth is not None else f"; {there}"
+    return claim.partly(f"Finds {number} of a {what}{rest}{missing}.", details)
 
 
 def _letter(ev: Evidence, name: str, rows: np.ndarray, env: dict[str, np.ndarray]) -> np.ndarray:
@@ -104,7 +122,7 @@ def _letter(ev: Evidence, name: str, rows: np.ndarray, env: dict[str, np.ndarray
     return found[name]
 
 
-def _closing(ev: Evidence, rows: np.ndarray, candidates: list[dict[str, np.ndarray]]) -> np.ndarray:
+def _closing(ev: Evidence, rows: np.ndarray, candidates: list[dict[str, np.ndarray]], task: str | None) -> np.ndarray:
     """Return the number of distinct candidates that reproduce each pose."""
     model = ev.model
     want = ev.samples.frames["T"][rows]
@@ -112,7 +130,8 @@ def _closing(ev: Evidence, rows: np.ndarray, candidates: list[dict[str, np.ndarr
     for known in candidates:
         q = np.stack([known[f"theta{j}"] for j in range(1, model.n + 1)], axis=1)
         T = pose_of(model, np.nan_to_num(q, nan=0.3))
-        close = np.abs(T - want).reshape(len(rows), -1).max(1) < JUDGED_HOLDS * max(1.0, model.length())
+        off = np.abs(T - want)[:, :3, 3] if task == "position" else np.abs(T - want).reshape(len(rows), -1)
+        close = off.max(1) < JUDGED_HOLDS * max(1.0, model.length())
         tried.append((q, close & np.isfinite(q).all(1)))
     counts = np.zeros(len(rows), dtype=int)
     for k in range(len(rows)):
@@ -124,9 +143,11 @@ def _closing(ev: Evidence, rows: np.ndarray, candidates: list[dict[str, np.ndarr
     return counts
 
 
-def _existing(ev: Evidence, rows: np.ndarray) -> np.ndarray | None:
-    """Return the number of solutions of each pose; None when the solver cannot say."""
+def _existing(ev: Evidence, rows: np.ndarray, task: str) -> np.ndarray | None:
+    """Return the number of solutions of each pose for a task; None when the solver cannot say."""
     try:
-        return np.array([len(ev.solutions_at(int(k))) for k in rows])
+        if task == "pose":
+            return np.array([len(ev.solutions_at(int(k))) for k in rows])
+        return np.array([len(ev.solved(ev.samples.frames["T"][k], task)) for k in rows])
     except PieperError:
         return None

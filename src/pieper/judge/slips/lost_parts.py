@@ -23,7 +23,7 @@ def lost_from(ev: Evidence, node: Expr, goal: Goal, angle: Expr | None = None) -
         angle: The angle that it is for; None for other formulas.
     """
     own = frozenset(angle.symbols()) if angle is not None else frozenset[str]()
-    pool = factor_pool(node, ev.model.values, ev.model.n)
+    pool = factor_pool(node, ev.lengths, ev.model.n)
     turning = [j for j in range(1, ev.model.n + 1) if not ev.model.sliding(j)]
     senses = axis_senses(ev.model)
     for k, first in enumerate(turning):

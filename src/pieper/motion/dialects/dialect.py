@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from textwrap import wrap
+from typing import TypeVar
 
 import numpy as np
 
@@ -21,9 +22,12 @@ from pieper.solver.plan.plan import Plan
 from pieper.tolerances import SAME_TOOL_IN_FILE
 from pieper.words_by_number import plural
 
-#: Tool speed that is written where none was said, mm/s; turns are written in proportion.
-USUAL_SPEED = 250.0
+#: Tool speed that is written where none was said, m/s, as long as the limit of the tool's speed allows it.
+USUAL_SPEED = 0.25
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+
+
+_Key = TypeVar("_Key", str, int)
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,16 +145,43 @@ class Script:
         """Return joint values as controllers take them: degrees, and millimetres of a slide."""
         return [float(v) for v in np.where(self.plan.prismatic, q * 1e3, np.degrees(q))]
 
-    def head(self, mark: str, width: int = 110) -> list[str]:
-        """Return what a reader must know, as comments of at most `width` characters."""
+    def line_speed(self, move: Move) -> float:
+        """Return the speed of the tool's point that is written for a line or circle, m/s, within its limit."""
+        said = USUAL_SPEED if move.speed is None else move.speed
+        return said if self.limits.tool_speed is None else min(said, self.limits.tool_speed)
+
+    def head(self, mark: str, width: int = 110, shares: bool = True) -> list[str]:
+        """Return what a reader must know, as comments of at most `width` characters.
+
+        Args:
+            mark: What a comment begins with.
+            width: Most characters of a line.
+            shares: Whether joint moves are told in parts of the controller's full speed.
+        """
         tool = read_pose(self.description.tool, "rpy", degrees=True, mm=True)
         said = [
             f"{self.plan.name}, {plural(len(self.moves), 'move')}; joints as in its robot file.",
             f"Tool in the last frame of its table: x y z {numbers(tool[:3], 3)} mm, rpy {numbers(tool[3:], 4)} deg; "
             "set the same on the controller.",
+            *self._speeds(shares),
             "Not confirmed on a controller.",
         ]
         return [f"{mark} {line}" for text in said for line in wrap(text, width - len(mark) - 1)]
+
+    def _speeds(self, shares: bool) -> list[str]:
+        """Return what the written speeds are, where that is not plain from the file."""
+        out: list[str] = []
+        if any(move.kind not in ("move_j", "move_s") and move.speed is None for move in self.moves):
+            usual = self.line_speed(Move("move_l", self.start, np.eye(4))) * 1e3
+            out.append(f"Lines of no given speed run at {usual:.6g} mm/s.")
+        if shares and any(move.kind == "move_j" for move in self.moves):
+            most = np.degrees(self.limits.of(self.plan.n, self.plan.names).speed)
+            said = f"{most.min():.6g}" if np.ptp(most) == 0 else f"{most.min():.6g} to {most.max():.6g}"
+            out.append(
+                "Speeds of joint moves are parts of the controller's own full speed, not of the limits the motion was "
+                f"timed with ({said} deg/s): lower the override where those are less."
+            )
+        return out
 
 
 @dataclass(frozen=True)
@@ -164,6 +195,7 @@ class Dialect:
         longest: Most characters of a program's name.
         write: The text of a script.
         read: The targets of a text.
+        lines: What lines of a text may be, patterns of whole lines without the blanks around; none for any.
     """
 
     name: str
@@ -172,6 +204,26 @@ class Dialect:
     longest: int
     write: Callable[[Script], str]
     read: Callable[[str], list[Target]]
+    lines: tuple[str, ...] = ()
+
+    def targets(self, text: str) -> list[Target]:
+        """Return the targets of a text, or say which line is not understood: none is passed over.
+
+        Raises:
+            InputError: A line that is none of the dialect as it is written here.
+        """
+        known = re.compile("|".join(f"(?:{line})" for line in self.lines))
+        for number, line in enumerate(text.splitlines() if self.lines else (), 1):
+            said = line.strip()
+            if said and not known.fullmatch(said):
+                raise InputError(
+                    f"line {number} is not {self.name} as it is written here: {said[:80]!r}. Only what Program.write "
+                    "makes is read, and nothing is passed over: write such lines as moves to named or plain targets, "
+                    "or leave them out.",
+                    line=number,
+                    given=said,
+                )
+        return self.read(text)
 
 
 def _numbered(T: Array, known: list[Array]) -> int:
@@ -192,6 +244,22 @@ def fixed(value: float, digits: int) -> str:
     """Return a number with a fixed count of decimals, zero without a sign."""
     text = f"{value:.{digits}f}"
     return text[1:] if text.startswith("-") and not float(text) else text
+
+
+def listed(count: int, number: str = NUMBER) -> str:
+    """Return the pattern of so many numbers between commas."""
+    return r"\s*,\s*".join([number] * count)
+
+
+def known_one(what: str, name: _Key, known: Mapping[_Key, Array]) -> Array:
+    """Return a tool or frame by its name, or say that the file does not set it."""
+    if name not in known:
+        raise InputError(
+            f"{what} {name} is taken and nowhere set in the file: where its targets stand is not known. Set it in the "
+            "file as Program.write does.",
+            given=name,
+        )
+    return known[name]
 
 
 def found(text: str, count: int, pattern: str = NUMBER) -> list[float]:

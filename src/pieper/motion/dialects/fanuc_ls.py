@@ -10,7 +10,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import NUMBER, USUAL_SPEED, Dialect, Script, Setup, Target, fixed, named
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, known_one, named
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 _JOINTS = ("J1", "J2", "J3", "J4", "J5", "J6")
@@ -61,19 +61,19 @@ def write(script: Script) -> str:
             lines += _set("UFRAME", now.frame_number, now.frame) if now.frame_number else []
             lines.append(f"UFRAME_NUM={now.frame_number}")
         else:
-            lines += _move(item, place) if isinstance(item, Move) else [_EVENTS.said(item)]
+            lines += _move(script, item, place) if isinstance(item, Move) else [_EVENTS.said(item)]
     text = [f"/PROG  {script.name.upper()}", "/ATTR", 'COMMENT = "pieper";', "DEFAULT_GROUP = 1,*,*,*,*;", "/MN"]
     text += [f"{number:4d}:{line}    ;" for number, line in enumerate(lines, 1)]
     return "\n".join([*text, "/POS", *places, "/END", ""])
 
 
-def _move(move: Move, place: Callable[[Array, Array], int]) -> list[str]:
+def _move(script: Script, move: Move, place: Callable[[Array, Array], int]) -> list[str]:
     # a percentage of the corner, not a radius: the controller rounds by speed
     stop = f"CNT{min(100, max(1, round(move.blend * 1e3)))}" if move.blend else "FINE"
     if move.kind == "move_j":
         share = 100 if move.speed is None else max(1, round(100 * move.speed))
         return [f"J P[{place(move.q, move.T)}] {share}% {stop}"]
-    speed = f"{fixed(USUAL_SPEED if move.speed is None else move.speed * 1e3, 1)}mm/sec {stop}"
+    speed = f"{fixed(script.line_speed(move) * 1e3, 1)}mm/sec {stop}"
     if move.via is not None and move.q_via is not None:
         via = place(move.q_via, move.via)
         return [f"C P[{via}] P[{place(move.q, move.T)}] {speed}"]
@@ -130,7 +130,11 @@ def read(text: str) -> list[Target]:
             continue
         if m["taking"]:
             k = int(m["taken"])
-            under = (tools.get(k), under[1]) if m["taking"] == "UTOOL" else (under[0], frames.get(k))
+            # the arm's own tool is number 1, the base is frame 0
+            if m["taking"] == "UTOOL":
+                under = tools.get(k) if k < 2 else known_one("tool", k, tools), under[1]
+            else:
+                under = under[0], known_one("frame", k, frames) if k else None
             continue
         kind = {"J": "move_j", "L": "move_l", "C": "move_c"}[m[1]]
         if m[3]:
@@ -142,4 +146,18 @@ def read(text: str) -> list[Target]:
     return out
 
 
-DIALECT = Dialect("fanuc-ls", (".ls",), "fanuc", 36, write, read)
+_STOP = r"(?:FINE|CNT\d+)"
+_TAKEN = r"P\[\d+(?:: ?[^\]]*)?\]"
+_INSTRUCTIONS = (
+    r"!.*",
+    rf"J {_TAKEN} {NUMBER}% {_STOP}|L {_TAKEN} {NUMBER}mm/sec {_STOP}|C {_TAKEN} {_TAKEN} {NUMBER}mm/sec {_STOP}",
+    rf"PR\[{_REGISTER},[1-6]\]=(?:{NUMBER}|\({NUMBER}\))|U(?:TOOL|FRAME)\[\d+\]=PR\[{_REGISTER}\]",
+    rf"U(?:TOOL|FRAME)_NUM=\d+|WAIT +{NUMBER}\(sec\)|DO\[\d+\]=(?:ON|OFF)",
+)
+_LINES = (
+    r"/(?:PROG|ATTR|MN|POS|END).*|[A-Z_]+\s*=\s*[^;:]*;",
+    rf"\d+: *(?:{'|'.join(_INSTRUCTIONS)})? *;",
+    r"P\[\d+(?:: ?[^\]]*)?\] *\{|GP1:|\};",
+    rf"UF : \d+, UT : \d+,(?: *CONFIG : '[^']*',)?|[A-Z]\d? *= *{NUMBER} (?:mm|deg),?",
+)
+DIALECT = Dialect("fanuc-ls", (".ls",), "fanuc", 36, write, read, _LINES)

@@ -92,12 +92,12 @@ def read_program(path: str | os.PathLike[str]) -> list[Target]:
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"cannot read {path}: {error}.", path=path) from None
     try:
-        return kind.read(text)
+        return kind.targets(text)
     except InputError:
         raise
     except (KeyError, IndexError, ValueError, TypeError) as error:
         raise InputError(
             f"{file.name} is not {kind.name} as it is written here: a move names a target that is not there, or a "
-            f"number is missing ({error}).",
+            f"number is missing ({type(error).__name__}: {error}). Compare it with a file of Program.write.",
             path=path,
         ) from None

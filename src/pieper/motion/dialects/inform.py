@@ -7,11 +7,14 @@ from collections.abc import Callable
 
 import numpy as np
 
+from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
+from pieper.kinematics.pose import inverse, pose_error
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Setup, Target, fixed, found, numbers
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, found, listed, numbers
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
+from pieper.tolerances import SAME_TOOL_IN_FILE
 
 #: A comment has no more characters.
 _COMMENT = 32
@@ -64,7 +67,10 @@ def write(script: Script) -> str:
             made = [place(q, T, 0) for T in corners]
             lines += [f"MFRAME UF#({now.frame_number}) {' '.join(made)}"] if made else []
         elif isinstance(item, Move):
-            lines += _move(item, place)
+            if item.via is not None:
+                start = _last(lines) or place(q, _seen(script, now, q))
+                lines += _begun(lines, start, script.line_speed(item))
+            lines += _move(script, item, place)
             q = item.q
         else:
             lines.append(_EVENTS.said(item))
@@ -74,6 +80,29 @@ def write(script: Script) -> str:
     return "\n".join([*head, *script.head("'", _COMMENT), *lines, "END", ""])
 
 
+def _last(lines: list[str]) -> str:
+    """Return where the arm was last sent, "" where the tool or the frame was changed since."""
+    last = next((line for line in reversed(lines) if line.startswith(("MOV", "SET", "MFRAME"))), "")
+    return last.split()[1] if last.startswith("MOV") else ""
+
+
+def _begun(lines: list[str], start: str, speed: float) -> list[str]:
+    """Return what stands before the via and the end of an arc: its beginning, as a MOVC of its own.
+
+    Behind another arc a MOVL to where the arm is parts the two.
+    """
+    said = f"V={fixed(speed * 1e3, 1)}"
+    moves = [line for line in lines if line.startswith("MOV")]
+    parted = [f"MOVL {start} {said} PL=0"] if moves and moves[-1].startswith("MOVC") else []
+    return [*parted, f"MOVC {start} {said}"]
+
+
+def _seen(script: Script, now: Setup, q: Array) -> Array:
+    """Return the pose of the tool that holds, seen from the work frame that holds, at a posture."""
+    flange = script.plan.chain.native.fk(q) @ inverse(script.description.tool)
+    return inverse(now.frame) @ flange @ now.tool
+
+
 def _tool(now: Setup) -> list[str]:
     """Return lines that set a tool by way of a position variable, in um and 1e-4 degrees."""
     values = read_pose(now.tool, "yaskawa", degrees=True, mm=True)
@@ -81,20 +110,27 @@ def _tool(now: Setup) -> list[str]:
     return [*(f"SETE P000 ({k}) {v}" for k, v in enumerate(whole, 1)), f"SETTOOL TL#({now.tool_number - 1}) P000"]
 
 
-def _move(move: Move, place: Callable[[Array, Array], str]) -> list[str]:
+def _move(script: Script, move: Move, place: Callable[[Array, Array], str]) -> list[str]:
     # PL is a level of positioning, not a radius
     stop = f" PL={min(8, 1 + round(move.blend * 100))}" if move.blend else " PL=0"
     if move.kind == "move_j":
         share = 100.0 if move.speed is None else 100 * move.speed
         return [f"MOVJ {place(move.q, move.T)} VJ={fixed(share, 2)}{stop}"]
-    speed = f"V={fixed(USUAL_SPEED if move.speed is None else move.speed * 1e3, 1)}"
+    speed = f"V={fixed(script.line_speed(move) * 1e3, 1)}"
     if move.via is not None and move.q_via is not None:
         return [f"MOVC {place(move.q_via, move.via)} {speed}", f"MOVC {place(move.q, move.T)} {speed}{stop}"]
     return [f"MOVL {place(move.q, move.T)} {speed}{stop}"]
 
 
 def read(text: str) -> list[Target]:
-    """Return the targets of a job, in the order of its moves; two MOVC in a row are one circle."""
+    """Return the targets of a job, in the order of its moves.
+
+    An arc is three MOVC: where it begins, which is gone to in a straight line from anywhere else (as the first of all
+    it is where the arm stands), its via and its end.
+
+    Raises:
+        InputError: MOVC in a row that are not three.
+    """
     places: dict[str, Array] = {}
     stands: dict[str, tuple[int, int]] = {}
     tool, user = 0, 0
@@ -110,7 +146,7 @@ def read(text: str) -> list[Target]:
     frames: dict[int, Array] = {}
     variable = [0.0] * 6
     out: list[Target] = []
-    via: Array | None = None
+    arc: list[str] = []
     for m in re.finditer(_LINE, text, re.M):
         if m["element"]:
             k = int(m["element"]) - 1
@@ -124,14 +160,42 @@ def read(text: str) -> list[Target]:
             continue
         tool, user = stands[m[2]]
         under = tools.get(tool), frames[user] if user else None
-        if m[1] == "MOVC" and via is None:
-            via = places[m[2]]
-        elif m[1] == "MOVC":
-            out.append(Target("move_c", T=places[m[2]], via=via).under(*under))
-            via = None
-        else:
-            out.append(Target("move_j" if m[1] == "MOVJ" else "move_l", T=places[m[2]]).under(*under))
+        T = places[m[2]]
+        if m[1] != "MOVC":
+            _whole(arc)
+            if not _again(out, m[1], T, under):
+                out.append(Target("move_j" if m[1] == "MOVJ" else "move_l", T=T).under(*under))
+            continue
+        arc.append(m[2])
+        if len(arc) == 1 and out and not _at(out, T, under):
+            out.append(Target("move_l", T=T).under(*under))
+        elif len(arc) == 3:
+            out.append(Target("move_c", T=T, via=places[arc[1]]).under(*under))
+            arc = []
+    _whole(arc)
     return out
+
+
+def _at(out: list[Target], T: Array, under: tuple[Array | None, Array | None]) -> bool:
+    """Whether the last target is a pose, as exactly as files say it."""
+    wanted = Target("", T=T).under(*under).T
+    last = out[-1].T if out else None
+    return last is not None and wanted is not None and bool((pose_error(last, wanted) < SAME_TOOL_IN_FILE).all())
+
+
+def _again(out: list[Target], word: str, T: Array, under: tuple[Array | None, Array | None]) -> bool:
+    """Whether a MOVL leads from the end of an arc to itself: it parts two arcs."""
+    return word == "MOVL" and bool(out) and out[-1].kind == "move_c" and _at(out, T, under)
+
+
+def _whole(arc: list[str]) -> None:
+    """Say what is wrong with an arc that ends before its third point."""
+    if arc:
+        raise InputError(
+            f"an arc of INFORM is three MOVC in a row, its beginning, a point on the way and its end; {', '.join(arc)} "
+            "are not three. Write its beginning as a MOVC too, and part two arcs by a MOVL to where they meet.",
+            given=tuple(arc),
+        )
 
 
 def _frame(corners: list[Array]) -> Array:
@@ -144,4 +208,13 @@ def _frame(corners: list[Array]) -> Array:
     return T
 
 
-DIALECT = Dialect("inform", (".jbi",), "yaskawa", 32, write, read)
+_LINES = (
+    r"'.*",
+    r"/JOB|//(?:NAME|POS|INST).*|///(?:NPOS|TOOL|USER|RECTAN|RCONF|DATE|ATTR|GROUP1|COMM|FRAME).*",
+    r"///POSTYPE (?:ROBOT|USER)|NOP|END",
+    rf"C\d+={listed(6)}",
+    rf"MOVJ C\d+ VJ={NUMBER}(?: PL=\d)?|MOV[LC] C\d+ V={NUMBER}(?: PL=\d)?",
+    rf"TIMER T={NUMBER}|DOUT OT#\(\d+\) (?:ON|OFF)",
+    r"SETE P000 \([1-6]\) -?\d+|SETTOOL TL#\(\d+\) P000|MFRAME UF#\(\d+\) C\d+ C\d+ C\d+",
+)
+DIALECT = Dialect("inform", (".jbi",), "yaskawa", 32, write, read, _LINES)

@@ -9,7 +9,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, named, numbers
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Target, fixed, named, numbers
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 _AXES = ("A1", "A2", "A3", "A4", "A5", "A6")
@@ -50,8 +50,7 @@ def _move(script: Script, move: Move) -> list[str]:
             target = f"{{{_place(move.T)},S {said.words[0]},T {said.turns[0]}}}"
         out.append(f"PTP {target}{' C_DIS' if move.blend else ''}")
         return out
-    if move.speed is not None:
-        out.append(f"$VEL.CP={fixed(move.speed, 5)}")
+    out.append(f"$VEL.CP={fixed(script.line_speed(move), 5)}")
     way = f"CIRC {{{_place(move.via)}}},{{{_place(move.T)}}}" if move.via is not None else f"LIN {{{_place(move.T)}}}"
     out.append(way + (" C_DIS" if move.blend else ""))
     return out
@@ -96,4 +95,18 @@ def _read_pose(brace: str) -> Array | None:
     return None if values is None else pose(*values[:3], abc=values[3:], degrees=True, mm=True)
 
 
-DIALECT = Dialect("krl", (".src",), "kuka", 24, write, read)
+def _braces(names: tuple[str, ...], more: str = "") -> str:
+    """Return the pattern of an aggregate of all these names."""
+    return r"\{" + ",".join(rf"\s*{name} {NUMBER}" for name in names) + more + r"\}"
+
+
+_APPROACH = r"(?: C_PTP| C_DIS| C_VEL| C_ORI)*(?: *;.*)?"
+_LINES = (
+    r"[;&].*",
+    r"DEF \w+\( *\)|END|BAS\(#\w+, ?\d+\)",
+    rf"\$TOOL={_braces(_POSE)}|\$BASE=(?:\$NULLFRAME|{_braces(_POSE)})",
+    rf"\$APO\.\w+={NUMBER}|\$VEL\.\w+={NUMBER}|\$OUT\[\d+\]=(?:TRUE|FALSE)|WAIT SEC {NUMBER}",
+    rf"PTP (?:{_braces(_AXES)}|{_braces(_POSE, r'(?:,S -?[0-9]+,T -?[0-9]+)?')}){_APPROACH}",
+    rf"LIN {_braces(_POSE)}{_APPROACH}|CIRC {_braces(_POSE)}, ?{_braces(_POSE)}{_APPROACH}",
+)
+DIALECT = Dialect("krl", (".src",), "kuka", 24, write, read, _LINES)

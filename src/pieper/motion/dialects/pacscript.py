@@ -9,7 +9,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, numbers
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Target, fixed, found, known_one, listed, numbers
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 _EVENTS = Events(
@@ -44,7 +44,7 @@ def _move(script: Script, move: Move) -> str:
         if script.cartesian:
             target = _place(script, move.T, move.q)
         return f"Move P, {stop} {target}, Speed = {fixed(share, 1)}"
-    said = "" if move.speed is None else f" ' {fixed(move.speed * 1e3, 1)} mm/s"
+    said = f" ' {fixed(script.line_speed(move) * 1e3, 1)} mm/s"
     target = _place(script, move.T, move.q)
     if move.via is not None and move.q_via is not None:
         return f"Move C, {_place(script, move.via, move.q_via)}, {stop} {target}{said}"
@@ -74,7 +74,10 @@ def read(text: str) -> list[Target]:
             known[m[3].capitalize()][int(m[4])] = pose(*v[:3], rpy=v[3:], degrees=True, mm=True)
             continue
         if m[6]:
-            taken[m[6].capitalize()] = known[m[6].capitalize()].get(int(m[7]))
+            what, k = m[6].capitalize(), int(m[7])
+            # the arm's own tool is number 1, the base is work 0
+            own = k == 0 or (what == "Tool" and k == 1)
+            taken[what] = known[what].get(k) if own else known_one(what, k, known[what])
             continue
         under = taken["Tool"], taken["Work"]
         said = [(mark, found(v, 6)) for mark, v in re.findall(r"\b([PJ])\(([^)]*)\)", m[2])]
@@ -90,4 +93,12 @@ def read(text: str) -> list[Target]:
     return out
 
 
-DIALECT = Dialect("pacscript", (".pcs",), "denso", 64, write, read)
+_PLACE = rf"(?:J\({listed(6)}\)|P\({listed(6)}(?:, ?-?\d+)?\))"
+_LINES = (
+    r"'.*",
+    r"Sub \w+|End Sub|TakeArm Keep = \d|GiveArm|Delay \d+|(?:Set|Reset) IO\[\d+\]",
+    rf"(?:Tool|Work) \d+, P\({listed(6)}\)|Change(?:Tool|Work) \d+",
+    rf"Move [PL], @{NUMBER} {_PLACE}(?:, Speed = {NUMBER})?(?: *'.*)?",
+    rf"Move C, {_PLACE}, @{NUMBER} {_PLACE}(?: *'.*)?",
+)
+DIALECT = Dialect("pacscript", (".pcs",), "denso", 64, write, read, _LINES)

@@ -9,9 +9,11 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Target, fixed, found, numbers
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Target, fixed, found, known_one, numbers
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
+#: Speed of the tool's point that leaves a joint move its full speed, m/s: the language's own `vmax` for most arms.
+_FULL_SPEED = 7.0
 _NO_AXES = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 
 
@@ -71,8 +73,8 @@ def _data(script: Script, number: int, move: Move) -> list[str]:
         out.append(f"CONST robtarget p{number}:={_robtarget(script, move.T, move.q)};")
     if move.via is not None and move.q_via is not None:
         out.append(f"CONST robtarget pv{number}:={_robtarget(script, move.via, move.q_via)};")
-    speed = USUAL_SPEED if move.speed is None else move.speed * (1000.0 if move.kind != "move_j" else 7000.0)
-    out.append(f"CONST speeddata vp{number}:=[{fixed(speed, 3)},500,5000,1000];")
+    speed = script.line_speed(move) if move.kind != "move_j" else _FULL_SPEED * (move.speed or 1.0)
+    out.append(f"CONST speeddata vp{number}:=[{fixed(speed * 1e3, 3)},500,5000,1000];")
     if move.blend:
         r = move.blend * 1e3
         out.append(
@@ -113,7 +115,8 @@ def read(text: str) -> list[Target]:
     for m in re.finditer(r"\b(MoveAbsJ|MoveJ|MoveL|MoveC)\s+([^;]*);", text):
         args = [a.strip() for a in m[2].split(",")]
         tool, _, frame = args[-1].partition("\\WObj:=")
-        under = tools.get(tool), frames.get(frame)
+        own = tool in ("tool0", "")
+        under = None if own else known_one("tool", tool, tools), known_one("frame", frame, frames) if frame else None
         if m[1] == "MoveAbsJ":
             out.append(Target("move_j", q=joints[args[0]]).under(*under))
         elif m[1] == "MoveC":
@@ -123,4 +126,13 @@ def read(text: str) -> list[Target]:
     return out
 
 
-DIALECT = Dialect("rapid", (".mod", ".prg"), "abb", 32, write, read)
+_WORD = r"[A-Za-z]\w*"
+_LINES = (
+    r"!.*",
+    rf"MODULE {_WORD}|ENDMODULE|PROC {_WORD}\(\)|ENDPROC",
+    rf"(?:PERS|CONST) (?:tooldata|wobjdata|jointtarget|robtarget|speeddata|zonedata) {_WORD}\s*:=\s*\[[^;]*\];",
+    rf"(?:MoveAbsJ|MoveJ|MoveL) {_WORD},{_WORD},{_WORD},{_WORD}(?:\\WObj:={_WORD})?;",
+    rf"MoveC {_WORD},{_WORD},{_WORD},{_WORD},{_WORD}(?:\\WObj:={_WORD})?;",
+    rf"WaitTime {NUMBER};|SetDO {_WORD},[01];",
+)
+DIALECT = Dialect("rapid", (".mod", ".prg"), "abb", 32, write, read, _LINES)

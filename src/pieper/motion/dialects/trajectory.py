@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper.errors import InputError
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, numbers
+from pieper.words_by_number import plural
 
 
 def write_ros(script: Script) -> str:
@@ -26,7 +27,17 @@ def write_ros(script: Script) -> str:
 def read_ros(text: str) -> list[Target]:
     """Return the points of a trajectory."""
     rows = re.findall(r"positions:\s*\[([^\]]*)\]", text)
-    return [Target("point", q=np.array([float(v) for v in row.split(",")])) for row in rows]
+    listed = re.search(r"^joint_names:\s*(?:\[([^\]]*)\]|((?:\n\s*- .*)+))", text, re.M)
+    if listed is None:
+        raise InputError("the trajectory names no joints: its joint_names are missing.", given="joint_names")
+    names = listed[1].split(",") if listed[1] is not None else listed[2].strip().splitlines()
+    points = [np.array([float(v) for v in row.split(",")]) for row in rows]
+    for number, q in enumerate(points, 1):
+        if len(q) != len(names):
+            raise InputError(
+                f"point {number} of the trajectory has {len(q)} positions for {plural(len(names), 'joint')}.", given=q
+            )
+    return [Target("point", q=q) for q in points]
 
 
 def write_csv(script: Script) -> str:

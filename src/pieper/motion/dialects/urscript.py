@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.dialect import USUAL_SPEED, Dialect, Script, Setup, Target, fixed, found, numbers
+from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, found, listed, numbers
 from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
 
 #: Acceleration of the tool that is written where none is limited, m/s^2: the language's own default.
@@ -42,15 +42,18 @@ def write(script: Script) -> str:
             target = _near(item.T, item.q, _frame(now)) if script.cartesian else _joints(item.q)
             body.append(f"movej({target}, a={fixed(a, 4)}, v={fixed(v, 4)}, r={fixed(item.blend, 5)})")
         else:
-            v = USUAL_SPEED / 1e3 if item.speed is None else item.speed
-            said = f"a={fixed(tool, 4)}, v={fixed(v, 4)}, r={fixed(item.blend, 5)})"
+            said = f"a={fixed(tool, 4)}, v={fixed(script.line_speed(item), 4)}, r={fixed(item.blend, 5)})"
             target = _pose(item.T, _frame(now)) if script.cartesian else _joints(item.q)
             if item.via is not None and item.q_via is not None:
                 via = _pose(item.via, _frame(now)) if script.cartesian else _joints(item.q_via)
                 body.append(f"movec({via}, {target}, {said}")
             else:
                 body.append(f"movel({target}, {said}")
-    lines = [f"def {script.name}():", *("  " + line for line in script.head("#")), *("  " + line for line in body)]
+    lines = [
+        f"def {script.name}():",
+        *("  " + line for line in script.head("#", shares=False)),
+        *("  " + line for line in body),
+    ]
     return "\n".join([*lines, "end", f"{script.name}()", ""])
 
 
@@ -104,4 +107,15 @@ def _place(mark: str, v: list[float]) -> tuple[Array | None, Array | None]:
     return (None, pose(*v[:3], rotvec=v[3:])) if mark else (np.array(v), None)
 
 
-DIALECT = Dialect("urscript", (".script", ".urscript"), "ur", 64, write, read)
+_POSE = rf"(?:p\[{listed(6)}\]|pose_trans\(frame_\d+, p\[{listed(6)}\]\))"
+_TARGET = rf"(?:\[{listed(6)}\]|{_POSE}|get_inverse_kin\({_POSE}, qnear=\[{listed(6)}\]\))"
+_WORD = r"[A-Za-z]\w*"
+_LINES = (
+    r"#.*",
+    rf"def {_WORD}\(\):|end|{_WORD}\(\)",
+    rf"set_tcp\(p\[{listed(6)}\]\)|frame_\d+ = p\[{listed(6)}\]",
+    rf"(?:movej|movel)\({_TARGET}(?:, [avrt]={NUMBER})*\)",
+    rf"movec\({_TARGET}, {_TARGET}(?:, [avr]={NUMBER})*\)",
+    rf"sleep\({NUMBER}\)|set_standard_digital_out\(\d+, (?:True|False)\)",
+)
+DIALECT = Dialect("urscript", (".script", ".urscript"), "ur", 64, write, read, _LINES)

@@ -127,7 +127,7 @@ class _Curve:
     def __init__(self, setting: Setting, motion: BoundedMotion) -> None:
         self.setting = setting
         self.motion = motion
-        self.limits = setting.curves.full_limits
+        self.limits = setting.limits
         self.by = coordinate(setting)
         self.sign = -1.0 if setting.turns else 1.0
         self.u = motion.u
@@ -187,7 +187,7 @@ class _Curve:
 
     def _begin(self) -> None:
         """Let a closed curve begin where no arc goes on: outside the limits, or at a fold; else it is whole."""
-        outside = ~self.setting.curves.exact.full.joints.inside_limits(self.q, self.limits)[1]
+        outside = ~self.setting.chain.joints.inside_limits(self.q, self.limits)[1]
         start = None
         if outside.any():
             start = float(self.u[int(np.argmax(outside))])
@@ -207,7 +207,7 @@ class _Curve:
 
     def _unroll(self) -> None:
         """Let a closed curve on which a bounded joint turns all the way round go on until that is past its limits."""
-        full = self.setting.curves.exact.full
+        full = self.setting.chain
         begins, ends = (np.asarray(end, np.float64) for end in self.round)
         rounds = np.asarray(np.round((ends - begins) / TURN), np.float64)
         winds: Bools = np.isfinite(self.limits).all(1) & ~full.prismatic & (rounds != 0)
@@ -231,7 +231,7 @@ class _Curve:
 
     def lifted(self) -> _Lifted:
         """Return for each set of whole turns that occurs the intervals of u inside all limits."""
-        full = self.setting.curves.exact.full
+        full = self.setting.chain
         every: _Lifted = [(np.zeros(self.q.shape[1]), [(float(self.u[0]), float(self.u[-1]))])]
         for j in np.flatnonzero(np.isfinite(self.limits).any(1)).tolist():
             low, high = self.limits[j]

@@ -21,7 +21,11 @@ def least_motion(setting: Setting, largest: bool) -> float:
     r = levers(chain, setting.asked[:, :3, 3], setting.plan.limits)
     r = np.maximum(r[:-1], r[1:]) + dp[:, None] * (np.arange(chain.n) == 0)
     unit = chain.joints.unit
-    r = np.where(chain.prismatic, 1.0, r) * unit
+    r = np.where(chain.prismatic, 1.0, r)
+    if chain.coupling is not None:
+        # a joint moves the axes that it is coupled to
+        r = r @ np.abs(chain.coupling)
+    r = r * unit
     if largest:
         return float(np.sum(dp / r.sum(1)))
     return float(np.sum(dp**2 / np.sum(r**2, axis=1)))

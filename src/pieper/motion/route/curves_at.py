@@ -13,6 +13,7 @@ from pieper.motion.route.setting import Setting
 from pieper.solver.redundant.bounded_motion import BoundedMotion, bounded_motion
 from pieper.solver.redundant.self_motions import on_curve
 from pieper.solver.redundant.stops import stops
+from pieper.solver.singular.self_motion import TracedMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
 
 #: Rows of neighbouring cells that are this near (rad; lengths) are of one curve.
@@ -26,22 +27,30 @@ def curves_at(setting: Setting, T: Array) -> Iterator[BoundedMotion]:
     and is found by the rows of a grid of a degree.
     """
     plan = setting.curves
-    full = plan.exact.full
-    met = stops(plan, T[None], every_turn=True)
-    ends = met.q[met.inside]
+    full, limits = plan.exact.full, setting.limits
+    ends, inside = setting.chain.joints.inside_limits(
+        setting.joints_at(stops(plan, T[None], every_turn=True).q), limits
+    )
+    ends = ends[inside]
     x, valid = grid(setting, FINER).rows(T[None])
-    valid &= full.joints.inside_limits(x, setting.limits)[1]
+    valid &= setting.chain.joints.inside_limits(x, setting.limits)[1]
     seeds = np.concatenate([ends, _few_each(setting, x[0], valid[0])])
     while len(seeds):
-        motion = trace(full, seeds[0], T, plan.full_limits, plan.full_names, shown=plan.n, most_steps=MOST_STEPS)
-        seeds = seeds[1:]
-        seeds = seeds[~on_curve(motion, seeds)]
+        # the axes' curve, and the same of coupled joints
+        along = setting.axes_at(seeds)
+        motion = trace(full, along[0], T, limits, plan.full_names, shown=plan.n, most_steps=MOST_STEPS)
+        seeds = seeds[1:][~on_curve(motion, along[1:])]
+        if setting.coupling is not None:
+            points = setting.joints_at(motion.samples)
+            motion = TracedMotion(
+                setting.chain, T, points, motion.closed, motion.dimension, limits, motion.names, motion.shown
+            )
         yield bounded_motion(motion, ends)
 
 
 def _few_each(setting: Setting, x: Array, valid: Bools) -> Array:
     """Return the first, the middle and the last of the rows x (C, B, m) of each chain that goes from cell to cell."""
-    joints = setting.curves.exact.full.joints
+    joints = setting.chain.joints
     ever = valid.any(0)
     if not ever.any():
         return x[:0, 0]

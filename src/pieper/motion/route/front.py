@@ -59,8 +59,12 @@ class Front:
 
 
 def can_be_followed(setting: Setting) -> bool:
-    """Whether the bounds hold for what is solved: six coordinates more than decided are too many, one is not."""
-    return setting.spare <= 1 and setting.m - setting.spare == 6 and generic_rank(setting.chain) == 6
+    """Whether the bounds hold for what is solved: six coordinates decided, of a short arm some by standing at zero."""
+    whole, C = setting.filled.uncoupled, setting.coupling
+    slides = setting.plan.prismatic
+    if C is not None and not np.array_equal(C[slides], np.eye(setting.n)[slides]):
+        return False
+    return setting.spare <= 1 and whole.n - setting.spare == 6 and generic_rank(whole) == 6
 
 
 def follow(setting: Setting, limits: Array, seeds: Array, s: tuple[float, float], fine: float, most: int) -> Front:
@@ -76,19 +80,26 @@ def follow(setting: Setting, limits: Array, seeds: Array, s: tuple[float, float]
     """
     knots = np.unique(np.concatenate([s, setting.s[(setting.s > s[0]) & (setting.s < s[1])]]))
     axis, angle = setting.twists(knots)
+    still = setting.filled.n - setting.m
+    # what joints are at where axes are: limits are of the joints, the bounds of the axes
+    inverse = np.eye(setting.filled.n)
+    inverse[: setting.m, : setting.m] = setting.joints_at(np.eye(setting.m)).T
     ended, at, q, within, stretch, looked, narrowest = _kernel.front(
-        setting.chain.plain,
-        limits=limits,
+        setting.filled.plain,
+        limits=np.vstack([limits, np.zeros((still, 2))]),
+        joints=inverse,
         poses=setting.at(knots),
         axis=axis,
         angle=angle,
-        seeds=seeds,
+        seeds=np.hstack([setting.axes_at(seeds), np.zeros((len(seeds), still))]),
         fine=fine,
         most=most,
     )
     k = min(int(at), len(knots) - 1)
     where = knots[k] + (at - k) * (knots[min(k + 1, len(knots) - 1)] - knots[k])
-    return Front(Ended(ended), s[0], float(where), q, within, stretch, looked, narrowest)
+    return Front(
+        Ended(ended), s[0], float(where), setting.joints_at(q[:, : setting.m]), within, stretch, looked, narrowest
+    )
 
 
 def modulo_turns(setting: Setting) -> Array:
@@ -103,7 +114,7 @@ def everything_at(setting: Setting, limits: Array, s: float) -> Array:
     T = setting.at(np.array([s]))
     found = [np.zeros((0, setting.m))]
     if setting.spare:
-        found.append(stops(setting.curves, T, every_turn=limits is setting.limits).q)
+        found.append(setting.joints_at(stops(setting.curves, T, every_turn=limits is setting.limits).q))
     rows, valid = grid(setting, FINER).rows(T)
     found.append(rows[valid])
     x = np.concatenate(found)

@@ -106,7 +106,7 @@ class Grid:
             held = held[:, 1:]
         poses = np.ascontiguousarray(poses).reshape(-1, 4, 4)
         values = np.tile(held, (M, 1)) if held.shape[1] else np.zeros((M * C, 0))
-        plan = setting.rows
+        plan = setting.rows.uncoupled or setting.rows
         if plan.direct:
             q, valid, _, _ = plan.solver.many(poses, 1)
         elif plan.reduction.full.n > n:
@@ -117,7 +117,7 @@ class Grid:
             q, valid = found.q, found.valid
         B = q.shape[1]
         x = np.zeros((M, C, B, setting.m))
-        x[..., : q.shape[-1]] = q.reshape(M, C, B, -1)
+        x[..., : q.shape[-1]] = setting.joints_at(q.reshape(M, C, B, -1))
         if self.turn is not None:
             x[..., n] = -cells[:, 0, None]
         if setting.tilts:

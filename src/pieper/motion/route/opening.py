@@ -10,8 +10,8 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.motion.route.freedom import Freedom
 from pieper.motion.route.result import Closed, Relaxation
-from pieper.motion.route.search import Task, search, stations
-from pieper.motion.route.setting import Setting, setting
+from pieper.motion.route.search import Task, leads, search, stations
+from pieper.motion.route.setting import Setting, limits_of_axes, setting
 
 #: The largest changes that are tried: of a limit (rad), of a cone (rad), of the path's place (lengths of the arm).
 WIDEST, WIDEST_CONE, FARTHEST = np.pi, np.radians(40.0), 0.3
@@ -57,8 +57,9 @@ class Opening:
         def wider(amount: float) -> Task:
             limits = world.plan.limits.copy()
             limits[j, side] += amount * (1 if side else -1)
-            plan, curves = replace(world.plan, limits=limits), replace(world.curves, limits=limits)
-            rows = plan if world.rows is world.plan else replace(world.rows, limits=limits)
+            plan = replace(world.plan, limits=limits)
+            curves = replace(world.curves, limits=limits_of_axes(plan.chain.coupling, limits))
+            rows = plan if world.rows is world.plan else curves
             return replace(self.task, setting=replace(world, plan=plan, curves=curves, rows=rows))
 
         amount = _least(wider, WIDEST * (world.chain.length if sliding else 1.0), closed.excess)
@@ -139,8 +140,8 @@ def _least(changed: Callable[[float], Task], most: float, least: float, halvings
 
 
 def _opens(task: Task) -> bool:
-    """Whether there is a route along some of the points."""
-    return search(_thinned(task), 1) is not None
+    """Whether a ladder leads along some of the points; what it found is not made short, and looked at whole later."""
+    return leads(_thinned(task))
 
 
 def _thinned(task: Task) -> Task:

@@ -9,7 +9,7 @@ that fails the proof begins earlier, up to the first pose, and with smaller step
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,9 +18,12 @@ from pieper.motion.route.closed import blocked_at
 from pieper.motion.route.freedom import Verdict
 from pieper.motion.route.front import Ended, Front, can_be_followed, everything_at, follow, modulo_turns
 from pieper.motion.route.grid import grid
+from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import Rungs, climb, rungs
+from pieper.motion.route.opening import Opening
+from pieper.motion.route.reach import beyond_reach
 from pieper.motion.route.result import Blocked
-from pieper.motion.route.search import Task
+from pieper.motion.route.search import Task, search, stations
 from pieper.motion.route.setting import Setting
 from pieper.tolerances import TAKEN_UP_BEHIND
 from pieper.words_by_number import plural
@@ -36,6 +39,8 @@ ROUGH, ON = 2.5, 0.01
 TRIED = ((0.003, 1.0), (0.003, 0.4), (0.02, 1.0), (None, 1.0), (0.02, 0.4), (None, 0.4), (None, 0.15))
 #: Part of the points that are left that one try may look at.
 SHARE = 0.3
+#: Places of the path that are looked at for what misses a clearance.
+KEPT_AT = 26
 #: Points that may be looked at, and how often a front that lost its grip is taken up again behind that place.
 MOST, AGAIN = 1_500_000, 6
 
@@ -48,18 +53,25 @@ class Proof:
         begun: Where everything inside the limits was known.
         s: What is followed from there ends before.
         looked: Points looked at.
+        arrived: Whether it gets to the last pose, and only the posture that it is to end with is not among it.
     """
 
     begun: float
     s: float
     looked: int
+    arrived: bool = False
 
 
 def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
     """Return the verdict where no route was found, where it is blocked, and the reason in a sentence."""
     setting = task.setting
     if not can_be_followed(setting):
-        return _nothing_proved(task)
+        far = beyond_reach(setting) if setting.spare > 1 else None
+        return _nothing_proved(task) if far is None else _too_far(task, *far)
+    more = task.keep.anything or task.turn_step is not None
+    if more and search(replace(task, keep=Keep(), turn_step=None)) is not None:
+        # limits alone let a route through: what closes the way can only be what is to be kept beside them
+        return _uncertain(task)
     cells = grid(setting)
     s = _dense(setting.s, STATIONS if setting.spare else DENSE)
     ladder = rungs(setting, cells, s, np.ones(len(s) - 1))
@@ -89,8 +101,9 @@ def _closed(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -
             seeds = _known(task, limits, begin)
             found = follow(task.setting, limits, seeds, (begin, last), fine, int(SHARE * (most - looked)))
             looked += found.looked
-            if found.ended is Ended.DIED or (found.ended is Ended.ARRIVED and _misses_end(task, found)):
-                return Proof(begin, found.s, looked)
+            arrived = found.ended is Ended.ARRIVED and _misses_end(task, found)
+            if found.ended is Ended.DIED or arrived:
+                return Proof(begin, found.s, looked, arrived)
             begin = found.s + TAKEN_UP_BEHIND
             if found.ended is not Ended.SINGULAR or begin > last:
                 break
@@ -141,12 +154,13 @@ def _misses_end(task: Task, found: Front) -> bool:
 def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdict, Blocked, str]:
     blocked = blocked_at(task, ladder, reached, proof.begun, proof.s)
     where = f"no motion gets past {proof.s:.6g} of the path" if proof.s > 0 else "no motion begins at the first pose"
-    if proof.s >= 1.0 and reached == len(ladder.s) - 1:
+    if proof.arrived:
         where = "the posture that it is to end with is not reached"
     if proof.looked:
+        ends = "no posture so reached at the last pose is that one" if proof.arrived else "ends before"
         how = (
-            f"Everything inside the limits at {proof.begun:.6g} of the path was followed with proved bounds and ends "
-            f"before: {plural(proof.looked, 'point')}."
+            f"Everything inside the limits at {proof.begun:.6g} of the path was followed with proved bounds and "
+            f"{ends}: {plural(proof.looked, 'point')}."
         )
     else:
         there = "the first pose" if proof.begun == 0 else f"{proof.begun:.6g} of the path"
@@ -155,13 +169,25 @@ def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdic
     return Verdict.IMPOSSIBLE, blocked, reason
 
 
-def _nothing_proved(task: Task) -> tuple[Verdict, Blocked | None, str]:
-    return (
-        Verdict.UNCERTAIN,
-        None,
-        f"Uncertain: no route was found with {task.setting.spare} coordinates free; a route can be ruled out "
-        "for one free coordinate only.",
+def _too_far(task: Task, s: float, metres: float) -> tuple[Verdict, Blocked, str]:
+    where = "At the first point of the path" if s == 0 else f"At {s:.6g} of the path"
+    why = (
+        f"{where} the tool's point is farther away than the links reach, however the tool is turned and tilted; it "
+        f"goes on to {metres * 1e3:.4g} mm beyond."
     )
+    reason = (
+        f"Impossible: no motion gets past {s:.6g} of the path, whatever is free: all links in line do not reach it."
+    )
+    return Verdict.IMPOSSIBLE, Blocked((0.0, s), (), why, s, Opening(task, ())), reason
+
+
+def _nothing_proved(task: Task) -> tuple[Verdict, Blocked | None, str]:
+    spare = task.setting.spare
+    if spare > 1:
+        why = f"{plural(spare, 'coordinate')} are free, and with more than one a route is not ruled out."
+    else:
+        why = "of an arm whose joints decide this task in no regular way a route is not ruled out."
+    return Verdict.UNCERTAIN, None, f"Uncertain: no route was found; {why}"
 
 
 def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:
@@ -170,13 +196,38 @@ def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:
             Verdict.UNCERTAIN,
             None,
             "Uncertain: no route was found that keeps the clearance, the distance to singular postures and the turn "
-            "rate asked for; without these none could be ruled out.",
+            f"rate asked for; without these none could be ruled out.{_nearest_kept(task)}",
         )
     return (
         Verdict.UNCERTAIN,
         None,
         "Uncertain: no route was found, and none could be ruled out: followed with proved bounds, something may lead "
         "from the first pose to the last. A little more room decides it.",
+    )
+
+
+def _nearest_kept(task: Task) -> str:
+    """Return where and by what the clearance is missed by all postures that were looked at, in a sentence; or none."""
+    keep, setting = task.keep, task.setting
+    if keep.distance is None or keep.nearest is None:
+        return ""
+    at = setting.s[stations(len(setting.s), KEPT_AT)]
+    ladder = rungs(setting, grid(setting), at, np.ones(len(at) - 1))
+    x, ok = setting.chain.joints.inside_limits(ladder.x, setting.limits)
+    worst: tuple[float, float, Array] | None = None
+    for s, rows, valid in zip(at.tolist(), x, ladder.valid & ok, strict=True):
+        postures = rows[valid][:, : setting.n]
+        if not len(postures):
+            continue
+        room = np.asarray(keep.distance(postures), np.float64)
+        best = int(np.argmax(room))
+        if worst is None or room[best] < worst[0]:
+            worst = float(room[best]), s, postures[best]
+    if worst is None or worst[0] >= keep.clearance:
+        return ""
+    return (
+        f" At {worst[1]:.4g} of the path no posture that was looked at keeps {keep.clearance * 1e3:.4g} mm: at "
+        f"best {keep.nearest(worst[2])} are {worst[0] * 1e3:.4g} mm apart."
     )
 
 

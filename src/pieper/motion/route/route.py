@@ -56,7 +56,7 @@ def route(
 
     Raises:
         InputError: What was given is impossible; the message says what, what is allowed, and the cure.
-        PlanError: The arm's joints are coupled, or it cannot tilt its tool.
+        PlanError: The arm's joints are coupled in parts of turns, or it cannot tilt its tool.
     """
     asked = _checked_points(checked_path(path), plan.chain.length)
     arguments.word(cost, "cost", (MOTION, TIME))

@@ -11,12 +11,16 @@ from pieper.kinematics.joints import inside
 from pieper.motion.route.grid import TURNS, Grid, grid
 from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import Rungs, Way, climb, fitted, rungs
+from pieper.motion.route.reach import beyond_reach
 from pieper.motion.route.setting import Setting
 from pieper.motion.route.smooth import Shape, Smoothed, smooth
 from pieper.tolerances import LIMIT_SLACK, NO_LOOK_BETWEEN
 
 #: Stations of the first ladder, and how often twice as many are tried, each with a finer grid.
 STATIONS, FINER = 51, (1, 2, 4)
+#: Stations of a ladder beside the first, and how much finer its turns are. A move by one cell between two of many
+#: stations costs more than the same spread over them all: what turns slowly is found over few stations and many turns.
+SLOW = (13, 4)
 #: By how much rows of the first ladder may be outside (rad) where none inside leads on.
 WIDER = 0.08
 #: Stations where nothing is free.
@@ -71,6 +75,8 @@ def search(task: Task, ladders: int = len(FINER)) -> Found | None:
     """Return the cheapest route that so many ladders, each finer than the one before, lead to; None for none."""
     setting = task.setting
     N = len(setting.path)
+    if setting.spare > 1 and beyond_reach(setting) is not None:
+        return None
     for finer in FINER[:ladders]:
         cells = grid(setting, finer, 0.0)
         fixed = len(cells.cells) == 1
@@ -81,15 +87,43 @@ def search(task: Task, ladders: int = len(FINER)) -> Found | None:
             # nothing is chosen, and quick: stations between the points as well
             each = max(1, -(-DENSE // (N - 1)))
             at = np.append((np.arange(N - 1)[:, None] + np.arange(each) / each).ravel(), N - 1.0)
-        ladder = rungs(setting, cells, np.interp(at, np.arange(N), setting.s), np.diff(at))
-        if task.keep.anything:
-            ladder = replace(ladder, valid=task.keep.rows(setting, ladder.x, _inside(setting, ladder)))
-        found = climbed_and_carried(task, cells, ladder)
+        ladder = _ladder(task, cells, at)
+        slow = _slow(task, at) if setting.spare == 1 and not fixed else None
+        found = climbed_and_carried(task, cells, ladder, slow)
         if found is not None:
             return Found(found.x, found.cost, found.slope, cells, ladder)
         if fixed:
             break
     return None
+
+
+def leads(task: Task) -> bool:
+    """Whether the first ladder leads from the first point to the last; nothing is made short, nothing looked at."""
+    if task.setting.spare > 1 and beyond_reach(task.setting) is not None:
+        return False
+    cells = grid(task.setting, FINER[0], 0.0)
+    at = np.arange(len(task.setting.path), dtype=float)
+    ladder = _ladder(task, cells, at)
+    spots = (False, True) if task.setting.spare else (False,)
+    return any(_climbed(task, cells, ladder, at, spot, 0.0) is not None for spot in spots)
+
+
+def _ladder(task: Task, cells: Grid, at: Array) -> Rungs:
+    """Return the rows at stations (M,), counted in points of the path, that keep what must be kept."""
+    setting = task.setting
+    ladder = rungs(setting, cells, np.interp(at, np.arange(len(setting.s)), setting.s), np.diff(at))
+    if task.keep.anything:
+        ladder = replace(ladder, valid=task.keep.rows(setting, ladder.x, _inside(setting, ladder)))
+    return ladder
+
+
+def _slow(task: Task, at: Array) -> Array | None:
+    """Return what a ladder of few stations and many turns leads to, at stations (M,); None where it leads nowhere."""
+    setting = task.setting
+    cells = grid(setting, SLOW[1], 0.0)
+    few = at[stations(len(at), SLOW[0])]
+    way = _climbed(task, cells, _ladder(task, cells, few), few, False, 0.0)
+    return None if way is None else _between(way.x, few, at)
 
 
 def search_between(task: Task) -> Found | None:
@@ -119,11 +153,17 @@ def _inside(setting: Setting, ladder: Rungs) -> Bools:
     return ladder.valid & setting.chain.joints.inside_limits(ladder.x, setting.limits)[1]
 
 
-def climbed_and_carried(task: Task, cells: Grid, ladder: Rungs) -> Smoothed | None:
+def climbed_and_carried(task: Task, cells: Grid, ladder: Rungs, slow: Array | None = None) -> Smoothed | None:
     """Return the route that a ladder leads to.
 
     Where its rows lead nowhere, moves on the spot are allowed, and then rows that are outside by up to a part of a
     cell: a route may pass between two rows, and is pulled inside where it is made short.
+
+    Args:
+        task: What the route is to be like.
+        cells: The cells of the ladder.
+        ladder: Its rows.
+        slow: (M, m) another way over the same stations; the one that is shorter once made short is taken.
     """
     at = np.interp(ladder.s, task.setting.s, np.arange(len(task.setting.s)))
     widest = WIDER / max(1, len(cells.cells) // TURNS[1]) if task.setting.spare == 1 else 0.0
@@ -131,12 +171,43 @@ def climbed_and_carried(task: Task, cells: Grid, ladder: Rungs) -> Smoothed | No
         if spot and wider == 0.0 and task.setting.spare == 0:
             continue
         way = _climbed(task, cells, ladder, at, spot, wider)
-        found = None if way is None else _carried(task, way, at)
-        if found is not None:
-            return found
+        for place, x in _shortest_first(task, way, at, slow):
+            found = _carried(task, x, place)
+            if found is not None:
+                return found
         if widest == 0.0 and spot:
             break
     return None
+
+
+def _shortest_first(task: Task, way: Way | None, at: Array, slow: Array | None) -> list[tuple[Array, Array]]:
+    """Return ways as places (k,) and points (k, m), nearly made short, the one that then costs least first."""
+    ways: list[tuple[Array, Array]] = []
+    if way is not None and len(np.unique(way.rung)) == len(way.rung):
+        ways.append((at[way.rung], way.x))
+    elif way is not None:
+        return [(_spread(at[way.rung]), way.x)]
+    if slow is not None:
+        ways.append((at, slow))
+    if not task.setting.spare:
+        return ways
+    ends = _told(task)
+    rough = [
+        smooth(_shape(task, np.round(place).astype(np.int64), np.diff(place), ends), x, rough=True) for place, x in ways
+    ]
+    order = sorted(range(len(ways)), key=lambda k: rough[k].cost)
+    return [(ways[k][0], rough[k].x if np.isfinite(rough[k].cost) else ways[k][1]) for k in order]
+
+
+def _told(task: Task) -> Bools:
+    """Return whether the route is to begin, and to end, as told."""
+    return np.array([end is not None for end in task.ends])
+
+
+def _between(x: Array, place: Array, at: Array) -> Array:
+    """Return a chain x (k, m) at places (k,) as it is at others (M,), on the straight lines between."""
+    columns: list[Array] = [np.interp(at, place, column) for column in x.T]
+    return np.stack(columns, -1)
 
 
 def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool, wider: float) -> Way | None:
@@ -170,24 +241,13 @@ def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool, wide
     return None
 
 
-def _carried(task: Task, way: Way, at: Array) -> Smoothed | None:
-    """Return a way at stations carried to all points, made short, if it is a continuous route inside the limits."""
+def _carried(task: Task, x: Array, place: Array) -> Smoothed | None:
+    """Return points x (k, m) at places (k,) carried to all points, made short, if that is a continuous route inside."""
     setting = task.setting
     N = len(setting.path)
-    ends = np.array([end is not None for end in task.ends])
-    place = at[way.rung]
-    if len(np.unique(way.rung)) == len(way.rung):
-        whole = np.round(at).astype(np.int64)
-        rough = (
-            smooth(_shape(task, whole, np.diff(at), ends), way.x) if setting.spare else Smoothed(way.x, way.cost, 0.0)
-        )
-        x = rough.x if np.isfinite(rough.cost) else way.x
-    else:
-        x, place = way.x, _spread(place)
-    points = np.arange(N, dtype=float)
+    ends = _told(task)
     if len(place) != N:
-        columns: list[Array] = [np.interp(points, place, column) for column in x.T]
-        x = np.stack(columns, -1)
+        x = _between(x, place, np.arange(N, dtype=float))
     x, on = setting.on(x, setting.path)
     if not on.all():
         return None

@@ -72,7 +72,38 @@ class Setting:
     def chain(self) -> Chain:
         """All coordinates as one chain; fk(x) is the pose of the path."""
         full = self.curves.exact.full
+        if self.coupling is not None and full.coupling is None:
+            block = np.eye(full.n)
+            block[: self.n, : self.n] = self.coupling
+            full = Chain.of(full.links, full.prismatic, coupling=block)
         return appended(full, _TILTS) if self.tilts else full
+
+    @property
+    def coupling(self) -> Array | None:
+        """(n, n) of coupled joints: values of the axes = coupling @ joint values."""
+        return self.plan.chain.coupling
+
+    def joints_at(self, x: Array) -> Array:
+        """Return coordinates (..., k >= n) of the axes as those of the joints, what stands behind them kept."""
+        if self.coupling is None:
+            return x
+        out = x.copy()
+        out[..., : self.n] = x[..., : self.n] @ np.linalg.inv(self.coupling).T
+        return out
+
+    def axes_at(self, x: Array) -> Array:
+        """Return coordinates (..., k >= n) of the joints as those of the axes."""
+        if self.coupling is None:
+            return x
+        out = x.copy()
+        out[..., : self.n] = x[..., : self.n] @ self.coupling.T
+        return out
+
+    @cached_property
+    def filled(self) -> Chain:
+        """The same with virtual joints for what a short arm cannot do; they stand at zero."""
+        fill = self.curves.exact.fill
+        return appended(self.chain, fill) if fill and not self.tilts else self.chain
 
     @cached_property
     def m(self) -> int:
@@ -88,7 +119,8 @@ class Setting:
     def limits(self) -> Array:
         """(m, 2) of the joints, the turn and the tilt, rad or m."""
         tilt = [(-self.free.cone, self.free.cone)] * 2 if self.tilts else []
-        return np.vstack([self.curves.full_limits, np.array(tilt).reshape(-1, 2)])
+        full = np.vstack([self.plan.limits, self.curves.full_limits[self.n :]])
+        return np.vstack([full, np.array(tilt).reshape(-1, 2)])
 
     @cached_property
     def weights(self) -> Array:
@@ -170,21 +202,34 @@ def setting(plan: Plan, curves: Plan, free: Freedom, path: Array, s: Array) -> S
         s: (N,).
 
     Raises:
-        PlanError: The arm's joints are coupled.
+        PlanError: The arm's joints are coupled in parts of turns, or it cannot tilt its tool.
     """
-    if plan.uncoupled is not None:
+    if not plan.chain.whole_turns:
         raise PlanError(
-            f"{plan.name} has coupled joints; routes are planned for joints that move by themselves. `arm.follow` "
-            "takes coupled joints. Or plan the route of arm.uncoupled(), whose joints are the axes, without the limits "
-            "of coupled joints, and take np.linalg.solve(arm.coupling, route.q.T).T."
+            f"{plan.name} has joints coupled in parts of turns; routes are planned where whole turns of the joints are "
+            "whole turns of the axes. `arm.follow` takes any coupling. Or plan the route of arm.uncoupled(), whose "
+            "joints are the axes, without the limits of coupled joints, and take np.linalg.solve(arm.coupling, "
+            "route.q.T).T."
         )
-    if free.cone > 0 and generic_rank(with_task_joints(plan.chain, "position")) < 6:
+    if free.cone > 0 and generic_rank(with_task_joints(plan.chain.uncoupled, "position")) < 6:
         raise PlanError(f"{plan.name} cannot tilt its tool: leave out the cone.")
     z = free.to_z
     rows = curves
-    if curves.task == "position+axis" and plan.task == "pose" and plan.rank == generic_rank(curves.exact.full):
+    if (
+        curves.task == "position+axis"
+        and plan.task == "pose"
+        and plan.rank == generic_rank(curves.exact.full.uncoupled)
+    ):
         rows = plan
     return Setting(plan, rows, curves, free, path @ z if curves is not plan else path, path, s)
+
+
+def limits_of_axes(coupling: Array | None, limits: Array) -> Array:
+    """Return what limits (n, 2) of joints say of single axes; an axis that several joints move has none."""
+    if coupling is None:
+        return limits
+    alone = (coupling == np.eye(len(coupling))).all(1)
+    return np.where(alone[:, None], limits, [-np.inf, np.inf])
 
 
 def with_turn_limits(curves: Plan, free: Freedom) -> Plan:

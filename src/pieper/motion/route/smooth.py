@@ -30,6 +30,7 @@ from pieper.tolerances import (
     SMOOTH_FLAT,
     SMOOTH_MAY_RISE,
     SMOOTH_NO_GAIN,
+    SMOOTH_ROUGH,
     SMOOTH_STALLED,
     SMOOTH_TINY_STEP,
     SMOOTH_UNDAMPED,
@@ -40,6 +41,8 @@ from pieper.tolerances import (
 STEEP = 8.0
 #: Most Newton steps of a stage.
 STEPS = 40
+#: Stages of the barrier where a route is made short roughly.
+ROUGH = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,21 +75,24 @@ class Smoothed:
     slope: float
 
 
-def smooth(shape: Shape, x: Array) -> Smoothed:
-    """Return the route nearest by (N, m) that costs least inside the limits."""
+def smooth(shape: Shape, x: Array, rough: bool = False) -> Smoothed:
+    """Return the route nearest by (N, m) that costs least inside the limits; a rough one keeps off them a little."""
     mean = max(_value(replace(shape, power=2), x, 0.0, 1.0), NO_LENGTH) / max(len(x) - 1, 1)
     scale = mean if shape.power == 2 else float(np.sqrt(mean))
     room = min((float((side * at).min(initial=np.inf)) for at, side in _margins(shape, x)), default=np.inf)
-    for part in BARRIER_WEIGHTS[-1:] if room > CLEAR_START and shape.turn_step is None else BARRIER_WEIGHTS:
+    weights = BARRIER_WEIGHTS[-1:] if room > CLEAR_START and shape.turn_step is None else BARRIER_WEIGHTS
+    for part in weights[:ROUGH] if rough else weights:
         weight = part * scale
-        x = _stage(shape, x, weight, weight / (STEEP * (np.sqrt(mean) if shape.power == 2 else 1.0)))
+        x = _stage(shape, x, weight, weight / (STEEP * (np.sqrt(mean) if shape.power == 2 else 1.0)), rough)
+    if rough:
+        return Smoothed(x, _value(shape, x, 0.0, 1.0), np.inf)
     g, Z = _slope(shape, x, 0.0, 1.0)
     near = np.min([(side * at).min(1, initial=np.inf) for at, side in _margins(shape, x)], axis=0)
     along = np.abs(np.einsum("kma,km->ka", Z, g)) * (shape.fixed * (near > SLOPE_COUNTS))[:, None]
     return Smoothed(x, _value(shape, x, 0.0, 1.0), float(along.max(initial=0.0)))
 
 
-def _stage(shape: Shape, x: Array, weight: float, margin: float) -> Array:
+def _stage(shape: Shape, x: Array, weight: float, margin: float, rough: bool) -> Array:
     damp, value = 0.0, _value(shape, x, weight, margin)
     for _ in range(STEPS):
         g, Z = _slope(shape, x, weight, margin)
@@ -109,7 +115,9 @@ def _stage(shape: Shape, x: Array, weight: float, margin: float) -> Array:
             damp = max(4 * damp, SMOOTH_DAMPING)
         if not done:
             break
-        stalled = value - new <= SMOOTH_NO_GAIN * abs(value) and length < SMOOTH_STALLED
+        gained = value - new
+        stalled = gained <= SMOOTH_NO_GAIN * abs(value) and length < SMOOTH_STALLED
+        stalled |= rough and gained <= SMOOTH_ROUGH * abs(value)
         x, value, damp = tried, new, damp / 8 if damp > SMOOTH_UNDAMPED else 0.0
         if stalled:
             break

@@ -88,18 +88,24 @@ class LineMotion(SelfMotion):
         if not self.chain.joints.inside_limits(self.through, self._limits_of(others))[1]:
             return []
         i, j = self.pair
-        spans = [(-np.pi, np.pi)]
+        # what limits with their slack leave, beside what the limits themselves do
+        spans = [(-np.pi, np.pi, -np.pi, np.pi)]
         for joint, scale, shift in ((i, 1.0, 0.0), (j, -self.sense, self.sense * self.total)):
-            lower, upper = self.limits[joint] + np.array([-LIMIT_SLACK, LIMIT_SLACK])
-            if upper - lower >= TURN:
+            lower, upper = self.limits[joint]
+            if upper - lower + 2 * LIMIT_SLACK >= TURN:
                 continue
             # scale x + shift + whole turns inside the limits
             a, b = sorted(((lower - shift) / scale, (upper - shift) / scale))
-            turns = range(int(np.ceil((-np.pi - b) / TURN)), int(np.floor((np.pi - a) / TURN)) + 1)
-            allowed = [(a + TURN * k, b + TURN * k) for k in turns]
-            spans = [(max(s[0], t[0]), min(s[1], t[1])) for s in spans for t in allowed]
+            first, last = np.ceil((-np.pi - b - LIMIT_SLACK) / TURN), np.floor((np.pi - a + LIMIT_SLACK) / TURN)
+            turns = TURN * np.arange(int(first), int(last) + 1)
+            allowed = [(a + t - LIMIT_SLACK, b + t + LIMIT_SLACK, a + t, b + t) for t in turns]
+            spans = [
+                (max(s[0], t[0]), min(s[1], t[1]), max(s[2], t[2]), min(s[3], t[3])) for s in spans for t in allowed
+            ]
             spans = sorted(s for s in spans if s[0] <= s[1])
-        return spans
+        # where only slack holds, as in a posture with both joints at a stop, it is a single point
+        middle = [(low + high) / 2 for _, _, low, high in spans]
+        return [(min(s[2], m), max(s[3], m)) for s, m in zip(spans, middle, strict=True)]
 
     def _limits_of(self, joints: Indices) -> Array:
         limits = np.tile(FREE, (self.chain.n, 1))

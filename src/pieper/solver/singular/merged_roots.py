@@ -6,7 +6,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.joints import TURN, inside
+from pieper.kinematics.joints import inside
 from pieper.kinematics.newton import (
     determinant,
     missed,
@@ -99,26 +99,28 @@ def into_limits(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
     """Return a singular solution q (n,) put at limits (n, 2) it lies outside of, where it takes the pose there as well.
 
     Rounding blurs a merged root along what is free there to first order, and a stop may lie within the blur: then the
-    posture at the stop is as good a solution. Otherwise q is returned as it is. Beside limits whole turns apart it is
-    put at them too: a turn on it would lie outside by no more than its blur.
+    posture at the stop is as good a solution. Otherwise q is returned as it is. Just outside a limit while it is inside
+    a turn on it is put there too: at the stop the posture is a turn nearer.
     """
     moved, _ = chain.joints.inside_limits(q, limits)
     out = ~inside(moved, limits)
     q = _at_stops(chain, q, T, limits, out) if out.any() else q
-    spans = limits[:, 1] - limits[:, 0]
-    with np.errstate(invalid="ignore"):
-        whole = ~chain.prismatic & np.isfinite(spans) & (np.abs(spans - TURN * np.round(spans / TURN)) < LIMIT_SLACK)
-    beside = whole & (
-        np.abs(chain.joints.way(np.where(whole, limits[:, 0], 0.0), np.where(whole, q, 0.0))) < MERGED_BLUR
-    )
+    lower, upper = (_way_to(chain, limits[:, k], q) for k in (0, 1))
+    nearest = np.where(np.abs(lower) < np.abs(upper), lower, upper)
+    outside = np.where(nearest == lower, nearest > 0, nearest < 0) | np.isclose(lower, upper, 0, LIMIT_SLACK)
+    beside = ~chain.prismatic & outside & (np.abs(nearest) < MERGED_BLUR)
     return _at_stops(chain, q, T, limits, beside) if beside.any() else q
+
+
+def _way_to(chain: Chain, ends: Array, q: Array) -> Array:
+    """Return what leads joints q (n,) to limits (n,), angles the short way round; infinite where there is none."""
+    some = np.isfinite(ends)
+    return np.where(some, chain.joints.way(np.where(some, ends, 0.0), np.where(some, q, 0.0)), np.inf)
 
 
 def _at_stops(chain: Chain, q: Array, T: Array, limits: Array, held: Bools) -> Array:
     """Return q (n,) with joints held at the nearer of their limits, or q where the pose is not taken there."""
-    start = np.where(held, q, 0.0)
-    lower: Array = chain.joints.way(np.where(held, limits[:, 0], 0.0), start)
-    upper: Array = chain.joints.way(np.where(held, limits[:, 1], 0.0), start)
+    lower, upper = (np.where(held, _way_to(chain, limits[:, k], q), 0.0) for k in (0, 1))
     way = np.where(np.abs(lower) < np.abs(upper), lower, upper)
     if not np.all(np.abs(way / chain.joints.unit) < MERGED_BLUR):
         return q

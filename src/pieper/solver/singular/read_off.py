@@ -1,9 +1,10 @@
-"""The look in closed form: what the kernel read off the axes of a singular pose's rows, put into Python's objects.
+"""What the kernel says of a singular pose, read off the axes of its rows or followed, put into Python's objects.
 
 `CarefulLook` (kernels/singular/) says of each row whether two of its axes are one line or four are a linkage, which
 rows are merged roots, and which row stands for each self-motion. Where two directions are free at once, or courses
-cross, it reads the whole fibre of the closed form's group of three joints. What cannot be read off (surfaces, linkages
-of five and six joints) is left to `examine`.
+cross, it reads the whole fibre of the closed form's group of three joints. Of arms that are solved by elimination it
+asks poses beside, and follows the curves that nearly hold the pose. What it does not tell (surfaces, linkages of five
+and six joints, self-motions that cross where nothing is in closed form) is left to `examine`.
 """
 
 from __future__ import annotations
@@ -18,10 +19,9 @@ from pieper.solver.native import Read, SelfMotionSaid
 from pieper.solver.plan.plan import Plan
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.in_one_line import LineMotion
-from pieper.solver.singular.linkage_motion import Course, LinkageMotion
-from pieper.solver.singular.loop import FourBar
+from pieper.solver.singular.linkage_motion import LinkageMotion
 from pieper.solver.singular.merged_roots import null_direction
-from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 
 
 def examined(plan: Plan, T: Array, read: Read) -> Examined:
@@ -44,9 +44,10 @@ def _motions(plan: Plan, T: Array, said: list[SelfMotionSaid]) -> tuple[SelfMoti
 
 def _told(plan: Plan, T: Array, said: SelfMotionSaid) -> SelfMotion:
     whose = plan.chain, T, plan.limits, plan.names, plan.n
+    if len(said) == 2:
+        points, closed = said
+        return TracedMotion(plan.chain, T, points, closed, 1, plan.limits, plan.names, plan.n)
     if len(said) == 3:
         through, pair, sense = said
         return LineMotion(*whose, through=through, pair=pair, sense=sense)
-    through, joints, axes, spots, senses, lead, low, high, course = said
-    linkage = FourBar(joints, axes, spots, senses)
-    return LinkageMotion(*whose, through=through, linkage=linkage, lead=lead, span=(low, high), course=Course(course))
+    return LinkageMotion(*whose, through=said[0], linkage=said[1:])

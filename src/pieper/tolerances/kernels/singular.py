@@ -17,7 +17,7 @@ LOOP_TOUCHES = 1e-14
 #: Two angles of a linkage that go round together differ by rounding alone (rad).
 LINKAGE_TOGETHER = 1e-7
 #: Three neighbouring axes are parallel or meet in one point within this (rad; per length): what families take them for.
-GROUP_EXACT = 2e-12
+GROUP_EXACT = 6e-12
 #: Directions weaker than this (relative) are left alone where the last digits of a row are fetched.
 HELD_FIRMLY = 1e-9
 #: Step aside from a double root (rad; per length) over which its fold is taken for straight.
@@ -92,3 +92,41 @@ ON_COURSE_TURN = 1e-12
 ACROSS_ROUNDING = 1e-9
 #: the one of which more is left by this.
 ACROSS_MORE = 1e-6
+#: Size of the generic steps to the poses beside a singular one (per length; rad): double roots part there by 3e-4.
+ASIDE_STEP = 1e-7
+#: A solution of a pose beside is a row that has moved when it departs from where the row leads by less than this part.
+ASIDE_ASTRAY = 0.25
+#: Across the weakest direction it may depart by this many squares of the way along it, and of the step itself.
+ASIDE_ACROSS = 3.0
+#: What a fold misses to second order (per rad^2) times this is how far along it (rad) third orders count little.
+FOLD_REACHES = 0.5
+#: Square of the last pivot's part above which a row is regular beyond doubt.
+PLAINLY_REGULAR = 1e-3
+#: Directions that a singular pose feels less than this part of the most carry no step onto it.
+PRECISE_RANK = 1e-13
+#: Newton's method is on a curve when a step across it is shorter (rad; per length).
+CURVE_SETTLED = 1e-9
+#: What is missed along a curve is followed up to here (per length; rad): a hundred times what poses beside it are away.
+CURVE_MISSES = 1e-5
+#: A curve ends where what is missed changes faster than this along it.
+CURVE_STEEPENS = 1e-2
+#: Between points of a curve its cubic says what is missed to this part of a step aside.
+CURVE_TOLD = 0.02
+#: and which direction is missed, to this part of it.
+CURVE_LEANS = 0.02
+#: Another self-motion may cross where the bordered determinant falls below this part of its largest.
+CURVES_CROSS = 1e-4
+#: Longest step along a self-motion (rad; per length): joints turn visibly, and chords cut corners by about 2e-3.
+CURVE_STEP = 0.12
+#: Directions that the pose feels less than this part of the most carry no step onto a curve: it is moved along freely.
+CURVE_RANK = 1e-7
+#: Double roots, whose place is known to half the digits, are farther than this from every self-motion.
+DOUBLES_FROM_CURVE = 1e-4
+#: Solutions of poses beside lie this near to a curve (rad; per length): their step over the weakest direction but one.
+CURVE_BESIDE = 1e-3
+#: A piece of a curve reaches this part beyond its ends.
+CURVE_OVER = 0.1
+#: Relative sigma_min below which a point may lie on a curve that nearly holds the pose.
+NEARLY_SINGULAR = 1e-3
+#: A curve ends where a step shorter than this (rad; per length) does not go on.
+NEAR_CURVE_SHORTEST = 1e-3

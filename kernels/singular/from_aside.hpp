@@ -1,0 +1,319 @@
+// The look at a singular pose of an arm that is solved by elimination, which may lose solutions where roots meet.
+//
+// Poses at small generic steps beside it have a solution near every one of its own, and their elimination is clear. Where each of
+// their solutions follows from a row of the pose, by the row's Jacobian or, next to a fold, by what its weakest direction misses to second
+// order, nothing was lost and no self-motion is near: of such a one the poses beside have solutions anywhere along it. What
+// does not follow is left to the slower look. Scalar.
+#pragma once
+
+#include "dispatch/geometry.hpp"
+#include "singular/into_limits.hpp"
+#include "singular/merged.hpp"
+#include "singular/read.hpp"
+
+namespace pieper::PIEPER_ISA {
+
+// What a solver gave for a pose beside.
+struct SolvedBeside {
+  Rigid T;
+  const double* rows;  // count x 6, rad; lengths
+  int count;
+  std::uint8_t flag;
+};
+
+class FromAside {
+ public:
+  static constexpr int kPoses = 6;
+  static constexpr std::size_t kMostCurves = 24;
+  static constexpr int kSlowSteps = 40;  // at merged roots each step only halves what is left
+
+  FromAside(const SixJoints& arm, const Limits& limits) : arm_(arm), limits_(limits) {}
+
+  // A pose at the k-th generic small step beside T; the same ones every time.
+  static Rigid aside(const Rigid& T, int k) {
+    // parts of a turn by the golden ratio: no two of the steps are alike, and none is along an axis
+    double twist[6], size = 0;
+    for (int r = 0; r < 6; ++r) {
+      const double part = (6 * k + r + 1) * 0.6180339887498949;
+      twist[r] = 2 * (part - std::floor(part)) - 1, size += twist[r] * twist[r];
+    }
+    for (double& x : twist) x *= kAsideStep / std::sqrt(size);
+    const Vec3 way = {twist[0], twist[1], twist[2]}, turn = {twist[3], twist[4], twist[5]};
+    const double angle = std::sqrt(dot(turn, turn)), s = std::sin(angle) / angle,
+                 c = 2 * std::pow(std::sin(angle / 2) / angle, 2);
+    auto turned = [&](Vec3 v) {
+      const Vec3 once = cross(turn, v);
+      return v + s * once + c * cross(turn, once);
+    };
+    return {turned(T.x), turned(T.y), turned(T.z), T.t + way};
+  }
+
+  // What there is at T, of which a kernel gave rows (count x 6); false where that is not told by the poses beside.
+  bool operator()(const Rigid& T, const double* rows, int count, const SolvedBeside* beside, Read& out) const {
+    out.clear();
+    std::vector<Known> known;
+    std::vector<NearCurve> curves;
+    for (int k = 0; k < count; ++k) known.push_back(look_at(T, rows + 6 * k));
+    for (int k = 0; k < count; ++k)
+      if (!on_motion(known[k], out) && !twin_is_known(T, known, k) && !through(T, known[k], known, curves, out))
+        return false;
+    for (int b = 0; b < kPoses; ++b) {
+      if (beside[b].flag & kUncertain) return false;
+      double e[6];
+      const double far = missing_to(T, beside[b].T, e);
+      for (int k = 0; k < beside[b].count; ++k) {
+        const double* row = beside[b].rows + 6 * k;
+        if (follows(row, e, far, known, curves, out)) continue;
+        if (!through(T, look_at(T, row, false), known, curves, out) || !follows(row, e, far, known, curves, out))
+          return false;
+      }
+    }
+    tell(T, known, curves, out);
+    return true;
+  }
+
+ private:
+  struct Known {
+    double q[6];
+    int branches;
+    bool singular, regular, fold, weak;
+    double inverse[6][6];                                // of the Jacobian of a regular row: [joint][pose]
+    double miss;                                         // of a singular row
+    double sigma, second, bend, size, null[6], left[6];  // of a row with a weak direction
+
+    // Whether a solution of a pose that is missed by e, of size `miss`, is this one that has moved.
+    bool leads_to(const SixJoints& arm, const double* a, const double* e, double miss) const {
+      double gap[6], length = 0;
+      for (int i = 0; i < kSix; ++i) gap[i] = arm.way(a, q, i), length += gap[i] * gap[i];
+      if (regular) {
+        double moved = 0, astray = 0;
+        for (int i = 0; i < kSix; ++i) {
+          double step = 0;
+          for (int r = 0; r < 6; ++r) step += inverse[i][r] * e[r];
+          moved += step * step, astray += (gap[i] - step) * (gap[i] - step);
+        }
+        if (astray <= kAsideAstray * kAsideAstray * moved) return true;
+      }
+      if (!fold) return false;
+      double t = 0, along = 0;
+      for (int i = 0; i < kSix; ++i) t += null[i] * gap[i];
+      for (int r = 0; r < 6; ++r) along += left[r] * e[r];
+      if (std::fabs(t) > reach() || std::sqrt(std::fmax(length - t * t, 0.0)) * second > kAsideAcross * (t * t + miss))
+        return false;
+      return std::fabs(along - sigma * t - bend * t * t) <=
+             kAsideAstray * (sigma * std::fabs(t) + std::fabs(bend) * t * t);
+    }
+    // How far from it rounding lets a solution be that is counted in it.
+    double blur() const {
+      if (!singular) return 0;
+      if (branches < 2) return fold ? 0 : std::fmin(2 * kMergedRounding / std::fmax(sigma, kTiny), kSameAlong);
+      return std::fmin(3 * std::sqrt(kMergedRounding / std::fmax(std::fabs(bend), kTiny)), kMergedBlur);
+    }
+    // How far along the weakest direction its second order says what is missed.
+    double reach() const { return kFoldReaches * std::fabs(bend); }
+    // Where the other root of the fold lies, along the weakest direction.
+    double twin() const { return -sigma / bend; }
+  };
+
+  bool follows(const double* row, const double* e, double far, const std::vector<Known>& known,
+               const std::vector<NearCurve>& curves, const Read& out) const {
+    for (const Known& one : known)
+      if (one.leads_to(arm_, row, e, far)) return true;
+    for (const auto* all : {&curves, &out.curves})
+      for (const NearCurve& curve : *all)
+        if (curve.leads_to(arm_, row, e, far)) return true;
+    return false;
+  }
+  bool on_motion(const Known& one, const Read& out) const {
+    if (!one.singular) return false;
+    for (const NearCurve& motion : out.curves)
+      if (motion.holds(arm_, one.q, kDoublesFromCurve)) return true;
+    return false;
+  }
+
+  // Whether a row is a point of a curve that only nearly holds the pose, where it is missed by more than rounding: kernels give such.
+  bool nearly_holds(const Rigid& T, const Known& one, const std::vector<NearCurve>& curves) const {
+    if (!one.singular || one.fold || one.miss <= 5 * kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)))) return false;
+    for (const NearCurve& curve : curves)
+      if (curve.holds(arm_, one.q, kDoublesFromCurve)) return true;
+    return false;
+  }
+
+  // Follows the curve through a row that nearly holds the pose, and adds what hides on it, or the curve as a
+  // self-motion; false where it is neither.
+  bool through(const Rigid& T, const Known& row, std::vector<Known>& known, std::vector<NearCurve>& curves,
+               Read& out) const {
+    if (!row.weak || curves.size() == kMostCurves) return false;
+    CurvePoint start{};
+    std::copy(row.q, row.q + kSix, start.q);
+    std::copy(row.null, row.null + 6, start.null), std::copy(row.left, row.left + 6, start.left);
+    NearCurve curve;
+    if (!curve.follow(arm_, T, start)) return false;
+    const NearCurve::Held held = curve.held(arm_);
+    if (held == NearCurve::Held::ALONG) out.curves.push_back(std::move(curve));
+    if (held != NearCurve::Held::NOWHERE) return held == NearCurve::Held::ALONG;
+    std::vector<double> places;
+    for (int k = 0; k < curve.pieces(); ++k) {
+      const CurvePiece piece = curve.piece(arm_, k);
+      places.clear();
+      piece.roots(kCurveTold * kAsideStep, places);
+      for (double s : places) {
+        CurvePoint at = s < 0.5 ? piece.a : piece.b;
+        piece.point(arm_, s, at.q);
+        if (!refine(T, piece.length, at) || is_known(known, at.q, kMergedTwins)) continue;
+        if (!(settle(arm_, T, at.q, kSlowSteps, kPreciseRank) < kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)))))
+          continue;
+        if (!is_known(known, at.q, kMergedSame)) known.push_back(look_at(T, at.q));
+      }
+    }
+    curves.push_back(std::move(curve));
+    return true;
+  }
+  bool is_known(const std::vector<Known>& known, const double* q, double within) const {
+    for (const Known& one : known)
+      if (arm_.apart(one.q, q) < std::fmax(within, one.blur())) return true;
+    return false;
+  }
+  // Newton's method along a curve; false where it leads away.
+  bool refine(const Rigid& T, double length, CurvePoint& at) const {
+    double least = INFINITY;
+    for (int step = 0; step < 10; ++step) {
+      CurvePoint next = at;
+      if (step > 0) {
+        const double way = -at.miss / at.slope;
+        if (!(std::fabs(way) < length)) return least < kCurveTold * kAsideStep;
+        for (int i = 0; i < kSix; ++i) next.q[i] += way * at.null[i];
+      }
+      if (!next.settle(arm_, T)) return false;
+      if (step > 0 && !(std::fabs(next.miss) < 0.5 * least)) break;
+      at = next, least = std::fabs(at.miss);
+      if (least < kMergedAlong) break;
+    }
+    return true;
+  }
+
+  // A row as it stands; one of the pose itself is brought to its last digits where it is singular.
+  Known look_at(const Rigid& T, const double* row, bool own = true) const {
+    Known out{};
+    std::copy(row, row + kSix, out.q);
+    out.branches = 1;
+    Standing at(arm_, out.q);
+    if (last_pivot(kSix, at.J) > kPlainlyRegular) {
+      out.regular = invert(at.J, out.inverse);
+      return out;
+    }
+    SingularSix d(at.J);
+    out.singular = d.s[5] <= kSingularExamined * d.s[0];
+    if (out.singular && own) {
+      // kernels stop where Newton's method is slow: the last digits of a merged root are fetched here
+      settle(arm_, T, out.q, kSlowSteps, kHeldFirmly);
+      out.miss = settle(arm_, T, out.q, kSlowSteps, kPreciseRank);
+      at = Standing(arm_, out.q);
+      d = SingularSix(at.J);
+    } else {
+      out.regular = invert(at.J, out.inverse);
+    }
+    out.sigma = d.s[5], out.second = d.s[4], out.bend = second_order(at.J, d);
+    out.weak = out.second > kOneWayFree * d.s[0] && out.sigma < kNearlySingular * d.s[0];
+    out.fold = std::fabs(out.bend) > kClearFold && out.second > kOneWayFree * d.s[0];
+    std::copy(d.joint[5], d.joint[5] + kSix, out.null);
+    std::copy(d.pose[5], d.pose[5] + 6, out.left);
+    if (out.singular && own) {
+      out.branches = branches_of_fold(std::fabs(out.bend), d);
+      if (out.branches == 0) out.branches = branches_at(arm_, T, out.q);
+    }
+    return out;
+  }
+
+  // Whether the other root of a row next to a fold is among the known ones, or far; where a singular row's was lost it is added.
+  bool twin_is_known(const Rigid& T, std::vector<Known>& known, std::size_t k) const {
+    const Known one = known[k];
+    if (!one.fold) return !one.singular;
+    if (one.branches > 1) return true;
+    const double t = one.twin();
+    double twin[6], apart = 0;
+    for (int i = 0; i < kSix; ++i)
+      twin[i] = one.q[i] + t * one.null[i], apart = std::fmax(apart, std::fabs(t * one.null[i]));
+    if (std::fabs(t) > one.reach()) return true;
+    if (apart <= kMergedSame) return true;
+    for (std::size_t m = 0; m < known.size(); ++m)
+      if (m != k && arm_.apart(known[m].q, twin) < apart / 2) return true;
+    if (!one.singular) return false;
+    double there[6];
+    std::copy(twin, twin + kSix, there);
+    const double miss = settle(arm_, T, there, kSlowSteps, kPreciseRank);
+    if (!(miss < kMergedRounding * (1 + std::sqrt(dot(T.t, T.t))))) return false;
+    // what rounding cannot tell from the row is the row
+    if (arm_.apart(there, twin) > apart / 2) return arm_.apart(there, one.q) < apart / 2;
+    Known more = look_at(T, there);
+    known.push_back(more);
+    return true;
+  }
+
+  void tell(const Rigid& T, const std::vector<Known>& known, const std::vector<NearCurve>& curves, Read& out) const {
+    std::vector<Root> merged;
+    std::vector<const Known*> isolated;
+    for (const Known& one : known) {
+      if (on_motion(one, out) || nearly_holds(T, one, curves)) continue;
+      if (one.singular) {
+        bool counted = false;
+        for (const Known& other : known) {
+          const bool better = other.blur() < one.blur() || (other.blur() == one.blur() && &other < &one);
+          counted |= better && arm_.apart(one.q, other.q) < one.blur();
+        }
+        if (counted) continue;
+        merged.push_back({{}, one.branches});
+        std::copy(one.q, one.q + kSix, merged.back().q);
+        continue;
+      }
+      bool again = false;
+      for (const Known* other : isolated) again |= arm_.apart(one.q, other->q) < kSameSolution;
+      if (!again) isolated.push_back(&one);
+    }
+    one_of_each(arm_, T, merged);
+    for (const Known* one : isolated) out.add(arm_, one->q, 1, -1, false);
+    for (Root& root : merged) {
+      bool again = false;
+      for (const Known* one : isolated) again |= arm_.apart(one->q, root.q) < kSameSolution;
+      if (again) continue;
+      for (bool turns : {false, true}) into_limits(arm_, T, limits_, turns, root.q);
+      out.add(arm_, root.q, root.branches, -1, true);
+    }
+    for (std::size_t k = 0; k < out.curves.size(); ++k) {
+      double q[6];
+      out.curves[k].representative(arm_, T, limits_, q);
+      out.add(arm_, q, 1, static_cast<int>(k), true);
+    }
+    out.in_order(arm_);
+  }
+
+  // Columns J to the inverse, [joint][pose]; false where a pivot vanishes.
+  static bool invert(const double (*J)[6], double (*inverse)[6]) {
+    double A[6][12] = {};
+    for (int r = 0; r < kSix; ++r) {
+      for (int i = 0; i < kSix; ++i) A[r][i] = J[i][r];
+      A[r][6 + r] = 1;
+    }
+    for (int k = 0; k < kSix; ++k) {
+      int best = k;
+      for (int r = k + 1; r < kSix; ++r)
+        if (std::fabs(A[r][k]) > std::fabs(A[best][k])) best = r;
+      if (A[best][k] == 0) return false;
+      if (best != k) std::swap_ranges(A[best], A[best] + 12, A[k]);
+      const double pivot = 1 / A[k][k];
+      for (int c = k; c < 12; ++c) A[k][c] *= pivot;
+      for (int r = 0; r < kSix; ++r) {
+        if (r == k) continue;
+        const double part = A[r][k];
+        for (int c = k; c < 12; ++c) A[r][c] -= part * A[k][c];
+      }
+    }
+    for (int i = 0; i < kSix; ++i) std::copy(A[i] + 6, A[i] + 12, inverse[i]);
+    return true;
+  }
+
+  SixJoints arm_;
+  Limits limits_;
+};
+
+}  // namespace pieper::PIEPER_ISA

@@ -1,0 +1,112 @@
+"""Excerpts as books print them: numbers of equations, several a line, branches, indices before letters, own letters."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pieper
+from pieper import DH
+from pieper.judge.excerpt_lines import apart, numbered
+from pieper.judge.verdict import HOLDS, PARTLY
+
+PX = "cos(t1)*(a2*cos(t2) + a3*cos(t2+t3))"
+PLAIN = f"""px = {PX}          (7.1)
+pz = d1 + a2*sin(t2) + a3*sin(t2+t3)   [12]
+(6) theta2 + theta3 = atan2(nz, oz)
+py = sin(t1)*(a2*cos(t2) + a3*cos(t2+t3))   Eq. (5)
+c3 = (px^2+py^2+(pz-d1)^2-a2^2-a3^2)/(2 a2 a3),  s3 = +-sqrt(1-c3^2)
+theta3 = atan2(s3, c3)
+"""
+LATEX = r"""with $r^2 = p_x^2+p_y^2$ and $D = \frac{r^2 + (p_z-d_1)^2 - a_2^2 - a_3^2}{2 a_2 a_3}$
+\[ {}^0_1T = \begin{pmatrix} c_1 & 0 & s_1 & 0 \\ s_1 & 0 & -c_1 & 0 \\ 0 & 1 & 0 & d_1 \\ 0&0&0&1\end{pmatrix} \]
+\[ \theta_3 = \begin{cases} +\arccos D & \text{elbow up} \\ -\arccos D & \text{elbow down}\end{cases} \]
+\[ \theta_2 = \operatorname{atan2}(p_z - d_1, r) - \operatorname{atan2}(a_3 s_3, a_2 + a_3 c_3) \]
+"""
+OWN = "px = cos(t1)*(l_2*cos(t2) + l_3*cos(t2+t3)), pz = l_1 + l_2*sin(t2) + l_3*sin(t2+t3)\n"
+OTHER = "px = cos(t1)*(l_2*cos(t2) - l_3*cos(t2+t3)), pz = l_1 - l_2*sin(t2)\n"
+PLACE = f"x = {PX} (2.1)\ny = sin(t1)*(a2*cos(t2) + a3*cos(t2+t3)) (2.2)\ntheta1 = atan2(y, x)\n"
+
+
+@pytest.fixture(scope="module")
+def robot(tmp_path_factory):
+    file = tmp_path_factory.mktemp("robots") / "three.toml"
+    rows = [DH(d=0.35, alpha=np.pi / 2), DH(a=0.4), DH(a=0.3)]
+    pieper.Arm.from_dh(rows, convention="standard", name="three").save(str(file))
+    return str(file)
+
+
+def judged(text: str, robot: str) -> dict[str, str]:
+    return {v.id: v.status for v in pieper.check(pieper.guess_claims(text, robot, "page")[0]).verdicts}
+
+
+@pytest.mark.parametrize(
+    ("piece", "bare", "tag"),
+    [
+        ("px = a1 c1 (7.1)", "px = a1 c1", "7.1"),
+        ("px = a1 c1, (3.7a)", "px = a1 c1", "3.7a"),
+        ("px = a1 c1  [12]", "px = a1 c1", "12"),
+        ("px = a1 c1   Eq. (5).", "px = a1 c1", "5"),
+        (r"px = a1 c1 \tag{3}", "px = a1 c1", "3"),
+        ("(6) px = a1 c1", "px = a1 c1", "6"),
+        ("7. theta1 = atan2(py, px)", "theta1 = atan2(py, px)", "7"),
+        ("Eq. 4: px = a1 c1", "px = a1 c1", "4"),
+        ("px = a1 c(12)", "px = a1 c(12)", ""),
+        ("px = P05[1]", "px = P05[1]", ""),
+        ("px = R36(3)", "px = R36(3)", ""),
+        ("2 px = a1 c1", "2 px = a1 c1", ""),
+        ("px = a1 (c1 + 2)", "px = a1 (c1 + 2)", ""),
+    ],
+)
+def test_the_number_of_an_equation_is_no_part_of_it(piece, bare, tag):
+    got, said = numbered(piece)
+    assert (got.strip(" ,"), said) == (bare, tag)
+
+
+@pytest.mark.parametrize(
+    ("piece", "parts"),
+    [
+        ("c3 = f, s3 = g", ["c3 = f", "s3 = g"]),
+        ("px = atan2(py, px), py = 2", ["px = atan2(py, px)", "py = 2"]),
+        ("px = r c1 and py = r s1", ["px = r c1", "py = r s1"]),
+        (r"px = r c1 \quad py = r s1", ["px = r c1", "py = r s1"]),
+        ("theta1 = atan2(v, u), for u > 0", ["theta1 = atan2(v, u), for u > 0"]),
+        ("theta1 = atan2(v, u), when s5 = 0", ["theta1 = atan2(v, u), when s5 = 0"]),
+        ("theta1 = atan2(v, u) where u = px", ["theta1 = atan2(v, u)", "u = px"]),
+    ],
+)
+def test_equations_beside_each_other_are_two(piece, parts):
+    assert [part.strip(" ,") for part in apart(piece)] == parts
+
+
+def test_right_lines_of_a_plain_page_are_not_called_wrong(robot):
+    status = judged(PLAIN, robot)
+    assert [status[k] for k in ("7.1", "12", "6", "5", "line 5")] == [HOLDS] * 5
+    assert set(status.values()) <= {HOLDS, PARTLY}
+
+
+def test_branches_symbols_by_their_square_and_indices_before_the_letter_are_read(robot):
+    text, _, missed = pieper.guess_claims(LATEX, robot, "page")
+    assert missed == 0 and 'r = "sqrt(' in text and 'of = "T01"' in text
+    assert {"line 2": HOLDS, "line 3": HOLDS}.items() <= judged(LATEX, robot).items()
+
+
+def test_lengths_of_the_pages_own_naming_are_found_where_one_reading_makes_it_right(robot):
+    text = pieper.guess_claims(OWN, robot, "page")[0]
+    assert all(line in text for line in ('l1 = "d1"', 'l2 = "a2"', 'l3 = "a3"'))
+    assert set(judged(OWN, robot).values()) == {HOLDS}
+
+
+def test_where_no_reading_does_the_letters_are_named_and_nothing_is_claimed(robot):
+    text, read, missed = pieper.guess_claims(OTHER, robot, "page")
+    assert "no length of this arm" in text and (read, missed) == (0, 2)
+
+
+def test_x_and_y_are_the_tools_place(robot):
+    status = judged(PLACE, robot)
+    assert status["2.1"] == status["2.2"] == HOLDS and len(status) == 3
+
+
+def test_a_matrix_with_a_letter_that_nobody_knows_is_not_claimed(robot):
+    text = r"A_1 = \begin{bmatrix} c_1 & 0 & w_9 & 0 \\ s_1 & 0 & -c_1 & 0 \\ 0 & 1 & 0 & d_1 \\ 0&0&0&1 \end{bmatrix}"
+    assert "[[claim]]" not in pieper.guess_claims(text, robot, "page")[0]
