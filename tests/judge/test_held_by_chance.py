@@ -132,6 +132,24 @@ def test_what_is_added_far_behind_the_point_is_seen(extra):
     assert entry(ELBOW, "Px", f"c1(a2 c2 + a3 c23) + {extra}").wrong
 
 
+@pytest.mark.parametrize("extra", ["1e-8", "1e-9", "4e-10", "1e-10", "1e-11", "1e-12"])
+@pytest.mark.parametrize(
+    "claim",
+    [
+        'kind = "equation"\nis = "px = c1(a2 c2 + a3 c23) + %s"',
+        'kind = "entry"\nof = "Pz"\nis = "d1 + a2 s2 + a3 s23 + %s"',
+        'kind = "jacobian"\nof = "J[3,3]"\nis = "a3 c23 + %s"',
+    ],
+)
+def test_a_small_difference_is_wrong_everywhere_whatever_the_tolerance(claim, extra):
+    found = verdict(ELBOW, claim % extra)
+    assert found.wrong and ("if only just" in found.sentence or "right at 0 of 96" in found.sentence), found.sentence
+    example = dict(found.details).get("counter-example", "")
+    if "left side" in example:
+        left, right = example.split("left side ")[1].split(", right side ")
+        assert left != right
+
+
 @pytest.mark.parametrize(
     ("of", "formula", "status"),
     [

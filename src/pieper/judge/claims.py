@@ -170,7 +170,11 @@ def judge_tables(name: str, data: dict[str, Any], arm: Described | None = None) 
                 benches[key].define_matrix(matrix, rows)
             except InputError as error:
                 raise InputError(f"{name}: [matrices] {matrix}: {error}") from None
-        for symbol, body in in_order({plain(k): str(v) for k, v in _symbols(data, key).items()}).items():
+        try:
+            symbols = in_order({plain(k): str(v) for k, v in _symbols(data, key).items()})
+        except InputError as error:
+            raise InputError(f"{name}: [symbols] {error}") from None
+        for symbol, body in symbols.items():
             try:
                 benches[key].define(symbol, body)
             except InputError as error:

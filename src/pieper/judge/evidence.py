@@ -21,15 +21,16 @@ from pieper.judge.conditions import Condition, read_conditions
 from pieper.judge.keys import UNITS
 from pieper.judge.letters import MatrixLetter, neighbours, pick_letters
 from pieper.judge.matrices import value_of
-from pieper.judge.model import ArmModel
+from pieper.judge.model import POSE_NAMES, ArmModel
 from pieper.judge.products import Product, factors_of, parse_product
 from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample, some
 from pieper.judge.search.search import Goal
 from pieper.judge.slips.arm_slips import arm_slips
-from pieper.judge.symbols import in_order, plain
+from pieper.judge.symbols import in_order, plain, refuse, refuse_another
 from pieper.tolerances import EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
 
 MOST_ROWS = 4  # of a matrix of the file's own
+SIGNS = 24  # joint vectors at which a page's sine is compared with the joint's
 DRAWS = 60  # of joint vectors, until enough meet the conditions of a claim
 SOLVER_POSES = 10  # poses at which the other solutions are asked for
 
@@ -88,21 +89,25 @@ class Evidence:
     def define(self, name: str, text: str) -> None:
         """Add a symbol of the file; "?" marks one that the source uses and never defines."""
         name = plain(name)
-        if name in self.model.names():
-            raise InputError(
-                f"the symbol {name!r} already means something for this arm; choose another name", symbol=name
-            )
+        turned = refuse(name, self.model.n, self.model.names())
         if str(text).strip() == "?":
             self.unknown.append(name)
             self.definitions[name] = Mention(f"{name}?")
             return
-        self.definitions[name] = self.parse(str(text)).substitute(self.definitions)
+        node = self.parse(str(text)).substitute(self.definitions)
+        if turned is not None and not node.symbols() & {pose[0] for pose in POSE_NAMES}:
+            env = self.draw(SIGNS, vary={}).env
+            refuse_another(name, node, *(np.asarray(tree.evaluate(env), dtype=float) for tree in (node, turned)))
+        self.definitions[name] = node
 
     def local(self, where: Mapping[str, Any]) -> dict[str, Expr]:
         """Read definitions that belong to one claim alone; later ones may use earlier ones."""
         local: dict[str, Expr] = {}
-        for name, body in in_order({plain(k): str(v) for k, v in where.items()}).items():
+        with under("where"):
+            ordered = in_order({plain(k): str(v) for k, v in where.items()}, {*self.model.names(), *self.definitions})
+        for name, body in ordered.items():
             with under(f"where {name}"):
+                refuse(name, self.model.n)
                 local[name] = self.read(body, {*self.definitions, *local}).substitute(local)
         return local
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper.algebra.expression import Expr
 from pieper.judge.claim import Claim
-from pieper.judge.evidence import Evidence, number
+from pieper.judge.evidence import Evidence, number, wrapped
 from pieper.judge.judges.formulas import judge_equal
 from pieper.judge.samples import Samples, samples_at
 from pieper.judge.verdict import Verdict
@@ -19,6 +19,8 @@ MARCHES = 60  # of a search for a zero of a formula
 ZEROS = 40  # joint vectors with the formula at zero that are looked at
 MOST_ROWS = 6
 HALVINGS = 8  # of a step that does not help
+FEW_PLACES = 3  # singular joint vectors that show what they have in common
+HALF_TURN = 180.0
 
 
 def rows_for(ev: Evidence, claim: Claim) -> list[int]:
@@ -121,7 +123,7 @@ def judge_singular(ev: Evidence, claim: Claim) -> Verdict:
     bad = 0
     never = True
     for part, node in zip(parts, nodes, strict=True):
-        q, least = _zeros(ev, node)
+        q, least = _zeros(ev, _value_of(ev, node))
         if not len(q):
             lines.append(
                 (part, f"no joint vector was found that makes it zero; the smallest value met is {number(least)}")
@@ -142,10 +144,12 @@ def judge_singular(ev: Evidence, claim: Claim) -> Verdict:
     if bad:
         return claim.wrong("Wrong: the arm is not singular wherever that is zero.", lines)
     others = _elsewhere(ev, claim, nodes)
-    if others is None:
+    if not others:
         return claim.holds("Holds: the Jacobian loses rank wherever it is zero.", lines)
-    lines.append(("others", others))
-    return claim.holds("Holds: the Jacobian loses rank wherever it is zero; it does so elsewhere too.", lines)
+    lines.append(("left out", f"the arm is singular {others}, and nothing that is named is zero there"))
+    return claim.holds(
+        f"Holds: the Jacobian loses rank wherever it is zero; it does so elsewhere too, {others}.", lines
+    )
 
 
 def _samples_at(ev: Evidence, q: np.ndarray) -> Samples:
@@ -153,6 +157,16 @@ def _samples_at(ev: Evidence, q: np.ndarray) -> Samples:
     ev.pick(found.env, found.frames)
     ev.fill(found.env)
     return found
+
+
+def _value_of(ev: Evidence, node: Expr) -> Callable[[np.ndarray], np.ndarray]:
+    """A formula's values at joint vectors."""
+
+    def value(q: np.ndarray) -> np.ndarray:
+        with np.errstate(all="ignore"):
+            return np.broadcast_to(np.asarray(node.evaluate(_samples_at(ev, q).env), dtype=float), (len(q),))
+
+    return value
 
 
 def _least(ev: Evidence, claim: Claim, q: np.ndarray) -> np.ndarray:
@@ -165,20 +179,26 @@ def _least(ev: Evidence, claim: Claim, q: np.ndarray) -> np.ndarray:
     return values[:, -1] / values[:, 0]
 
 
-def _zeros(ev: Evidence, node: Expr) -> tuple[np.ndarray, float]:
-    """Joint vectors (K, n) at which a formula is zero, and the smallest size that it had.
+def _zeros(
+    ev: Evidence, value: Callable[[np.ndarray], np.ndarray], *, round_about: bool = False
+) -> tuple[np.ndarray, float]:
+    """Joint vectors (K, n) at which a value is zero, and the smallest size that it had.
 
     They are found by halving between samples of opposite signs; a formula that keeps its sign, as a sum of squares
     does, is followed down to where it touches zero.
+
+    Args:
+        ev: The arm and its samples.
+        value: Joint vectors (K, n) -> values (K,).
+        round_about: Whether joints may go over the half turn.
     """
-
-    def value(q: np.ndarray) -> np.ndarray:
-        with np.errstate(all="ignore"):
-            return np.broadcast_to(np.asarray(node.evaluate(_samples_at(ev, q).env), dtype=float), (len(q),))
-
     rng = np.random.default_rng(12)
     start = ev.samples.q[ev.samples.nominal]
     a, b = start.copy(), start[rng.permutation(len(start))]
+    if round_about:
+        # over the half turn too, at which the samples end
+        turning = np.array([not ev.model.sliding(j + 1) for j in range(ev.model.n)])
+        b = b + 2 * np.pi * turning * rng.integers(-1, 2, size=b.shape)
     at_a, at_b = value(a), value(b)
     rows = np.isfinite(at_a) & np.isfinite(at_b) & (at_a * at_b < 0)
     a, b, at_a = a[rows][:ZEROS], b[rows][:ZEROS], at_a[rows][:ZEROS]
@@ -222,22 +242,56 @@ def _touching(value: Callable[[np.ndarray], np.ndarray], q: np.ndarray) -> np.nd
     return q
 
 
-def _elsewhere(ev: Evidence, claim: Claim, nodes: list[Expr]) -> str | None:
-    """What is said of singular configurations where none of the formulas is zero; None when there are none.
+def _elsewhere(ev: Evidence, claim: Claim, nodes: list[Expr]) -> str:
+    """Where the arm is singular though none of the formulas is zero, in words; "" where no such place is found.
 
-    The determinant divided by the formulas must keep its sign, or the arm is singular elsewhere too.
+    The determinant's own zeros are looked for, and those at which a formula is zero are taken out.
     """
     if ev.model.n > MOST_ROWS:
-        return None
+        return ""
     rows = rows_for(ev, claim) if ev.model.n < MOST_ROWS or "rows" in claim else list(range(MOST_ROWS))
-    own = ev.samples.nominal
-    det = np.linalg.det(ev.samples.frames["J"][:, rows, :])[own]
-    with np.errstate(all="ignore"):
-        rest = det.copy()
-        for node in nodes:
-            rest = rest / np.broadcast_to(np.asarray(node.evaluate(ev.samples.env), dtype=float), own.shape)[own]
-    if np.all(rest > 0) or np.all(rest < 0):
-        return None
-    return (
-        f"what is left of the determinant changes its sign ({number(float(rest.min()))} to {number(float(rest.max()))})"
+    q, _ = _zeros(ev, lambda at: np.linalg.det(_samples_at(ev, at).frames["J"][:, rows, :]), round_about=True)
+    if not len(q):
+        return ""
+    env = _samples_at(ev, q).env
+    named = np.zeros(len(q), dtype=bool)
+    for node in nodes:
+        value = np.broadcast_to(np.asarray(node.evaluate(env), dtype=float), (len(q),))
+        size = np.nanmedian(np.abs(np.asarray(node.evaluate(ev.samples.env), dtype=float)))
+        named |= np.abs(wrapped(value) if _is_angle(ev, node) else value) < JUDGED_HOLDS * max(float(size), NO_LENGTH)
+    q = q[~named]
+    return _places(ev, q) if len(q) else ""
+
+
+def _is_angle(ev: Evidence, node: Expr) -> bool:
+    """Whether a formula goes up by whole turns when a joint does, as theta2 - pi does."""
+    q = ev.samples.q[:1]
+    turns = [
+        (
+            float(node.evaluate(_samples_at(ev, q + 2 * np.pi * e).env)[0])
+            - float(node.evaluate(_samples_at(ev, q).env)[0])
+        )
+        / (2 * np.pi)
+        for k, e in enumerate(np.eye(ev.model.n))
+        if not ev.model.sliding(k + 1)
+    ]
+    whole = np.round(turns)
+    return bool(np.any(whole != 0) and np.abs(np.array(turns) - whole).max() < JUDGED_HOLDS)
+
+
+def _places(ev: Evidence, q: np.ndarray) -> str:
+    """Joint vectors (K, n) in words: the joint that stands still among them, or one of them."""
+    for joint in range(1, ev.model.n + 1):
+        turned = np.exp(1j * q[:, joint - 1])
+        shared = np.abs(turned[:, None] - turned[None]) < JUDGED_HOLDS
+        most = int(np.argmax(shared.sum(1)))
+        if ev.model.sliding(joint) or shared[most].sum() < FEW_PLACES:
+            continue
+        angle = float(np.degrees(wrapped(np.angle(turned[most]))))
+        angle = abs(angle) if abs(angle) > HALF_TURN - JUDGED_HOLDS else round(angle, 4)
+        others = "" if shared[most].all() else ", among others"
+        return f"where theta{joint} = {angle + 0.0:.4g} deg{others}"
+    joints = ", ".join(
+        f"{v:.4g}" if ev.model.sliding(k + 1) else f"{np.degrees(wrapped(v)):.4g}" for k, v in enumerate(q[0])
     )
+    return f"at joints ({joints}) deg, for one"

@@ -83,8 +83,8 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
     details = [
         (
             "candidates",
-            f"{combinations} of branches at {len(rows)} {what}s: {plural(int(found.sum()), 'different solution')} "
-            f"among {len(rows) * len(candidates)} that forward kinematics confirms",
+            f"{combinations} of branches at {len(rows)} {what}s: {int(found.sum())} of {len(rows) * len(candidates)} "
+            "close under forward kinematics",
         ),
         ("solutions", f"found {spread} of the {what}s; {there}"),
     ]

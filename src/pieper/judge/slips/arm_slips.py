@@ -38,7 +38,7 @@ def arm_slips(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
     for i, row in enumerate(model.rows):
         joint, zero = i + 1, number(0)
         if not model.sliding(joint):
-            if str(row.a) != str(row.d):
+            if _value(model, row.a) or _value(model, row.d):
                 yield "row", f"a and d swapped in row {joint}", model.with_row(i, a=row.d, d=row.a)
             yield "sense", f"joint {joint} turns the other way", _turned(model, i, Neg.of)
             for degrees in (90, -90, 180):
