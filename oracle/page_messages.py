@@ -58,6 +58,7 @@ def wholes(q: npt.ArrayLike, T: npt.ArrayLike, T1: npt.ArrayLike) -> dict[str, d
         "clearance": {"q": posture, "world": world},
         "bodies": {},
         "follow": {"T0": here, "T1": there, "n": 5, "start": posture},
+        "cures": {"T0": here, "T1": there, "n": 5, "start": posture},
         "self_motions": {"T": here, "q": posture},
         "motion": {"postures": [posture, aside], "seconds": [0.5], "holds": [0.1], "rate": 50},
         "equations": {"which": "forward", "numbers": "symbols"},

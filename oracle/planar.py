@@ -1,4 +1,4 @@
-"""What a planar arm of three turning joints can reach along a path, by the plane's own formulas over a grid of headings."""
+"""What a planar arm of three turning joints reaches along a path, by the plane's own formulas."""
 
 import numpy as np
 

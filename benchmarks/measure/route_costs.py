@@ -16,8 +16,11 @@ TURNS, NEAR = 1440, 24
 STEP = 0.6
 
 
-def ladder(arm: Arm, path: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
-    """Return the cheapest chain (N, n) over the grid and its turns (N,), whole turns of wide joints apart."""
+def ladder(arm: Arm, path: np.ndarray, most: float) -> tuple[np.ndarray, np.ndarray] | None:
+    """Return the cheapest chain (N, n) over the grid and its turns (N,), whole turns of wide joints apart.
+
+    What costs more than `most` is let go on the way.
+    """
     N = len(path)
     low, high = arm.limits.T
     Rz = rotation_z(np.arange(TURNS) * 2 * np.pi / TURNS)
@@ -34,19 +37,16 @@ def ladder(arm: Arm, path: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
         origin = np.full((*cost.shape, 2), -1)
         if i:
             last, before = rows[-1], costs[-1]
-            alive = np.flatnonzero(np.isfinite(before).any(0))
-            for shift in range(-NEAR, NEAR + 1):
-                old, paid = np.roll(last, shift, 0), np.roll(before, shift, 0)
-                for d in alive.tolist():
-                    gap = q - old[:, None, d]
+            for d in np.flatnonzero(np.isfinite(before).any(0)).tolist():
+                source = np.flatnonzero(np.isfinite(before[:, d]))
+                for shift in range(-NEAR, NEAR + 1):
+                    k = (source + shift) % TURNS
+                    gap = q[k] - last[source, None, d]
                     gap = np.where(wide, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
-                    step = np.where(np.abs(gap).max(-1) > STEP, np.inf, (gap**2).sum(-1)) + paid[:, None, d]
-                    better = step < cost
-                    cost = np.where(better, step, cost)
-                    origin[better] = np.stack(
-                        [np.repeat((np.arange(TURNS)[:, None] - shift) % TURNS, q.shape[1], 1), np.full(cost.shape, d)],
-                        -1,
-                    )[better]
+                    step = np.where(np.abs(gap).max(-1) > STEP, np.inf, (gap**2).sum(-1)) + before[source, None, d]
+                    at, row = np.nonzero((step < cost[k]) & (step <= most))
+                    cost[k[at], row] = step[at, row]
+                    origin[k[at], row] = np.stack([source[at], np.full(len(at), d)], -1)
         rows.append(q)
         costs.append(cost)
         came.append(origin)
@@ -119,7 +119,8 @@ def ladder_cost(arm: Arm, path: np.ndarray, free: pieper.Freedom) -> dict[str, A
     does not fit says nothing.
     """
     route = arm.route(path, free=free)
-    found = ladder(arm, path)
+    # a chain on the grid costs a little more than made short, never half as much again
+    found = ladder(arm, path, 1.5 * route.cost)
     if found is None:
         return {"cost": route.cost, "ladder": None}
     cost, q = shortened(arm, path, *found)

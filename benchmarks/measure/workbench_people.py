@@ -34,16 +34,21 @@ ON_THE_WAY = 64
 LAST = 120
 #: How often each kind of message is sent in a fuzz, beside the others.
 WEIGHTS = {
-    "report": 0.004,
-    "film": 0.03,
-    "route_others": 0.1,
-    "route_program": 0.2,
-    "equations": 0.2,
+    "report": 0.001,
+    "film": 0.01,
+    "cures": 0.02,
+    "route_others": 0.05,
+    "route_program": 0.1,
+    "equations": 0.1,
+    "program": 0.1,
     "voxels": 0.2,
-    "program": 0.3,
-    "cloud": 0.3,
-    "formulas": 0.4,
-    "self_motions": 0.4,
+    "cloud": 0.2,
+    "formulas": 0.2,
+    "self_motions": 0.2,
+    "python": 0.3,
+    "program_file": 0.3,
+    "nearest": 0.5,
+    "route": 0.5,
 }
 
 
@@ -297,7 +302,8 @@ def _judged(page: Asked, arms: dict[str, pieper.Arm], shown: dict[int, str]) -> 
     return {
         "messages": len(page.sent),
         "lost": counts.count(0),
-        "lost_kinds": sorted({page.sent[s][0]["op"] for s in page.sent if s not in page.answers}),
+        # what came after the first one may only have waited behind it
+        "first_lost": [str(page.sent[s][0])[:2000] for s in page.sent if s not in page.answers][:1],
         "twice": sum(c > 1 for c in counts),
         "refused": refused,
         "faults": faults,
@@ -318,9 +324,12 @@ def _missed(arm: pieper.Arm, message: dict[str, Any], answer: dict[str, Any]) ->
     if op == "follow" and answer["q"]:
         return _apart(arm.fk(np.array(answer["q"])), answer["path"][: len(answer["q"])])
     if op in ("program", "motion") and answer["q"]:
-        first = message["start"] if op == "program" else message["postures"][0]
-        q = np.array(answer["q"])
-        return float(np.abs(q[0] - first).max()) if q.shape[1] == arm.n else np.inf
+        # a leg of no time at all has left its first posture at once, so that the last one is looked at
+        q, at, wanted = (
+            np.array(answer["q"]),
+            *((0, message["start"]) if op == "program" else (-1, message["postures"][-1])),
+        )
+        return float(np.abs(q[at] - wanted).max()) if q.shape[1] == arm.n else np.inf
     return None
 
 
@@ -339,7 +348,7 @@ def measure_fuzz(port: int, count: int, sessions: int = 8) -> dict[str, Any]:
         "sessions": sessions,
         **{key: sum(f[key] for f in found) for key in summed},
         "not_json_or_binary": -(-count // sessions) * sessions - sum(f["messages"] for f in found),
-        "lost_kinds": sorted({k for f in found for k in f["lost_kinds"]}),
+        "first_lost": [x for f in found for x in f["first_lost"]],
         "connections_lost": sum(not f["alive"] for f in found),
         "faults": [x for f in found for x in f["faults"]],
         "foreign": [x for f in found for x in f["foreign"]],

@@ -41,6 +41,30 @@ inline std::vector<Group3> groups_of(const SixJoints& arm) {
   return groups;
 }
 
+// By how much (rad; lengths) an arm departs from one whose neighbouring axes are parallel, at right angles, or meet, where it is taken
+// for such a one: so far its self-motions are those of that arm, and hold the pose no better.
+inline double departs(const SixJoints& arm) {
+  double q[6] = {0.3, -0.7, 0.9, 0.5, 1.1, -0.4}, most = 0;
+  const Standing at(arm, q);
+  auto counted = [&](double off, double scale) {
+    if (off < kGroupExact * scale) most = std::fmax(most, off);
+  };
+  for (int i = 0; i + 1 < kSix; ++i) {
+    const Vec3 n = cross(at.z[i], at.z[i + 1]);
+    const double sine = length_of(n), scale = 1 + largest(at.o[i]);
+    counted(sine, 1), counted(std::fabs(dot(at.z[i], at.z[i + 1])), 1);
+    if (arm.slides[i] || arm.slides[i + 1] || sine < kClearlyCrossing) continue;
+    counted(std::fabs(dot(at.o[i + 1] - at.o[i], n)) / sine, scale);
+  }
+  for (const Group3& group : groups_of(arm)) {
+    if (group.flat) continue;
+    const Vec3 point = at.o[group.first] + group.along * at.z[group.first];
+    for (int k = group.first + 1; k < group.first + 3; ++k)
+      counted(length_of(cross(point - at.o[k], at.z[k])), 1 + largest(point));
+  }
+  return most;
+}
+
 // What the joints beside a group do to what it cannot change, and the same of any twist (linear at the end of the arm).
 struct Beside {
   int joint[3], free = -1, moving = 0, rest[3];

@@ -19,7 +19,12 @@ namespace pieper::PIEPER_ISA {
 class Look {
  public:
   Look(const SixJoints& arm, const Limits& limits)
-      : arm_(arm), limits_(limits), groups_(groups_of(arm)), next_to_{arm} {}
+      : arm_(arm),
+        limits_(limits),
+        groups_(groups_of(arm)),
+        departs_(departs(arm)),
+        held_(10 * std::fmax(kOnCurve, departs_)),
+        next_to_{arm} {}
 
   // What there is at T, of which a closed-form kernel gave rows (count x 6); false where that cannot be read off.
   bool operator()(const Rigid& T, const double* rows, int count, Read& out) const {
@@ -121,11 +126,11 @@ class Look {
     return false;
   }
 
-  // What axes may miss for rounding.
-  static double rounding_at(const Standing& at) {
+  // What axes may miss for rounding, and as the arm departs from what it is taken for: each of four by as much.
+  double rounding_at(const Standing& at) const {
     double farthest = 0;
     for (const Vec3& o : at.o) farthest = std::fmax(farthest, largest(o));
-    return kInOneLine * (1 + farthest);
+    return std::fmax(kInOneLine, 4 * departs_) * (1 + farthest);
   }
 
   bool singular_row(const Rigid& T, const double* q, const Standing& at, const SingularSix& d, const Rows& rows,
@@ -198,7 +203,7 @@ class Look {
     }
     if (gap > kNextToLinkage) return true;
     // joints outside the linkage may make up for what it misses, or move it by so much unnoticed: a second look tells
-    const bool unnoticed = gap * d.s[4] <= kUnnoticed * d.s[0];
+    const bool unnoticed = gap * d.s[4] <= unnoticed_ * d.s[0];
     if (unnoticed && (line ? in_line(T, q, i, j, motions) : in_a_linkage(T, q, bar, motions))) free = Free::SELF_MOTION;
     // beside a line of a group there are the wrist's two, whatever the singular value; beside others roots stand apart as far as it is
     // of the gap, and are known to rounding over it
@@ -234,7 +239,7 @@ class Look {
   bool brought(const Rigid& T, const double* q, std::vector<SelfMotionRead>& motions, Gap gap) const {
     double there[6];
     std::copy(q, q + kSix, there);
-    if (!(into_place(arm_, T, gap, there) < kUnnoticed)) return false;
+    if (!(into_place(arm_, T, gap, there) < unnoticed_)) return false;
     const Standing at(arm_, there);
     for (const Group3& group : groups_) {
       const Fibre fibre = fibre_over(arm_, group, there, at, rounding_at(at));
@@ -318,14 +323,14 @@ class Look {
       if (const auto* linkage = std::get_if<LinkageSelfMotion>(&one)) {
         for (int k = 0; k < 7; ++k) {
           linkage->point(k / 6.0, at);
-          if (missed_at(arm_, at, T) > 10 * kOnCurve) return false;
+          if (missed_at(arm_, at, T) > held_) return false;
         }
         linkage->point(0.377, at);
       } else {
         const LineSelfMotion& line = std::get<LineSelfMotion>(one);
         std::copy(line.through, line.through + kSix, at);
         at[line.i] += 0.377, at[line.j] -= 0.377 * line.sense;
-        if (missed_at(arm_, at, T) > 10 * kOnCurve) return false;
+        if (missed_at(arm_, at, T) > held_) return false;
       }
       bool known = false;
       for (const auto* some : {&std::as_const(motions), &std::as_const(fresh)})
@@ -341,6 +346,8 @@ class Look {
   SixJoints arm_;
   Limits limits_;
   std::vector<Group3> groups_;
+  double departs_, held_,
+      unnoticed_;  // what points of its self-motions may miss the pose by, and axes in place cost it
   NextToMotion next_to_;
 };
 

@@ -292,7 +292,7 @@ def spline(s: ArrayLike, q: ArrayLike) -> tuple[Array, Array, Array]:
 
 def strays(s: ArrayLike, d2: ArrayLike, d3: ArrayLike) -> float: ...
 def tightest(values: ArrayLike, least: float) -> tuple[tuple[int, int, int], ...]:
-    """Runs of pieces (first, one behind the last, row) on which one row of values (r, k) is largest, at least so much."""
+    """Runs of pieces (first, one behind last, row) where one row of values (r, k) is largest, at least so much."""
 
 def fastest(
     *,

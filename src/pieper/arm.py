@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
-from math import dist
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
@@ -17,16 +15,16 @@ from pieper.description import change
 from pieper.description.dh import DH, Description, describe
 from pieper.description.fold import chain_of
 from pieper.description.posture import posture
-from pieper.errors import PieperWarning
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
-from pieper.kinematics.pose import PoseLike
+from pieper.kinematics.meant import remark_far_away
+from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
 from pieper.solver import verbs
 from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
-from pieper.solver.results import Closest, SolutionBatch, Solutions
+from pieper.solver.results import Closest, SolutionBatch, Solutions, Status
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
@@ -34,9 +32,6 @@ if TYPE_CHECKING:
     from pieper.equations import Symbolic
     from pieper.motion.dialects.configuration import Configuration
     from pieper.motion.track import Track
-
-#: A pose this many reaches away was probably said in millimetres.
-FAR_AWAY = 100.0
 
 
 class Arm(AlongPaths):
@@ -272,22 +267,15 @@ class Arm(AlongPaths):
         """
         sols = verbs.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
         if not len(sols.all_q):
-            self._remark_far_away(sols.T)
+            self._remark_far_away(sols.T[None])
         if scene is not None:
             sols.keep_clear(partial(self.distance, scene=scene))
         return sols
 
     def _remark_far_away(self, T: Array) -> None:
-        """Warn where a pose without a solution is so far away that millimetres were probably meant."""
+        """Warn where poses without a solution are so far away that millimetres were probably meant."""
         base, reach = self.extent
-        away = dist(base, T[:3, 3].tolist())
-        if away > FAR_AWAY * reach:
-            warnings.warn(
-                f"the pose is {away:.4g} m away and {self.name} reaches {reach:.3g} m; metres are meant. Were these "
-                "millimetres? pieper.pose(..., mm=True) takes them.",
-                PieperWarning,
-                stacklevel=3,
-            )
+        remark_far_away(T[:, :3, 3], np.array(base), reach, self.name)
 
     def ik_many(
         self,
@@ -323,7 +311,7 @@ class Arm(AlongPaths):
         Raises:
             InputError: Something given is impossible; the message says what, what is allowed and how to cure it.
         """
-        return verbs.ik_many(
+        found = verbs.ik_many(
             self.plan if task is None else self.plan_for(task),
             Ts,
             threads,
@@ -337,6 +325,10 @@ class Arm(AlongPaths):
             out=out,
             progress=progress,
         )
+        nowhere = np.flatnonzero(found.status == Status.OUT_OF_REACH)
+        if len(nowhere):
+            self._remark_far_away(np.asarray(as_pose(Ts), np.float64)[nowhere])
+        return found
 
     def _where(self, q: ArrayLike | str | None, what: str) -> ArrayLike | None:
         return None if q is None else self._joints(q, what)
@@ -349,7 +341,6 @@ class Arm(AlongPaths):
             task: As in `ik`; only what it asks for counts.
             weights: (2,) what a metre and a radian count; None for position first, and then orientation.
         """
-        from pieper.kinematics.pose import checked_pose
         from pieper.solver.words.closest import closest
 
         return closest(self.plan if task is None else self.plan_for(task), checked_pose(T), weights=weights)

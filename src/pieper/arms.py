@@ -6,9 +6,8 @@ import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from pieper.arm import Arm
-
 if TYPE_CHECKING:
+    from pieper.arm import Arm
     from pieper.description.catalog_index import Entry
 
 
@@ -34,6 +33,7 @@ def load(
     Raises:
         InputError: No such arm or file, or the file says something impossible or leaves a choice; the message lists it.
     """
+    from pieper.arm import Arm
     from pieper.description import source as door
 
     said = door.read(source, base=base, tip=tip, missing_limits=missing_limits, xacro_args=xacro_args)
@@ -46,6 +46,7 @@ def ur_calibrated(path: str | os.PathLike[str]) -> Arm:
     Raises:
         InputError: The file is missing or no calibration; the message names link and number.
     """
+    from pieper.arm import Arm
     from pieper.description import ur_calibration
 
     return Arm(ur_calibration.read(path))

@@ -174,6 +174,10 @@ def test_a_line_that_fails_on_the_way_and_why(bench):
     assert "35 of 50" in text and "out of reach" in text
     assert numbers(text.split("s = ")[1])[0] == pytest.approx(1 - 0.304405, abs=2e-3)
     assert bench.page.get_by_test_id("chart").locator(".event.stop").count() == 1
+    # what would let it pass is looked for meanwhile, and said when it is found
+    bench.until("!document.querySelector('[data-testid=path-verdict]').textContent.includes('Looking for')")
+    said = verdict.inner_text().splitlines()
+    assert said[:2] == text.splitlines()[:2] and any("ure" in line for line in said)
     bench.shot("line-fails", both=True)
 
 

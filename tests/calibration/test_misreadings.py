@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -41,6 +42,10 @@ SPOILT = {
     "out of step|shuffled": lambda q, Y, rng: (np.roll(q, 2, 0), Y),
     "another frame": lambda q, Y, rng: (q, pieper.pose(1.0, 2.0, 0.5, rpy=(0.3, 0.5, 1.2)) @ Y),
     "seen from the tool": lambda q, Y, rng: (q, np.linalg.inv(Y)),
+    "another point or frame of the tool": lambda q, Y, rng: (q, Y @ pieper.pose(0.2, 0.05, 0.08, rpy=(0.4, 0.2, 0))),
+    "are exchanged": lambda q, Y, rng: (q[:, [0, 2, 1, *range(3, q.shape[1])]], Y),
+    "move the other way": lambda q, Y, rng: (q * ([1, -1, 1, -1] + [1] * (q.shape[1] - 4)), Y),
+    "the zero of .* lies -90 deg away": lambda q, Y, rng: (q + np.eye(q.shape[1])[1] * np.pi / 2, Y),
 }
 
 
@@ -85,7 +90,7 @@ def test_too_few_and_identical_poses_say_how_many_are_needed():
     arm, q, Y, _ = case("denso-vp6242")
     with pytest.raises(pieper.InputError, match="at least 5 different poses"):
         arm.calibrate(q[:5], Y[:5])
-    with pytest.raises(pieper.InputError, match="only 1 are different"):
+    with pytest.raises(pieper.InputError, match="only 1 is different"):
         arm.calibrate(np.repeat(q[:1], 40, 0), np.repeat(Y[:1], 40, 0))
 
 
@@ -135,7 +140,7 @@ def test_single_numbers_are_read_right_too(name, kind):
         "the other way": (q * flip, Y),
         "3 rows out of step": (np.roll(q, 3, 0), Y),
         "do not belong together": (q[rng.permutation(len(q))], Y),
-        "only 1 are different": (np.repeat(q[:1], len(q), 0), np.repeat(Y[:1], len(q), 0)),
+        "only 1 is different": (np.repeat(q[:1], len(q), 0), np.repeat(Y[:1], len(q), 0)),
         "are needed": (q[:8], Y[:8]),
     }
     for words, (a, b) in cases.items():
@@ -151,3 +156,33 @@ def test_heights_that_are_noise_alone_are_a_plane_that_was_touched():
     q = np.array([rows[0] for rows in (arm.ik(T).q for T in flat) if len(rows)])
     for heights in (None, rng.normal(0, NOISE[0], len(q))):
         assert arm.calibrate(q, heights, kind="plane", sigma=NOISE).spread < 1.5
+
+
+@pytest.mark.parametrize("kind", ["frame", "tool"])
+def test_a_frame_is_named_of_an_arm_that_is_itself_millimetres_off_and_its_cure_works(kind):
+    arm, q, _, rng = case("denso-vp6242")
+    model = planted(arm, rng)
+    model = replace(model, home=model.home @ pieper.pose(0.01, -0.005, 0.005, rotvec=(5e-3, 1e-2, -5e-3)))
+    X = pieper.pose(1, 2, 3, rpy=(0.3, 0.2, 1)) if kind == "frame" else pieper.pose(0.1, 0.1, 0.15, rpy=(0.1, 0.4, 1))
+    Y = noisy(model.fk(q), rng)
+    Y = X @ Y if kind == "frame" else Y @ X
+    with pytest.raises(pieper.InputError, match="frame") as refused:
+        arm.calibrate(q, Y)
+    if kind == "frame":
+        arm = arm.with_base(refused.value.frame @ arm.base)
+    else:
+        arm = arm.with_tool(arm.tool @ refused.value.tool)
+    assert arm.calibrate(q, Y).held_out.metres < 3e-4
+
+
+def test_noise_that_was_said_far_too_large_is_told():
+    arm, q, Y, _ = case("denso-vp6242")
+    assert "Was sigma meant in metres" in arm.calibrate(q, Y, sigma=(0.05, 0.01)).explain()
+    assert "Was sigma" not in arm.calibrate(q, Y, sigma=NOISE).explain()
+
+
+def test_directions_that_are_not_seen_are_said_in_the_base_frame():
+    arm, q, _, rng = case("denso-vp6242")
+    q[:, 3:] = q[0, 3:]
+    told = arm.calibrate(q, noisy(planted(arm, rng).fk(q), rng)).explain()
+    assert " tilt " in told and "in the base frame with all joints at zero" in told

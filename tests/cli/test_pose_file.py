@@ -114,3 +114,12 @@ def test_a_file_is_read_block_by_block(written, monkeypatch):
     sizes = [len(block) for block in PoseFile(str(file), Units()).blocks(told.append)]
     assert sizes == [7, 7, 6]
     assert sum(told) == file.stat().st_size
+
+
+@pytest.mark.parametrize(
+    "text", ["z [m];y [m];x [m]\n0,4;0;0,35\n", "z_m\ty_m\tx_m\n0,4\t0\t0,35\n", "x;y;z\n350;0;400\n"]
+)
+def test_tables_of_spreadsheets_with_semicolons_and_decimal_commas_are_read(tmp_path, text):
+    (tmp_path / "p.csv").write_text(text)
+    poses = np.concatenate(list(PoseFile(str(tmp_path / "p.csv"), Units("mm", "deg")).blocks()))
+    assert np.allclose(poses[:, :3, 3], [[0.35, 0.0, 0.4]])

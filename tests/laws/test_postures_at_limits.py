@@ -1,4 +1,4 @@
-"""A posture whose joints stand on their limits, as many of them as there are, is inside: alike in one pose and in many."""
+"""A posture whose joints stand on their limits, however many, is inside: alike in one pose and in many."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def posture(arm: Arm, rng: np.random.Generator, kind: str) -> np.ndarray:
 
 
 def limited(arm: Arm, q: np.ndarray, rng: np.random.Generator, how: str) -> Arm:
-    """Return the arm with limits about q (6,), of which one to six joints are met, have no width, or a turn and more."""
+    """Return the arm with limits about q (6,): one to six joints stand at one, of no width, or a turn and more wide."""
     lower, upper = q - rng.uniform(0.05, 1.5, 6), q + rng.uniform(0.05, 1.5, 6)
     for j in rng.choice(6, rng.integers(1, 7), replace=False):
         what = rng.choice(["stop", "turns", "point"]) if how == "mixed" else how

@@ -142,8 +142,13 @@ def test_the_uncoupled_arm_is_the_same_by_its_axes_and_is_the_cure_where_couplin
     assert np.abs(plain.fk(arm.coupling @ q) - arm.fk(q)).max() < 1e-15
     assert np.isinf(plain.limits[2]).all() and np.array_equal(plain.limits[[0, 1, 3]], arm.limits[[0, 1, 3]])
     path = pieper.line(arm.fk(q), arm.fk(q) @ pieper.pose(0.01), n=3)
+    own = arm.route(path)
+    assert own.verdict is pieper.Verdict.FOUND and np.abs(arm.fk(own.q)[:, :3, 3] - path[:, :3, 3]).max() < 1e-6
+    assert (own.q >= arm.limits[:, 0] - 1e-9).all() and (own.q <= arm.limits[:, 1] + 1e-9).all()
+    parts = np.array(arm.coupling)
+    parts[4, 3] = 0.37
     with pytest.raises(PlanError, match=r"arm\.follow(.|\n)*arm\.uncoupled"):
-        arm.route(path)
+        pieper.Arm(replace(arm.description, coupling=parts)).route(path)
     route = plain.route(path)
     joints = np.linalg.solve(arm.coupling, route.q.T).T
     assert np.abs(arm.fk(joints)[:, :3, 3] - path[:, :3, 3]).max() < 1e-6

@@ -139,3 +139,18 @@ def test_a_bench_reads_back_what_was_set_and_frames_only_this_machine():
         assert bench.url in bench._repr_html_() and "<iframe" in bench._repr_html_()
         bench.arm = "abb-irb140"
         assert bench.arm.name == "abb-irb140" and bench.target is None and bench.q.shape == (6,)
+
+
+def test_a_line_that_stops_is_told_at_once_and_its_cures_apart():
+    from pieper.workbench import long_work
+
+    arm = pieper.load("denso-vp6242")
+    T0, T1 = (pieper.pose(x, y, z).ravel().tolist() for x, y, z in ((0.35, 0, 0.4), (0.9, 0.1, 0.5)))
+    q = arm.ik(np.reshape(T0, (4, 4))).nearest(np.radians([0, 60, -150, 0, 90, 0]))
+    line = {"T0": T0, "T1": T1, "n": 20, "start": q.tolist()}
+    first, then = (
+        long_work.KINDS[kind](arm, line, lambda part: None, threading.Event()) for kind in ("follow", "cures")
+    )
+    track = arm.follow(pieper.line(np.reshape(T0, (4, 4)), np.reshape(T1, (4, 4)), n=20), start=q)
+    assert not first["complete"] and first["explain"] == track.explain(cures=False)
+    assert then["explain"] == track.explain() and "ure" in then["explain"].replace(first["explain"], "")

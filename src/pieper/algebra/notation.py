@@ -186,7 +186,7 @@ class _Latex(Writer):
 
     def _number(self, expr: Any) -> str:
         value, decimal = expr.value, decimal_text(expr.value)
-        if decimal is not None and value.denominator not in (2, 4):
+        if decimal is not None and (value.denominator not in (2, 4) or "." in expr.written):
             return decimal
         return rf"{'-' if value < 0 else ''}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
 
@@ -228,7 +228,7 @@ class _Mathml(Writer):
 
     def _number(self, expr: Any) -> str:
         value, decimal = expr.value, decimal_text(abs(expr.value))
-        if decimal is not None and value.denominator not in (2, 4):
+        if decimal is not None and (value.denominator not in (2, 4) or "." in expr.written):
             return _signed(value, f"<mn>{decimal}</mn>")
         return _signed(value, f"<mfrac><mn>{abs(value.numerator)}</mn><mn>{value.denominator}</mn></mfrac>")
 

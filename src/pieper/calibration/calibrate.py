@@ -24,6 +24,7 @@ from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.pose import PoseLike
 from pieper.solver.plan.planned_arm import NominalArm
 from pieper.tolerances import EXPLAINS_NOTHING, FIRST_NOISE, LEAST_NOISE, SAME_MEASUREMENT
+from pieper.words_by_number import plural
 
 LOSSES = ("linear", "huber")
 #: How often the noise of a fit is estimated, where none is said.
@@ -105,15 +106,14 @@ def _refuse_too_few(q: Array, parameters: Parameters, data: Measurements, held: 
     if distinct >= needed:
         return
     beside = f" ({held} more are held out)" if held else ""
-    few = (
-        f"{len(q)} poses to fit{beside}"
-        if distinct == len(q)
-        else f"{len(q)} poses to fit{beside}, of which only {distinct} are different"
-    )
+    few = f"{plural(len(q), 'pose')} to fit{beside}"
+    if distinct < len(q):
+        few += f", of which only {distinct} {'is' if distinct == 1 else 'are'} different"
     raise InputError(
-        f"{few}; {unknown} numbers are unknown and a {data.kind} gives {WIDTH[data.kind]} a pose: at least {needed} "
-        "different poses are needed, twice as many for an answer worth having. Measure more, hold= what is known, or "
-        "fit fewer joint_terms.",
+        f"{few}; {plural(unknown, 'number')} {'is' if unknown == 1 else 'are'} unknown and each {data.kind} measured "
+        f"gives {WIDTH[data.kind]}: at least {plural(needed, 'different pose')} {'is' if needed == 1 else 'are'} "
+        "needed, twice as many for an answer worth having. Measure more, hold= what is known, or fit fewer "
+        "joint_terms.",
         distinct=distinct,
         needed=needed,
     )

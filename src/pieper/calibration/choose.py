@@ -33,7 +33,7 @@ def choose_poses(
     Raises:
         InputError: More poses than candidates, or candidates that are no joint vectors.
     """
-    q = checked_joints(candidates, arm.chain.n, "candidates")
+    q = checked_joints(candidates, arm.chain.n, "candidates", prismatic=arm.chain.prismatic)
     if q.ndim != 2:
         raise InputError(f"candidates must have shape (N, {arm.chain.n}), got {q.shape}.", given=q.shape)
     arguments.whole(k, "k, how many candidates to choose,", 1, len(q))

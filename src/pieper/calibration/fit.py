@@ -22,6 +22,7 @@ from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.joints import TURN, inside
 from pieper.kinematics.pose import PoseLike
+from pieper.tolerances import FAR_LESS
 
 PI = np.pi
 #: By how much (rad, m) joint terms change a value at most: farther outside its limits a chain's value is not tried.
@@ -227,6 +228,12 @@ class Fit:
                 f"What is left is {self.spread:.1f} times the noise: these numbers do not say all that this arm does "
                 "(bending, play, joint terms), or the noise is larger than was said. The covariance counts it as noise."
             )
+        if self.spread < FAR_LESS:
+            lines.append(
+                f"What is left is {1 / self.spread:.0f} times less than the noise that was said: numbers held back by "
+                "it may be wrong. Was sigma meant in metres and radians? Without sigma= the noise is found from the "
+                "data."
+            )
         if self.outliers:
             rows = ", ".join(str(i) for i in self.outliers)
             lines.append(f"Left out as no noise: row{'s' if len(self.outliers) > 1 else ''} {rows} (counted from 0).")
@@ -238,6 +245,12 @@ class Fit:
             lines.append(
                 "These measurements cannot see, and the fit left as it was: " + "; ".join(self.unobservable) + "."
             )
+            for name, (a, b) in zip(self.nominal.joint_names, self.model.beside, strict=True):
+                if any(f"{name} {what} " in f"{text} " for text in self.unobservable for what in ("tilt", "shift")):
+                    lines.append(
+                        f"Of {name}, a is the direction {_direction(a)} and b {_direction(b)}, in the base frame with "
+                        "all joints at zero."
+                    )
         largest = np.argsort(-np.sqrt(np.diag(self.covariance)) / self.parameters.sizes)[:3]
         sure = "; ".join(
             f"{self.parameters.names[k]} to {np.sqrt(self.covariance[k, k]):.1e} {self.parameters.units[k]}"
@@ -248,6 +261,10 @@ class Fit:
 
     def __repr__(self) -> str:
         return f"<Fit of {self.nominal.name}: {self.headline()}>"
+
+
+def _direction(v: Array) -> str:
+    return f"({', '.join(f'{x + 0.0:.3g}' for x in np.round(v, 3))})"
 
 
 def _mm(metres: float) -> str:

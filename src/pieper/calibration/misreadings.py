@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -19,6 +20,11 @@ from pieper.tolerances import MISREAD, SUSPICIOUS
 LAGS = (1, -1, 2, -2, 3, -3, 4, -4, 5, -5)
 #: A reading that aligned a frame first must be this many times better than one that did not.
 ALIGNED = 3.0
+#: Whole quarters of a turn, deg, that a joint's zero is often off by; how much better readings of which there are
+#: several must be than others.
+QUARTERS, SEVERAL = (90, -90, 180), 1.5
+#: The same of two joints' senses: to positions of many arms a mirror looks just as they do, and is likelier.
+TWO = 4.0
 #: Rows that are compared each with each when they may be shuffled.
 COMPARED = 400
 
@@ -60,11 +66,12 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
     now = misfit(model, q, data, length)
     if not now > SUSPICIOUS:
         return
-    best, least = None, min(MISREAD * now, SUSPICIOUS)
+    best, least, least_by = None, 0.0, MISREAD * now
     for reading in _readings(model, q, data, names, length):
         left = misfit(model, reading.q, reading.data, length)
-        if left * reading.freedom < least:
-            best, least = reading, left
+        # an arm that is itself off leaves that much in any reading
+        if left < max(SUSPICIOUS, MISREAD**2 * now) and left * reading.freedom < least_by:
+            best, least, least_by = reading, left, left * reading.freedom
     if best is not None:
         raise InputError(
             f"the data miss the nominal arm by {now * length:.3g} m (median), and by {least * length:.2g} m if "
@@ -116,6 +123,30 @@ def _readings(
             data,
             {"joint": name},
         )
+    for i, j in itertools.combinations(range(len(names)), 2):
+        if turning[i] != turning[j]:
+            continue
+        other = q.copy()
+        other[:, [i, j]] = -other[:, [i, j]]
+        both = f"{names[i]} and {names[j]}"
+        cure = f"Give their values with the other sign, or describe the arm with sign = -1 for {both}."
+        yield Reading(f"{both} move the other way", cure, other, data, {"joints": (names[i], names[j])}, TWO)
+        other = q.copy()
+        other[:, [i, j]] = other[:, [j, i]]
+        cure = "Give the joints in the arm's order."
+        yield Reading(f"{both} are exchanged", cure, other, data, {"joints": (names[i], names[j])}, SEVERAL)
+    for i, name in enumerate(names):
+        for quarter in QUARTERS if turning[i] else ():
+            moved = q.copy()
+            moved[:, i] += np.radians(quarter)
+            yield Reading(
+                f"the zero of {name} lies {quarter:+d} deg away",
+                f"Add {quarter} deg to its values, or describe the arm with that offset for {name}.",
+                moved,
+                data,
+                {"joint": name, "offset": float(np.radians(quarter))},
+                SEVERAL,
+            )
     for lag in LAGS:
         if len(q) > 4 * abs(lag):
             yield Reading(
@@ -153,6 +184,15 @@ def _readings_of_places(model: AxesModel, q: Array, data: Measurements) -> Itera
         turned = data.values.copy()
         turned[:, :3, :3] = np.swapaxes(turned[:, :3, :3], 1, 2)
         transposed = replace(data, values=turned)
+        tool = _beyond(T, data.values)
+        yield Reading(
+            "another point or frame of the tool was measured",
+            "Calibrate arm.with_tool(arm.tool @ error.tool): error.tool is what was measured in the arm's tool frame.",
+            q,
+            replace(data, values=data.values @ inverse(tool)),
+            {"tool": tool},
+            ALIGNED,
+        )
         yield Reading("the rotations are transposed", "Transpose their 3 by 3 parts.", q, transposed, {})
     for mirrored in (False, True):
         X = _aligned(T[:, :3, 3], data.positions, mirrored)
@@ -173,6 +213,16 @@ def _readings_of_places(model: AxesModel, q: Array, data: Measurements) -> Itera
         else:
             values = places
         yield Reading(words, cure, q, replace(data, values=values), {} if mirrored else {"frame": X}, ALIGNED)
+
+
+def _beyond(T: Array, measured: Array) -> Array:
+    """Return the motion (4, 4) that, put after poses T (N, 4, 4), comes nearest to measured ones (N, 4, 4)."""
+    there = inverse(T) @ measured
+    U, _, V = np.linalg.svd(there[:, :3, :3].sum(0))
+    X = np.eye(4)
+    X[:3, :3] = U @ np.diag([1, 1, np.sign(np.linalg.det(U @ V))]) @ V
+    X[:3, 3] = np.median(there[:, :3, 3], axis=0)
+    return X
 
 
 def _aligned(a: Array, b: Array, mirrored: bool) -> Array:

@@ -102,6 +102,11 @@ class AxesModel:
             P = P @ steps[:, i]
         return P @ self.home
 
+    @property
+    def beside(self) -> Array:
+        """(n, 2, 3) two unit directions across each axis, a and b, in the base frame, all joints at zero."""
+        return np.linalg.svd(self.axes[:, None])[2][:, 1:]
+
     def directions(self, about: Array) -> list[Array]:
         """Return of each joint the twists (6, 4 or 2) that move its axis: two tilts about a point and two shifts.
 
@@ -109,8 +114,7 @@ class AxesModel:
             about: (3,) a place amid the arm, m: an axis tilts about its own point nearest to that.
         """
         out = []
-        beside = np.linalg.svd(self.axes[:, None])[2][:, 1:]
-        for w, p, slides, others in zip(self.axes, self.points, self.prismatic, beside, strict=True):
+        for w, p, slides, others in zip(self.axes, self.points, self.prismatic, self.beside, strict=True):
             across = others.T
             foot = p + ((about - p) @ w) * w
             B = np.zeros((6, 2 if slides else 4))

@@ -76,9 +76,7 @@ def command(
     plan = arm.plan_for(task or None)
     spare = _redundancy(plan, redundancy, units)
     now = joints(arm, [near], units, "--near") if near else None
-    from pieper.cli.pose_file import is_table
-
-    if len(pose) == 1 and is_table(pose[0]):
+    if len(pose) == 1 and _is_table(pose[0]):
         from pieper.cli.ik_many import Request, solve_file
 
         if figure:
@@ -101,6 +99,15 @@ def command(
     for file in (name for name in (csv, figure if len(solved.sols) else "") if name):
         say(f"written: {file}")
     return status
+
+
+def _is_table(word: str) -> bool:
+    """Return whether a typed pose names a table of poses; what reads them is imported for a file alone."""
+    if not word.startswith("@"):
+        return False
+    from pieper.cli.pose_file import is_table
+
+    return is_table(word)
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
+import warnings
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import ExitStack
 from importlib import import_module
@@ -17,9 +18,10 @@ from pieper import InputError
 from pieper.cli.arguments import numbers
 from pieper.cli.options import TakesNumbers, as_json, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
-from pieper.cli.output import say
+from pieper.cli.output import say, short
 from pieper.cli.status import DONE
 from pieper.cli.units import Units
+from pieper.tolerances import RELATIVE_ROUNDING, SUSPICIOUSLY_SMALL
 
 
 class _Progress:
@@ -86,6 +88,19 @@ def command(
             f"--box takes six numbers (x0 x1 y0 y1 z0 z1), got {len(corners)}; --orientations two whole ones, got "
             f"{orientations!r}; --workers none or more.",
             given=(box, orientations),
+        )
+    widths = [high - low for low, high in zip(corners[::2], corners[1::2], strict=True)]
+    if min(widths) > 0 and not 0 < step * units.metres <= min(widths) * (1 + RELATIVE_ROUNDING):
+        raise InputError(
+            f"--step must be positive and at most the box's smallest side, {short(min(widths) / units.metres)} "
+            f"{units.length}; got {short(step)} {units.length}.",
+            given=step,
+        )
+    if units.length == "mm" and 0 < max(widths) < 2 * SUSPICIOUSLY_SMALL:
+        warnings.warn(
+            f"--box is {short(max(widths) / units.metres)} mm wide; were metres meant? Then say --length m.",
+            pieper.PieperWarning,
+            stacklevel=2,
         )
     sides = [(corners[0], corners[1]), (corners[2], corners[3]), (corners[4], corners[5])]
     asked = {

@@ -116,7 +116,7 @@ class PoseFile:
         for at, raw in enumerate(file, 1):
             read(len(raw))
             if text := _text(raw, self.name):
-                yield at, text
+                yield at, _with_points(text)
 
     def _cells(self, line: str, delimiter: str) -> list[str]:
         if delimiter == " ":
@@ -224,11 +224,15 @@ def _text(raw: bytes, name: str) -> str:
         raise InputError(f"pose: {name} is not a text file.", path=name) from None
 
 
+def _with_points(line: str) -> str:
+    """Return a line of cells between semicolons or tabs with points for decimal commas, which many countries write."""
+    return re.sub(r"(?<=\d),(?=\d)", ".", line) if ";" in line or "\t" in line else line
+
+
 def _names(cells: list[str]) -> bool:
     """Return whether a line holds names of columns: a word that is no number, infinity or expression."""
-    return any(re.fullmatch(r"[A-Za-z_]\w*(?:[, (/\[]+\w+[)\]]?)?", cell) for cell in cells) and not all(
-        re.fullmatch(r"nan|inf|pi", cell.lower()) for cell in cells if re.fullmatch(r"[A-Za-z_]\w*", cell)
-    )
+    words = [cell.lower() for cell in cells if re.fullmatch(r"[A-Za-z_]\w*(?:[, (/\[]+\w+[)\]]?)?", cell)]
+    return any(word not in ("nan", "inf", "pi") for word in words)
 
 
 def _name_and_unit(head: str) -> tuple[str, str]:

@@ -15,6 +15,7 @@ from pieper.description.commonnormal import standard_table
 from pieper.description.dh import CONVENTIONS, DH, Check, Description, describe
 from pieper.description.fold import chain_of
 from pieper.errors import InputError
+from pieper.kinematics.meant import remark_long
 from pieper.kinematics.pose import PoseLike, checked_pose, inverse, rotation_x
 from pieper.tolerances import ROUNDING
 
@@ -28,8 +29,10 @@ def with_tool(arm: Description, tool: PoseLike | str) -> Description:
             known = f"it has {', '.join(arm.tools)}" if arm.tools else "it has none by name; give a pose"
             raise InputError(f"{arm.name} has no tool {tool!r}: {known}.", given=tool, allowed=list(arm.tools))
         tool = arm.tools[tool]
+    placed = checked_pose(tool, "tool")
+    remark_long(float(np.linalg.norm(placed[:3, 3])), "the tool reaches")
     # check poses are those of the old tool
-    return replace(arm, tool=_frozen(checked_pose(tool, "tool")), checks=(), origin=None)
+    return replace(arm, tool=_frozen(placed), checks=(), origin=None)
 
 
 def with_base(arm: Description, base: PoseLike) -> Description:

@@ -11,6 +11,7 @@ from pieper import arguments
 from pieper.description.axes import described_by_axes
 from pieper.description.dh import Description
 from pieper.errors import InputError
+from pieper.kinematics.meant import remark_long
 
 
 def from_opw(
@@ -56,6 +57,7 @@ def from_opw(
     lengths = {"a1": a1, "a2": a2, "b": b, "c1": c1, "c2": c2, "c3": c3, "c4": c4}
     for key, value in lengths.items():
         arguments.number(value, key, "a length in m")
+    remark_long(max(abs(value) for value in lengths.values()), "the arm's longest part is")
     for key, values in (("offsets", offsets), ("signs", signs)):
         if arguments.numbers(values, key, "six numbers, one a joint").shape != (6,):
             raise InputError(f"{key} must be six numbers, one a joint, got {values!r}.", given=values)

@@ -13,7 +13,8 @@ from pieper.document.identity import custom_properties, icon_address, identity
 from pieper.document.mathml_fit import displayed, fitted, inline
 from pieper.document.writer import Typesetter
 
-FOOTER = "Made by pieper. Lengths are in millimetres and angles in degrees unless another unit is printed."
+UNITS = "Lengths are in millimetres and angles in degrees unless another unit is printed."
+FOOTER = f"Made by pieper. {UNITS}"
 
 NARROW = 0.9  # of the text's width; a figure of one picture is printed smaller than a row of them
 
@@ -32,6 +33,7 @@ def page(document: b.Document) -> str:
     title = escaped(document.title)
     summary = f'<div class="summary"><p>{escaped(document.summary)}</p></div>' if document.summary else ""
     subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>' if document.subtitle else ""
+    units = f'<p class="units">{UNITS}</p>'  # on paper, where a foot after the last line may take a page of its own
     icon, name = icon_address(), identity()["wordmark"]
     mark = f'<div class="wordmark"><img src="{icon}" alt=""/>{name}</div>'
     policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
@@ -42,7 +44,7 @@ def page(document: b.Document) -> str:
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         f'<title>{title}</title>\n<link rel="icon" href="{icon}"/>\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n'
-        f"<header>{mark}<h1>{title}</h1>{subtitle}</header>\n{summary}\n{contents}\n{body}\n"
+        f"<header>{mark}<h1>{title}</h1>{subtitle}{units}</header>\n{summary}\n{contents}\n{body}\n"
         f"<footer>{FOOTER}</footer>\n</main>\n</body>\n</html>\n"
     )
 

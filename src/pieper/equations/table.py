@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from pieper.algebra.exact import pi_fraction, quarter_turns, rational
+from pieper.algebra.exact import decimal_text, pi_fraction, quarter_turns, rational
 from pieper.algebra.expression import Call, Expr, Num, PiFraction, Sym, add, angle_symbol
 from pieper.algebra.harmonic import Poly, matmul, trig
 from pieper.description.dh import Description
@@ -147,7 +147,7 @@ class _Reader:
         if not self.keep:
             return Poly.number(exact)
         symbol = Sym(base, index)
-        self.meaning[symbol] = Num(exact)
+        self.meaning[symbol] = Num(exact, decimal_text(exact) or "")  # a length of 0.5 m is no half
         return Poly.symbol(symbol)
 
     def _twist(self, angle: float, base: str, index: str) -> tuple[Poly, Poly]:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from pieper import arguments
 from pieper.errors import InputError
+from pieper.kinematics.meant import remark_turned
 from pieper.kinematics.orientation import quaternion_of, rotation, rpy_of, xyz_of, zyz_of
 from pieper.kinematics.pose import PoseLike, checked_pose, rotation_vector, transform
 
@@ -138,6 +139,8 @@ def _spoken(name: str, value: object, degrees: bool) -> npt.NDArray[np.float64]:
     if arguments.flag(degrees, "degrees") and angles:
         # one number at a time, as math.radians does it: quarter turns stay exact
         numbers = np.array([math.radians(number) for number in numbers])
+    elif angles:
+        remark_turned(numbers, name)
     kind = {
         "abc": "zyx",
         "wpr": "rpy",

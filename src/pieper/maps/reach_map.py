@@ -15,6 +15,7 @@ import numpy as np
 from pieper import arguments
 from pieper.errors import InputError, PlanError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices
+from pieper.kinematics.meant import remark_long, remark_turned
 from pieper.kinematics.pose import PoseLike, checked_pose, rotation_z
 from pieper.maps.around import Around
 from pieper.maps.export import export
@@ -365,6 +366,8 @@ def base_places(plan: Plan, Ts: PoseLike, x: ArrayLike, y: ArrayLike, z: ArrayLi
     said = [np.atleast_1d(arguments.numbers(v, name)) for name, v in named]
     if not len(poses) or any(v.ndim != 1 or not len(v) or not np.isfinite(v).all() for v in said):
         raise InputError("base_places takes poses and lists of x, y, z (m) and yaw (rad), none empty.", given=said)
+    remark_turned(said[3], "yaw")
+    remark_long(max(float(np.abs(v).max()) for v in said[:3]), "a place of the base is as far away as")
     X, Y, Z, A = (v.ravel() for v in np.meshgrid(*said, indexing="ij"))
     B = rotation_z(A)
     B[:, :3, 3] = np.stack([X, Y, Z], -1)

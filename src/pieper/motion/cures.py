@@ -158,7 +158,9 @@ def _start_that_passes(plan: Plan, track: Track, path: Array, own: bool) -> Arra
         path: (N, 4, 4) the changed path.
         own: Only the branch that begins nearest to where the arm is counts.
     """
-    if not ik_many(plan, path, 1).in_limits.any(1).all():
+    # where the track stops first: one pose tells most changes off, and each of a short arm may cost a careful look
+    stopped = path[min(track.points, len(path) - 1)]
+    if not ik_many(plan, stopped[None], 1).in_limits.any() or not ik_many(plan, path, 1).in_limits.any(1).all():
         return None
     step = -(-len(path) // COARSE)
     if step > 1 and passing(plan, path[::step], track.start, nearest=own) is None:

@@ -40,6 +40,8 @@ def read_motion(path: str | os.PathLike[str], arm: Described) -> Motion:
     n = description.n
     try:
         t, q, dq, ddq = _table(text, n, file.name) if file.suffix.lower() == ".csv" else _trajectory(text)
+    except InputError:
+        raise
     except ValueError as error:
         raise InputError(f"{file.name}: {error}.", path=path) from None
     if q.ndim != 2 or q.shape[1] != n or len(q) == 0:
@@ -55,7 +57,11 @@ def _table(text: str, n: int, name: str) -> tuple[Array, Array, Array, Array]:
     head, *rows = text.strip().splitlines()
     columns = head.split(",")
     if columns[0] != "t_s" or len(columns) < 1 + n:
-        raise InputError(f"{name}: the first column must be t_s, time in s, and {n} joints follow.", given=head)
+        raise InputError(
+            f"{name}: the first column must be t_s, time in s, and {n} joints follow. A path without times "
+            "is timed first: `pieper time`, or pieper.time_law.",
+            given=head,
+        )
     units = [0.001 if re.sub(r"_per_s2?$", "", c).endswith("_mm") else np.pi / 180 for c in columns[1:]]
     values = np.array([[float(v) for v in row.split(",")] for row in rows])
     if values.ndim != 2 or values.shape[1] != len(columns):

@@ -173,8 +173,12 @@ class Track(Tabular):
         """(n,) largest joint step between neighbouring points, rad or m; zeros when there is no step."""
         return np.abs(np.diff(self.followed, axis=0)).max(0) if self.points > 1 else np.zeros(len(self.joint_names))
 
-    def explain(self) -> str:
-        """Return what happened as a few sentences."""
+    def explain(self, *, cures: bool = True) -> str:
+        """Return what happened as a few sentences.
+
+        Args:
+            cures: Whether to say what would let the path pass, which may have to be worked out first.
+        """
         n, N = self.points, len(self.path)
         text = [f"All {N} points were reached." if self.complete else f"{n} of {N} points were reached."]
         text += [str(event) for event in self.events]
@@ -184,7 +188,7 @@ class Track(Tabular):
             text.append(f"Started elsewhere it would have passed: {names}.")
         elif not self.complete and self.branches:
             text.append("No other branch of the first pose reaches the end either.")
-        if not self.complete and self.seek is not _none:
+        if cures and not self.complete and self.seek is not _none:
             text += [f"Cure: {cure.words}" for cure in self.cures] or [NO_CURE]
         off = self.off_line
         if off.metres > WORTH_SAYING:

@@ -161,10 +161,15 @@ def add_plan(page: Document, arm: Arm) -> None:
     page.add("What matters for the inverse is which neighbouring axes are parallel or meet:")
     page.add(Lines(tuple(plan.geometry.sentences(plan.names))))
     spare = f" The arm has joints to spare: {', '.join(plan.redundancy)} is chosen freely." if plan.redundancy else ""
-    page.add(
-        f"That makes it an arm with {family.arrangement}. {family.words} It is {plan.count.kind}. "
-        f"{' '.join(how_many(plan))}{spare}"
-    )
+    counted = f"It is {plan.count.kind}. {' '.join(how_many(plan))}{spare}"
+    if arm.n < 6:  # what is said of six axes is not said of the arm's own
+        page.add(counted)
+        page.add(
+            f"The solver fills the arm up to six joints, with ones that must come out as zero or that the task leaves "
+            f"free, and solves those as a chain with {family.arrangement}."
+        )
+    else:
+        page.add(f"That makes it an arm with {family.arrangement}. {family.words} {counted}")
     fewer = by_formulas(arm)
     if fewer is not None and fewer < plan.count.most:
         page.add(

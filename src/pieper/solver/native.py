@@ -47,8 +47,8 @@ def _into_between(native: _kernel.Solver, before: Array, after: Array, T: Array,
 
 #: A self-motion as the kernel tells it: a line of joint space as a joint vector (6,) on it, its two joints and their
 #: sense; a linkage as a joint vector, its joints (4,), axes (4, 3), places in the plane (4,) complex or None, senses
-#: (4,), which joint leads, from where to where (rad from the joint vector), and its course; one that was followed as points
-#: (k, 6) and whether it closes.
+#: (4,), which joint leads, from where to where (rad from the joint vector), and its course; one that was followed as
+#: points (k, 6) and whether it closes.
 SelfMotionSaid = (
     tuple[Array, bool]
     | tuple[Array, tuple[int, int], float]

@@ -6,7 +6,7 @@ import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import overload
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
@@ -20,11 +20,13 @@ from pieper.kinematics.pose import reason_against
 from pieper.solver.marked import Marked
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Chosen, Flag, Refused, Rows
-from pieper.solver.singular.examined import Examined
-from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.solution import Closest, Solution, batch_columns, solution_columns
 from pieper.tolerances import CLOSED_VERIFIED
 from pieper.words_by_number import plural
+
+if TYPE_CHECKING:
+    from pieper.solver.singular.examined import Examined
+    from pieper.solver.singular.self_motion import SelfMotion
 
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _UNCERTAIN, _ROUNDED = int(Flag.UNCERTAIN), int(Flag.ROUNDED)

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,24 +27,20 @@ from pieper.solver.batches import (
     near_what,
     without_refused,
 )
-from pieper.solver.coupled import batch_of, solutions_of
 from pieper.solver.plan.plan import Plan
-from pieper.solver.redundant.anywhere import anywhere
-from pieper.solver.redundant.at_arm_angle import rows_at_arm_angle
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice
-from pieper.solver.redundant.elsewhere import choose_elsewhere
-from pieper.solver.redundant.self_motions import self_motions_of
 from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
-from pieper.solver.singular.careful import clear, every_solution, overlooked, sure_beside, vouched
-from pieper.solver.singular.read_off import examined
-from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.words.closest import closest_to
 from pieper.solver.words.labels import labels_beside, posture_words
 from pieper.solver.words.table import table
 from pieper.solver.words.why import why
 from pieper.tolerances import FARTHEST
 
+if TYPE_CHECKING:
+    from pieper.solver.singular.self_motion import SelfMotion
+
+# what looks with care, or along spare joints, is imported when it is needed: most calls never do
 WORDS = Words(why, table, posture_words, labels_beside, closest_to)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
 _DEGENERATE, _UNCERTAIN, _OUT_OF_REACH = int(Flag.DEGENERATE), int(Flag.UNCERTAIN), int(Flag.OUT_OF_REACH)
@@ -61,6 +57,8 @@ _SPARE = np.array([Status.OUT_OF_REACH, Status.OUTSIDE_LIMITS, Status.REDUNDANT]
 def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
     """Return every solution of one pose; see `Arm.ik`."""
     if plan.uncoupled is not None:
+        from pieper.solver.coupled import solutions_of
+
         return solutions_of(plan, WORDS, ik(plan.uncoupled, T, redundancy))
     if not plan.direct or redundancy is not None:
         return _ik_through(plan, T, redundancy)
@@ -181,6 +179,8 @@ def _through(plan: Plan, poses: Array, asked: Choice, threads: int) -> SolutionB
 
 
 def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBatch:
+    from pieper.solver.coupled import batch_of
+
     batch = batch_of(plan, found)
     for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits)):
         batch.status[i] = ik(plan, checked_pose(poses[i])).status
@@ -224,6 +224,8 @@ def _threads(threads: Any) -> int:
 
 def _rows(plan: Plan, poses: Array, asked: Choice, threads: int) -> Rows:
     if asked.angle is not None and asked.angles is not None:
+        from pieper.solver.redundant.at_arm_angle import rows_at_arm_angle
+
         return rows_at_arm_angle(plan, asked.angle, poses, asked.angles)
     return arm_rows(asked.plan, poses, asked.values, threads)
 
@@ -243,6 +245,8 @@ def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
     read = plan.solver.read(pose, q, flag)
     if read is None:
         return None
+    from pieper.solver.singular.read_off import examined
+
     T = checked_pose(pose) if read.flag & _ROUNDED else pose
     found = examined(plan, T, read)
     slots = _SLOTS[: len(read.q)]
@@ -251,6 +255,8 @@ def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
 
 def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: int) -> Solutions:
     """Look again at a pose that has no rows, or was marked: self-motions, merged roots, what a kernel overlooked."""
+    from pieper.solver.singular.careful import overlooked, sure_beside
+
     if not flag & _DEGENERATE:
         doubted = bool(flag & _UNCERTAIN) and plan.direct and bool(sure_beside(plan, T[None])[0])
         if not doubted and (len(q) or not overlooked(plan, T[None])[0]):
@@ -260,6 +266,8 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: 
 
 def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
     """Return all there is at a pose that may be singular, of which rows q (m, n) are known."""
+    from pieper.solver.singular.careful import clear, every_solution, vouched
+
     flag &= ~_EDGE
     if (flag & _DOUBTFUL) == _UNCERTAIN and plan.direct and len(q) and vouched(plan, T, q):
         q, inside = plan.chain.joints.inside_limits(q, plan.limits)
@@ -283,6 +291,8 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         return status
     if not np.all(np.abs(poses[~some, :3, 3]) <= FARTHEST):
         checked_pose(poses, "Ts", batch=True)  # the kernel refuses no place, however far
+    from pieper.solver.singular.careful import overlooked, sure_beside
+
     marked = (rows.flags & _DEGENERATE) > 0
     # a kernel that gives no rows says whether poses beside have none; of a chain within another that says nothing
     edge = (rows.flags & _EDGE) > 0 if plan.direct else ~some
@@ -329,6 +339,9 @@ def _put(found: Solutions, rows: Rows, i: int) -> None:
 
 def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solutions:
     """Solve a pose that the arm itself is no six-joint chain for."""
+    from pieper.solver.redundant.elsewhere import choose_elsewhere
+    from pieper.solver.redundant.self_motions import self_motions_of
+
     T = checked_pose(given)
     asked = choice(plan, redundancy, 1)
     rows = _rows(plan, T[None], asked, 1)
@@ -354,6 +367,9 @@ def _spare(plan: Plan, poses: Array, rows: Rows, asked: Choice, threads: int) ->
     Of poses without rows at a value that was asked for it is said whether other values have some; poses that follow
     each other and are equal, as in a sweep over the values, are looked at once.
     """
+    from pieper.solver.redundant.anywhere import anywhere
+    from pieper.solver.redundant.elsewhere import choose_elsewhere
+
     if asked.free:
         none = np.flatnonzero(~_any(rows.inside))
         if len(none):

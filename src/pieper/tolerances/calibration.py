@@ -36,3 +36,5 @@ EXPONENTIAL_SERIES = 1e-4
 COST_NO_WORSE = 1e-9
 #: and absolute: rounding.
 COST_ROUNDING = 1e-12
+#: What is left of the residuals, as a part of the noise that was said, below which it was said far too large.
+FAR_LESS = 0.2

@@ -24,3 +24,9 @@ ROLL_IS_YAW = 1e-13
 FARTHEST = 1e12
 #: Sine of a turn below which its axis is read from the series.
 SMALL_TURN = 1e-7
+#: A pose without a solution this many reaches away was probably said in millimetres.
+FAR_AWAY = 100.0
+#: Metres: an arm, or a tool, that is longer was probably said in millimetres; the longest that are built are some 20 m.
+LONGEST_ARM = 50.0
+#: Radians of an angle of a pose, which needs no more than half a turn: more than two turns were probably degrees.
+MOST_TURNED = 13.0

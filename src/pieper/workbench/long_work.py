@@ -33,20 +33,30 @@ LONGEST_SEQUENCE, MAX_SAMPLES = 3_600, 4_000
 Progress = Callable[[dict[str, Any]], None]
 
 
-def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
-    """Follow a straight line from a start posture; every event with its cause, and the other branches."""
+def _track(arm: pieper.Arm, message: dict[str, Any], stop: threading.Event) -> pieper.Track:
+    """Return a straight line followed from a start posture."""
     start_pose, end_pose = pose(message.get("T0"), "start pose"), pose(message.get("T1"), "end pose")
     n = whole(message.get("n"), "N", 1, MAX_POINTS)
     path = pieper.line(start_pose, end_pose, n=n)
     start = vector(message.get("start"), arm.n, "start")
     go_on(stop)
-    track = arm.follow(path, start=start)
+    return arm.follow(path, start=start)
+
+
+def cures(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
+    """Return what is said of a line that stops, with what would let it pass, which takes longer than following it."""
+    return {"explain": _track(arm, message, stop).explain()}
+
+
+def follow(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:
+    """Follow a straight line from a start posture; every event with its cause, and the other branches."""
+    track = _track(arm, message, stop)
     return {
-        "path": path.reshape(n, 16).tolist(),
+        "path": track.path.reshape(-1, 16).tolist(),
         "q": np.asarray(track.followed).tolist(),
         "complete": bool(track.complete),
         "chosen": track.chosen,
-        "explain": track.explain(),
+        "explain": track.explain(cures=False),
         "events": [
             {"s": float(e.s), "joint": e.joint, "cause": e.cause, "stop": bool(e.stop), "text": str(e)}
             for e in track.events
@@ -140,6 +150,7 @@ def _file_name(name: str) -> str:
 
 KINDS: dict[str, Callable] = {
     "follow": follow,
+    "cures": cures,
     "self_motions": self_motions,
     "motion": motion,
     "equations": equations,

@@ -22,7 +22,7 @@ import pieper
 from pieper import InputError
 from pieper.workbench.long_work import prepare
 from pieper.workbench.looks import Looks
-from pieper.workbench.session import Beside, Session
+from pieper.workbench.session import Beside, Hands, Session
 
 PAGE = Path(__file__).parent / "page" / "dist"
 TYPES = {
@@ -111,8 +111,11 @@ def create_app(
     first = pieper.load(start) if isinstance(start, str) else start
     files = {address: (path.read_bytes(), TYPES[path.suffix]) for address, path in _files().items()}
     looks = Looks()
-    pool = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench")
-    slow = ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench-long")
+    hands = Hands(
+        ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench"),
+        ThreadPoolExecutor(max_workers=4, thread_name_prefix="workbench-long"),
+        ThreadPoolExecutor(max_workers=2, thread_name_prefix="workbench-search"),
+    )
     sessions: set[Session] = set()
     headers_of_all = HEADERS if bench is None else {**HEADERS, "Content-Security-Policy": POLICY_FRAMED}
 
@@ -141,8 +144,8 @@ def create_app(
             return
         if not sessions:
             # once the first page has had what it opens with
-            asyncio.get_running_loop().call_later(AT_EASE, slow.submit, prepare)
-        session = Session(websocket, pool, slow, looks=looks, start=first, bench=bench)
+            asyncio.get_running_loop().call_later(AT_EASE, hands.long.submit, prepare)
+        session = Session(websocket, hands, looks=looks, start=first, bench=bench)
         sessions.add(session)
         try:
             await session.run()
@@ -152,7 +155,7 @@ def create_app(
     @asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:
         yield
-        for threads in (pool, slow):
+        for threads in hands:
             threads.shutdown(wait=False, cancel_futures=True)
 
     app = Starlette(

@@ -8,7 +8,7 @@ import json
 import threading
 import time
 from concurrent.futures import Executor
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
@@ -25,6 +25,8 @@ QUICK = {
     "program_file": programs.write,
     **routes.QUICK,
 }
+#: Long work that may take minutes and cannot be stopped on its way.
+SEARCHES = ("cures", "route_others")
 #: Messages a second that one page may send on average, and how many at once; a hand on a gizmo sends about 60.
 RATE, BURST = 200.0, 400.0
 #: Messages of one page that may wait for their turn; more are refused at once.
@@ -56,13 +58,20 @@ class Beside(Protocol):
         ...
 
 
+class Hands(NamedTuple):
+    """Threads for quick answers, for long work, and for searches that may take minutes: none keeps another waiting."""
+
+    quick: Executor
+    long: Executor
+    search: Executor
+
+
 class Session:
     """What the server knows of one open page; nothing here is shared with another.
 
     Args:
         websocket: The accepted connection.
-        pool: Threads for quick answers.
-        slow: Threads for long work, apart: a report of somebody else keeps no answer waiting.
+        hands: Threads for everything that computes.
         looks: What arms look like, and the meshes that pages may fetch.
         start: The arm that a new page opens with, or None.
         bench: The script or notebook that the page stands beside, or None.
@@ -71,15 +80,14 @@ class Session:
     def __init__(
         self,
         websocket: WebSocket,
-        pool: Executor,
-        slow: Executor,
+        hands: Hands,
         *,
         looks: Looks,
         start: pieper.Arm | None = None,
         bench: Beside | None = None,
     ) -> None:
         self._websocket = websocket
-        self._pool, self._slow = pool, slow
+        self._hands = hands
         self._looks = looks
         self._start = start
         self._bench = bench
@@ -190,7 +198,7 @@ class Session:
         return self._arm
 
     async def _in_pool(self, work: Any, *args: object) -> Any:
-        return await self.loop.run_in_executor(self._pool, work, *args)
+        return await self.loop.run_in_executor(self._hands.quick, work, *args)
 
     def _begin(self, kind: str, seq: int, arm: pieper.Arm, message: dict[str, Any]) -> None:
         """Start long work; a newer request of the same kind takes the place of an older one."""
@@ -220,7 +228,8 @@ class Session:
             ).result(30)
 
         try:
-            result = await loop.run_in_executor(self._slow, long_work.KINDS[kind], arm, message, progress, stop)
+            hands = self._hands.search if kind in SEARCHES else self._hands.long
+            result = await loop.run_in_executor(hands, long_work.KINDS[kind], arm, message, progress, stop)
             await self._send({"seq": seq, "ok": True, **result})
         except Stopped:
             await self._send({"seq": seq, "ok": True, "stopped": True})

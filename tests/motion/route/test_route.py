@@ -266,3 +266,10 @@ def test_a_clearance_that_nothing_keeps_is_told_with_place_and_pair():
     assert route.verdict is pieper.Verdict.UNCERTAIN
     # the arm's own bodies: no obstacle is near
     assert "keeps 50 mm: at best wrist" in route.reason and "mm apart" in route.reason
+
+
+def test_that_no_change_lets_a_route_through_is_told_too():
+    ends = [pieper.pose(x, y, 0.9, rpy=(180, 0, 0), degrees=True) for x, y in ((0.9, -0.3), (2.9, 0.3))]
+    route = pieper.load("abb-irb2400").route(pieper.line(*ends, 12), free=FREE)
+    assert "lets one through" not in route.explain()
+    assert route.blocked.relaxations == () and "No wider limit" in route.explain()

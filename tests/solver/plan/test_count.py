@@ -136,3 +136,69 @@ def test_where_the_bound_is_not_met_the_fullest_pose_is_told():
     plan = pieper.load("kinova-jaco-j2n6").plan
     assert most_met(plan) < plan.count.most
     assert f"the fullest has {most_met(plan)}." in plan.explain()
+
+
+def mixed(rng: np.random.Generator, kinds: str) -> pieper.Arm:
+    """Return an arm of round and other twists and lengths, at times with three turns that meet in a point."""
+    rows = [
+        [rng.choice([0, 0, 0.1, 0.2, 0.3]), rng.choice([0, Q, -Q, Q, -Q, 0.7]), rng.choice([0, 0, 0.1, 0.25]), 0.0]
+        for _ in kinds
+    ]
+    groups = [i for i in range(len(kinds) - 2) if kinds[i : i + 3] == "RRR"]
+    if groups and rng.random() < 0.5:
+        first = int(rng.choice(groups))
+        rows[first][:2], rows[first + 1][:3] = [0, Q], [0, -Q, 0]
+    return made(kinds, rows)
+
+
+def never_more(kinds: str, arms: int, poses: int, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    for _ in range(arms):
+        arm = mixed(rng, kinds)
+        try:
+            plan = arm.plan
+        except pieper.PlanError:
+            continue
+        if plan.redundancy:
+            continue
+        many = arm.ik_many(arm.fk(rng.uniform(-3, 3, (poses, arm.n))), threads=1)
+        plain = (many.flag & 3) == 0
+        most = int(many.valid.sum(1)[plain].max(initial=0))
+        assert most <= plan.count.most, f"{kinds}: {most} of {plan.count}: {arm.description.rows}"
+
+
+MIXED = [
+    "PPPRRR",
+    "RPPPRR",
+    "PRPRPR",
+    "RRRPPP",
+    "PRRRRP",
+    "PPRRRR",
+    "PRRRPR",
+    "RPRRRR",
+    "PPRRR",
+    "RRPPR",
+    "PRRR",
+    "RPRP",
+]
+
+
+@pytest.mark.parametrize("kinds", MIXED)
+def test_no_pose_of_a_mixed_arm_has_more(kinds):
+    never_more(kinds, 4, 200, seed=1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kinds", MIXED)
+def test_none_of_many_poses_of_a_mixed_arm_has_more(kinds):
+    never_more(kinds, 6, 5000, seed=2)
+
+
+@pytest.mark.parametrize("kinds", ["PPPRRR", "RPPPRR", "PRPRPR", "RRRPPP", "PPRRRP"])
+def test_three_turns_and_three_slides_have_two_solutions_wherever_they_stand(kinds):
+    rng = np.random.default_rng(4)
+    for _ in range(3):
+        # of no special kind, zeros of slides included: three slides must not lie in one plane
+        rows = rng.uniform([0.1, 0.6, 0.1, 0.3], [0.4, 2.4, 0.4, 2.8], (6, 4))
+        plan = made(kinds, rows).plan
+        assert plan.count.most == 2 == most_met(plan)

@@ -85,6 +85,11 @@ def _opening(page: Document, form: ClosedForm) -> None:
         page.say("The angles and slides of the table belong to the joint coordinates as follows.")
         for symbol, expr in relations:
             page.show(symbol, expr)
+    twists = [(s, x) for s, x in form.table.meaning.items() if isinstance(x, Call)]
+    if twists:
+        page.say("Turns of the table that are no quarter turns have names for their cosines and sines.")
+        for symbol, expr in twists:
+            page.show(symbol, expr)
     if form.chosen:
         names = listed([form.table.variable(j) for j in form.chosen])
         one = len(form.chosen) == 1

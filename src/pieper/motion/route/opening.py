@@ -10,7 +10,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.motion.route.freedom import Freedom
 from pieper.motion.route.result import Closed, Relaxation
-from pieper.motion.route.search import Task, search, stations
+from pieper.motion.route.search import Task, leads, search, stations
 from pieper.motion.route.setting import Setting, limits_of_axes, setting
 
 #: The largest changes that are tried: of a limit (rad), of a cone (rad), of the path's place (lengths of the arm).
@@ -140,8 +140,8 @@ def _least(changed: Callable[[float], Task], most: float, least: float, halvings
 
 
 def _opens(task: Task) -> bool:
-    """Whether there is a route along some of the points."""
-    return search(_thinned(task), 1) is not None
+    """Whether a ladder leads along some of the points; what it found is not made short, and looked at whole later."""
+    return leads(_thinned(task))
 
 
 def _thinned(task: Task) -> Task:

@@ -176,7 +176,8 @@ class Route:
             for closed in self.blocked.closed:
                 lines.append(f"  {closed.branch}: {_closed(self.plan, closed)}")
             if "relaxations" in self.blocked.__dict__:
-                lines += [f"  {relaxation}" for relaxation in self.blocked.relaxations]
+                found = [f"  {relaxation}" for relaxation in self.blocked.relaxations]
+                lines += found or ["  No wider limit, no move of the path and no cone that was tried lets one through."]
         return "\n".join(lines)
 
     def __repr__(self) -> str:

@@ -97,6 +97,17 @@ def search(task: Task, ladders: int = len(FINER)) -> Found | None:
     return None
 
 
+def leads(task: Task) -> bool:
+    """Whether the first ladder leads from the first point to the last; nothing is made short, nothing looked at."""
+    if task.setting.spare > 1 and beyond_reach(task.setting) is not None:
+        return False
+    cells = grid(task.setting, FINER[0], 0.0)
+    at = np.arange(len(task.setting.path), dtype=float)
+    ladder = _ladder(task, cells, at)
+    spots = (False, True) if task.setting.spare else (False,)
+    return any(_climbed(task, cells, ladder, at, spot, 0.0) is not None for spot in spots)
+
+
 def _ladder(task: Task, cells: Grid, at: Array) -> Rungs:
     """Return the rows at stations (M,), counted in points of the path, that keep what must be kept."""
     setting = task.setting

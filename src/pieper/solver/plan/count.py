@@ -7,12 +7,13 @@ degree, and together they bound the number of solutions of a pose that is not si
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
 from pieper.kinematics.arrays import Bools
-from pieper.kinematics.geometry import Geometry
+from pieper.kinematics.geometry import Geometry, look
 from pieper.solver.plan.plan import Count, Plan
 from pieper.solver.plan.six_joints import generic_rank
 from pieper.words_by_number import plural
@@ -40,6 +41,10 @@ def count_of(plan: Plan) -> Count:
             found = _six(geometry, slides)
         elif plan.task != "position+axis":
             found = _short(plan, geometry, slides, turns)
+        elif full.n == 6:
+            # with the turn that the task leaves open it is an arm of six joints
+            found = _six(look(full, geometry.tolerance), full.prismatic)
+            found = None if found is None else replace(found, kind=_plain_kind(plan, turns))
     if found is None or found.most > plan.max_solutions:
         return Count(_plain_kind(plan, turns), plan.max_solutions, "the equation it is solved by has no more roots")
     return found
@@ -65,7 +70,7 @@ def _short(plan: Plan, geometry: Geometry, slides: Bools, turns: int) -> Count |
         return _planar(geometry, slides, turns)
     if plan.n == 4 and slides.sum() == 3:
         return Count("a gantry with one turn", 1, "the turn is read off the orientation, and the slides are linear")
-    return _around_a_plane(plan, slides)
+    return _around_a_plane(plan, slides) or (_few_turns(geometry, slides) if plan.task == "pose" else None)
 
 
 def _for_positions(slides: Bools, turns: int, alike: bool) -> Count | None:
@@ -141,9 +146,9 @@ def _around_a_plane(plan: Plan, slides: Bools) -> Count | None:
 
 
 def _six(geometry: Geometry, slides: Bools) -> Count | None:
-    """Count an arm of six joints of which the first or the last three meet in a point."""
-    if not any(group.joints[-1] == 5 or group.joints[0] == 0 for group in geometry.spherical):
-        return None
+    """Count an arm of six joints of which three meet in a point, or three slide."""
+    if not geometry.spherical:
+        return _few_turns(geometry, slides)
     count = int(slides.sum())
     why = {
         2: "its slides taken out, one linear equation in a cosine and a sine is left for its centre, with two roots",
@@ -155,6 +160,20 @@ def _six(geometry: Geometry, slides: Bools) -> Count | None:
         2: "an arm of a turn and two slides, with a spherical wrist",
     }.get(count, "a gantry with a spherical wrist")
     return Count(kind, 2 * _REGIONAL[count], f"{why}, and the wrist has two ways to an orientation")
+
+
+def _few_turns(geometry: Geometry, slides: Bools) -> Count | None:
+    """Count an arm of two or three turns, each across the one before it, and slides, which leave the orientation."""
+    turning = np.flatnonzero(~slides)
+    axes = geometry.chain.axes
+    if len(turning) not in (2, 3) or not slides.any():
+        return None
+    if any(1 - abs(axes[i] @ axes[j]) <= geometry.tolerance for i, j in pairwise(turning)):
+        return None
+    turns, slid = plural(len(turning), "turn"), plural(len(slides) - len(turning), "slide")
+    ways, most = ("two ways", 2) if len(turning) == 3 else ("one way", 1)
+    why = f"slides leave the orientation alone, its turns have {ways} to it, and the slides are then linear"
+    return Count(f"an arm of {turns} and {slid}", most, why)
 
 
 def _all_alike(geometry: Geometry, which: Bools) -> bool:

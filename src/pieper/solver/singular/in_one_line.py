@@ -104,7 +104,8 @@ class LineMotion(SelfMotion):
             ]
             spans = sorted(s for s in spans if s[0] <= s[1])
         # where only slack holds, as in a posture with both joints at a stop, it is a single point
-        return [(low, high) if low <= high else ((low + high) / 2,) * 2 for _, _, low, high in spans]
+        middle = [(low + high) / 2 for _, _, low, high in spans]
+        return [(min(s[2], m), max(s[3], m)) for s, m in zip(spans, middle, strict=True)]
 
     def _limits_of(self, joints: Indices) -> Array:
         limits = np.tile(FREE, (self.chain.n, 1))

@@ -107,7 +107,7 @@ def into_limits(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
     q = _at_stops(chain, q, T, limits, out) if out.any() else q
     lower, upper = (_way_to(chain, limits[:, k], q) for k in (0, 1))
     nearest = np.where(np.abs(lower) < np.abs(upper), lower, upper)
-    outside = np.where(nearest == lower, nearest > 0, nearest < 0) | (np.abs(lower - upper) < LIMIT_SLACK)
+    outside = np.where(nearest == lower, nearest > 0, nearest < 0) | np.isclose(lower, upper, 0, LIMIT_SLACK)
     beside = ~chain.prismatic & outside & (np.abs(nearest) < MERGED_BLUR)
     return _at_stops(chain, q, T, limits, beside) if beside.any() else q
 

@@ -2,9 +2,9 @@
 
 `CarefulLook` (kernels/singular/) says of each row whether two of its axes are one line or four are a linkage, which
 rows are merged roots, and which row stands for each self-motion. Where two directions are free at once, or courses
-cross, it reads the whole fibre of the closed form's group of three joints. Of arms that are solved by elimination it asks
-poses beside, and follows the curves that nearly hold the pose. What it does not tell (surfaces, linkages of five and six
-joints, self-motions that cross where nothing is in closed form) is left to `examine`.
+cross, it reads the whole fibre of the closed form's group of three joints. Of arms that are solved by elimination it
+asks poses beside, and follows the curves that nearly hold the pose. What it does not tell (surfaces, linkages of five
+and six joints, self-motions that cross where nothing is in closed form) is left to `examine`.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ LOOP_TOUCHES = 1e-14
 #: Two angles of a linkage that go round together differ by rounding alone (rad).
 LINKAGE_TOGETHER = 1e-7
 #: Three neighbouring axes are parallel or meet in one point within this (rad; per length): what families take them for.
-GROUP_EXACT = 2e-12
+GROUP_EXACT = 6e-12
 #: Directions weaker than this (relative) are left alone where the last digits of a row are fetched.
 HELD_FIRMLY = 1e-9
 #: Step aside from a double root (rad; per length) over which its fold is taken for straight.

@@ -92,9 +92,16 @@ export const path = {
       showPath(Array.from({ length: 33 }, (_, i) => position(between(P.from, P.to, i / 32))));
     };
     async function run(start) {
-      const track = await askArm('follow', { T0: P.from, T1: P.to, n: P.n, start });
+      const line = { T0: P.from, T1: P.to, n: P.n, start };
+      const track = await askArm('follow', line);
       state.track = track;
-      report(track, start);
+      report(track);
+      if (track.complete) return;
+      verdict.say(`${track.explain}\nLooking for what would let it pass …`, 'wrong');
+      askArm('cures', line)
+        .then((more) => more.explain ?? track.explain)
+        .catch(() => track.explain)
+        .then((text) => state.track === track && verdict.say(text, 'wrong'));
     }
     function report(track) {
       verdict.say(track.explain, track.complete ? 'good' : 'wrong');

@@ -6,7 +6,7 @@ import { frames as forward } from '../kinematics.mjs';
 import { position, norm, sub } from '../matrix.mjs';
 import { scene, invalidate, wake, layGround, fit, remember, keepInView, returnFromWide } from './view.mjs';
 import { debounce } from '../dom.mjs';
-import { proportions, shape, outline, outsideOf } from './shape.mjs';
+import { ARROW, proportions, shape, outline, outsideOf } from './shape.mjs';
 import { Bodies } from './bodies.mjs';
 import { matte, rim } from './matte.mjs';
 import { Frames } from './frames.mjs';
@@ -161,7 +161,7 @@ function drawFrames() {
     // the target's handles stand where the tool's own arrows would
     .filter((i) => i < state.frames.length && !(i === state.frames.length - 1 && handlesShown()))
     .map((i) => ({ T: state.frames[i], name: frameName(i) }));
-  axes.show(state.dhStep === null ? chosen : framesOfStep(), form.size * 0.13);
+  axes.show(state.dhStep === null ? chosen : framesOfStep(), form.size * ARROW);
   invalidate();
 }
 /** Numbers of the joints that are drawn red now. */

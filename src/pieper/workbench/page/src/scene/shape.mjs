@@ -84,9 +84,12 @@ export function outsideOf(joint, v) {
   return 0;
 }
 
+/** Length of a frame's arrows, in sizes of the arm. */
+export const ARROW = 0.13;
 /** Points that a picture of the arm must hold. */
 export function outline(table, F) {
-  const pad = proportions(table).radius[0] ?? 0.05;
+  const { radius, size } = proportions(table),
+    pad = radius[0] ?? 0.05;
   const base = position(F[0]);
   // an empty table is a place for an arm of a metre
   if (!table.joints.length)
@@ -96,8 +99,13 @@ export function outline(table, F) {
     ]);
   const out = [[base[0], base[1], 0], ...F.map(position)];
   for (const { point } of jointAxes(table, F)) out.push(point);
-  return out.flatMap((p) => [
-    [p[0] - pad, p[1] - pad, p[2] - pad],
-    [p[0] + pad, p[1] + pad, p[2] + pad],
-  ]);
+  const tool = F.at(-1),
+    tips = [0, 1, 2].map((k) => [3, 7, 11].map((i) => tool[i] + ARROW * size * tool[i - 3 + k]));
+  return [
+    ...tips,
+    ...out.flatMap((p) => [
+      [p[0] - pad, p[1] - pad, p[2] - pad],
+      [p[0] + pad, p[1] + pad, p[2] + pad],
+    ]),
+  ];
 }

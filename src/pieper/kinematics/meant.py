@@ -1,0 +1,46 @@
+"""Remarks on numbers that were probably meant in other units: warned of, since they may be right."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from pieper.errors import PieperWarning
+from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.tolerances import FAR_AWAY, LONGEST_ARM, MOST_TURNED
+
+
+def remark_far_away(p: Array, base: Array, reach: float, name: str) -> None:
+    """Warn where positions (N, 3) of poses without a solution are so far away that millimetres were probably meant."""
+    away = np.linalg.norm(p - base, axis=1)
+    far = away > FAR_AWAY * reach
+    if far.any():
+        which = "the pose is" if len(p) == 1 else f"{far.sum():,} poses without a solution are up to"
+        warnings.warn(
+            f"{which} {away.max():.4g} m away and {name} reaches {reach:.3g} m; metres are meant. Were these "
+            "millimetres? pieper.pose(..., mm=True) takes them.",
+            PieperWarning,
+            stacklevel=4,
+        )
+
+
+def remark_long(metres: float, what: str) -> None:
+    """Warn of an arm, or of a part of one, that is longer than any that was built."""
+    if metres > LONGEST_ARM:
+        warnings.warn(
+            f"{what} {metres:.4g} m; metres are meant. Were these millimetres? Divide by 1000.",
+            PieperWarning,
+            stacklevel=4,
+        )
+
+
+def remark_turned(angles: ArrayLike, what: str) -> None:
+    """Warn of angles that make many whole turns."""
+    most = float(np.max(np.abs(angles), initial=0.0))
+    if most > MOST_TURNED:
+        warnings.warn(
+            f"{what} has {most:.4g} rad, which looks like degrees: numpy.radians(...) or degrees=True takes those.",
+            PieperWarning,
+            stacklevel=4,
+        )

@@ -1,0 +1,118 @@
+"""Singular poses of arms solved by elimination: the kernel itself tells nearly all of them and loses nothing there."""
+
+from __future__ import annotations
+
+from itertools import islice
+
+import numpy as np
+import pytest
+
+from oracle import compare, machine, whole_set
+from oracle.arms.known import free, tabled
+from oracle.joints import on_singular
+from pieper import DH, Arm, Status
+from pieper.kinematics.newton import missed
+from pieper.solver.singular.self_motion import TracedMotion
+
+
+def two_slides() -> Arm:
+    """Return an arm of two slides and twists of no special kind."""
+    rng = np.random.default_rng(4)
+    rows = [DH(rng.uniform(0.1, 0.5), rng.uniform(-3, 3), rng.uniform(0.1, 0.5), rng.uniform(-3, 3)) for _ in range(6)]
+    return Arm.from_dh(rows, convention="standard", joint_types="PRPRRR", name="two slides")
+
+
+ARMS = {
+    **{name: lambda name=name: free(name) for name in ("fanuc-crx-10ia", "motoman-hc10", "motoman-ea1400n")},
+    **{
+        name: lambda name=name: tabled(name) for name in ("random-6r", "ur5e-calibrated-0.001", "ur5e-calibrated-1e-05")
+    },
+    "kinova-jaco-j2n6": lambda: free("kinova-jaco-j2n6"),
+    "two slides": two_slides,
+}
+
+
+def strata(arm: Arm, count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return joint vectors (count, 6), singular or 1e-12 to 1e-3 away, and what a pose tells of each."""
+    rng = np.random.default_rng(seed)
+    q = np.array(list(islice(on_singular(rng, arm.chain, 40 * count), count)))
+    way = rng.standard_normal(q.shape)
+    far = np.where(rng.uniform(size=count) < 0.4, 0.0, 10 ** rng.uniform(-12, -3, count))
+    q += (far / np.linalg.norm(way, axis=1))[:, None] * way * arm.chain.joints.unit
+    return q, 1e-6 + 1e-14 / np.maximum(np.linalg.svd(arm.jacobian(q), compute_uv=False)[:, -1], 1e-300)
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_posture_that_made_a_singular_pose_is_among_its_rows_or_on_a_self_motion(name):
+    arm = ARMS[name]()
+    q, told = strata(arm, 120, 1)
+    for i, T in enumerate(arm.fk(q)):
+        sols = arm.ik(T)
+        near = arm.chain.joints.apart(sols.all_q, q[i]).min(initial=np.inf) < told[i]
+        assert near or any(motion.contains(q[i], told[i]) for motion in sols.self_motions), q[i].tolist()
+        assert len(sols.all_q) <= arm.plan.max_solutions + len(sols.self_motions)
+        rows = sols.all_q
+        assert arm.chain.joints.apart(rows[:, None], rows[None])[~np.eye(len(rows), dtype=bool)].min(initial=1.0) > 1e-7
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_a_batch_in_any_order_says_of_them_what_one_pose_says(name):
+    arm, rng = ARMS[name](), np.random.default_rng(2)
+    T = arm.fk(strata(arm, 24, 2)[0])
+    order = rng.permutation(len(T))
+    many, one = arm.ik_many(T[order], threads=1), [arm.ik(pose) for pose in T]
+    for k, i in enumerate(order):
+        rows, sols = many.q[k][many.valid[k]], one[i]
+        assert many.status[k] == int(sols.status) and many.flag[k] == sols.flag and len(rows) == len(sols.all_q)
+        assert np.array_equal(rows, sols.all_q) if sols.flag & 1 else np.abs(rows - sols.all_q).max(initial=0.0) < 1e-9
+        assert np.array_equal(many.in_limits[k][many.valid[k]], sols.in_limits)
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_kernel_tells_nearly_all_of_them_itself(name):
+    arm, marked, told = ARMS[name](), 0, 0
+    for T in arm.fk(strata(arm, 60, 3)[0]):
+        q, _, _, flag = arm.plan.solver.one(T)
+        marked += flag & 1
+        told += bool(flag & 1) and arm.plan.solver.read(T, q, flag) is not None
+    assert marked > 20 and told >= 0.9 * marked
+
+
+def test_a_self_motion_is_followed_round_and_holds_the_pose_everywhere():
+    arm, rng, found = free("fanuc-crx-10ia"), np.random.default_rng(7), 0
+    for _ in range(12):
+        q = rng.uniform(-2, 2, 6)
+        q[2], q[4] = np.pi / 2, 0.0  # the forearm along the wrist's axes
+        sols = arm.ik(T := arm.fk(q))
+        for motion in sols.self_motions:
+            assert isinstance(motion, TracedMotion) and motion.closed and motion.dimension == 1
+            assert missed(arm.chain, np.array([motion.at(u) for u in np.linspace(0, 1, 17)]), T).max() < 2e-12
+            assert missed(arm.chain, motion.samples, T).max() < 2e-12
+            assert arm.chain.joints.apart(sols.all_q, motion.representative).min() < 1e-6
+            found += 1
+    assert found
+
+
+@pytest.mark.parametrize("size", [1e-11, 1e-9, 1e-7, 1e-5])
+def test_nothing_is_lost_beside_a_self_motion(size):
+    arm, rng = free("fanuc-crx-10ia"), np.random.default_rng(8)
+    for _ in range(6):
+        q = rng.uniform(-2, 2, 6)
+        q[4] = 0.0
+        q += size * rng.standard_normal(6)
+        sols = arm.ik(arm.fk(q))
+        told = 1e-6 + 2e-14 / np.linalg.svd(arm.jacobian(q), compute_uv=False)[-1]
+        assert arm.chain.joints.apart(sols.all_q, q).min() < told or any(m.contains(q, told) for m in sols.self_motions)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["fanuc-crx-10ia", "motoman-ea1400n", "random-6r", "ur5e-calibrated-0.001"])
+def test_their_rows_are_those_of_the_search(name):
+    arm = ARMS[name]()
+    m = machine(arm)
+    for q in strata(arm, 4, 9)[0]:
+        sols = arm.ik(T := arm.fk(q))
+        found = whole_set(m, T, library=None, rng=np.random.default_rng(1))
+        compared = compare(m, T, sols.all_q, found)
+        assert sols.status in (Status.SOLVED, Status.SINGULAR)
+        assert sols.self_motions or not compared.missing, f"{q.tolist()}: {compared.missing[:1]}"
