@@ -72,7 +72,7 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
         said = "position"
     elif task is None and n < MOST_JOINTS and not (truth is not None and np.array_equal(found, truth)):
         positions = _closing(ev, rows, candidates, "position"), _existing(ev, rows, "position")
-        if positions[1] is not None and np.array_equal(*positions):
+        if positions[1] is not None and np.array_equal(positions[0], positions[1]):
             (found, truth), said = positions, 'position (task = "position" says so; not of a pose with its orientation)'
     spread = ", ".join(f"{v} at {100 * np.mean(found == v):.0f}%" for v in sorted(set(found.tolist())))
     there = "how many there are was not checked"
