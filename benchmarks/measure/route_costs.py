@@ -12,8 +12,8 @@ from pieper.kinematics.pose import rotation_z
 
 #: Turns of the ladder, and by how many of them the tool may turn from point to point.
 TURNS, NEAR = 1440, 24
-#: The largest step of a joint from point to point, rad.
-STEP = 0.6
+#: The largest step of a joint from point to point, and how far it may swing with the turn from there, rad.
+STEP, SWING = 0.6, 1.0
 
 
 def ladder(arm: Arm, path: np.ndarray, most: float) -> tuple[np.ndarray, np.ndarray] | None:
@@ -39,14 +39,18 @@ def ladder(arm: Arm, path: np.ndarray, most: float) -> tuple[np.ndarray, np.ndar
             last, before = rows[-1], costs[-1]
             for d in np.flatnonzero(np.isfinite(before).any(0)).tolist():
                 source = np.flatnonzero(np.isfinite(before[:, d]))
+                # rows that are never near one without a turn are of other branches
+                gap = q[source] - last[source, None, d]
+                gap = np.where(wide, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+                near = np.flatnonzero(np.nanmin(np.abs(gap).max(-1), axis=0, initial=np.inf) < STEP + SWING)
                 for shift in range(-NEAR, NEAR + 1):
                     k = (source + shift) % TURNS
-                    gap = q[k] - last[source, None, d]
+                    gap = q[k][:, near] - last[source, None, d]
                     gap = np.where(wide, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
                     step = np.where(np.abs(gap).max(-1) > STEP, np.inf, (gap**2).sum(-1)) + before[source, None, d]
-                    at, row = np.nonzero((step < cost[k]) & (step <= most))
-                    cost[k[at], row] = step[at, row]
-                    origin[k[at], row] = np.stack([source[at], np.full(len(at), d)], -1)
+                    at, row = np.nonzero((step < cost[k][:, near]) & (step <= most))
+                    cost[k[at], near[row]] = step[at, row]
+                    origin[k[at], near[row]] = np.stack([source[at], np.full(len(at), d)], -1)
         rows.append(q)
         costs.append(cost)
         came.append(origin)
@@ -74,7 +78,7 @@ def shortened(arm: Arm, path: np.ndarray, q: np.ndarray, turn: np.ndarray) -> tu
         axis = (path @ rotation_z(turn))[:, :3, 2]
         rate = np.zeros((len(q), 6))
         rate[:, 3:] = axis
-        v = np.stack([np.linalg.lstsq(J, w, rcond=1e-10)[0] for J, w in zip(arm.jacobian(q), rate, strict=True)])
+        v = (np.linalg.pinv(arm.jacobian(q), rcond=1e-10) @ rate[..., None])[..., 0]
         # minimise the sum over steps of |q_i+1 + v_i+1 t_i+1 - q_i - v_i t_i|^2
         e = np.diff(q, axis=0)
         g = np.zeros(len(q))
@@ -135,5 +139,5 @@ def _followed(arm: Arm, T: np.ndarray, q: np.ndarray) -> np.ndarray | None:
         off = np.concatenate([T[:, :3, 3] - now[:, :3, 3], turn], 1)
         if np.abs(off).max() < 1e-11:
             return q
-        q = q + np.stack([np.linalg.lstsq(J, e, rcond=1e-10)[0] for J, e in zip(arm.jacobian(q), off, strict=True)])
+        q = q + (np.linalg.pinv(arm.jacobian(q), rcond=1e-10) @ off[..., None])[..., 0]
     return q if np.abs(off).max() < 1e-8 else None

@@ -152,7 +152,8 @@ CarefulLook::CarefulLook(const Solver& solver, const double* links, const std::u
                          const double* lower, const double* upper, double exact, bool closed_form) {
   const SixJoints arm = arm_of(links, prismatic, length);
   const Limits limits = limits_of(arm, lower, upper);
-  own_.reset(new Own{solver, arm, limits, exact, closed_form, Look(arm, limits), FromAside(arm, limits)});
+  own_.reset(
+      new Own{solver, arm, limits, exact, closed_form, Look(arm, limits), FromAside(arm, limits, solver.slots())});
 }
 
 CarefulLook::~CarefulLook() = default;

@@ -25,9 +25,11 @@ class FromAside {
  public:
   static constexpr int kPoses = 6;
   static constexpr std::size_t kMostCurves = 24;
+  static constexpr double kMostWide = 100;
   static constexpr int kSlowSteps = 40;  // at merged roots each step only halves what is left
 
-  FromAside(const SixJoints& arm, const Limits& limits) : arm_(arm), limits_(limits) {}
+  // most: solutions a pose can have
+  FromAside(const SixJoints& arm, const Limits& limits, int most) : arm_(arm), limits_(limits), most_(most) {}
 
   // A pose at the k-th generic small step beside T; the same ones every time.
   static Rigid aside(const Rigid& T, int k) {
@@ -54,9 +56,11 @@ class FromAside {
     std::vector<Known> known;
     std::vector<NearCurve> curves;
     for (int k = 0; k < count; ++k) known.push_back(look_at(T, rows + 6 * k));
-    for (int k = 0; k < count; ++k)
-      if (!on_motion(known[k], out) && !twin_is_known(T, known, k) && !through(T, known[k], known, curves, out))
-        return false;
+    for (int k = 0; k < count; ++k) {
+      if (on_motion(known[k], out)) continue;
+      count_branches(T, known[k]);
+      if (!twin_is_known(T, known, k) && !through(T, known[k], known, curves, out)) return false;
+    }
     for (int b = 0; b < kPoses; ++b) {
       if (beside[b].flag & kUncertain) return false;
       double e[6];
@@ -68,8 +72,15 @@ class FromAside {
           return false;
       }
     }
-    tell(T, known, curves, out);
-    return true;
+    for (Known& one : known)
+      if (!on_motion(one, out)) count_branches(T, one);
+    // there are no more solutions than slots: where rounding lets more be told, it blurs by more than was thought
+    for (double wide = 1; wide < kMostWide; wide *= 2) {
+      out.rows.clear();
+      tell(T, known, curves, wide, out);
+      if (static_cast<int>(out.rows.size()) <= most_) return true;
+    }
+    return false;
   }
 
  private:
@@ -104,9 +115,9 @@ class FromAside {
              kAsideAstray * (sigma * std::fabs(t) + std::fabs(bend) * t * t);
     }
     // How far from it rounding lets a solution be that is counted in it.
-    double blur() const {
+    double blur(double wide = 1) const {
       if (!singular) return 0;
-      if (branches < 2) return fold ? 0 : std::fmin(2 * kMergedRounding / std::fmax(sigma, kTiny), kSameAlong);
+      if (branches < 2) return fold ? 0 : std::fmin(2 * wide * kMergedRounding / std::fmax(sigma, kTiny), kSameAlong);
       return std::fmin(3 * std::sqrt(kMergedRounding / std::fmax(std::fabs(bend), kTiny)), kMergedBlur);
     }
     // How far along the weakest direction its second order says what is missed.
@@ -161,7 +172,9 @@ class FromAside {
         CurvePoint at = s < 0.5 ? piece.a : piece.b;
         piece.point(arm_, s, at.q);
         if (!refine(T, piece.length, at) || is_known(known, at.q, kMergedTwins)) continue;
-        if (!(settle(arm_, T, at.q, kSlowSteps, kPreciseRank) < kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)))))
+        const double rounding = kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)));
+        // where Newton's method along the curve has not ended the root is merged
+        if (std::fabs(at.miss) > kMergedAlong && !(settle(arm_, T, at.q, kSlowSteps, kPreciseRank) < rounding))
           continue;
         if (!is_known(known, at.q, kMergedSame)) known.push_back(look_at(T, at.q));
       }
@@ -220,9 +233,13 @@ class FromAside {
     std::copy(d.pose[5], d.pose[5] + 6, out.left);
     if (out.singular && own) {
       out.branches = branches_of_fold(std::fabs(out.bend), d);
-      if (out.branches == 0) out.branches = branches_at(arm_, T, out.q);
     }
     return out;
+  }
+
+  // How many branches merge in a singular row that is no clear fold.
+  void count_branches(const Rigid& T, Known& one) const {
+    if (one.singular && one.branches == 0) one.branches = branches_at(arm_, T, one.q);
   }
 
   // Whether the other root of a row next to a fold is among the known ones, or far; where a singular row's was lost it is added.
@@ -250,7 +267,8 @@ class FromAside {
     return true;
   }
 
-  void tell(const Rigid& T, const std::vector<Known>& known, const std::vector<NearCurve>& curves, Read& out) const {
+  void tell(const Rigid& T, const std::vector<Known>& known, const std::vector<NearCurve>& curves, double wide,
+            Read& out) const {
     std::vector<Root> merged;
     std::vector<const Known*> isolated;
     for (const Known& one : known) {
@@ -258,8 +276,9 @@ class FromAside {
       if (one.singular) {
         bool counted = false;
         for (const Known& other : known) {
-          const bool better = other.blur() < one.blur() || (other.blur() == one.blur() && &other < &one);
-          counted |= better && arm_.apart(one.q, other.q) < one.blur();
+          const bool better =
+              other.blur(wide) < one.blur(wide) || (other.blur(wide) == one.blur(wide) && &other < &one);
+          counted |= better && arm_.apart(one.q, other.q) < one.blur(wide);
         }
         if (counted) continue;
         merged.push_back({{}, one.branches});
@@ -314,6 +333,7 @@ class FromAside {
 
   SixJoints arm_;
   Limits limits_;
+  int most_;
 };
 
 }  // namespace pieper::PIEPER_ISA

@@ -192,7 +192,7 @@ class NearCurve {
   bool holds(const SixJoints& arm, const double* q, double within) const {
     double s, foot[6];
     for (int k = 0; k < pieces(); ++k)
-      if (beside(arm, piece(arm, k), q, within, s, foot)) return true;
+      if (arm.apart(q, points[k].q) < kPieceReach && beside(arm, piece(arm, k), q, within, s, foot)) return true;
     return false;
   }
   // The point that stands for it: inside the limits if any is, and of those the one with the smallest joint values.
@@ -218,19 +218,21 @@ class NearCurve {
   // Whether a solution of a pose that is missed by e, of size `far`, is one of this curve that has moved.
   bool leads_to(const SixJoints& arm, const double* a, const double* e, double far) const {
     for (int k = 0; k < pieces(); ++k) {
+      if (arm.apart(a, points[k].q) > kPieceReach) continue;
       const CurvePiece piece = this->piece(arm, k);
       double s, foot[6];
       if (!beside(arm, piece, a, kCurveBeside, s, foot)) continue;
       const double missed = piece.miss(s);
       double lean = missed;
       for (int r = 0; r < 6; ++r) lean += e[r] * ((1 - s) * piece.a.left[r] + s * piece.b.left[r]);
-      if (std::fabs(lean) <= kAsideAstray * std::fabs(missed) + kCurveLeans * far) return true;
+      if (std::fabs(lean) <= kAsideAstray * std::fabs(missed) + 4 * kCurveLeans * far) return true;
     }
     return false;
   }
 
  private:
   static constexpr int kMostPoints = 400;
+  static constexpr double kPieceReach = 3 * kCurveStep;
   static constexpr double kProbe = 0.04, kFirst = 0.02, kGrow = 1.6;
 
   // The foot of a joint vector on a piece, s there, and whether it is near.

@@ -38,3 +38,16 @@ def test_usual_numbers_are_taken_without_a_word():
         pieper.pose(3.0, 0, 0, quat_wxyz=(0, 1, 0, 0))
         arm.ik_many([pieper.pose(0, 0, z) for z in (0.4, 4.0)])
         arm.base_places(arm.fk(np.zeros((1, 6))), x=[5], y=[0], z=[0], yaw=[3])
+
+
+def test_one_pose_for_many_and_many_for_one_are_refused_with_what_to_write():
+    arm = pieper.load(UR)
+    T = arm.fk(np.zeros(6))
+    for ask, cure in (
+        (lambda: arm.ik_many(T), r"Ts\[None\]"),
+        (lambda: arm.follow(T), r"path\[None\]"),
+        (lambda: arm.calibrate(np.zeros((1, 6)), T), r"measured\[None\]"),
+        (lambda: arm.ik(np.stack([T, T])), "ik_many"),
+    ):
+        with pytest.raises(pieper.InputError, match=cure):
+            ask()

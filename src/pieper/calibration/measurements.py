@@ -13,6 +13,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, rotation_vector, skew
 from pieper.tolerances import TURN_SERIES
+from pieper.words_by_number import plural
 
 KINDS = ("pose", "position", "distance", "plane")
 #: Numbers a row has, and numbers of the set-up that are fitted along: the fixed point, or the plane's tilts and height.
@@ -137,8 +138,10 @@ def measured_as(kind: str, given: PoseLike | None, count: int) -> Measurements:
         if kind != "position" and values.shape == (count, 1):
             values = values[:, 0]
     if values.shape != shape:
+        single = " For a single pose write measured[None]." if values.shape == (4, 4) else ""
         raise InputError(
-            f"measured must have shape {shape} for kind {kind!r} and {count} joint vectors, got {values.shape}.",
+            f"measured must have shape {shape} for kind {kind!r} and {plural(count, 'joint vector')}, got "
+            f"{values.shape}.{single}",
             given=values.shape,
         )
     if kind == "distance" and np.min(values, initial=np.inf) <= 0:

@@ -120,6 +120,8 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
         return pose.reshape(0, 4, 4)  # an empty list holds no pose of a wrong shape
     if pose.shape[-2:] != (4, 4) or (not batch and pose.ndim != 2):
         hint = " It looks like a rotation alone: put it into a 4x4 with a position." if pose.shape == (3, 3) else ""
+        if not batch and pose.shape[1:] == (4, 4):
+            hint = " These are many poses and one is wanted: take one of them, or ask what takes many, such as ik_many."
         wanted = "(..., 4, 4)" if batch else "(4, 4)"
         found = pose.shape if pose.ndim else arguments.kind_of(T)
         raise InputError(f"{what} must have shape {wanted}, got {found}.{hint}", given=pose.shape)

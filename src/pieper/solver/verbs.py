@@ -211,7 +211,8 @@ def _plain(plan: Plan, Ts: PoseLike, redundancy: Redundancy) -> Array:
 def _checked(Ts: PoseLike) -> Array:
     poses = checked_pose(Ts, "Ts", batch=True)
     if poses.ndim != 3:
-        raise InputError(f"Ts must have shape (N, 4, 4), got {poses.shape}.", given=poses.shape)
+        hint = " For a single pose write Ts[None], or ask ik." if poses.ndim == 2 else ""
+        raise InputError(f"Ts must have shape (N, 4, 4), got {poses.shape}.{hint}", given=poses.shape)
     return np.ascontiguousarray(poses)
 
 
