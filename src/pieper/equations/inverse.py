@@ -88,7 +88,7 @@ class InverseEquations(Readable):
                     f"By the {self._fell_back.replace('+', ' and the ')} alone, which is what the solver takes of this "
                     "arm, no joint stands alone in an equation. What follows is for the whole pose."
                 )
-            elif self.plan is not None:
+            if self.plan is not None:
                 page.add(*_how(self._arm, self.plan, self.form))
             write_steps(page, self.form)
             add_sign_names(page, self.sign_names)
