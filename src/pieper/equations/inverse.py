@@ -89,7 +89,8 @@ class InverseEquations(Readable):
                     "arm, no joint stands alone in an equation. What follows is for the whole pose."
                 )
             if self.plan is not None:
-                page.add(*_how(self._arm, self.plan, self.form))
+                # the plan's number of solutions is that of its own task
+                page.add(*_how(self._arm, self.plan, self.form, counted=not self._fell_back))
             write_steps(page, self.form)
             add_sign_names(page, self.sign_names)
         elif self.general is not None:
@@ -204,7 +205,7 @@ def _promising(arm: Arm, joint: int) -> bool:
     return bool(geometry.spherical) or any(len(group.joints) > 2 for group in geometry.parallel)
 
 
-def _how(arm: Arm, plan: Plan, form: ClosedForm) -> tuple[str, ...]:
+def _how(arm: Arm, plan: Plan, form: ClosedForm, *, counted: bool) -> tuple[str, ...]:
     words = {
         "spherical_wrist_parallel": "The last three axes meet in a point, the wrist centre, and axes 2 and 3 are "
         "parallel: the first three joints place the wrist centre, the last three turn the tool.",
@@ -219,8 +220,9 @@ def _how(arm: Arm, plan: Plan, form: ClosedForm) -> tuple[str, ...]:
             " The formulas are those of the table as it stands; the solver takes " + "; ".join(plan.snapped) + "."
         )
     most = min(plan.count.most, form.branches)
-    counted = f" A pose has at most {most} solution{'s' * (most != 1)}." if not form.chosen else ""
-    said = (sentence + counted).strip()
+    if counted and not form.chosen:
+        sentence += f" A pose has at most {most} solution{'s' * (most != 1)}."
+    said = sentence.strip()
     return (said,) if said else ()
 
 
