@@ -267,15 +267,15 @@ class Arm(AlongPaths):
         """
         sols = verbs.ik(self.plan if task is None else self.plan_for(task), T, redundancy)
         if not len(sols.all_q):
-            self._remark_far_away(sols.T[None])
+            self._remark_far_away(sols.T[None], np.ones(1, bool))
         if scene is not None:
             sols.keep_clear(partial(self.distance, scene=scene))
         return sols
 
-    def _remark_far_away(self, T: Array) -> None:
-        """Warn where poses without a solution are so far away that millimetres were probably meant."""
+    def _remark_far_away(self, T: Array, nowhere: Bools) -> None:
+        """Warn where poses (N, 4, 4), those without a solution, are so far away that millimetres were probably meant."""
         base, reach = self.extent
-        remark_far_away(T[:, :3, 3], np.array(base), reach, self.name)
+        remark_far_away(T[:, :3, 3], nowhere, np.array(base), reach, self.name)
 
     def ik_many(
         self,
@@ -325,9 +325,9 @@ class Arm(AlongPaths):
             out=out,
             progress=progress,
         )
-        nowhere = np.flatnonzero(found.status == Status.OUT_OF_REACH)
-        if len(nowhere):
-            self._remark_far_away(np.asarray(as_pose(Ts), np.float64)[nowhere])
+        nowhere = found.status == Status.OUT_OF_REACH
+        if nowhere.any():
+            self._remark_far_away(np.asarray(as_pose(Ts), np.float64), nowhere)
         return found
 
     def _where(self, q: ArrayLike | str | None, what: str) -> ArrayLike | None:

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import warnings
+from math import sqrt
 
 import numpy as np
 
 from pieper.errors import PieperWarning
-from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.tolerances import FAR_AWAY, LONGEST_ARM, MOST_TURNED
 
 
-def remark_far_away(p: Array, base: Array, reach: float, name: str) -> None:
-    """Warn where positions (N, 3) of poses without a solution are so far away that millimetres were probably meant."""
+def remark_far_away(p: Array, nowhere: Bools, base: Array, reach: float, name: str) -> None:
+    """Warn where positions (N, 3), those without a solution, are so far away that millimetres were probably meant."""
+    # the largest coordinate of all tells most batches, before anything is copied
+    largest = max(max(column.max(), -column.min()) for column in p.T)
+    if sqrt(3.0) * (largest + np.abs(base).max()) <= FAR_AWAY * reach:
+        return
+    p = p[nowhere]
     away = np.linalg.norm(p - base, axis=1)
     far = away > FAR_AWAY * reach
     if far.any():
