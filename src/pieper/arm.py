@@ -273,7 +273,7 @@ class Arm(AlongPaths):
         return sols
 
     def _remark_far_away(self, T: Array, nowhere: Bools) -> None:
-        """Warn where poses (N, 4, 4), those without a solution, are so far away that millimetres were probably meant."""
+        """Warn where poses (N, 4, 4) without a solution are so far away that millimetres were probably meant."""
         base, reach = self.extent
         remark_far_away(T[:, :3, 3], nowhere, np.array(base), reach, self.name)
 
