@@ -43,9 +43,14 @@ def server(**options):
     thread.join(10)
 
 
-def talk(story):
+def apart(call):
+    """In a thread of its own: a browser that this process has opened leaves its loop running in the main one."""
     with ThreadPoolExecutor(1) as thread:
-        return thread.submit(lambda: asyncio.run(asyncio.wait_for(story, 120))).result()
+        return thread.submit(call).result()
+
+
+def talk(story):
+    return apart(lambda: asyncio.run(asyncio.wait_for(story, 120)))
 
 
 def test_the_line_stays_alive_while_an_answer_is_slow_and_messages_wait_behind_it(monkeypatch):
@@ -101,12 +106,12 @@ def test_long_work_of_others_keeps_no_answer_waiting_and_what_is_refused_says_wh
 
 def test_programs_planned_by_many_at_once_are_each_for_their_own_arm():
     with server() as port:
-        found = crowd.measure_people(port, updates=3, programs=1, sessions=10)
+        found = apart(lambda: crowd.measure_people(port, updates=3, programs=1, sessions=10))
     assert found["lost"] == found["foreign"] == 0 and found["programs"] == 10
 
 
 def test_whole_and_broken_messages_of_every_kind_are_answered_once_and_for_the_right_arm():
     with server() as port:
-        found = crowd.measure_fuzz(port, 160, sessions=4)
+        found = apart(lambda: crowd.measure_fuzz(port, 160, sessions=4))
     assert (found["lost"], found["twice"], found["unread"], found["connections_lost"]) == (0, 0, 0, 0)
     assert found["faults"] == found["foreign"] == [] and found["judged"] > 0

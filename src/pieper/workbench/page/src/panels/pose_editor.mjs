@@ -14,10 +14,12 @@ export function poseEditor(title, id, get, take) {
   let parts = [],
     shown = '';
   const row = h('div', { class: 'pose-fields' });
+  const unread = () => parts.some((p) => p.f.classList.contains('wrong'));
   const fields = () => {
     const n = notations[state.notation];
     const names = [['X', 'length'], ['Y', 'length'], ['Z', 'length'], ...n.names.map((name, i) => [name, n.kinds[i]])];
     const read = () => {
+      if (unread()) return;
       const T = poseFrom(
         state.notation,
         parts.slice(3).map((p) => p.value),
@@ -81,8 +83,9 @@ export function poseEditor(title, id, get, take) {
     e.preventDefault();
     fillFrom([parts.map((p) => p.f)], 0, list.length === parts.length ? 0 : at, [list]);
   });
+  // what cannot be read stands as it was typed, with its mark, when the hand leaves it: the number before it is not meant
   row.addEventListener('focusout', () => {
-    setTimeout(show);
+    setTimeout(() => unread() || show());
   });
   return { el: h('fieldset', { class: 'pose-editor' }, h('legend', { text: title }), row), show };
 }
