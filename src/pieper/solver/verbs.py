@@ -182,6 +182,13 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
     from pieper.solver.coupled import batch_of
 
     batch = batch_of(plan, found)
+    if plan.chain.linked:
+        # what of the axes' self-motions the linkage holds is looked at pose by pose
+        for i in np.flatnonzero(batch.status == Status.SINGULAR):
+            one = ik(plan, checked_pose(poses[i]))
+            _put(one, batch.found, i)
+            batch.status[i] = one.status
+        return batch
     for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits)):
         batch.status[i] = ik(plan, checked_pose(poses[i])).status
     return batch

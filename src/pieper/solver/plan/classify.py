@@ -119,13 +119,25 @@ def _as_told(chain: Chain, description: Description, task: str | None, snap: flo
 
 
 def _coupled(chain: Chain, description: Description, task: str | None, snap: float | None) -> Plan:
-    """Plan for coupled joints: the chain is solved as if each moved by itself, limits wait for the joints' numbers."""
-    free = replace(description, coupling=None, limits=np.tile([-np.inf, np.inf], (chain.n, 1)))
-    plain = make_plan(chain.uncoupled, free, task=task, snap=snap)
-    if plain.redundancy:
+    """Plan for coupled joints: the chain is solved as if each moved by itself, limits wait for the joints' numbers.
+
+    Of axes that a linkage moves those postures are kept that the linkage holds (`solver/linked.py`); such an arm is
+    asked for whole poses.
+    """
+    if chain.linked and not chain.whole_turns:
         raise PlanError(
-            f"{description.name} has coupled joints and {', '.join(plain.redundancy)} to spare for this task; the "
-            "inverse takes one or the other. Lock a joint (with_joints_locked) or choose another task.",
+            f"{description.name} has {_linked_words(description)} by parts of turns; its inverse is not taken, since a "
+            "whole turn of a joint leads to another pose. Forward kinematics and Jacobian are.",
+            coupling=chain.coupling,
+        )
+    plain = make_plan(
+        chain.uncoupled, description.by_axes(), task="pose" if chain.linked and not task else task, snap=snap
+    )
+    if plain.redundancy:
+        what = _linked_words(description) if chain.linked else "coupled joints"
+        raise PlanError(
+            f"{description.name} has {what} and {', '.join(plain.redundancy)} to spare for this task; the "
+            f"inverse takes one or the other. {_spare_cure(chain, plain.task)}",
             coupling=chain.coupling,
         )
     return replace(
@@ -133,11 +145,23 @@ def _coupled(chain: Chain, description: Description, task: str | None, snap: flo
         description=description,
         chain=chain,
         nominal=chain,
-        geometry=replace(plain.geometry, chain=chain),
+        geometry=plain.geometry if chain.linked else replace(plain.geometry, chain=chain),
         reduction=replace(plain.reduction, arm=chain, full=with_task_joints(chain, plain.task)),
         limits=description.limits,
+        names=description.joint_names,
         uncoupled=plain,
     )
+
+
+def _linked_words(description: Description) -> str:
+    names = ", ".join(axis.name for axis in description.linked)
+    return f"a linkage that moves {names}"
+
+
+def _spare_cure(chain: Chain, task: str) -> str:
+    if chain.linked and task != "pose":
+        return "Ask for the whole pose: position, and how the tool is turned."
+    return "Lock a joint (with_joints_locked) or choose another task."
 
 
 def _first_solvable(

@@ -34,7 +34,7 @@ def with_task_joints(chain: Chain, task: str) -> Chain:
     if task == "position":
         wrist = [(np.eye(3), False), (_X, False), (np.eye(3), False)]
         # an arm of six joints can turn its tool as it is told: the wrist is held, and zero means the orientation given
-        return appended(chain, wrist, last=None if chain.n >= 6 else _GENERIC)
+        return appended(chain, wrist, last=None if chain.axis_count >= 6 else _GENERIC)
     return chain
 
 
@@ -54,10 +54,14 @@ def appended(chain: Chain, joints: Sequence[tuple[Array, bool]], last: Array | N
     if last is not None:
         links[-1] = links[-1] @ last
     coupling = chain.coupling
+    own = chain.own
     if coupling is not None:
-        coupling = np.eye(chain.n + len(joints))
-        coupling[: chain.n, : chain.n] = chain.coupling
-    return Chain.of(np.stack(links), np.concatenate([chain.prismatic, [p for _, p in joints]]), coupling=coupling)
+        coupling = np.eye(chain.axis_count + len(joints), chain.n + len(joints))
+        coupling[: chain.axis_count, : chain.n] = chain.coupling
+        coupling[chain.axis_count :, chain.n :] = np.eye(len(joints))
+        own = (*own, *range(chain.axis_count, len(coupling))) if own else own
+    sliding = np.concatenate([chain.sliding, [p for _, p in joints]])
+    return Chain.of(np.stack(links), sliding, coupling=coupling, own=() if coupling is None else own)
 
 
 def sample_joints(chain: Chain, count: int, seed: int = 1) -> Array:
