@@ -186,7 +186,7 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
         # what of the axes' self-motions the linkage holds is looked at pose by pose
         for i in np.flatnonzero(batch.status == Status.SINGULAR):
             one = ik(plan, checked_pose(poses[i]))
-            _put(one, batch.found, i)
+            _put(one, batch.found, int(i))
             batch.status[i] = one.status
         return batch
     for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits)):
