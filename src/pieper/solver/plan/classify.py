@@ -23,6 +23,7 @@ from pieper.solver.plan.six_joints import (
     default_task,
     generic_rank,
     reduce,
+    sample_joints,
     with_task_joints,
 )
 from pieper.solver.words.explain import explain
@@ -30,9 +31,18 @@ from pieper.tolerances import GEOMETRY_EXACT, NEARLY_SPECIAL
 
 #: Ways to lock spare joints that are tried before an arm is refused.
 MOST_WAYS = 24
+#: Postures that a linkage holds at which its axes are to be solved well.
+HELD_POSTURES = 15
 
 
-def make_plan(chain: Chain, description: Description, *, task: str | None = None, snap: float | None = None) -> Plan:
+def make_plan(
+    chain: Chain,
+    description: Description,
+    *,
+    task: str | None = None,
+    snap: float | None = None,
+    postures: Array | None = None,
+) -> Plan:
     """Classify a chain and choose how it is solved.
 
     Args:
@@ -41,6 +51,7 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         task: "pose", "position", "position+axis", or None for the default of the arm.
         snap: Angles (rad) and distances (per characteristic length) below which axes are made parallel or meeting;
             None takes the table as exact.
+        postures: (k, n) joint vectors at which the chain is to be solved well, rad or m; generic ones if None.
 
     Raises:
         InputError: The task is unknown.
@@ -52,7 +63,7 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         arguments.number(snap, "snap", "rad, and per length of the arm", least=0.0, below=0.5)
     if chain.coupling is not None:
         return _coupled(chain, description, task, snap)
-    plan = _as_told(chain, description, task, snap)
+    plan = _as_told(chain, description, task, snap, postures)
     if snap is None and not plan.spec.info.get("certified", True):
         return _by_nearly(plan, chain, description)
     return plan
@@ -73,7 +84,9 @@ def _by_nearly(plan: Plan, chain: Chain, description: Description) -> Plan:
     return plan
 
 
-def _as_told(chain: Chain, description: Description, task: str | None, snap: float | None) -> Plan:
+def _as_told(
+    chain: Chain, description: Description, task: str | None, snap: float | None, postures: Array | None = None
+) -> Plan:
     """Plan for the chain itself, or for the one that it becomes when what is near is made special."""
     nominal, moved, _ = (chain, [], 0.0) if snap is None else snapped(chain, snap)
     tolerance = GEOMETRY_EXACT
@@ -84,7 +97,7 @@ def _as_told(chain: Chain, description: Description, task: str | None, snap: flo
         )
     wanted = default_task(nominal) if task is None else task
     full = with_task_joints(nominal, wanted)
-    ways = reduce(nominal, wanted)
+    ways = reduce(nominal, wanted, postures)
     if not ways:
         raise PlanError(f"{description.name}: no choice of locked joints leaves a solvable arm.", geometry=geometry)
     # the fastest family wins, then locks at the ends (which keep one plan for all values), then conditioning
@@ -130,9 +143,10 @@ def _coupled(chain: Chain, description: Description, task: str | None, snap: flo
             "whole turn of a joint leads to another pose. Forward kinematics and Jacobian are.",
             coupling=chain.coupling,
         )
-    plain = make_plan(
-        chain.uncoupled, description.by_axes(), task="pose" if chain.linked and not task else task, snap=snap
-    )
+    # what a linkage holds may be special for its axes: they are made six joints for that
+    held = sample_joints(chain, HELD_POSTURES, seed=2) @ chain.coupling.T if chain.linked else None
+    asked = "pose" if chain.linked and task is None else task
+    plain = make_plan(chain.uncoupled, description.by_axes(), task=asked, snap=snap, postures=held)
     if plain.redundancy:
         what = _linked_words(description) if chain.linked else "coupled joints"
         raise PlanError(

@@ -187,18 +187,19 @@ class Reduction:
         return left
 
 
-def reduce(chain: Chain, task: str) -> list[Reduction]:
+def reduce(chain: Chain, task: str, postures: Array | None = None) -> list[Reduction]:
     """Return the ways to make an arm and a task a six-joint chain, best conditioned first.
 
     Args:
         chain: The arm.
         task: One of TASKS.
+        postures: (k, n) joint vectors at which it is to be solved well, rad or m; generic ones if None.
     """
     full = with_task_joints(chain, task)
     rank = generic_rank(full)
     spare = full.n - rank
     if spare == 0:
-        return [Reduction(chain, task, full, (), _filling(full, 6 - rank, full.n > chain.n))]
+        return [Reduction(chain, task, full, (), _filling(full, 6 - rank, full.n > chain.n, postures))]
     J = scaled_jacobian(full, sample_joints(full, 12))
     choices = _choices(full, chain, J, spare)
     kept = np.array([[j for j in range(full.n) if j not in locked] for locked in choices])
@@ -251,7 +252,9 @@ def _choices(full: Chain, arm: Chain, J: Array, spare: int) -> list[tuple[int, .
     return [tuple(j for j in range(full.n) if j not in kept)]
 
 
-def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[Array, bool], ...]:
+def _filling(
+    chain: Chain, count: int, virtual: bool, postures: Array | None = None
+) -> tuple[tuple[Array, bool], ...]:
     """Choose `count` virtual joints at the tool that make the chain able to do everything, well conditioned.
 
     Behind the virtual joints of a task they are tilted: along the tool's own axes they would be tangent to the arm's
@@ -267,6 +270,8 @@ def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[Array, bool
     # about, or slides along, an axis through the tool point
     tried = appended(chain, pool[:1])
     q = sample_joints(tried, 15, seed=2)[:, : chain.n]
+    if postures is not None:
+        q[:, : postures.shape[1]] = postures[: len(q)]
     so_far = scaled_jacobian(tried, np.pad(q, ((0, 0), (0, 1))))[..., : chain.n]
     axes = chain.native.fk(q)[:, :3, :3] @ np.array([R[:, 2] for R, _ in pool]).T  # postures, xyz, pool
     slides = np.array([p for _, p in pool])
