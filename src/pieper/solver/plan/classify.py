@@ -19,6 +19,7 @@ from pieper.solver.plan.count import count_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import (
     TASKS,
+    Held,
     Reduction,
     default_task,
     generic_rank,
@@ -41,7 +42,7 @@ def make_plan(
     *,
     task: str | None = None,
     snap: float | None = None,
-    postures: Array | None = None,
+    hold: Held | None = None,
 ) -> Plan:
     """Classify a chain and choose how it is solved.
 
@@ -51,7 +52,7 @@ def make_plan(
         task: "pose", "position", "position+axis", or None for the default of the arm.
         snap: Angles (rad) and distances (per characteristic length) below which axes are made parallel or meeting;
             None takes the table as exact.
-        postures: (k, n) joint vectors at which the chain is to be solved well, rad or m; generic ones if None.
+        hold: What a linkage holds of the axes; None where each moves by itself.
 
     Raises:
         InputError: The task is unknown.
@@ -63,7 +64,7 @@ def make_plan(
         arguments.number(snap, "snap", "rad, and per length of the arm", least=0.0, below=0.5)
     if chain.coupling is not None:
         return _coupled(chain, description, task, snap)
-    plan = _as_told(chain, description, task, snap, postures)
+    plan = _as_told(chain, description, task, snap, hold)
     if snap is None and not plan.spec.info.get("certified", True):
         return _by_nearly(plan, chain, description)
     return plan
@@ -85,7 +86,7 @@ def _by_nearly(plan: Plan, chain: Chain, description: Description) -> Plan:
 
 
 def _as_told(
-    chain: Chain, description: Description, task: str | None, snap: float | None, postures: Array | None = None
+    chain: Chain, description: Description, task: str | None, snap: float | None, hold: Held | None = None
 ) -> Plan:
     """Plan for the chain itself, or for the one that it becomes when what is near is made special."""
     nominal, moved, _ = (chain, [], 0.0) if snap is None else snapped(chain, snap)
@@ -97,7 +98,7 @@ def _as_told(
         )
     wanted = default_task(nominal) if task is None else task
     full = with_task_joints(nominal, wanted)
-    ways = reduce(nominal, wanted, postures)
+    ways = reduce(nominal, wanted, hold)
     if not ways:
         raise PlanError(f"{description.name}: no choice of locked joints leaves a solvable arm.", geometry=geometry)
     # the fastest family wins, then locks at the ends (which keep one plan for all values), then conditioning
@@ -144,9 +145,13 @@ def _coupled(chain: Chain, description: Description, task: str | None, snap: flo
             coupling=chain.coupling,
         )
     # what a linkage holds may be special for its axes: they are made six joints for that
-    held = sample_joints(chain, HELD_POSTURES, seed=2) @ chain.coupling.T if chain.linked else None
+    hold = None
+    if chain.linked:
+        behind = 1 + max(i for i in range(chain.axis_count) if i not in chain.own)
+        values = sample_joints(chain, HELD_POSTURES, seed=2) @ chain.coupling.T
+        hold = Held(values, behind if behind < chain.axis_count else None)
     asked = "pose" if chain.linked and task is None else task
-    plain = make_plan(chain.uncoupled, description.by_axes(), task=asked, snap=snap, postures=held)
+    plain = make_plan(chain.uncoupled, description.by_axes(), task=asked, snap=snap, hold=hold)
     if plain.redundancy:
         what = _linked_words(description) if chain.linked else "coupled joints"
         raise PlanError(
