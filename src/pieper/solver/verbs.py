@@ -187,7 +187,7 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
         merged = (batch.status == Status.OUTSIDE_LIMITS) & ((batch.found.flags & _DEGENERATE) > 0)
         for i in np.flatnonzero((batch.status == Status.SINGULAR) | merged):
             one = ik(plan, checked_pose(poses[i]))
-            _put(one, batch.found, i)
+            _put(one, batch.found, int(i))
             batch.status[i] = one.status
         return batch
     for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits)):
