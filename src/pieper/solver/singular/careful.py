@@ -26,7 +26,7 @@ def near_rows(plan: Plan, poses: Array) -> Array:
 
     Virtual joints that must come out as zero may have any value: on a singularity of the six-joint chain they are free.
     """
-    return plan.solver.all_rows(poses)[:, : 6 - len(plan.reduction.fill)]
+    return plan.solver.all_rows(poses)[:, plan.reduction.real]
 
 
 def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
