@@ -124,7 +124,7 @@ def statements(
         texts, apart = [], []
         for k, a in enumerate(given):
             text, holds = held(a)
-            apart.append(re.search(r"[(,] ?\{%d\}[),]" % k, words[op]) is not None)
+            apart.append(re.search(rf"[(,] ?\{{{k}\}}[),]", words[op]) is not None)
             asked = 0 if apart[k] else _HOLDS[op] + (k > 0) if op in _HOLDS else _ASKS.get(op, 1)
             texts.append(f"({text})" if holds < asked or (op == "neg" and text[0] == "-") else text)
         text = words[op].format(*texts)
