@@ -60,5 +60,5 @@ SHORT_BESIDE_RANK = 0.25
 NO_SWING = 1e-5
 #: By how much boxes of joint values, and what is bounded in them, are taken for wider: what double precision rounds.
 BOX_ROUNDING = 1e-11
-#: Part of the size of J J' that is added to it before a multiplier is worked out: any multiplier does, a large one badly.
+#: Part of the size of J J' that is added to it before a multiplier is worked out: any multiplier does.
 MULTIPLIER_DAMPED = 1e-3
