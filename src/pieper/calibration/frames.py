@@ -44,8 +44,8 @@ def frame_and_tool(T: Array, measured: Array) -> tuple[Array, Array]:
             [np.einsum("ij,nk->nijk", np.eye(3), m).reshape(-1, 9), np.tile(np.eye(3), (len(m), 1)), -R.reshape(-1, 3)],
             axis=1,
         )
-        A = np.linalg.lstsq(rows, p.ravel(), rcond=None)[0][:9].reshape(3, 3)
-        RX, RY = rotation_near(A).T, np.eye(3)
+        A = np.asarray(np.linalg.lstsq(rows, p.ravel(), rcond=None)[0], np.float64)
+        RX, RY = rotation_near(A[:9].reshape(3, 3)).T, np.eye(3)
         place = m
     else:
         M = measured[:, :3, :3]

@@ -250,8 +250,8 @@ class ReachMap:
 def task_of_samples(plan_for: Callable[[str | None], Plan], task: str | None, orientations: Any) -> Plan:
     """Return the plan that a map asks: as said, or of sampled directions the most that the arm holds in any of them.
 
-    A pose of six numbers taken at random is none that an arm of fewer joints holds: the map would be empty. An arm that does
-    not hold every position either, as one that moves in a plane, is asked for positions all the same.
+    A pose of six numbers taken at random is none that an arm of fewer joints holds: the map would be empty. An arm
+    that does not hold every position either, as one that moves in a plane, is asked for positions all the same.
     """
     plan = plan_for(task)
     if task is None and plan.reduction.fill and np.ndim(orientations) == 1:
