@@ -86,12 +86,14 @@ def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdic
     if proof.arrived:
         where = f"the posture that it is to {'begin' if proof.back else 'end'} with is not reached"
     there = {0.0: "the first pose", 1.0: "the last pose"}.get(begun, f"{begun:.6g} of the path")
+    told = proof.begun == 0 and task.ends[0] is not None
+    all_of = f"{'All that is reached from the posture told for' if told else 'Everything inside the limits at'} {there}"
     if proof.looked:
         last = "first" if proof.back else "last"
         ends = f"no posture so reached at the {last} pose is that one" if proof.arrived else "ends before"
         how = (
-            f"Everything inside the limits at {there} was followed{' backwards' if proof.back else ''} "
-            f"with proved bounds and {ends}: {plural(proof.looked, 'point')}."
+            f"{all_of} was followed{' backwards' if proof.back else ''} with "
+            f"proved bounds and {ends}: {plural(proof.looked, 'point')}."
         )
     else:
         how = f"At {there} nothing is inside the limits, each joint tried at each of its limits and in between."
