@@ -31,6 +31,14 @@ nb::object elementary(int what, nb::handle given) {
   return out;
 }
 
+nb::object posture_measures(nb::handle given, double length) {
+  nb::object J = float_array(given, "J");
+  const npy_intp shape[] = {PyArray_SIZE(as_array(J)) / 36, 2};
+  nb::object out = new_array(2, shape, NPY_DOUBLE);
+  pieper::isa().posture_measures(doubles(J), shape[0], length, static_cast<double*>(PyArray_DATA(as_array(out))));
+  return out;
+}
+
 int import_numpy() {
   import_array1(-1);
   return 0;
@@ -113,8 +121,11 @@ NB_MODULE(_kernel, m) {
   bind_route(m);
   m.def("deviations", &deviations, nb::arg("Ts"),
         "(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite.");
+  m.def("posture_measures", &posture_measures, nb::arg("J"), nb::arg("length"),
+        "(N, 6, 6) -> (N, 2) determinant, and smallest singular value with lengths divided by one.");
   m.def(
       "sincos", [](nb::handle x) { return elementary(0, x); }, nb::arg("x"),
       "(N,) -> (N, 2) sine and cosine, for tests.");
-  m.def("atan2", [](nb::handle yx) { return elementary(1, yx); }, nb::arg("yx"), "(N, 2) y, x -> (N,), for tests.");
+  m.def(
+      "atan2", [](nb::handle yx) { return elementary(1, yx); }, nb::arg("yx"), "(N, 2) y, x -> (N,), for tests.");
 }

@@ -13,6 +13,7 @@
 #include "collision/sweep.hpp"
 #include "elimination/entry.hpp"
 #include "lanes/stream.hpp"
+#include "maps/posture_measures.hpp"
 #include "time_law/fastest.hpp"
 #include "time_law/in_time.hpp"
 
@@ -61,6 +62,7 @@ const IsaTable& PIEPER_JOIN(isa_, PIEPER_ISA)() {
                                  &forward_fk,
                                  &forward_frames,
                                  &forward_jacobian,
+                                 &posture_measures,
                                  &pose_deviation,
                                  &pose_straighten,
                                  &apply_limits,

@@ -51,6 +51,10 @@ struct IsaTable {
   // out: count x 6 x n, linear rows first.
   void (*jacobian)(const double* links, const std::uint8_t* prismatic, int n, const double* q, long count, double* out);
 
+  // J: count x 36, row-major, linear rows first. out: count x 2, the determinant, and the smallest singular value with lengths divided
+  // by `length`.
+  void (*posture_measures)(const double* J, long count, double length, double* out);
+
   // For each of count poses: how far it is from a rigid motion (max abs of R^T R - 1 and of the last row; 2 when left
   // handed; NaN when not finite). Returns the largest; NaN counts as largest.
   double (*deviation)(const double* T, long count, double* out);

@@ -1,66 +1,99 @@
-// What is measured of one posture of six joints: the determinant of its Jacobian and the smallest singular value.
+// What is measured of postures of six joints: the determinant of the Jacobian and its smallest singular value.
+// Templates over the number type.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "lanes/batch.hpp"
+#include "lanes/math.hpp"
 
-namespace pieper {
+namespace pieper::PIEPER_ISA {
 
-// det J (6 x 6, row-major, spoilt), by elimination with pivots.
-inline double determinant(double* J) {
-  double product = 1;
-  for (int k = 0; k < 6; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < 6; ++i)
-      if (std::fabs(J[6 * i + k]) > std::fabs(J[6 * pivot + k])) pivot = i;
-    if (J[6 * pivot + k] == 0) return 0;
-    if (pivot != k) {
-      std::swap_ranges(J + 6 * k, J + 6 * k + 6, J + 6 * pivot);
-      product = -product;
-    }
-    product *= J[6 * k + k];
-    for (int i = k + 1; i < 6; ++i) {
-      const double f = J[6 * i + k] / J[6 * k + k];
-      for (int j = k + 1; j < 6; ++j) J[6 * i + j] -= f * J[6 * k + j];
-    }
+// Mirrors so that of `count` numbers, `apart` from each other, only the first is left, which is returned, and does the same to the
+// `lines` beside them, `beside` apart (Householder, 1958); `turn` changes its sign. Nothing is done where the squares round to 0.
+template <class F> PIEPER_INLINE F mirrored(F* x, int count, int apart, int lines, int beside, F& turn) {
+  F squares = 0.0;
+  for (int i = 0; i < count; ++i) squares += x[i * apart] * x[i * apart];
+  const Mask<F> there = squares > __DBL_MIN__;
+  const F size = sqrt(squares), first = select(there, -with_sign_of(size, x[0]), x[0]);
+  x[0] = x[0] - first;
+  const F scale = select(there, 1.0 / (size * abs(x[0])), 0.0);
+  for (F* line = x + beside; lines > 0; --lines, line += beside) {
+    F along = 0.0;
+    for (int i = 0; i < count; ++i) along += x[i * apart] * line[i * apart];
+    along = along * scale;
+    for (int i = 0; i < count; ++i) line[i * apart] = line[i * apart] - along * x[i * apart];
   }
-  return product;
+  turn = select(there, -turn, turn);
+  return first;
 }
 
-// The smallest singular value of J (6 x 6, row-major, spoilt): rows are turned in pairs until each is square to all others
-// (Hestenes, 1958); their lengths are the singular values then, small ones as accurate as large ones.
-inline double smallest_singular_value(double* J) {
-  constexpr int most_sweeps = 30;
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    bool square = true;
-    for (int a = 0; a < 5; ++a)
-      for (int b = a + 1; b < 6; ++b) {
-        double aa = 0, bb = 0, ab = 0;
-        for (int i = 0; i < 6; ++i) {
-          aa += J[6 * a + i] * J[6 * a + i];
-          bb += J[6 * b + i] * J[6 * b + i];
-          ab += J[6 * a + i] * J[6 * b + i];
-        }
-        if (std::fabs(ab) <= std::numeric_limits<double>::epsilon() * std::sqrt(aa * bb)) continue;
-        square = false;
-        const double z = (bb - aa) / (2 * ab), t = std::copysign(1.0, z) / (std::fabs(z) + std::sqrt(1 + z * z)),
-                     c = 1 / std::sqrt(1 + t * t), s = c * t;
-        for (int i = 0; i < 6; ++i) {
-          const double x = J[6 * a + i], y = J[6 * b + i];
-          J[6 * a + i] = c * x - s * y;
-          J[6 * b + i] = s * x + c * y;
-        }
+// det A of a 6 x 6 matrix (row-major, spoilt), and its smallest singular value. Mirrors from both sides leave an upper bidiagonal B
+// (Golub and Kahan, 1965). The least root of det(B^T B - x) is met from below by Laguerre's steps, each cubic, from the sums of
+// 1 / (root - x) and of its square, which are the derivatives of the logarithms of the quotients q of the shifted transform
+// (Fernando and Parlett, 1994): no term of theirs cancels, so that a small value is as good as the mirrors leave it, about 1e-16 of
+// the largest.
+template <class F> PIEPER_INLINE F smallest_singular_value(F* A, F& determinant) {
+  constexpr int n = 6, most = 60;
+  F q[n], e[n];
+  determinant = 1.0;
+  for (int k = 0; k < n; ++k) {
+    F* at = A + (n + 1) * k;
+    const F on = k < n - 1 ? mirrored(at, n - k, n, n - 1 - k, 1, determinant) : at[0];
+    const F off = k < n - 2 ? mirrored(at + 1, n - 1 - k, 1, n - 1 - k, n, determinant) : k < n - 1 ? at[1] : F(0.0);
+    determinant = determinant * on;
+    q[k] = on * on;
+    e[k] = off * off;
+  }
+  F x = 0.0;
+  Mask<F> going = mask_of<F>(true);
+  for (int step = 0; step < most && any(going); ++step) {
+    F d = q[0] - x, slope = 1.0, bend = 0.0, once = 0.0, twice = 0.0;  // d, and its two derivatives, signs turned
+    Mask<F> below = mask_of<F>(true);
+    for (int k = 0; k < n; ++k) {
+      const F quotient = d + e[k], over = 1.0 / quotient, share = slope * over;
+      below = below & (quotient > 0.0);
+      once += share;
+      twice += bend * over + share * share;
+      if (k == n - 1) break;
+      const F by = q[k + 1] * over, left = by * e[k] * over;
+      bend = left * (bend + 2.0 * slope * share);
+      slope = 1.0 + left * slope;
+      d = d * by - x;
+    }
+    const F by = n / (once + sqrt(max(F(0.0), (n - 1.0) * (n * twice - once * once))));
+    const F next = x + by;
+    going = going & below & (next > x);
+    x = select(going, next, x);
+    going = going & (by > 2 * __DBL_EPSILON__ * x);
+  }
+  return sqrt(x);
+}
+
+// J: count x 36, row-major, linear rows first; out: count x 2, the determinant as it comes, the smallest singular value with
+// lengths divided by `length`.
+inline void posture_measures(const double* J, long count, double length, double* out) {
+  using F = Lanes<PIEPER_LANES>;
+  constexpr int W = PIEPER_LANES, size = 36, whole = size - size % W;
+  for (long done = 0; done < count; done += W) {
+    const int lanes = count - done < W ? static_cast<int>(count - done) : W;
+    F A[size], block[W];
+    for (int first = 0; first < size; first += W) {
+      for (int i = 0; i < W; ++i) {
+        const double* own = J + size * (done + (i < lanes ? i : lanes - 1)) + first;
+        if (first < whole) block[i] = load<F>(own);
+        else
+          for (int k = 0; k < size - whole; ++k) block[i].v[k] = own[k];
       }
-    if (square) break;
+      transpose(block);
+      for (int k = 0; k < W && first + k < size; ++k) A[first + k] = block[k];
+    }
+    const double less = 1 / length;
+    for (int k = 0; k < size / 2; ++k) A[k] = A[k] * less;
+    F value[2];
+    value[1] = smallest_singular_value(A, value[0]);
+    value[0] = value[0] * (length * length * length);
+    for (int i = 0; i < lanes; ++i)
+      for (int k = 0; k < 2; ++k) out[2 * (done + i) + k] = lane(value[k], i);
   }
-  double least = INFINITY;
-  for (int a = 0; a < 6; ++a) {
-    double size = 0;
-    for (int i = 0; i < 6; ++i) size += J[6 * a + i] * J[6 * a + i];
-    least = std::min(least, size);
-  }
-  return std::sqrt(least);
 }
 
-}  // namespace pieper
+}  // namespace pieper::PIEPER_ISA

@@ -11,8 +11,6 @@
 #include <thread>
 #include <vector>
 
-#include "maps/posture_measures.hpp"
-
 namespace pieper {
 namespace {
 
@@ -49,7 +47,10 @@ class Worker {
         packed_((each_ + 7) / 8),
         all_((each_ + 7) / 8),
         every_roll_(!asked.links && solver.upper()[n_ - 1] - solver.lower()[n_ - 1] >= kTurn),
-        J_(asked.links ? 6 * n_ * slots_ * kBlock : 0) {
+        here_(asked.links ? n_ * slots_ * kBlock : 0),
+        J_(asked.links ? 6 * n_ * slots_ * kBlock : 0),
+        shapes_(asked.links ? slots_ * kBlock : 0),
+        place_(asked.links ? slots_ * kBlock : 0) {
     for (long k = 0; k < kBlock; ++k) T_[16 * k + 15] = 1;
     for (int r = 0; r < each_; ++r) set(all_.data(), r);
     if (each_ > 1) free(n_ - 1);
@@ -81,9 +82,9 @@ class Worker {
   }
 
  private:
-  // What is known of a posture's Jacobian.
+  // What is known of a posture's Jacobian, as IsaTable::posture_measures gives it.
   struct Shape {
-    double determinant = 0, smallest = 0;
+    double determinant, smallest;
   };
 
   std::uint8_t* bits(int image) const { return to_.bits + images_[image] * bytes_; }
@@ -105,8 +106,7 @@ class Worker {
     if (spread)
       solver_.isa_table().limits(q_.data(), valid_.data(), here * slots_, n_, lower_.data(), upper_.data(),
                                  solver_.prismatic().data(), inside_.data());
-    if (asked_.links)
-      solver_.isa_table().jacobian(asked_.links, solver_.prismatic().data(), n_, q_.data(), here * slots_, J_.data());
+    if (asked_.links) measure(here * slots_);
     for (long k = 0; k < here; ++k) {
       const std::uint8_t* inside = &inside_[k * slots_];
       const bool doubt = flag_[k] & (kDegenerate | kUncertain);
@@ -126,7 +126,7 @@ class Worker {
         for (int m = 0; m < slots_; ++m)
           if (inside[m]) {
             const double* row = &q_[(k * slots_ + m) * n_];
-            add(0, shape(k * slots_ + m), away(row, 0, n_), 1);
+            add(0, shapes_[place_[k * slots_ + m]], away(row, 0, n_), 1);
           }
     }
   }
@@ -177,9 +177,9 @@ class Worker {
     } else if (asked_.links) {
       best_last = share(row[n_ - 1], n_ - 1);
     }
-    Shape own;
+    Shape own{};
     if (asked_.links) {
-      own = shape(number);
+      own = shapes_[place_[number]];
       least_away = std::min(best_last, away(row, fold_ > 1, n_ - 1));
     }
     if (fold_ > 1) turned(row[0], 0, asked_.first_sense, fold_, first_in_);
@@ -213,14 +213,17 @@ class Worker {
     return least;
   }
 
-  // Of a row by its number in the block; metres are divided by the arm's length in the singular value.
-  Shape shape(long number) const {
-    double J[36];
-    const double* own = &J_[36 * number];
-    std::copy(own, own + 36, J);
-    const double det = determinant(J);
-    for (int i = 0; i < 36; ++i) J[i] = i < 18 ? own[i] / asked_.length : own[i];
-    return {det, smallest_singular_value(J)};
+  // The shapes of a block's rows that are inside, beside each other; place_ says where each is.
+  void measure(long rows) {
+    long count = 0;
+    for (long number = 0; number < rows; ++number)
+      if (inside_[number]) {
+        std::copy_n(&q_[number * n_], n_, &here_[count * n_]);
+        place_[number] = static_cast<int>(count++);
+      }
+    const IsaTable& isa = solver_.isa_table();
+    isa.jacobian(asked_.links, solver_.prismatic().data(), n_, here_.data(), count, J_.data());
+    isa.posture_measures(J_.data(), count, asked_.length, &shapes_.data()->determinant);
   }
 
   void add(int image, const Shape& own, double margin, int hits) const {
@@ -243,7 +246,9 @@ class Worker {
   std::vector<double> turned_;
   std::vector<std::uint8_t> last_in_, first_in_, one_, packed_, all_;
   const bool every_roll_;
-  std::vector<double> J_;
+  std::vector<double> here_, J_;
+  std::vector<Shape> shapes_;
+  std::vector<int> place_;
   const std::int64_t* images_ = nullptr;
 };
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pieper import DH, Arm
-from pieper.description.dh import describe
+from pieper.description.said import describe
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import axes_at, from_axes
 from pieper.kinematics.pose import transform

@@ -7,8 +7,9 @@ from math import pi
 import numpy as np
 
 from pieper import _kernel
-from pieper.description.dh import DH, describe
+from pieper.description.dh import DH
 from pieper.description.fold import chain_of
+from pieper.description.said import describe
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import look
 from pieper.solver.families import spherical_wrist_parallel as family

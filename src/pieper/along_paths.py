@@ -114,6 +114,10 @@ class AlongPaths(AtScale):
         """Return the plan of the arm with the axis meant as its tool's z, and that of what a freedom leaves."""
         from pieper.motion.route.setting import limits_of_axes, with_turn_limits
 
+        self.description.not_linked(
+            "routes are planned for arms of which every axis has a joint",
+            "`arm.follow` takes such an arm, and holds the tool as the path says.",
+        )
         if not free.turns and free.cone == 0 and free.interval == (0.0, 0.0):
             return self.plan, self.plan
         if free.axis == "z" and self.plan.uncoupled is None:

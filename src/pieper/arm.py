@@ -12,9 +12,10 @@ import numpy as np
 
 from pieper.along_paths import AlongPaths
 from pieper.description import change
-from pieper.description.dh import DH, Description, describe
+from pieper.description.dh import DH, Description
 from pieper.description.fold import chain_of
 from pieper.description.posture import posture
+from pieper.description.said import describe
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.meant import remark_far_away
@@ -66,7 +67,7 @@ class Arm(AlongPaths):
         coupling: ArrayLike | None = None,
         snap: float | None = None,
     ) -> Arm:
-        """Make an arm of a DH table; see `description.dh.describe` for what each argument means.
+        """Make an arm of a DH table; see `description.said.describe` for what each argument means.
 
         Raises:
             InputError: Something said is impossible; the message names the joint and what is allowed.

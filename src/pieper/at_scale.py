@@ -31,6 +31,9 @@ if TYPE_CHECKING:
     from pieper.maps.reach_map import ReachMap
     from pieper.verify.comparison import Comparison
 
+#: How an arm with a linkage is calibrated.
+_BY_AXES = "Calibrate arm.uncoupled(), whose joints are the axes, at q @ arm.coupling.T."
+
 
 class AtScale:
     """What an arm does at scale; `pieper.Arm` has it all."""
@@ -182,6 +185,7 @@ class AtScale:
         """
         from pieper.calibration.calibrate import calibrate
 
+        self.description.not_linked("it is calibrated axis by axis", _BY_AXES)
         return calibrate(
             self,
             q,
@@ -201,6 +205,7 @@ class AtScale:
         """Choose k of joint vectors (N, n) whose measurements together say most about the arm; returns rows (k,)."""
         from pieper.calibration.choose import choose_poses
 
+        self.description.not_linked("it is calibrated axis by axis", _BY_AXES)
         return choose_poses(self, k, candidates, kind=kind, sigma=sigma)
 
     def code(self, language: str, path: str | os.PathLike[str], name: str = "arm") -> Path:
@@ -218,6 +223,7 @@ class AtScale:
         """
         from pieper.code.write import write
 
+        self.description.not_linked("code is written for arms of which every axis has a joint")
         return write(self, language, path, name)
 
     def reach_map(

@@ -10,7 +10,7 @@ from oracle.products import product
 from pieper import DH, InputError
 from pieper.description import robotfile, urdf
 from pieper.description.coupling import chain_values, joint_values
-from pieper.description.dh import describe
+from pieper.description.said import describe
 from tests.description.urdf_samples import joint, robot
 
 ROWS = [DH(alpha=np.pi / 2, d=0.4), DH(a=0.5), DH(a=0.1, alpha=np.pi / 2)]
@@ -59,11 +59,17 @@ def test_the_identity_is_no_coupling():
         ([[1, 0], [0, 1]], "3 rows of 3"),
         ([[1, 0, 0], [0, 1, 0], [0, np.nan, 1]], "finite"),
         ("parallelogram", "3 rows of 3"),
+        ([[1, 0], [0, 1], [0, 0]], None),
+        ([[1, 0], [0, 0], [0, 0]], "joint_2 moves nothing"),
+        ([[1, 1], [2, 2], [0, 0]], "singular: .*joint_1, .*joint_2 together"),
         ([[1, 0, 0], [0, 1, 1], [0, 1, 1]], "singular: .*joint_2, .*joint_3 together.*Change a row"),
         ([[1, 0, 0], [0, 0, 0], [0, 0, 1]], "joint_2 moves nothing"),
     ],
 )
 def test_a_coupling_that_is_none_is_refused(coupling, message):
+    if message is None:  # an axis that never moves is a linkage's too
+        assert describe(ROWS, convention="standard", coupling=coupling).n == 2
+        return
     with pytest.raises(InputError, match=message):
         describe(ROWS, convention="standard", coupling=coupling)
 
@@ -113,11 +119,15 @@ def test_a_mimic_joint_on_the_axis_of_its_neighbour_is_a_coupling_and_said():
     assert np.abs(arm.fk(q) - product(five, [0.2, 0.6, 0.25 - 0.6, -0.4, 0.9])).max() < 1e-14
 
 
-def test_a_mimic_joint_on_an_axis_of_its_own_is_refused_by_name_with_a_cure():
+def test_a_mimic_joint_on_an_axis_of_its_own_is_moved_by_a_linkage_and_said():
     wrist = joint("level", "l3", "l4", "0.147 0 0", axis="0 1 0", extra='<mimic joint="j2" multiplier="-1"/>')
     text = robot(*PALLETIZER[:2], joint("j3", "l2", "l3", "0 0 0.2", axis="0 1 0"), wrist, joint("j4", "l4", "l5"))
-    with pytest.raises(InputError, match="joint 'level' mimics 'j2'.*tip='l3'"):
-        urdf.loads(text)
+    arm = pieper.Arm(urdf.loads(text))
+    assert arm.joint_names == ("j1", "j2", "j3", "j4") and arm.description.axis_names[3] == "level"
+    assert arm.coupling.tolist() == [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]
+    assert any("'level' mimics 'j2' about an axis of its own: a linkage moves it" in note for note in arm.notes)
+    q = np.array([0.2, 0.6, -0.4, 0.9])
+    assert np.abs(arm.fk(q) - arm.uncoupled().fk([0.2, 0.6, -0.4, -0.6, 0.9])).max() < 1e-14
     assert urdf.loads(text, tip="l3").n == 3
 
 

@@ -7,7 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from pieper.description.dh import DH, describe
+from pieper.description.dh import DH
+from pieper.description.said import describe
 from pieper.errors import InputError, PieperWarning
 
 ROWS = [DH(a=0.3), DH(alpha=math.pi / 2, d=0.1), DH(theta=1.0)]

@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 
 from oracle.slow_forward import placed
 from pieper.description import catalog, robotfile
-from pieper.description.dh import DH, Actuator, Check, describe
+from pieper.description.dh import DH, Actuator, Check
 from pieper.description.quantity import ExpressionError, evaluate
+from pieper.description.said import describe
 from tests.description.robotfile_samples import EXAMPLES, TWO_JOINTS, same
 
 

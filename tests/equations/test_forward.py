@@ -12,7 +12,8 @@ import sympy
 
 import pieper
 from pieper.algebra.expression import Num
-from pieper.description.dh import DH, describe
+from pieper.description.dh import DH
+from pieper.description.said import describe
 from pieper.equations.forward import ForwardEquations, forward_matrices
 
 PAPERS = json.loads((Path(__file__).parents[1] / "papers" / "data" / "forward_30_digits.json").read_text())["robots"]

@@ -69,7 +69,7 @@ def _print_dh(arm: pieper.Arm, units: Units) -> None:
     fine = 3 if angle == "deg" else 6
     rows = []
     for i, row in enumerate(d.rows):
-        revolute = arm.joint_types[i] == "R"
+        revolute = d.axis_types[i] == "R"
         cells = [
             number(row.a / units.metres, digits),
             number(row.alpha / units.radians, fine),
@@ -81,9 +81,10 @@ def _print_dh(arm: pieper.Arm, units: Units) -> None:
         sign = "+" if constant > 0 else "-"
         cells[3 if revolute else 2] = d.moved_by(i) + ("" if shown == "0" else f" {sign} {shown}")
         unit, places = (units.radians, fine) if revolute else (units.metres, digits)
-        limits = [number(v / unit, max(places - 1, 2)) for v in d.limits[i]]
+        own = d.own_axes.index(i) if i in d.own_axes else None
+        limits = ["by linkage", ""] if own is None else [number(v / unit, max(places - 1, 2)) for v in d.limits[own]]
         sense = "+" if d.sign[i] > 0 else "-"
-        rows.append([d.joint_names[i], *cells, sense, number(d.offset[i] / unit, max(places - 1, 2)), *limits])
+        rows.append([d.axis_names[i], *cells, sense, number(d.offset[i] / unit, max(places - 1, 2)), *limits])
     kind = "standard (distal)" if d.convention == "standard" else "modified (proximal, Craig)"
     heads = [f"a, {length}", f"alpha, {angle}", f"d, {length}", f"theta, {angle}", "sense", "zero", "lower", "upper"]
     title = f"{arm.name}: {plural(arm.n, 'joint')} {arm.joint_types}, {kind} DH"
@@ -97,6 +98,7 @@ def _as_data(arm: pieper.Arm, plan: pieper.Plan | None, beyond: str) -> dict[str
         "convention": d.convention,
         "joint_types": arm.joint_types,
         "joint_names": arm.joint_names,
+        "linked": [axis.name for axis in d.linked],
         "dh": [{"a_m": r.a, "alpha_rad": r.alpha, "d_m": r.d, "theta_rad": r.theta} for r in d.rows],
         "sign": d.sign,
         "offset": d.offset,

@@ -117,11 +117,11 @@ def gradient(model: Model, q: Array, which: npt.NDArray[np.int64], points: Array
     frames = chain.native_axes.frames(q, np.eye(4))[:, 1:-1]
     axis, origin = frames[:, :, :3, 2], frames[:, :, :3, 3]
     arm = points[:, None, 0] - origin
-    moves = np.where(chain.prismatic[None, :, None], axis, np.cross(axis, arm))
+    moves = np.where(chain.sliding[None, :, None], axis, np.cross(axis, arm))
     change = np.einsum("njc,nc->nj", moves, normal)
     if not len(model.pairs):
         return np.zeros_like(change)
     links = model.links[model.pairs[which]]
-    joint = np.arange(chain.n)
+    joint = np.arange(chain.axis_count)
     change = np.where((joint >= links[:, 1:]) & (joint < links[:, :1]) & (which >= 0)[:, None], change, 0.0)
     return change if chain.coupling is None else change @ chain.coupling

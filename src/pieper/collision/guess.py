@@ -57,9 +57,9 @@ def guessed(arm: Description) -> tuple[tuple[Body, ...], set[frozenset[str]]]:
     total = max(sum(line.length for line in lines), SHORTEST_ARM)
     thick = [line for line in lines if line.length >= SHORT * total]
     for line in thick:
-        line.radius = (THICK + (THIN - THICK) * min(line.on / arm.n, 1.0)) * total
+        line.radius = (THICK + (THIN - THICK) * min(line.on / len(arm.rows), 1.0)) * total
     least = {line.name: THINNEST * line.radius for line in thick}
-    pairs = [(a, b) for i, a in enumerate(thick) for b in thick[i + 2 :] if min(b.on, arm.n) > a.on]
+    pairs = [(a, b) for i, a in enumerate(thick) for b in thick[i + 2 :] if min(b.on, len(arm.rows)) > a.on]
     one_piece: set[frozenset[str]] = set()
     for (a, b), apart in zip(pairs, _apart(arm, pairs).T, strict=True):
         wanted = ROOM * float(np.quantile(apart, OFTEN)) / (a.radius + b.radius)
@@ -77,7 +77,7 @@ def _apart(arm: Description, pairs: list[tuple[_Line, _Line]]) -> Array:
         return np.empty((POSTURES, 0))
     free = [
         sorted(arm.sign[j] * x for x in _way(arm, j)) if kind == "P" else (-np.pi, np.pi)
-        for j, kind in enumerate(arm.joint_types)
+        for j, kind in zip(arm.own_axes, arm.joint_types, strict=True)
     ]
     low, high = np.where(np.isfinite(arm.limits), arm.limits, np.array(free)).T
     q = np.random.default_rng(0).uniform(np.minimum(low, high), np.maximum(low, high), (POSTURES, arm.n))
@@ -121,10 +121,10 @@ def _lines(arm: Description) -> list[_Line]:
         corner = after[:3, 3] - row.a * after[:3, 0] if standard else before[:3, 3] + row.a * before[:3, 0]
         start, end = (before[:3, 3], corner) if standard else (corner, after[:3, 3])
         axis = before[:3, 2] if standard else after[:3, 2]
-        name = arm.joint_names[k - 1]
+        name = arm.axis_names[k - 1]
         if not standard:
-            add(k - 1, arm.joint_names[k - 2] if k > 1 else "base", before[:3, 3], corner)
-        if arm.joint_types[k - 1] == "P":
+            add(k - 1, arm.axis_names[k - 2] if k > 1 else "base", before[:3, 3], corner)
+        if arm.axis_types[k - 1] == "P":
             low, high = _way(arm, k - 1)
             add(k - 1, f"{name} sleeve", start, end + low * axis)
             add(k, f"{name} rod", end - (high - low) * axis, end)
@@ -134,15 +134,16 @@ def _lines(arm: Description) -> list[_Line]:
             add(k, f"{name} axis", start, end)
         if standard:
             add(k, name, corner, after[:3, 3])
-    add(arm.n + 1, "tool", at_zero[arm.n][:3, 3], at_zero[arm.n + 1][:3, 3])
+    add(len(arm.rows) + 1, "tool", at_zero[-2][:3, 3], at_zero[-1][:3, 3])
     for line, name in zip(out, unique_names([line.name for line in out]), strict=True):
         line.name = name
     return out
 
 
-def _way(arm: Description, joint: int) -> tuple[float, float]:
+def _way(arm: Description, axis: int) -> tuple[float, float]:
     """Return how far a slide goes from zero along its axis, m; as the longest link where it has no limits."""
-    low, high = (float(v) for v in arm.limits[joint])
+    own = arm.own_axes
+    low, high = (float(v) for v in arm.limits[own.index(axis)]) if axis in own else (-np.inf, np.inf)
     if not (np.isfinite(low) and np.isfinite(high)):
         low, high = 0.0, max(SHORTEST_ARM, *(abs(row.d) + abs(row.a) for row in arm.rows))
-    return (low, high) if arm.sign[joint] > 0 else (-high, -low)
+    return (low, high) if arm.sign[axis] > 0 else (-high, -low)

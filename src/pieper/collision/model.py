@@ -97,7 +97,7 @@ def model_of(arm: Description, chain: Chain, bodies: Bodies, scene: Scene) -> Mo
         InputError: A pair that may touch names no body of this arm.
     """
     _check_allowed(bodies, scene)
-    n = arm.n
+    n = len(arm.rows)
     after = [np.eye(4), *chain.frames_after, chain.links[n]]
     place = [arm.base, *after[1:]]
     links = [min(body.on, n) for body in bodies] + [0] * len(scene)

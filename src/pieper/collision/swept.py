@@ -217,5 +217,5 @@ class _Search:
         way = 0.0
         for k in range(int(model.links[i]) - 1, int(model.links[j]) - 1, -1):
             far = float(np.linalg.norm(np.cross(axes[k, :3, 2], at - axes[k, :3, 3]), axis=1).max()) + layer
-            way += h[k] * (1.0 if chain.prismatic[k] else far + way)
+            way += h[k] * (1.0 if chain.sliding[k] else far + way)
         return way

@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 
 from pieper import arguments
 from pieper.description.commonnormal import standard_table
-from pieper.description.dh import Actuator, Description, describe
+from pieper.description.dh import Actuator, Description
+from pieper.description.said import describe
 from pieper.errors import InputError
 from pieper.kinematics.pose import PoseLike, checked_pose
 from pieper.tolerances import NO_DIRECTION, PARALLEL_AXES, ROUNDING, UNIT_SLACK
@@ -81,6 +82,7 @@ def described_by_axes(
     sign: ArrayLike | None = None,
     offset: ArrayLike | None = None,
     coupling: ArrayLike | None = None,
+    linked: Sequence[int] | None = None,
     actuator: Actuator | None = None,
     manufacturer: str = "",
     source: str = "",
@@ -109,6 +111,7 @@ def described_by_axes(
         sign=sign,
         offset=offset,
         coupling=coupling,
+        linked=linked,
         actuator=actuator,
         manufacturer=manufacturer,
         source=source,

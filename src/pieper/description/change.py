@@ -12,8 +12,9 @@ import numpy.typing as npt
 from pieper import arguments
 from pieper.description.carry import carried
 from pieper.description.commonnormal import standard_table
-from pieper.description.dh import CONVENTIONS, DH, Check, Description, describe
+from pieper.description.dh import CONVENTIONS, DH, Check, Description
 from pieper.description.fold import chain_of
+from pieper.description.said import describe
 from pieper.errors import InputError
 from pieper.kinematics.meant import remark_long
 from pieper.kinematics.pose import PoseLike, checked_pose, inverse, rotation_x
@@ -61,10 +62,12 @@ def uncoupled(arm: Description) -> Description:
     """
     if arm.coupling is None:
         return arm
-    tied = (arm.coupling != np.eye(arm.n)).any(1)
-    limits = np.where(tied[:, None], [-np.inf, np.inf], arm.limits)
-    postures = {name: arm.coupling @ q for name, q in arm.postures.items()}
-    return replace(arm, coupling=None, limits=limits, postures=postures, checks=(), origin=None)
+    free = arm.by_axes()
+    limits = np.array(free.limits)
+    for joint, axis in enumerate(arm.own_axes):
+        if np.array_equal(arm.coupling[axis], np.eye(arm.n)[joint]):
+            limits[axis] = arm.limits[joint]
+    return replace(free, limits=_frozen(limits))
 
 
 def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Description:
@@ -82,9 +85,10 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
         raise InputError("every joint would be held; an arm has at least one that moves.", given=dict(values))
     if not held:
         return arm
+    axes = len(arm.rows)
     C = np.eye(arm.n) if arm.coupling is None else arm.coupling
     for i in held:
-        movers = [arm.joint_names[j] for j in free if C[i, j] != 0.0]
+        movers = [arm.joint_names[j] for j in free if C[arm.own_axes[i], j] != 0.0]
         if movers:
             raise InputError(
                 f"{arm.joint_names[i]} cannot be held: by the coupling its axis also moves with {', '.join(movers)}.",
@@ -93,22 +97,25 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
     q = np.array([held.get(i, 0.0) for i in range(arm.n)])
     constants = C @ q
     # the chain in which only the free joints move: their axes where the held values put them
-    chain = chain_of(replace(arm, sign=np.ones(arm.n), offset=np.zeros(arm.n), coupling=None))
-    start = np.where(np.isin(np.arange(arm.n), list(held)), arm.offset + arm.sign * constants, 0.0)
-    for i in sorted(held, reverse=True):
+    still = [i for i in range(axes) if not C[i, free].any()]
+    moving = [i for i in range(axes) if i not in still]
+    chain = chain_of(replace(arm.by_axes(), sign=np.ones(axes), offset=np.zeros(axes)))
+    start = arm.offset + arm.sign * constants
+    for i in reversed(still):
         chain = chain.locked(i, float(start[i]))
     table = standard_table(chain.axes, chain.points, chain.home)
     kept = describe(
         table.rows,
         convention="standard",
-        joint_types="".join(arm.joint_types[i] for i in free),
-        joint_names=[arm.joint_names[i] for i in free],
+        joint_types="".join(arm.axis_types[i] for i in moving),
+        joint_names=[arm.axis_names[i] for i in moving],
+        linked=[moving.index(axis.at) for axis in arm.linked if axis.at in moving],
         limits=arm.limits[free],
-        sign=arm.sign[free].tolist(),
-        offset=(arm.offset[free] + arm.sign[free] * constants[free]).tolist(),
+        sign=arm.sign[moving].tolist(),
+        offset=(arm.offset[moving] + arm.sign[moving] * constants[moving]).tolist(),
         base=table.base,
         tool=table.tool,
-        coupling=C[np.ix_(free, free)],
+        coupling=C[np.ix_(moving, free)],
         name=arm.name,
         manufacturer=arm.manufacturer,
         source=arm.source,
@@ -122,7 +129,7 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
     # named tools stand in the old table's last frame
     moved = {name: table.tool @ inverse(arm.tool) @ T for name, T in arm.tools.items()}
     bodies = carried(
-        arm, kept, q, np.zeros(len(free)), lambda k: len(free) + 1 if k > arm.n else sum(i < k for i in free)
+        arm, kept, q, np.zeros(len(free)), lambda k: len(moving) + 1 if k > axes else sum(i < k for i in moving)
     )
     kept = replace(kept, bodies=bodies, allowed=arm.allowed, tools={k: _frozen(T) for k, T in moved.items()})
     return to_convention(kept, arm.convention)
@@ -163,6 +170,7 @@ def reversed_arm(arm: Description) -> Description:
         rows=rows,
         joint_types=arm.joint_types[::-1],
         joint_names=arm.joint_names[::-1],
+        linked=tuple(replace(axis, at=len(rows) - 1 - axis.at) for axis in arm.linked[::-1]),
         limits=_frozen(arm.limits[::-1]),
         sign=_frozen(-arm.sign[::-1]),
         offset=_frozen(-arm.offset[::-1] + 0.0),
@@ -178,15 +186,17 @@ def reversed_arm(arm: Description) -> Description:
     )
     q = np.zeros(arm.n)
     at_zero = chain_of(arm).native.fk(q)
-    bodies = carried(arm, turned, q, q, lambda k: max(arm.n - k, 0), inverse(at_zero))
+    bodies = carried(arm, turned, q, q, lambda k: max(len(rows) - k, 0), inverse(at_zero))
     return to_convention(replace(turned, bodies=bodies, unmeasured=None), arm.convention)
 
 
 def _described_anew(arm: Description, **changes: object) -> Description:
     said = {
         "convention": arm.convention,
-        "joint_types": arm.joint_types,
-        "joint_names": arm.joint_names,
+        "joint_types": arm.axis_types,
+        "joint_names": arm.axis_names,
+        "coupling": arm.coupling,
+        "linked": [axis.at for axis in arm.linked],
         "limits": arm.limits,
     } | changes
     checked = describe(arm.rows, **said)  # type: ignore[arg-type]

@@ -1,4 +1,8 @@
-"""Coupled joints: what a controller calls the joints against the values of the chain, values = C @ joints."""
+"""Coupled joints: what a controller calls the joints against the values of the chain, values = C @ joints.
+
+A palletizer has more axes than joints: a linkage turns some of them as the joints move, and its coupling is taller
+than wide.
+"""
 
 from __future__ import annotations
 
@@ -14,20 +18,21 @@ from pieper.tolerances import MOVES_NOTHING, WORST_CONDITION
 from pieper.words_by_number import plural
 
 
-def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.NDArray[np.float64] | None:
-    """Return a coupling (n, n), read-only; None where it is the identity.
+def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...], axes: int) -> npt.NDArray[np.float64] | None:
+    """Return a coupling (axes, n) of n joints, read-only; None where it is the identity.
 
     Raises:
-        InputError: Not n by n finite numbers, or singular: a joint that moves nothing, or two that move the same.
+        InputError: Not so many finite numbers, or singular: a joint that moves nothing, or two that move the same.
     """
     if coupling is None:
         return None
     n = len(names)
-    C = np.array(arguments.numbers(coupling, "coupling", f"{plural(n, 'row')} of {plural(n, 'finite number')}"))
-    if C.shape != (n, n) or not np.isfinite(C).all():
+    wanted = f"{plural(axes, 'row')} of {plural(n, 'finite number')}"
+    C = np.array(arguments.numbers(coupling, "coupling", wanted))
+    if C.shape != (axes, n) or not np.isfinite(C).all():
         raise InputError(
-            f"coupling must be {plural(n, 'row')} of {plural(n, 'finite number')} (chain values = coupling @ "
-            f"joint values), got {'shape ' + str(C.shape) if C.size else repr(coupling)}.",
+            f"coupling must be {wanted} (chain values = coupling @ joint values), got "
+            f"{'shape ' + str(C.shape) if C.size else repr(coupling)}.",
             given=coupling,
         )
     for i, name in enumerate(names):
@@ -40,7 +45,8 @@ def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.
     condition = float(np.linalg.cond(C))
     if not condition < WORST_CONDITION:
         size = np.abs(C).max(0)
-        level = C / size / np.abs(C / size).max(1, keepdims=True)
+        most = np.abs(C / size).max(1, keepdims=True)
+        level = C / size / np.where(most > 0, most, 1.0)
         if np.linalg.cond(level) < WORST_CONDITION:
             small, large = names[int(np.argmin(size))], names[int(np.argmax(size))]
             raise InputError(
@@ -62,10 +68,31 @@ def checked_coupling(coupling: ArrayLike | None, names: tuple[str, ...]) -> npt.
             condition=condition,
             given=C,
         )
-    if np.array_equal(C, np.eye(n)):
+    if C.shape == (n, n) and np.array_equal(C, np.eye(n)):
         return None
     C.setflags(write=False)
     return C
+
+
+def numbers_of(coupling: ArrayLike | None, axes: int) -> int:
+    """Return how many joints a coupling of so many axes speaks of: fewer where a linkage moves some of them."""
+    try:
+        shape = np.shape(coupling) if coupling is not None else ()
+    except ValueError:
+        return axes  # of unequal rows; what is wrong is said when they are read
+    return shape[1] if len(shape) == 2 and shape[0] == axes and 0 < shape[1] < axes else axes
+
+
+def linked_axes(coupling: npt.NDArray[np.float64] | None) -> tuple[int, ...]:
+    """Return the axes (0-based) that have no joint of their own: what moves them follows from the axes before."""
+    if coupling is None or coupling.shape[0] == coupling.shape[1]:
+        return ()
+    own: list[int] = []
+    level = coupling / np.abs(coupling).max(0)
+    for i in range(len(level)):
+        if len(own) < level.shape[1] and np.linalg.matrix_rank(level[[*own, i]]) > len(own):
+            own.append(i)
+    return tuple(i for i in range(len(level)) if i not in own)
 
 
 def chain_values(q: npt.NDArray[np.float64], coupling: npt.NDArray[np.float64] | None) -> npt.NDArray[np.float64]:
@@ -77,7 +104,8 @@ def joint_values(values: npt.NDArray[np.float64], coupling: npt.NDArray[np.float
     """Return the joint vectors (..., n) at which the chain's joints have these values (..., n), rad or m."""
     if coupling is None:
         return values
-    return np.asarray(np.linalg.solve(coupling, values[..., None])[..., 0], np.float64)
+    own = [i for i in range(len(coupling)) if i not in linked_axes(coupling)]
+    return np.asarray(np.linalg.solve(coupling[own], values[..., own, None])[..., 0], np.float64)
 
 
 def moved_by(row: npt.NDArray[np.float64], names: Sequence[str], sign: float = 1.0) -> str:

@@ -15,8 +15,8 @@ FAR_LONGER = 10.0
 
 def chain_of(description: Description) -> Chain:
     """Return the chain of an arm: base, tool, table, the makers' zeros and senses folded into constant links."""
-    n = description.n
-    prismatic = np.array([t == "P" for t in description.joint_types])
+    n = len(description.rows)
+    prismatic = np.array([t == "P" for t in description.axis_types])
     links = np.empty((n + 1, 4, 4))
     frames_after = np.empty((n, 4, 4))
     pending = description.base.copy()
@@ -40,7 +40,7 @@ def chain_of(description: Description) -> Chain:
         pending = after
     links[n] = pending @ description.tool
     _shortened(links, frames_after)
-    return Chain.of(links, prismatic, frames_after, description.coupling)
+    return Chain.of(links, prismatic, frames_after, description.coupling, description.own_axes)
 
 
 def frames_of(arm: Description, q: Array) -> Array:

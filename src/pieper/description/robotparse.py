@@ -11,12 +11,13 @@ import numpy as np
 from pieper.description.axes import UNIT_SLACK
 from pieper.description.bodyfield import allowed_of, bodies_of
 from pieper.description.commonnormal import standard_table
-from pieper.description.dh import CONVENTIONS, DH, Actuator, Check, Description, describe
+from pieper.description.dh import CONVENTIONS, DH, Actuator, Check, Description
 from pieper.description.fields import needed_key, number, numbers, one_key, quantity
 from pieper.description.fold import frames_of
 from pieper.description.place import Place, kind_of
 from pieper.description.posefield import pose_of
 from pieper.description.quantity import UNITS, UNITS_OF
+from pieper.description.said import describe
 from pieper.errors import InputError
 from pieper.kinematics.pose import inverse
 from pieper.tolerances import TYPED_DIGITS
@@ -89,26 +90,37 @@ def _description(document: dict, top: Place) -> Description:
     if not joints:
         top.fail("the arm has no joints; each is a table [[joints]] in joint order.", None, missing="joints")
     names, types, rows, limits, signs, offsets = [], [], [], [], [], []
+    linked: list[int] = []
     for index, table in enumerate(joints):
         name = table.get("name", f"joint_{index + 1}")
         place = top.at("joints", index, name if isinstance(name, str) else None)
         if place.text_of(table, "name", name) in names:
             place.fail(f"the name {name!r} is used twice; joint names must differ.", "name")
         names.append(name)
+        if _linked(table, place):
+            linked.append(index)
         kind, row, bounds, sign, offset = _joint(table, place, convention)
         types.append(kind)
         rows.append(row)
-        limits.append(bounds)
+        if index not in linked:
+            limits.append(bounds)
         signs.append(sign)
         offsets.append(offset)
-    kinds = "".join(types)
+    if linked and "coupling" not in document:
+        top.fail(
+            f"{names[linked[0]]} is linked, and no coupling says what moves it: {plural(len(names), 'row')} of "
+            f"{plural(len(limits), 'number')}, angles of the axes = coupling x joint values.",
+            None,
+            missing="coupling",
+        )
+    kinds = "".join(kind for index, kind in enumerate(types) if index not in linked)
     base = said_base = pose_of(top.table(document.get("base", {}), "base"), top.at("base"))
     tool_table = top.table(document.get("tool", {}), "tool")
     said = {
         "name": top.text_of(document, "name"),
         **{key: top.text_of(document, key, "") for key in ("manufacturer", "source", "notes")},
         "departures": _departures(document, top),
-        "coupling": _coupling(document, len(names), top),
+        "coupling": _coupling(document, len(names), len(limits), top),
         "tools": _poses(document, "tools", top),
         "frames": _poses(document, "frames", top),
         "actuator": _actuator(tool_table, top),
@@ -133,8 +145,9 @@ def _description(document: dict, top: Place) -> Description:
             convention=convention,
             base=base,
             tool=tool,
-            joint_types=kinds,
+            joint_types="".join(types),
             joint_names=names,
+            linked=linked,
             limits=limits,
             sign=signs,
             offset=offsets,
@@ -151,6 +164,17 @@ def _description(document: dict, top: Place) -> Description:
     return replace(arm, bodies=bodies, allowed=allowed, payload=_payload(document, top), reach=_reach(document, top))
 
 
+def _linked(table: dict, place: Place) -> bool:
+    """Whether a table is of an axis that a linkage moves, which has no number of its own and no limits."""
+    said = table.get("linked", False)
+    if not isinstance(said, bool):
+        place.fail(f"must be true or false, got {kind_of(said)}.", "linked", given=said)
+    limits = [key for key in table if key.startswith("limits_")]
+    if said and limits:
+        place.fail("an axis that a linkage moves has no limits of its own; those of the joints hold it.", limits[0])
+    return said
+
+
 def _joint(
     table: dict, place: Place, convention: str
 ) -> tuple[str, DH | tuple[list[float], list[float]], tuple[float, float], float, float]:
@@ -161,7 +185,7 @@ def _joint(
         place.fail(f'{said!r} is not a joint type; say "revolute" or "prismatic" (R or P).', "type", given=said)
     own = "angle" if letter == "R" else "length"
     variable = "theta" if letter == "R" else "d"
-    allowed = ["name", "type"]
+    allowed = ["name", "type", "linked"]
     if convention == "axes":
         allowed += ["axis", "point_mm", "point_m"]
     else:
@@ -196,13 +220,14 @@ def _axis(table: dict, place: Place, letter: str) -> tuple[list[float], list[flo
     return [x / length for x in axis], point
 
 
-def _coupling(document: dict, n: int, top: Place) -> list[list[float]] | None:
+def _coupling(document: dict, axes: int, n: int, top: Place) -> list[list[float]] | None:
     if "coupling" not in document:
         return None
     value = document["coupling"]
-    if not isinstance(value, list) or len(value) != n:
+    if not isinstance(value, list) or len(value) != axes:
+        which = "an axis" if axes > n else "a joint"
         top.fail(
-            f"must be {plural(n, 'row')} of {plural(n, 'number')}, one a joint, got {kind_of(value)}.",
+            f"must be {plural(axes, 'row')} of {plural(n, 'number')}, one {which}, got {kind_of(value)}.",
             "coupling",
             given=value,
         )

@@ -29,7 +29,7 @@ def contents(description: Description) -> dict:
     if description.departures:
         top["departures"] = list(description.departures)
     top["convention"] = description.convention
-    top["joints"] = [_joint(description, index) for index in range(description.n)]
+    top["joints"] = [_joint(description, index) for index in range(len(description.rows))]
     if base := pose_keys(description.base):
         top["base"] = base
     tool = pose_keys(description.tool)
@@ -47,7 +47,7 @@ def contents(description: Description) -> dict:
     from pieper.description.tree_bodies import known_bodies  # reads meshes of URDFs; most arms have none
 
     if bodies := known_bodies(description)[0]:
-        top["bodies"] = body_tables(bodies, description.joint_names)
+        top["bodies"] = body_tables(bodies, description.axis_names)
     if description.allowed:
         top["collision"] = {"allowed": [list(pair) for pair in description.allowed]}
     if description.checks:
@@ -81,9 +81,12 @@ def text_of(top: dict) -> str:
 
 
 def _joint(description: Description, index: int) -> dict:
-    revolute = description.joint_types[index] == "R"
+    revolute = description.axis_types[index] == "R"
     own, row = ("angle" if revolute else "length"), description.rows[index]
-    table: dict = {"name": description.joint_names[index], "type": "revolute" if revolute else "prismatic"}
+    table: dict = {"name": description.axis_names[index], "type": "revolute" if revolute else "prismatic"}
+    joint = description.own_axes.index(index) if index in description.own_axes else None
+    if joint is None:
+        table["linked"] = True
     for column, kind in (("a", "length"), ("alpha", "angle"), ("d", "length"), ("theta", "angle")):
         value = getattr(row, column)
         if column != ("theta" if revolute else "d") or not same_bits(value, 0.0):
@@ -92,7 +95,7 @@ def _joint(description: Description, index: int) -> dict:
         table["sign"] = -1
     if not same_bits(float(description.offset[index]), 0.0):
         table |= quantity_key("offset", [float(description.offset[index])], own, single=True)
-    limits = [float(v) for v in description.limits[index]]
+    limits = [-math.inf, math.inf] if joint is None else [float(v) for v in description.limits[joint]]
     if limits != [-math.inf, math.inf]:
         table |= quantity_key("limits", limits, own)
     return table
@@ -155,6 +158,8 @@ def _value(value: object) -> str:
         if "\n" in value:
             return _multiline(value)
         return _string(value) if len(value) < _LONG_TEXT or value.startswith(" ") else _folded(value)
+    if isinstance(value, bool):
+        return str(value).lower()
     if isinstance(value, list):
         nested = bool(value) and isinstance(value[0], (list, str))
         items = [_value(item) for item in value]

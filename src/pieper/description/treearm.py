@@ -56,14 +56,16 @@ def arm_of(
         raise InputError(
             f"{tree.file}: no moving joint between {ends.base!r} and {ends.tip!r}.", base=ends.base, tip=ends.tip
         )
-    own, coupling, constants, notes = _coupled(tree, axes)
-    limits, noted = _all_limits(tree, [axis.joint for axis in own], missing_limits)
+    lines, coupling, constants, notes = _coupled(tree, axes)
+    own = [axis.joint for axis in lines if axis.joint.mimic is None]
+    limits, noted = _all_limits(tree, own, missing_limits)
     arm = described_by_axes(
-        np.array([axis.direction for axis in own]),
-        np.array([axis.point for axis in own]),
+        np.array([axis.direction for axis in lines]),
+        np.array([axis.point for axis in lines]),
         home,
-        joint_types="".join(MOVING[axis.joint.kind] for axis in own),
-        joint_names=[axis.joint.name for axis in own],
+        joint_types="".join(MOVING[axis.joint.kind] for axis in lines),
+        joint_names=[axis.joint.name for axis in lines],
+        linked=[i for i, axis in enumerate(lines) if axis.joint.mimic is not None],
         limits=limits,
         offset=constants,
         coupling=coupling,
@@ -112,50 +114,57 @@ def _inverse(T: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
 def _coupled(
     tree: Tree, axes: list[_Axis]
 ) -> tuple[list[_Axis], npt.NDArray[np.float64] | None, list[float], list[str]]:
-    """Return the joints that have a number of their own, the coupling, the constants it adds, and sentences.
+    """Return the axes of the arm, the coupling, the constants it adds, and sentences.
 
-    A joint that mimics another one is folded into a neighbour on the same line (a slide: in the same direction): there
-    only the sum of the two moves anything.
+    A joint that mimics another one is folded into a neighbour on the same line (a slide: in the same direction), where
+    only the sum of the two moves anything. About an axis of its own it is one that a linkage moves.
     """
-    own = [axis for axis in axes if axis.joint.mimic is None]
-    index = {axis.joint.name: i for i, axis in enumerate(own)}
-    C, constants, notes = np.eye(len(own)), [0.0] * len(own), []
+    index = {axis.joint.name: k for k, axis in enumerate(a for a in axes if a.joint.mimic is None)}
+    into = [at if axis.joint.mimic is None else _neighbour(axes, at) for at, axis in enumerate(axes)]
+    lines = [axis for at, axis in enumerate(axes) if into[at] == at]
+    row_of = {at: row for row, at in enumerate(at for at in range(len(axes)) if into[at] == at)}
+    C, constants, notes = np.zeros((len(lines), len(index))), [0.0] * len(lines), []
     for at, axis in enumerate(axes):
+        row, neighbour = row_of[into[at]], axes[into[at]]
         if axis.joint.mimic is None:
+            C[row, index[axis.joint.name]] += 1.0
             continue
-        neighbour = _neighbour(axes, at)
         master, multiplier, offset = _master(tree, axis.joint)
-        if master not in index or neighbour is None:
-            reason = (
-                f"and {master!r} is not between base and tip"
-                if master not in index
-                else "about an axis of its own, which needs a number of its own in the arm"
-            )
+        if master not in index:
             tree.fail(
-                f"joint {axis.joint.name!r} mimics {axis.joint.mimic.joint!r} {reason}. "
-                f"End the arm before it with tip={axis.joint.parent!r}, or take the <mimic> out to move it by itself.",
+                f"joint {axis.joint.name!r} mimics {axis.joint.mimic.joint!r} and {master!r} is not between base and "
+                f"tip. End the arm before it with tip={axis.joint.parent!r}, or take the <mimic> out to move it by "
+                "itself.",
                 axis.joint,
             )
-        row = index[neighbour.joint.name]
         sense = 1.0 if axis.direction @ neighbour.direction > 0 else -1.0
         C[row, index[master]] += sense * multiplier
         constants[row] += sense * offset
-        notes.append(
-            f"Joint {axis.joint.name!r} mimics {axis.joint.mimic.joint!r} on the axis of {neighbour.joint.name!r}: the "
-            "two are one coupled joint."
-        )
-    return own, (C if notes else None), constants, notes
+        name, other = axis.joint.name, axis.joint.mimic.joint
+        if neighbour is axis:
+            notes.append(f"Joint {name!r} mimics {other!r} about an axis of its own: a linkage moves it.")
+        elif neighbour.joint.mimic is None:
+            on = neighbour.joint.name
+            notes.append(f"Joint {name!r} mimics {other!r} on the axis of {on!r}: the two are one coupled joint.")
+        else:
+            notes.append(f"Joint {name!r} mimics {other!r} on the axis of {neighbour.joint.name!r}, which does too.")
+    return lines, (C if notes else None), constants, notes
 
 
-def _neighbour(axes: list[_Axis], at: int) -> _Axis | None:
-    """Return the nearest joint with a number of its own on the same line, all joints between on it too."""
+def _neighbour(axes: list[_Axis], at: int) -> int:
+    """Return the place of the joint that a mimic joint is folded into: on the same line, all joints between on it too.
+
+    The nearest with a number of its own, or else the first of those that have none.
+    """
+    alike = at
     for step in (1, -1):
         i = at + step
         while 0 <= i < len(axes) and _one_line(axes[at], axes[i]):
             if axes[i].joint.mimic is None:
-                return axes[i]
+                return i
+            alike = min(alike, i)
             i += step
-    return None
+    return alike
 
 
 def _one_line(a: _Axis, b: _Axis) -> bool:

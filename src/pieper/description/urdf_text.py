@@ -25,16 +25,22 @@ def dumps(arm: Description) -> str:
     """Return the URDF of an arm, from link "base" to link "tool".
 
     Every joint turns about or slides along its own z axis. What a coupling adds to a joint is a joint of its own on the
-    same axis that mimics the other one.
+    same axis that mimics the other one; an axis that a linkage moves is made of such joints alone.
     """
     chain = chain_of(arm)
-    names = set(arm.joint_names)
+    names = set(arm.axis_names)
     lines = ['<?xml version="1.0"?>', f"<robot name={quoteattr(arm.name)}>", '  <link name="base"/>']
     parent = "base"
-    for i, name in enumerate(arm.joint_names):
+    for i, name in enumerate(arm.axis_names):
         child = f"link_{i + 1}"
-        turning = arm.joint_types[i] == "R"
-        lower, upper = (float(v) for v in arm.limits[i])
+        turning = arm.axis_types[i] == "R"
+        row = np.eye(arm.n)[i] if arm.coupling is None else np.array(arm.coupling[i])
+        if i not in arm.own_axes:
+            lines += _linked(arm, i, row, parent, chain.links[i], names)
+            parent = child
+            continue
+        joint = arm.own_axes.index(i)
+        lower, upper = (float(v) for v in arm.limits[joint])
         endless = not (np.isfinite(lower) or np.isfinite(upper))
         kind = ("continuous" if endless else "revolute") if turning else "prismatic"
         bounds = (
@@ -45,19 +51,39 @@ def dumps(arm: Description) -> str:
         limit = f'<limit {bounds}effort="0" velocity="0"/>'
         lines += _joint(name, kind, parent, child, chain.links[i], f'<axis xyz="0 0 1"/>{limit}')
         parent = child
-        row = np.zeros(arm.n) if arm.coupling is None else arm.coupling[i] - np.eye(arm.n)[i]
+        row[joint] -= 1.0
         for k in np.flatnonzero(row):
             other = arm.joint_names[k]
             mimic = _free(f"{name} with {other}", names)
             child = f"link_{i + 1}_with_{k + 1}"
-            extra = (
-                f'<axis xyz="0 0 1"/><limit lower="{-UNLIMITED}" upper="{UNLIMITED}" effort="0" velocity="0"/>'
-                f'<mimic joint={quoteattr(other)} multiplier={_number(float(row[k]))} offset="0"/>'
-            )
-            lines += _joint(mimic, "revolute" if turning else "prismatic", parent, child, np.eye(4), extra)
+            lines += _mimic(mimic, turning, parent, child, np.eye(4), other, float(row[k]))
             parent = child
     lines += _joint(_free("tool_fixed", names), "fixed", parent, "tool", chain.links[-1], "")
     return "\n".join([*lines, "</robot>"]) + "\n"
+
+
+def _linked(
+    arm: Description, axis: int, row: npt.NDArray[np.float64], parent: str, T: npt.NDArray[np.float64], names: set[str]
+) -> list[str]:
+    """Return the joints of an axis that a linkage moves, to link_(axis + 1): the first has the axis's name."""
+    lines, movers = [], np.flatnonzero(row).tolist()
+    for k in movers:
+        other, name = arm.joint_names[k], arm.axis_names[axis]
+        child = f"link_{axis + 1}" if k == movers[-1] else f"link_{axis + 1}_with_{k + 1}"
+        said = name if k == movers[0] else _free(f"{name} with {other}", names)
+        lines += _mimic(said, arm.axis_types[axis] == "R", parent, child, T, other, float(row[k]))
+        parent, T = child, np.eye(4)
+    return lines
+
+
+def _mimic(
+    name: str, turning: bool, parent: str, child: str, T: npt.NDArray[np.float64], other: str, by: float
+) -> list[str]:
+    extra = (
+        f'<axis xyz="0 0 1"/><limit lower="{-UNLIMITED}" upper="{UNLIMITED}" effort="0" velocity="0"/>'
+        f'<mimic joint={quoteattr(other)} multiplier={_number(by)} offset="0"/>'
+    )
+    return _joint(name, "revolute" if turning else "prismatic", parent, child, T, extra)
 
 
 def _joint(name: str, kind: str, parent: str, child: str, T: npt.NDArray[np.float64], inside: str) -> list[str]:

@@ -45,7 +45,7 @@ def skeletons(description: Description, q: np.ndarray) -> list[Skeleton]:
 
 
 def _skeleton(description: Description, frames: np.ndarray) -> Skeleton:
-    origins, n = frames[:, :3, 3], description.n
+    origins, n = frames[:, :3, 3], len(description.rows)
     links, centres, directions = [], np.empty((n, 3)), np.empty((n, 3))
     for i, row in enumerate(description.rows):
         if description.convention == "standard":
@@ -57,7 +57,7 @@ def _skeleton(description: Description, frames: np.ndarray) -> Skeleton:
             corner = origins[i] + row.a * frames[i, :3, 0]
             links.append(np.array([origins[i], corner, origins[i + 1]]))
             centres[i], directions[i] = origins[i + 1], frames[i + 1, :3, 2]
-        if description.joint_types[i] == "P":
+        if description.axis_types[i] == "P":
             centres[i] = (links[i][0] + corner) / 2
     links.append(np.array([origins[n], origins[n + 1]]))
     return Skeleton(tuple(links), centres, directions, frames)

@@ -61,6 +61,7 @@ class Symbolic:
         Args:
             task: "pose", "position" or "position+axis"; the plan's task when left out.
         """
+        self._arm.description.not_linked("its singularities are not written as formulas")
         task = task or self._task()
         if task not in self._singularities:
             from pieper.equations.singularities import SingularityEquations
@@ -86,6 +87,7 @@ class Symbolic:
             task: "pose", "position" or "position+axis"; the plan's task when left out.
             letters: "noap" (Paul) or "r" (r11 .. r33, Craig): the entries of the pose on the page.
         """
+        self._arm.description.not_linked("its inverse is not written as formulas")
         if (task, letters) not in self._inverse:
             from pieper.equations.inverse import InverseEquations
 

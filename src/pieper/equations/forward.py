@@ -292,7 +292,7 @@ class ForwardEquations(Readable):
 
     def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> Check:
         """Compare with the numeric forward kinematics at `n` random joint vectors."""
-        return Check.of(self.evaluate, self._fk, self.n, n, rng, ("fk", "twelve", "pose"))
+        return Check.of(self.evaluate, self._fk, self.table.joints, n, rng, ("fk", "twelve", "pose"))
 
 
 def forward_matrices(description: Description, *, lengths: str = "symbols", angles: str = "theta") -> list:

@@ -38,7 +38,7 @@ class JacobianEquations(Readable):
 
     @property
     def n(self) -> int:
-        """Number of joints."""
+        """Number of axes."""
         return self.forward.n
 
     @functools.cached_property
@@ -112,7 +112,7 @@ class JacobianEquations(Readable):
     def text(self) -> str:
         """One line an entry, column by column, zeros left out."""
         page = Document(self._title)
-        for c, r in itertools.product(range(self.n), range(6)):
+        for c, r in itertools.product(range(self.forward.table.joints), range(6)):
             if self.entries[r][c] != Num(0):
                 page.show(named("J", f"{r + 1}{c + 1}"), self.entries[r][c])
         return text.fragment(page)
@@ -134,7 +134,8 @@ class JacobianEquations(Readable):
 
     def check(self, n: int = 200, *, rng: np.random.Generator | None = None) -> Check:
         """Compare with the numeric Jacobian at `n` random joint vectors."""
-        return Check.of(self.evaluate, self._jacobian, self.n, n, rng, ("jacobian", f"{6 * self.n}", "Jacobian"))
+        joints = self.forward.table.joints
+        return Check.of(self.evaluate, self._jacobian, joints, n, rng, ("jacobian", f"{6 * joints}", "Jacobian"))
 
 
 def _together(columns: list[list[Poly]], by: Array) -> list[Poly]:

@@ -34,6 +34,8 @@ class SymbolTable:
         relation: joint (1-based) -> (its symbol in the equations, expression in terms of q).
         prismatic: joints (1-based) that slide.
         groups: group[i-1] is the first joint of the run of parallel axes to which joint i belongs.
+        letter: How angles are written.
+        joints: How many joints the arm has: fewer than axes where a linkage moves some.
     """
 
     A: tuple
@@ -44,10 +46,11 @@ class SymbolTable:
     prismatic: frozenset
     groups: tuple
     letter: str
+    joints: int
 
     @property
     def n(self) -> int:
-        """Number of joints."""
+        """Number of axes."""
         return len(self.A)
 
     def variable(self, joint: int) -> Sym:
@@ -56,7 +59,7 @@ class SymbolTable:
 
     def values(self, q: Any, field: Any) -> dict:
         """Numbers for every symbol at the joint vector `q` (sequence over joints, each of any shape)."""
-        values = {angle_symbol(i + 1, "q"): q[i] for i in range(self.n)}
+        values = {angle_symbol(i + 1, "q"): q[i] for i in range(self.joints)}
         for symbol, expression in self.relation.values():
             values[symbol] = expression.evaluate(values, field)
         return self.constants(field) | values
@@ -67,7 +70,7 @@ class SymbolTable:
 
     def constant(self, joint: int, field: Any) -> Any:
         """The number that a joint's symbol stands for at the joint vector zero."""
-        none = {angle_symbol(k, "q"): field.rational(Num(0).value) for k in range(1, self.n + 1)}
+        none = {angle_symbol(k, "q"): field.rational(Num(0).value) for k in range(1, self.joints + 1)}
         return self.relation[joint][1].evaluate(none, field)
 
 
@@ -110,11 +113,11 @@ class _Reader:
         d = self.d
         n = len(d.rows)
         self.groups = self._groups()
-        prismatic = frozenset(i + 1 for i, kind in enumerate(d.joint_types) if kind == "P")
+        prismatic = frozenset(i + 1 for i, kind in enumerate(d.axis_types) if kind == "P")
         links = tuple(self._link(i) for i in range(n))
         base, tool = self._constant("b", d.base), self._constant("t", d.tool)
         meaning = dict(sorted(self.meaning.items(), key=lambda item: (item[0].rank, item[0].order[2], item[0].base)))
-        return SymbolTable(links, base, tool, meaning, self.relation, prismatic, self.groups, self.letter)
+        return SymbolTable(links, base, tool, meaning, self.relation, prismatic, self.groups, self.letter, d.n)
 
     def _groups(self) -> tuple:
         groups = [1]
@@ -125,7 +128,7 @@ class _Reader:
 
     def _link(self, i: int) -> Matrix:
         row, index = self.d.rows[i], str(i if self.modified else i + 1)
-        slides = self.d.joint_types[i] == "P"
+        slides = self.d.axis_types[i] == "P"
         ca, sa = self._twist(row.alpha, "alpha", index)
         a = self._length("a", index, row.a)
         sign, zero = int(round(float(self.d.sign[i]))), float(self.d.offset[i])

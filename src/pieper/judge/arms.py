@@ -12,7 +12,8 @@ from pieper.algebra.formula import Mention, number
 from pieper.algebra.parser import parse
 from pieper.description import source as door
 from pieper.description.axes import from_axes
-from pieper.description.dh import DH, Description, describe
+from pieper.description.dh import DH, Description
+from pieper.description.said import describe
 from pieper.errors import InputError
 from pieper.judge.evidence import under
 from pieper.judge.keys import ARM, MAX_SIZE, UNITS, look, only_known

@@ -254,6 +254,7 @@ def _angle(value: float) -> Expr:
 
 def model_from_description(d: Description, solver: Solver | None = None) -> ArmModel:
     """Read an arm description (SI units) into expressions; lengths become a1, d4, ..., the table's numbers values."""
+    d.not_linked("claims are judged about arms of which every axis has a joint")
     rows, values = [], {}
     for i, row in enumerate(d.rows):
         at = i + 1 if d.convention == "standard" else i

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from pieper import _kernel
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
@@ -24,13 +26,19 @@ def nearer(chain: Chain, q: Array, T: Array, limits: Array, turning: Array, step
     Returns:
         (k, n) and the values (k,) that are left.
     """
-    return _kernel.nearer(
+    coupling, extra = chain.coupling, chain.axis_count - chain.n
+    if coupling is not None and extra:
+        # the kernel takes as many numbers as axes: those that are too many move nothing
+        coupling = np.pad(coupling, ((0, 0), (0, extra)))
+        q, limits = np.pad(q, ((0, 0), (0, extra))), np.pad(limits, ((0, extra), (0, 0)))
+    found, left = _kernel.nearer(
         chain.plain,
-        coupling=chain.coupling,
-        lower=limits[:, 0],
-        upper=limits[:, 1],
-        q=q,
+        coupling=coupling,
+        lower=np.ascontiguousarray(limits[:, 0]),
+        upper=np.ascontiguousarray(limits[:, 1]),
+        q=np.ascontiguousarray(q),
         T=T,
         turning=turning,
         steps=steps,
     )
+    return found[:, : chain.n], left

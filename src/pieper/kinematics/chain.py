@@ -23,7 +23,7 @@ class CoupledForward:
 
     Args:
         plain: Of the chain whose joints move by themselves.
-        coupling: (n, n).
+        coupling: (axes, n).
     """
 
     plain: _kernel.Forward
@@ -51,27 +51,45 @@ class Chain:
 
     Args:
         links: (n + 1, 4, 4), m.
-        prismatic: (n,) bool.
+        sliding: (n,) bool, one an axis.
         frames_after: (n, 4, 4), what leads from the frame just after joint i to the DH frame i of the description.
         coupling: (n, n), None where no joint is coupled: the chain is at coupling @ q. Forward kinematics takes q;
-            axes, points and home are those at zero either way.
+            axes, points and home are those at zero either way. Where a linkage moves some axes it is (axes, n), with
+            fewer joints than axes.
+        own: (n,) the axis (0-based) of each joint.
     """
 
     links: Array
-    prismatic: Bools
+    sliding: Bools
     frames_after: Array = field(repr=False)
     coupling: Array | None = None
+    own: tuple[int, ...] = ()
+
+    @cached_property
+    def prismatic(self) -> Bools:
+        """(n,) bool, one a joint."""
+        return self.sliding if len(self.own) in (0, len(self.sliding)) else self.sliding[list(self.own)]
 
     @property
     def n(self) -> int:
         """Number of joints."""
         return len(self.prismatic)
 
+    @property
+    def axis_count(self) -> int:
+        """Number of axes: more than joints where a linkage moves some."""
+        return len(self.sliding)
+
+    @property
+    def linked(self) -> bool:
+        """Whether a linkage moves axes that have no joint of their own."""
+        return self.axis_count > self.n
+
     @cached_property
     def _joint_frames(self) -> Array:
-        frames = np.empty((self.n, 4, 4))
+        frames = np.empty((self.axis_count, 4, 4))
         frame = self.links[0]
-        for i in range(self.n):
+        for i in range(self.axis_count):
             frames[i] = frame
             frame = frame @ self.links[i + 1]
         return frames
@@ -99,31 +117,50 @@ class Chain:
     @cached_property
     def native_axes(self) -> _kernel.Forward | CoupledForward:
         """The native forward kinematics whose frames stand on the joint axes, z along them."""
-        after = np.tile(np.eye(4), (self.n, 1, 1))
-        return self._coupled(_kernel.Forward(self.links, self.prismatic, after, self.length))
+        after = np.tile(np.eye(4), (self.axis_count, 1, 1))
+        return self._coupled(_kernel.Forward(self.links, self.sliding, after, self.length))
 
     @cached_property
     def plain(self) -> _kernel.Forward:
         """The native chain whose joints move by themselves."""
-        return _kernel.Forward(self.links, self.prismatic, self.frames_after, self.length)
+        return _kernel.Forward(self.links, self.sliding, self.frames_after, self.length)
 
     def _coupled(self, plain: _kernel.Forward) -> _kernel.Forward | CoupledForward:
         return plain if self.coupling is None else CoupledForward(plain, self.coupling)
 
+    def numbers(self, values: Array) -> Array:
+        """Return the joint vectors (..., n) at which the joints' own axes have their part of values (..., axes)."""
+        if self.coupling is None:
+            return values
+        own = list(self.own) or list(range(self.n))
+        return np.asarray(np.linalg.solve(self.coupling[own], values[..., own, None])[..., 0], np.float64)
+
     @property
     def uncoupled(self) -> Chain:
         """The chain whose joints move by themselves; the same object where they do."""
-        return self if self.coupling is None else Chain(self.links, self.prismatic, self.frames_after)
+        return self if self.coupling is None else Chain(self.links, self.sliding, self.frames_after)
 
     @cached_property
     def whole_turns(self) -> bool:
         """Whether whole turns of the joints are whole turns of the chain, and the other way round."""
         if self.coupling is None:
             return True
+        if self.linked:
+            return self._whole_turns_of_linkage(self.coupling)
         turning = ~self.prismatic
         for C in (self.coupling, np.linalg.inv(self.coupling)):
             part = C[np.ix_(turning, turning)]
             if np.abs(part - np.round(part)).max(initial=0.0) > ROUNDING or C[np.ix_(~turning, turning)].any():
+                return False
+        return True
+
+    def _whole_turns_of_linkage(self, C: Array) -> bool:
+        """Whether whole turns of the joints are whole turns of the axes, and those of their own axes theirs."""
+        turning = ~self.prismatic
+        own = C[list(self.own)]
+        for part, slides in ((C, self.sliding), (np.linalg.inv(own), self.prismatic)):
+            turns = part[np.ix_(~slides, turning)]
+            if np.abs(turns - np.round(turns)).max(initial=0.0) > ROUNDING or part[np.ix_(slides, turning)].any():
                 return False
         return True
 
@@ -134,7 +171,7 @@ class Chain:
     @cached_property
     def joints(self) -> JointSpace:
         """How its joint vectors are measured."""
-        if self.coupling is None or self.whole_turns:
+        if self.coupling is None or self.linked or self.whole_turns:
             return JointSpace(self.prismatic, self.length)
         return JointSpace(self.prismatic, self.length, WholeTurns(self.coupling, self.prismatic))
 
@@ -144,19 +181,25 @@ class Chain:
 
         Base and tool do not count: moving either must not change what is called near.
         """
-        total = sum(float(np.linalg.norm(self.links[i][:3, 3])) for i in range(1, self.n))
+        total = sum(float(np.linalg.norm(self.links[i][:3, 3])) for i in range(1, self.axis_count))
         return total if total > 0 else 1.0
 
     @staticmethod
-    def of(links: Array, prismatic: Bools, frames_after: Array | None = None, coupling: Array | None = None) -> Chain:
-        """Make a chain of links (n + 1, 4, 4) and joint kinds (n,), frozen."""
+    def of(
+        links: Array,
+        sliding: Bools,
+        frames_after: Array | None = None,
+        coupling: Array | None = None,
+        own: tuple[int, ...] = (),
+    ) -> Chain:
+        """Make a chain of links (n + 1, 4, 4) and kinds of axes (n,), frozen."""
         links = np.ascontiguousarray(links, float)
-        prismatic = np.ascontiguousarray(prismatic, bool)
+        sliding = np.ascontiguousarray(sliding, bool)
         if frames_after is None:
-            frames_after = np.tile(np.eye(4), (len(prismatic), 1, 1))
-        for array in (links, prismatic, frames_after):
+            frames_after = np.tile(np.eye(4), (len(sliding), 1, 1))
+        for array in (links, sliding, frames_after):
             array.setflags(write=False)
-        return Chain(links, prismatic, frames_after, coupling)
+        return Chain(links, sliding, frames_after, coupling, own)
 
     def reversed(self) -> Chain:
         """Return the chain seen from the tool, joints last to first: its T is the inverse of this one's."""

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from pieper import _kernel
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import checked_joints
 from pieper.solver.plan.plan import Plan
@@ -29,6 +30,9 @@ class Aspects(NamedTuple):
 def posture_shapes(plan: Plan, q: Array) -> Aspects:
     """Return what is known of joint vectors (N, n): of a position's task, of the rows that move the position."""
     J = plan.chain.native.jacobian(np.ascontiguousarray(q))[:, : 3 if plan.task == "position" else 6]
+    if J.shape[1:] == (6, 6):
+        determinant, smallest = _kernel.posture_measures(J, plan.chain.length).T
+        return Aspects(np.sign(determinant).astype(np.int64), smallest, np.abs(determinant))
     wide = plan.n >= J.shape[1]
     small = J @ np.swapaxes(J, 1, 2) if wide else np.swapaxes(J, 1, 2) @ J
     square = J.shape[1] == plan.n

@@ -38,7 +38,7 @@ def in_the_way(plan: Plan, q: Array) -> InTheWay:
     chain = plan.chain.uncoupled
     values = q if plan.chain.coupling is None else plan.chain.coupling @ q
     axes, points = axes_at(chain, values)
-    found = [*_in_line(plan, axes, points), *_elbow(chain, values, axes, points)]
+    found = [*_in_line(plan, axes, points), *_elbow(chain, values, axes, points, _own(plan))]
     found += _cylinder(chain, values, axes, points)
     found = [one for one in found if one.off < NEAR_ARRANGEMENT]
     if found:
@@ -49,8 +49,8 @@ def in_the_way(plan: Plan, q: Array) -> InTheWay:
 def _in_line(plan: Plan, axes: Array, points: Array) -> list[InTheWay]:
     """Pairs of turning axes, not neighbours, that lie on one line, or are parallel where three meet or are parallel."""
     found: list[InTheWay] = []
-    chain, length = plan.chain, plan.chain.length
-    turning = np.flatnonzero(~chain.prismatic).tolist()
+    chain, length = plan.chain.uncoupled, plan.chain.length
+    turning = [j for j in np.flatnonzero(~chain.prismatic).tolist() if j in _own(plan)]
     for i in turning:
         for j in turning:
             if j < i + 2:
@@ -64,19 +64,20 @@ def _in_line(plan: Plan, axes: Array, points: Array) -> list[InTheWay]:
                 words = f"{names} lie on one line ({_two(plan, i, j)} turn the same)"
                 found.append(InTheWay(kind, words, max(off, apart)))
             elif off < NEAR_ARRANGEMENT and j == chain.n - 1 and i == j - 2 and not _always_parallel(plan, i, j):
-                words = f"{names} are parallel ({plan.names[i + 1]} is where they become so)"
+                words = f"{names} are parallel ({plan.description.axis_names[i + 1]} is where they become so)"
                 found.append(InTheWay("wrist", words, off))
     return found
 
 
 def _always_parallel(plan: Plan, i: int, j: int) -> bool:
     """Whether two axes are parallel in every posture: they are in one that nobody would choose."""
-    axes, _ = axes_at(plan.chain.uncoupled, 0.3719 + 0.1 * np.arange(plan.n))
+    axes, _ = axes_at(plan.chain.uncoupled, 0.3719 + 0.1 * np.arange(plan.chain.axis_count))
     return bool(np.linalg.norm(np.cross(axes[i], axes[j])) < GEOMETRY_EXACT)
 
 
 def _two(plan: Plan, i: int, j: int) -> str:
-    return f"{plan.names[i]} and {plan.names[j]}"
+    names = plan.description.axis_names
+    return f"{names[i]} and {names[j]}"
 
 
 def _carried(chain: Chain, values: Array, axes: Array, points: Array, after: int) -> tuple[Array, str] | None:
@@ -103,12 +104,17 @@ def _meeting(axes: Array, points: Array) -> Array:
     return np.asarray(np.linalg.lstsq(N.sum(0), (N @ points[:, :, None])[..., 0].sum(0), rcond=None)[0], np.float64)
 
 
-def _elbow(chain: Chain, values: Array, axes: Array, points: Array) -> list[InTheWay]:
-    """Two neighbouring parallel axes with what they carry in one plane: stretched, or folded."""
+def _own(plan: Plan) -> set[int]:
+    """Return the axes (0-based) that have a joint of their own."""
+    return set(plan.chain.own or range(plan.n))
+
+
+def _elbow(chain: Chain, values: Array, axes: Array, points: Array, own: set[int]) -> list[InTheWay]:
+    """Two neighbouring parallel axes of joints with what they carry in one plane: stretched, or folded."""
     found: list[InTheWay] = []
     for pair in look(chain, GEOMETRY_EXACT).pairs:
         i = pair.first
-        if pair.relation != "parallel" or chain.prismatic[i : i + 2].any():
+        if pair.relation != "parallel" or chain.prismatic[i : i + 2].any() or not {i, i + 1} <= own:
             continue
         carried = _carried(chain, values, axes, points, i + 1)
         if carried is None:

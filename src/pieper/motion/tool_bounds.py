@@ -45,7 +45,7 @@ def tool_curve(chain: Chain, curve: JointCurve) -> ToolCurve:
         chain: The arm; coupled joints are looked at as the chain's own.
         curve: The joint curve; each piece is looked at on its own.
     """
-    C = np.eye(chain.n) if chain.coupling is None else chain.coupling
+    C = np.eye(chain.axis_count) if chain.coupling is None else chain.coupling
     chain = chain.uncoupled
     h = np.diff(curve.s)
     last = [curve.end, *(x[-1] for x in curve.at(curve.s[-1:])[1:])]

@@ -66,6 +66,7 @@ def report(
     Raises:
         InputError: pose is not a pose.
     """
+    arm.description.not_linked("a report is written for arms of which every axis has a joint")
     given = pose is not None
     checked_letters(letters)
     today = datetime.date.today().isoformat()

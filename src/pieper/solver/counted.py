@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.solver.arm_rows import arm_rows
+from pieper.solver.coupled import rows_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
 
@@ -20,9 +21,12 @@ def most_met(plan: Plan, postures: int = POSTURES) -> int:
         postures: How many at most, until the bound is met; spread evenly over all joints, the same every time, spare
             joints at their usual values.
     """
+    whole = plan
     if plan.uncoupled is not None:
-        return most_met(plan.uncoupled, postures)
-    q = sample_joints(plan.chain, postures)
+        if not plan.chain.linked:
+            return most_met(plan.uncoupled, postures)
+        plan = plan.uncoupled  # the axes are solved, at poses that the linkage holds
+    q = sample_joints(whole.chain, postures)
     for joint, value in zip(plan.reduction.locked, plan.defaults, strict=True):
         if joint < plan.n:
             q[:, joint] = value
@@ -30,7 +34,9 @@ def most_met(plan: Plan, postures: int = POSTURES) -> int:
     for first in range(0, postures, AT_ONCE):
         some = q[first : first + AT_ONCE]
         values = np.tile(plan.defaults, (len(some), 1))
-        rows = arm_rows(plan, plan.chain.native.fk(some), values, 1)
+        rows = arm_rows(plan, whole.chain.native.fk(some), values, 1)
+        if whole is not plan:
+            rows = rows_of(whole, rows)
         most = max(most, int(rows.valid.sum(1).max(initial=0)))
         if most >= plan.count.most:
             break

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
-from pieper.kinematics.chain import Chain
+from pieper.solver import linked
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import SolutionBatch, Solutions, Status, Words
 from pieper.solver.rows import Rows
@@ -15,10 +15,12 @@ from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 
 def solutions_of(plan: Plan, words: Words, found: Solutions) -> Solutions:
     """Return the solutions of a coupled arm from those of its chain, which had no limits."""
+    if plan.chain.linked:
+        return linked.solutions_of(plan, words, found)
     q, inside = in_joints(plan, found.all_q)
     motions = tuple(_motion(plan, motion) for motion in found.self_motions)
     unit = plan.chain.joints.unit
-    direction = _joints_at(plan.chain, found.direction * unit) / unit
+    direction = plan.chain.numbers(found.direction * unit) / unit
     size = np.linalg.norm(direction, axis=1, keepdims=True)
     examined = Examined(q, found.in_self_motion, found.multiplicity, direction / np.where(size > 0, size, 1.0), motions)
     return Solutions(plan, words, found.T, q, found.slots, inside, found.flag, examined, motions)
@@ -26,6 +28,8 @@ def solutions_of(plan: Plan, words: Words, found: Solutions) -> Solutions:
 
 def batch_of(plan: Plan, found: SolutionBatch) -> SolutionBatch:
     """Return the same of many poses; a pose of which only a self-motion may lie inside keeps its status."""
+    if plan.chain.linked:
+        return linked.batch_of(plan, found)
     rows = rows_of(plan, found.found)
     status = found.status.copy()
     status[(status == Status.SOLVED) & ~rows.inside.any(1)] = Status.OUTSIDE_LIMITS
@@ -34,6 +38,8 @@ def batch_of(plan: Plan, found: SolutionBatch) -> SolutionBatch:
 
 def rows_of(plan: Plan, rows: Rows) -> Rows:
     """Return rows of the chain's values as rows of the joints' numbers."""
+    if plan.chain.linked:
+        return linked.rows_of(plan, rows)
     q, inside = in_joints(plan, rows.q)
     return Rows(np.where(rows.valid[..., None], q, 0.0), rows.valid, inside & rows.valid, rows.flags)
 
@@ -41,18 +47,11 @@ def rows_of(plan: Plan, rows: Rows) -> Rows:
 def in_joints(plan: Plan, values: Array) -> tuple[Array, Bools]:
     """Return joint vectors (..., n) at chain values (..., n), angles as results have them, and which are inside."""
     joints = plan.chain.joints
-    return joints.inside_limits(joints.wrapped(_joints_at(plan.chain, values)), plan.limits)
-
-
-def _joints_at(chain: Chain, values: Array) -> Array:
-    """Return the joint vectors (..., k) at which the first joints of a chain have these values."""
-    if chain.coupling is None:
-        return values
-    return np.asarray(np.linalg.solve(chain.coupling, values[..., None])[..., 0], np.float64)
+    return joints.inside_limits(joints.wrapped(plan.chain.numbers(values)), plan.limits)
 
 
 def _motion(plan: Plan, motion: SelfMotion) -> SelfMotion:
     chain = plan.reduction.full
     free = np.tile([-np.inf, np.inf], (chain.n - plan.n, 1))
-    limits, points = np.vstack([plan.limits, free]), _joints_at(chain, motion.samples)
+    limits, points = np.vstack([plan.limits, free]), chain.numbers(motion.samples)
     return TracedMotion(chain, motion.T, points, motion.closed, motion.dimension, limits, motion.names, motion.shown)

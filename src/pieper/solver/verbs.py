@@ -182,6 +182,14 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
     from pieper.solver.coupled import batch_of
 
     batch = batch_of(plan, found)
+    if plan.chain.linked:
+        # what the linkage holds of the axes' self-motions, and of merged roots, is looked at pose by pose
+        merged = (batch.status == Status.OUTSIDE_LIMITS) & ((batch.found.flags & _DEGENERATE) > 0)
+        for i in np.flatnonzero((batch.status == Status.SINGULAR) | merged):
+            one = ik(plan, checked_pose(poses[i]))
+            _put(one, batch.found, int(i))
+            batch.status[i] = one.status
+        return batch
     for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits)):
         batch.status[i] = ik(plan, checked_pose(poses[i])).status
     return batch

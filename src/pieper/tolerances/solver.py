@@ -6,6 +6,9 @@ from .kernels.everywhere import SAME_SOLUTION
 CLOSES = 1e-9
 #: Rows of a kernel closer than this (rad; per length) are one: a double root is known to ten times `SAME_SOLUTION`.
 SAME_ROW = 10 * SAME_SOLUTION
+#: Postures whose axes are this near (rad; per length) to where their linkage holds them are moved onto it; they count
+#: where they close then. Rows of a double root, which are known to half the digits, lie within it.
+LINKAGE_STARTS = 1e-4
 #: A filled joint that comes out below this was meant to be zero: the pose is one the arm can reach (rad; per length).
 FILLED_ZERO = 1e-6
 #: Points that differ in a task's virtual joints alone are one within this (rad; per length): curves end there.

@@ -36,7 +36,7 @@ def placements(arm: Description) -> Placements:
     """
     before, pending = [], np.array(arm.base, float)
     for i, row in enumerate(arm.rows):
-        slides = arm.joint_types[i] == "P"
+        slides = arm.axis_types[i] == "P"
         theta = row.theta + (0.0 if slides else arm.offset[i])
         d = row.d + (arm.offset[i] if slides else 0.0)
         about, across = _screw_z(float(theta), float(d)), _screw_x(row.alpha, row.a)
@@ -46,7 +46,7 @@ def placements(arm: Description) -> Placements:
         else:
             before.append(pending @ across)
             pending = about
-    kinds = np.array([kind == "P" for kind in arm.joint_types])
+    kinds = np.array([kind == "P" for kind in arm.axis_types])
     return Placements(np.array(before), pending @ arm.tool, np.array(arm.sign, float), kinds)
 
 

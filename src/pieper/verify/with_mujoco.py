@@ -32,7 +32,7 @@ class MuJoCo:
         else:
             self._model = self._built(arm)
             said = "mujoco was given one body a row, placed by the table's constants (joint about its own z)"
-            names = [f"joint {i}" for i in range(arm.n)]
+            names = [f"joint {i}" for i in range(len(arm.rows))]
         self._data: Any = mujoco.MjData(self._model)
         joints = [self._model.joint(name).id for name in names]
         self._at = [int(self._model.jnt_qposadr[j]) for j in joints]
@@ -49,7 +49,7 @@ class MuJoCo:
         spec = mujoco.MjSpec()
         spec.compiler.degree = False
         body = spec.worldbody
-        for i in range(arm.n):
+        for i in range(len(arm.rows)):
             body = body.add_body(name=f"body {i}", pos=placed.before[i, :3, 3], quat=self._quaternion(placed.before[i]))
             body.mass, body.inertia, body.explicitinertial = 1.0, [1.0, 1.0, 1.0], True
             kind = mujoco.mjtJoint.mjJNT_SLIDE if placed.slides[i] else mujoco.mjtJoint.mjJNT_HINGE

@@ -47,7 +47,7 @@ class Pinocchio:
         model, parent, joints = pin.Model(), 0, []
         coupled = np.eye(arm.n) if arm.coupling is None else arm.coupling
         self._mix = coupled * placed.sense[:, None]
-        for i in range(arm.n):
+        for i in range(len(placed.before)):
             kind = pin.JointModelPZ() if placed.slides[i] else pin.JointModelRZ()
             parent = model.addJoint(parent, kind, pin.SE3(placed.before[i]), f"joint {i}")
             joints.append(parent)

@@ -28,12 +28,13 @@ class RoboticsToolbox:
         kinds: dict[str, Any] = {"R": getattr(rtb, f"Revolute{ending}"), "P": getattr(rtb, f"Prismatic{ending}")}
         links = []
         for i, row in enumerate(arm.rows):
-            slides = arm.joint_types[i] == "P"
+            slides = arm.axis_types[i] == "P"
             fixed = {"theta": row.theta} if slides else {"d": row.d}
             zero = (row.d if slides else row.theta) + float(arm.offset[i])
-            limits = np.where(np.isfinite(arm.limits[i]), arm.limits[i], [-10.0, 10.0])
+            said = arm.limits[arm.own_axes.index(i)] if i in arm.own_axes else np.full(2, np.inf)
+            limits = np.where(np.isfinite(said), said, [-10.0, 10.0])
             links.append(
-                kinds[arm.joint_types[i]](
+                kinds[arm.axis_types[i]](
                     a=row.a, alpha=row.alpha, offset=zero, flip=bool(arm.sign[i] < 0), qlim=limits, **fixed
                 )
             )
@@ -52,7 +53,7 @@ class RoboticsToolbox:
 
     def solve(self, T: Array, start: Array) -> Array | None:
         """Joint values (n,) by `ikine_LM`."""
-        if len(start) < 6:
+        if len(start) < 6 or self._coupling.shape[0] != len(start):
             return None  # it needs to be told which of six coordinates do not count
         begin = self._coupling @ start
         found = self._robot.ikine_LM(self._pose(T, check=False), q0=begin, slimit=1, joint_limits=False, seed=0)

@@ -87,6 +87,9 @@ def _actuator(given: object) -> pieper.Actuator:
 def table_from_arm(arm: pieper.Arm, catalog: str | None = None) -> dict[str, Any]:
     """Return the page's table of an arm; one that is the catalogue's says so, by the name it has there."""
     d = arm.description
+    d.not_linked(
+        "the page shows arms of which every axis has a joint", "Show arm.uncoupled(), whose joints are the axes."
+    )
     return {
         "name": d.name,
         "convention": d.convention,

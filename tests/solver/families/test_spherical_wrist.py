@@ -10,8 +10,9 @@ import pytest
 from oracle.arms.chains import wrist_arm
 from oracle.joints import difference, random_joints, scaled
 from oracle.native import check_sets, lost_near_singular, missed, solver_of
-from pieper.description.dh import DH, describe
+from pieper.description.dh import DH
 from pieper.description.fold import chain_of
+from pieper.description.said import describe
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
 from pieper.solver.families import spherical_wrist

@@ -19,10 +19,12 @@ from pieper.solver.plan.count import count_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import (
     TASKS,
+    Held,
     Reduction,
     default_task,
     generic_rank,
     reduce,
+    sample_joints,
     with_task_joints,
 )
 from pieper.solver.words.explain import explain
@@ -30,9 +32,18 @@ from pieper.tolerances import GEOMETRY_EXACT, NEARLY_SPECIAL
 
 #: Ways to lock spare joints that are tried before an arm is refused.
 MOST_WAYS = 24
+#: Postures that a linkage holds at which its axes are to be solved well.
+HELD_POSTURES = 15
 
 
-def make_plan(chain: Chain, description: Description, *, task: str | None = None, snap: float | None = None) -> Plan:
+def make_plan(
+    chain: Chain,
+    description: Description,
+    *,
+    task: str | None = None,
+    snap: float | None = None,
+    hold: Held | None = None,
+) -> Plan:
     """Classify a chain and choose how it is solved.
 
     Args:
@@ -41,6 +52,7 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         task: "pose", "position", "position+axis", or None for the default of the arm.
         snap: Angles (rad) and distances (per characteristic length) below which axes are made parallel or meeting;
             None takes the table as exact.
+        hold: What a linkage holds of the axes; None where each moves by itself.
 
     Raises:
         InputError: The task is unknown.
@@ -52,7 +64,7 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         arguments.number(snap, "snap", "rad, and per length of the arm", least=0.0, below=0.5)
     if chain.coupling is not None:
         return _coupled(chain, description, task, snap)
-    plan = _as_told(chain, description, task, snap)
+    plan = _as_told(chain, description, task, snap, hold)
     if snap is None and not plan.spec.info.get("certified", True):
         return _by_nearly(plan, chain, description)
     return plan
@@ -73,7 +85,9 @@ def _by_nearly(plan: Plan, chain: Chain, description: Description) -> Plan:
     return plan
 
 
-def _as_told(chain: Chain, description: Description, task: str | None, snap: float | None) -> Plan:
+def _as_told(
+    chain: Chain, description: Description, task: str | None, snap: float | None, hold: Held | None = None
+) -> Plan:
     """Plan for the chain itself, or for the one that it becomes when what is near is made special."""
     nominal, moved, _ = (chain, [], 0.0) if snap is None else snapped(chain, snap)
     tolerance = GEOMETRY_EXACT
@@ -84,7 +98,7 @@ def _as_told(chain: Chain, description: Description, task: str | None, snap: flo
         )
     wanted = default_task(nominal) if task is None else task
     full = with_task_joints(nominal, wanted)
-    ways = reduce(nominal, wanted)
+    ways = reduce(nominal, wanted, hold)
     if not ways:
         raise PlanError(f"{description.name}: no choice of locked joints leaves a solvable arm.", geometry=geometry)
     # the fastest family wins, then locks at the ends (which keep one plan for all values), then conditioning
@@ -119,13 +133,30 @@ def _as_told(chain: Chain, description: Description, task: str | None, snap: flo
 
 
 def _coupled(chain: Chain, description: Description, task: str | None, snap: float | None) -> Plan:
-    """Plan for coupled joints: the chain is solved as if each moved by itself, limits wait for the joints' numbers."""
-    free = replace(description, coupling=None, limits=np.tile([-np.inf, np.inf], (chain.n, 1)))
-    plain = make_plan(chain.uncoupled, free, task=task, snap=snap)
-    if plain.redundancy:
+    """Plan for coupled joints: the chain is solved as if each moved by itself, limits wait for the joints' numbers.
+
+    Of axes that a linkage moves those postures are kept that the linkage holds (`solver/linked.py`); such an arm is
+    asked for whole poses.
+    """
+    if chain.linked and not chain.whole_turns:
         raise PlanError(
-            f"{description.name} has coupled joints and {', '.join(plain.redundancy)} to spare for this task; the "
-            "inverse takes one or the other. Lock a joint (with_joints_locked) or choose another task.",
+            f"{description.name} has {_linked_words(description)} by parts of turns; its inverse is not taken, since a "
+            "whole turn of a joint leads to another pose. Forward kinematics and Jacobian are.",
+            coupling=chain.coupling,
+        )
+    # what a linkage holds may be special for its axes: they are made six joints for that
+    hold = None
+    if chain.linked:
+        behind = 1 + max(i for i in range(chain.axis_count) if i not in chain.own)
+        values = sample_joints(chain, HELD_POSTURES, seed=2) @ np.asarray(chain.coupling).T
+        hold = Held(values, behind if behind < chain.axis_count else None)
+    asked = "pose" if chain.linked and task is None else task
+    plain = make_plan(chain.uncoupled, description.by_axes(), task=asked, snap=snap, hold=hold)
+    if plain.redundancy:
+        what = _linked_words(description) if chain.linked else "coupled joints"
+        raise PlanError(
+            f"{description.name} has {what} and {', '.join(plain.redundancy)} to spare for this task; the "
+            f"inverse takes one or the other. {_spare_cure(chain, plain.task)}",
             coupling=chain.coupling,
         )
     return replace(
@@ -133,11 +164,23 @@ def _coupled(chain: Chain, description: Description, task: str | None, snap: flo
         description=description,
         chain=chain,
         nominal=chain,
-        geometry=replace(plain.geometry, chain=chain),
+        geometry=plain.geometry if chain.linked else replace(plain.geometry, chain=chain),
         reduction=replace(plain.reduction, arm=chain, full=with_task_joints(chain, plain.task)),
         limits=description.limits,
+        names=description.joint_names,
         uncoupled=plain,
     )
+
+
+def _linked_words(description: Description) -> str:
+    names = ", ".join(axis.name for axis in description.linked)
+    return f"a linkage that moves {names}"
+
+
+def _spare_cure(chain: Chain, task: str) -> str:
+    if chain.linked and task != "pose":
+        return "Ask for the whole pose: position, and how the tool is turned."
+    return "Lock a joint (with_joints_locked) or choose another task."
 
 
 def _first_solvable(

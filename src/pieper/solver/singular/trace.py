@@ -126,13 +126,26 @@ def second_smallest(chain: Chain, q: Array) -> Array:
 
 
 def _walk(chain: Chain, q: Array, T: Array, direction: Array, most_steps: int) -> tuple[Array, bool]:
-    """Return the points (k, n) from q on along a direction, and whether the curve closed."""
-    return _kernel.follow_curve(
+    """Return the points (k, n) from q on along a direction, and whether the curve closed.
+
+    Of axes that a linkage moves the curve is one of theirs, as far as the linkage holds its points.
+    """
+    values, along = q, direction
+    if chain.coupling is not None:
+        values, along = chain.coupling @ q, chain.coupling @ direction
+        along = along / np.linalg.norm(along)
+    points, closed = _kernel.follow_curve(
         chain.plain,
-        q=q,
+        q=values,
         T=T,
-        direction=direction,
+        direction=along,
         step=CURVE_STEP,
         straight=STRAIGHT,
         most_steps=most_steps,
     )
+    if chain.coupling is None:
+        return points, closed
+    on = newton(chain, chain.numbers(points), T)
+    held = missed(chain, on, T) < HOLDS
+    kept = len(held) if held.all() else int(np.argmin(held))
+    return on[:kept], closed and kept == len(held)

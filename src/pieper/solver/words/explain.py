@@ -25,14 +25,21 @@ def explain(plan: Plan) -> str:
     family = named(plan.family)
     kinds = "".join("P" if p else "R" for p in plan.prismatic)
     lines = [f"{plan.name}: {plan.count.kind}; {plural(plan.n, 'joint')} ({kinds}), task: {plan.task}."]
-    if axes := plan.geometry.sentences(plan.names):
+    if axes := plan.geometry.sentences(plan.description.axis_names):
         lines += ["", "What the axes do:", *(f"  {sentence}" for sentence in axes)]
     if plan.snapped:
         lines += ["", "Made special to be solved: " + "; ".join(plan.snapped) + "."]
         lines += ["Each solution of that nominal arm is then refined on the arm as described."]
     reduction = plan.reduction
     steps: list[str] = []
-    if plan.chain.coupling is not None:
+    if plan.chain.linked:
+        moved = [f"{axis.name} = {plan.description.moved_by(axis.at, plan.names)}" for axis in plan.description.linked]
+        axes = plural(plan.chain.axis_count, "axis", "axes")
+        steps.append(
+            f"{plural(plan.n, 'joint')} and a linkage ({', '.join(moved)}) move {axes}: the axes are solved for as if "
+            "each moved by itself, and the postures are kept that the linkage holds"
+        )
+    elif plan.chain.coupling is not None:
         steps.append(
             "coupled joints: the axes' own angles are solved for, and the joints' numbers, to which limits apply, "
             "follow from them by the inverse of the coupling"

@@ -62,6 +62,8 @@ def posture_words(plan: Plan, q: Array) -> list[str]:
     """Return one label a row of q (m, n), such as "front, elbow up, wrist flip"."""
     if not len(q):
         return []
+    if plan.chain.linked and plan.uncoupled is not None:
+        return posture_words(plan.uncoupled, q @ np.asarray(plan.chain.coupling).T)
     columns = [side.said() for side in sides(plan, q)]
     return [joined(row) for row in zip(*(columns or [_aspect(plan, q)]), strict=True)]
 

@@ -64,14 +64,26 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     if plan.redundancy and metres < TOLD_AS_HIT * plan.chain.length and radians < TOLD_AS_HIT:
         held = _held(plan, sols)
         return f"No solution at the chosen {held}, though the arm can take the pose with other values."
+    linkage = _by_linkage(plan) if radians > TOLD_AS_TURN else ""
     what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[
         plan.task
     ]
     turned = f"{np.degrees(radians):.3g} deg"
     if metres <= TOLD_AS_TURN * plan.chain.length and radians > TOLD_AS_TURN:
-        return f"{what} is out of reach: the arm gets there, but not turned this way; at best {turned} are missing."
+        missing = f"at best {turned} are missing.{linkage}"
+        return f"{what} is out of reach: the arm gets there, but not turned this way; {missing}"
     also = f" and {turned}" if radians > TOLD_AS_TURN else ""
-    return f"{what} is out of reach: the nearest one the arm can take misses it by {metres * 1e3:.4g} mm{also}."
+    return (
+        f"{what} is out of reach: the nearest one the arm can take misses it by {metres * 1e3:.4g} mm{also}.{linkage}"
+    )
+
+
+def _by_linkage(plan: Plan) -> str:
+    """Return what a linkage moves, a sentence, where there is one."""
+    names = [axis.name for axis in plan.description.linked]
+    if not names:
+        return ""
+    return f" Its linkage turns {' and '.join(names)} as the joints move: no joint turns the tool freely there."
 
 
 def _least_over(plan: Plan, q: Array) -> Array:
