@@ -92,3 +92,5 @@ NEAR_ARRANGEMENT = 2e-2
 ON_FIRST_AXIS = 1e-6
 #: Slopes of a step (rad; m) below this are those of a joint that rests.
 JOINT_RESTS = 1e-9
+#: A speed in a file is no higher than a limit by this, relative: files have four decimals of it.
+SAME_SPEED = 1e-3
