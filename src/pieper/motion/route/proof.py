@@ -26,6 +26,8 @@ FINE = (1.0, 0.4, 0.15)
 CLOSE, ON = ((0.003, 1.0), (0.003, 0.4), (0.02, 1.0)), 0.01
 #: Points that a rough front from the first pose, and that each of the first tries may look at.
 MOST, EACH = 1_500_000, 450_000
+#: Parts of the steps that the bounds allow for all that is reached from a posture that is told, and points then.
+TOLD = ((1.0, 3_000_000), (0.4, 6_000_000))
 #: How often a front that lost its grip is taken up again behind that place.
 AGAIN = 6
 
@@ -116,3 +118,11 @@ def _close(task: Task, limits: Array, ladder: Rungs, reached: int) -> Iterator[W
     if rough.ended is not Ended.ARRIVED or misses_end(task, rough):
         for before, fine in CLOSE:
             yield Window(max(rough.s - before, 0.0), min(rough.s + ON, 1.0), fine, EACH)
+    # from a posture that is told less is reached than from anything that is inside the limits
+    for way, back in ((task, False), (backwards(task), True)):
+        if way.ends[0] is None:
+            continue
+        rough = follow(way.setting, limits, known(way, limits, 0.0), (0.0, 1.0), ROUGH, MOST)
+        if rough.ended is Ended.DIED or misses_end(way, rough):
+            for fine, most in TOLD:
+                yield Window(0.0, 1.0, fine, most, back)

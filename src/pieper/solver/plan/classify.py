@@ -148,7 +148,7 @@ def _coupled(chain: Chain, description: Description, task: str | None, snap: flo
     hold = None
     if chain.linked:
         behind = 1 + max(i for i in range(chain.axis_count) if i not in chain.own)
-        values = sample_joints(chain, HELD_POSTURES, seed=2) @ chain.coupling.T
+        values = sample_joints(chain, HELD_POSTURES, seed=2) @ np.asarray(chain.coupling).T
         hold = Held(values, behind if behind < chain.axis_count else None)
     asked = "pose" if chain.linked and task is None else task
     plain = make_plan(chain.uncoupled, description.by_axes(), task=asked, snap=snap, hold=hold)
