@@ -172,6 +172,10 @@ def _has_pose(formula: str, symbols: set[str]) -> bool:
     return bool(used & symbols or marks & {name.lower() for name in used})
 
 
+#: The Jacobian's determinant as pages write it, marks taken off: det J_v, |J(q)|, det(J).
+_DETERMINANT = re.compile(r"(?:det|\|)[(\[]?J[vpLl]?(?:\((?:q|theta|θ)\))?[)\]]?\|?")
+
+
 def _guess(line: Line, model: ArmModel, known: set[str], stands: dict[str, str]) -> Guess:
     guess = Guess(line.number, PLACED.sub("[a matrix]", line.text.removeprefix(SINGULAR)).replace(BRANCH, "or"))
     if line.text.startswith(SINGULAR):
@@ -223,7 +227,7 @@ def _read(guess: Guess, left: str, right: str, matrices: list, model: ArmModel, 
         return
     if PLACED.search(right) or PLACED.search(left):
         raise InputError("a matrix among other things; write it as a claim of its own")
-    if re.fullmatch(r"(?:det\(?J\)?|\|J\||detJ)", bare):
+    if _DETERMINANT.fullmatch(bare):
         guess.keys = {"kind": "determinant", "is": plain(_formula(right, model, names)).strip()}
         return
     if BRANCH in right:
