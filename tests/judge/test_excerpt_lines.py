@@ -127,3 +127,20 @@ def test_a_determinant_is_read_beside_what_is_said_of_singular_places(left, robo
 
 def test_a_robot_file_may_be_a_path(robot):
     assert pieper.guess_claims(PLAIN, Path(robot), "page") == pieper.guess_claims(PLAIN, robot, "page")
+
+
+@pytest.mark.parametrize("kind", ["text", "latex"])
+@pytest.mark.parametrize(
+    "rows",
+    [
+        [DH(0.1, np.pi / 2, 0.2), DH(0.3, 0, 0.1), DH(0.05, np.pi / 2), DH(0, 1.0, 0.3), DH(0, -0.8), DH(d=0.1)],
+        [DH(0.1, 1.1, 0.2), DH(0.3, -0.7, 0.1), DH(0.2, 0, 0.05)],
+    ],
+    ids=["wrist", "quartic"],
+)
+def test_derivations_of_odd_twists_are_read_and_hold(rows, kind, tmp_path):
+    """Twists are letters of their own, a quartic's last term is no equation, and a definition has the pose in it."""
+    arm = pieper.Arm.from_dh(rows, convention="standard", name="odd")
+    arm.save(tmp_path / "odd.toml")
+    verdicts = judged(getattr(arm.symbolic.ik(), kind)(), str(tmp_path / "odd.toml"))
+    assert len(verdicts) >= 6 and set(verdicts.values()) == {HOLDS}
