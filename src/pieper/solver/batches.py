@@ -13,10 +13,11 @@ from pieper import _kernel, arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.forward import checked_joints, checked_weights
-from pieper.kinematics.pose import PoseLike, as_pose, unsound
+from pieper.kinematics.pose import PoseLike, as_pose, one_by_one, reason_against, unsound
+from pieper.solver.batch import SolutionBatch
 from pieper.solver.coupled_selection import CoupledSelection, RowSelection
 from pieper.solver.plan.plan import Plan
-from pieper.solver.results import SolutionBatch, Status
+from pieper.solver.results import Status
 from pieper.solver.rows import Chosen, Refused, Rows
 from pieper.tolerances import LIMIT_SLACK
 
@@ -135,22 +136,44 @@ def without_refused(Ts: PoseLike) -> tuple[Array, Refused | None]:
     Raises:
         InputError: No array of shape (N, 4, 4); that is no matter of one pose.
     """
+    told: dict[int, str] = {}
     try:
         given = np.asarray(as_pose(Ts))
         if np.iscomplexobj(given):
             raise TypeError
         poses = np.ascontiguousarray(given, dtype=np.float64)
     except (TypeError, ValueError):
-        raise InputError(f"Ts must be real numbers of shape (N, 4, 4), got {type(Ts).__name__}.", given=Ts) from None
+        poses, told = _one_by_one(Ts)
+    if poses.shape == (0,):
+        poses = poses.reshape(0, 4, 4)  # an empty list holds no pose of a wrong shape
     if poses.ndim != 3 or poses.shape[1:] != (4, 4):
         raise InputError(f"Ts must have shape (N, 4, 4), got {poses.shape}.", given=poses.shape)
     bad = unsound(poses, _kernel.deviations(poses))
     if not bad.any():
         return poses, None
     index, poses = np.flatnonzero(bad), poses.copy()
-    refused = Refused(index, poses[index])
+    refused = Refused(index, poses[index], tuple(told.get(int(k), "") for k in index))
     poses[index] = np.eye(4) if bad.all() else poses[np.argmin(bad)]
     return poses, refused
+
+
+def _one_by_one(Ts: PoseLike) -> tuple[Array, dict[int, str]]:
+    """Return the poses (N, 4, 4) of a list, not finite where something is no matrix, and what is to be said of that."""
+    given = one_by_one(Ts)
+    if given is None:
+        raise InputError(f"Ts must be real numbers of shape (N, 4, 4), got {arguments.kind_of(Ts)}.", given=Ts)
+    told: dict[int, str] = {}
+    poses = np.full((len(given), 4, 4), np.nan)
+    for k, pose in enumerate(given):
+        try:
+            matrix = arguments.numbers(pose, "")
+            if matrix.shape != (4, 4):
+                raise InputError(f"{matrix.shape}")
+        except InputError:
+            told[k] = reason_against(pose, "").strip()
+            continue
+        poses[k] = matrix
+    return poses, told
 
 
 # ---------------------------------------------------------------------------------------------- where answers go

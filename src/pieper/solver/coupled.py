@@ -6,8 +6,9 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.solver import linked
+from pieper.solver.batch import SolutionBatch
 from pieper.solver.plan.plan import Plan
-from pieper.solver.results import SolutionBatch, Solutions, Status, Words
+from pieper.solver.results import Solutions, Status, Words
 from pieper.solver.rows import Rows
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion, TracedMotion

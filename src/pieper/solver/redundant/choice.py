@@ -45,13 +45,18 @@ class Choice:
     free: bool
 
 
+def nothing_chosen(redundancy: Redundancy) -> bool:
+    """Whether no value was given: None, or no name."""
+    return redundancy is None or (isinstance(redundancy, Mapping) and not redundancy)
+
+
 def choice(plan: Plan, redundancy: Redundancy, count: int) -> Choice:
     """Return what was asked for, one row a pose.
 
     Raises:
         InputError: The plan has no such coordinate, or the value is impossible.
     """
-    if redundancy is None:
+    if nothing_chosen(redundancy):
         return Choice(plan, np.tile(plan.defaults, (count, 1)), None, None, True)
     if not plan.redundancy:
         raise InputError(
