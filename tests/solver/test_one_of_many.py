@@ -102,3 +102,16 @@ def test_nothing_chosen_by_name_is_nothing_chosen(name: str):
     assert len(plain.q) and np.array_equal(plain.q, empty.q)
     assert (plain.status, plain.why) == (empty.status, empty.why)
     assert np.array_equal(arm.ik_many(T[None], redundancy={}).q, arm.ik_many(T[None]).q)
+
+
+def test_degrees_are_warned_of_wherever_a_posture_is_near_to_what():
+    arm, q = pieper.load("denso-vp6242"), np.array([10.0, 20.0, -150.0, 10.0, 20.0, 30.0])
+    T = arm.fk(np.radians(q))
+    for ask in (
+        lambda: arm.ik(T).nearest(q),
+        lambda: arm.ik(T).nearest_row(q),
+        lambda: arm.ik_many(T[None], near=q),
+        lambda: arm.ik_many(T[None], near="previous", start=q),
+    ):
+        with pytest.warns(pieper.PieperWarning, match="-150|150.*looks like degrees"):
+            ask()

@@ -100,16 +100,16 @@ def near_what(
             raise InputError(
                 f'near must be a joint vector (n,), one a pose (N, n) or "{PREVIOUS}", got {near!r}.', given=near
             )
-        return Near(select, None, None if start is None else _joints(start, plan.n, "start", ((plan.n,),)))
+        return Near(select, None, None if start is None else _joints(start, plan, "start", ((plan.n,),)))
     if start is not None:
         raise InputError(
             f'start= is for near="{PREVIOUS}"; leave it out, near= says where each is near to.', given=start
         )
-    return Near(select, _joints(near, plan.n, "near", ((plan.n,), (count, plan.n))), None)
+    return Near(select, _joints(near, plan, "near", ((plan.n,), (count, plan.n))), None)
 
 
-def _joints(given: ArrayLike, n: int, what: str, shapes: Sequence[tuple[int, ...]]) -> Array:
-    joints = np.ascontiguousarray(checked_joints(given, n, what))
+def _joints(given: ArrayLike, plan: Plan, what: str, shapes: Sequence[tuple[int, ...]]) -> Array:
+    joints = np.ascontiguousarray(checked_joints(given, plan.n, what, plan.prismatic))
     if joints.shape not in shapes:
         allowed = " or ".join(map(str, shapes))
         raise InputError(f"{what} must have shape {allowed}, got {joints.shape}.", given=joints.shape)

@@ -260,7 +260,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
     def _here(self, q_now: ArrayLike | str) -> Array:
         """Return where the arm is, (n,): a joint vector, or a posture's name."""
         q = posture(self._plan.description, q_now, "q_now") if isinstance(q_now, str) else q_now
-        return checked_joint_vector(q, self._plan.n, "q_now")
+        return checked_joint_vector(q, self._plan.n, "q_now", self._plan.prismatic)
 
     def _is_solution(self, q: Array) -> bool:
         """Return whether a joint vector (n,) lies inside the limits and takes the pose."""

@@ -139,7 +139,7 @@ def _moves(plan: Plan, joint: int) -> bool:
 
 def read_arm_angle(plan: Plan, q: ArrayLike) -> tuple[Array, Bools]:
     """Return the arm angles of joint vectors; see `Arm.arm_angle`."""
-    return _the_arm_angle(plan).of(checked_joints(q, plan.n))
+    return _the_arm_angle(plan).of(checked_joints(q, plan.n, prismatic=plan.prismatic))
 
 
 def _the_arm_angle(plan: Plan, **data: Any) -> ArmAngle:
