@@ -25,8 +25,8 @@ def product(arm, q):
     T = np.array(arm.base)
     for i, row in enumerate(arm.rows):
         said = arm.sign[i] * q[i] + arm.offset[i]
-        theta = row.theta + (said if arm.joint_types[i] == "R" else 0)
-        d = row.d + (said if arm.joint_types[i] == "P" else 0)
+        theta = row.theta + (said if arm.axis_types[i] == "R" else 0)
+        d = row.d + (said if arm.axis_types[i] == "P" else 0)
         z_part = [turn(2, theta), move(2, d)]
         x_part = [move(0, row.a), turn(0, row.alpha)]
         for M in z_part + x_part if arm.convention == "standard" else x_part + z_part:

@@ -175,10 +175,12 @@ def judged(name: str, number: int) -> dict[str, Any]:
     out["wrong"] = ""
     if route.verdict is Verdict.IMPOSSIBLE:
         assert route.blocked is not None
-        begun, end = route.blocked.begun, route.blocked.s[1]
+        begun, (first, last) = route.blocked.begun, route.blocked.s
+        back = begun > last
+        end, past = (first, max(0.0, first - PAST)) if back else (last, min(1.0, last + PAST))
         # what the proof says: of everything inside the limits where it begins, nothing gets past where it ends
-        window = at(path, np.linspace(begun, min(1.0, end + PAST), 2 + int(np.ceil((end - begun) * 8 * PLACES))))
-        if _flood(arm, window) == len(window) - 1 and end < 1.0:
+        window = at(path, np.linspace(begun, past, 2 + int(np.ceil(abs(end - begun) * 8 * PLACES))))
+        if _flood(arm, window) == len(window) - 1 and 0.0 < end < 1.0:
             out["wrong"] = "the flood gets past the place"
     if out["wrong"]:
         out["reached"] = _flood(arm, dense) / (len(dense) - 1)

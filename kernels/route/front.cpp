@@ -53,7 +53,12 @@ class Front {
     for (std::int64_t s = 0; s < a.seeds; ++s) {
       Point p;
       for (int j = 0; j < a.n; ++j) p.y[j] = a.seed[s * a.n + j] / (curves.slides(j) ? a.length : 1.0);
-      if (curves.settle(pose(0, 0.0), p)) given.push_back(p);
+      if (!curves.settle(pose(0, 0.0), p)) {
+        // what is reached and not known would be lost
+        found.end = FrontEnd::SINGULAR;
+        return found;
+      }
+      given.push_back(p);
     }
     found.end = spread(given, pose(0, 0.0), found);
     for (std::int64_t k = 0; found.end == FrontEnd::ARRIVED && k + 1 < a.stations; ++k) {

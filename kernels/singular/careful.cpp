@@ -18,22 +18,29 @@ struct CarefulLook::Own {
   Look look;
   FromAside from_aside;
 
-  // What there is at a pose by the poses beside it.
+  // What there is at a pose by the poses beside it that are solved for certain; false where those are too few.
   bool by_poses_beside(const Rigid& T, const double* rows, int count, Read& out) const {
+    std::vector<SolvedBeside> beside;
+    for (int bunch = 0; bunch < FromAside::kBunches && static_cast<int>(beside.size()) < FromAside::kPoses; ++bunch)
+      if (!solved_beside(T, FromAside::kPoses * bunch, beside)) return false;
+    return static_cast<int>(beside.size()) >= FromAside::kPoses && from_aside(T, rows, count, beside, out);
+  }
+  // Adds those of the next poses beside that are solved for certain; false where it was stopped.
+  bool solved_beside(const Rigid& T, int first, std::vector<SolvedBeside>& beside) const {
     constexpr int kPoses = FromAside::kPoses;
     const int slots = solver.slots();
+    Rigid aside[kPoses];
     double poses[16 * kPoses];
     static thread_local std::vector<double> q;
     static thread_local std::vector<std::uint8_t> valid, inside;
     std::uint8_t flag[kPoses], outcome[kPoses];
     q.resize(6 * slots * kPoses), valid.resize(slots * kPoses), inside.resize(slots * kPoses);
-    SolvedBeside beside[kPoses];
     for (int k = 0; k < kPoses; ++k) {
-      beside[k].T = FromAside::aside(T, k);
+      aside[k] = FromAside::aside(T, first + k);
       double* m = poses + 16 * k;
       for (int c = 0; c < 3; ++c) {
-        for (int r = 0; r < 3; ++r) m[4 * r + c] = beside[k].T.r(r, c);
-        m[4 * c + 3] = beside[k].T.p(c) * arm.length, m[12 + c] = 0;
+        for (int r = 0; r < 3; ++r) m[4 * r + c] = aside[k].r(r, c);
+        m[4 * c + 3] = aside[k].p(c) * arm.length, m[12 + c] = 0;
       }
       m[15] = 1;
     }
@@ -41,15 +48,16 @@ struct CarefulLook::Own {
     const Answers to = {q.data(), valid.data(), inside.data(), flag, outcome};
     if (solver.solve(poses, kPoses, 1, to, {}, bad, [](long) { return true; }) != Outcome::FINISHED) return false;
     for (int k = 0; k < kPoses; ++k) {
-      double* own = q.data() + 6 * slots * k;
-      beside[k].rows = own, beside[k].count = 0, beside[k].flag = flag[k];
-      for (int s = 0; s < slots; ++s) {
-        if (!valid[slots * k + s]) continue;
-        for (int i = 0; i < 6; ++i) own[6 * beside[k].count + i] = own[6 * s + i] / unit(i);
-        ++beside[k].count;
+      if (flag[k] & kUncertain) continue;
+      SolvedBeside one{aside[k], {}, 0};
+      for (int s = slots * k; s < slots * (k + 1); ++s) {
+        if (!valid[s]) continue;
+        for (int i = 0; i < 6; ++i) one.rows.push_back(q[6 * s + i] / unit(i));
+        ++one.count;
       }
+      beside.push_back(std::move(one));
     }
-    return from_aside(T, rows, count, beside, out);
+    return true;
   }
   double unit(int i) const { return arm.slides[i] ? arm.length : 1.0; }
 };

@@ -13,17 +13,17 @@
 
 namespace pieper::PIEPER_ISA {
 
-// What a solver gave for a pose beside.
+// What a solver gave for a pose beside, for certain.
 struct SolvedBeside {
   Rigid T;
-  const double* rows;  // count x 6, rad; lengths
+  std::vector<double> rows;  // count x 6, rad; lengths
   int count;
-  std::uint8_t flag;
 };
 
 class FromAside {
  public:
-  static constexpr int kPoses = 6;
+  static constexpr int kPoses = 6;  // beside, solved for certain; of so many bunches of as many the certain ones count
+  static constexpr int kBunches = 4;
   static constexpr std::size_t kMostCurves = 24;
   static constexpr double kMostWide = 100;
   static constexpr int kSlowSteps = 40;  // at merged roots each step only halves what is left
@@ -51,7 +51,8 @@ class FromAside {
   }
 
   // What there is at T, of which a kernel gave rows (count x 6); false where that is not told by the poses beside.
-  bool operator()(const Rigid& T, const double* rows, int count, const SolvedBeside* beside, Read& out) const {
+  bool operator()(const Rigid& T, const double* rows, int count, const std::vector<SolvedBeside>& beside,
+                  Read& out) const {
     out.clear();
     std::vector<Known> known;
     std::vector<NearCurve> curves;
@@ -59,14 +60,14 @@ class FromAside {
     for (int k = 0; k < count; ++k) {
       if (on_motion(known[k], out)) continue;
       count_branches(T, known[k]);
-      if (!twin_is_known(T, known, k) && !through(T, known[k], known, curves, out)) return false;
+      if (!twin_is_known(T, known, k) && !along_any(curves, known[k]) && !through(T, known[k], known, curves, out))
+        return false;
     }
-    for (int b = 0; b < kPoses; ++b) {
-      if (beside[b].flag & kUncertain) return false;
+    for (const SolvedBeside& one : beside) {
       double e[6];
-      const double far = missing_to(T, beside[b].T, e);
-      for (int k = 0; k < beside[b].count; ++k) {
-        const double* row = beside[b].rows + 6 * k;
+      const double far = missing_to(T, one.T, e);
+      for (int k = 0; k < one.count; ++k) {
+        const double* row = one.rows.data() + 6 * k;
         if (follows(row, e, far, known, curves, out)) continue;
         if (!through(T, look_at(T, row, false), known, curves, out) || !follows(row, e, far, known, curves, out))
           return false;
@@ -142,12 +143,25 @@ class FromAside {
     return false;
   }
 
+  // Whether a row lies on one of the curves, and another, if there is one, on the same.
+  bool along_any(const std::vector<NearCurve>& curves, const Known& one, const Known* other = nullptr) const {
+    for (const NearCurve& curve : curves)
+      if (curve.holds(arm_, one.q, kDoublesFromCurve) && (!other || curve.holds(arm_, other->q, kDoublesFromCurve)))
+        return true;
+    return false;
+  }
+
   // Whether a row is a point of a curve that only nearly holds the pose, where it is missed by more than rounding: kernels give such.
   bool nearly_holds(const Rigid& T, const Known& one, const std::vector<NearCurve>& curves) const {
-    if (!one.singular || one.fold || one.miss <= 5 * kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)))) return false;
-    for (const NearCurve& curve : curves)
-      if (curve.holds(arm_, one.q, kDoublesFromCurve)) return true;
-    return false;
+    return one.singular && !one.fold && one.miss > 5 * kMergedRounding * (1 + std::sqrt(dot(T.t, T.t))) &&
+           along_any(curves, one);
+  }
+
+  // Whether what a row misses beyond rounding is what a more exact one on the same curve misses on the way to it.
+  bool strays_from(const Known& one, const Known& other, const std::vector<NearCurve>& curves) const {
+    if (!one.singular || !other.singular || one.fold || other.fold || one.miss <= kMergedRounding) return false;
+    return other.miss < one.miss / 2 && arm_.apart(one.q, other.q) * other.sigma < 2 * one.miss &&
+           along_any(curves, one, &other);
   }
 
   // Follows the curve through a row that nearly holds the pose, and adds what hides on it, or the curve as a
@@ -270,15 +284,20 @@ class FromAside {
   void tell(const Rigid& T, const std::vector<Known>& known, const std::vector<NearCurve>& curves, double wide,
             Read& out) const {
     std::vector<Root> merged;
-    std::vector<const Known*> isolated;
+    std::vector<const Known*> isolated, left;
     for (const Known& one : known) {
-      if (on_motion(one, out) || nearly_holds(T, one, curves)) continue;
+      bool strays = on_motion(one, out) || nearly_holds(T, one, curves);
+      for (const Known& other : known) strays = strays || strays_from(one, other, curves);
+      if (!strays) left.push_back(&one);
+    }
+    for (const Known* which : left) {
+      const Known& one = *which;
       if (one.singular) {
         bool counted = false;
-        for (const Known& other : known) {
+        for (const Known* other : left) {
           const bool better =
-              other.blur(wide) < one.blur(wide) || (other.blur(wide) == one.blur(wide) && &other < &one);
-          counted |= better && arm_.apart(one.q, other.q) < one.blur(wide);
+              other->blur(wide) < one.blur(wide) || (other->blur(wide) == one.blur(wide) && other < which);
+          counted |= better && arm_.apart(one.q, other->q) < one.blur(wide);
         }
         if (counted) continue;
         merged.push_back({{}, one.branches});

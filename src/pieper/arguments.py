@@ -218,3 +218,8 @@ def pairs(value: Any, what: str, of: str) -> list[tuple[str, str]]:
             raise InputError(f"{what} must be a list of pairs of {of}, one is {kind_of(item)}.", given=value)
         out.append((both[0], both[1]))
     return out
+
+
+def cause(error: Exception) -> str:
+    """Return why something failed, without the number and the name of a file that an OSError adds."""
+    return (error.strerror or str(error)) if isinstance(error, OSError) else str(error)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
@@ -15,8 +17,15 @@ from pieper.tolerances import TINY
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
+    from pieper.collision.bodies import Bodies
+    from pieper.collision.distance import Distance
+    from pieper.collision.scene import Scene
+    from pieper.collision.swept import Swept
+    from pieper.motion.route.arcs import Arc
+    from pieper.motion.route.freedom import Freedom
     from pieper.motion.route.result import Route
-    from pieper.solver.results import Solutions
+    from pieper.motion.track import Track
+    from pieper.solver.results import SolutionBatch, Solutions
 
 RAIL, TABLE = "rail", "table"
 
@@ -83,22 +92,92 @@ class Cell:
     def __repr__(self) -> str:
         return f"<Cell: {self.whole.name}, {plural(self.n, 'joint')}>"
 
+    def __getattr__(self, name: str) -> NoReturn:
+        if not name.startswith("_") and name in dir(Arm):
+            raise AttributeError(
+                f"a Cell has no {name!r}: cell.whole is all of it as one arm, the {self.kind} its first joint, and "
+                f"cell.arm the arm alone; say cell.whole.{name} or cell.arm.{name}.",
+                name=name,
+                obj=self,
+            )
+        raise AttributeError(f"a Cell has no {name!r}.", name=name, obj=self)
+
     @property
     def n(self) -> int:
         """Number of joints, the external one first."""
         return self.whole.n
 
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """Names of the joints, the external one first."""
+        return self.whole.joint_names
+
+    @property
+    def limits(self) -> Array:
+        """(n, 2) limits of the joints, the external one first, rad or m."""
+        return self.whole.limits
+
     def fk(self, q: ArrayLike) -> Array:
         """Return the poses (..., 4, 4) of the tool at q (..., n): in the rail's frame, or in that of the table."""
         return self.whole.fk(q)
 
+    def jacobian(self, q: ArrayLike) -> Array:
+        """Return the Jacobian (..., 6, n) of the tool's point at q (..., n), in the frame of the poses."""
+        return self.whole.jacobian(q)
+
     def ik(self, T: PoseLike, **said: Any) -> Solutions:
         """Return all joint vectors of a pose (4, 4); `said` is what `Arm.ik` takes."""
-        return self.whole.ik(T, **said)
+        return self._solid(said).ik(T, **said)
+
+    def ik_many(self, Ts: PoseLike, **said: Any) -> SolutionBatch:
+        """Return the joint vectors of poses (N, 4, 4); `said` is what `Arm.ik_many` takes."""
+        return self.whole.ik_many(Ts, **said)
+
+    def follow(self, path: PoseLike, *, start: ArrayLike | None = None) -> Track:
+        """Follow poses (N, 4, 4) from a posture (n,) as `Arm.follow` does, the external axis moving along."""
+        return self.whole.follow(path, start=start)
 
     def route(self, path: PoseLike, **said: Any) -> Route:
         """Return the best route along poses (N, 4, 4), external axis and all; `said` is what `Arm.route` takes."""
-        return self.whole.route(path, **said)
+        return self._solid(said).route(path, **said)
+
+    def arcs(self, T: PoseLike, free: Freedom | None = None) -> tuple[Arc, ...]:
+        """Return every feasible interval of what is free at a pose (4, 4), as `Arm.arcs` does."""
+        return self.whole.arcs(T, free)
+
+    @property
+    def bodies(self) -> Bodies:
+        """The arm's bodies, each on the link that carries it; see `Arm.bodies`."""
+        return self._embodied.bodies
+
+    def distance(self, q: ArrayLike, scene: Scene | None = None) -> Distance:
+        """Return how far the arm is from touching itself or a scene at q (..., n), m, as `Arm.distance` does.
+
+        The scene stands where poses are said: beside the rail, or on the turntable and turning with it. What stands
+        beside a turntable is kept from by the arm alone: `cell.arm.distance(q[..., 1:], scene)`.
+        """
+        return self._embodied.distance(q, scene)
+
+    def clear(
+        self, q_path: ArrayLike, scene: Scene | None = None, margin: float = 0.0, *, gap: float | None = None
+    ) -> Swept:
+        """Prove that a path (N, n) keeps the arm clear of itself and a scene, as `Arm.clear` does; see `distance`."""
+        return self._embodied.clear(q_path, scene, margin, gap=gap)
+
+    def _solid(self, said: dict[str, Any]) -> Arm:
+        """Return the whole arm, with the bodies of the arm it is made of where a scene is said."""
+        return self.whole if said.get("scene") is None else self._embodied
+
+    @cached_property
+    def _embodied(self) -> Arm:
+        """The whole arm with the bodies of the arm it is made of, each where it was, one joint further on."""
+        zero = np.zeros(self.n)
+        # frames: base, after each joint, tool; of the whole arm the external axis carries what was the base
+        there = inverse(self.whole.frames(zero)[1:]) @ self.arm.frames(zero[1:])
+        own = self.arm.bodies
+        bodies = tuple(body.moved(there[body.on], body.on + 1) for body in own)
+        allowed = tuple(tuple(sorted(pair)) for pair in own.allowed if len(pair) == 2)
+        return Arm(replace(self.whole.description, bodies=bodies, allowed=allowed))
 
     def work(self, external: float) -> Array:
         """Return the pose (4, 4) of what lies on the table, base frame, at a value of the external axis, rad."""

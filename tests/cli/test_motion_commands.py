@@ -39,11 +39,33 @@ def test_limits_are_in_the_units_typed(run):
         ([*LINE, "--speed", "1 2", "--acceleration", "3"], "takes one number or 6"),
         ([*LINE, *LIMITS, "--constant", "0.1 0.2"], "s0, s1 and a speed"),
         ([LINE[0], *LIMITS], "needs --from and --to"),
+        ([*LINE, *LIMITS[:2]], "say --acceleration too"),
+        ([*LINE, *LIMITS[:2], "--acceleration", "-3"], "--acceleration must be more than zero, got -3"),
+        ([*LINE, *LIMITS, "--constant", "0.2 0.8 -5"], "must be more than zero, got -5 mm/s"),
+        ([*LINE, *LIMITS, "--constant", "0.8 0.2 5"], "s = 0.8 to 0.2"),
+        (
+            [*LINE, *LIMITS, "--constant", "0 0.8 5000"],
+            "keep 5000 mm/s from s = 0 to 0.8: the run-up to s = 0 allows 0",
+        ),
     ],
 )
 def test_time_refuses(run, words, said):
     status, _, err = run("time", *words)
     assert status == 2 and said in err
+
+
+def test_the_speed_that_would_do_is_told_as_it_is_typed_and_does(run):
+    status, _, err = run("time", *LINE, *LIMITS, "--constant", "0.2 0.8 5000")
+    assert status == 2 and "cannot keep 5000 mm/s" in err and " m/s" not in err
+    most = float(err.split(" mm/s, the highest")[0].split()[-1])
+    assert run("time", *LINE, *LIMITS, "--constant", f"0.2 0.8 {most * 0.9999}")[0] == 0
+    assert run("time", *LINE, *LIMITS, "--constant", f"0.2 0.8 {most * 1.01}")[0] == 2
+
+
+@pytest.mark.parametrize("words", [("program", "denso-vp6242", "no.toml"), ("program", "denso-vp6242", "no.src")])
+def test_a_file_that_is_not_there_is_named_once(run, words):
+    status, _, err = run(*words)
+    assert status == 2 and err.count("no.") == 1 and "No such file" in err and "Errno" not in err
 
 
 def test_a_line_that_stops_is_no_motion(run):

@@ -38,3 +38,16 @@ def test_what_cannot_be_asked_is_said(run):
     assert run("route", "abb-irb2400", "--free")[0] == 2
     assert "--free or --turn" in run("route", "abb-irb2400", *ENDS, "--free", "--turn", "-1 1")[2]
     assert "lower end first" in run("route", "abb-irb2400", *ENDS, "--turn", "30 -30")[2]
+
+
+def test_what_is_refused_is_told_as_it_was_typed(run):
+    for words, told in (
+        (("--free", "--cone", "95"), "less than 90 deg, got 95 deg"),
+        (("--turn", "30 -30"), 'got "30 -30" deg; did you mean "-30 30"'),
+        (("--turn", "30 500"), "goes over 470 deg"),
+        (("--free", "--cone", "2", "--angle", "rad"), "less than 1.5708 rad, got 2 rad"),
+        (("--start", "900 0 0 0 0 0"), "joint_1 at 900 deg, outside its limits of -180 to 180 deg"),
+        (("--plot", "x.png"), "say --free"),
+    ):
+        status, _, err = run("route", "abb-irb2400", *(ENDS if "rad" not in words else ENDS[:0]), *words)
+        assert status == 2 and told in err

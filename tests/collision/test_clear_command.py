@@ -48,6 +48,15 @@ def test_a_file_of_joints_is_a_path(tmp_path, capsys):
     assert code == 2 and "--from" in said.err
 
 
+def test_what_cannot_be_gone_to_and_what_the_bodies_are_is_said(capsys):
+    code, said = run(capsys, "clear", "denso-vp6242", "--from", "home", "--to", "600 90 -180 0 0 0")
+    assert code == 0 and "joint_1 is at 600 deg at point 2, outside its limits of -160 to 160 deg" in said.out
+    code, said = run(capsys, "clear", "denso-vp6242", "--bodies")
+    assert code == 0 and "These may touch" in said.out
+    code, said = run(capsys, "clear", "denso-vp6242", "--from", "home", "--margin", "-5")
+    assert code == 2 and "at least 0 mm, got -5" in said.err
+
+
 def test_the_page_runs_as_it_stands(capsys):
     text = (ROOT / "docs" / "collision.md").read_text()
     names: dict[str, object] = {}

@@ -144,8 +144,9 @@ def test_an_arm_from_a_urdf_finds_its_own_postures_again(name):
     found = arm.ik_many(T, threads=1)
     gap = np.abs((found.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi).max(-1)
     assert ((gap < 1e-6) & found.valid).any(1).all()
-    close = arm.fk(found.q)[found.valid] - np.broadcast_to(T[:, None], (*found.valid.shape, 4, 4))[found.valid]
-    assert np.abs(close).max() < 1e-8 * max(1.0, np.abs(T[:, :3, 3]).max())
+    # of five joints the task may be a position and the tool's axis, which is what counts then
+    close = arm.plan.residual(found.q[found.valid], np.broadcast_to(T[:, None], (*found.valid.shape, 4, 4))[found.valid])
+    assert close.max() < 1e-8 * max(1.0, np.abs(T[:, :3, 3]).max())
 
 
 def test_an_arm_is_said_by_its_maker_joints_payload_and_reach():

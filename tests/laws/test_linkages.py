@@ -75,6 +75,23 @@ def test_the_joints_that_made_a_pose_are_found_again_and_every_row_closes(name):
         assert np.abs(arm.uncoupled().fk(values) - T).max() < 1e-9
 
 
+@pytest.mark.parametrize("name", ["kuka-kr120-r3200-pa", "dobot-mg400", "dobot-magician"])
+def test_round_postures_of_the_catalogue_are_found_again_stretched_and_with_the_hand_over_the_base_too(name):
+    arm = pieper.load(name)
+    lower, upper = np.degrees(arm.limits).T
+    rng = np.random.default_rng(5)
+    q = np.radians(np.clip(np.round(rng.uniform(lower, upper, (120, 4)) / 15) * 15, lower, upper))
+    q[::4, 2] = q[::4, 1] - np.pi / 2 if name != "kuka-kr120-r3200-pa" else 0.0  # stretched: two postures are one
+    q = q[((q >= arm.limits[:, 0]) & (q <= arm.limits[:, 1])).all(1)]
+    Ts = arm.fk(q)
+    many = arm.ik_many(Ts, near=q)
+    for i, T in enumerate(Ts):
+        sols = arm.ik(T)
+        assert np.abs(sols.nearest(q[i]) - q[i]).max() < 1e-6
+        assert many.status[i] == sols.status
+        assert sols.self_motions or np.abs(many.nearest[i] - q[i]).max() < 1e-6
+
+
 @pytest.mark.parametrize("name", ["palletizer", "relative", "scara"])
 def test_no_more_and_no_fewer_than_a_search_of_the_forward_kinematics_finds(name):
     arm = ARMS[name]()

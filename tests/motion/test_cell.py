@@ -65,3 +65,47 @@ def test_a_cell_that_is_none_is_refused(said, word):
 def test_a_cell_needs_an_arm():
     with pytest.raises(InputError, match="needs an arm"):
         pieper.Cell("denso", rail=(0, 1, 0))
+
+
+def cells():
+    """A rail and a turntable, the arm with a base of its own and a tool."""
+    arm = ARM.with_base(pieper.pose(0.1, 0.2, 0.3, rpy=(0.1, 0.2, 0.3))).with_tool(pieper.pose(0, 0.02, 0.1))
+    rail = pieper.Cell(arm, rail=(0, 1, 0), limits=(-1.0, 1.0))
+    return rail, pieper.Cell(arm, turntable=((0.5, 0.1, 0.2), (0, 0, 1)), limits=(-3.0, 3.0))
+
+
+@pytest.mark.parametrize("cell", cells(), ids=["rail", "turntable"])
+def test_a_cell_is_as_far_from_an_obstacle_as_its_arm(cell):
+    scene = pieper.Scene([pieper.Box(pieper.pose(0.6, -0.2, 0.1, rpy=(0.3, 0, 0.2)), (0.2, 0.3, 0.4))])
+    rng = np.random.default_rng(3)
+    for external in (0.0, 0.7):
+        Q = rng.uniform(ARM.limits[:, 0], ARM.limits[:, 1], (40, ARM.n))
+        # the obstacle as the arm sees it: left behind by the rail, turned along by the table
+        T = cell.work(external) if cell.kind == "turntable" else pieper.pose(0, -external, 0)
+        seen = pieper.Scene([pieper.Box(T @ scene[0].T, scene[0].size)])
+        whole = cell.distance(np.column_stack([np.full(40, external), Q]), scene)
+        np.testing.assert_allclose(np.asarray(whole), np.asarray(cell.arm.distance(Q, seen)), atol=1e-9)
+    assert cell.bodies.names == cell.arm.bodies.names
+
+
+def test_a_cell_follows_proves_and_solves_as_its_whole_arm():
+    cell, _ = cells()
+    q = np.array([0.1, *HOME])
+    path = pieper.line(cell.fk(q), pieper.pose(0, 0.05, 0) @ cell.fk(q), 10)
+    track = cell.follow(path, start=q)
+    assert track.complete
+    np.testing.assert_allclose(cell.fk(track.q), path, atol=1e-8)
+    far = pieper.Scene([pieper.Box([5, 5, 5], [0.1, 0.1, 0.1])])
+    assert cell.clear(track.q, far).verdict == cell.whole.clear(track.q, far).verdict
+    assert cell.joint_names[0] == "rail" and cell.limits.shape == (7, 2)
+    assert cell.jacobian(q).shape == (6, 7)
+
+
+def test_what_a_cell_has_not_is_told_with_what_has_it():
+    cell, _ = cells()
+    with pytest.raises(AttributeError, match=r"cell\.whole\.reach_map or cell\.arm\.reach_map"):
+        cell.reach_map  # noqa: B018
+    with pytest.raises(AttributeError, match="has no 'nonsense'"):
+        cell.nonsense  # noqa: B018
+    with pytest.raises(InputError, match=r"cell\.whole"):
+        pieper.Program(cell, pieper.Limits(speed=1, acceleration=1))

@@ -187,3 +187,20 @@ def test_the_limits_of_a_motion_are_drawn():
     assert "tool speed" in [t.get_text() for t in figure.axes[-1].get_yticklabels()]
     with pytest.raises(InputError, match="not made within limits"):
         pieper.plot.limits_figure(pieper.move(HOME, HOME + 0.1, 1.0))
+
+
+def test_what_binds_has_the_colour_of_its_joint():
+    from matplotlib.colors import to_rgba
+
+    motion = whole().motion(rate=100)
+    figure = pieper.plot.limits_figure(motion)
+    curves = {line.get_label(): to_rgba(line.get_color()) for line in figure.axes[0].lines}
+    strip = figure.axes[-1]
+    rows = [t.get_text() for t in strip.get_yticklabels()]
+    assert len(rows) == len(strip.collections) > 1
+    for words, bars in zip(rows, strip.collections, strict=True):
+        if " of " in words:
+            np.testing.assert_allclose(bars.get_facecolor()[0], curves[words.split(" of ")[1]])
+        # a limit that binds on and on is one bar, also where a motion names another at times
+        spans = sorted((v[:, 0].min(), v[:, 0].max()) for v in (path.vertices for path in bars.get_paths()))
+        assert all(b[0] > a[1] for a, b in zip(spans, spans[1:], strict=False))

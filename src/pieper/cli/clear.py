@@ -16,6 +16,7 @@ from pieper.cli.output import as_json as print_json
 from pieper.cli.output import number, say
 from pieper.cli.status import DONE, NO_SOLUTION
 from pieper.cli.units import Units
+from pieper.tolerances import LIMIT_SLACK
 
 
 @click.command("clear", cls=TakesNumbers, short_help="Prove that a path touches nothing.")
@@ -49,7 +50,14 @@ def command(
 
     Example: pieper clear denso-vp6242 --from home --to "60 90 -180 0 0 0" --margin 5
     """
+    if not (np.isfinite(margin) and margin >= 0):
+        raise pieper.InputError(
+            f"--margin must be a length of at least 0 {units.length}, got {margin:g}.", given=margin
+        )
     around = pieper.Scene.load(scene) if scene else pieper.Scene()
+    if bodies and not (first or last or file):
+        say(arm.bodies.explain())
+        return DONE
     path = _path(arm, first, via, last, file, units)
     found = arm.clear(path, around, margin * units.metres)
     apart = arm.distance(path, around)
@@ -83,7 +91,24 @@ def command(
         say(f"{which} {metres} {units.length} from touching, the nearest: {one} and {other}.")
     if arm.bodies.guessed:
         say("The arm's bodies are guessed from its table: --bodies lists them.")
+    for sentence in _outside(arm, path, units):
+        say(sentence)
     return status
+
+
+def _outside(arm: pieper.Arm, path: npt.NDArray[np.float64], units: Units) -> list[str]:
+    """Return where a path (N, n) leaves the limits of joints, which clearances do not ask about, a sentence a joint."""
+    out: list[str] = []
+    scale, names = units.of_joints(arm), units.names_of_joints(arm)
+    for j, (low, high) in enumerate(arm.limits):
+        beyond = np.maximum(path[:, j] - high, low - path[:, j])
+        k = int(np.argmax(beyond))
+        if beyond[k] > LIMIT_SLACK:
+            out.append(
+                f"{arm.joint_names[j]} is at {path[k, j] / scale[j]:.6g} {names[j]} at point {k + 1}, outside its "
+                f"limits of {low / scale[j]:.6g} to {high / scale[j]:.6g} {names[j]}: the arm cannot go there."
+            )
+    return out
 
 
 def _path(
@@ -102,7 +127,9 @@ def _of_file(arm: pieper.Arm, file: str, units: Units) -> npt.NDArray[np.float64
     try:
         rows = [row for row in csv.reader(Path(file).read_text(encoding="utf-8-sig").splitlines()) if row]
     except (OSError, UnicodeDecodeError) as error:
-        raise pieper.InputError(f"--path: cannot read {file}: {error}.", path=file) from None
+        raise pieper.InputError(
+            f"--path: cannot read {file}: {error.strerror if isinstance(error, OSError) else error}.", path=file
+        ) from None
     if not rows:
         raise pieper.InputError(f"--path: {file} holds no point.", path=file)
     named = [f"{name}_{unit}" for name, unit in zip(arm.joint_names, units.names_of_joints(arm), strict=True)]

@@ -127,6 +127,13 @@ def takes_limits(command: Command) -> Command:
             text = rest.pop(name)
             if text:
                 given[name] = _limit(arm, units, name, text)
+        missing = [name for name in ("speed", "acceleration") if name not in given]
+        if given and missing:
+            raise pieper.InputError(
+                f"say --{missing[0]} too, one number for all joints or one a joint, quoted: limits of a motion are at "
+                "least --speed and --acceleration.",
+                missing=missing,
+            )
         return command(arm=arm, units=units, limits=pieper.Limits(**given) if given else None, **rest)
 
     made: Command = with_limits
@@ -144,6 +151,12 @@ def takes_limits(command: Command) -> Command:
 
 def _limit(arm: pieper.Arm, units: Units, name: str, text: str) -> Any:
     values = numbers([text], f"--{name.replace('_', '-')}")
+    if min(values, default=1.0) <= 0:
+        raise pieper.InputError(
+            f"--{name.replace('_', '-')} must be more than zero, got {min(values):g}; a joint that must not move is "
+            "locked.",
+            given=values,
+        )
     if name in _LIMITS:
         if len(values) not in (1, arm.n):
             raise pieper.InputError(

@@ -19,6 +19,7 @@ from pieper.cli.pose_file import PoseFile
 from pieper.cli.status import DONE, NO_SOLUTION
 from pieper.cli.straight import Straight, takes_straight
 from pieper.cli.units import Units
+from pieper.tolerances import WHOLE_TURN
 
 
 @click.command("route", cls=TakesNumbers, short_help="The best way along a path that leaves something free.")
@@ -61,6 +62,8 @@ def command(
     Example: pieper route abb-irb2400 --from "900 -300 900 0 180 0" --to "900 300 900 0 180 0" --free
     """
     freedom = _freedom(free, turn, cone, axis, units)
+    if plot and (freedom is None or not freedom.turns):
+        raise pieper.InputError("--plot draws path and turn: say --free, or --turn for two angles.", given=plot)
     path = _path(straight, poses, units, order)
     route = arm.route(path, free=freedom, start=joints(arm, [start], units, "--start") if start else None, cost=cost)
     if csv and route.found:
@@ -89,13 +92,32 @@ def _freedom(free: bool, turn: str, cone: str, axis: str, units: Units) -> piepe
     tilt = numbers([cone], "--cone")
     if len(tilt) != 1:
         raise pieper.InputError(f"--cone must be one angle, got {len(tilt)} numbers.", given=cone)
+    right = np.pi / 2 / units.radians
+    if not 0 <= tilt[0] < right:
+        raise pieper.InputError(
+            f"--cone must be at least 0 and less than {right:.6g} {units.angle}, got {tilt[0]:g} {units.angle}.",
+            given=tilt[0],
+        )
     if not (free or turn):
         if tilt[0] == 0:
             return None
         return pieper.Freedom(turn=(0.0, 0.0), cone=tilt[0] * units.radians, axis=axis)
-    ends = [v * units.radians for v in numbers([turn], "--turn")] if turn else []
-    if turn and len(ends) != 2:
-        raise pieper.InputError(f"--turn must be two angles, got {len(ends)}.", given=turn)
+    typed = numbers([turn], "--turn") if turn else []
+    if turn and len(typed) != 2:
+        raise pieper.InputError(f"--turn must be two angles, got {len(typed)}.", given=turn)
+    if turn and typed[0] > typed[1]:
+        raise pieper.InputError(
+            f'--turn must have its lower end first, got "{typed[0]:g} {typed[1]:g}" {units.angle}; did you mean '
+            f'"{typed[1]:g} {typed[0]:g}"?',
+            given=turn,
+        )
+    if turn and (typed[1] - typed[0]) * units.radians > 2 * np.pi + WHOLE_TURN:
+        raise pieper.InputError(
+            f"--turn goes over {typed[1] - typed[0]:g} {units.angle}, more than a whole turn; say --free, which has no "
+            "ends.",
+            given=turn,
+        )
+    ends = [v * units.radians for v in typed]
     return pieper.Freedom(turn=(ends[0], ends[1]) if turn else "free", cone=tilt[0] * units.radians, axis=axis)
 
 

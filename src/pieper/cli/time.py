@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import click
 import numpy as np
 
@@ -73,7 +75,13 @@ def command(
     if not track.complete:
         say(track.explain())
         return NO_SOLUTION
-    motion = pieper.time_law(track, limits, constant_speed=[_section(text, units) for text in constant], rate=rate)
+    sections = [_section(text, units) for text in constant]
+    try:
+        motion = pieper.time_law(track, limits, constant_speed=sections, rate=rate)
+    except pieper.InputError as error:
+        if "fastest" not in error.data:
+            raise
+        raise pieper.InputError(_too_fast(error.data, units), **error.data) from None
     written = write(arm, motion, units, csv=csv, figure=figure, animate=animate)
     if json:
         print_data(arm, motion, s=motion.s, deviation=motion.deviation)
@@ -97,8 +105,29 @@ def _off_the_lines(arm: pieper.Arm, motion: pieper.Motion, corners: np.ndarray) 
     return float(np.linalg.norm(p - corners[k] - part[:, None] * way[k], axis=1).max())
 
 
+def _too_fast(data: dict[str, Any], units: Units) -> str:
+    """Return why a section of constant speed cannot be, its speeds in the units that were typed."""
+    (s0, s1, v), s, limit = data["given"], data["s"], data["limit"]
+    most = f"{data['fastest'] / units.metres:.6g} {units.length}/s"
+    at = {"run-up": f"the run-up to s = {s:.4g}", "run-out": f"the run-out from s = {s:.4g}"}.get(
+        limit, f"at s = {s:.4g} the {limit}{' of ' + data['joint'] if data['joint'] else ''}"
+    )
+    return (
+        f"the tool cannot keep {v / units.metres:g} {units.length}/s from s = {s0:g} to {s1:g}: {at} allows {most}, "
+        "the highest speed that would do."
+    )
+
+
 def _section(text: str, units: Units) -> tuple[float, float, float]:
     values = numbers([text], "--constant")
     if len(values) != 3:
         raise pieper.InputError(f"--constant takes s0, s1 and a speed, got {len(values)} numbers.", given=values)
+    if not 0 <= values[0] < values[1] <= 1:
+        raise pieper.InputError(
+            f"--constant goes from s = {values[0]:g} to {values[1]:g}; s goes from 0 to 1, forward.", given=values
+        )
+    if values[2] <= 0:
+        raise pieper.InputError(
+            f"the speed of --constant must be more than zero, got {values[2]:g} {units.length}/s.", given=values
+        )
     return values[0], values[1], values[2] * units.metres

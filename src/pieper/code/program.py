@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, cast
@@ -15,6 +17,15 @@ RECORDED = ("spherical_wrist_parallel", "spherical_wrist", "three_parallel")
 #: Operations that give a truth, not a number.
 TRUTHS = ("lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not")
 _LEAVES = ("in", "const", "true", "false")
+#: How tightly a sign holds the values beside it; a truth's signs hold nothing, a value alone or in brackets is whole.
+_HOLDS = {"add": 1, "sub": 1, "mul": 2, "div": 2, "neg": 2}
+_WHOLE = 3
+#: How tightly an argument must hold together beside a sign that is none of arithmetic.
+_ASKS = {"and": _WHOLE, "or": _WHOLE, "not": _WHOLE}
+#: Operations that take their time: a choice does not wait for them, it is made between values that are there.
+_SLOW = ("div", "sqrt", "sin", "cos", "atan2", "angle")
+#: A value that is used once is written where it is used, up to so many signs.
+_INSIDE = 90
 
 
 @dataclass(frozen=True)
@@ -88,22 +99,44 @@ def statements(
         entry: Says an entry (0 to 15, row by row) of the pose.
         assign: Takes a name, whether it is a truth, and an expression.
     """
-    names = {i: f"v{_short(k)}" for k, i in enumerate(program.order)}
+    used = Counter(a for i in program.order for a in program.nodes[i][1:4])
+    used.update((*program.q, *program.valid, program.unclear) * 2)
+    chosen = {a for i in program.order if program.nodes[i][0] == "select" for a in program.nodes[i][2:4]}
+    inside: dict[int, tuple[str, int]] = {}
+    slow: set[int] = set()
+    names: dict[int, str] = {}
 
-    def said(i: int) -> str:
+    def held(i: int) -> tuple[str, int]:
+        """Return a node as text, and how tightly that holds together."""
         op, a, _, _, value = program.nodes[i]
         if op == "const":
-            return repr(value) if value >= 0 else f"({value!r})"
+            return (repr(value) if value >= 0 else f"({value!r})"), _WHOLE
         if op == "in":
-            return entry(a)
-        return words[op] if op in ("true", "false") else names[i]
+            return entry(a), _WHOLE
+        if op in ("true", "false"):
+            return words[op], _WHOLE
+        return inside.get(i) or (names[i], _WHOLE)
 
-    lines = []
+    lines: list[str] = []
     for i in program.order:
         op, *arguments, _ = program.nodes[i]
-        text = words[op].format(*(said(a) if a >= 0 else "" for a in arguments))
-        lines.append(assign(names[i], op in TRUTHS, text))
-    return lines, said
+        given = [a for a in arguments if a >= 0]
+        texts, apart = [], []
+        for k, a in enumerate(given):
+            text, holds = held(a)
+            apart.append(re.search(rf"[(,] ?\{{{k}\}}[),]", words[op]) is not None)
+            asked = 0 if apart[k] else _HOLDS[op] + (k > 0) if op in _HOLDS else _ASKS.get(op, 1)
+            texts.append(f"({text})" if holds < asked or (op == "neg" and text[0] == "-") else text)
+        text = words[op].format(*texts)
+        if op in _SLOW or not slow.isdisjoint(given):
+            slow.add(i)
+        if used[i] == 1 and len(text) <= _INSIDE and not (i in chosen and i in slow):
+            inside[i] = text, _WHOLE if all(apart) else _HOLDS.get(op, 0)
+        else:
+            slow.discard(i)
+            names[i] = f"v{_short(len(names))}"
+            lines.append(assign(names[i], op in TRUTHS, text))
+    return lines, lambda i: held(i)[0]
 
 
 def _short(number: int) -> str:

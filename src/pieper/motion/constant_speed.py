@@ -212,6 +212,7 @@ def why_not(timed: TimedPath, sections: Sequence[Section]) -> InputError:
                 f"the tool cannot keep {section[2]:g} m/s from s = {section[0]:g} to {section[1]:g}: {best.why} "
                 "The highest speed that would do is "
                 f"{float(best):.6g} m/s.",
+                given=section,
                 s=best.s,
                 joint=best.joint,
                 limit=best.limit,

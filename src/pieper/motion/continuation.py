@@ -189,6 +189,10 @@ class Continuation:
             last = self._last = x, q.copy(), _inverse(J), _side(J)
         return last[2], last[3]
 
+    def sides(self, q: Array) -> Array:
+        """Return on which side (N,) of singularities joint vectors q (N, n) at the points lie, +1 or -1; 0 unknown."""
+        return np.concatenate([_side(self._jacobian(q[k : k + 1], float(k))) for k in range(len(q))])
+
     # ------------------------------------------------------------------ steps
 
     def step(self, q: Array, xa: float, xb: float, loose: bool = False) -> tuple[Array, Bools]:

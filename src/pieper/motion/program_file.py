@@ -69,7 +69,7 @@ def load_program(arm: ProgramArm, path: str | os.PathLike[str]) -> Program:
     try:
         data = tomllib.loads(file.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise InputError(f"cannot read {file.name}: {error}.", path=path) from None
+        raise InputError(f"cannot read {file.name}: {arguments.cause(error)}.", path=path) from None
     unknown = sorted(set(data) - {"arm", "start", "limits", "step"})
     if unknown:
         raise InputError(

@@ -35,7 +35,7 @@ def read_motion(path: str | os.PathLike[str], arm: Described) -> Motion:
     try:
         text = file.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"cannot read {path}: {error}.", path=path) from None
+        raise InputError(f"cannot read {path}: {arguments.cause(error)}.", path=path) from None
     description = arm.description
     n = description.n
     try:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pieper.drawing.style import COLOURS, INK, legend, new_figure, plain_axes
+from pieper.kinematics.arrays import Array
 from pieper.motion.route.result import Route
 
 if TYPE_CHECKING:
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
 
 #: Most branches that are told apart, each in a strip of its own.
 MOST = 8
+#: A turn, and what its ends are told by, deg; how far a curve stays from the edges of a strip.
+ROUND, QUARTER, EDGE = 360.0, 90.0, 10.0
 
 
 def route_figure(route: Route, *, title: str = "") -> Figure:
@@ -34,10 +37,13 @@ def route_figure(route: Route, *, title: str = "") -> Figure:
     labels = route.labels
     degrees = np.degrees(known.turn)
     step = float(np.ptp(degrees)) / max(len(degrees) - 1, 1)
-    # all the way round: the first turn is the last one too
-    whole = float(np.ptp(degrees)) > 360.0 - 1.5 * step
-    degrees = np.append(degrees, degrees[0] + 360.0) if whole else degrees
-    low, high = float(degrees[0]), float(degrees[-1])
+    whole = float(np.ptp(degrees)) > ROUND - 1.5 * step
+    # all the way round the turns that are drawn are those of the route, so that its curve is one curve
+    low, high = _shown(np.degrees(route.turn)) if whole else (float(degrees[0]), float(degrees[-1]))
+    number = np.arange(len(degrees))
+    if whole:
+        number = np.arange(np.floor((low - degrees[0]) / step), np.ceil((high - degrees[0]) / step) + 1).astype(int)
+    levels = degrees[0] + step * number
     drawn = False
     for k, axes in enumerate(grid):
         plain_axes(axes, x="path, s" if k == rows - 1 else "", y="turn, deg")
@@ -46,28 +52,19 @@ def route_figure(route: Route, *, title: str = "") -> Figure:
         if not branches:
             axes.text(0.5, 0.5, "no turn is open anywhere", transform=axes.transAxes, ha="center", color=INK)
             break
-        if high - low > 180:
-            axes.set_yticks(np.arange(0, 361, 90))
+        if high - low > ROUND / 2:
+            axes.set_yticks(np.arange(low, high + 1, QUARTER * max(1, round((high - low) / ROUND))))
         axes.set_title(branches[k], color=INK, fontsize=9, loc="left")
         colour = COLOURS[k % (len(COLOURS) - 1)]
-        is_open = known.open[k].T.astype(float)
-        axes.contourf(
-            known.s,
-            degrees,
-            np.vstack([is_open, is_open[:1]]) if whole else is_open,
-            levels=[0.5, 1.5],
-            colors=[colour],
-            alpha=0.3,
-        )
+        is_open = known.open[k].T[number % len(degrees)].astype(float)
+        axes.contourf(known.s, levels, is_open, levels=[0.5, 1.5], colors=[colour], alpha=0.3)
         if route.found:
             mine = np.array([label == branches[k] for label in labels])
-            shown = np.where(mine, np.degrees(route.turn), np.nan)
-            # the curve goes on at the other end of the strip as often as it goes round
-            first, last = (int(np.floor((np.degrees(v) - low) / 360.0)) for v in (route.turn.min(), route.turn.max()))
-            for round_ in range(first, last + 1) if whole else (0,):
-                named = "route" if mine.any() and not drawn else None
-                axes.plot(route.s, shown - 360.0 * round_, color=INK, linewidth=1.8, label=named)
-                drawn |= bool(mine.any())
+            if mine.any():
+                # where the branch changes the curve goes on in the other strip from the same point
+                shown = np.where(mine | np.roll(mine, 1) & (np.arange(len(mine)) > 0), np.degrees(route.turn), np.nan)
+                axes.plot(route.s, shown, color=INK, linewidth=1.8, label=None if drawn else "route")
+                drawn = True
             if axes.get_legend_handles_labels()[1]:
                 legend(axes, loc="best")
         elif route.blocked is not None:
@@ -78,3 +75,13 @@ def route_figure(route: Route, *, title: str = "") -> Figure:
     name = title or f"{route.plan.name}: {route.verdict.name.lower()}"
     figure.suptitle(name, color=INK, fontsize=11, x=0.02, ha="left")
     return figure
+
+
+def _shown(turn: Array) -> tuple[float, float]:
+    """Return from where to where a strip goes round: the turns of a route, a whole turn at least, by quarters, deg."""
+    if not len(turn):
+        return 0.0, ROUND
+    low = QUARTER * np.floor((turn.min() - EDGE) / QUARTER)
+    high = QUARTER * np.ceil((turn.max() + EDGE) / QUARTER)
+    more = max(0.0, ROUND - (high - low)) / QUARTER
+    return float(low - QUARTER * (more // 2)), float(high + QUARTER * (more - more // 2))

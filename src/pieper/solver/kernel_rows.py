@@ -37,13 +37,12 @@ def kernel_rows(plan: Plan, T: Array, values: Array, threads: int) -> Solved:
     else:
         q6, valid, flags = _per_value(plan, T, values, threads)
     full = np.zeros((*q6.shape[:2], reduction.full.n))
-    real = 6 - len(reduction.fill)
     if reduction.fill:
         unit = np.array([plan.chain.length if p else 1.0 for _, p in reduction.fill])
         # a pose of the arm as described is none of the nominal arm: it misses by about as much as was snapped
         zero = max(FILLED_ZERO, 10 * plan.drift)
-        valid = valid & (np.abs(q6[..., real:] / unit) < zero).all(-1)
-    full[..., reduction.kept] = q6[..., :real]
+        valid = valid & (np.abs(q6[..., reduction.filled] / unit) < zero).all(-1)
+    full[..., reduction.kept] = q6 if not reduction.fill else q6[..., reduction.real]
     if reduction.locked:
         full[..., list(reduction.locked)] = values[:, None, :]
     return Solved(full, valid, flags)

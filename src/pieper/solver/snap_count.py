@@ -44,12 +44,11 @@ def exact_rows(plan: Plan, T: Array, values: Array) -> tuple[Array, bool]:
     pose = reduction.moved_pose(T[None], values[None])
     q6, valid, _, flags = solver.many(np.ascontiguousarray(pose), 1)
     q6 = q6[0][valid[0]]
-    real = 6 - len(reduction.fill)
     if reduction.fill:
         unit = np.array([plan.chain.length if p else 1.0 for _, p in reduction.fill])
-        q6 = q6[(np.abs(q6[:, real:] / unit) < FILLED_ZERO).all(-1)]
+        q6 = q6[(np.abs(q6[:, reduction.filled] / unit) < FILLED_ZERO).all(-1)]
     rows = np.zeros((len(q6), reduction.full.n))
-    rows[:, reduction.kept] = q6[:, :real]
+    rows[:, reduction.kept] = q6[:, reduction.real]
     rows[:, list(reduction.locked)] = values
     return rows, not int(flags[0]) & Flag.UNCERTAIN
 

@@ -184,10 +184,11 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
 
     batch = batch_of(plan, found)
     if plan.chain.linked:
-        # what of the axes' self-motions the linkage holds is looked at pose by pose
-        for i in np.flatnonzero(batch.status == Status.SINGULAR).tolist():
+        # what the linkage holds of the axes' self-motions, and of merged roots, is looked at pose by pose
+        merged = (batch.status == Status.OUTSIDE_LIMITS) & ((batch.found.flags & _DEGENERATE) > 0)
+        for i in np.flatnonzero((batch.status == Status.SINGULAR) | merged):
             one = ik(plan, checked_pose(poses[i]))
-            _put(one, batch.found, i)
+            _put(one, batch.found, int(i))
             batch.status[i] = one.status
         return batch
     for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits)):

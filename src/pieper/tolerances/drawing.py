@@ -10,3 +10,5 @@ DRAWN_CELL = 1e-6
 UPRIGHT_AXIS = 0.999999
 #: Side of a voxel of a drawn map, at least, m: finer ones cannot be told apart on a screen, and are too many.
 SMALLEST_VOXEL = 1e-4
+#: Part of a limit from which on a curve is drawn as being at it: the rest is less than the width of a line.
+DRAWN_AS_BINDING = 0.995

@@ -53,3 +53,8 @@ SMOOTH_DAMPING = 1e-4
 SMOOTH_UNDAMPED = 1e-6
 #: What bending of the largest change is added, so that changes of zero bend too.
 SMOOTH_BEND = 1e-6
+#: A stretch of a route is short beside the least singular value of its Jacobian below this part of it: the Jacobian
+#: changes by at most some two and a half of itself a radian, so that along the stretch it keeps its rank.
+SHORT_BESIDE_RANK = 0.25
+#: A stretch so short (rad; lengths) is not halved on for its rank: what passes a singular posture by less passes it.
+NO_SWING = 1e-5

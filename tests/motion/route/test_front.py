@@ -1,5 +1,7 @@
 """What is followed with proof along a path: nothing that moves inside the limits is ever lost on the way."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -73,7 +75,7 @@ def test_another_end_than_the_one_that_is_reached_is_refused(irb, seam, found):
         assert to.verdict is not pieper.Verdict.UNCERTAIN or "ruled out" in to.reason
         if to.verdict is pieper.Verdict.IMPOSSIBLE:
             # every pose can be reached, only not in that posture
-            assert "the posture that it is to end with is not reached" in to.reason
+            assert re.search("the posture that it is to (begin|end) with is not reached", to.reason)
     with_limits = irb.with_limits({"joint_1": (-0.1, 0.1)}).route(seam, free=FREE)
     assert "to end with" not in with_limits.reason
 

@@ -273,3 +273,19 @@ def test_that_no_change_lets_a_route_through_is_told_too():
     route = pieper.load("abb-irb2400").route(pieper.line(*ends, 12), free=FREE)
     assert "lets one through" not in route.explain()
     assert route.blocked.relaxations == () and "No wider limit" in route.explain()
+
+
+def test_the_curve_of_a_map_is_one_curve_whatever_turn_it_passes(irb, seam, found):
+    for by in (0.0, 170.0, -100.0):
+        # the same seam said with another turn: its route is turned the other way
+        turned = irb.route(seam @ pieper.pose(0, 0, 0, rpy=(0, 0, by), degrees=True), free=FREE)
+        figure = pieper.plot.route_figure(turned)
+        shown = np.full(len(seam), np.nan)
+        for axes in figure.axes:
+            low, high = axes.get_ylim()
+            assert high - low >= 360 - 1e-9
+            for line in axes.lines:
+                y = np.asarray(line.get_ydata(), float)
+                assert np.nanmin(y) > low and np.nanmax(y) < high
+                shown = np.where(np.isnan(y), shown, y)
+        np.testing.assert_allclose(shown, np.degrees(turned.turn), atol=1e-9)

@@ -90,7 +90,7 @@ def read_program(path: str | os.PathLike[str]) -> list[Target]:
     try:
         text = file.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"cannot read {path}: {error}.", path=path) from None
+        raise InputError(f"cannot read {path}: {arguments.cause(error)}.", path=path) from None
     try:
         return kind.targets(text)
     except InputError:

@@ -8,23 +8,27 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import TURN
 from pieper.motion.route.ladder import Rungs
 from pieper.motion.route.opening import Opening
+from pieper.motion.route.proof import Proof
 from pieper.motion.route.result import Blocked, Closed
 from pieper.motion.route.search import Task
 from pieper.motion.route.setting import Setting
+from pieper.motion.route.windows import backwards
 from pieper.solver.words.labels import posture_words
 
 
-def blocked_at(task: Task, ladder: Rungs, reached: int, begun: float, proved: float) -> Blocked:
+def blocked_at(task: Task, ladder: Rungs, reached: int, proof: Proof) -> Blocked:
     """Return where and why nothing goes on: what a grid reaches lies before, what is proved to be the end behind.
+
+    Of a proof that goes backwards the path is counted from its end, and what is returned from its beginning again.
 
     Args:
         task: What the route was to be like.
         ladder: Rows at stations.
         reached: Last station that is reached over rows inside the limits, below zero for none.
-        begun: Where the proof begins.
-        proved: Where nothing is left.
+        proof: Where nothing is left.
     """
-    setting = task.setting
+    setting, begun, proved = task.setting, proof.begun, proof.s
+    forth = backwards(task) if proof.back else task
     first = min(float(ladder.s[max(reached, 0)]), proved)
     # the joints are told at a station that was not reached and lies in what is proved
     at = min(max(reached + 1, int(np.searchsorted(ladder.s, begun, side="left"))), len(ladder.s) - 1)
@@ -33,22 +37,24 @@ def blocked_at(task: Task, ladder: Rungs, reached: int, begun: float, proved: fl
     valid = ladder.valid[at]
     if not valid.any():
         turned = ", however the tool is turned" if setting.turns else ""
-        why = f"{_place(here)} the pose is out of reach{turned}."
-        return Blocked((first, last), (), why, begun, Opening(task, ()))
+        why = f"{_place(proof.along(here))} the pose is out of reach{turned}."
+        return Blocked(proof.between(first, last), (), why, proof.along(begun), Opening(forth, ()))
     closed = _closed(setting, ladder.x[at], valid)
     if not closed:
         why = (
-            f"{_place(here)} there are postures inside all limits, but none that is reached from the first "
-            "pose without leaving limits on the way: the passages to them are closed."
+            f"{_place(proof.along(here))} there are postures inside all limits, but none "
+            f"{'from which the last pose is reached' if proof.back else 'that is reached from the first pose'} without "
+            "leaving limits on the way: the passages are closed."
         )
         closed = _closed(setting, ladder.x[at], valid & (_excess(setting, ladder.x[at])[0] > 0), every=True)
-        return Blocked((first, last), closed, why, begun, Opening(task, closed))
-    why = f"{_place(here)} every branch is closed:"
-    return Blocked((first, last), closed, why, begun, Opening(task, closed))
+    else:
+        why = f"{_place(proof.along(here))} every branch is closed:"
+    return Blocked(proof.between(first, last), closed, why, proof.along(begun), Opening(forth, closed))
 
 
 def _place(s: float) -> str:
-    return "At the first point of the path" if s == 0 else f"At {s:.4g} of the path"
+    ends = {0.0: "At the first point of the path", 1.0: "At the last point of the path"}
+    return ends.get(s, f"At {s:.4g} of the path")
 
 
 def _excess(setting: Setting, x: Array) -> tuple[Array, Array, Array]:

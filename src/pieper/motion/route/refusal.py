@@ -1,65 +1,37 @@
 """Why there is no route: a place that nothing inside the limits gets past, found on a grid and then proved.
 
-A grid of turns and stations, and a front that is followed roughly, tell where the way ends. There the proof begins: at
-a station everything inside the limits is known (each joint held at each of its limits and the others solved, and rows
-between); followed along the path with bounds of how far anything can stray (`front.py`), it must come to nothing. Where
-that fails the proof begins earlier, up to the first pose, and with smaller steps.
+A grid of turns and stations, and fronts that are followed roughly, tell where the way ends. There the proof begins
+(`proof.py`): at a station everything inside the limits is known (each joint held at each of its limits and the others
+solved, and rows between); followed along the path with bounds of how far anything can stray (`front.py`), it must come
+to nothing.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.motion.route.closed import blocked_at
 from pieper.motion.route.freedom import Verdict
-from pieper.motion.route.front import Ended, Front, can_be_followed, everything_at, follow, modulo_turns
-from pieper.motion.route.grid import grid
+from pieper.motion.route.front import can_be_followed, modulo_turns
+from pieper.motion.route.grid import Grid, grid
 from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import Rungs, climb, rungs
 from pieper.motion.route.opening import Opening
+from pieper.motion.route.proof import Proof, anywhere, closely
 from pieper.motion.route.reach import beyond_reach
 from pieper.motion.route.result import Blocked
 from pieper.motion.route.search import Task, search, stations
 from pieper.motion.route.setting import Setting
-from pieper.tolerances import TAKEN_UP_BEHIND
+from pieper.motion.route.windows import backwards, rungs_backwards
 from pieper.words_by_number import plural
 
 #: Stations of the grid where a coordinate is free, and where none is.
 STATIONS, DENSE = 100, 400
-#: Parts of the largest steps that the bounds allow, tried one after the other.
-FINE = (1.0, 0.4, 0.15)
-#: Steps, in those that the bounds allow, with which the end is looked for without proof; how far before it the proof
-#: begins, as parts of the path, or None for the first pose, and with what part of the steps that the bounds allow; and
-#: how far behind that end it may go on.
-ROUGH, ON = 2.5, 0.01
-TRIED = ((0.003, 1.0), (0.003, 0.4), (0.02, 1.0), (None, 1.0), (0.02, 0.4), (None, 0.4), (None, 0.15))
-#: Part of the points that are left that one try may look at.
-SHARE = 0.3
 #: Places of the path that are looked at for what misses a clearance.
 KEPT_AT = 26
-#: Points that may be looked at, and how often a front that lost its grip is taken up again behind that place.
-MOST, AGAIN = 1_500_000, 6
-
-
-@dataclass(frozen=True, eq=False)
-class Proof:
-    """A place that nothing gets past.
-
-    Attributes:
-        begun: Where everything inside the limits was known.
-        s: What is followed from there ends before.
-        looked: Points looked at.
-        arrived: Whether it gets to the last pose, and only the posture that it is to end with is not among it.
-    """
-
-    begun: float
-    s: float
-    looked: int
-    arrived: bool = False
 
 
 def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
@@ -75,15 +47,26 @@ def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
     cells = grid(setting)
     s = _dense(setting.s, STATIONS if setting.spare else DENSE)
     ladder = rungs(setting, cells, s, np.ones(len(s) - 1))
-    proof, reached = None, len(s) - 1
     for limits in _limits(setting):
-        whole = limits is setting.limits
-        way = climb(setting, cells, ladder, on_the_spot=True, ends=task.ends, all_turns=whole)
-        reached = way.furthest
-        proof = _closed(task, limits, ladder, reached, MOST)
+        reached = _reached(task, cells, ladder, limits)
+        proof = closely(task, limits, ladder, reached)
         if proof is not None:
             return _told(task, ladder, reached, proof)
+    for limits in _limits(setting):
+        proof = anywhere(task, limits)
+        if proof is not None and proof.back:
+            turned, from_end = backwards(task), rungs_backwards(ladder)
+            return _told(turned, from_end, _reached(turned, cells, from_end, limits), proof)
+        if proof is not None:
+            return _told(task, ladder, _reached(task, cells, ladder, limits), proof)
     return _uncertain(task)
+
+
+def _reached(task: Task, cells: Grid, ladder: Rungs, limits: Array) -> int:
+    """Return the last station that is reached over rows inside the limits."""
+    world = task.setting
+    every = limits is world.limits
+    return climb(world, cells, ladder, on_the_spot=True, ends=task.ends, all_turns=every).furthest
 
 
 def _limits(setting: Setting) -> list[Array]:
@@ -92,78 +75,27 @@ def _limits(setting: Setting) -> list[Array]:
     return [setting.limits] if np.array_equal(loose, setting.limits) else [loose, setting.limits]
 
 
-def _closed(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -> Proof | None:
-    """Return a place that nothing gets past, if one is proved."""
-    looked = 0
-    for first, last, fine in _windows(task, limits, ladder, reached, most):
-        begin = first
-        for _ in range(AGAIN):
-            seeds = _known(task, limits, begin)
-            found = follow(task.setting, limits, seeds, (begin, last), fine, int(SHARE * (most - looked)))
-            looked += found.looked
-            arrived = found.ended is Ended.ARRIVED and _misses_end(task, found)
-            if found.ended is Ended.DIED or arrived:
-                return Proof(begin, found.s, looked, arrived)
-            begin = found.s + TAKEN_UP_BEHIND
-            if found.ended is not Ended.SINGULAR or begin > last:
-                break
-    return None
-
-
-def _windows(task: Task, limits: Array, ladder: Rungs, reached: int, most: int) -> Iterator[tuple[float, float, float]]:
-    """Yield from where to where it is tried, and how finely: one station, then more and more of the path."""
-    s = ladder.s
-    inside = ladder.valid & task.setting.chain.joints.inside_limits(ladder.x, task.setting.limits)[1]
-    empty = np.flatnonzero(~inside.any((1, 2)))
-    if len(empty):
-        # the first stretch of stations without any row that the way leads to
-        begin = int(empty[np.argmax(empty >= min(reached, int(empty[-1])))])
-        end = begin
-        while end + 1 in empty:
-            end += 1
-        # where the way ends is told most nearly by the stretch's first station; its middle is where least is in doubt
-        for station in dict.fromkeys((begin, (begin + end) // 2)):
-            for fine in FINE:
-                yield float(s[station]), float(s[station]), fine
-    rough = follow(task.setting, limits, _known(task, limits, 0.0), (0.0, 1.0), ROUGH, most)
-    if rough.ended is Ended.ARRIVED and not _misses_end(task, rough):
-        return
-    last = min(rough.s + ON, 1.0)
-    for back, fine in TRIED:
-        if back is None or back < rough.s:
-            yield 0.0 if back is None else rough.s - back, last, fine
-
-
-def _known(task: Task, limits: Array, begin: float) -> Array:
-    """Return joint vectors on all that may be reached at a place where the proof begins."""
-    start = task.ends[0]
-    if begin == 0.0 and start is not None:
-        return start[None]
-    return everything_at(task.setting, limits, begin)
-
-
-def _misses_end(task: Task, found: Front) -> bool:
-    """Whether what may be reached at the last pose is not the posture that the route is to end with."""
-    end = task.ends[1]
-    if end is None or found.s < 1.0:
-        return False
-    gap = task.setting.chain.joints.difference(found.q, end) / task.setting.chain.joints.unit
-    return bool((np.linalg.norm(gap, axis=1) > found.within).all())
-
-
 def _told(task: Task, ladder: Rungs, reached: int, proof: Proof) -> tuple[Verdict, Blocked, str]:
-    blocked = blocked_at(task, ladder, reached, proof.begun, proof.s)
-    where = f"no motion gets past {proof.s:.6g} of the path" if proof.s > 0 else "no motion begins at the first pose"
+    blocked = blocked_at(task, ladder, reached, proof)
+    place, begun = proof.along(proof.s), proof.along(proof.begun)
+    where = f"no motion gets past {place:.6g} of the path"
+    if proof.s == 0 and not proof.back:
+        where = "no motion begins at the first pose"
+    elif proof.s == 0:
+        where = "no motion ends at the last pose"
     if proof.arrived:
-        where = "the posture that it is to end with is not reached"
+        where = f"the posture that it is to {'begin' if proof.back else 'end'} with is not reached"
+    there = {0.0: "the first pose", 1.0: "the last pose"}.get(begun, f"{begun:.6g} of the path")
+    told = proof.begun == 0 and task.ends[0] is not None
+    all_of = f"{'All that is reached from the posture told for' if told else 'Everything inside the limits at'} {there}"
     if proof.looked:
-        ends = "no posture so reached at the last pose is that one" if proof.arrived else "ends before"
+        last = "first" if proof.back else "last"
+        ends = f"no posture so reached at the {last} pose is that one" if proof.arrived else "ends before"
         how = (
-            f"Everything inside the limits at {proof.begun:.6g} of the path was followed with proved bounds and "
-            f"{ends}: {plural(proof.looked, 'point')}."
+            f"{all_of} was followed{' backwards' if proof.back else ''} with "
+            f"proved bounds and {ends}: {plural(proof.looked, 'point')}."
         )
     else:
-        there = "the first pose" if proof.begun == 0 else f"{proof.begun:.6g} of the path"
         how = f"At {there} nothing is inside the limits, each joint tried at each of its limits and in between."
     reason = f"Impossible: {where}, whatever the branch, the turn and the whole turns. {how}"
     return Verdict.IMPOSSIBLE, blocked, reason

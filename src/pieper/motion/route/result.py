@@ -63,7 +63,8 @@ class Blocked:
         s: (first, last) between which every passage closes, 0 to 1.
         closed: What closes each branch there; empty where the pose is out of reach.
         why: A sentence.
-        begun: Where on the path everything inside the limits was known; followed from there, it comes to nothing.
+        begun: Where on the path everything inside the limits was known; followed from there, it comes to nothing: from
+            behind `s` it was followed backwards.
         others: Seeks the smallest changes that let a route through.
     """
 

@@ -146,9 +146,11 @@ def _end(world: Setting, q: ArrayLike | None, at: int, what: str) -> Array | Non
     outside = ~inside(joints, plan.limits)
     if outside.any():
         j = int(np.argmax(outside))
-        low, high = plan.limits[j]
+        scale, unit = (1e3, "mm") if plan.prismatic[j] else (180 / np.pi, "deg")
+        low, high = plan.limits[j] * scale
         raise InputError(
-            f"{what} has {plan.names[j]} at {joints[j]:.6g}, outside its limits of {low:.6g} to {high:.6g} (rad or m).",
+            f"{what} has {plan.names[j]} at {joints[j] * scale:.6g} {unit}, outside its limits of {low:.6g} to "
+            f"{high:.6g} {unit}.",
             joint=plan.names[j],
         )
     T = world.path[at]

@@ -8,13 +8,16 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.joints import inside
+from pieper.motion.route.freedom import Freedom
 from pieper.motion.route.grid import TURNS, Grid, grid
 from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import Rungs, Way, climb, fitted, rungs
 from pieper.motion.route.reach import beyond_reach
-from pieper.motion.route.setting import Setting
+from pieper.motion.route.setting import Setting, with_turn_limits
+from pieper.motion.route.setting import setting as setting_of
 from pieper.motion.route.smooth import Shape, Smoothed, smooth
-from pieper.tolerances import LIMIT_SLACK, NO_LOOK_BETWEEN
+from pieper.motion.route.together import branches, continuous, one_branch
+from pieper.tolerances import CONE_INSIDE, LIMIT_SLACK, NO_LOOK_BETWEEN
 
 #: Stations of the first ladder, and how often twice as many are tried, each with a finer grid.
 STATIONS, FINER = 51, (1, 2, 4)
@@ -29,9 +32,6 @@ DENSE = 1200
 BETWEEN = 400
 #: Rows that a ladder may have in all: it bounds memory and time.
 MOST_ROWS = 4_000_000
-#: How far the point of a route half way between two others may be off their middle, as a part of their distance, and
-#: how often a stretch is halved to see.
-STRAIGHT, HALVINGS = 0.3, 8
 #: Parts of the way from the ladder's route to the shortest one that are tried where something must be kept.
 PARTS = (1.0, 0.75, 0.5, 0.25, 0.0)
 
@@ -88,13 +88,50 @@ def search(task: Task, ladders: int = len(FINER)) -> Found | None:
             each = max(1, -(-DENSE // (N - 1)))
             at = np.append((np.arange(N - 1)[:, None] + np.arange(each) / each).ravel(), N - 1.0)
         ladder = _ladder(task, cells, at)
-        slow = _slow(task, at) if setting.spare == 1 and not fixed else None
+        slow = _slow(task, at) if setting.spare == 1 and not fixed else _upright(task, at)
         found = climbed_and_carried(task, cells, ladder, slow)
+        if fixed and (found is None or not one_branch(setting, found.x)):
+            found = _cheapest_branch(task, cells)
         if found is not None:
             return Found(found.x, found.cost, found.slope, cells, ladder)
         if fixed:
             break
-    return None
+    return _held(task)
+
+
+def _held(task: Task) -> Found | None:
+    """Return a route on which a turn that is free is held, where the ladders lead nowhere.
+
+    A route beside a singular posture may swing faster than any ladder steps; held, its branches are carried.
+    """
+    world, free = task.setting, task.setting.free
+    if not world.turn_on_grid or not free.turns or world.spare > 1:
+        return None
+    low, high = free.interval
+    turn = min(max(0.0, low), high)
+    turn = next((float(-end[world.n]) for end in task.ends if end is not None), turn)
+    held = Freedom(turn=(turn, turn), axis=free.axis)
+    there = setting_of(world.plan, with_turn_limits(world.curves, held), held, world.asked, world.s)
+    found = search(replace(task, setting=there))
+    if found is None:
+        return None
+    moved = _carried(task, found.x, np.arange(len(found.x), dtype=float))
+    if moved is None or moved.cost > found.cost:
+        return replace(found, slope=np.inf)
+    return replace(found, x=moved.x, cost=moved.cost, slope=moved.slope)
+
+
+def _cheapest_branch(task: Task, cells: Grid) -> Smoothed | None:
+    """Return the cheapest branch that is carried from end to end, where nothing is free."""
+    setting, best = task.setting, None
+    for branch in branches(setting, cells, task.ends):
+        x, on = setting.on(branch, setting.path)
+        if not on.all() or np.abs((x - branch) / setting.chain.joints.unit).max() > NO_LOOK_BETWEEN:
+            continue
+        cost = cost_of(setting, x, task.largest)
+        if (best is None or cost < best.cost) and task.keep.holds(setting, x):
+            best = Smoothed(x, cost, 0.0)
+    return best
 
 
 def leads(task: Task) -> bool:
@@ -124,6 +161,20 @@ def _slow(task: Task, at: Array) -> Array | None:
     few = at[stations(len(at), SLOW[0])]
     way = _climbed(task, cells, _ladder(task, cells, few), few, False, 0.0)
     return None if way is None else _between(way.x, few, at)
+
+
+def _upright(task: Task, at: Array) -> Array | None:
+    """Return at stations (M,) the route without the tilt that is free here: where it is the best of all it is known."""
+    world = task.setting
+    if not world.tilts or any(end is not None and np.abs(end[-2:]).max() > CONE_INSIDE for end in task.ends):
+        return None
+    free = Freedom(turn=world.free.turn, axis=world.free.axis)
+    ends = tuple(None if end is None else end[:-2] for end in task.ends)
+    bare = replace(task, setting=setting_of(world.plan, world.curves, free, world.asked, world.s), ends=ends)
+    found = search(bare, 1)
+    if found is None:
+        return None
+    return _between(np.hstack([found.x, np.zeros((len(found.x), 2))]), np.arange(len(found.x), dtype=float), at)
 
 
 def search_between(task: Task) -> Found | None:
@@ -311,26 +362,3 @@ def cost_of(setting: Setting, x: Array, largest: bool) -> float:
     if largest:
         return float(np.sum(np.max(np.sqrt(setting.weights) * np.abs(e), axis=1, initial=0.0)))
     return float(np.sum(setting.weights * e * e))
-
-
-def continuous(setting: Setting, x: Array) -> bool:
-    """Whether the points (N, m) of a route hang together: half way between two lies a point of the path near both.
-
-    A stretch whose middle is not where its ends say is halved; one that jumps to another branch never gets straight.
-    """
-    s0, s1, a, b = setting.s[:-1], setting.s[1:], x[:-1], x[1:]
-    unit = setting.chain.joints.unit
-    for _ in range(HALVINGS):
-        middle = (a + b) / 2
-        at = (s0 + s1) / 2
-        there, on = setting.on(middle, setting.at(at))
-        gap = np.abs((there - middle) / unit).max(1)
-        size = np.abs((b - a) / unit).max(1)
-        doubt = ~on | (gap > STRAIGHT * size + NO_LOOK_BETWEEN)
-        if not doubt.any():
-            return True
-        if (~on & (size < NO_LOOK_BETWEEN)).any():
-            return False
-        s0, s1 = np.concatenate([s0[doubt], at[doubt]]), np.concatenate([at[doubt], s1[doubt]])
-        a, b = np.concatenate([a[doubt], there[doubt]]), np.concatenate([there[doubt], b[doubt]])
-    return False

@@ -124,8 +124,9 @@ class Setting:
 
     @cached_property
     def weights(self) -> Array:
-        """(m,) what the square of each coordinate counts as motion: joints by their unit, virtual ones nothing."""
-        return np.where(np.arange(self.m) < self.n, self.chain.joints.unit**-2.0, 0.0)
+        """(m,) what the square of each coordinate counts as motion: joints by the arm's units, virtual ones nothing."""
+        own = self.plan.chain.joints.unit**-2.0
+        return np.concatenate([own, np.zeros(self.m - self.n)])
 
     @cached_property
     def names(self) -> tuple[str, ...]:

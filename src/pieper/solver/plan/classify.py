@@ -19,10 +19,12 @@ from pieper.solver.plan.count import count_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import (
     TASKS,
+    Held,
     Reduction,
     default_task,
     generic_rank,
     reduce,
+    sample_joints,
     with_task_joints,
 )
 from pieper.solver.words.explain import explain
@@ -33,9 +35,18 @@ from pieper.words_by_number import plural
 MOST_WAYS = 24
 #: Parts of their limits at which spare joints are held where none of the ways is solvable at the middle of them.
 UNLIKE_OTHERS = (0.5821, 0.3817)
+#: Postures that a linkage holds at which its axes are to be solved well.
+HELD_POSTURES = 15
 
 
-def make_plan(chain: Chain, description: Description, *, task: str | None = None, snap: float | None = None) -> Plan:
+def make_plan(
+    chain: Chain,
+    description: Description,
+    *,
+    task: str | None = None,
+    snap: float | None = None,
+    hold: Held | None = None,
+) -> Plan:
     """Classify a chain and choose how it is solved.
 
     Args:
@@ -44,6 +55,7 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         task: "pose", "position", "position+axis", or None for the default of the arm.
         snap: Angles (rad) and distances (per characteristic length) below which axes are made parallel or meeting;
             None takes the table as exact.
+        hold: What a linkage holds of the axes; None where each moves by itself.
 
     Raises:
         InputError: The task is unknown.
@@ -55,7 +67,7 @@ def make_plan(chain: Chain, description: Description, *, task: str | None = None
         arguments.number(snap, "snap", "rad, and per length of the arm", least=0.0, below=0.5)
     if chain.coupling is not None:
         return _coupled(chain, description, task, snap)
-    plan = _as_told(chain, description, task, snap)
+    plan = _as_told(chain, description, task, snap, hold)
     if snap is None and not plan.spec.info.get("certified", True):
         return _by_nearly(plan, chain, description)
     return plan
@@ -76,7 +88,9 @@ def _by_nearly(plan: Plan, chain: Chain, description: Description) -> Plan:
     return plan
 
 
-def _as_told(chain: Chain, description: Description, task: str | None, snap: float | None) -> Plan:
+def _as_told(
+    chain: Chain, description: Description, task: str | None, snap: float | None, hold: Held | None = None
+) -> Plan:
     """Plan for the chain itself, or for the one that it becomes when what is near is made special."""
     nominal, moved, _ = (chain, [], 0.0) if snap is None else snapped(chain, snap)
     tolerance = GEOMETRY_EXACT
@@ -87,7 +101,7 @@ def _as_told(chain: Chain, description: Description, task: str | None, snap: flo
         )
     wanted = default_task(nominal) if task is None else task
     full = with_task_joints(nominal, wanted)
-    ways = reduce(nominal, wanted)
+    ways = reduce(nominal, wanted, hold)
     if not ways:
         raise PlanError(f"{description.name}: no choice of locked joints leaves a solvable arm.", geometry=geometry)
     # the fastest family wins, then locks at the ends (which keep one plan for all values), then conditioning
@@ -133,9 +147,14 @@ def _coupled(chain: Chain, description: Description, task: str | None, snap: flo
             "whole turn of a joint leads to another pose. Forward kinematics and Jacobian are.",
             coupling=chain.coupling,
         )
-    plain = make_plan(
-        chain.uncoupled, description.by_axes(), task="pose" if chain.linked and not task else task, snap=snap
-    )
+    # what a linkage holds may be special for its axes: they are made six joints for that
+    hold = None
+    if chain.linked:
+        behind = 1 + max(i for i in range(chain.axis_count) if i not in chain.own)
+        values = sample_joints(chain, HELD_POSTURES, seed=2) @ np.asarray(chain.coupling).T
+        hold = Held(values, behind if behind < chain.axis_count else None)
+    asked = "pose" if chain.linked and task is None else task
+    plain = make_plan(chain.uncoupled, description.by_axes(), task=asked, snap=snap, hold=hold)
     if plain.redundancy:
         what = _linked_words(description) if chain.linked else "coupled joints"
         raise PlanError(

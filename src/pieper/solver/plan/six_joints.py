@@ -43,30 +43,33 @@ def with_task_joints(chain: Chain, task: str) -> Chain:
     return chain
 
 
-def appended(chain: Chain, joints: Sequence[tuple[Array, bool]], last: Array | None = None) -> Chain:
-    """Return the chain with virtual joints at the tool; at zero they change nothing but `last`.
+def appended(
+    chain: Chain, joints: Sequence[tuple[Array, bool]], last: Array | None = None, at: int | None = None
+) -> Chain:
+    """Return the chain with virtual joints at the tool, or before an axis; at zero they change nothing but `last`.
 
     Args:
         chain: The arm.
-        joints: For each its orientation (3, 3) in the tool frame (it acts along its z) and whether it is prismatic.
+        joints: For each its orientation (3, 3) in the frame of the tool or axis (it acts along its z), and whether
+            it is prismatic.
         last: (4, 4) constant pose after the last of them; identity if None.
+        at: The axis (0-based) before which they stand, of a chain without coupling; at the tool if None.
     """
-    links = list(chain.links)
-    for R, _ in joints:
+    links, place = list(chain.links), chain.axis_count if at is None else at
+    for k, (R, _) in enumerate(joints):
         frame = transform(R)
-        links[-1] = links[-1] @ frame
-        links.append(inverse(frame))
+        links[place + k] = links[place + k] @ frame
+        links.insert(place + k + 1, inverse(frame))
     if last is not None:
         links[-1] = links[-1] @ last
-    coupling = chain.coupling
-    own = chain.own
+    coupling, own = chain.coupling, ()
     if coupling is not None:
         coupling = np.eye(chain.axis_count + len(joints), chain.n + len(joints))
         coupling[: chain.axis_count, : chain.n] = chain.coupling
         coupling[chain.axis_count :, chain.n :] = np.eye(len(joints))
-        own = (*own, *range(chain.axis_count, len(coupling))) if own else own
-    sliding = np.concatenate([chain.sliding, [p for _, p in joints]])
-    return Chain.of(np.stack(links), sliding, coupling=coupling, own=() if coupling is None else own)
+        own = (*chain.own, *range(chain.axis_count, len(coupling)))
+    sliding = np.concatenate([chain.sliding[:place], [p for _, p in joints], chain.sliding[place:]])
+    return Chain.of(np.stack(links), sliding, coupling=coupling, own=own)
 
 
 def sample_joints(chain: Chain, count: int, seed: int = 1) -> Array:
@@ -110,6 +113,19 @@ def default_task(chain: Chain) -> str:
 
 
 @dataclass(frozen=True, eq=False)
+class Held:
+    """What a linkage holds of a chain's axes.
+
+    Args:
+        postures: (k, axes) values of the axes that it holds, rad or m.
+        before: The first axis (0-based) behind those that it moves; None where they are the last.
+    """
+
+    postures: Array
+    before: int | None
+
+
+@dataclass(frozen=True, eq=False)
 class Reduction:
     """How an arm and a task become one six-joint chain.
 
@@ -118,7 +134,8 @@ class Reduction:
         task: One of TASKS.
         full: The arm's joints followed by the task's virtual ones.
         locked: Joints (0-based, in full) that are held at chosen values.
-        fill: Virtual joints at the tool, as for `appended`, that must come out as zero.
+        fill: Virtual joints, as for `appended`, that must come out as zero.
+        fill_at: The axis (0-based) before which they stand; at the tool if None.
     """
 
     arm: Chain
@@ -126,6 +143,18 @@ class Reduction:
     full: Chain
     locked: tuple[int, ...]
     fill: tuple[tuple[Array, bool], ...]
+    fill_at: int | None = None
+
+    @cached_property
+    def filled(self) -> Indices:
+        """Joints of the six that are virtual and must come out as zero."""
+        first = 6 - len(self.fill) if self.fill_at is None else self.fill_at
+        return np.arange(first, first + len(self.fill))
+
+    @cached_property
+    def real(self) -> Indices:
+        """The other joints of the six."""
+        return np.array([j for j in range(6) if j not in self.filled], np.int64)
 
     @property
     def trivial(self) -> bool:
@@ -163,7 +192,7 @@ class Reduction:
             links = self.full.links[first : self.full.n - tail + 1].copy()
             return Chain.of(links, self.full.prismatic[self.kept].copy())
         chain = self.with_locked(values)
-        return appended(chain, self.fill) if self.fill else chain
+        return appended(chain, self.fill, at=self.fill_at) if self.fill else chain
 
     @cached_property
     def _back(self) -> Array:
@@ -192,17 +221,20 @@ class Reduction:
         return left
 
 
-def reduce(chain: Chain, task: str) -> list[Reduction]:
+def reduce(chain: Chain, task: str, hold: Held | None = None) -> list[Reduction]:
     """Return the ways to make an arm and a task a six-joint chain, best conditioned first.
 
     Args:
         chain: The arm.
         task: One of TASKS.
+        hold: What a linkage holds of it; None where each axis moves by itself.
     """
     full = with_task_joints(chain, task)
     rank = generic_rank(full)
     spare = full.n - rank
     if spare == 0:
+        if hold is not None and full.n == chain.n:
+            return [Reduction(chain, task, full, (), _filling_held(full, 6 - rank, hold), hold.before)]
         return [Reduction(chain, task, full, (), _filling(full, 6 - rank, full.n > chain.n))]
     J = scaled_jacobian(full, sample_joints(full, 12))
     choices = _choices(full, chain, J, spare)
@@ -266,6 +298,27 @@ def _greedy(full: Chain, J: Array, spare: int) -> tuple[int, ...]:
                 best, gain = j, value
         kept.append(best)
     return tuple(j for j in range(full.n) if j not in kept)
+
+
+def _filling_held(chain: Chain, count: int, hold: Held) -> tuple[tuple[Array, bool], ...]:
+    """Choose virtual joints that make axes able to do everything, well conditioned where a linkage holds them.
+
+    What it holds is special for the axes: a level hand has its last axis parallel to the first, and a virtual joint
+    behind the last one lies along another axis at some of its turns. Before it there is one that never does.
+    """
+    chosen: list[tuple[Array, bool]] = []
+    for _ in range(count):
+        best, most = None, -1.0
+        for candidate in ((R, p) for p in (False, True) for R in (_X, _Y, np.eye(3))):
+            tried = appended(chain, [*chosen, candidate], at=hold.before)
+            place = chain.n if hold.before is None else hold.before
+            q = np.insert(hold.postures, [place] * (len(chosen) + 1), 0.0, axis=1)
+            value = float(np.quantile(np.linalg.svd(scaled_jacobian(tried, q), compute_uv=False)[:, -1], 0.1))
+            if value > most * 1.05:
+                best, most = candidate, value
+        if best is not None:
+            chosen.append(best)
+    return tuple(chosen)
 
 
 def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[Array, bool], ...]:

@@ -26,7 +26,7 @@ def near_rows(plan: Plan, poses: Array) -> Array:
 
     Virtual joints that must come out as zero may have any value: on a singularity of the six-joint chain they are free.
     """
-    return plan.solver.all_rows(poses)[:, : 6 - len(plan.reduction.fill)]
+    return plan.solver.all_rows(poses)[:, plan.reduction.real]
 
 
 def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
@@ -40,8 +40,12 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     full = plan.exact.full
     # closed forms lose nothing next to a self-motion: only what an elimination gives is searched for more
     hiding = named(plan.family).eliminating
+    most = plan.max_solutions
     if full.n == plan.n:
-        return examine(full, T, rows, lambda poses: near_rows(plan, poses), plan.limits, plan.names, hiding=hiding)
+        found = examine(
+            full, T, rows, lambda poses: near_rows(plan, poses), plan.limits, plan.names, hiding=hiding, most=most
+        )
+        return found.within(most)
     # values of the virtual joints are not known of given rows: all are solved for again
     found = examine(
         full,
@@ -53,7 +57,7 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
         shown=plan.n,
         hiding=hiding,
     )
-    return _own(plan, found)
+    return _own(plan, found).within(most)
 
 
 def _holding(plan: Plan, T: Array) -> Array:

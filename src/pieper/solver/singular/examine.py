@@ -87,6 +87,7 @@ def examine(
     *,
     shown: int | None = None,
     hiding: bool = True,
+    most: int | None = None,
 ) -> Examined:
     """Find every isolated solution and every self-motion of a pose.
 
@@ -99,6 +100,7 @@ def examine(
         names: Joint names.
         shown: Number of joints that are the arm's own; all if None.
         hiding: Whether the kernel may have lost solutions next to a self-motion, so that they are looked for.
+        most: How many solutions the pose can have, where that is known.
     """
     curves = _Curves(chain, T, limits, names, chain.n if shown is None else shown, hiding)
     regular, singular = _split(chain, candidates)
@@ -128,9 +130,28 @@ def examine(
         merged = [q for q in merged if second_smallest(chain, q) > SINGULAR_EXAMINED]
     doubles = distinct_roots(chain, [*doubles, *merged], T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
+    if most is not None and len(doubles) + len(isolated) > most:
+        doubles = _exact_ones(curves, doubles, most - len(isolated))
     pairs = [branches_at(chain, q, T) for q in doubles]
     doubles = [into_limits(chain, q, T, limits) for q in doubles]
     return told(chain, isolated, doubles, pairs, curves.closed)
+
+
+def _exact_ones(curves: _Curves, doubles: list[Array], room: int) -> list[Array]:
+    """Return no more than `room` of singular solutions, where others on the curves that nearly hold the pose remain.
+
+    A point of such a curve misses the pose by so little that it looks like a solution; more than the pose can have
+    are none, and those that miss it by most are points near a better one.
+    """
+    worst_first = np.argsort(-missed(curves.chain, np.array(doubles), curves.T), kind="stable")
+    kept = set(range(len(doubles)))
+    for k in worst_first.tolist():
+        if len(kept) <= room:
+            break
+        along = [near for near in curves.near if near.distance(doubles[k]) < ON_NEAR_POLYLINE]
+        if any(near.distance(doubles[m]) < ON_NEAR_POLYLINE for near in along for m in kept - {k}):
+            kept.remove(k)
+    return [doubles[k] for k in sorted(kept)]
 
 
 def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], list[Array]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -19,7 +19,7 @@ class Examined:
     """All there is at one pose.
 
     Args:
-        q: (m, n) isolated solutions and one representative a self-motion.
+        q: (m, n) isolated solutions and one representative a self-motion, as far as a pose of a batch has slots.
         self_motion: (m,) index of the self-motion each row represents, or -1.
         multiplicity: (m,) branches that merge in the row.
         directions: What `direction` is, or what works it out.
@@ -44,6 +44,26 @@ class Examined:
         Zeros for the other rows.
         """
         return self.directions() if callable(self.directions) else self.directions
+
+    def within(self, most: int) -> Examined:
+        """Return the same with so many rows at the most: self-motions without a point inside the limits lose theirs.
+
+        Isolated solutions are no more than the slots a pose has; only where self-motions are many, as the lines that
+        show a surface are, one may be left without a row.
+        """
+        over = len(self.q) - most
+        if over <= 0:
+            return self
+        inside = np.array([bool(motion.inside) for motion in self.self_motions] or [False])
+        cost = np.where(self.self_motion < 0, 0, np.where(inside[self.self_motion], 1, 2))
+        keep = np.sort(np.argsort(cost, kind="stable")[:most])
+        return replace(
+            self,
+            q=self.q[keep],
+            self_motion=self.self_motion[keep],
+            multiplicity=self.multiplicity[keep],
+            directions=self.direction[keep],
+        )
 
 
 def told(

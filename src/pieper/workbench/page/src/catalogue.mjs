@@ -1,5 +1,5 @@
 // The catalogue as a list one can search: by name, maker, joints, payload or reach, each arm with a small picture.
-import { button, h, replace, say } from './dom.mjs';
+import { button, h, replace } from './dom.mjs';
 import { ask } from './link.mjs';
 
 const SVG = 'http://www.w3.org/2000/svg';
@@ -46,6 +46,8 @@ function figureOf(word) {
 function answers(arm, words) {
   const all = `${arm.name} ${arm.maker} ${arm.joints} ${kind(arm.joints)}`.toLowerCase();
   return words.every((w) => {
+    const many = /^(\d+)joints$/.exec(w);
+    if (many) return arm.joints.length === Number(many[1]);
     const least = figureOf(w);
     if (!least) return all.includes(w);
     return Object.entries(least).every(([key, value]) => arm[key] !== null && arm[key] >= value - 1e-9);
@@ -66,7 +68,7 @@ export function catalogueDialog(pick) {
   const count = h('span', { class: 'hint', role: 'status' });
   const search = h('input', {
     type: 'text',
-    placeholder: 'Name, maker, joints (7R), payload (5 kg), reach (900 mm)',
+    placeholder: 'Name, maker, joints (7R, 5 axes), payload (5 kg), reach (900 mm)',
     'aria-label': 'Search the catalogue',
     'data-testid': 'search-arms',
     autocomplete: 'off',
@@ -95,10 +97,13 @@ export function catalogueDialog(pick) {
   document.body.append(dialog);
   function show() {
     // a number and its unit are one word, whether or not there is a space between them
-    const said = search.value.toLowerCase().replace(/(\d)\s+(kg|mm|m)\b/g, '$1$2');
+    const said = search.value
+      .toLowerCase()
+      .replace(/(\d)\s+(kg|mm|m)\b/g, '$1$2')
+      .replace(/(\d)[\s-]*(joints?|ax[ei]s|axe|dof)\b/g, '$1joints');
     const words = said.split(/\s+/).filter(Boolean);
     const found = (arms ?? []).filter((a) => answers(a, words));
-    count.textContent = `${found.length} of ${arms?.length ?? 0} arms`;
+    count.textContent = arms ? `${found.length} of ${arms.length} arms` : 'Fetching the list …';
     replace(
       list,
       found.map((a) =>
@@ -132,11 +137,12 @@ export function catalogueDialog(pick) {
     dialog.showModal();
     search.select();
     if (arms) return;
+    show();
     try {
       arms = (await ask('catalog')).arms;
       show();
     } catch (error) {
-      say(error.message, 'wrong');
+      count.textContent = error.message;
     }
   };
 }

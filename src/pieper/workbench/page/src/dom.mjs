@@ -1,4 +1,5 @@
 // Making elements without inline markup or styles, as the content security policy asks.
+import { unlessPressed } from './press.mjs';
 
 /** h('button', {class, text, on: {click}, aria-label ...}, ...children) */
 export function h(tag, props = {}, ...children) {
@@ -19,7 +20,8 @@ export function h(tag, props = {}, ...children) {
 export const button = (text, props, press) => h('button', { type: 'button', text, ...props, on: { click: press } });
 
 export const $ = (selector, root = document) => root.querySelector(selector);
-export const replace = (el, ...children) => el.replaceChildren(...children.flat().filter(Boolean));
+export const replace = (el, ...children) =>
+  unlessPressed(el, () => el.replaceChildren(...children.flat().filter(Boolean)));
 
 /** Set text only when it differs: a write that changes nothing still costs layout. */
 export function setText(el, text) {
@@ -143,10 +145,23 @@ export function say(text, tone = 'plain') {
   timer = setTimeout(() => el.classList.remove('shown'), tone === 'wrong' ? 8000 : 2500);
 }
 
-/** The first field in here that cannot be read, as a sentence, or null: nothing is computed from the number before it. */
-export function unreadable(root) {
-  const el = [...root.querySelectorAll('.number.wrong')].find((f) => !f.closest('[hidden]'));
-  if (!el) return null;
-  el.focus();
-  return `${el.getAttribute('aria-label')} cannot be read (${el.title}). Nothing was computed.`;
+/**
+ * The first field in these sections that cannot be read, as a sentence, or null: nothing is done with the number before it. Of
+ * a section that is not shown the name of its panel is said too.
+ */
+export function unreadable(...roots) {
+  for (const root of roots) {
+    const shown = (f) => {
+      const hidden = f.closest('[hidden]');
+      return !hidden || hidden.contains(root);
+    };
+    const el = [...root.querySelectorAll('.number.wrong')].find(shown);
+    if (!el) continue;
+    const panel = root.closest('.panel');
+    if (el.closest('details')) el.closest('details').open = true;
+    el.focus();
+    const where = panel.hidden ? `${document.getElementById(panel.getAttribute('aria-labelledby')).textContent}: ` : '';
+    return `${where}${el.getAttribute('aria-label')} cannot be read (${el.title}).`;
+  }
+  return null;
 }

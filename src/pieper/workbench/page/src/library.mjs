@@ -4,6 +4,7 @@ import { ask, Offline } from './link.mjs';
 import { debounce } from './dom.mjs';
 
 let version = 0,
+  shape = 0,
   told = -1,
   waiters = [];
 
@@ -44,6 +45,7 @@ const soon = debounce(tellArm, 60);
 export function begin() {
   on('table', (what) => {
     version += 1;
+    if (!['postures', 'name', 'gripper'].includes(what)) shape += 1;
     if (what === 'postures') told = -1;
     if (what === 'cell') soon();
     else {
@@ -63,10 +65,20 @@ export function begin() {
 export function ready() {
   return told === version ? Promise.resolve() : new Promise((resolve, reject) => waiters.push({ resolve, reject }));
 }
-/** Ask about the arm that the page shows. */
-export async function askArm(op, body, progress) {
+/** A number for what the arm is: an answer of another number is another arm's. Names and kept postures change nothing of it. */
+export const armNumber = () => shape;
+/** The arm was changed before the answer came. */
+export class Passed extends Error {}
+/** Nothing is to be said of these: there is nobody to answer, or the next question is on its way. */
+export const moot = (error) => error instanceof Offline || error instanceof Passed;
+
+/** Ask about the arm that the page shows; once it shows another one the answer is nobody's. `whichever`: it stands alone. */
+export async function askArm(op, body, progress, { whichever = false } = {}) {
+  const asked = shape;
   await ready();
-  return ask(op, body, progress);
+  const got = await ask(op, body, progress);
+  if (asked !== shape && !whichever) throw new Passed('The arm was changed meanwhile, so the answer is not shown.');
+  return got;
 }
 
 /** How the arm is solved, for a line at the top: what the plan says after "Solved by:", else its first sentence. */

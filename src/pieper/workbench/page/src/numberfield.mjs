@@ -1,15 +1,17 @@
 // A text field for one number: expressions, units, arrow-key steps, a mark and a reason when it cannot be read.
-import { h } from './dom.mjs';
+import { h, say } from './dom.mjs';
+import { unlessPressed } from './press.mjs';
 import { read } from './expression.mjs';
 import { plain, units } from './units.mjs';
 
 /**
+ * @param options.key names the thing that the field is of, where rows are made anew; its testid otherwise
  * @param options.kind 'angle' | 'length' | 'plain' (or a function that says it)
  * @param options.input called with (value SI, {symbolic, text}) whenever the text reads as a number
  * @param options.commit called the same way when the person is done
  * @param options.empty value that an empty field means (null for "no limit"); undefined when empty is wrong
  */
-export function numberField({ label, kind = 'plain', input, commit, empty, testid, title, check }) {
+export function numberField({ label, kind = 'plain', input, commit, empty, testid, title, check, key = testid }) {
   const kindOf = typeof kind === 'function' ? kind : () => kind;
   const el = h('input', {
     type: 'text',
@@ -21,8 +23,11 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
     'data-testid': testid,
     title,
   });
+  el.key = key;
+  // what holds, as the page last said it or as it was last read here; and how that was written
   let last = null,
-    lastText = null;
+    lastText = null,
+    shown = '';
   const parse = () => {
     if (el.value.trim() === '' && empty !== undefined) return { value: empty, symbolic: false };
     const got = read(el.value, kindOf());
@@ -30,7 +35,7 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
     if (reason) throw new Error(reason);
     return got;
   };
-  const mark = (reason) => {
+  const mark = (reason, aloud = true) => {
     el.classList.toggle('wrong', Boolean(reason));
     if (reason) {
       el.setAttribute('aria-invalid', 'true');
@@ -39,13 +44,15 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
       el.removeAttribute('aria-invalid');
       el.title = title ?? '';
     }
-    sayWhy(el, reason);
+    if (aloud) sayWhy(el, reason);
     el.dispatchEvent(new CustomEvent('verdict', { bubbles: true, detail: reason ? { label, reason } : null }));
   };
   const hear = (f) => {
     try {
       const got = parse();
       mark(null);
+      last = got.value;
+      lastText = got.symbolic ? el.value.trim() : null;
       f?.(got.value, { symbolic: got.symbolic, text: el.value.trim() });
       return true;
     } catch (error) {
@@ -97,24 +104,57 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
       /* the mark says it already */
     }
   });
-  /** Show a value unless the person is typing here. */
-  el.put = (value, text = null) => {
-    if (document.activeElement === el && !el.readOnly) return;
-    if (value === last && text === lastText && !el.classList.contains('wrong')) return;
+  const unread = () => el.classList.contains('wrong');
+  const write = () => {
+    shown = lastText ?? (last === null || last === undefined ? '' : plain(last, kindOf()));
+    el.value = shown;
+    wholeNumber(el);
+    if (unread()) mark(null);
+  };
+  /** Show a value unless the person is typing here, or has left what cannot be read and nothing else holds since; `anew`: it does. */
+  el.put = (value, text = null, anew = false) => {
+    const same = value === last && text === lastText;
     last = value;
     lastText = text;
-    el.value = text ?? (value === null || value === undefined ? '' : plain(value, kindOf()));
-    wholeNumber(el);
-    if (el.classList.contains('wrong')) mark(null);
+    if (document.activeElement === el && !el.readOnly) return;
+    if (same && !anew && (unread() || el.value === shown)) return;
+    write();
+  };
+  /** What stood in the field that this one is in place of, and could not be read. */
+  el.leave = (text) => {
+    el.value = text;
+    try {
+      parse();
+    } catch (error) {
+      mark(error.message, false);
+    }
   };
   el.addEventListener('input', () => wholeNumber(el));
   el.refresh = () => {
-    const v = last,
-      t = lastText;
-    last = NaN;
-    el.put(v, t);
+    if (!unread() && document.activeElement !== el) write();
   };
   return el;
+}
+
+/**
+ * Make rows anew: what stands in one of their fields and cannot be read goes to the new field of the same thing. Of fields that
+ * are no more it is said that what they held before stays.
+ */
+export function remake(root, make) {
+  unlessPressed(root, () => remade(root, make));
+}
+function remade(root, make) {
+  const left = [...root.querySelectorAll('.number.wrong')];
+  make();
+  if (!left.length) return;
+  const now = new Map([...root.querySelectorAll('.number')].map((f) => [f.key, f]));
+  const gone = left.filter((f) => {
+    const next = now.get(f.key);
+    if (next && next !== f) next.leave(f.value);
+    return !next;
+  });
+  const names = gone.map((f) => `${f.getAttribute('aria-label')} (“${f.value}”)`).join(', ');
+  if (names) say(`Could not be read and is given up: ${names}.`, 'wrong');
 }
 
 /** The last digit is never cut: long numbers are written smaller. */

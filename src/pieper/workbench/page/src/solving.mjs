@@ -1,7 +1,7 @@
 // Asking for every solution of the target, at the speed of the hand: the newest target only, ghosts with every answer.
 import { state, on, tell, setJoints, EDITED } from './store.mjs';
-import { newestOnly, Offline } from './link.mjs';
-import { askArm } from './library.mjs';
+import { newestOnly } from './link.mjs';
+import { askArm, moot } from './library.mjs';
 import { showGhosts, showPreview } from './scene/arm.mjs';
 import { isDragging } from './scene/gizmo.mjs';
 
@@ -30,7 +30,7 @@ const ask = newestOnly(async () => {
     if (!brief && !answer.rows.some((r) => r.inside)) findNearest(T);
     if (answer.self_motions === null && !brief) findSelfMotions(state.solutions);
   } catch (error) {
-    if (error instanceof Offline) return;
+    if (moot(error)) return;
     state.solutions = { rows: [], self_motions: [], status: 'REFUSED', why: error.message, nearest: null };
     drawGhosts();
     tell('solutions');

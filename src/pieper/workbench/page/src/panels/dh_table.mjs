@@ -2,7 +2,7 @@
 import { button, choice, h, replace, say, setText } from '../dom.mjs';
 import { state, on, setTable } from '../store.mjs';
 import { units } from '../units.mjs';
-import { numberField, pasted, fillFrom } from '../numberfield.mjs';
+import { numberField, pasted, fillFrom, remake } from '../numberfield.mjs';
 import { convert } from '../convert.mjs';
 import { blank } from '../kinematics.mjs';
 import { countWords } from '../library.mjs';
@@ -149,9 +149,9 @@ export const dhTable = {
       });
     });
     root.addEventListener('verdict', (e) => {
-      const bad = e.detail ?? firstWrong(root);
-      setText(wrong, bad ? `${bad.label}: ${bad.reason}. The arm stays as it was.` : '');
+      sayWrong(e.detail ?? firstWrong(root));
     });
+    const sayWrong = (bad) => setText(wrong, bad ? `${bad.label}: ${bad.reason}. The arm stays as it was.` : '');
 
     const cellFor = (joint, i, [key, label, fixedKind]) => {
       const variable = (joint.type === 'R' && key === 'theta') || (joint.type === 'P' && key === 'd');
@@ -160,6 +160,7 @@ export const dhTable = {
         label: `Joint ${i + 1}, ${label}`,
         kind: fixedKind ?? motion(joint),
         testid: `dh-${i + 1}-${key}`,
+        key: `${joint.name}/${key}`,
         empty: isLimit ? null : undefined,
         check: (v) =>
           isLimit ? limitReason(i, key, v) : v !== null && Math.abs(v) > 1e6 ? 'larger than a million' : null,
@@ -220,7 +221,8 @@ export const dhTable = {
             ),
         }),
       );
-    const rebuild = () => {
+    const rebuild = (what) => (what === 'undo' ? rows() : remake(body, rows));
+    const rows = () => {
       cells = [];
       const { joints } = state.table,
         shift = state.table.convention === 'modified';
@@ -315,11 +317,9 @@ export const dhTable = {
       tool.show();
     };
     on('table', (what) => {
-      setText(wrong, '');
       if (what === 'cell' || what === 'name' || what === 'postures') refresh();
-      else {
-        rebuild();
-      }
+      else rebuild(what);
+      sayWrong(firstWrong(root));
     });
     on('units', rebuild);
     on('notation', () => {

@@ -148,9 +148,15 @@ function matrixEditor() {
       area.setAttribute('aria-invalid', 'true');
     }
   });
+  let said = null; // the target that stands here
   const showMatrix = () => {
     setText(hint, `Twelve or sixteen numbers, row by row; the last column in ${units.length}.`);
     if (document.activeElement === area) return;
+    // what cannot be read stands until there is another target
+    if (area.hasAttribute('aria-invalid') && said === state.target) return;
+    said = state.target;
+    setText(reason, '');
+    area.removeAttribute('aria-invalid');
     const T = state.target.map((v, i) => (i % 4 === 3 && i < 12 ? v * units.factor('length') : v));
     area.value = matrixText(T.map((v) => Number(v.toFixed(6)))).replaceAll(',\n', '\n');
   };

@@ -1,5 +1,19 @@
 // A button that asks the library something long, and the sentence below it that says what came of it.
 import { h, setText, unreadable } from '../dom.mjs';
+import { on } from '../store.mjs';
+
+/** What tells that something was changed which a question may be about. */
+const ASKED_WITH = [
+  'did',
+  'table',
+  'path',
+  'path-loaded',
+  'program',
+  'routing',
+  'sequence',
+  'sequence-loaded',
+  'world',
+];
 
 /** A sentence with a tone (good, note, wrong), read aloud when it changes; empty text hides it. */
 export function verdictLine(testid) {
@@ -12,23 +26,47 @@ export function verdictLine(testid) {
   return el;
 }
 
+/** Where the numbers of the arm stand, and those of what is around it. */
+export const armSection = () => document.querySelector('#panel-table section');
+export const worldSection = () => document.querySelector('#panel-world section');
+const same = (a, b) => a.length === b.length && a.every((v, i) => Object.is(v, b[i]));
+
 /**
- * The button: pressed, it asks unless a field in the panel cannot be read, and says meanwhile that it works.
- * @param ask does it; what it throws is said by the verdict
+ * An answer to what stands in the fields: not asked for where one of them cannot be read, not taken where what it is about was
+ * changed before it came.
+ */
+export async function answerTo({ roots, about }, ask) {
+  const bad = unreadable(...roots());
+  if (bad) throw new Error(`${bad} Nothing was computed.`);
+  const asked = about(),
+    got = await ask();
+  if (!same(asked, about()))
+    throw new Error('What was asked was changed meanwhile, so the answer is not shown. Ask again.');
+  return got;
+}
+
+/**
+ * The button: pressed, it asks unless a field in these sections cannot be read, and says meanwhile that it works. An answer
+ * is shown while what it is about stands as it was asked; once that is changed, what was said of it goes.
+ * @param roots the sections whose numbers are asked with
+ * @param about what the answer is of, as a list that differs when it is something else
+ * @param ask gets the answer; what it throws is said by the verdict
+ * @param show shows it
+ * @param forget takes back what was shown, beside the verdict
  * @param open whether the button can be pressed at all
  */
-export function longQuestion({ text, working, testid, verdict, root, open = () => true, ask }) {
+export function longQuestion({ text, working, testid, verdict, roots, about, ask, show, forget, open = () => true }) {
   const el = h('button', { type: 'button', class: 'primary', text, 'data-testid': testid });
+  let answered = null; // what the shown answer is about
   el.ask = async (...said) => {
-    const bad = unreadable(root);
-    if (bad) {
-      verdict.say(bad);
-      return;
-    }
+    answered = null;
     el.disabled = true;
     setText(el, working);
     try {
-      await ask(...said);
+      const got = await answerTo({ roots, about }, () => ask(...said));
+      if (got.stopped) return;
+      answered = about();
+      show(got);
     } catch (error) {
       verdict.say(error.message);
     } finally {
@@ -40,5 +78,13 @@ export function longQuestion({ text, working, testid, verdict, root, open = () =
     el.disabled = !open();
   };
   el.addEventListener('click', () => el.ask());
+  const check = () => {
+    if (!answered || same(answered, about())) return;
+    answered = null;
+    verdict.say('');
+    forget?.();
+  };
+  // an action is told before it is done
+  on(ASKED_WITH, () => queueMicrotask(check));
   return el;
 }

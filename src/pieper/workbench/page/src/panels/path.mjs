@@ -4,13 +4,13 @@ import { state, on, tell } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { numberField } from '../numberfield.mjs';
 import { position, sub, norm, angleBetween } from '../matrix.mjs';
-import { askArm } from '../library.mjs';
+import { armNumber, askArm } from '../library.mjs';
 import { moveTo } from '../animate.mjs';
 import { motionOf } from '../curves.mjs';
 import * as dock from '../dock.mjs';
 import { showPath } from '../scene/arm.mjs';
 import { between } from '../rotation.mjs';
-import { longQuestion, verdictLine } from './long_question.mjs';
+import { armSection, longQuestion, verdictLine } from './long_question.mjs';
 import { lineEnds } from './line_ends.mjs';
 
 const tool = () => state.frames[state.frames.length - 1].slice();
@@ -60,8 +60,11 @@ export const path = {
       working: 'Planning …',
       testid: 'plan',
       verdict,
-      root,
-      ask: (start) => run(start ?? state.q),
+      roots: () => [root, armSection()],
+      about: () => [armNumber(), P.from, P.to, P.n],
+      ask: (start) => askArm('follow', lineFrom(start ?? state.q)),
+      show: report,
+      forget: () => replace(branches),
     });
     const branches = h('div', { class: 'branches', 'data-testid': 'branches' });
     root.append(
@@ -91,20 +94,12 @@ export const path = {
       );
       showPath(Array.from({ length: 33 }, (_, i) => position(between(P.from, P.to, i / 32))));
     };
-    async function run(start) {
-      const line = { T0: P.from, T1: P.to, n: P.n, start };
-      const track = await askArm('follow', line);
-      state.track = track;
-      report(track);
-      if (track.complete) return;
-      verdict.say(`${track.explain}\nLooking for what would let it pass …`, 'wrong');
-      askArm('cures', line)
-        .then((more) => more.explain ?? track.explain)
-        .catch(() => track.explain)
-        .then((text) => state.track === track && verdict.say(text, 'wrong'));
-    }
+    let line = null; // what was asked last
+    const lineFrom = (start) => (line = { T0: P.from, T1: P.to, n: P.n, start });
     function report(track) {
+      state.track = track;
       verdict.say(track.explain, track.complete ? 'good' : 'wrong');
+      if (!track.complete) cure(track);
       replace(
         branches,
         track.branches.length ? h('h3', { text: 'Branches that start at the first pose' }) : null,
@@ -155,6 +150,13 @@ export const path = {
         }),
       );
     }
+    function cure(track) {
+      verdict.say(`${track.explain}\nLooking for what would let it pass …`, 'wrong');
+      askArm('cures', line)
+        .then((more) => more.explain ?? track.explain)
+        .catch(() => track.explain)
+        .then((text) => state.track === track && !verdict.hidden && verdict.say(text, 'wrong'));
+    }
     function bar(s) {
       const fill = h('span', { class: 'bar-fill' });
       fill.style.setProperty('width', `${100 * s}%`);
@@ -177,8 +179,6 @@ export const path = {
     on('units', preview);
     on('table', (what) => {
       if (['postures', 'name', 'gripper'].includes(what)) return;
-      verdict.say('');
-      replace(branches);
       showPath([]);
       // the ends are places in the world: another arm may be asked for the same line
       if (!panel.hidden) show();

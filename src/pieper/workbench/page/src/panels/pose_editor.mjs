@@ -1,7 +1,7 @@
 // A pose that is typed: as position and angles in the notation of the page, or as a matrix.
 import { h, replace } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
-import { numberField, pasted, fillFrom } from '../numberfield.mjs';
+import { numberField, pasted, fillFrom, remake } from '../numberfield.mjs';
 import { notations, poseFrom } from '../rotation.mjs';
 import { position, nearestRotation, rotationDefect } from '../matrix.mjs';
 import { units, halfDigit } from '../units.mjs';
@@ -10,9 +10,10 @@ import { units, halfDigit } from '../units.mjs';
 const TYPED = 2e-3;
 
 /** @returns {el, show()}; take(T, {metres, radians}) is called with every readable pose and half of its last digits. */
-export function poseEditor(title, id, get, take) {
+export function poseEditor(title, id, get, take, key = id) {
   let parts = [],
-    shown = '';
+    shown = '',
+    said = null; // the pose that the fields speak of
   const row = h('div', { class: 'pose-fields' });
   const unread = () => parts.some((p) => p.f.classList.contains('wrong'));
   const fields = () => {
@@ -25,7 +26,9 @@ export function poseEditor(title, id, get, take) {
         parts.slice(3).map((p) => p.value),
         parts.slice(0, 3).map((p) => p.value),
       );
-      if (T) take(T, digitsOf(parts));
+      if (!T) return;
+      said = T;
+      take(T, digitsOf(parts));
     };
     parts = names.map(([name, kind], i) => {
       const p = { value: 0, kind };
@@ -38,6 +41,7 @@ export function poseEditor(title, id, get, take) {
         label: `${title}, ${name}`,
         kind,
         testid: `${id}-${i}`,
+        key: `${key}-${i}`,
         input: heard,
         commit: (v, how) => {
           heard(v, how);
@@ -60,19 +64,28 @@ export function poseEditor(title, id, get, take) {
     shown = state.notation;
   };
   const show = () => {
-    if (shown !== state.notation) fields();
+    if (shown !== state.notation) {
+      renew();
+      return;
+    }
     const T = get();
     if (!T || row.contains(document.activeElement)) return;
+    // what cannot be read stands as it was typed when the hand leaves it, until there is another pose
+    const anew = T !== said;
+    if (unread() && !anew) return;
+    said = T;
     [...position(T), ...notations[state.notation].to(T)].forEach((v, i) => {
       parts[i].value = v;
       parts[i].text = null;
-      parts[i].f.put(v, rounded(v, parts[i].kind));
+      parts[i].f.put(v, rounded(v, parts[i].kind), anew);
     });
   };
-  on('units', () => {
-    fields();
-    show();
-  });
+  const renew = () =>
+    remake(row, () => {
+      fields();
+      show();
+    });
+  on('units', renew);
   on('notation', show);
   fields();
   show();
@@ -83,10 +96,7 @@ export function poseEditor(title, id, get, take) {
     e.preventDefault();
     fillFrom([parts.map((p) => p.f)], 0, list.length === parts.length ? 0 : at, [list]);
   });
-  // what cannot be read stands as it was typed, with its mark, when the hand leaves it: the number before it is not meant
-  row.addEventListener('focusout', () => {
-    setTimeout(() => unread() || show());
-  });
+  row.addEventListener('focusout', () => setTimeout(show));
   return { el: h('fieldset', { class: 'pose-editor' }, h('legend', { text: title }), row), show };
 }
 

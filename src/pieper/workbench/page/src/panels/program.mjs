@@ -1,15 +1,16 @@
 // Program: moves, waits, gripper and outputs in order; taught or typed, run with its true times, written for a controller.
-import { button, download, h, replace, say, select, setText } from '../dom.mjs';
+import { button, download, h, replace, say, select, setText, unreadable } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { showUnit, show } from '../units.mjs';
-import { askArm } from '../library.mjs';
+import { armNumber, askArm } from '../library.mjs';
+import { remake } from '../numberfield.mjs';
 import { moveTo } from '../animate.mjs';
 import { motionOf } from '../curves.mjs';
 import { setProgram, setStart, start, programMessage, taughtAt, renumbered } from '../program.mjs';
 import { stepEditor } from './program_step.mjs';
 import { limitFields } from './program_limits.mjs';
 import { kindOf } from './joints.mjs';
-import { longQuestion, verdictLine } from './long_question.mjs';
+import { armSection, longQuestion, verdictLine, worldSection } from './long_question.mjs';
 import { rowTools } from './row_tools.mjs';
 import { words, summary } from './program_words.mjs';
 import * as dock from '../dock.mjs';
@@ -51,9 +52,14 @@ export const program = {
       working: 'Planning …',
       testid: 'run-program',
       verdict,
-      root,
+      roots: () => [root, armSection(), worldSection()],
+      about: () => [armNumber(), state.program, state.limits, state.start, state.world],
       open: () => state.program.length > 0,
-      ask: plan,
+      ask: () => askArm('program', { ...programMessage(), world: state.world }),
+      show: report,
+      forget: () => {
+        binds.hidden = true;
+      },
     });
     const startLine = h('span', { class: 'hint', 'data-testid': 'program-start' });
     let dialect = 'rapid';
@@ -154,7 +160,14 @@ export const program = {
     place = () => (chosen >= 0 ? chosen + 1 : state.program.length);
     const lastPose = () => state.program.slice(0, place()).findLast((s) => s.T && s.kind !== 'frame')?.T ?? here();
     const lastGrip = () => state.program.findLast((s) => s.kind === 'gripper')?.value ?? 0;
+    /** A step whose numbers cannot be read stays open: what stands there is neither lost nor passed over. */
+    function held() {
+      const bad = unreadable(list);
+      if (bad) say(`${bad} Escape puts back what was there.`, 'wrong');
+      return Boolean(bad);
+    }
     function add(step) {
+      if (held()) return;
       if (state.program.length >= MOST) {
         say(`At most ${MOST} steps.`, 'wrong');
         return;
@@ -173,7 +186,7 @@ export const program = {
       setProgram([...moved.slice(0, at), step, ...moved.slice(at)], `add a step: ${words[step.kind].toLowerCase()}`);
     }
     function move(from, to) {
-      if (to < 0 || to >= state.program.length || from === to) return;
+      if (to < 0 || to >= state.program.length || from === to || held()) return;
       const order = state.program.map((_, i) => i);
       order.splice(to, 0, ...order.splice(from, 1));
       const steps = renumbered(
@@ -185,6 +198,7 @@ export const program = {
       list.children[to]?.querySelector('.step-name')?.focus();
     }
     function remove(k) {
+      if (k !== chosen && held()) return;
       chosen = -1;
       setProgram(
         renumbered(
@@ -207,6 +221,7 @@ export const program = {
           title: 'Press to edit; Alt and an arrow moves it',
           on: {
             click: () => {
+              if (held()) return;
               chosen = open ? -1 : k;
               rebuild();
             },
@@ -270,7 +285,9 @@ export const program = {
       f();
       quietly = false;
     });
-    function rebuild() {
+    /** What cannot be read stays, but for a step that is undone: that brings back what was there. */
+    const rebuild = (what) => (what === 'undo' ? rows() : remake(list, rows));
+    function rows() {
       if (quietly) {
         // the summary of the line follows; its editor is under the hand
         state.program.forEach((s, k) => {
@@ -297,8 +314,7 @@ export const program = {
           : '',
       );
     }
-    async function plan() {
-      const m = await askArm('program', { ...programMessage(), world: state.world });
+    function report(m) {
       failed = m.failed;
       if (failed) chosen = failed.step;
       verdict.say(
@@ -335,6 +351,11 @@ export const program = {
       );
     }
     async function save() {
+      const bad = unreadable(root, armSection());
+      if (bad) {
+        verdict.say(`${bad} Nothing was written.`);
+        return;
+      }
       try {
         const name = 'program';
         const { text, name: file } = await askArm('program_file', { ...programMessage(), dialect, name });
@@ -346,7 +367,7 @@ export const program = {
     on(['program', 'units', 'table'], (what) => {
       if (what !== 'limits') {
         failed = null;
-        rebuild();
+        rebuild(what);
       }
     });
     rebuild();

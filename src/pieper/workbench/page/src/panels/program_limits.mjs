@@ -2,13 +2,14 @@
 import { h, replace } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { units } from '../units.mjs';
-import { numberField } from '../numberfield.mjs';
+import { numberField, remake } from '../numberfield.mjs';
 import { setLimits, limits } from '../program.mjs';
 
 /** What the motion keeps: the joints that turn, those that slide, the tool. */
 export function limitFields() {
   const box = h('div', { class: 'line limits-of' });
-  const rebuild = () => {
+  const rebuild = (what) => (what === 'undo' ? fields() : remake(box, fields));
+  const fields = () => {
     const types = new Set(state.table.joints.map((j) => j.type));
     const one = (key, text, kind, per, empty) => {
       const f = numberField({
@@ -41,7 +42,7 @@ export function limitFields() {
     );
   };
   on(['table', 'units'], rebuild);
-  on('program', (what) => what !== 'limits' && rebuild());
+  on('program', (what) => what !== 'limits' && rebuild(what));
   rebuild();
   return box;
 }

@@ -1,11 +1,17 @@
 // Robot files: the arm written as one, and one read as the arm.
-import { button, download, h, say } from '../dom.mjs';
+import { button, download, h, say, unreadable } from '../dom.mjs';
 import { state, setTable, presentable } from '../store.mjs';
 import { ask } from '../link.mjs';
 import { askArm } from '../library.mjs';
 import { take } from '../scene/looks.mjs';
+import { armSection } from './long_question.mjs';
 
 export async function saveRobot() {
+  const bad = unreadable(armSection());
+  if (bad) {
+    say(`${bad} Nothing was written.`, 'wrong');
+    return;
+  }
   try {
     download(`${state.table.name || 'arm'}.toml`, (await askArm('save', {})).text, 'application/toml');
   } catch (error) {

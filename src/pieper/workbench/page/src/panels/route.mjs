@@ -3,7 +3,7 @@ import { button, h, replace, say, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { showUnit } from '../units.mjs';
 import { position } from '../matrix.mjs';
-import { askArm } from '../library.mjs';
+import { armNumber, askArm } from '../library.mjs';
 import { newestOnly } from '../link.mjs';
 import { motionOf } from '../curves.mjs';
 import * as dock from '../dock.mjs';
@@ -13,7 +13,7 @@ import { colours } from '../theme.mjs';
 import { setProgram } from '../program.mjs';
 import { routing, setRouting, routeMessage, freedom, isRound } from '../routing.mjs';
 import { routeMap } from '../routemap.mjs';
-import { longQuestion, verdictLine } from './long_question.mjs';
+import { answerTo, armSection, longQuestion, verdictLine, worldSection } from './long_question.mjs';
 import { lineEnds } from './line_ends.mjs';
 import { routeSettings } from './route_settings.mjs';
 
@@ -37,21 +37,27 @@ export const route = (open) => ({
     const send = named('Send to the program', 'route-to-program', toProgram, { hidden: true });
     const more = named('', 'route-others', others, { hidden: true });
     const verdict = verdictLine('route-verdict');
+    /** What a route is asked with, and what it is of. */
+    const asking = {
+      roots: () => [root, armSection(), worldSection()],
+      about: () => [armNumber(), P.from, P.to, P.n, state.routing, state.world],
+    };
     const plan = longQuestion({
       text: 'Find the route',
       working: 'Looking …',
       testid: 'find-route',
       verdict,
-      root,
+      ...asking,
       async ask() {
         try {
-          const got = await askArm('route', routeMessage());
-          if (!got.stopped) report(got);
+          return await askArm('route', routeMessage());
         } catch (error) {
           map.cancel();
           throw error;
         }
       },
+      show: report,
+      forget: () => forget(),
     });
     const chips = h('div', { class: 'chips', role: 'group', 'aria-label': 'Branches on the map' });
     const list = h('div', { class: 'branches', 'data-testid': 'route-list' });
@@ -188,7 +194,7 @@ export const route = (open) => ({
       more.disabled = true;
       setText(more, 'Looking …');
       try {
-        const got = await askArm('route_others', routeMessage());
+        const got = await answerTo(asking, () => askArm('route_others', routeMessage()));
         if (got.stopped) return;
         const cost = (v) => `cost ${Number(v.toPrecision(3))}`;
         replace(
@@ -235,7 +241,7 @@ export const route = (open) => ({
     async function toProgram() {
       send.disabled = true;
       try {
-        const got = await askArm('route_program', routeMessage());
+        const got = await answerTo(asking, () => askArm('route_program', routeMessage()));
         if (got.stopped) return;
         const first = !state.program.length,
           steps = first ? got.steps.slice(1) : got.steps;

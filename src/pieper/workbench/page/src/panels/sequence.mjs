@@ -2,12 +2,12 @@
 import { button, h, replace } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { units } from '../units.mjs';
-import { numberField } from '../numberfield.mjs';
-import { askArm } from '../library.mjs';
+import { numberField, remake } from '../numberfield.mjs';
+import { armNumber, askArm } from '../library.mjs';
 import { moveTo } from '../animate.mjs';
 import { motionOf } from '../curves.mjs';
 import { kindOf } from './joints.mjs';
-import { longQuestion, verdictLine } from './long_question.mjs';
+import { armSection, longQuestion, verdictLine } from './long_question.mjs';
 import { rowTools } from './row_tools.mjs';
 import * as dock from '../dock.mjs';
 
@@ -37,9 +37,11 @@ export const sequence = {
       working: 'Planning …',
       testid: 'run-sequence',
       verdict,
-      root,
+      roots: () => [root, armSection()],
+      about: () => [armNumber(), JSON.stringify(S.postures)],
       open: () => S.postures.length > 1,
-      ask: plan,
+      ask: () => askArm('motion', asked()),
+      show: report,
     });
     const legSeconds = button(
       'Same times for all legs',
@@ -103,7 +105,12 @@ export const sequence = {
       rebuild();
       tell('sequence');
     }
-    function rebuild() {
+    const ids = new WeakMap();
+    let made = 0;
+    /** A posture keeps its name for the fields when it moves up or down. */
+    const idOf = (p) => ids.get(p) ?? ids.set(p, (made += 1)).get(p);
+    const rebuild = () => remake(body, rows);
+    function rows() {
       const joints = state.table.joints;
       S.postures = S.postures.filter((p) => p.q.length === joints.length);
       run.show();
@@ -135,6 +142,7 @@ export const sequence = {
               label: `${p.name}, q${i + 1}`,
               kind: kindOf(j),
               testid: `seq-${k}-q${i + 1}`,
+              key: `${idOf(p)}-q${i + 1}`,
               input: (v) => {
                 tell('did', { label: `edit ${p.name} of the sequence`, key: `seq-${k}-${i}` });
                 p.q[i] = v;
@@ -150,6 +158,7 @@ export const sequence = {
             const f = numberField({
               label: `${label} ${p.name}`,
               testid: `seq-${k}-${key}`,
+              key: `${idOf(p)}-${key}`,
               check,
               input: (v) => {
                 tell('did', { label: `edit ${p.name} of the sequence`, key: `seq-${k}-${key}` });
@@ -188,14 +197,14 @@ export const sequence = {
           ),
         );
     }
-    async function plan() {
+    const asked = () => ({
+      postures: S.postures.map((p) => p.q),
+      seconds: S.postures.slice(1).map((p) => p.seconds),
+      holds: S.postures.slice(1).map((p) => p.hold),
+      rate: S.rate,
+    });
+    function report(m) {
       const P = S.postures;
-      const m = await askArm('motion', {
-        postures: P.map((p) => p.q),
-        seconds: P.slice(1).map((p) => p.seconds),
-        holds: P.slice(1).map((p) => p.hold),
-        rate: S.rate,
-      });
       const events = P.map((p, i) => ({
         x: m.arrivals[i],
         s: 0,

@@ -1,10 +1,11 @@
 // Share: the whole state in a link and in a file; the arm as a robot file; the report of this arm.
-import { button, copy, download, h, say, setText } from '../dom.mjs';
+import { button, copy, download, h, say, setText, unreadable } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { askArm } from '../library.mjs';
 import { link, snapshot, restore } from '../sharing.mjs';
 import { saveRobot } from './robot_files.mjs';
 import { newestOnly } from '../link.mjs';
+import { armSection } from './long_question.mjs';
 import { options } from '../solving.mjs';
 import { programMessage } from '../program.mjs';
 
@@ -99,9 +100,15 @@ export const share = (showPanel) => ({
     on(['panel', 'table', 'q', 'units', 'notation'], show);
 
     async function write() {
+      const bad = unreadable(armSection());
+      if (bad) {
+        setText(note, `${bad} Nothing was written.`);
+        return;
+      }
       report.disabled = true;
       try {
-        const { html, name } = await askArm('report', { q: state.q }, (m) => setText(note, m.note));
+        const said = (m) => setText(note, m.note);
+        const { html, name } = await askArm('report', { q: state.q }, said, { whichever: true });
         download(name, html, 'text/html');
         setText(note, `Written: ${name}, ${Math.round(html.length / 1024)} kB.`);
       } catch (error) {

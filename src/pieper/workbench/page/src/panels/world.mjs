@@ -1,7 +1,7 @@
 // World: what stands around the arm; objects that its gripper takes, obstacles, frames, each with its place and size.
-import { button, h, replace, select, setText } from '../dom.mjs';
+import { button, h, replace, say, select, setText } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
-import { numberField } from '../numberfield.mjs';
+import { numberField, remake } from '../numberfield.mjs';
 import { showBodies } from '../scene/clearance.mjs';
 import { units, showUnit } from '../units.mjs';
 import { position } from '../matrix.mjs';
@@ -24,6 +24,19 @@ const change = (k, part, label) =>
     label,
     { key: `world-${k}-${Object.keys(part)[0]}` },
   );
+
+/** A thing has a name, and no other one has the same: it is spoken of by it. */
+function rename(k, field) {
+  const said = field.value.trim(),
+    now = state.world[k].name;
+  const taken = state.world.some((t, i) => i !== k && t.name === said);
+  if (said && !taken) {
+    if (said !== now) change(k, { name: said }, `name ${said}`);
+    return;
+  }
+  field.value = now;
+  say(taken ? `There is a ${said} already; the name stays ${now}.` : `A thing needs a name; it stays ${now}.`, 'wrong');
+}
 
 function add(kind, role) {
   if (state.world.length >= MOST) return;
@@ -140,10 +153,14 @@ export const world = {
       setText(source, '');
     });
     let quietly = false;
-    const rebuild = () => {
-      if (quietly) return;
-      replace(list, state.world.map(entry));
-      if (!state.world.length) list.append(h('p', { class: 'hint', text: 'Nothing stands around the arm yet.' }));
+    const rebuild = (why) => {
+      if (quietly || why === 'python') return;
+      if (why === 'undo') rows();
+      else remake(list, rows);
+    };
+    const rows = () => {
+      const none = h('p', { class: 'hint', text: 'Nothing stands around the arm yet.' });
+      replace(list, state.world.length ? state.world.map(entry) : none);
     };
     function entry(t, k) {
       const quiet =
@@ -158,13 +175,14 @@ export const world = {
         value: t.name,
         maxlength: '40',
         'aria-label': `Name of ${t.name}`,
-        on: { change: () => name.value && change(k, { name: name.value }, `name ${name.value}`) },
+        on: { change: () => rename(k, name) },
       });
       const size = sizes[t.kind].map((what, i) => {
         const f = numberField({
           label: `${t.name}, ${what}`,
           kind: 'length',
           testid: `world-${k + 1}-size-${i}`,
+          key: `${t.name}/${what}`,
           check: (v) => (v > 0 ? null : 'more than 0'),
           input: quiet((v) => {
             const now = state.world[k];
@@ -177,10 +195,11 @@ export const world = {
         return h('label', { class: 'field' }, h('span', { class: 'field-name', text: `${what}, ${units.length}` }), f);
       });
       const at = poseEditor(
-        'Place of its middle',
+        `Place of the middle of ${t.name}`,
         `world-${k + 1}`,
         () => state.world[k]?.T,
         quiet((T) => change(k, { T }, `move ${t.name}`)),
+        t.name,
       );
       return h(
         'section',
@@ -219,7 +238,7 @@ export const world = {
         at.el,
       );
     }
-    on(['world', 'units'], (why) => why !== 'python' && rebuild());
+    on(['world', 'units'], rebuild);
     rebuild();
   },
 };

@@ -4,7 +4,7 @@ import { state, on, tell } from '../store.mjs';
 import { colours } from '../theme.mjs';
 import { mul } from '../matrix.mjs';
 import { newestOnly } from '../link.mjs';
-import { askArm } from '../library.mjs';
+import { askArm, moot } from '../library.mjs';
 import { bodyMesh } from './world.mjs';
 import { scene, invalidate } from './view.mjs';
 
@@ -26,6 +26,7 @@ const ask = newestOnly(async () => {
     const found = await askArm('clearance', { q: state.q, world: state.world });
     state.clearance = found;
   } catch (error) {
+    if (moot(error)) return;
     state.clearance = { refused: error.message };
   }
   draw();

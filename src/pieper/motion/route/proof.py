@@ -1,0 +1,128 @@
+"""A place of the path that nothing inside the limits gets past, proved.
+
+Where nothing is inside the limits the proof is one station. Else everything inside is collected somewhere and followed
+with proved bounds: first close before the place at which a rough front ends, then wherever a rough front comes to
+nothing, forwards or backwards, and with smaller steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.motion.route.front import Ended, follow
+from pieper.motion.route.ladder import Rungs
+from pieper.motion.route.search import Task
+from pieper.motion.route.windows import ROUGH, Window, backwards, known, misses_end, scouted
+from pieper.tolerances import TAKEN_UP_BEHIND
+
+#: Parts of the largest steps that the bounds allow, tried one after the other at a station where no row is inside.
+FINE = (1.0, 0.4, 0.15)
+#: How far before the end of a rough front from the first pose a proof is tried first, as parts of the path, and with
+#: what part of the steps that the bounds allow; and how far behind that end it may go on.
+CLOSE, ON = ((0.003, 1.0), (0.003, 0.4), (0.02, 1.0)), 0.01
+#: Points that a rough front from the first pose, and that each of the first tries may look at.
+MOST, EACH = 1_500_000, 450_000
+#: Parts of the steps that the bounds allow for all that is reached from a posture that is told, and points then.
+TOLD = ((1.0, 3_000_000), (0.4, 6_000_000))
+#: How often a front that lost its grip is taken up again behind that place.
+AGAIN = 6
+
+
+@dataclass(frozen=True, eq=False)
+class Proof:
+    """A place that nothing gets past.
+
+    Attributes:
+        begun: Where everything inside the limits was known, counted from where the path is begun.
+        s: What is followed from there ends before.
+        looked: Points looked at.
+        arrived: Whether it gets to the last pose, and only the posture that it is to end with is not among it.
+        back: Whether the path is gone backwards.
+    """
+
+    begun: float
+    s: float
+    looked: int
+    arrived: bool = False
+    back: bool = False
+
+    def along(self, s: float) -> float:
+        """Return a place counted from where the path is begun as counted from the path's beginning."""
+        return 1.0 - s if self.back else s
+
+    def between(self, first: float, last: float) -> tuple[float, float]:
+        """Return two places counted so, in the order of the path."""
+        return (self.along(last), self.along(first)) if self.back else (first, last)
+
+
+def closely(task: Task, limits: Array, ladder: Rungs, reached: int) -> Proof | None:
+    """Return a place that nothing gets past, looked for where the rows of a ladder and a rough front end.
+
+    Args:
+        task: What is asked.
+        limits: (m, 2) that are kept.
+        ladder: Rows at stations.
+        reached: Last station that is reached over rows inside the limits, below zero for none.
+    """
+    return _first(task, limits, _close(task, limits, ladder, reached))
+
+
+def anywhere(task: Task, limits: Array) -> Proof | None:
+    """Return a place that nothing gets past, looked for along the whole path and along it gone backwards.
+
+    Args:
+        task: What is asked.
+        limits: (m, 2) that are kept.
+    """
+    return _first(task, limits, scouted(task, limits))
+
+
+def _first(task: Task, limits: Array, windows: Iterator[Window]) -> Proof | None:
+    looked = 0
+    back = backwards(task)
+    for window in windows:
+        way = back if window.back else task
+        begin = window.first
+        for _ in range(AGAIN):
+            seeds = known(way, limits, begin)
+            found = follow(way.setting, limits, seeds, (begin, window.last), window.fine, window.most)
+            looked += found.looked
+            arrived = misses_end(way, found)
+            if found.ended is Ended.DIED or arrived:
+                return Proof(begin, found.s, looked, arrived, window.back)
+            begin = found.s + TAKEN_UP_BEHIND
+            if found.ended is not Ended.SINGULAR or begin > window.last:
+                break
+    return None
+
+
+def _close(task: Task, limits: Array, ladder: Rungs, reached: int) -> Iterator[Window]:
+    s = ladder.s
+    inside = ladder.valid & task.setting.chain.joints.inside_limits(ladder.x, task.setting.limits)[1]
+    empty = np.flatnonzero(~inside.any((1, 2)))
+    if len(empty):
+        # the first stretch of stations without any row that the way leads to
+        begin = int(empty[np.argmax(empty >= min(reached, int(empty[-1])))])
+        end = begin
+        while end + 1 in empty:
+            end += 1
+        # where the way ends is told most nearly by the stretch's first station; its middle is where least is in doubt
+        for station in dict.fromkeys((begin, (begin + end) // 2)):
+            for fine in FINE:
+                yield Window(float(s[station]), float(s[station]), fine, EACH)
+    rough = follow(task.setting, limits, known(task, limits, 0.0), (0.0, 1.0), ROUGH, MOST)
+    if rough.ended is not Ended.ARRIVED or misses_end(task, rough):
+        for before, fine in CLOSE:
+            yield Window(max(rough.s - before, 0.0), min(rough.s + ON, 1.0), fine, EACH)
+    # from a posture that is told less is reached than from anything that is inside the limits
+    for way, back in ((task, False), (backwards(task), True)):
+        if way.ends[0] is None:
+            continue
+        rough = follow(way.setting, limits, known(way, limits, 0.0), (0.0, 1.0), ROUGH, MOST)
+        if rough.ended is Ended.DIED or misses_end(way, rough):
+            for fine, most in TOLD:
+                yield Window(0.0, 1.0, fine, most, back)

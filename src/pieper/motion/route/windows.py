@@ -1,0 +1,103 @@
+"""Where along a path a proof that nothing gets through is worth a try: places from which a rough front dies.
+
+Whatever gets from the first pose to the last passes every place between them. So a proof may begin at any of them, with
+all that is inside the limits there, and go to either end; it costs as much as the front has to do on its way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.motion.route.front import Ended, Front, everything_at, follow
+from pieper.motion.route.ladder import Rungs
+from pieper.motion.route.search import Task
+
+#: Steps, in those that the bounds allow, with which an end is looked for without proof.
+ROUGH = 2.5
+#: Places at which a rough front is begun; points it may look at, and as many more for each point it begins with.
+PLACES, SCOUTED, SCOUTED_EACH = 11, 60_000, 40
+#: How far behind the end of a rough front a proof may go on, as a part of the path.
+ON = 0.03
+#: Parts of the steps that the bounds allow with which a window is tried, and points that may be looked at then.
+TRIED = ((0.4, 2_000_000), (0.15, 4_000_000))
+#: Windows that are tried, and how far apart two of them end at least, as a part of the path.
+MOST, APART = 3, 0.01
+
+
+@dataclass(frozen=True)
+class Window:
+    """A stretch of the path, or of the path gone backwards, to look for a proof in.
+
+    Attributes:
+        first: Where everything inside the limits is collected, counted from where the path is begun.
+        last: Where the proof ends at the latest.
+        fine: Part of the steps that the bounds allow.
+        most: Points that may be looked at.
+        back: Whether the path is gone backwards.
+    """
+
+    first: float
+    last: float
+    fine: float
+    most: int
+    back: bool = False
+
+
+def backwards(task: Task) -> Task:
+    """Return the task along the same path from its end to its beginning."""
+    world = task.setting
+    turned = replace(world, path=world.path[::-1], asked=world.asked[::-1], s=1.0 - world.s[::-1])
+    step = None if task.turn_step is None else task.turn_step[::-1]
+    return replace(task, setting=turned, ends=task.ends[::-1], turn_step=step)
+
+
+def rungs_backwards(ladder: Rungs) -> Rungs:
+    """Return rows at stations as they come along the path gone backwards."""
+    return Rungs(1.0 - ladder.s[::-1], ladder.x[::-1], ladder.valid[::-1], ladder.parts[::-1])
+
+
+def known(task: Task, limits: Array, begin: float) -> Array:
+    """Return joint vectors on all that may be reached at a place where a proof begins."""
+    start = task.ends[0]
+    if begin == 0.0 and start is not None:
+        return start[None]
+    return everything_at(task.setting, limits, begin)
+
+
+def misses_end(task: Task, found: Front) -> bool:
+    """Whether a front arrived, but not at the posture that the route is to end with."""
+    end = task.ends[1]
+    if end is None or found.ended is not Ended.ARRIVED or found.s < 1.0:
+        return False
+    gap = task.setting.chain.joints.difference(found.q, end) / task.setting.chain.joints.unit
+    return bool((np.linalg.norm(gap, axis=1) > found.within).all())
+
+
+def scouted(task: Task, limits: Array) -> Iterator[Window]:
+    """Yield windows that a rough front does not get through, those in which it had least to do first.
+
+    Args:
+        task: What is asked.
+        limits: (m, 2) that are kept.
+    """
+    back = backwards(task)
+    found: list[tuple[int, float, float, bool]] = []
+    for place in np.linspace(0.0, 1.0, PLACES).tolist():
+        for way, first in ((task, place), (back, 1.0 - place)):
+            if first == 1.0:
+                continue
+            seeds = known(way, limits, first)
+            front = follow(way.setting, limits, seeds, (first, 1.0), ROUGH, SCOUTED + SCOUTED_EACH * len(seeds))
+            if front.ended is Ended.DIED or misses_end(way, front):
+                found.append((front.looked, first, min(front.s + ON, 1.0), way is back))
+    kept: list[tuple[int, float, float, bool]] = []
+    for window in sorted(found):
+        if all(window[3] != other[3] or abs(window[2] - other[2]) > APART for other in kept):
+            kept.append(window)
+    for fine, most in TRIED:
+        for _, first, last, backward in kept[:MOST]:
+            yield Window(first, last, fine, most, backward)
