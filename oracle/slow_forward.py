@@ -9,19 +9,19 @@ def fk(chain, q):
     """Return the tool poses (..., 4, 4) of joint vectors q (..., n)."""
     q = axes(chain, q)
     T = np.broadcast_to(chain.links[0], (*q.shape[:-1], 4, 4))
-    for i in range(chain.n):
-        T = T @ motion(q[..., i], chain.prismatic[i]) @ chain.links[i + 1]
+    for i in range(chain.axis_count):
+        T = T @ motion(q[..., i], chain.sliding[i]) @ chain.links[i + 1]
     return T
 
 
 def frames(chain, q, base):
     """Return the frames (..., n + 2, 4, 4): base, the DH frame after each joint, tool."""
     q = axes(chain, q)
-    out = np.empty((*q.shape[:-1], chain.n + 2, 4, 4))
+    out = np.empty((*q.shape[:-1], chain.axis_count + 2, 4, 4))
     out[..., 0, :, :] = base
     T = np.broadcast_to(chain.links[0], (*q.shape[:-1], 4, 4))
-    for i in range(chain.n):
-        T = T @ motion(q[..., i], chain.prismatic[i])
+    for i in range(chain.axis_count):
+        T = T @ motion(q[..., i], chain.sliding[i])
         out[..., i + 1, :, :] = T @ chain.frames_after[i]
         T = T @ chain.links[i + 1]
     out[..., -1, :, :] = T
@@ -31,13 +31,13 @@ def frames(chain, q, base):
 def jacobian(chain, q):
     """Return the geometric Jacobians (..., 6, n) of the tool point in the base frame, linear rows first."""
     q = axes(chain, q)
-    z, o = np.empty((*q.shape[:-1], chain.n, 3)), np.empty((*q.shape[:-1], chain.n, 3))
+    z, o = np.empty((*q.shape[:-1], chain.axis_count, 3)), np.empty((*q.shape[:-1], chain.axis_count, 3))
     T = np.broadcast_to(chain.links[0], (*q.shape[:-1], 4, 4))
-    for i in range(chain.n):
+    for i in range(chain.axis_count):
         z[..., i, :], o[..., i, :] = T[..., :3, 2], T[..., :3, 3]
-        T = T @ motion(q[..., i], chain.prismatic[i]) @ chain.links[i + 1]
-    J = np.empty((*q.shape[:-1], 6, chain.n))
-    P = chain.prismatic[:, None]
+        T = T @ motion(q[..., i], chain.sliding[i]) @ chain.links[i + 1]
+    J = np.empty((*q.shape[:-1], 6, chain.axis_count))
+    P = chain.sliding[:, None]
     J[..., :3, :] = np.swapaxes(np.where(P, z, np.cross(z, T[..., None, :3, 3] - o)), -1, -2)
     J[..., 3:, :] = np.swapaxes(np.where(P, 0.0, z), -1, -2)
     return J if chain.coupling is None else J @ chain.coupling

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from pieper.description.visuals import Visuals
     from pieper.maps.aspects import Aspects
     from pieper.maps.reach_map import ReachMap
+    from pieper.motion.motion import Motion
+    from pieper.motion.timed_path import JointPath
     from pieper.verify.comparison import Comparison
 
 #: How an arm with a linkage is calibrated.
@@ -122,28 +124,37 @@ class AtScale:
         return distance(self._collision_model(scene), self._joints(q))
 
     def clear(
-        self, q_path: ArrayLike | str, scene: Scene | None = None, margin: float = 0.0, *, gap: float | None = None
+        self,
+        q_path: JointPath | Motion | ArrayLike | str,
+        scene: Scene | None = None,
+        margin: float = 0.0,
+        *,
+        gap: float | None = None,
     ) -> Swept:
         """Prove that a path keeps the arm clear of itself and a scene, or say where it does not.
 
         Args:
-            q_path: (N, n) joint vectors, between which every joint moves evenly; one posture is a path too.
+            q_path: (N, n) joint vectors, a route, a track or a motion (its samples), between whose points every joint
+                moves evenly; one posture is a path too.
             scene: What stands around the arm; None for the arm alone.
             margin: Distance to keep, m.
             gap: How near to the margin may remain undecided, m; 1e-6 when left out.
 
         Raises:
-            InputError: No path, or more than ten million points; a margin that is no length.
+            InputError: No path, one that does not reach its end, or more than ten million points; a margin that is no
+                length.
         """
         from pieper.collision.swept import clear
+        from pieper.motion.timed_path import joint_points
         from pieper.tolerances import CLEARANCE_GAP
 
-        model, path = self._collision_model(scene), self._joints(q_path, "the path")
+        said = q_path if isinstance(q_path, str) else joint_points(q_path)
+        model, path = self._collision_model(scene), self._joints(said, "the path")
         return clear(model, path, margin, gap=CLEARANCE_GAP if gap is None else gap)
 
     def _collision_model(self, scene: Scene | None) -> Model:
         """Return what must keep apart; made once a scene."""
-        from pieper.collision.model import model_of
+        from pieper.collision.model import model_of, remark_far_shapes
         from pieper.collision.scene import EMPTY, Scene
         from pieper.errors import InputError
 
@@ -151,7 +162,8 @@ class AtScale:
         if not isinstance(around, Scene):
             raise InputError(f"the scene must be a pieper.Scene, got {type(around).__name__}.", given=scene)
         if around not in self._models:
-            self._models[around] = model_of(self.description, self.chain, self.bodies, around)
+            model = self._models[around] = model_of(self.description, self.chain, self.bodies, around)
+            remark_far_shapes(model, *self.extent, self.description.name)
         return self._models[around]
 
     def calibrate(

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 import pieper
-from tests.calibration.planted import NOISE, noisy, planted, postures
+from tests.calibration.planted import ARMS, NOISE, noisy, planted, postures
 from tests.calibration.test_calibrate import COUNT, measured
 
 MIRROR = np.array([1.0, -1.0, 1.0])
+FRAME, TOOL = pieper.pose(1.0, 2.0, 0.5, rpy=(0.3, 0.5, 1.2)), pieper.pose(0.2, 0.05, 0.08, rpy=(0.4, 0.2, 0))
 
 
 def case(name, seed=5):
@@ -40,9 +41,10 @@ SPOILT = {
     "the other way": lambda q, Y, rng: (flipped(q), Y),
     "shuffled": lambda q, Y, rng: (q[rng.permutation(len(q))], Y),
     "out of step|shuffled": lambda q, Y, rng: (np.roll(q, 2, 0), Y),
-    "another frame": lambda q, Y, rng: (q, pieper.pose(1.0, 2.0, 0.5, rpy=(0.3, 0.5, 1.2)) @ Y),
+    "another frame": lambda q, Y, rng: (q, FRAME @ Y),
     "seen from the tool": lambda q, Y, rng: (q, np.linalg.inv(Y)),
-    "another point or frame of the tool": lambda q, Y, rng: (q, Y @ pieper.pose(0.2, 0.05, 0.08, rpy=(0.4, 0.2, 0))),
+    "another point or frame of the tool": lambda q, Y, rng: (q, Y @ TOOL),
+    "another frame and of another point or frame of the tool": lambda q, Y, rng: (q, FRAME @ Y @ TOOL),
     "are exchanged": lambda q, Y, rng: (q[:, [0, 2, 1, *range(3, q.shape[1])]], Y),
     "move the other way": lambda q, Y, rng: (q * ([1, -1, 1, -1] + [1] * (q.shape[1] - 4)), Y),
     "the zero of .* lies -90 deg away": lambda q, Y, rng: (q + np.eye(q.shape[1])[1] * np.pi / 2, Y),
@@ -79,11 +81,40 @@ def test_a_mirror_is_named_where_positions_or_rotations_show_it():
 
 def test_another_frame_is_handed_over_and_cures():
     arm, q, Y, _ = case("denso-vp6242")
-    X = pieper.pose(1.0, 2.0, 0.5, rpy=(0.3, 0.5, 1.2))
     with pytest.raises(pieper.InputError, match="another frame") as refused:
-        arm.calibrate(q, X @ Y, sigma=NOISE)
-    fit = arm.with_base(refused.value.frame @ arm.base).calibrate(q, X @ Y, sigma=NOISE)
+        arm.calibrate(q, FRAME @ Y, sigma=NOISE)
+    fit = arm.with_base(refused.value.frame @ arm.base).calibrate(q, FRAME @ Y, sigma=NOISE)
     assert fit.held_out.metres < 2e-4
+
+
+@pytest.mark.parametrize("name", [name for name in ARMS if name != "adept-cobra-600"])
+def test_a_frame_and_a_tool_are_handed_over_together_and_cure(name):
+    """A SCARA's axes are parallel: no turn between its poses shows how the frame lies."""
+    arm, q, Y, _ = case(name)
+    whole = FRAME @ Y @ TOOL
+    for kind, data in (("pose", whole), ("position", whole[:, :3, 3])):
+        with pytest.raises(pieper.InputError, match="another frame and of another point") as refused:
+            arm.calibrate(q, data, kind=kind, sigma=NOISE)
+        cured = arm.with_base(refused.value.frame @ arm.base).with_tool(arm.tool @ refused.value.tool)
+        assert cured.calibrate(q, data, kind=kind, sigma=NOISE).held_out.metres < 2e-4
+
+
+def test_a_miss_is_told_in_metres_and_radians_apart():
+    arm, q, Y, _ = case("denso-vp6242")
+    with pytest.raises(pieper.InputError, match=r"m and [\d.]+ rad \(median\)") as refused:
+        arm.calibrate(flipped(q), Y, sigma=NOISE)
+    apart = np.linalg.norm(arm.fk(flipped(q))[:, :3, 3] - Y[:, :3, 3], axis=1)
+    assert refused.value.misfit == pytest.approx(np.median(apart), rel=1e-9)
+
+
+@pytest.mark.parametrize("rows", [(0.4, 0.3), (0.4, 0.3, 0.1)])
+@pytest.mark.parametrize("point", [(0.5, 0.5, -1.0), (0.5, 0.5, 0.0), (0.0, 0.0, 0.3)])
+def test_a_planar_arm_may_be_measured_from_off_its_plane(rows, point):
+    arm = pieper.Arm.from_dh([pieper.DH(a) for a in rows], convention="standard", limits=[(-3, 3)] * len(rows))
+    q = np.random.default_rng(2).uniform(-3, 3, (80, len(rows)))
+    distances = np.linalg.norm(arm.fk(q)[:, :3, 3] - point, axis=1)
+    fit = arm.calibrate(q, distances, kind="distance", sigma=5e-5)
+    assert fit.held_out.nominal_metres < 1e-12 and fit.held_out.metres < 1e-12
 
 
 def test_too_few_and_identical_poses_say_how_many_are_needed():

@@ -15,6 +15,8 @@ from tests.calibration.planted import ARMS, planted, postures
 @pytest.mark.parametrize("name", pieper.catalog())
 def test_the_model_of_an_arm_is_the_arm(name):
     arm = pieper.load(name)
+    if arm.description.linked:
+        arm = arm.uncoupled()  # what a linkage moves is calibrated axis by axis
     q = postures(arm, np.random.default_rng(1), 10)
     assert np.abs(AxesModel.of(arm.chain).fk(q) - arm.fk(q)).max() < 1e-12
 

@@ -84,7 +84,7 @@ def test_a_program_is_told_written_and_animated(run, tmp_path):
     assert status == 0 and "2 moves of denso-vp6242" in out and "gripper" in out and page.exists()
     home = " ".join(str(v) for v in np.degrees(start))
     status, out, _ = run("program", arm.name, pac, "--start", home, *LIMITS, "--write", tmp_path / "again.csv")
-    assert status == 0 and "2 moves" in out
+    assert status == 0 and "2 moves" in out and "gripper" in out and "blend 10 mm" in out
     gif = tmp_path / "m.gif"
     assert run("animate", arm.name, tmp_path / "again.csv", gif, "--rate", "4", "--size", "320 240")[0] == 0
     assert gif.stat().st_size > 1000

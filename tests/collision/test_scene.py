@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -165,3 +167,44 @@ def test_pickling_and_copying_keep_what_was_said():
     assert float(again.distance(np.zeros(6))) == float(arm.distance(np.zeros(6)))
     d = copy.copy(pickle.loads(pickle.dumps(arm.distance(np.zeros((2, 6))))))
     assert d.shape == (2,)
+
+
+MILLIMETRES = [
+    (pieper.Box([700, 0, 100], [500, 1000, 200], name="table"), "table is at least"),
+    (pieper.Box([0, 0, -50], [2000, 2000, 100], name="floor"), "floor is up to"),
+    (pieper.Capsule([300, -900, 0], [300, -900, 0], 30, name="ball"), "ball is at least"),
+    (pieper.Convex([[400, 0, 0], [400, 50, 0], [400, 0, 50], [450, 0, 0]], name="hull"), "hull is at least"),
+]
+
+
+@pytest.mark.parametrize("shape, said", MILLIMETRES, ids=lambda x: getattr(x, "name", ""))
+def test_a_scene_typed_in_millimetres_is_remarked_once(shape, said):
+    arm = pieper.load("ur5e")
+    q = np.array([0.0, -1.2, 1.0, -1.4, -1.57, 0.0])
+    scene = pieper.Scene([pieper.Box([0.7, 0, 0.1], [0.5, 1, 0.2]), shape])
+    with pytest.warns(pieper.PieperWarning, match=said + ".*millimetres") as caught:
+        arm.clear(np.stack([q, q]), scene)
+    assert len(caught) == 1 and caught[0].filename == __file__
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        arm.distance(q, scene)  # said once
+    with pytest.warns(pieper.PieperWarning, match=said):
+        assert pieper.load("ur5e").ik(arm.fk(q), scene=scene).clearance.size
+
+
+def test_a_body_of_the_arm_typed_in_millimetres_is_remarked():
+    arm = pieper.load("ur5e").with_bodies({"tool": pieper.Capsule([0, 0, 0], [0, 0, 150], 30, name="gripper")})
+    with pytest.warns(pieper.PieperWarning, match="gripper is up to 210 m across"):
+        arm.distance(np.zeros(6))
+
+
+def test_what_is_large_or_far_in_metres_is_not_remarked():
+    arm = pieper.load("ur5e")
+    hall = [
+        pieper.Box([0, 0, -0.6], [100, 100, 1], name="floor"),
+        pieper.Box([30, 0, 5], [0.2, 60, 10], name="wall"),
+        pieper.Cylinder([-50, 20, 5], 0.5, 10, name="column"),
+    ]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        arm.distance(np.array([0.0, -1.2, 1.0, -1.4, -1.57, 0.0]), pieper.Scene(hall))

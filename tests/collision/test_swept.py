@@ -143,3 +143,27 @@ def test_bad_paths_and_margins_are_refused():
         arm.clear(np.broadcast_to(np.zeros(6), (10_000_001, 6)), scene)
     with pytest.raises(pieper.InputError, match="Scene"):
         arm.clear(np.zeros((2, 6)), [pieper.Box([0, 0, 0], [1, 1, 1])])
+
+
+def test_a_track_a_route_and_a_motion_are_paths_too():
+    arm = pieper.load("ur5e")
+    q = np.array([0.0, -1.2, 1.5, -1.8, -1.5, 0.0])
+    T = arm.fk(q)
+    T[1, 3] += 0.1
+    line = pieper.line(arm.fk(q), T, 20)
+    track = arm.follow(line, start=q)
+    motion = pieper.time_law(track, pieper.Limits(2.0, 10.0))
+    scene = pieper.Scene([pieper.Box(arm.fk(track.q[-1])[:3, 3], [0.05, 0.05, 0.05], name="part")])
+    for path in (track, arm.route(line, start=q), motion):
+        for around in (None, scene):
+            said, plain = arm.clear(path, around), arm.clear(path.q, around)
+            assert (said.verdict, said.s, said.pair) == (plain.verdict, plain.s, plain.pair)
+        assert said.verdict is Clearance.HIT
+    T[1, 3] += 5
+    stopped = arm.follow(pieper.line(arm.fk(q), T, 20), start=q)
+    with pytest.raises(pieper.InputError, match=r"looked at to its end.*Look at track\.followed"):
+        arm.clear(stopped)
+    assert arm.clear(stopped.followed).verdict
+    refused = arm.route(pieper.line(arm.fk(q), T, 20), start=q)
+    with pytest.raises(pieper.InputError, match="no path to look at"):
+        arm.clear(refused)

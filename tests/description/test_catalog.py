@@ -145,7 +145,9 @@ def test_an_arm_from_a_urdf_finds_its_own_postures_again(name):
     gap = np.abs((found.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi).max(-1)
     assert ((gap < 1e-6) & found.valid).any(1).all()
     # of five joints the task may be a position and the tool's axis, which is what counts then
-    close = arm.plan.residual(found.q[found.valid], np.broadcast_to(T[:, None], (*found.valid.shape, 4, 4))[found.valid])
+    close = arm.plan.residual(
+        found.q[found.valid], np.broadcast_to(T[:, None], (*found.valid.shape, 4, 4))[found.valid]
+    )
     assert close.max() < 1e-8 * max(1.0, np.abs(T[:, :3, 3]).max())
 
 

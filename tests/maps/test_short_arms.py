@@ -39,6 +39,19 @@ def test_a_whole_pose_is_asked_when_it_is_said_and_the_words_tell_what_that_mean
     assert np.array_equal(same.fraction, m.fraction)
 
 
+@pytest.mark.parametrize("lengths", [(0.4, 0.3), (0.4, 0.3, 0.1)])
+def test_a_planar_arm_is_asked_for_positions(lengths):
+    arm = pieper.Arm.from_dh(
+        [pieper.DH(a) for a in lengths], convention="standard", limits=[(-3.2, 3.2)] * len(lengths)
+    )
+    m = arm.reach_map(box=((-0.8, 0.8), (-0.8, 0.8), (-0.05, 0.05)), step=0.1, orientations=(4, 4))
+    x, y, _ = np.moveaxis(m.grid.centres(np.arange(m.grid.count)), -1, 0)
+    away = np.hypot(x, y)
+    inner = 0.1 if len(lengths) == 2 else 0.0
+    assert m.plan.task == "position" and "position alone" in m.explain()
+    assert np.array_equal(m.fraction.ravel() > 0, (away <= sum(lengths)) & (away >= inner))
+
+
 def test_words_agree_with_their_numbers():
     box = ((0.2, 0.4), (0, 0.2), (0, 0.2))
     said = pieper.load("three-r").reach_map(box=box, step=0.2, orientations=(1, 1)).explain()

@@ -23,6 +23,7 @@ WITHOUT = {
     "fanuc-crx-10ia-controller",
     "fanuc-lr-mate-200id-controller",
     "fanuc-r1000ia-80f-controller",
+    "kuka-kr120-r3200-pa",
     "kuka-lbr-iiwa-7-r800",
     "kuka-lbr-iiwa-14-r820",
     "kuka-lwr-4-plus",

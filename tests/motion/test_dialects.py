@@ -10,7 +10,7 @@ from oracle.makers import AT_HOME
 from pieper.errors import InputError
 from pieper.kinematics.pose import pose_error
 from pieper.motion.dialects.files import DIALECTS
-from pieper.motion.instructions import Move
+from pieper.motion.instructions import Gripper, Move, Output, Wait
 
 TOOL = pieper.pose(0.03, -0.02, 0.15, rpy=(0.1, 0.5, -0.3))
 
@@ -330,3 +330,62 @@ def test_a_tool_or_frame_that_the_file_does_not_set_is_told(dialect, was, become
     file.write_text(text)
     with pytest.raises(InputError, match="nowhere set" if dialect != "ros" else "positions for 5 joints"):
         pieper.read_program(file)
+
+
+def happenings(items):
+    """Return what happens before each move, and after the last one."""
+    out = [[]]
+    for item in items:
+        if isinstance(item, Move):
+            out.append([])
+        elif isinstance(item, (Wait, Output, Gripper)):
+            out[-1].append(item)
+    return out
+
+
+@pytest.mark.parametrize("cartesian", [False, True])
+@pytest.mark.parametrize("dialect", [d for d, found in DIALECTS.items() if found.maker])
+def test_speeds_blends_and_what_happens_are_read_back(dialect, cartesian, tmp_path):
+    _, p = built(dialect)
+    p.output(7, False).wait(0.25)
+    file = tmp_path / f"weld_1{DIALECTS[dialect].suffixes[0]}"
+    p.write(file, dialect=dialect, cartesian=cartesian)
+    targets = pieper.read_program(file)
+    moves = [item for item in p.instructions if isinstance(item, Move)]
+    for target, move in zip(targets, moves, strict=True):
+        if move.kind == "move_j" and dialect == "urscript":
+            assert target.speed is None
+            assert target.joint_speed == pytest.approx(2.0 * (move.speed or 1.0), abs=1e-4)
+        else:
+            wanted = move.speed or (1.0 if move.kind == "move_j" else 0.25)
+            assert target.speed == pytest.approx(wanted, rel=6e-3 if dialect == "krl" else 1e-3)
+        # CNT and PL are no radii
+        assert target.blend == (None if move.blend and dialect in ("fanuc-ls", "inform") else pytest.approx(move.blend))
+    *before, after = happenings(p.instructions)
+    assert [list(t.before) for t in targets] == before
+    assert list(targets[-1].after) == after and all(not t.after for t in targets[:-1])
+
+
+@pytest.mark.parametrize("dialect", [d for d, found in DIALECTS.items() if found.maker])
+def test_a_program_taken_from_its_file_is_the_same_motion(dialect, tmp_path):
+    arm, p = built(dialect)
+    told = pieper.Program(arm, p.limits, start=p.start)
+    for item in p.instructions:
+        if not isinstance(item, Move):
+            told.instructions.append(item)
+        elif item.kind == "move_j":
+            told.move_j(item.q, speed=item.speed, blend=item.blend)
+        elif item.kind == "move_l":
+            told.move_l(item.T, speed=0.2, blend=item.blend)
+        else:
+            told.move_c(item.via, item.T, speed=0.15, blend=item.blend)
+    file = tmp_path / f"weld_1{DIALECTS[dialect].suffixes[0]}"
+    told.write(file, dialect=dialect)
+    taken = pieper.Program(arm, p.limits, start=p.start).take(pieper.read_program(file))
+    a, b = told.motion(), taken.motion()
+    assert [e[1:] for e in b.events] == [e[1:] for e in a.events]
+    if dialect in ("fanuc-ls", "inform"):
+        assert b.duration > a.duration
+    else:
+        assert b.duration == pytest.approx(a.duration, rel=2e-3)
+        assert np.abs(np.array([e[0] for e in a.events]) - [e[0] for e in b.events]).max() < 5e-3

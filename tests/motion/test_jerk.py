@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 
 import pieper
 from pieper import _kernel
@@ -29,11 +30,80 @@ def test_no_difference_in_time_passes_a_limit(points, joints):
     assert fastest < motion.duration < 3 * fastest
 
 
-def test_a_straight_line_takes_the_time_of_the_closed_form():
-    q0, q1 = np.zeros(6), np.array([1, 2, -1, 0.5, 0.3, 1.0])
-    limits = pieper.Limits(2.0, 14.0, 140.0)
-    motion = pieper.time_law(np.linspace(q0, q1, 20), limits)
-    assert motion.duration == pytest.approx(float(joint_move_time(q0, q1, limits)), rel=1e-4)
+def spread(rng, low, high, joints):
+    """Limits that lie apart: a power of ten a joint."""
+    return 10 ** rng.uniform(low, high, joints)
+
+
+def test_a_straight_line_takes_the_time_of_the_closed_form_however_its_points_and_limits_lie_apart():
+    rng = np.random.default_rng(3)
+    for k in range(40):
+        q0, q1 = rng.uniform(-2, 2, (2, 5))
+        limits = pieper.Limits(*(spread(rng, low, high, 5) for low, high in ((-0.5, 0.5), (-1, 2), (-1, 3))))
+        at = np.linspace(0, 1, 2 + k % 5)[:, None] if k % 3 else np.array([0.0, 0.2, 0.45, 0.7, 1.0])[:, None]
+        motion = pieper.time_law(q0 + at * (q1 - q0), limits)
+        assert motion.duration == pytest.approx(float(joint_move_time(q0, q1, limits)), rel=1e-9)
+        assert 1 - 1e-9 < motion.margin <= 1 and np.array_equal(motion.q[-1], q1)
+        # s is that of the points, even or not
+        there = CubicSpline(np.linspace(0, 1, len(at)), at[:, 0])(motion.s) if len(at) > 2 else motion.s
+        assert np.abs(q0 + there[:, None] * (q1 - q0) - motion.q).max() < 1e-9
+
+
+def test_a_straight_line_within_limits_of_the_tool_is_no_slower_than_the_closed_form_must_be_slowed():
+    arm = pieper.load("ur5e")
+    q = np.array([[0, -1.2, 1.5, -1.8, -1.5, 0], [0.2, -1.1, 1.8, -1.8, -1.5, 0]])
+    free = pieper.time_law(q, pieper.Limits(1.5, 10.0, 20.0))
+    speed = np.linalg.norm(np.einsum("kij,kj->ki", arm.jacobian(free.q)[:, :3], free.dq), axis=1).max()
+    for part in (0.5, 0.9, 1.001):
+        motion = pieper.time_law(q, pieper.Limits(1.5, 10.0, 20.0, tool_speed=part * speed), arm=arm)
+        assert motion.margin <= 1
+        assert free.duration * (1 - 1e-9) <= motion.duration <= free.duration / min(part, 1) * (1 + 3e-3)
+
+
+def some_path(rng, joints, k):
+    """Through few points, along a wave, or nearly straight."""
+    s = np.linspace(0, 1, 40)[:, None]
+    if k % 3 == 0:
+        return np.cumsum(rng.uniform(-1, 1, (int(rng.integers(3, 9)), joints)), 0)
+    if k % 3 == 1:
+        return sum(rng.normal(size=joints) * np.sin(m * np.pi * s + rng.uniform(0, 6, joints)) / m for m in (1, 2, 3))
+    ends = rng.uniform(-1, 1, (2, joints)) * 10 ** rng.uniform(-2, 0.5)
+    return np.vstack([ends[0], ends.mean(0) + 1e-3 * rng.normal(size=joints), ends[1]])
+
+
+@pytest.mark.parametrize("k", range(12))
+def test_wider_limits_are_never_slower(k):
+    rng = np.random.default_rng(40 + k)
+    joints = int(rng.integers(2, 7))
+    q, apart = some_path(rng, joints, k), joints if k % 2 else 1
+    narrow = [spread(rng, low, high, apart) for low, high in ((-0.3, 0.7), (-0.5, 1.5), (0, 3))]
+    factor = [spread(rng, 0, 1.5, apart) if k % 4 in (3, i) else np.ones(apart) for i in (2, 0, 1)]
+    as_said = [values if apart > 1 else float(values[0]) for values in narrow]
+    wider = [values * by if apart > 1 else float((values * by)[0]) for values, by in zip(narrow, factor, strict=True)]
+    slow, fast = pieper.time_law(q, pieper.Limits(*as_said)), pieper.time_law(q, pieper.Limits(*wider))
+    assert max(slow.margin, fast.margin) <= 1
+    assert fast.duration <= slow.duration * 1.01
+
+
+def test_an_acceleration_that_no_jerk_reaches_changes_nothing():
+    q = np.sin(np.linspace(0, 6, 50))[:, None] * np.array([0.5, 0.3, -0.4, 0.2, 0.1, 0])
+    durations = [pieper.time_law(q, pieper.Limits(2.0, a, 20.0)).duration for a in (4.0, 10.0, 40.0, 100.0, 1e4)]
+    assert (np.diff(durations) <= 1e-9).all() and durations[1] == pytest.approx(durations[-1], rel=1e-9)
+    assert durations[-1] < 2.9  # 10.6 s where the window was as long as acceleration and jerk alone say
+
+
+def test_programs_are_never_slower_with_a_wider_acceleration():
+    arm = pieper.load("ur5e")
+    home = [0, -1.2, 1.5, -1.8, -1.5, 0]
+    T = arm.fk(home)
+    T[1, 3] += 0.1
+    durations = []
+    for acceleration in (1.0, 4.0, 10.0, 100.0):
+        limits = pieper.Limits(2.0, acceleration, 20.0, tool_speed=0.25)
+        motion = pieper.Program(arm, limits, start=home).move_l(T).move_j(home).motion()
+        assert motion.margin <= 1
+        durations.append(motion.duration)
+    assert (np.diff(durations) <= 1e-3).all() and durations[-1] < 1.4
 
 
 def test_an_average_is_one_and_times_are_found():
@@ -98,15 +168,16 @@ def test_what_is_not_planned_with_a_jerk_is_refused():
         pieper.time_law(q, pieper.Limits(1.0, 5.0, 50.0), constant_speed=[(0.3, 0.5, 0.1)], arm=arm)
 
 
-def test_what_is_too_fast_takes_back_every_cell_under_its_window():
+def test_every_cell_has_the_largest_of_what_its_window_holds():
     rng = np.random.default_rng(1)
     for _ in range(50):
-        n, m = 30, int(rng.integers(0, 12))
+        n, m = 30, int(rng.integers(1, 12))
         last = np.minimum(np.sort(rng.integers(1, n, m) + rng.integers(0, 5, m)), n)
         first = np.sort(np.maximum(last - rng.integers(1, 6, m), 0))
         first = np.minimum(first, last - 1)
-        values = 1 + rng.uniform(size=m)
-        said = np.ones(n)
+        values = rng.uniform(size=m)
+        said = np.zeros(n)
         for a, b, value in zip(first, last, values, strict=True):
             said[a:b] = np.maximum(said[a:b], value)
-        assert np.array_equal(_largest_over(first, last, values, n), said)
+        held = said > 0
+        assert np.array_equal(_largest_over(first, last, values, n)[held], said[held])

@@ -34,7 +34,8 @@ inline int one_joint(const double* b, double rhs, double terms, bool slides, dou
     if (disc < 0) {
       const double blur = 64 * kPairRounding * std::fabs(b[1]) * (1 + terms);
       if (disc < -kPairTouching * (b[0] * b[0] + std::fabs(4 * b[1] * rhs)) - blur) return 0;
-      disc = 0;
+      x[0] = -b[0] / (2 * b[1]);  // a right side all but zero says nothing of where
+      return 1;
     }
     double s = std::sqrt(disc), t = b[0] >= 0 ? b[0] + s : b[0] - s;
     int count = 0;
@@ -194,7 +195,7 @@ inline bool solve_apart(const PairSystem& s, bool first_c, PairRoots& out) {
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < 2; ++j) size_v += V[k][j] * V[k][j], size_h += H[k][j] * H[k][j];
   if (alone.size <=
-      kPairVanished * (size_h + size_v + kTiny)) {  // one equation for two joints: offer points of the family
+      kPairVanished * (size_h + size_v) + kPairNoise) {  // one equation for two joints: points of a family
     out.degenerate = true;
     for (count = 0; count < 8; ++count) h[count] = slides_h ? 0.25 * (count - 4) : kPi / 4 * count;
   } else {

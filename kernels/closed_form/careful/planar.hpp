@@ -44,9 +44,9 @@ inline int slide_to_circle(Flat v, Flat e, double r, double* d) {
   return s > 0 ? 2 : 1;
 }
 
-// At most two triples.
+// At most two triples; `free` says that two slides are along one line and share what is missing.
 inline int solve_planar(const PlanarLink& l1, const PlanarLink& l2, const bool* slides, double turn_by, Flat t,
-                        double (*q)[3]) {
+                        double (*q)[3], bool& free) {
   const double sum = turn_by - l1.angle - l2.angle;  // of the turning joints
   const int kind = slides[0] | slides[1] << 1 | slides[2] << 2;
   auto ahead = [](double angle) { return Flat{std::cos(angle), std::sin(angle)}; };
@@ -112,8 +112,14 @@ inline int solve_planar(const PlanarLink& l1, const PlanarLink& l2, const bool* 
     e1 = {1, 0}, e2 = ahead(l1.angle);
   }
   double det = e1.x * e2.y - e1.y * e2.x;
-  if (!(std::fabs(det) > kPlaneParallel)) return 0;
-  double first = (v.x * e2.y - v.y * e2.x) / det, second = (e1.x * v.y - e1.y * v.x) / det;
+  double first, second;
+  if (std::fabs(det) > kPlaneParallel) {
+    first = (v.x * e2.y - v.y * e2.x) / det, second = (e1.x * v.y - e1.y * v.x) / det;
+  } else {
+    if (!(std::fabs(v.x * e1.y - v.y * e1.x) <= kPlaneMissed)) return 0;
+    free = true;
+    first = 0.5 * (v.x * e1.x + v.y * e1.y), second = 0.5 * (v.x * e2.x + v.y * e2.y);
+  }
   if (kind == 6) q[0][0] = sum, q[0][1] = first, q[0][2] = second;
   else if (kind == 5) q[0][0] = first, q[0][1] = sum, q[0][2] = second;
   else q[0][0] = first, q[0][1] = second, q[0][2] = sum;

@@ -170,9 +170,11 @@ inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, cons
           arm[1] = values[trial];
           const Rigid left = around(arm);
           double plane[2][3];
+          bool shared = false;
           const int bends =
               solve_planar(l1, l2, own.slides + own.first, std::atan2(left.x.y - left.y.x, left.x.x + left.y.y),
-                           {left.t.x, left.t.y}, plane);
+                           {left.t.x, left.t.y}, plane, shared);
+          found.degenerate |= shared;
           for (int s = 0; s < bends; ++s) {
             for (int j = 0; j < 3; ++j) plane[s][j] *= own.sense[j];
             put(arm, plane[s]);

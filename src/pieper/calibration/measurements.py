@@ -64,8 +64,14 @@ class Measurements:
         if self.kind == "distance":
             # |p|^2 - d^2 = 2 p . c - |c|^2
             A = np.column_stack([2 * p, -np.ones(len(p))])
-            c = np.linalg.lstsq(A, np.sum(p * p, 1) - self.values**2, rcond=None)[0]
-            return replace(self, point=c[:3])
+            x = np.linalg.lstsq(A, np.sum(p * p, 1) - self.values**2, rcond=None)[0]
+            # points of a plane leave the way across it open, which |c|^2 says but for the side
+            across = np.linalg.svd(A)[2][-1]
+            a, b, c = across[:3] @ across[:3], 2 * x[:3] @ across[:3] - across[3], x[:3] @ x[:3] - x[3]
+            ways = (-b + np.array([-1.0, 1.0]) * np.sqrt(max(b * b - 4 * a * c, 0.0))) / (2 * a) if a > 0 else []
+            points = [x[:3] + way * across[:3] for way in (0.0, *ways)]
+            gaps = [np.abs(np.linalg.norm(p - point, axis=1) - self.values).sum() for point in points]
+            return replace(self, point=points[int(np.argmin(gaps))])
         if self.kind == "plane":
             centre, h = p.mean(0), self.values - self.values.mean()
             normal = np.linalg.svd(p - centre)[2][-1]

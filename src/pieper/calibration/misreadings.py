@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pieper.calibration.frames import frame_and_tool, frame_between, tool_between
 from pieper.calibration.measurements import Measurements
 from pieper.calibration.model import AxesModel
 from pieper.errors import InputError
@@ -20,6 +21,8 @@ from pieper.tolerances import MISREAD, SUSPICIOUS
 LAGS = (1, -1, 2, -2, 3, -3, 4, -4, 5, -5)
 #: A reading that aligned a frame first must be this many times better than one that did not.
 ALIGNED = 3.0
+#: The same of one that aligned a frame and a tool.
+BOTH = 2 * ALIGNED
 #: Whole quarters of a turn, deg, that a joint's zero is often off by; how much better readings of which there are
 #: several must be than others.
 QUARTERS, SEVERAL = (90, -90, 180), 1.5
@@ -66,28 +69,40 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
     now = misfit(model, q, data, length)
     if not now > SUSPICIOUS:
         return
-    best, least, least_by = None, 0.0, MISREAD * now
+    best, least_by = None, MISREAD * now
     for reading in _readings(model, q, data, names, length):
         left = misfit(model, reading.q, reading.data, length)
         # an arm that is itself off leaves that much in any reading
         if left < max(SUSPICIOUS, MISREAD**2 * now) and left * reading.freedom < least_by:
-            best, least, least_by = reading, left, left * reading.freedom
+            best, least_by = reading, left * reading.freedom
     if best is not None:
+        before, after = missed(model, q, data), missed(model, best.q, best.data)
         raise InputError(
-            f"the data miss the nominal arm by {now * length:.3g} m (median), and by {least * length:.2g} m if "
+            f"the data miss the nominal arm by {_said(before)} (median), and by {_said(after)} if "
             f"{best.words}. {best.cure}",
-            misfit=now * length,
-            left=least * length,
+            misfit=before[0],
+            left=after[0],
             **best.facts,
         )
 
 
-def misfit(model: AxesModel, q: Array, data: Measurements, length: float) -> float:
-    """Return the median miss of the nominal arm, per length of the arm; of poses the turns (rad) are added."""
+def missed(model: AxesModel, q: Array, data: Measurements) -> tuple[float, float | None]:
+    """Return the median miss of the nominal arm, m, and of poses that of the turn, rad."""
     T = model.fk(q)
     way, turn = data.placed(T[:, :3, 3]).misses(T)
-    size = float(np.median(np.linalg.norm(way, axis=1))) / length
-    return size + float(np.median(np.linalg.norm(turn, axis=1))) if turn.shape[1] else size
+    metres = float(np.median(np.linalg.norm(way, axis=1)))
+    return metres, float(np.median(np.linalg.norm(turn, axis=1))) if turn.shape[1] else None
+
+
+def misfit(model: AxesModel, q: Array, data: Measurements, length: float) -> float:
+    """Return the median miss of the nominal arm, per length of the arm; of poses the turns (rad) are added."""
+    metres, radians = missed(model, q, data)
+    return metres / length + (radians or 0.0)
+
+
+def _said(miss: tuple[float, float | None]) -> str:
+    metres, radians = miss
+    return f"{metres:.3g} m" + ("" if radians is None else f" and {radians:.2g} rad")
 
 
 def _readings(
@@ -184,7 +199,7 @@ def _readings_of_places(model: AxesModel, q: Array, data: Measurements) -> Itera
         turned = data.values.copy()
         turned[:, :3, :3] = np.swapaxes(turned[:, :3, :3], 1, 2)
         transposed = replace(data, values=turned)
-        tool = _beyond(T, data.values)
+        tool = tool_between(T, data.values)
         yield Reading(
             "another point or frame of the tool was measured",
             "Calibrate arm.with_tool(arm.tool @ error.tool): error.tool is what was measured in the arm's tool frame.",
@@ -195,7 +210,7 @@ def _readings_of_places(model: AxesModel, q: Array, data: Measurements) -> Itera
         )
         yield Reading("the rotations are transposed", "Transpose their 3 by 3 parts.", q, transposed, {})
     for mirrored in (False, True):
-        X = _aligned(T[:, :3, 3], data.positions, mirrored)
+        X = frame_between(T[:, :3, 3], data.positions, mirrored)
         if mirrored:
             words = "they are said in a left-handed frame"
             cure = "Turn one axis of the measuring frame over."
@@ -213,27 +228,23 @@ def _readings_of_places(model: AxesModel, q: Array, data: Measurements) -> Itera
         else:
             values = places
         yield Reading(words, cure, q, replace(data, values=values), {} if mirrored else {"frame": X}, ALIGNED)
+    X, Y = frame_and_tool(T, data.values)
+    back = inverse(X)
+    values = back @ data.values @ inverse(Y) if data.kind == "pose" else _less(T, data.values, back, Y)
+    yield Reading(
+        "they are measured in another frame and of another point or frame of the tool",
+        "Calibrate arm.with_base(error.frame @ arm.base).with_tool(arm.tool @ error.tool): error.frame is the base in "
+        "the measuring frame, error.tool what was measured in the arm's tool frame.",
+        q,
+        replace(data, values=values),
+        {"frame": X, "tool": Y},
+        BOTH,
+    )
 
 
-def _beyond(T: Array, measured: Array) -> Array:
-    """Return the motion (4, 4) that, put after poses T (N, 4, 4), comes nearest to measured ones (N, 4, 4)."""
-    there = inverse(T) @ measured
-    U, _, V = np.linalg.svd(there[:, :3, :3].sum(0))
-    X = np.eye(4)
-    X[:3, :3] = U @ np.diag([1, 1, np.sign(np.linalg.det(U @ V))]) @ V
-    X[:3, 3] = np.median(there[:, :3, 3], axis=0)
-    return X
-
-
-def _aligned(a: Array, b: Array, mirrored: bool) -> Array:
-    """Return the motion (4, 4) that takes points a (N, 3) nearest to b; a mirror as well where asked (Kabsch, 1976)."""
-    A, B = a - a.mean(0), b - b.mean(0)
-    U, _, V = np.linalg.svd(B.T @ A)
-    sense = np.sign(np.linalg.det(U @ V)) * (-1 if mirrored else 1)
-    X = np.eye(4)
-    X[:3, :3] = U @ np.diag([1, 1, sense]) @ V
-    X[:3, 3] = b.mean(0) - X[:3, :3] @ a.mean(0)
-    return X
+def _less(T: Array, places: Array, back: Array, Y: Array) -> Array:
+    """Return positions (N, 3) in the arm's frame, of the arm's own point of the tool."""
+    return places @ back[:3, :3].T + back[:3, 3] - T[:, :3, :3] @ Y[:3, 3]
 
 
 def _matched(expected: Array, measured: Array) -> np.ndarray | None:

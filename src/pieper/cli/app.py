@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from importlib import import_module
 
 import click
@@ -52,6 +51,8 @@ class Commands(click.Group):
         """Find the command that was typed, or say which one was probably meant."""
         name = args[0]
         if not name.startswith("-") and name not in COMMANDS and not ctx.resilient_parsing:
+            import difflib
+
             near = difflib.get_close_matches(name.lower(), COMMANDS, n=2, cutoff=0.5)
             near = near or [known for known in COMMANDS if name and known.startswith(name.lower())]
             hint = f" Did you mean {' or '.join(near)}?" if near else ""

@@ -194,7 +194,9 @@ def _print(
     marked = int(np.flatnonzero(sols.in_limits)[row]) if row is not None and everything else row
     if len(found.q):
         _print_rows(arm, sols, found, marked, units)
-    texts = [str(motion) for motion in sols.self_motions]
+    # every pose of an arm with a joint to spare has them, and to trace them takes as long as all else
+    told = everything or not (solved.plan.redundancy and len(sols))
+    texts = [str(motion) for motion in sols.self_motions] if told else []
     for text in dict.fromkeys(texts):
         which = [str(i + 1) for i, other in enumerate(texts) if other == text]
         say(f"{'self-motion' if len(which) == 1 else 'self-motions'} {', '.join(which)}: {text}.")
@@ -203,6 +205,8 @@ def _print(
         values = ", ".join(joint_cells(arm, nearest, units))
         say(f"nearest to {near}: {which}, at {values} ({', '.join(units.names_of_joints(arm))})")
     say(f"{sols.status.name}: {sols.why}")
+    if not told:
+        say("Its self-motions, along which the spare joint moves, are told with --all.")
     hidden = len(sols.all_q) - len(sols.q)
     if hidden and not everything:
         say(f"{hidden} more outside the limits: add --all to see {'it' if hidden == 1 else 'them'}.")

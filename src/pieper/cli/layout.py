@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import shutil
 import sys
 import textwrap
 import unicodedata
@@ -28,6 +27,8 @@ def terminal_width() -> int | None:
     """Return the width of the terminal that is written to; None for a pipe or a file, which have all the width."""
     if not sys.stdout.isatty():
         return None
+    import shutil
+
     return max(20, shutil.get_terminal_size().columns)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import functools
 import sys
 from collections.abc import Callable
@@ -36,6 +35,8 @@ class TakesNumbers(click.Command):
 def _meant(word: str, known: list[str]) -> str:
     if "--order" in known and word[2:] in (*NOTATIONS, *ALSO):
         return f" Say --order {word[2:]}, and the numbers after x y z."
+    import difflib
+
     near = difflib.get_close_matches(word, known, n=1)
     return (
         f" Did you mean {near[0]}?" if near else f" There are {', '.join(name for name in known if name[:2] == '--')}."

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -54,6 +53,8 @@ def plural(count: int, word: str, many: str = "") -> str:
 
 def as_json(value: Any, *, indent: int | None = 2) -> None:
     """Print a value as JSON; arrays become lists, infinities null."""
+    import json
+
     print(json.dumps(_plain(value), indent=indent, ensure_ascii=False, allow_nan=False))
 
 

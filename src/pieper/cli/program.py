@@ -24,6 +24,7 @@ from pieper.cli.output import say
 from pieper.cli.status import DONE
 from pieper.cli.timed import print_data, tell_limits, write
 from pieper.cli.units import Units
+from pieper.tolerances import SAME_SPEED
 
 
 @click.command("program", cls=TakesNumbers, short_help="Time a program, draw it, write it for a controller.")
@@ -79,19 +80,26 @@ def command(
         return DONE
     say(program.explain() + "\n")
     tell_limits(arm, motion)
-    for sentence in [*_unread(file), *written]:
+    for sentence in [*_unread(arm, file, limits), *written]:
         say(sentence)
     return DONE
 
 
-def _unread(file: str) -> list[str]:
-    """Return what of a file is not in the program that was read from it, in a sentence."""
-    if Path(file).suffix.lower() == ".toml":
+def _unread(arm: pieper.Arm, file: str, limits: pieper.Limits | None) -> list[str]:
+    """Return what of a controller's file is taken otherwise than its controller would, in sentences."""
+    if Path(file).suffix.lower() == ".toml" or limits is None:
         return []
-    return [
-        f"Of {Path(file).name} the targets, tools and frames are read, not its speeds, blends, waits, outputs and "
-        "gripper: the times are those of stops at each target within the limits. A .toml keeps all."
-    ]
+    targets, name, out = pieper.read_program(file), Path(file).name, list[str]()
+    if any(target.kind == "point" for target in targets):
+        return [f"Of {name} the points are read, not their times: they are moves of all joints that stop at each."]
+    if any(target.kind == "move_j" and target.speed is not None for target in targets):
+        out.append(f"Parts of the full speed of joints in {name} are taken of the limits typed.")
+    most = float(limits.of(arm.n, arm.joint_names).speed.min()) * (1 + SAME_SPEED)
+    if any((target.joint_speed or 0.0) > most for target in targets):
+        out.append(f"Joint moves of {name} are faster than the limits typed, and cut to them.")
+    if any(target.blend is None for target in targets):
+        out.append(f"Corners of {name} that are cut by no radius (CNT, PL, C_PTP) are stopped at.")
+    return out
 
 
 def _read(arm: pieper.Arm, file: str, limits: pieper.Limits | None, start: str, units: Units) -> pieper.Program:
@@ -106,20 +114,4 @@ def _read(arm: pieper.Arm, file: str, limits: pieper.Limits | None, start: str, 
         raise pieper.InputError(f"{file} holds no limits of the joints: say --speed and --acceleration.")
     if not targets:
         raise pieper.InputError(f"{file} holds no moves.", path=file)
-    program = pieper.Program(arm, limits, start=joints(arm, [start], units, "--start"))
-    tool = arm.tool
-    for target in targets:
-        # none that is set is the arm's own
-        if not target.means_tool(tool) and not (target.tool is None and tool is arm.tool):
-            tool = arm.tool if target.tool is None else target.tool
-            program.tool(tool)
-        where = target.T if target.q is None else target.q
-        if where is None:
-            raise pieper.InputError(f"{file} has a move without a target.", path=file)
-        if target.kind == "move_c" and target.T is not None:
-            program.move_c(target.via, target.T)
-        elif target.kind == "move_l":
-            program.move_l(arm.fk(where) if target.T is None else where)
-        else:
-            program.move_j(where)
-    return program
+    return pieper.Program(arm, limits, start=joints(arm, [start], units, "--start")).take(targets)

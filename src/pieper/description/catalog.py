@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from functools import cache
 
@@ -74,6 +73,8 @@ def load(name: str) -> Description:
 
 def _unknown(name: str) -> str:
     wanted = str(name).strip().lower().replace("_", "-").replace(" ", "-")
+    import difflib
+
     near = difflib.get_close_matches(wanted, names(), n=3, cutoff=0.5)
     # "ur5x" should find "universal-robots-ur5e", whose maker's name hides the likeness
     near += [other for other in names() if difflib.get_close_matches(wanted, [other.split("-")[-1]], n=1, cutoff=0.6)]

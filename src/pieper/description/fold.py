@@ -8,6 +8,7 @@ from pieper.description.dh import Description
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import FLIP, inverse, rotation_x, rotation_z, translation
+from pieper.tolerances import QUARTER_EXACT
 
 #: Links that come out this many times shorter are taken; others stay as the table has them, to the last bit.
 FAR_LONGER = 10.0
@@ -23,10 +24,10 @@ def chain_of(description: Description) -> Chain:
     for i, row in enumerate(description.rows):
         constant = description.offset[i]
         if prismatic[i]:
-            before, after = rotation_z(row.theta), translation(z=row.d + constant)
+            before, after = _whole(rotation_z(row.theta)), translation(z=row.d + constant)
         else:
-            before, after = rotation_z(row.theta + constant), translation(z=row.d)
-        x_part = rotation_x(row.alpha)
+            before, after = _whole(rotation_z(row.theta + constant)), translation(z=row.d)
+        x_part = _whole(rotation_x(row.alpha))
         x_part[0, 3] = row.a
         if description.convention == "standard":
             after = after @ x_part
@@ -41,6 +42,11 @@ def chain_of(description: Description) -> Chain:
     links[n] = pending @ description.tool
     _shortened(links, frames_after)
     return Chain.of(links, prismatic, frames_after, description.coupling, description.own_axes)
+
+
+def _whole(turn: Array) -> Array:
+    """Return a turn (4, 4) about an axis, exact where it is by quarters of a circle: the sine of pi is none."""
+    return np.where(np.abs(turn) < QUARTER_EXACT, 0.0, turn)
 
 
 def frames_of(arm: Description, q: Array) -> Array:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -107,6 +106,8 @@ class Place:
                 continue
             hint = wrong_unit(key, allowed)
             if not hint:
+                import difflib
+
                 close = difflib.get_close_matches(key, allowed, n=1, cutoff=0.6)
                 hint = f"Did you mean {close[0]!r}? " if close else ""
             self.fail(f"this key is unknown. {hint}Allowed here: {', '.join(allowed)}.", key, allowed=allowed)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
-
 import numpy as np
 import numpy.typing as npt
 
@@ -25,6 +23,8 @@ def posture(arm: Description, name: str, what: str = "q", also: tuple[str, ...] 
     """
     known = {"zero": np.zeros(arm.n)} | arm.postures
     if name not in known:
+        import difflib
+
         near = difflib.get_close_matches(name, (*known, *also), n=1)
         hint = f" Did you mean {near[0]!r}?" if near else ""
         raise InputError(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from pathlib import Path
 
@@ -33,6 +32,8 @@ def read(path: str | Path) -> Description:
         with path.open("rb") as stream:
             data = stream.read(LARGEST_FILE + 1)
     except FileNotFoundError:
+        import difflib
+
         near = difflib.get_close_matches(path.name, _names_in(path.parent), n=1)
         hint = f" Did you mean {str(path.parent / near[0])!r}?" if near else ""
         raise InputError(f"there is no file {str(path)!r}.{hint}", file=str(path)) from None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
@@ -25,6 +24,8 @@ def whole_file(path: str | os.PathLike[str]) -> Generator[BinaryIO, None, None]:
     Raises:
         InputError: The folder does not exist or cannot be written; the message names it.
     """
+    import tempfile
+
     path = Path(path)
     name = None
     try:

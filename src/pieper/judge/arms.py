@@ -40,7 +40,7 @@ def read_arm(place: str, table: dict[str, Any]) -> ArmModel:
         except InputError as error:
             raise InputError(f"{place}: {error}") from None
         description = _as_the_page_has_it(place, description, table)
-        return model_from_description(description, Solver.of(description))
+        return model_from_description(description, Solver.of(description.by_axes()))
     convention = table.get("convention")
     if convention not in ("standard", "modified"):
         raise InputError(f'{place}: convention = {convention!r}; say "standard" or "modified"')
@@ -54,7 +54,10 @@ def _as_the_page_has_it(place: str, d: Description, table: dict[str, Any]) -> De
     """The arm by the table's angles where theta stands for them, and without what the page takes off its poses."""
     if table.get("angles") == "table":
         if d.coupling is not None:
-            raise InputError(f"{place}: angles = 'table' goes with arms whose joints are not coupled")
+            raise InputError(
+                f"{place}: angles = 'table' goes with arms whose joints are not coupled; of {d.name}, whose are, "
+                "theta1, theta2 .. are the values of the axes whatever is said: leave angles out"
+            )
         turns = np.array([kind == "R" for kind in d.joint_types])
         zero = d.offset + np.where(turns, [row.theta for row in d.rows], [row.d for row in d.rows])
         limits = np.sort(d.limits * d.sign[:, None] + zero[:, None], axis=1)
@@ -221,4 +224,5 @@ def describe_arm(model: ArmModel, words: str = "") -> str:
     """Say what an arm is, in a line; `words` are the file's own."""
     shown = ", ".join(f"{k} = {v:g}" for k, v in model.values.items() if v)
     lengths = f", {shown} ({model.unit})" if shown else ""
-    return f"{model.name}: {plural(model.n, 'joint')}, {model.convention} DH{lengths}.{' ' + words if words else ''}"
+    remarks = "".join(f" {text}" for text in (model.remark, words) if text)
+    return f"{model.name}: {plural(model.n, 'joint')}, {model.convention} DH{lengths}.{remarks}"

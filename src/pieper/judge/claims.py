@@ -255,7 +255,9 @@ def _symbols(data: dict[str, Any], arm: str) -> dict[str, str]:
 
 def _arms(name: str, data: dict[str, Any], given: Described | None) -> dict[str, ArmModel]:
     if given is not None:
-        return {"arm": model_from_description(given.description, Solver(given.plan_for))}
+        d = given.description
+        solver = Solver(given.plan_for) if d.coupling is None else Solver.of(d.by_axes())
+        return {"arm": model_from_description(d, solver)}
     tables = data.get("arms") or ({"arm": data["arm"]} if "arm" in data else {})
     if not tables:
         raise InputError(

@@ -17,6 +17,7 @@ from pieper.algebra.exact import pi_fraction
 from pieper.algebra.expression import Add, Expr, PiFraction
 from pieper.algebra.formula import Mention, Neg, number
 from pieper.algebra.parser import parse
+from pieper.description.coupling import moved_by
 from pieper.description.dh import Description
 from pieper.judge.solver import Solver
 from pieper.tolerances import ROUNDING, UNROUNDED
@@ -68,6 +69,7 @@ class ArmModel:
         solver: solves the same rows (SI), or None; used only to ask for the other solutions of a pose.
         aliases: names of sliding variables, such as b3 -> theta3.
         zeros: the source's own length symbols that are zero for this arm, as e1 in a table with values = { e1 = 0 }.
+        remark: what the angles of a page mean where that is not plain, a sentence.
     """
 
     name: str
@@ -80,6 +82,7 @@ class ArmModel:
     solver: Solver | None = None
     aliases: dict[str, str] = field(default_factory=dict)
     zeros: frozenset[str] = frozenset()
+    remark: str = ""
 
     @property
     def n(self) -> int:
@@ -253,8 +256,11 @@ def _angle(value: float) -> Expr:
 
 
 def model_from_description(d: Description, solver: Solver | None = None) -> ArmModel:
-    """Read an arm description (SI units) into expressions; lengths become a1, d4, ..., the table's numbers values."""
-    d.not_linked("claims are judged about arms of which every axis has a joint")
+    """Read an arm description (SI units) into expressions; lengths become a1, d4, ..., the table's numbers values.
+
+    Joints that are coupled are read as the axes, each moving by itself, which `solver` solves; the remark says so.
+    """
+    remark, d = _coupled_in_words(d), d.by_axes()
     rows, values = [], {}
     for i, row in enumerate(d.rows):
         at = i + 1 if d.convention == "standard" else i
@@ -272,4 +278,17 @@ def model_from_description(d: Description, solver: Solver | None = None) -> ArmM
         rows.append(Row(Mention(f"a{at}"), _angle(row.alpha), slide, theta))
     aliases = {f"{c}{i + 1}": f"theta{i + 1}" for i in range(d.n) if d.joint_types[i] == "P" for c in "db"}
     base, tool = np.asarray(d.base), np.asarray(d.tool)
-    return ArmModel(d.name, d.convention, tuple(rows), values, "m", base, tool, solver, aliases)
+    return ArmModel(d.name, d.convention, tuple(rows), values, "m", base, tool, solver, aliases, remark=remark)
+
+
+def _coupled_in_words(d: Description) -> str:
+    """Say what theta stands for where joints are coupled; nothing where they are not."""
+    if d.coupling is None:
+        return ""
+    numbers = [f"q{j + 1}" for j in range(d.coupling.shape[1])]
+    said = [f"{moved_by(row, numbers)}" for row in d.coupling]
+    moved = [f"theta{i + 1} = {text}" for i, text in enumerate(said) if text != f"q{i + 1}"]
+    return (
+        "Its joints are coupled: theta1, theta2 .., q_deg and solutions_deg are judged as the values of the axes, each "
+        f"turning by itself, and not as the maker's numbers q1, q2 .. ({', '.join(moved)})."
+    )

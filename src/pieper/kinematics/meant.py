@@ -9,7 +9,7 @@ import numpy as np
 
 from pieper.errors import PieperWarning
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
-from pieper.tolerances import FAR_AWAY, LONGEST_ARM, MOST_TURNED
+from pieper.tolerances import FAR_AWAY, LARGE_BODY, LONGEST_ARM, MOST_TURNED
 
 
 def remark_far_away(p: Array, nowhere: Bools, base: Array, reach: float, name: str) -> None:
@@ -29,6 +29,24 @@ def remark_far_away(p: Array, nowhere: Bools, base: Array, reach: float, name: s
             PieperWarning,
             stacklevel=4,
         )
+
+
+def remark_far_shape(what: str, away: float, across: float, reach: float, name: str, own: bool) -> bool:
+    """Warn of a body so far away, or so large (m), that millimetres were probably meant; whether it was.
+
+    A body of the arm's own is held to what arms are, any other one to the arm's reach.
+    """
+    far, large = (LONGEST_ARM, LONGEST_ARM) if own else (FAR_AWAY * reach, LARGE_BODY * reach)
+    if away <= far and across <= large:
+        return False
+    where = f"at least {away:.4g} m away" if away > far else f"up to {across:.4g} m across"
+    warnings.warn(
+        f"{what} is {where} and {name} reaches {reach:.3g} m; metres are meant. Were these millimetres? "
+        "Divide by 1000.",
+        PieperWarning,
+        stacklevel=5,
+    )
+    return True
 
 
 def remark_long(metres: float, what: str) -> None:

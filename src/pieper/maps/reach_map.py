@@ -236,7 +236,7 @@ class ReachMap:
         if plan.task == "pose" or self.plan.n >= 6:
             return ""
         what = "The position alone was asked" if plan.task == "position" else "Position and the tool's axis were asked"
-        return f"{what}, since {plural(plan.n, 'joint')} hold no pose in general. "
+        return f"{what}, since {plural(plan.n, 'joint')} hold{'s' if plan.n == 1 else ''} no pose in general. "
 
     @property
     def _counts(self) -> str:
@@ -250,7 +250,8 @@ class ReachMap:
 def task_of_samples(plan_for: Callable[[str | None], Plan], task: str | None, orientations: Any) -> Plan:
     """Return the plan that a map asks: as said, or of sampled directions the most that the arm holds in any of them.
 
-    A pose of six numbers taken at random is none that an arm of fewer joints holds: the map would be empty.
+    A pose of six numbers taken at random is none that an arm of fewer joints holds: the map would be empty. An arm
+    that does not hold every position either, as one that moves in a plane, is asked for positions all the same.
     """
     plan = plan_for(task)
     if task is None and plan.reduction.fill and np.ndim(orientations) == 1:
@@ -259,7 +260,7 @@ def task_of_samples(plan_for: Callable[[str | None], Plan], task: str | None, or
                 other = plan_for(less)
             except PlanError:
                 continue
-            if not other.reduction.fill:
+            if less == "position" or not other.reduction.fill:
                 return other
     return plan
 

@@ -1,4 +1,4 @@
-"""A motion within jerk limits: the fastest one without them, evened out in time, and slowed down where it must be."""
+"""A motion within jerk limits: the fastest one without them, evened out in time, and eased where it must be."""
 
 from __future__ import annotations
 
@@ -15,33 +15,40 @@ from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.motion import Motion
 from pieper.motion.profile import Profile
 from pieper.motion.ratios import Ratios, joint_kinds, limits_of_tool
+from pieper.motion.straight import closed_form, is_even
 from pieper.motion.timed_path import TimedPath
 from pieper.tolerances import JERK_GAIN, ONE_MOMENT, TAKEN_BACK
 
 #: Degree of a joint's speed on a piece: q' of degree 2 in s, s of degree 3 in time, times ds/dt of degree 2.
 DEGREE = 8
-#: Windows that are tried, as parts of the longest time a joint needs to reach its acceleration.
-WINDOWS = (1.0, 1.4, 2.0, 2.8)
-#: Rounds in which the path is slowed down where the evened motion passes a limit.
-ROUNDS = 10
-#: Bounds are taken back by this part of what was passed.
-BACK = 0.5
+#: Windows are compared at powers of two to this part, s: the same whatever the limits.
+STEP = 0.5
+#: A window is begun with that is at most this part of the mean time between changes of the acceleration's sign.
+OF_A_PHASE = 2 / 3
+#: Rounds in which the speed along the path is eased at one window: while windows are compared, and at the best one.
+ROUNDS_TO_COMPARE, ROUNDS = 3, 8
+#: What is too slow is taken up by this part a round, what is too fast by the whole.
+TAKEN_UP = 0.5
 
 
 @dataclass(frozen=True, eq=False)
 class _Tried:
+    """What a window came to: how long it takes, once slowed by a factor everywhere, and what it was eased by."""
+
     duration: float
     factor: float
     profile: Profile
+    eased: Array
 
 
 def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
     """Return a motion within speeds, accelerations and jerks, at rest at both ends.
 
-    The fastest profile without jerk limits is averaged over a window of time: its steps of acceleration become ramps.
-    What passes a limit then is slowed down where it does, round by round, and what is left by the same factor
-    everywhere; of several windows the one with the shortest motion is taken. The result is within all limits, proved on
-    each piece by Bernstein coefficients; that no motion is faster is not claimed.
+    The fastest profile without jerk limits, within the accelerations that its jerks can reach in a window of time, is
+    averaged over that window: its steps of acceleration become ramps. What passes a limit then is slowed down around
+    where it does, what keeps them all by much is sped up, round by round, and what is left by the same factor
+    everywhere; the window with the shortest motion is looked for. The result is within all limits, proved on each piece
+    by Bernstein coefficients; that no motion is faster is not claimed.
 
     Raises:
         InputError: A limit of the tool's acceleration besides the jerk, which is not planned.
@@ -51,10 +58,14 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
             "limits of the tool's acceleration and of the joints' jerk at once are not planned; leave one out.",
             given=timed.limits.tool_acceleration,
         )
-    jerk = timed.bound.jerk
-    assert jerk is not None
-    ramp = float((timed.bound.acceleration / jerk).max())
-    best = _best_window(timed, curve, ramp)
+    best = _best_window(timed, curve)
+    straight = closed_form(timed, curve) if is_even(curve) else None
+    if straight is not None:
+        # the tool's limits may leave it as it is
+        profile, ratios = peaks(timed, curve, straight[0])
+        factor = max(float(ratios.stretch().max()), 1.0)
+        if profile.duration * factor < best.duration:
+            best = _Tried(profile.duration * factor, factor, profile, best.eased)
     profile, factor = best.profile, best.factor
     while True:
         profile, ratios = peaks(timed, curve, profile.slower(factor))
@@ -81,60 +92,115 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
     )
 
 
-def _best_window(timed: TimedPath, curve: JointCurve, ramp: float) -> _Tried:
-    """Return the best of the windows, gone through from the second one on towards what is shorter."""
-    best = _at_window(timed, curve, WINDOWS[1] * ramp)
-    for parts in (WINDOWS[2:], WINDOWS[:1]):
-        before = best
-        for part in parts:
-            found = _at_window(timed, curve, part * ramp)
-            if found.duration >= best.duration:
-                break
-            best = found
-        if best is not before:
-            break
-    return best
+def _best_window(timed: TimedPath, curve: JointCurve) -> _Tried:
+    """Return the best of the windows: downhill over powers of two, then where a parabola through the lowest says."""
+    tried: dict[float, _Tried] = {}
+
+    def at(power: float) -> float:
+        if power not in tried:
+            tried[power] = _at_window(timed, curve, 2.0**power, ROUNDS_TO_COMPARE)
+        return tried[power].duration
+
+    best = _first_power(timed)
+    while at(best - STEP) < at(best):
+        best -= STEP
+    while at(best + STEP) < at(best):
+        best += STEP
+    below, here, above = (at(best + step) for step in (-STEP, 0.0, STEP))
+    lowest = best + STEP / 2 * (below - above) / max(below - 2 * here + above, JERK_GAIN * here)
+    found = _at_window(timed, curve, 2.0**lowest, ROUNDS, tried[best])
+    return min(found, tried[best], key=lambda one: one.duration)
 
 
-def _at_window(timed: TimedPath, curve: JointCurve, window: float) -> _Tried:
-    """Return the best of some rounds at one window."""
-    best: _Tried | None = None
-    easing = np.ones(len(timed.share))
-    for _ in range(ROUNDS):
-        x, _, _, _ = replace(timed, easing=easing).run()
-        even = averaged(profile_of(timed.curve.s, x), window)
+def _first_power(timed: TimedPath) -> float:
+    """Return the power of two of a window that fits between the changes of the acceleration's sign."""
+    bound, s = timed.bound, timed.curve.s
+    assert bound.jerk is not None
+    # a window in which every acceleration is reached twice over does no more than a shorter one
+    power = float(np.ceil(np.log2((bound.acceleration / bound.jerk).max()))) + 1
+    while True:
+        x = _under(timed, 2.0**power)
+        signs = np.sign(np.diff(x))
+        phases = 1 + np.count_nonzero(np.diff(signs[signs != 0]))
+        if 2.0**power <= OF_A_PHASE * profile_of(s, x).duration / phases:
+            return power
+        power -= STEP
+
+
+def _under(timed: TimedPath, window: float) -> Array:
+    """Return x (k + 1,) of the fastest profile within the accelerations that the jerks reach in a window."""
+    assert timed.bound.jerk is not None
+    reached = np.minimum(timed.bound.acceleration, timed.bound.jerk * window)
+    return replace(timed, bound=replace(timed.bound, acceleration=reached)).run()[0]
+
+
+def _levelled(t: Array, x: Array, length: float) -> Array:
+    """Return values (k,) at times t with their peaks cut so low that each lasts a length of time.
+
+    The acceleration then goes through zero for as long as that, and never from one end of its limits to the other.
+    """
+    length = min(length, t[-1] / 2)
+    return np.minimum(x, np.maximum(_level(t, x, length), _level(-t[::-1], x[::-1], length)[::-1]))
+
+
+def _level(t: Array, x: Array, length: float) -> Array:
+    """Return for each t the largest of the least values over stretches of that length that begin at a t and hold it."""
+    end = np.searchsorted(t, t[t <= t[-1] - length] + length, side="right")
+    begin = np.arange(len(end))
+    if not len(end):
+        return x
+    lowest = np.minimum.reduceat(np.append(x, np.inf), np.stack([begin, end], 1).ravel())[::2]
+    # the stretches that hold a place are neighbours too
+    place = np.arange(len(t))
+    first = np.minimum(np.searchsorted(end, place, side="right"), len(begin) - 1)
+    last = np.maximum(np.minimum(place + 1, len(begin)), first + 1)
+    return np.maximum.reduceat(np.append(lowest, 0.0), np.stack([first, last], 1).ravel())[::2]
+
+
+def _at_window(timed: TimedPath, curve: JointCurve, window: float, rounds: int, before: _Tried | None = None) -> _Tried:
+    """Return the best of some rounds at one window, beginning with what another one was eased by."""
+    s, x = timed.curve.s, _under(timed, window)
+    x = _levelled(profile_of(s, x).t, x, window)
+    eased = np.zeros(len(s)) if before is None else before.eased
+    best, last = None, np.inf
+    for _ in range(rounds):
+        raw = profile_of(s, x * np.exp(2 * eased))
+        even = averaged(raw, window)
         profile, ratios = peaks(timed, curve, even, proved=False)
         need = ratios.stretch()
-        factor = max(float(need.max()), 1.0)
-        found = _Tried(profile.duration * factor, factor, profile)
-        if best is None or found.duration < best.duration * (1 - JERK_GAIN):
+        factor = float(need.max())
+        found = _Tried(profile.duration * factor, factor, profile, eased)
+        if best is None or found.duration < best.duration:
             best = found
-        else:
+        if abs(found.duration / last - 1) < JERK_GAIN and factor < 1 + JERK_GAIN:
             break
-        if factor <= 1 + JERK_GAIN:
-            break
-        # where the evened motion is too fast the profile under the window is taken back
-        over = np.flatnonzero(need > 1)
-        s = timed.curve.s
-        first = np.searchsorted(s, even.place(np.maximum(profile.t[over] - window, 0.0))) - 1
-        last = np.searchsorted(s, np.append(profile.c[1:, 0], s[-1])[over])
-        easing = easing / _largest_over(np.maximum(first, 0), np.maximum(last, 1), need[over], len(easing)) ** BACK
+        last = found.duration
+        # half a window to either side feels the same speeds
+        begins = even.place(np.maximum(profile.t[:-1] - 1.5 * window, 0.0))
+        ends = even.place(np.minimum(profile.t[1:] + window / 2, even.duration))
+        over = np.log(_largest_over(np.searchsorted(s, begins) - 1, np.searchsorted(s, ends), need, len(s) - 1))
+        eased = eased - _mean_around(raw.t, np.where(over > 0, over, TAKEN_UP * over), window)
     assert best is not None
     return best
 
 
 def _largest_over(first: Indices, last: Indices, values: Array, count: int) -> Array:
-    """Return for each of `count` cells the largest of the values (m,), above one, whose cells [first, last) hold it.
+    """Return for each of `count` cells the largest of the values (m,) whose cells [first, last) hold it.
 
-    Both ends ascend, so that the values over a cell stand in a row.
+    Both ends ascend, so that the values over a cell stand in a row; a cell that none holds has that of the next one.
     """
     cell = np.arange(count)
     begin, end = np.searchsorted(last, cell, side="right"), np.searchsorted(first, cell, side="right")
-    over = end > begin
-    out = np.ones(count)
-    pairs = np.stack([begin[over], end[over]], 1).ravel()
-    out[over] = np.maximum.reduceat(np.append(values, 1.0), pairs)[::2] if len(pairs) else 1.0
-    return out
+    begin = np.minimum(begin, len(values) - 1)
+    pairs = np.stack([begin, np.maximum(end, begin + 1)], 1).ravel()
+    return np.maximum.reduceat(np.append(values, 0.0), pairs)[::2]
+
+
+def _mean_around(t: Array, values: Array, window: float) -> Array:
+    """Return the means (k + 1,) over a window of time around each t of values (k,) that hold between them."""
+    area = np.concatenate([[0.0], np.cumsum(values * np.diff(t))])
+    begin, end = np.maximum(t - window / 2, t[0]), np.minimum(t + window / 2, t[-1])
+    return np.asarray((np.interp(end, t, area) - np.interp(begin, t, area)) / (end - begin), np.float64)
 
 
 def averaged(profile: Profile, window: float) -> Profile:

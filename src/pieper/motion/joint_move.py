@@ -84,22 +84,25 @@ def straight_profile(
         ratios = [row / size for row in rows]
     least = [float(r.min()) * (1 - LIMIT_KEPT) for r in ratios]
     profile = rest_to_rest(least[0], least[1], least[2] if len(least) > 2 else None)
-    passed = margin_of_line(way, profile, limits)
+    passed = margin_of_line(way, profile, limits, share)
     if passed > 1:
         # phases of very different lengths leave more rounding than was allowed for
         profile = profile.slower(passed * (1 + LIMIT_KEPT))
     return profile, [names[int(np.argmin(r))] for r in ratios]
 
 
-def margin_of_line(way: Array, profile: Profile, limits: Limits) -> float:
-    """Return the largest value over its limit of a straight way under a profile: its peaks lie where pieces meet."""
+def margin_of_line(way: Array, profile: Profile, limits: Limits, share: float = 1.0) -> float:
+    """Return the largest value over its limit of a straight way under a profile: its peaks lie where pieces meet.
+
+    `share` is the part of the speed limit that is used.
+    """
     bound = limits.of(len(way))
     length = np.diff(profile.t)
     speeds = np.concatenate(
         [profile.c[:, 1], profile.c[:, 1] + length * (profile.c[:, 2] + length * profile.c[:, 3] / 2)]
     )
     bends = np.concatenate([profile.c[:, 2], profile.c[:, 2] + length * profile.c[:, 3]])
-    peaks = [(np.abs(speeds).max(), bound.speed), (np.abs(bends).max(), bound.acceleration)]
+    peaks = [(np.abs(speeds).max(), bound.speed * share), (np.abs(bends).max(), bound.acceleration)]
     if bound.jerk is not None:
         peaks.append((np.abs(profile.c[:, 3]).max(), bound.jerk))
     return float(max((np.abs(way) * peak / limit).max() for peak, limit in peaks))

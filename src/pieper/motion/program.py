@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Protocol, runtime_checkable
 
@@ -18,6 +19,7 @@ from pieper.kinematics.forward import checked_joints, fk
 from pieper.kinematics.joints import inside
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
 from pieper.motion.circle import circle, round_of, via_about
+from pieper.motion.dialects.target import Target
 from pieper.motion.instructions import FrameChange, Gripper, Instruction, Move, Output, ToolChange, Wait
 from pieper.motion.joined import positive, radius
 from pieper.motion.limits import SAY_LIMITS, Limits
@@ -27,6 +29,7 @@ from pieper.motion.program_motion import motion_of_program
 from pieper.motion.program_words import told
 from pieper.motion.segments import Segment, segment
 from pieper.motion.spline import spline
+from pieper.motion.taken import take
 from pieper.solver import verbs
 from pieper.solver.plan.plan import Plan
 from pieper.words_by_number import plural
@@ -247,6 +250,11 @@ class Program:
         """Set the gripper, 0 open to 1 closed; the arm does not stop for it: write a wait where it must."""
         number = arguments.number(value, "the gripper, 0 open to 1 closed,", least=0.0, most=1.0)
         self.instructions.append(Gripper(number))
+        return self
+
+    def take(self, targets: Sequence[Target]) -> Program:
+        """Append targets of `pieper.read_program`, with the tools, speeds, blends and events that their file says."""
+        take(self, targets)
         return self
 
     @property

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.motion.blend import Blend, blend, blended_points
 from pieper.motion.curve import JointCurve
-from pieper.motion.in_time import sampled
-from pieper.motion.jerk import smooth_motion
-from pieper.motion.joint_move import margin_of_line, straight_profile, tight_pieces
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
 from pieper.motion.segments import Segment
-from pieper.motion.time_law import motion_of
+from pieper.motion.time_law import fastest_motion
 from pieper.motion.timed_path import on_grid
 from pieper.solver.plan.plan import Plan
 
@@ -63,20 +60,11 @@ def runs(plan: Plan, limits: Limits, moves: list[tuple[int, Segment]], rate: flo
 def _timed(
     plan: Plan, limits: Limits, ways: list[Segment], corners: list[Blend], rate: float
 ) -> tuple[Motion, list[float]]:
-    first = ways[0].move
-    if len(ways) == 1 and first.kind == "move_j" and not limits.of_the_tool:
-        motion = _straight(plan, limits, ways[0], rate)
-        return motion, [motion.duration]
     curve, owner, middles = _joined(plan, ways, corners)
     share = np.array([_share(ways[i]) for i in owner])
     speed = np.array([_tool_speed(ways[i]) for i in owner])
     timed = on_grid(curve, limits, plan.names, plan, share=share, tool_speed=speed)
-    deviation = curve.between_points()
-    if limits.jerk is None:
-        x, _, _, _ = timed.run()
-        motion = motion_of(timed, x, deviation, rate)
-    else:
-        motion = smooth_motion(timed, curve, rate)
+    motion = fastest_motion(timed, curve, rate)
     return motion, [*np.interp(middles, motion.s, motion.t).tolist(), motion.duration]
 
 
@@ -86,22 +74,6 @@ def _share(way: Segment) -> float:
 
 def _tool_speed(way: Segment) -> float:
     return way.move.speed if way.move.kind != "move_j" and way.move.speed is not None else np.inf
-
-
-def _straight(plan: Plan, limits: Limits, way: Segment, rate: float) -> Motion:
-    """Return a joint move by itself, in closed form."""
-    start = way.curve.q[0]
-    step = way.move.q - start
-    share = _share(way)
-    profile, names = straight_profile(step, limits, plan.names, share)
-    assert profile is not None
-    line = JointCurve(np.array([0.0, 1.0]), start[None], step[None], np.zeros((1, plan.n)), np.zeros((1, plan.n)))
-    t, q, dq, ddq, dddq, s = sampled(line, profile, rate)
-    q[-1] = way.move.q
-    slower = replace(limits, speed=np.asarray(limits.speed) * share)
-    ends = np.array([0.0, profile.duration])
-    tight = tuple(tight_pieces(profile, names))
-    return Motion(t, q, dq, ddq, ends, ends, dddq, s, tight, margin_of_line(step, profile, slower))
 
 
 def _joined(plan: Plan, ways: list[Segment], corners: list[Blend]) -> tuple[JointCurve, list[int], list[float]]:

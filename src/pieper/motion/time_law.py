@@ -16,6 +16,7 @@ from pieper.motion.jerk import smooth_motion
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
 from pieper.motion.ratios import peak_ratios
+from pieper.motion.straight import straight_motion
 from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
 from pieper.tolerances import LIMIT_SLACK, TAKEN_BACK
 
@@ -55,18 +56,27 @@ def time_law(
     """
     asked = checked_sections(constant_speed)
     timed, curve = timed_path(path, limits, arm, at=[s for section in asked for s in section[:2]])
+    if not asked:
+        return _told_outside(fastest_motion(timed, curve, rate), timed, curve)
     if limits.jerk is not None:
-        if asked:
-            raise InputError("a section of constant speed and a jerk limit at once are not planned; leave one out.")
-        return _told_outside(smooth_motion(timed, curve, rate), timed, curve)
-    wanted = None
-    if asked:
-        timed, wanted = section_grid(timed, curve, asked)
+        raise InputError("a section of constant speed and a jerk limit at once are not planned; leave one out.")
+    timed, wanted = section_grid(timed, curve, asked)
     x, _, done, _ = timed.run(wanted)
     # a motion ends at rest, whatever speed is wanted there
-    if not done or (asked and asked[-1][1] >= 1):
+    if not done or asked[-1][1] >= 1:
         raise why_not(timed, asked)
     return _told_outside(motion_of(timed, x, curve.between_points(), rate), timed, curve)
+
+
+def fastest_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
+    """Return the fastest motion along a curve: in closed form on a straight line, with a jerk by `smooth_motion`."""
+    straight = straight_motion(timed, curve, rate)
+    if straight is not None:
+        return straight
+    if timed.limits.jerk is not None:
+        return smooth_motion(timed, curve, rate)
+    x, _, _, _ = timed.run()
+    return motion_of(timed, x, curve.between_points(), rate)
 
 
 def _told_outside(motion: Motion, timed: TimedPath, curve: JointCurve) -> Motion:

@@ -16,6 +16,7 @@ from pieper.kinematics.chain import Chain
 from pieper.motion.certificate import vector_peaks
 from pieper.motion.curve import JointCurve, checked_points
 from pieper.motion.limits import SAY_LIMITS, JointLimits, Limits
+from pieper.motion.motion import Motion
 from pieper.motion.route.result import Route
 from pieper.motion.tool_bounds import ToolCurve, tool_curve
 from pieper.motion.track import Track
@@ -267,12 +268,29 @@ def on_grid(
 
 def _whole(path: JointPath) -> Array:
     """Return the points of a path that reaches its end."""
+    return checked_points(_to_its_end(path, "a motion is timed to its end", "Time", "nothing to time"), "the path")
+
+
+def joint_points(path: JointPath | Motion | ArrayLike) -> ArrayLike:
+    """Return the joint points (N, n) of a route or a track that reaches its end, or of a motion; others unchanged.
+
+    Raises:
+        InputError: A track that stops, or a route that was not found.
+    """
+    if isinstance(path, Motion):
+        return path.q
+    if type(path) is np.ndarray or not isinstance(path, JointPath):
+        return path
+    return _to_its_end(path, "a path is looked at to its end", "Look at", "no path to look at")
+
+
+def _to_its_end(path: JointPath, asked: str, cure: str, none: str) -> Array:
     if isinstance(path, Track) and not path.complete:
         raise InputError(
-            f"the track stops at point {len(path.followed)} of {len(path.path)}; a motion is timed to its end. "
-            f"{path.explain().splitlines()[1] if path.stop else ''} Time track.followed, or follow another way.",
+            f"the track stops at point {len(path.followed)} of {len(path.path)}; {asked}. "
+            f"{path.explain().splitlines()[1] if path.stop else ''} {cure} track.followed, or follow another way.",
             reached=len(path.followed),
         )
     if isinstance(path, Route) and not path.found:
-        raise InputError(f"the route's verdict is {path.verdict.name}: there is nothing to time. {path.reason}")
-    return checked_points(path.q, "the path")
+        raise InputError(f"the route's verdict is {path.verdict.name}: there is {none}. {path.reason}")
+    return path.q

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.solver.arm_rows import arm_rows
-from pieper.solver.coupled import rows_of
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
 
@@ -36,6 +35,8 @@ def most_met(plan: Plan, postures: int = POSTURES) -> int:
         values = np.tile(plan.defaults, (len(some), 1))
         rows = arm_rows(plan, whole.chain.native.fk(some), values, 1)
         if whole is not plan:
+            from pieper.solver.linked import rows_of
+
             rows = rows_of(whole, rows)
         most = max(most, int(rows.valid.sum(1).max(initial=0)))
         if most >= plan.count.most:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
-from pieper.solver import linked
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status, Words
@@ -17,6 +16,8 @@ from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 def solutions_of(plan: Plan, words: Words, found: Solutions) -> Solutions:
     """Return the solutions of a coupled arm from those of its chain, which had no limits."""
     if plan.chain.linked:
+        from pieper.solver import linked
+
         return linked.solutions_of(plan, words, found)
     q, inside = in_joints(plan, found.all_q)
     motions = tuple(_motion(plan, motion) for motion in found.self_motions)
@@ -30,6 +31,8 @@ def solutions_of(plan: Plan, words: Words, found: Solutions) -> Solutions:
 def batch_of(plan: Plan, found: SolutionBatch) -> SolutionBatch:
     """Return the same of many poses; a pose of which only a self-motion may lie inside keeps its status."""
     if plan.chain.linked:
+        from pieper.solver import linked
+
         return linked.batch_of(plan, found)
     rows = rows_of(plan, found.found)
     status = found.status.copy()
@@ -40,6 +43,8 @@ def batch_of(plan: Plan, found: SolutionBatch) -> SolutionBatch:
 def rows_of(plan: Plan, rows: Rows) -> Rows:
     """Return rows of the chain's values as rows of the joints' numbers."""
     if plan.chain.linked:
+        from pieper.solver import linked
+
         return linked.rows_of(plan, rows)
     q, inside = in_joints(plan, rows.q)
     return Rows(np.where(rows.valid[..., None], q, 0.0), rows.valid, inside & rows.valid, rows.flags)

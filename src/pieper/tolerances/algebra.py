@@ -18,6 +18,9 @@ ON_UNIT_CIRCLE = 1e-3
 POLYNOMIAL_VANISHES = 1e-13
 #: What a cut leaves outside the polynomial's degree, relative, below which it is of use.
 POLYNOMIAL_CLEAN = 1e-6
+#: Singular values of a cut's matrix below this part of the largest are zeros at a root: as many postures share its
+#: angle. A double root is known to the root of rounding, 1e-8, and so are they.
+SHARED_ANGLE = 1e-6
 #: A cut's matrix is of full rank where its smallest singular value is above this part of the largest.
 CUT_RANK = 1e-9
 #: Step of a difference quotient (rad; m) in polishing a solution, which Newton's method corrects.

@@ -13,6 +13,8 @@ MEETING_AXES = 1e-13
 ANGLE_ROUNDED = 8e-15
 #: The same of a frame's entries around 0 and 1.
 FRAME_ROUNDED = 4e-15
+#: Cosines and sines below this are those of a quarter turn, or of several, as a number can write it.
+QUARTER_EXACT = 4e-16
 #: Rounding is taken relative to the arm's size, and to no less than a millimetre.
 SMALLEST_ARM = 1e-3
 #: A coupling whose inverse is larger than this many times its size says that two joints move the same.

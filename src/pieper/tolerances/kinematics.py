@@ -26,6 +26,8 @@ FARTHEST = 1e12
 SMALL_TURN = 1e-7
 #: A pose without a solution this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
+#: A body this many reaches across was too: floors and halls are less, the smallest tables in millimetres are more.
+LARGE_BODY = 200.0
 #: Metres: an arm, or a tool, that is longer was probably said in millimetres; the longest that are built are some 20 m.
 LONGEST_ARM = 50.0
 #: Radians of an angle of a pose, which needs no more than half a turn: more than two turns were probably degrees.

@@ -42,6 +42,8 @@ AXES_ACROSS = 1e-9
 LIMIT_BINDS = 2e-3
 #: What is passed by rounding is taken back with this much more, relative.
 TAKEN_BACK = 1e-13
+#: Points this near to the chord from end to end, of the largest joint value, are on a straight line: rounding.
+ON_A_LINE = 1e-14
 #: A round that gains less than this, relative, was the last but one.
 JERK_GAIN = 1e-3
 #: Moments nearer than this, of the whole duration, are one.
@@ -90,3 +92,5 @@ NEAR_ARRANGEMENT = 2e-2
 ON_FIRST_AXIS = 1e-6
 #: Slopes of a step (rad; m) below this are those of a joint that rests.
 JOINT_RESTS = 1e-9
+#: A speed in a file is no higher than a limit by this, relative: files have four decimals of it.
+SAME_SPEED = 1e-3

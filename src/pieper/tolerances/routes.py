@@ -58,3 +58,7 @@ SMOOTH_BEND = 1e-6
 SHORT_BESIDE_RANK = 0.25
 #: A stretch so short (rad; lengths) is not halved on for its rank: what passes a singular posture by less passes it.
 NO_SWING = 1e-5
+#: By how much boxes of joint values, and what is bounded in them, are taken for wider: what double precision rounds.
+BOX_ROUNDING = 1e-11
+#: Part of the size of J J' that is added to it before a multiplier is worked out: any multiplier does.
+MULTIPLIER_DAMPED = 1e-3

@@ -11,6 +11,8 @@ SAME_ROW = 10 * SAME_SOLUTION
 LINKAGE_STARTS = 1e-4
 #: A filled joint that comes out below this was meant to be zero: the pose is one the arm can reach (rad; per length).
 FILLED_ZERO = 1e-6
+#: One below this may have been meant to be zero: double roots are known to half the digits, fourfold ones to a quarter.
+NEARLY_ZERO = 1e-3
 #: Points that differ in a task's virtual joints alone are one within this (rad; per length): curves end there.
 SAME_AFTER_CUT = 1e-6
 

@@ -23,6 +23,7 @@ from pieper import InputError
 from pieper.workbench.long_work import prepare
 from pieper.workbench.looks import Looks
 from pieper.workbench.session import Beside, Hands, Session
+from pieper.workbench.table import table_from_arm
 
 PAGE = Path(__file__).parent / "page" / "dist"
 TYPES = {
@@ -109,6 +110,8 @@ def create_app(
         bench: The script or notebook that the pages stand beside; its pages may be framed by a page of this machine.
     """
     first = pieper.load(start) if isinstance(start, str) else start
+    if first is not None:
+        table_from_arm(first)  # what the page cannot show is refused before one is opened
     files = {address: (path.read_bytes(), TYPES[path.suffix]) for address, path in _files().items()}
     looks = Looks()
     hands = Hands(

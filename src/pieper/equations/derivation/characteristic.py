@@ -28,10 +28,12 @@ from pieper.tolerances import (
     POLYNOMIAL_VANISHES,
     QUOTIENT_STEP,
     ROUNDING,
+    SHARED_ANGLE,
     TWO_POSTURES,
 )
 
 SAMPLES = 32  # more than 2*12 + 1: the determinant has no harmonic above 12
+PENCIL_TURN = 0.7  # rad, none that an angle of a known posture is likely to make singular
 HARMONIC = 8  # after the factor (1 + t^2)^4 that every such determinant has, 8 harmonics remain
 GRID = (0.0, np.pi / 2, np.pi)
 #: (f(0), f(pi/2), f(pi)) -> coefficients of sine, cosine and 1.
@@ -143,24 +145,43 @@ class _Cut:
     def samples(self) -> np.ndarray:
         return np.array([np.linalg.det(self.matrix(2 * np.pi * k / SAMPLES)) for k in range(SAMPLES)])
 
-    def others(self, t3: float) -> np.ndarray | None:
-        """All six joints, in the arm's own numbering, from the angle of the cut's third joint."""
+    def others(self, t3: float) -> list[np.ndarray]:
+        """All six joints, in the arm's own numbering, of each posture with this angle of the cut's third joint."""
         _, s, vh = np.linalg.svd(self.matrix(t3))
-        if s[-2] < CUT_RANK * s[0]:
-            return None
-        v = vh[-1].reshape(4, 3)
-        x4 = _ratio(v, axis=0)
-        x5 = _ratio(v, axis=1)
-        t4, t5 = 2 * np.arctan2(*x4), 2 * np.arctan2(*x5)
-        mono = np.outer([np.sin(t4), np.cos(t4), 1], [np.sin(t5), np.cos(t5), 1]).reshape(9)
-        wanted = self.left(t3) @ mono - self.right[:, 8]
-        y = np.linalg.lstsq(self.right[:, :8], wanted, rcond=None)[0]
-        t1, t2 = np.arctan2(y[2], y[5]), np.arctan2(y[6], y[7])
-        m = self.m
-        before = _turn(t1) @ m[0] @ _turn(t2) @ m[1] @ _turn(t3) @ m[2] @ _turn(t4) @ m[3] @ _turn(t5) @ m[4]
-        last = np.linalg.inv(m[5] @ before)
-        t6 = np.arctan2(last[1, 0], last[0, 0])
-        return np.roll([t1, t2, t3, t4, t5, t6], self.shift)
+        left, m = self.left(t3), self.m
+        found = []
+        for v in _split(vh[-max(1, int((s < SHARED_ANGLE * s[0]).sum())) :]):
+            x4 = _ratio(v, axis=0)
+            x5 = _ratio(v, axis=1)
+            t4, t5 = 2 * np.arctan2(*x4), 2 * np.arctan2(*x5)
+            mono = np.outer([np.sin(t4), np.cos(t4), 1], [np.sin(t5), np.cos(t5), 1]).reshape(9)
+            wanted = left @ mono - self.right[:, 8]
+            y = np.linalg.lstsq(self.right[:, :8], wanted, rcond=None)[0]
+            t1, t2 = np.arctan2(y[2], y[5]), np.arctan2(y[6], y[7])
+            before = _turn(t1) @ m[0] @ _turn(t2) @ m[1] @ _turn(t3) @ m[2] @ _turn(t4) @ m[3] @ _turn(t5) @ m[4]
+            last = np.linalg.inv(m[5] @ before)
+            t6 = np.arctan2(last[1, 0], last[0, 0])
+            found.append(np.roll([t1, t2, t3, t4, t5, t6], self.shift))
+        return found
+
+
+def _split(null: np.ndarray) -> list[np.ndarray]:
+    """Return of a null space (k, 12) the vectors (4, 3) of powers in it, real ones: k postures share the angle.
+
+    In each the upper neighbours of x4 are x4 times the lower ones, and those of x5 likewise: two k by k matrices show
+    that, which have the postures' vectors in common. The pencils are turned so that no x is at infinity.
+    """
+    if len(null) == 1:
+        return [null[0].reshape(4, 3)]
+    N = null.reshape(-1, 4, 3)
+    c, s = np.cos(PENCIL_TURN), np.sin(PENCIL_TURN)
+    shown = np.zeros((len(N), len(N)))
+    for weight, upper, lower in ((1.0, N[:, :3], N[:, 1:]), (PENCIL_TURN, N[:, :, :2], N[:, :, 1:])):
+        over, under = upper.reshape(len(N), -1).T, lower.reshape(len(N), -1).T
+        shown += weight * np.linalg.lstsq(c * over + s * under, c * under - s * over, rcond=None)[0]
+    values, vectors = (np.asarray(part, np.complex128) for part in np.linalg.eig(shown))
+    real = np.abs(values.imag) < ON_UNIT_CIRCLE * (1 + np.abs(values))
+    return [np.einsum("k,kij->ij", way, N) for way in vectors.real.T[real]]
 
 
 def _finish(ways: list, fk: Callable[[Array], Array], T: np.ndarray) -> CharacteristicPolynomial:
@@ -178,12 +199,12 @@ def _finish(ways: list, fk: Callable[[Array], Array], T: np.ndarray) -> Characte
     for _, other, others_harmonics in ways[:2]:
         circle = np.roots(_trimmed(others_harmonics[::-1]))
         for z in circle[np.abs(np.abs(circle) - 1) < ON_UNIT_CIRCLE]:
-            q = other.others(float(np.angle(z)))
-            q = None if q is None else _polished(q, fk, T)
-            if q is not None and all(
-                np.abs(np.angle(np.exp(1j * (q - known)))).max() > TWO_POSTURES for known in found
-            ):
-                found.append(q)
+            for rough in other.others(float(np.angle(z))):
+                q = _polished(rough, fk, T)
+                if q is not None and all(
+                    np.abs(np.angle(np.exp(1j * (q - known)))).max() > TWO_POSTURES for known in found
+                ):
+                    found.append(q)
     solutions = np.array(sorted(found, key=lambda q: q[joint - 1])).reshape(-1, 6)
     roots = np.roots(real[trailing[0] :])
     return CharacteristicPolynomial(

@@ -13,55 +13,21 @@ import numpy as np
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
-from pieper.kinematics.pose import inverse, pose_error
+from pieper.kinematics.pose import inverse
 from pieper.kinematics.spoken import read_pose
+from pieper.motion.dialects.manner import NUMBER, Reader, with_manner
+from pieper.motion.dialects.target import Target
 from pieper.motion.instructions import FrameChange, Instruction, Move, ToolChange
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
 from pieper.solver.plan.plan import Plan
-from pieper.tolerances import SAME_TOOL_IN_FILE
 from pieper.words_by_number import plural
 
 #: Tool speed that is written where none was said, m/s, as long as the limit of the tool's speed allows it.
 USUAL_SPEED = 0.25
-NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 
 _Key = TypeVar("_Key", str, int)
-
-
-@dataclass(frozen=True, eq=False)
-class Target:
-    """What is read back.
-
-    Attributes:
-        kind: "move_j", "move_l", "move_c", or "point" of a trajectory.
-        q: (n,) joint values, rad or m, where the file has them.
-        T: (4, 4) pose in the base, m, where the file has it.
-        via: (4, 4) pose that a circle passes, where the file has it.
-        q_via: (n,) joint values there, where the file has them.
-        tool: (4, 4) the tool that is meant, m, where the file has it.
-        frame: (4, 4) the work frame in the base that the target stands in, m; None for the base.
-    """
-
-    kind: str
-    q: Array | None = None
-    T: Array | None = None
-    via: Array | None = None
-    q_via: Array | None = None
-    tool: Array | None = None
-    frame: Array | None = None
-
-    def means_tool(self, T: Array) -> bool:
-        """Whether the tool that is meant is T (4, 4), as exactly as files say it."""
-        return self.tool is not None and bool((pose_error(self.tool, T) < SAME_TOOL_IN_FILE).all())
-
-    def under(self, tool: Array | None, frame: Array | None) -> Target:
-        """Return a target that was read as it stands in a work frame, its poses moved into the base."""
-        if frame is None:
-            return replace(self, tool=tool)
-        moved = [None if T is None else frame @ T for T in (self.T, self.via)]
-        return replace(self, T=moved[0], via=moved[1], tool=tool, frame=frame)
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,6 +162,7 @@ class Dialect:
         write: The text of a script.
         read: The targets of a text.
         lines: What lines of a text may be, patterns of whole lines without the blanks around; none for any.
+        reader: Reads of a line how a move goes or what happens; None where files do not say it.
     """
 
     name: str
@@ -205,6 +172,7 @@ class Dialect:
     write: Callable[[Script], str]
     read: Callable[[str], list[Target]]
     lines: tuple[str, ...] = ()
+    reader: Reader | None = None
 
     def targets(self, text: str) -> list[Target]:
         """Return the targets of a text, or say which line is not understood: none is passed over.
@@ -223,7 +191,8 @@ class Dialect:
                     line=number,
                     given=said,
                 )
-        return self.read(text)
+        targets = self.read(text)
+        return targets if self.reader is None else with_manner(text, targets, self.reader)
 
 
 def _numbered(T: Array, known: list[Array]) -> int:

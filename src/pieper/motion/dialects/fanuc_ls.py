@@ -10,8 +10,9 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, known_one, named
-from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
+from pieper.motion.dialects.dialect import Dialect, Script, Setup, Target, fixed, known_one, named
+from pieper.motion.dialects.manner import NUMBER, Happenings, Manner
+from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 _JOINTS = ("J1", "J2", "J3", "J4", "J5", "J6")
 _POSE = ("X", "Y", "Z", "W", "P", "R")
@@ -140,10 +141,24 @@ def read(text: str) -> list[Target]:
         if m[3]:
             q_via, via = places[int(m[2])]
             q, T = places[int(m[3])]
-            out.append(Target(kind, q, T, via, q_via).under(*under))
+            out.append(Target(kind, q, T, via, q_via, place=m.start(1)).under(*under))
         else:
-            out.append(Target(kind, *places[int(m[2])]).under(*under))
+            out.append(Target(kind, *places[int(m[2])], place=m.start(1)).under(*under))
     return out
+
+
+_HAPPENINGS = Happenings(
+    wait=rf"WAIT +({NUMBER})\(sec\)", output=r"DO\[(?P<port>\d+)\]=(?:(?P<on>ON)|OFF)", comment="!"
+)
+
+
+def _said(line: str, state: dict[str, float]) -> Manner | Happening | None:
+    del state
+    line = re.sub(r"^\d+: *|\s*;$", "", line)
+    if m := re.match(rf"([JLC]) P\[.*\] ({NUMBER})(?:%|mm/sec) (FINE|CNT\d+)$", line):
+        # CNT rounds by speed: no radius
+        return Manner(float(m[2]) / (100 if m[1] == "J" else 1e3), blend=0.0 if m[3] == "FINE" else None)
+    return _HAPPENINGS.read(line)
 
 
 _STOP = r"(?:FINE|CNT\d+)"
@@ -160,4 +175,4 @@ _LINES = (
     r"P\[\d+(?:: ?[^\]]*)?\] *\{|GP1:|\};",
     rf"UF : \d+, UT : \d+,(?: *CONFIG : '[^']*',)?|[A-Z]\d? *= *{NUMBER} (?:mm|deg),?",
 )
-DIALECT = Dialect("fanuc-ls", (".ls",), "fanuc", 36, write, read, _LINES)
+DIALECT = Dialect("fanuc-ls", (".ls",), "fanuc", 36, write, read, _LINES, _said)

@@ -12,8 +12,9 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import inverse, pose_error
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, found, listed, numbers
-from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
+from pieper.motion.dialects.dialect import Dialect, Script, Setup, Target, fixed, found, listed, numbers
+from pieper.motion.dialects.manner import NUMBER, Happenings, Manner
+from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 from pieper.tolerances import SAME_TOOL_IN_FILE
 
 #: A comment has no more characters.
@@ -164,16 +165,29 @@ def read(text: str) -> list[Target]:
         if m[1] != "MOVC":
             _whole(arc)
             if not _again(out, m[1], T, under):
-                out.append(Target("move_j" if m[1] == "MOVJ" else "move_l", T=T).under(*under))
+                out.append(Target("move_j" if m[1] == "MOVJ" else "move_l", T=T, place=m.start()).under(*under))
             continue
         arc.append(m[2])
         if len(arc) == 1 and out and not _at(out, T, under):
-            out.append(Target("move_l", T=T).under(*under))
+            out.append(Target("move_l", T=T, place=m.start()).under(*under))
         elif len(arc) == 3:
-            out.append(Target("move_c", T=T, via=places[arc[1]]).under(*under))
+            out.append(Target("move_c", T=T, via=places[arc[1]], place=m.start()).under(*under))
             arc = []
     _whole(arc)
     return out
+
+
+_HAPPENINGS = Happenings(
+    wait=rf"TIMER T=({NUMBER})", output=r"DOUT OT#\((?P<port>\d+)\) (?:(?P<on>ON)|OFF)", comment="'"
+)
+
+
+def _said(line: str, state: dict[str, float]) -> Manner | Happening | None:
+    del state
+    if m := re.match(rf"MOV([JLC]) C\d+ (?:VJ|V)=({NUMBER})(?: PL=(\d))?", line):
+        # a level of positioning is no radius; PL=0 stops
+        return Manner(float(m[2]) / (100 if m[1] == "J" else 1e3), blend=0.0 if m[3] in (None, "0") else None)
+    return _HAPPENINGS.read(line)
 
 
 def _at(out: list[Target], T: Array, under: tuple[Array | None, Array | None]) -> bool:
@@ -217,4 +231,4 @@ _LINES = (
     rf"TIMER T={NUMBER}|DOUT OT#\(\d+\) (?:ON|OFF)",
     r"SETE P000 \([1-6]\) -?\d+|SETTOOL TL#\(\d+\) P000|MFRAME UF#\(\d+\) C\d+ C\d+ C\d+",
 )
-DIALECT = Dialect("inform", (".jbi",), "yaskawa", 32, write, read, _LINES)
+DIALECT = Dialect("inform", (".jbi",), "yaskawa", 32, write, read, _LINES, _said)

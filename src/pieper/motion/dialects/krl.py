@@ -9,8 +9,9 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Target, fixed, named, numbers
-from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
+from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, named, numbers
+from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 _AXES = ("A1", "A2", "A3", "A4", "A5", "A6")
 _POSE = ("X", "Y", "Z", "A", "B", "C")
@@ -66,7 +67,7 @@ def _words(names: tuple[str, ...], values: list[float] | tuple[float, ...]) -> s
 
 def read(text: str) -> list[Target]:
     """Return the targets of a source file, in the order of its moves."""
-    text = re.sub(r";.*", "", text)
+    text = without_comments(text, r";.*")
     out: list[Target] = []
     tool: Array | None = None
     frame: Array | None = None
@@ -80,14 +81,34 @@ def read(text: str) -> list[Target]:
         braces = re.findall(r"\{([^}]*)\}", m[2])
         axes = named(braces[0], _AXES) if m[1] == "PTP" else None
         if axes is not None:
-            out.append(Target("move_j", q=np.radians(axes)).under(tool, frame))
+            out.append(Target("move_j", q=np.radians(axes), place=m.start(1)).under(tool, frame))
             continue
         places = [_read_pose(brace) for brace in braces]
         if m[1] == "CIRC":
-            out.append(Target("move_c", T=places[1], via=places[0]).under(tool, frame))
+            out.append(Target("move_c", T=places[1], via=places[0], place=m.start(1)).under(tool, frame))
         else:
-            out.append(Target("move_j" if m[1] == "PTP" else "move_l", T=places[0]).under(tool, frame))
+            kind = "move_j" if m[1] == "PTP" else "move_l"
+            out.append(Target(kind, T=places[0], place=m.start(1)).under(tool, frame))
     return out
+
+
+_HAPPENINGS = Happenings(
+    wait=rf"WAIT SEC ({NUMBER})", output=r"\$OUT\[(?P<port>\d+)\]=(?:(?P<on>TRUE)|FALSE)", comment=";"
+)
+
+
+def _said(line: str, state: dict[str, float]) -> Manner | Happening | None:
+    for name, setting in (("share", r"BAS\(#VEL_PTP, ?(\d+)\)"), ("line", rf"\$VEL\.CP=({NUMBER})")):
+        if m := re.match(setting, line):
+            state[name] = float(m[1])
+    if m := re.match(rf"\$APO\.CDIS=({NUMBER})", line):
+        state["blend"] = float(m[1]) / 1e3
+    if m := re.match(r"(PTP|LIN|CIRC)\b", line):
+        # a corner that is cut by another measure than the distance has no radius
+        blend = 0.0 if " C_" not in line else state.get("blend") if " C_DIS" in line else None
+        share = state.get("share")
+        return Manner((None if share is None else share / 100) if m[1] == "PTP" else state.get("line"), blend=blend)
+    return _HAPPENINGS.read(line)
 
 
 def _read_pose(brace: str) -> Array | None:
@@ -109,4 +130,4 @@ _LINES = (
     rf"PTP (?:{_braces(_AXES)}|{_braces(_POSE, r'(?:,S -?[0-9]+,T -?[0-9]+)?')}){_APPROACH}",
     rf"LIN {_braces(_POSE)}{_APPROACH}|CIRC {_braces(_POSE)}, ?{_braces(_POSE)}{_APPROACH}",
 )
-DIALECT = Dialect("krl", (".src",), "kuka", 24, write, read, _LINES)
+DIALECT = Dialect("krl", (".src",), "kuka", 24, write, read, _LINES, _said)

@@ -9,8 +9,9 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Target, fixed, found, known_one, listed, numbers
-from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
+from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, known_one, listed, numbers
+from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 _EVENTS = Events(
     wait=lambda seconds: f"Delay {round(seconds * 1e3)}",
@@ -63,7 +64,7 @@ def _six(T: Array) -> str:
 
 def read(text: str) -> list[Target]:
     """Return the targets of a program, in the order of its moves."""
-    text = re.sub(r"'.*", "", text)
+    text = without_comments(text, r"'.*")
     out: list[Target] = []
     known: dict[str, dict[int, Array]] = {"Tool": {}, "Work": {}}
     taken: dict[str, Array | None] = {"Tool": None, "Work": None}
@@ -87,10 +88,25 @@ def read(text: str) -> list[Target]:
             for mark, v in said
         ]
         if kind == "move_c":
-            out.append(Target(kind, *places[1], via=places[0][1], q_via=places[0][0]).under(*under))
+            out.append(Target(kind, *places[1], via=places[0][1], q_via=places[0][0], place=m.start(1)).under(*under))
         else:
-            out.append(Target(kind, *places[0]).under(*under))
+            out.append(Target(kind, *places[0], place=m.start(1)).under(*under))
     return out
+
+
+_HAPPENINGS = Happenings(
+    wait=rf"Delay ({NUMBER})", output=r"(?:(?P<on>Set)|Reset) IO\[(?P<port>\d+)\]", comment="'", second=1e3
+)
+
+
+def _said(line: str, state: dict[str, float]) -> Manner | Happening | None:
+    del state
+    if m := re.match(r"Move ([PLC]),", line):
+        stop, share = re.search(rf"@({NUMBER})", line), re.search(rf"Speed = ({NUMBER})", line)
+        said = share if m[1] == "P" else re.search(rf"' ({NUMBER}) mm/s$", line)
+        speed = None if said is None else float(said[1]) / (100 if m[1] == "P" else 1e3)
+        return Manner(speed, blend=None if stop is None else float(stop[1]) / 1e3)
+    return _HAPPENINGS.read(line)
 
 
 _PLACE = rf"(?:J\({listed(6)}\)|P\({listed(6)}(?:, ?-?\d+)?\))"
@@ -101,4 +117,4 @@ _LINES = (
     rf"Move [PL], @{NUMBER} {_PLACE}(?:, Speed = {NUMBER})?(?: *'.*)?",
     rf"Move C, {_PLACE}, @{NUMBER} {_PLACE}(?: *'.*)?",
 )
-DIALECT = Dialect("pacscript", (".pcs",), "denso", 64, write, read, _LINES)
+DIALECT = Dialect("pacscript", (".pcs",), "denso", 64, write, read, _LINES, _said)

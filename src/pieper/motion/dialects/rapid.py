@@ -9,8 +9,9 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.configuration import configuration
-from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Target, fixed, found, known_one, numbers
-from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
+from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, known_one, numbers
+from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 #: Speed of the tool's point that leaves a joint move its full speed, m/s: the language's own `vmax` for most arms.
 _FULL_SPEED = 7.0
@@ -100,7 +101,7 @@ def _frame(T: Array) -> str:
 
 def read(text: str) -> list[Target]:
     """Return the targets of a module, in the order of its moves."""
-    text = re.sub(r"!.*", "", text)
+    text = without_comments(text, r"!.*")
     joints = {m[1]: np.radians(found(m[2], 6)) for m in re.finditer(r"jointtarget\s+(\w+)\s*:=\s*(\[[^;]*)", text)}
     poses: dict[str, Array] = {}
     for m in re.finditer(r"robtarget\s+(\w+)\s*:=\s*(\[[^;]*)", text):
@@ -118,12 +119,31 @@ def read(text: str) -> list[Target]:
         own = tool in ("tool0", "")
         under = None if own else known_one("tool", tool, tools), known_one("frame", frame, frames) if frame else None
         if m[1] == "MoveAbsJ":
-            out.append(Target("move_j", q=joints[args[0]]).under(*under))
+            out.append(Target("move_j", q=joints[args[0]], place=m.start()).under(*under))
         elif m[1] == "MoveC":
-            out.append(Target("move_c", T=poses[args[1]], via=poses[args[0]]).under(*under))
+            out.append(Target("move_c", T=poses[args[1]], via=poses[args[0]], place=m.start()).under(*under))
         else:
-            out.append(Target("move_j" if m[1] == "MoveJ" else "move_l", T=poses[args[0]]).under(*under))
+            out.append(
+                Target("move_j" if m[1] == "MoveJ" else "move_l", T=poses[args[0]], place=m.start()).under(*under)
+            )
     return out
+
+
+_HAPPENINGS = Happenings(wait=rf"WaitTime ({NUMBER});", output=r"SetDO do(?P<port>\d+),(?:(?P<on>1)|0);", comment="!")
+
+
+def _said(line: str, state: dict[str, float]) -> Manner | Happening | None:
+    if m := re.match(rf"CONST speeddata (\w+)\s*:=\s*\[({NUMBER})", line):
+        state[m[1]] = float(m[2]) / 1e3
+    if m := re.match(rf"CONST zonedata (\w+)\s*:=\s*\[FALSE,\s*({NUMBER})", line):
+        state[m[1]] = float(m[2]) / 1e3
+    if m := re.match(r"(MoveAbsJ|MoveJ|MoveL|MoveC) ([^;]*);", line):
+        *_, speed, zone, _ = (a.strip() for a in m[2].split(","))
+        v = state.get(speed)
+        if v is not None and m[1] in ("MoveAbsJ", "MoveJ"):
+            v = v / _FULL_SPEED
+        return Manner(v, blend=0.0 if zone == "fine" else state.get(zone))
+    return _HAPPENINGS.read(line)
 
 
 _WORD = r"[A-Za-z]\w*"
@@ -135,4 +155,4 @@ _LINES = (
     rf"MoveC {_WORD},{_WORD},{_WORD},{_WORD},{_WORD}(?:\\WObj:={_WORD})?;",
     rf"WaitTime {NUMBER};|SetDO {_WORD},[01];",
 )
-DIALECT = Dialect("rapid", (".mod", ".prg"), "abb", 32, write, read, _LINES)
+DIALECT = Dialect("rapid", (".mod", ".prg"), "abb", 32, write, read, _LINES, _said)

@@ -8,8 +8,9 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.dialect import NUMBER, Dialect, Script, Setup, Target, fixed, found, listed, numbers
-from pieper.motion.instructions import Events, FrameChange, Move, ToolChange
+from pieper.motion.dialects.dialect import Dialect, Script, Setup, Target, fixed, found, listed, numbers
+from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 #: Acceleration of the tool that is written where none is limited, m/s^2: the language's own default.
 _TOOL_ACCELERATION = 1.2
@@ -77,7 +78,7 @@ def _near(T: Array, q: Array, frame: str) -> str:
 
 def read(text: str) -> list[Target]:
     """Return the targets of a script, in the order of its moves."""
-    text = re.sub(r"#.*", "", text)
+    text = without_comments(text, r"#.*")
     out: list[Target] = []
     frames: dict[str, Array] = {}
     tool: Array | None = None
@@ -97,14 +98,30 @@ def read(text: str) -> list[Target]:
         places = [_place(mark, v) for mark, v in values]
         if kind == "move_c":
             (q_via, via), (q, T) = places[:2]
-            out.append(Target(kind, q, T, via, q_via).under(*under))
+            out.append(Target(kind, q, T, via, q_via, place=m.start()).under(*under))
         else:
-            out.append(Target(kind, *places[0]).under(*under))
+            out.append(Target(kind, *places[0], place=m.start()).under(*under))
     return out
 
 
 def _place(mark: str, v: list[float]) -> tuple[Array | None, Array | None]:
     return (None, pose(*v[:3], rotvec=v[3:])) if mark else (np.array(v), None)
+
+
+_HAPPENINGS = Happenings(
+    wait=rf"sleep\(({NUMBER})\)",
+    output=r"set_standard_digital_out\((?P<port>\d+), (?:(?P<on>True)|False)\)",
+    comment="#",
+)
+
+
+def _said(line: str, state: dict[str, float]) -> Manner | Happening | None:
+    del state
+    if m := re.match(r"(movej|movel|movec)\(", line):
+        said = {name: float(value) for name, value in re.findall(rf"\b([vrt])=({NUMBER})", line)}
+        v, r = said.get("v"), said.get("r")
+        return Manner(blend=r, joint_speed=v) if m[1] == "movej" else Manner(speed=v, blend=r)
+    return _HAPPENINGS.read(line)
 
 
 _POSE = rf"(?:p\[{listed(6)}\]|pose_trans\(frame_\d+, p\[{listed(6)}\]\))"
@@ -118,4 +135,4 @@ _LINES = (
     rf"movec\({_TARGET}, {_TARGET}(?:, [avr]={NUMBER})*\)",
     rf"sleep\({NUMBER}\)|set_standard_digital_out\(\d+, (?:True|False)\)",
 )
-DIALECT = Dialect("urscript", (".script", ".urscript"), "ur", 64, write, read, _LINES)
+DIALECT = Dialect("urscript", (".script", ".urscript"), "ur", 64, write, read, _LINES, _said)

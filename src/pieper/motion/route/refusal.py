@@ -12,13 +12,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Bools
 from pieper.motion.route.closed import blocked_at
 from pieper.motion.route.freedom import Verdict
 from pieper.motion.route.front import can_be_followed, modulo_turns
 from pieper.motion.route.grid import Grid, grid
 from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import Rungs, climb, rungs
+from pieper.motion.route.nowhere import nothing_within_cone
 from pieper.motion.route.opening import Opening
 from pieper.motion.route.proof import Proof, anywhere, closely
 from pieper.motion.route.reach import beyond_reach
@@ -30,6 +31,9 @@ from pieper.words_by_number import plural
 
 #: Stations of the grid where a coordinate is free, and where none is.
 STATIONS, DENSE = 100, 400
+#: Poses at which it is looked whether anything holds them where more than one coordinate is free, and how many of them
+#: are tried to prove of those that no row holds.
+ONE_POSE_AT, ONE_POSE_TRIED = 26, 3
 #: Places of the path that are looked at for what misses a clearance.
 KEPT_AT = 26
 
@@ -39,7 +43,7 @@ def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
     setting = task.setting
     if not can_be_followed(setting):
         far = beyond_reach(setting) if setting.spare > 1 else None
-        return _nothing_proved(task) if far is None else _too_far(task, *far)
+        return _at_one_pose(task) if far is None else _too_far(task, *far)
     more = task.keep.anything or task.turn_step is not None
     if more and search(replace(task, keep=Keep(), turn_step=None)) is not None:
         # limits alone let a route through: what closes the way can only be what is to be kept beside them
@@ -113,13 +117,43 @@ def _too_far(task: Task, s: float, metres: float) -> tuple[Verdict, Blocked, str
     return Verdict.IMPOSSIBLE, Blocked((0.0, s), (), why, s, Opening(task, ())), reason
 
 
-def _nothing_proved(task: Task) -> tuple[Verdict, Blocked | None, str]:
-    spare = task.setting.spare
-    if spare > 1:
-        why = f"{plural(spare, 'coordinate')} are free, and with more than one a route is not ruled out."
-    else:
+def _at_one_pose(task: Task) -> tuple[Verdict, Blocked | None, str]:
+    """Return the verdict where more than one coordinate is free: impossible where one pose is held by nothing."""
+    setting = task.setting
+    if setting.spare < 2:
         why = "of an arm whose joints decide this task in no regular way a route is not ruled out."
-    return Verdict.UNCERTAIN, None, f"Uncertain: no route was found; {why}"
+        return Verdict.UNCERTAIN, None, f"Uncertain: no route was found; {why}"
+    s = setting.s[stations(len(setting.s), ONE_POSE_AT)]
+    ladder = rungs(setting, grid(setting), s, np.ones(len(s) - 1))
+    inside = ladder.valid & setting.chain.joints.inside_limits(ladder.x, setting.limits)[1]
+    empty: Bools = np.logical_not(np.logical_or.reduce(inside, axis=(1, 2)))
+    for at in _middles(empty)[:ONE_POSE_TRIED]:
+        boxes = nothing_within_cone(setting, setting.at(float(s[at])))
+        if boxes is not None:
+            proof = Proof(float(s[at]), float(s[at]), 0)
+            blocked = blocked_at(task, ladder, max(int(np.argmax(empty)) - 1, -1), proof)
+            tilted = f", its axis tilted by up to {np.degrees(setting.free.cone):.4g} deg" if setting.tilts else ""
+            turned = ", whatever the turn" if np.isinf(setting.free.interval[0]) and setting.turns else ""
+            reason = (
+                f"Impossible: no motion gets past {s[at]:.6g} of the path. No posture inside the limits holds the pose "
+                f"there{tilted}{turned}: {plural(boxes, 'box', 'boxes')} of joint values, which are all, "
+                "were ruled out."
+            )
+            return Verdict.IMPOSSIBLE, blocked, reason
+    which = "none was proved to be one" if empty.any() else "none is one"
+    free = plural(setting.spare, "coordinate")
+    reason = (
+        f"Uncertain: no route was found; {free} are free, and with more than one a route is ruled out only by a pose "
+        f"that no posture inside the limits holds: of the {len(s)} looked at {which}."
+    )
+    return Verdict.UNCERTAIN, None, reason
+
+
+def _middles(empty: Bools) -> list[int]:
+    """Return the middle station of each stretch of stations without a row, the longest first."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], empty, [False]]).astype(np.int8)))
+    stretches = sorted(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True), key=lambda ends: ends[0] - ends[1])
+    return [(first + behind - 1) // 2 for first, behind in stretches]
 
 
 def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:

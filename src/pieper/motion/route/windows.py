@@ -26,6 +26,8 @@ ON = 0.03
 TRIED = ((0.4, 2_000_000), (0.15, 4_000_000))
 #: Windows that are tried, and how far apart two of them end at least, as a part of the path.
 MOST, APART = 3, 0.01
+#: How often the place at which a window begins is moved on by halves.
+LATER = 3
 
 
 @dataclass(frozen=True)
@@ -88,16 +90,35 @@ def scouted(task: Task, limits: Array) -> Iterator[Window]:
     found: list[tuple[int, float, float, bool]] = []
     for place in np.linspace(0.0, 1.0, PLACES).tolist():
         for way, first in ((task, place), (back, 1.0 - place)):
-            if first == 1.0:
-                continue
-            seeds = known(way, limits, first)
-            front = follow(way.setting, limits, seeds, (first, 1.0), ROUGH, SCOUTED + SCOUTED_EACH * len(seeds))
-            if front.ended is Ended.DIED or misses_end(way, front):
-                found.append((front.looked, first, min(front.s + ON, 1.0), way is back))
+            front = None if first == 1.0 else _dies(way, limits, first)
+            if front is not None:
+                found.append((front.looked, first, front.s, way is back))
     kept: list[tuple[int, float, float, bool]] = []
     for window in sorted(found):
         if all(window[3] != other[3] or abs(window[2] - other[2]) > APART for other in kept):
             kept.append(window)
+    near = [_later(back if window[3] else task, limits, window) for window in kept[:MOST]]
     for fine, most in TRIED:
-        for _, first, last, backward in kept[:MOST]:
-            yield Window(first, last, fine, most, backward)
+        for first, last, backward in near:
+            yield Window(first, min(last + ON, 1.0), fine, most, backward)
+
+
+def _dies(way: Task, limits: Array, first: float) -> Front | None:
+    """Return the rough front that is begun at a place where it does not get through; None where it does."""
+    seeds = known(way, limits, first)
+    front = follow(way.setting, limits, seeds, (first, 1.0), ROUGH, SCOUTED + SCOUTED_EACH * len(seeds))
+    return front if front.ended is Ended.DIED or misses_end(way, front) else None
+
+
+def _later(way: Task, limits: Array, window: tuple[int, float, float, bool]) -> tuple[float, float, bool]:
+    """Return from where, as near to the end as it still dies there, and to where, a front has least to do."""
+    _, first, last, backward = window
+    beyond = min(first + 1 / (PLACES - 1), last)
+    for _ in range(LATER):
+        middle = (first + beyond) / 2
+        front = _dies(way, limits, middle)
+        if front is not None and abs(front.s - last) < APART:
+            first, last = middle, front.s
+        else:
+            beyond = middle
+    return first, last, backward

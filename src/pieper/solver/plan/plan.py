@@ -12,7 +12,7 @@ import numpy as np
 from pieper.description.dh import Description
 from pieper.errors import PlanError
 from pieper.kinematics.arm_angle import ArmAngle, arm_angle
-from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
 from pieper.kinematics.newton import missed
@@ -20,8 +20,8 @@ from pieper.kinematics.pose import pose_error
 from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import SixJointSolver, without_far_ends
 from pieper.solver.plan.cuspidal import Cuspidal, never, search
-from pieper.solver.plan.prepared import UNLIMITED, Prepared
-from pieper.solver.plan.six_joints import Reduction, sample_joints, with_task_joints
+from pieper.solver.plan.prepared import UNLIMITED, Prepared, solver_of
+from pieper.solver.plan.six_joints import Reduction, refilled, sample_joints, with_task_joints
 from pieper.words_by_number import plural
 
 #: Most solvers kept for values of locked joints, of the arm that is solved and of a snapped arm as described.
@@ -188,6 +188,17 @@ class Plan:
         limits = self.full_limits[self.reduction.kept] if self.immediate else UNLIMITED
         six, ends = without_far_ends(self.reduction.six(self.defaults))
         return SixJointSolver(six, self.spec, limits, ends)
+
+    @cached_property
+    def refilled(self) -> tuple[tuple[SixJointSolver, Indices], ...]:
+        """Solvers of the arm filled up with other virtual joints, and which of the six are real; singular elsewhere."""
+        made: list[tuple[SixJointSolver, Indices]] = []
+        for way in refilled(self.reduction):
+            try:
+                made.append((solver_of(way.six(self.defaults)), way.real))
+            except PlanError:
+                continue
+        return tuple(made)
 
     @cached_property
     def solvers(self) -> Prepared:

@@ -263,6 +263,22 @@ def holding(way: Reduction, locked: tuple[int, ...]) -> Reduction | None:
     return _way(way.arm, way.task, full, locked, rank)
 
 
+def refilled(way: Reduction) -> tuple[Reduction, ...]:
+    """Return the same arm and task filled with other virtual joints, turns and slides along no special directions.
+
+    Where the arm itself is regular the six joints may be singular all the same, as a virtual joint lies along what the
+    arm can do there. Round postures and level hands do that to joints along the tool's own axes, not to these.
+    """
+    if not way.fill or way.locked:
+        return ()
+    count, sliding = len(way.fill), int(way.full.prismatic.sum())
+    kinds = (False, True) if count + sliding <= 3 else (False, False)
+    return tuple(
+        replace(way, fill=_filling(way.full, count, True, seed=11 + k, only=p), fill_at=None)
+        for k, p in enumerate(kinds)
+    )
+
+
 def _way(chain: Chain, task: str, full: Chain, locked: tuple[int, ...], rank: int) -> Reduction:
     way = Reduction(chain, task, full, tuple(locked), ())
     if rank == 6:
@@ -321,17 +337,21 @@ def _filling_held(chain: Chain, count: int, hold: Held) -> tuple[tuple[Array, bo
     return tuple(chosen)
 
 
-def _filling(chain: Chain, count: int, virtual: bool) -> tuple[tuple[Array, bool], ...]:
+def _filling(
+    chain: Chain, count: int, virtual: bool, *, seed: int = 3, only: bool | None = None
+) -> tuple[tuple[Array, bool], ...]:
     """Choose `count` virtual joints at the tool that make the chain able to do everything, well conditioned.
 
     Behind the virtual joints of a task they are tilted: along the tool's own axes they would be tangent to the arm's
-    motion whenever the wanted orientation happens to be the arm's.
+    motion whenever the wanted orientation happens to be the arm's. `only` slides (true) or turns are chosen from, and
+    others the tilted ones, by another seed.
     """
     if count == 0:
         return ()
-    rng = np.random.default_rng(3)
+    rng = np.random.default_rng(seed)
     tilted = [rotation_about(v / np.linalg.norm(v), 1.1) for v in rng.standard_normal((3, 3))]
-    pool = [(R, p) for p in (True, False) for R in (*(() if virtual else (np.eye(3), _X, _Y)), *tilted)]
+    kinds = (True, False) if only is None else (only,)
+    pool = [(R, p) for p in kinds for R in (*(() if virtual else (np.eye(3), _X, _Y)), *tilted)]
     sliding = int(chain.prismatic.sum())
     # at zero, where the virtual joints are to come out, not at values of no special kind: there a virtual joint turns
     # about, or slides along, an axis through the tool point

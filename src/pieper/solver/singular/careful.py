@@ -8,25 +8,33 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.newton import missed, newton, singular_values
 from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
+from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.rows import Flag
 from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
 from pieper.solver.singular.examined import Examined
 from pieper.tolerances import (
     CAREFUL_ASIDE,
     CLEARLY_REGULAR,
+    NEARLY_ZERO,
     SAME_AFTER_CUT,
     SAME_VOUCHED,
     SLOW_RANK,
     SURE_ASIDE,
 )
 
+#: Postures all over the joints' ranges from which a singular pose is sought that nothing else leads to.
+ALL_OVER = 200
+
 
 def near_rows(plan: Plan, poses: Array) -> Array:
     """Return the joint vectors (m, k) of all solutions of poses (N, 4, 4), the task's virtual joints included.
 
     Virtual joints that must come out as zero may have any value: on a singularity of the six-joint chain they are free.
+    So the arm is solved as it is filled up in other ways too.
     """
-    return plan.solver.all_rows(poses)[:, plan.reduction.real]
+    rows = plan.solver.all_rows(poses)[:, plan.reduction.real]
+    others = [solver.all_rows(poses)[:, real] for solver, real in plan.refilled]
+    return np.concatenate([rows, *others]) if others else rows
 
 
 def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
@@ -37,27 +45,33 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
         T: (4, 4).
         rows: (k, n) solutions already known.
     """
-    full = plan.exact.full
-    # closed forms lose nothing next to a self-motion: only what an elimination gives is searched for more
-    hiding = named(plan.family).eliminating
-    most = plan.max_solutions
-    if full.n == plan.n:
-        found = examine(
-            full, T, rows, lambda poses: near_rows(plan, poses), plan.limits, plan.names, hiding=hiding, most=most
-        )
-        return found.within(most)
     # values of the virtual joints are not known of given rows: all are solved for again
-    found = examine(
+    full, own = plan.exact.full, plan.exact.full.n == plan.n
+    known = rows if own and not plan.reduction.fill else _holding(plan, T)
+    found = _examined(plan, T, np.concatenate([rows, known]) if own and known is not rows else known)
+    if not len(found.q):
+        # nothing leads there from poses beside: from postures all over
+        anywhere = newton(full, sample_joints(full, ALL_OVER), T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
+        anywhere = anywhere[missed(full, anywhere, T) < HOLDS]
+        found = _examined(plan, T, anywhere) if len(anywhere) else found
+    return (found if own else _own(plan, found)).within(plan.max_solutions)
+
+
+def _examined(plan: Plan, T: Array, known: Array) -> Examined:
+    """Return all there is at a pose of the arm's and the task's joints, of which rows (k, joints) are known."""
+    full = plan.exact.full
+    return examine(
         full,
         T,
-        _holding(plan, T),
+        known,
         lambda poses: near_rows(plan, poses),
         plan.full_limits,
         plan.full_names,
         shown=plan.n,
-        hiding=hiding,
+        # closed forms lose nothing next to a self-motion: only what an elimination gives is searched for more
+        hiding=named(plan.family).eliminating,
+        most=plan.max_solutions if full.n == plan.n else None,
     )
-    return _own(plan, found).within(most)
 
 
 def _holding(plan: Plan, T: Array) -> Array:
@@ -126,8 +140,15 @@ def vouched(plan: Plan, T: Array, rows: Array) -> bool:
 def overlooked(plan: Plan, poses: Array) -> Bools:
     """Return which poses (N, 4, 4) without solutions have neighbours with some (N,).
 
-    They may be singular, or lie at the edge of reach.
+    They may be singular, or lie at the edge of reach. Of an arm that is filled up the poses themselves are asked too,
+    filled up in another way.
     """
     aside = side_steps(plan.chain, poses, (CAREFUL_ASIDE,))
     valid = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[1]
-    return np.any(valid.reshape(len(poses), -1), axis=1)
+    found = np.any(valid.reshape(len(poses), -1), axis=1)
+    for solver, real in plan.refilled[:1]:
+        q, valid = solver.many(np.ascontiguousarray(poses), 1)[:2]
+        virtual = np.setdiff1d(np.arange(6), real)
+        size = np.abs(q[..., virtual]) / solver.chain.joints.unit[virtual]
+        found |= np.any(valid & (size < NEARLY_ZERO).all(-1), axis=1)
+    return found

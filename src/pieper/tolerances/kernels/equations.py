@@ -34,6 +34,8 @@ PAIR_TOUCHING = 1e-10
 PAIR_LINEAR = 1e-13
 #: Squares of what has vanished.
 PAIR_VANISHED = 1e-24
+#: Squares of coefficients that are rounding alone: of a turn by half a circle or a quarter as it is typed, for one.
+PAIR_NOISE = 1e-30
 #: A quartic form below this vanishes: its joint is free.
 PAIR_FREE = 1e-14
 #: In lanes it is unclear below this.
@@ -70,6 +72,8 @@ PLANE_REACH = 1e-6
 PLANE_ZERO = 1e-15
 #: Two slides whose directions are nearer than this are one.
 PLANE_PARALLEL = 1e-14
+#: What two slides along one line may leave missing across it: rounding, made good by what is verified.
+PLANE_MISSED = 1e-12
 #: In lanes a link of a plane shorter than this is left to the careful road,
 PLANE_SHORT = 1e-9
 #: and slides nearer to parallel than this,
