@@ -15,17 +15,18 @@ from pieper.description import change
 from pieper.description.dh import DH, Description
 from pieper.description.fold import chain_of
 from pieper.description.posture import posture
-from pieper.description.said import describe
+from pieper.description.said import describe, remark_sizes
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.meant import remark_far_away
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
 from pieper.solver import verbs
+from pieper.solver.batch import SolutionBatch
 from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
-from pieper.solver.results import Closest, SolutionBatch, Solutions, Status
+from pieper.solver.results import Closest, Solutions, Status
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ class Arm(AlongPaths):
         Raises:
             InputError: Something said is impossible; the message names the joint and what is allowed.
         """
-        return Arm(
+        arm = Arm(
             describe(
                 rows,
                 convention=convention,
@@ -88,6 +89,8 @@ class Arm(AlongPaths):
             ),
             snap=snap,
         )
+        remark_sizes(arm.description, arm.chain.length)
+        return arm
 
     @staticmethod
     def from_axes(
