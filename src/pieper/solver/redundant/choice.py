@@ -51,7 +51,8 @@ def choice(plan: Plan, redundancy: Redundancy, count: int) -> Choice:
     Raises:
         InputError: The plan has no such coordinate, or the value is impossible.
     """
-    if redundancy is None:
+    nothing = redundancy is None or (isinstance(redundancy, Mapping) and not redundancy and bool(plan.redundancy))
+    if nothing:
         return Choice(plan, np.tile(plan.defaults, (count, 1)), None, None, True)
     if not plan.redundancy:
         raise InputError(

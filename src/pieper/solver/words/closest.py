@@ -64,12 +64,17 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     for stage, (turn, steps, keep) in enumerate(stages):
         by = np.full(len(q), turn)
         if stage == 0 and len(stages) > 1:
-            by[1::2] = np.minimum(turn, POSITION)
+            by[1::4], by[3::4] = np.minimum(turn, POSITION), 0.0
         q, left = nearer(chain, q, T, limits, by, steps)
         value, angle = _distances(chain, chain.native.fk(q), T)
         later = stages[min(stage + 1, len(stages) - 1)][0]
         order = left if len(stages) == 1 else value**2 / 2 + later * (1 - np.cos(angle))
         kept = np.argsort(order, kind="stable")[:keep]
+        if (
+            weights is None
+        ):  # where the position can be met at all, that is where the nearest is, however the tool turns
+            placed = np.lexsort((angle * turning, np.round(value / ALIKE_NEAR)))[: keep // 3]
+            kept = np.concatenate([kept, placed[~np.isin(placed, kept)]])
         q, value, angle = q[kept], value[kept], angle[kept]
     best = 0 if weights is not None else int(np.lexsort((angle * turning, np.round(value / ALIKE_NEAR)))[0])
     own = q[best, : plan.n]
