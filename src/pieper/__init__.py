@@ -34,8 +34,9 @@ if TYPE_CHECKING:
     from pieper.motion.track import Track
     from pieper.presentation import plot, sections
     from pieper.presentation.report import report, write_report
+    from pieper.solver.batch import PoseSolutions, SolutionBatch
     from pieper.solver.plan.plan import Plan
-    from pieper.solver.results import SolutionBatch, Solutions, Status
+    from pieper.solver.results import Solutions, Status
     from pieper.solver.singular.self_motion import SelfMotion
 
     workbench: Any
@@ -53,7 +54,8 @@ _LATER = {
     "PieperWarning": "pieper.errors",
     "Plan": "pieper.solver.plan.plan",
     "PlanError": "pieper.errors",
-    "SolutionBatch": "pieper.solver.results",
+    "PoseSolutions": "pieper.solver.batch",
+    "SolutionBatch": "pieper.solver.batch",
     "Solutions": "pieper.solver.results",
     "Status": "pieper.solver.results",
     "catalog": "pieper.arms",
@@ -127,6 +129,7 @@ __all__ = [
     "PieperWarning",
     "Plan",
     "PlanError",
+    "PoseSolutions",
     "Program",
     "Route",
     "Scene",

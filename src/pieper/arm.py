@@ -21,11 +21,12 @@ from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.meant import remark_far_away
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
 from pieper.solver import verbs
+from pieper.solver.batch import SolutionBatch
 from pieper.solver.batches import PREVIOUS, Progress
 from pieper.solver.plan.classify import make_plan
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Redundancy, read_arm_angle
-from pieper.solver.results import Closest, SolutionBatch, Solutions, Status
+from pieper.solver.results import Closest, Solutions, Status
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:

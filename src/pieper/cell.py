@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from pieper.motion.route.freedom import Freedom
     from pieper.motion.route.result import Route
     from pieper.motion.track import Track
-    from pieper.solver.results import SolutionBatch, Solutions
+    from pieper.solver.batch import SolutionBatch
+    from pieper.solver.results import Solutions
 
 RAIL, TABLE = "rail", "table"
 

@@ -50,9 +50,10 @@ def test_a_reversed_arm_gives_the_inverse_pose_of_the_reversed_joints(name):
 def test_a_locked_joint_is_the_joint_held_there(name):
     arm = pieper.load(name)
     for k in range(arm.n):
-        held = arm.with_joints_locked({arm.joint_names[k]: 0.3})
+        value = float(np.clip(0.3, *arm.limits[k]))
+        held = arm.with_joints_locked({arm.joint_names[k]: value})
         q = joints(arm)
-        q[:, k] = 0.3
+        q[:, k] = value
         assert np.abs(held.fk(np.delete(q, k, 1)) - arm.fk(q)).max() < 1e-12
         assert held.joint_names == arm.joint_names[:k] + arm.joint_names[k + 1 :]
         assert np.array_equal(held.limits, np.delete(arm.limits, k, 0))
@@ -113,3 +114,18 @@ def test_postures_follow_the_joints():
     arm = pieper.load("universal-robots-ur5e")
     assert np.array_equal(arm.reversed().postures["upright"], arm.postures["upright"][::-1])
     assert "zero" in arm.postures and arm.with_joints_locked({arm.joint_names[0]: 1.0}).postures.keys() == {"zero"}
+
+
+def test_a_joint_is_not_held_outside_its_limits():
+    arm = pieper.load("denso-vp6242").with_limits({"joint_3": (-4.36, -1.92)})
+    with pytest.raises(pieper.InputError, match=r"joint_3 cannot be held at 0 rad.*limits -4.36 to -1.92 rad") as told:
+        arm.with_joints_locked({"joint_3": 0})
+    assert told.value.data["joint"] == "joint_3" and told.value.data["allowed"] == (-4.36, -1.92)
+    with pytest.raises(pieper.InputError, match=r"If -120 degrees was meant, write -2.0944"):
+        arm.with_joints_locked({"joint_3": -120})
+    assert arm.with_joints_locked({"joint_3": -4.36}).n == 5
+    slide = pieper.Arm.from_dh([DH(), DH(a=0.1)], convention="standard", joint_types="PR", limits=[(0, 0.4), None])
+    with pytest.raises(pieper.InputError, match=r"If 200 mm was meant, write 0.2"):
+        slide.with_joints_locked({"joint_1": 200})
+    with pytest.warns(pieper.PieperWarning, match="looks like degrees"):
+        slide.with_joints_locked({"joint_2": 99})

@@ -192,8 +192,9 @@ def test_changed_arms_are_the_same_in_space(name):
     assert np.abs(arm.to("modified").fk(q) - T).max() < 1e-12
     assert np.abs(arm.reversed().fk(q[:, ::-1]) @ T - np.eye(4)).max() < 1e-12
     last = arm.joint_names[-1]
-    held = arm.with_joints_locked({last: 0.25})
-    assert np.abs(held.fk(q[:, :-1]) - arm.fk(np.column_stack([q[:, :-1], np.full(4, 0.25)]))).max() < 1e-12
+    value = float(np.clip(0.25, *arm.limits[-1]))
+    held = arm.with_joints_locked({last: value})
+    assert np.abs(held.fk(q[:, :-1]) - arm.fk(np.column_stack([q[:, :-1], np.full(4, value)]))).max() < 1e-12
     assert arm.with_limits({last: (0, 1)}).description.linked == arm.description.linked
     assert arm.uncoupled().n == arm.chain.axis_count
 

@@ -16,9 +16,9 @@ from pieper.description.dh import CONVENTIONS, DH, Check, Description
 from pieper.description.fold import chain_of
 from pieper.description.said import describe
 from pieper.errors import InputError
-from pieper.kinematics.meant import remark_long
+from pieper.kinematics.meant import remark_long, remark_turned
 from pieper.kinematics.pose import PoseLike, checked_pose, inverse, rotation_x
-from pieper.tolerances import ROUNDING
+from pieper.tolerances import LIMIT_SLACK, ROUNDING
 
 _T = TypeVar("_T")
 
@@ -74,7 +74,8 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
     """Return the arm with some joints held at values (rad or m); the others keep name, zero, sense and limits.
 
     Raises:
-        InputError: No such joint, a value that is not finite, no joint left, or another joint moves a held one's axis.
+        InputError: No such joint, a value that is not finite or outside the joint's limits, no joint left, or another
+            joint moves a held one's axis.
     """
     held = {
         index: arguments.number(value, f"the value {arm.joint_names[index]} is held at", "rad or m")
@@ -83,6 +84,8 @@ def with_joints_locked(arm: Description, values: Mapping[str, float]) -> Descrip
     free = [i for i in range(arm.n) if i not in held]
     if not free:
         raise InputError("every joint would be held; an arm has at least one that moves.", given=dict(values))
+    for i, value in held.items():
+        _within_limits(arm, i, value)
     if not held:
         return arm
     axes = len(arm.rows)
@@ -215,6 +218,27 @@ def _by_joint(arm: Description, said: Mapping[str, _T], what: str) -> dict[int, 
             allowed=arm.joint_names,
         )
     return {arm.joint_names.index(name): value for name, value in said.items()}
+
+
+def _within_limits(arm: Description, joint: int, value: float) -> None:
+    """Refuse a value at which a joint cannot be held, and say what was probably meant."""
+    (lower, upper), name = arm.limits[joint], arm.joint_names[joint]
+    turns = arm.joint_types[joint] == "R"
+    if lower - LIMIT_SLACK <= value <= upper + LIMIT_SLACK:
+        if turns:
+            remark_turned(value, f"{name}, held,")
+        return
+    meant, unit = (np.radians(value), "rad") if turns else (value / 1000, "m")
+    hint = ""
+    if lower <= meant <= upper:
+        hint = f" If {value:g} {'degrees' if turns else 'mm'} was meant, write {meant:.6g}."
+    raise InputError(
+        f"{name} cannot be held at {value:g} {unit}: it is outside its limits {lower:g} to {upper:g} {unit}.{hint} "
+        "Wider limits are set by with_limits.",
+        joint=name,
+        given=value,
+        allowed=(float(lower), float(upper)),
+    )
 
 
 def _agrees(q: npt.NDArray[np.float64], held: dict[int, float]) -> bool:

@@ -7,8 +7,9 @@ from typing import Any, Protocol
 from pieper.description.dh import Description
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
+from pieper.solver.batch import SolutionBatch
 from pieper.solver.plan.plan import Plan
-from pieper.solver.results import SolutionBatch, Solutions
+from pieper.solver.results import Solutions
 
 
 class Arm(Protocol):

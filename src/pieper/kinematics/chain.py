@@ -14,7 +14,7 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import JointSpace
 from pieper.kinematics.pose import FLIP, inverse, rotation_z, translation
 from pieper.kinematics.whole_turns import WholeTurns
-from pieper.tolerances import ROUNDING
+from pieper.tolerances import LENGTHLESS, ROUNDING
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,7 +182,8 @@ class Chain:
         Base and tool do not count: moving either must not change what is called near.
         """
         total = sum(float(np.linalg.norm(self.links[i][:3, 3])) for i in range(1, self.axis_count))
-        return total if total > 0 else 1.0
+        # of a sine of pi as rounded some 1e-16 m may be left
+        return total if total > LENGTHLESS * float(np.abs(self.links[:, :3, 3]).max()) else 1.0
 
     @staticmethod
     def of(

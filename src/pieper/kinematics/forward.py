@@ -34,9 +34,9 @@ def checked_joints(q: ArrayLike, n: int, what: str = "q", prismatic: Bools | Non
     return joints
 
 
-def checked_joint_vector(q: ArrayLike, n: int, what: str) -> Array:
-    """Return one joint vector (n,) as float64 or say what is wrong with it."""
-    joints = checked_joints(q, n, what)
+def checked_joint_vector(q: ArrayLike, n: int, what: str, prismatic: Bools | None = None) -> Array:
+    """Return one joint vector (n,) as float64 or say what is wrong with it; see `checked_joints`."""
+    joints = checked_joints(q, n, what, prismatic)
     if joints.ndim != 1:
         raise InputError(f"{what} must be one joint vector ({n},), got {joints.shape}.", given=joints.shape)
     return joints

@@ -115,7 +115,10 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
     except InputError:
         raise
     except (TypeError, ValueError):
-        raise InputError(f"{what} must be a 4x4 matrix of numbers, got {type(T).__name__}.", given=T) from None
+        if batch:
+            _which_is_none(T, what)
+        wanted = "4x4 matrices" if batch else "a 4x4 matrix"
+        raise InputError(f"{what} must be {wanted} of numbers, got {arguments.kind_of(T)}.", given=T) from None
     if batch and pose.shape == (0,):
         return pose.reshape(0, 4, 4)  # an empty list holds no pose of a wrong shape
     if pose.shape[-2:] != (4, 4) or (not batch and pose.ndim != 2):
@@ -167,6 +170,27 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
         u, _, vt = np.linalg.svd(R)
         pose[..., :3, :3] = u @ vt
     return pose
+
+
+def one_by_one(given: Any) -> list[Any] | None:
+    """Return the poses of a list as they are, where it is one of poses: one of them at least is (4, 4); else None."""
+    if not isinstance(given, (list, tuple)):
+        return None
+    poses = [as_pose(item) for item in given]  # pyright: ignore[reportUnknownVariableType]  # anything at all
+    return poses if any(_is_square(pose) for pose in poses) else None
+
+
+def _is_square(pose: Any) -> bool:
+    try:
+        return np.shape(pose) == (4, 4)
+    except (TypeError, ValueError):
+        return False
+
+
+def _which_is_none(given: Any, what: str) -> None:
+    """Say which of a list of poses is none."""
+    for k, pose in enumerate(one_by_one(given) or ()):
+        checked_pose(pose, f"{what}[{k}]")
 
 
 def unsound(poses: Array, deviation: Array) -> Array:

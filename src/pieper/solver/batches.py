@@ -13,10 +13,11 @@ from pieper import _kernel, arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.forward import checked_joints, checked_weights
-from pieper.kinematics.pose import PoseLike, as_pose, unsound
+from pieper.kinematics.pose import PoseLike, as_pose, one_by_one, reason_against, unsound
+from pieper.solver.batch import SolutionBatch
 from pieper.solver.coupled_selection import CoupledSelection, RowSelection
 from pieper.solver.plan.plan import Plan
-from pieper.solver.results import SolutionBatch, Status
+from pieper.solver.results import Status
 from pieper.solver.rows import Chosen, Refused, Rows
 from pieper.tolerances import LIMIT_SLACK
 
@@ -99,16 +100,16 @@ def near_what(
             raise InputError(
                 f'near must be a joint vector (n,), one a pose (N, n) or "{PREVIOUS}", got {near!r}.', given=near
             )
-        return Near(select, None, None if start is None else _joints(start, plan.n, "start", ((plan.n,),)))
+        return Near(select, None, None if start is None else _joints(start, plan, "start", ((plan.n,),)))
     if start is not None:
         raise InputError(
             f'start= is for near="{PREVIOUS}"; leave it out, near= says where each is near to.', given=start
         )
-    return Near(select, _joints(near, plan.n, "near", ((plan.n,), (count, plan.n))), None)
+    return Near(select, _joints(near, plan, "near", ((plan.n,), (count, plan.n))), None)
 
 
-def _joints(given: ArrayLike, n: int, what: str, shapes: Sequence[tuple[int, ...]]) -> Array:
-    joints = np.ascontiguousarray(checked_joints(given, n, what))
+def _joints(given: ArrayLike, plan: Plan, what: str, shapes: Sequence[tuple[int, ...]]) -> Array:
+    joints = np.ascontiguousarray(checked_joints(given, plan.n, what, plan.prismatic))
     if joints.shape not in shapes:
         allowed = " or ".join(map(str, shapes))
         raise InputError(f"{what} must have shape {allowed}, got {joints.shape}.", given=joints.shape)
@@ -135,22 +136,44 @@ def without_refused(Ts: PoseLike) -> tuple[Array, Refused | None]:
     Raises:
         InputError: No array of shape (N, 4, 4); that is no matter of one pose.
     """
+    told: dict[int, str] = {}
     try:
         given = np.asarray(as_pose(Ts))
         if np.iscomplexobj(given):
             raise TypeError
         poses = np.ascontiguousarray(given, dtype=np.float64)
     except (TypeError, ValueError):
-        raise InputError(f"Ts must be real numbers of shape (N, 4, 4), got {type(Ts).__name__}.", given=Ts) from None
+        poses, told = _one_by_one(Ts)
+    if poses.shape == (0,):
+        poses = poses.reshape(0, 4, 4)  # an empty list holds no pose of a wrong shape
     if poses.ndim != 3 or poses.shape[1:] != (4, 4):
         raise InputError(f"Ts must have shape (N, 4, 4), got {poses.shape}.", given=poses.shape)
     bad = unsound(poses, _kernel.deviations(poses))
     if not bad.any():
         return poses, None
     index, poses = np.flatnonzero(bad), poses.copy()
-    refused = Refused(index, poses[index])
+    refused = Refused(index, poses[index], tuple(told.get(int(k), "") for k in index))
     poses[index] = np.eye(4) if bad.all() else poses[np.argmin(bad)]
     return poses, refused
+
+
+def _one_by_one(Ts: PoseLike) -> tuple[Array, dict[int, str]]:
+    """Return the poses (N, 4, 4) of a list, not finite where something is no matrix, and what is to be said of that."""
+    given = one_by_one(Ts)
+    if given is None:
+        raise InputError(f"Ts must be real numbers of shape (N, 4, 4), got {arguments.kind_of(Ts)}.", given=Ts)
+    told: dict[int, str] = {}
+    poses = np.full((len(given), 4, 4), np.nan)
+    for k, pose in enumerate(given):
+        try:
+            matrix = arguments.numbers(pose, "")
+            if matrix.shape != (4, 4):
+                raise InputError(f"{matrix.shape}")
+        except InputError:
+            told[k] = reason_against(pose, "").strip()
+            continue
+        poses[k] = matrix
+    return poses, told
 
 
 # ---------------------------------------------------------------------------------------------- where answers go

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
+from pieper.solver.batch import SolutionBatch
 from pieper.solver.plan.plan import Plan
-from pieper.solver.results import SolutionBatch, Solutions, Status, Words
+from pieper.solver.results import Solutions, Status, Words
 from pieper.solver.rows import Rows
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion, TracedMotion

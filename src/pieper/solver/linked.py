@@ -11,9 +11,10 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import short_way
 from pieper.kinematics.newton import missed, newton
+from pieper.solver.batch import SolutionBatch
 from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
-from pieper.solver.results import SolutionBatch, Solutions, Status, Words
+from pieper.solver.results import Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.singular.careful import near_rows
 from pieper.solver.singular.examine import examine

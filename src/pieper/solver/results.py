@@ -1,4 +1,4 @@
-"""What an inverse-kinematics call returns: every solution of a pose or of many, as plain data."""
+"""What an inverse-kinematics call of one pose returns: every solution, as plain data; how a pose came out."""
 
 from __future__ import annotations
 
@@ -12,17 +12,15 @@ import numpy as np
 
 from pieper.description.posture import posture
 from pieper.document.columns import Column, Tabular, Units
-from pieper.errors import InputError, NoSolutionError
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
+from pieper.errors import NoSolutionError
+from pieper.kinematics.arrays import Array, ArrayLike, Bools, Indices, Slots
 from pieper.kinematics.forward import checked_joint_vector, checked_weights
 from pieper.kinematics.joints import inside
-from pieper.kinematics.pose import reason_against
 from pieper.solver.marked import Marked
 from pieper.solver.plan.plan import Plan
-from pieper.solver.rows import Chosen, Flag, Refused, Rows
-from pieper.solver.solution import Closest, Solution, batch_columns, solution_columns
+from pieper.solver.rows import Flag
+from pieper.solver.solution import Closest, Solution, solution_columns
 from pieper.tolerances import CLOSED_VERIFIED
-from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from pieper.solver.singular.examined import Examined
@@ -262,7 +260,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
     def _here(self, q_now: ArrayLike | str) -> Array:
         """Return where the arm is, (n,): a joint vector, or a posture's name."""
         q = posture(self._plan.description, q_now, "q_now") if isinstance(q_now, str) else q_now
-        return checked_joint_vector(q, self._plan.n, "q_now")
+        return checked_joint_vector(q, self._plan.n, "q_now", self._plan.prismatic)
 
     def _is_solution(self, q: Array) -> bool:
         """Return whether a joint vector (n,) lies inside the limits and takes the pose."""
@@ -294,94 +292,3 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         )
         status = self.status.name if traced else "status not worked out yet"
         return f"<Solutions: {len(self)} inside the limits of {len(self.all_q)}, {status}>"
-
-
-@dataclass(frozen=True, eq=False, repr=False, slots=True)
-class SolutionBatch(Tabular):
-    """Every solution of N poses, in the order of the plan's branches.
-
-    Attributes:
-        plan: How the arm was solved.
-        found: The solutions, as below.
-        status: (N,) Status codes.
-        chosen: The row of each pose near what `near=` gave; None where nothing was given.
-        refused: What of the batch was no pose; None where everything was.
-    """
-
-    plan: Plan
-    found: Rows
-    status: Bits
-    chosen: Chosen | None = None
-    refused: Refused | None = None
-
-    @property
-    def q(self) -> Array:
-        """(N, max_solutions, n), rad or m; zeros where not valid."""
-        return self.found.q
-
-    @property
-    def valid(self) -> Bools:
-        """(N, max_solutions) true solutions, limits not applied."""
-        return self.found.valid
-
-    @property
-    def in_limits(self) -> Bools:
-        """(N, max_solutions) those inside the limits."""
-        return self.found.inside
-
-    @property
-    def flag(self) -> Bits:
-        """(N,) bits of `pieper.solver.rows.Flag`."""
-        return self.found.flags
-
-    def __len__(self) -> int:
-        return len(self.q)
-
-    def part(self, at: slice) -> SolutionBatch:
-        """Return the answers to some of the poses; they share this batch's arrays. What was refused is not told."""
-        chosen = None if self.chosen is None else self.chosen.part(at)
-        return SolutionBatch(self.plan, self.found.part(at), self.status[at], chosen)
-
-    @property
-    def count(self) -> Indices:
-        """(N,) number of true solutions of each pose."""
-        return self.valid.sum(1)
-
-    def rows(self) -> tuple[Indices, Array]:
-        """Return the valid rows one after the other: the pose each belongs to (M,), and the rows (M, n), rad or m."""
-        return np.nonzero(self.valid)[0], self.q[self.valid]
-
-    @property
-    def nearest(self) -> Array:
-        """(N, n) the row inside the limits nearest to what `near=` gave, whole turns resolved; see `has_nearest`.
-
-        A pose without one has zeros or, where each is near the one before (`near="previous"`), the joint vector before.
-        """
-        return self._near().q
-
-    @property
-    def has_nearest(self) -> Bools:
-        """(N,) whether a pose has a row inside the limits, which `nearest` then says."""
-        return self._near().found
-
-    def _near(self) -> Chosen:
-        if self.chosen is None:
-            raise InputError('nothing was chosen: say near=, one joint vector, one a pose or "previous", in ik_many.')
-        return self.chosen
-
-    @property
-    def reasons(self) -> dict[int, str]:
-        """Why each pose whose status is INVALID is none, by its index; empty where all are poses."""
-        if self.refused is None:
-            return {}
-        given = zip(self.refused.index, self.refused.poses, strict=True)
-        return {int(index): reason_against(pose, f"Ts[{index}]") for index, pose in given}
-
-    def columns(self, *, degrees: bool = False, mm: bool = False) -> dict[str, Column]:
-        """Return the valid rows as columns, poses counted from 0; a pose without one has a row of its own, NaN."""
-        words = [Status(int(code)).name for code in self.status]
-        return batch_columns(self.plan, self.q, self.valid, self.in_limits, words, Units(degrees, mm))
-
-    def __repr__(self) -> str:
-        counts = {s.name: int(c) for s in Status if (c := np.count_nonzero(self.status == s))}
-        return f"<SolutionBatch of {plural(len(self), 'pose')}: {counts}>"

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from pieper._kernel import Flag
 from pieper.kinematics.arrays import Array, Bits, Bools, Indices, Slots
 
@@ -31,8 +33,8 @@ class Rows:
         valid = self.valid[index]
         return self.q[index][valid], valid.nonzero()[0], self.inside[index][valid], int(self.flags[index])
 
-    def part(self, at: slice) -> Rows:
-        """Return the rows of some of the poses; what is written there is written here."""
+    def part(self, at: slice | Indices) -> Rows:
+        """Return the rows of some of the poses; those of a slice can be written to here too."""
         return Rows(self.q[at], self.valid[at], self.inside[at], self.flags[at])
 
 
@@ -48,8 +50,8 @@ class Chosen:
     q: Array
     found: Bools
 
-    def part(self, at: slice) -> Chosen:
-        """Return those of some of the poses; what is written there is written here."""
+    def part(self, at: slice | Indices) -> Chosen:
+        """Return those of some of the poses; those of a slice can be written to here too."""
         return Chosen(self.q[at], self.found[at])
 
 
@@ -59,8 +61,16 @@ class Refused:
 
     Args:
         index: (k,) which of the batch.
-        poses: (k, 4, 4) what was given.
+        poses: (k, 4, 4) what was given; not finite where that was no matrix of numbers.
+        told: (k) what is to be said of what was no matrix; empty of a matrix, which says it itself.
     """
 
     index: Indices
     poses: Array
+    told: tuple[str, ...]
+
+    def part(self, of: Indices) -> Refused:
+        """Return what was refused of some of the poses, given by their numbers."""
+        at = np.flatnonzero(np.isin(of, self.index))
+        there: list[int] = np.searchsorted(self.index, of[at]).tolist()
+        return Refused(at, self.poses[there], tuple(self.told[k] for k in there))

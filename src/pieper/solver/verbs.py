@@ -15,6 +15,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
 from pieper.solver.arm_rows import arm_rows
+from pieper.solver.batch import SolutionBatch
 from pieper.solver.batches import (
     BLOCK,
     LARGE_BLOCK,
@@ -28,8 +29,8 @@ from pieper.solver.batches import (
     without_refused,
 )
 from pieper.solver.plan.plan import Plan
-from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice
-from pieper.solver.results import SolutionBatch, Solutions, Status, Words
+from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice, nothing_chosen
+from pieper.solver.results import Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.words.closest import closest_to
 from pieper.solver.words.labels import labels_beside, posture_words
@@ -351,6 +352,8 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
     from pieper.solver.redundant.elsewhere import choose_elsewhere
     from pieper.solver.redundant.self_motions import self_motions_of
 
+    if plan.direct and nothing_chosen(redundancy):
+        return ik(plan, given)
     T = checked_pose(given)
     asked = choice(plan, redundancy, 1)
     rows = _rows(plan, T[None], asked, 1)

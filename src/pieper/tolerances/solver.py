@@ -52,9 +52,19 @@ CLEAR_OF_SINGULAR = 2e-3
 #: Arms that differ by no more (per length; rad) have none where the nominal one has none, neither here nor around.
 NO_MORE_THAN_TYPED = 1e-4
 #: What a turn counts beside the position, stage by stage, steps, and how many postures are kept.
-CLOSEST_STAGES = ((1.0, 12, 24), (1e-3, 24, 10), (1e-8, 30, 6))
-#: Positions that are as near as this (per length) are alike, and the orientation decides.
-ALIKE_NEAR = 1e-7
+CLOSEST_STAGES = ((1.0, 12, 12), (1e-3, 24, 8), (1e-5, 40, 6), (1e-8, 30, 6))
+#: The same for the best of all, led away from the best position and back to it: turns and steps.
+CLOSEST_BACK = ((1e-2, 60), (1e-4, 40), (1e-6, 30), (1e-8, 30))
+#: Descents that end so near each other (rad; per length) are at the same minimum.
+SAME_DESCENT = 1e-3
+#: Positions that are as near as this (per length) are alike, and the orientation decides: more than rounding leaves.
+ALIKE_NEAR = 1e-11
+#: Half the square of a distance (per length) that a few more steps take to rounding.
+REACHED_PLACE = 1e-12
+#: Distances (per length) of two descents that have come to the same place, or will.
+ALIKE_PLACE = 1e-5
+#: Longest step (rad; lengths) of the last ones onto the position: orientation was good before.
+ALIKE_TURN = 1e-2
 #: A bend or an offset smaller than this has no side (per length; sine).
 NO_SIDE = 1e-9
 #: A term of the sum behind a label's word that is smaller is rounding (per length; sine): a thousandth of NO_SIDE.

@@ -63,7 +63,8 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     ways = _ways(geometry.trials)
     if geometry.usable == 0 or not full_rank(chain):
         found = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
-        raise PlanError(_reason(chain, slides), geometry=found, ways=ways)
+        reason, cure = _reason(chain, slides)
+        raise PlanError(f"{reason} {cure}", geometry=found, ways=ways, reason=reason)
     exact = [way for way in ways if way["rank"] == 1]
     best: dict[str, Any]
     if slides == 3:
@@ -120,21 +121,20 @@ def _ways(trials: Array) -> tuple[dict[str, Any], ...]:
     return tuple(sorted(out, key=lambda way: way["rank"]))
 
 
-def _reason(chain: Chain, slides: int) -> str:
+def _reason(chain: Chain, slides: int) -> tuple[str, str]:
+    """Return why six joints have no solver, and what to do about it."""
     if slides > 3:
         return (
-            f"This arm has {slides} prismatic joints: four or more slides depend on each other, and with the rest they "
-            "cannot give six independent motions. Lock a slide, or ask for a partial task."
-        )
+            f"There are {slides} prismatic joints among the six: four or more slides depend on each other, and with "
+            "the rest they cannot give six independent motions."
+        ), "Lock a slide, or ask for a partial task."
     if not full_rank(chain):
         return (
-            "The six joint axes of this arm depend on each other in every posture (under six independent motions), "
-            "so a reachable pose has a self-motion, infinitely many solutions. Lock a joint, or ask for a partial task."
-        )
-    return (
-        "Every way to eliminate joints vanishes for the geometry of this arm. "
-        "Perturb its table by a millionth, or lock a joint."
-    )
+            "The six joint axes depend on each other in every posture (under six independent motions), so a reachable "
+            "pose has a self-motion, infinitely many solutions."
+        ), "Lock a joint, or ask for a partial task."
+    reason = "Every way to eliminate joints vanishes for the geometry of the six joints."
+    return reason, "Perturb the table by a millionth, or lock a joint."
 
 
 def slid(chain: Chain) -> tuple[np.ndarray, float]:

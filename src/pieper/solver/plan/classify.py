@@ -29,9 +29,12 @@ from pieper.solver.plan.six_joints import (
 )
 from pieper.solver.words.explain import explain
 from pieper.tolerances import GEOMETRY_EXACT, NEARLY_SPECIAL
+from pieper.words_by_number import plural
 
 #: Ways to lock spare joints that are tried before an arm is refused.
 MOST_WAYS = 24
+#: Parts of their limits at which spare joints are held where none of the ways is solvable at the middle of them.
+UNLIKE_OTHERS = (0.5821, 0.3817)
 #: Postures that a linkage holds at which its axes are to be solved well.
 HELD_POSTURES = 15
 
@@ -186,18 +189,43 @@ def _spare_cure(chain: Chain, task: str) -> str:
 def _first_solvable(
     ways: list[Reduction], description: Description, tolerance: float
 ) -> tuple[Reduction, Array, str, KernelSpec]:
-    """Return the first way that a solver takes, with the values of its locked joints, its family and kernel."""
+    """Return the first way that a solver takes, with the values of its locked joints, its family and kernel.
+
+    Where none does, the values may be at fault: at the middle of the limits, or at zero, axes often meet by design.
+    """
     refused: PlanError | None = None
-    for reduction in ways[:MOST_WAYS]:
-        defaults = _defaults(reduction, description)
-        six, _ = without_far_ends(reduction.six(defaults))
-        try:
-            family, spec = choose(six, look(six, tolerance))
-        except PlanError as error:
-            refused = refused or error
-            continue
-        return reduction, defaults, family, spec
-    raise refused or PlanError(f"{description.name}: no way to lock joints was left to try.")
+    for part in (0.5, *UNLIKE_OTHERS):
+        for reduction in ways[:MOST_WAYS] if part == 0.5 or ways[0].locked else ():
+            defaults = _defaults(reduction, description, part)
+            six, _ = without_far_ends(reduction.six(defaults))
+            try:
+                family, spec = choose(six, look(six, tolerance))
+            except PlanError as error:
+                refused = refused or error
+                continue
+            return reduction, defaults, family, spec
+    if refused is None:
+        raise PlanError(f"{description.name}: no way to lock joints was left to try.")
+    raise _in_words_of(ways[0], description, refused)
+
+
+def _in_words_of(way: Reduction, description: Description, refused: PlanError) -> PlanError:
+    """Return what a family said of six joints as said of the arm and task that these were made of."""
+    if way.trivial:
+        return refused
+    made = plural(way.arm.n, "joint of its own", "joints of its own")
+    if way.full.n > way.arm.n:
+        made += f", {plural(way.full.n - way.arm.n, 'joint')} for what the task {way.task!r} leaves free"
+    if way.fill:
+        made += f", {plural(len(way.fill), 'joint')} that must stay at zero"
+    if way.locked:
+        made += f", {len(way.locked)} of them held"
+    others = " or ".join(repr(task) for task in TASKS if task != way.task)
+    return PlanError(
+        f"{description.name} is solved as six joints ({made}), and these have no solver. "
+        f"{refused.data.get('reason', refused)} Lock a joint, or ask for the task {others}.",
+        **refused.data,
+    )
 
 
 def _ranked(ways: list[Reduction], description: Description, tolerance: float) -> list[Reduction]:
@@ -213,12 +241,11 @@ def _ranked(ways: list[Reduction], description: Description, tolerance: float) -
     return [entry[-1] for entry in scored]
 
 
-def _defaults(reduction: Reduction, description: Description) -> Array:
-    """Return the values locked joints have when nobody chooses: the middle of their limits, or zero."""
+def _defaults(reduction: Reduction, description: Description, part: float = 0.5) -> Array:
+    """Return the values locked joints have when nobody chooses: this far within their limits, or about zero."""
     values: list[float] = []
     for joint in reduction.locked:
         lower, upper = description.limits[joint] if joint < reduction.arm.n else (-np.inf, np.inf)
-        values.append(
-            (lower + upper) / 2 if np.isfinite(lower) and np.isfinite(upper) else float(np.clip(0.0, lower, upper))
-        )
+        bounded = np.isfinite(lower) and np.isfinite(upper)
+        values.append(float((1 - part) * lower + part * upper if bounded else np.clip(2 * part - 1, lower, upper)))
     return np.array(values)

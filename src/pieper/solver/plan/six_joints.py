@@ -8,6 +8,7 @@ come out as zero. An arm that can do more has joints locked at chosen values.
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -21,6 +22,10 @@ from pieper.kinematics.pose import inverse, rotation_about, transform
 from pieper.tolerances import RANK
 
 TASKS = ("pose", "position", "position+axis")
+#: Most sets of an arm's own joints that are looked at to find which to lock beside a task's.
+MOST_CHOICES = 84
+#: Ways that are made ready where that takes time.
+BEST_WAYS = 6
 #: Orientation of the virtual wrist of a position task; generic, so that no ordinary pose makes it singular.
 _GENERIC = transform(rotation_about(np.array([0.48, 0.6, 0.64]), 0.83))
 _X = rotation_about(np.array([0.0, 1.0, 0.0]), np.pi / 2)
@@ -238,8 +243,9 @@ def reduce(chain: Chain, task: str, hold: Held | None = None) -> list[Reduction]
     smallest = np.median(s[..., rank - 1] / s[..., 0], axis=1)
     ways = [(float(value), locked) for value, locked in zip(smallest, choices, strict=True) if value > RANK]
     ways.sort(key=lambda way: -way[0])
-    # filling takes time: where it is needed, only the best few ways are made ready
-    return [_way(chain, task, full, locked, rank) for _, locked in (ways if rank == 6 else ways[:6])]
+    # filling takes time, and so does comparing ways: of many, only the best few are made ready
+    few = ways if rank == 6 and full.n <= 9 else ways[:BEST_WAYS]
+    return [_way(chain, task, full, locked, rank) for _, locked in few]
 
 
 def holding(way: Reduction, locked: tuple[int, ...]) -> Reduction | None:
@@ -282,9 +288,20 @@ def _way(chain: Chain, task: str, full: Chain, locked: tuple[int, ...], rank: in
 
 
 def _choices(full: Chain, arm: Chain, J: Array, spare: int) -> list[tuple[int, ...]]:
-    """Return sets of joints worth locking: all of them for a few joints, a greedy good one for many."""
+    """Return sets of joints worth locking: all of them for a few joints, a greedy good one and others for many."""
     if full.n <= 9 and spare <= 3:
         return list(itertools.combinations(range(full.n), spare))
+    greedy = _greedy(full, J, spare)
+    # an arm that can do everything turns its tool as it is told: what the task adds is held, and some of its own joints
+    task = tuple(range(arm.n, full.n))
+    own = spare - len(task)
+    if not task or own < 0 or math.comb(arm.n, own) > MOST_CHOICES:
+        return [greedy]
+    return list(dict.fromkeys([greedy, *((*joints, *task) for joints in itertools.combinations(range(arm.n), own))]))
+
+
+def _greedy(full: Chain, J: Array, spare: int) -> tuple[int, ...]:
+    """Return joints worth locking so that those that are left do most."""
     kept: list[int] = []
     for _ in range(full.n - spare):
         best, gain = -1, -np.inf
@@ -296,7 +313,7 @@ def _choices(full: Chain, arm: Chain, J: Array, spare: int) -> list[tuple[int, .
             if value > gain:
                 best, gain = j, value
         kept.append(best)
-    return [tuple(j for j in range(full.n) if j not in kept)]
+    return tuple(j for j in range(full.n) if j not in kept)
 
 
 def _filling_held(chain: Chain, count: int, hold: Held) -> tuple[tuple[Array, bool], ...]:

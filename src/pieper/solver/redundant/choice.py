@@ -45,14 +45,18 @@ class Choice:
     free: bool
 
 
+def nothing_chosen(redundancy: Redundancy) -> bool:
+    """Whether no value was given: None, or no name."""
+    return redundancy is None or (isinstance(redundancy, Mapping) and not redundancy)
+
+
 def choice(plan: Plan, redundancy: Redundancy, count: int) -> Choice:
     """Return what was asked for, one row a pose.
 
     Raises:
         InputError: The plan has no such coordinate, or the value is impossible.
     """
-    nothing = redundancy is None or (isinstance(redundancy, Mapping) and not redundancy and bool(plan.redundancy))
-    if nothing:
+    if nothing_chosen(redundancy):
         return Choice(plan, np.tile(plan.defaults, (count, 1)), None, None, True)
     if not plan.redundancy:
         raise InputError(
@@ -135,7 +139,7 @@ def _moves(plan: Plan, joint: int) -> bool:
 
 def read_arm_angle(plan: Plan, q: ArrayLike) -> tuple[Array, Bools]:
     """Return the arm angles of joint vectors; see `Arm.arm_angle`."""
-    return _the_arm_angle(plan).of(checked_joints(q, plan.n))
+    return _the_arm_angle(plan).of(checked_joints(q, plan.n, prismatic=plan.prismatic))
 
 
 def _the_arm_angle(plan: Plan, **data: Any) -> ArmAngle:
