@@ -15,7 +15,7 @@ from pieper.description import change
 from pieper.description.dh import DH, Description
 from pieper.description.fold import chain_of
 from pieper.description.posture import posture
-from pieper.description.said import describe
+from pieper.description.said import describe, remark_sizes
 from pieper.kinematics import forward
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.meant import remark_far_away
@@ -73,7 +73,7 @@ class Arm(AlongPaths):
         Raises:
             InputError: Something said is impossible; the message names the joint and what is allowed.
         """
-        return Arm(
+        arm = Arm(
             describe(
                 rows,
                 convention=convention,
@@ -89,6 +89,8 @@ class Arm(AlongPaths):
             ),
             snap=snap,
         )
+        remark_sizes(arm.description, arm.chain.length)
+        return arm
 
     @staticmethod
     def from_axes(

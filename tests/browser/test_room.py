@@ -39,6 +39,8 @@ def test_presenting_shows_picture_matrix_and_one_panel_in_large_type(bench):
     page.get_by_test_id("present").click()
     assert bench.value(size) > 1.2 * before
     shown = page.get_by_test_id("present-pose")
+    card, view = shown.bounding_box(), page.locator("#view").bounding_box()
+    assert card["y"] >= view["y"] + view["height"], "the matrix lies under the picture, not over the arm"
     assert shown.is_visible()
     bench.shot("present", both=True)
     page.locator("#view").focus()
@@ -71,6 +73,10 @@ def test_the_catalogue_is_searched_by_maker_name_joints_payload_and_reach(bench)
         maker = next((w for w in ("fanuc", "abb") if w in said), "")
         entries = pieper.find_arms(maker, payload=figures[0] or None, reach=figures[1] or None)
         assert names == [e.name for e in entries] and names, "as pieper.find_arms answers"
+    for said in ("7 joints", "7-axis", "7 DOF"):
+        page.get_by_test_id("search-arms").fill(said)
+        names = [el.get_attribute("data-name") for el in found.all()]
+        assert names == [n for n in pieper.catalog() if pieper.load(n).n == 7], said
     page.get_by_test_id("search-arms").fill("kuka 7r")
     page.keyboard.press("ArrowDown")
     page.keyboard.press("Enter")

@@ -8,7 +8,8 @@ from scipy.spatial.transform import Rotation
 
 import pieper
 from pieper import InputError
-from pieper.description import robotfile
+from pieper.description import robotfile, urdf
+from tests.description.urdf_samples import joint, robot
 
 
 def exponential(axis, point, q, kind):
@@ -221,3 +222,55 @@ def test_a_calibration_that_is_not_there_or_no_text_is_refused(tmp_path):
     (tmp_path / "bytes.yaml").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(InputError, match="UTF-8"):
         pieper.ur_calibrated(tmp_path / "bytes.yaml")
+
+
+@pytest.mark.parametrize(
+    ("said", "word"),
+    [
+        ({"rows": [(300, 0, 400, 0), (200, 0, 0, 0)]}, "links of this arm add up to"),
+        ({"tool": pieper.pose(100, 0, 0)}, "tool reaches"),
+        ({"base": pieper.pose(500, 0, 0)}, "base stands away"),
+        ({"offset": [0, -90]}, "degrees"),
+        ({"joint_types": "RP", "limits": [None, (0, 400)]}, "slide's limits"),
+    ],
+)
+def test_millimetres_and_degrees_in_a_table_are_warned_of(said, word):
+    rows = [pieper.DH(*row) for row in said.pop("rows", [(0.3, 0, 0.4, 0), (0.2, 0, 0, 0)])]
+    with pytest.warns(pieper.PieperWarning, match=word):
+        pieper.Arm.from_dh(rows, convention="standard", **said)
+
+
+def test_a_length_that_no_number_holds_is_refused_with_its_row():
+    with pytest.raises(pieper.InputError, match="row 1 .*1e\\+300"):
+        pieper.Arm.from_dh([pieper.DH(a=1e300)], convention="standard")
+
+
+@pytest.mark.parametrize("ending", [".json", ".yaml", ".urdff", ".xyz"])
+def test_an_ending_that_is_none_of_ours_is_refused_with_one_that_is(ending, tmp_path):
+    with pytest.raises(pieper.InputError, match=r"written as \.toml or \.urdf"):
+        pieper.load("three-r").save(tmp_path / f"arm{ending}")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("typed", "first"), [("ur5ee", "universal-robots-ur5e"), ("kuka iiwa", "kuka-lbr-iiwa-14-r820")]
+)
+def test_the_name_that_was_meant_is_offered_first(typed, first):
+    with pytest.raises(pieper.InputError, match=f"Did you mean {first}"):
+        pieper.load(typed)
+
+
+def test_links_that_nobody_declared_and_joints_without_a_name_are_told():
+    inside = '<parent link="a"/><child link="b"/><axis xyz="0 0 1"/><limit lower="-1" upper="1"/>'
+    text = f'<robot name="r"><link name="a"/><joint name="{{}}" type="revolute">{inside}</joint></robot>'
+    assert any("b is named by a joint and not declared" in note for note in urdf.loads(text.format("j")).remarks)
+    with pytest.raises(pieper.InputError, match="line 1: a joint has no name"):
+        urdf.loads(text.format(""))
+
+
+def test_a_joint_that_mimics_none_of_the_file_is_refused_and_is_no_finger():
+    text = robot(
+        joint("j1", "b", "l1"), joint("j2", "l1", "l2", axis="0 1 0", extra='<mimic joint="zz" multiplier="1"/>')
+    )
+    with pytest.raises(pieper.InputError, match="'j2' mimics 'zz', which is not another joint.*take the <mimic> out"):
+        urdf.loads(text)

@@ -53,3 +53,18 @@ def test_mujoco_reads_what_is_written(tmp_path):
     arm.save(tmp_path / "arm.urdf")
     spec = mujoco.MjSpec.from_file(str(tmp_path / "arm.urdf"))
     assert [joint.name for joint in spec.joints] == list(arm.joint_names)
+
+
+def test_a_short_slide_or_a_name_like_a_fingers_at_the_end_comes_back_from_a_file_of_ours(tmp_path):
+    rows = [pieper.DH(a=0.25), pieper.DH(a=0.2), pieper.DH(d=0.1)]
+    arm = pieper.Arm.from_dh(
+        rows,
+        convention="standard",
+        joint_types="RRP",
+        limits=[(-2, 2), (-2, 2), (0, 0.05)],
+        joint_names=["wheel", "jaw", "finger"],
+    )
+    arm.save(tmp_path / "quill.urdf")
+    back = pieper.load(tmp_path / "quill.urdf")
+    assert back.joint_names == arm.joint_names and back.notes == ()
+    assert pieper.load(tmp_path / "quill.urdf", tip="link_2").n == 2

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 LIMITS = '<limit lower="-2" upper="2"/>'
 
 
@@ -13,7 +15,11 @@ def joint(name, parent, child, xyz="0 0 0", rpy="0 0 0", axis="0 0 1", kind="rev
 
 
 def robot(*joints):
-    return f'<?xml version="1.0"?><robot name="test">{"".join(joints)}</robot>'
+    """Return the URDF of some joints, every link they name declared behind them."""
+    named = re.findall(r'<(?:parent|child) link="([^"]*)"', "".join(joints))
+    said = re.findall(r'<link name="([^"]*)"', "".join(joints))
+    links = "".join(f'<link name="{link}"/>' for link in dict.fromkeys(named) if link and link not in said)
+    return f'<?xml version="1.0"?><robot name="test">{"".join(joints)}{links}</robot>'
 
 
 #: Three joints from "base" to "l3".

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -110,3 +112,35 @@ def test_x_and_y_are_the_tools_place(robot):
 def test_a_matrix_with_a_letter_that_nobody_knows_is_not_claimed(robot):
     text = r"A_1 = \begin{bmatrix} c_1 & 0 & w_9 & 0 \\ s_1 & 0 & -c_1 & 0 \\ 0 & 1 & 0 & d_1 \\ 0&0&0&1 \end{bmatrix}"
     assert "[[claim]]" not in pieper.guess_claims(text, robot, "page")[0]
+
+
+@pytest.mark.parametrize("left", [r"\det J_v", r"\det(J_v)", r"\det J", "|J|", "|J(q)|", "det(J)"])
+def test_a_determinant_is_read_beside_what_is_said_of_singular_places(left, robot):
+    text = (
+        f"The determinant is ${left} = -a_2 a_3 s_3 (a_2 c_2 + a_3 c_{{23}})$, and the arm is singular when $s_3=0$, "
+        "and also when $a_2 c_2 + a_3 c_{23} = 0$."
+    )
+    claims = pieper.guess_claims(text, robot, "page")[0]
+    assert list(judged(text, robot).values()) == [HOLDS, HOLDS]
+    assert claims.count('kind = "determinant"') == claims.count('kind = "singular"') == 1
+
+
+def test_a_robot_file_may_be_a_path(robot):
+    assert pieper.guess_claims(PLAIN, Path(robot), "page") == pieper.guess_claims(PLAIN, robot, "page")
+
+
+@pytest.mark.parametrize("kind", ["text", "latex"])
+@pytest.mark.parametrize(
+    "rows",
+    [
+        [DH(0.1, np.pi / 2, 0.2), DH(0.3, 0, 0.1), DH(0.05, np.pi / 2), DH(0, 1.0, 0.3), DH(0, -0.8), DH(d=0.1)],
+        [DH(0.1, 1.1, 0.2), DH(0.3, -0.7, 0.1), DH(0.2, 0, 0.05)],
+    ],
+    ids=["wrist", "quartic"],
+)
+def test_derivations_of_odd_twists_are_read_and_hold(rows, kind, tmp_path):
+    """Twists are letters of their own, a quartic's last term is no equation, and a definition has the pose in it."""
+    arm = pieper.Arm.from_dh(rows, convention="standard", name="odd")
+    arm.save(tmp_path / "odd.toml")
+    verdicts = judged(getattr(arm.symbolic.ik(), kind)(), str(tmp_path / "odd.toml"))
+    assert len(verdicts) >= 6 and set(verdicts.values()) == {HOLDS}

@@ -102,6 +102,35 @@ def test_weights_that_say_nothing_are_refused(weights):
         PLANAR.closest(PLANAR.fk([0.1, 0.2]), weights=weights)
 
 
+#: Arms with limits and poses whose position was missed by a tenth of a metre though it can be met.
+MET = {
+    "RPRRR": (
+        "modified",
+        [DH(0, 1.57, -0.15), DH(0.25, 3.14, 0, 1.57), DH(0.25, 1.57, 0.1), DH(0, 0, -0.15), DH(0.25, -1.57, 0.4, 3.14)],
+        [(-0.27, 1.81), (-0.52, 0.25), (-0.22, 1.64), (-2.15, -0.62), (-1.97, 0.99)],
+        (0.42, 0.15, -0.4),
+        (-0.38, 2.67, -0.16),
+    ),
+    "RRRPRR": (
+        "standard",
+        [
+            *(DH(0, -1.57, -0.15), DH(0.25, 3.14), DH(0, 1.57, 0.1)),
+            *(DH(0, -1.57, 0.4, 1.57), DH(0.3, -1.57, -0.15), DH(-0.2, -1.57, -0.15, 1.57)),
+        ],
+        [(-1.21, 0.51), (-3.21, -0.53), (-0.05, 2.98), (-0.3, 0.18), (-3.58, 0.36), (-1.37, 1.6)],
+        (-0.14, -0.9, 0.69),
+        (-0.59, 1.38, 2.29),
+    ),
+}
+
+
+@pytest.mark.parametrize("types", MET)
+def test_a_position_that_can_be_met_is_met_whatever_the_tool_s_turn_costs(types):
+    convention, rows, limits, place, turn = MET[types]
+    arm = Arm.from_dh(rows, convention=convention, joint_types=types, limits=limits)
+    assert arm.closest(pieper.pose(*place, rotvec=turn)).metres < 2e-6
+
+
 # ---------------------------------------------------------------------------------------------- position first
 
 #: Of three hundred, which held as well.

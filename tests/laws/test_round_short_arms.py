@@ -15,23 +15,27 @@ H, K = pi / 2, pi / 4
 #: Arms and postures whose poses were once OUT_OF_REACH "by 0 mm", or SOLVED without the posture.
 LOST: dict[str, tuple[str, str, list[DH], list[float]]] = {
     "RRRR, a regular posture": (
-        *("standard", "RRRR"),
+        "standard",
+        "RRRR",
         [DH(0.1, pi), DH(0.25, -H, 0.1, pi), DH(0, -H, 0.4), DH(0.1, 0, 0.2, H)],
         [0] * 4,
     ),
     "RRRR, another": (
-        *("standard", "RRRR"),
+        "standard",
+        "RRRR",
         [DH(0.1, pi, 0.1, pi), DH(0.1, pi, 0.2), DH(0.3, -H), DH(0.25, pi, 0, pi)],
         [pi, -H, H, -H],
     ),
     "RRPRR": (
-        *("modified", "RRPRR"),
+        "modified",
+        "RRPRR",
         [DH(-0.2, K, 0.1), DH(0.25, -H, 0.2), DH(0.1, H), DH(0, H), DH(0, -H)],
         [0] * 5,
     ),
     "RRP, a slide at its fold": ("standard", "RRP", [DH(0.1, -H, 0, pi), DH(-0.2, H, -0.15), DH(0, -H)], [-H, -H, 0]),
     "RRRPRP, slides along one line": (
-        *("modified", "RRRPRP"),
+        "modified",
+        "RRRPRP",
         [
             *(DH(0.1, -H, 0.2, pi), DH(0.25, 0, -0.15), DH(0.1, H, -0.15)),
             *(DH(0.25, K, 0.2), DH(0.3, -H, 0.4, pi), DH(0, H, 0.1)),
@@ -40,17 +44,20 @@ LOST: dict[str, tuple[str, str, list[DH], list[float]]] = {
     ),
     "PRRR": ("standard", "PRRR", [DH(0.3, -H), DH(0.3, H, 0.4), DH(0.25, H), DH(0, pi, 0.4, H)], [0] * 4),
     "PRRR, others": (
-        *("modified", "PRRR"),
+        "modified",
+        "PRRR",
         [DH(0.1, -H, -0.15), DH(0.3, H, 0.4, H), DH(0.25, pi, 0, H), DH(-0.2, H, 0.4)],
         [0.1, -H, pi, pi],
     ),
     "RPPRR": (
-        *("modified", "RPPRR"),
+        "modified",
+        "RPPRR",
         [DH(0.1, pi, 0.4), DH(0.1, -H, 0.4), DH(0, -H, 0, H), DH(0.3, H, 0.4, H), DH(0, -H, 0.1, pi)],
         [H, -0.1, 0.2, -H, -H],
     ),
     "PRPRP": (
-        *("modified", "PRPRP"),
+        "modified",
+        "PRPRP",
         [DH(-0.2, 0, 0.2), DH(0.3, -H, -0.15), DH(0, 0, 0, pi), DH(0.25, K, 0, pi), DH(0, K, 0, H)],
         [0, pi, 0.1, 0, 0.2],
     ),
@@ -59,7 +66,8 @@ LOST: dict[str, tuple[str, str, list[DH], list[float]]] = {
 #: Lost still: an isolated posture beside a self-motion of another; one a kernel sees nothing of, nor of poses beside.
 OPEN: dict[str, tuple[str, str, list[DH], list[float]]] = {
     "PRRRPR, beside a self-motion": (
-        *("modified", "PRRRPR"),
+        "modified",
+        "PRRRPR",
         [
             *(DH(-0.2, pi), DH(0, K, 0.4), DH(0.3, H, -0.15, pi)),
             *(DH(0.1, pi, 0.1, H), DH(0, -H, 0, H), DH(-0.2, -H, 0.1)),
@@ -67,7 +75,8 @@ OPEN: dict[str, tuple[str, str, list[DH], list[float]]] = {
         [-0.1, H, H, H, 0.2, -H],
     ),
     "RRPRP, on a self-motion": (
-        *("standard", "RRPRP"),
+        "standard",
+        "RRPRP",
         [DH(0, K), DH(0.1, pi, 0.2, H), DH(0, 0, 0.2, H), DH(0, K, 0, pi), DH(0.25, 0, 0.1, H)],
         [0] * 5,
     ),

@@ -271,3 +271,36 @@ def test_a_curve_that_swings_beyond_the_limits_of_its_arm_says_so():
     assert arm.joint_names[1] in said and "16.2 deg beyond" in said
     assert pieper.time_law(points * 0.8, limits, arm=arm).remarks == ()
     assert pieper.time_law(points, limits).remarks == ()
+
+
+def wandering(seed, points=5):
+    rng = np.random.default_rng(seed)
+    return START + np.cumsum(rng.uniform(-0.4, 0.4, (points, 6)), 0), 10 ** rng.uniform(-0.3, 0.5)
+
+
+@pytest.mark.parametrize("seed", [7, 19, 25, 59])
+def test_one_place_where_the_tools_bounds_are_loose_slows_nothing_else(seed):
+    """The same curve through other points has other cells, and takes the same time."""
+    q, most = wandering(seed)
+    finer = CubicSpline(np.linspace(0, 1, 5), q)
+    limits = pieper.Limits(3.0, 10.0, tool_acceleration=most)
+    durations = []
+    for points in (5, 13, 41, 57):
+        motion = pieper.time_law(finer(np.linspace(0, 1, points)), limits, arm=UR, rate=1000.0)
+        durations.append(motion.duration)
+        path = UR.fk(motion.q[:-1])[:, :3, 3]
+        peak = (np.linalg.norm(np.diff(path, 2, axis=0), axis=1) - 4e-15).max() * 1e6
+        assert 0.98 * most < peak <= most * (1 + 1e-9) and motion.margin <= 1
+    assert max(durations) < 1.002 * min(durations)
+
+
+@pytest.mark.parametrize("seed", [19, 59])
+def test_a_section_keeps_its_speed_beside_loose_bounds_of_the_tools_acceleration(seed):
+    q, most = wandering(seed, 8)
+    limits = pieper.Limits(3.0, 10.0, tool_acceleration=most)
+    best = pieper.fastest_constant_speed(q, limits, 0.4, 0.5, arm=UR)
+    motion = pieper.time_law(q, limits, arm=UR, constant_speed=[(0.4, 0.5, 0.98 * best)], rate=2000.0)
+    inside = (motion.s > 0.4) & (motion.s < 0.5)
+    speed = np.linalg.norm(np.einsum("kij,kj->ki", UR.jacobian(motion.q)[:, :3], motion.dq), axis=1)[inside]
+    assert motion.margin <= 1 and inside.sum() > 10
+    assert np.abs(speed / (0.98 * best) - 1).max() < 1e-6

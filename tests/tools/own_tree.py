@@ -101,6 +101,7 @@ def _mimic(element: ET.Element | None) -> tuple[str, float, float] | None:
 def between(joints: list[Joint], base: str, tip: str, values: dict[str, float]) -> Array:
     """Return the pose (4, 4) of any link seen from any other one."""
     above = {joint.child: joint for joint in joints}
+    values = followed(joints, values)
 
     def placed_at(link: str) -> Array:
         top = link
@@ -109,6 +110,20 @@ def between(joints: list[Joint], base: str, tip: str, values: dict[str, float]) 
         return product(way(joints, top, link), values)
 
     return np.asarray(np.linalg.inv(placed_at(base)) @ placed_at(tip), np.float64)
+
+
+def followed(joints: list[Joint], values: dict[str, float]) -> dict[str, float]:
+    """Return the values with those of joints that mimic one, or one that does: a linkage beside the arm may lead."""
+    out = dict(values)
+    for _ in joints:
+        before = dict(out)
+        for joint in joints:
+            if joint.mimic is not None:
+                leader, times, plus = joint.mimic
+                out[joint.name] = times * out.get(leader, 0.0) + plus
+        if out == before:
+            break
+    return out
 
 
 def way(joints: list[Joint], base: str, tip: str) -> list[Joint]:

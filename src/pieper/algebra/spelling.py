@@ -105,6 +105,8 @@ _OF_ANGLE = re.compile(r"\b([cCsS])_?\s*\{?\s*(?:theta|th|q)\s*_?\s*\{?\s*(\d)\s
 _SUM_INDEX = re.compile(r"\b([cCsS])_\{\s*(\d(?:\s*[-+]\s*\d)+)\s*\}")
 _COMMA_INDEX = re.compile(r"\b([cCsS])_?\{\s*(\d(?:\s*,\s*\d)+)\s*\}")
 _SUM_OF_ANGLES = re.compile(r"\btheta_?(?:\{\s*(\d(?:\s*[-+]\s*\d)+)\s*\}|(\d(?:[-+]\d)+)(?![\d.*/^]))")
+#: The cosine or sine of a twist, a letter of its own: calpha2 for c_alpha_{2}.
+_OF_TWIST = re.compile(r"\b([cs])_?alpha\s*_?\s*\{?\s*(\d)\s*\}?")
 _STROKES = re.compile(r"\|([^|]+)\|")
 
 
@@ -135,6 +137,7 @@ def plain(text: str) -> str:
     text = _PROGRAM.sub("", text)
     text = _MATLAB.sub("", text)
     text = _OF_ANGLE.sub(r"\1\2", text)
+    text = _OF_TWIST.sub(r"\1alpha\2", text)
     text = _SUM_OF_ANGLES.sub(_angles, text)
     text = _SUM_INDEX.sub(lambda m: _index(m.group(1), m.group(2)), text)
     text = _COMMA_INDEX.sub(lambda m: m.group(1) + re.sub(r"\D", "", m.group(2)), text)

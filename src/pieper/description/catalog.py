@@ -8,6 +8,7 @@ from functools import cache
 from pieper.description.dh import Description
 from pieper.description.robotfile import read
 from pieper.errors import InputError
+from pieper.tolerances import LEAST_LIKENESS
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "catalog")
 
@@ -75,9 +76,16 @@ def _unknown(name: str) -> str:
     wanted = str(name).strip().lower().replace("_", "-").replace(" ", "-")
     import difflib
 
-    near = difflib.get_close_matches(wanted, names(), n=3, cutoff=0.5)
-    # "ur5x" should find "universal-robots-ur5e", whose maker's name hides the likeness
-    near += [other for other in names() if difflib.get_close_matches(wanted, [other.split("-")[-1]], n=1, cutoff=0.6)]
+    # all its words in some order come first: "kuka iiwa" means the arms that have both
+    words = [word for word in wanted.split("-") if word]
+    near = [name for name in names() if words and all(word in name for word in words)]
+
+    # "ur5ee" should find "universal-robots-ur5e", whose maker's name hides the likeness
+    def likeness(name: str) -> float:
+        return max(difflib.SequenceMatcher(None, wanted, end).ratio() for end in _ends(name))
+
+    alike = sorted(((likeness(name), name) for name in names()), key=lambda pair: -pair[0])
+    near += [name for ratio, name in alike if ratio >= LEAST_LIKENESS]
     near = list(dict.fromkeys(near))[:5]
     hint = f" Did you mean {', '.join(near)}?" if near else ""
     return f"there is no arm {name!r} in the catalogue.{hint} pieper.catalog() lists all {len(names())}."

@@ -47,7 +47,8 @@ def fingers(tree: Tree) -> set[str]:
         # a joint that turns a link named gripper, on which fingers move, is a wrist
         if words & (_RIGID if bears_fingers else FINGERS) and not words_of(joint.name) & _WRIST:
             return True
-        if joint.mimic is not None and not _hangs_from(tree, joint, by_name.get(joint.mimic.joint)):
+        leader = None if joint.mimic is None else by_name.get(joint.mimic.joint)
+        if leader is not None and not _hangs_from(tree, joint, leader):
             return True
         # a joint that another one follows, the follower not hanging from it: the driver of a pair of jaws
         if any(not _hangs_from(tree, other, joint) for other in followed.get(joint.name, ())):

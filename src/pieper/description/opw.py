@@ -11,7 +11,7 @@ from pieper import arguments
 from pieper.description.axes import described_by_axes
 from pieper.description.dh import Description
 from pieper.errors import InputError
-from pieper.kinematics.meant import remark_long
+from pieper.kinematics.meant import remark_long, remark_turned
 
 
 def from_opw(
@@ -61,6 +61,7 @@ def from_opw(
     for key, values in (("offsets", offsets), ("signs", signs)):
         if arguments.numbers(values, key, "six numbers, one a joint").shape != (6,):
             raise InputError(f"{key} must be six numbers, one a joint, got {values!r}.", given=values)
+    remark_turned(np.asarray(offsets, float), "offsets")
     y, z = [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]
     wrist = [a1 + a2, b, c1 + c2 + c3]
     home = np.eye(4)

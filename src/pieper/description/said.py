@@ -13,8 +13,9 @@ from pieper import arguments
 from pieper.description.coupling import checked_coupling, linked_axes, numbers_of
 from pieper.description.dh import CONVENTIONS, DH, MAX_JOINTS, Actuator, Check, Description, Linked
 from pieper.errors import InputError, PieperWarning
+from pieper.kinematics.meant import remark_long, remark_turned
 from pieper.kinematics.pose import PoseLike, checked_pose
-from pieper.tolerances import WHOLE_TURN
+from pieper.tolerances import FARTHEST, WHOLE_TURN
 from pieper.words_by_number import plural
 
 
@@ -94,6 +95,14 @@ def describe(
             "prismatic.",
             given=joint_types,
         )
+    for i, row in enumerate(table):
+        if max(abs(row.a), abs(row.d)) > FARTHEST:
+            raise InputError(
+                f"row {i + 1} of the DH table has a = {row.a:g}, d = {row.d:g}; lengths are metres, at most "
+                f"{FARTHEST:g}.",
+                row=i,
+                given=row,
+            )
     n = numbers_of(coupling, m)
     names = tuple(f"joint_{i + 1}" for i in range(n)) if joint_names is None else _words(joint_names, "joint_names")
     if len(names) not in (n, m):
@@ -154,6 +163,17 @@ def describe(
         frames={str(k): _frozen(checked_pose(T, f"frame {k!r}")) for k, T in (frames or {}).items()},
         remarks=tuple(remarks),
     )
+
+
+def remark_sizes(arm: Description, length: float) -> None:
+    """Warn where millimetres or degrees were probably said: its links add up to `length`, m."""
+    remark_long(length, "the links of this arm add up to")
+    remark_long(float(np.linalg.norm(arm.tool[:3, 3])), "the tool reaches")
+    remark_long(float(np.linalg.norm(arm.base[:3, 3])), "the base stands away by")
+    slides = np.array([kind == "P" for kind in arm.axis_types])
+    remark_turned(arm.offset[~slides], "offset")
+    sliding = arm.limits[[kind == "P" for kind in arm.joint_types]]
+    remark_long(float(np.max(np.abs(sliding[np.isfinite(sliding)]), initial=0.0)), "a slide's limits go to")
 
 
 def _free_name(name: str, taken: Sequence[str]) -> str:

@@ -130,5 +130,10 @@ def write(arm: Description, path: str | os.PathLike[str]) -> None:
             f"{target}: an arm is written as .toml or .urdf. MuJoCo reads a .urdf, and saves it as MJCF.",
             file=str(target),
         )
+    elif ending not in ("", ".toml"):
+        raise InputError(
+            f"{target}: an arm is written as .toml or .urdf, not as {ending!r}. Name the file {target.stem}.toml.",
+            file=str(target),
+        )
     else:
         robotfile.write(arm, target)

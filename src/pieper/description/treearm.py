@@ -12,6 +12,8 @@ import numpy.typing as npt
 from pieper.description.axes import described_by_axes
 from pieper.description.dh import Description, Origin
 from pieper.description.ends import Ends, find_ends
+from pieper.description.fold import chain_of
+from pieper.description.said import remark_sizes
 from pieper.description.tree import MOVING, Joint, Tree, has_range, some
 from pieper.errors import InputError
 from pieper.tolerances import LIMIT_IS_NONE, SAME_AXIS_LINE
@@ -74,6 +76,7 @@ def arm_of(
         remarks=(*ends.notes, *notes, *noted, *tree.remarks([joint for joint, _ in path])),
         postures={"zero": np.zeros(len(own))},
     )
+    remark_sizes(arm, chain_of(arm).length)
     return replace(arm, origin=Origin(str(tree.file), tree.format, ends.base, ends.tip))
 
 
@@ -148,6 +151,13 @@ def _coupled(
             notes.append(f"Joint {name!r} mimics {other!r} on the axis of {on!r}: the two are one coupled joint.")
         else:
             notes.append(f"Joint {name!r} mimics {other!r} on the axis of {neighbour.joint.name!r}, which does too.")
+    for name, k in index.items():
+        if not C[:, k].any():
+            tree.fail(
+                f"joint {name!r} moves nothing: the joints that mimic it on its axis undo it. Correct their "
+                "multipliers, or end the arm before it.",
+                next(axis.joint for axis in lines if axis.joint.name == name),
+            )
     return lines, (C if notes else None), constants, notes
 
 
@@ -187,7 +197,11 @@ def _master(tree: Tree, joint: Joint) -> tuple[str, float, float]:
         multiplier *= at.mimic.multiplier
         name = at.mimic.joint
         if name in seen or name not in by_name:
-            tree.fail(f"joint {at.name!r} mimics {name!r}, which is not another joint of this file.", at)
+            tree.fail(
+                f"joint {at.name!r} mimics {name!r}, which is not another joint of this file. "
+                f"Correct the name, or take the <mimic> out to move {at.name!r} by itself.",
+                at,
+            )
         seen.add(name)
         at = by_name[name]
     return name, multiplier, offset

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from pieper.description.dh import Description
 from pieper.description.ends import find_ends
 from pieper.description.shapes import Unmeasured
-from pieper.description.tree import Joint, Mimic, Tree
+from pieper.description.tree import Joint, Mimic, Tree, some
 from pieper.description.treearm import arm_of
 from pieper.errors import InputError
 from pieper.kinematics.orientation import rotation
@@ -23,6 +23,10 @@ from pieper.tolerances import ALL_BUT_ZERO, NO_DIRECTION, REMARKABLE, ROUNDING
 
 #: Larger than any URDF by far; what is larger is not parsed.
 LARGEST_FILE = 16_000_000
+
+
+#: What `urdf_text` writes into its files, all of which is the arm, however short its last slide: nothing is a gripper.
+WHOLE = "<!-- from base to tool it is one arm -->"
 
 
 class NotExpanded(InputError):
@@ -98,11 +102,23 @@ def loads(
     if len(data) > LARGEST_FILE:
         raise InputError(f"{file}: larger than {LARGEST_FILE:,} bytes; this is not a URDF.", file=file)
     tree = parse(data, file, exact_angles)
+    if base is None and tip is None and WHOLE.encode() in data and {"base", "tool"} <= set(tree.links):
+        base, tip = "base", "tool"
     arm = arm_of(tree, base=base, tip=tip, missing_limits=missing_limits)
     if b"<collision" not in data:
         return arm
     ends = find_ends(tree, base, tip)
     return replace(arm, unmeasured=Unmeasured(data, file, exact_angles, ends.base, ends.tip, arm.base))
+
+
+def _undeclared(joints: list[Joint], declared: set[str]) -> list[str]:
+    """Return a sentence about links that joints name and the file does not declare."""
+    named = dict.fromkeys(link for joint in joints for link in (joint.parent, joint.child))
+    left = [link for link in named if link not in declared]
+    if not left:
+        return []
+    what = "is named by a joint and not declared" if len(left) == 1 else "are named by joints and not declared"
+    return [f"{some(left)} {what}: frames without a <link>, which others refuse."]
 
 
 def _said_of(rounded: dict[str, list[float]], joints: list[Joint]) -> tuple[str, ...]:
@@ -125,6 +141,7 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
     #: joint -> by how much (rad) its angles, typed as rounded multiples of 15 deg, were changed
     rounded: dict[str, list[float]] = {}
     name = "arm"
+    told: list[str] = []
     at: list[str] = []
     current: Joint | None = None
     parser = expat.ParserCreate()
@@ -154,9 +171,15 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
             case ("robot",):
                 name = said.get("name", "arm")
             case ("robot", "link"):
+                if said.get("name", "") in links:
+                    told.append(f"Link {said.get('name', '')!r} is declared twice; its frame is one.")
                 links.append(said.get("name", ""))
             case ("robot", "joint"):
                 current = Joint(said.get("name", ""), said.get("type", ""), line)
+                if not current.name:
+                    raise InputError(
+                        f'{file}, line {line}: a joint has no name; write <joint name="..." ...>.', file=file, line=line
+                    )
                 if current.name in joints:
                     raise InputError(
                         f"{file}, line {line}: joint {current.name!r} is there twice; names must differ.",
@@ -184,6 +207,7 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
                     line=joint.line,
                     joint=joint.name,
                 )
+    declared = set(links)
     return Tree(
         file,
         name,
@@ -191,7 +215,7 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
         links,
         list(joints.values()),
         lambda joint: _geometry(file, joint, numbers[joint.name], rounded if exact_angles else None),
-        lambda asked: _said_of(rounded, asked),
+        lambda asked: (*_said_of(rounded, asked), *told, *_undeclared(asked, declared)),
     )
 
 

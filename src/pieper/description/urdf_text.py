@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from pieper.description.dh import Description
 from pieper.description.fold import chain_of
+from pieper.description.urdf import WHOLE
 from pieper.description.wholefile import replace_file
 from pieper.kinematics.orientation import rpy_of
 from pieper.tolerances import UNLIMITED
@@ -29,7 +30,7 @@ def dumps(arm: Description) -> str:
     """
     chain = chain_of(arm)
     names = set(arm.axis_names)
-    lines = ['<?xml version="1.0"?>', f"<robot name={quoteattr(arm.name)}>", '  <link name="base"/>']
+    lines = ['<?xml version="1.0"?>', f"<robot name={quoteattr(arm.name)}>", f"  {WHOLE}", '  <link name="base"/>']
     parent = "base"
     for i, name in enumerate(arm.axis_names):
         child = f"link_{i + 1}"

@@ -135,7 +135,7 @@ def check(path_or_text: str | os.PathLike[str], arm: Described | None = None) ->
         return judge_tables(name, data, arm)
 
 
-def guess_claims(text: str, arm: str, source: str) -> tuple[str, int, int]:
+def guess_claims(text: str, arm: str | os.PathLike[str], source: str) -> tuple[str, int, int]:
     """Guess the claims of a plain text or LaTeX excerpt; see `excerpt`.
 
     Args:
@@ -146,11 +146,12 @@ def guess_claims(text: str, arm: str, source: str) -> tuple[str, int, int]:
     Returns:
         A claims file to be looked through, how many claims and symbols were read, how many equations were not.
     """
-    key = "file" if os.path.isfile(arm) else "robot"
-    model = read_arm(source, {key: arm})
+    name = os.fspath(arm) if isinstance(arm, os.PathLike) else arm
+    key = "file" if os.path.isfile(name) else "robot"
+    model = read_arm(source, {key: name})
     found = guesses(text, model)
     read = sum(not guess.why for guess in found)
-    about = "\n".join([f"{key} = {json.dumps(arm)}", *of_the_page(text, found)])
+    about = "\n".join([f"{key} = {json.dumps(name)}", *of_the_page(text, found)])
     return claims_file(found, about, source), read, len(found) - read
 
 

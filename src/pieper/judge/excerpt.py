@@ -27,7 +27,7 @@ _WHEN = re.compile(
 )
 _RELATION = re.compile(r"(?:theta|d)\d+\s*=\s*-?\s*q\d+(?:\s*[-+][^=]*)?")
 _TAKEN_OFF = re.compile(r"with the constant (base|tool)(?: and (tool))? taken off")
-ROUNDS = 4  # definitions that stand below their use, several deep
+ROUNDS = 64  # definitions that stand below their use, many deep; it ends as soon as nothing is new
 _UNEQUAL = re.compile(r"(?:,|;|\s(?:if|when|where|for)\b)[^,;]*(?:≠|!=|\\neq?\b).*$", re.IGNORECASE)
 _SQUARE = re.compile(r"([A-Za-z]+\d*)\^\(?2\)?")
 _SPACE = re.compile(r"\\q?quad\b")
@@ -75,7 +75,9 @@ def guesses(text: str, model: ArmModel) -> list[Guess]:
             if guess.symbol:
                 # of two lines for one symbol the definition is the one made of the pose's letters
                 name, formula = guess.symbol
-                rank = (not _has_pose(formula, known - {name}), line.number)
+                # (a symbol that is itself made of them counts as one, a twist's cosine does not)
+                posed = {other for other, (lacks, _) in defined.items() if not lacks}
+                rank = (not _has_pose(formula, posed - {name}), line.number)
                 defined[name] = min(rank, defined.get(name, rank))
         known = set(defined)
         if defined == before:
@@ -172,6 +174,12 @@ def _has_pose(formula: str, symbols: set[str]) -> bool:
     return bool(used & symbols or marks & {name.lower() for name in used})
 
 
+#: What stands between the parts of a formula.
+_SIGNS = "+-*/^=("
+#: The Jacobian's determinant as pages write it, marks taken off: det J_v, |J(q)|, det(J).
+_DETERMINANT = re.compile(r"(?:det|\|)[(\[]?J[vpLl]?(?:\((?:q|theta|θ)\))?[)\]]?\|?")
+
+
 def _guess(line: Line, model: ArmModel, known: set[str], stands: dict[str, str]) -> Guess:
     guess = Guess(line.number, PLACED.sub("[a matrix]", line.text.removeprefix(SINGULAR)).replace(BRANCH, "or"))
     if line.text.startswith(SINGULAR):
@@ -200,6 +208,8 @@ def _guess(line: Line, model: ArmModel, known: set[str], stands: dict[str, str])
         return guess
     words = left.split()
     for first in range(max(1, len(words))):  # a sentence may stand before the formula
+        if first and (words[first][0] in _SIGNS or words[first - 1][-1] in _SIGNS):
+            continue  # the end of a sum is none of its own
         try:
             first_words = " ".join(words[first:])
             _read(guess, stands.get(first_words, first_words), right, line.matrices, model, known)
@@ -223,7 +233,7 @@ def _read(guess: Guess, left: str, right: str, matrices: list, model: ArmModel, 
         return
     if PLACED.search(right) or PLACED.search(left):
         raise InputError("a matrix among other things; write it as a claim of its own")
-    if re.fullmatch(r"(?:det\(?J\)?|\|J\||detJ)", bare):
+    if _DETERMINANT.fullmatch(bare):
         guess.keys = {"kind": "determinant", "is": plain(_formula(right, model, names)).strip()}
         return
     if BRANCH in right:

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 from pieper.judge.excerpt_matrices import Cells, taken_out
 
+#: Between what a sentence says of singular places and what it says beside that.
+_CLAUSE = re.compile(r"[,;]\s+(?=(?:and|so|thus|hence|while)\b)")
 SINGULAR = "§singular§"  # before an equation that says where an arm is singular
 BRANCH = "§or§"  # between the branches of a formula
 EQUALS = re.compile(r"(?<![<>!=:])=(?!=)")
@@ -70,9 +72,13 @@ def equations(text: str) -> list[Line]:
     out: list[Line] = []
     for number, line in enumerate(text.split("\n"), 1):
         for sentence in re.split(r"(?<=[.;])\s", line):
-            if re.search(r"\bsingular", sentence, re.IGNORECASE) and EQUALS.search(sentence):
-                out += [Line(number, f"{SINGULAR}{piece}", "", matrices) for piece in _singular(sentence)]
-                line = line.replace(sentence, "")
+            if _says_singular(sentence):
+                begins = [0, *(cut.end() for cut in _CLAUSE.finditer(sentence))]
+                clauses = zip(begins, [*begins[1:], len(sentence)], strict=True)
+                # what is said of other things before it is no part of it
+                said = sentence[next((a for a, b in clauses if _says_singular(sentence[a:b])), 0) :]
+                out += [Line(number, f"{SINGULAR}{piece}", "", matrices) for piece in _singular(said)]
+                line = line.replace(said, "")
         if "$" in line and CONDITION.search(line):
             out.append(Line(number, line.strip(), "", matrices))
             continue
@@ -134,6 +140,10 @@ def _placed(text: str) -> str:
 
     text = _BESIDE.sub(lambda m: name(m.group(5), m.group(1) or m.group(4), m.group(2) or m.group(3)), text)
     return _AROUND.sub(lambda m: name(m.group(2), m.group(1), m.group(3)), text)
+
+
+def _says_singular(sentence: str) -> bool:
+    return bool(re.search(r"\bsingular", sentence, re.IGNORECASE) and EQUALS.search(sentence))
 
 
 def _singular(sentence: str) -> list[str]:

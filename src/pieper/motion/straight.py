@@ -55,11 +55,11 @@ def closed_form(timed: TimedPath, curve: JointCurve) -> tuple[Profile, list[str]
     way = curve.end - curve.q[0]
     if not (timed.share == timed.share[0]).all() or not way.any():
         return None
-    off = curve.q - curve.q[0] - _along(curve)[0][:, None] * way
+    off = curve.q - curve.q[0] - _along(curve)[:, None] * way
     if np.abs(off).max() > ON_A_LINE * np.abs(curve.q).max():
         return None
-    _, begins, bends, sharp = _along(curve)
-    h = np.diff(curve.s)
+    per, h = way / (way @ way), np.diff(curve.s)
+    begins, bends, sharp = curve.d1 @ per, curve.d2 @ per, curve.d3 @ per
     # a slope is a quadratic: with these three numbers above zero it is so on all of a piece
     middles, ends = begins + h * bends / 2, begins + h * (bends + h * sharp / 2)
     if min(begins.min(), middles.min(), ends.min()) < 0:
@@ -70,14 +70,13 @@ def closed_form(timed: TimedPath, curve: JointCurve) -> tuple[Profile, list[str]
 
 def is_even(curve: JointCurve) -> bool:
     """Whether a straight line's parameter is the part of it that is behind the arm."""
-    return bool(np.abs(_along(curve)[0] - curve.s[:-1]).max() <= ON_A_LINE)
+    return bool(np.abs(_along(curve) - curve.s[:-1]).max() <= ON_A_LINE)
 
 
-def _along(curve: JointCurve) -> tuple[Array, Array, Array, Array]:
-    """Return the part of the way (k,) at each piece's beginning, and its three derivatives by s."""
+def _along(curve: JointCurve) -> Array:
+    """Return the part of the way (k,) that is behind the arm at each piece's beginning."""
     way = curve.end - curve.q[0]
-    per = way / (way @ way)
-    return (curve.q - curve.q[0]) @ per, curve.d1 @ per, curve.d2 @ per, curve.d3 @ per
+    return np.asarray((curve.q - curve.q[0]) @ (way / (way @ way)), np.float64)
 
 
 def _places(curve: JointCurve, along: Array) -> Array:

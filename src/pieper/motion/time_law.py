@@ -15,10 +15,13 @@ from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.jerk import smooth_motion
 from pieper.motion.limits import Limits
 from pieper.motion.motion import Motion
-from pieper.motion.ratios import peak_ratios
+from pieper.motion.ratios import Ratios, peak_ratios
 from pieper.motion.straight import straight_motion
 from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
-from pieper.tolerances import LIMIT_SLACK, TAKEN_BACK
+from pieper.tolerances import EVEN_SPEED, LIMIT_SLACK, TAKEN_BACK
+
+#: Rounds in which pieces are eased whose bounds pass a limit.
+ROUNDS = 8
 
 
 def time_law(
@@ -61,11 +64,11 @@ def time_law(
     if limits.jerk is not None:
         raise InputError("a section of constant speed and a jerk limit at once are not planned; leave one out.")
     timed, wanted = section_grid(timed, curve, asked)
-    x, _, done, _ = timed.run(wanted)
+    found = fastest_certified(timed, wanted)
     # a motion ends at rest, whatever speed is wanted there
-    if not done or asked[-1][1] >= 1:
+    if found is None or asked[-1][1] >= 1:
         raise why_not(timed, asked)
-    return _told_outside(motion_of(timed, x, curve.between_points(), rate), timed, curve)
+    return _told_outside(_motion_of(timed, *found, curve.between_points(), rate), timed, curve)
 
 
 def fastest_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
@@ -75,8 +78,29 @@ def fastest_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
         return straight
     if timed.limits.jerk is not None:
         return smooth_motion(timed, curve, rate)
-    x, _, _, _ = timed.run()
-    return motion_of(timed, x, curve.between_points(), rate)
+    found = fastest_certified(timed)
+    assert found is not None  # what has no section can stand still anywhere
+    return _motion_of(timed, *found, curve.between_points(), rate)
+
+
+def fastest_certified(timed: TimedPath, wanted: Array | None = None) -> tuple[Array, Ratios] | None:
+    """Return the fastest profile x (k + 1,) that keeps its limits on all of each piece, and what it uses of them.
+
+    Where the bounds of the tool between the grid's points pass a limit, those pieces alone are eased. None where what
+    is wanted cannot be had; without sections what is left after some rounds is slowed as a whole.
+    """
+    rounds = 0
+    while True:
+        x, _, done, _ = timed.run(wanted)
+        if not done:
+            return None
+        ratios = peak_ratios(timed, x)
+        if ratios.margin <= 1 + EVEN_SPEED:
+            return x, ratios
+        rounds += 1
+        if rounds == ROUNDS:
+            return (x, ratios) if wanted is None else None
+        timed = replace(timed, easing=timed.eased / np.maximum(ratios.stretch(), 1.0))
 
 
 def _told_outside(motion: Motion, timed: TimedPath, curve: JointCurve) -> Motion:
@@ -101,9 +125,8 @@ def _told_outside(motion: Motion, timed: TimedPath, curve: JointCurve) -> Motion
     return replace(motion, remarks=(*motion.remarks, *said)) if said else motion
 
 
-def motion_of(timed: TimedPath, x: Array, deviation: float, rate: float) -> Motion:
+def _motion_of(timed: TimedPath, x: Array, ratios: Ratios, deviation: float, rate: float) -> Motion:
     """Return the motion of a profile x (k + 1,), slowed down where it passes a limit."""
-    ratios = peak_ratios(timed, x)
     while ratios.margin > 1:
         factor = float(ratios.stretch().max()) * (1 + TAKEN_BACK)
         x, ratios = x / factor**2, ratios.slower(factor)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
@@ -109,6 +110,12 @@ class TimedPath:
         """(k,) lengths of the pieces."""
         return np.diff(self.curve.s)
 
+    @property
+    def eased(self) -> Array:
+        """(k,) `easing`, ones where there is none."""
+        return np.ones(len(self.share)) if self.easing is None else self.easing
+
+    @cached_property
     def most(self) -> Array:
         """Return bounds (k + 1,) of x = (ds/dt)^2 that keep the tool's speeds; infinite where there are none."""
         out = np.full(len(self.curve.s), np.inf)
@@ -116,12 +123,13 @@ class TimedPath:
             return out
         turn = np.full(len(self.share), np.inf if self.limits.turn_speed is None else self.limits.turn_speed)
         for value, strays, most in (
-            (self.tool.point, self.tool.point_strays, self.tool_speed),
-            (self.tool.turn, self.tool.turn_strays, turn * self.share),
+            (self.tool.point, self.tool.point_strays, self.tool_speed * self.eased),
+            (self.tool.turn, self.tool.turn_strays, turn * self.share * self.eased),
         ):
             out = np.minimum(out, _caps(value, strays, most))
         return out
 
+    @cached_property
     def rows(self) -> tuple[Array, Array, Array]:
         """Return a, b, c (k, rows) of |a u + b x| <= c that keep the tool's acceleration at both ends of each piece."""
         k, most = len(self.share), self.limits.tool_acceleration
@@ -139,16 +147,17 @@ class TimedPath:
             e2 = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), TINY)
             way = np.cos(angle)[:, None, None] * e1 + np.sin(angle)[:, None, None] * e2
             along, bent = (way * p).sum(-1).T, (way * d).sum(-1).T
+            # across the way u does nothing: what rounding leaves of it would let x be anything
+            along[:, DIRECTIONS // 2] = 0.0
             # u and x at the piece's beginning; x at its end is x + 2 h u
             a.append(along + 2 * self.h[:, None] * bent * end)
             b.append(bent)
         rows = np.hstack(a), np.hstack(b)
-        return *rows, np.full(rows[0].shape, most * np.cos(np.pi / (2 * DIRECTIONS)))
+        return *rows, np.repeat(self.eased[:, None] ** 2 * (most * np.cos(np.pi / (2 * DIRECTIONS))), 2 * DIRECTIONS, 1)
 
     def run(self, wanted: Array | None = None, start: float = 0.0, end: float = 0.0) -> tuple[Array, Array, bool, int]:
         """Return x (k + 1,), upper ends of the controllable sets (k + 1,), whether it can be done, and where not."""
-        a, b, c = self.rows()
-        k = len(self.share)
+        a, b, c = self.rows
         return _kernel.fastest(
             s=self.curve.s,
             d1=self.curve.d1,
@@ -157,12 +166,12 @@ class TimedPath:
             speed=self.bound.speed,
             acceleration=self.bound.acceleration,
             share=self.share,
-            easing=np.ones(k) if self.easing is None else self.easing,
+            easing=self.eased,
             a=a,
             b=b,
             c=c,
-            most=self.most(),
-            wanted=np.full(k + 1, np.nan) if wanted is None else wanted,
+            most=self.most,
+            wanted=np.full(len(self.curve.s), np.nan) if wanted is None else wanted,
             start=start,
             end=end,
         )

@@ -17,6 +17,8 @@ FRAME_ROUNDED = 4e-15
 QUARTER_EXACT = 4e-16
 #: Rounding is taken relative to the arm's size, and to no less than a millimetre.
 SMALLEST_ARM = 1e-3
+#: A name, or an end of one, that is this much like what was typed (of 1) may be what was meant.
+LEAST_LIKENESS = 0.6
 #: A coupling whose inverse is larger than this many times its size says that two joints move the same.
 WORST_CONDITION = 1e6
 #: A mesh without thickness gets this much, m.

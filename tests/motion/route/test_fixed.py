@@ -38,7 +38,7 @@ def test_a_line_beside_an_axis_swings_the_first_joint_round_it(d):
     np.testing.assert_allclose(arm.fk(route.q)[:, :3, 3], path[:, :3, 3], atol=1e-9)
 
 
-@pytest.mark.parametrize("d", [1e-2, 3e-4, 1e-5])
+@pytest.mark.parametrize("d", [1e-2, *(pytest.param(d, marks=pytest.mark.slow) for d in (3e-4, 1e-5))])
 def test_a_swing_that_limits_forbid_is_no_route(d):
     path, _ = beside_the_axis(d)
     assert three_turns((-1.0, 1.0)).route(path).verdict is not FOUND
@@ -142,6 +142,7 @@ def test_a_turn_beside_a_straight_wrist_swings_it(d):
     assert abs(np.ptp(route.q[:, 3]) - 2 * np.arctan2(0.3, d)) < 2e-2
 
 
+@pytest.mark.slow
 def test_more_freedom_does_not_lose_a_route_beside_a_singular_posture():
     arm = wrist()
     path = turned_beside_the_wrist(arm, 0.01)

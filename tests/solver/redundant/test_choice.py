@@ -76,3 +76,10 @@ def test_a_tool_roll_or_a_joint_can_be_held_of_an_arm_that_need_not_turn_its_too
     sols = arm.ik(T, task="position+axis", redundancy={"joint_4": q[3]})
     assert np.abs(sols.all_q[:, 3] - q[3]).max() < 1e-9
     assert np.abs(sols.all_q - q).max(1).min() < 1e-6
+
+
+def test_no_value_at_all_is_no_choice():
+    arm = pieper.load("franka-panda")
+    T = arm.fk([0, 0.1, 0, -1.5, 0, 1.6, 0.7])
+    assert np.array_equal(arm.ik(T, redundancy={}).q, arm.ik(T).q) and len(arm.ik(T).q)
+    assert arm.ik_many(T[None], redundancy={}).status[0] == Status.REDUNDANT

@@ -31,8 +31,9 @@ GENERAL_DEGENERATE = 1e-6
 GENERAL_UNCOUNTED = 1e-7
 #: Real eigenvalues this close are one root twice,
 GENERAL_ONE_ROOT = 1e-5
-#: where the singular value is below this.
-GENERAL_MERGED = 1e-3
+#: where the singular value is below this: twins of a fold stand farther apart than polishing resolves above it, and one
+#: solution met from two such eigenvalues has kept another from being found.
+GENERAL_MERGED = 2e-6
 #: A way of elimination noisier than this on test poses is of no use.
 GENERAL_NOISIEST = 1e-6
 #: Noise below this is as good as none.

@@ -130,6 +130,7 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
     }
   };
   el.addEventListener('input', () => wholeNumber(el));
+  widths.observe(el);
   el.refresh = () => {
     if (!unread() && document.activeElement !== el) write();
   };
@@ -157,27 +158,29 @@ function remade(root, make) {
   if (names) say(`Could not be read and is given up: ${names}.`, 'wrong');
 }
 
+/** A field that becomes narrower, or is first shown, is measured anew. */
+const widths = new ResizeObserver((list) =>
+  requestAnimationFrame(() =>
+    list.forEach(({ target }) => {
+      const em = parseFloat(getComputedStyle(target).fontSize);
+      // so many letters have room however wide they are
+      target.sure = target.shrunk ? 0 : Math.floor((target.clientWidth - 14) / (0.8 * em));
+      wholeNumber(target);
+    }),
+  ),
+);
 /** The last digit is never cut: long numbers are written smaller. */
 function wholeNumber(el) {
-  if (el.value.length < 7 && !el.shrunk) return;
+  if (el.value.length <= el.sure && !el.shrunk) return;
   const room = el.clientWidth;
-  // not on the page yet, as when a row is being made: once it is
-  if (!room) {
-    if (!el.waits)
-      requestAnimationFrame(() => {
-        el.waits = false;
-        if (el.clientWidth) wholeNumber(el);
-      });
-    el.waits = true;
-    return;
-  }
+  if (!room) return; // once it is shown
   el.style.removeProperty('font-size');
   el.shrunk = false;
   if (el.scrollWidth <= room) return;
   const size = parseFloat(getComputedStyle(el).fontSize);
   el.style.setProperty(
     'font-size',
-    `${Math.max(0.58 * size, (size * (room - 14)) / (el.scrollWidth - 14)).toFixed(2)}px`,
+    `${Math.max(0.5 * size, (size * (room - 14)) / (el.scrollWidth - 14)).toFixed(2)}px`,
   );
   el.shrunk = true;
 }

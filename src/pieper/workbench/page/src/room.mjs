@@ -63,7 +63,7 @@ export function splitter(room, rail) {
 export function present(overlay) {
   const grid = matrixGrid('Pose of the tool, large', 'present-pose');
   const card = h('div', { class: 'present-card', hidden: true }, grid);
-  overlay.append(card);
+  overlay.parentElement.append(card);
   const root = document.documentElement;
   const toggle = button('Present', { 'aria-pressed': 'false', 'data-testid': 'present' }, () =>
     set(root.dataset.present !== 'yes'),
