@@ -60,7 +60,11 @@ ROUTES = [
         "start is not on the path: .* Leave it out",
     ),
     ("an end off the path", lambda: ARM.route(PATH, free=FREE, end=HOME), "end is not on the path: .* Leave it out"),
-    ("a start outside limits", lambda: ARM.route(PATH, free=FREE, start=HOME + 9), "joint_1 at 515.662 deg, outside its limits"),
+    (
+        "a start outside limits",
+        lambda: ARM.route(PATH, free=FREE, start=HOME + 9),
+        "joint_1 at 515.662 deg, outside its limits",
+    ),
     ("no freedom", lambda: ARM.route(PATH, free=0.3), "pieper.Freedom"),
     ("an unknown cost", lambda: ARM.route(PATH, free=FREE, cost="cheap"), "'motion' or 'time'"),
     ("a negative clearance", lambda: ARM.route(PATH, free=FREE, clearance=-0.1), "clearance"),

@@ -145,7 +145,7 @@ def _exact_ones(curves: _Curves, doubles: list[Array], room: int) -> list[Array]
     """
     worst_first = np.argsort(-missed(curves.chain, np.array(doubles), curves.T), kind="stable")
     kept = set(range(len(doubles)))
-    for k in worst_first.tolist():
+    for k in map(int, worst_first):
         if len(kept) <= room:
             break
         along = [near for near in curves.near if near.distance(doubles[k]) < ON_NEAR_POLYLINE]
