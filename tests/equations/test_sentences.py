@@ -7,10 +7,15 @@ import pytest
 import pieper
 from tests.equations.sentences import false_sentences, random_arm
 
-QUICK = ["denso-vp6242", "universal-robots-ur5e", "adept-cobra-600", "stanford-arm"]
+QUICK = ["denso-vp6242", "universal-robots-ur5e", "adept-cobra-600", "stanford-arm", "so-101"]
 OTHERS = [name for name in sorted(pieper.catalog()) if name not in QUICK]
 #: Joints, first and last number of random arms of every kind, slides anywhere; docs/symbolic.md says what was tried.
 RANDOM = [(3, 0, 40), (4, 0, 40), (5, 0, 24), (6, 0, 30), (6, 30, 60), (6, 60, 90), (7, 0, 4)]
+
+
+def by_axes(arm):
+    """The arm, of a palletizer its axes: what a linkage holds of them is not written as formulas."""
+    return arm.uncoupled() if arm.description.linked else arm
 
 
 @pytest.mark.parametrize("name", QUICK)
@@ -21,7 +26,7 @@ def test_a_derivation_says_nothing_false(name):
 @pytest.mark.slow
 @pytest.mark.parametrize("first", range(0, len(OTHERS), 20))
 def test_no_derivation_of_the_catalogue_says_anything_false(first):
-    bad = {name: false_sentences(pieper.load(name)) for name in OTHERS[first : first + 20]}
+    bad = {name: false_sentences(by_axes(pieper.load(name))) for name in OTHERS[first : first + 20]}
     assert {name: said for name, said in bad.items() if said} == {}
 
 

@@ -86,7 +86,7 @@ class InverseEquations(Readable):
             if self._fell_back:
                 page.say(
                     f"By the {self._fell_back.replace('+', ' and the ')} alone, which is what the solver takes of this "
-                    "arm, no joint stands alone in an equation. What follows is for the whole pose."
+                    "arm, no order of steps was found that gives every joint. What follows is for the whole pose."
                 )
             if self.plan is not None:
                 # the plan's number of solutions is that of its own task

@@ -9,6 +9,7 @@ import numpy as np
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Sym, angle_symbol
 from pieper.equations.derivation.patterns import Solved
+from pieper.kinematics.arrays import Array
 from pieper.tolerances import DERIVED_SAME, NO_DIRECTION
 
 
@@ -35,11 +36,22 @@ class Witness:
         self.eliminator = eliminator
         table = eliminator.table
         q = np.random.default_rng(5).uniform(-2.5, 2.5, (table.n, count))
-        self.values = _Values(self, table.values(q, NumpyField))
-        pose = [[p.evaluate(self.values) for p in row] for row in eliminator.product(0, table.n)]
-        for c, letter in enumerate("noap"):
-            for r, axis in enumerate("xyz"):
-                self.values[Sym(letter, axis, 4)] = pose[r][c] + np.zeros(count)
+        self.count, self.joints = count, table.values(q, NumpyField)
+        self.values = _Values(self, self.joints)
+        self.values.update(self._pose(self.joints))
+
+    def _pose(self, values: dict) -> dict[Sym, Array]:
+        """The entries of the pose (count,) by their symbols, of values of all lengths and joints."""
+        links = self.eliminator.product(0, self.eliminator.n)
+        pose = [[p.evaluate(values) + np.zeros(self.count) for p in row] for row in links]
+        return {Sym(c, axis, 4): pose[r][k] for k, c in enumerate("noap") for r, axis in enumerate("xyz")}
+
+    def stays(self, moved: Array, given: str) -> bool:
+        """Whether what is given of the pose stays while the joints move along `moved` (n,)."""
+        variables = [self.eliminator.table.variable(j + 1) for j in range(len(moved))]
+        there = self._pose(self.joints | {v: self.joints[v] + by for v, by in zip(variables, moved, strict=True)})
+        gaps = [value - self.values[symbol] for symbol, value in there.items() if symbol.base in given]
+        return bool(np.abs(gaps).max() < DERIVED_SAME)
 
     def confirms(self, angle: tuple, solved: Solved, sigma: Sym) -> bool:
         """Whether one branch of the formula gives the true value at every posture, and no posture is degenerate."""
