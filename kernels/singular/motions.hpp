@@ -205,6 +205,7 @@ struct LinkageSelfMotion {
   // linkage may lead.
   std::vector<double> crossings(const Limits& limits, double beyond) const {
     std::vector<double> ends = {0, 1};
+    if (course == Course::ROUND_TWICE) ends.push_back(0.5);  // where it may cross itself, as it is at its start
     for (int k = 0; k < 4; ++k) {
       const int joint = bar.joint[k];
       if (limits.upper[joint] - limits.lower[joint] >= kTwoPi) continue;
@@ -212,7 +213,10 @@ struct LinkageSelfMotion {
         if (!std::isfinite(value)) continue;
         for (double way : {1.0, -1.0}) {
           double turned[4], u;
-          if (bar.turned(k, short_way(value - through[joint]), way, turned) && place(turned, u)) ends.push_back(u);
+          if (!bar.turned(k, short_way(value - through[joint]), way, turned) || !place(turned, u)) continue;
+          ends.push_back(u);
+          // where the curve crosses itself, rounding decides which round it is: an end too many only halves a stretch
+          if (course == Course::ROUND_TWICE) ends.push_back(u < 0.5 ? u + 0.5 : u - 0.5);
         }
       }
     }
