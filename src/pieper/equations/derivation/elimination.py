@@ -13,8 +13,6 @@ import itertools
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-import numpy as np
-
 from pieper.algebra.determinant import one_circle
 from pieper.algebra.expression import Expr, Num, Sym, Trig, add, angle_symbol, mul
 from pieper.algebra.harmonic import Poly
@@ -117,7 +115,7 @@ class Eliminator:
         while len(self.knowledge.joints) < self.n:
             move = self.best()
             if move is None:
-                return self._free_rest()
+                return self.witness.stays_beside(self.knowledge) and self._free_rest()
             self.take(move)
         return True
 
@@ -165,18 +163,7 @@ class Eliminator:
                     break
 
     def _free_rest(self) -> bool:
-        """Joints that only occur in sums that are known are free: choose all but one of each sum.
-
-        Whether they occur nowhere else is asked of the arm: what leaves all that is known as it is moves nothing.
-        """
-        known = [((j, 1),) for j in self.knowledge.joints] + list(self.knowledge.sums)
-        rows = np.zeros((len(known), self.n))
-        for row, angle in zip(rows, known, strict=True):
-            for j, k in angle:
-                row[j - 1] = k
-        free = np.linalg.svd(rows)[2][np.linalg.matrix_rank(rows) :]
-        if not all(self.witness.stays(way, self.target.given) for way in free):
-            return False
+        """Joints that only occur in sums that are known are free: choose all but one of each sum."""
         while len(self.knowledge.joints) < self.n:
             open_sums = [a for a in self.knowledge.sums if any(j not in self.knowledge.joints for j, _ in a)]
             if not open_sums:

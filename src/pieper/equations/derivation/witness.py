@@ -9,6 +9,7 @@ import numpy as np
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Sym, angle_symbol
 from pieper.equations.derivation.patterns import Solved
+from pieper.equations.derivation.unknowns import Knowledge
 from pieper.kinematics.arrays import Array
 from pieper.tolerances import DERIVED_SAME, NO_DIRECTION
 
@@ -36,6 +37,7 @@ class Witness:
         self.eliminator = eliminator
         table = eliminator.table
         q = np.random.default_rng(5).uniform(-2.5, 2.5, (table.n, count))
+        self.given = eliminator.target.given
         self.count, self.joints = count, table.values(q, NumpyField)
         self.values = _Values(self, self.joints)
         self.values.update(self._pose(self.joints))
@@ -46,12 +48,20 @@ class Witness:
         pose = [[p.evaluate(values) + np.zeros(self.count) for p in row] for row in links]
         return {Sym(c, axis, 4): pose[r][k] for k, c in enumerate("noap") for r, axis in enumerate("xyz")}
 
-    def stays(self, moved: Array, given: str) -> bool:
-        """Whether what is given of the pose stays while the joints move along `moved` (n,)."""
-        variables = [self.eliminator.table.variable(j + 1) for j in range(len(moved))]
-        there = self._pose(self.joints | {v: self.joints[v] + by for v, by in zip(variables, moved, strict=True)})
-        gaps = [value - self.values[symbol] for symbol, value in there.items() if symbol.base in given]
-        return bool(np.abs(gaps).max() < DERIVED_SAME)
+    def stays_beside(self, knowledge: Knowledge) -> bool:
+        """Whether what is given of the pose stays while the joints move as the known joints and sums allow."""
+        n, table = self.eliminator.n, self.eliminator.table
+        known = [((j, 1),) for j in knowledge.joints] + list(knowledge.sums)
+        rows = np.zeros((len(known), n))
+        for row, angle in zip(rows, known, strict=True):
+            for j, k in angle:
+                row[j - 1] = k
+        for way in np.linalg.svd(rows)[2][np.linalg.matrix_rank(rows) :]:
+            moved = {v: self.joints[v] + by for j, by in enumerate(way, 1) for v in [table.variable(j)]}
+            gaps = [v - self.values[s] for s, v in self._pose(self.joints | moved).items() if s.base in self.given]
+            if np.abs(gaps).max() >= DERIVED_SAME:
+                return False
+        return True
 
     def confirms(self, angle: tuple, solved: Solved, sigma: Sym) -> bool:
         """Whether one branch of the formula gives the true value at every posture, and no posture is degenerate."""
