@@ -162,3 +162,35 @@ def test_drawn_round_arms_tell_all_but_one_in_fifty_of_their_round_postures():
             if not is_told(arm, q) and arm.ik(arm.fk(q)).status != Status.UNCERTAIN:
                 lost.append((arm.description.rows, arm.joint_types, arm.description.convention, q.tolist()))
     assert len(lost) <= 2, lost
+
+
+def test_no_pose_that_a_round_arm_takes_is_out_of_reach():
+    rng, tried = np.random.default_rng(11), 0
+    while tried < 20:
+        arm = drawn(rng)
+        try:
+            if arm.plan.redundancy:
+                continue
+        except pieper.PlanError:
+            continue
+        tried += 1
+        slide = rng.choice([0, 0.1, -0.1, 0.2], (24, arm.n))
+        q = np.where(arm.chain.prismatic, slide, K * rng.integers(-4, 5, (24, arm.n)))
+        q[12:] += 10.0 ** rng.uniform(-12, -2, (12, 1)) * rng.standard_normal((12, arm.n))
+        status = arm.ik_many(arm.fk(q), threads=1).status
+        assert not np.any(status == Status.OUT_OF_REACH), (arm.description.rows, q[status == Status.OUT_OF_REACH])
+
+
+def test_poses_that_a_short_arm_cannot_take_are_not_looked_at_with_care(monkeypatch):
+    """Filled up, it takes nearly all of them with virtual joints far from zero, and so it does poses beside."""
+    from pieper.solver.singular import careful
+
+    looked: list[np.ndarray] = []
+    every = careful.every_solution
+    monkeypatch.setattr(careful, "every_solution", lambda plan, T, rows: looked.append(T) or every(plan, T, rows))
+    arm = Arm.from_dh([DH(0, H, 0.3), DH(0.3), DH(0.3), DH(0.1, H)], convention="standard")
+    rng = np.random.default_rng(0)
+    poses = np.stack([pieper.pose(*x[:3], rpy=x[3:]) for x in rng.uniform(-0.6, 0.6, (200, 6))])
+    assert np.all(arm.ik_many(poses, threads=1).status == Status.OUT_OF_REACH)
+    assert all(arm.ik(T).status == Status.OUT_OF_REACH for T in poses[:20])
+    assert not looked

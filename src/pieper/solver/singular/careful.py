@@ -140,15 +140,20 @@ def vouched(plan: Plan, T: Array, rows: Array) -> bool:
 def overlooked(plan: Plan, poses: Array) -> Bools:
     """Return which poses (N, 4, 4) without solutions have neighbours with some (N,).
 
-    They may be singular, or lie at the edge of reach. Of an arm that is filled up the poses themselves are asked too,
-    filled up in another way.
+    They may be singular, or lie at the edge of reach. Of an arm that is filled up nearly every pose has some, with
+    virtual joints far from zero: those count that have them nearly there, or where the solver marks what it gives, of
+    the poses themselves too, and however it is filled up.
     """
     aside = side_steps(plan.chain, poses, (CAREFUL_ASIDE,))
-    valid = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[1]
-    found = np.any(valid.reshape(len(poses), -1), axis=1)
-    for solver, real in plan.refilled[:1]:
-        q, valid = solver.many(np.ascontiguousarray(poses), 1)[:2]
+    if not plan.refilled:
+        valid = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[1]
+        return np.any(valid.reshape(len(poses), -1), axis=1)
+    found = np.zeros(len(poses), bool)
+    every = np.ascontiguousarray(np.concatenate([poses[:, None], aside], 1).reshape(-1, 4, 4))
+    for solver, real in ((plan.solver, plan.reduction.real), *plan.refilled):
+        q, valid, _, flags = solver.many(every, 1)
         virtual = np.setdiff1d(np.arange(6), real)
-        size = np.abs(q[..., virtual]) / solver.chain.joints.unit[virtual]
-        found |= np.any(valid & (size < NEARLY_ZERO).all(-1), axis=1)
+        zero = np.all(np.abs(q[..., virtual]) < NEARLY_ZERO * solver.chain.joints.unit[virtual], axis=-1)
+        marked = (flags & (Flag.DEGENERATE | Flag.UNCERTAIN)) > 0
+        found |= np.any((valid & (zero | marked[:, None])).reshape(len(poses), -1), axis=1)
     return found
