@@ -139,8 +139,14 @@ def test_a_xacro_that_needs_an_argument_or_a_package_says_so(tmp_path):
     (tmp_path / "nowhere" / "a.xacro").write_text(XACRO.format(default="0.3"))
     assert pieper.load(tmp_path / "away.xacro").n == 2
     (tmp_path / "macros.xacro").write_text('<robot name="x" xmlns:xacro="http://www.ros.org/wiki/xacro"/>')
-    with pytest.raises(InputError, match="may only define macros"):
+    with pytest.raises(InputError, match="may only define macros. Load the file that uses them.$"):
         pieper.load(tmp_path / "macros.xacro")
+    (tmp_path / "arm.urdf.xacro").write_text(
+        XACRO.format(default="0.3").replace("<xacro:arg", '<xacro:include filename="macros.xacro"/><xacro:arg')
+    )
+    with pytest.raises(InputError, match="Load the file that uses them: arm.urdf.xacro.$") as raised:
+        pieper.load(tmp_path / "macros.xacro")
+    assert pieper.load(tmp_path / raised.value.allowed[0]).n == 2
 
 
 def test_an_argument_used_before_its_line_has_its_default_and_what_fails_names_the_arguments(tmp_path):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import os
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -13,6 +14,9 @@ from pieper.description import urdf
 from pieper.description.dh import Description
 from pieper.description.tree import some
 from pieper.errors import InputError
+
+#: How many files around one that only defines macros are looked through for one that uses them.
+MOST_LOOKED_AT = 300
 
 
 def read(
@@ -39,9 +43,12 @@ def read(
     urdf.bytes_of(path, urdf.LARGEST_FILE, "xacro")
     text = expanded(path, arguments or {})
     if "<joint" not in text:
+        users = _users(path)
+        which = f": {some(users, 4)}" if users else ""
         raise InputError(
-            f"{path}: this xacro expands to no joint; it may only define macros. Load the file that uses them.",
+            f"{path}: this xacro expands to no joint; it may only define macros. Load the file that uses them{which}.",
             file=str(path),
+            allowed=users,
         )
     return urdf.loads(text, file=str(path), base=base, tip=tip, missing_limits=missing_limits)
 
@@ -112,6 +119,19 @@ def _reason(error: BaseException) -> str:
     """Return what the expander said, once."""
     text = " ".join(str(error).split()) or type(error).__name__
     return re.sub(r"^<class '[^']*'>: ", "", text)
+
+
+def _users(path: Path) -> list[str]:
+    """Return the xacro files in the folder of a file, and in those beside it, that include it, from that folder."""
+    users: list[str] = []
+    folder = path.resolve().parent
+    for other in [*sorted(folder.glob("*.xacro")), *sorted(folder.parent.glob("*/*.xacro"))][:MOST_LOOKED_AT]:
+        if other.name == path.name or other.stat().st_size > urdf.LARGEST_FILE:
+            continue
+        included = re.findall(r"<xacro:include[^>]*/>", other.read_text(encoding="utf-8", errors="replace"))
+        if any(re.search(rf"[/\"']{re.escape(path.name)}[\"']", tag) for tag in included):
+            users.append(os.path.relpath(other, folder))
+    return list(dict.fromkeys(users))
 
 
 def _declared(path: Path) -> dict[str, str | None]:

@@ -14,3 +14,9 @@ Bits: TypeAlias = npt.NDArray[np.uint8]
 #: Numbers of slots, of whatever width they come in.
 Slots: TypeAlias = npt.NDArray[np.integer[Any]]
 ArrayLike: TypeAlias = npt.ArrayLike
+
+
+def median(values: Array) -> Array:
+    """Return the medians of rows (..., n) without NaN; `numpy.median` imports its masked arrays for that."""
+    ordered, n = np.sort(values, axis=-1), values.shape[-1]
+    return (ordered[..., (n - 1) // 2] + ordered[..., n // 2]) / 2
