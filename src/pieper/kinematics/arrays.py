@@ -16,7 +16,8 @@ Slots: TypeAlias = npt.NDArray[np.integer[Any]]
 ArrayLike: TypeAlias = npt.ArrayLike
 
 
-def median(values: Array) -> Array:
+def median(values: ArrayLike) -> Array:
     """Return the medians of rows (..., n) without NaN; `numpy.median` imports its masked arrays for that."""
-    ordered, n = np.sort(values, axis=-1), values.shape[-1]
+    ordered = np.sort(np.asarray(values, np.float64), axis=-1)
+    n = ordered.shape[-1]
     return (ordered[..., (n - 1) // 2] + ordered[..., n // 2]) / 2
