@@ -81,7 +81,7 @@ def arm_of(
         postures={"zero": np.zeros(len(own))}
         | {name: np.array([values[joint.name] for joint in own]) for name, values in tree.postures.items()},
     )
-    remark_sizes(arm, chain_of(arm).length)
+    remark_sizes(arm, chain_of(arm))
     return replace(arm, origin=Origin(str(tree.file), tree.format, ends.base, ends.tip))
 
 

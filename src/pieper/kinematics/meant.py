@@ -49,14 +49,14 @@ def remark_far_shape(what: str, away: float, across: float, reach: float, name: 
     return True
 
 
-def remark_long(metres: float, what: str) -> None:
-    """Warn of an arm, or of a part of one, that is longer than any that was built."""
-    if metres > LONGEST_ARM:
-        warnings.warn(
-            f"{what} {metres:.4g} m; metres are meant. Were these millimetres? Divide by 1000.",
-            PieperWarning,
-            stacklevel=4,
-        )
+def remark_long(metres: float, what: str) -> bool:
+    """Warn of an arm, or of a part of one, that is longer than any that was built; whether it was."""
+    if metres <= LONGEST_ARM:
+        return False
+    warnings.warn(
+        f"{what} {metres:.4g} m; metres are meant. Were these millimetres? Divide by 1000.", PieperWarning, stacklevel=4
+    )
+    return True
 
 
 def remark_turned(angles: ArrayLike, what: str) -> None:
