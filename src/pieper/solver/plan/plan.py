@@ -26,6 +26,8 @@ from pieper.words_by_number import plural
 
 #: Most solvers kept for values of locked joints, of the arm that is solved and of a snapped arm as described.
 MOST_SOLVERS, MOST_EXACT_SOLVERS = 512, 64
+#: Most plans kept of the arm with its locked joints at values.
+MOST_LOCKED = 64
 
 
 @dataclass(frozen=True)
@@ -213,6 +215,11 @@ class Plan:
     @cached_property
     def held(self) -> dict[tuple[int, ...], Plan | PlanError]:
         """What `holding` made of this plan, by the joints that are held."""
+        return {}
+
+    @cached_property
+    def locked(self) -> dict[tuple[float, ...], Plan | PlanError]:
+        """What `locked_at` made of this plan, by the values of the locked joints."""
         return {}
 
     def residual(self, q: Array, T: Array) -> Array:
