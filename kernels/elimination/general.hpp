@@ -32,10 +32,11 @@ inline bool settled(const Report& report, const Found& found) {
 }
 
 // A second opinion that added nothing. Special geometry gives some variants real eigenvalues without a solution, always; there
-// only the agreement counts.
+// only the agreement counts. Where two eigenvalues coincide, and do not always, each has a solution of its own.
 inline bool agreed(const Variant& v, const Report& report, const Found& found, int before) {
   if (found.count != before) return false;
-  return settled(report, found) || (v.open > 0 && !report.doubtful && report.lost == 0 && even(found));
+  return settled(report, found) ||
+         (v.open > 0 && !report.doubtful && report.lost == 0 && (report.shared == 0 || v.shares) && even(found));
 }
 
 // Solutions of a neighbouring pose, polished onto this one.
