@@ -22,7 +22,6 @@ struct Variant {
   double noise;                // median over test poses of what should vanish, relative
   double typical;              // median over test poses of the largest |determinant|
   double open;                 // eigenvalues a test pose that belong to no solution: roots that special geometry adds
-  bool shares;                 // whether some of them are another's, at test poses too
   int pose_free() const { return roles.pose_link == 0 || roles.pose_link == 5; }
 };
 

@@ -176,7 +176,7 @@ inline void try_variant(const Model& model, SelfTest& test, int arm, int t) {
   if (!(trial.noise < kGeneralNoisiest)) return;
   trial.rank = kTried;
   trial.missed = 0;
-  v.typical = 0, v.shares = false;
+  v.typical = 0;
   double size[SelfTest::poses];
   for (int g = 0; g < SelfTest::groups; ++g) {
     RigidT<G> wide;
@@ -189,7 +189,6 @@ inline void try_variant(const Model& model, SelfTest& test, int arm, int t) {
     for (int i = 0; i < W; ++i) {
       size[g * W + i] = report[i].size;
       trial.open += report[i].unresolved + 100 * report[i].doubtful;
-      v.shares |= report[i].shared > 0;
       const Found& f = test.own[at][g * W + i];
       for (int k = 0; k < f.count; ++k)
         insert(test.known[g * W + i], f.q[k], f.sigma[k], f.residual[k], model.prismatic);

@@ -67,7 +67,6 @@ inline double angle_apart(double a, double b) {
 struct Report {
   int real;        // real eigenvalues
   int unresolved;  // of them without a solution of their own
-  int shared;      // of those at the angle of another whose regular solution they led to: there is one more, not found
   int nearly;      // complex ones near enough to the real line to be tried as a double root
   int lost;        // eigenvalues, real or nearly, that share a regular solution with another, or have none
   bool doubtful;   // eigenvalues missing or the matrix meaningless
@@ -156,7 +155,7 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
   for (int i = 0; i < used; ++i) {
     const Spectrum all = spectrum(eigenvalues[i], re[i], im[i], lane(poses.chart_c, i), lane(poses.chart_s, i));
     const double size = lane(poses.largest, i);
-    report[i] = {0, 0, 0, 0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), 0, size};
+    report[i] = {0, 0, 0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), 0, size};
     for (int k = 0; k < all.count; ++k) {
       const double im = all.imaginary[k];
       if (im == 0) ++report[i].real;
@@ -193,7 +192,7 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
         Found& all = found[list[k].pose];
         // a double root; roots that coincide where the posture is far from singular belong to two solutions, one of them not found
         if (d < kGeneralOneRoot && all.sigma[list[k].solution] < kGeneralMerged) all.merged[list[k].solution] = true;
-        else if (j < k) own = false, report[list[k].pose].shared += d < kGeneralOneRoot;
+        else if (j < k) own = false;
       }
     Report& r = report[list[k].pose];
     if (!own) {
