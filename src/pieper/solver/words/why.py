@@ -47,9 +47,18 @@ def why(plan: Plan, sols: Solutions) -> str:
         if not m:
             return f"No solution inside the limits at the chosen {_held(plan, sols)}; other values have some."
         return f"{plural(m, 'solution')} at the chosen {_held(plan, sols)}; the arm has {spare} to spare for this task."
-    double = int(np.sum(sols.multiplicity > 1))
-    merged = f", {double} of them double (two branches meet there)" if double else ""
-    return f"{m} of {plural(k, 'solution')} {'lies' if m == 1 else 'lie'} inside the joint limits{merged}."
+    where = "lies" if m == 1 else "lie"
+    return f"{m} of {plural(k, 'solution')} {where} inside the joint limits{_merged(sols)}."
+
+
+def _merged(sols: Solutions) -> str:
+    """Say in how many rows branches meet, and how many branches."""
+    branches, rows = np.unique(sols.multiplicity[sols.multiplicity > 1], return_counts=True)
+    parts = [
+        f"{count} of them double (two branches meet there)" if many == 2 else f"{count} of them of {many} branches"
+        for many, count in zip(branches.tolist(), rows.tolist(), strict=True)
+    ]
+    return "".join(f", {part}" for part in parts)
 
 
 def _were(count: int) -> str:
