@@ -52,9 +52,11 @@ CLEAR_OF_SINGULAR = 2e-3
 #: Arms that differ by no more (per length; rad) have none where the nominal one has none, neither here nor around.
 NO_MORE_THAN_TYPED = 1e-4
 #: What a turn counts beside the position, stage by stage, steps, and how many postures are kept.
-CLOSEST_STAGES = ((1.0, 12, 12), (1e-3, 24, 8), (1e-5, 40, 6), (1e-8, 30, 6))
+CLOSEST_STAGES = ((1.0, 12, 8), (1e-3, 24, 8), (1e-5, 40, 6), (1e-8, 30, 6))
 #: The same for the best of all, led away from the best position and back to it: turns and steps.
-CLOSEST_BACK = ((1e-2, 60), (1e-4, 40), (1e-6, 30), (1e-8, 30))
+CLOSEST_BACK = ((1e-2, 60, 2), (1e-4, 40, 2), (1e-6, 30, 2), (1e-8, 30, 2))
+#: Damping of the crawl towards a position at first (lengths squared), its factors where a step helped and where not.
+CLOSEST_CRAWL = (1e-3, 0.2, 6.0)
 #: Descents that end so near each other (rad; per length) are at the same minimum.
 SAME_DESCENT = 1e-3
 #: Positions that are as near as this (per length) are alike, and the orientation decides: more than rounding leaves.

@@ -46,6 +46,11 @@ class Count:
     argument: str
 
 
+def as_it_is(plan: Plan) -> Plan | None:
+    """Return no special arm, where nobody handed in how to find one."""
+    return None
+
+
 def uncounted(plan: Plan) -> Count:
     """Count the slots, where nobody handed in how to count."""
     return Count("an arm", plan.max_solutions, "the equation it is solved by has no more roots")
@@ -74,6 +79,7 @@ class Plan:
         base: (4, 4) the frame the arm's table stands in; the arm angle counts from it.
         words: Tells the plan as a teacher would; handed in, since words read plans.
         counting: Counts by the arm's own axes; handed in, since it reads plans.
+        special: Plans through the special arm that this one nearly is, None where it is none; handed in as well.
         uncoupled: Of coupled joints how the chain itself is solved, its joints free and without limits; else None.
         virtual_limits: (v, 2) limits of the task's virtual joints, rad; None where they have none.
     """
@@ -96,6 +102,7 @@ class Plan:
     base: Array = field(default_factory=lambda: np.eye(4))
     words: Callable[[Plan], str] = field(default=repr, repr=False)
     counting: Callable[[Plan], Count] = field(default=uncounted, repr=False)
+    special: Callable[[Plan], Plan | None] = field(default=as_it_is, repr=False)
     uncoupled: Plan | None = field(default=None, repr=False)
     virtual_limits: Array | None = field(default=None, repr=False)
 
@@ -169,6 +176,11 @@ class Plan:
             return np.vstack([self.limits, self.virtual_limits])
         extra = self.reduction.full.n - self.n
         return np.vstack([self.limits, np.tile([-np.inf, np.inf], (extra, 1))])
+
+    @cached_property
+    def nearly(self) -> Plan | None:
+        """How the special arm is solved that this one nearly is, rows refined on this one; None where it is none."""
+        return self.special(self)
 
     @cached_property
     def direct(self) -> bool:
