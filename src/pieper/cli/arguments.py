@@ -131,7 +131,7 @@ def joints(arm: pieper.Arm, words: Sequence[str], units: Units, what: str = "joi
     values = numbers(words, what)
     if len(values) != arm.n:
         raise InputError(
-            f"{what}: {arm.name} has {plural(arm.n, 'joint')} ({', '.join(units.names_of_joints(arm))}), "
+            f"{what}: {arm.name} has {plural(arm.n, 'joint')} ({units.said_of_joints(arm)}), "
             f"got {len(values)} number{'s' if len(values) != 1 else ''}.",
             given=values,
         )

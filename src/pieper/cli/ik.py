@@ -203,7 +203,7 @@ def _print(
     if nearest is not None:
         which = "on a continuous set of solutions" if marked is None else f"solution {marked + 1}"
         values = ", ".join(joint_cells(arm, nearest, units))
-        say(f"nearest to {near}: {which}, at {values} ({', '.join(units.names_of_joints(arm))})")
+        say(f"nearest to {near}: {which}, at {values} ({units.said_of_joints(arm)})")
     say(f"{sols.status.name}: {sols.why}")
     if not told:
         say("Its self-motions, along which the spare joint moves, are told with --all.")
