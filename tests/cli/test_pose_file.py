@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.cli import pose_file
+from pieper.cli import number_table
 from pieper.cli.pose_file import PoseFile
 from pieper.cli.units import Units
 
@@ -108,7 +108,7 @@ def test_what_is_wrong_with_a_file_is_said_with_its_line(run, written, tmp_path,
 
 
 def test_a_file_is_read_block_by_block(written, monkeypatch):
-    monkeypatch.setattr(pose_file, "BLOCK", 7)
+    monkeypatch.setattr(number_table, "BLOCK", 7)
     file = written("x_mm,y_mm,z_mm\n" + "350,0,400\n" * 20)
     told = []
     sizes = [len(block) for block in PoseFile(str(file), Units()).blocks(told.append)]
