@@ -15,6 +15,7 @@ from __future__ import annotations
 import argparse
 import ast
 import copy
+import importlib.util
 import json
 import math
 import os
@@ -22,12 +23,15 @@ import random
 import resource
 import shutil
 import signal
-import subprocess
 import sys
+import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
+
+import pytest
+from coverage import Coverage
 
 from tests.tools.reached import TIMES, Recorded, ordered, reaching
 
@@ -42,6 +46,8 @@ SLOW = {"solver": ["tests/laws", "tests/oracle"], "motion": [], "judge": ["tests
 #: Processor seconds that an interpreter with pytest may take before its first test, how many times as long as on the
 #: untouched code the tests may take, and as what part of the time that passes work counts at the least.
 STARTS, TIMES_AS_LONG, WAITS = 20.0, 4.0, 30.0
+#: Seconds between two looks whether a run has ended, and what is loaded before it is forked.
+POLL, LOADED = 0.02, ("numpy", "hypothesis", "xdist", "scipy.optimize", "sympy", "mpmath", "click")
 COMPARED = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq}
 COMPARED |= {ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In}
 TURNED = {ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt}
@@ -137,56 +143,76 @@ def sample(wings: list[str], count: int, seed: int) -> list[Change]:
     return random.Random(seed).sample(every, min(count, len(every)))
 
 
-def tested(tests: list[str], limit: float | None, *, under: tuple[str, ...] = (), **env: str) -> tuple[str, float]:
+def tested(tests: list[str], limit: float | None, *, into: Path | None = None) -> tuple[str, float]:
     """Run tests on the copy; return "noticed by ..." or "survived", and the processor seconds it took.
 
-    The limit is one of processor time, so that it means the same on a busy machine; what waits for good is stopped too.
+    Into a file of coverage's goes what they reach, if one is named; then all are run, else only until one fails.
     """
-    words = "-q -p no:cacheprovider --no-header --tb=no -n 0".split() + ([] if under else ["-x"])
-    env = {**os.environ, "PYTHONPATH": str(COPY.parent), "PYTHONDONTWRITEBYTECODE": "1", **env}
-    return run_limited([sys.executable, "-m", *under, "pytest", *words, *tests], limit, env=env)
+
+    def work() -> int:
+        sys.path.insert(0, str(COPY.parent))
+        os.environ |= {"PYTHONPATH": str(COPY.parent), "PYTHONDONTWRITEBYTECODE": "1"}
+        words = "-q -p no:cacheprovider --no-header --tb=no -n 0".split()
+        if into is None:
+            return int(pytest.main([*words, "-x", *tests]))
+        os.environ[TIMES] = str(into.with_suffix(".json"))
+        seen = Coverage(data_file=str(into), source_pkgs=["pieper"], config_file=False)
+        seen.start()
+        code = int(pytest.main([*words, "-p", "tests.tools.reached", *tests]))
+        seen.stop()
+        seen.save()
+        return code
+
+    return limited(work, limit)
 
 
-def run_limited(command: list[str], limit: float | None, *, env: dict[str, str] | None = None) -> tuple[str, float]:
-    """Run a command with at most so many processor seconds; return what is said of it, and the seconds it took."""
+def limited(work: Callable[[], int], limit: float | None) -> tuple[str, float]:
+    """Do work in a process of its own; return what is said of it, and the processor seconds it took.
 
-    def held() -> None:
-        if limit is not None:
-            resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(limit), math.ceil(limit) + 2))
-
-    before = _children_s()
-    try:
-        waits = None if limit is None else WAITS * (limit + 1)
-        done = subprocess.run(
-            command, cwd=ROOT, env=env, capture_output=True, text=True, timeout=waits, preexec_fn=held
-        )
-    except subprocess.TimeoutExpired:
-        return "noticed: it waits for good", _children_s() - before
-    spent = _children_s() - before
-    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+    The limit is one of processor time, so that it means the same on a busy machine; what waits for good is stopped too.
+    The process is a fork of this one, which has loaded what tests need but nothing of the package.
+    """
+    with tempfile.TemporaryFile() as out:
+        if not (child := os.fork()):
+            code = 1
+            try:
+                if limit is not None:
+                    resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(limit), math.ceil(limit) + 2))
+                os.chdir(ROOT)
+                os.dup2(out.fileno(), 1)
+                os.dup2(out.fileno(), 2)
+                code = work()
+                sys.stdout.flush()
+            finally:
+                os._exit(code)
+        begin, waits = time.monotonic(), math.inf if limit is None else WAITS * (limit + 1)
+        while True:
+            ended, status, used = os.wait4(child, os.WNOHANG)
+            if not ended and time.monotonic() - begin > waits:
+                os.kill(child, signal.SIGKILL)
+                _, _, used = os.wait4(child, 0)
+                return "noticed: it waits for good", used.ru_utime + used.ru_stime
+            if ended:
+                break
+            time.sleep(POLL)
+        out.seek(0)
+        text = out.read().decode(errors="replace")
+    spent = used.ru_utime + used.ru_stime
+    if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL):
         return "noticed: it takes too long", spent
-    failed = [line for line in done.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
-    said = f"noticed: {failed[0] if failed else done.stdout[-200:]}" if done.returncode else "survived"
-    return said, spent
-
-
-def _children_s() -> float:
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
+    failed = [line for line in text.splitlines() if line.startswith(("FAILED", "ERROR"))]
+    return (f"noticed: {failed[0] if failed else text[-200:]}" if status else "survived"), spent
 
 
 def recorded(state: dict[str, Any], folders: list[str]) -> list[Recorded]:
     """Return what each file of tests reaches; those not seen before are run under coverage, and kept one by one."""
     REACHED.mkdir(parents=True, exist_ok=True)
-    settings = REACHED / "settings.toml"
-    settings.write_text('[tool.coverage.run]\nsource_pkgs = ["pieper"]\n')
     out = []
     for file in (str(p.relative_to(ROOT)) for folder in folders for p in sorted((ROOT / folder).rglob("test_*.py"))):
         data = REACHED / file.replace("/", ".")
         if file not in state["seconds"]:
-            under = ("coverage", "run", f"--rcfile={settings}", f"--data-file={data}", "-m")
+            _, spent = tested([file], None, into=data)
             times = data.with_suffix(".json")
-            _, spent = tested(["-p", "tests.tools.reached", file], None, under=under, **{TIMES: str(times)})
             state["seconds"][file] = json.loads(times.read_text()) if times.exists() else {}
             keep(state)
             print(f"[{spent:.0f} s] what {file} reaches", flush=True)
@@ -208,11 +234,12 @@ def tried(change: Change, known: list[Recorded], budget: float | None) -> tuple[
 
 def copied() -> None:
     """Put the package as it stands, its native modules included, where changes are made."""
-    import pieper
-
+    found = importlib.util.find_spec("pieper")
+    if found is None or not found.submodule_search_locations:
+        sys.exit("pieper is not here: say PYTHONPATH=src, with its native module built")
     shutil.rmtree(COPY.parent, ignore_errors=True)
     shutil.copytree(SOURCE, COPY, ignore=shutil.ignore_patterns("node_modules", "__pycache__", "*.so"))
-    for native in Path(str(pieper.__file__)).parent.glob("_*.so"):
+    for native in Path(found.submodule_search_locations[0]).glob("_*.so"):
         shutil.copy(native, COPY)
 
 
@@ -246,6 +273,9 @@ def main() -> None:
     if args.again:
         state["tried"] = {name: said for name, said in state["tried"].items() if said != "survived"}
     copied()
+    for name in LOADED:
+        if importlib.util.find_spec(name):
+            importlib.import_module(name)
     for i, change in enumerate(chosen):
         if change.name in state["tried"]:
             continue
