@@ -32,7 +32,7 @@ def command(arm: pieper.Arm, joints: tuple[str, ...], frames: bool, csv: str, js
 
     Examples: pieper fk denso-vp6242 0 51.5 -150.6 0 99.1 0; pieper fk ur5e @joints.csv --csv poses.csv
     """
-    if len(joints) == 1 and joints[0].startswith("@") and joints[0].lower().endswith((".csv", ".tsv")):
+    if len(joints) == 1 and _is_table(joints[0], arm):
         if frames or json:
             raise pieper.InputError(
                 "a table of joint vectors is written as CSV, the tool's pose a row: leave "
@@ -64,6 +64,14 @@ def command(arm: pieper.Arm, joints: tuple[str, ...], frames: bool, csv: str, js
     for sentence in beyond:
         say(sentence)
     return DONE
+
+
+def _is_table(word: str, arm: pieper.Arm) -> bool:
+    if not word.startswith("@"):
+        return False
+    from pieper.cli.joint_file import is_table
+
+    return is_table(word, arm)
 
 
 def _outside(arm: pieper.Arm, q: npt.NDArray[np.float64], units: Units) -> list[str]:

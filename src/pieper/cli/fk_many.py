@@ -10,6 +10,7 @@ import numpy as np
 import pieper
 from pieper.cli.joint_file import JointFile
 from pieper.cli.many import progress, put
+from pieper.cli.number_table import refuse_same
 from pieper.cli.output import plural
 from pieper.cli.status import DONE
 from pieper.cli.units import Units
@@ -25,6 +26,7 @@ def pose_file(arm: pieper.Arm, file: str, units: Units, csv: str) -> int:
     `pieper ik ARM @poses.csv` reads the table back.
     """
     table, total, beyond = JointFile(file, units, arm=arm), 0, 0
+    refuse_same(file, csv)
     lower, upper = arm.limits[:, 0] - LIMIT_SLACK, arm.limits[:, 1] + LIMIT_SLACK
     names = [f"{axis}_{units.length}" for axis in "xyz"] + [f"r{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
     form = "%d," + "%r," * len(names) + "%d\n"

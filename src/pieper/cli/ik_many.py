@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 import pieper
 from pieper.cli.many import progress, put
+from pieper.cli.number_table import refuse_same
 from pieper.cli.output import as_json, plural, si_units
 from pieper.cli.pose_file import PoseFile
 from pieper.cli.status import DONE, NO_SOLUTION
@@ -40,6 +41,7 @@ class Request:
 def solve_file(request: Request) -> int:
     """Solve every pose of a file; the status is 1 when one of them has no solution inside the limits."""
     poses = PoseFile(request.file, request.units, request.order)
+    refuse_same(request.file, request.csv)
     total = without = rows = 0
     with contextlib.ExitStack() as stack:
         read = stack.enter_context(progress(poses.size, "poses"))

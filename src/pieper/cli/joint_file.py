@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -10,8 +11,19 @@ import numpy.typing as npt
 
 import pieper
 from pieper import InputError
-from pieper.cli.number_table import NumberTable, name_and_unit
+from pieper.cli.number_table import NumberTable, first_lines, has_names, name_and_unit
 from pieper.cli.output import plural
+
+
+def is_table(word: str, arm: pieper.Arm) -> bool:
+    """Return whether typed joints name a table of joint vectors: @file or @-, several lines of one each, or named."""
+    if not word.startswith("@"):
+        return False
+    if word.lower().endswith((".csv", ".tsv")):
+        return True
+    lines = [line for line in first_lines(word[1:], "joints") if line]
+    rows = [[cell for cell in re.split(r"[,;\t]\s*|\s+", line) if cell] for line in lines]
+    return len(rows) > 1 and (has_names(rows[0]) or all(len(row) == arm.n > 1 for row in rows))
 
 
 @dataclass

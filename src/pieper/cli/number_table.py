@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import csv
+import io
 import re
+import sys
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -158,12 +160,41 @@ def _chained(first: tuple[int, str], rest: Iterator[tuple[int, str]]) -> Iterato
     yield from rest
 
 
+#: How many lines, and bytes of standard input, say what kind of file it is.
+LOOKED_AT, PEEKED_AT = 20, 1 << 16
+
+
 def opened(name: str, thing: str) -> BinaryIO:
-    """Return a file to read from, or refuse it by name."""
+    """Return a file to read from, standard input for "-", or refuse it by name."""
+    if name == "-":
+        return sys.stdin.buffer
     try:
         return Path(name).open("rb")
     except OSError as error:
         raise InputError(f"{thing}: cannot read {name}: {error.strerror}.", path=name) from None
+
+
+def first_lines(name: str, thing: str) -> list[str]:
+    """Return the first lines of a file without their comments; standard input stays to be read."""
+    if name == "-":
+        given = sys.stdin.buffer if isinstance(sys.stdin, io.TextIOWrapper) else None
+        raw = given.peek(PEEKED_AT).splitlines(keepends=True) if isinstance(given, io.BufferedReader) else []
+        # the last one may go on
+        raw = raw[:LOOKED_AT] if len(raw) < 2 or raw[-1].endswith(b"\n") else raw[:-1][:LOOKED_AT]
+    else:
+        with opened(name, thing) as file:
+            raw = list(islice(file, LOOKED_AT))
+    return [text_of(line, name, thing) for line in raw]
+
+
+def refuse_same(name: str, csv: str) -> None:
+    """Refuse to write the answer over the table that is read.
+
+    Raises:
+        InputError: They are one file.
+    """
+    if csv and Path(csv).exists() and name != "-" and Path(csv).samefile(name):
+        raise InputError(f"--csv {csv} would write over the table it reads; give another name.", given=csv)
 
 
 def text_of(raw: bytes, name: str, thing: str) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from itertools import islice
 from typing import ClassVar
 
 import numpy as np
@@ -12,7 +11,7 @@ import numpy.typing as npt
 
 from pieper import InputError
 from pieper.cli.arguments import ALSO, NOTATIONS, posed
-from pieper.cli.number_table import NumberTable, has_names, opened, text_of
+from pieper.cli.number_table import NumberTable, first_lines, has_names
 
 #: The names of the columns of each notation.
 NAMES = {
@@ -27,15 +26,28 @@ MATRIX = tuple(f"r{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3))
 POSITION = ("x", "y", "z")
 
 
+#: How many numbers a pose is said with on one line: a position, with three angles or a quaternion, or a matrix.
+ONE_POSE = (3, 6, 7, 12, 16)
+
+
 def is_table(word: str) -> bool:
-    """Return whether a typed pose names a table of poses: @something.csv, unless it holds one matrix of 4 columns."""
-    if not (word.startswith("@") and word.lower().endswith((".csv", ".tsv"))):
+    """Return whether a typed pose names a table of poses, @file or @- for standard input: several lines of a pose each.
+
+    One matrix of three or four lines of four numbers is one pose, and so is a single line without names.
+    """
+    if not word.startswith("@"):
         return False
-    with opened(word[1:], "pose") as file:
-        lines = [line for line in (text_of(raw, word[1:], "pose") for raw in islice(file, 20)) if line]
-    rows = [re.split(r"[,;\t]\s*|\s+", line) for line in lines]
+    lines = [line for line in first_lines(word[1:], "pose") if line]
+    rows = [[cell for cell in re.split(r"[,;\t]\s*|\s+", line) if cell] for line in lines]
+    if not rows:
+        return word.lower().endswith((".csv", ".tsv"))
     matrix = len(rows) in (3, 4) and all(len(row) == 4 for row in rows) and not has_names(rows[0])
-    return not matrix
+    if matrix:
+        return False
+    if word.lower().endswith((".csv", ".tsv")):
+        return True
+    lengths = {len(row) for row in rows}
+    return len(rows) > 1 and (has_names(rows[0]) or (len(lengths) == 1 and lengths <= set(ONE_POSE)))
 
 
 @dataclass
