@@ -8,6 +8,7 @@ from __future__ import annotations
 import base64
 import json
 import sys
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -34,21 +35,31 @@ def arm_data(arm: pieper.Arm) -> dict[str, Any]:
     return {
         "name": arm.name,
         "joints": list(arm.joint_names),
+        "kinds": [kind == "P" for kind in arm.description.joint_types],
         "slides": [bool(s) for s in arm.chain.prismatic],
         "limits": [[float(x) if np.isfinite(x) else None for x in row] for row in arm.limits],
         "links": arm.chain.links[:, :3].reshape(len(arm.chain.links), 12).tolist(),
         "home": [round(float(x), 3) for x in home],
         "gears": None if arm.chain.coupling is None else arm.chain.coupling.tolist(),
         "forward": arm.symbolic.fk().mathml(),
-        "inverse": arm.symbolic.ik().mathml(),
+        "inverse": inverse_of(arm),
         "plan": arm.plan.explain(),
     }
+
+
+def inverse_of(arm: pieper.Arm) -> str:
+    """Return the equations of the inverse as HTML; why there are none where it is not written as formulas."""
+    try:
+        return arm.symbolic.ik().mathml()
+    except pieper.PlanError as refused:
+        return f"<p>{escape(str(refused))}</p>"
 
 
 def arm_script(arm: pieper.Arm) -> tuple[str, bool]:
     """Return an arm's script, its data and its prepared numbers where the page can solve it; and whether it can."""
     data = arm_data(arm)
     try:
+        arm.description.not_linked("it is not solved on this page", "The library solves it: arm.ik.")
         data["solver"] = prepared(arm)
     except pieper.PlanError as refused:
         data["solver"], data["refused"] = None, str(refused)

@@ -84,7 +84,7 @@ function update() {
   const head = arm.joints.map((name) => `<th>${name}</th>`).join("");
   const body = rows.map((row, i) => {
     const kind = row.inside ? (same(row.q, q) ? "row here" : "row") : "outside";
-    const cells = row.q.map((x, j) => `<td>${words(x, arm.slides[j])}</td>`).join("");
+    const cells = row.q.map((x, j) => `<td>${words(x, arm.kinds[j])}</td>`).join("");
     return `<tr class="${kind}" data-row="${i}"${row.inside ? ' tabindex="0"' : ""}>${cells}</tr>`;
   });
   $("solutions").innerHTML = `<p class="note"></p>${rows.length ? `<table><tr>${head}</tr>${body.join("")}</table>` : ""}`;
@@ -102,7 +102,7 @@ function move(q) {
   state.q = q.slice();
   state.q.forEach((value, i) => {
     $(`joint-${i}`).value = value;
-    $(`value-${i}`).textContent = words(value, state.arm.slides[i]);
+    $(`value-${i}`).textContent = words(value, state.arm.kinds[i]);
   });
   update();
 }
@@ -146,6 +146,7 @@ function draw() {
     line([to(T[3] - h * T[2], T[7] - h * T[6], T[11] - h * T[10]), to(T[3] + h * T[2], T[7] + h * T[6], T[11] + h * T[10])], colour("joint"), 9);
   }
   const tool = frames(arm, axes(arm, q)).pop();
+  state.lens = { at: at(tool), scale, right: [-s, c, 0], up: [-b * c, -b * s, a], pose: tool };
   window.PIEPER.axes.forEach((stroke, k) => {
     const h = 0.09 * reach;
     line([at(tool), to(tool[3] + h * tool[k], tool[7] + h * tool[4 + k], tool[11] + h * tool[8 + k])], stroke, 3);
@@ -155,19 +156,20 @@ function draw() {
 function show(arm) {
   state.arm = arm;
   $("says").textContent = arm.solver ? "solved on this page" : "moves on this page; its solver needs the library";
+  $("how").textContent = `Drag ${arm.solver ? "the tool to move it, anything else" : "the picture"} to turn the view.`;
   $("plan").textContent = arm.plan;
   $("forward").innerHTML = arm.forward;
   $("inverse").innerHTML = arm.inverse;
   $("joints").innerHTML = arm.joints
     .map((name, i) => {
-      const most = arm.slides[i] ? 1 : Math.PI, [low, high] = arm.limits[i].map((x, k) => x ?? (k ? most : -most));
+      const most = arm.kinds[i] ? 1 : Math.PI, [low, high] = arm.limits[i].map((x, k) => x ?? (k ? most : -most));
       return `<label class="joint"><span>${name}</span><input id="joint-${i}" type="range" min="${low}" max="${high}" step="any"><output id="value-${i}"></output></label>`;
     })
     .join("");
   arm.joints.forEach((_, i) =>
     $(`joint-${i}`).addEventListener("input", (event) => {
       state.q[i] = Number(event.target.value);
-      $(`value-${i}`).textContent = words(state.q[i], arm.slides[i]);
+      $(`value-${i}`).textContent = words(state.q[i], arm.kinds[i]);
       update();
     }),
   );
@@ -184,19 +186,44 @@ function choose(name) {
 
 $("arm").innerHTML = NAMES.map(([name]) => `<option>${name}</option>`).join("");
 $("arm").addEventListener("change", (event) => choose(event.target.value));
-let held = null;
+// The tool goes where the pointer drags it, turned as it is: of the solutions inside the limits the nearest to where the arm is.
+function reachFor([x, y]) {
+  const { arm, q, lens } = state, s = arm.solver;
+  const T = lens.pose.concat([0, 0, 0, 1]), across = (x - lens.at[0]) / lens.scale, up = (lens.at[1] - y) / lens.scale;
+  lens.right.forEach((r, k) => (T[4 * k + 3] += across * r + up * lens.up[k]));
+  const found = window.PIEPER.ikAll(arm, T, s.held === null ? 0 : q[s.held]);
+  const rows = (found ? found.rows : []).map((row) => window.PIEPER.inside(arm, row)).filter((row) => row);
+  const away = (row) => axes(arm, row).reduce((sum, v, j) => sum + (v - axes(arm, q)[j]) ** 2, 0);
+  if (rows.length) move(rows.reduce((best, row) => (away(row) < away(best) ? row : best)));
+  $("dragged").textContent = rows.length ? "" : "Not reached there inside the limits.";
+}
+
+// What is dragged: the view's last place, or the tool by so much beside its point.
+let held = null, offset = null;
+const where = (event) => [event.offsetX, event.offsetY];
+const onTool = (event) => {
+  if (!state.arm || !state.arm.solver) return null;
+  const d = where(event).map((v, k) => state.lens.at[k] - v);
+  return Math.hypot(...d) < 22 ? d : null;
+};
 $("view").addEventListener("pointerdown", (event) => {
+  offset = onTool(event);
   held = [event.clientX, event.clientY];
   $("view").setPointerCapture(event.pointerId);
 });
 $("view").addEventListener("pointermove", (event) => {
-  if (!held) return;
+  if (!held) return void ($("view").style.cursor = onTool(event) ? "move" : "grab");
+  if (offset) return reachFor(where(event).map((v, k) => v + offset[k]));
   state.view.yaw -= (event.clientX - held[0]) / 150;
   state.view.tilt = Math.min(1.5, Math.max(-0.3, state.view.tilt + (event.clientY - held[1]) / 200));
   held = [event.clientX, event.clientY];
   draw();
 });
-$("view").addEventListener("pointerup", () => (held = null));
+for (const end of ["pointerup", "pointercancel"])
+  $("view").addEventListener(end, () => {
+    held = offset = null;
+    $("dragged").textContent = "";
+  });
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => state.arm && draw());
 window.addEventListener("resize", () => state.arm && draw());
 const start = NAMES.find(([name]) => name === "denso-vp6242") || NAMES[0];

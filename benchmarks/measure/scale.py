@@ -1,22 +1,15 @@
-"""Maps, calibration and exported solvers, measured in slices: python -m benchmarks.measure.scale SLICE [NAME ...].
+"""Maps and calibration, measured in slices: python -m benchmarks.measure.scale SLICE.
 
 Slices: maps, whole (a map of 1e8 poses with and without symmetry), rm4d (the grid of RM4D filled at its cells'
-centres), calibration (--seed), exports (arms by name or the catalogue, --poses, --language c, python or javascript).
+centres), calibration (--seed).
 Each adds to benchmarks/results/scale.json; processor times, one thread, unless said otherwise.
 """
 
 from __future__ import annotations
 
 import argparse
-import ctypes
 import json
-import runpy
-import shutil
-import subprocess
-import tempfile
 import time
-from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -25,9 +18,6 @@ import pieper
 from benchmarks.kept import RESULTS, read, write
 from pieper.maps.grid import grid_of
 from tests.calibration.planted import ARMS, NOISE, noisy, planted, postures
-
-#: Rows of two ways to one answer differ by no more than rounding at the exported arms (rad, m).
-ALIKE = 1e-7
 
 
 def least(work: Any, rounds: int = 3) -> float:
@@ -146,126 +136,16 @@ def calibration(seed: int) -> dict[str, Any]:
     return said
 
 
-def exported(name: str, language: str, poses: int) -> dict[str, Any]:
-    """An arm's solver in a language against the native one, row by row inside the limits; us a pose, kB, s to write."""
-    arm = pieper.load(name)
-    spare = arm.plan.reduction.locked[0] if arm.plan.reduction.locked else None
-    rng = np.random.default_rng(17)
-    reach = np.where(arm.chain.prismatic, arm.chain.length, np.pi)[:, None] * [-1.0, 1.0]
-    limits = np.where(np.isfinite(arm.limits), arm.limits, reach)
-    q = rng.uniform(limits[:, 0], limits[:, 1], (poses, arm.n))
-    T = np.ascontiguousarray(arm.fk(q))
-    many = arm.ik_many(T, threads=1, redundancy=None if spare is None else q[:, [spare]])
-    with tempfile.TemporaryDirectory() as place:
-        folder = Path(place)
-        ending = {"c": "c", "python": "py", "javascript": "mjs"}[language]
-        start = time.process_time()
-        path = arm.code(language, folder / f"solver.{ending}", "one")
-        wrote, size = time.process_time() - start, path.stat().st_size
-        rows, counts, took = RUN[language](path, q, T, spare)
-    wanted = many.in_limits.sum(1)
-    wrong = counts != wanted
-    first = np.concatenate([[0], np.cumsum(counts)[:-1]])
-    for k in range(int(counts.max(initial=0))):
-        some = np.flatnonzero((counts > k) & ~wrong)
-        gap = np.abs(many.q[some] - rows[first[some] + k][:, None]).max(-1)
-        wrong[some] |= np.where(many.in_limits[some], gap, np.inf).min(1) > ALIKE
-    return {
-        "poses": poses,
-        "rows": int(wanted.sum()),
-        "differ": int(wrong.sum()),
-        "of_which_marked": int((wrong & ((many.flag & 3) != 0)).sum()),
-        "us": took / poses * 1e6,
-        "kB": size / 1e3,
-        "written_s": wrote,
-    }
-
-
-def run_c(path: Path, q: Any, T: Any, spare: int | None) -> tuple[Any, Any, float]:
-    """Compile and run C in one loop; rows (k, n), counts (N,), processor time."""
-    n = q.shape[1]
-    value = "" if spare is None else f"q[{n} * i + {spare}], "
-    loop = (
-        f'#include "{path.name}"\nvoid all(const double *T, const double *q, long count, double (*out)[{n}], '
-        f"long *counts) {{\n"
-        f"  long i;\n  (void)q;\n  for (i = 0; i < count; ++i) {{\n    counts[i] = one_ik(T + 16 * i, {value}out);\n"
-        "    out += counts[i];\n  }\n}\n"
-    )
-    (path.parent / "loop.c").write_text(loop)
-    made = path.parent / "loop.so"
-    subprocess.run(["gcc", "-O2", "-shared", "-fPIC", "-o", made, path.parent / "loop.c", "-lm"], check=True)
-    library, out, counts = ctypes.CDLL(str(made)), np.zeros((8 * len(T), n)), np.zeros(len(T), np.int64)
-    at = lambda array: ctypes.c_void_p(array.ctypes.data)  # noqa: E731
-    took = least(lambda: library.all(at(T), at(q), ctypes.c_long(len(T)), at(out), at(counts)), 2)
-    return out, counts, took
-
-
-def run_python(path: Path, q: Any, T: Any, spare: int | None) -> tuple[Any, Any, float]:
-    """Run the NumPy file on blocks of poses."""
-    solver: Any = SimpleNamespace(**runpy.run_path(str(path)))
-    rows, counts, start = [], [], time.process_time()
-    for first in range(0, len(T), 5000):
-        at = np.s_[first : first + 5000]
-        found, valid, _ = solver.ik_all(T[at], *(() if spare is None else (q[at, spare],)))
-        found, inside = solver._inside(found)
-        inside &= valid
-        rows.append(found[inside])
-        counts.append(inside.sum(1))
-    return np.concatenate(rows), np.concatenate(counts), time.process_time() - start
-
-
-def run_javascript(path: Path, q: Any, T: Any, spare: int | None) -> tuple[Any, Any, float]:
-    """Run the module in Node."""
-    folder, value = path.parent, "" if spare is None else f", q[{q.shape[1]} * i + {spare}]"
-    (folder / "q.bin").write_bytes(q.tobytes())
-    (folder / "T.bin").write_bytes(T.tobytes())
-    (folder / "run.mjs").write_text(
-        f"import fs from 'fs';\nimport {{ ik }} from './{path.name}';\n"
-        "const read = (name) => { const b = fs.readFileSync(name); "
-        "return new Float64Array(b.buffer, b.byteOffset, b.length / 8); };\n"
-        "const q = read('q.bin'), T = read('T.bin'), rows = [], counts = [], start = process.cpuUsage().user;\n"
-        f"for (let i = 0; 16 * i < T.length; ++i) {{ const found = ik(T.subarray(16 * i, 16 * i + 16){value}); "
-        "counts.push(found.length); for (const row of found) rows.push(...row); }\n"
-        "const took = process.cpuUsage().user - start;\n"
-        "fs.writeFileSync('rows.bin', Buffer.from(new Float64Array(rows).buffer));\n"
-        "console.log(JSON.stringify({ counts, took }));\n"
-    )
-    ran = subprocess.run(["node", "run.mjs"], cwd=folder, capture_output=True, text=True, check=True)
-    said = json.loads(ran.stdout)
-    rows = np.fromfile(folder / "rows.bin").reshape(-1, q.shape[1])
-    return rows, np.array(said["counts"]), said["took"] / 1e6
-
-
-RUN = {"c": run_c, "python": run_python, "javascript": run_javascript}
-NEEDS = {"c": "gcc", "javascript": "node"}
-
-
 def main() -> None:
     """Measure what is asked and keep it."""
     ask = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    ask.add_argument("slice", choices=["maps", "whole", "rm4d", "calibration", "exports"])
-    ask.add_argument("names", nargs="*")
+    ask.add_argument("slice", choices=["maps", "whole", "rm4d", "calibration"])
     ask.add_argument("--seed", type=int, default=2026)
-    ask.add_argument("--poses", type=int, default=100_000)
-    ask.add_argument("--language", choices=list(RUN), default="c")
     said = ask.parse_args()
     state = read("scale") or {}
-    if said.slice != "exports":
-        work = {"maps": maps, "whole": whole, "rm4d": rm4d, "calibration": lambda: calibration(said.seed)}
-        state[said.slice] = work[said.slice]()
-        print(json.dumps(state[said.slice], indent=1))
-    elif (tool := NEEDS.get(said.language)) and shutil.which(tool) is None:
-        print(f"no {tool} here")
-        return
-    else:
-        kept = state.setdefault("exports", {}).setdefault(said.language, {})
-        for name in said.names or pieper.catalog():
-            try:
-                kept[name] = exported(name, said.language, said.poses)
-            except pieper.PlanError as refused:
-                kept[name] = {"refused": str(refused)}
-            print(name, kept[name], flush=True)
-            write(state, RESULTS / "scale.json", indent=1)
+    work = {"maps": maps, "whole": whole, "rm4d": rm4d, "calibration": lambda: calibration(said.seed)}
+    state[said.slice] = work[said.slice]()
+    print(json.dumps(state[said.slice], indent=1))
     write(state, RESULTS / "scale.json", indent=1)
 
 

@@ -45,7 +45,7 @@ jax.config.update("jax_enable_x64", True)
 LOWER = jnp.array(@LOWER@)
 UPPER = jnp.array(@UPPER@)
 SLIDES = @SLIDES@
-LINKS = jnp.array(@LINKS@).reshape(-1, 3, 4)
+LINKS = np.array(@LINKS@).reshape(-1, 3, 4)
 _TURN = 6.28318530717958647693
 SLIDES_ = np.array(SLIDES)
 @COUPLED@_ALONE = @ALONE_IS@
@@ -58,15 +58,17 @@ def _angle(y, x):
 
 
 def _walk(q):
-    last = jnp.array([[0.0, 0.0, 0.0, 1.0]])
-    T = jnp.concatenate([LINKS[0], last])
-    for i, slides in enumerate(SLIDES):
-        c, s = jnp.cos(q[i]), jnp.sin(q[i])
-        o, u = jnp.zeros_like(c), jnp.ones_like(c)
-        rows = [[u, o, o, o], [o, u, o, o], [o, o, u, q[i]]] if slides else [[c, -s, o, o], [s, c, o, o], [o, o, u, o]]
-        Z = jnp.stack([jnp.stack(row) for row in [*rows, [o, o, o, u]]])
-        T = T @ Z @ jnp.concatenate([LINKS[i + 1], last])
-    return T
+    # entry by entry, which compiles to one loop over all rows; products of many small matrices do not
+    rows = LINKS[0].tolist()
+    for value, slides, link in zip(q, SLIDES, LINKS[1:]):
+        if slides:
+            rows = [(x, y, z, p + z * value) for x, y, z, p in rows]
+        else:
+            c, s = jnp.cos(value), jnp.sin(value)
+            rows = [(c * x + s * y, c * y - s * x, z, p) for x, y, z, p in rows]
+        rows = [[sum(v * w for v, w in zip(row, [*L, k == 3]) if w) for k, L in enumerate(link.T)] for row in rows]
+    o = 0.0 * q[0]
+    return jnp.stack([jnp.stack([o + x for x in row]) for row in [*rows, (0.0, 0.0, 0.0, 1.0)]])
 
 
 def NAME_fk(q):

@@ -49,6 +49,16 @@ def remark_far_shape(what: str, away: float, across: float, reach: float, name: 
     return True
 
 
+def remark_long(metres: float, what: str) -> bool:
+    """Warn of an arm, or of a part of one, that is longer than any that was built; whether it was."""
+    if metres <= LONGEST_ARM:
+        return False
+    warnings.warn(
+        f"{what} {metres:.4g} m; metres are meant. Were these millimetres? Divide by 1000.", PieperWarning, stacklevel=4
+    )
+    return True
+
+
 def remark_stands_inside(what: str, deep: float, most: float, name: str) -> bool:
     """Warn of a body in which an arm stands, deeper (m) than a floor is drawn about it; whether it was."""
     if deep <= most:
@@ -89,16 +99,6 @@ def remark_fast(value: ArrayLike, what: str, unit: str, most: float, none: float
         warnings.warn(
             f"{what} is {doubtful[0]:g} {unit}, more than any arm has. Was it {small}? No limit is said by {none:g} "
             "or more, or where it may be left out by leaving it out.",
-            PieperWarning,
-            stacklevel=4,
-        )
-
-
-def remark_long(metres: float, what: str) -> None:
-    """Warn of an arm, or of a part of one, that is longer than any that was built."""
-    if metres > LONGEST_ARM:
-        warnings.warn(
-            f"{what} {metres:.4g} m; metres are meant. Were these millimetres? Divide by 1000.",
             PieperWarning,
             stacklevel=4,
         )

@@ -65,24 +65,8 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
         if ratios.margin <= 1:
             break
         factor = float(ratios.stretch().max()) * (1 + TAKEN_BACK)
-    t, q, dq, ddq, dddq, s = sampled(curve, profile, rate)
-    ends = np.array([0.0, profile.duration])
-    tight = tuple(binding(profile.t, ratios))
-    return Motion(
-        t,
-        q,
-        dq,
-        ddq,
-        ends,
-        ends,
-        dddq,
-        s,
-        tight,
-        ratios.margin,
-        deviation=curve.between_points(),
-        limits=timed.limits,
-        description=timed.description,
-    )
+    tight = binding(profile.t, ratios)
+    return timed.motion(sampled(curve, profile, rate), tight, ratios.margin, profile.duration, curve.between_points())
 
 
 def _best_window(timed: TimedPath, curve: JointCurve) -> _Tried:

@@ -131,16 +131,5 @@ def _motion_of(timed: TimedPath, x: Array, ratios: Ratios, deviation: float, rat
         factor = float(ratios.stretch().max()) * (1 + TAKEN_BACK)
         x, ratios = x / factor**2, ratios.slower(factor)
     profile = profile_of(timed.curve.s, x)
-    motion = sampled(timed.curve, profile, rate)
-    ends = np.array([0.0, profile.duration])
-    return Motion(
-        *motion[:4],
-        ends,
-        ends,
-        *motion[4:],
-        tuple(binding(profile.t, ratios)),
-        ratios.margin,
-        deviation=deviation,
-        limits=timed.limits,
-        description=timed.description,
-    )
+    tight = binding(profile.t, ratios)
+    return timed.motion(sampled(timed.curve, profile, rate), tight, ratios.margin, profile.duration, deviation)

@@ -3,8 +3,9 @@
 #: A pose whose rotation part departs from a rotation by more than this (max abs of R^T R - I) is refused;
 #: below it, down to `ROTATION_EXACT`, it is replaced by the nearest rotation. float32 rounding gives about 3e-7.
 ROTATION_ACCEPTED = 1e-5
-#: Departures up to here are the rounding of double arithmetic and are not worth a remark.
-ROTATION_EXACT = 1e-12
+#: Departures up to here are the rounding of double arithmetic and are not worth a remark. Well below what a solution
+#: may miss (`CLOSED_VERIFIED`): rows of a pose rounded to twelve digits that stays as it is would miss by as much.
+ROTATION_EXACT = 2e-13
 
 #: Axes are parallel, and points one point, when they miss by no more than this (rad; per length): rounding alone.
 GEOMETRY_EXACT = 1e-12

@@ -1,0 +1,119 @@
+"""Exported solvers beside the native one, arm by arm and language by language: python -m benchmarks.measure.exports.
+
+--language LANGUAGE ... (all that stand on this machine), NAME ... (the catalogue), --poses (100,000), --seconds (170):
+pairs that are not kept yet are measured until the time is used, each kept at once in benchmarks/results/exports.json;
+asked again it goes on. --again measures anew. Of ten poses five are as they are, five written down: rounded to 6, 8, 10
+and 12 digits and to float32. `make pages` makes docs/exported_solvers.md of it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import pieper
+from benchmarks.kept import RESULTS, commit, read, write_text
+from benchmarks.measure.exported import LANGUAGES, Asked, Found
+
+#: Rows of two ways to one answer differ by no more than rounding at the exported arms (rad, m).
+ALIKE = 1e-7
+#: How poses are written down, of every ten those at odd places; None: as float32.
+DIGITS = (6, 8, 10, 12, None)
+
+
+def asked(arm: pieper.Arm, poses: int) -> Asked:
+    """Return random joint vectors inside the limits and their poses, half of them rounded, and the native answer."""
+    rng = np.random.default_rng(17)
+    reach = np.where(arm.chain.prismatic, arm.chain.length, np.pi)[:, None] * [-1.0, 1.0]
+    limits = np.where(np.isfinite(arm.limits), arm.limits, reach)
+    q = rng.uniform(limits[:, 0], limits[:, 1], (poses, arm.n))
+    T = np.ascontiguousarray(arm.fk(q))
+    for k, digits in enumerate(DIGITS):
+        some = slice(1 + 2 * k, None, 2 * len(DIGITS))
+        T[some] = np.float32(T[some]) if digits is None else np.round(T[some], digits)
+    spare = arm.plan.reduction.locked[0] if arm.plan.reduction.locked else None
+    return Asked(q, T, spare)
+
+
+def compared(ask: Asked, many: pieper.SolutionBatch, found: Found) -> dict[str, Any]:
+    """Return at how many poses the rows inside the limits are not the native ones, and how many of those are marked."""
+    wanted = many.in_limits.sum(1)
+    wrong = found.counts != wanted
+    first = np.concatenate([[0], np.cumsum(found.counts)[:-1]])
+    for k in range(int(found.counts.max(initial=0))):
+        some = np.flatnonzero((found.counts > k) & ~wrong)
+        gap = np.abs(many.q[some] - found.rows[first[some] + k][:, None]).max(-1)
+        wrong[some] |= np.where(many.in_limits[some], gap, np.inf).min(1) > ALIKE
+    marked = (many.flag & 3) != 0
+    return {
+        "poses": len(ask.q),
+        "rows": int(wanted.sum()),
+        "differ": int((wrong & ~marked).sum()),
+        "differ_unclear": int((wrong & marked).sum()),
+        "us": round(found.seconds / len(ask.q) * 1e6, 2),
+    }
+
+
+def measured(arm: pieper.Arm, language: str, ask: Asked, many: pieper.SolutionBatch) -> dict[str, Any]:
+    """Return an arm's solver in a language beside the native one."""
+    with tempfile.TemporaryDirectory() as place:
+        start = time.process_time()
+        path = arm.code(language, Path(place) / LANGUAGES[language].file, "one")
+        wrote = time.process_time() - start
+        files = [path] if path.is_file() else list(path.iterdir())
+        size = sum(file.stat().st_size for file in files)
+        found = LANGUAGES[language].run(path, ask)
+    return compared(ask, many, found) | {"kB": round(size / 1e3, 1), "written_s": round(wrote, 3)}
+
+
+def keep(state: dict[str, Any]) -> None:
+    """Write what is known, an arm a line."""
+    lines = [f"{json.dumps(name)}: {json.dumps(own)}" for name, own in sorted(state["arms"].items())]
+    text = f'{{"commit": "{commit()}", "arms": {{\n' + ",\n".join(lines) + "\n}}\n"
+    write_text(text, RESULTS / "exports.json")
+
+
+def main() -> None:
+    """Measure what is not known until the time is used."""
+    ask = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    ask.add_argument("names", nargs="*")
+    ask.add_argument("--language", nargs="*", choices=list(LANGUAGES))
+    ask.add_argument("--poses", type=int, default=100_000)
+    ask.add_argument("--seconds", type=float, default=170.0)
+    ask.add_argument("--again", action="store_true")
+    said = ask.parse_args()
+    state = read("exports") or {"arms": {}}
+    used = lambda: sum(os.times()[:4])  # noqa: E731
+    languages = [k for k in said.language or LANGUAGES if LANGUAGES[k].there()]
+    for name in said.names or pieper.catalog():
+        own = state["arms"].setdefault(name, {})
+        open_ends = [k for k in languages if said.again or k not in own]
+        if not open_ends:
+            continue
+        if used() > said.seconds:
+            break
+        arm = pieper.load(name)
+        poses = asked(arm, said.poses)
+        value = None if poses.spare is None else poses.q[:, [poses.spare]]
+        many = arm.ik_many(poses.T, threads=1, redundancy=value)
+        for language in open_ends:
+            try:
+                own[language] = measured(arm, language, poses, many)
+            except pieper.PlanError as refused:
+                own[language] = {"refused": str(refused)}
+            print(name, language, own[language], flush=True)
+            keep(state)
+            if used() > said.seconds:
+                break
+    keep(state)
+
+
+if __name__ == "__main__":
+    main()
