@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from pieper.judge import Judgement, check, guess_claims
     from pieper.kinematics.spoken import pose, read_pose
     from pieper.kinematics.spoken_many import poses
-    from pieper.motion.constant_speed import fastest_constant_speed
     from pieper.motion.dialects.files import read_program
+    from pieper.motion.highest_speed import fastest_constant_speed
     from pieper.motion.limits import Limits
     from pieper.motion.motion import Motion
     from pieper.motion.path import line
@@ -85,7 +85,7 @@ _LATER = {
     "check": "pieper.judge",
     "guess_claims": "pieper.judge",
     "evaluate": "pieper.description.quantity",
-    "fastest_constant_speed": "pieper.motion.constant_speed",
+    "fastest_constant_speed": "pieper.motion.highest_speed",
     "jax": "pieper.jax",
     "load_program": "pieper.motion.program_file",
     "move": "pieper.motion.sequence",

@@ -10,6 +10,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from pieper import arguments
 from pieper.along_paths import AlongPaths
 from pieper.description import change
 from pieper.description.dh import DH, Description
@@ -46,6 +47,8 @@ class Arm(AlongPaths):
     """
 
     def __init__(self, description: Description, *, snap: float | None = None) -> None:
+        if snap is not None:
+            arguments.number(snap, "snap", "rad, and per length of the arm", least=0.0, below=0.5)
         self.description = description
         self.chain = chain_of(description)
         self._snap = snap
@@ -89,7 +92,7 @@ class Arm(AlongPaths):
             ),
             snap=snap,
         )
-        remark_sizes(arm.description, arm.chain.length)
+        remark_sizes(arm.description, arm.chain)
         return arm
 
     @staticmethod
@@ -112,7 +115,9 @@ class Arm(AlongPaths):
         from pieper.description.axes import from_axes
 
         said = from_axes(axes, points, home, joint_types=joint_types, limits=limits, name=name, joint_names=joint_names)
-        return Arm(said, snap=snap)
+        arm = Arm(said, snap=snap)
+        remark_sizes(said, arm.chain)
+        return arm
 
     @staticmethod
     def from_opw(

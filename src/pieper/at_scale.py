@@ -154,7 +154,8 @@ class AtScale:
 
     def _collision_model(self, scene: Scene | None) -> Model:
         """Return what must keep apart; made once a scene."""
-        from pieper.collision.model import model_of, remark_far_shapes
+        from pieper.collision.doubtful import remark_doubtful_scene
+        from pieper.collision.model import model_of
         from pieper.collision.scene import EMPTY, Scene
         from pieper.errors import InputError
 
@@ -163,7 +164,7 @@ class AtScale:
             raise InputError(f"the scene must be a pieper.Scene, got {type(around).__name__}.", given=scene)
         if around not in self._models:
             model = self._models[around] = model_of(self.description, self.chain, self.bodies, around)
-            remark_far_shapes(model, *self.extent, self.description.name)
+            remark_doubtful_scene(model, *self.extent, self.description.name)
         return self._models[around]
 
     def calibrate(

@@ -208,3 +208,33 @@ def test_what_is_large_or_far_in_metres_is_not_remarked():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         arm.distance(np.array([0.0, -1.2, 1.0, -1.4, -1.57, 0.0]), pieper.Scene(hall))
+
+
+@pytest.mark.parametrize("name", ["mecademic-meca500", "so-101", "dobot-mg400"])
+def test_a_scene_that_a_desk_arm_cannot_touch_is_remarked_and_cannot_be_touched(name):
+    rng = np.random.default_rng(4)
+    arm = pieper.load(name)
+    low, high = np.clip(arm.limits, -3, 3).T
+    said = 0
+    for _ in range(12):
+        place, size = rng.uniform(-1.6, 1.6, 3), rng.uniform(0.05, 2.0, 3)
+        fresh, scene = pieper.load(name), pieper.Scene([pieper.Box(place, size, name="table")])
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            near = fresh.distance(rng.uniform(low, high, (200, arm.n)), scene)
+        words = [str(w.message) for w in caught]
+        if any("nothing of the scene is within reach: table is the nearest" in w for w in words):
+            said += 1
+            # the arm's own bodies may touch each other in a posture drawn at random, but not the table
+            assert not any("table" in pair for pair in np.ravel(near.pair) if pair is not None)
+    assert 0 < said < 12
+
+
+def test_a_block_about_the_place_where_the_arm_stands_is_remarked_and_a_floor_is_not():
+    arm = pieper.load("mecademic-meca500")
+    q = np.array([0.0, -0.5, 0.5, 0.0, 0.5, 0.0])
+    with pytest.warns(pieper.PieperWarning, match="table holds the place .* 400 mm inside.*of its middle"):
+        arm.distance(q, pieper.Scene([pieper.Box([0, 0, 0.1], [1, 1, 1], name="table")]))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        arm.distance(q, pieper.Scene([pieper.Box([0, 0, 0], [2, 2, 0.02], name="floor")]))

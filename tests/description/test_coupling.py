@@ -135,3 +135,31 @@ def test_a_joint_that_mimics_none_of_this_arm_is_refused_by_name():
     text = robot(joint("a", "x", "y"), joint("b", "y", "z", extra='<mimic joint="c"/>'), joint("c", "y", "w"))
     with pytest.raises(InputError, match="'b' mimics 'c' and 'c' is not between"):
         urdf.loads(text, tip="z")
+
+
+def test_a_leader_keeps_to_the_range_of_the_joints_that_follow_it():
+    rng = np.random.default_rng(4)
+    for _ in range(60):
+        own, other = np.sort(rng.uniform(-3, 3, (2, 2)), axis=1)
+        by, offset = rng.choice([-2.0, -0.7, 0.5, 1.0, 3.0]), rng.choice([0.0, 0.4])
+        mimic = f'<mimic joint="b" multiplier="{by}" offset="{offset}"/>'
+        follow = f'<limit lower="{float(other[0])}" upper="{float(other[1])}"/>{mimic}'
+        lead = f'<limit lower="{float(own[0])}" upper="{float(own[1])}"/>'
+        where, axis = ("0 0 0", "0 1 0") if rng.integers(2) else ("0.2 0 0.1", "0 1 0")
+        text = robot(
+            joint("a", "base", "l1"),
+            joint("b", "l1", "l2", "0.3 0 0", axis="0 1 0", extra=lead),
+            joint("c", "l2", "l3", where, axis=axis, extra=follow),
+            joint("d", "l3", "l4", "0.3 0 0", axis="1 0 0"),
+        )
+        arm = urdf.loads(text)
+        low, high = arm.limits[1]
+        q = np.linspace(own[0], own[1], 501)
+        inside = (by * q + offset >= other[0]) & (by * q + offset <= other[1])
+        if inside.any():
+            assert np.array_equal(inside, (q >= low) & (q <= high)), text
+        told = [note for note in arm.remarks if "would leave its own" in note or "were left out" in note]
+        assert bool(told) == (not inside.all())
+        if inside.sum() == 0:
+            assert np.allclose((low, high), own) or high - low < (own[1] - own[0]) / 500
+            assert "were left out" in told[0] or low < high

@@ -228,7 +228,9 @@ def test_a_calibration_that_is_not_there_or_no_text_is_refused(tmp_path):
     ("said", "word"),
     [
         ({"rows": [(300, 0, 400, 0), (200, 0, 0, 0)]}, "links of this arm add up to"),
-        ({"tool": pieper.pose(100, 0, 0)}, "tool reaches"),
+        ({"tool": pieper.pose(100, 0, 0)}, "tool stands from the last axis by 100"),
+        ({"rows": [(0.3, 0, 0.4, 0), (200, 0, 0, 0)]}, "tool stands from the last axis by 200"),
+        ({"rows": [(0.3, 90, 0.4, 0), (0.2, 0, 0, 0)]}, "looks like degrees"),
         ({"base": pieper.pose(500, 0, 0)}, "base stands away"),
         ({"offset": [0, -90]}, "degrees"),
         ({"joint_types": "RP", "limits": [None, (0, 400)]}, "slide's limits"),
@@ -238,6 +240,14 @@ def test_millimetres_and_degrees_in_a_table_are_warned_of(said, word):
     rows = [pieper.DH(*row) for row in said.pop("rows", [(0.3, 0, 0.4, 0), (0.2, 0, 0, 0)])]
     with pytest.warns(pieper.PieperWarning, match=word):
         pieper.Arm.from_dh(rows, convention="standard", **said)
+
+
+@pytest.mark.parametrize("snap", [-1, float("nan"), "x", 0.5])
+def test_a_snap_that_is_none_is_refused_when_the_arm_is_made(snap):
+    with pytest.raises(pieper.InputError, match="snap"):
+        pieper.Arm.from_dh([pieper.DH(a=1)], convention="standard", snap=snap)
+    with pytest.raises(pieper.InputError, match="snap"):
+        pieper.load("three-r", snap=snap)
 
 
 def test_a_length_that_no_number_holds_is_refused_with_its_row():

@@ -130,11 +130,37 @@ def test_a_xacro_that_needs_an_argument_or_a_package_says_so(tmp_path):
         '<robot name="x" xmlns:xacro="http://www.ros.org/wiki/xacro">'
         '<xacro:include filename="$(find nowhere)/a.xacro"/></robot>'
     )
-    with pytest.raises(InputError, match="nowhere"):
+    with pytest.raises(InputError, match="needs the package 'nowhere', which is not in the folders around it. Lay it"):
         pieper.load(tmp_path / "away.xacro")
+    (tmp_path / "nowhere").mkdir()
+    (tmp_path / "nowhere" / "package.xml").write_text("<package><name>nowhere</name></package>")
+    with pytest.raises(InputError, match="needs '.*a.xacro', which is not there. Lay it there"):
+        pieper.load(tmp_path / "away.xacro")
+    (tmp_path / "nowhere" / "a.xacro").write_text(XACRO.format(default="0.3"))
+    assert pieper.load(tmp_path / "away.xacro").n == 2
     (tmp_path / "macros.xacro").write_text('<robot name="x" xmlns:xacro="http://www.ros.org/wiki/xacro"/>')
-    with pytest.raises(InputError, match="may only define macros"):
+    with pytest.raises(InputError, match="may only define macros. Load the file that uses them.$"):
         pieper.load(tmp_path / "macros.xacro")
+    (tmp_path / "arm.urdf.xacro").write_text(
+        XACRO.format(default="0.3").replace("<xacro:arg", '<xacro:include filename="macros.xacro"/><xacro:arg')
+    )
+    with pytest.raises(InputError, match="Load the file that uses them: arm.urdf.xacro.$") as raised:
+        pieper.load(tmp_path / "macros.xacro")
+    assert pieper.load(tmp_path / raised.value.allowed[0]).n == 2
+
+
+def test_an_argument_used_before_its_line_has_its_default_and_what_fails_names_the_arguments(tmp_path):
+    pytest.importorskip("xacrodoc")
+    text = XACRO.format(default="0.3").replace('name="x"', 'name="$(arg called)"')
+    declared = '<xacro:arg name="called" default="anna"/>'
+    (tmp_path / "early.xacro").write_text(text.replace("<xacro:macro", declared + "<xacro:macro"))
+    assert pieper.load(tmp_path / "early.xacro").name == "anna"
+    assert pieper.load(tmp_path / "early.xacro", xacro_args={"called": "otto"}).name == "otto"
+    (tmp_path / "wrong.xacro").write_text(text.replace("<xacro:macro", declared + '<link name="${PI}"/><xacro:macro'))
+    with pytest.raises(
+        InputError, match="'PI' is not defined.* Its arguments are reach, called; xacro_args= sets them."
+    ):
+        pieper.load(tmp_path / "wrong.xacro")
 
 
 def test_without_its_package_a_xacro_says_what_to_install(tmp_path, monkeypatch):

@@ -6,7 +6,6 @@ from scipy.interpolate import CubicSpline
 
 import pieper
 from pieper import _kernel
-from pieper.errors import InputError
 from pieper.motion.curve import JointCurve
 from pieper.motion.jerk import _COEFFICIENTS, _largest_over, averaged
 from pieper.motion.joint_move import joint_move_time
@@ -157,15 +156,6 @@ def test_programs_keep_jerks_and_the_tools_speed():
     assert (np.abs(np.diff(motion.q[:-1], 3, axis=0)).max() * 1e9) <= 300 * (1 + 1e-9) + 8e-6
     speed = np.linalg.norm(np.einsum("kij,kj->ki", arm.jacobian(motion.q)[:, :3], motion.dq), axis=1)
     assert speed.max() <= 0.2 * (1 + 1e-9) and speed.max() > 0.15
-
-
-def test_what_is_not_planned_with_a_jerk_is_refused():
-    arm = pieper.load("denso-vp6242")
-    q = RNG.uniform(-0.3, 0.3, (4, 6))
-    with pytest.raises(InputError, match="not planned"):
-        pieper.time_law(q, pieper.Limits(1.0, 5.0, 50.0, tool_acceleration=1.0), arm=arm)
-    with pytest.raises(InputError, match="not planned"):
-        pieper.time_law(q, pieper.Limits(1.0, 5.0, 50.0), constant_speed=[(0.3, 0.5, 0.1)], arm=arm)
 
 
 def test_every_cell_has_the_largest_of_what_its_window_holds():

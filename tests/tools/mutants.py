@@ -1,11 +1,12 @@
 """Change the code in small ways, one at a time, and say which changes no test of their wing notices.
 
 Usage: python -m tests.tools.mutants [--count 200] [--seed 1] [--wings solver motion judge] [--again] [--quick]
+           [--budget 60] [--seconds 300]
 
 The sample is drawn once from the seed; what was tried is kept in out/mutants.json and not tried again, so a run that
-was stopped goes on. A change is made in a copy of the package (build/mutants), never in the tree. The wing's quick
-tests are run once under coverage, which says what test reaches which line: a change is tried on those that reach it,
-and where they do not notice it on the slow ones too (not with --quick). What takes far longer than the untouched code
+was stopped goes on. A change is made in a copy of the package (build/mutants), never in the tree. Each file of the
+wing's tests is run once under coverage, which says what test reaches which line: a change is tried on those that reach
+it, those of its own file first, then the quickest. What takes far more processor time than on the untouched code
 counts as noticed.
 """
 
@@ -14,17 +15,25 @@ from __future__ import annotations
 import argparse
 import ast
 import copy
+import importlib.util
 import json
+import math
 import os
 import random
+import resource
 import shutil
-import subprocess
+import signal
 import sys
+import tempfile
 import time
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
+
+import pytest
+from coverage import Coverage
+
+from tests.tools.reached import TIMES, Recorded, ordered, reaching
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src" / "pieper"
@@ -34,6 +43,11 @@ REACHED = ROOT / "out" / "reached"
 #: The quick tests of each wing, and its slow ones.
 TESTS = {"solver": ["tests/solver", "tests/kernels"], "motion": ["tests/motion"], "judge": ["tests/judge"]}
 SLOW = {"solver": ["tests/laws", "tests/oracle"], "motion": [], "judge": ["tests/papers"]}
+#: Processor seconds that an interpreter with pytest may take before its first test, how many times as long as on the
+#: untouched code the tests may take, and as what part of the time that passes work counts at the least.
+STARTS, TIMES_AS_LONG, WAITS = 20.0, 4.0, 30.0
+#: Seconds between two looks whether a run has ended, and what is loaded before it is forked.
+POLL, LOADED = 0.02, ("numpy", "hypothesis", "xdist", "scipy.optimize", "sympy", "mpmath", "click")
 COMPARED = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq}
 COMPARED |= {ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In}
 TURNED = {ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt}
@@ -97,14 +111,22 @@ def changes(path: Path) -> Iterator[Change]:
     """Yield every small change of a file."""
     text = path.read_text()
     tree = ast.parse(text)
-    skipped = spoken(tree)
+    skipped, lines = spoken(tree), text.encode().splitlines(keepends=True)
     for node in ast.walk(tree):
         if id(node) in skipped or not isinstance(node, ast.expr):
             continue
         for other in altered(node):
             span = (node.lineno, node.col_offset, node.end_lineno or 0, node.end_col_offset or 0)
-            before = " ".join((ast.get_source_segment(text, node) or "").split())
-            yield Change(str(path.relative_to(SOURCE)), before, ast.unparse(other), span)
+            yield Change(str(path.relative_to(SOURCE)), _between(lines, span), ast.unparse(other), span)
+
+
+def _between(lines: list[bytes], span: tuple[int, int, int, int]) -> str:
+    """Return what stands in a place, on one line."""
+    first, start, last, end = span
+    taken = lines[first - 1 : last]
+    taken[-1] = taken[-1][:end]
+    taken[0] = taken[0][start:]
+    return " ".join(b"".join(taken).decode().split())
 
 
 def with_change(text: str, change: Change) -> str:
@@ -121,84 +143,109 @@ def sample(wings: list[str], count: int, seed: int) -> list[Change]:
     return random.Random(seed).sample(every, min(count, len(every)))
 
 
-def tested(tests: list[str], limit: float | None, *, under: tuple[str, ...] = ()) -> tuple[str, float]:
-    """Run tests on the copy; return "noticed by ..." or "survived", and the seconds it took."""
-    begin = time.monotonic()
-    words = "-x -q -p no:cacheprovider --no-header --tb=no -n 0".split()
-    env = {**os.environ, "PYTHONPATH": str(COPY.parent), "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [sys.executable, "-m", *under, "pytest", *words, *tests]
-    try:
-        done = subprocess.run(command, cwd=ROOT, env=env, capture_output=True, text=True, timeout=limit)
-    except subprocess.TimeoutExpired:
-        return "noticed: it takes too long", time.monotonic() - begin
-    failed = [line for line in done.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
-    said = f"noticed: {failed[0] if failed else done.stdout[-200:]}" if done.returncode else "survived"
-    return said, time.monotonic() - begin
+def tested(tests: list[str], limit: float | None, *, into: Path | None = None) -> tuple[str, float]:
+    """Run tests on the copy; return "noticed by ..." or "survived", and the processor seconds it took.
+
+    Into a file of coverage's goes what they reach, if one is named; then all are run, else only until one fails.
+    """
+
+    def work() -> int:
+        sys.path.insert(0, str(COPY.parent))
+        os.environ |= {"PYTHONPATH": str(COPY.parent), "PYTHONDONTWRITEBYTECODE": "1"}
+        words = "-q -p no:cacheprovider --no-header --tb=no -n 0".split()
+        if into is None:
+            return int(pytest.main([*words, "-x", *tests]))
+        os.environ[TIMES] = str(into.with_suffix(".json"))
+        seen = Coverage(data_file=str(into), source_pkgs=["pieper"], config_file=False)
+        seen.start()
+        code = int(pytest.main([*words, "-p", "tests.tools.reached", *tests]))
+        seen.stop()
+        seen.save()
+        return code
+
+    return limited(work, limit)
 
 
-def recorded(wing: str) -> float:
-    """Run a wing's quick tests under coverage, by test; return the seconds that they took."""
-    settings = REACHED / "settings.toml"
-    settings.parent.mkdir(parents=True, exist_ok=True)
-    settings.write_text('[tool.coverage.run]\ndynamic_context = "test_function"\nsource_pkgs = ["pieper"]\n')
-    under = ("coverage", "run", f"--rcfile={settings}", f"--data-file={REACHED / wing}", "-m")
-    said, spent = tested([*TESTS[wing], "-m", "not slow"], None, under=under)
-    if said != "survived":
-        sys.exit(f"the tests of {wing} do not pass on the untouched code: {said}")
-    return spent
+def limited(work: Callable[[], int], limit: float | None) -> tuple[str, float]:
+    """Do work in a process of its own; return what is said of it, and the processor seconds it took.
+
+    The limit is one of processor time, so that it means the same on a busy machine; what waits for good is stopped too.
+    The process is a fork of this one, which has loaded what tests need but nothing of the package.
+    """
+    with tempfile.TemporaryFile() as out:
+        if not (child := os.fork()):
+            code = 1
+            try:
+                if limit is not None:
+                    resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(limit), math.ceil(limit) + 2))
+                os.chdir(ROOT)
+                os.dup2(out.fileno(), 1)
+                os.dup2(out.fileno(), 2)
+                code = work()
+                sys.stdout.flush()
+            finally:
+                os._exit(code)
+        begin, waits = time.monotonic(), math.inf if limit is None else WAITS * (limit + 1)
+        while True:
+            ended, status, used = os.wait4(child, os.WNOHANG)
+            if not ended and time.monotonic() - begin > waits:
+                os.kill(child, signal.SIGKILL)
+                _, _, used = os.wait4(child, 0)
+                return "noticed: it waits for good", used.ru_utime + used.ru_stime
+            if ended:
+                break
+            time.sleep(POLL)
+        out.seek(0)
+        text = out.read().decode(errors="replace")
+    spent = used.ru_utime + used.ru_stime
+    if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL):
+        return "noticed: it takes too long", spent
+    failed = [line for line in text.splitlines() if line.startswith(("FAILED", "ERROR"))]
+    return (f"noticed: {failed[0] if failed else text[-200:]}" if status else "survived"), spent
 
 
-@cache
-def reaching(wing: str, path: str) -> dict[int, set[str]]:
-    """Return the tests that reach each line of a file, as pytest names them; under 0, those that reach any."""
-    from coverage import CoverageData
-
-    data = CoverageData(basename=str(REACHED / wing))
-    data.read()
-    out: dict[int, set[str]] = {0: set()}
-    for line, contexts in data.contexts_by_lineno(str(COPY / path)).items():
-        names = {name for context in contexts if (name := _test_of(context))}
-        out[line] = names
-        out[0] |= names
+def recorded(state: dict[str, Any], folders: list[str]) -> list[Recorded]:
+    """Return what each file of tests reaches; those not seen before are run under coverage, and kept one by one."""
+    REACHED.mkdir(parents=True, exist_ok=True)
+    out = []
+    for file in (str(p.relative_to(ROOT)) for folder in folders for p in sorted((ROOT / folder).rglob("test_*.py"))):
+        data = REACHED / file.replace("/", ".")
+        if file not in state["seconds"]:
+            _, spent = tested([file], None, into=data)
+            times = data.with_suffix(".json")
+            state["seconds"][file] = json.loads(times.read_text()) if times.exists() else {}
+            keep(state)
+            print(f"[{spent:.0f} s] what {file} reaches", flush=True)
+        if data.exists():
+            out.append(Recorded(state["seconds"][file], data))
     return out
 
 
-def _test_of(context: str) -> str:
-    """Return pytest's name of a test from coverage's; none for what runs outside of tests."""
-    parts = context.split(".")
-    for k in range(len(parts), 0, -1):
-        file = ROOT.joinpath(*parts[:k]).with_suffix(".py")
-        if k < len(parts) and file.exists():
-            return "::".join([str(file.relative_to(ROOT)), *parts[k:]])
-    return ""
-
-
-def tried(change: Change, slow: bool, untouched: float) -> tuple[str, float]:
-    """Try a change on the tests that reach it; on all of its file where it stands outside of functions."""
-    wing = change.path.split("/")[0]
-    lines = reaching(wing, change.path)
+def tried(change: Change, known: list[Recorded], budget: float | None) -> tuple[str, float, int]:
+    """Try a change on the tests that reach it; return what is said, the processor seconds and how many were asked."""
     first, _, last, _ = change.span
-    tests = set().union(*(lines.get(line, set()) for line in range(first, last + 1))) or lines[0]
-    said, spent = tested(sorted(tests), 60 + 4 * untouched) if tests else ("survived", 0.0)
-    if said == "survived" and slow and SLOW[wing]:
-        said, more = tested(SLOW[wing], None)
-        spent += more
-    return said, spent
+    tests = reaching(known, COPY / change.path, range(first, last + 1))
+    asked = ordered(tests, Path(change.path).stem, budget)
+    if not asked:
+        return "survived", 0.0, 0
+    said, spent = tested(asked, STARTS + TIMES_AS_LONG * sum(tests[name] for name in asked))
+    return said, spent, len(asked)
 
 
 def copied() -> None:
     """Put the package as it stands, its native modules included, where changes are made."""
-    import pieper
-
+    found = importlib.util.find_spec("pieper")
+    if found is None or not found.submodule_search_locations:
+        sys.exit("pieper is not here: say PYTHONPATH=src, with its native module built")
     shutil.rmtree(COPY.parent, ignore_errors=True)
     shutil.copytree(SOURCE, COPY, ignore=shutil.ignore_patterns("node_modules", "__pycache__", "*.so"))
-    for native in Path(str(pieper.__file__)).parent.glob("_*.so"):
+    for native in Path(found.submodule_search_locations[0]).glob("_*.so"):
         shutil.copy(native, COPY)
 
 
 def kept() -> dict[str, Any]:
-    """Return what was tried before."""
-    return json.loads(KEPT.read_text()) if KEPT.exists() else {"tried": {}, "untouched_s": {}}
+    """Return what was tried before, and the times of the tests."""
+    return json.loads(KEPT.read_text()) if KEPT.exists() else {"tried": {}, "seconds": {}}
 
 
 def keep(state: dict[str, Any]) -> None:
@@ -215,29 +262,37 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--wings", nargs="*", default=list(TESTS), choices=list(TESTS))
-    parser.add_argument("--quick", action="store_true", help="leave the slow tests out")
+    parser.add_argument("--quick", action="store_true", help="leave the folders of slow tests out")
+    parser.add_argument(
+        "--budget", type=float, help="processor seconds of tests a change at the most; none: all that reach it"
+    )
     parser.add_argument("--again", action="store_true", help="try the survivors again, after new tests")
+    parser.add_argument("--seconds", type=float, default=math.inf, help="stop after so many, and go on another time")
     args = parser.parse_args()
-    state, chosen = kept(), sample(args.wings, args.count, args.seed)
+    begin, state, chosen = time.monotonic(), kept(), sample(args.wings, args.count, args.seed)
     if args.again:
         state["tried"] = {name: said for name, said in state["tried"].items() if said != "survived"}
     copied()
-    for wing in args.wings:
-        if wing not in state["untouched_s"] or args.again or not (REACHED / wing).exists():
-            state["untouched_s"][wing] = recorded(wing)
-            keep(state)
+    for name in LOADED:
+        if importlib.util.find_spec(name):
+            importlib.import_module(name)
     for i, change in enumerate(chosen):
         if change.name in state["tried"]:
             continue
+        wing = change.path.split("/")[0]
+        known = recorded(state, TESTS[wing] + ([] if args.quick else SLOW[wing]))
         target, original = COPY / change.path, (SOURCE / change.path).read_text()
         target.write_text(with_change(original, change))
-        said, spent = tried(change, not args.quick, state["untouched_s"][change.path.split("/")[0]])
+        said, spent, asked = tried(change, known, args.budget)
         target.write_text(original)
         state["tried"][change.name] = said
         keep(state)
-        print(f"[{i + 1} of {len(chosen)}, {spent:.0f} s] {change.name}: {said[:120]}", flush=True)
-    survivors = [c.name for c in chosen if state["tried"][c.name] == "survived"]
-    print(f"{len(chosen)} changes, {len(survivors)} of them not noticed:", *survivors, sep="\n")
+        print(f"[{i + 1} of {len(chosen)}, {asked} tests, {spent:.0f} s] {change.name}: {said[:120]}", flush=True)
+        if time.monotonic() - begin > args.seconds:
+            break
+    told = [c for c in chosen if c.name in state["tried"]]
+    survivors = [c.name for c in told if state["tried"][c.name] == "survived"]
+    print(f"{len(told)} of {len(chosen)} changes tried, {len(survivors)} of them not noticed:", *survivors, sep="\n")
 
 
 if __name__ == "__main__":

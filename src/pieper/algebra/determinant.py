@@ -8,13 +8,14 @@ of small ones: shoulder, elbow and wrist come out as the blocks.
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from pieper.algebra.expression import Sym, Trig
-from pieper.algebra.harmonic import Poly
+from pieper.algebra.harmonic import Poly, gather
 
 LARGEST = 6000  # products of terms in one cofactor
 
@@ -141,19 +142,26 @@ def split(poly: Poly, variables: frozenset = frozenset()) -> tuple[Poly, list[Po
 
 def one_circle(poly: Poly) -> Poly:
     """Write the square of a constant sine (of a twist that is no quarter turn) as 1 - cosine squared."""
-    if not any(s.rank == 2 and s.base[0] == "s" and p > 1 for symbols, _ in poly.terms for s, p in symbols):
+    if not any(map(_squared_sine, itertools.chain.from_iterable(symbols for symbols, _ in poly.terms))):
         return poly
-    total = Poly()
+    total = {key: value for key, value in poly.terms.items() if not any(map(_squared_sine, key[0]))}
     for (symbols, functions), value in poly.terms.items():
-        term = Poly({((), functions): value})
-        for symbol, power in symbols:
-            if symbol.rank == 2 and symbol.base[0] == "s":
-                cosine = Poly.symbol(Sym("c" + symbol.base[1:], symbol.sub, 2))
-                term = term * (1 - cosine * cosine) ** (power // 2) * Poly.symbol(symbol) ** (power % 2)
-            else:
-                term = term * Poly.symbol(symbol) ** power
-        total = total + term
-    return total
+        if not any(map(_squared_sine, symbols)):
+            continue
+        kept = [item for item in symbols if not _squared_sine(item)]
+        term = Poly({(tuple(kept), functions): value})
+        for symbol, power in filter(_squared_sine, symbols):
+            cosine = Poly.symbol(Sym("c" + symbol.base[1:], symbol.sub, 2))
+            term = term * (1 - cosine * cosine) ** (power // 2)
+            term = term * Poly.symbol(symbol) if power % 2 else term
+        for key, more in term.terms.items():
+            gather(total, key, more)
+    return Poly(total)
+
+
+def _squared_sine(item: tuple[Sym, int]) -> bool:
+    symbol, power = item
+    return symbol.rank == 2 and symbol.base[0] == "s" and power > 1
 
 
 def monomial_content(poly: Poly) -> tuple[Poly, Poly]:

@@ -9,12 +9,12 @@ independent (Fourier), therefore two polynomials are equal exactly when their te
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
 from pieper.algebra.arithmetics import NumpyField
-from pieper.algebra.expression import ONE, ZERO, Expr, Num, Power, Sym, Trig, add, mul
+from pieper.algebra.expression import ZERO, Expr, Num, Sym, Trig, mul
+from pieper.algebra.nesting import shortest, whole
 
 HALF = Fraction(1, 2)
 
@@ -33,7 +33,7 @@ class Poly:
     @classmethod
     def number(cls, value: Any) -> Poly:
         """The polynomial that is a number."""
-        value = _whole(Fraction(value))
+        value = whole(Fraction(value))
         return cls({((), ()): value} if value else {})
 
     @classmethod
@@ -55,7 +55,7 @@ class Poly:
         other = as_poly(other)
         terms = dict(self.terms)
         for key, value in other.terms.items():
-            _gather(terms, key, value)
+            gather(terms, key, value)
         return Poly(terms)
 
     __radd__ = __add__
@@ -76,16 +76,29 @@ class Poly:
             for (sym2, trig2), c2 in other.terms.items():
                 symbols = _merge_symbols(sym1, sym2)
                 for trig, factor in _merge_trig(trig1, trig2):
-                    _gather(terms, (symbols, trig), c1 * c2 * factor)
+                    gather(terms, (symbols, trig), _scaled(c1 * c2, factor))
         return Poly(terms)
 
     __rmul__ = __mul__
 
     def __pow__(self, power: int) -> Poly:
-        result = Poly.number(1)
-        for _ in range(power):
+        if power == 2:
+            return self._squared()
+        result = self if power else Poly.number(1)
+        for _ in range(power - 1):
             result = result * self
         return result
+
+    def _squared(self) -> Poly:
+        # each pair of terms once, and doubled
+        terms: dict = {}
+        items = list(self.terms.items())
+        for place, ((sym1, trig1), c1) in enumerate(items):
+            for other, ((sym2, trig2), c2) in enumerate(items[place:]):
+                symbols, value = _merge_symbols(sym1, sym2), c1 * c2 * (2 if other else 1)
+                for trig, factor in _merge_trig(trig1, trig2):
+                    gather(terms, (symbols, trig), _scaled(value, factor))
+        return Poly(terms)
 
     # -- looking inside --------------------------------------------------------------------------------------
     def atoms(self) -> set:
@@ -177,11 +190,10 @@ class Poly:
         # halves and doubles come from the product rules; lengths that were put in as numbers are left alone
         content = min(sizes) if sizes <= {Fraction(1, 4), HALF, Fraction(1), Fraction(2), Fraction(4)} else 1
         rows = [
-            (_whole(Fraction(value) / content), [s for s, power in symbols for _ in range(power)] + list(trig))
+            (whole(Fraction(value) / content), [s for s, power in symbols for _ in range(power)] + list(trig))
             for (symbols, trig), value in shown.terms.items()
         ]
-        forms = [_nest(rows, order) for order in (_first_joint_first, _most_common_first, _last_joint_first)]
-        return mul(Num(content), min(forms, key=_operations))
+        return mul(Num(content), shortest(rows))
 
 
 def as_poly(value: Any) -> Poly:
@@ -221,15 +233,18 @@ def _dot(row: Any, column: Any) -> Poly:
     return total
 
 
-def _whole(value: Any) -> int | Fraction:
-    """Integers as int: sums of them are many times faster than of fractions."""
-    return value.numerator if value.denominator == 1 else value
+def _scaled(value: Any, factor: Any) -> int | Fraction:
+    if type(value) is not int or type(factor) is int:
+        return value * factor
+    whole, rest = divmod(value * factor.numerator, factor.denominator)
+    return Fraction(value) * factor if rest else whole
 
 
-def _gather(terms: dict, key: Any, value: Any) -> None:
+def gather(terms: dict, key: Any, value: Any) -> None:
+    """Add a value to a term, in place; a term that becomes zero goes."""
     total = terms.get(key, 0) + value
     if total:
-        terms[key] = total if type(total) is int else _whole(total)
+        terms[key] = total if type(total) is int else whole(total)
     else:
         terms.pop(key, None)
 
@@ -303,94 +318,5 @@ def _without_double_angles(poly: Poly) -> Poly:
             else:
                 rows = [row for s, f, v in rows for row in (([*s, (c, 2)], f, 2 * v), (s, f, -v))]
         for s, f, v in rows:
-            _gather(terms, (tuple(sorted(s, key=lambda item: item[0].order)), tuple(f)), v)
+            gather(terms, (tuple(sorted(s, key=lambda item: item[0].order)), tuple(f)), v)
     return Poly(terms)
-
-
-# -- nesting -------------------------------------------------------------------------------------------------
-def _first_joint_first(atom: Sym | Trig, count: int) -> tuple[Any, ...]:
-    return (atom.rank != 3, atom.order)
-
-
-def _most_common_first(atom: Sym | Trig, count: int) -> tuple[Any, ...]:
-    return (-count, atom.rank != 3, atom.order)
-
-
-def _last_joint_first(atom: Sym | Trig, count: int) -> tuple[Any, ...]:
-    return (atom.rank != 3, -atom.group if isinstance(atom, Trig) else 0, atom.order)
-
-
-def _nest(rows: list, order: Callable[[Any, int], Any]) -> Expr:
-    if len(rows) == 1:
-        value, atoms = rows[0]
-        return _product(value, atoms)
-    shared = list(rows[0][1])
-    for _, atoms in rows[1:]:
-        remaining = list(atoms)
-        kept = []
-        for atom in shared:
-            if atom in remaining:
-                remaining.remove(atom)
-                kept.append(atom)
-        shared = kept
-    sizes = {abs(value) for value, _ in rows}
-    content = sizes.pop() if len(sizes) == 1 else 1
-    if all(value < 0 for value, _ in rows):
-        content = -content
-    if shared or content != 1:
-        inner = [(_whole(Fraction(value) / content), _without(atoms, shared)) for value, atoms in rows]
-        body = _nest(inner, order)
-        return _product(content, shared, body)
-    counts: dict = {}
-    for _, atoms in rows:
-        for atom in dict.fromkeys(atoms):
-            counts[atom] = counts.get(atom, 0) + 1
-    candidates = [atom for atom, count in counts.items() if count > 1]
-    if not candidates:
-        return add(*(_product(v, a) for v, a in sorted(rows, key=_reading_order)))
-    pivot = min(candidates, key=lambda atom: order(atom, counts[atom]))
-    first = [row for row in rows if pivot in row[1]]
-    rest = [row for row in rows if pivot not in row[1]]
-    parts = [(min(map(_reading_order, first)), _nest(first, order))]
-    if rest:
-        inner = _nest(rest, order)
-        parts.append((min(map(_reading_order, rest)), inner))
-    return add(*(part for _, part in sorted(parts, key=lambda item: item[0])))
-
-
-def _reading_order(row: Any) -> tuple[Any, ...]:
-    """Lengths without angles first, then along the chain, cosine before sine."""
-    _, atoms = row
-    functions = [a for a in atoms if a.rank == 3]
-    targets = [a for a in atoms if a.rank == 4]
-    lengths = [a for a in atoms if a.rank not in (3, 4)]
-    return (
-        bool(lengths) and bool(targets),
-        [(a.order[1:]) if isinstance(a, Trig) else (99, 0) for a in functions],
-        [a.order[1:] for a in targets],
-        [a.order for a in lengths],
-    )
-
-
-def _without(atoms: list, shared: list) -> list:
-    rest = list(atoms)
-    for atom in shared:
-        rest.remove(atom)
-    return rest
-
-
-def _product(value: int | Fraction, atoms: list, body: Expr | None = None) -> Expr:
-    ordered = sorted(atoms, key=lambda a: (a.rank, a.order))
-    factors, index = [], 0
-    while index < len(ordered):
-        power = ordered.count(ordered[index])
-        factors.append(ordered[index] if power == 1 else ordered[index] ** power)
-        index += power
-    if body is not None and body != ONE:
-        factors.append(body)
-    return mul(Num(value), *factors)
-
-
-def _operations(expr: Expr) -> int:
-    parts = expr.args[:1] if isinstance(expr, Power) else expr.args
-    return len(parts) + sum(map(_operations, parts))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,7 +14,6 @@ from pieper.description.dh import Description
 from pieper.description.shapes import Box, Capsule, Convex, Cylinder, Shape, corners
 from pieper.errors import InputError
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.meant import remark_far_shape
 from pieper.tolerances import DISTANCE_ROUNDING, NO_LENGTH
 
 Array = npt.NDArray[np.float64]
@@ -147,24 +145,6 @@ def model_of(arm: Description, chain: Chain, bodies: Bodies, scene: Scene) -> Mo
         boxed=native(boxed, len(boxed)) if boxed else None,
         slack=DISTANCE_ROUNDING * max(size, 1.0),
     )
-
-
-def remark_far_shapes(model: Model, base: Sequence[float], reach: float, name: str) -> None:
-    """Warn of a body so far away, or so large, that millimetres were probably meant; the first such one.
-
-    Args:
-        model: What must keep apart.
-        base: (3,) where the arm stands, m.
-        reach: How far it reaches at most, m.
-        name: What it is called.
-    """
-    for shape, on, called in zip(model.shapes, model.on, model.names, strict=True):
-        points, layer = corners(shape)
-        middle = points.mean(0)
-        radius = float(np.linalg.norm(points - middle, axis=1).max()) + layer
-        away = float(np.linalg.norm(middle - base if on < 0 else middle)) - radius
-        if remark_far_shape(called, away, 2 * radius, reach, name, on >= 0):
-            return
 
 
 def _pairs(bodies: Bodies, scene: Scene, links: list[int]) -> list[tuple[int, int]]:

@@ -38,7 +38,9 @@ def with_tool(arm: Description, tool: PoseLike | str) -> Description:
 
 def with_base(arm: Description, base: PoseLike) -> Description:
     """Return the arm whose table begins at another pose of the world."""
-    return replace(arm, base=_frozen(checked_pose(base, "base")), checks=(), origin=None)
+    placed = checked_pose(base, "base")
+    remark_long(float(np.linalg.norm(placed[:3, 3])), "the base stands away by")
+    return replace(arm, base=_frozen(placed), checks=(), origin=None)
 
 
 def with_limits(arm: Description, limits: Mapping[str, Sequence[float | None] | None]) -> Description:

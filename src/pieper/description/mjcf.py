@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -12,8 +12,9 @@ import numpy.typing as npt
 
 from pieper.description.dh import Description
 from pieper.description.ends import find_ends
+from pieper.description.mjcf_ties import name_of, remarks, ties_of, without_space_tendons
 from pieper.description.shapes import Unmeasured
-from pieper.description.tree import Joint, Mimic, Tree
+from pieper.description.tree import Joint, Tree
 from pieper.description.treearm import arm_of
 from pieper.description.urdf import LARGEST_FILE, bytes_of
 from pieper.errors import InputError
@@ -22,7 +23,7 @@ from pieper.kinematics.pose import rotation_about, transform
 
 #: What a chain of bodies does not need and whose files are often not at hand.
 _UNNEEDED = (
-    "geoms meshes textures materials hfields skins flexes actuators sensors keys tendons pairs excludes cameras lights"
+    "geoms meshes textures materials hfields skins flexes actuators sensors keys pairs excludes cameras lights"
 ).split()
 
 
@@ -54,7 +55,8 @@ def read(
 def tree_of(path: Path) -> Tree:
     """Return the links and joints of an MJCF file."""
     mujoco = _package(path)
-    return _links(compiled(mujoco, path), mujoco, str(path))
+    model, keys, tendons = _compiled(mujoco, path)
+    return _links(model, mujoco, str(path), keys, tendons)
 
 
 Shapes: TypeAlias = "list[tuple[str, Any, dict[str, Any]]]"
@@ -147,8 +149,15 @@ def compiled(mujoco: Any, path: str | Path) -> Any:
     Raises:
         InputError: It is no model; the message says what MuJoCo said.
     """
+    return _compiled(mujoco, path)[0]
+
+
+def _compiled(mujoco: Any, path: str | Path) -> tuple[Any, dict[str, list[float]], list[str]]:
+    """Return the model, its keyframes (name -> `qpos`), and the names of tendons through space that tie something."""
     try:
         spec: Any = mujoco.MjSpec.from_file(str(path))  # pyright: ignore[reportAttributeAccessIssue]
+        keys = {key.name or f"key_{i}": [float(v) for v in key.qpos] for i, key in enumerate(spec.keys)}
+        tendons = without_space_tendons(spec, mujoco)
         for kind in _UNNEEDED:
             for element in list(getattr(spec, kind, ())):
                 spec.delete(element)
@@ -156,14 +165,15 @@ def compiled(mujoco: Any, path: str | Path) -> Any:
             if body.name != "world":
                 body.mass, body.inertia, body.explicitinertial = 1.0, [1.0, 1.0, 1.0], True
                 body.fullinertia = [np.nan] * 6  # a matrix beside the diagonal would be one too many
-        model = spec.compile()
+        return spec.compile(), keys, tendons
     except (ValueError, RuntimeError, TypeError) as error:
         reason = " ".join(str(error).split())
         raise InputError(f"{path}: MuJoCo cannot read this model: {reason[:300]}", file=str(path)) from None
-    return model
 
 
-def _links(model: Any, mujoco: Any, file: str) -> Tree:
+def _links(
+    model: Any, mujoco: Any, file: str, keys: dict[str, list[float]] | None = None, tendons: Sequence[str] = ()
+) -> Tree:
     """Return the tree of a compiled model; a body with several joints becomes several links."""
     kinds = {
         int(mujoco.mjtJoint.mjJNT_HINGE): "revolute",
@@ -172,7 +182,7 @@ def _links(model: Any, mujoco: Any, file: str) -> Tree:
         int(mujoco.mjtJoint.mjJNT_FREE): "floating",
     }
     bodies = [model.body(i).name or f"body_{i}" for i in range(model.nbody)]
-    mimics = _mimics(model, mujoco)
+    ties = ties_of(model, mujoco)
     joints: list[Joint] = []
     frames: dict[str, tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]] = {}
 
@@ -185,7 +195,7 @@ def _links(model: Any, mujoco: Any, file: str) -> Tree:
         pending = _pose(model.body_pos[i], model.body_quat[i])
         first, count = int(model.body_jntadr[i]), int(model.body_jntnum[i])
         for j in range(first, first + count):
-            name = model.joint(j).name or f"joint_{j}"
+            name, held = name_of(model, j), ties.held.get(j)
             kind = kinds[int(model.jnt_type[j])]
             limited = bool(model.jnt_limited[j])
             at = _pose(model.jnt_pos[j], [1.0, 0.0, 0.0, 0.0])
@@ -194,14 +204,16 @@ def _links(model: Any, mujoco: Any, file: str) -> Tree:
             add(
                 Joint(
                     name,
-                    kind if limited or kind != "revolute" else "continuous",
+                    "fixed" if held is not None else kind if limited or kind != "revolute" else "continuous",
                     parent=parent,
                     child=link,
                     lower=lower if limited else -np.inf,
                     upper=upper if limited else np.inf,
-                    mimic=mimics.get(j),
+                    mimic=ties.mimics.get(j),
+                    held=held,
+                    bound=ties.bound.get(j, ""),
                 ),
-                pending @ at @ _at_zero(model, j, kind),
+                pending @ at @ _moved_to(model, j, kind, held or 0.0),
                 np.array(model.jnt_axis[j], float),
             )
             parent, pending = link, _pose(-model.jnt_pos[j], [1.0, 0.0, 0.0, 0.0])
@@ -215,32 +227,31 @@ def _links(model: Any, mujoco: Any, file: str) -> Tree:
                 _pose(model.site_pos[i], model.site_quat[i]),
                 np.zeros(3),
             )
-    return Tree(
-        file, model.names[: model.names.find(b"\0")].decode() or "arm", "MJCF", bodies, joints, lambda j: frames[j.name]
+    postures = {
+        name: {name_of(model, j): qpos[model.jnt_qposadr[j]] for j in range(model.njnt)}
+        for name, qpos in (keys or {}).items()
+        if len(qpos) == model.nq
+    }
+    through = tuple(f"A constraint on the tendon {name!r}, through space, was not read." for name in tendons)
+    tree = Tree(
+        file,
+        model.names[: model.names.find(b"\0")].decode() or "arm",
+        "MJCF",
+        bodies,
+        joints,
+        lambda j: frames[j.name],
+        lambda asked: (*remarks(tree, ties, bodies, asked), *through),
+        postures,
     )
+    return tree
 
 
-def _at_zero(model: Any, joint: int, kind: str) -> npt.NDArray[np.float64]:
-    """Return the motion from a model's reference posture, in which its bodies are said, to the joint's value zero."""
+def _moved_to(model: Any, joint: int, kind: str, value: float) -> npt.NDArray[np.float64]:
+    """Return the motion from a model's reference posture, in which its bodies are said, to a value of the joint."""
     if kind not in ("revolute", "prismatic"):
         return np.eye(4)
-    axis, back = np.array(model.jnt_axis[joint], float), -float(model.qpos0[model.jnt_qposadr[joint]])
-    return transform(p=back * axis) if kind == "prismatic" else transform(rotation_about(axis, back))
-
-
-def _mimics(model: Any, mujoco: Any) -> dict[int, Mimic]:
-    """Return joint -> the joint it follows, from the model's equality constraints of two joints."""
-    found = {}
-    for e in range(model.neq):
-        if int(model.eq_type[e]) == int(mujoco.mjtEq.mjEQ_JOINT) and model.eq_obj2id[e] >= 0:
-            follower, leader = int(model.eq_obj1id[e]), int(model.eq_obj2id[e])
-            if not np.any(model.eq_data[e][2:5]):
-                # y - y0 = c0 + c1 (x - x0), measured from the joints' reference values
-                name = model.joint(leader).name or f"joint_{leader}"
-                c0, c1 = (float(v) for v in model.eq_data[e][:2])
-                y0, x0 = (float(model.qpos0[model.jnt_qposadr[j]]) for j in (follower, leader))
-                found[follower] = Mimic(name, c1, y0 + c0 - c1 * x0)
-    return found
+    axis, by = np.array(model.jnt_axis[joint], float), value - float(model.qpos0[model.jnt_qposadr[joint]])
+    return transform(p=by * axis) if kind == "prismatic" else transform(rotation_about(axis, by))
 
 
 def _pose(position: Any, quaternion: Any) -> npt.NDArray[np.float64]:

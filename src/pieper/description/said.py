@@ -13,6 +13,7 @@ from pieper import arguments
 from pieper.description.coupling import checked_coupling, linked_axes, numbers_of
 from pieper.description.dh import CONVENTIONS, DH, MAX_JOINTS, Actuator, Check, Description, Linked
 from pieper.errors import InputError, PieperWarning
+from pieper.kinematics.chain import Chain
 from pieper.kinematics.meant import remark_long, remark_turned
 from pieper.kinematics.pose import PoseLike, checked_pose
 from pieper.tolerances import FARTHEST, WHOLE_TURN
@@ -165,11 +166,11 @@ def describe(
     )
 
 
-def remark_sizes(arm: Description, length: float) -> None:
-    """Warn where millimetres or degrees were probably said: its links add up to `length`, m."""
-    remark_long(length, "the links of this arm add up to")
-    remark_long(float(np.linalg.norm(arm.tool[:3, 3])), "the tool reaches")
-    remark_long(float(np.linalg.norm(arm.base[:3, 3])), "the base stands away by")
+def remark_sizes(arm: Description, chain: Chain) -> None:
+    """Warn where millimetres or degrees were probably said."""
+    if not remark_long(chain.length, "the links of this arm add up to"):
+        remark_long(float(np.linalg.norm(chain.links[-1][:3, 3])), "the tool stands from the last axis by")
+        remark_long(float(np.linalg.norm(arm.base[:3, 3])), "the base stands away by")
     slides = np.array([kind == "P" for kind in arm.axis_types])
     remark_turned(arm.offset[~slides], "offset")
     sliding = arm.limits[[kind == "P" for kind in arm.joint_types]]

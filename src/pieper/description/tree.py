@@ -40,6 +40,8 @@ class Joint:
         lower: Lower limit, rad or m; None where the file is silent, NaN where it is not a number.
         upper: Upper limit.
         mimic: The joint whose value it follows.
+        held: The value at which something holds it still (rad or m); its kind is "fixed" and its frame is there.
+        bound: What ties it to others, where no coupling of joints can say that.
     """
 
     name: str
@@ -50,6 +52,8 @@ class Joint:
     lower: float | None = None
     upper: float | None = None
     mimic: Mimic | None = None
+    held: float | None = None
+    bound: str = ""
 
     @property
     def moves(self) -> bool:
@@ -69,6 +73,7 @@ class Tree:
         joints: In the file's order.
         geometry: Joint -> its frame (4, 4) in the parent link and its unit axis (3,) in its own frame.
         remarks: Joints -> sentences about how their numbers were read.
+        postures: Named values of joints, by their names.
         above: Link -> the joint it hangs from.
         below: Link -> the joints that hang from it.
     """
@@ -80,6 +85,7 @@ class Tree:
     joints: list[Joint]
     geometry: Callable[[Joint], tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]]
     remarks: Callable[[list[Joint]], tuple[str, ...]] = lambda _: ()
+    postures: dict[str, dict[str, float]] = field(default_factory=dict)
     above: dict[str, Joint] = field(default_factory=dict)
     below: dict[str, list[Joint]] = field(default_factory=dict)
 

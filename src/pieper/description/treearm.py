@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +20,8 @@ from pieper.errors import InputError
 from pieper.tolerances import LIMIT_IS_NONE, SAME_AXIS_LINE
 
 MISSING = ("refuse", "unlimited")
+#: Lower and upper limit, None on a side without one.
+Pair: TypeAlias = "tuple[float | None, float | None]"
 
 
 @dataclass(slots=True, eq=False)
@@ -61,6 +64,7 @@ def arm_of(
     lines, coupling, constants, notes = _coupled(tree, axes)
     own = [axis.joint for axis in lines if axis.joint.mimic is None]
     limits, noted = _all_limits(tree, own, missing_limits)
+    limits, narrowed = _with_followers(tree, own, limits, [axis.joint for axis in axes if axis.joint.mimic])
     arm = described_by_axes(
         np.array([axis.direction for axis in lines]),
         np.array([axis.point for axis in lines]),
@@ -73,15 +77,24 @@ def arm_of(
         coupling=coupling,
         name=tree.name,
         source=f"{tree.format} {Path(tree.file).name}, from {ends.base} to {ends.tip}",
-        remarks=(*ends.notes, *notes, *noted, *tree.remarks([joint for joint, _ in path])),
-        postures={"zero": np.zeros(len(own))},
+        remarks=(*ends.notes, *notes, *noted, *narrowed, *tree.remarks([joint for joint, _ in path])),
+        postures={"zero": np.zeros(len(own))}
+        | {name: np.array([values[joint.name] for joint in own]) for name, values in tree.postures.items()},
     )
-    remark_sizes(arm, chain_of(arm).length)
+    remark_sizes(arm, chain_of(arm))
     return replace(arm, origin=Origin(str(tree.file), tree.format, ends.base, ends.tip))
 
 
 def _check_kinds(tree: Tree, path: list[tuple[Joint, bool]], ends: Ends) -> None:
     for joint, _ in path:
+        if joint.bound:
+            tree.fail(
+                f"joint {joint.name!r} {joint.bound}; joints of an arm are tied by sums of their values alone. End the "
+                f"arm before it with tip={joint.parent!r}, or take the constraint out to move it by itself.",
+                joint,
+                base=ends.base,
+                tip=ends.tip,
+            )
         if joint.kind not in MOVING and joint.kind != "fixed":
             tree.fail(
                 f"joint {joint.name!r} is of type {joint.kind!r}; a serial arm may have revolute, continuous, "
@@ -207,9 +220,7 @@ def _master(tree: Tree, joint: Joint) -> tuple[str, float, float]:
     return name, multiplier, offset
 
 
-def _all_limits(
-    tree: Tree, joints: list[Joint], missing: str
-) -> tuple[list[tuple[float | None, float | None]], list[str]]:
+def _all_limits(tree: Tree, joints: list[Joint], missing: str) -> tuple[list[Pair], list[str]]:
     limits, silent, endless = [], [], []
     for joint in joints:
         if not has_range(joint):
@@ -236,6 +247,43 @@ def _all_limits(
     if endless:
         notes.append(f"Limits beyond {LIMIT_IS_NONE:g} were taken as none: {some(endless)}.")
     return limits, notes
+
+
+def _with_followers(
+    tree: Tree, own: list[Joint], limits: list[Pair], followers: list[Joint]
+) -> tuple[list[Pair], list[str]]:
+    """Return limits at which the joints that follow others stay inside their own, and a sentence for each change."""
+    limits, notes = list(limits), []
+    at = {joint.name: i for i, joint in enumerate(own)}
+    for follower in followers:
+        leader, multiplier, offset = _master(tree, follower)
+        if follower.kind == "continuous" or not has_range(follower) or not multiplier:
+            continue
+        lower, upper = _limits(tree, follower)
+        sides = -math.inf if lower is None else lower, math.inf if upper is None else upper
+        low, high = sorted((side - offset) / multiplier for side in sides)
+        was = limits[at[leader]]
+        both = max(low, -math.inf if was[0] is None else was[0]), min(high, math.inf if was[1] is None else was[1])
+        if not both[0] < both[1]:
+            notes.append(
+                f"No value of {leader!r} keeps {follower.name!r}, which mimics it, inside its own limits: those of "
+                f"{follower.name!r} were left out."
+            )
+            continue
+        now = both[0] if math.isfinite(both[0]) else None, both[1] if math.isfinite(both[1]) else None
+        if now != was:
+            limits[at[leader]] = now
+            notes.append(
+                f"The limits of {leader!r} are {_span(now)} (the file's own: {_span(was)}): beyond, {follower.name!r}, "
+                "which mimics it, would leave its own."
+            )
+    return limits, notes
+
+
+def _span(pair: Pair) -> str:
+    """Return limits in words."""
+    low, high = (("none" if value is None else f"{value:.6g}") for value in pair)
+    return f"{low} to {high}"
 
 
 def _limits(tree: Tree, joint: Joint) -> tuple[float | None, float | None]:

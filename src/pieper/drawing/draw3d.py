@@ -13,6 +13,10 @@ from pieper.tolerances import NO_LENGTH
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+#: Inches above a 3-D picture for its title of one or two lines, beside it, and below it for its labels; how much of
+#: its height is empty below.
+TITLE, SIDE, LABELS, HANGS = 0.36, 0.08, 0.38, 0.11
+
 
 def space_axes(
     figure: Figure,
@@ -58,7 +62,27 @@ def space_axes(
         axis.set_label_text(f"{name}, mm", color=INK, fontsize=9)
     if title:
         axes.set_title(title, color=INK, fontsize=11, loc="left")
+    _placed(figure)
     return axes
+
+
+def _placed(figure: Figure) -> None:
+    """Lay a figure of 3-D pictures alone out by inches: what surrounds each is known, and asking it costs a drawing."""
+    figure.set_layout_engine(None)
+    width, height = figure.get_size_inches()
+    rows, columns = figure.axes[0].get_subplotspec().get_gridspec().get_geometry()
+    title = TITLE if rows * columns > 1 or figure.axes[0].get_title(loc="left") else 0.0
+    tall = height / rows - title
+    # the lower end of a picture is empty but for its labels: it may hang over the edge, and over the title below
+    hangs = HANGS * tall - LABELS
+    figure.subplots_adjust(
+        left=SIDE / width,
+        right=1 - SIDE / width,
+        bottom=-hangs / height,
+        top=1 - title / height,
+        wspace=0.0,
+        hspace=(title - hangs) / (tall + hangs),
+    )
 
 
 def _locator() -> Any:

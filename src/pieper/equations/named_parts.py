@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from pieper.algebra.expression import Add, Expr, Mul, Sym
 from pieper.algebra.formula import with_args
+from pieper.algebra.notation import Writer
 from pieper.document.blocks import Block, Document, Equation, Equations, Paragraph
 
 WIDE = 112  # characters of a formula in plain text that a page is wide
@@ -14,17 +16,31 @@ SMALL = 24  # characters of the smallest part that is worth a name
 LETTER = "h"
 
 
+class _Remembering(Writer):
+    """Plain text of nodes that share their parts: each node is written once."""
+
+    def __init__(self) -> None:
+        self._written: dict[Any, str] = {}
+
+    def __call__(self, expr: Any) -> str:
+        found = self._written.get(expr)
+        if found is None:
+            found = self._written[expr] = super().__call__(expr)
+        return found
+
+
 class Parts:
     """Names of parts that a page has used so far; what occurs again keeps its name."""
 
     def __init__(self, letter: str = LETTER) -> None:
         self.letter = letter
+        self.text = _Remembering()
         self.names: dict[Expr, Sym] = {}
         self.texts: dict[str, Sym] = {}
 
     def named(self, part: Expr) -> tuple[Sym, bool]:
         """The name of a part, and whether it is new."""
-        text = part.text()
+        text = self.text(part)
         if text in self.texts:
             return self.texts[text], False
         self.texts[text] = Sym(self.letter, str(len(self.texts) + 1), 4)
@@ -48,44 +64,42 @@ class Parts:
         args = [seen[a] if a in seen else seen.setdefault(a, self._shrunk(a, INNER, defined, seen)) for a in node.args]
         if not all(x is y for x, y in zip(args, node.args, strict=True)):
             node = with_args(node, args)
-        while len(node.text()) > room:
-            part = _part_of(node)
+        while len(self.text(node)) > room:
+            part = self._part_of(node)
             if part is None:
                 break
             name, new = self.named(part)
             if new:
                 defined.append((name, part))
-            node = _put(node, part, name)
+            node = self._put(node, part, name)
         return node
 
+    def _part_of(self, formula: Expr) -> Expr | None:
+        """The part to be named next: the longest sum inside that fits a line, else as many members as fit one."""
+        sums = {self.text(n): n for n in formula.walk() if isinstance(n, Add) and n is not formula}
+        fits = {text: n for text, n in sums.items() if SMALL <= len(text) <= INNER}
+        if fits:
+            return fits[max(fits, key=len)]
+        if isinstance(formula, (Add, Mul)):
+            for count in range(len(formula.args) - 1, 1, -1):
+                part = with_args(formula, formula.args[:count])
+                if len(self.text(part)) <= INNER:
+                    return part
+        return None
 
-def _part_of(formula: Expr) -> Expr | None:
-    """The part to be named next: the longest sum inside that fits a line, else as many members as fit one."""
-    sums = {n.text(): n for n in formula.walk() if isinstance(n, Add) and n is not formula}
-    fits = {text: n for text, n in sums.items() if SMALL <= len(text) <= INNER}
-    if fits:
-        return fits[max(fits, key=len)]
-    if isinstance(formula, (Add, Mul)):
-        for count in range(len(formula.args) - 1, 1, -1):
-            part = with_args(formula, formula.args[:count])
-            if len(part.text()) <= INNER:
-                return part
-    return None
-
-
-def _put(formula: Expr, part: Expr, name: Sym) -> Expr:
-    """The formula with a part replaced by its name at every place."""
-    text = part.text()
-    if isinstance(formula, type(part)) and isinstance(formula, (Add, Mul)):
-        count = len(part.args)
-        if len(formula.args) > count and with_args(formula, formula.args[:count]).text() == text:
-            return with_args(formula, [name, *formula.args[count:]])
-    if not formula.args:
-        return formula
-    if formula.text() == text:
-        return name
-    inside = [_put(a, part, name) for a in formula.args]
-    return formula if all(x is y for x, y in zip(inside, formula.args, strict=True)) else with_args(formula, inside)
+    def _put(self, formula: Expr, part: Expr, name: Sym) -> Expr:
+        """The formula with a part replaced by its name at every place."""
+        text = self.text(part)
+        if isinstance(formula, type(part)) and isinstance(formula, (Add, Mul)):
+            count = len(part.args)
+            if len(formula.args) > count and self.text(with_args(formula, formula.args[:count])) == text:
+                return with_args(formula, [name, *formula.args[count:]])
+        if not formula.args:
+            return formula
+        if self.text(formula) == text:
+            return name
+        inside = [self._put(a, part, name) for a in formula.args]
+        return formula if all(x is y for x, y in zip(inside, formula.args, strict=True)) else with_args(formula, inside)
 
 
 def broken_lines(page: Document) -> Document:

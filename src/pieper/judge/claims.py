@@ -26,6 +26,7 @@ from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
 from pieper.judge.excerpt import claims_file, guesses, of_the_page
 from pieper.judge.judges.angles import judge_joint, judge_together
+from pieper.judge.judges.counts import judge_count
 from pieper.judge.judges.formulas import judge_entry, judge_equation
 from pieper.judge.judges.freedom import judge_freedom
 from pieper.judge.judges.jacobians import judge_determinant, judge_jacobian, judge_singular
@@ -33,7 +34,7 @@ from pieper.judge.judges.limits import judge_bounds, judge_limit
 from pieper.judge.judges.matrices import judge_matrix, judge_product
 from pieper.judge.judges.poses import judge_pose
 from pieper.judge.judges.procedure import judge_procedure
-from pieper.judge.judges.solutions import judge_count, judge_solutions
+from pieper.judge.judges.solutions import judge_solutions
 from pieper.judge.judges.tables import judge_errors, judge_number, judge_range, judge_table
 from pieper.judge.model import ArmModel, model_from_description
 from pieper.judge.solver import Solver
@@ -96,7 +97,7 @@ JUDGES = {
         {"solutions_deg"},
         {"matrix", "q", "q_deg", "q_rad", "complete", "unit", "task"},
     ),
-    "count": Judge(judge_count, {"count"}, {"task"}),
+    "count": Judge(judge_count, {"count"}, {"at_most", "task", "when", "where"}),
     "freedom": Judge(judge_freedom, {"dof"}, {"free", "at_deg"}),
     "errors": Judge(judge_errors, {"rows", "percent"}, set(), {"rows": keys.ERROR_ROWS}),
     "table": Judge(judge_table, {"rows"}, {"unit", "within", "search_zeros"}, {"rows": keys.POSITION_ROWS}),

@@ -14,7 +14,9 @@ from dataclasses import dataclass, field
 from pieper.algebra.parser import parse, parse_equation
 from pieper.algebra.spelling import plain
 from pieper.errors import InputError
+from pieper.judge.conditions import read_conditions
 from pieper.judge.evidence import SIGN
+from pieper.judge.excerpt_counts import Counted, counted
 from pieper.judge.excerpt_lengths import lengths_meant
 from pieper.judge.excerpt_lines import BRANCH, CONDITION, SINGULAR, Line, equations
 from pieper.judge.excerpt_matrices import PLACED
@@ -97,7 +99,19 @@ def guesses(text: str, model: ArmModel) -> list[Guess]:
         if what:
             said.append(what)
         found.append(guess)
-    return _of_letters(found, stands, model)
+    found += [_counting(said, model, signs | known) for said in counted(text)]
+    return _of_letters(sorted(found, key=lambda guess: guess.line), stands, model)
+
+
+def _counting(said: Counted, model: ArmModel, known: set[str]) -> Guess:
+    """A sentence that says how many solutions there are; its condition must be one that can be read."""
+    guess = Guess(said.line, said.text, {"id": f"line {said.line}", **said.keys} if said.keys else {}, why=said.why)
+    if "when" in guess.keys:
+        try:
+            read_conditions(str(guess.keys["when"]), lambda text: parse(text, model.names() | known, model.n))
+        except InputError as error:
+            guess.keys, guess.why = {}, str(error).splitlines()[0]
+    return guess
 
 
 def _of_letters(found: list[Guess], stands: dict[str, str], model: ArmModel) -> list[Guess]:

@@ -232,6 +232,7 @@ CLAIM: dict[str, Check] = {
     "complete": flag,
     "solutions_deg": several(JOINTS, plural="the joint vectors"),
     "count": whole,
+    "at_most": flag,
     "dof": whole,
     "free": either(several(whole, plural="the numbers of joints"), nothing),
     "percent": table_of(printed),

@@ -34,6 +34,10 @@ class Solver:
         """Whether a pose (4, 4), in m, has a whole curve of solutions."""
         return verbs.ik(self._plan_for(task), T, None).status == Status.REDUNDANT
 
+    def most(self, task: str | None = None) -> int:
+        """The largest number of solutions that a pose of this arm can have."""
+        return self._plan_for(task).count.most
+
     def solutions(self, T: np.ndarray, task: str | None = None) -> np.ndarray:
         """Return all joint vectors (m, n), rad or m, of a pose (4, 4), before limits.
 

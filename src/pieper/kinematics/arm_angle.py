@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.arrays import Array, Bools, median
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import axes_at, look
 from pieper.kinematics.newton import null_space
@@ -155,7 +155,7 @@ def _moves(angle: ArmAngle) -> bool:
     _, defined = angle.about(q, x, y, defined)
     null = null_space(angle.chain, q)[1][:, -1]
     change = np.abs(np.sum(angle.gradient(q, x, y) * null, -1))
-    return bool(np.median(np.where(defined, change, 0.0)) > ARM_ANGLE_MOVES)
+    return bool(median(np.where(defined, change, 0.0)) > ARM_ANGLE_MOVES)
 
 
 def _foot(chain: Chain, on: int, towards: int) -> Array | None:

@@ -49,11 +49,56 @@ def remark_far_shape(what: str, away: float, across: float, reach: float, name: 
     return True
 
 
-def remark_long(metres: float, what: str) -> None:
-    """Warn of an arm, or of a part of one, that is longer than any that was built."""
-    if metres > LONGEST_ARM:
+def remark_long(metres: float, what: str) -> bool:
+    """Warn of an arm, or of a part of one, that is longer than any that was built; whether it was."""
+    if metres <= LONGEST_ARM:
+        return False
+    warnings.warn(
+        f"{what} {metres:.4g} m; metres are meant. Were these millimetres? Divide by 1000.", PieperWarning, stacklevel=4
+    )
+    return True
+
+
+def remark_stands_inside(what: str, deep: float, most: float, name: str) -> bool:
+    """Warn of a body in which an arm stands, deeper (m) than a floor is drawn about it; whether it was."""
+    if deep <= most:
+        return False
+    warnings.warn(
+        f"{what} holds the place where {name} stands, {deep * 1e3:.4g} mm inside: every posture may touch it. A box is "
+        "said by the pose of its middle, not of its top.",
+        PieperWarning,
+        stacklevel=5,
+    )
+    return True
+
+
+def remark_out_of_reach(what: str, away: float, reach: float, name: str) -> None:
+    """Warn of a scene of which an arm can touch nothing: its nearest body, how far that is away (m), and the reach."""
+    warnings.warn(
+        f"nothing of the scene is within reach: {what} is the nearest, at least {away:.4g} m from where {name} stands, "
+        f"and no part of the arm gets farther than {reach:.4g} m. Whatever it does is clear of it. Is its place right?",
+        PieperWarning,
+        stacklevel=5,
+    )
+
+
+def remark_fast(value: ArrayLike, what: str, unit: str, most: float, none: float, small: str) -> None:
+    """Warn of a speed so high that it was probably said in a smaller unit, and not so high that it stands for none.
+
+    Args:
+        value: One number or several.
+        what: Which limit.
+        unit: Its unit.
+        most: Up to this it is taken as it is.
+        none: From this on it stands for no limit.
+        small: The unit that was probably meant.
+    """
+    array = np.atleast_1d(np.asarray(value, np.float64))
+    doubtful = array[(array > most) & (array < none)]
+    if len(doubtful):
         warnings.warn(
-            f"{what} {metres:.4g} m; metres are meant. Were these millimetres? Divide by 1000.",
+            f"{what} is {doubtful[0]:g} {unit}, more than any arm has. Was it {small}? No limit is said by {none:g} "
+            "or more, or where it may be left out by leaving it out.",
             PieperWarning,
             stacklevel=4,
         )

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from pieper import arguments
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.arrays import Array
 from pieper.motion.curve import JointCurve
-from pieper.motion.limits import Limits
 from pieper.motion.ratios import peak_ratios
-from pieper.motion.timed_path import JointPath, Planned, TimedPath, timed_path
+from pieper.motion.timed_path import TimedPath
 from pieper.motion.tool_bounds import tool_curve
 from pieper.tolerances import EVEN_SPEED, SPEED_ABOVE, SPEED_LOWERED, SPEED_SETTLED, TOOL_STANDS
 
@@ -40,32 +39,18 @@ class Fastest(float):
     joint: str | None
     why: str
 
-
-def fastest_constant_speed(
-    path: JointPath | ArrayLike, limits: Limits, s0: float, s1: float, *, arm: Planned | None = None
-) -> Fastest:
-    """Return the highest constant speed of the tool's point from s0 to s1, m/s, of a motion at rest at its ends.
-
-    The run-up before s0 and the run-out after s1 count: a section that begins at 0 or ends at 1 has none and allows
-    no speed at all.
-
-    Args:
-        path: A route or a track that reaches its end, or joint points (N, n) with `arm`.
-        limits: What to keep; a jerk is not looked at.
-        s0: Where the section begins, 0 to 1.
-        s1: Where it ends.
-        arm: Whose tool it is, where the path is points alone.
-
-    Returns:
-        The speed; .s, .limit, .joint and .why say what forbids more. 0 where the tool stands still in the section.
-
-    Raises:
-        InputError: As in `time_law`.
-    """
-    (section,) = checked_sections([(s0, s1, 1.0)])
-    timed, curve = timed_path(path, limits, arm, at=section[:2])
-    timed, _ = section_grid(timed, curve, [section])
-    return highest(timed, section)
+    @classmethod
+    def of(cls, speed: float, s: float, limit: str, joint: str | None) -> Fastest:
+        """Return a speed with its sentence."""
+        out = cls(speed)
+        out.s, out.limit, out.joint = s, limit, joint
+        if limit == "run-up":
+            out.why = f"the run-up to s = {s:.4g} allows {speed:.6g} m/s."
+        elif limit == "run-out":
+            out.why = f"the run-out from s = {s:.4g} allows {speed:.6g} m/s."
+        else:
+            out.why = f"at s = {s:.4g} the {limit}{f' of {joint}' if joint else ''} allows {speed:.6g} m/s."
+        return out
 
 
 def checked_sections(sections: Sequence[tuple[float, float, float]]) -> list[Section]:
@@ -179,15 +164,7 @@ def highest(timed: TimedPath, section: Section) -> Fastest:
             x = wanted_x(timed, [(s0, s1, high * (1 + SPEED_ABOVE))])[at]
             limit, s, joint = ("run-out", s1, None) if x > sets[at] else ("run-up", s0, None)
         most = low
-    out = Fastest(most)
-    out.s, out.limit, out.joint = s, limit, joint
-    if limit == "run-up":
-        out.why = f"the run-up to s = {s:.4g} allows {most:.6g} m/s."
-    elif limit == "run-out":
-        out.why = f"the run-out from s = {s:.4g} allows {most:.6g} m/s."
-    else:
-        out.why = f"at s = {s:.4g} the {limit}{f' of {joint}' if joint else ''} allows {most:.6g} m/s."
-    return out
+    return Fastest.of(most, s, limit, joint)
 
 
 def _by_limits(timed: TimedPath, section: Section) -> tuple[float, float, str, str | None]:
@@ -203,10 +180,20 @@ def _by_limits(timed: TimedPath, section: Section) -> tuple[float, float, str, s
     return 1 / float(values[row, column]), place, limit, joint
 
 
-def why_not(timed: TimedPath, sections: Sequence[Section]) -> InputError:
+def apart_or_one(sections: Sequence[Section]) -> list[Section]:
+    """Return sections of which those that meet with one speed are one."""
+    out: list[Section] = []
+    for section in sections:
+        if out and out[-1][1] == section[0] and out[-1][2] == section[2]:
+            section = (out.pop()[0], *section[1:])
+        out.append(section)
+    return out
+
+
+def refused(sections: Sequence[Section], highest_of: Callable[[Section], Fastest]) -> InputError:
     """Return the error that says which section cannot be, where, because of what, and what would do."""
     for section in sections:
-        best = highest(timed, section)
+        best = highest_of(section)
         if section[2] > best:
             return InputError(
                 f"the tool cannot keep {section[2]:g} m/s from s = {section[0]:g} to {section[1]:g}: {best.why} "

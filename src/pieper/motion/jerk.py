@@ -8,8 +8,8 @@ from math import comb
 import numpy as np
 
 from pieper import _kernel
-from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, Indices
+from pieper.motion.certificate import tool_acceleration_in_time
 from pieper.motion.curve import JointCurve
 from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.motion import Motion
@@ -17,6 +17,7 @@ from pieper.motion.profile import Profile
 from pieper.motion.ratios import Ratios, joint_kinds, limits_of_tool
 from pieper.motion.straight import closed_form, is_even
 from pieper.motion.timed_path import TimedPath
+from pieper.motion.tool_bounds import point_derivatives
 from pieper.tolerances import JERK_GAIN, ONE_MOMENT, TAKEN_BACK
 
 #: Degree of a joint's speed on a piece: q' of degree 2 in s, s of degree 3 in time, times ds/dt of degree 2.
@@ -49,15 +50,7 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
     where it does, what keeps them all by much is sped up, round by round, and what is left by the same factor
     everywhere; the window with the shortest motion is looked for. The result is within all limits, proved on each piece
     by Bernstein coefficients; that no motion is faster is not claimed.
-
-    Raises:
-        InputError: A limit of the tool's acceleration besides the jerk, which is not planned.
     """
-    if timed.limits.tool_acceleration is not None:
-        raise InputError(
-            "limits of the tool's acceleration and of the joints' jerk at once are not planned; leave one out.",
-            given=timed.limits.tool_acceleration,
-        )
     best = _best_window(timed, curve)
     straight = closed_form(timed, curve) if is_even(curve) else None
     if straight is not None:
@@ -72,24 +65,8 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
         if ratios.margin <= 1:
             break
         factor = float(ratios.stretch().max()) * (1 + TAKEN_BACK)
-    t, q, dq, ddq, dddq, s = sampled(curve, profile, rate)
-    ends = np.array([0.0, profile.duration])
-    tight = tuple(binding(profile.t, ratios))
-    return Motion(
-        t,
-        q,
-        dq,
-        ddq,
-        ends,
-        ends,
-        dddq,
-        s,
-        tight,
-        ratios.margin,
-        deviation=curve.between_points(),
-        limits=timed.limits,
-        description=timed.description,
-    )
+    tight = binding(profile.t, ratios)
+    return timed.motion(sampled(curve, profile, rate), tight, ratios.margin, profile.duration, curve.between_points())
 
 
 def _best_window(timed: TimedPath, curve: JointCurve) -> _Tried:
@@ -101,7 +78,7 @@ def _best_window(timed: TimedPath, curve: JointCurve) -> _Tried:
             tried[power] = _at_window(timed, curve, 2.0**power, ROUNDS_TO_COMPARE)
         return tried[power].duration
 
-    best = _first_power(timed)
+    best = first_power(timed)
     while at(best - STEP) < at(best):
         best -= STEP
     while at(best + STEP) < at(best):
@@ -112,7 +89,7 @@ def _best_window(timed: TimedPath, curve: JointCurve) -> _Tried:
     return min(found, tried[best], key=lambda one: one.duration)
 
 
-def _first_power(timed: TimedPath) -> float:
+def first_power(timed: TimedPath) -> float:
     """Return the power of two of a window that fits between the changes of the acceleration's sign."""
     bound, s = timed.bound, timed.curve.s
     assert bound.jerk is not None
@@ -134,7 +111,7 @@ def _under(timed: TimedPath, window: float) -> Array:
     return replace(timed, bound=replace(timed.bound, acceleration=reached)).run()[0]
 
 
-def _levelled(t: Array, x: Array, length: float) -> Array:
+def levelled(t: Array, x: Array, length: float) -> Array:
     """Return values (k,) at times t with their peaks cut so low that each lasts a length of time.
 
     The acceleration then goes through zero for as long as that, and never from one end of its limits to the other.
@@ -160,7 +137,7 @@ def _level(t: Array, x: Array, length: float) -> Array:
 def _at_window(timed: TimedPath, curve: JointCurve, window: float, rounds: int, before: _Tried | None = None) -> _Tried:
     """Return the best of some rounds at one window, beginning with what another one was eased by."""
     s, x = timed.curve.s, _under(timed, window)
-    x = _levelled(profile_of(s, x).t, x, window)
+    x = levelled(profile_of(s, x).t, x, window)
     eased = np.zeros(len(s)) if before is None else before.eased
     best, last = None, np.inf
     for _ in range(rounds):
@@ -175,13 +152,26 @@ def _at_window(timed: TimedPath, curve: JointCurve, window: float, rounds: int, 
         if abs(found.duration / last - 1) < JERK_GAIN and factor < 1 + JERK_GAIN:
             break
         last = found.duration
-        # half a window to either side feels the same speeds
-        begins = even.place(np.maximum(profile.t[:-1] - 1.5 * window, 0.0))
-        ends = even.place(np.minimum(profile.t[1:] + window / 2, even.duration))
-        over = np.log(_largest_over(np.searchsorted(s, begins) - 1, np.searchsorted(s, ends), need, len(s) - 1))
-        eased = eased - _mean_around(raw.t, np.where(over > 0, over, TAKEN_UP * over), window)
+        over = too_fast(s, even, profile, need, window)
+        eased = eased - mean_around(raw.t, np.where(over > 0, over, TAKEN_UP * over), window)
     assert best is not None
     return best
+
+
+def too_fast(s: Array, even: Profile, profile: Profile, need: Array, window: float) -> Array:
+    """Return for each cell between s (k + 1,) the logarithm (k,) of how much slower what feels its speed must be.
+
+    Args:
+        s: The grid of what was averaged over the window.
+        even: The average.
+        profile: The same in pieces (m).
+        need: (m,) by how much time must stretch on each of them.
+        window: The window, s: half of it to either side feels the same speeds.
+    """
+    begins = even.place(np.maximum(profile.t[:-1] - 1.5 * window, 0.0))
+    ends = even.place(np.minimum(profile.t[1:] + window / 2, even.duration))
+    cells = _largest_over(np.searchsorted(s, begins) - 1, np.searchsorted(s, ends), need, len(s) - 1)
+    return np.asarray(np.log(cells), np.float64)
 
 
 def _largest_over(first: Indices, last: Indices, values: Array, count: int) -> Array:
@@ -196,7 +186,7 @@ def _largest_over(first: Indices, last: Indices, values: Array, count: int) -> A
     return np.maximum.reduceat(np.append(values, 0.0), pairs)[::2]
 
 
-def _mean_around(t: Array, values: Array, window: float) -> Array:
+def mean_around(t: Array, values: Array, window: float) -> Array:
     """Return the means (k + 1,) over a window of time around each t of values (k,) that hold between them."""
     area = np.concatenate([[0.0], np.cumsum(values * np.diff(t))])
     begin, end = np.maximum(t - window / 2, t[0]), np.minimum(t + window / 2, t[-1])
@@ -227,8 +217,11 @@ def peaks(timed: TimedPath, curve: JointCurve, profile: Profile, *, proved: bool
 
     Where they need not be `proved` the largest of three values is taken instead: enough for a search.
     """
-    bound = timed.bound
+    bound, most = timed.bound, timed.limits.tool_acceleration
     assert bound.jerk is not None
+    if most is not None:
+        # the tool's acceleration is bounded on one cell of the grid at a time
+        curve = timed.curve
     t, c, values, fastest = _kernel.jerk_ratios(
         s=curve.s,
         d1=curve.d1,
@@ -252,9 +245,16 @@ def peaks(timed: TimedPath, curve: JointCurve, profile: Profile, *, proved: bool
     if timed.limits.turn_speed is not None:
         speeds.append(("turn speed", timed.tool.turn, timed.tool.turn_strays, timed.limits.turn_speed * timed.share))
     rows: list[Array] = []
-    for _, value, strays, most in speeds:
+    for _, value, strays, allowed in speeds:
         size = np.linalg.norm(value, axis=1)
         top = np.maximum(size[:-1], size[1:]) + strays
-        ratio = np.maximum.reduceat(np.append(top / most, 0.0), np.stack([first, last + 1], 1).ravel())[::2]
+        ratio = np.maximum.reduceat(np.append(top / allowed, 0.0), np.stack([first, last + 1], 1).ravel())[::2]
         rows.append(ratio * fastest)
-    return split, Ratios((*kinds, *((name, None) for name, *_ in speeds)), np.vstack([values, *rows]))
+    more = [name for name, *_ in speeds]
+    if most is not None:
+        more.append("tool acceleration")
+        derivatives = point_derivatives(timed.chain, timed.curve, np.append(c[:, 0], 1.0))
+        cell = timed.curve.piece(split.middles)
+        size = tool_acceleration_in_time(timed.tool, cell, *derivatives, split, fastest if proved else None)
+        rows.append(size / most)
+    return split, Ratios((*kinds, *((name, None) for name in more)), np.vstack([values, *rows]))

@@ -11,6 +11,8 @@ import numpy as np
 from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.meant import remark_fast
+from pieper.tolerances import FAST_JOINT, FAST_TOOL, NO_LIMIT
 from pieper.words_by_number import plural
 
 #: What is said to somebody who gives something else.
@@ -58,6 +60,15 @@ class Limits:
             value = getattr(self, name)
             if value is not None:
                 object.__setattr__(self, name, _positive_number(value, name))
+        for name, most, small in (
+            ("speed", FAST_JOINT, "in degrees a second"),
+            ("turn_speed", FAST_JOINT, "in degrees a second"),
+            ("tool_speed", FAST_TOOL, "in millimetres a second"),
+        ):
+            value = getattr(self, name)
+            if value is not None:
+                unit = _TOOL_UNITS.get(name, "rad/s, or m/s of a slide")
+                remark_fast(value, name, unit, most, NO_LIMIT, small)
 
     def of(self, n: int, names: Sequence[str] | None = None) -> JointLimits:
         """Return the limits of n joints, one number a joint.

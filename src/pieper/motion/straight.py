@@ -32,22 +32,9 @@ def straight_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion 
     t, q, dq, ddq, dddq, along = sampled(line, profile, rate)
     q[-1], along[-1] = start + way, 1.0
     share = float(timed.share[0])
-    ends = np.array([0.0, profile.duration])
-    return Motion(
-        t,
-        q,
-        dq,
-        ddq,
-        ends,
-        ends,
-        dddq,
-        along if is_even(curve) else _places(curve, along),
-        tuple(tight_pieces(profile, names)),
-        margin_of_line(way, profile, timed.limits, share),
-        deviation=curve.between_points(),
-        limits=timed.limits,
-        description=timed.description,
-    )
+    samples = t, q, dq, ddq, dddq, along if is_even(curve) else _places(curve, along)
+    margin = margin_of_line(way, profile, timed.limits, share)
+    return timed.motion(samples, tight_pieces(profile, names), margin, profile.duration, curve.between_points())
 
 
 def closed_form(timed: TimedPath, curve: JointCurve) -> tuple[Profile, list[str]] | None:

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
-from pieper.motion.constant_speed import checked_sections, section_grid, why_not
+from pieper.motion.constant_speed import checked_sections, highest, refused, section_grid
 from pieper.motion.curve import JointCurve
+from pieper.motion.even_jerk import even_motion
 from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.jerk import smooth_motion
 from pieper.motion.limits import Limits
@@ -62,12 +62,12 @@ def time_law(
     if not asked:
         return _told_outside(fastest_motion(timed, curve, rate), timed, curve)
     if limits.jerk is not None:
-        raise InputError("a section of constant speed and a jerk limit at once are not planned; leave one out.")
+        return _told_outside(even_motion(timed, curve, asked, rate), timed, curve)
     timed, wanted = section_grid(timed, curve, asked)
     found = fastest_certified(timed, wanted)
     # a motion ends at rest, whatever speed is wanted there
     if found is None or asked[-1][1] >= 1:
-        raise why_not(timed, asked)
+        raise refused(asked, lambda section: highest(timed, section))
     return _told_outside(_motion_of(timed, *found, curve.between_points(), rate), timed, curve)
 
 
@@ -131,16 +131,5 @@ def _motion_of(timed: TimedPath, x: Array, ratios: Ratios, deviation: float, rat
         factor = float(ratios.stretch().max()) * (1 + TAKEN_BACK)
         x, ratios = x / factor**2, ratios.slower(factor)
     profile = profile_of(timed.curve.s, x)
-    motion = sampled(timed.curve, profile, rate)
-    ends = np.array([0.0, profile.duration])
-    return Motion(
-        *motion[:4],
-        ends,
-        ends,
-        *motion[4:],
-        tuple(binding(profile.t, ratios)),
-        ratios.margin,
-        deviation=deviation,
-        limits=timed.limits,
-        description=timed.description,
-    )
+    tight = binding(profile.t, ratios)
+    return timed.motion(sampled(timed.curve, profile, rate), tight, ratios.margin, profile.duration, deviation)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Protocol, runtime_checkable
@@ -17,7 +17,7 @@ from pieper.kinematics.chain import Chain
 from pieper.motion.certificate import vector_peaks
 from pieper.motion.curve import JointCurve, checked_points
 from pieper.motion.limits import SAY_LIMITS, JointLimits, Limits
-from pieper.motion.motion import Motion
+from pieper.motion.motion import Motion, Tight
 from pieper.motion.route.result import Route
 from pieper.motion.tool_bounds import ToolCurve, tool_curve
 from pieper.motion.track import Track
@@ -104,6 +104,28 @@ class TimedPath:
     def description(self) -> Description | None:
         """The arm, where there is one."""
         return None if self.plan is None else self.plan.description
+
+    def motion(
+        self,
+        samples: tuple[Array, Array, Array, Array, Array, Array],
+        tight: Iterable[Tight],
+        margin: float,
+        duration: float,
+        deviation: float,
+    ) -> Motion:
+        """Return the motion along it that rests at both ends, of samples t, q, dq, ddq, dddq and s."""
+        ends = np.array([0.0, duration])
+        return Motion(
+            *samples[:4],
+            ends,
+            ends,
+            *samples[4:],
+            tuple(tight),
+            margin,
+            deviation=deviation,
+            limits=self.limits,
+            description=self.description,
+        )
 
     @property
     def h(self) -> Array:

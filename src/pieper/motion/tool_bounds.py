@@ -65,6 +65,19 @@ def tool_curve(chain: Chain, curve: JointCurve) -> ToolCurve:
     return ToolCurve(point, bend, turn, h**2 / 8 * third, h**2 / 8 * turns, third, _fourth(lever, Q1, Q2, Q3))
 
 
+def point_derivatives(chain: Chain, curve: JointCurve, s: Array) -> tuple[Array, Array]:
+    """Return p' and p'' (k, 3) of the tool's point by s, m, at s (k,) of a curve.
+
+    Args:
+        chain: The arm; coupled joints are looked at as the chain's own.
+        curve: The joint curve.
+        s: Places on it.
+    """
+    C = np.eye(chain.axis_count) if chain.coupling is None else chain.coupling
+    q, d1, d2, _ = (values @ C.T for values in curve.at(s))
+    return _point(chain.uncoupled.native.jacobian(q), d1, d2)
+
+
 def levers(chain: Chain, q: Array) -> Array:
     """Return bounds (n,) of the tool point's distance from each revolute axis over q (k, n); 1 for slides.
 

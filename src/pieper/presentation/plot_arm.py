@@ -93,7 +93,7 @@ def postures_figure(arm: Arm, postures: np.ndarray, titles: list[str]) -> Figure
         The figure.
     """
     everything = [skeleton(arm.description, q) for q in postures]
-    figure = new_figure(3.5 * len(everything), 3.6)
+    figure = new_figure(3.8 * len(everything), 3.6)
     for k, (parts, title) in enumerate(zip(everything, titles, strict=True)):
         centre, half = extent(parts.polyline)
         axes = space_axes(figure, (1, len(everything), k + 1), centre, half, title=title, view=good_view(parts))

@@ -12,12 +12,10 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.joints import short_way
 from pieper.kinematics.newton import missed, newton
 from pieper.solver.batch import SolutionBatch
-from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
-from pieper.solver.singular.careful import near_rows
-from pieper.solver.singular.examine import examine
+from pieper.solver.singular.careful import looked_at, near_rows
 from pieper.solver.singular.examined import Examined
 from pieper.tolerances import CLOSES, LINKAGE_STARTS, SAME_AFTER_CUT
 
@@ -70,16 +68,7 @@ def _looked_at(plan: Plan, words: Words, found: Solutions, q: Array) -> Solution
         starts.append(moved[missed(chain, moved, found.T) < CLOSES])
     rows = np.concatenate(starts)
     rows = rows[chain.joints.distinct(rows, SAME_AFTER_CUT)]
-    looked = examine(
-        chain,
-        found.T,
-        rows,
-        lambda poses: _beside(plan, poses),
-        plan.full_limits,
-        plan.full_names,
-        shown=plan.n,
-        hiding=named(plan.family).eliminating,
-    )
+    looked = looked_at(plan, found.T, rows, _beside)
     kept, inside = plan.chain.joints.inside_limits(looked.q, plan.limits)
     known = Examined(kept, looked.self_motion, looked.multiplicity, looked.direction, looked.self_motions)
     flag = found.flag & ~int(Flag.OUT_OF_REACH) if len(kept) else found.flag

@@ -14,6 +14,12 @@ SHOWN_ZERO = 1e-11
 JUDGED_SAME_JOINTS = 1e-5
 #: A judged length (per length of the arm), slope or determinant (relative) below this is zero but for rounding.
 JUDGED_ZERO = 1e-9
+#: A condition said to leave no solution is met by a reachable pose when its sides differ by more than this (times one
+#: and the longest length squared): at the edge of reach both are equal but for rounding.
+CONDITION_MET = 1e-9
+#: The least step (rad; per length), of steps that begin at one, by which a condition is approached: squares of it are
+#: rounding.
+CONDITION_STEP = 1e-6
 #: An equation holds at a posture found for it, and values are one, within this (rad; per length): roots halve the
 #: digits.
 JUDGED_HOLDS = 1e-6

@@ -28,6 +28,14 @@ SMALL_TURN = 1e-7
 FAR_AWAY = 100.0
 #: A body this many reaches across was too: floors and halls are less, the smallest tables in millimetres are more.
 LARGE_BODY = 200.0
+#: A box that holds an arm's place this deep, in its reaches, is no floor drawn about it: a slab's half is less.
+DEEP_INSIDE = 0.1
+#: Joints that turn faster (rad/s) than the fastest wrists do were probably said in degrees,
+FAST_JOINT = 60.0
+#: tools that are faster (m/s) than the fastest pickers in millimetres,
+FAST_TOOL = 20.0
+#: and a number from here on stands for no limit.
+NO_LIMIT = 1000.0
 #: Metres: an arm, or a tool, that is longer was probably said in millimetres; the longest that are built are some 20 m.
 LONGEST_ARM = 50.0
 #: Radians of an angle of a pose, which needs no more than half a turn: more than two turns were probably degrees.

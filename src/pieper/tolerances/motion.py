@@ -46,6 +46,8 @@ TAKEN_BACK = 1e-13
 ON_A_LINE = 1e-14
 #: A round that gains less than this, relative, was the last but one.
 JERK_GAIN = 1e-3
+#: Beside a section of constant speed limits are aimed at with this much room, relative: rounds end inside them.
+EASED_MORE = 8e-3
 #: Moments nearer than this, of the whole duration, are one.
 ONE_MOMENT = 1e-12
 #: Limits of a joint move are kept by this much, relative, so that rounding does not pass them.

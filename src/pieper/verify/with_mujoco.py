@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper.description import mjcf
 from pieper.description.dh import Description
+from pieper.description.mjcf_ties import Ties, ties_of
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import inverse
 from pieper.verify.placements import placements
@@ -21,14 +22,16 @@ class MuJoCo:
 
         self._mujoco: Any = mujoco
         self.name = f"mujoco {mujoco.__version__}"
-        origin = arm.origin if arm.coupling is None else None
+        origin = arm.origin
         self._base, self._tip = None, ("site", "tool")
         self._mix: Array | None = None
+        ties = Ties()
         if origin is not None and origin.kind == "MJCF":
             self._model: Any = mjcf.compiled(mujoco, origin.file)
             self._base, self._tip = self._place(origin.base), self._place(origin.tip)
             said = f"mujoco read {origin.file} itself, from {origin.base} to {origin.tip}"
             names = list(arm.joint_names)
+            ties = ties_of(self._model, mujoco)
         else:
             self._model = self._built(arm)
             said = "mujoco was given one body a row, placed by the table's constants (joint about its own z)"
@@ -38,6 +41,12 @@ class MuJoCo:
         self._at = [int(self._model.jnt_qposadr[j]) for j in joints]
         self._columns = [int(self._model.jnt_dofadr[j]) for j in joints]
         self._rest = np.array(self._model.qpos0)
+        for j, value in ties.held.items():
+            self._rest[self._model.jnt_qposadr[j]] = value
+        # a follower may follow a follower: as many rounds as there are followers reach the last
+        self._follow = [(j, self._model.joint(mimic.joint).id, mimic) for j, mimic in ties.mimics.items()] * len(
+            ties.mimics
+        )
         self.words = (
             f"{said}; poses are `xpos` and `xmat`, Jacobians `mj_jac` at the tool point, linear rows first, both "
             "turned into the base frame. It has no inverse kinematics of its own: Newton's method runs on its poses "
@@ -76,6 +85,9 @@ class MuJoCo:
     def _move(self, q: Array) -> None:
         self._data.qpos[:] = self._rest
         self._data.qpos[self._at] = q if self._mix is None else self._mix @ q
+        for j, leader, mimic in self._follow:
+            x = self._data.qpos[self._model.jnt_qposadr[leader]]
+            self._data.qpos[self._model.jnt_qposadr[j]] = mimic.multiplier * x + mimic.offset
         self._mujoco.mj_kinematics(self._model, self._data)
         self._mujoco.mj_comPos(self._model, self._data)
 
@@ -94,7 +106,11 @@ class MuJoCo:
             R = self._pose(self._base)[:3, :3].T
             J = J - self._slope(self._base, point)
             J = np.vstack([R @ J[:3], R @ J[3:]])
-        J = J[:, self._columns]
+        moved = np.zeros((J.shape[1], len(self._columns)))
+        moved[self._columns, np.arange(len(self._columns))] = 1.0
+        for j, leader, mimic in self._follow:
+            moved[self._model.jnt_dofadr[j]] = mimic.multiplier * moved[self._model.jnt_dofadr[leader]]
+        J = J @ moved
         return J if self._mix is None else J @ self._mix
 
     def _slope(self, place: tuple[str, str], point: Array) -> Array:

@@ -18,8 +18,9 @@ import numpy.typing as npt
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Expr, Sym, Trig, angle_symbol
 from pieper.description.dh import Description
-from pieper.equations.derivation.elimination import Eliminator, Equation, Move
+from pieper.equations.derivation.elimination import Eliminator, Move
 from pieper.equations.derivation.patterns import Solved
+from pieper.equations.derivation.splits import Equation
 from pieper.equations.derivation.step import Step
 from pieper.equations.derivation.witness import branch_values, single_joint
 from pieper.equations.table import SymbolTable

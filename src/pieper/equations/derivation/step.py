@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Expr, Num, Sym
-from pieper.equations.derivation.elimination import Eliminator, Move, Source
+from pieper.equations.derivation.elimination import Eliminator, Move
+from pieper.equations.derivation.splits import Source
 from pieper.tolerances import ROUNDING
 
 

@@ -10,7 +10,8 @@ import numpy.typing as npt
 
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Expr, Trig
-from pieper.equations.derivation.elimination import Eliminator, Source
+from pieper.equations.derivation.elimination import Eliminator
+from pieper.equations.derivation.splits import Source
 from pieper.tolerances import BRANCH_OTHER_ANGLE, BRANCH_SAME_ANGLE
 
 MOST = 3  # equations on a page
@@ -37,7 +38,7 @@ def telling(
         slack: How much more than rounding the right ones may miss, as where roots vanish.
     """
     chosen: list[Condition] = []
-    for equation in sorted(e.spare_equations(), key=lambda q: len(q.left.terms) + len(q.right.terms)):
+    for equation in sorted(e.splits.spare_equations(), key=lambda q: len(q.left.terms) + len(q.right.terms)):
         if not wrong.any() or len(chosen) == MOST:
             break
         left, right_side = (p.expr().substitute(renamed) for p in (equation.left, equation.right))

@@ -44,7 +44,7 @@ class Witness:
 
     def _pose(self, values: dict) -> dict[Sym, Array]:
         """The entries of the pose (count,) by their symbols, of values of all lengths and joints."""
-        links = self.eliminator.product(0, self.eliminator.n)
+        links = self.eliminator.splits.product(0, self.eliminator.n)
         pose = [[p.evaluate(values) + np.zeros(self.count) for p in row] for row in links]
         return {Sym(c, axis, 4): pose[r][k] for k, c in enumerate("noap") for r, axis in enumerate("xyz")}
 

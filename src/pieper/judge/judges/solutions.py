@@ -1,4 +1,4 @@
-"""Judges of solutions: a set of joint vectors said to solve a pose, and how many solutions a pose is said to have."""
+"""Joint vectors said to solve a pose, and to be all of its solutions."""
 
 from __future__ import annotations
 
@@ -13,10 +13,6 @@ from pieper.judge.numbers import UNITS, digit_units, joint_units, read_joints, r
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_ZERO
-from pieper.words_by_number import plural
-
-COUNTED = 40  # random poses
-FULL = 6  # joints of an arm that can take every pose
 
 
 def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
@@ -134,64 +130,3 @@ def _rotation_between(A: np.ndarray, B: np.ndarray) -> float:
     R = A.T @ B
     spin = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
     return float(np.degrees(np.arctan2(np.linalg.norm(spin), (np.trace(R) - 1) / 2)))
-
-
-def judge_count(ev: Evidence, claim: Claim) -> Verdict:
-    """Judge how many solutions a pose has, at random poses the arm can reach (keys count, task).
-
-    A page about a short arm counts the solutions of a position and seldom says so; where its number is that of the
-    positions and the claim names no task, the verdict says which it is.
-    """
-    count = claim.whole("count")
-    if ev.model.solver is None:
-        raise claim.error("this arm's table cannot be given to the solver, so its solutions cannot be counted")
-    task = claim.get("task")
-    claim = claim.reads(f"a {'position' if task == 'position' else 'pose'} has {plural(count, 'solution')}")
-    try:
-        found = _counted(ev, task or "pose")
-    except PieperError as error:
-        return claim.partly(f"Could not be checked: {error}")
-    total = sum(found.values())
-    what = "positions" if task == "position" else "poses"
-    details = [("solutions found", f"{_spread(found)} of {total} random {what}")]
-    if set(found) == {count}:
-        return claim.holds(f"Holds: {plural(count, 'solution')} at {total} of {total} random {what}.", details)
-    if task is None and ev.model.n < FULL:
-        other = _of_positions(ev)
-        if set(other) == {count}:
-            details.append(("positions", f"{_spread(other)} of {total} random positions"))
-            return claim.holds(
-                f"Holds for positions: {plural(count, 'solution')} at {total} of {total} random positions. With the "
-                f'orientation of a pose asked for too there are {_spread(found)} of the poses; task = "position" says '
-                "which is meant.",
-                details,
-            )
-        if other:
-            details.append(("positions", f'{_spread(other)} of {total} random positions (task = "position")'))
-    if max(found) == count:
-        return claim.partly(f"Holds as the largest number only; there are {_spread(found)} of the {what}.", details)
-    never = "" if count in found else f", never {count}"
-    return claim.wrong(f"Wrong: there are {_spread(found)} of {total} random {what}{never}.", details)
-
-
-def _counted(ev: Evidence, task: str | None) -> dict[int, int]:
-    """How many solutions there are, and at how many random poses."""
-    poses = [ev.samples.frames["T"][k] for k in np.flatnonzero(ev.samples.nominal)[:COUNTED]]
-    counts = [len(ev.solved(T, task)) for T in poses]
-    return {c: counts.count(c) for c in sorted(set(counts))}
-
-
-def _of_positions(ev: Evidence) -> dict[int, int]:
-    """The same of positions; empty where the arm has no such task, or endlessly many solutions."""
-    T = ev.samples.frames["T"][int(np.flatnonzero(ev.samples.nominal)[0])].copy()
-    T[:3, 3] *= UNITS[ev.model.unit]
-    try:
-        endless = ev.model.solver is None or ev.model.solver.endless(T, "position")
-        return {} if endless else _counted(ev, "position")
-    except PieperError:
-        return {}
-
-
-def _spread(found: dict[int, int]) -> str:
-    total = sum(found.values())
-    return ", ".join(f"{c} at {100 * m / total:.0f}%" for c, m in found.items())

@@ -63,8 +63,6 @@ def make_plan(
     """
     if task is not None:
         arguments.word(task, "task", TASKS)
-    if snap is not None:
-        arguments.number(snap, "snap", "rad, and per length of the arm", least=0.0, below=0.5)
     if chain.coupling is not None:
         return _coupled(chain, description, task, snap)
     plan = _as_told(chain, description, task, snap, hold)

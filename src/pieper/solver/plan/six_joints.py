@@ -15,7 +15,7 @@ from functools import cached_property
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Indices
+from pieper.kinematics.arrays import Array, Indices, median
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import scaled_jacobian, singular_values
 from pieper.kinematics.pose import inverse, rotation_about, transform
@@ -240,7 +240,7 @@ def reduce(chain: Chain, task: str, hold: Held | None = None) -> list[Reduction]
     choices = _choices(full, chain, J, spare)
     kept = np.array([[j for j in range(full.n) if j not in locked] for locked in choices])
     s = np.linalg.svd(np.moveaxis(J[:, :, kept], 2, 0), compute_uv=False)  # ways, postures, singular values
-    smallest = np.median(s[..., rank - 1] / s[..., 0], axis=1)
+    smallest = median(s[..., rank - 1] / s[..., 0])
     ways = [(float(value), locked) for value, locked in zip(smallest, choices, strict=True) if value > RANK]
     ways.sort(key=lambda way: -way[0])
     # filling takes time, and so does comparing ways: of many, only the best few are made ready
@@ -258,7 +258,7 @@ def holding(way: Reduction, locked: tuple[int, ...]) -> Reduction | None:
     full, rank = way.full, way.full.n - len(way.locked)
     kept = [j for j in range(full.n) if j not in locked]
     s = np.linalg.svd(scaled_jacobian(full, sample_joints(full, 12))[:, :, kept], compute_uv=False)
-    if np.median(s[:, rank - 1] / s[:, 0]) <= RANK:
+    if median(s[:, rank - 1] / s[:, 0]) <= RANK:
         return None
     return _way(way.arm, way.task, full, locked, rank)
 
@@ -309,7 +309,7 @@ def _greedy(full: Chain, J: Array, spare: int) -> tuple[int, ...]:
             if j in kept:
                 continue
             s = np.linalg.svd(J[:, :, [*kept, j]], compute_uv=False)
-            value = float(np.median(s[:, -1]))
+            value = float(median(s[:, -1]))
             if value > gain:
                 best, gain = j, value
         kept.append(best)

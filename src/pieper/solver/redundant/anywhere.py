@@ -12,7 +12,6 @@ from pieper.kinematics.joints import TURN, short_way
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.box import box, descended, spread, well_inside
-from pieper.solver.redundant.self_motions import met
 from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.sweep import slices
 from pieper.tolerances import BEYOND_REACH, CLOSES, NEAR_INSIDE
@@ -113,6 +112,8 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
         pose = np.repeat(none, FREE_STARTS)
         np.minimum.at(least, pose, descended(full, starts, T[pose], *wide)[1])
     for i in left[least[left] < NEAR_INSIDE]:
+        from pieper.solver.redundant.self_motions import met
+
         rows = met(plan, T[i], plan.defaults)
         if len(rows):
             poses = np.tile(T[i], (len(rows), 1, 1))

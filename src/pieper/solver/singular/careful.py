@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
@@ -48,29 +50,39 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     # values of the virtual joints are not known of given rows: all are solved for again
     full, own = plan.exact.full, plan.exact.full.n == plan.n
     known = rows if own and not plan.reduction.fill else _holding(plan, T)
-    found = _examined(plan, T, np.concatenate([rows, known]) if own and known is not rows else known)
+    most = plan.max_solutions if own else None
+    found = looked_at(plan, T, np.concatenate([rows, known]) if own and known is not rows else known, most=most)
     if not len(found.q):
         # nothing leads there from poses beside: from postures all over
         anywhere = newton(full, sample_joints(full, ALL_OVER), T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
         anywhere = anywhere[missed(full, anywhere, T) < HOLDS]
-        found = _examined(plan, T, anywhere) if len(anywhere) else found
+        found = looked_at(plan, T, anywhere, most=most) if len(anywhere) else found
     return (found if own else _own(plan, found)).within(plan.max_solutions)
 
 
-def _examined(plan: Plan, T: Array, known: Array) -> Examined:
-    """Return all there is at a pose of the arm's and the task's joints, of which rows (k, joints) are known."""
-    full = plan.exact.full
+def looked_at(
+    plan: Plan, T: Array, known: Array, near: Callable[[Plan, Array], Array] = near_rows, most: int | None = None
+) -> Examined:
+    """Return all there is at a pose of the arm's and the task's joints, of which rows (k, joints) are known.
+
+    Args:
+        plan: A plan without spare joints.
+        T: (4, 4).
+        known: (k, joints) what to begin with.
+        near: Gives the joint vectors to begin with near poses (N, 4, 4).
+        most: How many isolated solutions there are at the most, where that is known.
+    """
     return examine(
-        full,
+        plan.exact.full,
         T,
         known,
-        lambda poses: near_rows(plan, poses),
+        lambda poses: near(plan, poses),
         plan.full_limits,
         plan.full_names,
         shown=plan.n,
         # closed forms lose nothing next to a self-motion: only what an elimination gives is searched for more
         hiding=named(plan.family).eliminating,
-        most=plan.max_solutions if full.n == plan.n else None,
+        most=most,
     )
 
 
