@@ -28,7 +28,8 @@ import json, sys, time
 import roboticstoolbox as rtb
 arm = rtb.DHRobot([rtb.RevoluteDH(d=d, a=a, alpha=alpha) for d, a, alpha in json.loads(sys.argv[1])], name="one")
 start = time.process_time()
-solver = arm.analytic_ik()
+from roboticstoolbox.robot.symbolic_ik_rr import make_solver
+solver = make_solver(arm, max_time=900)
 text = solver.generate("c")
 open(sys.argv[2], "w").write(text)
 print(json.dumps([time.process_time() - start, rtb.__version__]))
@@ -42,40 +43,42 @@ from rm4d.construction import JointSpaceConstructor
 from rm4d.robots import Simulator, UR5E
 robot = UR5E(Simulator(with_gui=False))
 rmap = ReachabilityMap4D(xy_limits=[-1.05, 1.05], z_limits=[0, 1.35], voxel_res=0.05)
-def sample(self, n_samples, prevent_collisions):
-    start = time.process_time()
-    JointSpaceConstructor(rmap, robot, seed=0).sample(n_samples=n_samples, prevent_collisions=prevent_collisions)
-    return time.process_time() - start
-class Lenient(ReachabilityMap4D):
-    pass
-def marked(map_, tf):
+index = rmap.get_indices_for_ee_pose
+def marked(pose):
     try:
-        return ReachabilityMap4D.get_indices_for_ee_pose(map_, tf)
-    except IndexError:  # this arm reaches a little beyond its grid
+        return index(pose)
+    except IndexError:  # the arm reaches a little beyond the grid
         return (0, 0, 0, 0)
-rmap.get_indices_for_ee_pose = lambda tf: marked(rmap, tf)
+rmap.get_indices_for_ee_pose = marked
+def sample(count, checked):
+    start = time.process_time()
+    JointSpaceConstructor(rmap, robot, seed=0).sample(n_samples=count, prevent_collisions=checked)
+    return time.process_time() - start
 count = int(sys.argv[2])
-print(json.dumps([sample(None, count, False), sample(None, count // 4, True), int(rmap.map.sum()), int(rmap.map.size)]))
+said = [sample(count, False), sample(count // 4, True), int(rmap.map.sum()), int(rmap.map.size)]
+print("\\n" + json.dumps(said), flush=True)
 """
 
 
 def told(python: str, script: str, *said: str) -> Any:
-    """Return what a script of another environment prints last, as JSON."""
-    ran = subprocess.run([python, "-c", script, *said], capture_output=True, text=True, check=True)
-    return json.loads(ran.stdout.strip().splitlines()[-1])
+    """Return the list that a script of another environment prints last; simulators say more when they end."""
+    ran = subprocess.run([python, "-c", script, *said], capture_output=True, text=True, check=False)
+    if ran.returncode:
+        raise RuntimeError(ran.stderr)
+    return json.loads([line for line in ran.stdout.splitlines() if line.startswith("[")][-1])
 
 
 def _timed(source: str, loop: str, folder: Path, poses: np.ndarray[Any, Any], slots: int) -> tuple[float, int]:
     """Compile C and a loop over poses; microseconds a pose and rows."""
-    (folder / "unit.c").write_text(source + loop)
-    made = folder / "unit.so"
-    subprocess.run(["gcc", "-O2", "-w", "-shared", "-fPIC", "-o", made, folder / "unit.c", "-lm"], check=True)
+    # a library of the same name that is loaded already would be taken again
+    unit, made = folder / f"unit_{slots}_{len(source)}.c", folder / f"unit_{slots}_{len(source)}.so"
+    unit.write_text(source + loop)
+    subprocess.run(["gcc", "-O2", "-w", "-shared", "-fPIC", "-o", made, unit, "-lm"], check=True)
     library = ctypes.CDLL(str(made))
     library.all_of.restype = ctypes.c_long
     room, count = np.zeros((slots, 6)), []
     at = lambda array: ctypes.c_void_p(array.ctypes.data)  # noqa: E731
     took = least(lambda: count.append(library.all_of(at(poses), ctypes.c_long(len(poses)), at(room))), 5)
-    made.unlink()
     return took / len(poses) * 1e6, count[0]
 
 
