@@ -357,6 +357,7 @@ def onto(
     cutoff: float,
     longest: float,
 ) -> Array: ...
+def unfold(chain: Forward, *, q: ArrayLike, T: ArrayLike, mixed: ArrayLike | None) -> tuple[Array, int]: ...
 def nearer(
     chain: Forward,
     *,

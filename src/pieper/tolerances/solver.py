@@ -116,6 +116,12 @@ SAME_VOUCHED = 1e-4
 APPROACH_SIZES = (1e-4, 1e-7)
 #: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.
 ON_POLYLINE = 5e-3
+#: Turns that move less than this along a free direction (rad) stand still: a self-motion of slides alone is a straight
+#: line. At points of it that are far away the direction itself is no more exact.
+LINE_OF_SLIDES = 1e-6
+#: A curve that does not close is a self-motion without ends where a slide moves farther along it than this (per
+#: length); shorter ones come near the pose where it is nearly singular.
+NO_END = 1.0
 #: The same for curves that nearly hold the pose, whose samples lie 0.2 apart and whose points are less exact.
 ON_NEAR_POLYLINE = 3e-2
 #: Of unit steps along null directions, pulled back onto the pose, singular values above this are ways that solutions
