@@ -283,3 +283,12 @@ def test_orientation_is_as_good_as_the_best_place_allows(seed: int):
         if np.linalg.norm(narrow.fk(found.x)[:3, 3] - T[:3, 3]) < 1e-8:
             least = min(least, float(np.arccos(1 - found.fun)))
     assert near.metres < 1e-14 and near.radians < least + 1e-4
+
+
+@pytest.mark.parametrize("name", ["kuka-kr120-r3200-pa", "dobot-magician"])
+@pytest.mark.parametrize("turn", [1e-9, 1e-7, 1e-6, 1e-2])
+def test_where_only_the_turn_is_missed_the_turn_is_told(name: str, turn: float):
+    arm = pieper.load(name)
+    sols = arm.ik(arm.fk(arm.limits.mean(1)) @ pieper.pose(0, 0, 0, rpy=(turn, 0, 0)))
+    assert sols.status.name == "OUT_OF_REACH" and sols.closest.radians == pytest.approx(turn, rel=1e-3)
+    assert f"not turned this way; at best {np.degrees(turn):.3g} deg are missing" in sols.why

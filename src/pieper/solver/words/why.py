@@ -75,15 +75,18 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     if plan.redundancy and metres < TOLD_AS_HIT * plan.chain.length and radians < TOLD_AS_HIT:
         held = _held(plan, sols)
         return f"No solution at the chosen {held}, though the arm can take the pose with other values."
-    linkage = _by_linkage(plan) if radians > TOLD_AS_TURN else ""
+    # a turn is told where it is one, or all that is missing
+    way = metres / plan.chain.length
+    by_turn = radians > min(TOLD_AS_TURN, way)
+    linkage = _by_linkage(plan) if by_turn else ""
     what = {"pose": "The pose", "position": "The position", "position+axis": "The position with this tool axis"}[
         plan.task
     ]
     turned = f"{np.degrees(radians):.3g} deg"
-    if metres <= TOLD_AS_TURN * plan.chain.length and radians > TOLD_AS_TURN:
+    if by_turn and way <= min(TOLD_AS_TURN, radians):
         missing = f"at best {turned} are missing.{linkage}"
         return f"{what} is out of reach: the arm gets there, but not turned this way; {missing}"
-    also = f" and {turned}" if radians > TOLD_AS_TURN else ""
+    also = f" and {turned}" if by_turn else ""
     return (
         f"{what} is out of reach: the nearest one the arm can take misses it by {metres * 1e3:.4g} mm{also}.{linkage}"
     )
