@@ -114,6 +114,10 @@ class SelfMotion:
             joint: 0-based index of a joint that moves along the curve.
             value: rad or m.
         """
+        return self.points_at_joint(joint, value)[:, : self.shown]
+
+    def points_at_joint(self, joint: int, value: float) -> Array:
+        """Return the same with the task's virtual joints behind."""
         column = self.samples[:, joint] - value
         if not self.chain.prismatic[joint]:
             column = short_way(column)
@@ -129,7 +133,7 @@ class SelfMotion:
                 np.allclose(point, other, atol=ONE_OF_MANY) for other in found
             ):
                 found.append(point)
-        return np.array(found).reshape(-1, self.chain.n)[:, : self.shown]
+        return np.array(found).reshape(-1, self.chain.n)
 
     @cached_property
     def _sample_inside(self) -> Bools:
