@@ -157,6 +157,10 @@ class SelfMotion:
         """
         joint = self._joint(joint)
         value = arguments.number(value, "value", "m" if self.chain.prismatic[joint] else "rad")
+        return self.points_at_joint(joint, value)[:, : self.shown]
+
+    def points_at_joint(self, joint: int, value: float) -> Array:
+        """Return the same with the task's virtual joints behind."""
         column = self.samples[:, joint] - value
         if not self.chain.prismatic[joint]:
             column = short_way(column)
@@ -172,7 +176,7 @@ class SelfMotion:
                 np.allclose(point, other, atol=ONE_OF_MANY) for other in found
             ):
                 found.append(point)
-        return np.array(found).reshape(-1, self.chain.n)[:, : self.shown]
+        return np.array(found).reshape(-1, self.chain.n)
 
     @cached_property
     def _sample_inside(self) -> Bools:
