@@ -196,25 +196,32 @@ def _degenerate(page: Document, form: ClosedForm, step: Step) -> None:
 
 def _decided(page: Document, form: ClosedForm, step: Step, case: Case, conditions: list[Piece]) -> None:
     page.say("It degenerates where ", *conditions, ": then it says nothing of ", step.symbol, ".")
-    other = form.instead(step)
+    others = form.instead(step)
     if case.kind == MIXED:
         page.say("At some of these poses ", step.symbol, " is free, and any value may be chosen for it; at others not.")
-    if other is None:
+    if not others:
         if case.kind != MIXED:
             page.say("What decides it there is that all other equations hold too; no single one of them gives it.")
         _told_apart(page, form, case)
         return
-    page.say("Another equation decides it there. ", *_source(form, other))
-    for left, right in other.equations:
-        page.show(left, right)
-    if other.names:
-        page.say("with")
-        for symbol, expr in other.names:
-            page.show(symbol, expr)
-    page.say("from which, where the step degenerates,")
-    page.show(other.symbol, other.formula)
-    if other.sigma is not None and other.sigma in form.sigmas:
-        page.say("The two branches of ", other.sigma, ", which meet in the step that brought it, are told apart here.")
+    last = others[-1]
+    lead = "Another equation decides it there. " if len(others) == 1 else "Another order of steps decides it there. "
+    for other in others:
+        page.say(lead, *_source(form, other))
+        lead = ""
+        for left, right in other.equations:
+            page.show(left, right)
+        if other.names:
+            page.say("with")
+            for symbol, expr in other.names:
+                page.show(symbol, expr)
+        page.say("from which, where the step degenerates," if other is last else "from which there")
+        page.show(other.symbol, other.formula)
+    if any(other.sigma is not None and other.sigma in form.sigmas for other in others):
+        met = next(other.sigma for other in others if other.sigma is not None)
+        page.say("The two branches of ", met, ", which meet in the step that brought it, are told apart here.")
+    if len(others) > 1:
+        page.say("The steps after this one go on from ", step.symbol, " as they stand.")
     _told_apart(page, form, case)
 
 

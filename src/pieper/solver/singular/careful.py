@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.newton import missed, newton, singular_values
+from pieper.solver.arm_rows import arm_rows
 from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
@@ -126,7 +127,12 @@ def clear(plan: Plan, rows: Array) -> bool:
 
 
 def sure_beside(plan: Plan, poses: Array) -> Bools:
-    """Return of which poses (N, 4, 4) all those at small generic side steps are solved for certain (N,)."""
+    """Return of which poses (N, 4, 4) others may vouch for what is found (N,).
+
+    Those are poses at small generic side steps, all solved for certain, or the special arm that this one nearly is.
+    """
+    if plan.nearly is not None:
+        return np.ones(len(poses), bool)
     aside = side_steps(plan.chain, poses, (SURE_ASIDE,))
     flags = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[3]
     return np.all((flags & Flag.UNCERTAIN).reshape(len(poses), -1) == 0, axis=1)
@@ -136,8 +142,11 @@ def vouched(plan: Plan, T: Array, rows: Array) -> bool:
     """Whether poses beside T, each solved for certain, have no other solutions than rows (m, n).
 
     A solution of T in a regular posture has one of every pose beside it, near its own; a merged root of some of them.
-    So what all of them lead back to is all there is, where Newton's method leads a solution back at all.
+    So what all of them lead back to is all there is, where Newton's method leads a solution back at all. The special
+    arm that this one nearly is may vouch as well (`counted_by_special`).
     """
+    if counted_by_special(plan, T, rows):
+        return True
     aside = side_steps(plan.chain, T, (SURE_ASIDE,))
     q, valid, _, flags = plan.solver.many(np.ascontiguousarray(aside), 1)
     if np.any(flags & Flag.UNCERTAIN) or not np.any(valid):
@@ -147,6 +156,22 @@ def vouched(plan: Plan, T: Array, rows: Array) -> bool:
     if not len(rows):
         return not len(back)
     return bool(np.all(plan.chain.joints.apart(back[:, None], rows[None]).min(1) < SAME_VOUCHED))
+
+
+def counted_by_special(plan: Plan, T: Array, rows: Array) -> bool:
+    """Whether the special arm that this one nearly is has as many solutions as rows (m, n) of T and around it.
+
+    A posture of this arm at T is one of the special arm at a pose no farther from T than the two arms ever differ.
+    Where the special one has as many solutions all around, each leads to one of this arm, and there are no others.
+    """
+    if plan.nearly is None or not len(rows):
+        return False
+    found = arm_rows(plan.nearly, T[None], plan.nearly.defaults[None], 1)
+    theirs = found.q[0][found.valid[0]]
+    if found.flags[0] & Flag.UNCERTAIN or len(theirs) != len(rows):
+        return False
+    gap = plan.chain.joints.apart(theirs[:, None], rows[None])
+    return bool(np.all(gap.min(0) < SAME_VOUCHED) and np.all(gap.min(1) < SAME_VOUCHED))
 
 
 def overlooked(plan: Plan, poses: Array) -> Bools:
