@@ -40,17 +40,37 @@ class Box {
   double outside(const double* y) const {
     double most = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < n_; ++i) {
-      double value = y[i];
-      if (!alone_[i]) {
-        value = 0;
-        for (int j = 0; j < n_; ++j) value += of_[i][j] * y[j];
-      }
+      const double value = limited(i, y);
       most = std::fmax(most, std::fmax(low[i] - value, value - high[i]));
     }
     return most;
   }
 
+  // Whether the straight line from y along a tangent (of length one) comes, at most so far to either side, to where
+  // nothing is outside by more than a slack.
+  bool meets(const double* y, const double* tangent, double far, double slack) const {
+    double first = -far, last = far;
+    for (int i = 0; i < n_; ++i) {
+      const double value = limited(i, y), slope = limited(i, tangent);
+      const double below = low[i] - slack - value, above = high[i] + slack - value;
+      if (slope == 0.0) {
+        if (below > 0 || above < 0) return false;
+        continue;
+      }
+      const double a = below / slope, b = above / slope;
+      first = std::fmax(first, std::fmin(a, b)), last = std::fmin(last, std::fmax(a, b));
+    }
+    return first <= last;
+  }
+
  private:
+  double limited(int i, const double* y) const {
+    if (alone_[i]) return y[i];
+    double value = 0;
+    for (int j = 0; j < n_; ++j) value += of_[i][j] * y[j];
+    return value;
+  }
+
   int n_;
   double of_[kMostCoordinates][kMostCoordinates];  // what is limited, each row of length one
   bool alone_[kMostCoordinates];                   // whether that is one coordinate

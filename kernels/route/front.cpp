@@ -3,7 +3,8 @@
 // What is reached at a pose is a set of stretches of its curves, each a row of points near enough to each other that nothing of the curve
 // lies between them unseen. While the path goes on by a twist of size L, whatever moves along with it inside the limits stays within
 // delta of a stretch that reaches past the limits by delta; carried to the next pose it lies on the curves through the carried points.
-// Only points that leave the limits by more than all of that are let go. Nothing is ever added but what hangs together with them.
+// Only points are let go on both sides of which the curve, told by its tangent and how far it can bend away, stays outside by
+// more than all of that. Nothing is ever added but what hangs together with them.
 #include "route/front.hpp"
 
 #include <algorithm>
@@ -20,8 +21,12 @@ using namespace PIEPER_ISA;
 
 // Parts of 1 / bend: the distance of points of a row, and how far a twist may move them to first order.
 constexpr double kSpacing = 0.3, kTwist = 0.1;
-// Of the distance of points: how far the curve's points may lie from one, and what may be let go beyond what must be kept.
-constexpr double kCover = 0.75, kBeyond = 2.0;
+// Of the distance of points: how far the curve's points may lie from one, and how much farther along the curve it is looked
+// for what is inside where points are let go than where a row must have one.
+constexpr double kCover = 0.75, kBeyond = 0.5;
+// Times b d^2: how far a curve is at a distance d from its tangent. Of the direction at an arc length s the part across is
+// at most b s, so that across is at most b s^2 / 2, and s is at most 1.06 d while b d is at most a half.
+constexpr double kSag = 0.6;
 
 // Without proof: what is let go beyond the limits, in distances of points, and the longest move.
 constexpr double kRoughly = 0.1, kLongest = 0.3;
@@ -157,10 +162,19 @@ class Front {
     return spacing(p) + 2.5 * moved_by(p, kTwist * a.fine / p.bend) + kFrontOff;
   }
 
-  // Points are let go when they are outside by more; between that and `kept` lie points that only hang together with others.
-  double let_go(const Point& p) const { return kept(p) + (rough ? 0.0 : kBeyond * spacing(p)); }
-
-  double outside(const Point& p) const { return box->outside(p.y); }
+  // Whether the curve through a point comes, so far to either side of it, to where it may be inside or move inside before
+  // the next pose; where nothing is free the point is all there is of it.
+  bool inside_within(const Point& p, double far) const {
+    if (rough) return box->outside(p.y) <= kept(p);
+    const double slack = moved_by(p, kTwist * a.fine / p.bend) + kFrontOff;
+    if (a.n == 6) return box->outside(p.y) <= slack;
+    far = std::fmin(far, p.radius);
+    return box->meets(p.y, p.tangent, far, slack + kSag * p.bend * far * far);
+  }
+  // A row has at least one such point, or nothing of it is inside.
+  bool must_be_kept(const Point& p) const { return inside_within(p, kept(p)); }
+  // Others only hang together with these.
+  bool may_be_kept(const Point& p) const { return inside_within(p, kept(p) + kBeyond * spacing(p)); }
 
   double apart(const Point& p, const Point& q) const {
     double sum = 0;
@@ -206,7 +220,7 @@ class Front {
           if (!(far < 0.9 * q.radius && kCover * spacing(p) + delta < p.radius && far <= kept(q))) return false;
         }
         if (a.n > 6) curves.aim(q, p.tangent);
-        all = all && outside(q) <= let_go(q);
+        all = all && may_be_kept(q);
       }
       if (!take(row.closed, all, goal)) return false;
     }
@@ -219,7 +233,7 @@ class Front {
     const std::size_t count = images.size();
     std::size_t start = 0;
     if (closed && !all)
-      while (outside(images[start]) <= let_go(images[start])) ++start;
+      while (may_be_kept(images[start])) ++start;
     Row row;
     bool seen = false;
     auto done = [&] {
@@ -229,16 +243,17 @@ class Front {
     };
     for (std::size_t i = 0; i < count; ++i) {
       const Point& q = images[(start + i) % count];
-      if (outside(q) > let_go(q)) {
+      if (!may_be_kept(q)) {
         done();
         continue;
       }
+      // what is left out for standing too near counts too
+      seen = seen || must_be_kept(q);
       if (!row.points.empty()) {
         const double d = apart(row.points.back(), q);
         if (d < 0.4 * spacing(q) && i + 1 < count) continue;
         if (!bridge(row, q, at)) return false;
       }
-      seen = seen || outside(q) <= kept(q);
       row.points.push_back(q);
     }
     if (closed && all && !row.points.empty()) {
@@ -289,7 +304,7 @@ class Front {
       if (!ahead(here, at, bow, one)) return false;
       const double step = apart(here, one);
       for (int j = 0; j < a.n; ++j) bow[j] = (one.tangent[j] - here.tangent[j]) / step;
-      if (outside(one) > let_go(one)) break;
+      if (!may_be_kept(one)) break;
       if ((some || more.size() > 3) && near(one, other)) {
         rows[r].closed = true;
         more.push_back(one);
@@ -317,11 +332,11 @@ class Front {
   FrontEnd spread(const std::vector<Point>& given, const Rigid& at, FrontFound& found) {
     std::size_t row = 0, index = 0;
     for (const Point& image : given) {
-      if (outside(image) > kept(image)) continue;
       if (covered(image, row, index)) continue;
       Row fresh;
       fresh.points.push_back(image);
       if (a.n > 6) curves.aim(fresh.points[0], nullptr);
+      if (!must_be_kept(fresh.points[0])) continue;
       rows.push_back(std::move(fresh));
       row = rows.size() - 1;
       index = 0;

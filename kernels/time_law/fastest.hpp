@@ -202,6 +202,9 @@ class FastestPass {
   }
 
   // The room for u is a concave function of x, linear in pieces: Newton from outside ends after as many steps as pieces.
+  // A step is x - gap / narrowing with a gap above zero while the room is shut, so that `next >= x` is no tolerance: it can
+  // be only where the step is under the last digit of x, and x then is the bound to that digit. What the last digit is worth
+  // is in the margin, which is computed anew from the profile and slows it down where it is above one.
   bool largest(const Cell& c, double& x) const {
     x = c.most;
     for (long round = 0; round < 4 * rows_ * W + 8; ++round) {

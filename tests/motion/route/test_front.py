@@ -106,11 +106,12 @@ def test_an_end_that_is_out_of_reach_is_told_where_it_is(irb, free):
     assert last.verdict is pieper.Verdict.IMPOSSIBLE
     low, high = last.blocked.s
     # with a spherical wrist the tool is reached where its wrist is; the place is told to a station of a hundred
-    at = np.linspace(0, 1, 401)
-    path = pieper.line(inside, out, 401)
+    count = 401 if free is None else 101
+    at = np.linspace(0, 1, count)
+    path = pieper.line(inside, out, count)
     can = np.array([len(irb.ik(T, task="position+axis" if free else None).q) > 0 for T in path])
     ends = at[np.argmin(can)]
-    assert low <= ends <= high + 1 / 400 and high - low < 0.011
+    assert low <= ends <= high + 1 / (count - 1) and high - low < 0.011
 
 
 def test_a_first_pose_that_limits_forbid_is_told_there(irb):
@@ -121,3 +122,33 @@ def test_a_first_pose_that_limits_forbid_is_told_there(irb):
     assert refused.blocked.s == (0.0, 0.0)
     assert "no motion begins at the first pose" in refused.reason
     assert "joint_1" in {c.joint for c in refused.blocked.closed}
+
+
+@pytest.mark.parametrize("seed", [1, 2, pytest.param(4, marks=pytest.mark.slow)])
+def test_a_route_stays_in_the_front_of_a_box_that_only_just_holds_it(irb, seed):
+    """What is let go at the limits is told by the curve's tangent: nothing that moves along them may be lost."""
+    rng = np.random.default_rng(seed)
+    looked = 0
+    while not looked:
+        path = random_ring(rng, 16, 1.5, out=(0.3, 0.8), around=2.5, up=(0.0, 0.7), wide=(0.03, 0.2))
+        route = irb.route(path, free=FREE)
+        if not route.found:
+            continue
+        near = np.radians(0.01)
+        box = {
+            name: (max(low - near, a), min(high + near, b))
+            for name, low, high, (a, b) in zip(
+                irb.joint_names, route.q.min(0), route.q.max(0), irb.limits.tolist(), strict=True
+            )
+        }
+        world = irb.with_limits(box).route(path, free=FREE).setting
+        for begin, last in ((0.0, 0.3), (0.5, 0.8)):
+            k = int(last * (len(path) - 1))
+            x = np.append(route.q[k], -route.turn[k])
+            for fine in (1.0, 0.4):
+                seeds = everything_at(world, world.limits, begin)
+                front = follow(world, world.limits, seeds, (begin, route.s[k]), fine, 150_000)
+                assert front.ended in (Ended.ARRIVED, Ended.TIRED)
+                if front.ended is Ended.ARRIVED:
+                    assert covers(front, world, x)
+                    looked += 1

@@ -46,7 +46,9 @@ def test_a_seam_and_the_same_gone_backwards_have_one_verdict(closed, irb, seam):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name, number", [("motoman-gp7", 1), ("denso-vs060", 8), ("fanuc-lr-mate-200id", 1)])
+@pytest.mark.parametrize(
+    "name, number", [("motoman-gp7", 1), ("denso-vs060", 8), ("fanuc-lr-mate-200id", 1), ("kuka-kr16-2", 11)]
+)
 def test_what_closes_far_from_where_a_front_ends_is_proved(name, number):
     # another stretch of postures opens before the first front ends: from close by the two are not told apart
     arm, path = drawn(name, number)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import pieper
+from benchmarks.measure.route_verdicts import drawn
 from oracle.turns import cheapest, random_ring, reaches, ring
 from pieper.kinematics.pose import rotation_about, transform
 from pieper.motion.route.reach import reach
@@ -289,3 +290,12 @@ def test_the_curve_of_a_map_is_one_curve_whatever_turn_it_passes(irb, seam, foun
                 assert np.nanmin(y) > low and np.nanmax(y) < high
                 shown = np.where(np.isnan(y), shown, y)
         np.testing.assert_allclose(shown, np.degrees(turned.turn), atol=1e-9)
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_a_route_that_rests_on_a_limit_is_at_rest_beside_it(number):
+    arm, path = drawn("abb-irb2400", number)
+    route = arm.route(path, free=pieper.Freedom())
+    room = np.minimum(route.q - arm.limits[:, 0], arm.limits[:, 1] - route.q).min(1)
+    assert (room >= 0).all() and room.min() < 1e-4 < room.max()
+    assert route.slope < 1e-8

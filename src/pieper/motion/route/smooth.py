@@ -86,10 +86,33 @@ def smooth(shape: Shape, x: Array, rough: bool = False) -> Smoothed:
         x = _stage(shape, x, weight, weight / (STEEP * (np.sqrt(mean) if shape.power == 2 else 1.0)), rough)
     if rough:
         return Smoothed(x, _value(shape, x, 0.0, 1.0), np.inf)
+    shape = replace(shape, fixed=shape.fixed * (_room(shape, x) > SLOPE_COUNTS))
+    x = _without_barrier(shape, x)
     g, Z = _slope(shape, x, 0.0, 1.0)
-    near = np.min([(side * at).min(1, initial=np.inf) for at, side in _margins(shape, x)], axis=0)
-    along = np.abs(np.einsum("kma,km->ka", Z, g)) * (shape.fixed * (near > SLOPE_COUNTS))[:, None]
+    along = np.abs(np.einsum("kma,km->ka", Z, g)) * shape.fixed[:, None]
     return Smoothed(x, _value(shape, x, 0.0, 1.0), float(along.max(initial=0.0)))
+
+
+def _without_barrier(shape: Shape, x: Array) -> Array:
+    """Return a route at rest (N, m) without what the weakest barrier leaves of its slope, if that is inside as well.
+
+    What has met a limit stays where it is: the points that may move are those of `shape.fixed`.
+    """
+    moved = _stage(shape, x, 0.0, 1.0, False)
+    least = np.minimum(_room(shape, x), 0.0)
+    inside = bool((_room(shape, moved) >= least).all())
+    return moved if inside and _value(shape, moved, 0.0, 1.0) <= _value(shape, x, 0.0, 1.0) else x
+
+
+def _room(shape: Shape, x: Array) -> Array:
+    """Return by how much each point (N,) is off what bounds it: limits, the cone, and what the turn may change."""
+    room: Array = np.min([(side * at).min(1, initial=np.inf) for at, side in _margins(shape, x)], axis=0)
+    if shape.setting.tilts:
+        room = np.minimum(room, shape.setting.inside_cone(x))
+    if shape.turn_step is not None:
+        left = shape.turn_step - np.abs(np.diff(x[:, shape.setting.n]))
+        room = np.minimum(room, np.minimum(np.append(left, np.inf), np.append(np.inf, left)))
+    return room
 
 
 def _stage(shape: Shape, x: Array, weight: float, margin: float, rough: bool) -> Array:

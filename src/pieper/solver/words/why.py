@@ -44,6 +44,8 @@ def why(plan: Plan, sols: Solutions) -> str:
         return f"The pose is singular: {count} ({text}) and {plural(isolated, 'isolated solution')}."
     if status == Status.REDUNDANT:
         spare = plural(len(plan.redundancy), "joint")
+        if not m:
+            return f"No solution inside the limits at the chosen {_held(plan, sols)}; other values have some."
         return f"{plural(m, 'solution')} at the chosen {_held(plan, sols)}; the arm has {spare} to spare for this task."
     where = "lies" if m == 1 else "lie"
     return f"{m} of {plural(k, 'solution')} {where} inside the joint limits{_merged(sols)}."
@@ -118,6 +120,8 @@ def _least_over(plan: Plan, q: Array) -> Array:
 
 def _outside_limits(plan: Plan, sols: Solutions) -> str:
     least, sentence = float("inf"), "No solution lies inside the joint limits."
+    elsewhere = bool(plan.redundancy) and any(motion.inside for motion in sols.self_motions)
+    held = f" at the chosen {_held(plan, sols)}" if elsewhere else ""
     for q in sols.all_q:
         over = _least_over(plan, q)
         worst = int(np.argmax(over))
@@ -125,7 +129,7 @@ def _outside_limits(plan: Plan, sols: Solutions) -> str:
             least = float(over[worst])
             by = f"{over[worst] * 1e3:.4g} mm" if plan.prismatic[worst] else f"{np.degrees(over[worst]):.4g} deg"
             one = len(sols.all_q) == 1
-            what = "The only solution breaks" if one else f"All {len(sols.all_q)} solutions break"
+            what = f"The only solution{held} breaks" if one else f"All {len(sols.all_q)} solutions{held} break"
             which = "it" if one else "the least offending one"
             sentence = f"{what} a joint limit; {which} exceeds {plan.names[worst]} by {by}."
-    return sentence
+    return f"{sentence} Other values have solutions inside." if elsewhere else sentence
