@@ -36,7 +36,7 @@ def arm_data(arm: pieper.Arm) -> dict[str, Any]:
         "name": arm.name,
         "joints": list(arm.joint_names),
         "kinds": [kind == "P" for kind in arm.description.joint_types],
-        "slides": [bool(s) for s in arm.chain.prismatic],
+        "slides": [kind == "P" for kind in arm.description.axis_types],
         "limits": [[float(x) if np.isfinite(x) else None for x in row] for row in arm.limits],
         "links": arm.chain.links[:, :3].reshape(len(arm.chain.links), 12).tolist(),
         "home": [round(float(x), 3) for x in home],

@@ -59,7 +59,7 @@ function jacobian(all, arm) {
     }
   });
   if (!arm.gears) return J;
-  return J.map((row) => row.map((_, j) => row.reduce((sum, x, i) => sum + x * arm.gears[i][j], 0)));
+  return J.map((row) => arm.joints.map((_, j) => row.reduce((sum, x, i) => sum + x * arm.gears[i][j], 0)));
 }
 
 const same = (a, b) => window.PIEPER.same(state.arm, axes(state.arm, a), axes(state.arm, b), 1e-6);

@@ -65,3 +65,9 @@ def test_late_names_are_late():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def test_type_checkers_are_told_that_the_package_is_typed_and_what_its_native_modules_hold():
+    home = Path(str(pieper.__file__)).parent
+    assert (home / "py.typed").exists()
+    assert {f"{path.name.split('.')[0]}.pyi" for path in home.glob("_*.so")} <= {p.name for p in home.glob("*.pyi")}

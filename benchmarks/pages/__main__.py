@@ -8,12 +8,13 @@ from __future__ import annotations
 import sys
 
 from benchmarks import kept
-from benchmarks.pages import arms, benchmarks, completeness, route_verdicts, singular_strata
+from benchmarks.pages import arms, benchmarks, completeness, exported_solvers, route_verdicts, singular_strata
 
 PAGES = {
     "arms.md": arms,
     "benchmarks.md": benchmarks,
     "completeness.md": completeness,
+    "exported_solvers.md": exported_solvers,
     "route_verdicts.md": route_verdicts,
     "singular_strata.md": singular_strata,
 }

@@ -11,6 +11,7 @@
 #include "binding/onto.hpp"
 #include "binding/route.hpp"
 #include "binding/time_law.hpp"
+#include "binding/unfold.hpp"
 
 namespace {
 
@@ -116,6 +117,7 @@ NB_MODULE(_kernel, m) {
   bind_curve(m);
   bind_nearer(m);
   bind_onto(m);
+  bind_unfold(m);
   bind_time_law(m);
   bind_collision(m);
   bind_route(m);

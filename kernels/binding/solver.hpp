@@ -45,8 +45,6 @@ class PySolver {
     run(poses, threads,
         {static_cast<double*>(PyArray_DATA(as_array(q))), bytes(valid), bytes(in_limits), bytes(flag), bytes(outcome)},
         {}, nb::none());
-    // only who looks at poses without solutions, beside them too, asks for this
-    for (npy_intp i = 0; i < shape[0]; ++i) bytes(flag)[i] &= static_cast<std::uint8_t>(~pieper::kEdge);
     return nb::make_tuple(q, valid, in_limits, flag);
   }
 

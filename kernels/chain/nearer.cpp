@@ -1,229 +1,166 @@
-// The work of `nearer`. Compiled once, for the plainest processor.
-#include "chain/nearer.hpp"
+// The work of `nearer` and `closest`. Compiled once, for the plainest processor.
+#include "chain/closest.hpp"
+#include "chain/downhill.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "chain/rigid.hpp"
+#include <numeric>
 
 namespace pieper {
 namespace {
 
 using namespace PIEPER_ISA;
 
-constexpr double kShrink = 0.1, kGrow = 8.0;  // of the damping, where a step helped and where not
-constexpr double kLongest = 0.8;              // longest step, rad or lengths
+struct Row {
+  std::vector<double> q;
+  double way, lean;  // half the square of the way, and 1 - cos of the turn
 
-// A symmetric matrix m x m of columns, with what Newton's step needs of it.
-struct Bent {
-  int m;
-  std::vector<double> A, V;
-  double& at(int i, int j) { return A[i * m + j]; }
+  double cost(double turn) const { return std::isinf(turn) ? lean : way + turn * lean; }
+};
+using Rows = std::vector<Row>;
 
-  // x solves (|A| + damping largest) x = b. False where A has eigenvalues below zero.
-  bool positive_step(double damping, const std::vector<double>& b, std::vector<double>& x) const {
-    double most = 0;
-    for (int i = 0; i < m; ++i) {
-      double sum = 0;
-      for (int j = 0; j < m; ++j) sum += std::fabs(A[i * m + j]);
-      most = std::fmax(most, sum);
+void add(Rows& to, const Rows& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+struct Searched {
+  const DownhillChain& chain;
+  const Rigid goal;
+  const Table& table;
+  const Search& how;
+  Downhill hill;
+
+  Searched(const DownhillChain& given, const double* T, const Table& looked_at, const Search& as)
+      : chain(given), goal(read_rigid(T, given.length)), table(looked_at), how(as), hill(given, T) {}
+
+  // Postures of the table that are good where a turn counts so much, and some spread evenly over the others.
+  Rows starts(double turn, int count, int spread) const {
+    std::vector<double> cost(table.count);
+    for (int i = 0; i < table.count; ++i) {
+      const Rigid there = read_rigid(table.poses + 16 * i, chain.length);
+      const Vec3 gap = goal.t - there.t;
+      const double trace = dot(there.x, goal.x) + dot(there.y, goal.y) + dot(there.z, goal.z);
+      cost[i] = Row{{}, dot(gap, gap) / 2, (3 - trace) / 2}.cost(turn);
     }
-    std::vector<double> L = A;
-    const double more = (damping + kDescentFlat) * most;
-    for (int j = 0; j < m; ++j) {
-      double d = L[j * m + j];
-      for (int k = 0; k < j; ++k) d -= L[j * m + k] * L[j * m + k];
-      if (!(d > kDescentFlat * most)) return false;  // of A itself
-      d = std::sqrt(d + more);
-      L[j * m + j] = d;
-      for (int i = j + 1; i < m; ++i) {
-        double s = L[i * m + j];
-        for (int k = 0; k < j; ++k) s -= L[i * m + k] * L[j * m + k];
-        L[i * m + j] = s / d;
-      }
+    std::vector<int> order(table.count);
+    std::iota(order.begin(), order.end(), 0);
+    count = std::min(count, table.count);
+    std::partial_sort(order.begin(), order.begin() + count, order.end(),
+                      [&](int a, int b) { return cost[a] < cost[b] || (cost[a] == cost[b] && a < b); });
+    Rows out;
+    for (int i = 0; i < count; ++i) out.push_back(posture(order[i]));
+    for (int i = 0; i < spread && count < table.count; ++i)
+      out.push_back(posture(order[count + (table.count - count) * i / spread]));
+    return out;
+  }
+  Row posture(int i) const { return {std::vector<double>(table.q + i * chain.n, table.q + (i + 1) * chain.n), 0, 0}; }
+
+  void down(Rows& rows, double turn, int steps) {
+    for (Row& row : rows) hill.down(turn, steps, row.q.data()), row.way = hill.way, row.lean = hill.lean;
+  }
+
+  // The nearest rows where a turn counts so much, of those that are alike the first.
+  Rows best(Rows rows, double turn, int count) const {
+    std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) { return a.cost(turn) < b.cost(turn); });
+    Rows out;
+    const int looked = std::min<int>(rows.size(), how.alike * count);
+    for (int i = 0; i < looked && static_cast<int>(out.size()) < count; ++i) {
+      bool again = false;
+      for (int j = 0; j < i && !again; ++j) again = same(rows[i], rows[j]);
+      if (!again) out.push_back(rows[i]);
     }
-    x = b;
-    for (int i = 0; i < m; ++i) {
-      for (int k = 0; k < i; ++k) x[i] -= L[i * m + k] * x[k];
-      x[i] /= L[i * m + i];
-    }
-    for (int i = m - 1; i >= 0; --i) {
-      for (int k = i + 1; k < m; ++k) x[i] -= L[k * m + i] * x[k];
-      x[i] /= L[i * m + i];
-    }
+    return out;
+  }
+  bool same(const Row& a, const Row& b) const {
+    for (int k = 0; k < chain.n; ++k)
+      if (!(std::fabs(a.q[k] - b.q[k]) < how.same * chain.unit(k))) return false;
     return true;
   }
 
-  // The same by eigenvalues (Jacobi), whatever their signs.
-  void step(double damping, const std::vector<double>& b, std::vector<double>& x) {
-    V.assign(m * m, 0.0);
-    for (int i = 0; i < m; ++i) V[i * m + i] = 1;
-    for (int sweep = 0; sweep < 20; ++sweep) {
-      double off = 0, all = 0;
-      for (int i = 0; i < m; ++i)
-        for (int j = 0; j < m; ++j) (i == j ? all : off) += at(i, j) * at(i, j);
-      if (off <= kJacobiDone * (off + all)) break;
-      // what is left of the others together does not count either
-      const double nothing = kJacobiDone * (off + all) / (2 * m * m);
-      for (int i = 0; i < m; ++i)
-        for (int j = i + 1; j < m; ++j)
-          if (at(i, j) * at(i, j) > nothing) turn(i, j);
-    }
-    double most = 0;
-    for (int i = 0; i < m; ++i) most = std::fmax(most, std::fabs(at(i, i)));
-    x.assign(m, 0.0);
-    for (int k = 0; k < m; ++k) {
-      double part = 0;
-      for (int i = 0; i < m; ++i) part += V[k * m + i] * b[i];
-      part /= std::fmax(std::fmax(std::fabs(at(k, k)), kDescentFlat * most) + damping * most, kTiny);
-      for (int i = 0; i < m; ++i) x[i] += part * V[k * m + i];
-    }
-  }
-
- private:
-  // Rows are turned as they lie in memory, columns are copied from them; the rows of V become eigenvectors.
-  void turn(int i, int j) {
-    const double zeta = (at(j, j) - at(i, i)) / (2 * at(i, j));
-    const double t = (zeta >= 0 ? 1 : -1) / (std::fabs(zeta) + std::sqrt(1 + zeta * zeta)),
-                 c = 1 / std::sqrt(1 + t * t), s = c * t;
-    const double first = at(i, i) - t * at(i, j), second = at(j, j) + t * at(i, j);
-    double *a = &at(i, 0), *b = &at(j, 0), *v = &V[i * m], *w = &V[j * m];
-    for (int k = 0; k < m; ++k) {
-      const double x = a[k], y = b[k];
-      a[k] = c * x - s * y, b[k] = s * x + c * y;
-    }
-    for (int k = 0; k < m; ++k) {
-      const double x = v[k], y = w[k];
-      v[k] = c * x - s * y, w[k] = s * x + c * y;
-    }
-    for (int k = 0; k < m; ++k) at(k, i) = a[k], at(k, j) = b[k];
-    at(i, i) = first, at(j, j) = second, at(i, j) = at(j, i) = 0;
-  }
-};
-
-struct Downhill {
-  const DownhillChain& chain;
-  Rigid goal;
-  double turning;
-  int n;
-  std::vector<Rigid> links;
-  std::vector<Vec3> turn, move, axis, point;
-  std::vector<double> slope, bend, plain, C;  // n; n x n
-
-  Downhill(const DownhillChain& given, const double* T, double by)
-      : chain(given),
-        goal(read_rigid(T, given.length)),
-        turning(by),
-        n(given.n),
-        links(n + 1),
-        turn(n),
-        move(n),
-        axis(n),
-        point(n),
-        slope(n),
-        bend(n * n),
-        plain(n) {
-    for (int k = 0; k <= n; ++k) links[k] = read_rigid(chain.links + 16 * k, chain.length);
-    if (!chain.coupling) return;
-    C.resize(n * n);
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) C[i * n + j] = chain.coupling[i * n + j] * unit(j) / unit(i);
-  }
-  double unit(int k) const { return chain.prismatic[k] ? chain.length : 1.0; }
-
-  // Value at q (rad; m), and slope and second derivative without units.
-  double expand(const double* q) {
-    for (int k = 0; k < n; ++k) {
-      plain[k] = q[k] / unit(k);
-      if (chain.coupling) {
-        double sum = 0;
-        for (int j = 0; j < n; ++j) sum += chain.coupling[k * n + j] * q[j];
-        plain[k] = sum / unit(k);
+  // Postures whose position is nearest of all that are found.
+  Rows at_place(const Rows& seeds) {
+    const Stage& stage = how.stages[0];
+    Rows all = starts(0.0, how.starts, how.spread), rows = seeds, others;
+    for (std::size_t i = 0; i < all.size(); ++i) (i % 2 ? others : rows).push_back(all[i]);
+    down(rows, 0.0, stage.steps);
+    const auto met = std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return row.way < how.reached; });
+    if (met < how.in_place) down(others, 0.0, stage.steps), add(rows, others);
+    double least = INFINITY;
+    for (const Row& row : rows) least = std::fmin(least, row.way);
+    const double near = std::sqrt(2 * least) + how.alike_place;
+    const auto agree =
+        std::count_if(rows.begin(), rows.end(), [&](const Row& r) { return std::sqrt(2 * r.way) < near; });
+    const double part = double(agree) / double(rows.size());
+    rows = best(rows, 0.0, stage.keep);
+    if (least > how.reached && part < how.agreed && !chain.coupling) {
+      // nearer than nought there is none; of a position out of reach the nearest place may draw few descents
+      Rows more;
+      for (int i = 0; i < std::min(how.more, table.count); ++i) more.push_back(posture(i));
+      for (const int kept : {how.more_kept, stage.keep}) {
+        for (Row& row : more) hill.towards_place(how.crawl, row.q.data()), row.way = hill.way;
+        more = best(more, 0.0, kept);
       }
+      down(more, 0.0, how.few_steps);
+      add(rows, more);
     }
-    const Rigid end = walk(
-        n, links[0], [&](int k) -> const Rigid& { return links[k + 1]; },
-        [&](int k) { return motion_of(plain[k], chain.prismatic[k]); }, chain.prismatic,
-        [&](int k, const Rigid& frame) { axis[k] = frame.z, point[k] = frame.t; });
-    for (int k = 0; k < n; ++k) {
-      turn[k] = chain.prismatic[k] ? Vec3{0, 0, 0} : axis[k];
-      move[k] = chain.prismatic[k] ? axis[k] : cross(axis[k], end.t - point[k]);
-    }
-    const Vec3 gap = goal.t - end.t;
-    const double trace = dot(end.x, goal.x) + dot(end.y, goal.y) + dot(end.z, goal.z);
-    const Vec3 skew = -1.0 * (cross(end.x, goal.x) + cross(end.y, goal.y) + cross(end.z, goal.z));
-    const double near = std::isinf(turning) ? 0 : 1, turned = std::isinf(turning) ? 1 : turning;
-    for (int i = 0; i < n; ++i) {
-      slope[i] = -near * dot(move[i], gap) + turned * 0.5 * dot(turn[i], skew);
-      // M = R G^T applied from the left: turn_i . M turn_j = sum over columns (turn_i . end_c)(goal_c . turn_j)
-      const Vec3 lean = cross(gap, turn[i]);
-      const Vec3 image = dot(turn[i], end.x) * goal.x + dot(turn[i], end.y) * goal.y + dot(turn[i], end.z) * goal.z;
-      for (int j = i; j < n; ++j) {
-        const double around = 0.5 * (dot(turn[i], turn[j]) * trace - dot(image, turn[j]));
-        bend[i * n + j] = bend[j * n + i] = near * (dot(move[i], move[j]) - dot(lean, move[j])) + turned * around;
-      }
-    }
-    if (chain.coupling) couple();
-    return near * dot(gap, gap) / 2 + turned * (3 - trace) / 2;
+    down(rows, 0.0, 2 * stage.steps);
+    return rows;
   }
 
- private:
-  void couple() {
-    std::vector<double> s(n, 0.0), half(n * n, 0.0), whole(n * n, 0.0);
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) s[j] += slope[i] * C[i * n + j];
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        for (int k = 0; k < n; ++k) half[i * n + j] += bend[i * n + k] * C[k * n + j];
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        for (int k = 0; k < n; ++k) whole[i * n + j] += C[k * n + i] * half[k * n + j];
-    slope = s, bend = whole;
+  // The rows that may still come to the best place: as a turn counts for less, what it may gain by is all that a way can become less.
+  Rows within_reach_of(const Rows& rows, const Rows& places, double turn) const {
+    double least = INFINITY;
+    for (const Row& row : places) least = std::fmin(least, row.way);
+    Rows out;
+    for (const Row& row : rows)
+      if (row.way <= least + 2 * turn) out.push_back(row);
+    return out;
+  }
+
+  // The best by orientation that are found at the nearest position among given ones.
+  Rows turned(const Rows& seeds, const Rows& at_place) {
+    const Stage& first = how.stages[0];
+    const double least = how.stages.back().turn;
+    Rows rows = starts(first.turn, how.turned, 0);
+    add(rows, seeds);
+    down(rows, first.turn, first.steps);
+    rows = best(rows, how.stages[1].turn, first.keep);
+    const Rows places = within_reach_of(at_place, at_place, how.stages[1].turn);
+    add(rows, best(places, how.stages[1].turn, static_cast<int>(places.size())));
+    const Rows in_place = best(at_place, least, how.in_place);
+    for (std::size_t k = 1; k < how.stages.size(); ++k) {
+      const Stage& stage = how.stages[k];
+      down(rows, stage.turn, stage.steps);
+      rows = best(within_reach_of(rows, at_place, stage.turn), least, stage.keep);
+      // where a turn counts for more, what is in the best place may be drawn to another
+      if (k == 1) add(rows, in_place);
+    }
+    add(rows, best(at_place, 0.0, 1));
+    return rows;
   }
 };
 
 }  // namespace
 
-double nearer(const DownhillChain& chain, const double* T, double turning, int steps, double* q) {
-  Downhill hill(chain, T, turning);
-  const int n = chain.n;
-  for (int k = 0; k < n; ++k) q[k] = std::fmin(std::fmax(q[k], chain.lower[k]), chain.upper[k]);
-  double damping = kDescentDamping, value = hill.expand(q);
-  std::vector<double> slope = hill.slope, bend = hill.bend, b, x, tried(n);
-  std::vector<int> free;
-  Bent bent{};
-  for (int taken = 0; taken < steps && damping < kDescentMostDamping; ++taken) {
-    free.clear();
-    for (int k = 0; k < n; ++k)
-      if (!((q[k] <= chain.lower[k] && slope[k] > 0) || (q[k] >= chain.upper[k] && slope[k] < 0))) free.push_back(k);
-    const int m = bent.m = static_cast<int>(free.size());
-    if (m == 0) break;
-    b.resize(m), bent.A.resize(m * m);
-    for (int i = 0; i < m; ++i) {
-      b[i] = slope[free[i]];
-      for (int j = 0; j < m; ++j) bent.at(i, j) = bend[free[i] * n + free[j]];
-    }
-    if (!bent.positive_step(damping, b, x)) bent.step(damping, b, x);
-    double size = 0;
-    for (double v : x) size += v * v;
-    size = std::sqrt(size);
-    if (!(size >= kDescentSettled)) break;
-    const double shrink = std::fmin(1.0, kLongest / size);
-    std::copy(q, q + n, tried.begin());
-    for (int i = 0; i < m; ++i) {
-      const int k = free[i];
-      tried[k] = std::fmin(std::fmax(q[k] - shrink * x[i] * hill.unit(k), chain.lower[k]), chain.upper[k]);
-    }
-    const double next = hill.expand(tried.data());
-    if (next < value) {
-      std::copy(tried.begin(), tried.end(), q);
-      value = next, slope = hill.slope, bend = hill.bend;
-      damping = std::fmax(damping * kShrink, kDescentLeastDamping);
-    } else {
-      damping *= kGrow;
-    }
+void nearer(const DownhillChain& chain, const double* T, long count, const double* turning, int steps, double* q,
+            double* left) {
+  Downhill hill(chain, T);
+  for (long k = 0; k < count; ++k) left[k] = hill.down(turning[k], steps, q + k * chain.n);
+}
+
+std::vector<double> closest(const DownhillChain& chain, const double* T, const Table& table, long count,
+                            const double* seeds, const Search& how, bool turning) {
+  Searched search(chain, T, table, how);
+  Rows given;
+  for (long i = 0; i < count; ++i) given.push_back({{seeds + i * chain.n, seeds + (i + 1) * chain.n}, 0, 0});
+  Rows rows = search.at_place(given);
+  if (turning) {
+    rows = search.turned(given, rows);
+    // Along a curved valley between limits a descent may take hundreds of steps; from where it is wider it takes few.
+    Rows back = search.best(rows, how.stages.back().turn, how.led_back);
+    for (const Stage& stage : how.back) search.down(back, stage.turn, stage.steps);
+    add(rows, back);
   }
-  return value;
+  search.down(rows, 0.0, how.last_steps);
+  std::vector<double> out;
+  for (const Row& row : rows) out.insert(out.end(), row.q.begin(), row.q.end());
+  return out;
 }
 
 }  // namespace pieper

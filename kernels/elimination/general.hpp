@@ -26,6 +26,9 @@ inline bool even(const Found& found) {
   return n % 2 == 0;
 }
 
+// Whether an elimination has kept digits enough to be a witness: two eigenvalues that coincide part by the root of what it has lost.
+inline bool trusted(const Variant& v, const Report& report) { return report.size > kGeneralTrusted * v.typical; }
+
 inline bool settled(const Report& report, const Found& found) {
   return !report.doubtful && report.unresolved == 0 && report.lost == 0 && report.spread < kGeneralAccurate &&
          even(found);
@@ -76,7 +79,8 @@ inline bool escalate(const Model& model, const Rigid& pose, Found& found, bool* 
     solve_variant(model, model.variant[n], pose, 1, &found, &report);
     // solutions fetched from nearby arms are believed when all of them agree
     const bool last = n + 1 == model.variants;
-    if (agreed(model.variant[n], report, found, before) && (last || model.variant[0].arm == 0)) {
+    if (trusted(model.variant[n], report) && agreed(model.variant[n], report, found, before) &&
+        (last || model.variant[0].arm == 0)) {
       *healthy = model.variant[n].arm == 0 && report.size > kGeneralMarked * model.variant[n].typical;
       return true;
     }
@@ -191,7 +195,8 @@ void solve_general(const General& arm, const double* T, long count, double* q, s
     for (int i = 0; i < used; ++i) {
       // an elimination that has lost digits for this arm is not believed on its own word
       const bool weak = !(report[i].size > kGeneralMarked * model.variant[0].typical);
-      bool certain = model.variant[0].noise < kGeneralQuiet && !weak && settled(report[i], found[i]);
+      bool certain = model.variant[0].noise < kGeneralQuiet && trusted(model.variant[0], report[i]) &&
+                     settled(report[i], found[i]);
       // next to a pose where the elimination is singular, variants may agree on what all of them have lost
       bool fetched = false, healthy = false;
       const bool at_once = certain;

@@ -59,7 +59,6 @@ class FromAside {
     for (int k = 0; k < count; ++k) known.push_back(look_at(T, rows + 6 * k));
     for (int k = 0; k < count; ++k) {
       if (on_motion(known[k], out)) continue;
-      count_branches(T, known[k]);
       if (!twin_is_known(T, known, k) && !along_any(curves, known[k]) && !through(T, known[k], known, curves, out))
         return false;
     }
@@ -73,8 +72,6 @@ class FromAside {
           return false;
       }
     }
-    for (Known& one : known)
-      if (!on_motion(one, out)) count_branches(T, one);
     // there are no more solutions than slots: where rounding lets more be told, it blurs by more than was thought
     for (double wide = 1; wide < kMostWide; wide *= 2) {
       out.rows.clear();
@@ -91,6 +88,7 @@ class FromAside {
     bool singular, regular, fold, weak;
     double inverse[6][6];                                // of the Jacobian of a regular row: [joint][pose]
     double miss;                                         // of a singular row
+    double spread;                                       // of one in which branches merge: how far rounding parts them
     double sigma, second, bend, size, null[6], left[6];  // of a row with a weak direction
 
     // Whether a solution of a pose that is missed by e, of size `miss`, is this one that has moved.
@@ -119,7 +117,7 @@ class FromAside {
     double blur(double wide = 1) const {
       if (!singular) return 0;
       if (branches < 2) return fold ? 0 : std::fmin(2 * wide * kMergedRounding / std::fmax(sigma, kTiny), kSameAlong);
-      return std::fmin(3 * std::sqrt(kMergedRounding / std::fmax(std::fabs(bend), kTiny)), kMergedBlur);
+      return spread;
     }
     // How far along the weakest direction its second order says what is missed.
     double reach() const { return kFoldReaches * std::fabs(bend); }
@@ -240,20 +238,28 @@ class FromAside {
     } else {
       out.regular = invert(at.J, out.inverse);
     }
+    seen(at, d, out);
+    if (!out.singular || !own) return out;
+    out.branches = branches_of_fold(std::fabs(out.bend), d);
+    if (out.branches == 2) {
+      onto_root_of_fold(d, out.bend, out.q);
+      out.spread = 3 * std::sqrt(kMergedRounding / std::fabs(out.bend));
+    } else if (out.branches == 0) {
+      const Unfolded root = unfolded(arm_, T, out.q);
+      out.branches = root.branches, out.spread = root.blur;
+      if (root.branches == 1) return out;
+      std::copy(root.q, root.q + kSix, out.q);
+      at = Standing(arm_, out.q);
+      seen(at, SingularSix(at.J), out);
+    }
+    return out;
+  }
+  static void seen(const Standing& at, const SingularSix& d, Known& out) {
     out.sigma = d.s[5], out.second = d.s[4], out.bend = second_order(at.J, d);
     out.weak = out.second > kOneWayFree * d.s[0] && out.sigma < kNearlySingular * d.s[0];
     out.fold = std::fabs(out.bend) > kClearFold && out.second > kOneWayFree * d.s[0];
     std::copy(d.joint[5], d.joint[5] + kSix, out.null);
     std::copy(d.pose[5], d.pose[5] + 6, out.left);
-    if (out.singular && own) {
-      out.branches = branches_of_fold(std::fabs(out.bend), d);
-    }
-    return out;
-  }
-
-  // How many branches merge in a singular row that is no clear fold.
-  void count_branches(const Rigid& T, Known& one) const {
-    if (one.singular && one.branches == 0) one.branches = branches_at(arm_, T, one.q);
   }
 
   // Whether the other root of a row next to a fold is among the known ones, or far; where a singular row's was lost it is added.

@@ -141,15 +141,15 @@ class Look {
     FourBar bar;
     if (!what_is_free(T, q, at, d, motions, free, bar)) return false;
     if (free == Free::SELF_MOTION) return true;
-    const double bend = bend_of(at.J, d);
-    int count = free == Free::BESIDE ? 1 : branches_of_fold(bend, d);
-    if (count == 1 && free == Free::NO && twin_is_hidden(q, d.s[5], bend, rows)) count = 2;
-    if (count == 0) {  // too flat to be told by its second order: what a step along it misses tells
-      count = branches_at(arm_, T, q);
-      if (next_to_.held(T, q, d.joint[5])) return false;
-    }
-    Root root{{}, count};
+    const double bend = second_order(at.J, d);
+    Root root{{}, free == Free::BESIDE ? 1 : branches_of_fold(std::fabs(bend), d)};
     std::copy(q, q + kSix, root.q);
+    if (root.branches == 2) onto_root_of_fold(d, bend, root.q);
+    if (root.branches == 1 && free == Free::NO && twin_is_hidden(q, d.s[5], std::fabs(bend), rows)) root.branches = 2;
+    if (root.branches == 0) {  // too flat to be told by its second order
+      if (next_to_.held(T, q, d.joint[5])) return false;
+      root.branches = branches_at(arm_, T, root.q);
+    }
     if (free == Free::BESIDE) {
       int moving = 0;
       for (double x : d.joint[5]) moving += std::fabs(x) > kLoopMoves;

@@ -1,10 +1,7 @@
 // Merged roots: how many branches meet in a solution, and which solutions are one. Scalar.
 #pragma once
 
-#include <complex>
-#include <vector>
-
-#include "singular/six.hpp"
+#include "singular/unfolding.hpp"
 
 namespace pieper::PIEPER_ISA {
 
@@ -44,7 +41,6 @@ inline double second_order(const double (*J)[6], const SingularSix& d) {
   for (int r = 0; r < 6; ++r) bend += 0.5 * d.pose[5][r] * bracket.sum[r];
   return bend;
 }
-inline double bend_of(const double (*J)[6], const SingularSix& d) { return std::fabs(second_order(J, d)); }
 
 // How many branches merge where that much is missed to second order; 0 where that is too little.
 inline int branches_of_fold(double bend, const SingularSix& d) {
@@ -54,65 +50,17 @@ inline int branches_of_fold(double bend, const SingularSix& d) {
   return sigma / bend < std::fmax(kMergedSame, 3 * blur) ? 2 : 1;
 }
 
-// How many roots of c[0] + c[1] t + ... + c[4] t^4 lie nearer to zero than `within`; vanishing leading coefficients are left out.
-inline int roots_within(const double* c, double within) {
-  int degree = 4;
-  while (degree > 0 && c[degree] == 0) --degree;
-  if (degree == 0) return 0;
-  std::complex<double> t[4];
-  for (int k = 0; k < degree; ++k) t[k] = std::pow(std::complex<double>(0.4, 0.9), k);
-  // all roots at once (Durand 1960, Kerner 1966), in units of a root's largest size
-  double size = 0;
-  for (int k = 0; k < degree; ++k) size = std::fmax(size, std::pow(std::fabs(c[k] / c[degree]), 1.0 / (degree - k)));
-  if (size == 0) return degree;
-  double a[5];
-  for (int k = 0; k <= degree; ++k) a[k] = c[k] / c[degree] * std::pow(size, k - degree);
-  for (int i = 0; i < 200; ++i) {
-    double most = 0;
-    for (int k = 0; k < degree; ++k) {
-      std::complex<double> value = a[degree], others = 1;
-      for (int j = degree - 1; j >= 0; --j) value = value * t[k] + a[j];
-      for (int j = 0; j < degree; ++j)
-        if (j != k) others *= t[k] - t[j];
-      if (std::abs(others) == 0) others = kRootsCoincide;
-      const std::complex<double> step = value / others;
-      t[k] -= step;
-      most = std::fmax(most, std::abs(step));
-    }
-    if (most < kRootsFound) break;
-  }
-  int count = 0;
-  for (int k = 0; k < degree; ++k) count += std::abs(t[k]) * size < within;
-  return count;
+// Puts a fold's double root where the fold is: rounding leaves it on one of its two sides, and half way to the other it is.
+inline void onto_root_of_fold(const SingularSix& d, double bend, double* q) {
+  const double t = -0.5 * d.s[5] / bend;
+  for (int i = 0; i < kSix; ++i) q[i] += t * d.joint[5][i];
 }
 
-// How many branches merge at a solution: 1 where its Jacobian is merely poor.
-//
-// Along the curve on which only the weakest direction misses the pose, what is missed is c0 + c1 t + ... + c4 t^4: its roots that
-// lie within what rounding lets one tell of each other are one solution.
-inline int branches_at(const SixJoints& arm, const Rigid& T, const double* q) {
-  const OnCurve here(arm, T, q, 0);
-  const double sigma = SingularSix(Standing(arm, q).J).s[5];
-  double at[4];
-  for (int k = 0; k < 4; ++k) {
-    const double t = kMergedStep * (k < 2 ? k - 2 : k - 1);
-    double start[6], lean = 0;
-    for (int i = 0; i < kSix; ++i) start[i] = q[i] + t * here.null[i];
-    const OnCurve beside(arm, T, start, 5);
-    for (int r = 0; r < 6; ++r) lean += beside.left[r] * here.left[r];
-    at[k] = lean < 0 ? -beside.miss : lean > 0 ? beside.miss : 0;
-  }
-  const double h = kMergedStep, far = at[0], near = at[1], near2 = at[2], far2 = at[3];
-  double c[5] = {0, -sigma, 0, ((far2 - far) - 2 * (near2 - near)) / (12 * h * h * h),
-                 ((far + far2) - 4 * (near + near2)) / (24 * h * h * h * h)};
-  c[2] = (near + near2) / (2 * h * h) - c[4] * h * h;
-  double blur = INFINITY;
-  bool any = false;
-  for (int k = 1; k < 5; ++k) {
-    if (k > 1 && std::fabs(c[k]) < kRootsFound / std::pow(h, k)) c[k] = 0;
-    if (c[k] != 0) any = true, blur = std::fmin(blur, std::pow(kMergedRounding / std::fabs(c[k]), 1.0 / k));
-  }
-  return any ? std::max(1, roots_within(c, std::fmax(kMergedSame, 3 * blur))) : 1;
+// How many branches merge at a solution, which is put where they do: 1 where its Jacobian is merely poor.
+inline int branches_at(const SixJoints& arm, const Rigid& T, double* q) {
+  const Unfolded root = unfolded(arm, T, q);
+  std::copy(root.q, root.q + kSix, q);
+  return root.branches;
 }
 
 inline double determinant(const double (*J)[6]) {

@@ -1,6 +1,6 @@
 """The native kernels: forward kinematics, and the inverse of every family, several poses per instruction."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from enum import IntFlag
 from typing import Any, ClassVar, Final, dataclass_transform
 
@@ -357,6 +357,7 @@ def onto(
     cutoff: float,
     longest: float,
 ) -> Array: ...
+def unfold(chain: Forward, *, q: ArrayLike, T: ArrayLike, mixed: ArrayLike | None) -> tuple[Array, int]: ...
 def nearer(
     chain: Forward,
     *,
@@ -369,3 +370,31 @@ def nearer(
     steps: int,
 ) -> tuple[Array, Array]:
     """Go downhill from q (k, n) to T (4, 4): (k, n) and what is left (k,)."""
+
+def closest(
+    chain: Forward,
+    *,
+    coupling: ArrayLike | None,
+    lower: ArrayLike,
+    upper: ArrayLike,
+    q: ArrayLike,
+    poses: ArrayLike,
+    seeds: ArrayLike,
+    T: ArrayLike,
+    turning: bool,
+    stages: Sequence[tuple[float, int, int]],
+    back: Sequence[tuple[float, int, int]],
+    starts: int,
+    spread: int,
+    turned: int,
+    more: int,
+    more_kept: int,
+    few_steps: int,
+    in_place: int,
+    led_back: int,
+    alike: int,
+    last_steps: int,
+    near: tuple[float, ...],
+    crawl: tuple[float, ...],
+) -> Array:
+    """Return postures (k, n) of which one comes nearest to T (4, 4), the position first."""

@@ -131,3 +131,13 @@ def test_a_dumb_terminal_gets_every_number_and_no_escape_codes():
     assert "\x1b" not in text
     rows = pieper.load("denso-vp6242").ik(pieper.pose(0.35, 0, 0.4)).all_q
     assert not Counter(f"{np.degrees(v) + 0.0:.3f}" for v in rows.ravel()) - tokens(text)
+
+
+def test_an_error_is_broken_between_words_where_it_stands_on_a_terminal(monkeypatch, capsys):
+    from pieper.cli import failure
+
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    monkeypatch.setattr("shutil.get_terminal_size", lambda: os.terminal_size((40, 20)))
+    assert failure._misuse("'kuka kr10' may be " + ", ".join(f"kuka-kr10-{i}" for i in range(9)) + ": say which.") == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) > 3 and max(map(len, lines)) <= 40 and lines[0].startswith("pieper: 'kuka kr10' may be")

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.cli import pose_file
-from pieper.cli.pose_file import PoseFile
+from pieper.cli import main, number_table
+from pieper.cli.pose_file import PoseFile, is_table
 from pieper.cli.units import Units
 
 ARM = pieper.load("denso-vp6242")
@@ -108,7 +108,7 @@ def test_what_is_wrong_with_a_file_is_said_with_its_line(run, written, tmp_path,
 
 
 def test_a_file_is_read_block_by_block(written, monkeypatch):
-    monkeypatch.setattr(pose_file, "BLOCK", 7)
+    monkeypatch.setattr(number_table, "BLOCK", 7)
     file = written("x_mm,y_mm,z_mm\n" + "350,0,400\n" * 20)
     told = []
     sizes = [len(block) for block in PoseFile(str(file), Units()).blocks(told.append)]
@@ -123,3 +123,29 @@ def test_tables_of_spreadsheets_with_semicolons_and_decimal_commas_are_read(tmp_
     (tmp_path / "p.csv").write_text(text)
     poses = np.concatenate(list(PoseFile(str(tmp_path / "p.csv"), Units("mm", "deg")).blocks()))
     assert np.allclose(poses[:, :3, 3], [[0.35, 0.0, 0.4]])
+
+
+@pytest.mark.parametrize(
+    ("lines", "table"),
+    [
+        ("400 100 300 180 0 0\n300 200 300 180 0 0\n", True),
+        ("300 100 300\n300 200 300\n300 0 300\n300 0 310\n", True),
+        ("x_mm,y_mm,z_mm\n300,100,300\n", True),
+        ("300 100 300\n", False),
+        ("300\n100\n300\n", False),
+        ("1 0 0 300\n0 1 0 100\n0 0 1 300\n", False),
+        ("# a pose\n1 0 0 300\n0 1 0 100\n0 0 1 300\n0 0 0 1\n", False),
+    ],
+)
+def test_the_lines_of_a_file_of_any_name_say_whether_they_are_poses(tmp_path, lines, table):
+    (tmp_path / "p.txt").write_text(lines)
+    assert is_table(f"@{tmp_path / 'p.txt'}") == table
+    assert is_table("300") is False
+
+
+def test_the_answer_is_not_written_over_the_poses(tmp_path, capsys):
+    (tmp_path / "a.csv").write_text("350,0,400\n")
+    with pytest.raises(SystemExit) as left:
+        main(["ik", "denso-vp6242", f"@{tmp_path / 'a.csv'}", "--csv", str(tmp_path / "." / "a.csv")])
+    assert left.value.code == 2 and "write over the table it reads" in capsys.readouterr().err
+    assert (tmp_path / "a.csv").read_text() == "350,0,400\n"

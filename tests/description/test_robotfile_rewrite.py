@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import pieper
 from pieper.description import catalog, robotfile, wholefile
 from pieper.errors import InputError
 from tests.description.robotfile_samples import EXAMPLES, TWO_JOINTS, same
@@ -162,3 +163,14 @@ def test_reading_loads_no_package_but_numpy():
     code = "import sys; from pieper.description import robotfile; sys.exit('tomlkit' in sys.modules)"
     source = Path(robotfile.__file__).parents[2]
     assert subprocess.run([sys.executable, "-c", code], cwd=source, check=False).returncode == 0
+
+
+def test_a_tool_or_base_said_by_its_position_becomes_one_that_is_turned_and_back(tmp_path):
+    arm = pieper.Arm.from_dh([pieper.DH(0.1), pieper.DH(0.2)], convention="standard")
+    moved, turned = pieper.pose(0, 0, 0.1), pieper.pose(0, 0, 0.1, rpy=(0.1, 0.2, 0.3))
+    file = tmp_path / "z.toml"
+    for tool, base in ((moved, moved), (turned, moved), (turned, turned), (moved, turned), (np.eye(4), moved)):
+        wanted = arm.with_tool(tool).with_base(base)
+        wanted.save(file)
+        again = pieper.load(file)
+        assert np.array_equal(again.tool, wanted.tool) and np.array_equal(again.base, wanted.base)

@@ -10,7 +10,7 @@ import pytest
 import pieper
 from pieper import DH
 from pieper.judge.excerpt_lines import apart, numbered
-from pieper.judge.verdict import HOLDS, PARTLY
+from pieper.judge.verdict import HOLDS, PARTLY, WRONG
 
 PX = "cos(t1)*(a2*cos(t2) + a3*cos(t2+t3))"
 PLAIN = f"""px = {PX}          (7.1)
@@ -144,3 +144,49 @@ def test_derivations_of_odd_twists_are_read_and_hold(rows, kind, tmp_path):
     arm.save(tmp_path / "odd.toml")
     verdicts = judged(getattr(arm.symbolic.ik(), kind)(), str(tmp_path / "odd.toml"))
     assert len(verdicts) >= 6 and set(verdicts.values()) == {HOLDS}
+
+
+COURSE = r"""
+\begin{align*}
+p_x &= l_1 \cos \theta_1 + l_2 \cos(\theta_1 + \theta_2) \\
+p_y &= l_1 \sin \theta_1 + l_2 \sin(\theta_1 + \theta_2)
+\end{align*}
+\[ \cos\theta_2 = \frac{p_x^2 + p_y^2 - l_1^2 - l_2^2}{2 l_1 l_2} \equiv D \]
+\[ \sin\theta_2 = \pm\sqrt{1 - D^2} \]
+where $k_1 = l_1 + l_2 c_2$ and $k_2 = l_2 s_2$,
+so $\theta_1 = \operatorname{Atan2}(p_y, p_x) - \operatorname{Atan2}(k_2, k_1)$.
+$$ T_2^0 = A_1 A_2 $$
+"""
+
+
+@pytest.fixture(scope="module")
+def two(tmp_path_factory):
+    file = tmp_path_factory.mktemp("robots") / "two.toml"
+    pieper.Arm.from_dh([DH(a=0.35), DH(a=0.3)], convention="standard", name="two").save(str(file))
+    return str(file)
+
+
+def test_a_course_page_is_read_whole(two):
+    text, _, lost = pieper.guess_claims(COURSE, two, "page")
+    assert not lost
+    assert {v.status for v in pieper.check(text).verdicts} == {HOLDS}
+
+
+def test_what_rests_on_a_symbol_that_was_not_read_is_not_read_either(robot):
+    page = "k_1 = l_7 c_2\nk_2 = k_1 + 1\nr = sqrt(k_1^2 + k_2^2)\ntheta1 = atan2(py, px) + 0 r\n"
+    text, _, lost = pieper.guess_claims(page, robot, "page")
+    assert lost == 4
+    assert "[[claim]]" not in text
+    assert "no length of this arm" in text
+
+
+def test_one_sign_or_the_other_makes_an_equation_hold_and_a_wrong_one_not(two):
+    def verdict(equation: str) -> str:
+        arm = f'[arm]\nfile = "{two}"\n[[claim]]\nkind = "equation"\nis = "{equation}"\n'
+        return pieper.check(arm).verdicts[0].status
+
+    assert verdict("s2 = +-sqrt(1 - c2^2)") == HOLDS
+    assert verdict("px = a1 c1 + a2 (c1 c2 +- s1 sqrt(1 - c2^2))") == HOLDS
+    assert verdict("s2 = +-sqrt(1 + c2^2)") == WRONG
+    assert verdict("s2 = +-sqrt(1 - c1^2)") == WRONG
+    assert verdict("s2 = +-sqrt(1 - c2^2) + 1e-9") == WRONG

@@ -145,3 +145,22 @@ def test_a_bad_table_is_refused_by_row_and_column(rows, words):
         check(text + "[[claim]]\nkind = 'count'\ncount = 2\n")
     for word in ("[arm]", *words):
         assert word in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "0^-1",
+        "(c1-c1)^-1",
+        "1/(c1-c1)",
+        "(c1-c1)^-0.5",
+        "(c1-c1)/(c1-c1)",
+        "sqrt(1/(s1-s1))",
+        "mod(1, c1-c1)",
+        "tan(pi/2)",
+    ],
+)
+def test_a_symbol_that_divides_by_zero_everywhere_is_judged(body):
+    text = f'[arm]\nrobot = "denso-vp6242"\n[symbols]\nK = "{body}"\n'
+    text += '[[claim]]\nkind = "equation"\nis = "K = 7"\n[[claim]]\nkind = "equation"\nis = "px = r14"\n'
+    assert [verdict.status for verdict in check(text).verdicts] == ["wrong", "holds"]

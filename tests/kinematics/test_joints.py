@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.joints import TURN, JointSpace, inside, short_way, wrapped
+from pieper.kinematics.joints import TURN, JointSpace, inside, short_way, turned_from, wrapped
 
 SPACE = JointSpace(np.array([False, True, False]), 0.5)
 
@@ -12,6 +12,13 @@ SPACE = JointSpace(np.array([False, True, False]), 0.5)
 def test_half_a_turn_has_one_sign_each_way_of_wrapping():
     assert short_way(np.pi) == -np.pi and wrapped(-np.pi) == np.pi
     assert np.allclose(short_way(np.array([3 * np.pi / 2, -0.1 - TURN])), [-np.pi / 2, -0.1])
+
+
+def test_an_angle_is_put_into_the_turn_that_begins_anywhere():
+    start, angle = np.array([0.5, -7.0, 20.0]), np.random.default_rng(0).uniform(-30, 30, (50, 3))
+    found = turned_from(start, angle)
+    assert (found >= start).all() and (found < start + TURN).all()
+    assert np.abs((found - angle) / TURN - np.round((found - angle) / TURN)).max() < 1e-12
 
 
 def test_a_slide_counts_per_length_and_is_never_wrapped():

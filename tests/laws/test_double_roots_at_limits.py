@@ -57,7 +57,7 @@ def test_a_double_root_clearly_outside_stays_outside():
     assert not len(short.ik(arm.fk(q)).q) or short.chain.joints.apart(short.ik(arm.fk(q)).q, q).min() > 1e-3
 
 
-@pytest.mark.parametrize("name", ["motoman-hc10", "universal-robots-ur5e", "unimation-puma-560"])
+@pytest.mark.parametrize("name", ["motoman-hc10", "fanuc-crx-10ia", "universal-robots-ur5e", "unimation-puma-560"])
 def test_a_double_root_at_limits_a_turn_apart_is_there_both_ways_round(name):
     arm, rng, tried = free(name), np.random.default_rng(5), 0
     arm = arm.with_limits(dict.fromkeys(arm.joint_names, (-np.pi, np.pi)))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from oracle.arms.known import free
-from pieper import DH, Arm
+from pieper import DH, Arm, Status
 from pieper.solver.singular import near_curve
 
 #: What of the pose may be missed between two joint vectors that rounding does not tell apart (per length; rad).
@@ -51,3 +51,22 @@ def test_the_posture_of_a_table_off_by_rounding_is_told(name, size):
             q = rng.choice(np.deg2rad(np.arange(-180, 181, 30)), 6)
             q[4] = rng.choice([0.0, np.pi])
             assert told(arm, q), f"{np.rad2deg(q).round().tolist()}, seed {seed}: {arm.ik(arm.fk(q)).status.name}"
+
+
+@pytest.mark.parametrize("size", [1e-12, 1e-10, 1e-8, 1e-6])
+@pytest.mark.parametrize("name", NAMES[:2])
+def test_the_special_arm_vouches_for_one_that_is_off_by_little(name, size):
+    """No elimination is far from singular beside a straight wrist: the closed form of the special arm counts there."""
+    arm, rng, count = off_by(name, size, 0), np.random.default_rng(5), 25
+    q = rng.uniform(-np.pi, np.pi, (count, 6))
+    q[:, 4] = rng.choice([-1, 1], count) * 10 ** rng.uniform(-7, 0, count)
+    many, sigma = arm.ik_many(arm.fk(q), threads=1), np.linalg.svd(arm.jacobian(q), compute_uv=False)[:, -1]
+    gap = np.where(many.valid, arm.chain.joints.apart(many.q, q[:, None]), np.inf).min(1)
+    assert (many.status == Status.SOLVED).all()
+    assert (gap < 1e-6 + 1e-14 / sigma).all()
+
+
+def test_an_arm_that_is_special_asks_no_other():
+    assert free("denso-vp6242").plan.nearly is None
+    other = off_by("denso-vp6242", 1e-9, 1).plan
+    assert other.family == "general" and other.nearly is not None and other.nearly.family == "spherical_wrist"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import pickle
 from dataclasses import replace
 
@@ -152,3 +153,30 @@ def test_the_uncoupled_arm_is_the_same_by_its_axes_and_is_the_cure_where_couplin
     route = plain.route(path)
     joints = np.linalg.solve(arm.coupling, route.q.T).T
     assert np.abs(arm.fk(joints)[:, :3, 3] - path[:, :3, 3]).max() < 1e-6
+
+
+@pytest.mark.parametrize("name", ["fanuc-lr-mate-200id", "universal-robots-ur5e"])
+@pytest.mark.parametrize("part", [1.0, 0.5])
+def test_how_far_the_least_offending_solution_is_outside_is_the_least_over_whole_turns_of_the_axes(name, part):
+    arm, plain, C = coupled(name)
+    C = np.where(np.eye(len(C), dtype=bool), C, part * C)
+    arm = pieper.Arm(replace(plain.description, coupling=C))
+    narrow = arm.with_limits(dict.fromkeys(arm.joint_names, (2.9, 3.1)))
+    turns = np.array(list(itertools.product((-2, -1, 0, 1, 2), repeat=3)))
+    every = np.zeros((len(turns), arm.n))
+    every[:, 1:4] = turns
+    for q in joints(arm, 12):
+        sols = narrow.ik(arm.fk(q))
+        assert sols.status is Status.OUTSIDE_LIMITS
+        over = np.inf
+        for row in sols.all_q:
+            variants = row + 2 * np.pi * every @ np.linalg.inv(C).T
+            # an axis that turns alone is free of the others
+            alone = [j for j in range(arm.n) if j not in (1, 2, 3)]
+            far = np.maximum(2.9 - variants, variants - 3.1)
+            for j in alone:
+                shifted = row[j] + 2 * np.pi * np.arange(-2, 3)
+                far[:, j] = np.maximum(2.9 - shifted, shifted - 3.1).min()
+            over = min(over, far.max(1).min())
+        said = float(sols.why.split(" by ")[1].split()[0])
+        assert said == pytest.approx(np.degrees(over), rel=2e-3), sols.why

@@ -105,6 +105,20 @@ struct Found {
   bool suspect = false;  // a row is nearly singular
 };
 
+// Whether a posture halfway between two holds the pose to `rounding`. The line between them leaves a bent valley: it is put back first,
+// as far as that is told to first order, which along the valley it is not.
+inline bool held_between(const TrueChain& chain, const Rigid& T, double* middle, double apart, double rounding) {
+  double error[6], J[kMaxJoints][6], dq[kMaxJoints], gone = 0;
+  if (missed(chain, T, middle, error, J) <= rounding) return true;
+  for (int i = 0; i < 2; ++i) {
+    damped_step(chain.n, error, J, kClosedDamping, apart, dq);
+    for (int k = 0; k < chain.n; ++k) middle[k] += dq[k], gone = std::fmax(gone, std::fabs(dq[k]));
+    if (gone > apart / 4) return false;
+    if (missed(chain, T, middle, error, J) <= rounding) return true;
+  }
+  return false;
+}
+
 // Polish a candidate (values in rad and lengths of the arm), verify it, and append it unless it is there already.
 inline void offer(const TrueChain& chain, const Rigid& T, const double* candidate, Found& found) {
   int n = chain.n;
@@ -153,7 +167,7 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
     }
     if (apart < kClosedSame) return;
     // in a flat valley (a self-motion, or a root too shallow for double precision) two candidates are one answer
-    if (singular && apart < kClosedValley && missed(chain, T, middle, error, J) <= kClosedPolished + 2 * miss) {
+    if (singular && apart < kClosedValley && held_between(chain, T, middle, apart, kClosedPolished + 2 * miss)) {
       found.suspect = true;
       return;
     }

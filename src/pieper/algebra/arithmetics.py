@@ -19,6 +19,7 @@ class NumpyField:
     """Double precision, over arrays of any shape."""
 
     pi = np.pi
+    undefined = np.nan  # a quotient of plain numbers by zero
     cos, sin, tan, atan, abs, sign = np.cos, np.sin, np.tan, np.arctan, np.abs, np.sign
     atan2, hypot, mod, fmod = np.arctan2, np.hypot, np.mod, np.fmod
 
@@ -103,6 +104,7 @@ class DigitsField:
         import mpmath
 
         self._mp = mpmath.mp
+        self.undefined = mpmath.mp.nan
         self.cos, self.sin, self.tan, self.atan = mpmath.cos, mpmath.sin, mpmath.tan, mpmath.atan
         self.hypot, self.abs, self.sign = mpmath.hypot, mpmath.fabs, mpmath.sign
 
@@ -116,10 +118,10 @@ class DigitsField:
         return self._mp.mpf(value.numerator) / value.denominator
 
     def power(self, x: Any, y: Any) -> Any:
-        """x^y; NaN for a fractional power of a negative number."""
+        """x^y; NaN for a fractional power of a negative number, and for a negative one of zero."""
         if self._mp.isint(y):
-            return x ** int(y)
-        return x**y if x >= 0 else self._mp.nan
+            return x ** int(y) if x or y >= 0 else self._mp.nan
+        return x**y if x > 0 or (x == 0 and y > 0) else self._mp.nan
 
     def sqrt(self, x: Any) -> Any:
         """Square root."""
@@ -173,6 +175,7 @@ class SympyField:
 
         self.sympy: Any = sympy
         self.pi: Any = sympy.pi
+        self.undefined: Any = sympy.nan
         for name in ("cos", "sin", "tan", "sqrt", "acos", "asin", "atan", "atan2", "sign"):
             setattr(self, name, getattr(sympy, name))
         self.sgn, self.abs = sympy.sign, sympy.Abs

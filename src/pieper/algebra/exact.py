@@ -42,13 +42,20 @@ def quarter_turns(angle: float) -> int | None:
     return int(2 * multiple) % 4
 
 
-def decimal_text(value: Fraction, digits: int = 9) -> str | None:
-    """The number as a terminating decimal of at most `digits` places, or None when it is not one."""
+PLACES = 9  # of a decimal that reads better than a fraction
+LONG = 10**6  # a denominator that nobody reads as a fraction
+MOST_PLACES = 30  # of the shortest decimal of a float
+
+
+def decimal_text(value: Fraction) -> str | None:
+    """The number as a terminating decimal, or None when it is not one, or reads better as a fraction."""
+    digits = MOST_PLACES if value.denominator > LONG else PLACES
     scaled = value * 10**digits
     if scaled.denominator != 1:
         return None
-    text = f"{Decimal(scaled.numerator) / Decimal(10**digits):f}"
-    return text.rstrip("0").rstrip(".") if "." in text else text
+    whole, rest = divmod(abs(scaled.numerator), 10**digits)
+    text = f"{rest:0{digits}d}".rstrip("0")
+    return ("-" if value < 0 else "") + f"{whole}" + (f".{text}" if text else "")
 
 
 def exact_inverse(matrix: Sequence[Sequence[float]]) -> tuple[tuple[Fraction, ...], ...]:

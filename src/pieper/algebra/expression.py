@@ -248,6 +248,12 @@ class Div(Operation):
     __slots__ = ()
     op, precedence, combine = "quotient", 3, operator.truediv
 
+    def _combined(self, v: list[Any], field: Any, branch: int) -> Any:
+        try:
+            return v[0] / v[1]
+        except ZeroDivisionError:  # plain numbers; arrays have an infinity or NaN there
+            return field.undefined
+
 
 class Power(Operation):
     """A power; derived formulas have whole-number powers only."""

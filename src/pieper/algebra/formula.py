@@ -108,6 +108,14 @@ def has_branch(root: Expr) -> bool:
     return any(isinstance(node, PlusMinus) for node in root.walk())
 
 
+def on_branch(root: Expr, branch: int) -> Expr:
+    """The formula with the upper sign of every +-, with the lower one where `branch` is -1."""
+    args = [on_branch(a, branch) for a in root.args]
+    if isinstance(root, PlusMinus):
+        return args[0] if branch * root.sign > 0 else Neg.of(args[0])
+    return root if all(x is y for x, y in zip(args, root.args, strict=True)) else root._rebuilt(args)
+
+
 def unordered(node: Expr) -> str:
     """The formula as text that is the same whatever the order of terms and factors."""
     inner = [unordered(a) for a in node.args]

@@ -131,7 +131,7 @@ def joints(arm: pieper.Arm, words: Sequence[str], units: Units, what: str = "joi
     values = numbers(words, what)
     if len(values) != arm.n:
         raise InputError(
-            f"{what}: {arm.name} has {plural(arm.n, 'joint')} ({', '.join(units.names_of_joints(arm))}), "
+            f"{what}: {arm.name} has {plural(arm.n, 'joint')} ({units.said_of_joints(arm)}), "
             f"got {len(values)} number{'s' if len(values) != 1 else ''}.",
             given=values,
         )
@@ -157,7 +157,14 @@ def target(words: Sequence[str], units: Units, order: str = "rpy", what: str = "
     Raises:
         InputError: Another count of numbers, not a rotation.
     """
-    T, bare = posed(numbers(words, what), units, order, what)
+    values = numbers(words, what)
+    parted = [word for word in words if re.fullmatch(r"[+-]?\d+,\d+", word)]
+    if parted and len(values) != len(words) and len(words) in (3, 6, 7):
+        raise InputError(
+            f"{what}: a comma parts numbers, so {parted[0]} is two. Write {parted[0].replace(',', '.')}, with a point.",
+            given=parted[0],
+        )
+    T, bare = posed(values, units, order, what)
     far = float(np.linalg.norm(T[:3, 3]))
     if units.length == "mm" and 0 < far < SUSPICIOUSLY_SMALL:
         warnings.warn(

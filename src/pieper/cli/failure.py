@@ -77,8 +77,10 @@ def _misuse(sentence: str) -> int:
 
 
 def _say(sentence: str) -> None:
-    print(f"pieper: {sentence}", file=sys.stderr)
+    from pieper.cli.layout import sentences, terminal_width
+
+    print(sentences(f"pieper: {sentence}", terminal_width(sys.stderr)), file=sys.stderr)
 
 
 def _say_warning(message: Warning | str, *_: object, **__: object) -> None:
-    print(f"pieper: note: {message}", file=sys.stderr)
+    _say(f"note: {message}")

@@ -20,15 +20,29 @@ from pieper.tolerances import LIMIT_SLACK
 @takes_arm
 @click.argument("joints", nargs=-1, required=True)
 @click.option("--frames", is_flag=True, help="Every frame on the way, not only the tool.")
+@click.option("--csv", metavar="FILE", default="", help="Write the poses of a table there.")
 @as_json
 @takes_units
-def command(arm: pieper.Arm, joints: tuple[str, ...], frames: bool, json: bool, units: Units) -> int:
+def command(arm: pieper.Arm, joints: tuple[str, ...], frames: bool, csv: str, json: bool, units: Units) -> int:
     """Forward kinematics: from joints to the tool's pose.
 
-    JOINTS is one number a joint, a posture's name, or @file.
+    JOINTS is one number a joint, a posture's name, or @file. A file @joints.csv is a table with one joint vector a row,
+    its columns named (shoulder_deg, or q1_deg, q2_deg, ...), in any order, or in the joints' order without names; out
+    come position, rotation matrix and whether it lies inside the limits, row by row.
 
-    Example: pieper fk denso-vp6242 0 51.5 -150.6 0 99.1 0
+    Examples: pieper fk denso-vp6242 0 51.5 -150.6 0 99.1 0; pieper fk ur5e @joints.csv --csv poses.csv
     """
+    if len(joints) == 1 and _is_table(joints[0], arm):
+        if frames or json:
+            raise pieper.InputError(
+                "a table of joint vectors is written as CSV, the tool's pose a row: leave "
+                f"{'--frames' if frames else '--json'} out."
+            )
+        from pieper.cli.fk_many import pose_file
+
+        return pose_file(arm, joints[0][1:], units, csv)
+    if csv:
+        raise pieper.InputError("--csv takes the poses of a table: pieper fk ARM @joints.csv --csv FILE.", given=csv)
     q = read_joints(arm, joints, units)
     T = arm.fk(q)
     beyond = _outside(arm, q, units)
@@ -50,6 +64,14 @@ def command(arm: pieper.Arm, joints: tuple[str, ...], frames: bool, json: bool, 
     for sentence in beyond:
         say(sentence)
     return DONE
+
+
+def _is_table(word: str, arm: pieper.Arm) -> bool:
+    if not word.startswith("@"):
+        return False
+    from pieper.cli.joint_file import is_table
+
+    return is_table(word, arm)
 
 
 def _outside(arm: pieper.Arm, q: npt.NDArray[np.float64], units: Units) -> list[str]:

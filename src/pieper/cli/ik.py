@@ -203,8 +203,11 @@ def _print(
     if nearest is not None:
         which = "on a continuous set of solutions" if marked is None else f"solution {marked + 1}"
         values = ", ".join(joint_cells(arm, nearest, units))
-        say(f"nearest to {near}: {which}, at {values} ({', '.join(units.names_of_joints(arm))})")
+        say(f"nearest to {near}: {which}, at {values} ({units.said_of_joints(arm)})")
     say(f"{sols.status.name}: {sols.why}")
+    if sols.status == pieper.Status.OUT_OF_REACH:
+        cells = ", ".join(joint_cells(arm, sols.closest.q, units))
+        say(f"The posture inside the limits that comes nearest: {cells} ({units.said_of_joints(arm)}).")
     if not told:
         say("Its self-motions, along which the spare joint moves, are told with --all.")
     hidden = len(sols.all_q) - len(sols.q)
@@ -302,4 +305,10 @@ def _as_data(arm: pieper.Arm, solved: _Solved, found: _Rows, closest: npt.NDArra
         "solutions_before_limits": len(sols.all_q),
         "self_motions": [str(motion) for motion in sols.self_motions],
         "nearest": closest,
+        "closest": None if len(sols) else _as_closest(sols.closest),
     }
+
+
+def _as_closest(found: pieper.Closest) -> dict[str, Any]:
+    """Return the posture inside the limits that comes nearest to a pose without a solution."""
+    return {"q": found.q, "T": found.T, "missed_m": found.metres, "missed_rad": found.radians}

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any, BinaryIO
 
-import click
 import numpy as np
 import numpy.typing as npt
 
 import pieper
+from pieper.cli.many import progress, put
+from pieper.cli.number_table import refuse_same
 from pieper.cli.output import as_json, plural, si_units
 from pieper.cli.pose_file import PoseFile
 from pieper.cli.status import DONE, NO_SOLUTION
@@ -41,9 +41,10 @@ class Request:
 def solve_file(request: Request) -> int:
     """Solve every pose of a file; the status is 1 when one of them has no solution inside the limits."""
     poses = PoseFile(request.file, request.units, request.order)
+    refuse_same(request.file, request.csv)
     total = without = rows = 0
     with contextlib.ExitStack() as stack:
-        read = stack.enter_context(_progress(poses.size))
+        read = stack.enter_context(progress(poses.size, "poses"))
         out = stack.enter_context(pieper.whole_file(request.csv)) if request.csv else None
         write = _json_lines if request.json else _csv_block
         for block in poses.blocks(read):
@@ -51,7 +52,7 @@ def solve_file(request: Request) -> int:
                 request = _of_positions(request, block)
             many = request.arm.ik_many(block, near=request.near, task=request.task, redundancy=request.redundancy)
             if not total and not request.json:
-                _write(out, head(request.arm, request.units))
+                put(out, head(request.arm, request.units))
             rows += write(request, many, block, total, out)
             total += len(block)
             without += int(np.count_nonzero(~many.in_limits.any(1)))
@@ -77,16 +78,6 @@ def _of_positions(request: Request, block: npt.NDArray[np.float64]) -> Request:
     return replace(request, task="position")
 
 
-@contextlib.contextmanager
-def _progress(size: int) -> Iterator[Callable[[int], None]]:
-    """Yield what is told of the bytes read: a progress bar on the error stream where that is a terminal."""
-    if not sys.stderr.isatty():
-        yield lambda _: None
-        return
-    with click.progressbar(length=size, label="poses", file=sys.stderr, update_min_steps=1 << 18) as bar:
-        yield bar.update
-
-
 def head(arm: pieper.Arm, units: Units) -> str:
     """Return the first line of a CSV of solutions: names with their units."""
     joints = [f"{name}_{unit}" for name, unit in zip(arm.joint_names, units.names_of_joints(arm), strict=True)]
@@ -105,18 +96,11 @@ def write_rows(
 ) -> None:
     """Write the solutions of one pose as CSV, whole or not at all."""
     with pieper.whole_file(file) as out:
-        _write(out, head(arm, units))
+        put(out, head(arm, units))
         values = np.column_stack(
             [q / units.of_joints(arm), inside.astype(float), residual / [units.metres, units.radians]]
         )
-        _write(out, _lines(np.ones(len(q), int), np.arange(1, len(q) + 1), [status] * len(q), values))
-
-
-def _write(out: BinaryIO | None, text: str) -> None:
-    if out is None:
-        sys.stdout.write(text)
-    else:
-        out.write(text.encode())
+        put(out, _lines(np.ones(len(q), int), np.arange(1, len(q) + 1), [status] * len(q), values))
 
 
 def _chosen(
@@ -146,7 +130,7 @@ def _csv_block(
     sorted_ = np.argsort(pose, kind="stable")
     names = {int(s): s.name for s in pieper.Status}
     status = [names[int(s)] for s in many.status[pose[sorted_]]]
-    _write(out, _lines(pose[sorted_] + before + 1, solution[sorted_], status, values[sorted_]))
+    put(out, _lines(pose[sorted_] + before + 1, solution[sorted_], status, values[sorted_]))
     return len(q)
 
 

@@ -9,6 +9,7 @@ import textwrap
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TextIO
 
 GAP = 2
 #: The narrowest a last column of words may become before all columns are stacked.
@@ -23,9 +24,13 @@ class Column:
     words: bool = False
 
 
-def terminal_width() -> int | None:
-    """Return the width of the terminal that is written to; None for a pipe or a file, which have all the width."""
-    if not sys.stdout.isatty():
+def terminal_width(stream: TextIO | None = None) -> int | None:
+    """Return the width of the terminal that is written to; None for a pipe or a file, which have all the width.
+
+    Args:
+        stream: What is written to; standard output when left out.
+    """
+    if not (stream or sys.stdout).isatty():
         return None
     import shutil
 

@@ -8,7 +8,7 @@ import pieper
 from pieper.cli.layout import Column
 from pieper.cli.options import as_json
 from pieper.cli.output import as_json as print_json
-from pieper.cli.output import plural, print_table
+from pieper.cli.output import plural, print_table, say
 from pieper.cli.status import DONE
 
 
@@ -47,6 +47,13 @@ def command(
         ]
         for arm in found
     ]
+    if not found:
+        asked = " ".join(words)
+        say(
+            (f"No arm's name or maker has {asked!r}" if words else "No arm is so")
+            + ". Search by --maker, --payload, --reach, or by kinds of joints: --joints 7R, --joints RRPR (a SCARA)."
+        )
+        return DONE
     print_table(plural(len(found), "arm"), [*columns, Column("maker", True)], cells)
     return DONE
 

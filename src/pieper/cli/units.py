@@ -32,3 +32,8 @@ class Units:
     def names_of_joints(self, arm: pieper.Arm) -> list[str]:
         """Return the unit of each joint."""
         return [self.angle if kind == "R" else self.length for kind in arm.joint_types]
+
+    def said_of_joints(self, arm: pieper.Arm) -> str:
+        """Return the units of the joints in words: one for all of them, or one each."""
+        names = self.names_of_joints(arm)
+        return names[0] if len(set(names)) == 1 else ", ".join(names)

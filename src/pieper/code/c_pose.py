@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pieper.code.between import Between
-from pieper.tolerances import NEWTON_FINITE
+from pieper.tolerances import HOLDS_TO_ROUNDING, NEWTON_FINITE
 
 #: Two steps of Newton's iteration for the polar factor, each of which squares what is off: nothing is left of 1e-5.
 RIGID = """
@@ -39,6 +39,11 @@ static double NAME_nearest(double *q, const double *T) {
     double P[12], axes[N][6], A[N][N1] = {{0}}, miss = 0;
     NAME_walk(q, P, axes);
     for (k = 0; k < @ENTRIES@; ++k) {
+      const double r = weight[k] * (T[tested[k]] - P[tested[k]]);
+      miss += r * r;
+    }
+    if (step == 3 || miss < @SETTLED@) return sqrt(miss);
+    for (k = 0; k < @ENTRIES@; ++k) {
       const int e = tested[k], c = e % 4, a = (e / 4 + 1) % 3, b = (e / 4 + 2) % 3;
       const double r = weight[k] * (T[e] - P[e]);
       double D[N];
@@ -47,13 +52,11 @@ static double NAME_nearest(double *q, const double *T) {
         const double turned = z[a] * (P[4 * b + c] - o * p[b]) - z[b] * (P[4 * a + c] - o * p[a]);
         D[j] = weight[k] * (NAME_slides[j] ? o * z[e / 4] : turned);
       }
-      miss += r * r;
       for (i = 0; i < N; ++i) {
         for (j = 0; j < N; ++j) A[i][j] += D[i] * D[j];
         A[i][N] += D[i] * r;
       }
     }
-    if (step == 3) return sqrt(miss);
     for (i = 0; i < N; ++i) A[i][i] *= 1 + @DAMPED@;
     for (i = 0; i < N; ++i)
       for (k = i + 1; k < N; ++k) {
@@ -76,4 +79,5 @@ def nearest_of(own: Between) -> str:
         return ""
     text = NEAREST.replace("@ENTRIES_TESTED@", ", ".join(map(str, own.tested)))
     text = text.replace("@WEIGHTS@", ", ".join(map(repr, own.weights))).replace("@ENTRIES@", str(len(own.tested)))
-    return text.replace("@DAMPED@", repr(NEWTON_FINITE)).removeprefix("\n") + "\n"
+    text = text.replace("@DAMPED@", repr(NEWTON_FINITE)).replace("@SETTLED@", repr(HOLDS_TO_ROUNDING**2))
+    return text.removeprefix("\n") + "\n"

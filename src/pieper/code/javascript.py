@@ -6,7 +6,7 @@ from pieper.code.between import held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import USUAL, Language, filled, functions
-from pieper.tolerances import CLOSES, FILLED_ZERO, NEWTON_FINITE
+from pieper.tolerances import CLOSES, FILLED_ZERO, HOLDS_TO_ROUNDING, NEWTON_FINITE
 
 JAVASCRIPT = Language(
     words=USUAL | functions("Math.") | {"angle": "angle({0}, {1})", "eq": "{0} === {1}", "ne": "{0} !== {1}"},
@@ -181,7 +181,8 @@ function nearest(q, T) {
   for (let step = 0; ; ++step) {
     const axes = [], P = walk(q, (i, F) => axes.push([F[2], F[6], F[10], F[3], F[7], F[11]]));
     const r = tested.map((e, k) => weights[k] * (T[e] - P[e]));
-    if (step === 3) return Math.sqrt(r.reduce((sum, x) => sum + x * x, 0));
+    const miss = r.reduce((sum, x) => sum + x * x, 0);
+    if (step === 3 || miss < @SETTLED@) return Math.sqrt(miss);
     const D = axes.map((z, j) => tested.map((e, k) => {
       const c = e % 4, o = c === 3 ? 1 : 0, i = (e - c) / 4, a = (i + 1) % 3, b = (i + 2) % 3;
       const turned = z[a] * (P[4 * b + c] - o * z[3 + b]) - z[b] * (P[4 * a + c] - o * z[3 + a]);
@@ -226,6 +227,7 @@ def _own_parts(export: Export) -> dict[str, str]:
         "NEAREST": NEAREST.replace("@TESTED@", str(list(own.tested)))
         .replace("@WEIGHTS@", str(list(own.weights)))
         .replace("@DAMPED@", repr(NEWTON_FINITE))
+        .replace("@SETTLED@", repr(HOLDS_TO_ROUNDING**2))
         .replace("N;", f"{export.n};")
         .replace("<= N", f"<= {export.n}")
         .replace("N - 1", f"{export.n} - 1")

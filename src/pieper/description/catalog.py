@@ -40,7 +40,8 @@ def full_name(part: str) -> str:
     if part in names():
         return part
     wanted = _squeezed(part)
-    having = [name for name in names() if wanted and wanted in _squeezed(name)]
+    # a letter is the whole end of some name by chance, and no part that anybody means
+    having = [name for name in names() if len(wanted) > 1 and wanted in _squeezed(name)]
     ending = [name for name in having if any(wanted == _squeezed(end) for end in _ends(name))]
     for found in (ending, having):
         if len(found) == 1:
@@ -88,4 +89,5 @@ def _unknown(name: str) -> str:
     near += [name for ratio, name in alike if ratio >= LEAST_LIKENESS]
     near = list(dict.fromkeys(near))[:5]
     hint = f" Did you mean {', '.join(near)}?" if near else ""
-    return f"there is no arm {name!r} in the catalogue.{hint} pieper.catalog() lists all {len(names())}."
+    every = f"pieper.catalog(), or `pieper robots`, lists all {len(names())}."
+    return f"there is no arm {name!r} in the catalogue.{hint} {every}"

@@ -92,6 +92,9 @@ def _replace_stems(item: Any, old: dict, new: dict, stem: Callable[[str], str]) 
 def _in_unit_of(key: str, said: tuple[str, object]) -> dict:
     """Return {key: value} in the unit the file already uses, where that is exact, else what was said."""
     units = [name.rpartition("_")[2] for name in (key, said[0])]
+    # of another notation (a position against a whole matrix) the unit says nothing
+    if _stem(key) != _stem(said[0]) or said[0].startswith("matrix"):
+        return dict([said])
     if units[0] == units[1] or not all(unit in UNITS for unit in units):
         return dict([said])
     values = said[1] if isinstance(said[1], list) else [said[1]]

@@ -74,6 +74,14 @@ class Target:
             self._columns[key] = self._named(key, raw)
         return self._columns[key]
 
+    def shifted(self, i: int, j: int, column: list[Poly]) -> list[Poly]:
+        """A position with known terms of the other side taken off, named."""
+        key = (i, j, "shifted", *column)
+        if key not in self._columns:
+            count = sum(k[2] == "shifted" for k in self._columns)
+            self._columns[key] = self._named((i, j, f"shifted{count}"), column)
+        return self._columns[key]
+
     def _raw(self, i: int, j: int, c: int) -> list[Poly]:
         if i == 0 and j == self.n:
             return [Poly.symbol(Sym(COLUMNS[c], x, 4)) for x in "xyz"]
@@ -95,8 +103,9 @@ class Target:
             if len(poly.terms) < 2 and all(abs(v) == 1 for v in poly.terms.values()):
                 found.append(poly)
                 continue
-            kind = {3: "position", "inverse": "inverse"}.get(c, "rotation")
-            symbol = Sym(f"{kind} {i} {j}", "xyz"[r] if kind != "rotation" else f"{r + 1}{c + 1}", 4)
+            turns = c in (0, 1, 2)
+            kind = "rotation" if turns else "position" if c == 3 else str(c)
+            symbol = Sym(f"{kind} {i} {j}", f"{r + 1}{c + 1}" if turns else "xyz"[r], 4)
             if poly in self._named_before:  # the same entry of another split has a name already
                 found.append(Poly.symbol(self._named_before[poly]))
                 continue
@@ -132,7 +141,7 @@ class Target:
         self.shown |= set(new)
         for symbol in new:
             kind, i, j = symbol.base.split()
-            if kind != "inverse":
+            if kind in ("position", "rotation"):
                 self.stages.add((int(i), int(j), kind == "position"))
         return new
 

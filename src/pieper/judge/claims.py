@@ -24,7 +24,8 @@ from pieper.judge import keys
 from pieper.judge.arms import describe_arm, read_arm
 from pieper.judge.claim import Claim
 from pieper.judge.evidence import Evidence
-from pieper.judge.excerpt import claims_file, guesses, of_the_page
+from pieper.judge.excerpt import guesses
+from pieper.judge.excerpt_file import claims_file, of_the_page
 from pieper.judge.judges.angles import judge_joint, judge_together
 from pieper.judge.judges.counts import judge_count
 from pieper.judge.judges.formulas import judge_entry, judge_equation

@@ -7,7 +7,6 @@ here; what could not be read stands in the file as a remark with its reason.
 from __future__ import annotations
 
 import itertools
-import json
 import re
 from dataclasses import dataclass, field
 
@@ -28,7 +27,6 @@ _WHEN = re.compile(
     r"(?:,|;|\(|\s)\s*(?:\\text\{\s*)?(?:for|if|when|where|provided)\b\s*\}?\s*(.*?[<>].*)$", re.IGNORECASE
 )
 _RELATION = re.compile(r"(?:theta|d)\d+\s*=\s*-?\s*q\d+(?:\s*[-+][^=]*)?")
-_TAKEN_OFF = re.compile(r"with the constant (base|tool)(?: and (tool))? taken off")
 ROUNDS = 64  # definitions that stand below their use, many deep; it ends as soon as nothing is new
 _UNEQUAL = re.compile(r"(?:,|;|\s(?:if|when|where|for)\b)[^,;]*(?:≠|!=|\\neq?\b).*$", re.IGNORECASE)
 _SQUARE = re.compile(r"([A-Za-z]+\d*)\^\(?2\)?")
@@ -125,13 +123,18 @@ def _of_letters(found: list[Guess], stands: dict[str, str], model: ArmModel) -> 
         elif name in meant:
             told = f"{name}: with {meant[name]} for it the lines come out right; is that what the page means by it?"
             first.append(Guess(0, told, symbol=(name, meant[name])))
-    lost = {name for name in own if name not in meant}
-    for guess in found if lost else []:
-        text = str(guess.keys.get("is", "")) + (guess.symbol[1] if guess.symbol else "")
-        used = sorted(lost & set(re.findall(r"[A-Za-z]+\d+", _unmarked(text))))
-        if used:
-            guess.keys, guess.symbol = {}, None
-            guess.why = f"{', '.join(used)}: no length of this arm; write the arm's own name for it"
+    lost = {name: "no length of this arm; write the arm's own name for it" for name in own if name not in meant}
+    again = bool(lost)
+    while again:  # what uses a symbol that was lost is lost too
+        again = False
+        for guess in found:
+            text = f"{guess.keys.get('is', '')} {guess.keys.get('when', '')} {guess.symbol[1] if guess.symbol else ''}"
+            used = sorted(set(lost) & set(re.findall(r"[A-Za-z]+\d*", _unmarked(text))))
+            if used and (guess.keys or guess.symbol):
+                if guess.symbol:
+                    lost[guess.symbol[0]], again = "not read above", True
+                guess.keys, guess.symbol = {}, None
+                guess.why = f"{', '.join(used)}: {lost[used[0]]}"
     return first + found
 
 
@@ -341,59 +344,3 @@ def _matrix(guess: Guess, name: str, rows: list[list[str]], model: ArmModel, nam
         name = f"T{first}{last}"
     parse_product(name, model.n)
     guess.keys = {"kind": "matrix", "of": name, "is": cells}
-
-
-def of_the_page(text: str, found: list[Guess]) -> list[str]:
-    """The lines of [arm] that say how a page means its letters: the table's angles, base or tool taken off."""
-    lines: list[str] = []
-    if any(guess.relation for guess in found):
-        lines.append('angles = "table"')
-    off = _TAKEN_OFF.search(text)
-    if off:
-        lines.append("taken_off = " + json.dumps([part for part in off.groups() if part]))
-    return lines
-
-
-def claims_file(found: list[Guess], arm: str, source: str) -> str:
-    """The guesses as a claims file.
-
-    Args:
-        found: What was read.
-        arm: The lines of its [arm] table.
-        source: The excerpt's name.
-    """
-    lines = [
-        f"# Guessed from {source}. Look at every claim: its kind, its joint or entry, and the formula beside its line.",
-        "# Mend or delete what was misread, then judge it with: pieper check <this file>",
-        f"title = {_quoted(f'Claims of {source}')}",
-        "",
-        "[arm]",
-        arm,
-        "",
-    ]
-    symbols = [guess for guess in found if guess.symbol]
-    if symbols:
-        lines.append("[symbols]")
-        for guess in symbols:
-            assert guess.symbol is not None
-            head = f"line {guess.line}: " if guess.line else ""
-            lines += [f"# {head}{guess.text}", f"{guess.symbol[0]} = {_quoted(guess.symbol[1])}"]
-        lines.append("")
-    used: set[str] = set()
-    for guess in found:
-        if guess.why:
-            lines += [f"# line {guess.line}, not read: {guess.text}", f"#   {guess.why}", ""]
-        if not guess.keys:
-            continue
-        name = str(guess.keys["id"])
-        while name in used:
-            name += "'"
-        used.add(name)
-        lines += [f"# line {guess.line}: {guess.text}", "[[claim]]"]
-        lines += [f"{key} = {_quoted(value)}" for key, value in {**guess.keys, "id": name}.items()]
-        lines.append("")
-    return "\n".join(lines)
-
-
-def _quoted(value: object) -> str:
-    return json.dumps(value, ensure_ascii=False)

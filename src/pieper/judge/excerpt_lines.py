@@ -15,6 +15,11 @@ from pieper.judge.excerpt_matrices import Cells, taken_out
 _CLAUSE = re.compile(r"[,;]\s+(?=(?:and|so|thus|hence|while)\b)")
 SINGULAR = "§singular§"  # before an equation that says where an arm is singular
 BRANCH = "§or§"  # between the branches of a formula
+#: `... = D` behind an equation, which gives its right side a name: \\equiv D, := D, \\triangleq D.
+_NAMED = re.compile(
+    r"=\s*(?P<what>[^=]+?)\s*(?:\\equiv|\\triangleq|\\coloneqq|:=|≡|≜)\s*(?P<name>\\?[A-Za-z]+(?:_\{?\w+\}?)?)\s*[.,;&]*\s*$"
+)
+_ASSIGNED = re.compile(r":=|\\coloneqq|\\triangleq|\\equiv|≡|≜")
 EQUALS = re.compile(r"(?<![<>!=:])=(?!=)")
 #: A sentence that says where something happens, which is no claim.
 CONDITION = re.compile(r"^[A-Z][a-z]+(?:\s+[a-z]+){1,8}\s+where\s.*=")
@@ -41,6 +46,9 @@ _BESIDE = re.compile(
 _AROUND = re.compile(
     r"(?<![\w})\]])(?:\{\s*\})?\s*\^\s*\{?\s*(\d)\s*\}?\s*(?:\\(?:mathbf|mathrm|boldsymbol|bm|text)\s*\{\s*)?(?<![A-Za-z])([ATRP])"
     r"(?:\s*\})?\s*_\s*\{?\s*(\d)\s*\}?(?![A-Za-z\d_])"
+)
+_SPONG = re.compile(
+    r"(?<![A-Za-z\\\\])([ATR])\s*(?:_\s*\{?\s*([1-9])\s*\}?\s*\^\s*\{?\s*(\d)\s*\}?|\^\s*\{?\s*(\d)\s*\}?\s*_\s*\{?\s*([1-9])\s*\}?)(?!\w)"
 )
 _JOINER = re.compile(r"\\q?quad\b|;|\\(?:text|mbox|mathrm)\s*\{\s*,?\s*(?:and|with|where)\s*\}|\b(?:and|with|where)\b")
 _LEADS = re.compile(r"^(?:\s|,|&|\\q?quad\b|\b(?:and|with|where|so|then|thus|hence|therefore|giving|gives)\b:?)+")
@@ -85,9 +93,17 @@ def equations(text: str) -> list[Line]:
         for piece in re.split(r"\\\\(?:\[[^\]]*\])?|\$\$|(?<!\\)\$|\\\[|\\\]|\\\(|\\\)", line):
             bare, tag = numbered(piece)
             for one in apart(bare):
-                if EQUALS.search(one):
-                    out.append(Line(number, one.strip(" \t.,&"), tag, matrices))
+                out += [Line(number, text.strip(" \t.,&"), tag, matrices) for text in _with_names(one)]
     return out
+
+
+def _with_names(piece: str) -> list[str]:
+    """The equation of a piece, before it the definition of a name that it gives its right side; nothing without one."""
+    named = _NAMED.search(piece)
+    if named:
+        return [f"{named.group('name')} = {named.group('what')}", piece[: named.start()] + f"= {named.group('what')}"]
+    piece = _ASSIGNED.sub("=", piece, count=1) if not EQUALS.search(piece) else piece
+    return [piece] if EQUALS.search(piece) else []
 
 
 def numbered(piece: str) -> tuple[str, str]:
@@ -139,7 +155,14 @@ def _placed(text: str) -> str:
         return f" {'T' if letter == 'A' else letter}{first}{last} "
 
     text = _BESIDE.sub(lambda m: name(m.group(5), m.group(1) or m.group(4), m.group(2) or m.group(3)), text)
-    return _AROUND.sub(lambda m: name(m.group(2), m.group(1), m.group(3)), text)
+    text = _AROUND.sub(lambda m: name(m.group(2), m.group(1), m.group(3)), text)
+
+    def behind(m: re.Match[str]) -> str:
+        """T_3^0, and T^0_3: the frame above is the one that it is seen from."""
+        above, below = (m.group(3) or m.group(4)), (m.group(2) or m.group(5))
+        return name(m.group(1), above, below) if int(above) < int(below) else m.group(0)
+
+    return _SPONG.sub(behind, text)
 
 
 def _says_singular(sentence: str) -> bool:

@@ -26,19 +26,28 @@ def nearer(chain: Chain, q: Array, T: Array, limits: Array, turning: Array, step
     Returns:
         (k, n) and the values (k,) that are left.
     """
-    coupling, extra = chain.coupling, chain.axis_count - chain.n
-    if coupling is not None and extra:
-        # the kernel takes as many numbers as axes: those that are too many move nothing
-        coupling = np.pad(coupling, ((0, 0), (0, extra)))
-        q, limits = np.pad(q, ((0, 0), (0, extra))), np.pad(limits, ((0, extra), (0, 0)))
+    coupling, limits = by_axes(chain, limits)
     found, left = _kernel.nearer(
         chain.plain,
         coupling=coupling,
-        lower=np.ascontiguousarray(limits[:, 0]),
-        upper=np.ascontiguousarray(limits[:, 1]),
-        q=np.ascontiguousarray(q),
+        lower=limits[:, 0],
+        upper=limits[:, 1],
+        q=as_axes(chain, q),
         T=T,
         turning=turning,
         steps=steps,
     )
     return found[:, : chain.n], left
+
+
+def by_axes(chain: Chain, limits: Array) -> tuple[Array | None, Array]:
+    """Return coupling and limits as the kernel takes them: a number an axis, those that are too many move nothing."""
+    extra = chain.axis_count - chain.n
+    if chain.coupling is None or not extra:
+        return chain.coupling, limits
+    return np.pad(chain.coupling, ((0, 0), (0, extra))), np.pad(limits, ((0, extra), (0, 0)))
+
+
+def as_axes(chain: Chain, q: Array) -> Array:
+    """Return joint vectors (k, n) with a number an axis, (k, axes)."""
+    return q if chain.coupling is None else np.pad(q, ((0, 0), (0, chain.axis_count - chain.n)))

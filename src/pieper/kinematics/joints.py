@@ -11,24 +11,18 @@ import numpy as np
 from pieper.kinematics.arrays import Array, ArrayLike, Bools, Indices
 from pieper.kinematics.whole_turns import TURN as TURN
 from pieper.kinematics.whole_turns import WholeTurns
+from pieper.kinematics.whole_turns import short_way as short_way
 from pieper.tolerances import LIMIT_SLACK
-
-
-def short_way(angle: ArrayLike) -> Array:
-    """Return angles (...) a whole number of turns away, in [-pi, pi), rad: differences the short way round."""
-    given = np.asarray(angle, float)
-    # the remainder that NumPy offers takes ten times as long on many angles, and drops digits of small ones
-    turned = np.atleast_1d(given) + np.pi
-    turned /= TURN
-    np.floor(turned, out=turned)
-    turned *= -TURN
-    turned += given
-    return turned.reshape(given.shape)
 
 
 def wrapped(angle: ArrayLike) -> Array:
     """Return angles (...) a whole number of turns away, in (-pi, pi], rad."""
     return np.asarray(np.pi - (np.pi - np.asarray(angle, float)) % TURN)
+
+
+def turned_from(start: ArrayLike, angle: ArrayLike) -> Array:
+    """Return angles (...) a whole number of turns away, in the turn from `start` (...) on, rad."""
+    return np.asarray(start + (np.asarray(angle, float) - start) % TURN)
 
 
 def inside(q: Array, limits: Array) -> Bools:

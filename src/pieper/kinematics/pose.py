@@ -293,9 +293,7 @@ def skew(v: Array) -> Array:
 def rotation_vector(rotations: Array) -> Array:
     """Return the rotation vectors (..., 3), rad, of rotations (..., 3, 3), exact near 0 and near a half turn."""
     R = np.asarray(rotations, float)
-    w = np.stack([R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], -1) / 2
-    sine = np.linalg.norm(w, axis=-1)
-    cosine = (np.trace(R, axis1=-2, axis2=-1) - 1) / 2
+    w, sine, cosine = _sine_of(R)
     angle = np.arctan2(sine, cosine)
     small = sine < SMALL_TURN
     scale = np.where(small, 1.0, angle / np.where(small, 1.0, sine))
@@ -315,6 +313,12 @@ def rotation_vector(rotations: Array) -> Array:
 def pose_error(T: Array, wanted: Array) -> Array:
     """Return the distances (..., 2) between poses: metres, and radians of the rotation between them."""
     dp = np.linalg.norm(T[..., :3, 3] - wanted[..., :3, 3], axis=-1)
-    # the skew part alone is accurate for small angles; rotation_vector covers the large ones
-    dR = np.swapaxes(wanted[..., :3, :3], -1, -2) @ T[..., :3, :3]
-    return np.stack([dp, np.linalg.norm(rotation_vector(dR), axis=-1)], -1)
+    _, sine, cosine = _sine_of(np.swapaxes(wanted[..., :3, :3], -1, -2) @ T[..., :3, :3])
+    return np.stack([dp, np.arctan2(sine, cosine)], -1)
+
+
+def _sine_of(R: Array) -> tuple[Array, Array, Array]:
+    """Return axis times sine (..., 3), sine (...) and cosine (...) of rotations (..., 3, 3)."""
+    w = np.stack([R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], -1) / 2
+    cosine: Array = (R[..., 0, 0] + R[..., 1, 1] + R[..., 2, 2] - 1) / 2
+    return w, np.sqrt(np.sum(w * w, -1)), cosine

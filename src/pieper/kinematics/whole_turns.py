@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.arrays import Array, ArrayLike, Bools, Indices
 from pieper.tolerances import LIMIT_SLACK, RELATIVE_ROUNDING
 
 TURN = 2 * np.pi
@@ -16,6 +16,18 @@ TURN = 2 * np.pi
 WOUND_TURNS = 8
 #: Candidates that are compared at once: it bounds memory alone.
 _AT_ONCE = 1 << 20
+
+
+def short_way(angle: ArrayLike) -> Array:
+    """Return angles (...) a whole number of turns away, in [-pi, pi), rad: differences the short way round."""
+    given = np.asarray(angle, float)
+    # the remainder that NumPy offers takes ten times as long on many angles, and drops digits of small ones
+    turned = np.atleast_1d(given) + np.pi
+    turned /= TURN
+    np.floor(turned, out=turned)
+    turned *= -TURN
+    turned += given
+    return turned.reshape(given.shape)
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +114,7 @@ class WholeTurns:
         if not len(q):
             return q
         gap = self.axes(q - near)
-        gap = np.where(self.prismatic, gap, (gap + np.pi) % TURN - np.pi)
+        gap = np.where(self.prismatic, gap, short_way(gap))
         out = np.asarray(near + self.joints(gap), np.float64)
         for block, moves in zip(self.blocks, self.between(limits, out), strict=True):
             moves = moves[:, block]

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pieper.drawing.style import AXES, COLOURS, FAINT, INK, MM, new_figure
+from pieper.kinematics.joints import short_way
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -107,7 +108,7 @@ def _moves(arm: Arm, q: Matrix, i: int) -> list[tuple[str, int, float, str]]:
     def length(letter: str, index: int, value: float, axis: str) -> str:
         return f"{letter}{_index(index)} = {value * MM:.4g} mm along {axis}".replace("-", "−")
 
-    theta = float((theta + np.pi) % (2 * np.pi) - np.pi)
+    theta = float(short_way(theta))
     about_z = [
         ("turn", 2, theta, degrees("θ", number, theta, "z")),
         ("shift", 2, shift, length("d", number, shift, "z")),

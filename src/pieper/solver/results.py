@@ -21,6 +21,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag
 from pieper.solver.solution import Closest, Solution, solution_columns
 from pieper.tolerances import CLOSED_VERIFIED
+from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
     from pieper.solver.singular.examined import Examined
@@ -133,7 +134,12 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         """One solution inside the limits, or several; the rows of q."""
         if isinstance(index, slice):
             return [self[i] for i in range(len(self))[index]]
-        q = self.q[operator.index(index)]  # says what is wrong with an index beyond the last, as a list does
+        try:
+            q = self.q[operator.index(index)]
+        except IndexError:
+            raise IndexError(
+                f"solution {index} of {plural(len(self), 'solution')} inside the limits; they count from 0."
+            ) from None
         return Solution(q, self._words.labels(self._plan, q[None])[0], self._plan.residual(q[None], self.T)[0])
 
     def table(self) -> str:
@@ -148,6 +154,8 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         """Continuous sets of solutions of this pose; those of a redundant arm are traced when first asked for."""
         if callable(self._self_motions):
             self._self_motions = self._self_motions()
+        for motion in self._self_motions:
+            motion.told(self._plan.description)
         return self._self_motions
 
     @property

@@ -14,7 +14,6 @@ from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
-from pieper.solver.arm_rows import arm_rows
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.batches import (
     BLOCK,
@@ -29,6 +28,7 @@ from pieper.solver.batches import (
     without_refused,
 )
 from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant.at_values import rows_at_choice
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice, nothing_chosen
 from pieper.solver.results import Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows
@@ -170,9 +170,10 @@ def _into(
 
 def _through(plan: Plan, poses: Array, asked: Choice, threads: int) -> SolutionBatch:
     """Solve poses of an arm or a task that became a six-joint chain."""
-    rows = _rows(plan, poses, asked, threads)
+    rows = rows_at_choice(plan, poses, asked, threads, _alone)
     if plan.redundancy:
         rows, status = _spare(plan, poses, rows, asked, threads)
+        rows.flags[:] &= np.uint8(255 ^ _EDGE)
     else:
         status = _look(plan, poses, rows)
     status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
@@ -232,12 +233,9 @@ def _threads(threads: Any) -> int:
 # ---------------------------------------------------------------------------------------------- rows
 
 
-def _rows(plan: Plan, poses: Array, asked: Choice, threads: int) -> Rows:
-    if asked.angle is not None and asked.angles is not None:
-        from pieper.solver.redundant.at_arm_angle import rows_at_arm_angle
-
-        return rows_at_arm_angle(plan, asked.angle, poses, asked.angles)
-    return arm_rows(asked.plan, poses, asked.values, threads)
+def _alone(plan: Plan, poses: Array, threads: int) -> Rows:
+    """Return the rows of an arm without spare coordinates, looked at with care."""
+    return ik_many(plan, poses, threads).found
 
 
 def _any(rows: Bools) -> Bools:
@@ -253,8 +251,8 @@ def _any(rows: Bools) -> Bools:
 def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
     """Return all there is at a pose where that can be read off the axes of its rows."""
     read = plan.solver.read(pose, q, flag)
-    if read is None:
-        return None
+    if read is None or (read.self_motions and not (plan.spec.closed_form or read.inside.any())):
+        return None  # a curve that was followed may pass the limits between its points
     from pieper.solver.singular.read_off import examined
 
     T = checked_pose(pose) if read.flag & _ROUNDED else pose
@@ -276,12 +274,12 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: 
 
 def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
     """Return all there is at a pose that may be singular, of which rows q (m, n) are known."""
-    from pieper.solver.singular.careful import clear, every_solution, vouched
+    from pieper.solver.singular.careful import all_there, clear, every_solution, vouched
 
     flag &= ~_EDGE
-    if (flag & _DOUBTFUL) == _UNCERTAIN and plan.direct and len(q) and vouched(plan, T, q):
+    if flag & _DOUBTFUL and plan.direct and all_there(plan, T, q, flag):
         q, inside = plan.chain.joints.inside_limits(q, plan.limits)
-        return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag & ~_UNCERTAIN)
+        return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag & ~_DOUBTFUL)
     found = None if clear(plan, q) else every_solution(plan, T, q)
     q, inside = plan.chain.joints.inside_limits(q if found is None else found.q, plan.limits)
     if found is None:
@@ -319,6 +317,8 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     index = np.flatnonzero(marked)
     if plan.direct:
         read = plan.solver.read_into(poses, index, rows)
+        if not plan.spec.closed_form:
+            read[(read == 2) & ~_any(rows.inside[index])] = 0  # as in `_read`
         seen, curve = index[read > 0], index[read == 2]
         status[seen] = _PLAIN[1 + _any(rows.inside[seen])]
         status[curve[_any(rows.inside[curve])]] = np.uint8(Status.SINGULAR)
@@ -356,7 +356,7 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
         return ik(plan, given)
     T = checked_pose(given)
     asked = choice(plan, redundancy, 1)
-    rows = _rows(plan, T[None], asked, 1)
+    rows = rows_at_choice(plan, T[None], asked, 1, _alone)
     q, slots, inside, flag = rows.of(0)
     if not np.array_equal(T, np.asarray(as_pose(given), float)):
         flag |= Flag.ROUNDED
@@ -370,7 +370,7 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
         flag = there | (flag & _ROUNDED)
     if asked.free and inside.any():
         flag &= ~_UNCERTAIN  # of rows at a value that nobody chose nobody was told that they are all
-    return Solutions(asked.plan, WORDS, T, q, slots, inside, int(flag) & ~_DEGENERATE, self_motions=motions)
+    return Solutions(asked.plan, WORDS, T, q, slots, inside, int(flag) & ~(_DEGENERATE | _EDGE), self_motions=motions)
 
 
 def _spare(plan: Plan, poses: Array, rows: Rows, asked: Choice, threads: int) -> tuple[Rows, Bits]:

@@ -52,9 +52,11 @@ CLEAR_OF_SINGULAR = 2e-3
 #: Arms that differ by no more (per length; rad) have none where the nominal one has none, neither here nor around.
 NO_MORE_THAN_TYPED = 1e-4
 #: What a turn counts beside the position, stage by stage, steps, and how many postures are kept.
-CLOSEST_STAGES = ((1.0, 12, 12), (1e-3, 24, 8), (1e-5, 40, 6), (1e-8, 30, 6))
+CLOSEST_STAGES = ((1.0, 12, 8), (1e-3, 24, 8), (1e-5, 40, 6), (1e-8, 30, 6))
 #: The same for the best of all, led away from the best position and back to it: turns and steps.
-CLOSEST_BACK = ((1e-2, 60), (1e-4, 40), (1e-6, 30), (1e-8, 30))
+CLOSEST_BACK = ((1e-2, 60, 2), (1e-4, 40, 2), (1e-6, 30, 2), (1e-8, 30, 2))
+#: Damping of the crawl towards a position at first (lengths squared), its factors where a step helped and where not.
+CLOSEST_CRAWL = (1e-3, 0.2, 6.0)
 #: Descents that end so near each other (rad; per length) are at the same minimum.
 SAME_DESCENT = 1e-3
 #: Positions that are as near as this (per length) are alike, and the orientation decides: more than rounding leaves.
@@ -104,9 +106,9 @@ SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
 SWEEP_FINEST = 1e-6
 #: A pose is approached from this far to the side (per length; rad) where a row on it is not clear.
 CAREFUL_ASIDE = 1e-9
-#: Poses this far to the side (per length; rad) vouch for one whose own certificate fails: far enough that what meets at
-#: a special pose has parted, near enough that regular solutions are led back.
-SURE_ASIDE = 1e-3
+#: Poses this far to the side (per length; rad) vouch for one whose own certificate fails, the nearest that are certain
+#: first: far enough that what meets at a special pose has parted, near enough that regular solutions are led back.
+SURE_ASIDE = (1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 4e-2)
 #: A solution led back onto the pose is one of its rows within this (rad; per length): of merged roots it ends
 #: in the blur.
 SAME_VOUCHED = 1e-4
@@ -114,6 +116,12 @@ SAME_VOUCHED = 1e-4
 APPROACH_SIZES = (1e-4, 1e-7)
 #: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.
 ON_POLYLINE = 5e-3
+#: Turns that move less than this along a free direction (rad) stand still: a self-motion of slides alone is a straight
+#: line. At points of it that are far away the direction itself is no more exact.
+LINE_OF_SLIDES = 1e-6
+#: A curve that does not close is a self-motion without ends where a slide moves farther along it than this (per
+#: length); shorter ones come near the pose where it is nearly singular.
+NO_END = 1.0
 #: The same for curves that nearly hold the pose, whose samples lie 0.2 apart and whose points are less exact.
 ON_NEAR_POLYLINE = 3e-2
 #: Of unit steps along null directions, pulled back onto the pose, singular values above this are ways that solutions

@@ -205,10 +205,10 @@ def _digits(form: ClosedForm, arm: Arm, rng: np.random.Generator) -> float | Non
         for _ in range(DIGITS_POSES):
             q = [mpmath.mpf(round(x, 6)) for x in rng.uniform(-2.5, 2.5, form.n)]
             field_values = equations.table.values(q, DigitsField())
-            chain = equations.flange if not form.fold_tool else equations.pose
-            M = chain.evaluate(field_values, DigitsField())
-            if form.fold_tool and not np.array_equal(arm.description.base, np.eye(4)):
-                return None
+            M = equations.flange.evaluate(field_values, DigitsField())
+            if form.fold_tool:
+                tool = [[p.expr().evaluate(field_values, DigitsField()) for p in row] for row in form.table.tool]
+                M = [[sum(M[r][k] * tool[k][c] for k in range(4)) for c in range(4)] for r in range(4)]
             gaps = []
             for branch in form.evaluate_digits(M, chosen=q):
                 if all(x == x for x in branch):

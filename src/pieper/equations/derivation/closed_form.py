@@ -228,18 +228,22 @@ class ClosedForm:
         right = here & (miss < LED_BACK * size)
         return telling(self._eliminator, self.renamed, found.values, right, wrong, LED_BACK / BRANCH_SAME_ANGLE)
 
-    def instead(self, step: Step) -> Step | None:
-        """The step that decides where this one degenerates, None where none does."""
+    def instead(self, step: Step) -> tuple[Step, ...]:
+        """The steps that decide where this one degenerates, () where none do."""
         case = self.case(step) if step.degenerate else None
         if case is None or case.chosen is None:
-            return None
-        other, eliminator = case.chosen
-        renamed = {**pretty_names([n for m in [*self.moves, other] for n in m.names]), **self.renamed}
-        found = step_of(eliminator, renamed, step.number, other)
-        if found.sigma is None or case.sigma is None:
-            return found
-        swap = {found.sigma: case.sigma}
-        return replace(found, formula=found.formula.substitute(swap), sigma=case.sigma)
+            return ()
+        moves, eliminator = case.chosen
+        renamed = {**pretty_names([n for m in [*self.moves, *moves] for n in m.names]), **self.renamed}
+        found = [step_of(eliminator, renamed, step.number, move) for move in moves]
+        signs = {one.sigma for one in found if one.sigma is not None}
+        if not signs or case.sigma is None:
+            return tuple(found)
+        swap = dict.fromkeys(signs, case.sigma)
+        return tuple(
+            replace(one, formula=one.formula.substitute(swap), sigma=case.sigma if one.sigma in signs else None)
+            for one in found
+        )
 
     def replayed(self, moves: int) -> Eliminator:
         """The elimination as it stood after so many steps."""
@@ -360,12 +364,16 @@ class ClosedForm:
         if not gone.any():
             return value, gone.astype(int)
         case, instead = self.case(step), self.instead(step)
-        if instead is not None:
-            for symbol, expression in instead.names:
-                values.setdefault(symbol, expression.evaluate(values, NumpyField))
-            if instead.sigma is not None:
-                values.setdefault(instead.sigma, 1.0)
-            return np.where(gone, instead.formula.evaluate(values, NumpyField), value), gone * INSTEAD
+        if instead:
+            here = dict(values)
+            for other in instead:
+                for symbol, expression in other.names:
+                    here.setdefault(symbol, expression.evaluate(here, NumpyField))
+                if other.sigma is not None:
+                    here.setdefault(other.sigma, 1.0)
+                here[other.symbol] = other.formula.evaluate(here, NumpyField)
+            values |= {symbol: v for symbol, v in here.items() if symbol not in values and symbol.rank == 4}
+            return np.where(gone, here[step.symbol], value), gone * INSTEAD
         if case.kind not in (FREE, MIXED):
             return value, gone * UNDECIDED
         here = self.table.values(chosen.T, NumpyField)

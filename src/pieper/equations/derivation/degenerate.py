@@ -18,6 +18,7 @@ import numpy.typing as npt
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Expr, Sym, Trig, angle_symbol
 from pieper.description.dh import Description
+from pieper.equations.derivation.detour import detour
 from pieper.equations.derivation.elimination import Eliminator, Move
 from pieper.equations.derivation.patterns import Solved
 from pieper.equations.derivation.splits import Equation
@@ -37,11 +38,13 @@ from pieper.tolerances import (
 
 Array = npt.NDArray[np.float64]
 
+Instead = tuple[tuple[Move, ...], Eliminator]
+
 FREE, ELSEWHERE, IMPOSSIBLE, UNREACHED, MIXED = "free", "elsewhere", "impossible", "unreached", "mixed"
 STARTS = 16  # random postures from which a degenerate one is looked for
 LOOKED = 4  # degenerate postures that are tried
-MOVES = (0.05, -0.03)  # rad (or of the longest length) by which a joint is moved that may be free; how far it can
-# go on is for the steps after it to say
+MOVES = ((0.05, -0.03), (0.002, -0.0013))  # rad (or of the longest length) by which a joint is moved that may be free,
+# there and back; how far it can go on is for the steps after it to say
 OTHER_STARTS = 7  # random postures for the joints after it
 
 
@@ -88,7 +91,8 @@ class Case:
             UNREACHED (no pose that the arm reaches), MIXED (free at some of its poses).
         postures: (m, n) joint vectors, rad or m, at which it was visited.
         rest: What the step's equation then says, 0 = rest, as (left, right); None when it says nothing.
-        options: Moves that may decide instead, the simplest first, each with the elimination that it belongs to.
+        options: Moves that may decide instead, the simplest first, each with the elimination that it belongs to; more
+            than one where other joints must come first.
         chosen: The one of them that leads to every posture, None when none does.
         conditions: What tells solutions from other choices of signs there; None where all are solutions, () where it
             takes forward kinematics to tell.
@@ -98,8 +102,8 @@ class Case:
     kind: str
     postures: Array
     rest: Expr | None = None
-    options: tuple[tuple[Move, Eliminator], ...] = ()
-    chosen: tuple[Move, Eliminator] | None = None
+    options: tuple[Instead, ...] = ()
+    chosen: Instead | None = None
     conditions: tuple[Any, ...] | None = None
     sigma: Sym | None = None
 
@@ -115,7 +119,12 @@ def visit(form: Form, step: Step) -> Case:
     if free.all():
         return Case(FREE, postures[:LOOKED])
     sigma = _meeting(form, step, postures[:LOOKED][~free])
-    options = tuple(_others(form, step, postures[:LOOKED][~free], sigma is not None))
+    undecided = postures[:LOOKED][~free]
+    options = tuple(_others(form, step, undecided, sigma is not None))
+    e = form.replayed(step.number - 1)
+    gone = form.moves[step.number - 1].solved.degenerate
+    moves = detour(e, step.angle, gone, undecided, two=sigma is not None)
+    options += ((moves, e),) if moves else ()
     return Case(MIXED if free.any() else ELSEWHERE, postures[:LOOKED], None, options, sigma=sigma)
 
 
@@ -171,7 +180,8 @@ def _free(form: Form, step: Step, postures: Array, rng: np.random.Generator) -> 
     size = _scale(form)
     far = size if single_joint(step.angle) in form.table.prismatic else 1.0
     A = np.array([*(_row(form, earlier.angle) for earlier in form.steps[: step.number - 1]), mine])
-    cells = list(itertools.product(range(len(postures)), MOVES))
+    moves = list(itertools.chain.from_iterable(MOVES))
+    cells = list(itertools.product(range(len(postures)), moves))
     q = np.repeat(postures[[k for k, _ in cells]], OTHER_STARTS + 1, axis=0)
     target = q @ A.T
     target[:, -1] += np.repeat([by * far for _, by in cells], OTHER_STARTS + 1)
@@ -180,8 +190,8 @@ def _free(form: Form, step: Step, postures: Array, rng: np.random.Generator) -> 
     scatter[:, sliding] *= size / np.pi
     x[np.ix_(others, np.array(moving))] += scatter[:, moving]
     reached = _reached(form, form.poses(q), x, moving, A, target, size)
-    some = reached.reshape(len(postures), len(MOVES), -1).any(axis=2)
-    return np.asarray(np.all(some, axis=1), dtype=bool)
+    some = reached.reshape(len(postures), *np.shape(MOVES), -1).any(axis=-1)
+    return np.asarray(np.any(np.all(some, axis=-1), axis=-1), dtype=bool)
 
 
 def _row(form: Form, angle: tuple) -> Array:
@@ -238,7 +248,7 @@ def _rest(form: Form, step: Step) -> Expr | None:
     return (rest if next(iter(left.values())) > 0 else -rest).expr() if abs(value) > COEFFICIENT_VANISHES else None
 
 
-def _others(form: Form, step: Step, postures: Array, two: bool) -> Iterator[tuple[Move, Eliminator]]:
+def _others(form: Form, step: Step, postures: Array, two: bool) -> Iterator[Instead]:
     """Equations of one unknown that may decide the step's joint at degenerate postures (m, n).
 
     Only where the two branches of an earlier step meet may one of `two` solutions: their sign tells those apart.
@@ -249,7 +259,7 @@ def _others(form: Form, step: Step, postures: Array, two: bool) -> Iterator[tupl
         wanted = np.asarray(values[step.symbol], dtype=float)
     else:
         wanted = np.asarray(sum(k * values[angle_symbol(j)] for j, k in step.angle), dtype=float)
-    sigma, name = Sym("sigma", str(step.number), 0), Sym("h", str(step.number), 4)
+    sigma, name = Sym("sigma", str(step.number), 0), Sym("f", str(step.number), 4)
     options: list[tuple] = []
     for equations in e.tiers():
         options += [o for o in e.options(equations, sigma, name) if o[1] == step.angle]
@@ -259,7 +269,7 @@ def _others(form: Form, step: Step, postures: Array, two: bool) -> Iterator[tupl
             continue
         shown = [*polys, solved.formula, *(x for _, x in solved.definitions)]
         names = tuple(e.target.show([*shown, *_sides(used)]))
-        yield Move(step.symbol, angle, used, solved, sigma if solved.branches > 1 else None, names), e
+        yield (Move(step.symbol, angle, used, solved, sigma if solved.branches > 1 else None, names),), e
 
 
 def _sides(equations: tuple[Equation, ...]) -> list:

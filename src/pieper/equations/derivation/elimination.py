@@ -12,6 +12,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from pieper.algebra.expression import Expr, Num, Sym, Trig, add, angle_symbol, mul
 from pieper.algebra.harmonic import Poly
@@ -19,6 +20,7 @@ from pieper.algebra.notation import subscript
 from pieper.equations.derivation.patterns import (
     Recipe,
     Solved,
+    positive_first,
     recognise_double,
     recognise_single,
     recognise_slide,
@@ -66,6 +68,7 @@ class Eliminator:
         self.branch_signs: dict = {}
         self.moves: list[Move] = []
         self.free: list[int] = []
+        self.letter = "k"  # for a right-hand side that is long
         self.witness = Witness(self)
         self.knowledge.joints |= set(chosen)
 
@@ -82,6 +85,8 @@ class Eliminator:
 
     def take(self, move: Move) -> None:
         """Make a move: its joint or its sum of joints is known from here on."""
+        for angle in self._met_sums(move):
+            self._known_sum(angle)
         self.moves.append(move)
         joint = single_joint(move.angle)
         if joint is not None:
@@ -96,6 +101,37 @@ class Eliminator:
                 self.branch_signs[Trig(function, move.angle, group)] = mul(Num(factor), move.sigma)
         self.follow_sums()
 
+    def _met_sums(self, move: Move) -> list[tuple]:
+        """Sums in the formulas of a move that are known by another one: theta34 where theta234 and theta2 are."""
+        named = {s: self.target.definitions[s] for s in move.names}
+        polys = [*named.values(), *(p for e in move.equations for p in (e.left, e.right))]
+        exprs = [move.solved.formula, *(x for _, x in move.solved.definitions)]
+        atoms = set[Any]().union(*(p.atoms() for p in polys), *(x.atoms() for x in exprs))
+        met = {
+            t.angle
+            for t in atoms
+            if isinstance(t, Trig)
+            and t.angle not in self.knowledge.sums
+            and not self.knowledge.unknown_part(t.angle)
+            and any(j not in self.knowledge.joints for j, _ in t.angle)
+        }
+        return sorted(met)
+
+    def _known_sum(self, angle: tuple) -> None:
+        """Write down a sum that is another one but for known joints."""
+        for whole, symbol in self.knowledge.sums.items():
+            for sign in (1, -1):
+                rest = {j: k for j, k in angle}
+                for j, k in whole:
+                    rest[j] = rest.get(j, 0) - sign * k
+                if all(j in self.knowledge.joints for j, k in rest.items() if k):
+                    terms = [mul(Num(k), angle_symbol(j)) for j, k in sorted(rest.items()) if k]
+                    formula = add(mul(Num(sign), symbol), *terms)
+                    name = self.symbol(angle)
+                    self.moves.append(Move(name, angle, (), Solved(formula, 1, (), None, "sum"), None, ()))
+                    self.knowledge.sums[angle] = name
+                    return
+
     def follow_sums(self) -> None:
         """theta4 = theta234 - theta2 - theta3, as soon as all but one joint of a known sum are known."""
         again = True
@@ -106,7 +142,7 @@ class Eliminator:
                 if len(rest) == 1 and abs(rest[0][1]) == 1:
                     joint, factor = rest[0]
                     others = [mul(Num(-k * factor), angle_symbol(j)) for j, k in angle if j != joint]
-                    formula = add(mul(Num(factor), symbol), *others)
+                    formula = positive_first(add(mul(Num(factor), symbol), *others))
                     solved = Solved(formula, 1, (), None, "sum")
                     self.moves.append(Move(angle_symbol(joint), ((joint, 1),), (), solved, None, ()))
                     self.knowledge.joints.add(joint)
@@ -146,7 +182,7 @@ class Eliminator:
     def best(self) -> Move | None:
         """The next step: the first tier that has one, its best candidate that the witness confirms."""
         sigma = Sym("sigma", str(1 + sum(m.sigma is not None for m in self.moves)), 0)
-        name = Sym("k", str(1 + len(self.moves)), 4)
+        name = Sym(self.letter, str(1 + len(self.moves)), 4)
         rho = Sym("rho", sigma.sub, 0)
         searches = [lambda e=e: self.options(e, sigma, name) for e in self.tiers()] + [lambda: self._quartics(rho)]
         for search in searches:

@@ -17,6 +17,7 @@ from pieper.equations.derivation.unknowns import Knowledge
 from pieper.equations.table import inverse, matmul
 from pieper.equations.target import Target
 
+FOUR_COLUMNS = 4  # of a whole pose
 LONGEST = 90  # terms of one equation; longer ones help nobody
 LONGEST_SQUARES = 44  # terms before squaring
 
@@ -54,7 +55,12 @@ class Splits:
         self._products: dict = {}
         self._inverses: dict = {}
         self._squared: dict[Poly, Poly] = {}
+        self._put: dict = {}
         self.target = Target(self.product, self.n, knowledge, given)
+
+    def put(self, values: dict) -> None:
+        """Put values for symbols into every equation from here on, as where a sine vanishes."""
+        self._put = values
 
     def product(self, i: int, j: int) -> list[list[Poly]]:
         """A_{i+1} ... A_j."""
@@ -118,7 +124,17 @@ class Splits:
         if j - i > 1:
             yield from self._entries(i, j, i + 1, j, seen)
             yield from self._entries(i, j, i, j - 1, seen)
+        if j < self.n and len(self.target.given) < FOUR_COLUMNS:
+            # joints at the end are known, but their matrices turn columns that are not given into those that are
+            yield from self._entries(i, self.n, i, self.n, seen)
         for a, b, left, right in self._positions(i):
+            for part in self._known_part(left, right):
+                moved = [p - k for p, k in zip(right, part, strict=True)]
+                both = zip(
+                    self.target.shifted(a, b, [p - k for p, k in zip(left, part, strict=True)]), moved, strict=True
+                )
+                for r, (one, other) in enumerate(both):
+                    yield from self._equation(one, other, Source(a, b, ((r, 3),)), seen)
             for r in range(3):
                 yield from self._equation(left[r], right[r], Source(a, b, ((r, 3),)), seen)
 
@@ -173,6 +189,8 @@ class Splits:
     def _equation(
         self, left: Poly, right: Poly, source: Source, seen: set, longest: int = LONGEST
     ) -> Iterator[Equation]:
+        if self._put:
+            left, right = left.substitute(self._put), right.substitute(self._put)
         total = left - right
         if not total or len(total.terms) > longest or total in seen or -total in seen:
             return
@@ -184,6 +202,8 @@ class Splits:
     def _squares(
         self, left: list[Poly], right: list[Poly], a: int, b: int, kind: str, seen: set, longest: int = LONGEST_SQUARES
     ) -> Iterator[Equation]:
+        if self._put:
+            left, right = ([p.substitute(self._put) for p in side] for side in (left, right))
         # One joint can drop out on each side; with more than one besides them nothing single can be left.
         unknown = {j for p in (*left, *right) for j in p.joints() if j not in self.knowledge.joints}
         if sum(len(p.terms) for p in (*left, *right)) > longest or len(unknown) > 3:
@@ -195,12 +215,23 @@ class Splits:
             constant = [p if self.knowledge.knows(p) else Poly() for p in constant]
             if any(constant) and constant not in options:
                 options.append(constant)
-        for shift in options:
-            ones, twos = ([self._square(p - s) for p, s in zip(ps, shift, strict=True)] for ps in (left, right))
+        for shift in [*options, *self._known_part(left, right)]:
+            sides = [[p - s for p, s in zip(ps, shift, strict=True)] for ps in (left, right)]
+            if shift not in options:
+                sides[0] = self.target.shifted(a, b, sides[0])
+            ones, twos = ([self._square(p) for p in side] for side in sides)
             for rows in ((0, 1), (0, 2), (1, 2), (0, 1, 2)):
                 one, two = (sum((squares[r] for r in rows), Poly()) for squares in (ones, twos))
                 source = Source(a, b, tuple((r, 3) for r in rows), kind)
                 yield from self._equation(one, two, source, seen, longest=3 * longest)
+
+    def _known_part(self, left: list[Poly], right: list[Poly]) -> Iterator[list[Poly]]:
+        """What is known of the right side's terms with angles, as where theta234 is: it goes to the other side."""
+        if not all(map(self.knowledge.knows, left)):
+            return
+        part = [Poly({k: v for k, v in p.terms.items() if k[1] and self.knowledge.knows(Poly({k: v}))}) for p in right]
+        if any(part):
+            yield part
 
     def _square(self, poly: Poly) -> Poly:
         """The square; the same ones come back from step to step."""

@@ -13,6 +13,8 @@ from pieper.equations.derivation.unknowns import Knowledge
 from pieper.kinematics.arrays import Array
 from pieper.tolerances import DERIVED_SAME, NO_DIRECTION
 
+RANDOM = 3  # postures
+
 
 class _Values(dict):
     """Numbers for symbols; those of named entries are worked out when first asked for."""
@@ -33,12 +35,13 @@ class Witness:
     it from a useful one, and they also guard every formula against a wrong sign.
     """
 
-    def __init__(self, eliminator: Any, count: int = 3) -> None:
+    def __init__(self, eliminator: Any, postures: Array | None = None) -> None:
+        """Take random postures, or those given, (count, n)."""
         self.eliminator = eliminator
         table = eliminator.table
-        q = np.random.default_rng(5).uniform(-2.5, 2.5, (table.n, count))
+        q = np.random.default_rng(5).uniform(-2.5, 2.5, (table.n, RANDOM)) if postures is None else postures.T
         self.given = eliminator.target.given
-        self.count, self.joints = count, table.values(q, NumpyField)
+        self.count, self.joints = q.shape[1], table.values(q, NumpyField)
         self.values = _Values(self, self.joints)
         self.values.update(self._pose(self.joints))
 

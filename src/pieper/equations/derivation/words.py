@@ -82,7 +82,9 @@ def _opening(page: Document, form: ClosedForm) -> None:
         (symbol, expr) for symbol, expr in form.table.relation.values() if expr.atoms() != {expr} and symbol.base != "q"
     ]
     if relations:
-        page.say("The angles and slides of the table belong to the joint coordinates as follows.")
+        numbers = any(isinstance(n, Num) and n.value not in (1, -1) for _, expr in relations for n in expr.walk())
+        units = ", in radians and metres" if numbers else ""
+        page.say(f"The angles and slides of the table belong to the joint coordinates as follows{units}.")
         for symbol, expr in relations:
             page.show(symbol, expr)
     twists = [(s, x) for s, x in form.table.meaning.items() if isinstance(x, Call)]
@@ -196,25 +198,32 @@ def _degenerate(page: Document, form: ClosedForm, step: Step) -> None:
 
 def _decided(page: Document, form: ClosedForm, step: Step, case: Case, conditions: list[Piece]) -> None:
     page.say("It degenerates where ", *conditions, ": then it says nothing of ", step.symbol, ".")
-    other = form.instead(step)
+    others = form.instead(step)
     if case.kind == MIXED:
         page.say("At some of these poses ", step.symbol, " is free, and any value may be chosen for it; at others not.")
-    if other is None:
+    if not others:
         if case.kind != MIXED:
             page.say("What decides it there is that all other equations hold too; no single one of them gives it.")
         _told_apart(page, form, case)
         return
-    page.say("Another equation decides it there. ", *_source(form, other))
-    for left, right in other.equations:
-        page.show(left, right)
-    if other.names:
-        page.say("with")
-        for symbol, expr in other.names:
-            page.show(symbol, expr)
-    page.say("from which, where the step degenerates,")
-    page.show(other.symbol, other.formula)
-    if other.sigma is not None and other.sigma in form.sigmas:
-        page.say("The two branches of ", other.sigma, ", which meet in the step that brought it, are told apart here.")
+    last = others[-1]
+    lead = "Another equation decides it there. " if len(others) == 1 else "Another order of steps decides it there. "
+    for other in others:
+        page.say(lead, *_source(form, other))
+        lead = ""
+        for left, right in other.equations:
+            page.show(left, right)
+        if other.names:
+            page.say("with")
+            for symbol, expr in other.names:
+                page.show(symbol, expr)
+        page.say("from which, where the step degenerates," if other is last else "from which there")
+        page.show(other.symbol, other.formula)
+    if any(other.sigma is not None and other.sigma in form.sigmas for other in others):
+        met = next(other.sigma for other in others if other.sigma is not None)
+        page.say("The two branches of ", met, ", which meet in the step that brought it, are told apart here.")
+    if len(others) > 1:
+        page.say("The steps after this one go on from ", step.symbol, " as they stand.")
     _told_apart(page, form, case)
 
 
@@ -250,9 +259,11 @@ def _joints(page: Document, form: ClosedForm) -> None:
 def _summary(page: Document, form: ClosedForm) -> None:
     page.heading("All joints together")
     signs = len(form.sigmas)
+    quartic = signs == 1 and any(step.kind == "quartic" for step in form.steps)
     if signs:
         page.say(
-            f"Evaluated in this order, with each of the {form.branches} combinations of the signs ",
+            f"Evaluated in this order, with each of the {form.branches} "
+            + ("combinations of the signs " if signs > 1 else "values of " if quartic else "values of the sign "),
             *listed(form.sigmas),
             " held through all formulas:",
         )

@@ -112,17 +112,20 @@ class WorkedExample(Readable):
         for symbol, expr in step.names:
             self._line(page, symbol, expr)
         joint = step.angle[0][0]
-        instead = self.form.instead(step) if way == INSTEAD else None
+        instead = self.form.instead(step) if way == INSTEAD else ()
         if way == CHOSEN:
             value = self._joint(step.symbol, joint)
             page.say(f"Here step {step.number} degenerates and ", step.symbol, " is free; it is taken as ", value, ".")
             return
-        if instead is not None:
-            page.say(f"Here step {step.number} degenerates, and another equation decides:")
-            for symbol, expr in instead.names:
-                self._line(page, symbol, expr)
-        taken = instead or step
-        self._line(page, taken.symbol, taken.formula, angle=self._turns(joint))
+        if instead:
+            what = "another equation decides" if len(instead) == 1 else "another order of steps decides"
+            page.say(f"Here step {step.number} degenerates, and {what}:")
+            for other in instead:
+                for symbol, expr in other.names:
+                    self._line(page, symbol, expr)
+                self._line(page, other.symbol, other.formula, angle=self._turns(other.angle[0][0]))
+            return
+        self._line(page, step.symbol, step.formula, angle=self._turns(joint))
 
     def _joint(self, symbol: Sym, joint: int) -> Sym:
         value = float(self.values[symbol])

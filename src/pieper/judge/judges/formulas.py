@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from pieper.algebra.expression import Expr
-from pieper.algebra.formula import Equation
+from pieper.algebra.expression import Add, Expr, Mul, Num
+from pieper.algebra.formula import Equation, Neg, has_branch, on_branch
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
 from pieper.judge.difference import (
@@ -31,7 +31,7 @@ from pieper.judge.search.search import MAX_SEARCHED, Explanation, Goal, says_not
 from pieper.judge.search.tried import tried_text
 from pieper.judge.slips.formula_slips import slips
 from pieper.judge.slips.lost_parts import lost_from
-from pieper.judge.verdict import Verdict
+from pieper.judge.verdict import HOLDS, Verdict
 from pieper.tolerances import NEARLY, NEARLY_ROUNDED
 
 _ENTRY_OF = {name: (i, j) for name, i, j in POSE_NAMES}
@@ -65,8 +65,17 @@ def judge_equation(ev: Evidence, claim: Claim) -> Verdict:
     local = ev.local(claim.where)
     with under("is"):
         sides = ev.read_equation(text, local)
-    frame = ev.frame(claim)
-    return judge_equal(ev, claim.reads(text), Equation(*sides).substitute(local), None, frame=frame)
+    frame, claim = ev.frame(claim), claim.reads(text)
+    node = Equation(*sides).substitute(local)
+    if has_branch(node):
+        # the one sign or the other: the product of both differences vanishes
+        sided = [on_branch(node, sign).args for sign in (1, -1)]
+        both = [Add.of(left, Neg.of(right)) for left, right in sided]
+        one = judge_equal(ev, claim, Equation(Mul.of(*both), Num(0)), None, frame=frame)
+        if one.status == HOLDS:
+            said = f"Holds with the one sign or the other: right at {one.tried} of {one.tried} joint vectors."
+            return claim.holds(said, digits=one.digits, right=one.right, tried=one.tried)
+    return judge_equal(ev, claim, node, None, frame=frame)
 
 
 def judge_equal(

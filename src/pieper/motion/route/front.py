@@ -13,7 +13,7 @@ import numpy as np
 
 from pieper import _kernel
 from pieper.kinematics.arrays import Array, Bools, Indices
-from pieper.kinematics.joints import TURN
+from pieper.kinematics.joints import TURN, turned_from
 from pieper.motion.route.grid import grid
 from pieper.motion.route.setting import Setting
 from pieper.solver.plan.six_joints import generic_rank
@@ -126,7 +126,7 @@ def every_winding(setting: Setting, limits: Array, x: Array) -> Array:
     one = ~setting.chain.prismatic & np.isfinite(limits).all(1)
     low, high = limits.T
     start = np.where(one, low, 0.0) - LIMIT_SLACK
-    x = np.where(one, start + (x - start) % TURN, x)
+    x = np.where(one, turned_from(start, x), x)
     every = [x]
     for j in np.flatnonzero(one & (high - low >= TURN - LIMIT_SLACK)).tolist():
         turns = np.arange(int((high[j] - low[j] + 2 * LIMIT_SLACK) // TURN) + 1)

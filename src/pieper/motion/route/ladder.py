@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper import _kernel
 from pieper.kinematics.arrays import Array, Bools, Indices
-from pieper.kinematics.joints import TURN
+from pieper.kinematics.joints import TURN, turned_from
 from pieper.motion.route.grid import REACH, Grid
 from pieper.motion.route.setting import Setting
 from pieper.tolerances import LIMIT_SLACK, NO_DIRECTION
@@ -62,8 +62,7 @@ def _normal(setting: Setting, x: Array, room: float = 0.0) -> Array:
     low, high = setting.limits.T
     bounded = np.isfinite(low) & np.isfinite(high) & ~setting.chain.prismatic
     start = np.where(bounded, low, 0.0) - room
-    moved = start + (x - start + LIMIT_SLACK) % TURN - LIMIT_SLACK
-    return np.where(bounded, moved, x)
+    return np.where(bounded, turned_from(start - LIMIT_SLACK, x), x)
 
 
 def climb(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +13,7 @@ from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import look, snapped
-from pieper.solver.families import choose, tier
+from pieper.solver.families import choose, named, tier
 from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import without_far_ends
 from pieper.solver.plan.count import count_of
@@ -77,13 +78,22 @@ def _by_nearly(plan: Plan, chain: Chain, description: Description) -> Plan:
     So near to a special arrangement (an angle typed with nine digits, for one) every elimination drowns in rounding.
     The special arm's solutions are refined on the arm as described, and counted (see `snap_count`).
     """
+    return next((other for other in _special(plan, chain, description) if other.spec.info.get("certified", True)), plan)
+
+
+def _nearly(plan: Plan) -> Plan | None:
+    """Return the plan through a closed form of the special arm that a plan's own nearly is; None where it is none."""
+    if not plan.direct or not named(plan.family).eliminating:
+        return None
+    others = _special(plan, plan.chain, plan.description)
+    return next((other for other in others if not named(other.family).eliminating), None)
+
+
+def _special(plan: Plan, chain: Chain, description: Description) -> Iterator[Plan]:
+    """Yield plans through the special arms that an arm nearly is, the nearest first."""
     for near in NEARLY_SPECIAL:
-        if not snapped(chain, near)[1]:
-            continue
-        other = _as_told(chain, description, plan.task, near)
-        if other.spec.info.get("certified", True):
-            return other
-    return plan
+        if snapped(chain, near)[1]:
+            yield _as_told(chain, description, plan.task, near)
 
 
 def _as_told(
@@ -130,6 +140,7 @@ def _as_told(
         base=description.base,
         words=explain,
         counting=count_of,
+        special=_nearly,
     )
 
 

@@ -66,11 +66,29 @@ def _short(plan: Plan, geometry: Geometry, slides: Bools, turns: int) -> Count |
     alike = _all_alike(geometry, ~slides)
     if plan.task == "position":
         return _for_positions(slides, turns, alike)
-    if alike:
-        return _planar(geometry, slides, turns)
-    if plan.n == 4 and slides.sum() == 3:
+    found = _planar(geometry, slides, turns) if alike else _around_a_plane(plan, slides)
+    if found is None and plan.n == 4 and slides.sum() == 3:
         return Count("a gantry with one turn", 1, "the turn is read off the orientation, and the slides are linear")
-    return _around_a_plane(plan, slides) or (_few_turns(geometry, slides) if plan.task == "pose" else None)
+    if found is not None or plan.task != "pose":
+        return found
+    few = None if alike else _few_turns(geometry, slides)
+    return few if few is not None or plan.n != 4 else _two_and_two(plan, turns)
+
+
+def _two_and_two(plan: Plan, turns: int) -> Count:
+    """Count an arm of four joints that depend on each other nowhere but at singular poses.
+
+    Displacements are points of a projective space of seven dimensions. What two joints do to a body is a quadric in a
+    space of three (two turns: 1, the two axes and their product span it), or a plane of two slides. The first two
+    joints bring the body between them into one such space, the last two, seen from the tool, into another. The two meet
+    in a line at most wherever a solution is regular: where they share a plane, both quadrics are that of all
+    displacements, or both are groups, and the solutions are curves. A line meets a quadric in two points or lies on it.
+    """
+    why = (
+        "its first two joints and its last two each hold the body between them on a quadric in a space of three "
+        "dimensions, and the line that two such spaces have in common meets a quadric twice (Selig 2005)"
+    )
+    return Count(_plain_kind(plan, turns), 2, why)
 
 
 def _for_positions(slides: Bools, turns: int, alike: bool) -> Count | None:

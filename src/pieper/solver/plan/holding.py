@@ -11,7 +11,7 @@ from pieper.kinematics.geometry import look
 from pieper.solver.families import choose
 from pieper.solver.native import without_far_ends
 from pieper.solver.plan import six_joints
-from pieper.solver.plan.plan import Plan
+from pieper.solver.plan.plan import MOST_LOCKED, Plan
 from pieper.solver.plan.prepared import made_once
 from pieper.tolerances import GEOMETRY_EXACT
 
@@ -55,3 +55,40 @@ def _made(plan: Plan, joints: tuple[int, ...]) -> Plan:
         most = max(spec.max_solutions, 16 if plan.snapped else 0)
         return replace(plan, reduction=reduction, defaults=middle, family=family, spec=spec, max_solutions=most)
     raise refused or PlanError(f"{plan.name}: no family takes the arm with {names} held.", joints=joints)
+
+
+def locked_at(plan: Plan, values: tuple[float, ...]) -> Plan:
+    """Return a plan for the arm whose redundant coordinates stand at values: for the joints that are left, a pose.
+
+    Its joints are the others, the task's virtual ones included. Made once and kept with the plan.
+
+    Raises:
+        PlanError: No family takes what is left.
+    """
+    return made_once(plan.locked, values, lambda: _locked(plan, values), MOST_LOCKED)
+
+
+def _locked(plan: Plan, values: tuple[float, ...]) -> Plan:
+    kept = plan.reduction.kept
+    chain = plan.exact.with_locked(np.array(values))
+    reduction = six_joints.reduce(chain, "pose")[0]
+    six, _ = without_far_ends(reduction.six(np.zeros(len(reduction.locked))))
+    family, spec = choose(six, look(six, GEOMETRY_EXACT))
+    names = plan.full_names
+    return replace(
+        plan,
+        chain=chain,
+        nominal=chain,
+        geometry=look(chain, GEOMETRY_EXACT),
+        limits=plan.full_limits[kept],
+        names=tuple(names[joint] for joint in kept),
+        task="pose",
+        family=family,
+        max_solutions=spec.max_solutions,
+        reduction=reduction,
+        spec=spec,
+        rank=chain.n - len(reduction.locked),
+        snapped=(),
+        defaults=np.zeros(len(reduction.locked)),
+        virtual_limits=None,
+    )

@@ -15,17 +15,20 @@ from pieper.kinematics.arm_angle import ArmAngle, arm_angle
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
-from pieper.kinematics.newton import missed
+from pieper.kinematics.newton import missed, scaled_jacobian
 from pieper.kinematics.pose import pose_error
 from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import SixJointSolver, without_far_ends
 from pieper.solver.plan.cuspidal import Cuspidal, never, search
 from pieper.solver.plan.prepared import UNLIMITED, Prepared, solver_of
 from pieper.solver.plan.six_joints import Reduction, refilled, sample_joints, with_task_joints
+from pieper.tolerances import RANK
 from pieper.words_by_number import plural
 
 #: Most solvers kept for values of locked joints, of the arm that is solved and of a snapped arm as described.
 MOST_SOLVERS, MOST_EXACT_SOLVERS = 512, 64
+#: Most plans kept of the arm with its locked joints at values.
+MOST_LOCKED = 64
 
 
 @dataclass(frozen=True)
@@ -41,6 +44,11 @@ class Count:
     kind: str
     most: int
     argument: str
+
+
+def as_it_is(plan: Plan) -> Plan | None:
+    """Return no special arm, where nobody handed in how to find one."""
+    return None
 
 
 def uncounted(plan: Plan) -> Count:
@@ -71,6 +79,7 @@ class Plan:
         base: (4, 4) the frame the arm's table stands in; the arm angle counts from it.
         words: Tells the plan as a teacher would; handed in, since words read plans.
         counting: Counts by the arm's own axes; handed in, since it reads plans.
+        special: Plans through the special arm that this one nearly is, None where it is none; handed in as well.
         uncoupled: Of coupled joints how the chain itself is solved, its joints free and without limits; else None.
         virtual_limits: (v, 2) limits of the task's virtual joints, rad; None where they have none.
     """
@@ -93,6 +102,7 @@ class Plan:
     base: Array = field(default_factory=lambda: np.eye(4))
     words: Callable[[Plan], str] = field(default=repr, repr=False)
     counting: Callable[[Plan], Count] = field(default=uncounted, repr=False)
+    special: Callable[[Plan], Plan | None] = field(default=as_it_is, repr=False)
     uncoupled: Plan | None = field(default=None, repr=False)
     virtual_limits: Array | None = field(default=None, repr=False)
 
@@ -127,14 +137,25 @@ class Plan:
 
     @property
     def choices(self) -> tuple[str, ...]:
-        """Names that `redundancy` may be given for: any joint, what the task leaves, the arm angle where there is one.
+        """Names that `redundancy` may be given for: joints that self-motions move, what the task leaves, the arm angle.
 
         The redundant coordinates, which are held when nobody chooses, come first.
         """
         if not self.redundancy:
             return ()
-        others = (name for name in self.full_names if name not in self.redundancy)
+        others = (self._joint_name(joint) for joint in self.movable if joint not in self.reduction.locked)
         return (*self.redundancy, *others, *(("arm angle",) if self.arm_angle else ()))
+
+    @cached_property
+    def movable(self) -> tuple[int, ...]:
+        """Joints (0-based, the task's virtual ones included) that self-motions move, each of which can be chosen."""
+        full = self.reduction.full
+        if not self.redundancy:
+            return ()
+        J = scaled_jacobian(full, sample_joints(full, 12))
+        rest = np.array([[j for j in range(full.n) if j != joint] for joint in range(full.n)])
+        s = np.linalg.svd(np.moveaxis(J[:, :, rest], 2, 0), compute_uv=False)  # joints, postures, singular values
+        return tuple(np.flatnonzero(np.median(s[..., self.rank - 1] / s[..., 0], axis=1) > RANK).tolist())
 
     def _joint_name(self, joint: int) -> str:
         if joint < self.n:
@@ -155,6 +176,11 @@ class Plan:
             return np.vstack([self.limits, self.virtual_limits])
         extra = self.reduction.full.n - self.n
         return np.vstack([self.limits, np.tile([-np.inf, np.inf], (extra, 1))])
+
+    @cached_property
+    def nearly(self) -> Plan | None:
+        """How the special arm is solved that this one nearly is, rows refined on this one; None where it is none."""
+        return self.special(self)
 
     @cached_property
     def direct(self) -> bool:
@@ -213,6 +239,11 @@ class Plan:
     @cached_property
     def held(self) -> dict[tuple[int, ...], Plan | PlanError]:
         """What `holding` made of this plan, by the joints that are held."""
+        return {}
+
+    @cached_property
+    def locked(self) -> dict[tuple[float, ...], Plan | PlanError]:
+        """What `locked_at` made of this plan, by the values of the locked joints."""
         return {}
 
     def residual(self, q: Array, T: Array) -> Array:

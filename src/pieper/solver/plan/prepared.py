@@ -28,9 +28,14 @@ def solver_of(chain: Chain) -> SixJointSolver:
     return SixJointSolver(six, spec, UNLIMITED, ends)
 
 
-def made_once(kept: dict[Key, Made | PlanError], key: Key, make: Callable[[], Made]) -> Made:
-    """Return what is kept under a key, made where it is asked for first; a refusal is kept and raised again."""
+def made_once(kept: dict[Key, Made | PlanError], key: Key, make: Callable[[], Made], most: int | None = None) -> Made:
+    """Return what is kept under a key, made where it is asked for first; a refusal is kept and raised again.
+
+    The oldest is forgotten when there are more than `most`.
+    """
     if key not in kept:
+        if most is not None and len(kept) >= most:
+            del kept[next(iter(kept))]
         try:
             kept[key] = make()
         except PlanError as refused:
@@ -59,7 +64,4 @@ class Prepared:
         Raises:
             PlanError: No family takes the chain.
         """
-        if values not in self._made:
-            if len(self._made) >= self._most:
-                del self._made[next(iter(self._made))]
-        return made_once(self._made, values, lambda: solver_of(self._six(np.array(values))))
+        return made_once(self._made, values, lambda: solver_of(self._six(np.array(values))), self._most)

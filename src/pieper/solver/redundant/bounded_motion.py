@@ -33,8 +33,8 @@ class BoundedMotion(TracedMotion):
 
     marks: Indices = field(default_factory=lambda: np.zeros(0, np.int64))
 
-    def at(self, u: float) -> Array:
-        """Return the joint vector (n,) at u in [0, 1], exactly on the pose; whole turns as the limits want them."""
+    def _at(self, u: float) -> Array:
+        # whole turns as the limits want them
         point = self.points(np.array([u]))[0]
         moved, ok = self.chain.joints.inside_limits(point, self.limits)
         return (moved if ok else point)[: self.shown]
@@ -102,7 +102,7 @@ class BoundedMotion(TracedMotion):
         """Every interval of u in which the curve lies inside the joint limits, however short, to rounding."""
         return tuple((float(a), float(b)) for a, b in self._stretches)
 
-    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
+    def _nearest(self, q_now: Array, weights: Array) -> Array | None:
         """Return the point (n,) of the curve inside the limits closest to q_now, whole turns resolved, or None.
 
         A distance changes no faster than the curve is long, so a stretch that cannot come nearer than what was found is
@@ -114,6 +114,8 @@ class BoundedMotion(TracedMotion):
             starts = np.concatenate([self._nearest_along(now, counts)[None], starts])
         if not len(starts):
             return None
+        if self.chain.coupling is not None:
+            return starts[0, : self.shown]  # the kernel's descent moves axes, and not what joints say of several
         return closest(self.chain, starts, self.T, self.limits, now, counts)[: self.shown]
 
     def _beside(self, now: Array) -> Array:

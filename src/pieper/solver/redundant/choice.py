@@ -110,31 +110,29 @@ def _by_name(plan: Plan, redundancy: Mapping[str, Any], count: int) -> Choice:
 
 def _holding(plan: Plan, joints: tuple[int, ...], redundancy: Mapping[str, Any]) -> Plan:
     """Return the plan in which these joints are held, and as many others beside them as the arm has to spare."""
+    still = [plan.full_names[joint] for joint in joints if joint not in plan.movable]
+    if still:
+        raise InputError(
+            f"{plan.name}: the pose alone decides {', '.join(still)}, which cannot be chosen. Choose "
+            f"{', '.join(plan.choices)} instead.",
+            given=redundancy,
+            allowed=plan.choices,
+        )
     spare = len(plan.redundancy) - len(joints)
     others = [j for j in (*plan.reduction.locked, *range(plan.reduction.full.n)) if j not in joints]
-    refused: PlanError | None = None
     for beside in itertools.combinations(dict.fromkeys(others), spare):
         try:
             return holding(plan, (*joints, *beside))
-        except PlanError as error:
-            refused = refused or error
-    movable = [name for j, name in enumerate(plan.full_names) if _moves(plan, j)] if spare == 0 else []
+        except PlanError:
+            continue
+    together = " and ".join(plan.full_names[joint] for joint in joints)
     raise InputError(
-        f"{refused}{' Choose ' + ', '.join(movable) + ' instead.' if movable else ''}",
+        f"{plan.name}: {together} cannot be chosen together, since the pose decides how they move with each other."
+        if len(joints) > 1
+        else f"{plan.name}: no family takes the arm with {together} held. Choose {', '.join(plan.choices)} instead.",
         given=redundancy,
-        allowed=tuple(movable),
+        allowed=plan.choices,
     )
-
-
-def _moves(plan: Plan, joint: int) -> bool:
-    """Whether a joint alone can be held."""
-    if len(plan.redundancy) > 1:
-        return True
-    try:
-        holding(plan, (joint,))
-    except PlanError:
-        return False
-    return True
 
 
 def read_arm_angle(plan: Plan, q: ArrayLike) -> tuple[Array, Bools]:

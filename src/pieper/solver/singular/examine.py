@@ -19,8 +19,9 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space, singular_values
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.singular import near_curve
+from pieper.solver.singular.at_limits import at_limits, drawn_in, leads_away
 from pieper.solver.singular.examined import Examined, told
-from pieper.solver.singular.merged_roots import branches_at, distinct_roots, into_limits
+from pieper.solver.singular.merged_roots import distinct_roots, into_limits, merged_root
 from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
 from pieper.tolerances import (
@@ -115,6 +116,7 @@ def examine(
         flat = found.q[(found.sigma < NEARLY_SINGULAR) & (np.abs(found.miss) < CURVE_FAR) & (found.rest < FLAT_REST)]
     # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
     starts = np.concatenate([singular, _distinct(chain, np.concatenate([near_singular, flat]), APART_SINGULAR)])
+    starts = np.array([drawn_in(chain, q, T) for q in starts]).reshape(-1, chain.n)
     doubles, hidden = _followed(curves, starts, len(singular))
     extra = np.array([*hidden, *near_singular]).reshape(-1, chain.n)
     extra = newton(chain, extra, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
@@ -128,13 +130,13 @@ def examine(
     merged = [q for q in merged if not curves.meet(q, ON_POLYLINE)]
     if curves.lines:
         merged = [q for q in merged if second_smallest(chain, q) > SINGULAR_EXAMINED]
-    doubles = distinct_roots(chain, [*doubles, *merged], T)
+    doubles = distinct_roots(chain, [merged_root(chain, q, T)[0] for q in (*doubles, *merged)], T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
     if most is not None and len(doubles) + len(isolated) > most:
         doubles = _exact_ones(curves, doubles, most - len(isolated))
-    pairs = [branches_at(chain, q, T) for q in doubles]
+    pairs = [merged_root(chain, q, T)[1] for q in doubles]
     doubles = [into_limits(chain, q, T, limits) for q in doubles]
-    return told(chain, isolated, doubles, pairs, curves.closed)
+    return told(chain, isolated, doubles, pairs, [at_limits(motion) for motion in curves.closed])
 
 
 def _exact_ones(curves: _Curves, doubles: list[Array], room: int) -> list[Array]:
@@ -229,8 +231,8 @@ def _grow(curves: _Curves, q: Array) -> bool:
             if any(other.distance(further) < ON_POLYLINE for other in curves.open_ended):
                 continue
             motion = _line(curves, point, further, MOST_STEPS)
-            # joint space without sliding joints has no ends: what does not close only came near a singular pose
-            if not motion.closed and not chain.prismatic.any():
+            # only slides lead away without end: what does not close otherwise only came near a singular pose
+            if not motion.closed and not leads_away(motion):
                 curves.open_ended.append(motion)
                 continue
             found = True

@@ -12,7 +12,7 @@ from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
 from pieper.solver.singular.self_motion import FREE, SelfMotion
-from pieper.tolerances import CONTAINS, CURVE_STEP, HALF_TURN_EDGE, LIMIT_SLACK, NEARER_BY
+from pieper.tolerances import CURVE_STEP, HALF_TURN_EDGE, LIMIT_SLACK, NEARER_BY
 
 #: Whole turns of a joint without limits that are tried to either side of the nearest.
 TURNS = 2
@@ -125,8 +125,7 @@ class LineMotion(SelfMotion):
             found = self._closest(np.zeros(self.chain.n), np.tile(FREE, (self.chain.n, 1)))
         return self.through if found is None else found
 
-    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
-        """Return the point (n,) of the curve inside the limits closest to q_now, or None; weights (n,) as `counts`."""
+    def _nearest(self, q_now: Array, weights: Array) -> Array | None:
         found = self._closest(self.padded(q_now), self.limits, weights) if self._spans else None
         return None if found is None else found[: self.shown]
 
@@ -178,9 +177,8 @@ class LineMotion(SelfMotion):
         gap[:, [i, j]] = 0.0
         return np.sqrt(np.sum(gap * gap, 1) + off * off / 2)
 
-    def contains(self, q: Array, tolerance: float = CONTAINS) -> bool:
-        """Whether q (n,) lies on the curve within a tolerance (rad)."""
-        return self.distance(q) <= tolerance
+    def _contains(self, q: Array, tolerance: float) -> bool:
+        return float(self.distances(q[None])[0]) <= tolerance
 
     @cached_property
     def relation(self) -> str:

@@ -95,8 +95,7 @@ class LinkageMotion(SelfMotion):
         # rounding makes equal costs unequal: a coarse key first, then the first sample
         return near[int(np.argmin(np.round(cost, 6)))]
 
-    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
-        """Return the point (n,) of the curve inside the limits closest to q_now, or None; weights (n,) as `counts`."""
+    def _nearest(self, q_now: Array, weights: Array) -> Array | None:
         if not self.inside:
             return None
         q_now = self.padded(q_now)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper import _kernel
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import inside
@@ -15,18 +16,15 @@ from pieper.kinematics.newton import (
     scaled_jacobian,
     settled,
     shortest,
-    singular_values,
 )
 from pieper.solver.singular import near_curve
 from pieper.tolerances import (
-    ALL_BUT_ZERO,
     HELD_FIRMLY,
     LIMIT_SLACK,
     MERGED_ALONG,
     MERGED_BLUR,
     MERGED_ROUNDING,
     MERGED_SAME,
-    MERGED_STEP,
     MERGED_TWINS,
 )
 
@@ -37,27 +35,19 @@ def null_direction(chain: Chain, q: Array) -> Array:
     return v * np.sign(v[np.argmax(np.abs(v))])
 
 
-def branches_at(chain: Chain, q: Array, T: Array) -> int:
-    """Return how many branches merge at a solution q (n,) of a pose: 1 where its Jacobian is merely poor.
+def merged_root(chain: Chain, q: Array, T: Array) -> tuple[Array, int]:
+    """Return the root (n,) that a singular solution q (n,) of a pose is, and how many branches merge in it.
 
-    Along the curve on which only the weakest direction misses the pose, what is missed is c0 + c1 t + ... + c4 t^4:
-    its roots that lie within what rounding lets one tell of each other are one solution.
+    What the pose misses along the one direction that is free to first order is c0 + c1 t + c2 t^2 + ...: where all
+    below c_m vanish to rounding, m branches meet, and the place where c_(m-1) vanishes is known to the last digits,
+    though rounding parts them by its m-th root. 1 where the Jacobian is merely poor; of k free directions it is at
+    least 2^k.
     """
-    unit = chain.joints.unit
-    here = near_curve.onto(chain, q[None], T, 0)
-    t = MERGED_STEP * np.array([-2.0, -1.0, 1.0, 2.0])
-    beside = near_curve.onto(chain, q + t[:, None] * here.null[0] * unit, T, 5)
-    far, near, near2, far2 = beside.miss * np.sign(beside.left @ here.left[0])
-    # to rounding c0 vanishes, and c1 is the singular value; the others by differences
-    c1 = -singular_values(chain, q)[min(chain.n, 6) - 1]
-    c4 = ((far + far2) - 4 * (near + near2)) / (24 * MERGED_STEP**4)
-    c3 = ((far2 - far) - 2 * (near2 - near)) / (12 * MERGED_STEP**3)
-    c2 = (near + near2) / (2 * MERGED_STEP**2) - c4 * MERGED_STEP**2
-    noise = [0.0, 0.0, *(ALL_BUT_ZERO / MERGED_STEP**k for k in (2, 3, 4))]
-    c = [0.0 if abs(x) < e else x for x, e in zip((0.0, c1, c2, c3, c4), noise, strict=True)]
-    blur = min(((MERGED_ROUNDING / abs(x)) ** (1 / k) for k, x in enumerate(c) if k and x), default=np.inf)
-    roots = np.roots(np.trim_zeros(c[::-1], "f")) if any(c) else np.zeros(0)
-    return max(1, int(np.sum(np.abs(roots) < max(MERGED_SAME, 3 * blur))))
+    unit, mixed = chain.joints.unit, chain.coupling
+    if mixed is not None:
+        mixed = mixed * unit / np.where(chain.sliding, chain.length, 1.0)[:, None]
+    placed, branches = _kernel.unfold(chain.plain, q=q / unit, T=T, mixed=mixed)
+    return placed * unit, branches
 
 
 def distinct_roots(chain: Chain, rows: list[Array], T: Array) -> list[Array]:

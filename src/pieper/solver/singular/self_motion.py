@@ -8,8 +8,13 @@ from functools import cached_property
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Bools
+from pieper import arguments
+from pieper.description.dh import Description
+from pieper.description.posture import posture
+from pieper.errors import InputError
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.chain import Chain
+from pieper.kinematics.forward import checked_joint_vector, checked_weights
 from pieper.kinematics.joints import TURN, inside, short_way
 from pieper.kinematics.newton import missed, newton, null_space
 from pieper.tolerances import (
@@ -53,6 +58,8 @@ class SelfMotion:
     shown: int
     closed: bool
     dimension: int
+    #: Whose postures' names are understood; set where a user is handed the self-motion.
+    arm: Description | None = None
 
     @cached_property
     def samples(self) -> Array:
@@ -67,6 +74,30 @@ class SelfMotion:
         """Return q with the virtual joints added as zeros, where it has the arm's own joints only."""
         q = np.asarray(q, float)
         return q if len(q) == self.chain.n else np.append(q, np.zeros(self.chain.n - self.shown))
+
+    def told(self, arm: Description) -> None:
+        """Say whose self-motion it is, so that names of postures are understood."""
+        object.__setattr__(self, "arm", arm)
+
+    def _vector(self, q: ArrayLike | str, what: str) -> Array:
+        """Return a joint vector that a user said, (n,) or with the virtual joints behind."""
+        if isinstance(q, str) and self.arm is not None:
+            return posture(self.arm, q, what)
+        if type(q) is np.ndarray and q.shape == (self.chain.n,) and self.shown < self.chain.n:
+            return q
+        return checked_joint_vector(q, self.shown, what, self.chain.prismatic[: self.shown])
+
+    def _joint(self, joint: int | str) -> int:
+        """Return the number (0-based) of a joint said by number or name."""
+        if isinstance(joint, str):
+            if joint not in self.names:
+                raise InputError(
+                    f"joint: there is no joint {joint!r}; the arm has {', '.join(self.names)}.",
+                    given=joint,
+                    allowed=self.names,
+                )
+            return self.names.index(joint)
+        return arguments.whole(joint, "joint", 0, self.shown - 1)
 
     def gaps(self, q: Array, points: Array) -> Array:
         """Return q - points without units, angles around the circle, virtual joints not counted."""
@@ -100,20 +131,36 @@ class SelfMotion:
         return out
 
     def at(self, u: float) -> Array:
-        """Return the joint vector (n,) at the curve parameter u in [0, 1], exactly on the pose."""
+        """Return the joint vector (n,) at the curve parameter u in [0, 1], exactly on the pose.
+
+        Raises:
+            InputError: u is no number from 0 to 1.
+        """
+        return self._at(arguments.number(u, "u", "along the curve", least=0.0, most=1.0))
+
+    def _at(self, u: float) -> Array:
         return self.point(u)[: self.shown]
 
     def point(self, u: float) -> Array:
         """Return the same with the task's virtual joints behind."""
         return newton(self.chain, self.between(np.array([u]))[0], self.T, steps=6, cutoff=CURVE_RANK)
 
-    def at_joint(self, joint: int, value: float) -> Array:
+    def at_joint(self, joint: int | str, value: float) -> Array:
         """Return the points (m, n) of the curve where a joint (0-based) has a value, whole turns apart from it counted.
 
         Args:
-            joint: 0-based index of a joint that moves along the curve.
+            joint: A joint that moves along the curve, by its name or its 0-based index.
             value: rad or m.
+
+        Raises:
+            InputError: No such joint, or no finite number.
         """
+        joint = self._joint(joint)
+        value = arguments.number(value, "value", "m" if self.chain.prismatic[joint] else "rad")
+        return self.points_at_joint(joint, value)[:, : self.shown]
+
+    def points_at_joint(self, joint: int, value: float) -> Array:
+        """Return the same with the task's virtual joints behind."""
         column = self.samples[:, joint] - value
         if not self.chain.prismatic[joint]:
             column = short_way(column)
@@ -121,15 +168,28 @@ class SelfMotion:
         for i in np.flatnonzero((column[:-1] * column[1:] <= 0) & (np.abs(column[1:] - column[:-1]) < np.pi)):
             part = column[i] / (column[i] - column[i + 1]) if column[i] != column[i + 1] else 0.0
             point = self.samples[i] + part * (self.samples[i + 1] - self.samples[i])
-            locked = self.chain.locked(joint, value)
-            rest = newton(locked, np.delete(point, joint), self.T, steps=8)
             turns = 0 if self.chain.prismatic[joint] else round(float(point[joint] - value) / TURN)
-            point = np.insert(rest, joint, value + TURN * turns)
+            if self.chain.coupling is None:
+                rest = newton(self.chain.locked(joint, value), np.delete(point, joint), self.T, steps=8)
+                point = np.insert(rest, joint, value + TURN * turns)
+            else:
+                point = self._halved(int(i), joint, value + TURN * turns)
             if missed(self.chain, point, self.T) < CLOSES and not any(
                 np.allclose(point, other, atol=ONE_OF_MANY) for other in found
             ):
                 found.append(point)
-        return np.array(found).reshape(-1, self.chain.n)[:, : self.shown]
+        return np.array(found).reshape(-1, self.chain.n)
+
+    def _halved(self, i: int, joint: int, value: float) -> Array:
+        """Return the point between samples i and i + 1 where a joint has a value: one that moves others is not held."""
+        low, high = float(self.u[i]), float(self.u[i + 1])
+        side = np.sign(self.samples[i + 1, joint] - self.samples[i, joint])
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            low, high = (low, middle) if side * (self.point(middle)[joint] - value) > 0 else (middle, high)
+        point = self.point((low + high) / 2)
+        point[joint] = value
+        return point
 
     @cached_property
     def _sample_inside(self) -> Bools:
@@ -166,13 +226,19 @@ class SelfMotion:
         out[: self.shown] = 1.0 if weights is None else weights
         return out
 
-    def nearest(self, q_now: Array, weights: Array | None = None) -> Array | None:
+    def nearest(self, q_now: ArrayLike | str, weights: ArrayLike | None = None) -> Array | None:
         """Return the point (n,) of the curve inside the limits closest to q_now, or None.
 
         Args:
-            q_now: (n,) rad or m.
+            q_now: (n,) rad or m, or a posture's name.
             weights: (n,) how much the square of each joint's difference counts; all the same if None.
+
+        Raises:
+            InputError: A wrong length or weight, or no such posture.
         """
+        return self._nearest(self._vector(q_now, "q_now"), checked_weights(weights, self.shown))
+
+    def _nearest(self, q_now: Array, weights: Array) -> Array | None:
         if not self._sample_inside.any():
             return None
         q_now, counts = self.padded(q_now), self.counts(weights)
@@ -213,9 +279,9 @@ class SelfMotion:
             point = moved
         return point
 
-    def distance(self, q: Array) -> float:
+    def distance(self, q: ArrayLike | str) -> float:
         """Return how far a joint vector (n,) is from the curve, rad or characteristic lengths, whole turns ignored."""
-        return float(self.distances(self.padded(q)[None])[0])
+        return float(self.distances(self.padded(self._vector(q, "q"))[None])[0])
 
     def distances(self, q: Array) -> Array:
         """Return how far joint vectors (m, n), virtual joints included, are from the curve, as `distance`."""
@@ -228,9 +294,15 @@ class SelfMotion:
         foot = difference[:, :-1] - np.clip(inner, 0, 1)[..., None] * segment
         return np.sqrt(np.minimum(to_samples, np.min(np.einsum("mkn,mkn->mk", foot, foot), axis=1)))
 
-    def contains(self, q: Array, tolerance: float = CONTAINS) -> bool:
-        """Whether q (n,) lies on the self-motion within a tolerance (rad); a surface: whether the pose leads to it."""
-        q = self.padded(q)
+    def contains(self, q: ArrayLike | str, tolerance: float = CONTAINS) -> bool:
+        """Whether q (n,) lies on the self-motion within a tolerance (rad); a surface: whether the pose leads to it.
+
+        Raises:
+            InputError: A wrong length, or no such posture.
+        """
+        return self._contains(self.padded(self._vector(q, "q")), tolerance)
+
+    def _contains(self, q: Array, tolerance: float) -> bool:
         if self.dimension == 1 and self.distance(q) > 0.05:
             return False
         sizes = np.linalg.norm(self.gaps(q, self.samples), axis=1)
@@ -283,6 +355,10 @@ class SelfMotion:
                 value = np.degrees(short_way(total[0]))
                 return f"{self.names[i]} {symbol} {self.names[j]} = {value:.6g} deg"
         return ""
+
+
+#: Halvings that place a joint's value between two samples to rounding.
+HALVINGS = 48
 
 
 @dataclass(frozen=True, eq=False, repr=False)

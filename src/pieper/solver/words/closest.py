@@ -7,22 +7,22 @@ from functools import lru_cache
 
 import numpy as np
 
-from pieper import arguments
+from pieper import _kernel, arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
-from pieper.kinematics.bounded import nearer
+from pieper.kinematics.bounded import as_axes, by_axes, nearer
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.newton import scaled_jacobian, settled, shortest
 from pieper.solver.plan.plan import Plan
-from pieper.solver.plan.six_joints import sample_joints, with_task_joints
-from pieper.solver.redundant.box import descended
+from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.results import Closest, Solutions
 from pieper.tolerances import (
     ALIKE_NEAR,
     ALIKE_PLACE,
     ALIKE_TURN,
     CLOSEST_BACK,
+    CLOSEST_CRAWL,
     CLOSEST_STAGES,
     NEWTON_DONE,
     PULLED_RANK,
@@ -32,10 +32,11 @@ from pieper.tolerances import (
 
 #: Postures looked at first; the best of them are where descents begin. The answer bounds the distance from above.
 LOOKED_AT = 512
-#: As many begin for the pose, and for the position alone; beside the best as many more, spread evenly over all.
-STARTS, SPREAD = 20, 8
-#: So many more, and their steps, where the position is not reached and fewer than this part agree how near it is.
-MORE, FEW_STEPS, AGREED = 128, 5, 0.75
+#: As many begin for the position alone, beside the best as many more, spread evenly over all; and for the pose.
+STARTS, SPREAD, TURNED = 20, 8, 8
+#: Where the position is not reached and fewer than this part agree how near it is, so many more crawl towards it so
+#: many steps; of them so many go on with steps of second order.
+MORE, MORE_STEPS, MORE_KEPT, FEW_STEPS, AGREED = 128, 8, 64, 5, 0.75
 #: Postures at the best position that keep to it until the end, whatever the orientation would have.
 KEPT_IN_PLACE = 6
 #: The best of all that are led away from the position and back.
@@ -78,13 +79,12 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     given = np.pad(given, ((0, 0), (0, chain.n - plan.n)))
     if weights is not None:
         by = _weighed(plan, weights)
-        q, left = hill.down(np.vstack([hill.starts(by), given]), by, sum(steps for _, steps, _ in CLOSEST_STAGES))
+        start = np.vstack([hill.starts(by), given])
+        steps = sum(steps for _, steps, _ in CLOSEST_STAGES)
+        q, left = nearer(hill.chain, start, T, hill.limits, np.full(len(start), by), steps)
         q = q[np.argsort(left)[:1]]
     else:
-        q = _at_place(hill, given)
-        q = hill.onto_place(_turned(hill, given, q) if turning else q)
-        if turning:
-            q = np.vstack([q, hill.onto_place(_turned_back(hill, q))])
+        q = hill.onto_place(hill.found(given, turning))
     value, angle = hill.distances(q)
     alike = np.flatnonzero(value <= value.min() + ALIKE_NEAR)
     own = q[alike[np.argmin(angle[alike])] if turning else np.argmin(value), : plan.n]
@@ -116,41 +116,47 @@ class _Hill:
     limits: Array
     T: Array
 
-    def starts(self, turn: float, spread: int = 0) -> Array:
-        """Return postures (k, n) that are good where a turn counts so much, and some spread evenly over the others."""
+    def starts(self, turn: float) -> Array:
+        """Return postures (k, n) that are good where a turn counts so much."""
         q, there = _looked_at(self.chain, self.limits.tobytes())
-        order = np.argsort(_cost(*_distances(self.chain, there, self.T), turn), kind="stable")
-        others = order[STARTS :: max((LOOKED_AT - STARTS) // spread, 1)][:spread] if spread else order[:0]
-        return q[np.concatenate([order[:STARTS], others])]
+        return q[np.argsort(_cost(*_distances(self.chain, there, self.T), turn), kind="stable")[:STARTS]]
 
-    def otherwise(self, count: int) -> Array:
-        """Return where Gauss's and Newton's steps to the position lead from postures (count, n) spread evenly.
-
-        They crawl where a position is out of reach, but come into narrower valleys than steps of second order.
-        """
-        free, limits = _of_any_turn(self.chain, self.limits.tobytes())
-        q = _looked_at(free, limits.tobytes())[0][:count]
-        poses = np.broadcast_to(self.T, (count, 4, 4))
-        return descended(free, q, poses, *limits.T)[0][:, : self.chain.n]
-
-    def down(self, q: Array, turn: float, steps: int) -> tuple[Array, Array]:
-        """Return where descents from q (k, n) lead, and what is left (k,)."""
-        return nearer(self.chain, q, self.T, self.limits, np.full(len(q), turn), steps)
+    def found(self, given: Array, turning: bool) -> Array:
+        """Return postures (k, n) of which one comes nearest, its position to a few steps; `given` (m, n) begin too."""
+        q, there = _looked_at(self.chain, self.limits.tobytes())
+        coupling, limits = by_axes(self.chain, self.limits)
+        return _kernel.closest(
+            self.chain.plain,
+            coupling=coupling,
+            lower=limits[:, 0],
+            upper=limits[:, 1],
+            q=as_axes(self.chain, q),
+            poses=there,
+            seeds=as_axes(self.chain, given),
+            T=self.T,
+            turning=turning,
+            stages=CLOSEST_STAGES,
+            back=CLOSEST_BACK,
+            starts=STARTS,
+            spread=SPREAD,
+            turned=TURNED,
+            more=MORE,
+            more_kept=MORE_KEPT,
+            few_steps=FEW_STEPS,
+            in_place=KEPT_IN_PLACE,
+            led_back=LED_BACK,
+            alike=ALIKE,
+            last_steps=LAST_STEPS,
+            near=(REACHED_PLACE, ALIKE_PLACE, AGREED, SAME_DESCENT),
+            crawl=(MORE_STEPS, *CLOSEST_CRAWL, REACHED_PLACE),
+        )[:, : self.chain.n]
 
     def distances(self, q: Array) -> tuple[Array, Array]:
         """Return how far postures (k, n) are from the pose (k,), per length, and how far turned (k,), rad."""
         return _distances(self.chain, self.chain.native.fk(q), self.T)
 
-    def best(self, q: Array, turn: float, count: int) -> Array:
-        """Return the nearest of q (k, n) where a turn counts so much, of postures that are alike the first."""
-        q = q[np.argsort(_cost(*self.distances(q), turn), kind="stable")[: ALIKE * count]]
-        gap = np.abs(q[:, None] - q) / self.chain.joints.unit
-        again = np.tril(gap.max(-1) < SAME_DESCENT, -1).any(1)
-        return q[~again][:count]
-
     def onto_place(self, q: Array) -> Array:
-        """Return postures (k, n) moved to where the position is met to rounding, or missed least."""
-        q, _ = self.down(q, 0.0, LAST_STEPS)
+        """Return postures (k, n) moved to where the position is met to rounding."""
         value, _ = self.distances(q)
         some = np.flatnonzero((value > NEWTON_DONE) & (value < ALIKE_TURN))
         if not len(some):
@@ -176,49 +182,6 @@ def _cost(value: Array, angle: Array, turn: float) -> Array:
     return value**2 / 2 + turn * (1 - np.cos(angle)) if np.isfinite(turn) else angle
 
 
-def _at_place(hill: _Hill, given: Array) -> Array:
-    """Return postures (k, n) whose position is nearest of all that are found."""
-    _, steps, keep = CLOSEST_STAGES[0]
-    starts = hill.starts(0.0, SPREAD)
-    q, left = hill.down(np.vstack([starts[::2], given]), 0.0, steps)
-    if np.sum(left < REACHED_PLACE) < KEPT_IN_PLACE:
-        others, more = hill.down(starts[1::2], 0.0, steps)
-        q, left = np.vstack([q, others]), np.concatenate([left, more])
-    way: Array = np.sqrt(2 * left)
-    agree = np.count_nonzero(way < way.min() + ALIKE_PLACE) / len(way)
-    q = hill.best(q, 0.0, keep)
-    if left.min() > REACHED_PLACE and agree < AGREED and hill.chain.coupling is None:
-        # nearer than nought there is none; of a position out of reach the nearest place may draw few descents
-        q = np.vstack([q, hill.best(hill.down(hill.otherwise(MORE), 0.0, FEW_STEPS)[0], 0.0, keep)])
-    return hill.down(q, 0.0, 2 * steps)[0]
-
-
-def _turned(hill: _Hill, given: Array, at_place: Array) -> Array:
-    """Return postures (k, n), the best by orientation that are found at the nearest position among them."""
-    (turn, steps, keep), *later = CLOSEST_STAGES
-    least = later[-1][0]
-    q, _ = hill.down(np.vstack([hill.starts(turn), given]), turn, steps)
-    q = np.vstack([hill.best(q, later[0][0], keep), at_place])
-    in_place = hill.best(at_place, least, KEPT_IN_PLACE)
-    for turn, steps, keep in later:
-        q = hill.best(hill.down(q, turn, steps)[0], least, keep)
-        # where a turn counts for more, what is in the best place may be drawn to another
-        if turn == later[0][0]:
-            q = np.vstack([q, in_place])
-    return np.vstack([q, hill.best(at_place, 0.0, 1)])
-
-
-def _turned_back(hill: _Hill, q: Array) -> Array:
-    """Return the best of postures (k, n) led away from the position a little and back, as orientation would have it.
-
-    Along a curved valley between limits a descent may take hundreds of steps; from where it is wider it takes few.
-    """
-    q = hill.best(q, CLOSEST_STAGES[-1][0], LED_BACK)
-    for turn, steps in CLOSEST_BACK:
-        q, _ = hill.down(q, turn, steps)
-    return q
-
-
 def _distances(chain: Chain, there: Array, T: Array) -> tuple[Array, Array]:
     """Return how far tools (k, 4, 4) are from the pose (k,), per length, and how far turned (k,), rad."""
     gap = there - T
@@ -226,13 +189,6 @@ def _distances(chain: Chain, there: Array, T: Array) -> tuple[Array, Array]:
     chord = np.einsum("kij,kij->k", gap[:, :3, :3], gap[:, :3, :3])
     way = np.sqrt(np.einsum("ki,ki->k", gap[:, :3, 3], gap[:, :3, 3]))
     return way / chain.length, 2 * np.arcsin(np.sqrt(np.minimum(chord / 8, 1.0)))
-
-
-@lru_cache(maxsize=64)
-def _of_any_turn(chain: Chain, limited: bytes) -> tuple[Chain, Array]:
-    """Return a chain with three more turns at its tool, so that the position alone counts, and limits (n + 3, 2)."""
-    limits = np.vstack([np.frombuffer(limited).reshape(-1, 2), np.tile([-np.inf, np.inf], (3, 1))])
-    return with_task_joints(chain, "position"), limits
 
 
 @lru_cache(maxsize=64)

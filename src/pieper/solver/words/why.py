@@ -44,10 +44,21 @@ def why(plan: Plan, sols: Solutions) -> str:
         return f"The pose is singular: {count} ({text}) and {plural(isolated, 'isolated solution')}."
     if status == Status.REDUNDANT:
         spare = plural(len(plan.redundancy), "joint")
+        if not m:
+            return f"No solution inside the limits at the chosen {_held(plan, sols)}; other values have some."
         return f"{plural(m, 'solution')} at the chosen {_held(plan, sols)}; the arm has {spare} to spare for this task."
-    double = int(np.sum(sols.multiplicity > 1))
-    merged = f", {double} of them double (two branches meet there)" if double else ""
-    return f"{m} of {plural(k, 'solution')} {'lies' if m == 1 else 'lie'} inside the joint limits{merged}."
+    where = "lies" if m == 1 else "lie"
+    return f"{m} of {plural(k, 'solution')} {where} inside the joint limits{_merged(sols)}."
+
+
+def _merged(sols: Solutions) -> str:
+    """Say in how many rows branches meet, and how many branches."""
+    branches, rows = np.unique(sols.multiplicity[sols.multiplicity > 1], return_counts=True)
+    parts = [
+        f"{count} of them double (two branches meet there)" if many == 2 else f"{count} of them of {many} branches"
+        for many, count in zip(branches.tolist(), rows.tolist(), strict=True)
+    ]
+    return "".join(f", {part}" for part in parts)
 
 
 def _were(count: int) -> str:
@@ -109,6 +120,8 @@ def _least_over(plan: Plan, q: Array) -> Array:
 
 def _outside_limits(plan: Plan, sols: Solutions) -> str:
     least, sentence = float("inf"), "No solution lies inside the joint limits."
+    elsewhere = bool(plan.redundancy) and any(motion.inside for motion in sols.self_motions)
+    held = f" at the chosen {_held(plan, sols)}" if elsewhere else ""
     for q in sols.all_q:
         over = _least_over(plan, q)
         worst = int(np.argmax(over))
@@ -116,7 +129,7 @@ def _outside_limits(plan: Plan, sols: Solutions) -> str:
             least = float(over[worst])
             by = f"{over[worst] * 1e3:.4g} mm" if plan.prismatic[worst] else f"{np.degrees(over[worst]):.4g} deg"
             one = len(sols.all_q) == 1
-            what = "The only solution breaks" if one else f"All {len(sols.all_q)} solutions break"
+            what = f"The only solution{held} breaks" if one else f"All {len(sols.all_q)} solutions{held} break"
             which = "it" if one else "the least offending one"
             sentence = f"{what} a joint limit; {which} exceeds {plan.names[worst]} by {by}."
-    return sentence
+    return f"{sentence} Other values have solutions inside." if elsewhere else sentence

@@ -10,5 +10,6 @@ DESCENT_MOST_DAMPING = 1e4
 DESCENT_SETTLED = 1e-9
 #: Eigenvalues are kept above this part of the largest.
 DESCENT_FLAT = 1e-13
-#: Part of a symmetric matrix off its diagonal, squared, below which Jacobi's rotations have found its eigenvalues.
-JACOBI_DONE = 1e-26
+#: Part of a symmetric matrix off its diagonal, squared, below which Jacobi's rotations have found its eigenvalues well
+#: enough for a step: where they matter to the last digit, at a minimum, none is below zero and none is asked for.
+JACOBI_DONE = 1e-9

@@ -21,6 +21,9 @@ GENERAL_SPLIT = 4.0
 GENERAL_VANISHING = 1e-13
 #: One this much smaller than usual marks the pose for a second look.
 GENERAL_MARKED = 1e-12
+#: One this much smaller is no witness that nothing is missing: two eigenvalues that coincide come as a pair whose
+#: imaginary part, the root of 1e-16 over this, must stay well below what is tried as a double root.
+GENERAL_TRUSTED = 1e-7
 #: Noise of an elimination, relative, below which no second opinion is asked for.
 GENERAL_QUIET = 1e-13
 #: An eigenvalue farther from its root than this was computed badly.

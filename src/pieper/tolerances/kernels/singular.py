@@ -60,8 +60,15 @@ MERGED_ROUNDING = 2e-15
 MERGED_BLUR = 5e-3
 #: Rows on two sides of a singularity (neighbouring roots of a curve) are called one up to here only (rad; per length).
 MERGED_TWINS = 2e-6
-#: Step for the derivatives of what is missed along the null direction (rad; per length).
-MERGED_STEP = 2e-2
+#: Roots that rounding parts by more than this (rad; per length) are no merged root, but the self-motion of something.
+UNFOLDING_WIDEST = 2e-2
+#: A solution is one of several in which a root has come apart up to so many times as far from it as rounding parts
+#: them: they lie at the corners of a polygon about it.
+UNFOLDING_REACH = 8.0
+#: The place of a merged root is found when it moves by less than this (rad; per length).
+UNFOLDING_FOUND = 1e-14
+#: Where roots are one, lower orders of what is missed come to no more than so many times what is rounded.
+UNFOLDING_ROUNDING = 2.0
 #: Squared sine between neighbouring axes above which they are clearly not parallel: their point is where they meet.
 CLEARLY_CROSSING = 1e-6
 #: A joint of a four-bar linkage reaches a dead centre that its range misses by this part.

@@ -1,0 +1,229 @@
+"""Tables of numbers: a CSV file with one thing a row, its columns by name in any order, read a block at a time."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+import sys
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from itertools import islice
+from pathlib import Path
+from typing import BinaryIO, ClassVar
+
+import numpy as np
+import numpy.typing as npt
+
+from pieper import InputError
+from pieper.cli.arguments import number
+from pieper.cli.output import plural
+from pieper.cli.units import ANGLES, LENGTHS, Units
+
+#: Rows that are read, worked on and written at once.
+BLOCK = 20_000
+
+
+@dataclass(frozen=True, eq=False)
+class Form:
+    """How the lines of a file are cut: which columns to take, in which order, and what their numbers are times."""
+
+    delimiter: str
+    width: int
+    pick: list[int]
+    factors: npt.NDArray[np.float64]
+
+
+@dataclass
+class NumberTable(ABC):
+    """A table with one thing a row.
+
+    Args:
+        name: Its place.
+        units: Of columns whose name says none.
+
+    Attributes:
+        size: Its bytes.
+        unused: Columns that say nothing about the thing; known when reading has begun.
+    """
+
+    name: str
+    units: Units
+    size: int = field(init=False)
+    unused: tuple[str, ...] = field(default=(), init=False)
+    _twice: set[str] = field(default_factory=set[str], init=False)
+    #: What a row is.
+    thing: ClassVar[str]
+
+    def __post_init__(self) -> None:
+        self.size = max(1, Path(self.name).stat().st_size) if Path(self.name).exists() else 1
+
+    @abstractmethod
+    def columns(self, heads: list[str]) -> tuple[list[int], npt.NDArray[np.float64]]:
+        """Return which of the named columns to take in which order, and what makes their numbers the units said."""
+
+    @abstractmethod
+    def made(self, values: npt.NDArray[np.float64], what: str) -> npt.NDArray[np.float64]:
+        """Return the things (k, ...) of rows (k, columns taken)."""
+
+    def blocks(self, read: Callable[[int], None] = lambda _: None) -> Iterator[npt.NDArray[np.float64]]:
+        """Yield the things, some thousands at a time.
+
+        Args:
+            read: Told how many bytes were read since it was last told.
+
+        Raises:
+            InputError: The file cannot be read, a column is missing, or a row is not such a thing; the line is named.
+        """
+        with opened(self.name, self.thing) as file:
+            lines = self._lines(file, read)
+            first = next(lines, None)
+            if first is None:
+                raise InputError(f"{self.name} holds no {self.thing}.", path=self.name)
+            _, line = first
+            delimiter = max(",;\t", key=line.count)
+            delimiter = delimiter if delimiter in line else " "
+            cells = self._cells(line, delimiter)
+            named = has_names(cells)
+            pick, factors = self.columns(cells) if named else (list(range(len(cells))), np.ones(len(cells)))
+            lines = lines if named else _chained(first, lines)
+            form = Form(delimiter, len(cells), pick, factors)
+            got = False
+            while block := list(islice(lines, BLOCK)):
+                got = True
+                yield self._block(block, form)
+            if not got:
+                raise InputError(f"{self.name} has names of columns, but no {self.thing} beneath them.", path=self.name)
+
+    def _lines(self, file: BinaryIO, read: Callable[[int], None]) -> Iterator[tuple[int, str]]:
+        for at, raw in enumerate(file, 1):
+            read(len(raw))
+            if text := text_of(raw, self.name, self.thing):
+                yield at, _with_points(text)
+
+    def _cells(self, line: str, delimiter: str) -> list[str]:
+        if delimiter == " ":
+            return line.split()
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter))]
+
+    def _block(self, block: list[tuple[int, str]], form: Form) -> npt.NDArray[np.float64]:
+        """Return the things (k, ...) of lines: all at once, or, where that fails, one by one to say which is wrong."""
+        try:
+            if form.delimiter != " " and any(line.count(form.delimiter) != form.width - 1 for _, line in block):
+                raise ValueError
+            mark = None if form.delimiter == " " else form.delimiter
+            lines = [line for _, line in block]
+            values = np.loadtxt(lines, delimiter=mark, comments=None, usecols=form.pick, ndmin=2)
+            if not np.isfinite(values).all():
+                raise ValueError
+            return self.made(values * form.factors, self.name)
+        except ValueError:
+            return np.array([self._one(at, line, form) for at, line in block])
+
+    def _one(self, at: int, line: str, form: Form) -> npt.NDArray[np.float64]:
+        cells = self._cells(line, form.delimiter)
+        what = f"{self.name}, line {at}"
+        if len(cells) != form.width:
+            said = f"{what}: {plural(len(cells), 'cell')} where the first line has {form.width}."
+            raise InputError(said, path=self.name, line=at)
+        values = np.array([number(cells[j], what) for j in form.pick])
+        return self.made(values[None] * form.factors, what)[0]
+
+    def known(self, heads: list[str]) -> dict[str, tuple[int, str]]:
+        """Return name -> (column, unit) of the headings of a table."""
+        known: dict[str, tuple[int, str]] = {}
+        for j, head in enumerate(heads):
+            name, unit = name_and_unit(head)
+            if name in known:
+                self._twice.add(name)
+            known.setdefault(name, (j, unit))
+        return known
+
+    def factor(self, name: str, unit: str, kind: str) -> float:
+        """Return the factor that takes a column's numbers, "length", "angle" or neither, into the units said."""
+        if name in self._twice:
+            raise InputError(f"{self.name}: the column {name} stands there twice.", path=self.name)
+        said = {"angle": self.units.radians, "length": self.units.metres}
+        sizes = {"length": LENGTHS, "angle": ANGLES}.get(kind, {})
+        if unit and unit not in sizes:
+            raise InputError(
+                f"{self.name}: the column {name} cannot be in {unit}; "
+                f"{'it has no unit' if not sizes else 'it may be in ' + ' or '.join(sizes)}.",
+                path=self.name,
+            )
+        return sizes[unit] / said[kind] if unit else 1.0
+
+
+def _chained(first: tuple[int, str], rest: Iterator[tuple[int, str]]) -> Iterator[tuple[int, str]]:
+    yield first
+    yield from rest
+
+
+#: How many lines, and bytes of standard input, say what kind of file it is.
+LOOKED_AT, PEEKED_AT = 20, 1 << 16
+
+
+def opened(name: str, thing: str) -> BinaryIO:
+    """Return a file to read from, standard input for "-", or refuse it by name."""
+    if name == "-":
+        return sys.stdin.buffer
+    try:
+        return Path(name).open("rb")
+    except OSError as error:
+        raise InputError(f"{thing}: cannot read {name}: {error.strerror}.", path=name) from None
+
+
+def first_lines(name: str, thing: str) -> list[str]:
+    """Return the first lines of a file without their comments; standard input stays to be read."""
+    if name == "-":
+        given = sys.stdin.buffer if isinstance(sys.stdin, io.TextIOWrapper) else None
+        raw = given.peek(PEEKED_AT).splitlines(keepends=True) if isinstance(given, io.BufferedReader) else []
+        # the last one may go on
+        raw = raw[:LOOKED_AT] if len(raw) < 2 or raw[-1].endswith(b"\n") else raw[:-1][:LOOKED_AT]
+    else:
+        with opened(name, thing) as file:
+            raw = list(islice(file, LOOKED_AT))
+    return [text_of(line, name, thing) for line in raw]
+
+
+def refuse_same(name: str, csv: str) -> None:
+    """Refuse to write the answer over the table that is read.
+
+    Raises:
+        InputError: They are one file.
+    """
+    if csv and Path(csv).exists() and name != "-" and Path(csv).samefile(name):
+        raise InputError(f"--csv {csv} would write over the table it reads; give another name.", given=csv)
+
+
+def text_of(raw: bytes, name: str, thing: str) -> str:
+    """Return a line without its comment."""
+    try:
+        return raw.decode("utf-8-sig").split("#")[0].strip()
+    except UnicodeDecodeError:
+        raise InputError(f"{thing}: {name} is not a text file.", path=name) from None
+
+
+def _with_points(line: str) -> str:
+    """Return a line of cells between semicolons or tabs with points for decimal commas, which many countries write."""
+    return re.sub(r"(?<=\d),(?=\d)", ".", line) if ";" in line or "\t" in line else line
+
+
+def has_names(cells: list[str]) -> bool:
+    """Return whether a line holds names of columns: a word that is no number, infinity or expression."""
+    words = [cell.lower() for cell in cells if re.fullmatch(r"[A-Za-z_]\w*(?:[, (/\[]+\w+[)\]]?)?", cell)]
+    return any(word not in ("nan", "inf", "pi") for word in words)
+
+
+def name_and_unit(head: str) -> tuple[str, str]:
+    """Return the name and the unit of a heading such as x_mm, "x, mm", x [mm] or roll_deg; no unit is ""."""
+    parts = [part for part in re.split(r"[\s,_()/\[\]]+", head.strip().lower()) if part]
+    return (
+        ("_".join(parts[:-1]), parts[-1])
+        if len(parts) > 1 and parts[-1] in (*LENGTHS, *ANGLES)
+        else (
+            "_".join(parts),
+            "",
+        )
+    )

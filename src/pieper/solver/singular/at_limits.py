@@ -1,0 +1,75 @@
+"""A self-motion that was followed, exact at the limits that it meets; and lines of slides, which have no end."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.joints import short_way
+from pieper.kinematics.newton import missed, newton, null_space
+from pieper.solver.redundant.bounded_motion import BESIDE_CHORD, bounded_motion
+from pieper.solver.singular.self_motion import SelfMotion
+from pieper.tolerances import CURVE_RANK, LINE_OF_SLIDES, NO_END, ON_CURVE
+
+#: Halvings of a golden section that place where a joint turns back: its value is exact to rounding then.
+HALVINGS = 30
+
+
+def at_limits(motion: SelfMotion) -> SelfMotion:
+    """Return a self-motion whose intervals inside the limits are exact: a single point that is left is one of them."""
+    if motion.dimension > 1 or len(motion.samples) < 2:
+        return motion
+    ends = [np.zeros((0, motion.chain.n))]
+    for joint in motion.free:
+        for limit in motion.limits[joint][np.isfinite(motion.limits[joint])]:
+            ends += [motion.points_at_joint(joint, float(limit)), _touching(motion, joint, float(limit))]
+    return bounded_motion(motion, np.concatenate(ends))
+
+
+def _touching(motion: SelfMotion, joint: int, limit: float) -> Array:
+    """Return the points (m, n) at which a joint turns back about a limit, which it may reach without passing it."""
+    slides = bool(motion.chain.prismatic[joint])
+    value, room = motion.samples[:, joint], BESIDE_CHORD * float(motion.chain.joints.unit[joint])
+    off = value - limit if slides else short_way(value - limit)
+    inner = np.arange(1, len(value) - 1)
+    rise = np.sign(np.diff(value))
+    turns = inner[(rise[:-1] != rise[1:]) & (np.abs(off[1:-1]) < room)]
+    found: list[Array] = []
+    for i in turns:
+        side = 1.0 if rise[i - 1] > 0 else -1.0
+        low, high = float(motion.u[i - 1]), float(motion.u[i + 1])
+        for _ in range(HALVINGS):
+            a, b = high - 0.618 * (high - low), low + 0.618 * (high - low)
+            if side * motion.point(a)[joint] > side * motion.point(b)[joint]:
+                high = b
+            else:
+                low = a
+        found.append(motion.point((low + high) / 2))
+    return np.array(found).reshape(-1, motion.chain.n)
+
+
+def leads_away(motion: SelfMotion) -> bool:
+    """Whether slides of a self-motion that does not close go so far that it has no end."""
+    ways = (motion.samples / motion.chain.joints.unit)[:, motion.chain.prismatic]
+    return bool(np.ptp(ways, axis=0).max(initial=0.0) > NO_END)
+
+
+def slides_freely(chain: Chain, q: Array) -> bool:
+    """Whether only slides move along what is free at q (n,): the self-motion is a straight line then."""
+    free = null_space(chain, q)[1][-1]
+    return bool(chain.prismatic.any() and np.abs(free[~chain.prismatic]).max(initial=0.0) < LINE_OF_SLIDES)
+
+
+def drawn_in(chain: Chain, q: Array, T: Array) -> Array:
+    """Return a point (n,) that holds a pose, or where it lies on a line of slides the one with the shortest ways.
+
+    Such a line has no end: solutions of poses beside lead to points of it a thousand lengths away, where nothing is
+    exact.
+    """
+    if not slides_freely(chain, q):
+        return q
+    unit = chain.joints.unit
+    free = np.where(chain.prismatic, null_space(chain, q)[1][-1], 0.0)
+    near = newton(chain, q - float(free @ (q / unit)) * free * unit, T, steps=12, cutoff=CURVE_RANK)
+    return near if missed(chain, near, T) < ON_CURVE and slides_freely(chain, near) else q
