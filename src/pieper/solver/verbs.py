@@ -251,8 +251,8 @@ def _any(rows: Bools) -> Bools:
 def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
     """Return all there is at a pose where that can be read off the axes of its rows."""
     read = plan.solver.read(pose, q, flag)
-    if read is None:
-        return None
+    if read is None or (read.self_motions and not (plan.spec.closed_form or read.inside.any())):
+        return None  # a curve that was followed may pass the limits between its points
     from pieper.solver.singular.read_off import examined
 
     T = checked_pose(pose) if read.flag & _ROUNDED else pose
@@ -274,12 +274,12 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: 
 
 def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
     """Return all there is at a pose that may be singular, of which rows q (m, n) are known."""
-    from pieper.solver.singular.careful import clear, every_solution, vouched
+    from pieper.solver.singular.careful import all_there, clear, every_solution, vouched
 
     flag &= ~_EDGE
-    if (flag & _DOUBTFUL) == _UNCERTAIN and plan.direct and len(q) and vouched(plan, T, q):
+    if flag & _DOUBTFUL and plan.direct and all_there(plan, T, q, flag):
         q, inside = plan.chain.joints.inside_limits(q, plan.limits)
-        return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag & ~_UNCERTAIN)
+        return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag & ~_DOUBTFUL)
     found = None if clear(plan, q) else every_solution(plan, T, q)
     q, inside = plan.chain.joints.inside_limits(q if found is None else found.q, plan.limits)
     if found is None:
@@ -317,6 +317,8 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     index = np.flatnonzero(marked)
     if plan.direct:
         read = plan.solver.read_into(poses, index, rows)
+        if not plan.spec.closed_form:
+            read[(read == 2) & ~_any(rows.inside[index])] = 0  # as in `_read`
         seen, curve = index[read > 0], index[read == 2]
         status[seen] = _PLAIN[1 + _any(rows.inside[seen])]
         status[curve[_any(rows.inside[curve])]] = np.uint8(Status.SINGULAR)

@@ -106,9 +106,9 @@ SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
 SWEEP_FINEST = 1e-6
 #: A pose is approached from this far to the side (per length; rad) where a row on it is not clear.
 CAREFUL_ASIDE = 1e-9
-#: Poses this far to the side (per length; rad) vouch for one whose own certificate fails: far enough that what meets at
-#: a special pose has parted, near enough that regular solutions are led back.
-SURE_ASIDE = 1e-3
+#: Poses this far to the side (per length; rad) vouch for one whose own certificate fails, the nearest that are certain
+#: first: far enough that what meets at a special pose has parted, near enough that regular solutions are led back.
+SURE_ASIDE = (1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 4e-2)
 #: A solution led back onto the pose is one of its rows within this (rad; per length): of merged roots it ends
 #: in the blur.
 SAME_VOUCHED = 1e-4

@@ -27,6 +27,8 @@ from pieper.tolerances import (
 
 #: Postures all over the joints' ranges from which a singular pose is sought that nothing else leads to.
 ALL_OVER = 200
+#: Poses beside one that vouch for it: more directions than a double root can hide in.
+VOUCHING = 6
 
 
 def near_rows(plan: Plan, poses: Array) -> Array:
@@ -122,6 +124,11 @@ def clear(plan: Plan, rows: Array) -> bool:
     six_alone = plan.task == "pose" and not plan.reduction.fill and not named(plan.family).eliminating
     if not six_alone or not len(rows) or len(rows) % 2:
         return False
+    return regular(plan, rows)
+
+
+def regular(plan: Plan, rows: Array) -> bool:
+    """Whether all rows (m, n) are far enough from singular ones that none is a double root or on a self-motion."""
     s = singular_values(plan.chain, rows)
     return bool(np.all(s[:, -1] > CLEARLY_REGULAR * s[:, 0]))
 
@@ -129,29 +136,49 @@ def clear(plan: Plan, rows: Array) -> bool:
 def sure_beside(plan: Plan, poses: Array) -> Bools:
     """Return of which poses (N, 4, 4) others may vouch for what is found (N,).
 
-    Those are poses at small generic side steps, all solved for certain, or the special arm that this one nearly is.
+    Those are poses at small generic side steps that are solved for certain, or the special arm that this one nearly is.
     """
     if plan.nearly is not None:
         return np.ones(len(poses), bool)
-    aside = side_steps(plan.chain, poses, (SURE_ASIDE,))
-    flags = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[3]
-    return np.all((flags & Flag.UNCERTAIN).reshape(len(poses), -1) == 0, axis=1)
+    return np.array([_certain_beside(plan, T) is not None for T in poses], bool)
+
+
+def _certain_beside(plan: Plan, T: Array) -> Array | None:
+    """Return the solutions (m, n) of as many poses beside T as vouch, the nearest that are certain; None if too few."""
+    count, rows = 0, [np.empty((0, plan.n))]
+    for size in SURE_ASIDE:
+        q, valid, _, flags = plan.solver.many(np.ascontiguousarray(side_steps(plan.chain, T, (size,))), 1)
+        certain = np.flatnonzero((flags & Flag.UNCERTAIN) == 0)[: VOUCHING - count]
+        rows.append(q[certain][valid[certain]])
+        count += len(certain)
+        if count == VOUCHING:
+            return np.concatenate(rows)
+    return None
+
+
+def all_there(plan: Plan, T: Array, rows: Array, flag: int) -> bool:
+    """Whether rows (m, n) of a pose that was marked with a flag are certainly all there is, and none is singular.
+
+    What lies on a self-motion or next to one has neighbours beside T that lead back to it, and it is none of the rows.
+    """
+    if not len(rows) or not (flag & Flag.UNCERTAIN or named(plan.family).eliminating):
+        return False
+    return (not flag & Flag.DEGENERATE or regular(plan, rows)) and vouched(plan, T, rows)
 
 
 def vouched(plan: Plan, T: Array, rows: Array) -> bool:
-    """Whether poses beside T, each solved for certain, have no other solutions than rows (m, n).
+    """Whether six poses beside T, each solved for certain, have no other solutions than rows (m, n).
 
     A solution of T in a regular posture has one of every pose beside it, near its own; a merged root of some of them.
-    So what all of them lead back to is all there is, where Newton's method leads a solution back at all. The special
-    arm that this one nearly is may vouch as well (`counted_by_special`).
+    So what they lead back to is all there is, whatever the other poses beside T are solved like, where Newton's method
+    leads a solution back at all. The special arm that this one nearly is may vouch as well (`counted_by_special`).
     """
     if counted_by_special(plan, T, rows):
         return True
-    aside = side_steps(plan.chain, T, (SURE_ASIDE,))
-    q, valid, _, flags = plan.solver.many(np.ascontiguousarray(aside), 1)
-    if np.any(flags & Flag.UNCERTAIN) or not np.any(valid):
+    beside = _certain_beside(plan, T)
+    if beside is None or not len(beside):
         return False
-    back = newton(plan.chain, q[valid], T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
+    back = newton(plan.chain, beside, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
     back = back[missed(plan.chain, back, T) < HOLDS]
     if not len(rows):
         return not len(back)
