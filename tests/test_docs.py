@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import re
 import shlex
@@ -97,6 +98,9 @@ def test_every_block_of_a_page_runs_from_top_to_bottom(page, tmp_path, monkeypat
     monkeypatch.chdir(tmp_path)
     names = at_hand(tmp_path)
     for block in BLOCK.finditer(page.read_text(encoding="utf-8")):
+        # what is no part of the package's extras is run where it is there
+        if any(f"import {name}\n" in block[2] and importlib.util.find_spec(name) is None for name in ("jax", "torch")):
+            continue
         exec(compile(block[2], str(page.relative_to(ROOT)), "exec"), names)
         if block[1] != "python":
             assert hasattr(names["figure"], "savefig"), f"{block[1]} leaves a figure"

@@ -149,7 +149,7 @@ def main() -> None:
     if said.toolbox:
         peers["toolbox"] = toolbox(said.toolbox)
     if said.rm4d:
-        peers["rm4d"] = sampled(*said.rm4d, said.samples)
+        peers["rm4d"] = sampled(said.rm4d[0], said.rm4d[1], said.samples)
     print(json.dumps(peers, indent=1))
     write(state, RESULTS / "scale.json", indent=1)
 

@@ -1,4 +1,4 @@
-"""Write docs/exported_solvers.md from benchmarks/results/exports.json: which arm ran in which language, and what differed."""
+"""Write docs/exported_solvers.md from exports.json: which arm was run in which language, and what differed."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ Which arm was run in which language: random poses inside the limits, half of the
 and to float32), rows inside the limits beside `arm.ik_many`'s, to 1e-7 rad. Measured by `python -m
 benchmarks.measure.exports`, which goes on where it was left; written by `make pages` (see [code](code.md)).
 
-Where a number of poses stands alone, no pose differed. *+k*: k poses differ; *~k*: k poses differ that the native solver marks
-as next to singular, where rows are known to fewer digits and the file says `unclear`. Arms that are not listed were
-not run.
+Where a number of poses stands alone, no pose differed. *+k*: k poses differ; *~k*: k poses differ that the native
+solver marks as next to singular, where rows are known to fewer digits and the file says `unclear`. Arms that are not
+listed were not run.
 """
 NAMES = {"c": "C", "c++": "C++", "python": "Python", "javascript": "JavaScript", "jax": "JAX", "wasm": "wasm"}
 

@@ -8,7 +8,6 @@ import json
 import re
 import shutil
 import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,7 +16,6 @@ import pieper
 from pieper.solver.words.labels import posture_words, sides
 from pieper.tolerances import NO_SIDE
 
-PAGE = Path(__file__).parents[2] / "docs" / "code.md"
 #: Every family and kind that is exported: tilted, offset, slides, wrist inside, UR.
 ARMS = (
     "denso-vp6242",
@@ -235,11 +233,3 @@ def test_the_head_says_where_it_comes_from(tmp_path):
     for language, ending in (("c", "c"), ("python", "py"), ("javascript", "mjs")):
         head = arm.code(language, tmp_path / f"a.{ending}").read_text()[:900]
         assert "denso-vp6242" in head and "sha256" in head and "licence" in head and "Written by pieper" in head
-
-
-def test_the_example_of_the_page_runs(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    known = {}
-    for block in re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.S):
-        if all(importlib.util.find_spec(name) for name in ("jax", "torch") if f"import {name}\n" in block):
-            exec(compile(block, str(PAGE), "exec"), known)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 import pieper
 from pieper import InputError
+from pieper.description import xacro
 from tests.description.urdf_samples import ARM, fixed, robot, slide
 
 
@@ -126,27 +128,53 @@ def test_a_xacro_that_needs_an_argument_or_a_package_says_so(tmp_path):
     (tmp_path / "needy.xacro").write_text(needy)
     with pytest.raises(InputError, match="reach.*xacro_args"):
         pieper.load(tmp_path / "needy.xacro")
+    # a name of this run's own: other runs' packages may lie in the folders above
+    name = f"nowhere_{os.getpid()}"
     (tmp_path / "away.xacro").write_text(
         '<robot name="x" xmlns:xacro="http://www.ros.org/wiki/xacro">'
-        '<xacro:include filename="$(find nowhere)/a.xacro"/></robot>'
+        f'<xacro:include filename="$(find {name})/a.xacro"/></robot>'
     )
-    with pytest.raises(InputError, match="needs the package 'nowhere', which is not in the folders around it. Lay it"):
+    with pytest.raises(InputError, match=f"needs the package '{name}', which is not in the folders around it. Lay it"):
         pieper.load(tmp_path / "away.xacro")
-    (tmp_path / "nowhere").mkdir()
-    (tmp_path / "nowhere" / "package.xml").write_text("<package><name>nowhere</name></package>")
+    (tmp_path / "pkg").mkdir()
+    (tmp_path / "pkg" / "package.xml").write_text(f"<package><name>{name}</name></package>")
     with pytest.raises(InputError, match="needs '.*a.xacro', which is not there. Lay it there"):
         pieper.load(tmp_path / "away.xacro")
-    (tmp_path / "nowhere" / "a.xacro").write_text(XACRO.format(default="0.3"))
+    (tmp_path / "pkg" / "a.xacro").write_text(XACRO.format(default="0.3"))
     assert pieper.load(tmp_path / "away.xacro").n == 2
-    (tmp_path / "macros.xacro").write_text('<robot name="x" xmlns:xacro="http://www.ros.org/wiki/xacro"/>')
+    # a folder of its own, in whose neighbours no other run's files lie
+    inner = tmp_path / "robot" / "urdf"
+    inner.mkdir(parents=True)
+    (inner / "macros.xacro").write_text('<robot name="x" xmlns:xacro="http://www.ros.org/wiki/xacro"/>')
     with pytest.raises(InputError, match="may only define macros. Load the file that uses them.$"):
-        pieper.load(tmp_path / "macros.xacro")
-    (tmp_path / "arm.urdf.xacro").write_text(
+        pieper.load(inner / "macros.xacro")
+    (inner / "arm.urdf.xacro").write_text(
         XACRO.format(default="0.3").replace("<xacro:arg", '<xacro:include filename="macros.xacro"/><xacro:arg')
     )
     with pytest.raises(InputError, match="Load the file that uses them: arm.urdf.xacro.$") as raised:
-        pieper.load(tmp_path / "macros.xacro")
-    assert pieper.load(tmp_path / raised.value.allowed[0]).n == 2
+        pieper.load(inner / "macros.xacro")
+    assert pieper.load(inner / raised.value.allowed[0]).n == 2
+
+
+def test_packages_are_looked_for_in_so_many_folders_and_not_in_other_homes(tmp_path, monkeypatch):
+    robot = tmp_path / "home" / "anna" / "ws" / "src" / "robot_description"
+    for package in (robot, robot.parent / "other", robot.parent / "deep" / "er" / "down"):
+        package.mkdir(parents=True)
+        (package / "package.xml").write_text(f"<package><name> {package.name} </name></package>")
+    (tmp_path / "home" / "berta" / "secret").mkdir(parents=True)
+    (tmp_path / "home" / "berta" / "secret" / "package.xml").write_text("<package><name>secret</name></package>")
+    file = robot / "urdf" / "a.xacro"
+    monkeypatch.setattr("pathlib.Path.home", lambda: tmp_path / "home" / "anna")
+    assert set(xacro.packages_around(file)) == {"robot_description", "other", "down"}
+    assert xacro.packages_around(tmp_path / "home" / "anna" / "a.xacro").keys() == {"robot_description", "other"}
+    looked: list[object] = []
+    monkeypatch.setattr(xacro, "MOST_FOLDERS", 30)
+    for i in range(60):
+        (robot.parent / f"more_{i}").mkdir()
+    scandir = os.scandir
+    monkeypatch.setattr(os, "scandir", lambda folder: looked.append(folder) or scandir(folder))
+    xacro.packages_around(file)
+    assert len(looked) <= 30 + xacro.LEVELS_UP
 
 
 def test_an_argument_used_before_its_line_has_its_default_and_what_fails_names_the_arguments(tmp_path):

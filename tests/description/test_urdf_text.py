@@ -68,3 +68,18 @@ def test_a_short_slide_or_a_name_like_a_fingers_at_the_end_comes_back_from_a_fil
     back = pieper.load(tmp_path / "quill.urdf")
     assert back.joint_names == arm.joint_names and back.notes == ()
     assert pieper.load(tmp_path / "quill.urdf", tip="link_2").n == 2
+
+
+def test_angles_that_look_rounded_come_back_to_the_last_digits_of_what_pieper_wrote(tmp_path):
+    rng = np.random.default_rng(7)
+    for digits in (4, 5, 6, 9, 10, 12):
+        near = np.round(np.radians(15 * rng.integers(-12, 13, (4, 2))), digits)
+        rows = [pieper.DH(0.3, float(alpha), 0.1, float(theta)) for alpha, theta in near]
+        arm = pieper.Arm.from_dh(
+            rows, convention="standard", tool=pieper.pose(0.1, 0, 0.2, rpy=tuple(near[0]) + (0.5,))
+        )
+        arm.save(tmp_path / "a.urdf")
+        again = pieper.load(tmp_path / "a.urdf", missing_limits="unlimited")
+        q = rng.uniform(-3, 3, (5, 4))
+        assert np.abs(again.fk(q) - arm.fk(q)).max() < 1e-12
+        assert again.notes == ()

@@ -104,7 +104,7 @@ def test_a_pose_on_the_axis_of_the_first_joint_is_out_of_reach_of_an_offset_shou
     ("name", "said", "not_said"),
     [
         ("adept-cobra-600", "All axes are parallel", "meet in a point"),
-        ("dfrobot-rob0036", "Axes 2, 3, 4 are parallel", "meet in a point"),
+        ("dfrobot-rob0036", "Axes 2, 3 and 4 are parallel", "meet in a point"),
     ],
 )
 def test_an_arm_with_few_joints_is_explained_as_itself(name, said, not_said):

@@ -92,6 +92,20 @@ def test_round_postures_of_the_catalogue_are_found_again_stretched_and_with_the_
         assert sols.self_motions or np.abs(many.nearest[i] - q[i]).max() < 1e-6
 
 
+@pytest.mark.parametrize("name", ["dobot-mg400", "dobot-magician"])
+def test_stretched_postures_outside_the_limits_are_as_many_of_many_poses_as_of_one(name):
+    arm = pieper.load(name)
+    lower, upper = np.degrees(arm.limits).T
+    q = np.random.default_rng(5).uniform(lower, upper, (80, 4))
+    q = np.radians(np.clip(np.round(q / 15) * 15, lower, upper))[40:70]
+    q[::2, 2] = q[::2, 1] - np.pi / 2
+    Ts, narrow = arm.fk(q), arm.with_limits({arm.joint_names[1]: (5.0, 5.05)})
+    many = narrow.ik_many(Ts)
+    for i, T in enumerate(Ts):
+        one = narrow.ik(T)
+        assert many.status[i] == one.status and many.valid[i].sum() == len(one.all_q)
+
+
 @pytest.mark.parametrize("name", ["palletizer", "relative", "scara"])
 def test_no_more_and_no_fewer_than_a_search_of_the_forward_kinematics_finds(name):
     arm = ARMS[name]()

@@ -97,3 +97,36 @@ def test_lines_of_slides_of_drawn_arms_are_told_once():
         for motion in arm.ik(arm.fk(q)).self_motions:
             assert np.abs(motion.representative).max() < 20
         told += 1
+
+
+SIX_TURNS = [DH(0, -H, -0.2, pi), DH(0.4, 0, 0.25), DH(0, -H, 0.2), DH(0.4, H), DH(-0.2, 0, 0, H), DH(0, H, 0, pi)]
+
+
+def of_all_roads() -> list[tuple[Arm, np.ndarray]]:
+    """Return arms whose self-motions are found in another way each, with a posture on one."""
+    wrist = Arm.from_dh([DH(0, H), DH(0, -H), DH(0, 0, 0.1)], convention="standard")
+    general = Arm.from_dh(SIX_TURNS, convention="modified")
+    palletizer = pieper.load("dobot-mg400")
+    return [
+        (wrist, np.array([0.5, 0, 0.2])),
+        (general, np.array([pi, H, pi, H, H, -H])),
+        (palletizer, np.array([-K, 0, H, 7 * pi / 12])),
+    ]
+
+
+@pytest.mark.parametrize("which", range(3))
+@pytest.mark.parametrize("width", [0.0, 1e-3, 0.03])
+def test_no_window_that_limits_leave_of_a_self_motion_is_too_narrow(which, width):
+    arm, q = of_all_roads()[which]
+    T = arm.fk(q)
+    motion = next(m for m in arm.ik(T).self_motions if m.contains(q))
+    low, high = motion.inside[0]
+    there = motion.at(low + 0.43 * (high - low))
+    for joint in motion.free:
+        window = (there[joint] - width / 2, there[joint] + width / 2)
+        short = arm.with_limits({arm.joint_names[joint]: window})
+        sols = short.ik(T)
+        assert sols.status == Status.SINGULAR == short.ik_many(T[None]).status[0], (joint, sols.why)
+        at = sols.nearest(there)
+        assert np.abs(at - there).max() < 1e-6 + width and np.abs(arm.fk(at) - T).max() < 1e-9
+        assert all(np.abs(arm.fk(p) - T).max() < 1e-9 for p in motion.at_joint(joint, there[joint]))

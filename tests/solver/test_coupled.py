@@ -156,10 +156,13 @@ def test_the_uncoupled_arm_is_the_same_by_its_axes_and_is_the_cure_where_couplin
 
 
 @pytest.mark.parametrize("name", ["fanuc-lr-mate-200id", "universal-robots-ur5e"])
-def test_how_far_the_least_offending_solution_is_outside_is_the_least_over_whole_turns_of_the_axes(name):
-    arm, _, C = coupled(name)
+@pytest.mark.parametrize("part", [1.0, 0.5])
+def test_how_far_the_least_offending_solution_is_outside_is_the_least_over_whole_turns_of_the_axes(name, part):
+    arm, plain, C = coupled(name)
+    C = np.where(np.eye(len(C), dtype=bool), C, part * C)
+    arm = pieper.Arm(replace(plain.description, coupling=C))
     narrow = arm.with_limits(dict.fromkeys(arm.joint_names, (2.9, 3.1)))
-    turns = np.array(list(itertools.product((-1, 0, 1), repeat=3)))
+    turns = np.array(list(itertools.product((-2, -1, 0, 1, 2), repeat=3)))
     every = np.zeros((len(turns), arm.n))
     every[:, 1:4] = turns
     for q in joints(arm, 12):

@@ -34,6 +34,9 @@ def test_every_point_holds_the_pose_and_only_the_free_joints_move(name):
     for motion in sols.self_motions:
         points = np.array([motion.at(u) for u in np.linspace(0, 1, 23)])
         assert np.abs(arm.fk(points) - T).max() < 1e-9
+        # it begins with its samples, whole turns and all; a linkage goes on without a jump
+        assert np.abs(points[0] - motion.samples[0, : arm.n]).max() < 1e-6
+        assert name != "four axes linked" or np.abs(np.diff(points, axis=0)).max() < 2.5
         spread = turns_apart(points, points[0]).max(0)
         assert set(np.flatnonzero(spread > 1e-6)) == set(motion.free)
         assert all(motion.contains(point) and motion.distance(point) < 0.02 for point in points)

@@ -283,6 +283,12 @@ def _nothing_moves(tree: Tree, base: str, anchor: str, left_out: set[str]) -> No
             choices=choices,
             allowed=[joint.child for joint in cut],
         )
+    if not any(joint.kind in MOVING for joint in tree.joints):
+        raise InputError(
+            f"{tree.file}: no joint of this file moves ({', '.join(MOVING)} would): it is no arm. Load the robot's own "
+            "file.",
+            file=tree.file,
+        )
     afloat = [joint.name for joint in tree.joints if joint.kind == FLOATING]
     loose = f" ({_joints(afloat)} {'is' if len(afloat) == 1 else 'are'} floating)" if afloat else ""
     raise InputError(

@@ -93,7 +93,10 @@ class Tree:
         named = [link for joint in self.joints for link in (joint.parent, joint.child)]
         self.links = list(dict.fromkeys([*self.links, *named]))
         if not self.joints:
-            raise InputError(f"{self.file}: there is no joint in this file; an arm has at least one.", file=self.file)
+            raise InputError(
+                f"{self.file}: there is no joint in this file; an arm has at least one. Load the robot's own file.",
+                file=self.file,
+            )
         if len(self.joints) > MOST_JOINTS:
             raise InputError(
                 f"{self.file}: {len(self.joints):,} joints; at most {MOST_JOINTS:,} are read.", file=self.file

@@ -295,5 +295,9 @@ def _limits(tree: Tree, joint: Joint) -> tuple[float | None, float | None]:
         if math.isnan(value):
             tree.fail(f"a limit of joint {joint.name!r} is not a number.", joint)
     if lower > upper:
-        tree.fail(f"the limits of joint {joint.name!r} are swapped: {lower:g} is above {upper:g}.", joint)
+        tree.fail(
+            f"the limits of joint {joint.name!r} are swapped: {lower:g} is above {upper:g}. Write the smaller one as "
+            "the lower limit; what a file leaves out on one side is 0.",
+            joint,
+        )
     return (None if lower < -LIMIT_IS_NONE else lower), (None if upper > LIMIT_IS_NONE else upper)

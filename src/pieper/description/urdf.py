@@ -101,6 +101,8 @@ def loads(
     data = data.encode() if isinstance(data, str) else data
     if len(data) > LARGEST_FILE:
         raise InputError(f"{file}: larger than {LARGEST_FILE:,} bytes; this is not a URDF.", file=file)
+    # what pieper wrote has every digit, also where an angle looks like a rounded one
+    exact_angles = exact_angles and WHOLE.encode() not in data
     tree = parse(data, file, exact_angles)
     if base is None and tip is None and WHOLE.encode() in data and {"base", "tool"} <= set(tree.links):
         base, tip = "base", "tool"

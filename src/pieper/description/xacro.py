@@ -6,6 +6,7 @@ import contextlib
 import io
 import os
 import re
+from collections import deque
 from collections.abc import Mapping
 from pathlib import Path
 from typing import NoReturn
@@ -17,6 +18,8 @@ from pieper.errors import InputError
 
 #: How many files around one that only defines macros are looked through for one that uses them.
 MOST_LOOKED_AT = 300
+#: How far up from a file, how deep down from there, and through how many folders in all its packages are looked for.
+LEVELS_UP, LEVELS_DOWN, MOST_FOLDERS = 4, 3, 2000
 
 
 def read(
@@ -30,7 +33,7 @@ def read(
     """Expand a xacro file and read the chain from one of its links to another; see `urdf.read`.
 
     Args:
-        path: A .xacro file. Packages named in $(find ...) are looked for in the folders around it.
+        path: A .xacro file. Packages named in $(find ...) are looked for in the folders around it (`packages_around`).
         base: Link whose frame is the base.
         tip: Link whose frame is the tool.
         missing_limits: As in `urdf.read`.
@@ -65,7 +68,8 @@ def expanded(path: Path, arguments: Mapping[str, str]) -> str:
             file=str(path),
         ) from None
     given = {key: str(value) for key, value in arguments.items()}
-    for _ in range(1 + len(_declared(path))):
+    around: dict[str, str] | None = None
+    for _ in range(2 + len(_declared(path))):
         said = io.StringIO()
         try:
             # the expander prints its warnings and where it was; they belong into the message, not onto the screen
@@ -74,10 +78,13 @@ def expanded(path: Path, arguments: Mapping[str, str]) -> str:
                 # file's own folder is where its includes are
                 expander.init_stacks(str(path))
                 packages.reset()
-                packages.look_in([str(folder) for folder in list(path.resolve().parents)[:4]])
+                packages.update_package_cache(around or {})
                 return XacroDoc.from_file(str(path), subargs=given, resolve_packages=False).to_urdf_string()
         except (Exception, SystemExit) as error:  # it evaluates expressions of the file: anything can come
             reason = _reason(error)
+            if around is None and "Package not found" in reason:
+                around = packages_around(path)
+                continue
             early = re.search(r"Undefined substitution argument (\w+)", reason)
             default = _declared(path).get(early[1]) if early else None
             if early is None or default is None or early[1] in given or "$" in default:
@@ -119,6 +126,52 @@ def _reason(error: BaseException) -> str:
     """Return what the expander said, once."""
     text = " ".join(str(error).split()) or type(error).__name__
     return re.sub(r"^<class '[^']*'>: ", "", text)
+
+
+def packages_around(path: Path) -> dict[str, str]:
+    """Return the ROS packages that lie around a file, name -> folder, the nearest where a name is there twice.
+
+    Looked through are the folders above the file, `LEVELS_UP` of them and none that holds other people's homes, each
+    `LEVELS_DOWN` deep, and no more than `MOST_FOLDERS` in all: a file in a home folder does not walk a whole disk.
+    """
+    homes, seen, found = Path.home().resolve().parents, set[Path](), dict[str, str]()
+    for top in list(path.resolve().parents)[:LEVELS_UP]:
+        if top.parent == top or top in homes:
+            break
+        queue = deque([(top, 0)])
+        while queue and len(seen) < MOST_FOLDERS:
+            folder, depth = queue.popleft()
+            if folder in seen and folder != path.resolve().parent and depth:
+                continue
+            seen.add(folder)
+            name = _package_name(folder)
+            if name:
+                found.setdefault(name, str(folder))
+            if depth < LEVELS_DOWN and (
+                not name or not depth
+            ):  # packages hold no packages, but a repository may be one
+                queue += [(inner, depth + 1) for inner in _folders_in(folder)]
+    return found
+
+
+def _package_name(folder: Path) -> str:
+    """Return the name of the package that a folder is, "" where it is none."""
+    with contextlib.suppress(OSError):
+        if (folder / "package.xml").is_file():
+            text = (folder / "package.xml").read_text(encoding="utf-8", errors="replace")
+            said = re.search(r"<name>\s*([^<\s]+)\s*</name>", text)
+            return said[1] if said else ""
+        if (folder / "manifest.xml").is_file():
+            return folder.name
+    return ""
+
+
+def _folders_in(folder: Path) -> list[Path]:
+    """Return the folders in a folder that are not hidden, in order; none where it cannot be read."""
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        inner = [e.name for e in entries if e.is_dir(follow_symlinks=False) and not e.name.startswith(".")]
+        return [folder / name for name in sorted(inner)]
+    return []
 
 
 def _users(path: Path) -> list[str]:

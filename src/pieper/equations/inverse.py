@@ -243,7 +243,8 @@ def _short_arm(arm: Arm) -> str:
     geometry = look(chain, ALIGNED)
     parallel = [group.joints for group in geometry.parallel if len(group.joints) > 2]
     if parallel:
-        names = ", ".join(str(j + 1) for j in parallel[0])
+        *first, last = (str(j + 1) for j in parallel[0])
+        names = f"{', '.join(first)} and {last}"
         return f"Axes {names} are parallel: what happens across them is solved first, then their plane."
     if arm.n > 3 and not slides:
         for i in range(arm.n - 2):

@@ -251,8 +251,8 @@ def _any(rows: Bools) -> Bools:
 def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
     """Return all there is at a pose where that can be read off the axes of its rows."""
     read = plan.solver.read(pose, q, flag)
-    if read is None:
-        return None
+    if read is None or (read.self_motions and not (plan.spec.closed_form or read.inside.any())):
+        return None  # a curve that was followed may pass the limits between its points
     from pieper.solver.singular.read_off import examined
 
     T = checked_pose(pose) if read.flag & _ROUNDED else pose
@@ -317,6 +317,8 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     index = np.flatnonzero(marked)
     if plan.direct:
         read = plan.solver.read_into(poses, index, rows)
+        if not plan.spec.closed_form:
+            read[(read == 2) & ~_any(rows.inside[index])] = 0  # as in `_read`
         seen, curve = index[read > 0], index[read == 2]
         status[seen] = _PLAIN[1 + _any(rows.inside[seen])]
         status[curve[_any(rows.inside[curve])]] = np.uint8(Status.SINGULAR)

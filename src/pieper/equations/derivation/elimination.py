@@ -20,6 +20,7 @@ from pieper.algebra.notation import subscript
 from pieper.equations.derivation.patterns import (
     Recipe,
     Solved,
+    positive_first,
     recognise_double,
     recognise_single,
     recognise_slide,
@@ -141,7 +142,7 @@ class Eliminator:
                 if len(rest) == 1 and abs(rest[0][1]) == 1:
                     joint, factor = rest[0]
                     others = [mul(Num(-k * factor), angle_symbol(j)) for j, k in angle if j != joint]
-                    formula = add(mul(Num(factor), symbol), *others)
+                    formula = positive_first(add(mul(Num(factor), symbol), *others))
                     solved = Solved(formula, 1, (), None, "sum")
                     self.moves.append(Move(angle_symbol(joint), ((joint, 1),), (), solved, None, ()))
                     self.knowledge.joints.add(joint)

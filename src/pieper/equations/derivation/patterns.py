@@ -13,8 +13,9 @@ from fractions import Fraction
 from typing import Any
 
 from pieper.algebra.determinant import monomial_content
-from pieper.algebra.expression import Call, Expr, Num, Sym, add, atan2, mul, sqrt
+from pieper.algebra.expression import Add, Call, Expr, Num, Sym, add, atan2, mul, sqrt
 from pieper.algebra.harmonic import Poly
+from pieper.algebra.notation import negative
 
 
 @dataclass(frozen=True)
@@ -92,10 +93,22 @@ def quotient(over: Poly, under: Poly) -> Expr:
     """Quotient over / under, with numbers and a common minus sign worked in."""
     value = under.constant()
     if value is not None:
-        return (over * (1 / Fraction(value))).expr()
+        return positive_first((over * (1 / Fraction(value))).expr())
     if len(under.terms) == 1 and next(iter(under.terms.values())) < 0:
         over, under = -over, -under
-    return over.expr() / under.expr()
+    return positive_first(over.expr()) / under.expr()
+
+
+def positive_first(expr: Expr) -> Expr:
+    """A sum that begins with a minus sign with a term that has none in front, if there is one."""
+    if not isinstance(expr, Add) or not negative(expr):
+        return expr
+    return add(*(t for t in expr.args if not negative(t)), *(t for t in expr.args if negative(t)))
+
+
+def _square(expr: Expr) -> Expr:
+    """The square, of a product without its sign."""
+    return (mul(Num(-1), expr) if negative(expr) and not isinstance(expr, Add) else expr) ** 2
 
 
 def single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates: Any = None) -> Solved | None:
@@ -147,7 +160,8 @@ def single(A: Poly, B: Poly, C: Poly, sigma: Sym, name: Sym, mates: Any = None) 
     a, b = A.expr(), B.expr()
     square = A * A + B * B
     root = add(
-        square.expr() if square.constant() is not None or len(square.terms) < 3 else add(a**2, b**2), -(right**2)
+        square.expr() if square.constant() is not None or len(square.terms) < 3 else add(_square(a), _square(b)),
+        -(right**2),
     )
     formula = add(atan2(b, a), atan2(sigma * sqrt(root), right))
     return Solved(formula, 2, (a, b), root, "two functions", definitions)
@@ -243,7 +257,7 @@ def _complement(C: Poly, one: Poly, mates: Any) -> Expr | None:
     others = mates(symbols[0][0])
     if others is None or any(p.constant() is not None and p.constant() != 0 for p in others):
         return None
-    terms = [p.expr() ** 2 for p in others if p]
+    terms = [_square(p.expr()) for p in others if p]
     return sqrt(add(*terms)) if terms else None
 
 

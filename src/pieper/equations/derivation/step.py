@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 from pieper.algebra.arithmetics import NumpyField
 from pieper.algebra.expression import Expr, Num, Sym
+from pieper.algebra.harmonic import Poly
 from pieper.equations.derivation.elimination import Eliminator, Move
-from pieper.equations.derivation.splits import Source
+from pieper.equations.derivation.splits import Equation, Source
 from pieper.tolerances import ROUNDING
 
 
@@ -67,13 +68,21 @@ def step_of(eliminator: Eliminator, table: dict, number: int, move: Move) -> Ste
         move.angle,
         tuple(e.source for e in move.equations),
         tuple(names),
-        tuple((tidy(e.left.expr()), tidy(e.right.expr())) for e in move.equations),
+        tuple((tidy(left.expr()), tidy(right.expr())) for e in move.equations for left, right in [_turned(e)]),
         tidy(move.solved.formula),
         move.sigma,
         move.solved.kind,
         _vanishing([tidy(x) for x in move.solved.degenerate], constants),
         tidy(move.solved.merge) if move.solved.merge is not None else None,
     )
+
+
+def _turned(equation: Equation) -> tuple[Poly, Poly]:
+    """Both sides, their signs turned where each is one term with a minus: s2 = a_z, not -s2 = -a_z."""
+    sides = equation.left, equation.right
+    if all(len(p.terms) == 1 and next(iter(p.terms.values())) < 0 for p in sides):
+        return -sides[0], -sides[1]
+    return sides
 
 
 def _vanishing(conditions: list[Expr], constants: dict) -> tuple[Expr, ...]:

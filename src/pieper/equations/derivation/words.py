@@ -82,7 +82,9 @@ def _opening(page: Document, form: ClosedForm) -> None:
         (symbol, expr) for symbol, expr in form.table.relation.values() if expr.atoms() != {expr} and symbol.base != "q"
     ]
     if relations:
-        page.say("The angles and slides of the table belong to the joint coordinates as follows.")
+        numbers = any(isinstance(n, Num) and n.value not in (1, -1) for _, expr in relations for n in expr.walk())
+        units = ", in radians and metres" if numbers else ""
+        page.say(f"The angles and slides of the table belong to the joint coordinates as follows{units}.")
         for symbol, expr in relations:
             page.show(symbol, expr)
     twists = [(s, x) for s, x in form.table.meaning.items() if isinstance(x, Call)]
@@ -257,9 +259,11 @@ def _joints(page: Document, form: ClosedForm) -> None:
 def _summary(page: Document, form: ClosedForm) -> None:
     page.heading("All joints together")
     signs = len(form.sigmas)
+    quartic = signs == 1 and any(step.kind == "quartic" for step in form.steps)
     if signs:
         page.say(
-            f"Evaluated in this order, with each of the {form.branches} combinations of the signs ",
+            f"Evaluated in this order, with each of the {form.branches} "
+            + ("combinations of the signs " if signs > 1 else "values of " if quartic else "values of the sign "),
             *listed(form.sigmas),
             " held through all formulas:",
         )

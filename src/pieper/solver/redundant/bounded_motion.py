@@ -114,6 +114,8 @@ class BoundedMotion(TracedMotion):
             starts = np.concatenate([self._nearest_along(now, counts)[None], starts])
         if not len(starts):
             return None
+        if self.chain.coupling is not None:
+            return starts[0, : self.shown]  # the kernel's descent moves axes, and not what joints say of several
         return closest(self.chain, starts, self.T, self.limits, now, counts)[: self.shown]
 
     def _beside(self, now: Array) -> Array:

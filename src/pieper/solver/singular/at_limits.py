@@ -17,11 +17,8 @@ HALVINGS = 30
 
 
 def at_limits(motion: SelfMotion) -> SelfMotion:
-    """Return a self-motion whose intervals inside the limits are exact: a single point that is left is one of them.
-
-    Joints that move others cannot be held at a limit: of such an arm the intervals are told to the spacing of samples.
-    """
-    if motion.dimension > 1 or len(motion.samples) < 2 or motion.chain.coupling is not None:
+    """Return a self-motion whose intervals inside the limits are exact: a single point that is left is one of them."""
+    if motion.dimension > 1 or len(motion.samples) < 2:
         return motion
     ends = [np.zeros((0, motion.chain.n))]
     for joint in motion.free:

@@ -17,6 +17,7 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.solver.native import Read, SelfMotionSaid
 from pieper.solver.plan.plan import Plan
+from pieper.solver.singular.at_limits import at_limits
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.in_one_line import LineMotion
 from pieper.solver.singular.linkage_motion import LinkageMotion
@@ -46,7 +47,7 @@ def _told(plan: Plan, T: Array, said: SelfMotionSaid) -> SelfMotion:
     whose = plan.chain, T, plan.limits, plan.names, plan.n
     if len(said) == 2:
         points, closed = said
-        return TracedMotion(plan.chain, T, points, closed, 1, plan.limits, plan.names, plan.n)
+        return at_limits(TracedMotion(plan.chain, T, points, closed, 1, plan.limits, plan.names, plan.n))
     if len(said) == 3:
         through, pair, sense = said
         return LineMotion(*whose, through=through, pair=pair, sense=sense)

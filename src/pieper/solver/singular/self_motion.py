@@ -168,15 +168,28 @@ class SelfMotion:
         for i in np.flatnonzero((column[:-1] * column[1:] <= 0) & (np.abs(column[1:] - column[:-1]) < np.pi)):
             part = column[i] / (column[i] - column[i + 1]) if column[i] != column[i + 1] else 0.0
             point = self.samples[i] + part * (self.samples[i + 1] - self.samples[i])
-            locked = self.chain.locked(joint, value)
-            rest = newton(locked, np.delete(point, joint), self.T, steps=8)
             turns = 0 if self.chain.prismatic[joint] else round(float(point[joint] - value) / TURN)
-            point = np.insert(rest, joint, value + TURN * turns)
+            if self.chain.coupling is None:
+                rest = newton(self.chain.locked(joint, value), np.delete(point, joint), self.T, steps=8)
+                point = np.insert(rest, joint, value + TURN * turns)
+            else:
+                point = self._halved(int(i), joint, value + TURN * turns)
             if missed(self.chain, point, self.T) < CLOSES and not any(
                 np.allclose(point, other, atol=ONE_OF_MANY) for other in found
             ):
                 found.append(point)
         return np.array(found).reshape(-1, self.chain.n)
+
+    def _halved(self, i: int, joint: int, value: float) -> Array:
+        """Return the point between samples i and i + 1 where a joint has a value: one that moves others is not held."""
+        low, high = float(self.u[i]), float(self.u[i + 1])
+        side = np.sign(self.samples[i + 1, joint] - self.samples[i, joint])
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            low, high = (low, middle) if side * (self.point(middle)[joint] - value) > 0 else (middle, high)
+        point = self.point((low + high) / 2)
+        point[joint] = value
+        return point
 
     @cached_property
     def _sample_inside(self) -> Bools:
@@ -342,6 +355,10 @@ class SelfMotion:
                 value = np.degrees(short_way(total[0]))
                 return f"{self.names[i]} {symbol} {self.names[j]} = {value:.6g} deg"
         return ""
+
+
+#: Halvings that place a joint's value between two samples to rounding.
+HALVINGS = 48
 
 
 @dataclass(frozen=True, eq=False, repr=False)
