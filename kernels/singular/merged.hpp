@@ -124,14 +124,14 @@ inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Roo
   for (const Row& row : kept) roots.push_back(row.root);
 }
 
-// Makes one of roots that rounding cannot tell apart.
+// Makes one of roots that rounding cannot tell apart, once each is where it belongs.
 inline void one_of_each(const SixJoints& arm, const Rigid& T, std::vector<Root>& roots) {
   double least = INFINITY;
   for (std::size_t a = 0; a < roots.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) least = std::fmin(least, arm.apart(roots[a].q, roots[b].q));
   if (least >= kMergedBlur) return;
-  distinct_roots(arm, T, roots);
   for (Root& root : roots) root.branches = branches_at(arm, T, root.q);
+  distinct_roots(arm, T, roots);
 }
 
 }  // namespace pieper::PIEPER_ISA

@@ -138,6 +138,9 @@ def test_what_a_maker_does_not_take_is_refused_and_nothing_is_written(dialect, a
 def test_files_that_are_no_programs_are_refused(tmp_path):
     with pytest.raises(InputError, match="ending"):
         pieper.read_program(tmp_path / "a.xyz")
+    (tmp_path / "c.mod").write_text("\n \n")
+    with pytest.raises(InputError, match=r"c\.mod is empty"):
+        pieper.read_program(tmp_path / "c.mod")
     with pytest.raises(InputError, match="cannot read"):
         pieper.read_program(tmp_path / "a.mod")
     (tmp_path / "b.mod").write_text("MODULE b\n PROC main()\n MoveAbsJ p9,v100,fine,tool0;\n ENDPROC\nENDMODULE\n")

@@ -88,3 +88,14 @@ def test_a_section_from_the_very_beginning_is_refused_and_says_why():
     with pytest.raises(InputError, match="run-up .* 0 m/s"):
         pieper.time_law(seam(), limits, constant_speed=[(0.0, 0.5, 0.1)])
     assert pieper.fastest_constant_speed(seam(), limits, 0.5, 1.0).limit == "run-out"
+
+
+def test_what_binds_is_told_the_speed_that_is_given_in_its_section():
+    limits = pieper.Limits(3.0, 10.0, 60.0)
+    motion = pieper.time_law(seam(), limits, constant_speed=[(0.3, 0.7, 0.25)], rate=RATE)
+    (given,) = [one for one in motion.tight if one.limit == "given speed"]
+    inside = motion.t[(motion.s >= 0.3) & (motion.s <= 0.7)]
+    assert abs(given.start - inside[0]) < 2 / RATE and abs(given.end - inside[-1]) < 2 / RATE
+    ends = [(one.start, one.end) for one in motion.tight]
+    assert all(a[1] <= b[0] + 1e-12 for a, b in zip(ends, ends[1:], strict=False))
+    assert "jerk" in {one.limit for one in motion.tight}

@@ -22,7 +22,8 @@ def wrapped(angle: ArrayLike) -> Array:
 
 def turned_from(start: ArrayLike, angle: ArrayLike) -> Array:
     """Return angles (...) a whole number of turns away, in the turn from `start` (...) on, rad."""
-    return np.asarray(start + (np.asarray(angle, float) - start) % TURN)
+    first = np.asarray(start, np.float64)
+    return np.asarray(first + (np.asarray(angle, np.float64) - first) % TURN, np.float64)
 
 
 def inside(q: Array, limits: Array) -> Bools:

@@ -12,7 +12,7 @@ from pieper.motion.constant_speed import Fastest, Section, apart_or_one, refused
 from pieper.motion.curve import JointCurve
 from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.jerk import averaged, first_power, levelled, mean_around, peaks, too_fast
-from pieper.motion.motion import Motion
+from pieper.motion.motion import Motion, Tight
 from pieper.motion.profile import Profile
 from pieper.motion.ratios import Ratios
 from pieper.motion.timed_path import TimedPath, on_grid
@@ -88,12 +88,28 @@ def even_motion(timed: TimedPath, curve: JointCurve, sections: Sequence[Section]
         ends,
         dddq,
         asked.way.own(along),
-        tuple(binding(profile.t, ratios)),
+        _tight(asked.way, profile, ratios),
         ratios.margin,
         deviation=curve.between_points(),
         limits=timed.limits,
         description=timed.description,
     )
+
+
+def _tight(way: ToolWay, profile: Profile, ratios: Ratios) -> tuple[Tight, ...]:
+    """Return what binds when: in sections the speed of the tool that is asked for, beside them what is aimed at."""
+    places, found = profile.place(profile.t), binding(profile.t, ratios, 2 * EASED_MORE)
+    out: list[Tight] = []
+    for a, b in way.sections:
+        first, last = (float(t) for t in np.interp([a, b], places, profile.t))
+        out.append(Tight(first, last, "given speed", None))
+        found = [
+            Tight(max(begin, one.start), min(end, one.end), one.limit, one.joint)
+            for one in found
+            for begin, end in ((0.0, first), (last, profile.duration))
+            if max(begin, one.start) < min(end, one.end)
+        ]
+    return tuple(sorted([*out, *found], key=lambda one: one.start))
 
 
 def fastest_with_jerk(timed: TimedPath, curve: JointCurve, section: Section) -> Fastest:

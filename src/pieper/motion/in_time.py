@@ -29,7 +29,7 @@ def sampled(curve: JointCurve, profile: Profile, rate: float) -> tuple[Array, Ar
     return t, q, dq, ddq, dddq, s
 
 
-def binding(t: Array, ratios: Ratios) -> list[Tight]:
-    """Return which limit binds when, neighbouring pieces together."""
-    runs = _kernel.tightest(ratios.values, 1 - LIMIT_BINDS)
+def binding(t: Array, ratios: Ratios, near: float = LIMIT_BINDS) -> list[Tight]:
+    """Return which limit binds when, neighbouring pieces together; what comes so near to its limit, relative, binds."""
+    runs = _kernel.tightest(ratios.values, 1 - near)
     return [Tight(float(t[a]), float(t[b]), *ratios.kinds[row]) for a, b, row in runs]

@@ -91,6 +91,8 @@ def read_program(path: str | os.PathLike[str]) -> list[Target]:
         text = file.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"cannot read {path}: {arguments.cause(error)}.", path=path) from None
+    if not text.strip():
+        raise InputError(f"{file.name} is empty: there is no program in it.", path=path)
     try:
         return kind.targets(text)
     except InputError:
