@@ -132,6 +132,7 @@ def test_tables_of_spreadsheets_with_semicolons_and_decimal_commas_are_read(tmp_
         ("300 100 300\n300 200 300\n300 0 300\n300 0 310\n", True),
         ("x_mm,y_mm,z_mm\n300,100,300\n", True),
         ("300 100 300\n", False),
+        ("300 100 300\n0 90 0\n", False),
         ("300\n100\n300\n", False),
         ("1 0 0 300\n0 1 0 100\n0 0 1 300\n", False),
         ("# a pose\n1 0 0 300\n0 1 0 100\n0 0 1 300\n0 0 0 1\n", False),

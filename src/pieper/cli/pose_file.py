@@ -33,7 +33,8 @@ ONE_POSE = (3, 6, 7, 12, 16)
 def is_table(word: str) -> bool:
     """Return whether a typed pose names a table of poses, @file or @- for standard input: several lines of a pose each.
 
-    One matrix of three or four lines of four numbers is one pose, and so is a single line without names.
+    One matrix of three or four lines of four numbers is one pose, and so are a position above its three angles and a
+    single line without names.
     """
     if not word.startswith("@"):
         return False
@@ -47,6 +48,8 @@ def is_table(word: str) -> bool:
     if word.lower().endswith((".csv", ".tsv")):
         return True
     lengths = {len(row) for row in rows}
+    if len(rows) == 2 and lengths == {3} and not has_names(rows[0]):
+        return False
     return len(rows) > 1 and (has_names(rows[0]) or (len(lengths) == 1 and lengths <= set(ONE_POSE)))
 
 
