@@ -70,7 +70,8 @@ def _placed(figure: Figure) -> None:
     """Lay a figure of 3-D pictures alone out by inches: what surrounds each is known, and asking it costs a drawing."""
     figure.set_layout_engine(None)
     width, height = figure.get_size_inches()
-    rows, columns = figure.axes[0].get_subplotspec().get_gridspec().get_geometry()
+    place: Any = figure.axes[0].get_subplotspec()
+    rows, columns = place.get_gridspec().get_geometry()
     title = TITLE if rows * columns > 1 or figure.axes[0].get_title(loc="left") else 0.0
     tall = height / rows - title
     # the lower end of a picture is empty but for its labels: it may hang over the edge, and over the title below

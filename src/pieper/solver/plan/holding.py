@@ -69,7 +69,7 @@ def locked_at(plan: Plan, values: tuple[float, ...]) -> Plan:
 
 
 def _locked(plan: Plan, values: tuple[float, ...]) -> Plan:
-    kept = plan.reduction.kept
+    kept: list[int] = plan.reduction.kept.tolist()
     chain = plan.exact.with_locked(np.array(values))
     reduction = six_joints.reduce(chain, "pose")[0]
     six, _ = without_far_ends(reduction.six(np.zeros(len(reduction.locked))))
