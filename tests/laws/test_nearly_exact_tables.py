@@ -70,3 +70,14 @@ def test_an_arm_that_is_special_asks_no_other():
     assert free("denso-vp6242").plan.nearly is None
     other = off_by("denso-vp6242", 1e-9, 1).plan
     assert other.family == "general" and other.nearly is not None and other.nearly.family == "spherical_wrist"
+
+
+def test_more_branches_than_six_joints_can_have_are_not_believed():
+    """Where two curves cross on the arm that this one nearly is, roots are as flat as if eight branches merged."""
+    H = np.pi / 2
+    rows = [DH(0, H, 0.16), DH(-0.4), DH(-0.4, 4.563972617513937e-09), DH(0, H, 0.13), DH(0, -H, 0.1), DH(0, 0, 0.1)]
+    arm = Arm.from_dh(rows, convention="standard")
+    T = arm.fk([0, H, np.pi, -H, 0, 0])
+    sols = arm.ik(T)
+    assert sols.status == Status.UNCERTAIN or sols.multiplicity.sum() <= 16
+    assert arm.ik_many(T[None]).status[0] == sols.status

@@ -274,7 +274,7 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: 
 
 def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
     """Return all there is at a pose that may be singular, of which rows q (m, n) are known."""
-    from pieper.solver.singular.careful import all_there, clear, every_solution, vouched
+    from pieper.solver.singular.careful import all_there, clear, every_solution, settled
 
     flag &= ~_EDGE
     if flag & _DOUBTFUL and plan.direct and all_there(plan, T, q, flag):
@@ -286,8 +286,7 @@ def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
         return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag)
     if len(q):
         flag &= ~_OUT_OF_REACH
-    if flag & _UNCERTAIN and plan.direct and not found.self_motions and vouched(plan, T, q):
-        flag &= ~_UNCERTAIN
+    flag = settled(plan, T, found, flag)
     return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag, found, found.self_motions)
 
 

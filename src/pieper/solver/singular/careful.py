@@ -166,6 +166,19 @@ def all_there(plan: Plan, T: Array, rows: Array, flag: int) -> bool:
     return (not flag & Flag.DEGENERATE or regular(plan, rows)) and vouched(plan, T, rows)
 
 
+def settled(plan: Plan, T: Array, found: Examined, flag: int) -> int:
+    """Return the flag of a pose that was looked at: whether what was found is certainly all there is.
+
+    More branches than a six-joint arm can have, merged ones counted, are not believed: so near to an arm on which
+    whole curves cross, a root is none of so many.
+    """
+    if not plan.direct or found.self_motions:
+        return flag
+    if found.multiplicity.sum() > plan.max_solutions:
+        return flag | int(Flag.UNCERTAIN)
+    return flag & ~int(Flag.UNCERTAIN) if flag & Flag.UNCERTAIN and vouched(plan, T, found.q) else flag
+
+
 def vouched(plan: Plan, T: Array, rows: Array) -> bool:
     """Whether six poses beside T, each solved for certain, have no other solutions than rows (m, n).
 
