@@ -1,6 +1,7 @@
 // Merged roots: how many branches meet in a solution, and which solutions are one. Scalar.
 #pragma once
 
+#include "chain/determinant.hpp"
 #include "singular/unfolding.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -61,22 +62,6 @@ inline int branches_at(const SixJoints& arm, const Rigid& T, double* q) {
   const Unfolded root = unfolded(arm, T, q);
   std::copy(root.q, root.q + kSix, q);
   return root.branches;
-}
-
-inline double determinant(const double (*J)[6]) {
-  double A[6][6], det = 1;
-  std::copy(&J[0][0], &J[0][0] + 36, &A[0][0]);
-  for (int k = 0; k < kSix; ++k) {
-    int best = k;
-    for (int i = k + 1; i < kSix; ++i)
-      if (std::fabs(A[i][k]) > std::fabs(A[best][k])) best = i;
-    if (A[best][k] == 0) return 0;
-    if (best != k) std::swap_ranges(A[best], A[best] + 6, A[k]), det = -det;
-    det *= A[k][k];
-    for (int i = k + 1; i < kSix; ++i)
-      for (int j = kSix - 1; j >= k; --j) A[i][j] -= A[i][k] / A[k][k] * A[k][j];
-  }
-  return det;
 }
 
 // One of each cluster of singular solutions that forward kinematics cannot tell apart, the most exact first.

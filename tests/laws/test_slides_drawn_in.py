@@ -30,12 +30,23 @@ ARMS = {
 }
 
 
-@pytest.mark.parametrize("out", [1e-3, 1e-5, 1e-6, 1e-7, 1e-9, 0.0])
-@pytest.mark.parametrize("name", ARMS)
-def test_the_posture_that_made_the_pose_is_told_however_far_the_slide_is_drawn_in(name, out):
-    arm, rng = ARMS[name](), np.random.default_rng(4)
+OUT = [1e-3, 1e-5, 1e-6, 1e-7, 1e-9, 0.0]
+#: Where the two roots of the fold are as far apart as a pose in double precision tells them, they are two and doubted.
+DOUBTED = pytest.param(1e-7, marks=pytest.mark.xfail(strict=True, reason="told, and UNCERTAIN all the same"))
+
+
+def drawn_in(name: str, out: float) -> tuple[Arm, np.ndarray]:
+    """Return an arm and postures (8, 6) with the slide drawn in to about `out`, m."""
+    rng = np.random.default_rng(4)
     q = rng.uniform(-3, 3, (8, 6))
     q[:, 2] = out * rng.uniform(0.5, 2, 8) * rng.choice([-1, 1], 8)
+    return ARMS[name](), q
+
+
+@pytest.mark.parametrize("out", OUT)
+@pytest.mark.parametrize("name", ARMS)
+def test_the_posture_that_made_the_pose_is_told_however_far_the_slide_is_drawn_in(name, out):
+    arm, q = drawn_in(name, out)
     T = arm.fk(q)
     told = 1e-6 + 1e-14 / np.maximum(np.linalg.svd(arm.jacobian(q), compute_uv=False)[:, -1], 1e-300)
     many = arm.ik_many(T, threads=1)
@@ -43,5 +54,12 @@ def test_the_posture_that_made_the_pose_is_told_however_far_the_slide_is_drawn_i
         sols = arm.ik(pose)
         near = arm.chain.joints.apart(sols.all_q, q[i]).min(initial=np.inf) < told[i]
         assert near or any(motion.contains(q[i], min(told[i], 1e-3)) for motion in sols.self_motions), q[i].tolist()
-        assert sols.status in (Status.SOLVED, Status.SINGULAR) and many.status[i] == sols.status
+        assert many.status[i] == sols.status
         assert np.abs(many.q[i][many.valid[i]] - sols.all_q).max(initial=0.0) < 1e-9
+
+
+@pytest.mark.parametrize("out", [DOUBTED if out == 1e-7 else out for out in OUT])
+@pytest.mark.parametrize("name", ARMS)
+def test_poses_with_the_slide_drawn_in_are_not_doubted(name, out):
+    arm, q = drawn_in(name, out)
+    assert np.isin(arm.ik_many(arm.fk(q), threads=1).status, [Status.SOLVED, Status.SINGULAR]).all()

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "chain/determinant.hpp"
 #include "chain/newton_step.hpp"
 #include "chain/rigid.hpp"
 
@@ -105,16 +106,23 @@ struct Found {
   bool suspect = false;  // a row is nearly singular
 };
 
-// Whether a posture halfway between two holds the pose to `rounding`. The line between them leaves a bent valley: it is put back first,
-// as far as that is told to first order, which along the valley it is not.
-inline bool held_between(const TrueChain& chain, const Rigid& T, double* middle, double apart, double rounding) {
-  double error[6], J[kMaxJoints][6], dq[kMaxJoints], gone = 0;
-  if (missed(chain, T, middle, error, J) <= rounding) return true;
+// Whether two postures (n) are one root: a posture halfway between them holds the pose to `rounding`. The line between them leaves a
+// bent valley, and so it is put back first, as far as that is told to first order, which along the valley it is not. The two roots of a
+// fold lie on either side of where the determinant vanishes: what is put back between them may come to hold though they are two.
+inline bool held_between(const TrueChain& chain, const Rigid& T, const double (*J)[6], const double* other,
+                         double* middle, double apart, double rounding) {
+  double error[6], at[kMaxJoints][6], dq[kMaxJoints], gone = 0;
+  if (missed(chain, T, middle, error, at) <= rounding) return true;
+  if (chain.n == 6) {
+    missed(chain, T, other, error, at);
+    if (determinant(J) * determinant(at) < 0) return false;
+    missed(chain, T, middle, error, at);
+  }
   for (int i = 0; i < 2; ++i) {
-    damped_step(chain.n, error, J, kClosedDamping, apart, dq);
+    damped_step(chain.n, error, at, kClosedDamping, apart, dq);
     for (int k = 0; k < chain.n; ++k) middle[k] += dq[k], gone = std::fmax(gone, std::fabs(dq[k]));
     if (gone > apart / 4) return false;
-    if (missed(chain, T, middle, error, J) <= rounding) return true;
+    if (missed(chain, T, middle, error, at) <= rounding) return true;
   }
   return false;
 }
@@ -167,7 +175,8 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
     }
     if (apart < kClosedSame) return;
     // in a flat valley (a self-motion, or a root too shallow for double precision) two candidates are one answer
-    if (singular && apart < kClosedValley && held_between(chain, T, middle, apart, kClosedPolished + 2 * miss)) {
+    if (singular && apart < kClosedValley &&
+        held_between(chain, T, J, found.q + s * n, middle, apart, kClosedPolished + 2 * miss)) {
       found.suspect = true;
       return;
     }

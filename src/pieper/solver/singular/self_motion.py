@@ -26,6 +26,7 @@ from pieper.tolerances import (
     JOINT_TURNS,
     NO_LENGTH,
     ONE_OF_MANY,
+    SAME_VOUCHED,
     SLIDE_SHORTEST,
     TINY,
 )
@@ -310,9 +311,25 @@ class SelfMotion:
         point = self._slid(nearest, lambda p: self.gaps(q, p), None, self.counts())
         if np.linalg.norm(self.gaps(q, point)) <= tolerance:
             return True
+        if self.dimension == 1:
+            return self._passes(q, tolerance)
         # what does not hold the pose need not be walked to; values of virtual joints are not known of a posture
         held = self.shown < self.chain.n or missed(self.chain, q, self.T) < 10 * max(tolerance, CLOSES)
-        return self.dimension > 1 and bool(held) and self._leads_to(q, sizes, tolerance)
+        return bool(held) and self._leads_to(q, sizes, tolerance)
+
+    def _passes(self, q: Array, tolerance: float) -> bool:
+        """Whether the curve passes q (n,), by its parameter; a double root's blur counts, if all between holds."""
+        away = np.linalg.norm(self.gaps(q, (self.samples[:-1] + self.samples[1:]) / 2), axis=1)
+        i = int(np.argmin(away)) if len(away) else 0
+        low, high = self.u[max(i - 1, 0)], self.u[min(i + 2, len(self.u) - 1)]
+        u, beside, gap = (low + high) / 2, (high - low) / 100, np.full(self.chain.n, np.inf)
+        for _ in range(CLOSING):
+            gap = self.gaps(q, self.point(u))
+            way = self.gaps(self.point(u + beside), self.point(u - beside))
+            u = float(np.clip(u + 2 * beside * (gap @ way) / max(way @ way, TINY), low, high))
+        between = q - np.array([[0.0], [0.5]]) * gap * self.chain.joints.unit
+        near, holds = float(np.linalg.norm(gap)), missed(self.chain, between, self.T) < CLOSES
+        return near <= tolerance or (near < SAME_VOUCHED and bool(holds.all()))
 
     def _leads_to(self, q: Array, sizes: Array, tolerance: float) -> bool:
         """Whether q (n,) is reached on the pose from one of the samples, at distances (k,), step by step towards it."""
@@ -357,6 +374,8 @@ class SelfMotion:
         return ""
 
 
+#: Steps that bring a curve's parameter to the point beside a posture.
+CLOSING = 12
 #: Halvings that place a joint's value between two samples to rounding.
 HALVINGS = 48
 
