@@ -19,6 +19,8 @@ HALVINGS = 48
 BESIDE_CHORD = 0.025
 #: An arc is at most this much longer than its chord, which bounds how near to a posture it can come.
 ARC = 1.05
+#: The golden section.
+GOLDEN = 0.618
 #: Parts into which a stretch of the curve is cut that may hold the nearest point, and how often.
 PARTS, ROUNDS = 4, 12
 
@@ -111,11 +113,13 @@ class BoundedMotion(TracedMotion):
         now, counts = self.padded(q_now), self.counts(weights)
         starts = self._beside(now) if self.dimension > 1 else np.zeros((0, self.chain.n))
         if self._stretches:
-            starts = np.concatenate([self._nearest_along(now, counts)[None], starts])
+            point, u = self._nearest_along(now, counts)
+            if self.chain.coupling is not None:
+                # the kernel's descent moves axes, and not what joints say of several
+                return self._nearest_beside(u, now, counts)[: self.shown]
+            starts = np.concatenate([point[None], starts])
         if not len(starts):
             return None
-        if self.chain.coupling is not None:
-            return starts[0, : self.shown]  # the kernel's descent moves axes, and not what joints say of several
         return closest(self.chain, starts, self.T, self.limits, now, counts)[: self.shown]
 
     def _beside(self, now: Array) -> Array:
@@ -131,16 +135,31 @@ class BoundedMotion(TracedMotion):
         point, off = descended(self.chain, start, self.T[None], low, high)
         return point[off <= CLOSES]
 
-    def _nearest_along(self, now: Array, counts: Array) -> Array:
+    def _nearest_beside(self, u: float, now: Array, counts: Array) -> Array:
+        """Return the point (n,) inside the limits closest to a posture near parameter u: a golden section."""
+        low, high = next((a, b) for a, b in self._stretches if a <= u <= b)
+        steps = np.diff(self.samples, axis=0) / self.chain.joints.unit
+        reach = 2 * BOUNDED_PRECISE / max(float(np.linalg.norm(steps, axis=1).sum()), TINY)
+        low, high = max(low, u - reach), min(high, u + reach)
+        for _ in range(HALVINGS):
+            cuts = np.array([high - GOLDEN * (high - low), low + GOLDEN * (high - low)])
+            _, away, _ = self._ends_away(cuts[:1], cuts[1:], now, counts)
+            low, high = (low, cuts[1]) if away[0] < away[-1] else (cuts[0], high)
+        ends = np.array([low, u, high])
+        points, away, _ = self._ends_away(ends, ends, now, counts)
+        return points[int(np.argmin(away))]
+
+    def _nearest_along(self, now: Array, counts: Array) -> tuple[Array, float]:
         """Return the point (n,) of the curve inside the limits closest to a posture, to the precision of a cut."""
         steps = np.diff(self.samples, axis=0) / self.chain.joints.unit
         length = float(np.linalg.norm(steps, axis=1).sum()) * ARC * float(np.sqrt(counts.max()))
         low, high = self._pieces()
-        best, least = np.zeros(self.chain.n), np.inf
+        best, least, at = np.zeros(self.chain.n), np.inf, float(low[0])
         for _ in range(ROUNDS):
             points, away, which = self._ends_away(low, high, now, counts)
             if away.min() < least:
                 least, best = float(away.min()), points[int(np.argmin(away))]
+                at = float(np.unique(np.concatenate([low, high]))[int(np.argmin(away))])
             a, b = away[which[: len(low)]], away[which[len(low) :]]
             span = (high - low) * length
             open_ = ((a + b - span) / 2 < least - ROUNDING) & (span > BOUNDED_PRECISE)
@@ -148,7 +167,7 @@ class BoundedMotion(TracedMotion):
                 break
             cuts = np.linspace(low[open_], high[open_], PARTS + 1)
             low, high = cuts[:-1].ravel(), cuts[1:].ravel()
-        return best
+        return best, at
 
     def _pieces(self) -> tuple[Array, Array]:
         """Return the two ends (k,), in u, of the pieces between samples that are inside the limits."""
