@@ -194,3 +194,18 @@ def test_poses_that_a_short_arm_cannot_take_are_not_looked_at_with_care(monkeypa
     assert np.all(arm.ik_many(poses, threads=1).status == Status.OUT_OF_REACH)
     assert all(arm.ik(T).status == Status.OUT_OF_REACH for T in poses[:20])
     assert not looked
+
+
+@pytest.mark.parametrize("name", ["dfrobot-rob0036", "interbotix-viperx-300"])
+def test_a_hair_beside_a_round_posture_no_row_of_a_short_arm_is_lost(name):
+    """The virtual joint is nearly free there: rounding moves it by more than what counts as zero."""
+    arm, rng = pieper.load(name), np.random.default_rng(0)
+    for size in (5.9e-10, 1e-8, 1e-7, 1e-6):
+        q = rng.uniform(-1.5, 1.5, (150, 5))
+        q[:, 4] = rng.choice([0, H, np.pi], 150) + size * rng.choice([-1, 1], 150)
+        many = arm.ik_many(arm.fk(q), threads=1)
+        away = [
+            arm.chain.joints.apart(rows[ok], p).min(initial=9)
+            for rows, ok, p in zip(many.q, many.valid, q, strict=True)
+        ]
+        assert max(away) < 1e-6

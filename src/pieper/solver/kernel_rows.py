@@ -11,7 +11,7 @@ from pieper.kinematics.arrays import Array, Bits, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton
 from pieper.solver.plan.plan import Plan
-from pieper.tolerances import BESIDE_UNSOLVED, CLOSES, FILLED_ZERO, PULLED_RANK, SAME_ROW
+from pieper.tolerances import BESIDE_UNSOLVED, CLOSES, FILLED_STARTS, PULLED_RANK, SAME_ROW
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -40,7 +40,7 @@ def kernel_rows(plan: Plan, T: Array, values: Array, threads: int) -> Solved:
     if reduction.fill:
         unit = np.array([plan.chain.length if p else 1.0 for _, p in reduction.fill])
         # a pose of the arm as described is none of the nominal arm: it misses by about as much as was snapped
-        zero = max(FILLED_ZERO, 10 * plan.drift)
+        zero = max(FILLED_STARTS, 10 * plan.drift)
         valid = valid & (np.abs(q6[..., reduction.filled] / unit) < zero).all(-1)
     full[..., reduction.kept] = q6 if not reduction.fill else q6[..., reduction.real]
     if reduction.locked:
