@@ -348,13 +348,14 @@ class SelfMotion:
         return False
 
     def __repr__(self) -> str:
-        ends = "closed" if self.closed else "open"
-        return f"<SelfMotion of {', '.join(self.names)}: {ends}, dimension {self.dimension}>"
+        return f"<SelfMotion of {', '.join(self.names)}: {('open', 'closed')[self.closed]}, dimension {self.dimension}>"
 
     def __str__(self) -> str:
-        moving = [self.names[j] for j in self.free]
-        relation = self.relation
-        where = "all the way round" if self.closed else "between two ends"
+        moving, relation = [self.names[j] for j in self.free], self.relation
+        bounded = bool(
+            np.isfinite(self.limits[list(self.free)]).any() or not self.chain.prismatic[list(self.free)].any()
+        )
+        where = "all the way round" if self.closed else "between two ends" if bounded else "without an end"
         text = f"{', '.join(moving)} {'moves' if len(moving) == 1 else 'move together'} {where}" + (
             f" with {relation}" if relation else ""
         )
