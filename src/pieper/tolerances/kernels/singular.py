@@ -67,8 +67,9 @@ UNFOLDING_WIDEST = 2e-2
 UNFOLDING_REACH = 8.0
 #: The place of a merged root is found when it moves by less than this (rad; per length).
 UNFOLDING_FOUND = 1e-14
-#: Where roots are one, lower orders of what is missed come to no more than so many times what is rounded.
-UNFOLDING_ROUNDING = 2.0
+#: Where roots are one, lower orders of what is missed come to no more than this part of what is rounded: of two roots
+#: that rounding just tells apart it is more.
+UNFOLDING_ROUNDING = 0.5
 #: Squared sine between neighbouring axes above which they are clearly not parallel: their point is where they meet.
 CLEARLY_CROSSING = 1e-6
 #: A joint of a four-bar linkage reaches a dead centre that its range misses by this part.
