@@ -12,7 +12,7 @@ from pieper.code.c_pose import RIGID, nearest_of
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import USUAL, Language, filled, functions
-from pieper.tolerances import CLOSES, FILLED_ZERO
+from pieper.tolerances import CLOSES, FILLED_STARTS
 
 C = Language(
     words=USUAL | functions("") | {"abs": "fabs({0})", "angle": "NAME_angle({0}, {1})", "true": "1", "false": "0"},
@@ -231,7 +231,7 @@ def _own_parts(export: Export) -> dict[str, str]:
         "NEAREST": nearest_of(own),
         "CONST": "" if own.filled else "const ",
         "FILLED": "".join(
-            f"    keep = keep && fabs(rows[m][{column}]) < {FILLED_ZERO * unit!r};\n" for column, unit in own.filled
+            f"    keep = keep && fabs(rows[m][{column}]) < {FILLED_STARTS * unit!r};\n" for column, unit in own.filled
         )
         + (f"    keep = keep && NAME_nearest(own, {'given' if held else 'T'}) < {CLOSES!r};\n" if own.filled else ""),
         "DOUBT": "" if own.always else " && *unclear",

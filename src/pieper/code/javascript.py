@@ -6,7 +6,7 @@ from pieper.code.between import held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import USUAL, Language, filled, functions
-from pieper.tolerances import CLOSES, FILLED_ZERO, HOLDS_TO_ROUNDING, NEWTON_FINITE
+from pieper.tolerances import CLOSES, FILLED_STARTS, HOLDS_TO_ROUNDING, NEWTON_FINITE
 
 JAVASCRIPT = Language(
     words=USUAL | functions("Math.") | {"angle": "angle({0}, {1})", "eq": "{0} === {1}", "ne": "{0} !== {1}"},
@@ -222,7 +222,7 @@ def _own_parts(export: Export) -> dict[str, str]:
         "POSE": "given" if held else "T",
         "MOVED": _moved(export) if held else "",
         "OWN_ROW": ", ".join("value" if column is None else f"rows[m][{column}]" for column in own.columns),
-        "FILLED": "".join(f"Math.abs(rows[m][{k}]) >= {FILLED_ZERO * unit!r} || " for k, unit in own.filled),
+        "FILLED": "".join(f"Math.abs(rows[m][{k}]) >= {FILLED_STARTS * unit!r} || " for k, unit in own.filled),
         "BROUGHT": f"!(nearest(own, {'given' if held else 'T'}) < {CLOSES!r}) || " if own.filled else "",
         "NEAREST": NEAREST.replace("@TESTED@", str(list(own.tested)))
         .replace("@WEIGHTS@", str(list(own.weights)))

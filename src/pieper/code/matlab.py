@@ -10,7 +10,7 @@ import numpy as np
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions
-from pieper.tolerances import CLOSES, FILLED_ZERO
+from pieper.tolerances import CLOSES, FILLED_STARTS
 
 
 class Matlab(Language):
@@ -232,7 +232,9 @@ def _own_parts(export: Export) -> dict[str, str]:
     held, coupled, tied = own.held is not None, own.gears is not None, own.tied is not None
     gears, back = (numbers(np.eye(export.n) if own.gears is None else own.gears), numbers(own.back))
     columns = ", ".join("value" if column is None else f"rows(m, {column + 1})" for column in own.columns)
-    zero = "".join(f"    if abs(rows(m, {k + 1})) >= {FILLED_ZERO * unit!r}, continue; end\n" for k, unit in own.filled)
+    zero = "".join(
+        f"    if abs(rows(m, {k + 1})) >= {FILLED_STARTS * unit!r}, continue; end\n" for k, unit in own.filled
+    )
     wrap = "  q(:, ~slides) = q(:, ~slides) - 2 * pi * ceil((q(:, ~slides) - pi) / (2 * pi));\n" if own.wraps else ""
     return {
         "SAID": f"\n% value: where joint {own.held + 1} is held, rad or m; it has one to spare."

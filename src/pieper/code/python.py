@@ -6,7 +6,7 @@ from pieper.code.between import held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions, quoted
-from pieper.tolerances import CLOSES, FILLED_ZERO, NEWTON_FINITE
+from pieper.tolerances import CLOSES, FILLED_STARTS, NEWTON_FINITE
 
 
 def arrays(module: str) -> Language:
@@ -32,7 +32,7 @@ def own_parts(export: Export, module: str) -> dict[str, str]:
     columns = ", ".join("value" if column is None else f"six[..., {column}]" for column in own.columns)
     same = columns == ", ".join(f"six[..., {j}]" for j in range(6))
     filled_joints = "".join(
-        f"    valid = valid & ({module}.abs(six[..., {k}]) < {FILLED_ZERO * unit!r})\n" for k, unit in own.filled
+        f"    valid = valid & ({module}.abs(six[..., {k}]) < {FILLED_STARTS * unit!r})\n" for k, unit in own.filled
     )
     take = f"    columns = [{columns}]\n"
     take += f"    q = {module}.stack([{module}.broadcast_to(x, valid.shape) for x in columns], -1)\n"

@@ -10,7 +10,7 @@ from pieper.kinematics.pose import stepped
 from pieper.solver.kernel_rows import Solved, kernel_rows, without_repeats
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag
-from pieper.tolerances import FILLED_ZERO, NO_MORE_THAN_TYPED
+from pieper.tolerances import FILLED_STARTS, NO_MORE_THAN_TYPED
 
 #: How far from the pose the nominal arm's count is looked at, in multiples of how far the two arms differ: a double
 #: cross of twelve poses so far away encloses the ball that the difference may lead to.
@@ -46,7 +46,7 @@ def exact_rows(plan: Plan, T: Array, values: Array) -> tuple[Array, bool]:
     q6 = q6[0][valid[0]]
     if reduction.fill:
         unit = np.array([plan.chain.length if p else 1.0 for _, p in reduction.fill])
-        q6 = q6[(np.abs(q6[:, reduction.filled] / unit) < FILLED_ZERO).all(-1)]
+        q6 = q6[(np.abs(q6[:, reduction.filled] / unit) < FILLED_STARTS).all(-1)]
     rows = np.zeros((len(q6), reduction.full.n))
     rows[:, reduction.kept] = q6[:, reduction.real]
     rows[:, list(reduction.locked)] = values

@@ -9,10 +9,8 @@ SAME_ROW = 10 * SAME_SOLUTION
 #: Postures whose axes are this near (rad; per length) to where their linkage holds them are moved onto it; they count
 #: where they close then. Rows of a double root, which are known to half the digits, lie within it.
 LINKAGE_STARTS = 1e-4
-#: A filled joint that comes out below this was meant to be zero: the pose is one the arm can reach (rad; per length).
-FILLED_ZERO = 1e-6
 #: Rows whose filled joints come out below this are moved onto zero, and count where they close: where a filled joint is
-#: nearly free, rounding alone moves it by more than what is meant to be zero.
+#: nearly free, rounding alone moves it far.
 FILLED_STARTS = 1e-4
 #: One below this may have been meant to be zero: double roots are known to half the digits, fourfold ones to a quarter.
 NEARLY_ZERO = 1e-3
