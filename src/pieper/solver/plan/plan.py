@@ -12,7 +12,7 @@ import numpy as np
 from pieper.description.dh import Description
 from pieper.errors import PlanError
 from pieper.kinematics.arm_angle import ArmAngle, arm_angle
-from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.arrays import Array, Bools, Indices, median
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
 from pieper.kinematics.newton import missed, scaled_jacobian
@@ -155,7 +155,7 @@ class Plan:
         J = scaled_jacobian(full, sample_joints(full, 12))
         rest = np.array([[j for j in range(full.n) if j != joint] for joint in range(full.n)])
         s = np.linalg.svd(np.moveaxis(J[:, :, rest], 2, 0), compute_uv=False)  # joints, postures, singular values
-        return tuple(np.flatnonzero(np.median(s[..., self.rank - 1] / s[..., 0], axis=1) > RANK).tolist())
+        return tuple(np.flatnonzero(median(s[..., self.rank - 1] / s[..., 0]) > RANK).tolist())
 
     def _joint_name(self, joint: int) -> str:
         if joint < self.n:
