@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.newton import newton
 from pieper.solver.redundant.box import box, closest, descended
 from pieper.solver.singular.self_motion import FREE, SelfMotion, TracedMotion
@@ -19,8 +20,6 @@ HALVINGS = 48
 BESIDE_CHORD = 0.025
 #: An arc is at most this much longer than its chord, which bounds how near to a posture it can come.
 ARC = 1.05
-#: The golden section.
-GOLDEN = 0.618
 #: Parts into which a stretch of the curve is cut that may hold the nearest point, and how often.
 PARTS, ROUNDS = 4, 12
 
@@ -141,11 +140,11 @@ class BoundedMotion(TracedMotion):
         steps = np.diff(self.samples, axis=0) / self.chain.joints.unit
         reach = 2 * BOUNDED_PRECISE / max(float(np.linalg.norm(steps, axis=1).sum()), TINY)
         low, high = max(low, u - reach), min(high, u + reach)
-        for _ in range(HALVINGS):
-            cuts = np.array([high - GOLDEN * (high - low), low + GOLDEN * (high - low)])
-            _, away, _ = self._ends_away(cuts[:1], cuts[1:], now, counts)
-            low, high = (low, cuts[1]) if away[0] < away[-1] else (cuts[0], high)
-        ends = np.array([low, u, high])
+
+        def away_at(u: float) -> float:
+            return float(self._ends_away(np.array([u]), np.array([u]), now, counts)[1][0])
+
+        ends = np.array([low, u, least_at(away_at, low, high, HALVINGS), high])
         points, away, _ = self._ends_away(ends, ends, now, counts)
         return points[int(np.argmin(away))]
 

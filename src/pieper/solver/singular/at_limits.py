@@ -6,6 +6,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
+from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.joints import short_way
 from pieper.kinematics.newton import missed, newton, null_space
 from pieper.solver.redundant.bounded_motion import BESIDE_CHORD, bounded_motion
@@ -39,13 +40,8 @@ def _touching(motion: SelfMotion, joint: int, limit: float) -> Array:
     for i in turns:
         side = 1.0 if rise[i - 1] > 0 else -1.0
         low, high = float(motion.u[i - 1]), float(motion.u[i + 1])
-        for _ in range(HALVINGS):
-            a, b = high - 0.618 * (high - low), low + 0.618 * (high - low)
-            if side * motion.point(a)[joint] > side * motion.point(b)[joint]:
-                high = b
-            else:
-                low = a
-        found.append(motion.point((low + high) / 2))
+        u = least_at(lambda u, side=side: -side * float(motion.point(u)[joint]), low, high, HALVINGS)
+        found.append(motion.point(u))
     return np.array(found).reshape(-1, motion.chain.n)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from pieper import _kernel
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
+from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.newton import missed, newton, newton_on_plane, null_space, singular_values
 from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 from pieper.tolerances import (
@@ -23,6 +24,8 @@ from pieper.tolerances import (
 
 #: The most steps a trace may take, and the cosine by which a step may depart from the tangent it sets out along.
 MOST_STEPS, STRAIGHT = 1500, 0.95
+#: Steps of the golden section that places a crossing between two samples.
+HALVINGS = 30
 #: How far along a null direction it is asked whether the solutions go that way (rad; per length).
 DIMENSION_PROBE = 0.05
 
@@ -104,14 +107,9 @@ def crossings(motion: SelfMotion) -> list[Array]:
         change = max(abs(around[0] - around[1]), abs(around[3] - around[2]))
         if second[i] > min(around) or second[i] > 1.5 * change + CROSSING_CHANGE:
             continue
-        low, high = motion.u[max(i - 1, 0)], motion.u[min(i + 1, last)]
-        for _ in range(30):  # golden section
-            a, b = high - 0.618 * (high - low), low + 0.618 * (high - low)
-            if second_smallest(chain, motion.point(a)) < second_smallest(chain, motion.point(b)):
-                high = b
-            else:
-                low = a
-        point = motion.point((low + high) / 2)
+        low, high = float(motion.u[max(i - 1, 0)]), float(motion.u[min(i + 1, last)])
+        u = least_at(lambda u: float(second_smallest(chain, motion.point(u))), low, high, HALVINGS)
+        point = motion.point(u)
         if second_smallest(chain, point) < CROSSING_FOUND:
             found.append(point)
     return found
