@@ -11,7 +11,7 @@ from pieper.code.between import between
 from pieper.code.cpp import numbers_of
 from pieper.code.kernel_source import fingerprint, header_of, joined
 from pieper.code.wasm import compiled
-from pieper.tolerances import FILLED_ZERO, LIMIT_SLACK, VERIFIED
+from pieper.tolerances import FILLED_STARTS, LIMIT_SLACK, VERIFIED
 
 #: In the order of their numbers in the module.
 FAMILIES = ("spherical_wrist_parallel", "spherical_wrist", "three_parallel", "offset_wrist", "two_slides", "general")
@@ -104,7 +104,7 @@ def prepared(arm: pieper.Arm) -> dict[str, Any]:
         "lower": limits[:, 0].tolist(),
         "upper": limits[:, 1].tolist(),
         "columns": list(own.columns),
-        "filled": [[column, FILLED_ZERO * unit] for column, unit in own.filled],
+        "filled": [[column, FILLED_STARTS * unit] for column, unit in own.filled],
         "tested": list(own.tested),
         "always": own.always,
         "plain": own.plain and own.held is None,

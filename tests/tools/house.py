@@ -18,6 +18,7 @@ from pathlib import Path
 from statistics import median
 from typing import NamedTuple
 
+from tests.tools.names import missing
 from tests.tools.thresholds import bare
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -332,10 +333,15 @@ def thresholds() -> Iterator[Violation]:
                 yield Violation("bare threshold", f"{path.relative_to(ROOT)}:{line}", spelled)
 
 
+def renamed() -> Iterator[Violation]:
+    """Yield imports of names that are not there, in tests and examples too."""
+    yield from (Violation("no such name", where, what) for where, what in missing())
+
+
 @cache
 def violations() -> dict[str, Violation]:
     """Return everything that breaks a rule, by the line that says so."""
-    rules = (upward, unexported, private_names, in_circles, sizes, fossils, thresholds)
+    rules = (upward, unexported, private_names, in_circles, sizes, fossils, thresholds, renamed)
     return {str(v): v for rule in rules for v in rule()}
 
 
