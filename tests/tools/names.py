@@ -1,4 +1,4 @@
-"""Names that a file imports from the tree and that are not there: read as text, so that files outside the package count.
+"""Names that a file imports from the tree and that are not there: read as text, files outside the package too.
 
 Pyright looks at the package, the oracle and the benchmarks; tests, the page without a server and examples are only run,
 some of them after half an hour of others. A name that was renamed is found here in a second.
