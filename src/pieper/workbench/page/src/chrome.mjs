@@ -134,6 +134,7 @@ async function open(name) {
     const { table } = await ask('load', { name });
     setTable(table, { q: presentable(table), what: 'new', label: `open ${name}` });
   } catch (error) {
+    tell('catalog'); // the picker names the arm that is shown
     say(error.message, 'wrong');
   }
 }
