@@ -26,6 +26,7 @@ from pieper.equations.derivation.step import Step
 from pieper.equations.derivation.witness import branch_values, single_joint
 from pieper.equations.table import SymbolTable
 from pieper.equations.vanishing import NEWTON, random_postures, vanishing_near
+from pieper.kinematics.joints import short_way
 from pieper.tolerances import (
     COEFFICIENT_VANISHES,
     DAMPING_LEAST,
@@ -212,7 +213,7 @@ def _reached(
 
     def missed(points: Array, T: Array, target: Array) -> Array:
         parts = (form.poses(points)[:, :3, columns] - T[:, :3, columns]) / scales
-        wrap = (points @ A.T - target + np.pi) % (2 * np.pi) - np.pi
+        wrap = short_way(points @ A.T - target)
         return np.concatenate([parts.reshape(len(points), -1), wrap], axis=1)
 
     done = np.zeros(len(x), dtype=bool)
