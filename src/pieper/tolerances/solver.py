@@ -120,6 +120,10 @@ ON_POLYLINE = 5e-3
 #: Turns that move less than this along a free direction (rad) stand still: a self-motion of slides alone is a straight
 #: line. At points of it that are far away the direction itself is no more exact.
 LINE_OF_SLIDES = 1e-6
+#: Of a line of slides without limits so much is shown to either side of where their ways are shortest (lengths),
+SLIDES_SHOWN = 3.0
+#: and two slides move alike whose ways differ by rounding alone.
+SLIDES_ALIKE = 1e-9
 #: A curve that does not close is a self-motion without ends where a slide moves farther along it than this (per
 #: length); shorter ones come near the pose where it is nearly singular.
 NO_END = 1.0

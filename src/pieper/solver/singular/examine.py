@@ -19,8 +19,9 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space, singular_values
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.singular import near_curve
-from pieper.solver.singular.at_limits import at_limits, drawn_in, leads_away
+from pieper.solver.singular.at_limits import at_limits, drawn_in, leads_away, way_of_slides
 from pieper.solver.singular.examined import Examined, told
+from pieper.solver.singular.line_of_slides import SlideLine
 from pieper.solver.singular.merged_roots import distinct_roots, into_limits, merged_root
 from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
 from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
@@ -28,11 +29,13 @@ from pieper.tolerances import (
     APART_SINGULAR,
     APPROACH_SIZES,
     CURVE_FAR,
+    CURVE_RANK,
     DOUBLES_FROM_CURVE,
     ENDS_ON_CURVE,
     FLAT_REST,
     HOLDS,
     HOLDS_EXACTLY,
+    LINE_OF_SLIDES,
     ISOLATED_FROM_CURVE,
     NEARLY_SINGULAR,
     ON_CURVE,
@@ -230,15 +233,27 @@ def _grow(curves: _Curves, q: Array) -> bool:
                 continue
             if any(other.distance(further) < ON_POLYLINE for other in curves.open_ended):
                 continue
-            motion = _line(curves, point, further, MOST_STEPS)
+            motion = _slides(curves, point, further) or _line(curves, point, further, MOST_STEPS)
             # only slides lead away without end: what does not close otherwise only came near a singular pose
-            if not motion.closed and not leads_away(motion):
+            if not motion.closed and not isinstance(motion, SlideLine) and not leads_away(motion):
                 curves.open_ended.append(motion)
                 continue
             found = True
             curves.closed.append(motion)
             waiting += crossings(motion)
     return found
+
+
+def _slides(curves: _Curves, point: Array, further: Array) -> SlideLine | None:
+    """Return the line through two points that hold the pose where slides alone move between them."""
+    chain, unit = curves.chain, curves.chain.joints.unit
+    way, gone = way_of_slides(chain, point), (further - point) / unit
+    if way is None or abs(gone @ way) < (1 - LINE_OF_SLIDES) * np.linalg.norm(gone):
+        return None
+    nearest = newton(chain, point - float(way @ (point / unit)) * way * unit, curves.T, steps=12, cutoff=CURVE_RANK)
+    if missed(chain, nearest, curves.T) > ON_CURVE:
+        return None
+    return SlideLine(chain, curves.T, curves.limits, curves.names, curves.shown, nearest, way)
 
 
 def _line(curves: _Curves, point: Array, further: Array, steps: int = LINE_STEPS) -> SelfMotion:
