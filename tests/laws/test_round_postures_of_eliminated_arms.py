@@ -85,6 +85,44 @@ def test_a_self_motion_that_no_pose_beside_leads_to_is_told(name, q):
     assert any(motion.contains(q, 1e-4) for motion in sols.self_motions)
 
 
+#: Two axes come to be parallel: the polynomial of the hidden angle has no root there, and whole self-motions were lost,
+#: SOLVED or OUT_OF_REACH; and a wrist whose rows all stand near where the self-motion meets a fold.
+LINED_UP = {
+    "RPRPRR": (
+        *("RPRPRR", "standard", (0.25, 0, -0.15, pi), (0, pi, 0, 0), (0.3, K, 0.1, 0)),
+        *((0.3, pi, -0.15, pi), (0.1, K, 0.2, 0), (0.1, K, -0.15, pi)),
+    ),
+    "PRRRRP": (
+        *("PRRRRP", "standard", (0.25, -H, 0.4, 0), (0, H, -0.15, 0), (0.1, 0, 0.2, pi)),
+        *((0, -H, -0.15, 0), (0, 0, 0, 0), (0, K, 0.2, pi)),
+    ),
+    "RRRR": ("RRRR", "standard", (0.1, H, -0.15, 0), (-0.2, H, 0, pi), (0.1, 0, 0.2, pi), (0, 0, -0.15, pi)),
+    "RPRRR": (
+        *("RPRRR", "standard", (0.25, pi, 0.2, pi), (0, pi, 0.1, 0), (0, -H, 0.1, pi)),
+        *((0, H, 0, 0), (-0.2, -H, 0, pi)),
+    ),
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "q"),
+    [
+        ("RPRPRR", (0, 0, 0, 0, 0, 0)),
+        ("RPRPRR", (H, -0.1, H, 0.2, 0, 0)),
+        ("PRRRRP", (0, 0, 0, 0, 0, 0)),
+        ("PRRRRP", (-0.1, -pi, -H, H, -pi, 0.1)),
+        ("PRRRRP", (0.2, 0, pi, -pi, -pi, 0.1)),
+        ("RRRR", (pi, -pi, pi, H)),
+        ("RPRRR", (pi, 0, 0, -pi, H)),
+    ],
+)
+def test_what_stands_where_two_axes_line_up_is_told(name, q):
+    arm = arm_of(*LINED_UP[name])
+    sols, many = arm.ik(T := arm.fk(q)), arm.ik_many(T[None], threads=1)
+    assert sols.status == Status.SINGULAR and many.status[0] == sols.status
+    assert any(motion.contains(q, 1e-4) for motion in sols.self_motions)
+
+
 #: Two slides along one line beside turns, and three in a plane.
 LINES = {
     "PRRPP": (

@@ -1,4 +1,4 @@
-"""Short arms at poses where the six joints they were filled up to are special: other fillings, and the arm's own count."""
+"""Short arms where the six joints they were filled up to are special: other fillings, and the arm's own count."""
 
 from __future__ import annotations
 

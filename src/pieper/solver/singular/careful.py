@@ -21,12 +21,12 @@ from pieper.tolerances import (
     APPROACH_DAMPING,
     CAREFUL_ASIDE,
     CLEARLY_REGULAR,
-    ENDS_ON_CURVE,
     NEARLY_ZERO,
     SAME_AFTER_CUT,
     SAME_VOUCHED,
     SLOW_RANK,
     SURE_ASIDE,
+    UNFOLDING_WIDEST,
 )
 
 #: Postures all over the joints' ranges from which a singular pose is sought that nothing else leads to.
@@ -89,7 +89,7 @@ def _is_told(plan: Plan, found: Examined, q: Array) -> Bools:
     if len(found.q):
         told |= plan.exact.full.joints.apart(q[:, None], found.q[None]).min(1) < SAME_VOUCHED
     for motion in found.self_motions:
-        told |= motion.distances(q) < ENDS_ON_CURVE
+        told |= motion.distances(q) < UNFOLDING_WIDEST  # where it is crossed its points are known as little
     return told
 
 

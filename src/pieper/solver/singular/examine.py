@@ -35,8 +35,8 @@ from pieper.tolerances import (
     FLAT_REST,
     HOLDS,
     HOLDS_EXACTLY,
-    LINE_OF_SLIDES,
     ISOLATED_FROM_CURVE,
+    LINE_OF_SLIDES,
     NEARLY_SINGULAR,
     ON_CURVE,
     ON_NEAR_POLYLINE,
@@ -167,10 +167,10 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
     """
     doubles: list[Array] = []
     hidden: list[Array] = []
-    miss, several = _probed(curves, starts)
+    miss, several, blurred = _probed(curves, starts)
     for index, q in enumerate(starts):
         on_curve = curves.lines >= MOST_LINES if several[index] else curves.meet(q, ENDS_ON_CURVE)
-        if not on_curve and (several[index] or miss[index] < 10 * ON_CURVE):
+        if not on_curve and (several[index] or blurred[index] or miss[index] < 10 * ON_CURVE):
             on_curve = _grow(curves, q)
         if curves.hiding and not on_curve and miss[index] < CURVE_FAR:
             hidden += _hiding(curves, q)
@@ -179,24 +179,25 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
     return doubles, hidden
 
 
-def _probed(curves: _Curves, starts: Array) -> tuple[Array, Bools]:
+def _probed(curves: _Curves, starts: Array) -> tuple[Array, Bools, Bools]:
     """Return how well the pose can be held a little way along each start's null direction (N,), all at once.
 
-    And whether two directions vanish there (N,).
+    And whether two directions vanish there (N,), and whether they nearly do (N,): a point may be so far off then that
+    the pose is not held beside it where it is beside the true one.
     """
     chain = curves.chain
     if not len(starts):
-        return np.zeros(0), np.zeros(0, bool)
+        return np.zeros(0), np.zeros(0, bool), np.zeros(0, bool)
     s, Vt = null_space(chain, starts)
     unit, last = chain.joints.unit, min(chain.n, 6) - 1
-    several = s[:, last - 1] <= SINGULAR_EXAMINED * s[:, 0] if last else np.zeros(len(starts), bool)
+    second = s[:, last - 1] / s[:, 0] if last else np.ones(len(starts))
     step = PROBE * Vt[:, last] * unit
     probes = np.concatenate([starts + step, starts - step])
     there = near_curve.onto(chain, probes, curves.T, 5)
     gone = np.linalg.norm((there.q - np.concatenate([starts, starts])) / unit, axis=1)
     held = (gone > 0.5 * PROBE) & (there.rest < np.maximum(PROBE_REST * np.abs(there.miss), HOLDS))
     miss = np.where(held, np.abs(there.miss), np.inf).reshape(2, -1).min(0)
-    return miss, several
+    return miss, second <= SINGULAR_EXAMINED, second <= NEARLY_SINGULAR
 
 
 def _hiding(curves: _Curves, q: Array) -> list[Array]:
@@ -275,7 +276,8 @@ def _line(curves: _Curves, point: Array, further: Array, steps: int = LINE_STEPS
 def _directions(chain: Chain, q: Array) -> list[Array]:
     """Return directions in which a pose might be held at q; where two vanish at once, a fan of their mixtures."""
     s, Vt = null_space(chain, q)
-    null = Vt[s <= max(SINGULAR_EXAMINED * s[0], TINY)]
+    # near a crossing the second direction is only nearly free, and the curve's own tangent may be it
+    null = Vt[s <= max(NEARLY_SINGULAR * s[0], TINY)]
     if len(null) < 2:
         return list(null)
     angles = np.arange(FAN) * np.pi / FAN
