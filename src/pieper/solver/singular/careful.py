@@ -174,8 +174,8 @@ def sure_beside(plan: Plan, poses: Array) -> Bools:
 
 
 def _certain_beside(plan: Plan, T: Array) -> Array | None:
-    """Return the solutions (m, n) of as many poses beside T as vouch, the nearest that are certain; None if too few."""
-    count, rows = 0, [np.empty((0, plan.n))]
+    """Return the solutions (m, 6) of as many poses beside T as vouch, the nearest that are certain; None if too few."""
+    count, rows = 0, [np.empty((0, 6))]
     for size in SURE_ASIDE:
         q, valid, _, flags = plan.solver.many(np.ascontiguousarray(side_steps(plan.chain, T, (size,))), 1)
         certain = np.flatnonzero((flags & Flag.UNCERTAIN) == 0)[: VOUCHING - count]
@@ -202,9 +202,9 @@ def settled(plan: Plan, T: Array, found: Examined, flag: int) -> int:
     More branches than a six-joint arm can have, merged ones counted, are not believed: so near to an arm on which
     whole curves cross, a root is none of so many.
     """
-    if not plan.direct:
+    if not plan.whole:
         return flag
-    if not found.self_motions and found.multiplicity.sum() > plan.max_solutions:
+    if plan.direct and not found.self_motions and found.multiplicity.sum() > plan.max_solutions:
         return flag | int(Flag.UNCERTAIN)
     doubted = flag & Flag.UNCERTAIN and not vouched(plan, T, found.q, found.self_motions)
     return flag if doubted else flag & ~int(Flag.UNCERTAIN)
@@ -222,8 +222,9 @@ def vouched(plan: Plan, T: Array, rows: Array, motions: Sequence[SelfMotion] = (
     beside = _certain_beside(plan, T)
     if beside is None or not len(beside):
         return False
-    back = newton(plan.chain, beside, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
-    back = back[missed(plan.chain, back, T) < HOLDS]
+    full = plan.exact.full
+    back = newton(full, beside, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
+    back = back[missed(full, back, T) < HOLDS][:, : plan.n]
     if len(rows):
         back = back[plan.chain.joints.apart(back[:, None], rows[None]).min(1) >= SAME_VOUCHED]
     return all(any(motion.contains(q, SAME_VOUCHED) for motion in motions) for q in back)
