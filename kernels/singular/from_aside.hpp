@@ -73,7 +73,11 @@ class FromAside {
           return false;
       }
     }
-    if (!out.curves.empty() && !all_over(T, known, curves, out)) return false;
+    // a pose that is marked and has no row that explains it has something that poses beside do not lead to
+    bool explained = out.curves.empty();
+    if (explained)
+      explained = std::any_of(known.begin(), known.end(), [](const Known& one) { return one.singular || one.weak; });
+    if (!explained && !all_over(T, known, curves, out)) return false;
     for (const Known& one : known)
       if (one.several && !on_motion(one, out)) return false;
     // there are no more solutions than slots: where rounding lets more be told, it blurs by more than was thought

@@ -11,6 +11,8 @@ from pieper.solver.rows import Flag
 from pieper.tolerances import CLEARLY_REGULAR, FILLED_STARTS, SAME_ROW
 
 _DOUBT = np.uint8(int(Flag.DEGENERATE | Flag.UNCERTAIN))
+#: What a filling says that gives no rows, and does not say that poses beside have none.
+_EDGE = np.uint8(int(Flag.EDGE))
 
 
 def refilled_rows(plan: Plan, T: Array, q: Array, valid: Bools, flags: Bits) -> tuple[Array, Bools, Bits]:
@@ -35,13 +37,14 @@ def refilled_rows(plan: Plan, T: Array, q: Array, valid: Bools, flags: Bits) -> 
         q6, there, _, said = solver.many(np.ascontiguousarray(T[doubted]), 1)
         virtual = np.setdiff1d(np.arange(6), real)
         there &= np.all(np.abs(q6[..., virtual]) < FILLED_STARTS * solver.chain.joints.unit[virtual], axis=-1)
-        for k in np.flatnonzero((said & _DOUBT) < doubt[doubted]):
+        said = (said & _DOUBT) | ((said & _EDGE) > 0).astype(np.uint8) * np.uint8(int(Flag.DEGENERATE))
+        for k in np.flatnonzero(said < doubt[doubted]):
             i = doubted[k]
             rows = np.concatenate([q[i][valid[i]], q6[k][there[k]][:, real]])
             rows = rows[plan.reduction.full.joints.distinct(rows, SAME_ROW)][: q.shape[1]]
             q[i], valid[i] = 0.0, False
             q[i, : len(rows)], valid[i, : len(rows)] = rows, True
-            flags[i], doubt[i] = (said[k] & _DOUBT) | (flags[i] & ~_DOUBT), said[k] & _DOUBT
+            flags[i], doubt[i] = said[k] | (flags[i] & ~_DOUBT), said[k]
         doubted = np.flatnonzero(doubt)
         if not len(doubted):
             break

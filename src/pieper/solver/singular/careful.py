@@ -60,11 +60,10 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     most = plan.max_solutions if own else None
     known = np.concatenate([rows, known]) if own and known is not rows else known
     found = looked_at(plan, T, known, most=most)
-    if found.self_motions or not len(found.q):
-        # a self-motion that leaves poses beside in one and the same direction has no point near any of them
-        anywhere = _from_all_over(full, T)
-        more = anywhere[~_is_told(plan, found, anywhere)]
-        found = looked_at(plan, T, np.concatenate([known, more]), most=most) if len(more) else found
+    # a self-motion that leaves poses beside in one and the same direction has no point near any of them
+    anywhere = _from_all_over(full, T)
+    more = anywhere[~_is_told(plan, found, anywhere)]
+    found = looked_at(plan, T, np.concatenate([known, more]), most=most) if len(more) else found
     return (found if own else _own(plan, found)).within(plan.max_solutions)
 
 
