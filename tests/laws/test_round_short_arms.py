@@ -198,3 +198,19 @@ def test_a_hair_beside_a_round_posture_no_row_of_a_short_arm_is_lost(name):
             for rows, ok, p in zip(many.q, many.valid, q, strict=True)
         ]
         assert max(away) < 1e-6
+
+
+def test_a_pose_rounded_to_nine_digits_is_not_looked_at_with_care_where_the_posture_is_regular(monkeypatch):
+    """Its own row misses it by the rounding, and nothing merges so near: there is no other to look for."""
+    from pieper.solver.singular import careful
+
+    looked: list[np.ndarray] = []
+    every = careful.every_solution
+    monkeypatch.setattr(careful, "every_solution", lambda plan, T, rows: looked.append(T) or every(plan, T, rows))
+    arm, rng = pieper.load("dfrobot-rob0036"), np.random.default_rng(0)
+    q = rng.uniform(-1.5, 1.5, (400, 5))
+    s = np.linalg.svd(arm.jacobian(q), compute_uv=False)
+    q = q[s[:, -1] > 0.02 * s[:, 0]]
+    status = arm.ik_many(np.round(arm.fk(q), 9), threads=1).status
+    assert np.isin(status, [Status.SOLVED, Status.OUT_OF_REACH]).all() and np.any(status == Status.OUT_OF_REACH)
+    assert len(looked) <= len(q) // 50

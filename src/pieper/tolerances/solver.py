@@ -14,6 +14,9 @@ LINKAGE_STARTS = 1e-4
 FILLED_STARTS = 1e-4
 #: One below this may have been meant to be zero: double roots are known to half the digits, fourfold ones to a quarter.
 NEARLY_ZERO = 1e-3
+#: Two postures merge beyond a miss of their squared relative singular value over a few: below this part of it a posture
+#: that misses has no solution near it.
+PLAIN_MISS = 5e-2
 #: Points that differ in a task's virtual joints alone are one within this (rad; per length): curves end there.
 SAME_AFTER_CUT = 1e-6
 

@@ -22,6 +22,7 @@ from pieper.tolerances import (
     CAREFUL_ASIDE,
     CLEARLY_REGULAR,
     NEARLY_ZERO,
+    PLAIN_MISS,
     SAME_AFTER_CUT,
     SAME_VOUCHED,
     SLOW_RANK,
@@ -261,7 +262,13 @@ def overlooked(plan: Plan, poses: Array) -> Bools:
     for solver, real in ((plan.solver, plan.reduction.real), *plan.refilled):
         q, valid, _, flags = solver.many(every, 1)
         virtual = np.setdiff1d(np.arange(6), real)
-        zero = np.all(np.abs(q[..., virtual]) < NEARLY_ZERO * solver.chain.joints.unit[virtual], axis=-1)
+        off = np.abs(q[..., virtual] / solver.chain.joints.unit[virtual]).max(-1)
         marked = (flags & (Flag.DEGENERATE | Flag.UNCERTAIN)) > 0
-        found |= np.any((valid & (zero | marked[:, None])).reshape(len(poses), -1), axis=1)
+        leads = valid & ((off < NEARLY_ZERO) | marked[:, None])
+        # so far from where two merge a posture that misses the pose by so little has no solution near it but its own,
+        # and that has been looked for
+        plain = leads & ~marked[:, None]
+        s = singular_values(plan.exact.full, q[plain][:, real])
+        leads[plain] = off[plain] + CAREFUL_ASIDE > PLAIN_MISS * (s[:, -1] / s[:, 0]) ** 2
+        found |= np.any(leads.reshape(len(poses), -1), axis=1)
     return found
