@@ -101,12 +101,12 @@ def crossings(motion: SelfMotion) -> list[Array]:
     second = second_smallest(chain, samples)
     found: list[Array] = []
     last = len(samples) - 1
-    for i in range(len(samples)):
-        # at a crossing the value falls to zero like |s - s0|: less than one and a half times what a step changes
-        around = second[[(i + k) % last if motion.closed else min(max(i + k, 0), last) for k in (-2, -1, 1, 2)]]
-        change = max(abs(around[0] - around[1]), abs(around[3] - around[2]))
-        if second[i] > min(around) or second[i] > 1.5 * change + CROSSING_CHANGE:
-            continue
+    index = np.arange(len(samples))[:, None] + np.array([-2, -1, 1, 2])
+    around = second[index % last if motion.closed else np.clip(index, 0, last)]
+    # at a crossing the value falls to zero like |s - s0|: less than one and a half times what a step changes
+    change = np.maximum(np.abs(around[:, 0] - around[:, 1]), np.abs(around[:, 3] - around[:, 2]))
+    low_enough = (second <= around.min(1)) & (second <= 1.5 * change + CROSSING_CHANGE)
+    for i in np.flatnonzero(low_enough):
         low, high = float(motion.u[max(i - 1, 0)]), float(motion.u[min(i + 1, last)])
         u = least_at(lambda u: float(second_smallest(chain, motion.point(u))), low, high, HALVINGS)
         point = motion.point(u)

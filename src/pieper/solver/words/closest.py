@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
@@ -13,7 +14,7 @@ from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.bounded import as_axes, by_axes, nearer
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
-from pieper.kinematics.newton import scaled_jacobian, settled, shortest
+from pieper.kinematics.newton import pose_difference, scaled_jacobian, settled, shortest
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.results import Closest, Solutions
@@ -91,6 +92,11 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     else:
         q = hill.onto_place(hill.found(given, turning))
     value, angle = hill.distances(q)
+    if weights is None and turning and value.min() < ALIKE_NEAR and angle.min() < ALIKE_TURN:
+        # where two postures are about to be one, what rounding lets the position be leaves the turn open by its root
+        near = q[(value < ALIKE_NEAR) & (angle < ALIKE_TURN)]
+        q = np.vstack([q, hill.onto_pose(near)])
+        value, angle = hill.distances(q)
     alike = np.flatnonzero(value <= value.min() + ALIKE_NEAR)
     own = q[alike[np.argmin(angle[alike])] if turning else np.argmin(value), : plan.n]
     miss = plan.residual(own, T)
@@ -176,12 +182,29 @@ class _Hill:
         def slope(at: Array, index: Indices) -> Array:
             return np.where(held[index, None], 0.0, scaled_jacobian(self.chain, at)[:, :3])
 
-        unit, step = self.chain.joints.unit, shortest(PULLED_RANK)
-        exact, _ = settled(miss, slope, start, unit, steps=LAST_STEPS, longest=ALIKE_TURN, step=step)
-        exact = np.clip(exact, lower, upper)
+        exact = np.clip(self._newton(miss, slope, start), lower, upper)
         better = self.distances(exact)[0] < value[some]
         q[some[better]] = exact[better]
         return q
+
+    def onto_pose(self, q: Array) -> Array:
+        """Return postures (k, n) moved to where what is missed of the whole pose is least."""
+        lower, upper = self.limits.T
+        held = (q <= lower) | (q >= upper)
+
+        def miss(at: Array, _index: Indices) -> Array:
+            return pose_difference(self.chain, at, self.T)
+
+        def slope(at: Array, index: Indices) -> Array:
+            return np.where(held[index, None], 0.0, scaled_jacobian(self.chain, at))
+
+        return np.clip(self._newton(miss, slope, q), lower, upper)
+
+    def _newton(
+        self, miss: Callable[[Array, Indices], Array], slope: Callable[[Array, Indices], Array], q: Array
+    ) -> Array:
+        unit, step = self.chain.joints.unit, shortest(PULLED_RANK)
+        return settled(miss, slope, q, unit, steps=LAST_STEPS, longest=ALIKE_TURN, step=step)[0]
 
 
 def _cost(value: Array, angle: Array, turn: float) -> Array:
