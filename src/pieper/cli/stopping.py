@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from types import FrameType
 
 #: What ends a program, and its terminal: SIGTERM, and SIGHUP where there is one.
-ENDING = (signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM))
+ENDING = tuple(number for number in signal.Signals if number.name in ("SIGTERM", "SIGHUP"))
 #: Added to a signal's number, as shells do, for the exit status.
 BY_SIGNAL = 128
 
@@ -40,7 +40,7 @@ def signals_interrupt() -> Iterator[None]:
     One that is ignored (nohup) or already handled stays as it is.
     """
     here = signal.valid_signals() if threading.current_thread() is threading.main_thread() else set[int]()
-    mine = [number for number in dict.fromkeys(ENDING) if number in here and signal.getsignal(number) == signal.SIG_DFL]
+    mine = [number for number in ENDING if number in here and signal.getsignal(number) == signal.SIG_DFL]
     for number in mine:
         signal.signal(number, _stop)
     try:
