@@ -80,7 +80,7 @@ class Fit:
         held_out: The error on held-out poses; None where none were.
         sigma: The noise (m, rad) that was said, or else estimated.
         spread: Residuals over noise: far above 1 something else than these numbers is at work.
-        outliers: Rows that were left out as no noise (loss "huber").
+        outliers: Indices of the rows that were left out as no noise (loss "huber").
         rows: How many poses were fitted and how many held out.
         kind: What was measured.
         set_up: Measurements with their set-up as fitted: fixed point, or plane.
@@ -235,8 +235,8 @@ class Fit:
                 "data."
             )
         if self.outliers:
-            rows = ", ".join(str(i) for i in self.outliers)
-            lines.append(f"Left out as no noise: row{'s' if len(self.outliers) > 1 else ''} {rows} (counted from 0).")
+            which = ", ".join(str(i + 1) for i in self.outliers)
+            lines.append(f"Left out as no noise: measurement{'s' if len(self.outliers) > 1 else ''} {which}.")
         if held and self.held_out is not None and self.held_out.count < self.held_out.of:
             lines.append(
                 f"{self.held_out.of - self.held_out.count} held-out rows are outliers too and were not judged."

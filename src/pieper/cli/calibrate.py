@@ -102,7 +102,7 @@ def command(
                 "arm": arm.name,
                 "held_out": held,
                 "unobservable": fit.unobservable,
-                "outliers": fit.outliers,
+                "outliers": [index + 1 for index in fit.outliers],
                 "sigma": fit.sigma,
                 "spread": fit.spread,
                 "axes": fit.model.axes,
