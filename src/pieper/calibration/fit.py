@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from pieper import arguments
 from pieper.calibration.axes_file import text_of_axes
 from pieper.calibration.measurements import Measurements
 from pieper.calibration.model import AxesModel
@@ -193,12 +194,17 @@ class Fit:
         )
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Write the calibrated arm as a robot file that keeps its axes, whole or not at all; not with harmonics."""
+        """Write the calibrated arm as a robot file that keeps its axes, whole or not at all; not with harmonics.
+
+        Raises:
+            InputError: Another ending than .toml, or a place that cannot be written.
+        """
+        path = arguments.file_ending(path, (".toml", ""), "a calibrated arm")
         description = self.arm.description
         text = text_of_axes(description, self.model)
         with whole_file(path) as file:
             file.write(text.encode())
-        return Path(path)
+        return path
 
     def headline(self) -> str:
         """Return the error on held-out poses in one sentence."""
