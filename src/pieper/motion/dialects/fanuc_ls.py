@@ -9,7 +9,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Setup, Target, fixed, known_one, named
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
@@ -96,7 +95,7 @@ def _place(script: Script, index: int, q: Array, T: Array, coupled: bool, now: S
             values[2] -= values[1]
         said = ",\n  ".join(f"{n}= {fixed(v, 5)} deg" for n, v in zip(_JOINTS, values, strict=True))
         return f"P[{index}]{{\n  GP1:\n  {stands},\n  {said}\n}};"
-    words = configuration(script.plan, q, "fanuc")
+    words = script.configuration(q, "fanuc")
     config = f"'{' '.join(words.words)}, {', '.join(str(t) for t in words.turns)}'"
     values = read_pose(T, "wpr", degrees=True, mm=True)
     units = ["mm"] * 3 + ["deg"] * 3

@@ -11,7 +11,6 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import inverse, pose_error
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Setup, Target, fixed, found, listed, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
@@ -45,7 +44,7 @@ def write(script: Script) -> str:
     last: list[str] = []
 
     def place(q: Array, T: Array, frame: int | None = None) -> str:
-        said = configuration(script.plan, q, "yaskawa")
+        said = script.configuration(q, "yaskawa")
         stands = now.frame_number if frame is None else frame
         words = [f"///TOOL {now.tool_number - 1}"]
         words += [f"///USER {stands}", "///POSTYPE USER"] if stands else ["///POSTYPE ROBOT"]

@@ -8,7 +8,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, named, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
@@ -47,7 +46,7 @@ def _move(script: Script, move: Move) -> list[str]:
         out.append(f"BAS(#VEL_PTP,{share})")
         target = f"{{{_words(_AXES, script.degrees(move.q))}}}"
         if script.cartesian:
-            said = configuration(script.plan, move.q, "kuka")
+            said = script.configuration(move.q, "kuka")
             target = f"{{{_place(move.T)},S {said.words[0]},T {said.turns[0]}}}"
         out.append(f"PTP {target}{' C_DIS' if move.blend else ''}")
         return out

@@ -8,7 +8,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, known_one, listed, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
@@ -53,7 +52,7 @@ def _move(script: Script, move: Move) -> str:
 
 
 def _place(script: Script, T: Array, q: Array) -> str:
-    figure = configuration(script.plan, q, "denso").words[0]
+    figure = script.configuration(q, "denso").words[0]
     return f"{_six(T)[:-1]}, {figure})"
 
 

@@ -8,7 +8,6 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, known_one, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
@@ -85,7 +84,7 @@ def _data(script: Script, number: int, move: Move) -> list[str]:
 
 
 def _robtarget(script: Script, T: Array, q: Array) -> str:
-    said = configuration(script.plan, q, "abb")
+    said = script.configuration(q, "abb")
     words = ",".join(str(turn) for turn in said.turns)
     return f"[{_position(T)},[{words},{said.words[0]}],{_NO_AXES}]"
 
