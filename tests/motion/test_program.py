@@ -1,5 +1,7 @@
 """Programs: one timed motion with its events, corners cut within their radius, and every bad input answered."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -170,6 +172,19 @@ def test_what_cannot_be_reached_is_said_with_the_moves_number():
     with pytest.raises(InputError, match="joint_6 has none"):
         pieper.Program(ARM, pieper.Limits([1.0] * 5, 1.0), start=HOME)
     assert p.motion().margin <= 1
+
+
+def test_a_move_that_stops_does_not_say_that_there_is_no_cure_where_nobody_looked():
+    arm = pieper.load("denso-vp6242")
+    start, T = arm.postures["line-start"], pieper.pose(350, 0, 300, mm=True)
+    with pytest.raises(NoSolutionError, match="move 1 cannot be followed") as told:
+        pieper.Program(arm, LIMITS, start=start).move_l(T)
+    # the same line alone: two changes let it pass, each followed to its end
+    track = arm.follow(pieper.line(arm.fk(start), T, n=33), start=start)
+    assert len(track.cures) == 2 and all(cure.track.complete for cure in track.cures)
+    assert "No cure was found" not in str(told.value) and "not looked for" in str(told.value)
+    assert not dataclasses.replace(track, seek=None).cures
+    assert "cure" not in dataclasses.replace(track, seek=None).explain().lower()
 
 
 def test_an_empty_program_rests():
