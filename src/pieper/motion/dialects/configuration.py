@@ -137,6 +137,27 @@ def configuration(plan: Plan, q: ArrayLike, maker: str, made_by: str) -> Configu
         InputError: The maker is unknown or has no such words, the arm is another maker's, or it is not of the kind
             that the words are defined for.
     """
+    joints = checked_joints(q, plan.n)
+    if joints.ndim != 1:
+        raise InputError(f"q must be one joint vector ({plan.n},), got {joints.shape}.", given=joints.shape)
+    words, turns, clear = words_at(plan, joints, maker, made_by)
+    key = maker.lower()
+    untold: list[str] = []
+    for j in range(6):
+        low, high = plan.limits[j]
+        for turn in (-2, -1, 1, 2):
+            other = joints.copy()
+            other[j] += turn * TURN
+            inside = low - LIMIT_SLACK <= other[j] <= high + LIMIT_SLACK
+            if inside and words_at(plan, other, key, made_by)[:2] == (words, turns):
+                untold.append(plan.names[j])
+                break
+    said = MAKERS[key][3] if made_by.strip() else MAKERS[key][3] + _NOBODY.format(maker=key)
+    return Configuration(words, turns, said + _OPEN, clear, tuple(untold))
+
+
+def words_at(plan: Plan, q: Array, maker: str, made_by: str) -> tuple[tuple[str, ...], tuple[int, ...], float]:
+    """Return the words and turns of a posture (n,) alone, and how clear they are; see `configuration`."""
     key = str(maker).lower()
     if key not in MAKERS:
         raise InputError(
@@ -152,23 +173,9 @@ def configuration(plan: Plan, q: ArrayLike, maker: str, made_by: str) -> Configu
             given=maker,
             maker=made_by,
         )
-    joints = checked_joints(q, plan.n)
-    if joints.ndim != 1:
-        raise InputError(f"q must be one joint vector ({plan.n},), got {joints.shape}.", given=joints.shape)
-    _, named, words_of, rule = MAKERS[key]
-    s = shape(plan, joints, f"{key}'s {named}")
-    words, turns = words_of(s, joints)
-    untold: list[str] = []
-    for j in range(6):
-        low, high = plan.limits[j]
-        for turn in (-2, -1, 1, 2):
-            other = joints.copy()
-            other[j] += turn * TURN
-            if low - LIMIT_SLACK <= other[j] <= high + LIMIT_SLACK and words_of(s, other) == (words, turns):
-                untold.append(plan.names[j])
-                break
-    open_ended = _OPEN if made_by.strip() else _NOBODY.format(maker=key) + _OPEN
-    return Configuration(words, turns, rule + open_ended, s.nearest, tuple(untold))
+    _, named, words_of, _ = MAKERS[key]
+    s = shape(plan, q, f"{key}'s {named}")
+    return *words_of(s, q), s.nearest
 
 
 def is_of(made_by: str, maker: str) -> bool:

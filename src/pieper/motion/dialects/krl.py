@@ -10,6 +10,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, named, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.dialects.target import Words
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 _AXES = ("A1", "A2", "A3", "A4", "A5", "A6")
@@ -87,7 +88,9 @@ def read(text: str) -> list[Target]:
             out.append(Target("move_c", T=places[1], via=places[0], place=m.start(1)).under(tool, frame))
         else:
             kind = "move_j" if m[1] == "PTP" else "move_l"
-            out.append(Target(kind, T=places[0], place=m.start(1)).under(tool, frame))
+            said = named(braces[0], ("S", "T"))
+            words = None if said is None else Words("kuka", (str(int(said[0])),), (int(said[1]),))
+            out.append(Target(kind, T=places[0], words=words, place=m.start(1)).under(tool, frame))
     return out
 
 
