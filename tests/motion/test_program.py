@@ -187,6 +187,33 @@ def test_a_move_that_stops_does_not_say_that_there_is_no_cure_where_nobody_looke
     assert "cure" not in dataclasses.replace(track, seek=None).explain().lower()
 
 
+def zigzag(rng, arm, home, blend, kind):
+    p, T = pieper.Program(arm, LIMITS, start=home), arm.fk(home)
+    for k in range(5):
+        T = shifted(T, *(0.03 * (-1) ** (k + 1) * rng.integers(0, 2, 3) - [0.01, 0.0, 0.0]))
+        p.move_l(T, blend=blend) if kind == "move_l" else p.move_j(T, blend=blend)
+    return p
+
+
+@pytest.mark.parametrize("kind", ["move_l", "move_j"])
+def test_blends_that_both_shrink_to_the_half_of_a_way_meet_there(kind):
+    rng, whole = np.random.default_rng(3), 0
+    for _ in range(40):
+        try:
+            p = zigzag(rng, ARM, HOME, 0.1, kind)
+        except (InputError, NoSolutionError):
+            continue  # a move of no length, or out of reach
+        motion = p.motion()
+        assert motion.margin <= 1 and np.isfinite(motion.q).all()
+        assert np.abs(motion.q[-1] - p.moves[-1].q).max() < 1e-9
+        assert any("shrinks" in remark for remark in motion.remarks)
+        # another formula: rates are differences of the positions, and nothing jumps
+        off = np.abs(np.gradient(motion.q, motion.t, axis=0) - motion.dq)[1:-1]
+        assert off.max() < 0.02 * np.abs(motion.dq).max()
+        whole += 1
+    assert whole > 10
+
+
 def test_an_empty_program_rests():
     motion = program().output(1, True).motion()
     assert motion.duration == 0 and motion.events == ((0.0, "output", (1, True)),)
