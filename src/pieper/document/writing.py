@@ -13,7 +13,7 @@ from pieper import arguments
 from pieper.errors import InputError
 
 #: What says that there is no room: a full disk, a used-up quota, a file larger than is allowed.
-NO_ROOM = {errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC)}
+NO_ROOM = {errno.ENOSPC, errno.EFBIG, errno.EDQUOT}
 
 
 @contextmanager
