@@ -262,3 +262,27 @@ def test_rows_outside_the_limits_alone_are_no_solution_self_motions_or_not(run):
     status, out, _ = run("ik", "adept-cobra", "400", "100", "300")
     assert "OUTSIDE_LIMITS" in out and "self-motions" in out
     assert status == 1
+
+
+@pytest.mark.parametrize(
+    ("said", "typed"),
+    [
+        (
+            "Begin after it with base='c', or end before it with tip='left tool'.",
+            "--base c, or end before it with --tip",
+        ),
+        ("load it with missing_limits='unlimited'", "--missing-limits unlimited"),
+        ("say which by tip=: tip='a' (joints x)", "by --tip: --tip a (joints x)"),
+    ],
+)
+def test_sentences_of_the_library_name_options_as_they_are_typed(said, typed):
+    from pieper.cli.failure import as_typed
+
+    assert typed in as_typed(said)
+    assert "='" not in as_typed(said)
+
+
+def test_a_far_pose_typed_in_millimetres_is_not_asked_whether_it_was_in_millimetres(run):
+    _, _, said = run("ik", "denso-vp6242", 350000, 0, 400)
+    said = " ".join(said.split())
+    assert "350 m away" in said and "--length" in said and "pieper.pose" not in said and "millimetres" not in said
