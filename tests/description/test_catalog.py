@@ -10,6 +10,9 @@ import numpy as np
 import pytest
 
 import pieper
+from benchmarks import kept
+from benchmarks.measure.catalogue import fingerprint
+from benchmarks.pages import arms as page_of_arms
 from oracle.joints import turns_apart
 from oracle.products import product
 from pieper.description import catalog, catalog_index
@@ -189,3 +192,11 @@ def test_finding_an_arm_opens_no_robot_file(asked):
     )
     source = Path(catalog.__file__).parents[2]
     assert subprocess.run([sys.executable, "-c", code], cwd=source, check=False).returncode == 0
+
+
+def test_the_page_of_arms_is_of_these_arms():
+    """The cure: python -m benchmarks.measure.catalogue, then make pages."""
+    rows = {row["arm"]: row["sha256"] for row in kept.read("catalogue")["rows"]}
+    assert sorted(rows) == sorted(NAMES)
+    assert [name for name in NAMES if fingerprint(pieper.load(name)) != rows[name]] == []
+    assert (kept.DOCS / "arms.md").read_text(encoding="utf-8") == page_of_arms.page()

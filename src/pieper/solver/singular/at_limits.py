@@ -10,7 +10,8 @@ from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.joints import short_way
 from pieper.kinematics.newton import missed, newton, null_space, scaled_jacobian
 from pieper.solver.redundant.bounded_motion import BESIDE_CHORD, bounded_motion
-from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
+from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import CURVE_RANK, LINE_OF_SLIDES, NO_END, ON_CURVE
 
 #: Halvings of a golden section that place where a joint turns back: its value is exact to rounding then.

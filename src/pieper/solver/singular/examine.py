@@ -23,8 +23,9 @@ from pieper.solver.singular.at_limits import at_limits, drawn_in, leads_away, wa
 from pieper.solver.singular.examined import Examined, told
 from pieper.solver.singular.line_of_slides import SlideLine
 from pieper.solver.singular.merged_roots import distinct_roots, into_limits, merged_root
-from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
+from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
+from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import (
     APART_SINGULAR,
     APPROACH_SIZES,

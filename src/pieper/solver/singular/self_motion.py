@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -378,24 +377,7 @@ class SelfMotion:
         return ""
 
 
-#: Steps that bring a curve's parameter to the point beside a posture; halvings that place a joint's value.
-CLOSING, HALVINGS = 12, 48
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class TracedMotion(SelfMotion):
-    """A self-motion that was followed step by step; see SelfMotion for its attributes."""
-
-    chain: Chain
-    T: Array
-    traced: Array
-    closed: bool
-    dimension: int
-    limits: Array
-    names: tuple[str, ...]
-    shown: int
-
-    @cached_property
-    def samples(self) -> Array:
-        """(k, n) the points that were followed."""
-        return self.traced
+#: Steps that bring a curve's parameter to the point beside a posture.
+CLOSING = 12
+#: Halvings that place a joint's value between two samples to rounding.
+HALVINGS = 48

@@ -9,7 +9,8 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.newton import missed, newton, newton_on_plane, null_space, singular_values
-from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
+from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import (
     CROSSING_CHANGE,
     CROSSING_FOUND,
