@@ -256,6 +256,7 @@ def test_a_line_of_slides_is_exact_at_its_limits(name):
         assert "between two ends" in str(line)
         now = made + rng.uniform(-0.5, 0.5, arm.n)
         nearest = line.nearest(now)
+        assert nearest is not None
         every = np.array([line.at(u) for u in np.linspace(low, high, 2001)])
         unit = arm.chain.joints.unit
         away = np.linalg.norm((bounded.chain.joints.unwound(every, now, bounded.limits) - now) / unit, axis=1)
