@@ -24,6 +24,7 @@ from benchmarks.kept import RESULTS
 from benchmarks.measure.fifty_digits import verdict
 from benchmarks.pages.singular_strata import VERDICTS, table
 from oracle.arms.strata import ARMS
+from oracle.joints import around
 from pieper.kinematics.newton import scaled_jacobian
 
 CHUNK = 250
@@ -114,7 +115,7 @@ def measure(arm, seed: int) -> dict:
     many = arm.ik_many(T, threads=1, **how)
     spent = time.perf_counter() - start
     prismatic, length = arm.chain.prismatic, arm.chain.length
-    gap = np.where(prismatic, (many.q - q[:, None]) / length, (many.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi)
+    gap = np.where(prismatic, (many.q - q[:, None]) / length, around(many.q - q[:, None]))
     gap = np.where(many.valid, np.abs(gap).max(-1), np.inf).min(1)
     decade = np.clip(np.floor(np.log10(np.maximum(distance, 1e-11))) + 11, 1, 8).astype(int)
     decade[distance == 0] = 0

@@ -133,11 +133,13 @@ def examine(
     merged = [q for q in merged if not curves.meet(q, ON_POLYLINE)]
     if curves.lines:
         merged = [q for q in merged if second_smallest(chain, q) > SINGULAR_EXAMINED]
-    doubles = distinct_roots(chain, [merged_root(chain, q, T)[0] for q in (*doubles, *merged)], T)
+    placed = [merged_root(chain, q, T) for q in (*doubles, *merged)]
+    branches = {root.tobytes(): count for root, count in placed}
+    doubles = distinct_roots(chain, [root for root, _ in placed], T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
     if most is not None and len(doubles) + len(isolated) > most:
         doubles = _exact_ones(curves, doubles, most - len(isolated))
-    pairs = [merged_root(chain, q, T)[1] for q in doubles]
+    pairs = [branches[q.tobytes()] for q in doubles]
     doubles = [into_limits(chain, q, T, limits) for q in doubles]
     return told(chain, isolated, doubles, pairs, [at_limits(motion) for motion in curves.closed])
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -46,6 +46,8 @@ LED_BACK = 2
 ALIKE = 3
 #: Steps onto the position alone, from where a turn counted next to nothing.
 LAST_STEPS = 8
+#: The postures looked at of each plan and their poses, as long as the plan is held.
+_LOOKED_AT: WeakKeyDictionary[Plan, tuple[Array, Array]] = WeakKeyDictionary()
 
 
 def closest_to(plan: Plan, sols: Solutions) -> Closest:
@@ -75,7 +77,10 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     """
     turning = plan.task != "position"
     chain = plan.exact.full if turning else plan.chain
-    hill = _Hill(chain, plan.full_limits if turning else plan.limits, T)
+    limits = plan.full_limits if turning else plan.limits
+    if plan not in _LOOKED_AT:
+        _LOOKED_AT[plan] = _looked_at(chain, limits)
+    hill = _Hill(chain, limits, T, *_LOOKED_AT[plan])
     given = np.empty((0, plan.n)) if seeds is None else seeds
     given = np.pad(given, ((0, 0), (0, chain.n - plan.n)))
     if weights is not None:
@@ -116,28 +121,29 @@ def _weighed(plan: Plan, weights: ArrayLike) -> float:
 
 @dataclass(frozen=True, slots=True)
 class _Hill:
-    """What is descended: how far a chain is from a pose (4, 4) inside limits (n, 2)."""
+    """What is descended: how far a chain is from a pose (4, 4) inside limits (n, 2), and postures to begin from."""
 
     chain: Chain
     limits: Array
     T: Array
+    looked: Array
+    there: Array
 
     def starts(self, turn: float) -> Array:
         """Return postures (k, n) that are good where a turn counts so much."""
-        q, there = _looked_at(self.chain, self.limits.tobytes())
-        return q[np.argsort(_cost(*_distances(self.chain, there, self.T), turn), kind="stable")[:STARTS]]
+        away = _distances(self.chain, self.there, self.T)
+        return self.looked[np.argsort(_cost(*away, turn), kind="stable")[:STARTS]]
 
     def found(self, given: Array, turning: bool) -> Array:
         """Return postures (k, n) of which one comes nearest, its position to a few steps; `given` (m, n) begin too."""
-        q, there = _looked_at(self.chain, self.limits.tobytes())
         coupling, limits = by_axes(self.chain, self.limits)
         return _kernel.closest(
             self.chain.plain,
             coupling=coupling,
             lower=limits[:, 0],
             upper=limits[:, 1],
-            q=as_axes(self.chain, q),
-            poses=there,
+            q=as_axes(self.chain, self.looked),
+            poses=self.there,
             seeds=as_axes(self.chain, given),
             T=self.T,
             turning=turning,
@@ -214,10 +220,8 @@ def _distances(chain: Chain, there: Array, T: Array) -> tuple[Array, Array]:
     return way / chain.length, 2 * np.arcsin(np.sqrt(np.minimum(chord / 8, 1.0)))
 
 
-@lru_cache(maxsize=64)
-def _looked_at(chain: Chain, limited: bytes) -> tuple[Array, Array]:
+def _looked_at(chain: Chain, limits: Array) -> tuple[Array, Array]:
     """Return postures (k, n) spread evenly over the limits, else over a turn, or two lengths; and their poses."""
-    limits = np.frombuffer(limited).reshape(-1, 2)
     reach = np.where(chain.prismatic, chain.length, np.pi)
     low, high = np.isfinite(limits[:, 0]), np.isfinite(limits[:, 1])
     lower = np.where(low, limits[:, 0], np.where(high, limits[:, 1] - 2 * reach, -reach))
