@@ -358,6 +358,8 @@ class Evidence:
             return ""
         used = node.substitute(self.definitions).symbols() | self.varied_zeros
         names = [m for m in self.model.values if m in used]
+        if not names or used & {pose[0] for pose in POSE_NAMES} or used & set(self.letters):  # all have a share in it
+            names = [m for m, own in self.model.values.items() if self.samples.env[m][k] != own]
         return " with " + ", ".join(f"{m} = {self.samples.env[m][k]:g}" for m in names)
 
     def goal(self, wanted: np.ndarray | None, *, angle: bool = False, frame: Product | None = None) -> Goal:

@@ -9,18 +9,18 @@ import numpy as np
 
 from pieper.errors import PieperError
 from pieper.judge.claim import Claim
+from pieper.judge.climbing import climbed
 from pieper.judge.evidence import Evidence
 from pieper.judge.numbers import UNITS
 from pieper.judge.samples import Samples, pose_symbols, samples_at
 from pieper.judge.verdict import HOLDS, Verdict
-from pieper.tolerances import CONDITION_MET, CONDITION_STEP
+from pieper.tolerances import CONDITION_MET
 from pieper.words_by_number import plural
 
 COUNTED = 40  # random poses
 MORE = 400  # of them, where a largest number was not met
 FULL = 6  # joints of an arm that can take every pose
 LOOKED = 2048  # joint vectors at which a condition said to leave no solution is tried
-CLIMBS, STEPS, TRIES = 8, 60, 32  # from so many of them the condition is then approached
 
 
 def judge_count(ev: Evidence, claim: Claim) -> Verdict:
@@ -133,17 +133,7 @@ def _none(ev: Evidence, claim: Claim) -> Verdict:
 
     drawn = ev.draw(LOOKED, seed=404, vary={})
     best = margin(drawn.env)
-    top = np.argsort(-best)[:CLIMBS]
-    q, reached = drawn.q[top], best[top]
-    rng = np.random.default_rng(8)
-    far = np.where([ev.model.sliding(j + 1) for j in range(ev.model.n)], ev.model.length(), 1.0)
-    for step in np.geomspace(1.0, CONDITION_STEP, STEPS):
-        tried = (q[:, None] + step * far * rng.normal(size=(len(q), TRIES, ev.model.n))).reshape(-1, ev.model.n)
-        gaps = margin(_filled(ev, tried).env).reshape(len(q), TRIES)
-        pick = gaps.argmax(axis=1)
-        better = gaps[np.arange(len(q)), pick] > reached
-        q = np.where(better[:, None], tried.reshape(len(q), TRIES, -1)[np.arange(len(q)), pick], q)
-        reached = np.maximum(reached, gaps.max(axis=1))
+    q, reached = climbed(ev.model, lambda tried: margin(_filled(ev, tried).env), drawn.q)
     size = 1.0 + max((abs(float(v)) for v in ev.model.values.values()), default=0.0) ** 2
     share = float((best > CONDITION_MET * size).mean())
     if reached.max() > CONDITION_MET * size:

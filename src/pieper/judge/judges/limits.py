@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
+from pieper.algebra.expression import Expr
 from pieper.judge.claim import Claim
-from pieper.judge.evidence import Evidence, number
+from pieper.judge.climbing import climbed
+from pieper.judge.dimensions import power_of_length
+from pieper.judge.evidence import Evidence, number, wrapped
 from pieper.judge.judges.tables import ZEROS
 from pieper.judge.model import ArmModel
 from pieper.judge.numbers import UNITS, unit_of
-from pieper.judge.samples import pose_of
+from pieper.judge.products import Product
+from pieper.judge.samples import Samples, pose_of, samples_at
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import CENTRAL_STEP, JUDGED_ZERO, LIMIT_DAMPING, LIMIT_FOUND, LIMIT_REACHED
 
@@ -68,30 +72,80 @@ def judge_limit(ev: Evidence, claim: Claim) -> Verdict:
 def judge_bounds(ev: Evidence, claim: Claim) -> Verdict:
     """Judge between which values a formula stays at all poses (keys is, between = [low, high], where, frame, when).
 
-    What is said of an open interval holds when the formula comes as near to an end as one likes.
+    The bounds are numbers, so that they are about this arm's own lengths. What is said of an open interval holds when
+    the formula comes as near to an end as one likes.
     """
     ev = ev.holding(claim)
     low, high = (float(v) for v in claim["between"])
     node, frame = ev.parse(str(claim["is"]), claim.where), ev.frame(claim)
     claim = claim.reads(f"{claim['is']} lies in {low:g} .. {high:g}")
-    drawn = ev.drawn(BOUNDS, seed=271_828)
-    with np.errstate(all="ignore"):
-        values = np.broadcast_to(
-            np.asarray(node.evaluate(drawn.environment(frame)), dtype=float), (len(drawn.samples.q),)
-        )
     slack = JUDGED_ZERO * max(1.0, abs(low), abs(high))
-    fine = (values > low - slack) & (values < high + slack)
-    met = f"the values met go from {number(float(np.nanmin(values)))} to {number(float(np.nanmax(values)))}"
+
+    def inside(values: np.ndarray) -> np.ndarray:
+        return (values > low - slack) & (values < high + slack)
+
+    drawn = ev.drawn(BOUNDS, 271_828, {})
+    values = _values(drawn, node, frame)
+    fine = inside(values)
+    ends = [_furthest(ev, node, frame, drawn.samples.q, sense) for sense in (-1, 1)]
+    least, most = (float(_values(end, node, frame)[0]) for end in ends)
+    met = f"the values met go from {number(least)} to {number(most)}"
     right, tried = int(fine.sum()), len(fine)
-    if fine.all():
-        return claim.holds(f"Holds: inside at {tried} of {tried} joint vectors; {met}.", right=right, tried=tried)
-    k = int(np.argmax(np.where(fine | ~np.isfinite(values), -np.inf, np.maximum(low - values, values - high))))
-    details = [("counter-example", f"at {drawn.at(k)}{drawn.extra_lengths(k, node)}: it is {number(float(values[k]))}")]
+    found = not inside(np.array([least, most])).all()
+    if fine.all() and not found:
+        others = ev.drawn(BOUNDS, 271_828)
+        any_arm = power_of_length(ev, node) == 0 and inside(_values(others, node, frame)).all()
+        whose = "" if not ev.model.values else ", for any lengths" if any_arm else " with this arm's lengths"
+        said = f"Holds: inside at {tried} of {tried} joint vectors{whose}, and at those searched for; {met}."
+        return claim.holds(said, right=right, tried=tried)
+    beyond = np.nan_to_num([low - least, most - high])
+    at, k = (ends[int(np.argmax(beyond))], 0) if found else (drawn, int(np.argmin(fine)))
+    worst = float(_values(at, node, frame)[k])
+    example = f"at {at.at(k)}: it is {number(worst) if np.isfinite(worst) else 'undefined'}"
+    details = [("counter-example", example)]
     if fine.mean() < 1 / 2:
         said = f"Wrong: inside at {right} of {tried} joint vectors; {met}."
         return claim.wrong(said, details, right=right, tried=tried)
+    if fine.all():
+        said = f"Inside at {tried} of {tried} random joint vectors, and outside at one that was searched for; {met}."
+        return claim.partly(said, details, right=right, tried=tried)
     share = f"{100 * fine.mean():.0f}% of the joint vectors"
     return claim.partly(f"Inside at {share} only; {met}.", details, right=right, tried=tried)
+
+
+def _values(ev: Evidence, node: Expr, frame: Product | None) -> np.ndarray:
+    with np.errstate(all="ignore"):
+        value = np.asarray(node.evaluate(ev.environment(frame)), dtype=float)
+    return np.broadcast_to(value, (len(ev.samples.q),))
+
+
+def _furthest(ev: Evidence, node: Expr, frame: Product | None, q: np.ndarray, sense: int) -> Evidence:
+    """Where a formula is largest (sense 1) or smallest (-1): one joint vector, of few digits where that is as good.
+
+    Slides stay among those of the joint vectors `q` from which it is looked for: how far they go no table says.
+    """
+    turning = np.array([not ev.model.sliding(j + 1) for j in range(ev.model.n)])
+    shortest, longest = (np.where(turning, end, limit) for end, limit in ((-np.inf, q.min(0)), (np.inf, q.max(0))))
+
+    def value(tried: np.ndarray) -> np.ndarray:
+        there = ev.on(_filled(ev, tried))
+        reached = np.all((tried >= shortest) & (tried <= longest), axis=1)
+        meant = np.logical_and.reduce([reached, *(c.met(there.samples.env) for c in ev.when)])
+        return np.nan_to_num(np.where(meant, sense * _values(there, node, frame), -np.inf), nan=-np.inf)
+
+    found, reached = climbed(ev.model, value, q, held=ev.held)
+    best = found[[int(np.argmax(reached))]]
+    best = np.where(turning, wrapped(best), best)
+    shown = np.where(turning, np.radians(np.round(np.degrees(best), 1)), np.round(best, 6))
+    same = number(float(value(shown)[0])) == number(float(reached.max()))
+    return ev.on(_filled(ev, shown if same else best))
+
+
+def _filled(ev: Evidence, q: np.ndarray) -> Samples:
+    samples = samples_at(ev.model, q)
+    ev.pick(samples.env, samples.frames)
+    ev.fill(samples.env)
+    return samples
 
 
 def _closest(model: ArmModel, point: np.ndarray, joint: int, limits: np.ndarray) -> float:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from pieper.judge.claim import Claim
+from pieper.judge.dimensions import in_unit
 from pieper.judge.evidence import Evidence
 from pieper.judge.model import ArmModel
 from pieper.judge.numbers import UNITS, as_text, cut_off, last_digit, misprint, read_joints, read_number, unit_of
@@ -22,7 +23,7 @@ ZEROS = (0, 90, 180, -90)  # deg, where makers put the zero of a joint relative 
 def judge_number(ev: Evidence, claim: Claim) -> Verdict:
     """Judge a printed number against a formula, at given joints when the formula needs them.
 
-    Keys: is, value, q_deg, unit, where.
+    Keys: is, value, q_deg, unit, where. The value is compared in the unit that is printed, whatever the arm's.
     """
     q = read_joints(claim, ev.model) if any(k in claim for k in ("q", "q_deg", "q_rad")) else np.zeros(ev.model.n)
     node = ev.parse(str(claim["is"]), claim.where)
@@ -30,24 +31,40 @@ def judge_number(ev: Evidence, claim: Claim) -> Verdict:
     env = there.env
     ev.pick(env, there.frames)
     ev.fill(env)
-    scale = 180 / np.pi if claim.get("unit") == "deg" else 1.0
+    scale, other = in_unit(ev, node, str(claim.get("unit", "")))
     with np.errstate(all="ignore"):
-        right = float(np.ravel(node.evaluate(env))[0]) * scale
-    printed = claim["value"]
+        value = float(np.ravel(node.evaluate(env))[0])
+    right, printed = value * scale, claim["value"]
     unit = f" {claim['unit']}" if "unit" in claim else ""
     claim = claim.reads(f"{claim['is']} = {as_text(printed)}{unit}")
+    if other:
+        return claim.wrong(f"Wrong: {claim['is']} {other}, and has no value in {claim['unit']}.", slip="unit")
     if not np.isfinite(right):
         why = "a relative error of a zero reference has no value"
         return claim.wrong("Wrong: the value is undefined (a division by zero).", [("undefined", why)])
     if abs(read_number(printed) - right) <= 0.51 * last_digit(printed):
         return claim.holds(f"Holds to the printed digits; more exactly {right:.10g}{unit}.")
-    why = misprint(printed, right)
+    why = misprint(printed, right) or _other_unit(ev, claim, value)
     details = [("nearest right reading", f"{right:.10g}{unit}")] + ([("the slip", why)] if why else [])
     if cut_off(printed, right):
         sentence = f"Holds but for the rounding of the last digit, which is cut off; more exactly {right:.10g}{unit}."
         return claim.holds(sentence, details)
     sentence = f"Wrong: printed {as_text(printed)}, right {right:.10g}{unit}."
     return claim.wrong(sentence, details, "misprint" if why else "")
+
+
+def _other_unit(ev: Evidence, claim: Claim, value: float) -> str:
+    """The unit of length in which a printed number would be right; "" where there is none."""
+    here = claim.get("unit", ev.model.unit)
+    for unit, size in UNITS.items():
+        right = value * UNITS[ev.model.unit] / size
+        if (
+            here in UNITS
+            and unit != here
+            and abs(read_number(claim["value"]) - right) <= 0.51 * last_digit(claim["value"])
+        ):
+            return f"the number is in {unit}"
+    return ""
 
 
 def judge_errors(ev: Evidence, claim: Claim) -> Verdict:
