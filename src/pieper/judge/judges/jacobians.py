@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,6 +22,7 @@ MOST_ROWS = 6
 HALVINGS = 8  # of a step that does not help
 FEW_PLACES = 3  # singular joint vectors that show what they have in common
 HALF_TURN = 180.0
+TWO = "two slips"
 
 
 def rows_for(ev: Evidence, claim: Claim) -> list[int]:
@@ -102,7 +104,28 @@ def judge_determinant(ev: Evidence, claim: Claim) -> Verdict:
             "Holds but for the sign of the whole, which goes with the order of rows and the frame: equal to -det J at "
             f"{len(right)} of {len(right)} joint vectors."
         )
-    return judge_equal(ev, claim, node, right, source=determinant)
+    return _with_either_sign(ev, claim, node, determinant)
+
+
+def _with_either_sign(ev: Evidence, claim: Claim, node: Expr, determinant: Callable[[Evidence], np.ndarray]) -> Verdict:
+    """The verdict on a determinant against that sign of the right one from which it is one slip away.
+
+    The sign is free, so that it is no slip: the one that the formula goes along with is tried first, and the other where
+    that leaves more than one slip.
+    """
+    right = determinant(ev)
+    with np.errstate(all="ignore"):
+        along = np.nansum(np.broadcast_to(np.asarray(node.evaluate(ev.samples.env), dtype=float), right.shape) * right)
+    found: list[Verdict] = []
+    for sign in (1, -1) if along >= 0 else (-1, 1):
+        one = judge_equal(ev, claim, node, sign * right, source=lambda at, sign=sign: sign * determinant(at))
+        if sign < 0 and not one.holds:
+            told = ("sign", "compared with -det J, for the sign of the whole goes with the order of rows and the frame")
+            one = replace(one, details=(*one.details, told))
+        found.append(one)
+        if not one.wrong or one.slip not in ("", TWO):
+            return one
+    return next((one for one in found if one.slip), found[0])
 
 
 def judge_singular(ev: Evidence, claim: Claim) -> Verdict:
