@@ -110,8 +110,8 @@ def judge_determinant(ev: Evidence, claim: Claim) -> Verdict:
 def _with_either_sign(ev: Evidence, claim: Claim, node: Expr, determinant: Callable[[Evidence], np.ndarray]) -> Verdict:
     """The verdict on a determinant against that sign of the right one from which it is one slip away.
 
-    The sign is free, so that it is no slip: the one that the formula goes along with is tried first, and the other where
-    that leaves more than one slip.
+    The sign is free, so that it is no slip: the one that the formula goes along with is tried first, and the other
+    where that leaves more than one slip.
     """
     right = determinant(ev)
     with np.errstate(all="ignore"):

@@ -225,6 +225,8 @@ class Lost:
         if np.ptp(np.cos(gap)) + np.ptp(np.sin(gap)) < CONSTANT_GAP:
             return  # the same at every sample: half a turn, say
         entries = [e for e in self.letters.values() if isinstance(e, Sym) and _any_entry(e.name)]
+        # of one that is zero for this arm atan2 is no angle, but a half turn here and there
+        entries = [e for e in entries if np.abs(env[e.name]).max() > CONSTANT_GAP]
         for y, x in permutations(entries, 2):
             for sy, sx in product((1, -1), repeat=2):
                 arc = np.arctan2(sy * env[y.name], sx * env[x.name])

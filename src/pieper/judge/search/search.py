@@ -18,6 +18,7 @@ from pieper.algebra.expression import Expr
 from pieper.algebra.formula import Equation, has_branch, unordered
 from pieper.judge.search.lookup import Lost, Shelf
 from pieper.judge.search.required import required_values
+from pieper.judge.search.shared import slips_in_shared
 from pieper.judge.slips.slip import Slip
 from pieper.kinematics.joints import short_way
 from pieper.tolerances import FLOOR_OF_SEARCH, NEED_MET, ROUNDING, SEARCH_ARC, VALUE_TOLERANCE
@@ -156,6 +157,8 @@ def search(
         look.all(lost.slips(root, shelf, needed, values))
         if goal.angle and probe.wanted is not None:
             look.all(lost.angles(root, probe.wanted - values[root], probe.env))
+        if not any(slip.cost <= LIKELY for slip in out.found):
+            look.all(slips_in_shared(root, lost, shelf, probe.env, probe.wanted, values, angle=goal.angle))
         if pairs and not out.found:
             _two_at_once(look, probe, likely[: NODES_OF_TWO // root.size()], lost, shelf)
     out.found.sort(key=lambda s: (s.cost, s.tree.size()))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Num, PiFraction
-from pieper.algebra.formula import Equation, Mention, Neg, PlusMinus, is_call, number, positions
+from pieper.algebra.formula import Equation, Mention, Neg, PlusMinus, has_branch, is_call, number, positions
 from pieper.judge.slips.slip import Slip
 
 
@@ -37,6 +37,9 @@ def angle_slips(root: Expr, joints: int) -> Iterator[Slip]:
         both = Add.of(rest, quarter, PlusMinus(quarter))
         yield whole("branch", "+-pi for {{0, pi}}: the principal value is lost", both, 0.5)
     for path, node, _ in positions(root):
+        if is_call(node, "asin") and not has_branch(root):
+            either = Add.of(quarter, PlusMinus(Add.of(node, Neg.of(quarter))))
+            yield Slip("branch", ("the second branch, pi - {}, left out", node), root, path, either, 1.0)
         y, x = _sine_and_cosine(node)
         if y is None or x is None:
             continue
