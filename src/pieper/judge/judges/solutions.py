@@ -25,7 +25,6 @@ from pieper.judge.slips.fitting import joint_that_fits
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_ZERO
 
-
 RADIAN_DIGITS = 0.02  # rad: a number of one decimal or none could be any angle
 
 
