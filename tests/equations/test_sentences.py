@@ -48,9 +48,7 @@ def test_a_point_on_the_first_axis_of_a_long_arm_is_held_all_the_way_round(numbe
     assert false_sentences(random_arm(number, 3)[0]) == []
 
 
-@pytest.mark.xfail(
-    reason="two roots of the quartic that meet keep six digits, too few to see the next step free"
-)
+@pytest.mark.xfail(reason="two roots of the quartic that meet keep six digits, too few to see the next step free")
 def test_a_point_on_the_first_axis_of_an_arm_over_decades_is_given_back():
     assert false_sentences(random_arm(284, 3)[0]) == []
 
