@@ -26,6 +26,7 @@ from pieper.equations.derivation.step import Step
 from pieper.equations.derivation.witness import branch_values, single_joint
 from pieper.equations.table import SymbolTable
 from pieper.equations.vanishing import NEWTON, random_postures, scale_of, vanishing_near
+from pieper.kinematics.joints import short_way
 from pieper.tolerances import (
     COEFFICIENT_VANISHES,
     DAMPING_LEAST,
@@ -264,7 +265,7 @@ def _reached(
     def missed(points: Array, T: Array, target: Array) -> Array:
         parts = (form.poses(points)[:, :3, columns] - T[:, :3, columns]) / scales
         gap = points @ A.T - target
-        held = np.where(slides, gap / size, (gap + np.pi) % (2 * np.pi) - np.pi)
+        held = np.where(slides, gap / size, short_way(gap))
         return np.concatenate([parts.reshape(len(points), -1), held], axis=1)
 
     done = np.zeros(len(x), dtype=bool)

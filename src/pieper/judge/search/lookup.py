@@ -19,6 +19,7 @@ import numpy as np
 from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Num, PiFraction, Power, Sym
 from pieper.algebra.formula import ANGLE, Equation, Mention, Neg, PlusMinus, is_call, number, positions, unordered
 from pieper.judge.slips.slip import Slip
+from pieper.kinematics.joints import short_way
 from pieper.tolerances import CONSTANT_GAP, SEARCH_ARC, SEARCH_SAME
 
 FACTORS = 3  # letters in a lost term
@@ -216,7 +217,7 @@ class Lost:
         """
         for name in (f"theta{j}" for j in range(1, self.joints + 1)):
             for sign in (1, -1):
-                off = np.abs((gap - sign * env[name] + np.pi) % (2 * np.pi) - np.pi)
+                off = np.abs(short_way(gap - sign * env[name]))
                 if name not in self.own and np.count_nonzero(off < SEARCH_ARC) * 2 >= len(off):
                     term = Mention(name)
                     new = Add.of(root, term if sign > 0 else Neg.of(term))
@@ -227,7 +228,7 @@ class Lost:
         for y, x in permutations(entries, 2):
             for sy, sx in product((1, -1), repeat=2):
                 arc = np.arctan2(sy * env[y.name], sx * env[x.name])
-                if np.count_nonzero(np.abs((gap - arc + np.pi) % (2 * np.pi) - np.pi) < SEARCH_ARC) >= ENOUGH:
+                if np.count_nonzero(np.abs(short_way(gap - arc)) < SEARCH_ARC) >= ENOUGH:
                     term = Call("atan2", y if sy > 0 else Neg.of(y), x if sx > 0 else Neg.of(x))
                     yield Slip("missing term", ("{} lost", term), root, (), Add.of(term, root), 1.1)
 
