@@ -53,7 +53,7 @@ def fitted(content: str) -> str:
 
 
 def fits(content: str) -> bool:
-    """Whether content that cannot be broken, such as a matrix, fits on a line at all: set no smaller than can be read."""
+    """Whether content that cannot be broken, such as a matrix, fits on a line, set no smaller than can be read."""
     return width(ET.fromstring(f"<math>{content}</math>")) * SMALLEST <= LINE
 
 
