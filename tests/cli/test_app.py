@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 import pieper
+from pieper.cli import main
+from pieper.cli.stopping import Stopped
 
 ARM = pieper.load("denso-vp6242")
 
@@ -262,3 +264,28 @@ def test_rows_outside_the_limits_alone_are_no_solution_self_motions_or_not(run):
     status, out, _ = run("ik", "adept-cobra", "400", "100", "300")
     assert "OUTSIDE_LIMITS" in out and "self-motions" in out
     assert status == 1
+
+
+@pytest.mark.parametrize("stop", [KeyboardInterrupt, Stopped])
+def test_the_way_to_leave_the_workbench_is_no_interruption(run, monkeypatch, stop):
+    def serve(**_):
+        raise stop
+
+    monkeypatch.setattr("pieper.workbench.serve", serve)
+    status, _, said = run("workbench", "--no-browser")
+    assert (status, said) == (0, "")
+
+
+def test_the_tour_breaks_its_sentences_to_the_terminal(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr("pieper.cli.output.terminal_width", lambda: 30)
+
+    def study(out, say):
+        say("  tool up (+z), R = I: 50 of 50 points have a solution")
+        return out / "index.html", True
+
+    monkeypatch.setattr("pieper.cli.denso_study.run", study)
+    with pytest.raises(SystemExit):
+        main(["tour", "-o", str(tmp_path)])
+    said = capsys.readouterr().out
+    assert "  tool up (+z), R = I: 50 of\n  50 points have a solution\n" in said
+    assert str(tmp_path / "index.html") in said
