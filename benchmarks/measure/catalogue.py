@@ -17,6 +17,7 @@ import numpy as np
 
 import pieper
 from benchmarks.kept import RESULTS, read, write
+from oracle.joints import around
 
 
 def fingerprint(arm: pieper.Arm) -> str:
@@ -43,7 +44,7 @@ def measured(name: str, count: int) -> dict:
     start = time.process_time()
     found = arm.ik_many(T, threads=1, redundancy=values)
     spent = 1e6 * (time.process_time() - start) / count
-    gap = np.where(plan.prismatic, found.q - q[:, None], (found.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi)
+    gap = np.where(plan.prismatic, found.q - q[:, None], around(found.q - q[:, None]))
     missed = int(np.sum(~((np.abs(gap).max(-1) < 1e-6) & found.valid).any(1)))
     counts = found.count
     return {

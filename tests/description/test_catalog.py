@@ -13,6 +13,7 @@ import pieper
 from benchmarks import kept
 from benchmarks.measure.catalogue import fingerprint
 from benchmarks.pages import arms as page_of_arms
+from oracle.joints import turns_apart
 from oracle.products import product
 from pieper.description import catalog, catalog_index
 from pieper.errors import InputError
@@ -145,7 +146,7 @@ def test_an_arm_from_a_urdf_finds_its_own_postures_again(name):
         assert all(len(arm.ik(pose).all_q) for pose in T[:2])
         return
     found = arm.ik_many(T, threads=1)
-    gap = np.abs((found.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi).max(-1)
+    gap = turns_apart(found.q, q[:, None]).max(-1)
     assert ((gap < 1e-6) & found.valid).any(1).all()
     # of five joints the task may be a position and the tool's axis, which is what counts then
     close = arm.plan.residual(

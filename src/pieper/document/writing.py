@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Generator
 from contextlib import contextmanager
@@ -10,6 +11,9 @@ from typing import BinaryIO
 
 from pieper import arguments
 from pieper.errors import InputError
+
+#: What says that there is no room: a full disk, a used-up quota, a file larger than is allowed.
+NO_ROOM = {errno.ENOSPC, errno.EFBIG, errno.EDQUOT}
 
 
 @contextmanager
@@ -24,7 +28,8 @@ def whole_file(path: str | os.PathLike[str]) -> Generator[BinaryIO, None, None]:
         The file, open for writing bytes.
 
     Raises:
-        InputError: This is no path, or is a folder, or its folder does not exist or cannot be written.
+        InputError: This is no path, or is a folder, or its folder does not exist or cannot be written, or there is no
+            room; the message names it.
     """
     import tempfile
 
@@ -46,9 +51,12 @@ def whole_file(path: str | os.PathLike[str]) -> Generator[BinaryIO, None, None]:
         name = None
     except OSError as error:
         reason = error.strerror or str(error)
-        raise InputError(
-            f"cannot write {given}: {reason}. Choose a folder that exists and is yours.", path=given
-        ) from None
+        cure = (
+            "Free room there, or choose another"
+            if error.errno in NO_ROOM
+            else "Choose a folder that exists and is yours"
+        )
+        raise InputError(f"cannot write {given}: {reason}. {cure}.", path=given) from None
     finally:
         if name is not None:
             Path(name).unlink(missing_ok=True)
